@@ -1,0 +1,385 @@
+//! From descriptions to a mechanism: all the validation there is.
+
+use crate::problem::{Problem, Severity, Subject};
+use crate::{
+    Geometry, Inertial, Joint, JointDescription, JointId, JointKind, Limits, Link, LinkDescription, LinkId,
+    Mechanism, Mimic, inertia_check, near_names, tree,
+};
+use nalgebra::Matrix3;
+use percuss_spatial::{SpatialInertia, Vector3};
+use std::collections::HashMap;
+use std::fmt;
+
+/// What a user takes as it is, against the builder's advice.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Accept {
+    /// Inertias with a negative principal moment.
+    pub indefinite_inertia: bool,
+}
+
+/// A mechanism and what was noticed while building it.
+#[derive(Debug)]
+pub struct Built {
+    /// The mechanism.
+    pub mechanism: Mechanism,
+    /// Warnings and notes.
+    pub findings: Vec<(Subject, Problem)>,
+}
+
+/// No mechanism: at least one finding is an error.
+#[derive(Debug, thiserror::Error)]
+pub struct BuildError {
+    /// All findings, warnings and notes among them.
+    pub findings: Vec<(Subject, Problem)>,
+}
+
+impl fmt::Display for BuildError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let errors = self.findings.iter().filter(|(_, p)| p.severity() == Severity::Error);
+        for (i, (subject, problem)) in errors.enumerate() {
+            write!(f, "{}{subject}: {problem}", if i == 0 { "" } else { "\n" })?;
+        }
+        Ok(())
+    }
+}
+
+/// Collects links and joints by name; [`build`](Self::build) checks them.
+#[derive(Clone, Debug, Default)]
+pub struct MechanismBuilder {
+    name: String,
+    accept: Accept,
+    links: Vec<LinkDescription>,
+    joints: Vec<JointDescription>,
+}
+
+/// Larger numbers are no mechanism in SI units, and their products would overflow.
+const LARGEST: f64 = 1e100;
+/// A rotation matrix given from outside may be off by this much.
+const ROTATION_DEFECT: f64 = 1e-9;
+/// Axes are normalised; beyond this relative deviation that is worth a note.
+const AXIS_SLACK: f64 = 1e-4;
+
+impl MechanismBuilder {
+    /// An empty mechanism of this name.
+    pub fn new(name: impl Into<String>) -> Self {
+        Self { name: name.into(), ..Self::default() }
+    }
+
+    /// Takes some findings as they are.
+    pub fn accept(mut self, accept: Accept) -> Self {
+        self.accept = accept;
+        self
+    }
+
+    /// Adds a link.
+    pub fn link(mut self, link: LinkDescription) -> Self {
+        self.links.push(link);
+        self
+    }
+
+    /// Adds a joint.
+    pub fn joint(mut self, joint: JointDescription) -> Self {
+        self.joints.push(joint);
+        self
+    }
+
+    /// Checks everything and builds the mechanism.
+    ///
+    /// # Errors
+    /// [`BuildError`] with every finding, where one of them is an error: one root, a tree, unique names, finite
+    /// numbers, masses and armatures ≥ 0, no negative principal moment, axes with a direction, mimics that lead
+    /// to a joint with one degree of freedom.
+    pub fn build(self) -> Result<Built, BuildError> {
+        let mut check = Check { findings: Vec::new() };
+        let built = self.assemble(&mut check);
+        let findings = check.findings;
+        match built {
+            Some(mechanism) if !findings.iter().any(|(_, p)| p.severity() == Severity::Error) => {
+                Ok(Built { mechanism, findings })
+            }
+            _ => Err(BuildError { findings }),
+        }
+    }
+
+    fn assemble(self, check: &mut Check) -> Option<Mechanism> {
+        if self.links.is_empty() {
+            check.add(Subject::Mechanism, Problem::NoLinks);
+            return None;
+        }
+        let link_ids = check.unique(self.links.iter().map(|l| &l.name), link_subject);
+        let joint_ids = check.unique(self.joints.iter().map(|j| &j.name), joint_subject);
+        for (i, link) in self.links.iter().enumerate() {
+            check.link_numbers(link_subject(i, &link.name), link);
+        }
+        for (i, joint) in self.joints.iter().enumerate() {
+            check.joint_numbers(joint_subject(i, &joint.name), joint);
+        }
+        let ends = self.ends(check, &link_ids);
+        let mimics = self.mimics(check, &joint_ids);
+        if check.has_errors() {
+            return None;
+        }
+        let names: Vec<String> = self.links.iter().map(|l| l.name.clone()).collect();
+        let tree = match tree::build(&names, &ends) {
+            Ok(tree) => tree,
+            Err(problem) => {
+                check.add(Subject::Mechanism, problem);
+                return None;
+            }
+        };
+        let joints = self.joints(&ends, mimics);
+        let mut links: Vec<Link> = self.links.iter().map(make_link).collect();
+        for joint in &joints {
+            let reach = joint.origin.translation.norm();
+            let parent = &mut links[joint.parent.index()];
+            parent.extent = parent.extent.max(reach);
+        }
+        let length = characteristic_length(&links, tree.root);
+        for (i, link) in self.links.iter().enumerate() {
+            let problem = match &link.inertial {
+                Some(inertial) => inertia_check::check(inertial, length, self.accept.indefinite_inertia),
+                None if tree.root.index() != i => Some(Problem::Massless),
+                None => None,
+            };
+            if let Some(problem) = problem {
+                check.add(link_subject(i, &link.name), problem);
+            }
+        }
+        Some(Mechanism::new(self.name, links, joints, tree, length))
+    }
+
+    /// Parent and child of every joint; unknown names become link 0 beside the error.
+    fn ends(&self, check: &mut Check, ids: &HashMap<String, usize>) -> Vec<(LinkId, LinkId)> {
+        let mut first_parent: HashMap<usize, usize> = HashMap::new();
+        let mut ends = Vec::with_capacity(self.joints.len());
+        for (i, joint) in self.joints.iter().enumerate() {
+            let subject = joint_subject(i, &joint.name);
+            let mut find = |role: &'static str, link: &String| {
+                ids.get(link).copied().unwrap_or_else(|| {
+                    let near = near_names(link, self.links.iter().map(|l| l.name.as_str()));
+                    check.add(subject.clone(), Problem::UnknownLink { role, link: link.clone(), near });
+                    usize::MAX
+                })
+            };
+            let (parent, child) = (find("parent", &joint.parent), find("child", &joint.child));
+            if parent == child && parent != usize::MAX {
+                check.add(subject.clone(), Problem::JoinsItself { link: joint.child.clone() });
+            } else if child != usize::MAX
+                && let Some(&first) = first_parent.get(&child)
+            {
+                let problem =
+                    Problem::TwoParents { link: joint.child.clone(), first: self.joints[first].name.clone() };
+                check.add(subject, problem);
+            }
+            first_parent.entry(child).or_insert(i);
+            ends.push((LinkId(parent as u32), LinkId(child as u32)));
+        }
+        ends
+    }
+
+    /// Follows every mimic to the joint that is not a mimic itself.
+    fn mimics(&self, check: &mut Check, ids: &HashMap<String, usize>) -> Vec<Option<Mimic>> {
+        let mut resolved = vec![None; self.joints.len()];
+        for (i, joint) in self.joints.iter().enumerate() {
+            let Some(mimic) = &joint.mimic else { continue };
+            let subject = joint_subject(i, &joint.name);
+            if joint.kind.dofs() != 1 {
+                let problem = Problem::MimicKind { joint: joint.name.clone(), kind: joint.kind.name() };
+                check.add(subject, problem);
+                continue;
+            }
+            let Some(&first) = ids.get(&mimic.joint) else {
+                let near = near_names(&mimic.joint, self.joints.iter().map(|j| j.name.as_str()));
+                check.add(subject, Problem::DanglingMimic { master: mimic.joint.clone(), near });
+                continue;
+            };
+            let (mut multiplier, mut offset) = (mimic.multiplier, mimic.offset);
+            let mut chain = vec![i];
+            let mut master = first;
+            let problem = loop {
+                if let Some(at) = chain.iter().position(|&j| j == master) {
+                    // Told once, by the first joint of the circle; joints leading into it are told too.
+                    let joints = chain[at..].iter().map(|&j| self.joints[j].name.clone()).collect();
+                    break Some(Problem::MimicCycle { joints });
+                }
+                let joint = &self.joints[master];
+                if joint.kind.dofs() != 1 {
+                    let kind = joint.kind.name();
+                    break Some(Problem::MimicKind { joint: joint.name.clone(), kind });
+                }
+                let next = joint.mimic.as_ref().and_then(|m| Some((m, *ids.get(&m.joint)?)));
+                let Some((m, next)) = next else { break None };
+                offset += multiplier * m.offset;
+                multiplier *= m.multiplier;
+                chain.push(master);
+                master = next;
+            };
+            match problem {
+                Some(problem) => check.add(subject, problem),
+                None => {
+                    resolved[i] = Some(Mimic { master: JointId(master as u32), multiplier, offset });
+                }
+            }
+        }
+        resolved
+    }
+
+    fn joints(&self, ends: &[(LinkId, LinkId)], mimics: Vec<Option<Mimic>>) -> Vec<Joint> {
+        let make = |((joint, &(parent, child)), mimic): ((&JointDescription, _), _)| Joint {
+            name: joint.name.clone(),
+            kind: joint.kind,
+            parent,
+            child,
+            origin: joint.origin,
+            axis: if joint.kind.has_axis() { unit(&joint.axis) } else { Vector3::z() },
+            limits: joint.limits.filter(|l| l.lower <= l.upper && joint.kind != JointKind::Continuous),
+            armature: match joint.armature[..] {
+                [] => vec![0.0; joint.kind.dofs()],
+                [value] => vec![value; joint.kind.dofs()],
+                _ => joint.armature.clone(),
+            },
+            mimic,
+        };
+        self.joints.iter().zip(ends).zip(mimics).map(make).collect()
+    }
+}
+
+fn link_subject(index: usize, name: &str) -> Subject {
+    Subject::Link { index, name: name.to_owned() }
+}
+
+fn joint_subject(index: usize, name: &str) -> Subject {
+    Subject::Joint { index, name: name.to_owned() }
+}
+
+/// Normalised without overflow or underflow.
+fn unit(axis: &Vector3<f64>) -> Vector3<f64> {
+    (axis / axis.amax()).normalize()
+}
+
+fn make_link(link: &LinkDescription) -> Link {
+    let reach = match link.geometry {
+        Geometry::None | Geometry::Mesh => 0.0,
+        Geometry::Within(radius) => radius,
+    };
+    let extent = link.inertial.as_ref().map_or(0.0, |i| i.com.norm().max(gyration(i))).max(reach);
+    Link {
+        name: link.name.clone(),
+        inertia: link.inertial.as_ref().map_or_else(SpatialInertia::zero, Inertial::spatial),
+        has_inertial: link.inertial.is_some(),
+        geometry: link.geometry,
+        extent,
+    }
+}
+
+/// An upper bound on the radius of gyration, m; zero without mass.
+fn gyration(inertial: &Inertial) -> f64 {
+    if inertial.mass > 0.0 { (inertial.about_com.trace().abs() / inertial.mass).sqrt() } else { 0.0 }
+}
+
+fn characteristic_length(links: &[Link], root: LinkId) -> f64 {
+    let moving = links.iter().enumerate().filter(|&(i, _)| i != root.index()).map(|(_, l)| l.extent);
+    let length = moving.fold(0.0, f64::max);
+    let length = if length > 0.0 { length } else { links[root.index()].extent };
+    if length > 0.0 { length } else { 1.0 }
+}
+
+/// The findings so far.
+struct Check {
+    findings: Vec<(Subject, Problem)>,
+}
+
+impl Check {
+    fn add(&mut self, subject: Subject, problem: Problem) {
+        self.findings.push((subject, problem));
+    }
+
+    fn has_errors(&self) -> bool {
+        self.findings.iter().any(|(_, p)| p.severity() == Severity::Error)
+    }
+
+    fn unique<'a>(
+        &mut self,
+        names: impl Iterator<Item = &'a String>,
+        subject: fn(usize, &str) -> Subject,
+    ) -> HashMap<String, usize> {
+        let mut ids = HashMap::new();
+        for (i, name) in names.enumerate() {
+            if name.is_empty() {
+                self.add(subject(i, name), Problem::EmptyName);
+            } else if let Some(&first) = ids.get(name) {
+                self.add(subject(i, name), Problem::DuplicateName { first });
+            } else {
+                ids.insert(name.clone(), i);
+            }
+        }
+        ids
+    }
+
+    /// Adds an error and says `false` unless every value is finite and of a sane size.
+    fn sane<'a>(
+        &mut self,
+        subject: &Subject,
+        quantity: &'static str,
+        values: impl IntoIterator<Item = &'a f64>,
+    ) -> bool {
+        for &value in values {
+            if !value.is_finite() {
+                self.add(subject.clone(), Problem::NotFinite { quantity, value });
+                return false;
+            }
+            if value.abs() > LARGEST {
+                self.add(subject.clone(), Problem::TooLarge { quantity, value });
+                return false;
+            }
+        }
+        true
+    }
+
+    fn link_numbers(&mut self, subject: Subject, link: &LinkDescription) {
+        let Some(inertial) = &link.inertial else { return };
+        self.sane(&subject, "centre of mass", &inertial.com);
+        self.sane(&subject, "inertia", &inertial.about_com);
+        if self.sane(&subject, "mass", [&inertial.mass]) && inertial.mass < 0.0 {
+            self.add(subject, Problem::NegativeMass { mass: inertial.mass });
+        }
+    }
+
+    fn joint_numbers(&mut self, subject: Subject, joint: &JointDescription) {
+        self.sane(&subject, "origin", &joint.origin.translation);
+        if self.sane(&subject, "rotation", &joint.origin.rotation) {
+            let r = &joint.origin.rotation;
+            let defect = (r.transpose() * r - Matrix3::identity()).amax();
+            if defect > ROTATION_DEFECT || r.determinant() < 0.0 {
+                self.add(subject.clone(), Problem::NotARotation { defect });
+            }
+        }
+        if joint.kind.has_axis() && self.sane(&subject, "axis", &joint.axis) {
+            let length = joint.axis.norm();
+            if joint.axis.amax() < 1e-100 {
+                self.add(subject.clone(), Problem::ZeroAxis);
+            } else if (length - 1.0).abs() > AXIS_SLACK {
+                self.add(subject.clone(), Problem::AxisNotUnit { length });
+            }
+        }
+        if self.sane(&subject, "armature", &joint.armature) {
+            if let Some(&value) = joint.armature.iter().find(|a| **a < 0.0) {
+                self.add(subject.clone(), Problem::NegativeArmature { value });
+            }
+            let (got, dofs) = (joint.armature.len(), joint.kind.dofs());
+            let one_fits = got == 1 && joint.kind.is_homogeneous() && dofs > 0;
+            if got != 0 && got != dofs && !one_fits {
+                self.add(subject.clone(), Problem::ArmatureCount { got, dofs });
+            }
+        }
+        if let Some(Limits { lower, upper }) = joint.limits {
+            self.sane(&subject, "limit", [&lower, &upper]);
+            if lower > upper {
+                self.add(subject.clone(), Problem::LimitsReversed { lower, upper });
+            }
+        }
+        if let Some(mimic) = &joint.mimic {
+            self.sane(&subject, "mimic", [&mimic.multiplier, &mimic.offset]);
+        }
+    }
+}

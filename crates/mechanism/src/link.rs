@@ -1,0 +1,64 @@
+//! A rigid link.
+
+use percuss_spatial::SpatialInertia;
+
+/// Index of a link in its mechanism, in the order the links were given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct LinkId(pub(crate) u32);
+
+impl LinkId {
+    /// Position in [`Mechanism::links`](crate::Mechanism::links).
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// How far the declared shape of a link reaches. Used only to doubt a contact point, never in the mechanics.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Geometry {
+    /// No shape was declared.
+    #[default]
+    None,
+    /// All of it lies within this distance of the link's origin, m.
+    Within(f64),
+    /// It has a mesh, whose size is not known.
+    Mesh,
+}
+
+/// A rigid link: its name and what it weighs.
+#[derive(Clone, Debug)]
+pub struct Link {
+    pub(crate) name: String,
+    pub(crate) inertia: SpatialInertia<f64>,
+    pub(crate) has_inertial: bool,
+    pub(crate) geometry: Geometry,
+    pub(crate) extent: f64,
+}
+
+impl Link {
+    /// Its name, unique in the mechanism.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Its inertia about the origin of the link frame, in the link's axes. Zero for a massless link.
+    pub fn inertia(&self) -> &SpatialInertia<f64> {
+        &self.inertia
+    }
+
+    /// Whether an inertia was declared at all (a declared mass of 0 counts).
+    pub fn has_inertial(&self) -> bool {
+        self.has_inertial
+    }
+
+    /// How far its declared shape reaches.
+    pub fn geometry(&self) -> Geometry {
+        self.geometry
+    }
+
+    /// How far from the origin anything of the link is known to lie, m: centre of mass, radius of gyration,
+    /// joints to its children, declared shape. Zero for a bare frame.
+    pub fn extent(&self) -> f64 {
+        self.extent
+    }
+}

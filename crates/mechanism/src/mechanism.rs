@@ -1,0 +1,138 @@
+//! The immutable mechanism.
+
+use crate::tree::Tree;
+use crate::{Joint, JointId, Link, LinkId, NameKind, UnknownName, near_names};
+use std::collections::HashMap;
+
+/// Links joined into one tree. Immutable, `Send + Sync`; share it by `Arc`.
+#[derive(Debug)]
+pub struct Mechanism {
+    pub(crate) name: String,
+    pub(crate) links: Vec<Link>,
+    pub(crate) joints: Vec<Joint>,
+    pub(crate) root: LinkId,
+    pub(crate) parent_joint: Vec<Option<JointId>>,
+    pub(crate) child_joints: Vec<Vec<JointId>>,
+    pub(crate) order: Vec<LinkId>,
+    pub(crate) link_by_name: HashMap<String, LinkId>,
+    pub(crate) joint_by_name: HashMap<String, JointId>,
+    pub(crate) characteristic_length: f64,
+}
+
+impl Mechanism {
+    pub(crate) fn new(
+        name: String,
+        links: Vec<Link>,
+        joints: Vec<Joint>,
+        tree: Tree,
+        characteristic_length: f64,
+    ) -> Self {
+        let link_by_name =
+            links.iter().enumerate().map(|(i, l)| (l.name.clone(), LinkId(i as u32))).collect();
+        let joint_by_name =
+            joints.iter().enumerate().map(|(i, j)| (j.name.clone(), JointId(i as u32))).collect();
+        let Tree { root, parent_joint, child_joints, order } = tree;
+        Self {
+            name,
+            links,
+            joints,
+            root,
+            parent_joint,
+            child_joints,
+            order,
+            link_by_name,
+            joint_by_name,
+            characteristic_length,
+        }
+    }
+
+    /// Its name.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// All links, in the order given.
+    pub fn links(&self) -> &[Link] {
+        &self.links
+    }
+
+    /// All joints, in the order given.
+    pub fn joints(&self) -> &[Joint] {
+        &self.joints
+    }
+
+    /// The link with this index.
+    pub fn link(&self, id: LinkId) -> &Link {
+        &self.links[id.index()]
+    }
+
+    /// The joint with this index.
+    pub fn joint(&self, id: JointId) -> &Joint {
+        &self.joints[id.index()]
+    }
+
+    /// Indices of all links, in the order given.
+    pub fn link_ids(&self) -> impl Iterator<Item = LinkId> + use<> {
+        (0..self.links.len() as u32).map(LinkId)
+    }
+
+    /// Indices of all joints, in the order given.
+    pub fn joint_ids(&self) -> impl Iterator<Item = JointId> + use<> {
+        (0..self.joints.len() as u32).map(JointId)
+    }
+
+    /// The link without a parent.
+    pub fn root(&self) -> LinkId {
+        self.root
+    }
+
+    /// Every link, parents before children.
+    pub fn order(&self) -> &[LinkId] {
+        &self.order
+    }
+
+    /// The joint above a link; none for the root.
+    pub fn parent_joint(&self, link: LinkId) -> Option<JointId> {
+        self.parent_joint[link.index()]
+    }
+
+    /// The joints below a link.
+    pub fn child_joints(&self, link: LinkId) -> &[JointId] {
+        &self.child_joints[link.index()]
+    }
+
+    /// The link of this name.
+    ///
+    /// # Errors
+    /// [`UnknownName`] with the names that come near.
+    pub fn find_link(&self, name: &str) -> Result<LinkId, UnknownName> {
+        self.link_by_name.get(name).copied().ok_or_else(|| UnknownName {
+            kind: NameKind::Link,
+            name: name.to_owned(),
+            near: near_names(name, self.links.iter().map(Link::name)),
+        })
+    }
+
+    /// The joint of this name.
+    ///
+    /// # Errors
+    /// [`UnknownName`] with the names that come near.
+    pub fn find_joint(&self, name: &str) -> Result<JointId, UnknownName> {
+        self.joint_by_name.get(name).copied().ok_or_else(|| UnknownName {
+            kind: NameKind::Joint,
+            name: name.to_owned(),
+            near: near_names(name, self.joints.iter().map(Joint::name)),
+        })
+    }
+
+    /// Mass of all links together, kg.
+    pub fn total_mass(&self) -> f64 {
+        self.links.iter().map(|l| l.inertia.mass).sum()
+    }
+
+    /// A length (m) that is neither far above nor far below those of the mechanism: the greatest extent of a
+    /// link other than the root, else of the root, else 1. Scales rank decisions; enters no result.
+    pub fn characteristic_length(&self) -> f64 {
+        self.characteristic_length
+    }
+}

@@ -1,0 +1,102 @@
+//! Looking a name up, and what was probably meant.
+
+use std::fmt;
+
+/// What the name was to name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NameKind {
+    /// A link.
+    Link,
+    /// A joint.
+    Joint,
+}
+
+/// A name that nothing bears, with the names that come near it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownName {
+    /// Link or joint.
+    pub kind: NameKind,
+    /// The name that was asked for.
+    pub name: String,
+    /// The nearest names, best first; at most three.
+    pub near: Vec<String>,
+}
+
+impl fmt::Display for UnknownName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let kind = match self.kind {
+            NameKind::Link => "link",
+            NameKind::Joint => "joint",
+        };
+        write!(f, "no {kind} is named \"{}\"", self.name)?;
+        write_near(f, &self.near)
+    }
+}
+
+impl std::error::Error for UnknownName {}
+
+/// `; did you mean "a", "b" or "c"?`, or nothing.
+pub(crate) fn write_near(f: &mut fmt::Formatter<'_>, near: &[String]) -> fmt::Result {
+    for (i, name) in near.iter().enumerate() {
+        let lead = match i {
+            0 => "; did you mean ",
+            _ if i + 1 == near.len() => " or ",
+            _ => ", ",
+        };
+        write!(f, "{lead}\"{name}\"")?;
+    }
+    if near.is_empty() { Ok(()) } else { f.write_str("?") }
+}
+
+/// The candidates nearest to `name`, best first, at most three; empty where none is near.
+///
+/// Near: the same but for case, or containing it, or a Jaro–Winkler similarity of at least 0.8.
+pub fn near_names<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Vec<String> {
+    // A name longer than this is no slip of the pen, and the comparison is quadratic.
+    const LONGEST: usize = 200;
+    let wanted = name.to_lowercase();
+    if wanted.is_empty() || wanted.len() > LONGEST {
+        return Vec::new();
+    }
+    let mut scored: Vec<(f64, &str)> = candidates
+        .into_iter()
+        .filter(|candidate| candidate.len() <= LONGEST)
+        .filter_map(|candidate| {
+            let other = candidate.to_lowercase();
+            let mut score = strsim::jaro_winkler(&wanted, &other);
+            if wanted.len() >= 3 && (other.contains(&wanted) || wanted.contains(&other)) {
+                score = score.max(0.85);
+            }
+            (score >= 0.8).then_some((score, candidate))
+        })
+        .collect();
+    scored.sort_by(|a, b| b.0.total_cmp(&a.0));
+    scored.into_iter().take(3).map(|(_, candidate)| candidate.to_owned()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn near_names_come_best_first() {
+        let names = ["lower_arm", "upper_arm", "wheel", "chassis"];
+        assert_eq!(near_names("Lower_arm", names)[0], "lower_arm");
+        assert_eq!(near_names("lowerarm", names)[0], "lower_arm");
+        assert!(near_names("zzz", names).is_empty());
+    }
+
+    #[test]
+    fn message_reads_as_a_sentence() {
+        let unknown = |near: &[&str]| {
+            UnknownName {
+                kind: NameKind::Link,
+                name: "arm".into(),
+                near: near.iter().map(|s| (*s).to_owned()).collect(),
+            }
+            .to_string()
+        };
+        assert_eq!(unknown(&[]), "no link is named \"arm\"");
+        assert_eq!(unknown(&["a", "b"]), "no link is named \"arm\"; did you mean \"a\" or \"b\"?");
+    }
+}

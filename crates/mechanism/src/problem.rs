@@ -1,0 +1,350 @@
+//! What validation can find, from errors to notes.
+
+use crate::names::write_near;
+use std::fmt;
+
+/// How grave a finding is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// Worth knowing; nothing is wrong.
+    Note,
+    /// Probably not what was meant; the answer stands on what the message says.
+    Warning,
+    /// No mechanism comes of it.
+    Error,
+}
+
+impl Severity {
+    /// `error`, `warning` or `note`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Severity::Note => "note",
+            Severity::Warning => "warning",
+            Severity::Error => "error",
+        }
+    }
+}
+
+/// What a finding is about.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Subject {
+    /// The whole.
+    Mechanism,
+    /// The link given as number `index` (its name may be a duplicate).
+    Link {
+        /// Position in the order given.
+        index: usize,
+        /// Its name.
+        name: String,
+    },
+    /// The joint given as number `index`.
+    Joint {
+        /// Position in the order given.
+        index: usize,
+        /// Its name.
+        name: String,
+    },
+}
+
+impl fmt::Display for Subject {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Subject::Mechanism => f.write_str("the mechanism"),
+            Subject::Link { name, .. } => write!(f, "link \"{name}\""),
+            Subject::Joint { name, .. } => write!(f, "joint \"{name}\""),
+        }
+    }
+}
+
+/// A finding of the builder.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Problem {
+    /// There is no link.
+    NoLinks,
+    /// A link or joint without a name.
+    EmptyName,
+    /// The name was given before.
+    DuplicateName {
+        /// Position, in the order given, of the first that bears it.
+        first: usize,
+    },
+    /// A joint names a link that does not exist.
+    UnknownLink {
+        /// `parent` or `child`.
+        role: &'static str,
+        /// The name.
+        link: String,
+        /// Names that come near.
+        near: Vec<String>,
+    },
+    /// A joint joins a link to itself.
+    JoinsItself {
+        /// The link.
+        link: String,
+    },
+    /// A link is the child of two joints.
+    TwoParents {
+        /// The link.
+        link: String,
+        /// The joint that came first.
+        first: String,
+    },
+    /// Several links have no parent.
+    SeveralRoots {
+        /// Their names.
+        roots: Vec<String>,
+    },
+    /// Links that are their own ancestors.
+    Cycle {
+        /// Their names, each the parent of the next.
+        links: Vec<String>,
+    },
+    /// A number is NaN or infinite.
+    NotFinite {
+        /// Which number.
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A number is too large to be a length, mass or inertia in SI units, or its products would overflow.
+    TooLarge {
+        /// Which number.
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// Mass below zero.
+    NegativeMass {
+        /// Its value, kg.
+        mass: f64,
+    },
+    /// The joint needs an axis and got a zero one.
+    ZeroAxis,
+    /// The axis was normalised.
+    AxisNotUnit {
+        /// Its length.
+        length: f64,
+    },
+    /// A rotation matrix is not orthonormal.
+    NotARotation {
+        /// Largest entry of |RᵀR − 1|.
+        defect: f64,
+    },
+    /// The inertia has a negative principal moment.
+    IndefiniteInertia {
+        /// Principal moments about the centre of mass, ascending, kg·m².
+        principal: [f64; 3],
+        /// Taken all the same, by the user's word.
+        accepted: bool,
+    },
+    /// A principal moment exceeds the sum of the others: no body is like that.
+    TriangleInequality {
+        /// Principal moments about the centre of mass, ascending, kg·m².
+        principal: [f64; 3],
+    },
+    /// No inertia was declared.
+    Massless,
+    /// Armature below zero.
+    NegativeArmature {
+        /// Its value.
+        value: f64,
+    },
+    /// The number of armature values fits neither one nor the joint's velocities.
+    ArmatureCount {
+        /// How many were given.
+        got: usize,
+        /// How many velocities the joint has.
+        dofs: usize,
+    },
+    /// Lower limit above the upper one; the limits are ignored.
+    LimitsReversed {
+        /// Lower limit.
+        lower: f64,
+        /// Upper limit.
+        upper: f64,
+    },
+    /// The joint mimics one that does not exist; it moves freely.
+    DanglingMimic {
+        /// The name it gives.
+        master: String,
+        /// Names that come near.
+        near: Vec<String>,
+    },
+    /// Only joints with one degree of freedom can mimic or be mimicked.
+    MimicKind {
+        /// The joint of the wrong kind.
+        joint: String,
+        /// Its kind.
+        kind: &'static str,
+    },
+    /// Joints that mimic one another in a circle.
+    MimicCycle {
+        /// Their names.
+        joints: Vec<String>,
+    },
+}
+
+impl Problem {
+    /// How grave it is.
+    pub fn severity(&self) -> Severity {
+        match self {
+            Problem::NoLinks
+            | Problem::EmptyName
+            | Problem::DuplicateName { .. }
+            | Problem::UnknownLink { .. }
+            | Problem::JoinsItself { .. }
+            | Problem::TwoParents { .. }
+            | Problem::SeveralRoots { .. }
+            | Problem::Cycle { .. }
+            | Problem::NotFinite { .. }
+            | Problem::TooLarge { .. }
+            | Problem::NegativeMass { .. }
+            | Problem::ZeroAxis
+            | Problem::NotARotation { .. }
+            | Problem::IndefiniteInertia { accepted: false, .. }
+            | Problem::NegativeArmature { .. }
+            | Problem::ArmatureCount { .. }
+            | Problem::MimicKind { .. }
+            | Problem::MimicCycle { .. } => Severity::Error,
+            Problem::IndefiniteInertia { accepted: true, .. }
+            | Problem::TriangleInequality { .. }
+            | Problem::LimitsReversed { .. }
+            | Problem::DanglingMimic { .. } => Severity::Warning,
+            Problem::AxisNotUnit { .. } | Problem::Massless => Severity::Note,
+        }
+    }
+
+    /// A short name that scripts can rely on.
+    pub fn code(&self) -> &'static str {
+        match self {
+            Problem::NoLinks => "no-links",
+            Problem::EmptyName => "empty-name",
+            Problem::DuplicateName { .. } => "duplicate-name",
+            Problem::UnknownLink { .. } => "unknown-link",
+            Problem::JoinsItself { .. } => "joins-itself",
+            Problem::TwoParents { .. } => "two-parents",
+            Problem::SeveralRoots { .. } => "several-roots",
+            Problem::Cycle { .. } => "cycle",
+            Problem::NotFinite { .. } => "not-finite",
+            Problem::TooLarge { .. } => "too-large",
+            Problem::NegativeMass { .. } => "negative-mass",
+            Problem::ZeroAxis => "zero-axis",
+            Problem::AxisNotUnit { .. } => "axis-not-unit",
+            Problem::NotARotation { .. } => "not-a-rotation",
+            Problem::IndefiniteInertia { .. } => "indefinite-inertia",
+            Problem::TriangleInequality { .. } => "triangle-inequality",
+            Problem::Massless => "massless-link",
+            Problem::NegativeArmature { .. } => "negative-armature",
+            Problem::ArmatureCount { .. } => "armature-count",
+            Problem::LimitsReversed { .. } => "limits-reversed",
+            Problem::DanglingMimic { .. } => "dangling-mimic",
+            Problem::MimicKind { .. } => "mimic-kind",
+            Problem::MimicCycle { .. } => "mimic-cycle",
+        }
+    }
+}
+
+impl fmt::Display for Problem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Problem::NoLinks => f.write_str("no link: a mechanism has at least one"),
+            Problem::EmptyName => f.write_str("the name is empty; every link and joint needs one"),
+            Problem::DuplicateName { .. } => f.write_str("the name was given before; names must be unique"),
+            Problem::UnknownLink { role, link, near } => {
+                write!(f, "the {role} link \"{link}\" does not exist")?;
+                write_near(f, near)
+            }
+            Problem::JoinsItself { link } => write!(f, "joins link \"{link}\" to itself"),
+            Problem::TwoParents { link, first } => write!(
+                f,
+                "link \"{link}\" already is the child of joint \"{first}\"; a second parent closes a loop, \
+                 which this version does not read"
+            ),
+            Problem::SeveralRoots { roots } => {
+                write!(f, "{} links have no parent, one is wanted: ", roots.len())?;
+                write_list(f, roots)?;
+                f.write_str("; join the others to the root (a fixed joint holds them to it)")
+            }
+            Problem::Cycle { links } => {
+                f.write_str("links are their own ancestors: ")?;
+                write_list(f, links)?;
+                f.write_str("; one joint of the circle must go, or become a loop closure")
+            }
+            Problem::NotFinite { quantity, value } => {
+                write!(f, "{quantity} is {value}; a finite number is wanted")
+            }
+            Problem::TooLarge { quantity, value } => {
+                write!(f, "{quantity} is {value:e}; more than 1e100 in SI units is no mechanism")
+            }
+            Problem::NegativeMass { mass } => write!(f, "mass is {mass} kg; it must be 0 or more"),
+            Problem::ZeroAxis => f.write_str("the axis is zero; it needs a direction, such as 0 0 1"),
+            Problem::AxisNotUnit { length } => {
+                write!(f, "the axis has length {length}; it was normalised")
+            }
+            Problem::NotARotation { defect } => {
+                write!(f, "the origin's rotation matrix is off by {defect:.1e} from orthonormal")
+            }
+            Problem::IndefiniteInertia { principal, accepted } => {
+                let [a, b, c] = principal;
+                write!(
+                    f,
+                    "the inertia about the centre of mass has principal moments {a:.6e}, {b:.6e}, {c:.6e} kg·m²; \
+                     a negative one lets motion have negative energy"
+                )?;
+                if *accepted {
+                    f.write_str(" (taken as it is)")
+                } else {
+                    f.write_str("; mend the file, or take it as it is with --accept indefinite-inertia")
+                }
+            }
+            Problem::TriangleInequality { principal: [a, b, c] } => write!(
+                f,
+                "the principal moments {a:.6e}, {b:.6e}, {c:.6e} kg·m² break the triangle inequality: no rigid \
+                 body has them ({a:.4e} + {b:.4e} < {c:.4e})"
+            ),
+            Problem::Massless => f.write_str("has no <inertial>: it is massless"),
+            Problem::NegativeArmature { value } => write!(f, "armature is {value}; it must be 0 or more"),
+            Problem::ArmatureCount { got, dofs } => {
+                write!(f, "{got} armature values for {dofs} velocities; give one for each")
+            }
+            Problem::LimitsReversed { lower, upper } => {
+                write!(f, "the lower limit {lower} is above the upper limit {upper}; both are ignored")
+            }
+            Problem::DanglingMimic { master, near } => {
+                write!(f, "mimics joint \"{master}\", which does not exist; it moves freely")?;
+                write_near(f, near)
+            }
+            Problem::MimicKind { joint, kind } => write!(
+                f,
+                "mimic wants joints with one degree of freedom (revolute, continuous, prismatic); \
+                 \"{joint}\" is {kind}"
+            ),
+            Problem::MimicCycle { joints } => {
+                f.write_str("joints mimic one another in a circle: ")?;
+                write_list(f, joints)
+            }
+        }
+    }
+}
+
+/// `"a", "b", "c"`, cut short after eight.
+fn write_list(f: &mut fmt::Formatter<'_>, names: &[String]) -> fmt::Result {
+    const SHOWN: usize = 8;
+    for (i, name) in names.iter().take(SHOWN).enumerate() {
+        write!(f, "{}\"{name}\"", if i == 0 { "" } else { ", " })?;
+    }
+    if names.len() > SHOWN { write!(f, " and {} more", names.len() - SHOWN) } else { Ok(()) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_lists_are_cut() {
+        let roots: Vec<String> = (0..20).map(|i| format!("r{i}")).collect();
+        let text = Problem::SeveralRoots { roots }.to_string();
+        assert!(text.contains("20 links") && text.contains("and 12 more"), "{text}");
+    }
+}

@@ -1,0 +1,70 @@
+//! Is it one tree? Which order visits parents before children?
+
+use crate::{JointId, LinkId, Problem};
+
+/// The tree as lists, all indexed by link.
+pub(crate) struct Tree {
+    pub root: LinkId,
+    /// Joint above each link; none for the root.
+    pub parent_joint: Vec<Option<JointId>>,
+    /// Joints below each link, in the order given.
+    pub child_joints: Vec<Vec<JointId>>,
+    /// Every link, parents first.
+    pub order: Vec<LinkId>,
+}
+
+/// Builds the tree of `links` links from the (parent, child) pairs of the joints, no link having two parents.
+pub(crate) fn build(links: &[String], joints: &[(LinkId, LinkId)]) -> Result<Tree, Problem> {
+    let mut parent_joint = vec![None; links.len()];
+    let mut child_joints = vec![Vec::new(); links.len()];
+    for (i, (parent, child)) in joints.iter().enumerate() {
+        let id = JointId(i as u32);
+        parent_joint[child.index()] = Some(id);
+        child_joints[parent.index()].push(id);
+    }
+    let roots: Vec<usize> = (0..links.len()).filter(|&i| parent_joint[i].is_none()).collect();
+    let root = match roots[..] {
+        [root] => LinkId(root as u32),
+        [] => return Err(cycle(links, joints, &parent_joint, 0)),
+        _ => {
+            return Err(Problem::SeveralRoots { roots: roots.iter().map(|&i| links[i].clone()).collect() });
+        }
+    };
+    // Depth first with a stack of our own: a chain may be long.
+    let mut order = Vec::with_capacity(links.len());
+    let mut stack = vec![root];
+    while let Some(link) = stack.pop() {
+        order.push(link);
+        stack.extend(child_joints[link.index()].iter().rev().map(|j| joints[j.index()].1));
+    }
+    if order.len() < links.len() {
+        let mut seen = vec![false; links.len()];
+        order.iter().for_each(|l| seen[l.index()] = true);
+        let lost = seen.iter().position(|s| !s).unwrap_or(0);
+        return Err(cycle(links, joints, &parent_joint, lost));
+    }
+    Ok(Tree { root, parent_joint, child_joints, order })
+}
+
+/// Walks up from `start`, which has no root above it, until a link comes twice.
+fn cycle(
+    links: &[String],
+    joints: &[(LinkId, LinkId)],
+    parent_joint: &[Option<JointId>],
+    start: usize,
+) -> Problem {
+    let mut visited = vec![usize::MAX; links.len()];
+    let mut path = Vec::new();
+    let mut link = start;
+    while visited[link] == usize::MAX {
+        visited[link] = path.len();
+        path.push(link);
+        match parent_joint[link] {
+            Some(joint) => link = joints[joint.index()].0.index(),
+            None => break,
+        }
+    }
+    let mut names: Vec<String> = path[visited[link]..].iter().map(|&i| links[i].clone()).collect();
+    names.reverse();
+    Problem::Cycle { links: names }
+}

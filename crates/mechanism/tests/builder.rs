@@ -1,0 +1,118 @@
+//! The builder's verdicts, one defect each.
+
+use percuss_mechanism::{
+    Accept, Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder, Problem,
+    Severity,
+};
+
+fn rod() -> LinkDescription {
+    LinkDescription::new("rod", Inertial::point(2.0, [0.0, 0.0, -0.5]))
+}
+
+fn hinge() -> JointDescription {
+    JointDescription::new("hinge", JointKind::Revolute, "ground", "rod").axis([0.0, 1.0, 0.0])
+}
+
+fn with(link: LinkDescription, joint: JointDescription) -> MechanismBuilder {
+    MechanismBuilder::new("pendulum").link(LinkDescription::massless("ground")).link(link).joint(joint)
+}
+
+fn errors(builder: MechanismBuilder) -> Vec<&'static str> {
+    let findings = builder.build().expect_err("an error is due").findings;
+    findings.iter().filter(|(_, p)| p.severity() == Severity::Error).map(|(_, p)| p.code()).collect()
+}
+
+#[test]
+fn a_pendulum_is_built_without_complaint() {
+    let built = with(rod(), hinge()).build().unwrap();
+    assert!(built.findings.is_empty(), "{:?}", built.findings);
+    let m = built.mechanism;
+    assert_eq!(m.link(m.root()).name(), "ground");
+    assert_eq!(m.total_mass(), 2.0);
+    assert_eq!(m.characteristic_length(), 0.5);
+    let near = m.find_link("rode").unwrap_err().near;
+    assert_eq!(near, ["rod"]);
+}
+
+#[test]
+fn a_mechanism_is_shared_between_threads() {
+    fn shared<T: Send + Sync>() {}
+    shared::<Mechanism>();
+}
+
+#[test]
+fn every_defect_has_its_error() {
+    assert_eq!(errors(MechanismBuilder::new("empty")), ["no-links"]);
+    assert_eq!(errors(with(rod(), hinge()).link(rod())), ["duplicate-name"]);
+    assert_eq!(errors(with(rod(), hinge()).link(LinkDescription::massless(""))), ["empty-name"]);
+    assert_eq!(errors(with(rod(), hinge()).link(LinkDescription::massless("stray"))), ["several-roots"]);
+    assert_eq!(errors(with(rod(), hinge().axis([0.0; 3]))), ["zero-axis"]);
+    assert_eq!(errors(with(rod(), hinge().at([f64::NAN, 0.0, 0.0]))), ["not-finite"]);
+    assert_eq!(errors(with(rod(), hinge().at([1e200, 0.0, 0.0]))), ["too-large"]);
+    assert_eq!(errors(with(rod(), hinge().armature(-1.0))), ["negative-armature"]);
+    assert_eq!(errors(with(rod(), hinge().mimic("hinge", 1.0, 0.0))), ["mimic-cycle"]);
+    let negative = LinkDescription::new("rod", Inertial::point(-1.0, [0.0; 3]));
+    assert_eq!(errors(with(negative, hinge())), ["negative-mass"]);
+    let unknown = JointDescription { parent: "grund".into(), ..hinge() };
+    assert_eq!(errors(with(rod(), unknown)), ["unknown-link"]);
+    let itself = JointDescription { parent: "rod".into(), ..hinge() };
+    assert!(errors(with(rod(), itself)).contains(&"joins-itself"));
+    let second = JointDescription { name: "second".into(), ..hinge() };
+    assert_eq!(errors(with(rod(), hinge()).joint(second)), ["two-parents"]);
+    let mut skew = hinge();
+    skew.origin.rotation *= 1.01;
+    assert_eq!(errors(with(rod(), skew)), ["not-a-rotation"]);
+    let free = JointDescription { kind: JointKind::Floating, ..hinge() };
+    assert_eq!(errors(with(rod(), free.armature(1.0))), ["armature-count"]);
+}
+
+#[test]
+fn cycles_are_named_with_and_without_a_root() {
+    let ring = |b: MechanismBuilder| {
+        b.link(LinkDescription::massless("a"))
+            .link(LinkDescription::massless("b"))
+            .joint(JointDescription::new("ab", JointKind::Revolute, "a", "b"))
+            .joint(JointDescription::new("ba", JointKind::Revolute, "b", "a"))
+    };
+    for builder in [MechanismBuilder::new("ring"), with(rod(), hinge())] {
+        let findings = ring(builder).build().unwrap_err().findings;
+        let cycle = findings.iter().find_map(|(_, p)| match p {
+            Problem::Cycle { links } => Some(links.clone()),
+            _ => None,
+        });
+        let mut cycle = cycle.expect("a cycle");
+        cycle.sort();
+        assert_eq!(cycle, ["a", "b"]);
+    }
+}
+
+#[test]
+fn a_negative_moment_is_an_error_unless_accepted() {
+    let bad = || LinkDescription::new("rod", Inertial::diagonal(1.0, [0.0; 3], [0.1, 0.1, -0.01]));
+    assert_eq!(errors(with(bad(), hinge())), ["indefinite-inertia"]);
+    let built = with(bad(), hinge()).accept(Accept { indefinite_inertia: true }).build().unwrap();
+    assert_eq!(built.findings[0].1.severity(), Severity::Warning);
+}
+
+#[test]
+fn chained_mimics_are_resolved_and_dangling_ones_move_freely() {
+    let arm = |name: &str| LinkDescription::new(name, Inertial::point(1.0, [0.1, 0.0, 0.0]));
+    let joint = |name: &str, parent: &str, child: &str| {
+        JointDescription::new(name, JointKind::Revolute, parent, child)
+    };
+    let built = with(rod(), hinge())
+        .link(arm("a"))
+        .link(arm("b"))
+        .link(arm("c"))
+        .joint(joint("ja", "rod", "a").mimic("hinge", 2.0, 0.5))
+        .joint(joint("jb", "a", "b").mimic("ja", -3.0, 0.25))
+        .joint(joint("jc", "b", "c").mimic("jd", 1.0, 0.0))
+        .build()
+        .unwrap();
+    let m = &built.mechanism;
+    let mimic = m.joint(m.find_joint("jb").unwrap()).mimic().unwrap();
+    assert_eq!(m.joint(mimic.master).name(), "hinge");
+    assert_eq!((mimic.multiplier, mimic.offset), (-6.0, -3.0 * 0.5 + 0.25));
+    assert!(m.joint(m.find_joint("jc").unwrap()).mimic().is_none());
+    assert_eq!(built.findings[0].1.code(), "dangling-mimic");
+}

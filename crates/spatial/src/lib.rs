@@ -1,0 +1,28 @@
+//! Spatial algebra: rigid transforms, twists, wrenches and inertias.
+//!
+//! Everything is generic over a [`Scalar`]: `f64`, dual numbers (feature `dual`), SIMD lanes. Nothing here
+//! branches on a value, so a recursion written with these types runs on any of them unchanged.
+//!
+//! Conventions (`docs/NOTATION.md`): `X_ab` maps b-coordinates to a-coordinates; the angular part comes first;
+//! a twist and a wrench are taken at the origin of the frame they are expressed in. This crate knows no bodies,
+//! joints or files.
+
+mod articulated;
+#[cfg(feature = "dual")]
+pub mod dual;
+mod inertia;
+mod rotation;
+mod scalar;
+mod screw;
+mod transform;
+
+pub use articulated::ArticulatedInertia;
+pub use inertia::SpatialInertia;
+pub use nalgebra::{Matrix3, Vector3};
+pub use rotation::{
+    plane_basis, quaternion_product, rotation_about, rotation_from_quaternion, rotation_from_rpy,
+    rpy_from_rotation,
+};
+pub use scalar::Scalar;
+pub use screw::{Twist, Wrench};
+pub use transform::Transform;
