@@ -134,7 +134,7 @@ impl MechanismBuilder {
             let parent = &mut links[joint.parent.index()];
             parent.extent = parent.extent.max(reach);
         }
-        let length = characteristic_length(&links, tree.root);
+        let length = characteristic_length(&links, &joints, tree.root);
         for (i, link) in self.links.iter().enumerate() {
             let problem = match &link.inertial {
                 Some(inertial) => inertia_check::check(inertial, length, self.accept.indefinite_inertia),
@@ -252,9 +252,10 @@ fn joint_subject(index: usize, name: &str) -> Subject {
     Subject::Joint { index, name: name.to_owned() }
 }
 
-/// Normalised without overflow or underflow.
+/// Normalised without overflow or underflow; left as it is where it is a unit vector already.
 fn unit(axis: &Vector3<f64>) -> Vector3<f64> {
-    (axis / axis.amax()).normalize()
+    let exact = (axis.norm() - 1.0).abs() <= 4.0 * f64::EPSILON;
+    if exact { *axis } else { (axis / axis.amax()).normalize() }
 }
 
 fn make_link(link: &LinkDescription) -> Link {
@@ -266,7 +267,7 @@ fn make_link(link: &LinkDescription) -> Link {
     Link {
         name: link.name.clone(),
         inertia: link.inertial.as_ref().map_or_else(SpatialInertia::zero, Inertial::spatial),
-        has_inertial: link.inertial.is_some(),
+        inertial: link.inertial,
         geometry: link.geometry,
         extent,
     }
@@ -277,11 +278,25 @@ fn gyration(inertial: &Inertial) -> f64 {
     if inertial.mass > 0.0 { (inertial.about_com.trace().abs() / inertial.mass).sqrt() } else { 0.0 }
 }
 
-fn characteristic_length(links: &[Link], root: LinkId) -> f64 {
-    let moving = links.iter().enumerate().filter(|&(i, _)| i != root.index()).map(|(_, l)| l.extent);
-    let length = moving.fold(0.0, f64::max);
-    let length = if length > 0.0 { length } else { links[root.index()].extent };
-    if length > 0.0 { length } else { 1.0 }
+/// The greatest distance between a link's origin and its centre of mass, its shape's end or a joint below it, the
+/// root aside; where all are zero, the greatest radius of gyration. (Gyration comes last: files give bare frames a
+/// tiny mass with any inertia.)
+fn characteristic_length(links: &[Link], joints: &[Joint], root: LinkId) -> f64 {
+    let reach = |link: &Link| {
+        let shape = match link.geometry {
+            Geometry::None | Geometry::Mesh => 0.0,
+            Geometry::Within(radius) => radius,
+        };
+        link.inertial.map_or(0.0, |i| i.com.norm()).max(shape)
+    };
+    let of_links = links.iter().enumerate().filter(|&(i, _)| i != root.index()).map(|(_, l)| reach(l));
+    let of_joints = joints.iter().filter(|j| j.parent != root).map(|j| j.origin.translation.norm());
+    let lengths = [
+        of_links.chain(of_joints).fold(0.0, f64::max),
+        links[root.index()].extent,
+        links.iter().map(|l| l.extent).fold(0.0, f64::max),
+    ];
+    lengths.into_iter().find(|length| *length > 0.0).unwrap_or(1.0)
 }
 
 /// The findings so far.

@@ -1,5 +1,6 @@
 //! A rigid link.
 
+use crate::Inertial;
 use percuss_spatial::SpatialInertia;
 
 /// Index of a link in its mechanism, in the order the links were given.
@@ -30,7 +31,7 @@ pub enum Geometry {
 pub struct Link {
     pub(crate) name: String,
     pub(crate) inertia: SpatialInertia<f64>,
-    pub(crate) has_inertial: bool,
+    pub(crate) inertial: Option<Inertial>,
     pub(crate) geometry: Geometry,
     pub(crate) extent: f64,
 }
@@ -46,9 +47,14 @@ impl Link {
         &self.inertia
     }
 
+    /// Its inertia as it was declared, about the centre of mass; none for a link that declares nothing.
+    pub fn inertial(&self) -> Option<&Inertial> {
+        self.inertial.as_ref()
+    }
+
     /// Whether an inertia was declared at all (a declared mass of 0 counts).
     pub fn has_inertial(&self) -> bool {
-        self.has_inertial
+        self.inertial.is_some()
     }
 
     /// How far its declared shape reaches.

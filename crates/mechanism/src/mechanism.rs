@@ -130,8 +130,9 @@ impl Mechanism {
         self.links.iter().map(|l| l.inertia.mass).sum()
     }
 
-    /// A length (m) that is neither far above nor far below those of the mechanism: the greatest extent of a
-    /// link other than the root, else of the root, else 1. Scales rank decisions; enters no result.
+    /// A length (m) that is neither far above nor far below those of the mechanism: the greatest distance from a
+    /// link's origin to its centre of mass, its shape's end or a joint below it, the root aside; else the root's, or
+    /// a radius of gyration, or 1. Scales rank decisions; enters no result.
     pub fn characteristic_length(&self) -> f64 {
         self.characteristic_length
     }

@@ -1,0 +1,140 @@
+//! What an analysis imposes on a mechanism, without rebuilding it.
+
+use percuss_mechanism::{JointKind, Mechanism, UnknownName};
+
+/// How the root link stands in the world.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Base {
+    /// The root link is the ground.
+    #[default]
+    Fixed,
+    /// The root link moves freely.
+    Floating,
+}
+
+/// Base, locks and armatures of one analysis. The default: fixed base, everything free, armatures as declared.
+#[derive(Clone, Debug, Default)]
+pub struct Conditions {
+    pub(crate) base: Base,
+    pub(crate) locked: Vec<String>,
+    pub(crate) armatures: Vec<(String, Vec<f64>)>,
+    pub(crate) keep_fixed_joints: bool,
+}
+
+impl Conditions {
+    /// Fixed base, everything free, armatures as declared.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Sets how the root link stands in the world.
+    pub fn base(mut self, base: Base) -> Self {
+        self.base = base;
+        self
+    }
+
+    /// Holds a joint at its position: its velocities are zero.
+    pub fn lock(mut self, joint: impl Into<String>) -> Self {
+        self.locked.push(joint.into());
+        self
+    }
+
+    /// Replaces a joint's armature: one value for all its velocities, or one each (kg·m² or kg).
+    pub fn armature(mut self, joint: impl Into<String>, values: impl Into<Vec<f64>>) -> Self {
+        self.armatures.push((joint.into(), values.into()));
+        self
+    }
+
+    /// Keeps links joined by fixed joints as bodies of their own. The results do not change; the cost does.
+    pub fn keep_fixed_joints(mut self) -> Self {
+        self.keep_fixed_joints = true;
+        self
+    }
+
+    /// Armature of every joint, one value a velocity, overrides applied.
+    pub(crate) fn resolve_armatures(&self, mechanism: &Mechanism) -> Result<Vec<Vec<f64>>, ConditionsError> {
+        let mut all: Vec<Vec<f64>> = mechanism.joints().iter().map(|j| j.armature().to_vec()).collect();
+        let mut seen = vec![false; all.len()];
+        for (name, values) in &self.armatures {
+            let id = mechanism.find_joint(name)?;
+            let joint = mechanism.joint(id);
+            if std::mem::replace(&mut seen[id.index()], true) {
+                return Err(ConditionsError::Twice { what: "armature", joint: name.clone() });
+            }
+            if let Some(&value) = values.iter().find(|v| !(v.is_finite() && **v >= 0.0)) {
+                return Err(ConditionsError::BadArmature { joint: name.clone(), value });
+            }
+            let (dofs, one_fits) = (joint.kind().dofs(), joint.kind().is_homogeneous());
+            all[id.index()] = match values[..] {
+                [value] if one_fits && dofs > 0 => vec![value; dofs],
+                _ if values.len() == dofs && dofs > 0 => values.clone(),
+                _ => {
+                    return Err(ConditionsError::ArmatureCount {
+                        joint: name.clone(),
+                        kind: joint.kind(),
+                        got: values.len(),
+                    });
+                }
+            };
+        }
+        Ok(all)
+    }
+
+    /// Whether each joint is locked.
+    pub(crate) fn resolve_locks(&self, mechanism: &Mechanism) -> Result<Vec<bool>, ConditionsError> {
+        let mut locked = vec![false; mechanism.joints().len()];
+        for name in &self.locked {
+            let id = mechanism.find_joint(name)?;
+            if std::mem::replace(&mut locked[id.index()], true) {
+                return Err(ConditionsError::Twice { what: "lock", joint: name.clone() });
+            }
+        }
+        Ok(locked)
+    }
+}
+
+/// Conditions that do not fit the mechanism.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ConditionsError {
+    /// A joint that does not exist.
+    #[error(transparent)]
+    UnknownJoint(#[from] UnknownName),
+    /// The same condition given twice for a joint.
+    #[error("{what} of joint \"{joint}\" is given twice")]
+    Twice {
+        /// `armature` or `lock`.
+        what: &'static str,
+        /// The joint.
+        joint: String,
+    },
+    /// Not a number ≥ 0.
+    #[error("armature of joint \"{joint}\" is {value}; a finite number ≥ 0 is wanted (kg·m² or kg)")]
+    BadArmature {
+        /// The joint.
+        joint: String,
+        /// What was given.
+        value: f64,
+    },
+    /// The count fits neither one nor the joint's velocities.
+    #[error(
+        "armature of joint \"{joint}\" has {got} values; a {} joint takes {}", kind.name(), wanted(*kind)
+    )]
+    ArmatureCount {
+        /// The joint.
+        joint: String,
+        /// Its kind.
+        kind: JointKind,
+        /// How many were given.
+        got: usize,
+    },
+}
+
+fn wanted(kind: JointKind) -> String {
+    match (kind.dofs(), kind.is_homogeneous()) {
+        (0, _) => "none: it does not move".into(),
+        (1, _) => "one".into(),
+        (dofs, true) => format!("one, or {dofs}"),
+        (dofs, false) => format!("{dofs}, one for each velocity"),
+    }
+}

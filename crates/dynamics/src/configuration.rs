@@ -1,0 +1,145 @@
+//! Where the joints stand, as the user gives it.
+
+use crate::tangent;
+use percuss_mechanism::{Joint, JointId, JointKind, Mechanism, UnknownName};
+use percuss_spatial::Transform;
+use std::sync::Arc;
+
+/// Positions of the joints, and where the root link stands in the world. Starts at zero everywhere.
+#[derive(Clone, Debug)]
+pub struct Configuration {
+    mechanism: Arc<Mechanism>,
+    /// One list a joint, in joint order; mimics are filled in when a pose is made.
+    pub(crate) values: Vec<Vec<f64>>,
+    given: Vec<bool>,
+    pub(crate) base: Transform<f64>,
+}
+
+/// A position that cannot be set.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ConfigurationError {
+    /// A joint that does not exist.
+    #[error(transparent)]
+    UnknownJoint(#[from] UnknownName),
+    /// A joint that is set already.
+    #[error("joint \"{joint}\" is set twice")]
+    Twice {
+        /// The joint.
+        joint: String,
+    },
+    /// A joint that follows another.
+    #[error("joint \"{joint}\" mimics \"{master}\"; set \"{master}\" instead")]
+    Mimic {
+        /// The joint.
+        joint: String,
+        /// What it follows.
+        master: String,
+    },
+    /// The number of values does not fit the kind.
+    #[error("joint \"{joint}\" is {}: {got} values given, wanted {}", kind.name(), kind.layout())]
+    Count {
+        /// The joint.
+        joint: String,
+        /// Its kind.
+        kind: JointKind,
+        /// How many were given.
+        got: usize,
+    },
+    /// NaN or infinite.
+    #[error("joint \"{joint}\" is set to {value}; a finite number is wanted")]
+    NotFinite {
+        /// The joint.
+        joint: String,
+        /// What was given.
+        value: f64,
+    },
+    /// The quaternion is more than 1 % from unit norm.
+    #[error("joint \"{joint}\": the quaternion w,x,y,z has norm {norm}; a unit quaternion is wanted")]
+    Quaternion {
+        /// The joint.
+        joint: String,
+        /// Its norm.
+        norm: f64,
+    },
+}
+
+impl Configuration {
+    /// Every joint at zero (quaternions at identity).
+    pub fn zero(mechanism: &Arc<Mechanism>) -> Self {
+        let values = mechanism.joints().iter().map(|j| zero_position(j.kind())).collect();
+        Self {
+            mechanism: Arc::clone(mechanism),
+            values,
+            given: vec![false; mechanism.joints().len()],
+            base: Transform::identity(),
+        }
+    }
+
+    /// Sets a driving joint (layouts of [`JointKind`]); quaternions are normalised.
+    ///
+    /// # Errors
+    /// [`ConfigurationError`]: unknown, set twice, a mimic (the message names its master), a count that does not
+    /// fit, not finite.
+    pub fn set(&mut self, joint: &str, values: &[f64]) -> Result<&mut Self, ConfigurationError> {
+        let id = self.mechanism.find_joint(joint)?;
+        let found = self.mechanism.joint(id);
+        if let Some(mimic) = found.mimic() {
+            let master = self.mechanism.joint(mimic.master).name().to_owned();
+            return Err(ConfigurationError::Mimic { joint: joint.to_owned(), master });
+        }
+        if std::mem::replace(&mut self.given[id.index()], true) {
+            return Err(ConfigurationError::Twice { joint: joint.to_owned() });
+        }
+        self.values[id.index()] = checked(found, values)?;
+        Ok(self)
+    }
+
+    /// Sets where the root link stands in the world: X_wr. Moves nothing relative to the root.
+    pub fn set_base(&mut self, x_wr: Transform<f64>) -> &mut Self {
+        self.base = x_wr;
+        self
+    }
+
+    /// The position of a joint that follows none; a mimic's is filled in by the pose.
+    pub fn get(&self, joint: JointId) -> &[f64] {
+        &self.values[joint.index()]
+    }
+}
+
+/// The values as a position of the joint, or why they are none.
+fn checked(joint: &Joint, values: &[f64]) -> Result<Vec<f64>, ConfigurationError> {
+    let (name, kind) = (joint.name().to_owned(), joint.kind());
+    if values.len() != kind.positions() || values.is_empty() {
+        return Err(ConfigurationError::Count { joint: name, kind, got: values.len() });
+    }
+    if let Some(&value) = values.iter().find(|v| !v.is_finite() || v.abs() > 1e100) {
+        return Err(ConfigurationError::NotFinite { joint: name, value });
+    }
+    let mut values = values.to_vec();
+    let quaternion = match kind {
+        JointKind::Spherical => &values[..4],
+        JointKind::Floating => &values[3..7],
+        JointKind::Fixed
+        | JointKind::Revolute
+        | JointKind::Continuous
+        | JointKind::Prismatic
+        | JointKind::Planar => return Ok(values),
+    };
+    let norm = quaternion.iter().fold(0.0, |n: f64, x| n.hypot(*x));
+    if (norm - 1.0).abs() > 0.01 {
+        return Err(ConfigurationError::Quaternion { joint: name, norm });
+    }
+    tangent::normalise(kind, &mut values);
+    Ok(values)
+}
+
+fn zero_position(kind: JointKind) -> Vec<f64> {
+    match kind {
+        JointKind::Fixed => vec![],
+        JointKind::Revolute | JointKind::Continuous | JointKind::Prismatic => vec![0.0],
+        JointKind::Planar => vec![0.0; 3],
+        JointKind::Spherical => vec![1.0, 0.0, 0.0, 0.0],
+        JointKind::Floating => vec![0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0],
+    }
+}

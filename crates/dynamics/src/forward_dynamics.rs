@@ -1,0 +1,196 @@
+//! Accelerations under forces, by the articulated-body algorithm in body coordinates. Forms no matrix.
+
+use crate::{Pose, RouteError, System};
+use nalgebra::Vector3;
+use percuss_mechanism::LinkId;
+use percuss_spatial::{ArticulatedInertia, Twist, Wrench};
+
+/// A force (N, root link's axes) on a point of a link (m, link's frame).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PointForce {
+    /// The link.
+    pub link: LinkId,
+    /// Where it acts, in the link's frame, m.
+    pub point: Vector3<f64>,
+    /// The force in the root link's axes, N.
+    pub force: Vector3<f64>,
+}
+
+/// Accelerations of a moving mechanism.
+#[derive(Clone, Debug)]
+pub struct Accelerations {
+    /// Spatial velocity and acceleration of every body, in its own axes at its own origin, seen from a frame that
+    /// does not fall.
+    motions: Vec<(Twist<f64>, Twist<f64>)>,
+    /// Rates of the velocities of every joint, in joint order.
+    pub joints: Vec<Vec<f64>>,
+}
+
+/// One velocity's part of the recursion.
+#[derive(Clone)]
+struct Step {
+    s: Twist<f64>,
+    u: Wrench<f64>,
+    d: f64,
+    /// Generalised force left for this velocity.
+    t: f64,
+}
+
+impl System {
+    /// Accelerations at a pose with joint velocities (joint order), the root link at rest in the world if it is fixed
+    /// and starting from the twist `base` if it floats, under gravity (m/s², root link's axes) and point forces.
+    ///
+    /// pᴬ = v × I v − f; per joint U = Iᴬ S, D = SᵀU + armature, t = −Sᵀpᴬ; q̈ = D⁻¹(t − Uᵀa′).
+    /// Featherstone 2008, table 7.1; joints with several velocities are eliminated one after another.
+    ///
+    /// # Errors
+    /// [`RouteError`]: mimics; a joint that moves no mass.
+    pub fn accelerations(
+        &self,
+        pose: &Pose,
+        velocities: &[Vec<f64>],
+        base: &Twist<f64>,
+        gravity: &Vector3<f64>,
+        forces: &[PointForce],
+    ) -> Result<Accelerations, RouteError> {
+        self.articulated_support()?;
+        let kinematics = &pose.kinematics;
+        let n = self.bodies.len();
+        let mut motions = vec![Twist::zero(); n];
+        let mut biases = vec![Twist::zero(); n];
+        let mut inertias = Vec::with_capacity(n);
+        let mut wrenches = Vec::with_capacity(n);
+        for (i, body) in self.bodies.iter().enumerate() {
+            let carried =
+                body.parent.map_or_else(Twist::zero, |p| kinematics.steps[i].inverse_twist(&motions[p]));
+            let own = match body.joint {
+                None => *base,
+                Some(id) => body.v.clone().enumerate().fold(Twist::zero(), |sum, (k, _)| {
+                    sum + kinematics.column(self, i, k) * velocities[id.index()][k]
+                }),
+            };
+            motions[i] = carried + own;
+            biases[i] = motions[i].cross_motion(&own);
+            if let Some(id) = body.joint.filter(|_| !body.v.is_empty()) {
+                biases[i] += body.motion.bias(&kinematics.q[body.q.clone()], &velocities[id.index()]);
+            }
+            inertias.push(ArticulatedInertia::from(&body.inertia));
+            wrenches.push(motions[i].cross_force(&body.inertia.momentum(&motions[i])));
+        }
+        for force in forces {
+            let seat = &self.seats[force.link.index()];
+            if let Some(b) = seat.body {
+                let in_body = kinematics.frames[b].inverse_vector(&force.force);
+                wrenches[b] -= Wrench::of_force(in_body, &seat.frame.point(&force.point));
+            }
+        }
+        let steps = self.tips_to_root(pose, &biases, &mut inertias, &mut wrenches)?;
+        Ok(self.root_to_tips(pose, &steps, motions, &biases, gravity))
+    }
+
+    fn tips_to_root(
+        &self,
+        pose: &Pose,
+        biases: &[Twist<f64>],
+        inertias: &mut [ArticulatedInertia<f64>],
+        wrenches: &mut [Wrench<f64>],
+    ) -> Result<Vec<Step>, RouteError> {
+        let mut steps =
+            vec![Step { s: Twist::zero(), u: Wrench::zero(), d: 0.0, t: 0.0 }; self.follows.len()];
+        for (i, body) in self.bodies.iter().enumerate().rev() {
+            // The bias acceleration c acts on the child's side of all the joint's velocities.
+            wrenches[i] += inertias[i].apply(&biases[i]);
+            for (k, v) in body.v.clone().enumerate() {
+                let s = pose.kinematics.column(self, i, k);
+                let u = inertias[i].apply(&s);
+                let d = u.power(&s) + body.armature[k];
+                if d <= 0.0 {
+                    return Err(RouteError::SingularPivot { least_pivot: d });
+                }
+                let t = -wrenches[i].power(&s);
+                wrenches[i] += u * (t / d);
+                inertias[i].subtract_dyad(&(u * (1.0 / d)), &u);
+                steps[v] = Step { s, u, d, t };
+            }
+            if let Some(parent) = body.parent {
+                let step = &pose.kinematics.steps[i];
+                let carried = transformed(step, &inertias[i]);
+                inertias[parent] += &carried;
+                let wrench = step.wrench(&wrenches[i]);
+                wrenches[parent] += wrench;
+            }
+        }
+        Ok(steps)
+    }
+
+    fn root_to_tips(
+        &self,
+        pose: &Pose,
+        steps: &[Step],
+        motions: Vec<Twist<f64>>,
+        biases: &[Twist<f64>],
+        gravity: &Vector3<f64>,
+    ) -> Accelerations {
+        let mut joints: Vec<Vec<f64>> =
+            self.mechanism.joints().iter().map(|j| vec![0.0; j.kind().dofs()]).collect();
+        let ground = Twist::new(Vector3::zeros(), -gravity);
+        let mut accelerations = vec![Twist::zero(); self.bodies.len()];
+        for (i, body) in self.bodies.iter().enumerate() {
+            let from = body.parent.map_or(ground, |p| accelerations[p]);
+            let mut a = pose.kinematics.steps[i].inverse_twist(&from);
+            for (k, v) in body.v.clone().enumerate().rev() {
+                let step = &steps[v];
+                let rate = (step.t - step.u.power(&a)) / step.d;
+                a += step.s * rate;
+                if let Some(id) = body.joint {
+                    joints[id.index()][k] = rate;
+                }
+            }
+            accelerations[i] = a + biases[i];
+        }
+        for (i, a) in accelerations.iter_mut().enumerate() {
+            a.linear += pose.kinematics.frames[i].inverse_vector(gravity);
+        }
+        Accelerations { motions: motions.into_iter().zip(accelerations).collect(), joints }
+    }
+
+    /// Acceleration (m/s², root link's axes) of a point (m, link's frame) of a link.
+    pub fn point_acceleration(
+        &self,
+        pose: &Pose,
+        accelerations: &Accelerations,
+        link: LinkId,
+        point: &Vector3<f64>,
+    ) -> Vector3<f64> {
+        let seat = &self.seats[link.index()];
+        let Some(b) = seat.body else { return Vector3::zeros() };
+        let r = seat.frame.point(point);
+        let (v, a) = &accelerations.motions[b];
+        let local = a.velocity_at(&r) + v.angular.cross(&v.velocity_at(&r));
+        pose.kinematics.frames[b].vector(&local)
+    }
+}
+
+/// X Iᴬ X* : an articulated inertia in the parent's coordinates, column by column.
+fn transformed(
+    step: &percuss_spatial::Transform<f64>,
+    inertia: &ArticulatedInertia<f64>,
+) -> ArticulatedInertia<f64> {
+    let mut sum = ArticulatedInertia::zero();
+    for k in 0..6 {
+        let mut unit = Twist::zero();
+        if k < 3 {
+            unit.angular[k] = 1.0
+        } else {
+            unit.linear[k - 3] = 1.0
+        }
+        let column = step.wrench(&inertia.apply(&step.inverse_twist(&unit)));
+        if k < 3 {
+            sum.angular.set_column(k, &column.moment);
+        } else {
+            sum.coupling.set_column(k - 3, &column.moment);
+            sum.linear.set_column(k - 3, &column.force);
+        }
+    }
+    sum
+}

@@ -1,0 +1,61 @@
+//! Φ, the seam: what a pair of links answers to any wrench at a point.
+
+use crate::articulated::Articulated;
+use crate::contact::LocatedContact;
+use crate::{Pose, RouteError, System};
+use nalgebra::{SMatrix, SVector, Vector3};
+use percuss_spatial::Wrench;
+
+/// Φ = J M⁻¹ Jᵀ of one link, or of a pair, at a point: 12×12, the struck link's six components first (moment, then
+/// force), then the other link's; in the root link's axes with the origin at the point.
+///
+/// Every contact at the point is algebra on it: 1/m̄ = wᵀΦw with w = (0, n̂, 0, −n̂).
+/// Khatib 1987 calls the inverse of its upper left block the operational space inertia.
+#[derive(Clone, Debug)]
+pub struct InverseOperationalInertia {
+    matrix: SMatrix<f64, 12, 12>,
+}
+
+impl InverseOperationalInertia {
+    /// The 12×12 matrix (1/(kg·m²), 1/(kg·m), 1/kg by blocks). The other link's part is zero for the ground.
+    pub fn matrix(&self) -> &SMatrix<f64, 12, 12> {
+        &self.matrix
+    }
+
+    /// 1/m̄ along the unit normal n̂ (root link's axes, out of the struck link), 1/kg.
+    pub fn inverse_effective_mass(&self, normal: &Vector3<f64>) -> f64 {
+        let mut w = SVector::<f64, 12>::zeros();
+        w.fixed_rows_mut::<3>(3).copy_from(normal);
+        w.fixed_rows_mut::<3>(9).copy_from(&-normal);
+        (w.transpose() * self.matrix * w)[0]
+    }
+}
+
+impl System {
+    /// Φ of the two sides of a contact at its point, by route B with six unit wrenches a side. O(n).
+    ///
+    /// # Errors
+    /// [`RouteError`]: mimics, or a mass matrix that is singular to rounding.
+    pub fn inverse_operational_inertia(
+        &self,
+        pose: &Pose,
+        contact: &LocatedContact,
+    ) -> Result<InverseOperationalInertia, RouteError> {
+        self.articulated_support()?;
+        let mut recursion = Articulated::<f64, 12>::new(self);
+        let sides = [Some(contact.link), contact.against];
+        for (side, link) in sides.into_iter().enumerate() {
+            let body = link.and_then(|l| self.seats[l.index()].body);
+            for axis in 0..3 {
+                let mut unit = Vector3::zeros();
+                unit[axis] = 1.0;
+                recursion.push(body, 6 * side + axis, Wrench::new(unit, Vector3::zeros()));
+                recursion.push(body, 6 * side + 3 + axis, Wrench::new(Vector3::zeros(), unit));
+            }
+        }
+        recursion.eliminate(self, &pose.kinematics, &contact.point_root);
+        self.trusted(&recursion.trust())?;
+        let matrix = SMatrix::from_fn(|a, b| recursion.response(a, b));
+        Ok(InverseOperationalInertia { matrix })
+    }
+}

@@ -1,0 +1,87 @@
+//! From velocities to rates of the positions, and a step along them.
+
+use crate::kinematics::Kinematics;
+use crate::{Pose, System};
+use nalgebra::Vector3;
+use percuss_mechanism::JointKind;
+use percuss_spatial::{Scalar, Transform, Twist, quaternion_product, rotation_from_quaternion};
+
+impl System {
+    /// q̇ of all joints at the velocities `v`, one list a joint; both in joint order (layouts of [`JointKind`]).
+    ///
+    /// # Panics
+    /// Where the numbers of positions or velocities are not those of the mechanism.
+    pub fn position_rates<T: Scalar>(&self, positions: &[T], velocities: &[Vec<T>]) -> Vec<T> {
+        let mut rates = vec![T::zero(); self.positions];
+        for ((joint, range), v) in self.mechanism.joints().iter().zip(&self.joint_q).zip(velocities) {
+            position_rates(joint.kind(), &positions[range.clone()], v, &mut rates[range.clone()]);
+        }
+        rates
+    }
+
+    /// The pose a short time `h` (s) later at joint velocities `velocities` and base twist `base` (root link's axes,
+    /// at its origin), to second order in `h`. Quaternions stay normalised.
+    ///
+    /// # Panics
+    /// Where the number of velocities is not that of the mechanism.
+    pub fn advanced(&self, pose: &Pose, velocities: &[Vec<f64>], base: &Twist<f64>, h: f64) -> Pose {
+        let mut kinematics = Kinematics::new(self);
+        for ((joint, range), v) in self.mechanism.joints().iter().zip(&self.joint_q).zip(velocities) {
+            let next = advanced(joint.kind(), pose.joint_of(range), v, h);
+            kinematics.q[range.clone()].copy_from_slice(&next);
+        }
+        kinematics.refill(self);
+        let (w, v) = (base.angular, base.linear);
+        let zero = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
+        let q = advanced(JointKind::Floating, &zero, &[w.x, w.y, w.z, v.x, v.y, v.z], h);
+        let step = Transform::new(
+            rotation_from_quaternion([q[3], q[4], q[5], q[6]]),
+            Vector3::new(q[0], q[1], q[2]),
+        );
+        Pose { kinematics, joint_q: self.joint_q.clone(), base: pose.base * step }
+    }
+}
+
+/// q̇ of one joint at the velocities `v` (layouts of [`JointKind`]); a quaternion turns by ½ q ∘ (0, ω).
+pub(crate) fn position_rates<T: Scalar>(kind: JointKind, q: &[T], v: &[T], rates: &mut [T]) {
+    let half = T::from_f64(0.5);
+    let spin = |q: [T; 4], w: &[T]| quaternion_product(q, [T::zero(), w[0] * half, w[1] * half, w[2] * half]);
+    match kind {
+        JointKind::Fixed
+        | JointKind::Revolute
+        | JointKind::Continuous
+        | JointKind::Prismatic
+        | JointKind::Planar => rates.copy_from_slice(v),
+        JointKind::Spherical => rates.copy_from_slice(&spin([q[0], q[1], q[2], q[3]], v)),
+        JointKind::Floating => {
+            let quaternion = [q[3], q[4], q[5], q[6]];
+            let slide = rotation_from_quaternion(quaternion) * Vector3::new(v[3], v[4], v[5]);
+            rates[..3].copy_from_slice(slide.as_slice());
+            rates[3..].copy_from_slice(&spin(quaternion, &v[..3]));
+        }
+    }
+}
+
+/// q ⊕ h v of one joint, to second order in h, quaternions normalised.
+pub(crate) fn advanced(kind: JointKind, q: &[f64], v: &[f64], h: f64) -> Vec<f64> {
+    let mut rates = vec![0.0; q.len()];
+    position_rates(kind, q, v, &mut rates);
+    let mut next: Vec<f64> = q.iter().zip(&rates).map(|(q, r)| q + h * r).collect();
+    normalise(kind, &mut next);
+    next
+}
+
+/// Scales a quaternion in `q` to unit norm.
+pub(crate) fn normalise(kind: JointKind, q: &mut [f64]) {
+    let quaternion = match kind {
+        JointKind::Spherical => &mut q[..4],
+        JointKind::Floating => &mut q[3..7],
+        JointKind::Fixed
+        | JointKind::Revolute
+        | JointKind::Continuous
+        | JointKind::Prismatic
+        | JointKind::Planar => return,
+    };
+    let norm = quaternion.iter().map(|x| x * x).sum::<f64>().sqrt();
+    quaternion.iter_mut().for_each(|x| *x /= norm);
+}

@@ -1,0 +1,194 @@
+//! The table of the dialect: every element and attribute, and what becomes of it.
+
+use Use::{Noted, Read, Refused, Silent, Warned};
+
+/// What becomes of an element or attribute.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Use {
+    /// It enters the mechanism.
+    Read,
+    /// It has no bearing on the mechanics and is passed over.
+    Silent,
+    /// It is passed over, with a note that says why.
+    Noted(&'static str),
+    /// It is passed over, with a warning that says why.
+    Warned(&'static str),
+    /// The answer without it would be wrong, and it is not supported: an error with this code and message.
+    Refused(&'static str, &'static str),
+}
+
+/// An element in its place.
+pub(crate) struct Element {
+    /// Its tag; elements of Drake's namespace are written with `drake:`.
+    pub name: &'static str,
+    /// What becomes of it.
+    pub usage: Use,
+    /// Whether its parent may have only one.
+    pub single: bool,
+    /// Its attributes; attributes in a namespace are passed over.
+    pub attributes: &'static [(&'static str, Use)],
+    /// What it may hold. Only elements that are read are looked into.
+    pub children: &'static [Element],
+}
+
+const fn read(
+    name: &'static str,
+    attributes: &'static [(&'static str, Use)],
+    children: &'static [Element],
+) -> Element {
+    Element { name, usage: Read, single: false, attributes, children }
+}
+
+const fn single(name: &'static str, attributes: &'static [(&'static str, Use)]) -> Element {
+    Element { name, usage: Read, single: true, attributes, children: &[] }
+}
+
+const fn other(name: &'static str, usage: Use) -> Element {
+    Element { name, usage, single: false, attributes: &[], children: &[] }
+}
+
+const LOOPS: Use = Refused(
+    "loop-unsupported",
+    "this version does not close loops, and the answer without this one would be wrong",
+);
+
+/// The root: its tag and what it holds.
+pub(crate) const ROBOT: Element = Element {
+    name: "robot",
+    usage: Read,
+    single: true,
+    attributes: &[("name", Read), ("version", Read), ("type", Silent)],
+    children: IN_ROBOT,
+};
+
+const IN_ROBOT: &[Element] = &[
+    read("link", &[("name", Read), ("type", Silent)], IN_LINK),
+    read(
+        "joint",
+        // `independent` advises which coordinates drive; it never changes the effective mass.
+        &[("name", Read), ("type", Read), ("independent", Silent), ("dont_collapse", Silent)],
+        IN_JOINT,
+    ),
+    // Looked into for Drake's rotor inertias (armature.rs).
+    other("transmission", Silent),
+    // Looked into for joints that close loops in the simulator (survey.rs).
+    other("gazebo", Silent),
+    other("material", Silent),
+    other("sensor", Silent),
+    other("ros2_control", Silent),
+    other("mujoco", Silent),
+    other("group", Silent),
+    other("frame", Silent),
+    other("capability", Silent),
+    other("self_collision_checking", Silent),
+    other("loop", LOOPS),
+    other("coupling", LOOPS),
+    other("loop_joint", LOOPS),
+    other(
+        "drake:joint",
+        Refused(
+            "unsupported",
+            "joints of Drake's own are not read, and the answer without this one would be wrong",
+        ),
+    ),
+    other("drake:ball_constraint", LOOPS),
+    other("drake:distance_constraint", LOOPS),
+    other("drake:weld_constraint", LOOPS),
+    other("drake:coupler_constraint", LOOPS),
+];
+
+const ORIGIN: Element = single("origin", &[("xyz", Read), ("rpy", Read), ("quat_xyzw", Read)]);
+
+const IN_LINK: &[Element] = &[
+    Element { name: "inertial", usage: Read, single: true, attributes: &[], children: IN_INERTIAL },
+    // Looked into for the size of the shape (geometry.rs).
+    other("visual", Silent),
+    other("collision", Silent),
+    other(
+        "origin",
+        Warned("a link has no origin of its own in URDF (its joint and its <inertial> have); ignored"),
+    ),
+    other("sensor", Silent),
+    other("gazebo", Silent),
+    other("material", Silent),
+    other("contact", Silent),
+    other("surface", Silent),
+    other("gravity", Silent),
+    other("self_filter", Silent),
+    other("collision_checking", Silent),
+    other("self_collision_checking", Silent),
+    other("collision_bullet", Silent),
+    other("verbose", Silent),
+    other(
+        "kinematic",
+        Noted(
+            "\"kinematic\" is a simulator's word for a body moved by script; ignored, lock its joint to hold it",
+        ),
+    ),
+];
+
+const IN_INERTIAL: &[Element] = &[
+    ORIGIN,
+    single("mass", &[("value", Read)]),
+    single(
+        "inertia",
+        &[("ixx", Read), ("ixy", Read), ("ixz", Read), ("iyy", Read), ("iyz", Read), ("izz", Read)],
+    ),
+];
+
+const IN_JOINT: &[Element] = &[
+    ORIGIN,
+    single("parent", &[("link", Read)]),
+    single("child", &[("link", Read)]),
+    single("axis", &[("xyz", Read)]),
+    single(
+        "limit",
+        &[
+            ("lower", Read),
+            ("upper", Read),
+            ("effort", Silent),
+            ("velocity", Silent),
+            ("acceleration", Silent),
+            ("deceleration", Silent),
+            ("jerk", Silent),
+            ("stiffness", Silent),
+            ("current", Silent),
+            ("command_effort", Silent),
+            ("gear_velocity", Silent),
+        ],
+    ),
+    // Friction, damping and springs are finite forces: they do no work in an instantaneous blow.
+    single(
+        "dynamics",
+        &[
+            ("armature", Read),
+            ("damping", Silent),
+            ("friction", Silent),
+            ("stiffness", Silent),
+            ("spring_stiffness", Silent),
+            ("spring_reference", Silent),
+            ("mu_coulomb", Silent),
+            ("mu_viscous", Silent),
+            ("K", Silent),
+            ("D", Silent),
+        ],
+    ),
+    single("mimic", &[("joint", Read), ("multiplier", Read), ("offset", Read)]),
+    read("actuator", &[("name", Silent)], IN_ACTUATOR),
+    single("drake:rotor_inertia", &[("value", Read)]),
+    single("drake:gear_ratio", &[("value", Read)]),
+    other("calibration", Silent),
+    other("safety_controller", Silent),
+    other("hardwareInterface", Silent),
+    other("joint_properties", Silent),
+    other("physics", Silent),
+    other("sensor", Silent),
+    other("gazebo", Silent),
+];
+
+const IN_ACTUATOR: &[Element] = &[
+    single("drake:rotor_inertia", &[("value", Read)]),
+    single("drake:gear_ratio", &[("value", Read)]),
+    other("hardwareInterface", Silent),
+    other("mechanicalReduction", Silent),
+];

@@ -1,0 +1,91 @@
+//! How far the declared shape of a link reaches. It enters no result, so that nothing here is an error.
+
+use crate::numbers::parse;
+use crate::report::{Place, Report, quoted, shortened};
+use crate::survey::{child, children, is_substitution};
+use percuss_mechanism::Geometry;
+use roxmltree::Node;
+
+/// A shape larger than this (m) is a slip.
+const LARGEST: f64 = 1e9;
+
+/// A sphere about the link's origin that holds every `<visual>` and `<collision>`; not tight.
+pub(crate) fn reach<'a, 'i: 'a>(link: Node<'a, 'i>, report: &mut Report) -> Geometry {
+    let mut reach = Geometry::None;
+    for holder in children(link, "visual").chain(children(link, "collision")) {
+        let Some(geometry) = child(holder, "geometry") else { continue };
+        for shape in geometry.children().filter(Node::is_element) {
+            reach = wider(reach, of_shape(holder, shape, report));
+        }
+    }
+    reach
+}
+
+fn wider(a: Geometry, b: Geometry) -> Geometry {
+    match (a, b) {
+        (Geometry::Mesh, _) | (_, Geometry::Mesh) => Geometry::Mesh,
+        (Geometry::None, other) | (other, Geometry::None) => other,
+        (Geometry::Within(a), Geometry::Within(b)) => Geometry::Within(a.max(b)),
+    }
+}
+
+fn of_shape<'a, 'i: 'a>(holder: Node<'a, 'i>, shape: Node<'a, 'i>, report: &mut Report) -> Geometry {
+    let radius = match shape.tag_name().name() {
+        "mesh" => return Geometry::Mesh,
+        "box" => numbers::<3>(shape, "size", report).map(|[x, y, z]| x.hypot(y).hypot(z) / 2.0),
+        "sphere" => numbers::<1>(shape, "radius", report).map(|[r]| r),
+        "cylinder" => round(shape, report).map(|(r, length)| r.hypot(length / 2.0)),
+        "capsule" => round(shape, report).map(|(r, length)| r + length / 2.0),
+        name => {
+            report.fold(
+                percuss_mechanism::Severity::Warning,
+                "unknown-shape",
+                shortened(name),
+                Place::Element(shape),
+                || format!("unknown shape <{}> is ignored", shortened(name)),
+            );
+            None
+        }
+    };
+    let centre = match child(holder, "origin") {
+        Some(origin) if origin.attribute("xyz").is_some() => numbers::<3>(origin, "xyz", report),
+        Some(_) | None => Some([0.0; 3]),
+    };
+    match (radius, centre) {
+        (Some(radius), Some([x, y, z])) => Geometry::Within(x.hypot(y).hypot(z) + radius.abs()),
+        (Some(_) | None, _) => Geometry::None,
+    }
+}
+
+fn round(shape: Node<'_, '_>, report: &mut Report) -> Option<(f64, f64)> {
+    let [radius] = numbers::<1>(shape, "radius", report)?;
+    let [length] = numbers::<1>(shape, "length", report)?;
+    Some((radius, length))
+}
+
+fn numbers<const N: usize>(
+    node: Node<'_, '_>,
+    attribute: &'static str,
+    report: &mut Report,
+) -> Option<[f64; N]> {
+    let Some(text) = node.attribute(attribute) else {
+        report.warning("bad-shape", Place::Element(node), || {
+            format!("no attribute \"{attribute}\"; the shape is ignored")
+        });
+        return None;
+    };
+    let place = Place::Attribute(node, attribute);
+    if is_substitution(text) {
+        report.xacro(place, &format!("{attribute}={}", quoted(text)));
+        return None;
+    }
+    let trouble = match parse::<N>(text) {
+        Ok(values) if values.iter().all(|v| v.abs() <= LARGEST) => return Some(values),
+        Ok(_) => format!("more than {LARGEST:e} m is no shape"),
+        Err(trouble) => trouble,
+    };
+    report.warning("bad-shape", place, || {
+        format!("{attribute}={}: {trouble}; the shape is ignored", quoted(text))
+    });
+    None
+}

@@ -1,0 +1,165 @@
+//! `<joint>`: its kind, the links it joins, and how.
+
+use crate::armature;
+use crate::link::name;
+use crate::numbers::{bad, missing, optional, parse, required};
+use crate::origin::{self, Origin};
+use crate::report::{Place, Report, quoted};
+use crate::survey::child;
+use percuss_mechanism::{JointKind, near_names};
+use roxmltree::Node;
+
+/// A checked `<joint>`: every number in it is good.
+pub(crate) struct JointText<'a> {
+    pub name: &'a str,
+    pub kind: JointKind,
+    pub parent: &'a str,
+    pub child: &'a str,
+    pub origin: Origin<'a>,
+    /// Three good numbers.
+    pub axis: &'a str,
+    /// Lower and upper: one good number each, rad or m.
+    pub limits: Option<[&'a str; 2]>,
+    /// None, one, or one a velocity, kg·m² or kg.
+    pub armature: Vec<f64>,
+    pub mimic: Option<MimicText<'a>>,
+}
+
+/// A checked `<mimic>`.
+pub(crate) struct MimicText<'a> {
+    pub joint: &'a str,
+    /// One good number.
+    pub multiplier: &'a str,
+    /// One good number, rad or m.
+    pub offset: &'a str,
+}
+
+/// URDF's axis where none is given.
+const DEFAULT_AXIS: &str = "1 0 0";
+
+/// Checks a `<joint>`.
+pub(crate) fn check<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> JointText<'a> {
+    let name = name(node, report);
+    let kind = kind(node, report);
+    JointText {
+        name,
+        kind: kind.unwrap_or(JointKind::Fixed),
+        parent: end(node, "parent", report),
+        child: end(node, "child", report),
+        origin: origin::check(node, report),
+        axis: axis(node, kind, report),
+        limits: limits(node, kind, report),
+        armature: armature::of_joint(node, report),
+        mimic: child(node, "mimic").and_then(|n| mimic(n, kind, report)),
+    }
+}
+
+fn kind(node: Node<'_, '_>, report: &mut Report) -> Option<JointKind> {
+    let names = || JointKind::ALL.map(JointKind::name);
+    let Some(text) = node.attribute("type") else {
+        report.error("missing-attribute", Place::Element(node), || {
+            format!("<joint> has no attribute \"type\"; it is one of {}", names().join(", "))
+        });
+        return None;
+    };
+    let kind = JointKind::ALL.into_iter().find(|k| k.name() == text);
+    if kind.is_none() {
+        report.error("unknown-joint-type", Place::Attribute(node, "type"), || {
+            let guess = near_names(text, names())
+                .first()
+                .map(|n| format!(" (did you mean \"{n}\"?)"))
+                .unwrap_or_default();
+            format!("the joint type {} is unknown{guess}; it is one of {}", quoted(text), names().join(", "))
+        });
+    }
+    kind
+}
+
+/// The name of the parent or child link.
+fn end<'a, 'i: 'a>(node: Node<'a, 'i>, role: &'static str, report: &mut Report) -> &'a str {
+    let Some(element) = child(node, role) else {
+        report.error("missing-element", Place::Element(node), || {
+            format!("<joint> has no <{role}>; it needs <{role} link=\"...\"/>")
+        });
+        return "";
+    };
+    element.attribute("link").unwrap_or_else(|| {
+        missing(element, "link", report);
+        ""
+    })
+}
+
+fn axis<'a, 'i: 'a>(node: Node<'a, 'i>, kind: Option<JointKind>, report: &mut Report) -> &'a str {
+    match child(node, "axis") {
+        Some(axis) => required::<3>(axis, "xyz", DEFAULT_AXIS, report),
+        None => {
+            if let Some(kind) = kind.filter(|k| k.has_axis()) {
+                report.note("default-axis", Place::Element(node), || {
+                    format!("the {} joint has no <axis>: {DEFAULT_AXIS} is taken, as URDF says", kind.name())
+                });
+            }
+            DEFAULT_AXIS
+        }
+    }
+}
+
+/// The range of positions. Where neither end is given there is none: a `<limit>` that gives only effort and speed
+/// does not nail the joint to zero.
+fn limits<'a, 'i: 'a>(
+    node: Node<'a, 'i>,
+    kind: Option<JointKind>,
+    report: &mut Report,
+) -> Option<[&'a str; 2]> {
+    let limit = child(node, "limit").filter(|n| n.has_attribute("lower") || n.has_attribute("upper"));
+    let Some(limit) = limit else {
+        if let Some(kind @ (JointKind::Revolute | JointKind::Prismatic)) = kind {
+            report.note("no-limits", Place::Element(node), || {
+                format!("the {} joint has no position limits", kind.name())
+            });
+        }
+        return None;
+    };
+    let unlimited = |name| {
+        let text: Option<&str> = limit.attribute(name);
+        text.is_some_and(|t| t.trim_ascii().parse::<f64>().is_ok_and(f64::is_infinite))
+    };
+    if unlimited("lower") || unlimited("upper") {
+        report.warning("no-limits", Place::Element(limit), || {
+            "an infinite limit is none: the joint is taken as without position limits".to_owned()
+        });
+        return None;
+    }
+    Some(["lower", "upper"].map(|name| optional::<1>(limit, name, "0", report)))
+}
+
+fn mimic<'a>(node: Node<'a, '_>, kind: Option<JointKind>, report: &mut Report) -> Option<MimicText<'a>> {
+    let joint = node.attribute("joint").unwrap_or_else(|| {
+        missing(node, "joint", report);
+        ""
+    });
+    let multiplier = optional::<1>(node, "multiplier", "1", report);
+    let offset = optional::<1>(node, "offset", "0", report);
+    if kind == Some(JointKind::Fixed) {
+        // Reduced robots are made by fixing joints and leaving the rest as it was.
+        report.warning("fixed-mimic", Place::Element(node), || {
+            "the joint is fixed; its <mimic> is ignored".to_owned()
+        });
+        return None;
+    }
+    Some(MimicText { joint, multiplier, offset })
+}
+
+/// One number from an attribute that must be there.
+pub(crate) fn number(node: Node<'_, '_>, attribute: &'static str, report: &mut Report) -> Option<f64> {
+    let Some(text) = node.attribute(attribute) else {
+        missing(node, attribute, report);
+        return None;
+    };
+    match parse::<1>(text) {
+        Ok([value]) => Some(value),
+        Err(trouble) => {
+            bad(node, attribute, text, &trouble, report);
+            None
+        }
+    }
+}

@@ -1,0 +1,236 @@
+//! From a source to a mechanism.
+
+use crate::dialect::ROBOT;
+use crate::report::{Place, Report, cut, shortened};
+use crate::survey::{child, children, macros, survey};
+use crate::{Diagnostic, LoadError, Source, armature, joint, link, prescan, references, standard};
+use percuss_mechanism::{Accept, Mechanism, MechanismBuilder, Problem, Severity, Subject};
+use roxmltree::{Document, Node, ParsingOptions};
+
+/// Links, and joints, of one file.
+const MOST_BODIES: usize = 100_000;
+
+/// How to read a file.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct LoadOptions {
+    /// What the user takes as it is.
+    pub accept: Accept,
+}
+
+/// A mechanism, and what was noticed in its file.
+#[derive(Debug)]
+pub struct Loaded {
+    /// The mechanism.
+    pub mechanism: Mechanism,
+    /// Warnings and notes, in the order of the file.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Reads a URDF.
+///
+/// Units are those of URDF: m, kg, kg·m², rad. Inertias given in a turned frame are turned into the link's axes,
+/// I = R I′ Rᵀ. Nothing outside the text is opened: meshes, packages and external entities stay where they are.
+///
+/// # Errors
+/// [`LoadError`] with every finding, where one is an error (at most 50 of each severity; the rest are counted).
+pub fn load(source: &Source, options: &LoadOptions) -> Result<Loaded, LoadError> {
+    let mut report = Report::default();
+    let Some(text) = source.text(&mut report) else {
+        return Err(LoadError { diagnostics: report.finish(&source.name, "") });
+    };
+    let mechanism = read(text, options, &mut report);
+    let failed = report.has_errors();
+    let diagnostics = report.finish(&source.name, text);
+    match mechanism {
+        Some(mechanism) if !failed => Ok(Loaded { mechanism, diagnostics }),
+        Some(_) | None => Err(LoadError { diagnostics }),
+    }
+}
+
+fn read(text: &str, options: &LoadOptions, report: &mut Report) -> Option<Mechanism> {
+    if !prescan::check(text, report) {
+        return None;
+    }
+    let parsing = ParsingOptions { allow_dtd: true, nodes_limit: prescan::MOST_NODES, entity_resolver: None };
+    let document = match Document::parse_with_options(text, parsing) {
+        Ok(document) => document,
+        Err(error) => {
+            ill_formed(text, &error, report);
+            return None;
+        }
+    };
+    let robot = document.root_element();
+    if !is_robot(robot, report) {
+        return None;
+    }
+    macros(robot, report);
+    survey(robot, &ROBOT, report);
+    header(robot, report);
+    if report.is_xacro() {
+        return None;
+    }
+    let nodes =
+        Nodes { links: children(robot, "link").collect(), joints: children(robot, "joint").collect() };
+    for (what, count) in [("links", nodes.links.len()), ("joints", nodes.joints.len())] {
+        if count > MOST_BODIES {
+            report.error("too-complex", Place::Element(robot), || {
+                format!("{count} {what}; at most {MOST_BODIES} are read")
+            });
+            return None;
+        }
+    }
+    let links: Vec<_> = nodes.links.iter().map(|n| link::check(*n, report)).collect();
+    let mut joints: Vec<_> = nodes.joints.iter().map(|n| joint::check(*n, report)).collect();
+    let joint_index = references::index(joints.iter().map(|j| j.name));
+    armature::of_transmissions(robot, &mut joints, &joint_index, report);
+    for (joint, node) in joints.iter_mut().zip(&nodes.joints) {
+        armature::drop_from_fixed(joint, *node, report);
+    }
+    references::check(&links, &mut joints, &nodes.joints, &joint_index, report);
+    if report.has_errors() {
+        return None;
+    }
+    let values = standard::links(&links).and_then(|links| Ok((links, standard::joints(&joints)?)));
+    let (links, joints) = match values {
+        Ok(values) => values,
+        Err(trouble) => {
+            report.error("unreadable-urdf", Place::Element(robot), || trouble);
+            return None;
+        }
+    };
+    let name = robot.attribute("name").unwrap_or_default();
+    let name = if name.len() > link::LONGEST_NAME { cut(name, link::LONGEST_NAME) } else { name.to_owned() };
+    let builder = MechanismBuilder::new(name).accept(options.accept);
+    let builder = links.into_iter().fold(builder, MechanismBuilder::link);
+    let builder = joints.into_iter().fold(builder, MechanismBuilder::joint);
+    let (mechanism, findings) = match builder.build() {
+        Ok(built) => (Some(built.mechanism), built.findings),
+        Err(error) => (None, error.findings),
+    };
+    for (subject, problem) in findings {
+        report.add(problem.severity(), problem.code(), nodes.place(robot, &subject, &problem), || {
+            problem.to_string()
+        });
+    }
+    mechanism
+}
+
+/// The elements of links and joints, in the order given.
+struct Nodes<'a, 'i> {
+    links: Vec<Node<'a, 'i>>,
+    joints: Vec<Node<'a, 'i>>,
+}
+
+impl<'a, 'i: 'a> Nodes<'a, 'i> {
+    /// Where in the file a finding of the builder belongs.
+    fn place(&self, robot: Node<'a, 'i>, subject: &Subject, problem: &Problem) -> Place<'a, 'i> {
+        let node = match subject {
+            Subject::Mechanism => Some(robot),
+            Subject::Link { index, .. } => self.links.get(*index).copied(),
+            Subject::Joint { index, .. } => self.joints.get(*index).copied(),
+        };
+        let node = node.unwrap_or(robot);
+        let within: &[&'static str] = match problem {
+            Problem::NotFinite { quantity, .. } | Problem::TooLarge { quantity, .. } => match *quantity {
+                "centre of mass" => &["inertial", "origin"],
+                "mass" => &["inertial", "mass"],
+                "inertia" => &["inertial", "inertia"],
+                "origin" | "rotation" => &["origin"],
+                "axis" => &["axis"],
+                "limit" => &["limit"],
+                "mimic" => &["mimic"],
+                "armature" => &["dynamics"],
+                // The builder's words, not the file's.
+                _ => &[],
+            },
+            Problem::NegativeMass { .. } => &["inertial", "mass"],
+            Problem::IndefiniteInertia { .. } | Problem::TriangleInequality { .. } => {
+                &["inertial", "inertia"]
+            }
+            Problem::ZeroAxis | Problem::AxisNotUnit { .. } => &["axis"],
+            Problem::LimitsReversed { .. } => &["limit"],
+            Problem::NegativeArmature { .. } | Problem::ArmatureCount { .. } => &["dynamics"],
+            Problem::MimicKind { .. } | Problem::MimicCycle { .. } | Problem::DanglingMimic { .. } => {
+                &["mimic"]
+            }
+            Problem::TwoParents { .. } | Problem::JoinsItself { .. } => &["child"],
+            // An open list of the builder's; the link or joint is place enough.
+            _ => &[],
+        };
+        Place::Element(within.iter().try_fold(node, |node, name| child(node, name)).unwrap_or(node))
+    }
+}
+
+/// Reports text that is no XML.
+fn ill_formed(text: &str, error: &roxmltree::Error, report: &mut Report) {
+    let mend = match error {
+        roxmltree::Error::UnknownNamespace(prefix, _) if prefix == "xacro" => {
+            report.xacro(Place::File, "the prefix \"xacro:\"");
+            return;
+        }
+        roxmltree::Error::UnknownNamespace(prefix, _) => {
+            let prefix = shortened(prefix);
+            format!(": declare the prefix in the root element, xmlns:{prefix}=\"...\"")
+        }
+        roxmltree::Error::UnclosedRootNode | roxmltree::Error::UnexpectedEndOfStream => {
+            ": the file ends too early; was it cut off?".to_owned()
+        }
+        roxmltree::Error::EntityReferenceLoop(_) => {
+            ": entities that grow without bound are refused".to_owned()
+        }
+        // An open list of the parser's; its own words are enough.
+        _ => String::new(),
+    };
+    let at = error.pos();
+    let offset = match error {
+        roxmltree::Error::UnclosedRootNode | roxmltree::Error::UnexpectedEndOfStream => text.len(),
+        _ => offset_of(text, at.row, at.col),
+    };
+    let message = error.to_string();
+    // The place is told once, by us.
+    let message = message.replace(&format!(" at {}:{}", at.row, at.col), "");
+    report.error("not-xml", Place::Offset(offset), || {
+        format!("not well-formed XML: {}{mend}", cut(&message, 200))
+    });
+}
+
+/// The byte at a line and column (in characters), both from 1.
+fn offset_of(text: &str, row: u32, column: u32) -> usize {
+    let start: usize = text.split_inclusive('\n').take(row.saturating_sub(1) as usize).map(str::len).sum();
+    let line = &text[start..];
+    let within = line.char_indices().nth(column.saturating_sub(1) as usize).map_or(line.len(), |(i, _)| i);
+    start + within
+}
+
+/// Whether the root is a URDF's; if not, says what the file seems to be.
+fn is_robot(root: Node<'_, '_>, report: &mut Report) -> bool {
+    let name = root.tag_name().name();
+    let what = match name {
+        "robot" => return true,
+        "sdf" | "gazebo" => "this is an SDF file (Gazebo's); export the model as URDF",
+        "mujoco" => "this is an MJCF file (MuJoCo's); export the model as URDF",
+        "COLLADA" => "this is a COLLADA mesh; the URDF names it, load that",
+        "html" | "HTML" => "this is a web page; a download may have gone wrong",
+        "mujocoinclude" => "this is a part of an MJCF file (MuJoCo's); export the model as URDF",
+        "launch" => "this is a ROS launch file; load the URDF it names",
+        _ => "a URDF's root is <robot>",
+    };
+    report.error("wrong-root", Place::Element(root), || {
+        format!("the root element is <{}>: {what}", shortened(name))
+    });
+    false
+}
+
+/// Checks the attributes of `<robot>`.
+fn header(robot: Node<'_, '_>, report: &mut Report) {
+    if robot.attribute("name").is_none() {
+        report.note("unnamed-robot", Place::Element(robot), || "<robot> has no name".to_owned());
+    }
+    if let Some(version) = robot.attribute("version")
+        && !["1.0", "1.1", "1.2"].contains(&version.trim_ascii())
+    {
+        report.add(Severity::Warning, "unknown-version", Place::Attribute(robot, "version"), || {
+            format!("URDF version \"{}\" is not known; it is read as 1.2", shortened(version))
+        });
+    }
+}

@@ -1,0 +1,69 @@
+//! `<origin>`: a translation, and a rotation in one of two spellings.
+
+use crate::numbers::{bad, optional, parse};
+use crate::report::{Place, Report};
+use crate::survey::child;
+use percuss_spatial::{Matrix3, rotation_from_quaternion};
+use roxmltree::Node;
+
+/// A quaternion whose norm is further from 1 than this was not meant as it stands.
+const NORM_SLACK: f64 = 1e-3;
+
+/// A checked `<origin>`.
+#[derive(Clone, Copy)]
+pub(crate) struct Origin<'a> {
+    /// Three good numbers, m.
+    pub xyz: &'a str,
+    /// Three good numbers, rad.
+    pub rpy: &'a str,
+    /// The rotation of `quat_xyzw`, which goes before `rpy`. Read here and not by urdf-rs, which ignores it below
+    /// version 1.1 and passes it through angles that are off by milliradians near ±90° pitch.
+    pub quaternion: Option<Matrix3<f64>>,
+}
+
+impl Origin<'_> {
+    const IDENTITY: Origin<'static> = Origin { xyz: ZERO, rpy: ZERO, quaternion: None };
+}
+
+const ZERO: &str = "0 0 0";
+
+/// Checks the `<origin>` of `parent`; the identity where there is none.
+pub(crate) fn check<'a, 'i: 'a>(parent: Node<'a, 'i>, report: &mut Report) -> Origin<'a> {
+    let Some(node) = child(parent, "origin") else { return Origin::IDENTITY };
+    let quaternion = node.attribute("quat_xyzw").and_then(|text| rotation(node, text, report));
+    if node.attribute("quat_xyzw").is_some() && node.attribute("rpy").is_some() {
+        report.warning("two-rotations", Place::Attribute(node, "quat_xyzw"), || {
+            "both rpy and quat_xyzw are given; quat_xyzw is taken".to_owned()
+        });
+    }
+    Origin {
+        xyz: optional::<3>(node, "xyz", ZERO, report),
+        rpy: optional::<3>(node, "rpy", ZERO, report),
+        quaternion,
+    }
+}
+
+fn rotation(node: Node<'_, '_>, text: &str, report: &mut Report) -> Option<Matrix3<f64>> {
+    let [x, y, z, w] = match parse::<4>(text) {
+        Ok(values) => values,
+        Err(trouble) => {
+            bad(node, "quat_xyzw", text, &trouble, report);
+            return None;
+        }
+    };
+    // Scaled first, so that no square overflows or underflows.
+    let scale = [x, y, z, w].iter().fold(0.0f64, |a, b| a.max(b.abs()));
+    if scale < f64::MIN_POSITIVE {
+        bad(node, "quat_xyzw", text, "it is zero; a unit quaternion x y z w is wanted", report);
+        return None;
+    }
+    let q = [w / scale, x / scale, y / scale, z / scale];
+    let norm = q.iter().map(|c| c * c).sum::<f64>().sqrt();
+    let length = norm * scale;
+    if (length - 1.0).abs() > NORM_SLACK {
+        report.warning("quaternion-not-unit", Place::Attribute(node, "quat_xyzw"), || {
+            format!("the quaternion has norm {length}, not 1; it was normalised")
+        });
+    }
+    Some(rotation_from_quaternion(q.map(|c| c / norm)))
+}

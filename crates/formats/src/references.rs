@@ -1,0 +1,112 @@
+//! Names that joints refer to by: looked up here, where the place in the file is known and the cost is bounded.
+
+use crate::joint::JointText;
+use crate::link::LinkText;
+use crate::report::{Place, Report, shortened};
+use crate::survey::child;
+use percuss_mechanism::{Problem, near_names};
+use roxmltree::Node;
+use std::collections::HashMap;
+
+/// Suggestions are sought for so many names, among so many candidates.
+const MOST_GUESSES: usize = 10;
+const MOST_CANDIDATES: usize = 2_000;
+/// Joints that mimic one another in a row.
+const LONGEST_CHAIN: usize = 100;
+
+/// Where each name was given first.
+pub(crate) fn index<'a>(names: impl Iterator<Item = &'a str>) -> HashMap<&'a str, usize> {
+    let mut index = HashMap::new();
+    for (i, name) in names.enumerate() {
+        index.entry(name).or_insert(i);
+    }
+    index
+}
+
+/// Looks for what was meant, a few times only.
+struct Guesses {
+    left: usize,
+}
+
+impl Guesses {
+    fn near<'a>(&mut self, name: &str, names: impl Iterator<Item = &'a str>) -> Vec<String> {
+        if self.left == 0 {
+            return Vec::new();
+        }
+        self.left -= 1;
+        near_names(name, names.take(MOST_CANDIDATES)).iter().map(|n| shortened(n)).collect()
+    }
+}
+
+/// Checks the links and joints that joints name. A mimic that leads nowhere is dropped, with a warning.
+pub(crate) fn check<'a, 'i: 'a>(
+    links: &[LinkText<'a>],
+    joints: &mut [JointText<'a>],
+    nodes: &[Node<'a, 'i>],
+    joint_index: &HashMap<&'a str, usize>,
+    report: &mut Report,
+) {
+    let link_index = index(links.iter().map(|l| l.name));
+    let mut guesses = Guesses { left: MOST_GUESSES };
+    for (joint, node) in joints.iter().zip(nodes) {
+        for (role, name) in [("parent", joint.parent), ("child", joint.child)] {
+            // An empty name is one that is missing, and told already.
+            let element = child(*node, role).filter(|n| n.has_attribute("link"));
+            if let Some(element) = element
+                && !link_index.contains_key(name)
+            {
+                let near = guesses.near(name, links.iter().map(|l| l.name));
+                let problem = Problem::UnknownLink { role, link: shortened(name), near };
+                report
+                    .add(problem.severity(), problem.code(), Place::Element(element), || problem.to_string());
+            }
+        }
+    }
+    let names: Vec<&str> = joints.iter().map(|j| j.name).collect();
+    for (joint, node) in joints.iter_mut().zip(nodes) {
+        let Some(mimic) = &joint.mimic else { continue };
+        if !joint_index.contains_key(mimic.joint) && !mimic.joint.is_empty() {
+            let near = guesses.near(mimic.joint, names.iter().copied());
+            let problem = Problem::DanglingMimic { master: shortened(mimic.joint), near };
+            let place = child(*node, "mimic").map_or(Place::Element(*node), Place::Element);
+            report.add(problem.severity(), problem.code(), place, || problem.to_string());
+            joint.mimic = None;
+        }
+    }
+    chains(joints, nodes, joint_index, report);
+}
+
+/// Refuses circles and long chains of mimics, whose cost and whose messages would grow with their length.
+fn chains<'a, 'i: 'a>(
+    joints: &[JointText<'a>],
+    nodes: &[Node<'a, 'i>],
+    index: &HashMap<&'a str, usize>,
+    report: &mut Report,
+) {
+    let next = |i: usize| joints[i].mimic.as_ref().and_then(|m| index.get(m.joint).copied());
+    for (start, node) in nodes.iter().enumerate() {
+        let walk = || std::iter::successors(Some(start), |i| next(*i)).take(LONGEST_CHAIN + 1);
+        if walk().count() <= LONGEST_CHAIN {
+            continue;
+        }
+        let place = child(*node, "mimic").map_or(Place::Element(*node), Place::Element);
+        let mut seen = HashMap::new();
+        let again = walk().enumerate().find_map(|(step, joint)| seen.insert(joint, step));
+        match again {
+            Some(first) => {
+                let mut circle = walk().skip(first);
+                let entry = circle.next();
+                let rest = circle.take_while(|joint| Some(*joint) != entry);
+                let names = entry.into_iter().chain(rest).map(|i| shortened(joints[i].name)).collect();
+                let problem = Problem::MimicCycle { joints: names };
+                report.add(problem.severity(), problem.code(), place, || problem.to_string());
+            }
+            None => {
+                report.error("mimic-chain", place, || {
+                    format!("more than {LONGEST_CHAIN} joints mimic one another in a row")
+                });
+                return;
+            }
+        }
+    }
+}

@@ -1,0 +1,241 @@
+//! Collects findings while a file is read: bounded in number, placed in the file at the end.
+
+use crate::Diagnostic;
+use percuss_mechanism::Severity;
+use roxmltree::Node;
+use std::collections::HashMap;
+
+/// At most so many findings of each severity are told; the others are counted.
+const MOST: usize = 50;
+/// At most so many kinds of repeated finding are told apart.
+const MOST_FOLDED: usize = 500;
+/// A column further right than so many bytes is not worth counting out.
+const FARTHEST_COLUMN: usize = 1 << 16;
+/// Texts from the file are cut to so many characters when shown.
+const LONGEST_SHOWN: usize = 60;
+
+/// Where a finding belongs.
+#[derive(Clone, Copy)]
+pub(crate) enum Place<'a, 'i> {
+    /// The whole file.
+    File,
+    /// A byte of the text.
+    Offset(usize),
+    /// An element.
+    Element(Node<'a, 'i>),
+    /// An attribute of an element; the element where it has no such attribute.
+    Attribute(Node<'a, 'i>, &'a str),
+}
+
+struct Item {
+    severity: Severity,
+    code: &'static str,
+    offset: Option<usize>,
+    element: Option<String>,
+    message: String,
+    repeats: usize,
+}
+
+/// The findings so far.
+#[derive(Default)]
+pub(crate) struct Report {
+    items: Vec<Item>,
+    counts: [usize; 3],
+    folded: HashMap<(&'static str, String), Option<usize>>,
+    is_xacro: bool,
+}
+
+fn rank(severity: Severity) -> usize {
+    match severity {
+        Severity::Error => 0,
+        Severity::Warning => 1,
+        Severity::Note => 2,
+    }
+}
+
+impl Report {
+    /// Adds a finding; its message is made only if there is room to tell it.
+    pub fn add(
+        &mut self,
+        severity: Severity,
+        code: &'static str,
+        place: Place<'_, '_>,
+        message: impl FnOnce() -> String,
+    ) {
+        self.counts[rank(severity)] += 1;
+        if self.counts[rank(severity)] > MOST {
+            return;
+        }
+        let (offset, element) = match place {
+            Place::File => (None, None),
+            Place::Offset(offset) => (Some(offset), None),
+            Place::Element(node) => (Some(node.range().start), Some(path_of(node))),
+            Place::Attribute(node, name) => {
+                let offset = node.attribute_node(name).map_or(node.range().start, |a| a.range().start);
+                (Some(offset), Some(path_of(node)))
+            }
+        };
+        self.items.push(Item { severity, code, offset, element, message: message(), repeats: 0 });
+    }
+
+    /// An error.
+    pub fn error(&mut self, code: &'static str, place: Place<'_, '_>, message: impl FnOnce() -> String) {
+        self.add(Severity::Error, code, place, message);
+    }
+
+    /// A warning.
+    pub fn warning(&mut self, code: &'static str, place: Place<'_, '_>, message: impl FnOnce() -> String) {
+        self.add(Severity::Warning, code, place, message);
+    }
+
+    /// A note.
+    pub fn note(&mut self, code: &'static str, place: Place<'_, '_>, message: impl FnOnce() -> String) {
+        self.add(Severity::Note, code, place, message);
+    }
+
+    /// Adds a finding that is told once for each `kind` and then counted.
+    pub fn fold(
+        &mut self,
+        severity: Severity,
+        code: &'static str,
+        kind: String,
+        place: Place<'_, '_>,
+        message: impl FnOnce() -> String,
+    ) {
+        if let Some(first) = self.folded.get(&(code, kind.clone())) {
+            if let Some(item) = first {
+                self.items[*item].repeats += 1;
+            }
+            return;
+        }
+        let before = self.items.len();
+        self.add(severity, code, place, message);
+        if self.folded.len() < MOST_FOLDED {
+            let told = self.items.len() > before;
+            self.folded.insert((code, kind), told.then_some(before));
+        }
+    }
+
+    /// The error that the file is a xacro; told once.
+    pub fn xacro(&mut self, place: Place<'_, '_>, sign: &str) {
+        let message = || {
+            format!(
+                "this is a xacro file, not yet a URDF (it has {sign}): run \"xacro FILE.xacro > FILE.urdf\" and load the result"
+            )
+        };
+        if !std::mem::replace(&mut self.is_xacro, true) {
+            self.error("xacro", place, message);
+        }
+    }
+
+    /// Whether the file is a xacro, so that all else that could be said of it is beside the point.
+    pub fn is_xacro(&self) -> bool {
+        self.is_xacro
+    }
+
+    /// Whether anything forbids a mechanism.
+    pub fn has_errors(&self) -> bool {
+        self.counts[rank(Severity::Error)] > 0
+    }
+
+    /// All findings in the order of the file, those without a place first.
+    pub fn finish(mut self, path: &str, text: &str) -> Vec<Diagnostic> {
+        self.items.sort_by_key(|item| item.offset);
+        let mut places = Places { text: text.as_bytes(), at: 0, line: 1, line_start: 0 };
+        let mut diagnostics: Vec<Diagnostic> = Vec::with_capacity(self.items.len() + 3);
+        for item in self.items {
+            let place = item.offset.map(|offset| places.of(offset));
+            let mut message = item.message;
+            if item.repeats > 0 {
+                message.push_str(&format!(" ({} more like it)", item.repeats));
+            }
+            diagnostics.push(Diagnostic {
+                severity: item.severity,
+                code: item.code,
+                path: path.to_owned(),
+                line: place.map(|(line, _)| line),
+                column: place.and_then(|(_, column)| column),
+                element: item.element,
+                message,
+            });
+        }
+        for severity in [Severity::Error, Severity::Warning, Severity::Note] {
+            let more = self.counts[rank(severity)].saturating_sub(MOST);
+            if more > 0 {
+                diagnostics.push(Diagnostic {
+                    severity,
+                    code: "and-more",
+                    path: path.to_owned(),
+                    line: None,
+                    column: None,
+                    element: None,
+                    message: format!("and {more} more {}s", severity.name()),
+                });
+            }
+        }
+        diagnostics
+    }
+}
+
+/// Turns ascending offsets into lines and columns in one pass over the text.
+struct Places<'t> {
+    text: &'t [u8],
+    at: usize,
+    line: u32,
+    line_start: usize,
+}
+
+impl Places<'_> {
+    fn of(&mut self, offset: usize) -> (u32, Option<u32>) {
+        let offset = offset.min(self.text.len());
+        while self.at < offset {
+            if self.text[self.at] == b'\n' {
+                self.line = self.line.saturating_add(1);
+                self.line_start = self.at + 1;
+            }
+            self.at += 1;
+        }
+        let before = &self.text[self.line_start..offset.max(self.line_start)];
+        // Every byte that does not continue a character begins one.
+        let column = || before.iter().filter(|b| **b & 0xC0 != 0x80).count() as u32 + 1;
+        (self.line, (before.len() <= FARTHEST_COLUMN).then(column))
+    }
+}
+
+/// `robot/joint[hinge]/axis`.
+fn path_of(node: Node<'_, '_>) -> String {
+    let mut steps: Vec<String> = node
+        .ancestors()
+        .filter(Node::is_element)
+        .map(|n| {
+            let prefix = n.tag_name().namespace().and_then(|uri| n.lookup_prefix(uri));
+            let lead = prefix.map(|p| format!("{}:", shortened(p))).unwrap_or_default();
+            let tag = format!("{lead}{}", shortened(n.tag_name().name()));
+            match n.attribute("name") {
+                Some(name) if n.parent_element().is_some() => format!("{tag}[{}]", shortened(name)),
+                Some(_) | None => tag,
+            }
+        })
+        .collect();
+    steps.reverse();
+    steps.join("/")
+}
+
+/// The text in quotes, cut if it is long.
+pub(crate) fn quoted(text: &str) -> String {
+    format!("\"{}\"", shortened(text))
+}
+
+/// The text on one line, cut if it is long.
+pub(crate) fn shortened(text: &str) -> String {
+    cut(text, LONGEST_SHOWN)
+}
+
+/// The text on one line, cut to so many characters.
+pub(crate) fn cut(text: &str, longest: usize) -> String {
+    let printable = |c: char| if c.is_control() { ' ' } else { c };
+    match text.char_indices().nth(longest) {
+        Some((end, _)) => text[..end].chars().map(printable).chain(['…']).collect(),
+        None => text.chars().map(printable).collect(),
+    }
+}

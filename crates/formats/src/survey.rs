@@ -1,0 +1,185 @@
+//! Holds the file against the table of the dialect.
+
+use crate::dialect::{Element, Use};
+use crate::report::{Place, Report, shortened};
+use percuss_mechanism::{Severity, near_names};
+use roxmltree::Node;
+
+/// Elements in these namespaces are macros.
+const XACRO: [&str; 4] = [
+    "http://www.ros.org/wiki/xacro",
+    "http://ros.org/wiki/xacro",
+    "http://wiki.ros.org/xacro",
+    "http://www.ros.org/xacro",
+];
+
+/// Whose language an element's tag belongs to.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Tongue {
+    /// URDF: no namespace, or that of the root.
+    Urdf,
+    /// Drake's additions.
+    Drake,
+    /// Anyone else's.
+    Foreign,
+}
+
+/// The language of an element's tag.
+pub(crate) fn tongue(node: Node<'_, '_>) -> Tongue {
+    match node.tag_name().namespace() {
+        None => Tongue::Urdf,
+        Some(uri)
+            if node
+                .ancestors()
+                .filter(Node::is_element)
+                .last()
+                .is_some_and(|root| root.tag_name().namespace() == Some(uri)) =>
+        {
+            Tongue::Urdf
+        }
+        Some(uri) if uri.contains("drake") => Tongue::Drake,
+        Some(_) => Tongue::Foreign,
+    }
+}
+
+/// Whether the element is the one that the table writes as `name`.
+pub(crate) fn is_named(node: Node<'_, '_>, name: &str) -> bool {
+    let tag = node.tag_name().name();
+    match name.strip_prefix("drake:") {
+        Some(name) => tag == name && tongue(node) == Tongue::Drake,
+        None => tag == name && tongue(node) == Tongue::Urdf,
+    }
+}
+
+/// The children of that name.
+pub(crate) fn children<'a, 'i: 'a>(
+    node: Node<'a, 'i>,
+    name: &'static str,
+) -> impl Iterator<Item = Node<'a, 'i>> {
+    node.children().filter(move |c| c.is_element() && is_named(*c, name))
+}
+
+/// The first child of that name.
+pub(crate) fn child<'a, 'i: 'a>(node: Node<'a, 'i>, name: &'static str) -> Option<Node<'a, 'i>> {
+    children(node, name).next()
+}
+
+/// Whether the value is one that xacro would have replaced.
+pub(crate) fn is_substitution(value: &str) -> bool {
+    value.contains("${") || value.contains("$(")
+}
+
+/// Reports the first sign of an unexpanded xacro anywhere in the file.
+pub(crate) fn macros(root: Node<'_, '_>, report: &mut Report) {
+    let is_macro = |n: &Node<'_, '_>| n.tag_name().namespace().is_some_and(|uri| XACRO.contains(&uri));
+    if let Some(node) = root.descendants().filter(Node::is_element).find(is_macro) {
+        report.xacro(Place::Element(node), &format!("<xacro:{}>", shortened(node.tag_name().name())));
+    }
+}
+
+/// Reports what the table does not read. Goes as deep as the table, no deeper.
+pub(crate) fn survey(node: Node<'_, '_>, spec: &'static Element, report: &mut Report) {
+    attributes(node, spec, report);
+    let mut seen = 0u64;
+    for child in node.children() {
+        if child.is_text() {
+            stray_text(node, child, report);
+        }
+        if !child.is_element() {
+            continue;
+        }
+        let Some(index) = spec.children.iter().position(|s| is_named(child, s.name)) else {
+            if tongue(child) == Tongue::Urdf {
+                unknown_element(child, spec, report);
+            }
+            continue;
+        };
+        let found = &spec.children[index];
+        if found.single && seen & (1 << index) != 0 {
+            report.error("duplicate-element", Place::Element(child), || {
+                format!(
+                    "a second <{}>; only one is allowed, and which of them counts is not said",
+                    found.name
+                )
+            });
+        }
+        seen |= 1 << index;
+        element(child, found, report);
+    }
+}
+
+fn element(node: Node<'_, '_>, spec: &'static Element, report: &mut Report) {
+    let place = Place::Element(node);
+    match spec.usage {
+        Use::Read => survey(node, spec, report),
+        Use::Silent if spec.name == "gazebo" => simulator_joints(node, report),
+        Use::Silent => {}
+        Use::Noted(why) => {
+            report.fold(Severity::Note, "ignored", spec.name.to_owned(), place, || why.to_owned());
+        }
+        Use::Warned(why) => {
+            report.fold(Severity::Warning, "ignored", spec.name.to_owned(), place, || why.to_owned());
+        }
+        Use::Refused(code, why) => report.error(code, place, || why.to_owned()),
+    }
+}
+
+fn attributes(node: Node<'_, '_>, spec: &'static Element, report: &mut Report) {
+    for attribute in node.attributes().filter(|a| a.namespace().is_none()) {
+        let name = attribute.name();
+        let place = Place::Attribute(node, name);
+        let usage = spec.attributes.iter().find(|(known, _)| *known == name).map(|(_, usage)| usage);
+        match usage {
+            Some(Use::Read) if is_substitution(attribute.value()) => {
+                report.xacro(place, &format!("{name}=\"{}\"", shortened(attribute.value())));
+            }
+            Some(Use::Read | Use::Silent) => {}
+            Some(Use::Noted(why)) => report.note("ignored", place, || (*why).to_owned()),
+            Some(Use::Warned(why)) => report.warning("ignored", place, || (*why).to_owned()),
+            Some(Use::Refused(code, why)) => report.error(code, place, || (*why).to_owned()),
+            None => {
+                let shown = shortened(name);
+                let kind = format!("{} {shown}", spec.name);
+                report.fold(Severity::Warning, "unknown-attribute", kind, place, || {
+                    let near = near_names(name, spec.attributes.iter().map(|(known, _)| *known));
+                    let guess = near.first().map(|n| format!("; did you mean \"{n}\"?")).unwrap_or_default();
+                    format!("unknown attribute \"{shown}\" is ignored{guess}")
+                });
+            }
+        }
+    }
+}
+
+fn unknown_element(node: Node<'_, '_>, parent: &'static Element, report: &mut Report) {
+    let name = node.tag_name().name();
+    let shown = shortened(name);
+    let kind = format!("{} {shown}", parent.name);
+    report.fold(Severity::Warning, "unknown-element", kind, Place::Element(node), || {
+        let known = parent.children.iter().map(|s| s.name).filter(|n| !n.starts_with("drake:"));
+        let guess =
+            near_names(name, known).first().map(|n| format!("; did you mean <{n}>?")).unwrap_or_default();
+        format!("unknown element <{shown}> is ignored{guess}")
+    });
+}
+
+/// Text between elements means nothing in URDF; `<mass>5</mass>` is another format's spelling.
+fn stray_text(parent: Node<'_, '_>, text: Node<'_, '_>, report: &mut Report) {
+    let words = text.text().unwrap_or_default().trim_ascii();
+    if !words.is_empty() {
+        let kind = parent.tag_name().name().to_owned();
+        report.fold(Severity::Warning, "stray-text", kind, Place::Element(parent), || {
+            format!("the text \"{}\" is ignored; URDF gives values in attributes", shortened(words))
+        });
+    }
+}
+
+/// Simulator settings do not matter here, but a joint hidden among them closes a loop.
+fn simulator_joints(gazebo: Node<'_, '_>, report: &mut Report) {
+    for joint in children(gazebo, "joint") {
+        report.warning("simulator-joint", Place::Element(joint), || {
+            "a joint inside <gazebo> holds in that simulator only and is ignored; if it closes a loop, the answer \
+             is without that loop"
+                .to_owned()
+        });
+    }
+}

@@ -1,0 +1,124 @@
+//! The least energy at unit closing speed, from the rows.
+
+use super::rows::{Owner, System};
+use super::{Answer, Outcome};
+use faer::Mat;
+use nalgebra::{DMatrix, DVector};
+
+/// A row of A counts as dependent when its pivot is below this part of the first. Rows are unit vectors and a tree's
+/// rows are independent, so a true dependency (a locked mimic) stands at rounding, 1e-15, and nothing else near.
+const RANK: f64 = 1e-11;
+/// The contact cannot close when |jZ| is at most this part of |j| (DESIGN §1).
+const IMMOVABLE: f64 = 1e-10;
+/// A column of W Z is a motion without mass when its norm is below this part of the largest row: masses span at most
+/// twelve decades, their roots six, and rounding leaves 1e-15 to 1e-14.
+const WEIGHTLESS: f64 = 1e-12;
+/// The minimum vanishes when |W v*| is below this part of max|Wᵢ| |v*|.
+const MASSLESS: f64 = 1e-11;
+
+/// Solves (D).
+pub(super) fn minimum(system: &System) -> Answer {
+    let (basis, rank) = kernel(&system.constraints);
+    let degrees_of_freedom = basis.ncols();
+    let redundant_constraints = system.constraints.nrows() - rank;
+    let answer = |outcome| Answer {
+        outcome,
+        degrees_of_freedom,
+        redundant_constraints,
+        links: Vec::new(),
+        rotors: Vec::new(),
+    };
+    let mut closing = basis.tr_mul(&system.contact);
+    let speed = closing.norm();
+    if speed <= IMMOVABLE * system.contact.norm() {
+        return answer(Outcome::Immovable);
+    }
+    // The first column of the reflected basis carries all the closing speed.
+    let mut basis = basis;
+    let sign = if closing[0] < 0.0 { -1.0 } else { 1.0 };
+    closing[0] += sign * speed;
+    let image = &basis * &closing;
+    basis -= image * closing.transpose() * (2.0 / closing.norm_squared());
+    let particular = basis.column(0) * (-sign / speed);
+    let free = basis.columns(1, degrees_of_freedom - 1).into_owned();
+
+    let matrix = &system.energy * &free;
+    let rhs = &system.energy * &particular;
+    let heaviest = system.energy.row_iter().map(|row| row.norm()).fold(0.0, f64::max);
+    let z = least_squares(&matrix, &rhs, WEIGHTLESS * heaviest);
+    let strike = particular - &free * z;
+    let momenta = &system.energy * &strike;
+    if momenta.norm() <= MASSLESS * heaviest * strike.norm() {
+        return answer(Outcome::Massless);
+    }
+    let (links, joints) = system.counts;
+    let mut answer = answer(Outcome::Finite(momenta.norm_squared()));
+    (answer.links, answer.rotors) = (vec![0.0; links], vec![0.0; joints]);
+    for (owner, value) in system.owners.iter().zip(&momenta) {
+        match *owner {
+            Owner::Link(i) => answer.links[i] += value * value,
+            Owner::Rotor(i) => answer.rotors[i] += value * value,
+        }
+    }
+    answer
+}
+
+/// An orthonormal basis of ker A (columns), and the rank of A.
+fn kernel(a: &DMatrix<f64>) -> (DMatrix<f64>, usize) {
+    let n = a.ncols();
+    if a.nrows() == 0 {
+        return (DMatrix::identity(n, n), 0);
+    }
+    let transposed = Mat::from_fn(n, a.nrows(), |i, k| a[(k, i)]);
+    let qr = transposed.col_piv_qr();
+    let pivots = n.min(a.nrows());
+    let r = qr.R();
+    let rank = (0..pivots).take_while(|&i| r[(i, i)].abs() > RANK * r[(0, 0)].abs()).count();
+    let q = qr.compute_Q();
+    (DMatrix::from_fn(n, n - rank, |i, k| q[(i, rank + k)]), rank)
+}
+
+/// A z that minimises |rhs − matrix z|: Householder QR, the largest remaining column and in it the largest entry
+/// first. Columns that shrink below `floor` get zero.
+///
+/// With both pivotings the error of every row is small relative to that row, however the rows are graded.
+/// Source: Cox and Higham, Stability of Householder QR factorization for weighted least squares problems, 1998.
+fn least_squares(matrix: &DMatrix<f64>, rhs: &DVector<f64>, floor: f64) -> DVector<f64> {
+    let (rows, columns) = matrix.shape();
+    let mut r = matrix.clone();
+    let mut b = rhs.clone();
+    let mut order: Vec<usize> = (0..columns).collect();
+    let mut rank = 0;
+    while rank < rows.min(columns) {
+        let norm = |k: usize| r.view((rank, k), (rows - rank, 1)).norm();
+        let (best, size) =
+            (rank..columns).map(|k| (k, norm(k))).max_by(|x, y| x.1.total_cmp(&y.1)).unwrap_or((rank, 0.0));
+        if size <= floor {
+            break;
+        }
+        r.swap_columns(rank, best);
+        order.swap(rank, best);
+        let top = rank + r.view((rank, rank), (rows - rank, 1)).column(0).iamax();
+        r.swap_rows(rank, top);
+        b.swap_rows(rank, top);
+        let mut v = r.view((rank, rank), (rows - rank, 1)).column(0).into_owned();
+        v[0] += if v[0] < 0.0 { -size } else { size };
+        let scale = 2.0 / v.norm_squared();
+        for k in rank..columns {
+            let mut column = r.column_mut(k);
+            let mut column = column.rows_mut(rank, rows - rank);
+            let factor = -scale * v.dot(&column);
+            column.axpy(factor, &v, 1.0);
+        }
+        let mut tail = b.rows_mut(rank, rows - rank);
+        let factor = -scale * v.dot(&tail);
+        tail.axpy(factor, &v, 1.0);
+        rank += 1;
+    }
+    let mut z = DVector::zeros(columns);
+    for i in (0..rank).rev() {
+        let known: f64 = (i + 1..rank).map(|k| r[(i, k)] * z[order[k]]).sum();
+        z[order[i]] = (b[i] - known) / r[(i, i)];
+    }
+    z
+}

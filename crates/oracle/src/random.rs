@@ -1,0 +1,231 @@
+//! Random mechanisms, positions and contacts. The caller brings the seed (`StdRng::seed_from_u64`).
+
+use crate::alter::build;
+use nalgebra::{Rotation3, Vector3};
+use percuss_mechanism::{
+    Inertial, JointDescription, JointId, JointKind, LinkDescription, LinkId, Mechanism, MimicDescription,
+};
+use percuss_spatial::{Matrix3, Transform};
+use rand::Rng;
+use std::f64::consts::{PI, TAU};
+
+/// A contact: the struck link, the other side (`None` the ground), the point in the struck link's frame (m), and
+/// the unit normal in the root link's axes.
+pub type Contact = (LinkId, Option<LinkId>, Vector3<f64>, Vector3<f64>);
+
+/// A random tree of `bodies` links below a root that has mass too.
+///
+/// Half of them are chain-like, half bushy. All joint kinds come (hinges most often, in a chain of some length all
+/// of them), with general frames and axes; masses span three decades and every link can be a real body (positive
+/// inertia, triangle inequality kept). About a third of the joints bear armature; some mimic an earlier one.
+pub fn mechanism<R: Rng + ?Sized>(rng: &mut R, bodies: usize) -> Mechanism {
+    let bushy = rng.random_bool(0.5);
+    let mut links = vec![body(rng, 0)];
+    let mut joints: Vec<JointDescription> = Vec::new();
+    for i in 1..=bodies {
+        let parent = if bushy { rng.random_range(0..i) } else { rng.random_range(i.saturating_sub(2)..i) };
+        links.push(body(rng, i));
+        let mut joint = JointDescription::new(
+            format!("joint_{i}"),
+            kind(rng),
+            format!("link_{parent}"),
+            format!("link_{i}"),
+        );
+        joint.origin = frame(rng, 0.5);
+        joint.axis = direction(rng);
+        if rng.random_bool(0.35) {
+            joint.armature = (0..joint.kind.dofs()).map(|_| decades(rng, -3.0, 0.0)).collect();
+        }
+        if joint.kind.dofs() == 1 && rng.random_bool(0.2) {
+            let masters: Vec<&JointDescription> = joints.iter().filter(|j| j.kind.dofs() == 1).collect();
+            if !masters.is_empty() {
+                let sign = if rng.random_bool(0.5) { 1.0 } else { -1.0 };
+                joint.mimic = Some(MimicDescription {
+                    joint: masters[rng.random_range(0..masters.len())].name.clone(),
+                    multiplier: sign * rng.random_range(0.3..2.0),
+                    offset: rng.random_range(-0.5..0.5),
+                });
+            }
+        }
+        joints.push(joint);
+    }
+    build("random", links, joints)
+}
+
+/// Random positions of all joints: angles within ±π, lengths within ±0.5 m, unit quaternions; mimics follow.
+pub fn positions<R: Rng + ?Sized>(rng: &mut R, mechanism: &Mechanism) -> Vec<Vec<f64>> {
+    let length = |rng: &mut R| rng.random_range(-0.5..0.5);
+    let mut all: Vec<Vec<f64>> = Vec::with_capacity(mechanism.joints().len());
+    for joint in mechanism.joints() {
+        all.push(match joint.kind() {
+            JointKind::Fixed => Vec::new(),
+            JointKind::Revolute | JointKind::Continuous => vec![rng.random_range(-PI..PI)],
+            JointKind::Prismatic => vec![length(rng)],
+            JointKind::Planar => vec![length(rng), length(rng), rng.random_range(-PI..PI)],
+            JointKind::Spherical => quaternion(rng).to_vec(),
+            JointKind::Floating => {
+                let mut q = vec![length(rng), length(rng), length(rng)];
+                q.extend(quaternion(rng));
+                q
+            }
+        });
+    }
+    follow(mechanism, &mut all);
+    all
+}
+
+/// The zero position: quaternions 1,0,0,0; mimics at their offsets.
+pub fn zero_positions(mechanism: &Mechanism) -> Vec<Vec<f64>> {
+    let mut all: Vec<Vec<f64>> = Vec::with_capacity(mechanism.joints().len());
+    for joint in mechanism.joints() {
+        all.push(match joint.kind() {
+            JointKind::Spherical => vec![1.0, 0.0, 0.0, 0.0],
+            JointKind::Floating => vec![0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0],
+            kind @ (JointKind::Fixed
+            | JointKind::Revolute
+            | JointKind::Continuous
+            | JointKind::Prismatic
+            | JointKind::Planar) => vec![0.0; kind.positions()],
+        });
+    }
+    follow(mechanism, &mut all);
+    all
+}
+
+/// Sets the position of every mimic from its master's.
+pub fn follow(mechanism: &Mechanism, positions: &mut [Vec<f64>]) {
+    for (i, joint) in mechanism.joints().iter().enumerate() {
+        if let Some(mimic) = joint.mimic() {
+            positions[i] = vec![mimic.multiplier * positions[mimic.master.index()][0] + mimic.offset];
+        }
+    }
+}
+
+/// A random contact that a motion can close in general: the struck link is not rigidly held by the other side.
+/// Half of them are against the ground, half against another link.
+///
+/// In a mechanism where all is rigid, any link against the ground.
+pub fn contact<R: Rng + ?Sized>(rng: &mut R, mechanism: &Mechanism) -> Contact {
+    let group = rigid_groups(mechanism);
+    let movable =
+        |held: usize| mechanism.link_ids().filter(|l| group[l.index()] != held).collect::<Vec<LinkId>>();
+    let pick = |rng: &mut R, links: &[LinkId]| {
+        if links.is_empty() { mechanism.root() } else { links[rng.random_range(0..links.len())] }
+    };
+    let on = pick(rng, &movable(group[mechanism.root().index()]));
+    let others = movable(group[on.index()]);
+    let against = (rng.random_bool(0.5) && !others.is_empty()).then(|| pick(rng, &others));
+    (on, against, vector(rng, 0.5), direction(rng))
+}
+
+/// For every link, the index of the link at the top of its chain of fixed joints.
+fn rigid_groups(mechanism: &Mechanism) -> Vec<usize> {
+    let mut group: Vec<usize> = (0..mechanism.links().len()).collect();
+    for &link in mechanism.order() {
+        let above: Option<JointId> = mechanism.parent_joint(link);
+        if let Some(joint) = above.map(|id| mechanism.joint(id)).filter(|j| j.kind() == JointKind::Fixed) {
+            group[link.index()] = group[joint.parent().index()];
+        }
+    }
+    group
+}
+
+fn kind<R: Rng + ?Sized>(rng: &mut R) -> JointKind {
+    match rng.random_range(0..16) {
+        0..=5 => JointKind::Revolute,
+        6 | 7 => JointKind::Continuous,
+        8..=10 => JointKind::Prismatic,
+        11 => JointKind::Planar,
+        12 => JointKind::Spherical,
+        13 => JointKind::Floating,
+        _ => JointKind::Fixed,
+    }
+}
+
+/// A body of 0.03 to 30 kg whose principal moments come from radii of gyration about three axes, so that no moment
+/// exceeds the sum of the others.
+fn body<R: Rng + ?Sized>(rng: &mut R, index: usize) -> LinkDescription {
+    let mass = decades(rng, -1.5, 1.5);
+    let [a, b, c] = [0; 3].map(|_| mass * rng.random_range(0.03f64..0.3).powi(2));
+    let turn = Rotation3::new(direction(rng) * rng.random_range(0.0..PI)).into_inner();
+    let moments = Matrix3::from_diagonal(&Vector3::new(b + c, a + c, a + b));
+    let about_com = turn * moments * turn.transpose();
+    let about_com = (about_com + about_com.transpose()) / 2.0;
+    LinkDescription::new(format!("link_{index}"), Inertial { mass, com: vector(rng, 0.3), about_com })
+}
+
+/// 10 to the power of a uniform number.
+fn decades<R: Rng + ?Sized>(rng: &mut R, from: f64, to: f64) -> f64 {
+    10f64.powf(rng.random_range(from..to))
+}
+
+fn frame<R: Rng + ?Sized>(rng: &mut R, reach: f64) -> Transform<f64> {
+    let turn = Rotation3::new(direction(rng) * rng.random_range(0.0..PI)).into_inner();
+    Transform::new(turn, vector(rng, reach))
+}
+
+/// Uniform in a cube.
+fn vector<R: Rng + ?Sized>(rng: &mut R, reach: f64) -> Vector3<f64> {
+    Vector3::from_fn(|_, _| rng.random_range(-reach..reach))
+}
+
+/// Uniform on the sphere (Archimedes).
+fn direction<R: Rng + ?Sized>(rng: &mut R) -> Vector3<f64> {
+    let z: f64 = rng.random_range(-1.0..1.0);
+    let (sin, cos) = rng.random_range(0.0..TAU).sin_cos();
+    let radius = (1.0 - z * z).sqrt();
+    Vector3::new(radius * cos, radius * sin, z).normalize()
+}
+
+/// A unit quaternion w,x,y,z.
+fn quaternion<R: Rng + ?Sized>(rng: &mut R) -> [f64; 4] {
+    let axis = direction(rng);
+    let (sin, cos) = (rng.random_range(-PI..PI) / 2.0).sin_cos();
+    [cos, sin * axis.x, sin * axis.y, sin * axis.z]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::{SeedableRng, rngs::StdRng};
+
+    #[test]
+    fn a_seed_gives_the_same_again_and_all_kinds_come() {
+        let make = || mechanism(&mut StdRng::seed_from_u64(7), 60);
+        let (one, two) = (make(), make());
+        assert_eq!(crate::alter::describe(&one), crate::alter::describe(&two));
+        for kind in JointKind::ALL {
+            assert!(one.joints().iter().any(|j| j.kind() == kind), "{kind:?} is missing");
+        }
+        assert!(one.joints().iter().any(|j| j.mimic().is_some()));
+        assert!(one.joints().iter().any(|j| j.armature().iter().any(|a| *a > 0.0)));
+    }
+
+    #[test]
+    fn mimics_follow_their_masters() {
+        let mut rng = StdRng::seed_from_u64(11);
+        let mechanism = mechanism(&mut rng, 40);
+        let q = positions(&mut rng, &mechanism);
+        let mut seen = 0;
+        for (joint, q_joint) in mechanism.joints().iter().zip(&q) {
+            if let Some(mimic) = joint.mimic() {
+                assert_eq!(q_joint[0], mimic.multiplier * q[mimic.master.index()][0] + mimic.offset);
+                seen += 1;
+            }
+        }
+        assert!(seen > 0, "no mimic in this seed");
+    }
+
+    #[test]
+    fn contacts_are_between_links_that_can_part() {
+        let mut rng = StdRng::seed_from_u64(3);
+        for _ in 0..50 {
+            let mechanism = mechanism(&mut rng, 8);
+            let group = rigid_groups(&mechanism);
+            let (on, against, _, normal) = contact(&mut rng, &mechanism);
+            let held = against.unwrap_or(mechanism.root());
+            assert!((normal.norm() - 1.0).abs() < 1e-15);
+            assert!(group[on.index()] != group[held.index()] || group.iter().all(|&g| g == group[0]));
+        }
+    }
+}

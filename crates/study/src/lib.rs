@@ -1,0 +1,21 @@
+//! A question about a model, and its answer: what the command line, and later the other faces, share.
+//!
+//! [`Model::load`] reads a file; [`mass`] answers one contact with a [`MassReport`]; [`check`] says what is in a
+//! model with a [`CheckReport`]. Reports serialise to the JSON that scripts rely on. Nothing here writes to a
+//! terminal.
+
+mod check;
+mod far_point;
+mod mass;
+mod model;
+mod quantity;
+mod record;
+
+pub use check::{CheckReport, JointRecord, LinkRecord, check};
+pub use mass::{
+    Assumptions, BodyShare, ContactRecord, MassQuestion, MassReport, Normal, RotorShare, Status, StudyError,
+    mass,
+};
+pub use model::{Input, Model};
+pub use quantity::{Dimension, Quantity, QuantityError, parse_list, parse_triple};
+pub use record::DiagnosticRecord;

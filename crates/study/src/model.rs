@@ -1,0 +1,48 @@
+//! A model that was read: the mechanism, what was found, and which bytes it came from.
+
+use crate::DiagnosticRecord;
+use percuss_formats::{LoadError, LoadOptions, Source, load};
+use percuss_mechanism::Mechanism;
+use serde::Serialize;
+use sha2::{Digest, Sha256};
+use std::sync::Arc;
+
+/// Which bytes an answer stands on.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Input {
+    /// The file as the user named it.
+    pub path: String,
+    /// SHA-256 of its bytes, in hexadecimal.
+    pub sha256: String,
+}
+
+/// A mechanism read from a file.
+#[derive(Clone, Debug)]
+pub struct Model {
+    /// The mechanism.
+    pub mechanism: Arc<Mechanism>,
+    /// The file it came from.
+    pub input: Input,
+    /// Warnings and notes found while reading.
+    pub diagnostics: Vec<DiagnosticRecord>,
+}
+
+impl Model {
+    /// Reads a URDF file; `-` is the standard input. At most `max_size` bytes.
+    ///
+    /// # Errors
+    /// [`LoadError`] with everything that was found, errors with their places.
+    pub fn load(path: &str, max_size: u64, options: &LoadOptions) -> Result<Self, LoadError> {
+        let source = Source::read(path, max_size)?;
+        let loaded = load(&source, options)?;
+        let digest = Sha256::digest(&source.bytes);
+        Ok(Self {
+            mechanism: Arc::new(loaded.mechanism),
+            input: Input {
+                path: source.name,
+                sha256: digest.iter().map(|byte| format!("{byte:02x}")).collect(),
+            },
+            diagnostics: loaded.diagnostics.into_iter().map(Into::into).collect(),
+        })
+    }
+}

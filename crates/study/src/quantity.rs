@@ -1,0 +1,193 @@
+//! Numbers as people type them: SI, or with a unit behind.
+
+use percuss_mechanism::JointKind;
+use std::fmt;
+
+/// What a number measures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Dimension {
+    /// m.
+    Length,
+    /// rad.
+    Angle,
+    /// kg.
+    Mass,
+    /// Nothing, or a unit that has no short form here.
+    Plain,
+}
+
+/// A number with the dimension its unit gives it; none without a unit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quantity {
+    /// Its value in SI units.
+    pub value: f64,
+    /// What the unit says it measures.
+    pub dimension: Option<Dimension>,
+}
+
+/// Not a number, or in the wrong unit.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum QuantityError {
+    /// Not a number with one of the units.
+    #[error("\"{text}\" is no number; wanted such as 0.5, 30deg, 12mm, 1e-3 (units: deg rad mm cm m g kg)")]
+    NoNumber {
+        /// What was given.
+        text: String,
+    },
+    /// NaN or infinite.
+    #[error("\"{text}\" is not finite; a finite number is wanted")]
+    NotFinite {
+        /// What was given.
+        text: String,
+    },
+    /// A unit of another dimension.
+    #[error("\"{text}\" is {got}, where {wanted} is wanted")]
+    WrongUnit {
+        /// What was given.
+        text: String,
+        /// What its unit measures.
+        got: Dimension,
+        /// What should be given.
+        wanted: Dimension,
+    },
+    /// A list of the wrong length.
+    #[error("\"{text}\" has {got} numbers; {wanted} are wanted, as in {example}")]
+    Count {
+        /// What was given.
+        text: String,
+        /// How many numbers it has.
+        got: usize,
+        /// How many it should have.
+        wanted: usize,
+        /// How it should look.
+        example: &'static str,
+    },
+}
+
+impl fmt::Display for Dimension {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Dimension::Length => "a length (m)",
+            Dimension::Angle => "an angle (rad)",
+            Dimension::Mass => "a mass (kg)",
+            Dimension::Plain => "a plain number",
+        })
+    }
+}
+
+/// Units by suffix; longer ones first, so that `mm` is not read as `m`.
+const UNITS: [(&str, f64, Dimension); 7] = [
+    ("deg", std::f64::consts::PI / 180.0, Dimension::Angle),
+    ("rad", 1.0, Dimension::Angle),
+    ("mm", 1e-3, Dimension::Length),
+    ("cm", 1e-2, Dimension::Length),
+    ("kg", 1.0, Dimension::Mass),
+    ("m", 1.0, Dimension::Length),
+    ("g", 1e-3, Dimension::Mass),
+];
+
+impl Quantity {
+    /// Reads `0.5`, `30deg`, `12mm`, `-1e-3`.
+    ///
+    /// # Errors
+    /// [`QuantityError`]: no number, or not finite.
+    pub fn parse(text: &str) -> Result<Self, QuantityError> {
+        let trimmed = text.trim();
+        let unit = UNITS.iter().find(|(suffix, ..)| trimmed.ends_with(suffix));
+        let digits = unit.map_or(trimmed, |(suffix, ..)| trimmed[..trimmed.len() - suffix.len()].trim_end());
+        let Ok(number) = digits.parse::<f64>() else {
+            return Err(QuantityError::NoNumber { text: text.to_owned() });
+        };
+        let value = match unit {
+            // Dividing keeps 12mm = 0.012 to the last bit; 1/1000 is not a binary number.
+            Some((_, factor, Dimension::Length | Dimension::Mass)) => number / (1.0 / factor).round(),
+            Some((_, factor, _)) => number * factor,
+            None => number,
+        };
+        if !value.is_finite() {
+            return Err(QuantityError::NotFinite { text: text.to_owned() });
+        }
+        Ok(Self { value, dimension: unit.map(|(.., dimension)| *dimension) })
+    }
+
+    /// Its value in SI units, if its unit (where it has one) measures `wanted`.
+    ///
+    /// # Errors
+    /// [`QuantityError::WrongUnit`].
+    pub fn of(self, wanted: Dimension, text: &str) -> Result<f64, QuantityError> {
+        match self.dimension {
+            Some(got) if got != wanted => {
+                Err(QuantityError::WrongUnit { text: text.trim().to_owned(), got, wanted })
+            }
+            _ => Ok(self.value),
+        }
+    }
+}
+
+/// Numbers between commas, each of its own dimension.
+///
+/// # Errors
+/// [`QuantityError`], of the first that is wrong.
+pub fn parse_list(text: &str, dimensions: impl Fn(usize) -> Dimension) -> Result<Vec<f64>, QuantityError> {
+    text.split(',').enumerate().map(|(i, part)| Quantity::parse(part)?.of(dimensions(i), part)).collect()
+}
+
+/// Three numbers of one dimension.
+///
+/// # Errors
+/// [`QuantityError`]: not three, no numbers, the wrong unit.
+pub fn parse_triple(text: &str, dimension: Dimension) -> Result<[f64; 3], QuantityError> {
+    let list = parse_list(text, |_| dimension)?;
+    let example = match dimension {
+        Dimension::Length => "0.5,0,-20mm",
+        Dimension::Angle | Dimension::Mass | Dimension::Plain => "0,0,1",
+    };
+    <[f64; 3]>::try_from(list.as_slice()).map_err(|_| QuantityError::Count {
+        text: text.to_owned(),
+        got: list.len(),
+        wanted: 3,
+        example,
+    })
+}
+
+/// The dimension of number `i` in the position of a joint.
+pub(crate) fn position_dimension(kind: JointKind, i: usize) -> Dimension {
+    match kind {
+        JointKind::Revolute | JointKind::Continuous => Dimension::Angle,
+        JointKind::Prismatic => Dimension::Length,
+        JointKind::Planar if i == 2 => Dimension::Angle,
+        JointKind::Planar => Dimension::Length,
+        JointKind::Floating if i < 3 => Dimension::Length,
+        JointKind::Floating | JointKind::Spherical | JointKind::Fixed => Dimension::Plain,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_are_exact() {
+        let value = |text| Quantity::parse(text).unwrap().value;
+        assert_eq!(value("12mm"), 0.012);
+        assert_eq!(value("-3 cm"), -0.03);
+        assert_eq!(value("250g"), 0.25);
+        assert_eq!(value("2kg"), 2.0);
+        assert_eq!(value("1.5m"), 1.5);
+        assert_eq!(value("180deg"), std::f64::consts::PI);
+        assert_eq!(value(" -1e-3 "), -1e-3);
+    }
+
+    #[test]
+    fn nonsense_is_refused() {
+        for text in ["", "m", "1,5", "1..2", "abc", "1kgm", "--1"] {
+            assert!(matches!(Quantity::parse(text), Err(QuantityError::NoNumber { .. })), "{text}");
+        }
+        for text in ["nan", "inf", "-inf", "1e999"] {
+            assert!(matches!(Quantity::parse(text), Err(QuantityError::NotFinite { .. })), "{text}");
+        }
+        assert!(matches!(parse_triple("1,2", Dimension::Length), Err(QuantityError::Count { got: 2, .. })));
+        assert!(matches!(parse_triple("1deg,2,3", Dimension::Length), Err(QuantityError::WrongUnit { .. })));
+    }
+}

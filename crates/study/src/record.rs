@@ -1,0 +1,64 @@
+//! A diagnostic as it goes into JSON.
+
+use percuss_formats::Diagnostic;
+use percuss_mechanism::Severity;
+use serde::Serialize;
+
+/// A finding about a file or an answer.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct DiagnosticRecord {
+    /// `error`, `warning` or `note`.
+    pub severity: &'static str,
+    /// A short name that scripts can rely on.
+    pub code: &'static str,
+    /// The file; none for a finding about the answer.
+    pub path: Option<String>,
+    /// Line, from 1.
+    pub line: Option<u32>,
+    /// Column, from 1.
+    pub column: Option<u32>,
+    /// The element, as an XML path.
+    pub element: Option<String>,
+    /// What is the matter.
+    pub message: String,
+}
+
+impl DiagnosticRecord {
+    /// A finding about the answer, not about a place in a file.
+    pub fn about_answer(severity: Severity, code: &'static str, message: String) -> Self {
+        Self { severity: severity.name(), code, path: None, line: None, column: None, element: None, message }
+    }
+
+    /// `file:line: severity: element: message`, what there is of it.
+    pub fn line(&self) -> String {
+        let mut text = String::new();
+        if let Some(path) = &self.path {
+            text += path;
+            if let Some(line) = self.line {
+                text += &format!(":{line}");
+            }
+            text += ": ";
+        }
+        text += self.severity;
+        text += ": ";
+        if let Some(element) = &self.element {
+            text += element;
+            text += ": ";
+        }
+        text + &self.message
+    }
+}
+
+impl From<Diagnostic> for DiagnosticRecord {
+    fn from(d: Diagnostic) -> Self {
+        Self {
+            severity: d.severity.name(),
+            code: d.code,
+            path: Some(d.path),
+            line: d.line,
+            column: d.column,
+            element: d.element,
+            message: d.message,
+        }
+    }
+}
