@@ -1,1 +1,7 @@
-//! What the suites share.
+//! What the suites share: cases to try, motions, velocities from differences of poses, and a gauge that keeps the
+//! worst deviation seen. For tests only, so it panics where a case makes no sense.
+
+pub mod cases;
+pub mod differences;
+pub mod gauge;
+pub mod motion;

@@ -13,7 +13,10 @@ fn main() {
         }
         let loaded = Source::read(&path, DEFAULT_MAX_SIZE).and_then(|source| load(&source, &options));
         let (outcome, diagnostics) = match loaded {
-            Ok(loaded) => (format!("ok, {} links", loaded.mechanism.links().len()), loaded.diagnostics),
+            Ok(loaded) => {
+                let (links, mass) = (loaded.mechanism.links().len(), loaded.mechanism.total_mass());
+                (format!("ok, {links} links, {mass} kg"), loaded.diagnostics)
+            }
             Err(error) => ("refused".to_owned(), error.diagnostics),
         };
         println!("{path}: {outcome}");

@@ -52,6 +52,11 @@ const LOOPS: Use = Refused(
     "this version does not close loops, and the answer without this one would be wrong",
 );
 
+const COUPLINGS: Use = Refused(
+    "loop-unsupported",
+    "this version does not read couplings, and the answer without this one would be wrong",
+);
+
 /// The root: its tag and what it holds.
 pub(crate) const ROBOT: Element = Element {
     name: "robot",
@@ -65,8 +70,8 @@ const IN_ROBOT: &[Element] = &[
     read("link", &[("name", Read), ("type", Silent)], IN_LINK),
     read(
         "joint",
-        // `independent` advises which coordinates drive; it never changes the effective mass.
-        &[("name", Read), ("type", Read), ("independent", Silent), ("dont_collapse", Silent)],
+        // `independent` advises which coordinates drive; it never changes the effective mass (joint.rs).
+        &[("name", Read), ("type", Read), ("independent", Read), ("dont_collapse", Silent)],
         IN_JOINT,
     ),
     // Looked into for Drake's rotor inertias (armature.rs).
@@ -82,7 +87,7 @@ const IN_ROBOT: &[Element] = &[
     other("capability", Silent),
     other("self_collision_checking", Silent),
     other("loop", LOOPS),
-    other("coupling", LOOPS),
+    other("coupling", COUPLINGS),
     other("loop_joint", LOOPS),
     other(
         "drake:joint",
@@ -94,7 +99,7 @@ const IN_ROBOT: &[Element] = &[
     other("drake:ball_constraint", LOOPS),
     other("drake:distance_constraint", LOOPS),
     other("drake:weld_constraint", LOOPS),
-    other("drake:coupler_constraint", LOOPS),
+    other("drake:coupler_constraint", COUPLINGS),
 ];
 
 const ORIGIN: Element = single("origin", &[("xyz", Read), ("rpy", Read), ("quat_xyzw", Read)]);

@@ -6,7 +6,7 @@ use crate::numbers::{bad, missing, optional, parse, required};
 use crate::origin::{self, Origin};
 use crate::report::{Place, Report, quoted};
 use crate::survey::child;
-use percuss_mechanism::{JointKind, near_names};
+use percuss_mechanism::{JointKind, Severity, near_names};
 use roxmltree::Node;
 
 /// A checked `<joint>`: every number in it is good.
@@ -41,6 +41,7 @@ const DEFAULT_AXIS: &str = "1 0 0";
 pub(crate) fn check<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> JointText<'a> {
     let name = name(node, report);
     let kind = kind(node, report);
+    unbound(node, report);
     JointText {
         name,
         kind: kind.unwrap_or(JointKind::Fixed),
@@ -73,6 +74,18 @@ fn kind(node: Node<'_, '_>, report: &mut Report) -> Option<JointKind> {
         });
     }
     kind
+}
+
+/// A joint that is declared dependent depends on something; where the file does not say on what, it was bound by
+/// other means, and here it is free.
+fn unbound<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) {
+    let dependent = node.attribute("independent").is_some_and(|text| text.eq_ignore_ascii_case("false"));
+    if dependent && child(node, "mimic").is_none() {
+        let place = Place::Attribute(node, "independent");
+        report.fold(Severity::Warning, "unbound-joint", String::new(), place, || {
+            "the joint is declared dependent, but nothing in the file binds it; it moves freely".to_owned()
+        });
+    }
 }
 
 /// The name of the parent or child link.

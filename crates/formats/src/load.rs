@@ -163,35 +163,36 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
 
 /// Reports text that is no XML.
 fn ill_formed(text: &str, error: &roxmltree::Error, report: &mut Report) {
+    use roxmltree::Error;
+    let at = error.pos();
+    let place = match error {
+        Error::UnclosedRootNode | Error::UnexpectedEndOfStream => Place::Offset(text.len()),
+        _ => Place::Offset(offset_of(text, at.row, at.col)),
+    };
     let mend = match error {
-        roxmltree::Error::UnknownNamespace(prefix, _) if prefix == "xacro" => {
-            report.xacro(Place::File, "the prefix \"xacro:\"");
+        Error::UnknownNamespace(prefix, _) if prefix == "xacro" => {
+            report.xacro(place, "the prefix \"xacro:\"");
             return;
         }
-        roxmltree::Error::UnknownNamespace(prefix, _) => {
-            let prefix = shortened(prefix);
-            format!(": declare the prefix in the root element, xmlns:{prefix}=\"...\"")
+        Error::NodesLimitReached => {
+            report.error("too-complex", Place::File, || {
+                format!("more than {} elements, comments and stretches of text", prescan::MOST_NODES)
+            });
+            return;
         }
-        roxmltree::Error::UnclosedRootNode | roxmltree::Error::UnexpectedEndOfStream => {
+        Error::UnknownNamespace(prefix, _) => {
+            format!(": declare the prefix in the root element, xmlns:{}=\"...\"", shortened(prefix))
+        }
+        Error::UnclosedRootNode | Error::UnexpectedEndOfStream => {
             ": the file ends too early; was it cut off?".to_owned()
         }
-        roxmltree::Error::EntityReferenceLoop(_) => {
-            ": entities that grow without bound are refused".to_owned()
-        }
+        Error::EntityReferenceLoop(_) => ": entities that grow without bound are refused".to_owned(),
         // An open list of the parser's; its own words are enough.
         _ => String::new(),
     };
-    let at = error.pos();
-    let offset = match error {
-        roxmltree::Error::UnclosedRootNode | roxmltree::Error::UnexpectedEndOfStream => text.len(),
-        _ => offset_of(text, at.row, at.col),
-    };
-    let message = error.to_string();
     // The place is told once, by us.
-    let message = message.replace(&format!(" at {}:{}", at.row, at.col), "");
-    report.error("not-xml", Place::Offset(offset), || {
-        format!("not well-formed XML: {}{mend}", cut(&message, 200))
-    });
+    let message = error.to_string().replace(&format!(" at {}:{}", at.row, at.col), "");
+    report.error("not-xml", place, || format!("not well-formed XML: {}{mend}", cut(&message, 200)));
 }
 
 /// The byte at a line and column (in characters), both from 1.

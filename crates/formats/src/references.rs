@@ -83,30 +83,29 @@ fn chains<'a, 'i: 'a>(
     index: &HashMap<&'a str, usize>,
     report: &mut Report,
 ) {
-    let next = |i: usize| joints[i].mimic.as_ref().and_then(|m| index.get(m.joint).copied());
+    let master = |joint: &JointText<'a>| joint.mimic.as_ref().and_then(|m| index.get(m.joint).copied());
+    let next: Vec<Option<usize>> = joints.iter().map(master).collect();
+    let mut told = vec![false; joints.len()];
     for (start, node) in nodes.iter().enumerate() {
-        let walk = || std::iter::successors(Some(start), |i| next(*i)).take(LONGEST_CHAIN + 1);
-        if walk().count() <= LONGEST_CHAIN {
+        // A circle that was told is told once, to whichever joint came to it first.
+        let walk = std::iter::successors(Some(start), |i| next[*i]).take_while(|i| !told[*i]);
+        let path: Vec<usize> = walk.take(LONGEST_CHAIN + 1).collect();
+        if path.len() <= LONGEST_CHAIN {
             continue;
         }
         let place = child(*node, "mimic").map_or(Place::Element(*node), Place::Element);
-        let mut seen = HashMap::new();
-        let again = walk().enumerate().find_map(|(step, joint)| seen.insert(joint, step));
-        match again {
-            Some(first) => {
-                let mut circle = walk().skip(first);
-                let entry = circle.next();
-                let rest = circle.take_while(|joint| Some(*joint) != entry);
-                let names = entry.into_iter().chain(rest).map(|i| shortened(joints[i].name)).collect();
-                let problem = Problem::MimicCycle { joints: names };
-                report.add(problem.severity(), problem.code(), place, || problem.to_string());
-            }
-            None => {
-                report.error("mimic-chain", place, || {
-                    format!("more than {LONGEST_CHAIN} joints mimic one another in a row")
-                });
-                return;
-            }
-        }
+        let closes =
+            |(step, joint): (usize, &usize)| path[..step].iter().position(|j| j == joint).map(|i| i..step);
+        let Some(circle) = path.iter().enumerate().find_map(closes) else {
+            report.error("mimic-chain", place, || {
+                format!("more than {LONGEST_CHAIN} joints mimic one another in a row")
+            });
+            return;
+        };
+        let circle = &path[circle];
+        circle.iter().for_each(|joint| told[*joint] = true);
+        let names = circle.iter().map(|joint| shortened(joints[*joint].name)).collect();
+        let problem = Problem::MimicCycle { joints: names };
+        report.add(problem.severity(), problem.code(), place, || problem.to_string());
     }
 }

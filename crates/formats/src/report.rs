@@ -120,7 +120,8 @@ impl Report {
     pub fn xacro(&mut self, place: Place<'_, '_>, sign: &str) {
         let message = || {
             format!(
-                "this is a xacro file, not yet a URDF (it has {sign}): run \"xacro FILE.xacro > FILE.urdf\" and load the result"
+                "this is a xacro file, not yet a URDF (it has {sign}): run \"xacro FILE.xacro > FILE.urdf\" and \
+                 load the result"
             )
         };
         if !std::mem::replace(&mut self.is_xacro, true) {

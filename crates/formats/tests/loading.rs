@@ -131,6 +131,10 @@ fn the_table_says_what_becomes_of_every_kind_of_element() {
         (at_joint("<frobnicate/>"), Some((Warning, "unknown-element"))),
         (at_joint("loose words"), Some((Warning, "stray-text"))),
         (changed(&[("type=\"revolute\"", "type=\"revolute\" independent=\"True\"")]), None),
+        (
+            changed(&[("type=\"revolute\"", "type=\"revolute\" independent=\"FALSE\"")]),
+            Some((Warning, "unbound-joint")),
+        ),
         (changed(&[("name=\"pendulum\"", "name=\"p\" version=\"3\"")]), Some((Warning, "unknown-version"))),
         (changed(&[(" name=\"pendulum\"", "")]), Some((Note, "unnamed-robot"))),
         (changed(&[("effort=\"10\" velocity=\"3\"", "")]), None),

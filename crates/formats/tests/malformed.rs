@@ -76,6 +76,7 @@ fn hostile_sizes_are_refused_in_bounded_time() {
     refused("deep and open", format!("<robot>{}", "<link>".repeat(deep)), "too-complex");
     refused("elements", format!("<robot>{}</robot>", "<a/>".repeat(2_000_000)), "too-complex");
     refused("tags", "<".repeat(8 << 20), "too-complex");
+    refused("comments", format!("<robot>{}</robot>", "x<!---->".repeat(1_600_000)), "too-complex");
     let attributes: String = (0..300).map(|i| format!(" a{i}=\"\"")).collect();
     refused("attributes of one", format!("<robot{attributes}/>"), "too-complex");
     let one = format!("<a{}/>", (0..200).map(|i| format!(" a{i}=\"\"")).collect::<String>());
@@ -137,6 +138,7 @@ fn entities_that_grow_are_refused() {
     // A quote in another declaration must not blind the scan to what follows.
     let deep = format!("<robot>{}", "<a>".repeat(1_000));
     refused("a stray quote", doctype("<!ELEMENT robot '>") + &deep, "too-complex");
+    refused("a bracket in a name", format!("<!DOCTYPE robot SYSTEM \"a[\">{deep}"), "too-complex");
     refused("a quote in a comment", doctype("<!-- ' -->") + &deep, "too-complex");
 }
 

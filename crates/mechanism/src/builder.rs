@@ -90,7 +90,7 @@ impl MechanismBuilder {
     /// numbers, masses and armatures ≥ 0, no negative principal moment, axes with a direction, mimics that lead
     /// to a joint with one degree of freedom.
     pub fn build(self) -> Result<Built, BuildError> {
-        let mut check = Check { findings: Vec::new() };
+        let mut check = Check::default();
         let built = self.assemble(&mut check);
         let findings = check.findings;
         match built {
@@ -156,7 +156,7 @@ impl MechanismBuilder {
             let subject = joint_subject(i, &joint.name);
             let mut find = |role: &'static str, link: &String| {
                 ids.get(link).copied().unwrap_or_else(|| {
-                    let near = near_names(link, self.links.iter().map(|l| l.name.as_str()));
+                    let near = check.near(link, self.links.iter().map(|l| l.name.as_str()));
                     check.add(subject.clone(), Problem::UnknownLink { role, link: link.clone(), near });
                     usize::MAX
                 })
@@ -177,51 +177,68 @@ impl MechanismBuilder {
         ends
     }
 
-    /// Follows every mimic to the joint that is not a mimic itself.
+    /// Follows every mimic to the joint that is not a mimic itself. Linear: every joint is resolved once.
     fn mimics(&self, check: &mut Check, ids: &HashMap<String, usize>) -> Vec<Option<Mimic>> {
-        let mut resolved = vec![None; self.joints.len()];
-        for (i, joint) in self.joints.iter().enumerate() {
-            let Some(mimic) = &joint.mimic else { continue };
-            let subject = joint_subject(i, &joint.name);
-            if joint.kind.dofs() != 1 {
-                let problem = Problem::MimicKind { joint: joint.name.clone(), kind: joint.kind.name() };
-                check.add(subject, problem);
-                continue;
+        let next: Vec<Option<usize>> = (0..self.joints.len()).map(|i| self.mimicked(check, ids, i)).collect();
+        let mut resolved: Vec<Option<Mimic>> = vec![None; self.joints.len()];
+        let mut done = vec![false; self.joints.len()];
+        let mut on_chain = vec![false; self.joints.len()];
+        for start in 0..self.joints.len() {
+            let mut chain = Vec::new();
+            let mut at = start;
+            while !done[at] && !on_chain[at] {
+                on_chain[at] = true;
+                chain.push(at);
+                match next[at] {
+                    Some(master) => at = master,
+                    None => break,
+                }
             }
-            let Some(&first) = ids.get(&mimic.joint) else {
-                let near = near_names(&mimic.joint, self.joints.iter().map(|j| j.name.as_str()));
-                check.add(subject, Problem::DanglingMimic { master: mimic.joint.clone(), near });
-                continue;
-            };
-            let (mut multiplier, mut offset) = (mimic.multiplier, mimic.offset);
-            let mut chain = vec![i];
-            let mut master = first;
-            let problem = loop {
-                if let Some(at) = chain.iter().position(|&j| j == master) {
-                    // Told once, by the first joint of the circle; joints leading into it are told too.
-                    let joints = chain[at..].iter().map(|&j| self.joints[j].name.clone()).collect();
-                    break Some(Problem::MimicCycle { joints });
-                }
-                let joint = &self.joints[master];
-                if joint.kind.dofs() != 1 {
-                    let kind = joint.kind.name();
-                    break Some(Problem::MimicKind { joint: joint.name.clone(), kind });
-                }
-                let next = joint.mimic.as_ref().and_then(|m| Some((m, *ids.get(&m.joint)?)));
-                let Some((m, next)) = next else { break None };
-                offset += multiplier * m.offset;
-                multiplier *= m.multiplier;
-                chain.push(master);
-                master = next;
-            };
-            match problem {
-                Some(problem) => check.add(subject, problem),
-                None => {
-                    resolved[i] = Some(Mimic { master: JointId(master as u32), multiplier, offset });
-                }
+            if on_chain[at] && next[at].is_some() {
+                let first = chain.iter().position(|&i| i == at).unwrap_or(0);
+                let joints = chain[first..].iter().map(|&i| self.joints[i].name.clone()).collect();
+                let subject = joint_subject(at, &self.joints[at].name);
+                check.add(subject, Problem::MimicCycle { joints });
+            }
+            while let Some(i) = chain.pop() {
+                (done[i], on_chain[i]) = (true, false);
+                let (Some(master), Some(mimic)) = (next[i], &self.joints[i].mimic) else { continue };
+                let own = Mimic {
+                    master: JointId(master as u32),
+                    multiplier: mimic.multiplier,
+                    offset: mimic.offset,
+                };
+                resolved[i] = Some(match resolved[master] {
+                    None => own,
+                    Some(further) => Mimic {
+                        master: further.master,
+                        multiplier: own.multiplier * further.multiplier,
+                        offset: own.offset + own.multiplier * further.offset,
+                    },
+                });
             }
         }
         resolved
+    }
+
+    /// The joint that joint `i` mimics directly, if it can.
+    fn mimicked(&self, check: &mut Check, ids: &HashMap<String, usize>, i: usize) -> Option<usize> {
+        let joint = &self.joints[i];
+        let mimic = joint.mimic.as_ref()?;
+        let subject = joint_subject(i, &joint.name);
+        let Some(&master) = ids.get(&mimic.joint) else {
+            let near = check.near(&mimic.joint, self.joints.iter().map(|j| j.name.as_str()));
+            check.add(subject, Problem::DanglingMimic { master: mimic.joint.clone(), near });
+            return None;
+        };
+        for either in [joint, &self.joints[master]] {
+            if either.kind.dofs() != 1 {
+                let problem = Problem::MimicKind { joint: either.name.clone(), kind: either.kind.name() };
+                check.add(subject, problem);
+                return None;
+            }
+        }
+        Some(master)
     }
 
     fn joints(&self, ends: &[(LinkId, LinkId)], mimics: Vec<Option<Mimic>>) -> Vec<Joint> {
@@ -300,13 +317,22 @@ fn characteristic_length(links: &[Link], joints: &[Joint], root: LinkId) -> f64 
 }
 
 /// The findings so far.
+#[derive(Default)]
 struct Check {
     findings: Vec<(Subject, Problem)>,
+    suggested: usize,
 }
 
 impl Check {
     fn add(&mut self, subject: Subject, problem: Problem) {
         self.findings.push((subject, problem));
+    }
+
+    /// Names that come near, for the first few unknown ones: comparing all with all takes too long.
+    fn near<'a>(&mut self, name: &str, candidates: impl Iterator<Item = &'a str>) -> Vec<String> {
+        const MOST: usize = 20;
+        self.suggested += 1;
+        if self.suggested <= MOST { near_names(name, candidates) } else { Vec::new() }
     }
 
     fn has_errors(&self) -> bool {

@@ -116,3 +116,27 @@ fn chained_mimics_are_resolved_and_dangling_ones_move_freely() {
     assert!(m.joint(m.find_joint("jc").unwrap()).mimic().is_none());
     assert_eq!(built.findings[0].1.code(), "dangling-mimic");
 }
+
+#[test]
+fn a_circle_of_mimics_is_told_once_and_long_chains_are_quick() {
+    let arm = |i: usize| LinkDescription::new(format!("l{i}"), Inertial::point(1.0, [0.1, 0.0, 0.0]));
+    let chain = |n: usize, first: usize| {
+        (1..=n).fold(MechanismBuilder::new("chain").link(arm(0)), |b, i| {
+            let master = if i == 1 { first } else { i - 1 };
+            let joint = JointDescription::new(
+                format!("j{i}"),
+                JointKind::Revolute,
+                format!("l{}", i - 1),
+                format!("l{i}"),
+            );
+            let joint = if master == 0 { joint } else { joint.mimic(format!("j{master}"), 1.0, 0.5) };
+            b.link(arm(i)).joint(joint)
+        })
+    };
+    // j1 follows j3: a circle of three that seven others lead into.
+    assert_eq!(errors(chain(10, 3)), ["mimic-cycle"]);
+    // A hundred thousand in a row: linear, or this test takes hours.
+    let built = chain(100_000, 0).build().unwrap().mechanism;
+    let last = built.joint(built.find_joint("j100000").unwrap()).mimic().unwrap();
+    assert_eq!((built.joint(last.master).name(), last.offset), ("j1", 0.5 * 99_999.0));
+}

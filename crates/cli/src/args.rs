@@ -1,0 +1,253 @@
+//! The command line: flags, help, and how their words are read.
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions};
+use percuss_mechanism::Accept;
+use percuss_study::{Dimension, Normal, Quantity, parse_triple};
+
+/// How heavy is a mechanism where it is struck?
+///
+/// percuss reads a URDF and answers the effective mass at a contact point along the impact normal.
+#[derive(Debug, Parser)]
+#[command(name = "percuss", version, arg_required_else_help = true, after_help = TOP_EXAMPLES)]
+pub struct Cli {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+const TOP_EXAMPLES: &str = "\
+Examples:
+  percuss check models/six_r_arm.urdf
+  percuss mass models/point_mass_pendulum.urdf --link rod --point 0,0,-0.8 --normal 1,0,0
+  percuss completions bash > /etc/bash_completion.d/percuss
+
+Exit codes: 0 an answer (immovable and massless are answers), 1 no answer, 2 bad input or usage.";
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Say what is in a model: links, joints, mobility, mass, diagnostics.
+    #[command(after_help = CHECK_EXAMPLES)]
+    Check(CheckArgs),
+    /// Effective mass at a contact point along the normal.
+    #[command(after_help = MASS_EXAMPLES)]
+    Mass(Box<MassArgs>),
+    /// Print a completion script for a shell.
+    #[command(after_help = "Examples:\n  percuss completions bash\n  percuss completions zsh > _percuss")]
+    Completions {
+        /// For which shell.
+        shell: clap_complete::Shell,
+    },
+}
+
+const CHECK_EXAMPLES: &str = "\
+Examples:
+  percuss check models/double_pendulum.urdf
+  percuss check robot.urdf --format json
+  xacro robot.urdf.xacro | percuss check -
+  percuss check robot.urdf --strict          warnings are errors (exit 2)";
+
+const MASS_EXAMPLES: &str = "\
+Examples:
+  A pendulum strikes a stop 0.8 m below its hinge:
+    percuss mass models/point_mass_pendulum.urdf --link rod --point 0,0,-0.8 --normal 1,0,0
+  An arm in a pose, its tool pushed down along the world's z:
+    percuss mass models/six_r_arm.urdf --link tool --point 0,0,0 --normal 0,0,-1 --frame world \\
+        --set shoulder=-40deg --set elbow=70deg
+  Felt by a spring, along its line to a seat on another link:
+    percuss mass car.urdf --link lower_arm --point 0.3,0,50mm --along-line chassis:0.3,0,0.4 --against chassis
+  A free body of 2 kg strikes it:
+    percuss mass models/physical_pendulum.urdf --link body --point 0,0,-0.5 --normal 1,0,0 --against-mass 2kg
+  In a regression test, against a closed form:
+    percuss mass models/point_mass_pendulum.urdf --link rod --point 0,0,-0.8 --normal 1,0,0 --expect 0.78125
+
+Numbers are SI; deg, rad, mm, cm, m, g, kg may follow them. The normal points out of the struck link into the
+other side; its length does not matter.";
+
+/// Which model, and how it is read.
+#[derive(Debug, Args)]
+pub struct ModelArgs {
+    /// The URDF file; - reads the standard input.
+    pub model: String,
+    /// Take a finding as it is, against the loader's advice.
+    #[arg(long, value_enum, value_name = "FINDING")]
+    pub accept: Vec<Acceptable>,
+    /// Refuse files larger than this many bytes.
+    #[arg(long, default_value_t = DEFAULT_MAX_SIZE, value_name = "BYTES")]
+    pub max_size: u64,
+    /// Make warnings errors (exit 2).
+    #[arg(long)]
+    pub strict: bool,
+}
+
+/// What `--accept` takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Acceptable {
+    /// Inertias with a negative principal moment.
+    IndefiniteInertia,
+}
+
+impl ModelArgs {
+    /// As the loader wants it.
+    pub fn options(&self) -> LoadOptions {
+        let indefinite_inertia = self.accept.contains(&Acceptable::IndefiniteInertia);
+        LoadOptions { accept: Accept { indefinite_inertia } }
+    }
+}
+
+/// Flags of `percuss check`.
+#[derive(Debug, Args)]
+pub struct CheckArgs {
+    #[command(flatten)]
+    pub model: ModelArgs,
+    /// How the result is shown.
+    #[arg(long, value_enum, default_value_t = CheckFormat::Text)]
+    pub format: CheckFormat,
+}
+
+/// Formats of `percuss check`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum CheckFormat {
+    /// For people.
+    Text,
+    /// For programs.
+    Json,
+}
+
+/// Formats of `percuss mass`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum MassFormat {
+    /// For people.
+    Text,
+    /// For programs.
+    Json,
+    /// One row with a header, the columns of a sweep.
+    Csv,
+}
+
+/// In which frame point and normal are given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum FrameArg {
+    /// The struck link's.
+    Link,
+    /// The root link's at its reference pose.
+    World,
+    /// The other link's.
+    Against,
+}
+
+/// How the root link stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum BaseArg {
+    /// It is the ground.
+    Fixed,
+    /// It moves freely.
+    Floating,
+}
+
+/// Flags of `percuss mass`.
+#[derive(Debug, Args)]
+pub struct MassArgs {
+    #[command(flatten)]
+    pub model: ModelArgs,
+    /// The struck link.
+    #[arg(long, value_name = "LINK")]
+    pub link: String,
+    /// The contact point (m).
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = point)]
+    pub point: [f64; 3],
+    /// The normal, out of the struck link into the other side.
+    #[arg(
+        long,
+        value_name = "X,Y,Z",
+        allow_hyphen_values = true,
+        value_parser = normal,
+        required_unless_present = "along_line",
+        conflicts_with = "along_line"
+    )]
+    pub normal: Option<[f64; 3]>,
+    /// The normal points from the contact point towards this point (m) of a link, in that link's frame.
+    #[arg(long, value_name = "LINK:X,Y,Z", value_parser = line)]
+    pub along_line: Option<(String, [f64; 3])>,
+    /// In which frame the point and the normal are given.
+    #[arg(long, value_enum, default_value_t = FrameArg::Link)]
+    pub frame: FrameArg,
+    /// The other link; the ground if none is given.
+    #[arg(long, value_name = "LINK")]
+    pub against: Option<String>,
+    /// A free body of this mass (kg) on the other side.
+    #[arg(long, value_name = "KG", allow_hyphen_values = true, value_parser = kilograms, conflicts_with = "against")]
+    pub against_mass: Option<f64>,
+    /// Sets a driving joint; the others stand at 0. Spherical: w,x,y,z; planar: x,y,angle; floating: x,y,z,w,x,y,z.
+    #[arg(long, value_name = "JOINT=VALUE", value_parser = assignment)]
+    pub set: Vec<(String, String)>,
+    /// Holds a joint where it stands.
+    #[arg(long, value_name = "JOINT")]
+    pub lock: Vec<String>,
+    /// Rotor inertia reflected to a joint (kg·m² or kg): one value, or one for each velocity between commas.
+    #[arg(long, value_name = "JOINT=VALUE", value_parser = armature)]
+    pub armature: Vec<(String, Vec<f64>)>,
+    /// How the root link stands.
+    #[arg(long, value_enum, default_value_t = BaseArg::Fixed)]
+    pub base: BaseArg,
+    /// Compare with this effective mass (kg); exit 1 if it is missed.
+    #[arg(long, value_name = "KG", value_parser = kilograms)]
+    pub expect: Option<f64>,
+    /// Relative tolerance of --expect.
+    #[arg(long, default_value_t = 1e-9, value_name = "RELATIVE", value_parser = tolerance, requires = "expect")]
+    pub tolerance: f64,
+    /// How the result is shown.
+    #[arg(long, value_enum, default_value_t = MassFormat::Text)]
+    pub format: MassFormat,
+}
+
+impl MassArgs {
+    /// The normal, given either way; clap sees to it that one is.
+    pub fn normal(&self) -> Normal {
+        match (&self.along_line, self.normal) {
+            (Some((link, point)), _) => Normal::Toward(link.clone(), *point),
+            (None, normal) => Normal::Along(normal.unwrap_or_default()),
+        }
+    }
+}
+
+fn point(text: &str) -> Result<[f64; 3], String> {
+    parse_triple(text, Dimension::Length).map_err(|e| e.to_string())
+}
+
+fn normal(text: &str) -> Result<[f64; 3], String> {
+    parse_triple(text, Dimension::Plain).map_err(|e| e.to_string())
+}
+
+fn kilograms(text: &str) -> Result<f64, String> {
+    let mass = Quantity::parse(text).and_then(|q| q.of(Dimension::Mass, text)).map_err(|e| e.to_string())?;
+    if mass > 0.0 { Ok(mass) } else { Err(format!("{mass} kg; a mass above 0 is wanted")) }
+}
+
+fn tolerance(text: &str) -> Result<f64, String> {
+    let value = Quantity::parse(text).and_then(|q| q.of(Dimension::Plain, text)).map_err(|e| e.to_string())?;
+    if value >= 0.0 { Ok(value) } else { Err(format!("{value}; a tolerance of 0 or more is wanted")) }
+}
+
+/// `LINK:X,Y,Z`, split at the last colon: link names may have some of their own.
+fn line(text: &str) -> Result<(String, [f64; 3]), String> {
+    match text.rsplit_once(':') {
+        Some((link, numbers)) if !link.is_empty() => Ok((link.to_owned(), point(numbers)?)),
+        _ => Err("wanted LINK:X,Y,Z, such as chassis:0.3,0,0.4".into()),
+    }
+}
+
+/// `JOINT=VALUE`, split at the last equals sign.
+fn assignment(text: &str) -> Result<(String, String), String> {
+    match text.rsplit_once('=') {
+        Some((joint, value)) if !joint.is_empty() && !value.is_empty() => Ok((joint.to_owned(), value.to_owned())),
+        _ => Err("wanted JOINT=VALUE, such as elbow=30deg".into()),
+    }
+}
+
+fn armature(text: &str) -> Result<(String, Vec<f64>), String> {
+    let (joint, value) = assignment(text)?;
+    let values = percuss_study::parse_list(&value, |_| Dimension::Plain).map_err(|e| e.to_string())?;
+    Ok((joint, values))
+}

@@ -1,0 +1,66 @@
+//! Why the command has nothing to show, and with which exit code it says so.
+
+use percuss_formats::LoadError;
+use percuss_study::{DiagnosticRecord, StudyError};
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+/// No answer.
+#[derive(Debug)]
+pub enum Failure {
+    /// The input is bad, with the lines that say why: exit 2.
+    BadInput(Vec<String>),
+    /// The question was fine and has no answer: exit 1.
+    NoAnswer(String),
+    /// Nobody reads the output any more: exit 0, silently.
+    Unread,
+}
+
+impl Failure {
+    /// Bad input with one line.
+    pub fn bad_input(message: impl Into<String>) -> Self {
+        Failure::BadInput(vec![format!("error: {}", message.into())])
+    }
+
+    /// Writes to stderr what is the matter and gives the exit code.
+    pub fn tell(self) -> ExitCode {
+        let (lines, code) = match self {
+            Failure::BadInput(lines) => (lines, 2),
+            Failure::NoAnswer(message) => (vec![format!("error: {message}")], 1),
+            Failure::Unread => return ExitCode::SUCCESS,
+        };
+        let mut stderr = io::stderr().lock();
+        for line in lines {
+            // A closed stderr changes nothing about the exit code.
+            let _ = writeln!(stderr, "{line}");
+        }
+        ExitCode::from(code)
+    }
+}
+
+impl From<LoadError> for Failure {
+    fn from(error: LoadError) -> Self {
+        let records: Vec<DiagnosticRecord> = error.diagnostics.into_iter().map(Into::into).collect();
+        Failure::BadInput(crate::report::lines(&records))
+    }
+}
+
+impl From<StudyError> for Failure {
+    fn from(error: StudyError) -> Self {
+        if error.is_no_answer() {
+            Failure::NoAnswer(error.to_string())
+        } else {
+            Failure::bad_input(error.to_string())
+        }
+    }
+}
+
+impl From<io::Error> for Failure {
+    fn from(error: io::Error) -> Self {
+        match error.kind() {
+            io::ErrorKind::BrokenPipe => Failure::Unread,
+            // An open list of the operating system's.
+            _ => Failure::NoAnswer(format!("the result cannot be written: {error}")),
+        }
+    }
+}

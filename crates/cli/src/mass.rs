@@ -1,0 +1,167 @@
+//! `percuss mass`.
+
+use crate::args::{BaseArg, FrameArg, MassArgs, MassFormat};
+use crate::csv;
+use crate::failure::Failure;
+use crate::report::{tell, write_json, write_out};
+use crate::text::{bar, number, triple};
+use percuss_dynamics::{Base, Frame};
+use percuss_study::{MassQuestion, MassReport, Model, Status, mass};
+use std::fmt::Write;
+
+/// Runs the command.
+pub fn run(args: &MassArgs) -> Result<(), Failure> {
+    let model = Model::load(&args.model.model, args.model.max_size, &args.model.options())?;
+    let report = mass(&model, &question(args))?;
+    tell(&report.diagnostics, args.model.strict)?;
+    match args.format {
+        MassFormat::Json => write_json(&report)?,
+        MassFormat::Csv => write_out(&csv::of_mass(&report, &report.assumptions.set))?,
+        MassFormat::Text => write_out(&text(&report, args.expect))?,
+    }
+    match args.expect {
+        Some(expected) => compare(&report, expected, args.tolerance),
+        None => Ok(()),
+    }
+}
+
+fn question(args: &MassArgs) -> MassQuestion {
+    MassQuestion {
+        link: args.link.clone(),
+        point: args.point,
+        normal: args.normal(),
+        frame: match args.frame {
+            FrameArg::Link => Frame::Link,
+            FrameArg::World => Frame::World,
+            FrameArg::Against => Frame::Against,
+        },
+        against: args.against.clone(),
+        against_mass: args.against_mass,
+        set: args.set.clone(),
+        lock: args.lock.clone(),
+        armature: args.armature.clone(),
+        base: match args.base {
+            BaseArg::Fixed => Base::Fixed,
+            BaseArg::Floating => Base::Floating,
+        },
+    }
+}
+
+/// Exit code 1 where the expectation is missed.
+fn compare(report: &MassReport, expected: f64, tolerance: f64) -> Result<(), Failure> {
+    match report.effective_mass {
+        Some(m) if (m / expected - 1.0).abs() <= tolerance => Ok(()),
+        Some(m) => Err(Failure::NoAnswer(format!(
+            "the effective mass {m} kg differs from the expected {expected} kg by {:.1e} of it; {tolerance:e} is allowed",
+            (m / expected - 1.0).abs()
+        ))),
+        None => Err(Failure::NoAnswer(format!("{expected} kg was expected; the contact is {}", word(report.status)))),
+    }
+}
+
+fn word(status: Status) -> &'static str {
+    match status {
+        Status::Finite => "finite",
+        Status::Immovable => "immovable",
+        Status::Massless => "massless",
+    }
+}
+
+fn text(report: &MassReport, expected: Option<f64>) -> String {
+    let mut out = String::new();
+    let _ = writeln!(out, "{:<20} {}", "effective mass", headline(report));
+    if let (Some(expected), Some(m)) = (expected, report.effective_mass) {
+        let off = (m / expected - 1.0).abs();
+        let _ = writeln!(out, "{:<20} {} kg   (relative difference {off:.1e})", "expected", number(expected));
+    }
+    out.push('\n');
+    for (name, value) in facts(report) {
+        let _ = writeln!(out, "{name:<20} {value}");
+    }
+    if report.effective_mass.is_some() {
+        out += &shares(report);
+    }
+    out += "\nNot in it: friction, compliance of the links, several impacts at once. Gravity, springs, dampers and speed\n\
+            do not enter: a finite force does no work in an instantaneous impact. See docs/LIMITS.md.\n";
+    out
+}
+
+fn headline(report: &MassReport) -> String {
+    match (report.status, report.effective_mass) {
+        (Status::Immovable, _) => "immovable: no motion of the mechanism closes this gap".into(),
+        (Status::Massless, _) => "massless (0 kg): a motion that carries no mass closes this gap".into(),
+        (Status::Finite, m) => format!("{} kg", number(m.unwrap_or_default())),
+    }
+}
+
+/// What the answer stands on.
+fn facts(report: &MassReport) -> Vec<(&'static str, String)> {
+    let contact = &report.contact;
+    let against = contact.against.as_deref().unwrap_or("the ground");
+    let list = |names: &[String]| {
+        const SHOWN: usize = 8;
+        let position = |name: &String| match report.pose.get(name).map(Vec::as_slice) {
+            Some([value]) => format!("{name} = {}", number(*value)),
+            Some(values) => {
+                format!("{name} = {}", values.iter().map(|v| number(*v)).collect::<Vec<_>>().join(","))
+            }
+            None => name.clone(),
+        };
+        let mut text = names.iter().take(SHOWN).map(position).collect::<Vec<_>>().join("  ");
+        if names.len() > SHOWN {
+            let _ = write!(text, "  and {} more", names.len() - SHOWN);
+        }
+        if text.is_empty() { "none".into() } else { text }
+    };
+    let assumed = &report.assumptions;
+    let mut facts = vec![
+        ("struck", format!("{} at {} m, in its own frame", contact.link, triple(&contact.point_link))),
+        ("normal", format!("{}, out of {}", triple(&contact.normal_link), contact.link)),
+        (
+            "in the world",
+            format!("point {} m, normal {}", triple(&contact.point_world), triple(&contact.normal_world)),
+        ),
+        ("against", against.to_owned()),
+        ("base", assumed.base.clone()),
+        ("free joints", list(&assumed.free)),
+    ];
+    if !assumed.mimics.is_empty() {
+        facts.push(("following joints", list(&assumed.mimics)));
+    }
+    if !assumed.locked.is_empty() {
+        facts.push(("locked joints", list(&assumed.locked)));
+    }
+    facts.push(("degrees of freedom", report.degrees_of_freedom.to_string()));
+    let condition = report.condition.map_or_else(String::new, |c| format!(", condition {c:.1e}"));
+    facts.push(("computed by", format!("{} route{condition}{}", report.route, uncertainty(report))));
+    facts
+}
+
+fn uncertainty(report: &MassReport) -> String {
+    match (report.effective_mass_error, report.effective_mass) {
+        (Some(error), Some(m)) => format!(", rounding below {:.0e} of the value", (error / m).max(f64::EPSILON)),
+        _ => String::new(),
+    }
+}
+
+/// Who carries the mass, largest first; what carries nothing is counted.
+fn shares(report: &MassReport) -> String {
+    const SMALLEST: f64 = 5e-4;
+    const WIDTH: usize = 30;
+    let links = report.bodies.iter().filter_map(|b| Some((b.link.clone(), b.share?)));
+    let rotors = report.rotors.iter().filter_map(|r| Some((format!("rotor of {}", r.joint), r.share?)));
+    let other = report.other_mass_share.map(|share| ("the other body".to_owned(), share));
+    let mut all: Vec<(String, f64)> = links.chain(rotors).chain(other).collect();
+    all.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let (shown, rest): (Vec<_>, Vec<_>) = all.into_iter().partition(|(_, share)| share.abs() >= SMALLEST);
+    let width = shown.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0).max(20);
+    let mut out = "\nwho carries it\n".to_owned();
+    for (name, share) in &shown {
+        let pad = " ".repeat(width - name.chars().count());
+        let _ = writeln!(out, "  {name}{pad} {:>6.2} %  {}", share * 100.0, bar(*share, WIDTH));
+    }
+    if !rest.is_empty() {
+        let _ = writeln!(out, "  and {} that carry less than 0.05 %", rest.len());
+    }
+    out
+}

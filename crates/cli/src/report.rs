@@ -1,0 +1,59 @@
+//! Output that both commands share: results to stdout, diagnostics to stderr.
+
+use crate::failure::Failure;
+use percuss_study::DiagnosticRecord;
+use std::collections::HashMap;
+use std::io::{self, Write};
+
+/// Writes a result to stdout.
+pub fn write_out(text: &str) -> Result<(), Failure> {
+    let mut stdout = io::stdout().lock();
+    stdout.write_all(text.as_bytes())?;
+    stdout.flush()?;
+    Ok(())
+}
+
+/// Writes a result to stdout as indented JSON.
+pub fn write_json(result: &impl serde::Serialize) -> Result<(), Failure> {
+    match serde_json::to_string_pretty(result) {
+        Ok(text) => write_out(&(text + "\n")),
+        Err(error) => Err(Failure::NoAnswer(format!("the result has no JSON form: {error}"))),
+    }
+}
+
+/// Writes diagnostics to stderr; under `strict`, a warning is an error and ends it.
+pub fn tell(diagnostics: &[DiagnosticRecord], strict: bool) -> Result<(), Failure> {
+    let mut lines = lines(diagnostics);
+    let warnings = diagnostics.iter().filter(|d| d.severity == "warning").count();
+    if strict && warnings > 0 {
+        lines.push(format!("error: {warnings} warning(s), and --strict makes them errors"));
+        return Err(Failure::BadInput(lines));
+    }
+    let mut stderr = io::stderr().lock();
+    for line in lines {
+        let _ = writeln!(stderr, "{line}");
+    }
+    Ok(())
+}
+
+/// One line a diagnostic; of many of one kind that are no errors, the first and a count.
+pub fn lines(diagnostics: &[DiagnosticRecord]) -> Vec<String> {
+    const SHOWN: usize = 3;
+    let mut totals: HashMap<&str, usize> = HashMap::new();
+    for d in diagnostics {
+        *totals.entry(d.code).or_default() += 1;
+    }
+    let mut shown: HashMap<&str, usize> = HashMap::new();
+    let mut lines = Vec::new();
+    for d in diagnostics {
+        let (total, so_far) = (totals[d.code], shown.entry(d.code).or_default());
+        *so_far += 1;
+        if d.severity == "error" || total <= SHOWN + 1 || *so_far <= SHOWN {
+            lines.push(d.line());
+        } else if *so_far == total {
+            let rest = total - SHOWN;
+            lines.push(format!("{}: and {rest} more like these ({}); all in --format json", d.severity, d.code));
+        }
+    }
+    lines
+}
