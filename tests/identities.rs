@@ -8,7 +8,8 @@ use percuss_oracle::zoo;
 use percuss_tests::cases::{self, Case};
 use percuss_tests::gauge::Gauge;
 
-/// Routes A and B: a few roundings for every unit of the condition of M.
+/// Routes A and B, for every unit of the condition of M: the roundings of some hundred terms. Never above what the
+/// oracle is held to.
 const ROUTES: f64 = 1e-12;
 /// Routes A and C: the oracle's kernel of 6 links rows is not scaled by masses, which costs it some digits.
 const ORACLE: f64 = 1e-9;
@@ -50,7 +51,7 @@ impl Routes {
 
     fn run(mut self, cases: &[Case]) -> Tally {
         cases.iter().for_each(|case| self.compare(case));
-        [&self.a_b, &self.a_c, &self.shares, &self.sums].map(Gauge::report);
+        [&self.a_b, &self.a_c, &self.shares, &self.sums].into_iter().for_each(Gauge::report);
         println!("{:?}", self.tally);
         self.tally
     }
@@ -115,11 +116,12 @@ impl Routes {
         match (a.effective_mass, b.effective_mass) {
             (EffectiveMass::Finite(m_a), EffectiveMass::Finite(m_b)) => {
                 let condition = a.condition.expect("the recursion wants a regular mass matrix");
-                self.a_b.relative(name, m_b, m_a, ROUTES * condition);
+                let bound = (ROUTES * condition).min(ORACLE);
+                self.a_b.relative(name, m_b, m_a, bound);
                 self.sum(name, b, a);
                 let (of_a, of_b) = (a.shares.as_ref().unwrap(), b.shares.as_ref().unwrap());
                 for (x, y) in of_a.links.iter().zip(&of_b.links) {
-                    self.a_b.note(name, (x - y).abs(), ROUTES * condition);
+                    self.a_b.note(name, (x - y).abs(), bound);
                 }
             }
             (one, other) => assert_eq!(one, other, "{name}"),
@@ -132,7 +134,7 @@ impl Routes {
         let sum: f64 = shares.links.iter().chain(shares.rotors.iter().map(|(_, share)| share)).sum();
         // A singular M has no condition; what is left of it when the massless motions are gone is a matter of the
         // oracle's tolerance.
-        let bound = dense.condition.map_or(ORACLE, |condition| ROUTES * condition);
+        let bound = dense.condition.map_or(ORACLE, |condition| (ROUTES * condition).min(ORACLE));
         self.sums.note(name, (sum - 1.0).abs(), bound);
     }
 
@@ -165,7 +167,7 @@ fn the_routes_agree_on_the_zoo() {
         armatures,
         floating,
         against_a_link,
-    } = Routes::new().run(&cases::of_the_zoo(1, 3));
+    } = Routes::new().run(&cases::of_the_zoo(1, 12));
     let counts = [
         finite,
         immovable,
@@ -184,7 +186,8 @@ fn the_routes_agree_on_the_zoo() {
 /// Of one half of the random mechanisms; two tests use two cores.
 fn the_routes_agree_at_random(half: usize) {
     let cases = cases::at_random(1000, 200, 60);
-    let half: Vec<Case> = cases.into_iter().enumerate().filter(|(i, _)| i / 8 % 2 == half).map(|x| x.1).collect();
+    let half: Vec<Case> =
+        cases.into_iter().enumerate().filter(|(i, _)| i / 16 % 2 == half).map(|x| x.1).collect();
     let tally = Routes::new().run(&half);
     let Tally { finite, by_recursion, mimics, locks, armatures, floating, against_a_link, .. } = tally;
     let counts = [finite, by_recursion, mimics, locks, armatures, floating, against_a_link];

@@ -1,1 +1,205 @@
-//! To come.
+//! The house rules that no compiler checks: ARCHITECTURE.md's invariants.
+
+use cargo_metadata::{DependencyKind, Metadata, MetadataCommand};
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("tests/ is in the workspace").to_path_buf()
+}
+
+fn metadata() -> Metadata {
+    MetadataCommand::new()
+        .manifest_path(root().join("Cargo.toml"))
+        .other_options(vec!["--locked".into()])
+        .exec()
+        .expect("cargo metadata")
+}
+
+/// Text files below the root with this ending, build output aside.
+fn files(ending: &str) -> Vec<PathBuf> {
+    fn walk(folder: &Path, ending: &str, found: &mut Vec<PathBuf>) {
+        for entry in fs::read_dir(folder).expect("a readable folder").flatten() {
+            let (path, name) = (entry.path(), entry.file_name());
+            let name = name.to_string_lossy();
+            if path.is_dir() {
+                if !name.starts_with('.') && name != "target" {
+                    walk(&path, ending, found);
+                }
+            } else if name.ends_with(ending) {
+                found.push(path);
+            }
+        }
+    }
+    let mut found = Vec::new();
+    walk(&root(), ending, &mut found);
+    assert!(!found.is_empty(), "no file ends with {ending}");
+    found
+}
+
+/// Which of our crates each may depend on, tests aside.
+const ARROWS: [(&str, &[&str]); 11] = [
+    ("percuss-spatial", &[]),
+    ("percuss-mechanism", &["percuss-spatial"]),
+    ("percuss-formats", &["percuss-spatial", "percuss-mechanism"]),
+    ("percuss-dynamics", &["percuss-spatial", "percuss-mechanism"]),
+    ("percuss-contact", &[]),
+    ("percuss-oracle", &["percuss-spatial", "percuss-mechanism"]),
+    (
+        "percuss-study",
+        &["percuss-spatial", "percuss-mechanism", "percuss-formats", "percuss-dynamics", "percuss-contact"],
+    ),
+    (
+        "percuss-cli",
+        &["percuss-spatial", "percuss-mechanism", "percuss-formats", "percuss-dynamics", "percuss-study"],
+    ),
+    (
+        "percuss",
+        &[
+            "percuss-spatial",
+            "percuss-mechanism",
+            "percuss-formats",
+            "percuss-dynamics",
+            "percuss-contact",
+            "percuss-study",
+        ],
+    ),
+    (
+        "percuss-tests",
+        &["percuss-spatial", "percuss-mechanism", "percuss-formats", "percuss-dynamics", "percuss-oracle"],
+    ),
+    (
+        "percuss-benches",
+        &["percuss-spatial", "percuss-mechanism", "percuss-formats", "percuss-dynamics", "percuss-oracle"],
+    ),
+];
+
+#[test]
+fn crates_depend_along_the_arrows() {
+    let metadata = metadata();
+    let arrows: BTreeMap<&str, &[&str]> = ARROWS.into_iter().collect();
+    for package in metadata.workspace_packages() {
+        let name = package.name.as_str();
+        let allowed = arrows.get(name).unwrap_or_else(|| panic!("{name} has no row in ARROWS"));
+        for dependency in package.dependencies.iter().filter(|d| d.kind == DependencyKind::Normal) {
+            let other = dependency.name.as_str();
+            let ours = other == "percuss" || other.starts_with("percuss-");
+            assert!(!ours || allowed.contains(&other), "{name} must not depend on {other}");
+        }
+    }
+}
+
+#[test]
+fn the_oracle_never_sees_the_defendant() {
+    let metadata = metadata();
+    let oracle =
+        metadata.workspace_packages().into_iter().find(|p| p.name.as_str() == "percuss-oracle").unwrap();
+    // Not in its tests either.
+    assert!(oracle.dependencies.iter().all(|d| d.name != "percuss-dynamics"));
+}
+
+#[test]
+fn files_keep_within_the_budget() {
+    for path in files(".rs") {
+        let lines = fs::read_to_string(&path).unwrap().lines().count();
+        assert!(lines <= 600, "{} has {lines} lines; 600 is the most", path.display());
+    }
+}
+
+#[test]
+fn banned_calls_stay_banned() {
+    let rules = fs::read_to_string(root().join("clippy.toml")).unwrap();
+    for call in ["Matrix::svd\"", "Matrix::pseudo_inverse\"", "Matrix::rank\"", "SVD::new\""] {
+        assert!(rules.contains(call), "clippy.toml no longer bans nalgebra::{call}");
+    }
+    let workspace = fs::read_to_string(root().join("Cargo.toml")).unwrap();
+    assert!(workspace.contains("disallowed_methods = \"deny\""));
+    // Clippy sees what is compiled; this sees the rest, and an `allow`.
+    for path in files(".rs").into_iter().filter(|p| !p.ends_with("tests/tidy.rs")) {
+        let text = fs::read_to_string(&path).unwrap();
+        for call in ["pseudo_inverse(", "allow(clippy::disallowed_methods)"] {
+            assert!(!text.contains(call), "{} has {call}", path.display());
+        }
+    }
+}
+
+/// Where a `path::name` of the documents leads: the file must exist and hold the name.
+fn assert_exists(place: &str, from: &str) {
+    let (path, name) = place.split_once("::").map_or((place, None), |(p, n)| (p, Some(n)));
+    let text = fs::read_to_string(root().join(path))
+        .unwrap_or_else(|_| panic!("{from} names {path}, which does not exist"));
+    if let Some(name) = name {
+        let found =
+            ["fn ", "struct ", "enum ", "const "].iter().any(|kind| text.contains(&format!("{kind}{name}")));
+        assert!(found, "{from} names {name} in {path}, which is not there");
+    }
+}
+
+#[test]
+fn every_formula_has_its_code_and_its_test() {
+    let text = fs::read_to_string(root().join("docs/FORMULAS.md")).unwrap();
+    let rows: Vec<Vec<&str>> = text
+        .lines()
+        .filter(|line| line.starts_with("| F"))
+        .map(|line| line.trim_matches('|').split(" | ").map(str::trim).collect())
+        .collect();
+    assert!(rows.len() >= 10, "only {} formulas were found", rows.len());
+    for (i, row) in rows.iter().enumerate() {
+        let [id, statement, source, code, test] = row[..] else {
+            panic!("row {i} has not five columns: {row:?}")
+        };
+        assert_eq!(id, format!("F{}", i + 1), "formulas are numbered in order");
+        assert!(!statement.is_empty() && !source.is_empty(), "{id} lacks its statement or its source");
+        for place in [code, test] {
+            for place in place.split(", ") {
+                assert_exists(place.trim_matches('`'), id);
+            }
+        }
+        assert!(test.contains("::"), "{id} names no test function");
+    }
+}
+
+#[test]
+fn every_invariant_names_a_test_that_exists() {
+    let text = fs::read_to_string(root().join("ARCHITECTURE.md")).unwrap();
+    let places: Vec<&str> = text.split('`').skip(1).step_by(2).filter(|s| s.contains(".rs::")).collect();
+    assert!(places.len() >= 6, "{places:?}");
+    places.into_iter().for_each(|place| assert_exists(place, "ARCHITECTURE.md"));
+}
+
+#[test]
+fn rust_version_is_true() {
+    let metadata = metadata();
+    let ours = metadata.workspace_packages().into_iter().find(|p| p.name.as_str() == "percuss").unwrap();
+    let stated = ours.rust_version.clone().expect("rust-version is stated");
+    let mut most = None;
+    for package in &metadata.packages {
+        if let Some(needed) = &package.rust_version {
+            assert!(*needed <= stated, "{} needs Rust {needed}, we state {stated}", package.name);
+            most = most.max(Some(needed.clone()));
+        }
+    }
+    assert_eq!(most, Some(stated.clone()), "rust-version {stated} is higher than anything asks for");
+    let readme = fs::read_to_string(root().join("README.md")).unwrap();
+    assert!(
+        readme.contains(&format!("{}.{} or later", stated.major, stated.minor)),
+        "README states another version"
+    );
+}
+
+#[test]
+fn links_between_documents_lead_somewhere() {
+    let mut checked = 0;
+    for path in files(".md") {
+        let text = fs::read_to_string(&path).unwrap();
+        for target in text.split("](").skip(1).filter_map(|rest| rest.split([')', '#']).next()) {
+            if !target.is_empty() && !target.contains("://") {
+                let lead = path.parent().unwrap().join(target);
+                assert!(lead.exists(), "{} links to {target}", path.display());
+                checked += 1;
+            }
+        }
+    }
+    assert!(checked > 3, "only {checked} links were found");
+}

@@ -134,8 +134,7 @@ fn run() -> Result<(), String> {
 }
 
 fn answer(request: &Request) -> Result<Answer, String> {
-    let options =
-        LoadOptions { accept: Accept { indefinite_inertia: request.accept_indefinite_inertia } };
+    let options = LoadOptions { accept: Accept { indefinite_inertia: request.accept_indefinite_inertia } };
     let loaded = Source::read(&request.model, DEFAULT_MAX_SIZE).and_then(|source| load(&source, &options));
     let Loaded { mechanism, diagnostics } = match loaded {
         Ok(loaded) => loaded,
@@ -192,9 +191,8 @@ fn configuration(system: &System, wanted: &ConfigurationRequest) -> Result<Confi
         configuration.set_base(base_transform(base)?);
     }
     let pose = system.pose(&configuration);
-    let one = |(i, wanted)| {
-        contact(system, &pose, wanted).map_err(|message| format!("contact {i}: {message}"))
-    };
+    let one =
+        |(i, wanted)| contact(system, &pose, wanted).map_err(|message| format!("contact {i}: {message}"));
     Ok(ConfigurationAnswer {
         mass_matrix: rows(&system.mass_matrix(&pose)),
         pose: positions(system.mechanism(), &pose),

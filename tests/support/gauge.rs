@@ -50,6 +50,8 @@ impl Gauge {
     pub fn report(&self) {
         assert!(self.count > 0, "{}: nothing was compared", self.what);
         let Self { what, count, worst, worst_case, fullest } = self;
-        println!("{what}: {count} compared, worst {worst:.1e} ({worst_case}), at most {fullest:.2} of its bound");
+        println!(
+            "{what}: {count} compared, worst {worst:.1e} ({worst_case}), at most {fullest:.2} of its bound"
+        );
     }
 }

@@ -226,7 +226,8 @@ fn kilograms(text: &str) -> Result<f64, String> {
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {
-    let value = Quantity::parse(text).and_then(|q| q.of(Dimension::Plain, text)).map_err(|e| e.to_string())?;
+    let value =
+        Quantity::parse(text).and_then(|q| q.of(Dimension::Plain, text)).map_err(|e| e.to_string())?;
     if value >= 0.0 { Ok(value) } else { Err(format!("{value}; a tolerance of 0 or more is wanted")) }
 }
 
@@ -241,7 +242,9 @@ fn line(text: &str) -> Result<(String, [f64; 3]), String> {
 /// `JOINT=VALUE`, split at the last equals sign.
 fn assignment(text: &str) -> Result<(String, String), String> {
     match text.rsplit_once('=') {
-        Some((joint, value)) if !joint.is_empty() && !value.is_empty() => Ok((joint.to_owned(), value.to_owned())),
+        Some((joint, value)) if !joint.is_empty() && !value.is_empty() => {
+            Ok((joint.to_owned(), value.to_owned()))
+        }
         _ => Err("wanted JOINT=VALUE, such as elbow=30deg".into()),
     }
 }

@@ -45,5 +45,9 @@ fn push_position(header: &mut Vec<String>, row: &mut Vec<String>, joint: &str, v
 
 /// RFC 4180: quotes where a comma, a quote or a line break asks for them.
 fn quoted(cell: &str) -> String {
-    if cell.contains([',', '"', '\n', '\r']) { format!("\"{}\"", cell.replace('"', "\"\"")) } else { cell.into() }
+    if cell.contains([',', '"', '\n', '\r']) {
+        format!("\"{}\"", cell.replace('"', "\"\""))
+    } else {
+        cell.into()
+    }
 }

@@ -55,7 +55,10 @@ fn compare(report: &MassReport, expected: f64, tolerance: f64) -> Result<(), Fai
             "the effective mass {m} kg differs from the expected {expected} kg by {:.1e} of it; {tolerance:e} is allowed",
             (m / expected - 1.0).abs()
         ))),
-        None => Err(Failure::NoAnswer(format!("{expected} kg was expected; the contact is {}", word(report.status)))),
+        None => Err(Failure::NoAnswer(format!(
+            "{expected} kg was expected; the contact is {}",
+            word(report.status)
+        ))),
     }
 }
 
@@ -139,7 +142,9 @@ fn facts(report: &MassReport) -> Vec<(&'static str, String)> {
 
 fn uncertainty(report: &MassReport) -> String {
     match (report.effective_mass_error, report.effective_mass) {
-        (Some(error), Some(m)) => format!(", rounding below {:.0e} of the value", (error / m).max(f64::EPSILON)),
+        (Some(error), Some(m)) => {
+            format!(", rounding below {:.0e} of the value", (error / m).max(f64::EPSILON))
+        }
         _ => String::new(),
     }
 }

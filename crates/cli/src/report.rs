@@ -52,7 +52,10 @@ pub fn lines(diagnostics: &[DiagnosticRecord]) -> Vec<String> {
             lines.push(d.line());
         } else if *so_far == total {
             let rest = total - SHOWN;
-            lines.push(format!("{}: and {rest} more like these ({}); all in --format json", d.severity, d.code));
+            lines.push(format!(
+                "{}: and {rest} more like these ({}); all in --format json",
+                d.severity, d.code
+            ));
         }
     }
     lines

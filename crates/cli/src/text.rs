@@ -18,7 +18,11 @@ pub fn number(x: f64) -> String {
 }
 
 fn trimmed(digits: &str) -> String {
-    if digits.contains('.') { digits.trim_end_matches('0').trim_end_matches('.').into() } else { digits.into() }
+    if digits.contains('.') {
+        digits.trim_end_matches('0').trim_end_matches('.').into()
+    } else {
+        digits.into()
+    }
 }
 
 /// `(x, y, z)`; rounding noise beside larger components is shown as 0.

@@ -139,17 +139,16 @@ impl<T: Scalar, const K: usize> Articulated<T, K> {
 impl<const K: usize> Articulated<f64, K> {
     /// How far the pivots can be trusted, weighted by their part in the answer of probe 0.
     pub fn trust(&self) -> Trust {
-        let (mut least_pivot, mut error, mut sum) = (1.0, 0.0, 0.0);
+        let (mut least_pivot, mut error, mut sum) = (1.0f64, 0.0, 0.0);
         for e in &self.eliminations {
-            let pivot = if e.d_size > 0.0 { e.d / e.d_size } else { 0.0 };
-            // Not `min`: a NaN must show.
-            if !(pivot >= least_pivot) {
-                least_pivot = pivot;
-            }
+            // After a pivot of zero the next ones are NaN: no better.
+            let pivot = Some(e.d / e.d_size).filter(|pivot| !pivot.is_nan()).unwrap_or(0.0);
+            least_pivot = least_pivot.min(pivot);
             let part = e.t[0] * e.t[0] / e.d;
             sum += part;
             error += part / pivot;
         }
-        Trust { least_pivot, relative_error: if sum > 0.0 { f64::EPSILON * error / sum } else { 0.0 } }
+        // A NaN stays one here, and is not trusted.
+        Trust { least_pivot, relative_error: if sum == 0.0 { 0.0 } else { f64::EPSILON * error / sum } }
     }
 }

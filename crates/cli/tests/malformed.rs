@@ -1,0 +1,135 @@
+//! The corpus of `tests/malformed` through the command: exit code 2, a message with its place, no time, no memory.
+
+mod support;
+
+use std::path::Path;
+use std::process::Stdio;
+use std::time::{Duration, Instant};
+use support::{Outcome, command, percuss, percuss_with_stdin, root};
+
+/// Less than a second when nothing else runs; far more would be a hang.
+const PATIENCE: Duration = Duration::from_secs(20);
+
+fn corpus(folder: &str) -> Vec<String> {
+    let mut files: Vec<String> = std::fs::read_dir(root().join(folder))
+        .expect("the corpus is there")
+        .map(|entry| entry.expect("a readable entry").file_name().to_string_lossy().into_owned())
+        .filter(|name| name.ends_with(".urdf"))
+        .map(|name| format!("{folder}/{name}"))
+        .collect();
+    files.sort();
+    files
+}
+
+fn assert_refused(what: &str, outcome: &Outcome) {
+    assert_eq!(outcome.code, 2, "{what}: {}", outcome.stderr);
+    assert!(outcome.stdout.is_empty(), "{what} prints a result");
+    assert!(outcome.stderr.contains(": error: "), "{what}: {}", outcome.stderr);
+    assert!(!outcome.stderr.contains("panicked"), "{what}: {}", outcome.stderr);
+    assert!(outcome.stderr.len() < 100_000, "{what}: a message of {} bytes", outcome.stderr.len());
+}
+
+#[test]
+fn malformed_files_are_refused() {
+    let files = corpus("tests/malformed");
+    assert!(files.len() >= 60, "only {} files", files.len());
+    for file in &files {
+        for line in [format!("check {file}"), format!("mass {file} --link a --point 0,0,0 --normal 0,0,1")] {
+            let start = Instant::now();
+            let outcome = percuss(&line);
+            assert_refused(file, &outcome);
+            assert!(outcome.stderr.contains(file), "{file}: {}", outcome.stderr);
+            assert!(start.elapsed() < PATIENCE, "{file} took {:?}", start.elapsed());
+        }
+    }
+}
+
+#[test]
+fn doubtful_files_load_with_a_word() {
+    for file in corpus("tests/malformed/warned") {
+        let outcome = percuss(&format!("check {file}"));
+        assert_eq!(outcome.code, 0, "{file}: {}", outcome.stderr);
+        assert!(outcome.stderr.contains(&file), "{file}: {}", outcome.stderr);
+    }
+}
+
+/// Runs `percuss check` on bytes within 500 MB of address space, where the system can set such a limit.
+fn check_bytes(what: &str, bytes: &[u8]) -> Outcome {
+    let path = std::env::temp_dir().join(format!("percuss-{}-{what}.urdf", std::process::id()));
+    std::fs::write(&path, bytes).expect("a temporary file");
+    let start = Instant::now();
+    let outcome = if Path::new("/bin/sh").exists() {
+        std::process::Command::new("/bin/sh")
+            .args(["-c", "ulimit -v 500000 2>/dev/null; exec \"$0\" check \"$1\""])
+            .arg(env!("CARGO_BIN_EXE_percuss"))
+            .arg(&path)
+            .output()
+            .expect("the command runs")
+            .into()
+    } else {
+        percuss(&format!("check {}", path.display()))
+    };
+    let elapsed = start.elapsed();
+    std::fs::remove_file(&path).expect("it was there");
+    assert!(elapsed < PATIENCE, "{what} took {elapsed:?}");
+    outcome
+}
+
+#[test]
+fn hostile_files_are_refused_in_bounded_memory() {
+    let deep = 100_000;
+    let laughs: String =
+        (1..30).map(|i| format!("<!ENTITY l{i} \"{}\">", format!("&l{};", i - 1).repeat(10))).collect();
+    let many_links: String = (0..150_000).map(|i| format!("<link name=\"l{i}\"/>")).collect();
+    let unknown: String = (0..100_000)
+        .map(|i| {
+            format!(
+                "<joint name=\"j{i}\" type=\"fixed\"><parent link=\"p{i}\"/><child link=\"c{i}\"/></joint>"
+            )
+        })
+        .collect();
+    let cases: [(&str, Vec<u8>); 8] = [
+        ("deep", format!("<robot>{}{}</robot>", "<a>".repeat(deep), "</a>".repeat(deep)).into()),
+        ("deep-links", format!("<robot>{}", "<link name='a'>".repeat(deep)).into()),
+        ("large", [b"<robot>".to_vec(), vec![b' '; 33 << 20], b"</robot>".to_vec()].concat()),
+        ("junk", (0..200_000u32).map(|i| (i.wrapping_mul(2_654_435_761) >> 13) as u8).collect()),
+        ("utf-16", "<robot/>".encode_utf16().flat_map(u16::to_le_bytes).collect()),
+        ("laughs", format!("<!DOCTYPE r [<!ENTITY l0 \"ha\">{laughs}]><robot name=\"&l29;\"/>").into()),
+        ("roots", format!("<robot name=\"r\">{many_links}</robot>").into()),
+        ("unknown", format!("<robot name=\"r\"><link name=\"a\"/>{unknown}</robot>").into()),
+    ];
+    for (what, bytes) in cases {
+        assert_refused(what, &check_bytes(what, &bytes));
+    }
+}
+
+#[test]
+fn a_file_cut_short_is_refused_wherever_it_is_cut() {
+    let whole = std::fs::read(root().join("models/double_pendulum.urdf")).unwrap();
+    let end = whole.iter().rposition(|b| *b == b'>').unwrap();
+    let mut cuts = 0;
+    for cut in (0..end).step_by(10) {
+        assert_refused(&format!("cut at {cut}"), &percuss_with_stdin("check -", &whole[..cut]));
+        cuts += 1;
+    }
+    assert!(cuts > 100);
+}
+
+#[test]
+fn what_is_no_file_is_refused() {
+    assert_refused("a directory", &percuss("check tests"));
+    assert_refused("a missing file", &percuss("check no/such/file.urdf"));
+    assert_refused("an empty name", &command(["check", ""]).output().unwrap().into());
+    assert_refused("no stdin", &percuss("check -"));
+    if Path::new("/dev/zero").exists() {
+        assert_refused("an endless device", &percuss("check /dev/zero"));
+    }
+    if Path::new("/bin/sh").exists() {
+        let closed = std::process::Command::new("/bin/sh")
+            .args(["-c", "exec \"$0\" check - <&-"])
+            .arg(env!("CARGO_BIN_EXE_percuss"))
+            .stdout(Stdio::piped())
+            .output();
+        assert_refused("a closed stdin", &closed.unwrap().into());
+    }
+}

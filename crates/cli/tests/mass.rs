@@ -1,0 +1,245 @@
+//! `percuss mass` and `percuss check`: what scripts rely on, and what a mistaken user is told.
+
+mod support;
+
+use support::{command, json, percuss, percuss_with_stdin, root};
+
+const PENDULUM: &str = "mass models/point_mass_pendulum.urdf --link rod --point 0,0,-0.8 --normal 1,0,0";
+const ARM: &str = "mass models/six_r_arm.urdf --link tool --point 0.08,0,0 --normal 0,0,-1";
+
+/// The effective mass of a command.
+fn kilograms(line: &str) -> f64 {
+    json(&format!("{line} --format json"))["effective_mass"].as_f64().expect("a finite mass")
+}
+
+#[test]
+fn mass_json_has_all_its_keys_always() {
+    let keys = [
+        "schema",
+        "percuss",
+        "inputs",
+        "effective_mass",
+        "status",
+        "singular_pose",
+        "degrees_of_freedom",
+        "generic_degrees_of_freedom",
+        "redundant_constraints",
+        "rank_gap",
+        "route",
+        "condition",
+        "effective_mass_error",
+        "bodies",
+        "rotors",
+        "pose",
+        "closure_residual",
+        "closure_inexactness",
+        "characteristic_length",
+        "contact",
+        "diagnostics",
+    ];
+    let immovable = PENDULUM.replace("1,0,0", "0,1,0");
+    let massless = "mass - --link tip --point 1,0,0 --normal 0,1,0";
+    let massless = percuss_with_stdin(&format!("{massless} --format json"), MASSLESS_TIP.as_bytes());
+    assert_eq!(massless.code, 0, "{}", massless.stderr);
+    let massless: serde_json::Value = serde_json::from_str(&massless.stdout).expect("JSON");
+    let finite = json(&format!("{PENDULUM} --format json"));
+    let immovable = json(&format!("{immovable} --format json"));
+    for (report, status) in [(&finite, "finite"), (&immovable, "immovable"), (&massless, "massless")] {
+        for key in keys {
+            assert!(report.get(key).is_some(), "{status} lacks {key}");
+        }
+        assert_eq!(report["status"], status);
+        assert_eq!(report["effective_mass"].is_null(), status != "finite");
+        assert_eq!(report["schema"], "percuss.mass/1");
+        for key in ["link", "against", "point_world", "normal_world", "point_link", "normal_link"] {
+            assert!(report["contact"].get(key).is_some(), "contact lacks {key}");
+        }
+    }
+    assert_eq!(finite["bodies"][2]["link"], "bob");
+    assert!((finite["bodies"][2]["share"].as_f64().unwrap() - 1.0).abs() < 1e-15);
+    assert_eq!(finite["inputs"][0]["sha256"].as_str().unwrap().len(), 64);
+    assert_eq!(finite["pose"]["hinge"], serde_json::json!([0.0]));
+    assert_eq!(finite["diagnostics"][0]["line"], 9);
+}
+
+const MASSLESS_TIP: &str = r#"<robot name="r"><link name="g"/><link name="tip"/>
+  <joint name="j" type="continuous"><parent link="g"/><child link="tip"/><axis xyz="0 0 1"/></joint></robot>"#;
+
+#[test]
+fn check_json_has_its_keys() {
+    let report = json("check models/planar_2r.urdf --format json");
+    for key in [
+        "links",
+        "joints",
+        "closures",
+        "degrees_of_freedom",
+        "generic_degrees_of_freedom",
+        "redundant_constraints",
+        "total_mass",
+        "pose",
+        "diagnostics",
+    ] {
+        assert!(report.get(key).is_some(), "{key} is missing");
+    }
+    assert_eq!(report["total_mass"], 6.0);
+    assert_eq!(report["joints"][0]["armature"], serde_json::json!([0.3]));
+}
+
+#[test]
+fn csv_is_a_header_and_a_row_of_equal_length() {
+    let outcome = percuss(&format!("{ARM} --set elbow=30deg --format csv"));
+    let lines: Vec<Vec<&str>> = outcome.stdout.lines().map(|l| l.split(',').collect()).collect();
+    assert_eq!(lines.len(), 2);
+    assert_eq!(lines[0].len(), lines[1].len());
+    let wanted = [
+        "row",
+        "elbow",
+        "status",
+        "effective_mass",
+        "closure_residual",
+        "singular_pose",
+        "motion_ratio",
+        "estimate",
+        "estimate_error_percent",
+        "shoulder",
+    ];
+    assert_eq!(&lines[0][..wanted.len()], wanted);
+    assert_eq!(lines[1][1].parse::<f64>().unwrap(), std::f64::consts::PI / 6.0);
+    assert_eq!(lines[1][6], "");
+}
+
+#[test]
+fn flags_mean_what_they_say() {
+    let m = kilograms(ARM);
+    // Negative first components, both ways of writing them; the sign of the normal does not matter.
+    assert_eq!(kilograms(&ARM.replace("--normal 0,0,-1", "--normal=-0,0,1")), m);
+    assert_eq!(kilograms(&ARM.replace("--normal 0,0,-1", "--normal -0,0,2")), m);
+    // Units.
+    assert_eq!(kilograms(&ARM.replace("0.08,0,0", "80mm,0cm,0m")), m);
+    let posed = kilograms(&format!("{ARM} --set elbow=40deg"));
+    assert_eq!(posed, kilograms(&format!("{ARM} --set elbow={}rad", 40.0 * std::f64::consts::PI / 180.0)));
+    assert!((posed / m - 1.0).abs() > 1e-3);
+    // A lock or a rotor makes it heavier; a floating base lighter.
+    assert!(kilograms(&format!("{ARM} --lock elbow")) > m * 1.001);
+    assert!(kilograms(&format!("{ARM} --armature elbow=0.5")) > m * 1.001);
+    let turret = "mass models/six_r_arm.urdf --link turret --point 0.1,0,0 --normal 0,1,0";
+    let heavy_base = kilograms(turret);
+    assert!(
+        percuss(&format!("{turret} --base floating --format json")).stdout.contains("\"effective_mass\":")
+    );
+    assert!(heavy_base > 0.0);
+    // A free body in series.
+    let other = kilograms(&format!("{ARM} --against-mass 500g"));
+    assert!((1.0 / other - (1.0 / m + 2.0)).abs() < 1e-12 / m);
+    // The same normal given along a line, and the same contact in the world's frame.
+    let along = ARM.replace("--normal 0,0,-1", "--along-line tool:0.08,0,-3");
+    assert!((kilograms(&along) / m - 1.0).abs() < 1e-14);
+    let world = ARM.replace("0.08,0,0", "1.14,0,0.4");
+    assert!((kilograms(&format!("{world} --frame world")) / m - 1.0).abs() < 1e-13);
+    // Against another link of the same arm; `world` is the ground.
+    assert!(kilograms(&format!("{ARM} --against forearm")) < m * 0.999);
+    assert_eq!(kilograms(&format!("{ARM} --against world")), m);
+}
+
+#[test]
+fn mistakes_are_told_with_exit_code_2() {
+    let cases = [
+        (ARM.replace("--link tool", "--link toll"), "no link is named \"toll\"; did you mean \"tool\""),
+        (format!("{ARM} --set elbo=1"), "no joint is named \"elbo\"; did you mean \"elbow\""),
+        (format!("{ARM} --set elbow=1,2"), "2 values given, wanted one angle"),
+        (format!("{ARM} --set elbow=1kg"), "where an angle (rad) is wanted"),
+        (format!("{ARM} --set elbow=nan"), "not finite"),
+        (format!("{ARM} --set elbow=1 --set elbow=2"), "set twice"),
+        (format!("{ARM} --set elbow"), "wanted JOINT=VALUE"),
+        (format!("{ARM} --lock nothing"), "no joint is named"),
+        (format!("{ARM} --lock elbow --lock elbow"), "given twice"),
+        (format!("{ARM} --armature elbow=-1"), "finite number ≥ 0"),
+        (format!("{ARM} --armature elbow=1,2"), "takes one"),
+        (format!("{ARM} --against tool"), "cannot strike itself"),
+        (format!("{ARM} --against-mass 0"), "above 0"),
+        (format!("{ARM} --against-mass -1"), "above 0"),
+        (ARM.replace("0,0,-1", "0,0,0"), "the normal has length"),
+        (ARM.replace("0,0,-1", "0,0,1e-10"), "at least 1e-9"),
+        (ARM.replace("0,0,-1", "0,nan,0"), "not finite"),
+        (ARM.replace("0,0,-1", "0,0"), "3 are wanted"),
+        (ARM.replace("0.08,0,0", "inf,0,0"), "not finite"),
+        (ARM.replace("--point 0.08,0,0", "--point="), "is no number"),
+        (ARM.replace("--normal 0,0,-1", ""), "required"),
+        (ARM.replace("--normal 0,0,-1", "--along-line tool:0.08,0,0"), "there is no direction"),
+        (ARM.replace("--normal 0,0,-1", "--along-line tool"), "wanted LINK:X,Y,Z"),
+        ("mass models/none.urdf --link a --point 0,0,0 --normal 0,0,1".into(), "no such file"),
+        ("check models".into(), "directory"),
+        ("check models/six_r_arm.urdf --max-size 100".into(), "larger than the limit"),
+        ("weigh models/six_r_arm.urdf".into(), "unrecognized subcommand"),
+        ("".into(), "Usage"),
+    ];
+    for (line, words) in cases {
+        let outcome = percuss(&line);
+        assert_eq!(outcome.code, 2, "{line}: {}", outcome.stderr);
+        assert!(outcome.stderr.contains(words), "{line}: {}", outcome.stderr);
+        assert_eq!(outcome.stdout, "", "{line}");
+    }
+}
+
+#[test]
+fn a_point_in_millimetres_is_doubted() {
+    let far = percuss(&ARM.replace("0.08,0,0", "80,0,0"));
+    assert_eq!(far.code, 0);
+    assert!(far.stderr.contains("millimetres") && far.stderr.contains("--frame"), "{}", far.stderr);
+    assert!(percuss(ARM).stderr.is_empty());
+}
+
+#[test]
+fn limits_are_watched_and_strict_makes_warnings_errors() {
+    let beyond = format!("{ARM} --set elbow=3");
+    let outcome = percuss(&beyond);
+    assert_eq!(outcome.code, 0);
+    assert!(outcome.stderr.contains("outside its limits -2.6 to 2.6"), "{}", outcome.stderr);
+    let strict = percuss(&format!("{beyond} --strict"));
+    assert_eq!((strict.code, strict.stdout.as_str()), (2, ""));
+    assert_eq!(percuss(&format!("{PENDULUM} --strict")).code, 0, "a note is no warning");
+}
+
+#[test]
+fn everything_locked_is_an_answer() {
+    let outcome = percuss(&format!("{PENDULUM} --lock hinge"));
+    assert_eq!(outcome.code, 0);
+    assert!(outcome.stdout.contains("immovable"), "{}", outcome.stdout);
+    let other = json(&format!("{PENDULUM} --lock hinge --against-mass 3 --format json"));
+    assert_eq!(other["effective_mass"], 3.0);
+    assert_eq!(other["other_mass_share"], 1.0);
+}
+
+#[test]
+fn stdin_is_read_where_asked() {
+    let model = std::fs::read(root().join("models/physical_pendulum.urdf")).unwrap();
+    let outcome = percuss_with_stdin("check -", &model);
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    let empty = percuss_with_stdin("check -", b"");
+    assert_eq!(empty.code, 2);
+    assert!(empty.stderr.contains("<stdin>: error: "), "{}", empty.stderr);
+}
+
+#[test]
+fn help_has_examples_and_completions_name_the_flags() {
+    for line in ["--help", "check --help", "mass --help", "completions --help"] {
+        let outcome = percuss(line);
+        assert_eq!(outcome.code, 0);
+        assert!(outcome.stdout.contains("Examples:"), "{line}");
+    }
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        assert!(percuss(&format!("completions {shell}")).stdout.contains("along-line"), "{shell}");
+    }
+}
+
+#[test]
+fn a_reader_that_leaves_early_is_no_error() {
+    let mut child = command(["completions", "zsh"])
+        .stdout(std::process::Stdio::piped())
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!((output.status.code(), output.stderr.as_slice()), (Some(0), &b""[..]));
+}

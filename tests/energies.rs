@@ -1,0 +1,244 @@
+//! The three definitions of m̄ agree by independent ways: the formula; 2T/V² with velocities from differences of
+//! poses; F/a by two calls of the forward dynamics at a moving state. With them the mass matrix, the contact row and
+//! Φ, which must say the same of any motion and any normal.
+
+use nalgebra::{DVector, Vector3};
+use percuss_dynamics::{
+    Direction, EffectiveMass, Frame, PointForce, Pose, Route, RouteChoice, RouteError, System,
+};
+use percuss_tests::cases::{self, Case};
+use percuss_tests::differences::{DIFFERENCE, closing_speed, twice_energy};
+use percuss_tests::gauge::Gauge;
+use percuss_tests::motion::Motion;
+use rand::{Rng, SeedableRng, rngs::StdRng};
+
+/// Roundings of a mass matrix entry: terms of a long chain, each transformed a few dozen times.
+const ROUNDING: f64 = 1e-13;
+
+/// Every case: of the zoo and at random.
+fn all_cases() -> Vec<Case> {
+    [cases::of_the_zoo(2, 2), cases::at_random(2000, 200, 60)].concat()
+}
+
+fn finite(system: &System, pose: &Pose, case: &Case, route: Route) -> Option<f64> {
+    let strike = system.strike(pose, &case.contact(), RouteChoice::Only(route)).ok()?;
+    match strike.effective_mass {
+        EffectiveMass::Finite(m) => Some(m),
+        EffectiveMass::Immovable | EffectiveMass::Massless => None,
+    }
+}
+
+#[test]
+fn the_mass_matrix_is_the_energy_of_the_links() {
+    let mut rng = StdRng::seed_from_u64(21);
+    let mut energy = Gauge::new("vᵀMv = link energies");
+    let mut symmetry = Gauge::new("M − Mᵀ");
+    let mut negative = Gauge::new("negative part of M");
+    for case in all_cases() {
+        let system = case.system();
+        let pose = case.pose(&system);
+        let mass = system.mass_matrix(&pose);
+        assert_eq!(mass.shape(), (system.degrees_of_freedom(), system.degrees_of_freedom()), "{}", case.name);
+        for _ in 0..2 {
+            let motion = Motion::random(&mut rng, &system);
+            let u = motion.coordinates(&system);
+            let (by_links, size) = twice_energy(&case, &system, &pose, &motion);
+            if size == 0.0 {
+                assert_eq!(u.dot(&(&mass * &u)).max(0.0), 0.0, "{}", case.name);
+                continue;
+            }
+            // Velocities are known to DIFFERENCE of the fastest anything could move, `chain`; a slow link's energy to
+            // their product with its own.
+            let chain = case.mechanism.total_mass() * (motion.size() * reach(&case)).powi(2);
+            let bound = 2.0 * DIFFERENCE * (size * chain).sqrt().max(size);
+            energy.note(&case.name, (u.dot(&(&mass * &u)) - by_links).abs() / size, bound / size);
+        }
+        if mass.nrows() > 0 {
+            // The block of a joint with several velocities is symmetric to rounding only.
+            symmetry.note(&case.name, (&mass - mass.transpose()).amax(), ROUNDING * mass.amax());
+            let diagonal = mass.diagonal().map(|m| if m > 0.0 { 1.0 / m.sqrt() } else { 0.0 });
+            let scaled = mass.map_with_location(|r, c, m| m * diagonal[r] * diagonal[c]);
+            let least = scaled.symmetric_eigenvalues().min();
+            negative.note(&case.name, (-least).max(0.0), ROUNDING);
+        }
+    }
+    energy.report();
+    symmetry.report();
+    negative.report();
+}
+
+/// How far the mechanism reaches, m: no more than all its links in a line.
+fn reach(case: &Case) -> f64 {
+    case.mechanism.links().iter().map(percuss_mechanism::Link::extent).sum()
+}
+
+#[test]
+fn twice_the_energy_over_the_speed_squared() {
+    let mut gauge = Gauge::new("2T/V²");
+    let mut speed = Gauge::new("closing speed of v*");
+    for case in all_cases() {
+        let system = case.system();
+        let pose = case.pose(&system);
+        for route in [Route::Dense, Route::Articulated] {
+            let Ok(strike) = system.strike(&pose, &case.contact(), RouteChoice::Only(route)) else {
+                continue;
+            };
+            let EffectiveMass::Finite(m) = strike.effective_mass else { continue };
+            let motion = Motion::of(&strike);
+            // Of every motion 2T/V² is m̄ at least; of the strike, m̄. The strike closes the gap at unit speed while
+            // its rates, which carry the differences' error, may be much faster.
+            let v = closing_speed(&system, &pose, &motion, &strike.contact);
+            let (energy, size) = twice_energy(&case, &system, &pose, &motion);
+            let fast = 1.0 + motion.size() * case.mechanism.characteristic_length();
+            speed.note(&case.name, (v - 1.0).abs(), DIFFERENCE * fast);
+            gauge.note(&case.name, (energy / (v * v) / m - 1.0).abs(), DIFFERENCE * (fast + size / m));
+        }
+    }
+    speed.report();
+    gauge.report();
+}
+
+#[test]
+fn force_over_acceleration() {
+    let mut rng = StdRng::seed_from_u64(22);
+    let mut gauge = Gauge::new("F/a");
+    let mut immovable = Gauge::new("F/a of an immovable gap");
+    for case in all_cases() {
+        let system = case.system();
+        let pose = case.pose(&system);
+        let motion = Motion::random(&mut rng, &system);
+        let gravity = Vector3::new(0.3, -9.7, 1.4);
+        let closing = |forces: &[PointForce]| -> Result<f64, RouteError> {
+            let a = system.accelerations(&pose, &motion.joints, &motion.base, &gravity, forces)?;
+            let x_ro = pose.link(&system, case.on);
+            let at = x_ro.point(&case.point);
+            let on = system.point_acceleration(&pose, &a, case.on, &case.point);
+            let other = case.against.map_or_else(Vector3::zeros, |link| {
+                let point = pose.link(&system, link).inverse_point(&at);
+                system.point_acceleration(&pose, &a, link, &point)
+            });
+            Ok(case.normal.dot(&(on - other)))
+        };
+        let m = finite(&system, &pose, &case, Route::Articulated);
+        let at_rest = match closing(&[]) {
+            Ok(a) => a,
+            Err(error) => {
+                assert_eq!(m, None, "{}: {error}", case.name);
+                continue;
+            }
+        };
+        // A push that outweighs what moves there already: the difference keeps its digits.
+        let push = m.unwrap_or(1.0) * (1.0 + at_rest.abs()) * 10.0;
+        let mut forces = vec![PointForce { link: case.on, point: case.point, force: case.normal * push }];
+        if let Some(link) = case.against {
+            let at = pose.link(&system, case.on).point(&case.point);
+            let point = pose.link(&system, link).inverse_point(&at);
+            forces.push(PointForce { link, point, force: -case.normal * push });
+        }
+        let Ok(pushed) = closing(&forces) else { panic!("{}: a force changed the inertia", case.name) };
+        let strike = system.strike(&pose, &case.contact(), RouteChoice::Auto).expect("an answer");
+        let condition = strike.condition.unwrap_or(f64::INFINITY);
+        match strike.effective_mass {
+            EffectiveMass::Finite(m) if condition.is_finite() => {
+                // A gap that hardly closes does so by small differences: the strike says how small.
+                let said = strike.effective_mass_error.expect("finite") / m;
+                let bound = (1e-12 * condition).min(1e-9) + 8.0 * said;
+                gauge.relative(&case.name, push / (pushed - at_rest), m, bound);
+            }
+            EffectiveMass::Immovable if condition.is_finite() => {
+                // What a free body of all the mass would do is the measure.
+                let free = push / case.mechanism.total_mass();
+                immovable.note(&case.name, (pushed - at_rest).abs() / (free + at_rest.abs()), 1e-9);
+            }
+            _ => {}
+        }
+    }
+    gauge.report();
+    immovable.report();
+}
+
+#[test]
+fn contact_row_and_jacobians() {
+    let mut gauge = Gauge::new("contact row");
+    let mut speed = Gauge::new("contact row, by differences");
+    let mut rng = StdRng::seed_from_u64(23);
+    for case in all_cases() {
+        let system = case.system();
+        let pose = case.pose(&system);
+        let contact = system.locate(&pose, &case.contact()).expect("a contact");
+        let row = DVector::from_vec(system.contact_row(&pose, &contact));
+        let of = |link| {
+            let point = pose.link(&system, link).inverse_point(&contact.point_world);
+            system.point_jacobian(&pose, link, &point)
+        };
+        let on = of(case.on);
+        let mut relative = on.clone();
+        let mut size = on.amax();
+        if let Some(link) = case.against {
+            let other = of(link);
+            size = size.max(other.amax());
+            relative -= other;
+        }
+        let expected = relative.tr_mul(&case.normal);
+        // Joints that carry both sides cancel here, there they are left out. The world point goes through the inverse
+        // of a long chain's frame.
+        let bound = ROUNDING * (1.0 + size);
+        for (a, b) in row.iter().zip(&expected) {
+            gauge.note(&case.name, (a - b).abs(), bound);
+        }
+        let motion = Motion::random(&mut rng, &system);
+        let by_row = row.dot(&motion.coordinates(&system));
+        let by_poses = closing_speed(&system, &pose, &motion, &contact);
+        speed.note(&case.name, (by_row - by_poses).abs(), DIFFERENCE * (1.0 + size) * (1.0 + motion.size()));
+    }
+    gauge.report();
+    speed.report();
+}
+
+#[test]
+fn the_inverse_operational_inertia_answers_every_normal() {
+    let mut rng = StdRng::seed_from_u64(24);
+    let mut gauge = Gauge::new("Φ");
+    let mut symmetry = Gauge::new("Φ − Φᵀ");
+    let mut refused = 0;
+    for case in all_cases() {
+        let system = case.system();
+        let pose = case.pose(&system);
+        let contact = system.locate(&pose, &case.contact()).expect("a contact");
+        let phi = match system.inverse_operational_inertia(&pose, &contact) {
+            Ok(phi) => phi,
+            Err(error) => {
+                let strike = system.strike(&pose, &case.contact(), RouteChoice::Only(Route::Articulated));
+                assert_eq!(strike.unwrap_err(), error.into(), "{}", case.name);
+                refused += 1;
+                continue;
+            }
+        };
+        let size = phi.matrix().amax();
+        assert!(size.is_finite(), "{}", case.name);
+        symmetry.note(
+            &case.name,
+            (phi.matrix() - phi.matrix().transpose()).amax(),
+            f64::EPSILON * 4.0 * size,
+        );
+        for _ in 0..4 {
+            let normal = Vector3::from_fn(|_, _| rng.random_range(-1.0..1.0)).normalize();
+            let contact = case.contact().normal(Direction::Along(normal, Frame::World));
+            let strike = system.strike(&pose, &contact, RouteChoice::Only(Route::Dense)).expect("an answer");
+            let bound = strike.condition.map_or(1e-9, |condition| (1e-12 * condition).min(1e-9));
+            let inverse = phi.inverse_effective_mass(&normal);
+            match strike.effective_mass {
+                EffectiveMass::Finite(m) => {
+                    // Entries of both sides cancel where the sides hang together.
+                    let cancelled = phi.matrix().fixed_view::<3, 3>(3, 3).amax() * m;
+                    gauge.note(&case.name, (inverse * m - 1.0).abs(), bound * (1.0 + cancelled));
+                }
+                EffectiveMass::Immovable => gauge.note(&case.name, inverse.abs() / (1.0 + size), bound),
+                EffectiveMass::Massless => panic!("{}: massless, and yet it has an inverse", case.name),
+            }
+        }
+    }
+    gauge.report();
+    symmetry.report();
+    assert!(refused > 0, "mimics and singular matrices never came");
+}

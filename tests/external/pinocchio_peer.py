@@ -1,0 +1,101 @@
+"""Pinocchio's answers, in percuss's coordinates."""
+
+import numpy as np
+import pinocchio as pin
+
+from urdf_file import BASE
+
+
+class Refused(Exception):
+    """Pinocchio does not take the file."""
+
+
+def skew(r):
+    return np.array([[0, -r[2], r[1]], [r[2], 0, -r[0]], [-r[1], r[0], 0]])
+
+
+def matrix(quaternion):
+    w, x, y, z = quaternion
+    return pin.Quaternion(w, x, y, z).toRotationMatrix()
+
+
+class Peer:
+    """A model in which mimics are joints like any other (`fold=False`: the mimics are folded in here, by G), or one in
+    which Pinocchio folds them itself."""
+
+    name = "Pinocchio"
+
+    def __init__(self, path, robot, floating, fold=False):
+        options = {"mimic": True} if fold else {}
+        root = [pin.JointModelFreeFlyer()] if floating else []
+        try:
+            self.model = pin.buildModelFromUrdf(str(path), *root, **options)
+        except Exception as error:  # Pinocchio's own, of several types
+            raise Refused(str(error)) from error
+        self.data, self.robot, self.fold = self.model.createData(), robot, fold
+        self.joints = {}
+        for name, joint in list(zip(self.model.names, self.model.joints))[1:]:  # the first is the universe
+            name = BASE if name == "root_joint" and floating else name
+            if joint.nv > 0 and not (fold and name in robot.joints and not robot.is_master(robot.joints[name])):
+                self.joints[name] = joint
+
+    def pose(self, coordinates, positions, base):
+        """Places the model. T: velocities of the model = T · percuss's coordinates."""
+        q = pin.neutral(self.model)
+        self.t = np.zeros((self.model.nv, len(coordinates)))
+        column = {key: k for k, key in enumerate(coordinates)}
+        for name, joint in self.joints.items():
+            at = base if name == BASE else positions[name]
+            q[joint.idx_q : joint.idx_q + joint.nq] = layout(joint, at)
+            master, multiplier, _ = (BASE, 1.0, 0.0) if name == BASE else self.robot.follows(name)
+            columns = [column[master, k] for k in range(joint.nv)]
+            self.t[joint.idx_v : joint.idx_v + joint.nv, columns] = multiplier * velocity(joint, at)
+        self.q = q
+        pin.framesForwardKinematics(self.model, self.data, q)
+
+    def mass_matrix(self):
+        if self.model.nv == 0:
+            return np.zeros((0, 0))
+        m = pin.crba(self.model, self.data, self.q)
+        m = np.triu(m) + np.triu(m, 1).T
+        return self.t.T @ m @ self.t
+
+    def frame(self, link):
+        return self.model.getFrameId(link, pin.FrameType.BODY)
+
+    def located(self, contact):
+        """Point and normal in the world."""
+        placement = self.data.oMf[self.frame(contact["link"])]
+        normal = np.array(contact["normal"])
+        return placement.act(np.array(contact["point"])), placement.rotation @ normal / np.linalg.norm(normal)
+
+    def point_jacobian(self, link, point):
+        """Velocity of the link's point that is at `point`, world axes; and the size of the terms of each column."""
+        if self.model.nv == 0:
+            return np.zeros((3, 0)), np.zeros(0)
+        frame = self.frame(link)
+        j = pin.computeFrameJacobian(self.model, self.data, self.q, frame, pin.LOCAL_WORLD_ALIGNED) @ self.t
+        arm = point - self.data.oMf[frame].translation
+        size = np.linalg.norm(j[:3], axis=0) + np.linalg.norm(j[3:], axis=0) * max(np.linalg.norm(arm), 1e-3)
+        return j[:3] - skew(arm) @ j[3:], size
+
+
+def layout(joint, at):
+    """percuss's position in Pinocchio's layout."""
+    if joint.nq == 7:  # free flyer: x,y,z and quaternion x,y,z,w
+        return [*at[:3], *at[4:7], at[3]]
+    if joint.nq == 4:  # planar: x, y, cos, sin
+        return [at[0], at[1], np.cos(at[2]), np.sin(at[2])]
+    if joint.nq == 2:  # unbounded revolute
+        return [np.cos(at[0]), np.sin(at[0])]
+    return at
+
+
+def velocity(joint, at):
+    """Pinocchio's velocities of a joint = this · percuss's."""
+    if joint.nv == 6:  # linear first · angular first, both in the child's axes
+        return np.roll(np.eye(6), 3, axis=1)
+    if joint.nv == 3:  # planar: in the child's axes · in the joint's
+        c, s = np.cos(at[2]), np.sin(at[2])
+        return np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]])
+    return np.eye(joint.nv)

@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# Compares percuss with Pinocchio and MuJoCo on the robots of example-robot-data. README.md says what and how.
+# Needs python3 and, the first time, the network. Options go to compare.py (--only NAME, --update-ledger, …).
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+cd "$here/../.."
+target=${CARGO_TARGET_DIR:-$PWD/target}
+venv=$PWD/target/external/venv
+if ! cmp -s "$here/requirements.txt" "$venv/requirements.txt"; then
+  rm -rf "$venv"
+  python3 -m venv "$venv"
+  "$venv/bin/pip" install --quiet --disable-pip-version-check --requirement "$here/requirements.txt"
+  # Last, so that a venv that was only half made is made again.
+  cp "$here/requirements.txt" "$venv/requirements.txt"
+fi
+cargo build --quiet --release -p percuss-tests --bin percuss-probe
+export PYTHONDONTWRITEBYTECODE=1 OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
+exec "$venv/bin/python" "$here/compare.py" --probe "$target/release/percuss-probe" "$@"
