@@ -1,1 +1,427 @@
-//! To come.
+//! Effective masses that can be written down, through `System::strike` by both routes.
+
+use nalgebra::{Matrix3, Vector2, Vector3};
+use percuss_dynamics::{
+    Base, Conditions, Configuration, Contact, Direction, EffectiveMass, Frame, Remark, Route, RouteChoice,
+    Strike, System,
+};
+use percuss_mechanism::{Inertial, JointDescription, JointKind, LinkDescription, Mechanism};
+use percuss_oracle::closed_form::{self, PlanarLink};
+use percuss_oracle::{alter, zoo};
+use percuss_spatial::{Transform, rotation_from_rpy};
+use std::sync::Arc;
+
+/// A few thousand roundings; the mechanisms here are well conditioned, or exact by structure.
+const TOL: f64 = 1e-12;
+
+/// A system with its configuration.
+struct Bench {
+    system: System,
+    configuration: Configuration,
+}
+
+impl Bench {
+    fn new(mechanism: impl Into<Arc<Mechanism>>) -> Self {
+        Self::under(mechanism, &Conditions::new())
+    }
+
+    fn under(mechanism: impl Into<Arc<Mechanism>>, conditions: &Conditions) -> Self {
+        let system = System::new(mechanism, conditions).expect("conditions that fit");
+        let configuration = system.configuration();
+        Self { system, configuration }
+    }
+
+    fn set(mut self, joint: &str, values: &[f64]) -> Self {
+        self.configuration.set(joint, values).expect("a position that fits");
+        self
+    }
+
+    fn contact(&self, link: &str, point: [f64; 3], normal: Vector3<f64>) -> Contact {
+        let link = self.system.mechanism().find_link(link).expect("a link");
+        Contact::new(link, point, normal).normal(Direction::Along(normal, Frame::World))
+    }
+
+    fn strike(&self, contact: &Contact, choice: RouteChoice) -> Strike {
+        let pose = self.system.pose(&self.configuration);
+        self.system.strike(&pose, contact, choice).expect("an answer")
+    }
+
+    /// The outcome, which both routes must give.
+    fn outcome(&self, contact: &Contact) -> EffectiveMass {
+        let by = |route| self.strike(contact, RouteChoice::Only(route)).effective_mass;
+        assert_eq!(by(Route::Dense), by(Route::Articulated));
+        by(Route::Dense)
+    }
+
+    /// Both routes give the mass (kg).
+    fn weighs(&self, contact: &Contact, expected: f64) {
+        self.weighs_by(contact, expected, &[Route::Dense, Route::Articulated]);
+    }
+
+    fn weighs_by(&self, contact: &Contact, expected: f64, routes: &[Route]) {
+        for &route in routes {
+            let strike = self.strike(contact, RouteChoice::Only(route));
+            let m = mass(&strike);
+            assert!((m / expected - 1.0).abs() <= TOL, "{route:?}: {m} kg, expected {expected} kg");
+        }
+        assert_close(mass(&self.strike(contact, RouteChoice::Auto)), expected);
+    }
+}
+
+fn mass(strike: &Strike) -> f64 {
+    match strike.effective_mass {
+        EffectiveMass::Finite(m) => m,
+        other => panic!("{other:?}"),
+    }
+}
+
+#[track_caller]
+fn assert_close(got: f64, expected: f64) {
+    assert!((got / expected - 1.0).abs() <= TOL, "{got}, expected {expected}");
+}
+
+fn ground() -> LinkDescription {
+    LinkDescription::massless("ground")
+}
+
+/// The direction at an angle (rad) in the plane.
+fn along(angle: f64) -> Vector3<f64> {
+    Vector3::new(angle.cos(), angle.sin(), 0.0)
+}
+
+#[test]
+fn a_point_mass_on_a_massless_rod() {
+    for (m, r_a, r_b) in [(1.5, 0.8, 0.8), (3.0, 1.0, 0.5), (0.02, 0.3, 7.0), (4e3, 12.0, 0.01)] {
+        let pendulum = Bench::new(zoo::point_mass_pendulum(m, r_a)).set("hinge", &[0.7]);
+        let across = along(0.7 + std::f64::consts::FRAC_PI_2);
+        let expected = closed_form::point_mass_pendulum(m, r_a, r_b);
+        pendulum.weighs(&pendulum.contact("rod", [r_b, 0.0, 0.0], across), expected);
+        // Obliquely: only the arm of the normal's line counts.
+        let oblique = along(0.7 + 1.1);
+        pendulum.weighs(
+            &pendulum.contact("rod", [r_b, 0.0, 0.3], oblique),
+            closed_form::point_mass_pendulum(m, r_a, r_b * 1.1f64.sin()),
+        );
+        // The same point named on the bob.
+        pendulum.weighs(&pendulum.contact("bob", [r_b - r_a, 0.0, 0.0], across), expected);
+    }
+}
+
+#[test]
+fn a_physical_pendulum() {
+    let (m, h, i_c) = (2.3, 0.35, 0.04);
+    let j_o = i_c + m * h * h;
+    let pendulum = Bench::new(zoo::physical_pendulum(m, h, i_c)).set("hinge", &[-1.9]);
+    for r_b in [0.01, 0.35, 0.5, 20.0] {
+        let across = along(-1.9 - std::f64::consts::FRAC_PI_2);
+        let contact = pendulum.contact("body", [r_b, 0.0, 0.1], across);
+        pendulum.weighs(&contact, closed_form::physical_pendulum(j_o, r_b));
+        // The rotor turns with it.
+        let geared = Conditions::new().armature("hinge", [0.7]);
+        let driven = Bench::under(Arc::clone(pendulum.system.mechanism()), &geared).set("hinge", &[-1.9]);
+        driven.weighs(&contact, closed_form::physical_pendulum(j_o + 0.7, r_b));
+        // Struck where the seed says: at r_i a physical pendulum is as heavy as its mass.
+        let r_i = f64::sqrt(j_o / m);
+        pendulum.weighs(&pendulum.contact("body", [r_i, 0.0, 0.0], across), m);
+    }
+}
+
+/// Two balls (point masses on slides along x) that face each other.
+fn two_balls(m_1: f64, m_2: f64) -> Bench {
+    let ball = |name: &str, m| LinkDescription::new(name, Inertial::diagonal(m, [0.0; 3], [0.1 * m; 3]));
+    let slide = |name: &str, child: &str, x| {
+        JointDescription::new(name, JointKind::Prismatic, "ground", child).at([x, 0.0, 0.0])
+    };
+    let links = vec![ground(), ball("one", m_1), ball("two", m_2)];
+    Bench::new(alter::build("balls", links, vec![slide("first", "one", 0.0), slide("second", "two", 1.0)]))
+}
+
+#[test]
+fn central_impact() {
+    for exponent in -6..=6 {
+        let (m_1, m_2) = (2.5, 2.5 * 10f64.powi(exponent));
+        let balls = two_balls(m_1, m_2);
+        let two = balls.system.mechanism().find_link("two").unwrap();
+        let contact = balls.contact("one", [0.5, 0.0, 0.0], Vector3::x()).against(two);
+        let expected = m_1 * m_2 / (m_1 + m_2);
+        balls.weighs(&contact, expected);
+        // Between half the lighter and the lighter.
+        let m = mass(&balls.strike(&contact, RouteChoice::Auto));
+        let lighter = m_1.min(m_2);
+        assert!(
+            lighter / 2.0 * (1.0 - TOL) <= m && m <= lighter * (1.0 + TOL),
+            "{m} kg, lighter {lighter} kg"
+        );
+        // In the limit, the lighter: short of it by the ratio of the masses.
+        let ratio = 10f64.powi(-exponent.abs());
+        assert!((m / lighter - 1.0 / (1.0 + ratio)).abs() <= TOL, "{m} kg");
+        // Each alone, and one against a number.
+        let alone = balls.contact("one", [0.5, 0.0, 0.0], Vector3::x());
+        balls.weighs(&alone, m_1);
+        let against = balls.strike(&alone, RouteChoice::Auto).against_mass(m_2);
+        assert_close(mass(&against), expected);
+        let shares = against.shares.expect("finite");
+        // At unit closing speed, the lighter does the moving: m₁ v₁ = m₂ v₂.
+        let [one, other] = [shares.links[1], shares.other_mass.expect("it was given")];
+        assert!((one + other - 1.0).abs() <= TOL, "shares {one} and {other}");
+        assert!((one - m_2 / (m_1 + m_2)).abs() <= TOL && (other - m_1 / (m_1 + m_2)).abs() <= TOL);
+    }
+    let free = Bench::new(zoo::two_free_bodies());
+    let (first, second) = (1.2, 3.4);
+    let com = Vector3::new(0.1, -0.2, 0.05);
+    let x_gs = Transform::new(rotation_from_rpy([0.4, 0.2, -1.3]), Vector3::new(2.0, 0.5, 0.1));
+    let line = (x_gs.point(&Vector3::new(-0.15, 0.1, 0.2)) - com).normalize();
+    let other = free.system.mechanism().find_link("second").unwrap();
+    let contact = free.contact("first", com.into(), line);
+    free.weighs(&contact, first);
+    free.weighs(&contact.against(other), closed_form::series(first, second));
+}
+
+#[test]
+fn eccentric_impact() {
+    // A free body struck off its centre, by its floating base and by a floating joint.
+    let (m, com) = (1.7, Vector3::new(0.2, -0.1, 0.4));
+    let turn = rotation_from_rpy([0.4, -0.2, 0.9]);
+    let moments = Vector3::new(0.05, 0.08, 0.11);
+    let about_com = turn * Matrix3::from_diagonal(&moments) * turn.transpose();
+    let body = || LinkDescription::new("body", Inertial { mass: m, com, about_com });
+    let flying =
+        Bench::under(alter::build("flying", vec![body()], vec![]), &Conditions::new().base(Base::Floating));
+    let free = JointDescription::new("free", JointKind::Floating, "ground", "body");
+    let jointed = Bench::new(alter::build("jointed", vec![ground(), body()], vec![free]));
+    let normal = Vector3::new(0.3, -0.7, 0.5).normalize();
+    for point in [[0.2, -0.1, 0.4], [0.9, 0.3, -0.2], [-5.0, 2.0, 1.0]] {
+        let r = Vector3::from(point) - com;
+        let expected = closed_form::free_body(m, &about_com, &r, &normal).unwrap();
+        for bench in [&flying, &jointed] {
+            bench.weighs(&bench.contact("body", point, normal), expected);
+        }
+        // Against a body of its own: the classical eccentric impact.
+        let against =
+            jointed.strike(&jointed.contact("body", point, normal), RouteChoice::Auto).against_mass(0.8);
+        assert_close(mass(&against), closed_form::series(expected, 0.8));
+    }
+    // A uniform rod, free: a quarter of it at the tip; hinged: a third; on a sliding base between.
+    let (m, l) = (0.9, 0.7);
+    let moment = m * l * l / 12.0;
+    let rod =
+        || LinkDescription::new("rod", Inertial::diagonal(m, [l / 2.0, 0.0, 0.0], [1e-3, moment, moment]));
+    let tip = [l, 0.0, 0.0];
+    let flying =
+        Bench::under(alter::build("rod", vec![rod()], vec![]), &Conditions::new().base(Base::Floating));
+    flying.weighs(&flying.contact("rod", tip, Vector3::y()), m / 4.0);
+    for base in [1e-3, 0.4, 30.0] {
+        let links =
+            vec![ground(), LinkDescription::new("sled", Inertial::diagonal(base, [0.0; 3], [0.1; 3])), rod()];
+        let joints = vec![
+            JointDescription::new("slide", JointKind::Prismatic, "ground", "sled").axis([0.0, 1.0, 0.0]),
+            JointDescription::new("hinge", JointKind::Revolute, "sled", "rod").axis([0.0, 0.0, 1.0]),
+        ];
+        let sled = Arc::new(alter::build("sled", links, joints));
+        let free = Bench::new(Arc::clone(&sled));
+        free.weighs(&free.contact("rod", tip, Vector3::y()), closed_form::rod_tip_on_sliding_base(m, base));
+        let held = Bench::under(sled, &Conditions::new().lock("slide"));
+        held.weighs(&held.contact("rod", tip, Vector3::y()), closed_form::rod_tip(m));
+    }
+}
+
+#[test]
+fn independent_mechanisms_add_as_springs_in_series() {
+    // Two arms under one ground, which meet: neither carries the other.
+    let arm = [PlanarLink::rod(1.4, 0.6), PlanarLink::rod(0.9, 0.5)];
+    let (mut links, mut joints) = alter::describe(&zoo::planar_2r(arm, [0.05, 0.02]));
+    let (others, other_joints) = alter::describe(&zoo::physical_pendulum(2.3, 0.35, 0.04));
+    links.extend(others.into_iter().filter(|link| link.name != "ground"));
+    joints.extend(other_joints.into_iter().map(|joint| joint.at([1.0, -0.4, 0.0])));
+    let both = Bench::new(alter::build("both", links, joints))
+        .set("shoulder", &[0.4])
+        .set("elbow", &[-0.9])
+        .set("hinge", &[0.8]);
+    let pose = both.system.pose(&both.configuration);
+    let mechanism = both.system.mechanism();
+    let (lower, body) = (mechanism.find_link("lower").unwrap(), mechanism.find_link("body").unwrap());
+    let normal = along(0.3);
+    let contact = both.contact("lower", [0.5, 0.0, 0.0], normal);
+    let at = pose.link(&both.system, lower).point(&contact.point);
+    let other = both.contact("body", pose.link(&both.system, body).inverse_point(&at).into(), -normal);
+    let first = closed_form::planar_2r(arm, [0.05, 0.02], [0.4, -0.5], 0.5, Vector2::new(normal.x, normal.y));
+    let arm_of_line = (at - Vector3::new(1.0, -0.4, 0.0)).cross(&normal).z;
+    let second = closed_form::physical_pendulum(0.04 + 2.3 * 0.35 * 0.35, arm_of_line);
+    both.weighs(&contact, first);
+    both.weighs(&other, second);
+    both.weighs(&contact.against(body), closed_form::series(first, second));
+    both.weighs(&other.against(lower), closed_form::series(first, second));
+    let by_number = both.strike(&contact, RouteChoice::Auto).against_mass(second);
+    assert_close(mass(&by_number), closed_form::series(first, second));
+}
+
+#[test]
+fn a_needle_on_a_heavy_base() {
+    // 1 mg on 10 t: a third of the needle at its tip, not nothing.
+    let needle = Bench::new(zoo::needle_on_heavy_base());
+    let contact = needle.contact("needle", [0.04, 0.0, 0.0], Vector3::y());
+    let expected = closed_form::rod_tip_on_sliding_base(1e-6, 1e4);
+    assert!((expected - 3.333e-7).abs() < 1e-10);
+    needle.weighs(&contact, expected);
+    // At the pin all of it and the base; along itself nothing gives.
+    let at_pin = needle.contact("needle", [0.0; 3], Vector3::y());
+    needle.weighs(&at_pin, 1e4 + 1e-6 / 4.0);
+    let lengthwise = needle.contact("needle", [0.04, 0.0, 0.0], Vector3::x());
+    assert_eq!(needle.outcome(&lengthwise), EffectiveMass::Immovable);
+}
+
+#[test]
+fn planar_arms() {
+    let rods = [PlanarLink::rod(1.4, 0.6), PlanarLink::rod(0.9, 0.5)];
+    let points = [PlanarLink::point(1.0, 1.0), PlanarLink::point(2.5, 0.4)];
+    let mixed = [PlanarLink { mass: 3.0, length: 0.7, com: 0.2, inertia: 0.09 }, PlanarLink::rod(0.4, 1.3)];
+    let mut struck = 0;
+    for links in [rods, points, mixed] {
+        for armature in [[0.0, 0.0], [0.05, 0.0], [0.0, 0.3], [1.2, 0.02]] {
+            // Also by conditions in place of the mechanism's own.
+            let bare = Arc::new(zoo::planar_2r(links, [7.0, 7.0]));
+            let [a_1, a_2] = armature;
+            let conditions = Conditions::new().armature("shoulder", [a_1]).armature("elbow", [a_2]);
+            for (first, second) in [(0.0, 1.1), (-2.0, 0.4), (0.9, -2.2)] {
+                let own = Bench::new(zoo::planar_2r(links, armature));
+                let given = Bench::under(Arc::clone(&bare), &conditions);
+                for bench in [own, given] {
+                    let bench = bench.set("shoulder", &[first]).set("elbow", &[second]);
+                    for (reach, angle) in [(links[1].length, 0.3), (0.2, 2.0), (1.7, -0.8)] {
+                        let normal = along(angle);
+                        let plane = Vector2::new(normal.x, normal.y);
+                        let expected =
+                            closed_form::planar_2r(links, armature, [first, first + second], reach, plane);
+                        bench.weighs(&bench.contact("lower", [reach, 0.0, 0.0], normal), expected);
+                        struck += 1;
+                    }
+                }
+            }
+        }
+    }
+    assert_eq!(struck, 3 * 4 * 3 * 2 * 3);
+}
+
+#[test]
+fn geared_masses() {
+    // The gripper's fingers mirror each other: the dense route refers their energy to the master.
+    let slide = |name: &str, child: &str| {
+        JointDescription::new(name, JointKind::Prismatic, "ground", child).axis([0.0, 0.0, 1.0])
+    };
+    let block = |name: &str, m| LinkDescription::new(name, Inertial::diagonal(m, [0.0; 3], [0.01; 3]));
+    let links = vec![ground(), block("one", 2.0), block("two", 0.7)];
+    let joints = vec![slide("first", "one"), slide("second", "two").mimic("first", -3.0, 0.1)];
+    let pair = Bench::new(alter::build("geared", links, joints));
+    let contact = pair.contact("one", [0.1, 0.0, 0.0], Vector3::z());
+    pair.weighs_by(&contact, closed_form::geared(2.0, 0.7, -3.0), &[Route::Dense]);
+    let follower = pair.contact("two", [0.1, 0.0, 0.0], Vector3::z());
+    pair.weighs_by(&follower, closed_form::geared(2.0, 0.7, -3.0) / 9.0, &[Route::Dense]);
+    // Against each other the gap closes at 1 + 3.
+    let other = pair.system.mechanism().find_link("two").unwrap();
+    pair.weighs_by(&contact.against(other), closed_form::geared(2.0, 0.7, -3.0) / 16.0, &[Route::Dense]);
+}
+
+#[test]
+fn nothing_moves() {
+    let pendulum = Bench::new(zoo::physical_pendulum(2.3, 0.35, 0.04)).set("hinge", &[0.6]);
+    // Into the bearing: along the arm, along the axis, and anywhere on the axis.
+    for (point, normal) in
+        [([0.5, 0.0, 0.2], along(0.6)), ([0.5, 0.1, 0.0], Vector3::z()), ([0.0, 0.0, 0.7], along(1.9))]
+    {
+        assert_eq!(pendulum.outcome(&pendulum.contact("body", point, normal)), EffectiveMass::Immovable);
+    }
+    // The ground itself; links that are one body.
+    assert_eq!(
+        pendulum.outcome(&pendulum.contact("ground", [0.1; 3], Vector3::x())),
+        EffectiveMass::Immovable
+    );
+    let frames = Bench::new(zoo::fixed_frames());
+    let ballast = frames.system.mechanism().find_link("ballast").unwrap();
+    let one_body = frames.contact("sensor", [0.1, 0.2, 0.3], Vector3::y()).against(ballast);
+    assert_eq!(frames.outcome(&one_body), EffectiveMass::Immovable);
+    // Everything locked.
+    for (name, mechanism) in zoo::all() {
+        let all = mechanism.joints().iter().fold(Conditions::new(), |c, joint| c.lock(joint.name()));
+        let leaf = mechanism.order().last().unwrap();
+        let leaf = mechanism.link(*leaf).name().to_owned();
+        let still = Bench::under(mechanism, &all);
+        let contact = still.contact(&leaf, [0.3, 0.2, 0.1], Vector3::new(1.0, 2.0, 3.0));
+        assert_eq!(still.outcome(&contact), EffectiveMass::Immovable, "{name}");
+        let strike = still.strike(&contact, RouteChoice::Auto);
+        assert_eq!((strike.degrees_of_freedom, strike.shares), (0, None), "{name}");
+    }
+    // Struck against a number, an immovable wall leaves the number.
+    let wall = pendulum.strike(&pendulum.contact("body", [0.5, 0.0, 0.0], along(0.6)), RouteChoice::Auto);
+    assert_eq!(wall.against_mass(0.3).effective_mass, EffectiveMass::Finite(0.3));
+}
+
+#[test]
+fn hardly_anything_moves() {
+    // From 1e-10 to 1e-6 of a right angle the answer is finite, with a remark; below, immovable.
+    let (m, h, i_c) = (2.3, 0.35, 0.04);
+    let pendulum = Bench::new(zoo::physical_pendulum(m, h, i_c));
+    for (slope, finite, remarked) in
+        [(1e-5f64, true, false), (1e-7, true, true), (1e-9, true, true), (1e-11, false, false)]
+    {
+        let contact = pendulum.contact("body", [0.5, 0.0, 0.0], Vector3::new(1.0, slope, 0.0));
+        for route in [Route::Dense, Route::Articulated] {
+            let strike = pendulum.strike(&contact, RouteChoice::Only(route));
+            let nearly = strike.remarks.iter().any(|r| matches!(r, Remark::NearlyImmovable { .. }));
+            assert_eq!(nearly, remarked, "{slope}");
+            if finite {
+                let expected = closed_form::physical_pendulum(i_c + m * h * h, 0.5 * slope.atan().sin());
+                // The arm is a difference of ones: it keeps slope/ε digits, and m̄ says so.
+                let said = strike.effective_mass_error.expect("finite");
+                assert!((mass(&strike) - expected).abs() <= said + TOL * expected, "{slope}");
+                assert!(said <= 1e-15 * 10.0 / slope * expected, "{slope}: it is better than that");
+            } else {
+                assert_eq!(strike.effective_mass, EffectiveMass::Immovable, "{slope}");
+            }
+        }
+    }
+}
+
+#[test]
+fn nothing_opposes() {
+    let arm = Bench::new(zoo::massless_tip());
+    let across = arm.contact("feeler", [0.2, 0.0, 0.0], Vector3::y());
+    let dense = arm.strike(&across, RouteChoice::Only(Route::Dense));
+    assert_eq!(dense.effective_mass, EffectiveMass::Massless);
+    assert_eq!((dense.shares.clone(), dense.effective_mass_error), (None, None));
+    assert_eq!(arm.strike(&across, RouteChoice::Auto).effective_mass, EffectiveMass::Massless);
+    assert_eq!(dense.against_mass(5.0).effective_mass, EffectiveMass::Massless);
+    // Along itself it pushes into the shoulder; its hinge locked, it is a part of the arm.
+    let lengthwise = arm.contact("feeler", [0.2, 0.0, 0.0], Vector3::x());
+    assert_eq!(arm.strike(&lengthwise, RouteChoice::Auto).effective_mass, EffectiveMass::Immovable);
+    let locked = Bench::under(Arc::clone(arm.system.mechanism()), &Conditions::new().lock("feeler_hinge"));
+    let link = arm.system.mechanism().find_link("arm").unwrap();
+    let j_o = arm.system.mechanism().link(link).inertia().rotational[(2, 2)];
+    locked.weighs(&across, closed_form::physical_pendulum(j_o, 0.8));
+    // A rotor at its hinge gives it weight: the arm and the rotor in the rates of the absolute angles.
+    let rotor =
+        Bench::under(Arc::clone(arm.system.mechanism()), &Conditions::new().armature("feeler_hinge", [0.01]));
+    let j_arm = PlanarLink { mass: 0.0, length: 0.6, com: 0.0, inertia: j_o };
+    let feeler = PlanarLink { mass: 0.0, length: 0.2, com: 0.0, inertia: 0.0 };
+    let expected = closed_form::planar_2r([j_arm, feeler], [0.0, 0.01], [0.0; 2], 0.2, Vector2::y());
+    rotor.weighs(&across, expected);
+}
+
+#[test]
+fn massless_links_within_are_exact() {
+    // Three hinges with massless links between are a ball joint, though M is singular where two axes line up.
+    for (about_x, about_y, about_z) in [(0.0, 0.0, 0.0), (0.4, -0.9, 1.7), (0.3, 1.5, 0.2)] {
+        let chain = Bench::new(zoo::massless_chain())
+            .set("about_x", &[about_x])
+            .set("about_y", &[about_y])
+            .set("about_z", &[about_z]);
+        let ball = Bench::new(zoo::ball_joint());
+        let normal = Vector3::new(0.2, 0.5, -0.8).normalize();
+        // The same contact in the body: struck in its own axes, both bodies are alike.
+        let point = [0.3, -0.2, 0.4];
+        let of = |bench: &Bench| {
+            bench.contact("body", point, normal).normal(Direction::Along(normal, Frame::Link))
+        };
+        let expected = mass(&ball.strike(&of(&ball), RouteChoice::Auto));
+        chain.weighs(&of(&chain), expected);
+    }
+}

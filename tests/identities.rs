@@ -76,8 +76,8 @@ impl Routes {
                 self.tally.mimics += 1;
             }
             Err(StrikeError::Route(RouteError::SingularPivot { .. })) => {
-                // It may decline a mass matrix that is singular or near it, no other.
-                assert!(a.condition.is_none_or(|c| c > 1e9), "{name}: declined at {:?}", a.condition);
+                // It may decline where ε times the condition comes near the 1e-11 it stands for, nowhere else.
+                assert!(a.condition.is_none_or(|c| c > 4e4), "{name}: declined at {:?}", a.condition);
                 self.tally.singular += 1;
             }
             Err(error) => panic!("{name}: {error}"),

@@ -1,1 +1,385 @@
-//! To come.
+//! What m̄ does not depend on (the sign of the normal, the names of the sides, the place of the world, units, frames,
+//! merged links), and which way it goes when mass or constraints are added.
+
+use nalgebra::Vector3;
+use percuss_dynamics::{
+    Base, Conditions, Contact, Direction, EffectiveMass, Frame, Pose, RouteChoice, Strike, System,
+};
+use percuss_dynamics::{Route, RouteError, StrikeError};
+use percuss_mechanism::LinkId;
+use percuss_oracle::{alter, closed_form};
+use percuss_spatial::{Transform, rotation_from_rpy};
+use percuss_tests::cases::{self, Case};
+use percuss_tests::gauge::Gauge;
+use percuss_tests::motion::Motion;
+use rand::{Rng, SeedableRng, rngs::StdRng};
+use std::sync::Arc;
+
+const FAR: f64 = 1e4;
+
+/// Every case: of the zoo and at random.
+fn all_cases() -> Vec<Case> {
+    [cases::of_the_zoo(5, 2), cases::at_random(5000, 120, 40)].concat()
+}
+
+fn strike(system: &System, pose: &Pose, contact: &Contact, route: Route) -> Option<Strike> {
+    match system.strike(pose, contact, RouteChoice::Only(route)) {
+        Ok(strike) => Some(strike),
+        Err(StrikeError::Route(RouteError::Mimics | RouteError::SingularPivot { .. })) => None,
+        Err(error) => panic!("{error}"),
+    }
+}
+
+/// By whichever route holds.
+fn auto(case: &Case) -> Strike {
+    let system = case.system();
+    system.strike(&case.pose(&system), &case.contact(), RouteChoice::Auto).expect("an answer")
+}
+
+/// Rounding of two computations of the same strike: 1e-12 for every unit of M's condition, as between routes.
+fn rounding(strike: &Strike) -> f64 {
+    strike.condition.map_or(1e-9, |condition| (1e-12 * condition).min(1e-9))
+}
+
+/// Notes the relative deviation of two finite answers; other outcomes must be the same.
+fn same(gauge: &mut Gauge, name: &str, got: &Strike, expected: &Strike, bound: f64) {
+    match (got.effective_mass, expected.effective_mass) {
+        (EffectiveMass::Finite(a), EffectiveMass::Finite(b)) => gauge.relative(name, a, b, bound),
+        (a, b) => assert_eq!(a, b, "{name}"),
+    }
+}
+
+/// A number that says which is heavier.
+fn weight(strike: &Strike) -> f64 {
+    match strike.effective_mass {
+        EffectiveMass::Massless => 0.0,
+        EffectiveMass::Finite(m) => m,
+        EffectiveMass::Immovable => f64::INFINITY,
+    }
+}
+
+/// A contact with its normal in the struck link's axes, so that it moves with it.
+fn in_link(case: &Case, system: &System, pose: &Pose) -> Contact {
+    let located = system.locate(pose, &case.contact()).expect("a contact");
+    case.contact().normal(Direction::Along(located.normal_link, Frame::Link))
+}
+
+#[test]
+fn the_sign_of_the_normal() {
+    let mut gauge = Gauge::new("n̂ → −n̂");
+    for case in all_cases() {
+        let system = case.system();
+        let pose = case.pose(&system);
+        for route in [Route::Dense, Route::Articulated] {
+            let Some(one) = strike(&system, &pose, &case.contact(), route) else { continue };
+            let back = case.contact().normal(Direction::Along(-case.normal, Frame::World));
+            let other = strike(&system, &pose, &back, route).expect("the same system");
+            // Bit by bit by the recursion; reflections of the least squares take another sign.
+            same(&mut gauge, &case.name, &other, &one, 16.0 * f64::EPSILON);
+        }
+    }
+    gauge.report();
+}
+
+#[test]
+fn which_side_is_called_struck() {
+    let mut gauge = Gauge::new("sides swapped");
+    for case in all_cases() {
+        let Some(other) = case.against else { continue };
+        let system = case.system();
+        let pose = case.pose(&system);
+        let point = pose.link(&system, other).inverse_point(&pose.link(&system, case.on).point(&case.point));
+        let swapped = Case { on: other, against: Some(case.on), point, normal: -case.normal, ..case.clone() };
+        for route in [Route::Dense, Route::Articulated] {
+            let Some(one) = strike(&system, &pose, &case.contact(), route) else { continue };
+            let back = strike(&system, &pose, &swapped.contact(), route).expect("the same system");
+            // The point goes through the other link's frame: an error of ε times the reach, that the strike turns.
+            let turned = 8.0 * f64::EPSILON * reach(&case) * Motion::of(&one).size();
+            same(&mut gauge, &case.name, &back, &one, rounding(&one) + turned);
+        }
+    }
+    gauge.report();
+}
+
+/// All links in a line, and the contact point, m.
+fn reach(case: &Case) -> f64 {
+    let links: f64 = case.mechanism.links().iter().map(percuss_mechanism::Link::extent).sum();
+    links + case.point.norm()
+}
+
+#[test]
+fn two_sides_of_one_tree_are_no_two_mechanisms() {
+    let mut different = 0;
+    for case in all_cases() {
+        let Some(other) = case.against else { continue };
+        let system = case.system();
+        if !share_a_moving_ancestor(&case, &system, other) {
+            continue;
+        }
+        let pose = case.pose(&system);
+        let point = pose.link(&system, other).inverse_point(&pose.link(&system, case.on).point(&case.point));
+        let alone = |on, point| weight(&auto(&Case { on, point, against: None, ..case.clone() }));
+        let (one, two) = (alone(case.on, case.point), alone(other, point));
+        let together = weight(&auto(&case));
+        // The sum of the inverses drops the cross terms; the oracle (tests/identities.rs) has them.
+        if one.is_finite() && two.is_finite() && together.is_finite() && together > 0.0 {
+            let dropped = closed_form::series(one, two);
+            different += usize::from((dropped / together - 1.0).abs() > 1e-2);
+        }
+    }
+    assert!(different > 20, "{different} cases tell the difference");
+}
+
+/// Whether some joint that moves carries both sides.
+fn share_a_moving_ancestor(case: &Case, system: &System, other: LinkId) -> bool {
+    let above = |link: LinkId| {
+        std::iter::successors(case.mechanism.parent_joint(link), |&joint| {
+            case.mechanism.parent_joint(case.mechanism.joint(joint).parent())
+        })
+        .filter(|&joint| !system.is_locked(joint) && case.mechanism.joint(joint).kind().dofs() > 0)
+        .collect::<Vec<_>>()
+    };
+    let of_other = above(other);
+    above(case.on).iter().any(|joint| of_other.contains(joint)) || case.base == Base::Floating
+}
+
+#[test]
+fn a_base_far_away() {
+    let x_wr = Transform::new(rotation_from_rpy([0.7, -0.4, 2.1]), Vector3::new(0.6, -0.64, 0.48) * FAR);
+    let mut gauge = Gauge::new("point given 10 km away");
+    for case in all_cases() {
+        let system = case.system();
+        let here = case.pose(&system);
+        let there = system.pose(case.configuration(&system).set_base(x_wr));
+        let contact = in_link(&case, &system, &here);
+        let point_world = there.link(&system, case.on).point(&case.point);
+        let point = system.point_in_link(&there, case.on, case.against, Frame::World, point_world);
+        let normal_world = x_wr.vector(&case.normal);
+        let far = Contact { point, ..case.contact() }.normal(Direction::Along(normal_world, Frame::World));
+        for route in [Route::Dense, Route::Articulated] {
+            let Some(one) = strike(&system, &here, &contact, route) else { continue };
+            // Given in the link, not a bit changes: all is seen from the root link.
+            let same_bits = strike(&system, &there, &contact, route).expect("the same system");
+            assert_eq!(one.effective_mass, same_bits.effective_mass, "{}", case.name);
+            // Given in the world, the point is known to a few ε of 10 km; dm̄/m̄ = 2 |ω*| times that, with ω* the turn
+            // of the strike at unit closing speed.
+            let blurred = strike(&system, &there, &far, route).expect("the same system");
+            let turn = 2.0 * Motion::of(&one).size() * 4.0 * f64::EPSILON * (FAR + reach(&case));
+            same(&mut gauge, &case.name, &blurred, &one, rounding(&one) + turn);
+        }
+    }
+    gauge.report();
+}
+
+#[test]
+fn a_root_far_away() {
+    let x_gr = Transform::new(rotation_from_rpy([-0.3, 1.1, 0.5]), Vector3::new(0.48, 0.6, -0.64) * FAR);
+    let mut held = Gauge::new("root frame 10 km away, held");
+    let mut flying = Gauge::new("root frame 10 km away, flying, in its own error bound");
+    for case in all_cases() {
+        let system = case.system();
+        let pose = case.pose(&system);
+        let mut far = case.clone();
+        far.mechanism = Arc::new(alter::rebased(&case.mechanism, x_gr));
+        far.positions.push(Vec::new());
+        far.normal = x_gr.vector(&case.normal);
+        let far_system = far.system();
+        let far_pose = far.pose(&far_system);
+        for route in [Route::Dense, Route::Articulated] {
+            let Some(one) = strike(&system, &pose, &case.contact(), route) else { continue };
+            let Some(other) = strike(&far_system, &far_pose, &far.contact(), route) else {
+                // Only what flies is hard to see from there: M about a point 10 km off.
+                assert_eq!(case.base, Base::Floating, "{}", case.name);
+                continue;
+            };
+            let (EffectiveMass::Finite(m), EffectiveMass::Finite(n)) =
+                (one.effective_mass, other.effective_mass)
+            else {
+                if case.base == Base::Fixed {
+                    assert_eq!(one.effective_mass, other.effective_mass, "{}", case.name);
+                }
+                continue;
+            };
+            // Every frame is known to a few ε of 10 km, e: j changes by |ω*| e, links move by |ω*| e too fast, and
+            // dm̄/m̄ ≤ 2 |ω*| e (1 + √(mass/m̄)).
+            let e = 4.0 * f64::EPSILON * FAR;
+            let mass = case.mechanism.total_mass();
+            let blur = 2.0 * Motion::of(&one).size() * e * (1.0 + (mass / m).sqrt()) + rounding(&one);
+            match case.base {
+                Base::Fixed => held.relative(&case.name, n, m, blur),
+                Base::Floating => {
+                    let said = other.effective_mass_error.expect("finite") / n;
+                    flying.relative(&case.name, n, m, blur + said);
+                }
+            }
+        }
+    }
+    held.report();
+    flying.report();
+}
+
+#[test]
+fn the_units() {
+    let mut gauge = Gauge::new("millimetres and grams");
+    // m̄ in grams is a thousand times m̄ in kilograms; the unit of length does not matter to it.
+    for (length, mass) in [(1e3, 1.0), (1.0, 1e3), (0.0254, 0.4536)] {
+        for case in all_cases().into_iter().filter(|case| case.armatures.is_empty()) {
+            let mut other = case.clone();
+            other.mechanism = Arc::new(alter::scaled(&case.mechanism, length, mass));
+            other.positions = alter::scaled_positions(&case.mechanism, &case.positions, length);
+            other.point *= length;
+            let (system, other_system) = (case.system(), other.system());
+            let (pose, other_pose) = (case.pose(&system), other.pose(&other_system));
+            for route in [Route::Dense, Route::Articulated] {
+                let one = strike(&system, &pose, &case.contact(), route);
+                let two = strike(&other_system, &other_pose, &other.contact(), route);
+                assert_eq!(one.is_some(), two.is_some(), "{}: a route depends on units", case.name);
+                let (Some(one), Some(mut two)) = (one, two) else { continue };
+                if let EffectiveMass::Finite(m) = &mut two.effective_mass {
+                    *m /= mass;
+                }
+                // The point and the frames are rounded anew.
+                let blur = 8.0 * f64::EPSILON * reach(&case) * Motion::of(&one).size();
+                same(&mut gauge, &case.name, &two, &one, rounding(&one) + blur);
+            }
+        }
+    }
+    gauge.report();
+}
+
+#[test]
+fn links_held_together_are_one_or_many_bodies() {
+    let mut gauge = Gauge::new("merged = unmerged");
+    let mut fixed = 0;
+    for case in all_cases() {
+        let system = case.system();
+        let apart = System::new(Arc::clone(&case.mechanism), &case.conditions().keep_fixed_joints()).unwrap();
+        let (pose, apart_pose) = (case.pose(&system), case.pose(&apart));
+        fixed += case.mechanism.joints().iter().filter(|j| j.kind().dofs() == 0).count();
+        for route in [Route::Dense, Route::Articulated] {
+            let Some(one) = strike(&system, &pose, &case.contact(), route) else { continue };
+            let two = strike(&apart, &apart_pose, &case.contact(), route).expect("the same mechanism");
+            same(&mut gauge, &case.name, &two, &one, rounding(&one));
+            assert_eq!(one.degrees_of_freedom, two.degrees_of_freedom, "{}", case.name);
+            if let (Some(one), Some(two)) = (&one.shares, &two.shares) {
+                for (a, b) in one.links.iter().zip(&two.links) {
+                    gauge.note(&case.name, (a - b).abs(), rounding_of(&case));
+                }
+            }
+        }
+    }
+    gauge.report();
+    assert!(fixed > 0, "no fixed joint came");
+}
+
+fn rounding_of(case: &Case) -> f64 {
+    rounding(&auto(case))
+}
+
+#[test]
+fn the_frame_a_contact_is_given_in() {
+    let x_wr = Transform::new(rotation_from_rpy([0.2, 0.9, -1.3]), Vector3::new(1.0, -2.0, 0.5));
+    let mut gauge = Gauge::new("frames of a contact");
+    let mut points = Gauge::new("frames of a point");
+    for case in all_cases() {
+        let system = case.system();
+        let pose = system.pose(case.configuration(&system).set_base(x_wr));
+        let contact = in_link(&case, &system, &case.pose(&system));
+        let located = system.locate(&pose, &contact).expect("a contact");
+        let one = system.strike(&pose, &contact, RouteChoice::Auto).expect("an answer");
+        let x_wa = case.against.map_or_else(Transform::identity, |link| pose.link(&system, link));
+        let in_against =
+            (x_wa.inverse_point(&located.point_world), x_wa.inverse_vector(&located.normal_world));
+        let ways = [
+            (Frame::Link, located.point_link, located.normal_link),
+            (Frame::World, located.point_world, located.normal_world),
+            (Frame::Against, in_against.0, in_against.1),
+        ];
+        let blur = 16.0 * f64::EPSILON * (3.0 + reach(&case));
+        let bound = rounding(&one) + 2.0 * blur * (1.0 + Motion::of(&one).size());
+        for (frame, point, normal) in ways {
+            let point = system.point_in_link(&pose, case.on, case.against, frame, point);
+            points.note(&case.name, (point - case.point).norm(), blur);
+            let again = Contact { point, ..contact }.normal(Direction::Along(normal * 3.0, frame));
+            let two = system.strike(&pose, &again, RouteChoice::Auto).expect("an answer");
+            same(&mut gauge, &case.name, &two, &one, bound);
+        }
+        // Along a line to a point of the root link, two metres off.
+        let target = pose.base().inverse_point(&(located.point_world + located.normal_world * 2.0));
+        let toward = contact.normal(Direction::Toward(case.mechanism.root(), target));
+        let two = system.strike(&pose, &toward, RouteChoice::Auto).expect("an answer");
+        same(&mut gauge, &case.name, &two, &one, bound);
+    }
+    gauge.report();
+    points.report();
+}
+
+#[test]
+fn mass_never_lightens_it() {
+    let mut rng = StdRng::seed_from_u64(51);
+    let (mut heavier, mut tried) = (0, 0);
+    for case in all_cases() {
+        let one = auto(&case);
+        let slack = 4.0 * rounding(&one);
+        for _ in 0..3 {
+            let link = rng.random_range(0..case.mechanism.links().len());
+            let (mut links, joints) = alter::describe(&case.mechanism);
+            let Some(inertial) = &mut links[link].inertial else { continue };
+            inertial.mass *= 1.5;
+            inertial.about_com *= 1.5;
+            let mechanism = Arc::new(alter::build(case.mechanism.name(), links, joints));
+            let two = auto(&Case { mechanism, ..case.clone() });
+            let (before, after) = (weight(&one), weight(&two));
+            assert!(after >= before * (1.0 - slack), "{}: {before} kg, then {after} kg", case.name);
+            tried += 1;
+            // By its share at most (m̄ is concave in the masses); and where it has one, it counts.
+            if let Some(shares) = &one.shares {
+                let most = before * (1.0 + 0.5 * shares.links[link]);
+                assert!(after <= most * (1.0 + slack), "{}: {after} kg, at most {most} kg", case.name);
+                if shares.links[link] > 1e-3 {
+                    assert!(after > before * (1.0 + 1e-8), "{}: {before} kg, then {after} kg", case.name);
+                    heavier += 1;
+                }
+            }
+        }
+    }
+    assert!(heavier > 50 && tried > heavier, "{heavier} of {tried}");
+}
+
+#[test]
+fn constraints_never_lighten_it() {
+    let mut rng = StdRng::seed_from_u64(52);
+    let (mut heavier, mut stopped) = (0, 0);
+    for case in all_cases() {
+        let one = auto(&case);
+        let slack = 4.0 * rounding(&one);
+        let mut tied = Vec::new();
+        for id in case.mechanism.joint_ids() {
+            if !case.locks.contains(&id) && rng.random_bool(0.3) {
+                let mut more = case.clone();
+                more.locks.push(id);
+                tied.push(more);
+            }
+        }
+        if case.base == Base::Floating {
+            tied.push(Case { base: Base::Fixed, ..case.clone() });
+        }
+        for more in tied {
+            let (before, after) = (weight(&one), weight(&auto(&more)));
+            assert!(after >= before * (1.0 - slack), "{}: {before} kg, then {after} kg", case.name);
+            heavier += usize::from(after.is_finite() && after > before * 1.001);
+            stopped += usize::from(before.is_finite() && after.is_infinite());
+        }
+    }
+    assert!(heavier > 50 && stopped > 0, "{heavier} heavier, {stopped} stopped");
+}
+
+#[test]
+fn conditions_are_those_of_the_analysis_only() {
+    // The same mechanism under other conditions, and back: nothing sticks to it.
+    for case in all_cases().into_iter().step_by(7) {
+        let before = auto(&case).effective_mass;
+        let _ = System::new(Arc::clone(&case.mechanism), &Conditions::new().base(Base::Floating)).unwrap();
+        assert_eq!(auto(&case).effective_mass, before, "{}", case.name);
+    }
+}

@@ -1,7 +1,6 @@
 """Compares percuss with Pinocchio and MuJoCo on the URDFs of example-robot-data. Run by run.sh; see README.md."""
 
 import argparse
-import collections
 import json
 import subprocess
 import sys
@@ -16,146 +15,167 @@ import mujoco_peer
 import pinocchio_peer
 import questions
 import urdf_file
-from reference import Inertia
+from ledger import Ledger
+from reference import SINGULAR, Inertia
 from tally import Tally
 
-HERE = Path(__file__).resolve().parent
 ROBOTS = Path(sysconfig.get_paths()["purelib"]) / "cmeel.prefix/share/example-robot-data/robots"
-OURS = HERE / "robots"
-FILES = 69
+OURS = Path(__file__).resolve().parent / "robots"
+FILES = 69  # in ROBOTS
 SEED = 20261121
+CONTACTS = 5  # per configuration
 
-MATRIX = 1e-10  # relative Frobenius
-MASS = 1e-9  # relative
-PLACE = 1e-12  # relative: points, normals, positions
-IN_MUJOCO = ()
-EXPECTED = ("finite", "immovable", "massless")
+# README.md says why.
+PLACE = 1e-12  # points (m), normals, positions
+MATRIX = 1e-13  # M, relative by Frobenius' norm; j, relative to the size of its terms
+AMPLIFIED = 1e-14  # m̄, relative, for each time that rounding is magnified
+RECURSION = 1e-11  # m̄, relative: what percuss itself asks of its recursion
+MASS = 1e-9  # m̄, relative, wherever the two above allow it
 
-
-def ask(probe, **request):
-    run = subprocess.run([probe], input=json.dumps(request), capture_output=True, text=True)
-    if run.returncode != 0:
-        sys.exit(f"the probe failed on {request['model']}: {run.stderr.strip()}")
-    return json.loads(run.stdout)
-
-
-def relative(got, wanted):
-    """Of matrices or vectors, by the norm of what is wanted."""
-    got, wanted = np.asarray(got, float), np.asarray(wanted, float)
-    if got.shape != wanted.shape:
-        return np.inf
-    size = np.linalg.norm(wanted)
-    return np.linalg.norm(got - wanted) / size if size > 0 else float(np.linalg.norm(got) > 0)
-
-
-def load(probe, path, entry, tally, name):
-    """Loads a file as the ledger says, and compares what is said of it. True where a mechanism comes of it."""
-    plain = ask(probe, model=str(path))
-    found = {"diagnostics": counted(plain)}
-    accept = False
-    if not plain["loaded"]:
-        codes = {d["code"] for d in plain["diagnostics"] if d["severity"] == "error"}
-        found = {"refused": counted(plain)}
-        accept = codes == {"indefinite-inertia"}
-        if accept:
-            accepted = ask(probe, model=str(path), accept_indefinite_inertia=True)
-            found |= {"accept": ["indefinite-inertia"], "diagnostics": counted(accepted)}
-            tally.check("loads when accepted", name, accepted["loaded"])
-    tally.check("diagnostics as in the ledger", name, found == entry, f"{found} and not {entry}")
-    return found
-
-
-def counted(answer):
-    return dict(sorted(collections.Counter(f"{d['severity']} {d['code']}" for d in answer["diagnostics"]).items()))
-
-
-def compare(probe, path, name, floating, accept, options, tally):
-    """One file on one base."""
-    robot = urdf_file.read(path)
-    label = f"{name}, {'floating' if floating else 'fixed'}"
-    rng = np.random.default_rng([SEED, zlib.crc32(name.encode()), floating])
-    asked = questions.configurations(robot, floating, options.configurations, 5, rng)
-    base = "floating" if floating else "fixed"
-    answer = ask(probe, model=str(path), accept_indefinite_inertia=accept, base=base, configurations=asked)
-    coordinates = [tuple(c) for c in answer["coordinates"]]
-    peer = pinocchio_peer.Peer(path, robot, floating)
-    folding = None
-    if any(j.mimic for j in robot.movable):
-        try:
-            folding = pinocchio_peer.Peer(path, robot, floating, fold=True)
-        except pinocchio_peer.Refused as refusal:
-            tally.refused_mimic[name] = str(refusal).strip()
-    mujoco = mujoco_peer.Peer(path, robot, floating) if Path(name).stem in IN_MUJOCO else None
-    for k, (wanted, got) in enumerate(zip(asked, answer["configurations"], strict=True)):
-        where = f"{label}, configuration {k}"
-        positions = robot.positions(wanted["joints"])
-        off = [relative(got["pose"].get(j, []), p) if np.any(p) else np.abs(got["pose"][j]).max() for j, p in positions.items()]
-        tally.within("pose, mimics included", where, max(off, default=0.0), PLACE)
-        m = np.array(got["mass_matrix"]).reshape(len(coordinates), len(coordinates))
-        peer.pose(coordinates, positions, wanted["base"])
-        inertia = Inertia(peer.mass_matrix())
-        tally.condition(label, inertia.condition)
-        tally.within("M, Pinocchio", where, relative(m, peer.mass_matrix()), MATRIX)
-        if folding:
-            folding.pose(coordinates, positions, wanted["base"])
-            tally.within("M, Pinocchio folding mimics", where, relative(m, folding.mass_matrix()), MATRIX)
-        contacts(peer, inertia, wanted, got, where, MASS, tally)
-        if mujoco:
-            mujoco.pose(coordinates, positions, wanted["base"])
-            theirs = mujoco.mass_matrix()
-            tally.within("M, MuJoCo", where, relative(m, theirs), MATRIX)
-            contacts(mujoco, Inertia(theirs), wanted, got, where, MASS, tally)
-
-
-def contacts(peer, inertia, wanted, got, where, tolerance, tally):
-    """Every contact of a configuration, against one peer."""
-    for c, (contact, answer) in enumerate(zip(wanted["contacts"], got["contacts"], strict=True)):
-        here = f"{where}, contact {c}"
-        point, normal = peer.located(contact)
-        tally.within(f"contact in the world, {peer.name}", here, max(relative(answer["point_world"], point), relative(answer["normal_world"], normal)), PLACE)
-        on, size = peer.point_jacobian(contact["link"], point)
-        if contact["against"]:
-            against, more = peer.point_jacobian(contact["against"], point)
-            on, size = on - against, size + more
-        row = normal @ on
-        off = np.abs(np.array(answer["row"]) - row).max(initial=0.0)
-        tally.within(f"j, {peer.name}", here, off / size.max() if off > 0 else 0.0, MATRIX)
-        outcome = inertia.outcome(row, size)
-        for route in ("chosen", "dense"):
-            ours = answer if route == "chosen" else answer["dense"]
-            same = ours["status"] == outcome.status
-            tally.check(f"status, {peer.name}, {route} route", here, same, f"{ours['status']} and not {outcome} ({ours['error']})")
-            if same and outcome.status == "finite":
-                off = abs(ours["effective_mass"] / outcome.effective_mass - 1)
-                tally.within(f"m̄, {peer.name}, {route} route", here, off, max(tolerance, 1e-14*inertia.condition), inertia.condition)
-        tally.status(peer.name, answer["status"], answer["route"])
+ALWAYS_IN_MUJOCO = ("ur5_robot", "panda", "g1_29dof_rev_1_0", "talos_full_v2")
+STATUSES = ("finite", "immovable", "massless")
 
 
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--probe", required=True)
     parser.add_argument("--only", default="", help="files whose path contains this")
-    parser.add_argument("--configurations", type=int, default=20)
-    parser.add_argument("--update-ledger", action="store_true")
+    parser.add_argument("--configurations", type=int, default=60, help="of each file on each base")
+    parser.add_argument("--update-ledger", action="store_true", help="take what is found as right")
     options = parser.parse_args()
-    start = time.monotonic()
-    tally, ledger_path = Tally(), HERE / "ledger.json"
-    ledger = json.loads(ledger_path.read_text()) if ledger_path.exists() else {}
-    paths = {str(p.relative_to(ROBOTS)): p for p in sorted(ROBOTS.rglob("*.urdf"))}
-    tally.check("all files there", "example-robot-data", len(paths) == FILES, f"{len(paths)} files and not {FILES}")
-    found = {}
-    for name, path in paths.items():
-        if options.only not in name:
-            continue
-        entry = ledger.get(name)
-        found[name] = load(options.probe, path, entry, tally, name)
-        accept = "accept" in (found if options.update_ledger else ledger).get(name, {})
-        if "diagnostics" in found[name] and accept == ("accept" in found[name]):
-            for floating in (False, True):
-                compare(options.probe, path, name, floating, accept, options, tally)
-    if options.update_ledger and not options.only:
-        ledger_path.write_text(json.dumps(found, indent=2) + "\n")
-    tally.report(time.monotonic() - start)
+    start, tally, ledger = time.monotonic(), Tally(), Ledger(options.update_ledger)
+    files = {str(path.relative_to(ROBOTS)): path for path in sorted(ROBOTS.rglob("*.urdf"))}
+    tally.check("all files are there", str(ROBOTS), len(files) == FILES, f"{len(files)} files, and not {FILES}")
+    files |= {f"ours/{path.name}": path for path in sorted(OURS.glob("*.urdf"))}
+    for name, path in files.items():
+        if options.only in name:
+            one_file(name, path, options, ledger, tally)
+    everything = not options.only
+    ledger.close(tally, everything)
+    if everything:
+        nothing_was_skipped(ledger, tally)
+    summary(ledger)
+    sys.exit(tally.report(time.monotonic() - start))
+
+
+def one_file(name, path, options, ledger, tally):
+    def ask(accept, **more):
+        request = {"model": str(path), "accept_indefinite_inertia": accept, **more}
+        run = subprocess.run([options.probe], input=json.dumps(request), capture_output=True, text=True)
+        if run.returncode != 0:
+            sys.exit(f"the probe failed on {name}: {run.stderr.strip()}")
+        return json.loads(run.stdout)
+
+    accept = ledger.load(name, ask)
+    if accept is None:
+        return
+    robot = urdf_file.read(path)
+    for base in ("fixed", "floating"):
+        rng = np.random.default_rng([SEED, zlib.crc32(name.encode()), base == "floating"])
+        asked = questions.configurations(robot, base == "floating", options.configurations, CONTACTS, rng)
+        answer = ask(accept, base=base, configurations=asked)
+        coordinates = [tuple(c) for c in answer["coordinates"]]
+        peers = list(peers_of(name, path, robot, base == "floating", ledger))
+        for k, (wanted, got) in enumerate(zip(asked, answer["configurations"], strict=True)):
+            where = f"{name}, {base}, configuration {k}"
+            positions = robot.positions(wanted["joints"])
+            one_pose(positions, got["pose"], where, tally)
+            for peer in peers:
+                peer.pose(coordinates, positions, wanted["base"])
+                one_configuration(peer, base, wanted["contacts"], got, where, tally)
+
+
+def peers_of(name, path, robot, floating, ledger):
+    """Those that take the file."""
+    yield pinocchio_peer.Peer(path, robot, floating)
+    for peer, wanted in [
+        (pinocchio_peer.FoldingPeer, any(joint.mimic for joint in robot.movable)),
+        (mujoco_peer.Peer, True),
+    ]:
+        try:
+            if wanted:
+                yield peer(path, robot, floating)
+        except urdf_file.Refused as refusal:
+            ledger.refused_by(name, peer.name, refusal)
+
+
+def one_pose(wanted, got, where, tally):
+    tally.check("joints that move", where, got.keys() == wanted.keys(), f"{got.keys() ^ wanted.keys()}")
+    off = [np.abs(np.subtract(got[joint], wanted[joint])).max() for joint in wanted if joint in got]
+    tally.within("positions, mimics included", where, max(off, default=0.0), PLACE)
+
+
+def one_configuration(peer, base, contacts, got, where, tally):
+    theirs = peer.mass_matrix()
+    ours = np.array(got["mass_matrix"]).reshape(theirs.shape)
+    size = np.linalg.norm(theirs)
+    off = np.linalg.norm(ours - theirs)
+    tally.within(f"M, {peer.name}", where, off / size if off > 0 else 0.0, MATRIX)
+    if not peer.knows_contacts:
+        return
+    inertia = Inertia(theirs)
+    regular = inertia.condition < SINGULAR
+    tally.check(f"M regular but for zero rows, {peer.name}", where, regular, f"condition {inertia.condition:.1e}")
+    tally.condition(where.rsplit(",", 1)[0], inertia.condition)
+    for c, (contact, answer) in enumerate(zip(contacts, got["contacts"], strict=True)):
+        one_contact(peer, base, inertia, contact, answer, f"{where}, contact {c}", tally)
+
+
+def one_contact(peer, base, inertia, contact, answer, where, tally):
+    point, normal = peer.located(contact)
+    off = max(np.abs(point - answer["point_world"]).max(), np.abs(normal - answer["normal_world"]).max())
+    tally.within(f"point and normal, {peer.name}", where, off, PLACE)
+    jacobian, size = peer.point_jacobian(contact["link"], point)
+    if contact["against"]:
+        # The relative row first: adding the two sides' inverses would drop the cross terms.
+        against, more = peer.point_jacobian(contact["against"], point)
+        jacobian, size = jacobian - against, size + more
+    row = normal @ jacobian
+    off = np.abs(row - answer["row"]).max(initial=0.0)
+    tally.within(f"j, {peer.name}", where, off / size.max() if off > 0 else 0.0, MATRIX)
+    outcome = inertia.outcome(row, size)
+    for route, ours in (("chosen", answer), ("dense", answer["dense"])):
+        status = ours["status"]
+        message = f"{status} ({ours['error']}), and not {outcome}"
+        tally.check(f"status, {route} route, {peer.name}", where, status in outcome.statuses, message)
+        if status == "finite" and "finite" in outcome.statuses:
+            one_mass(ours, outcome, peer, route, where, tally)
+    if len(outcome.statuses) == 1:
+        tally.answers[peer.name, base, answer["status"]] += 1
+    else:
+        tally.undecided[peer.name, answer["status"]] += 1
+
+
+def one_mass(ours, outcome, peer, route, where, tally):
+    label = f"{route} route, {peer.name}"
+    off = abs(ours["effective_mass"] / outcome.effective_mass - 1)
+    bound = RECURSION + AMPLIFIED * outcome.magnified
+    tally.within(f"m̄ by rounding's bound, {label}", where, off / bound, 1.0)
+    if bound <= MASS:
+        tally.within(f"m̄, {label}", where, off, MASS)
+    claimed = ours["effective_mass_error"] / ours["effective_mass"]
+    tally.within(f"m̄ by its own bound, {label}", where, off / (claimed + peer.rounding * outcome.magnified), 1.0)
+
+
+def nothing_was_skipped(ledger, tally):
+    for base in ("fixed", "floating"):
+        for status in STATUSES:
+            count = tally.answers[pinocchio_peer.Peer.name, base, status]
+            tally.check("every status occurs", f"{base}, {status}", count > 0, "never")
+    for stem in ALWAYS_IN_MUJOCO:
+        entries = [entry for name, entry in ledger.found.items() if Path(name).stem == stem]
+        taken = bool(entries) and all(mujoco_peer.Peer.name not in entry.get("peers", {}) for entry in entries)
+        tally.check("MuJoCo takes it", stem, taken, "it was not compared")
+
+
+def summary(ledger):
+    entries = ledger.found
+    print(f"{len(entries)} files, {sum('diagnostics' in e for e in entries.values())} loaded")
+    for what, key in (("refused", "refused"), ("loaded with accept indefinite-inertia", "accept")):
+        print(f"{what}: " + ", ".join(name for name, entry in entries.items() if key in entry))
+    for peer in (pinocchio_peer.FoldingPeer.name, mujoco_peer.Peer.name):
+        refused = [name for name, entry in entries.items() if peer in entry.get("peers", {})]
+        print(f"{peer} refuses {len(refused)}")
 
 
 if __name__ == "__main__":

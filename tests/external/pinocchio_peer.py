@@ -3,41 +3,31 @@
 import numpy as np
 import pinocchio as pin
 
-from urdf_file import BASE
-
-
-class Refused(Exception):
-    """Pinocchio does not take the file."""
+from urdf_file import BASE, Refused
 
 
 def skew(r):
     return np.array([[0, -r[2], r[1]], [r[2], 0, -r[0]], [-r[1], r[0], 0]])
 
 
-def matrix(quaternion):
-    w, x, y, z = quaternion
-    return pin.Quaternion(w, x, y, z).toRotationMatrix()
-
 
 class Peer:
-    """A model in which mimics are joints like any other (`fold=False`: the mimics are folded in here, by G), or one in
-    which Pinocchio folds them itself."""
+    """A model in which mimics are joints like any other; they are folded into their masters here, by T."""
 
     name = "Pinocchio"
+    knows_contacts = True
+    rounding = 1e-15  # of its M, relative
+    options = {}
 
-    def __init__(self, path, robot, floating, fold=False):
-        options = {"mimic": True} if fold else {}
+    def __init__(self, path, robot, floating):
         root = [pin.JointModelFreeFlyer()] if floating else []
         try:
-            self.model = pin.buildModelFromUrdf(str(path), *root, **options)
+            self.model = pin.buildModelFromUrdf(str(path), *root, **self.options)
         except Exception as error:  # Pinocchio's own, of several types
-            raise Refused(str(error)) from error
-        self.data, self.robot, self.fold = self.model.createData(), robot, fold
-        self.joints = {}
-        for name, joint in list(zip(self.model.names, self.model.joints))[1:]:  # the first is the universe
-            name = BASE if name == "root_joint" and floating else name
-            if joint.nv > 0 and not (fold and name in robot.joints and not robot.is_master(robot.joints[name])):
-                self.joints[name] = joint
+            raise Refused(str(error).strip().splitlines()[-1]) from error
+        self.data, self.robot = self.model.createData(), robot
+        named = list(zip(self.model.names, self.model.joints))[1:]  # the first is the universe
+        self.joints = {BASE if floating and k == 0 else name: joint for k, (name, joint) in enumerate(named)}
 
     def pose(self, coordinates, positions, base):
         """Places the model. T: velocities of the model = T · percuss's coordinates."""
@@ -78,6 +68,19 @@ class Peer:
         arm = point - self.data.oMf[frame].translation
         size = np.linalg.norm(j[:3], axis=0) + np.linalg.norm(j[3:], axis=0) * max(np.linalg.norm(arm), 1e-3)
         return j[:3] - skew(arm) @ j[3:], size
+
+
+class FoldingPeer(Peer):
+    """A model in which Pinocchio itself folds mimics into their masters. Asked for M only."""
+
+    name = "Pinocchio folding mimics"
+    knows_contacts = False
+    options = {"mimic": True}
+
+    def __init__(self, path, robot, floating):
+        super().__init__(path, robot, floating)
+        mimics = {joint.name for joint in robot.movable if not robot.is_master(joint)}
+        self.joints = {name: joint for name, joint in self.joints.items() if name not in mimics}
 
 
 def layout(joint, at):

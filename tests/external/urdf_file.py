@@ -11,6 +11,10 @@ MOVABLE = ("revolute", "continuous", "prismatic", "planar", "floating")
 ONE_VALUE = ("revolute", "continuous", "prismatic")
 
 
+class Refused(Exception):
+    """Another program does not take the file."""
+
+
 def vector(text):
     return np.array([float(x) for x in text.split()])
 
@@ -92,12 +96,14 @@ def read(path):
             element.find("child").get("link"),
             axis / max(np.linalg.norm(axis), 1e-300),
             (float(limit.get("lower", 0)), float(limit.get("upper", 0))),
-            mimic is not None
-            and (mimic.get("joint"), float(mimic.get("multiplier", 1)), float(mimic.get("offset", 0)))
-            or None,
+            None if mimic is None else master_of(mimic),
         )
         joints[joint.name] = joint
     return Robot([element.get("name") for element in root.findall("link")], joints)
+
+
+def master_of(mimic):
+    return mimic.get("joint"), float(mimic.get("multiplier", 1)), float(mimic.get("offset", 0))
 
 
 def unit(rng, count=3):

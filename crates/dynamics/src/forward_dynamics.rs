@@ -1,5 +1,6 @@
 //! Accelerations under forces, by the articulated-body algorithm in body coordinates. Forms no matrix.
 
+use crate::strike::LEAST_PIVOT;
 use crate::{Pose, RouteError, System};
 use nalgebra::Vector3;
 use percuss_mechanism::LinkId;
@@ -97,6 +98,9 @@ impl System {
     ) -> Result<Vec<Step>, RouteError> {
         let mut steps =
             vec![Step { s: Twist::zero(), u: Wrench::zero(), d: 0.0, t: 0.0 }; self.follows.len()];
+        // Rigid inertia carried, about each body's origin: trace of the rotational part (or more), mass.
+        let mut sizes: Vec<(f64, f64)> =
+            self.bodies.iter().map(|b| (b.inertia.rotational.trace(), b.inertia.mass)).collect();
         for (i, body) in self.bodies.iter().enumerate().rev() {
             // The bias acceleration c acts on the child's side of all the joint's velocities.
             wrenches[i] += inertias[i].apply(&biases[i]);
@@ -104,8 +108,12 @@ impl System {
                 let s = pose.kinematics.column(self, i, k);
                 let u = inertias[i].apply(&s);
                 let d = u.power(&s) + body.armature[k];
-                if d <= 0.0 {
-                    return Err(RouteError::SingularPivot { least_pivot: d });
+                let (turn, mass) = sizes[i];
+                let d_size =
+                    s.angular.norm_squared() * turn + s.linear.norm_squared() * mass + body.armature[k];
+                if d <= LEAST_PIVOT * d_size {
+                    let least_pivot = if d_size > 0.0 { d / d_size } else { 0.0 };
+                    return Err(RouteError::SingularPivot { least_pivot });
                 }
                 let t = -wrenches[i].power(&s);
                 wrenches[i] += u * (t / d);
@@ -118,6 +126,11 @@ impl System {
                 inertias[parent] += &carried;
                 let wrench = step.wrench(&wrenches[i]);
                 wrenches[parent] += wrench;
+                // The trace about the parent's origin is ∫ 2 r² dm, r at most the distances together.
+                let (turn, mass) = sizes[i];
+                let shift = step.translation.norm() * (2.0 * mass).sqrt();
+                sizes[parent].0 += (turn.sqrt() + shift).powi(2);
+                sizes[parent].1 += mass;
             }
         }
         Ok(steps)

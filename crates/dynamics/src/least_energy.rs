@@ -46,6 +46,9 @@ pub(crate) struct Solution {
     pub approach: f64,
     /// Condition of M scaled to unit diagonal; none where it is singular.
     pub condition: Option<f64>,
+    /// Largest over smallest pivot of M scaled to unit diagonal, zero ones aside: what the condition is to a regular
+    /// M, to its order.
+    pub pivot_spread: f64,
     /// How many directions of motion carry no mass.
     pub massless_directions: usize,
 }
@@ -63,6 +66,8 @@ struct Factor {
     /// Lᵀ, rank×n.
     transpose: Mat<f64>,
     negative: bool,
+    /// Largest over smallest pivot that is not zero.
+    spread: f64,
 }
 
 impl LeastEnergy<'_> {
@@ -83,6 +88,7 @@ impl LeastEnergy<'_> {
             mobility,
             approach: self.approach(&kernel, &scales),
             condition: (rank == n && !factor.negative).then(|| condition(mass.as_ref())).flatten(),
+            pivot_spread: factor.spread,
             massless_directions: n - rank,
         };
         if solution.approach <= IMMOVABLE {
@@ -167,9 +173,12 @@ impl LeastEnergy<'_> {
         let mut remaining: Vec<f64> = (0..n).map(|k| mass[(k, k)]).collect();
         let mut rows: Vec<Vec<f64>> = Vec::with_capacity(n);
         let mut done = vec![false; n];
+        let (mut first, mut last) = (1.0, 1.0);
         loop {
             let open = (0..n).filter(|&k| !done[k] && remaining[k] > tolerance(k));
             let Some(pivot) = open.max_by(|&a, &b| remaining[a].total_cmp(&remaining[b])) else { break };
+            last = remaining[pivot];
+            first = f64::max(first, last);
             let root = remaining[pivot].sqrt();
             let mut row = vec![0.0; n];
             for k in (0..n).filter(|&k| !done[k]) {
@@ -184,7 +193,8 @@ impl LeastEnergy<'_> {
             rows.push(row);
         }
         let negative = (0..n).any(|k| !done[k] && remaining[k] < -1e3 * tolerance(k));
-        Factor { transpose: Mat::from_fn(rows.len(), n, |r, c| rows[r][c]), negative }
+        let spread = first / last;
+        Factor { transpose: Mat::from_fn(rows.len(), n, |r, c| rows[r][c]), negative, spread }
     }
 }
 

@@ -140,7 +140,7 @@ const CONDITION_LIMIT: usize = 300;
 /// The recursion's answer stands up to this relative error from its pivots.
 const TRUSTED_ERROR: f64 = 1e-11;
 /// The recursion's pivots count as zero below this.
-const LEAST_PIVOT: f64 = 1e-13;
+pub(crate) const LEAST_PIVOT: f64 = 1e-13;
 /// Below this relative closing speed, a finite answer comes with a remark.
 const NEARLY_IMMOVABLE: f64 = 1e-6;
 
@@ -207,7 +207,10 @@ impl System {
         strike.condition = solution.condition;
         strike.degrees_of_freedom = solution.mobility;
         strike.remarks = remarks;
-        self.judge(&mut strike, solution.approach, 0.0);
+        // A singular M has no condition; its pivots say how far the rest of it stretches rounding.
+        let spread = if strike.condition.is_none() { solution.pivot_spread } else { 0.0 };
+        let rounding = f64::EPSILON * self.coordinates as f64 * spread;
+        self.judge(&mut strike, solution.approach, rounding);
         Ok(strike)
     }
 
