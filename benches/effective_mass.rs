@@ -19,7 +19,7 @@ fn routes(criterion: &mut Criterion) {
                 black_box(workspace.effective_mass(black_box(contact)))
             });
         });
-        let pose = system.pose(&system.configuration());
+        let pose = system.pose(&system.configuration()).expect("a tree poses");
         criterion.bench_function(&format!("{}/dense", subject.name), |bencher| {
             bencher.iter(|| {
                 black_box(system.strike(black_box(&pose), contact, RouteChoice::Only(Route::Dense)))

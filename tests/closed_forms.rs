@@ -1,92 +1,16 @@
 //! Effective masses that can be written down, through `System::strike` by both routes.
 
 use nalgebra::{Matrix3, Vector2, Vector3};
-use percuss_dynamics::{
-    Base, Conditions, Configuration, Contact, Direction, EffectiveMass, Frame, Remark, Route, RouteChoice,
-    Strike, System,
-};
-use percuss_mechanism::{Inertial, JointDescription, JointKind, LinkDescription, Mechanism};
+use percuss_dynamics::{Base, Conditions, EffectiveMass, Route, RouteChoice};
+use percuss_mechanism::{Inertial, JointDescription, JointKind, LinkDescription};
 use percuss_oracle::closed_form::{self, PlanarLink};
 use percuss_oracle::{alter, zoo};
 use percuss_spatial::{Transform, rotation_from_rpy};
+use percuss_tests::bench::{Bench, TOL, along, assert_close, mass};
 use std::sync::Arc;
-
-/// A few thousand roundings; the mechanisms here are well conditioned, or exact by structure.
-const TOL: f64 = 1e-12;
-
-/// A system with its configuration.
-struct Bench {
-    system: System,
-    configuration: Configuration,
-}
-
-impl Bench {
-    fn new(mechanism: impl Into<Arc<Mechanism>>) -> Self {
-        Self::under(mechanism, &Conditions::new())
-    }
-
-    fn under(mechanism: impl Into<Arc<Mechanism>>, conditions: &Conditions) -> Self {
-        let system = System::new(mechanism, conditions).expect("conditions that fit");
-        let configuration = system.configuration();
-        Self { system, configuration }
-    }
-
-    fn set(mut self, joint: &str, values: &[f64]) -> Self {
-        self.configuration.set(joint, values).expect("a position that fits");
-        self
-    }
-
-    fn contact(&self, link: &str, point: [f64; 3], normal: Vector3<f64>) -> Contact {
-        let link = self.system.mechanism().find_link(link).expect("a link");
-        Contact::new(link, point, normal).normal(Direction::Along(normal, Frame::World))
-    }
-
-    fn strike(&self, contact: &Contact, choice: RouteChoice) -> Strike {
-        let pose = self.system.pose(&self.configuration);
-        self.system.strike(&pose, contact, choice).expect("an answer")
-    }
-
-    /// The outcome, which both routes must give.
-    fn outcome(&self, contact: &Contact) -> EffectiveMass {
-        let by = |route| self.strike(contact, RouteChoice::Only(route)).effective_mass;
-        assert_eq!(by(Route::Dense), by(Route::Articulated));
-        by(Route::Dense)
-    }
-
-    /// Both routes give the mass (kg).
-    fn weighs(&self, contact: &Contact, expected: f64) {
-        self.weighs_by(contact, expected, &[Route::Dense, Route::Articulated]);
-    }
-
-    fn weighs_by(&self, contact: &Contact, expected: f64, routes: &[Route]) {
-        for &route in routes {
-            let strike = self.strike(contact, RouteChoice::Only(route));
-            let m = mass(&strike);
-            assert!((m / expected - 1.0).abs() <= TOL, "{route:?}: {m} kg, expected {expected} kg");
-        }
-        assert_close(mass(&self.strike(contact, RouteChoice::Auto)), expected);
-    }
-}
-
-fn mass(strike: &Strike) -> f64 {
-    match strike.effective_mass {
-        EffectiveMass::Finite(m) => m,
-        other => panic!("{other:?}"),
-    }
-}
-
-#[track_caller]
-fn assert_close(got: f64, expected: f64) {
-    assert!((got / expected - 1.0).abs() <= TOL, "{got}, expected {expected}");
-}
 
 fn ground() -> LinkDescription {
     LinkDescription::massless("ground")
-}
-
-/// The direction at an angle (rad) in the plane.
-fn along(angle: f64) -> Vector3<f64> {
-    Vector3::new(angle.cos(), angle.sin(), 0.0)
 }
 
 #[test]
@@ -237,7 +161,7 @@ fn independent_mechanisms_add_as_springs_in_series() {
         .set("shoulder", &[0.4])
         .set("elbow", &[-0.9])
         .set("hinge", &[0.8]);
-    let pose = both.system.pose(&both.configuration);
+    let pose = both.system.pose(&both.configuration).expect("a tree poses");
     let mechanism = both.system.mechanism();
     let (lower, body) = (mechanism.find_link("lower").unwrap(), mechanism.find_link("body").unwrap());
     let normal = along(0.3);
@@ -319,109 +243,4 @@ fn geared_masses() {
     // Against each other the gap closes at 1 + 3.
     let other = pair.system.mechanism().find_link("two").unwrap();
     pair.weighs_by(&contact.against(other), closed_form::geared(2.0, 0.7, -3.0) / 16.0, &[Route::Dense]);
-}
-
-#[test]
-fn nothing_moves() {
-    let pendulum = Bench::new(zoo::physical_pendulum(2.3, 0.35, 0.04)).set("hinge", &[0.6]);
-    // Into the bearing: along the arm, along the axis, and anywhere on the axis.
-    for (point, normal) in
-        [([0.5, 0.0, 0.2], along(0.6)), ([0.5, 0.1, 0.0], Vector3::z()), ([0.0, 0.0, 0.7], along(1.9))]
-    {
-        assert_eq!(pendulum.outcome(&pendulum.contact("body", point, normal)), EffectiveMass::Immovable);
-    }
-    // The ground itself; links that are one body.
-    assert_eq!(
-        pendulum.outcome(&pendulum.contact("ground", [0.1; 3], Vector3::x())),
-        EffectiveMass::Immovable
-    );
-    let frames = Bench::new(zoo::fixed_frames());
-    let ballast = frames.system.mechanism().find_link("ballast").unwrap();
-    let one_body = frames.contact("sensor", [0.1, 0.2, 0.3], Vector3::y()).against(ballast);
-    assert_eq!(frames.outcome(&one_body), EffectiveMass::Immovable);
-    // Everything locked.
-    for (name, mechanism) in zoo::all() {
-        let all = mechanism.joints().iter().fold(Conditions::new(), |c, joint| c.lock(joint.name()));
-        let leaf = mechanism.order().last().unwrap();
-        let leaf = mechanism.link(*leaf).name().to_owned();
-        let still = Bench::under(mechanism, &all);
-        let contact = still.contact(&leaf, [0.3, 0.2, 0.1], Vector3::new(1.0, 2.0, 3.0));
-        assert_eq!(still.outcome(&contact), EffectiveMass::Immovable, "{name}");
-        let strike = still.strike(&contact, RouteChoice::Auto);
-        assert_eq!((strike.degrees_of_freedom, strike.shares), (0, None), "{name}");
-    }
-    // Struck against a number, an immovable wall leaves the number.
-    let wall = pendulum.strike(&pendulum.contact("body", [0.5, 0.0, 0.0], along(0.6)), RouteChoice::Auto);
-    assert_eq!(wall.against_mass(0.3).effective_mass, EffectiveMass::Finite(0.3));
-}
-
-#[test]
-fn hardly_anything_moves() {
-    // From 1e-10 to 1e-6 of a right angle the answer is finite, with a remark; below, immovable.
-    let (m, h, i_c) = (2.3, 0.35, 0.04);
-    let pendulum = Bench::new(zoo::physical_pendulum(m, h, i_c));
-    for (slope, finite, remarked) in
-        [(1e-5f64, true, false), (1e-7, true, true), (1e-9, true, true), (1e-11, false, false)]
-    {
-        let contact = pendulum.contact("body", [0.5, 0.0, 0.0], Vector3::new(1.0, slope, 0.0));
-        for route in [Route::Dense, Route::Articulated] {
-            let strike = pendulum.strike(&contact, RouteChoice::Only(route));
-            let nearly = strike.remarks.iter().any(|r| matches!(r, Remark::NearlyImmovable { .. }));
-            assert_eq!(nearly, remarked, "{slope}");
-            if finite {
-                let expected = closed_form::physical_pendulum(i_c + m * h * h, 0.5 * slope.atan().sin());
-                // The arm is a difference of ones: it keeps slope/ε digits, and m̄ says so.
-                let said = strike.effective_mass_error.expect("finite");
-                assert!((mass(&strike) - expected).abs() <= said + TOL * expected, "{slope}");
-                assert!(said <= 1e-15 * 10.0 / slope * expected, "{slope}: it is better than that");
-            } else {
-                assert_eq!(strike.effective_mass, EffectiveMass::Immovable, "{slope}");
-            }
-        }
-    }
-}
-
-#[test]
-fn nothing_opposes() {
-    let arm = Bench::new(zoo::massless_tip());
-    let across = arm.contact("feeler", [0.2, 0.0, 0.0], Vector3::y());
-    let dense = arm.strike(&across, RouteChoice::Only(Route::Dense));
-    assert_eq!(dense.effective_mass, EffectiveMass::Massless);
-    assert_eq!((dense.shares.clone(), dense.effective_mass_error), (None, None));
-    assert_eq!(arm.strike(&across, RouteChoice::Auto).effective_mass, EffectiveMass::Massless);
-    assert_eq!(dense.against_mass(5.0).effective_mass, EffectiveMass::Massless);
-    // Along itself it pushes into the shoulder; its hinge locked, it is a part of the arm.
-    let lengthwise = arm.contact("feeler", [0.2, 0.0, 0.0], Vector3::x());
-    assert_eq!(arm.strike(&lengthwise, RouteChoice::Auto).effective_mass, EffectiveMass::Immovable);
-    let locked = Bench::under(Arc::clone(arm.system.mechanism()), &Conditions::new().lock("feeler_hinge"));
-    let link = arm.system.mechanism().find_link("arm").unwrap();
-    let j_o = arm.system.mechanism().link(link).inertia().rotational[(2, 2)];
-    locked.weighs(&across, closed_form::physical_pendulum(j_o, 0.8));
-    // A rotor at its hinge gives it weight: the arm and the rotor in the rates of the absolute angles.
-    let rotor =
-        Bench::under(Arc::clone(arm.system.mechanism()), &Conditions::new().armature("feeler_hinge", [0.01]));
-    let j_arm = PlanarLink { mass: 0.0, length: 0.6, com: 0.0, inertia: j_o };
-    let feeler = PlanarLink { mass: 0.0, length: 0.2, com: 0.0, inertia: 0.0 };
-    let expected = closed_form::planar_2r([j_arm, feeler], [0.0, 0.01], [0.0; 2], 0.2, Vector2::y());
-    rotor.weighs(&across, expected);
-}
-
-#[test]
-fn massless_links_within_are_exact() {
-    // Three hinges with massless links between are a ball joint, though M is singular where two axes line up.
-    for (about_x, about_y, about_z) in [(0.0, 0.0, 0.0), (0.4, -0.9, 1.7), (0.3, 1.5, 0.2)] {
-        let chain = Bench::new(zoo::massless_chain())
-            .set("about_x", &[about_x])
-            .set("about_y", &[about_y])
-            .set("about_z", &[about_z]);
-        let ball = Bench::new(zoo::ball_joint());
-        let normal = Vector3::new(0.2, 0.5, -0.8).normalize();
-        // The same contact in the body: struck in its own axes, both bodies are alike.
-        let point = [0.3, -0.2, 0.4];
-        let of = |bench: &Bench| {
-            bench.contact("body", point, normal).normal(Direction::Along(normal, Frame::Link))
-        };
-        let expected = mass(&ball.strike(&of(&ball), RouteChoice::Auto));
-        chain.weighs(&of(&chain), expected);
-    }
 }

@@ -1,18 +1,17 @@
 //! What m̄ does not depend on (the sign of the normal, the names of the sides, the place of the world, units, frames,
-//! merged links), and which way it goes when mass or constraints are added.
+//! merged links).
 
 use nalgebra::Vector3;
 use percuss_dynamics::{
     Base, Conditions, Contact, Direction, EffectiveMass, Frame, Pose, RouteChoice, Strike, System,
 };
 use percuss_dynamics::{Route, RouteError, StrikeError};
-use percuss_mechanism::LinkId;
-use percuss_oracle::{alter, closed_form};
+use percuss_oracle::alter;
 use percuss_spatial::{Transform, rotation_from_rpy};
 use percuss_tests::cases::{self, Case};
 use percuss_tests::gauge::Gauge;
+use percuss_tests::judge::{hard, rounding};
 use percuss_tests::motion::Motion;
-use rand::{Rng, SeedableRng, rngs::StdRng};
 use std::sync::Arc;
 
 const FAR: f64 = 1e4;
@@ -30,31 +29,11 @@ fn strike(system: &System, pose: &Pose, contact: &Contact, route: Route) -> Opti
     }
 }
 
-/// By whichever route holds.
-fn auto(case: &Case) -> Strike {
-    let system = case.system();
-    system.strike(&case.pose(&system), &case.contact(), RouteChoice::Auto).expect("an answer")
-}
-
-/// Rounding of two computations of the same strike: 1e-12 for every unit of M's condition, as between routes.
-fn rounding(strike: &Strike) -> f64 {
-    strike.condition.map_or(1e-9, |condition| (1e-12 * condition).min(1e-9))
-}
-
 /// Notes the relative deviation of two finite answers; other outcomes must be the same.
 fn same(gauge: &mut Gauge, name: &str, got: &Strike, expected: &Strike, bound: f64) {
     match (got.effective_mass, expected.effective_mass) {
         (EffectiveMass::Finite(a), EffectiveMass::Finite(b)) => gauge.relative(name, a, b, bound),
         (a, b) => assert_eq!(a, b, "{name}"),
-    }
-}
-
-/// A number that says which is heavier.
-fn weight(strike: &Strike) -> f64 {
-    match strike.effective_mass {
-        EffectiveMass::Massless => 0.0,
-        EffectiveMass::Finite(m) => m,
-        EffectiveMass::Immovable => f64::INFINITY,
     }
 }
 
@@ -75,7 +54,8 @@ fn the_sign_of_the_normal() {
             let back = case.contact().normal(Direction::Along(-case.normal, Frame::World));
             let other = strike(&system, &pose, &back, route).expect("the same system");
             // Bit by bit by the recursion; reflections of the least squares take another sign.
-            same(&mut gauge, &case.name, &other, &one, 16.0 * f64::EPSILON);
+            let bound = if route == Route::Articulated { f64::EPSILON } else { rounding(&one) };
+            same(&mut gauge, &case.name, &other, &one, bound);
         }
     }
     gauge.report();
@@ -108,49 +88,13 @@ fn reach(case: &Case) -> f64 {
 }
 
 #[test]
-fn two_sides_of_one_tree_are_no_two_mechanisms() {
-    let mut different = 0;
-    for case in all_cases() {
-        let Some(other) = case.against else { continue };
-        let system = case.system();
-        if !share_a_moving_ancestor(&case, &system, other) {
-            continue;
-        }
-        let pose = case.pose(&system);
-        let point = pose.link(&system, other).inverse_point(&pose.link(&system, case.on).point(&case.point));
-        let alone = |on, point| weight(&auto(&Case { on, point, against: None, ..case.clone() }));
-        let (one, two) = (alone(case.on, case.point), alone(other, point));
-        let together = weight(&auto(&case));
-        // The sum of the inverses drops the cross terms; the oracle (tests/identities.rs) has them.
-        if one.is_finite() && two.is_finite() && together.is_finite() && together > 0.0 {
-            let dropped = closed_form::series(one, two);
-            different += usize::from((dropped / together - 1.0).abs() > 1e-2);
-        }
-    }
-    assert!(different > 20, "{different} cases tell the difference");
-}
-
-/// Whether some joint that moves carries both sides.
-fn share_a_moving_ancestor(case: &Case, system: &System, other: LinkId) -> bool {
-    let above = |link: LinkId| {
-        std::iter::successors(case.mechanism.parent_joint(link), |&joint| {
-            case.mechanism.parent_joint(case.mechanism.joint(joint).parent())
-        })
-        .filter(|&joint| !system.is_locked(joint) && case.mechanism.joint(joint).kind().dofs() > 0)
-        .collect::<Vec<_>>()
-    };
-    let of_other = above(other);
-    above(case.on).iter().any(|joint| of_other.contains(joint)) || case.base == Base::Floating
-}
-
-#[test]
 fn a_base_far_away() {
     let x_wr = Transform::new(rotation_from_rpy([0.7, -0.4, 2.1]), Vector3::new(0.6, -0.64, 0.48) * FAR);
     let mut gauge = Gauge::new("point given 10 km away");
     for case in all_cases() {
         let system = case.system();
         let here = case.pose(&system);
-        let there = system.pose(case.configuration(&system).set_base(x_wr));
+        let there = system.pose(case.configuration(&system).set_base(x_wr)).expect("a tree poses");
         let contact = in_link(&case, &system, &here);
         let point_world = there.link(&system, case.on).point(&case.point);
         let point = system.point_in_link(&there, case.on, case.against, Frame::World, point_world);
@@ -163,7 +107,10 @@ fn a_base_far_away() {
             assert_eq!(one.effective_mass, same_bits.effective_mass, "{}", case.name);
             // Given in the world, the point is known to a few ε of 10 km; dm̄/m̄ = 2 |ω*| times that, with ω* the turn
             // of the strike at unit closing speed.
-            let blurred = strike(&system, &there, &far, route).expect("the same system");
+            let Some(blurred) = strike(&system, &there, &far, route) else {
+                assert!(hard(&one), "{}: declined", case.name);
+                continue;
+            };
             let turn = 2.0 * Motion::of(&one).size() * 4.0 * f64::EPSILON * (FAR + reach(&case));
             same(&mut gauge, &case.name, &blurred, &one, rounding(&one) + turn);
         }
@@ -233,8 +180,11 @@ fn the_units() {
             for route in [Route::Dense, Route::Articulated] {
                 let one = strike(&system, &pose, &case.contact(), route);
                 let two = strike(&other_system, &other_pose, &other.contact(), route);
-                assert_eq!(one.is_some(), two.is_some(), "{}: a route depends on units", case.name);
-                let (Some(one), Some(mut two)) = (one, two) else { continue };
+                let (Some(one), Some(mut two)) = (one.clone(), two.clone()) else {
+                    let differ = one.is_some() != two.is_some();
+                    assert!(!differ || hard(&case.strike()), "{}: a route depends on units", case.name);
+                    continue;
+                };
                 if let EffectiveMass::Finite(m) = &mut two.effective_mass {
                     *m /= mass;
                 }
@@ -263,17 +213,13 @@ fn links_held_together_are_one_or_many_bodies() {
             assert_eq!(one.degrees_of_freedom, two.degrees_of_freedom, "{}", case.name);
             if let (Some(one), Some(two)) = (&one.shares, &two.shares) {
                 for (a, b) in one.links.iter().zip(&two.links) {
-                    gauge.note(&case.name, (a - b).abs(), rounding_of(&case));
+                    gauge.note(&case.name, (a - b).abs(), rounding(&case.strike()));
                 }
             }
         }
     }
     gauge.report();
     assert!(fixed > 0, "no fixed joint came");
-}
-
-fn rounding_of(case: &Case) -> f64 {
-    rounding(&auto(case))
 }
 
 #[test]
@@ -283,7 +229,7 @@ fn the_frame_a_contact_is_given_in() {
     let mut points = Gauge::new("frames of a point");
     for case in all_cases() {
         let system = case.system();
-        let pose = system.pose(case.configuration(&system).set_base(x_wr));
+        let pose = system.pose(case.configuration(&system).set_base(x_wr)).expect("a tree poses");
         let contact = in_link(&case, &system, &case.pose(&system));
         let located = system.locate(&pose, &contact).expect("a contact");
         let one = system.strike(&pose, &contact, RouteChoice::Auto).expect("an answer");
@@ -315,71 +261,11 @@ fn the_frame_a_contact_is_given_in() {
 }
 
 #[test]
-fn mass_never_lightens_it() {
-    let mut rng = StdRng::seed_from_u64(51);
-    let (mut heavier, mut tried) = (0, 0);
-    for case in all_cases() {
-        let one = auto(&case);
-        let slack = 4.0 * rounding(&one);
-        for _ in 0..3 {
-            let link = rng.random_range(0..case.mechanism.links().len());
-            let (mut links, joints) = alter::describe(&case.mechanism);
-            let Some(inertial) = &mut links[link].inertial else { continue };
-            inertial.mass *= 1.5;
-            inertial.about_com *= 1.5;
-            let mechanism = Arc::new(alter::build(case.mechanism.name(), links, joints));
-            let two = auto(&Case { mechanism, ..case.clone() });
-            let (before, after) = (weight(&one), weight(&two));
-            assert!(after >= before * (1.0 - slack), "{}: {before} kg, then {after} kg", case.name);
-            tried += 1;
-            // By its share at most (m̄ is concave in the masses); and where it has one, it counts.
-            if let Some(shares) = &one.shares {
-                let most = before * (1.0 + 0.5 * shares.links[link]);
-                assert!(after <= most * (1.0 + slack), "{}: {after} kg, at most {most} kg", case.name);
-                if shares.links[link] > 1e-3 {
-                    assert!(after > before * (1.0 + 1e-8), "{}: {before} kg, then {after} kg", case.name);
-                    heavier += 1;
-                }
-            }
-        }
-    }
-    assert!(heavier > 50 && tried > heavier, "{heavier} of {tried}");
-}
-
-#[test]
-fn constraints_never_lighten_it() {
-    let mut rng = StdRng::seed_from_u64(52);
-    let (mut heavier, mut stopped) = (0, 0);
-    for case in all_cases() {
-        let one = auto(&case);
-        let slack = 4.0 * rounding(&one);
-        let mut tied = Vec::new();
-        for id in case.mechanism.joint_ids() {
-            if !case.locks.contains(&id) && rng.random_bool(0.3) {
-                let mut more = case.clone();
-                more.locks.push(id);
-                tied.push(more);
-            }
-        }
-        if case.base == Base::Floating {
-            tied.push(Case { base: Base::Fixed, ..case.clone() });
-        }
-        for more in tied {
-            let (before, after) = (weight(&one), weight(&auto(&more)));
-            assert!(after >= before * (1.0 - slack), "{}: {before} kg, then {after} kg", case.name);
-            heavier += usize::from(after.is_finite() && after > before * 1.001);
-            stopped += usize::from(before.is_finite() && after.is_infinite());
-        }
-    }
-    assert!(heavier > 50 && stopped > 0, "{heavier} heavier, {stopped} stopped");
-}
-
-#[test]
 fn conditions_are_those_of_the_analysis_only() {
     // The same mechanism under other conditions, and back: nothing sticks to it.
     for case in all_cases().into_iter().step_by(7) {
-        let before = auto(&case).effective_mass;
+        let before = case.strike().effective_mass;
         let _ = System::new(Arc::clone(&case.mechanism), &Conditions::new().base(Base::Floating)).unwrap();
-        assert_eq!(auto(&case).effective_mass, before, "{}", case.name);
+        assert_eq!(case.strike().effective_mass, before, "{}", case.name);
     }
 }

@@ -39,12 +39,13 @@ fn files(ending: &str) -> Vec<PathBuf> {
 }
 
 /// Which of our crates each may depend on, tests aside.
-const ARROWS: [(&str, &[&str]); 11] = [
+const ARROWS: [(&str, &[&str]); 12] = [
     ("percuss-spatial", &[]),
     ("percuss-mechanism", &["percuss-spatial"]),
     ("percuss-formats", &["percuss-spatial", "percuss-mechanism"]),
     ("percuss-dynamics", &["percuss-spatial", "percuss-mechanism"]),
     ("percuss-contact", &[]),
+    ("percuss-render", &[]),
     ("percuss-oracle", &["percuss-spatial", "percuss-mechanism"]),
     (
         "percuss-study",

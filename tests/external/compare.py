@@ -1,6 +1,7 @@
 """Compares percuss with Pinocchio and MuJoCo on the URDFs of example-robot-data. Run by run.sh; see README.md."""
 
 import argparse
+import collections
 import json
 import subprocess
 import sys
@@ -15,7 +16,7 @@ import mujoco_peer
 import pinocchio_peer
 import questions
 import urdf_file
-from ledger import Ledger
+from ledger import INDEFINITE, Ledger
 from reference import SINGULAR, Inertia
 from tally import Tally
 
@@ -40,7 +41,7 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--probe", required=True)
     parser.add_argument("--only", default="", help="files whose path contains this")
-    parser.add_argument("--configurations", type=int, default=60, help="of each file on each base")
+    parser.add_argument("--configurations", type=int, default=100, help="of each file on each base")
     parser.add_argument("--update-ledger", action="store_true", help="take what is found as right")
     options = parser.parse_args()
     start, tally, ledger = time.monotonic(), Tally(), Ledger(options.update_ledger)
@@ -50,6 +51,8 @@ def main():
     for name, path in files.items():
         if options.only in name:
             one_file(name, path, options, ledger, tally)
+    compared = sum("diagnostics" in entry for entry in ledger.found.values())
+    tally.check("some file was compared", options.only, compared > 0, "none")
     everything = not options.only
     ledger.close(tally, everything)
     if everything:
@@ -153,7 +156,7 @@ def one_mass(ours, outcome, peer, route, where, tally):
     tally.within(f"m̄ by rounding's bound, {label}", where, off / bound, 1.0)
     if bound <= MASS:
         tally.within(f"m̄, {label}", where, off, MASS)
-    claimed = ours["effective_mass_error"] / ours["effective_mass"]
+    claimed = ours["effective_mass_error"] / outcome.effective_mass
     tally.within(f"m̄ by its own bound, {label}", where, off / (claimed + peer.rounding * outcome.magnified), 1.0)
 
 
@@ -170,12 +173,13 @@ def nothing_was_skipped(ledger, tally):
 
 def summary(ledger):
     entries = ledger.found
-    print(f"{len(entries)} files, {sum('diagnostics' in e for e in entries.values())} loaded")
-    for what, key in (("refused", "refused"), ("loaded with accept indefinite-inertia", "accept")):
-        print(f"{what}: " + ", ".join(name for name, entry in entries.items() if key in entry))
+    loaded = [name for name, entry in entries.items() if "diagnostics" in entry]
+    print(f"{len(entries)} files, {len(loaded)} loaded; refused: {', '.join(entries.keys() - set(loaded)) or 'none'}")
+    print(f"with accept {INDEFINITE}: {', '.join(name for name in loaded if 'accept' in entries[name]) or 'none'}")
     for peer in (pinocchio_peer.FoldingPeer.name, mujoco_peer.Peer.name):
-        refused = [name for name, entry in entries.items() if peer in entry.get("peers", {})]
-        print(f"{peer} refuses {len(refused)}")
+        reasons = collections.Counter(e["peers"][peer] for e in entries.values() if peer in e.get("peers", {}))
+        for reason, count in reasons.items():
+            print(f"{peer} does not take {count}: {reason}")
 
 
 if __name__ == "__main__":

@@ -164,22 +164,11 @@ fn diagnostic(d: &Diagnostic) -> DiagnosticAnswer {
     DiagnosticAnswer { severity: d.severity.name(), code: d.code, line: d.line, message }
 }
 
-/// The order that the documentation of [`System`] promises: the floating base, then every joint that is no mimic,
-/// in tree order.
+/// Joint and number of its velocity for every coordinate; the floating base goes by a name of its own.
 fn coordinates(system: &System) -> Vec<(String, usize)> {
-    let mechanism = system.mechanism();
-    let base = match system.base() {
-        Base::Fixed => 0,
-        Base::Floating => 6,
-    };
-    let joints = mechanism
-        .order()
-        .iter()
-        .filter_map(|link| mechanism.parent_joint(*link))
-        .map(|id| mechanism.joint(id))
-        .filter(|joint| joint.mimic().is_none())
-        .flat_map(|joint| (0..joint.kind().dofs()).map(|k| (joint.name().to_owned(), k)));
-    (0..base).map(|k| (BASE.to_owned(), k)).chain(joints).collect()
+    let name =
+        |joint: Option<_>| joint.map_or(BASE.to_owned(), |id| system.mechanism().joint(id).name().to_owned());
+    system.coordinate_joints().into_iter().map(|(joint, k)| (name(joint), k)).collect()
 }
 
 fn configuration(system: &System, wanted: &ConfigurationRequest) -> Result<ConfigurationAnswer, String> {
@@ -190,7 +179,7 @@ fn configuration(system: &System, wanted: &ConfigurationRequest) -> Result<Confi
     if let Some(base) = wanted.base {
         configuration.set_base(base_transform(base)?);
     }
-    let pose = system.pose(&configuration);
+    let pose = system.pose(&configuration).map_err(|e| e.to_string())?;
     let one =
         |(i, wanted)| contact(system, &pose, wanted).map_err(|message| format!("contact {i}: {message}"));
     Ok(ConfigurationAnswer {

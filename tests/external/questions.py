@@ -66,7 +66,7 @@ def bearing(robot, rng, joints=None, against_ground=False):
 
 
 def first_bearing(robot, rng):
-    """The bearing of a joint nearest the root, against the ground: immovable on a fixed base, not on a floating one."""
+    """The bearing of a joint nearest the root, against the ground: immovable where the base is fixed."""
     first = [j for j in robot.movable if j.kind in ONE_VALUE and robot.chain(j.child) == [j]]
     return bearing(robot, rng, first, against_ground=True)
 

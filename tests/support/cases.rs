@@ -1,7 +1,9 @@
 //! Mechanisms at random positions, struck at random points, with and without locks, armatures and a floating base.
 
 use nalgebra::Vector3;
-use percuss_dynamics::{Base, Conditions, Configuration, Contact, Direction, Frame, Pose, System};
+use percuss_dynamics::{
+    Base, Conditions, Configuration, Contact, Direction, Frame, Pose, RouteChoice, Strike, System,
+};
 use percuss_mechanism::{JointId, JointKind, LinkId, Mechanism};
 use percuss_oracle::{alter, maximal::Question, random, zoo};
 use rand::{Rng, SeedableRng, rngs::StdRng};
@@ -111,7 +113,7 @@ impl Case {
 
     /// The pose, the root link at the world's origin.
     pub fn pose(&self, system: &System) -> Pose {
-        system.pose(&self.configuration(system))
+        system.pose(&self.configuration(system)).expect("a tree poses")
     }
 
     /// The contact, its normal in the world's axes: the root link's, where that stands at the origin.
@@ -122,6 +124,12 @@ impl Case {
             Some(other) => contact.against(other),
             None => contact,
         }
+    }
+
+    /// The strike by whichever route holds.
+    pub fn strike(&self) -> Strike {
+        let system = self.system();
+        system.strike(&self.pose(&system), &self.contact(), RouteChoice::Auto).expect("an answer")
     }
 
     /// The same, put to the oracle.

@@ -1,9 +1,10 @@
 //! The command line: flags, help, and how their words are read.
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use percuss_dynamics::{Base, Frame};
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions};
 use percuss_mechanism::Accept;
-use percuss_study::{Dimension, Normal, Quantity, parse_triple};
+use percuss_study::{Dimension, EstimateQuestion, Hold, MassQuestion, Normal, Quantity, parse_triple};
 
 /// How heavy is a mechanism where it is struck?
 ///
@@ -57,6 +58,8 @@ Examples:
         --set shoulder=-40deg --set elbow=70deg
   Felt by a spring, along its line to a seat on another link:
     percuss mass car.urdf --link lower_arm --point 0.3,0,50mm --along-line chassis:0.3,0,0.4 --against chassis
+  The classical estimate beside it, and why it is off:
+    percuss mass car.urdf … --estimate spindle,upright:0,0,0:0,0,1
   A free body of 2 kg strikes it:
     percuss mass models/physical_pendulum.urdf --link body --point 0,0,-0.5 --normal 1,0,0 --against-mass 2kg
   In a regression test, against a closed form:
@@ -146,11 +149,9 @@ pub enum BaseArg {
     Floating,
 }
 
-/// Flags of `percuss mass`.
+/// The contact and the conditions: what `percuss mass` and `percuss sweep` share.
 #[derive(Debug, Args)]
-pub struct MassArgs {
-    #[command(flatten)]
-    pub model: ModelArgs,
+pub struct ContactArgs {
     /// The struck link.
     #[arg(long, value_name = "LINK")]
     pub link: String,
@@ -182,15 +183,35 @@ pub struct MassArgs {
     /// Sets a driving joint; the others stand at 0. Spherical: w,x,y,z; planar: x,y,angle; floating: x,y,z,w,x,y,z.
     #[arg(long, value_name = "JOINT=VALUE", value_parser = assignment)]
     pub set: Vec<(String, String)>,
+    /// Says where to look for a joint that follows from loops: which way to put them together is meant.
+    #[arg(long, value_name = "JOINT=VALUE", value_parser = assignment)]
+    pub guess: Vec<(String, String)>,
     /// Holds a joint where it stands.
     #[arg(long, value_name = "JOINT")]
     pub lock: Vec<String>,
+    /// Holds a point (m, link's frame) of a link to the ground: along a normal (world axes, out of the link), or in all
+    /// directions.
+    #[arg(long, value_name = "LINK:X,Y,Z[:NX,NY,NZ]", value_parser = hold)]
+    pub hold: Vec<Hold>,
     /// Rotor inertia reflected to a joint (kg·m² or kg): one value, or one for each velocity between commas.
     #[arg(long, value_name = "JOINT=VALUE", value_parser = armature)]
     pub armature: Vec<(String, Vec<f64>)>,
     /// How the root link stands.
     #[arg(long, value_enum, default_value_t = BaseArg::Fixed)]
     pub base: BaseArg,
+    /// Sets the classical estimate beside the answer: the mass of these links, moved with point A (m, first link's frame;
+    /// default its origin), by A's full speed or its component along a direction (world axes).
+    #[arg(long, value_name = "LINK[,LINK…][:X,Y,Z[:DX,DY,DZ]]", value_parser = estimate)]
+    pub estimate: Option<EstimateQuestion>,
+}
+
+/// Flags of `percuss mass`.
+#[derive(Debug, Args)]
+pub struct MassArgs {
+    #[command(flatten)]
+    pub model: ModelArgs,
+    #[command(flatten)]
+    pub contact: ContactArgs,
     /// Compare with this effective mass (kg); exit 1 if it is missed.
     #[arg(long, value_name = "KG", value_parser = kilograms)]
     pub expect: Option<f64>,
@@ -202,12 +223,35 @@ pub struct MassArgs {
     pub format: MassFormat,
 }
 
-impl MassArgs {
-    /// The normal, given either way; clap sees to it that one is.
-    pub fn normal(&self) -> Normal {
-        match (&self.along_line, self.normal) {
+impl ContactArgs {
+    /// As a question.
+    pub fn question(&self) -> MassQuestion {
+        let normal = match (&self.along_line, self.normal) {
             (Some((link, point)), _) => Normal::Toward(link.clone(), *point),
+            // clap sees to it that one of them is given.
             (None, normal) => Normal::Along(normal.unwrap_or_default()),
+        };
+        MassQuestion {
+            link: self.link.clone(),
+            point: self.point,
+            normal,
+            frame: match self.frame {
+                FrameArg::Link => Frame::Link,
+                FrameArg::World => Frame::World,
+                FrameArg::Against => Frame::Against,
+            },
+            against: self.against.clone(),
+            against_mass: self.against_mass,
+            set: self.set.clone(),
+            guess: self.guess.clone(),
+            lock: self.lock.clone(),
+            hold: self.hold.clone(),
+            armature: self.armature.clone(),
+            base: match self.base {
+                BaseArg::Fixed => Base::Fixed,
+                BaseArg::Floating => Base::Floating,
+            },
+            estimate: self.estimate.clone(),
         }
     }
 }
@@ -253,4 +297,39 @@ fn armature(text: &str) -> Result<(String, Vec<f64>), String> {
     let (joint, value) = assignment(text)?;
     let values = percuss_study::parse_list(&value, |_| Dimension::Plain).map_err(|e| e.to_string())?;
     Ok((joint, values))
+}
+
+/// Up to two triples behind a name, split from the right.
+fn triples(text: &str) -> (&str, Vec<&str>) {
+    let (mut name, mut found) = (text, Vec::new());
+    while found.len() < 2
+        && let Some((rest, last)) = name.rsplit_once(':')
+        && last.contains(',')
+        && last.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c))
+    {
+        found.insert(0, last);
+        name = rest;
+    }
+    (name, found)
+}
+
+fn hold(text: &str) -> Result<Hold, String> {
+    let (link, found) = triples(text);
+    let (at, along) = match found[..] {
+        [at] => (at, None),
+        [at, along] => (at, Some(normal(along)?)),
+        _ => return Err("wanted LINK:X,Y,Z or LINK:X,Y,Z:NX,NY,NZ, such as foot:0,0,0:0,0,-1".into()),
+    };
+    Ok(Hold { link: link.to_owned(), point: point(at)?, normal: along })
+}
+
+fn estimate(text: &str) -> Result<EstimateQuestion, String> {
+    let (links, found) = triples(text);
+    let links: Vec<String> = links.split(',').map(str::to_owned).collect();
+    if links.iter().any(String::is_empty) {
+        return Err("wanted LINK[,LINK…][:X,Y,Z[:DX,DY,DZ]], such as spindle,upright:0,0,0:0,0,1".into());
+    }
+    let at = found.first().map_or(Ok([0.0; 3]), |text| point(text))?;
+    let direction = found.get(1).map(|text| normal(text)).transpose()?;
+    Ok(EstimateQuestion { links, point: at, direction })
 }

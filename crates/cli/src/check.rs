@@ -10,7 +10,7 @@ use std::fmt::Write;
 /// Runs the command.
 pub fn run(args: &CheckArgs) -> Result<(), Failure> {
     let model = Model::load(&args.model.model, args.model.max_size, &args.model.options())?;
-    let report = check(&model).map_err(|error| Failure::bad_input(error.to_string()))?;
+    let report = check(&model)?;
     tell(&report.diagnostics, args.model.strict)?;
     match args.format {
         CheckFormat::Json => write_json(&report),
@@ -27,8 +27,8 @@ fn text(report: &CheckReport) -> String {
         ("links", format!("{} ({} kg in all)", report.links.len(), number(report.total_mass))),
         ("joints", format!("{} ({movable} can move)", report.joints.len())),
         ("loops", report.closures.len().to_string()),
-        ("degrees of freedom", format!("{} with the root fixed", report.degrees_of_freedom)),
-        ("redundant constraints", report.redundant_constraints.to_string()),
+        ("degrees of freedom", freedom(report)),
+        ("redundant constraints", redundancy(report)),
         ("diagnostics", summary(report)),
     ];
     for (name, value) in facts {
@@ -57,7 +57,35 @@ fn text(report: &CheckReport) -> String {
         ]);
     }
     let _ = write!(out, "\n{links}\n{joints}");
+    if !report.closures.is_empty() {
+        let mut closures = Table::new(["loop", "kind", "predecessor → successor", "rows"]);
+        for closure in &report.closures {
+            let kind =
+                closure.ratio.map_or(closure.kind.to_owned(), |r| format!("{} {}", closure.kind, number(r)));
+            let ends = format!("{} → {}", closure.predecessor, closure.successor);
+            closures.row([closure.name.clone(), kind, ends, closure.rows.to_string()]);
+        }
+        let _ = write!(out, "\n{closures}");
+    }
     out
+}
+
+fn redundancy(report: &CheckReport) -> String {
+    let loops: Vec<String> = report.redundant_loops.iter().map(|names| names.join("+")).collect();
+    let place = if loops.is_empty() { String::new() } else { format!(" (in {})", loops.join("; ")) };
+    format!("{}{place}", report.redundant_constraints)
+}
+
+fn freedom(report: &CheckReport) -> String {
+    let generic = report.generic_degrees_of_freedom;
+    let here = report.degrees_of_freedom;
+    let place = if here == generic { String::new() } else { format!(" ({here} at this singular pose)") };
+    let drivers = if report.drivers.is_empty() {
+        String::new()
+    } else {
+        format!("; loops driven by {}", report.drivers.join(", "))
+    };
+    format!("{generic} with the root fixed{place}{drivers}")
 }
 
 fn summary(report: &CheckReport) -> String {

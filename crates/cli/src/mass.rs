@@ -1,18 +1,17 @@
 //! `percuss mass`.
 
-use crate::args::{BaseArg, FrameArg, MassArgs, MassFormat};
+use crate::args::{MassArgs, MassFormat};
 use crate::csv;
 use crate::failure::Failure;
 use crate::report::{tell, write_json, write_out};
 use crate::text::{bar, number, triple};
-use percuss_dynamics::{Base, Frame};
-use percuss_study::{MassQuestion, MassReport, Model, Status, mass};
+use percuss_study::{EstimateRecord, MassReport, Model, Status, mass};
 use std::fmt::Write;
 
 /// Runs the command.
 pub fn run(args: &MassArgs) -> Result<(), Failure> {
     let model = Model::load(&args.model.model, args.model.max_size, &args.model.options())?;
-    let report = mass(&model, &question(args))?;
+    let report = mass(&model, &args.contact.question())?;
     tell(&report.diagnostics, args.model.strict)?;
     match args.format {
         MassFormat::Json => write_json(&report)?,
@@ -22,28 +21,6 @@ pub fn run(args: &MassArgs) -> Result<(), Failure> {
     match args.expect {
         Some(expected) => compare(&report, expected, args.tolerance),
         None => Ok(()),
-    }
-}
-
-fn question(args: &MassArgs) -> MassQuestion {
-    MassQuestion {
-        link: args.link.clone(),
-        point: args.point,
-        normal: args.normal(),
-        frame: match args.frame {
-            FrameArg::Link => Frame::Link,
-            FrameArg::World => Frame::World,
-            FrameArg::Against => Frame::Against,
-        },
-        against: args.against.clone(),
-        against_mass: args.against_mass,
-        set: args.set.clone(),
-        lock: args.lock.clone(),
-        armature: args.armature.clone(),
-        base: match args.base {
-            BaseArg::Fixed => Base::Fixed,
-            BaseArg::Floating => Base::Floating,
-        },
     }
 }
 
@@ -81,6 +58,9 @@ fn text(report: &MassReport, expected: Option<f64>) -> String {
     for (name, value) in facts(report) {
         let _ = writeln!(out, "{name:<20} {value}");
     }
+    if let Some(estimate) = &report.estimate {
+        out += &estimated(estimate);
+    }
     if report.effective_mass.is_some() {
         out += &shares(report);
     }
@@ -95,6 +75,43 @@ fn headline(report: &MassReport) -> String {
         (Status::Massless, _) => "massless (0 kg): a motion that carries no mass closes this gap".into(),
         (Status::Finite, m) => format!("{} kg", number(m.unwrap_or_default())),
     }
+}
+
+/// The classical estimate, by how much it is off, and why.
+fn estimated(record: &EstimateRecord) -> String {
+    let links = record.links.join(", ");
+    let (Some(ratio), Some(estimate)) = (record.motion_ratio, record.estimate) else {
+        return format!(
+            "\nestimate             none: the speed of point A on {} is undetermined\n",
+            record.links[0]
+        );
+    };
+    let off = record.error_percent.map_or_else(String::new, |p| format!("   ({p:+.2} %)"));
+    let mut out = format!("\n{:<20} {} kg{off}\n", "estimate m_K/l²", number(estimate));
+    let lever = record.lever.map_or_else(|| "–".to_owned(), number);
+    let _ = writeln!(
+        out,
+        "{:<20} {} kg of {links}, at {} m of {}",
+        "  takes",
+        number(record.mass),
+        triple(&record.point_link),
+        record.links[0]
+    );
+    let _ = writeln!(
+        out,
+        "{:<20} {} (A over contact), {lever} (contact over A)",
+        "  motion ratio",
+        number(ratio)
+    );
+    if let Some(share) = record.share_left_out {
+        let _ = writeln!(
+            out,
+            "{:<20} {:.2} % of the effective mass, carried by other links",
+            "  leaves out",
+            100.0 * share
+        );
+    }
+    out
 }
 
 /// What the answer stands on.
@@ -134,10 +151,41 @@ fn facts(report: &MassReport) -> Vec<(&'static str, String)> {
     if !assumed.locked.is_empty() {
         facts.push(("locked joints", list(&assumed.locked)));
     }
-    facts.push(("degrees of freedom", report.degrees_of_freedom.to_string()));
+    if !assumed.drivers.is_empty() {
+        facts.push(("loops driven by", list(&assumed.drivers)));
+        let modes: Vec<&str> =
+            report.assembly_modes.iter().map(|m| ["−", "singular", "+"][(m + 1) as usize]).collect();
+        facts.push(("assembly mode", modes.join(" ")));
+    }
+    facts.push(("degrees of freedom", freedom(report)));
+    if report.redundant_constraints > 0 {
+        let loops: Vec<String> = report.redundant_loops.iter().map(|names| names.join("+")).collect();
+        let place = if loops.is_empty() { String::new() } else { format!(" (in {})", loops.join("; ")) };
+        facts.push(("redundant rows", format!("{}{place}", report.redundant_constraints)));
+    }
+    if let Some(residual) = report.closure_residual {
+        let gap = report.rank_gap.map_or_else(String::new, |g| format!(", rank gap {g:.1e}"));
+        facts.push(("loops closed to", format!("{residual:.1e} m{gap}")));
+    }
+    if !report.branch_limits.is_empty() {
+        let limit =
+            |m: &Option<f64>| m.map_or_else(|| "immovable".to_owned(), |m| format!("{} kg", number(m)));
+        facts.push((
+            "along the branches",
+            report.branch_limits.iter().map(limit).collect::<Vec<_>>().join(", "),
+        ));
+    }
     let condition = report.condition.map_or_else(String::new, |c| format!(", condition {c:.1e}"));
     facts.push(("computed by", format!("{} route{condition}{}", report.route, uncertainty(report))));
     facts
+}
+
+fn freedom(report: &MassReport) -> String {
+    if report.degrees_of_freedom == report.generic_degrees_of_freedom {
+        report.degrees_of_freedom.to_string()
+    } else {
+        format!("{} here, {} at a generic pose", report.degrees_of_freedom, report.generic_degrees_of_freedom)
+    }
 }
 
 fn uncertainty(report: &MassReport) -> String {

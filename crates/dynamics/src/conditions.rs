@@ -1,5 +1,7 @@
 //! What an analysis imposes on a mechanism, without rebuilding it.
 
+use crate::loops::Held;
+use nalgebra::Vector3;
 use percuss_mechanism::{JointKind, Mechanism, UnknownName};
 
 /// How the root link stands in the world.
@@ -18,6 +20,7 @@ pub struct Conditions {
     pub(crate) base: Base,
     pub(crate) locked: Vec<String>,
     pub(crate) armatures: Vec<(String, Vec<f64>)>,
+    pub(crate) held: Vec<(String, Vector3<f64>, Option<Vector3<f64>>)>,
     pub(crate) keep_fixed_joints: bool,
 }
 
@@ -42,6 +45,18 @@ impl Conditions {
     /// Replaces a joint's armature: one value for all its velocities, or one each (kg·m² or kg).
     pub fn armature(mut self, joint: impl Into<String>, values: impl Into<Vec<f64>>) -> Self {
         self.armatures.push((joint.into(), values.into()));
+        self
+    }
+
+    /// Holds a point (m, link's frame) of a link to the ground: along a normal in the root link's axes, or in all
+    /// three directions. Velocities only; the pose does not move.
+    pub fn hold(
+        mut self,
+        link: impl Into<String>,
+        point: impl Into<Vector3<f64>>,
+        normal: Option<Vector3<f64>>,
+    ) -> Self {
+        self.held.push((link.into(), point.into(), normal));
         self
     }
 
@@ -80,6 +95,28 @@ impl Conditions {
         Ok(all)
     }
 
+    /// Held contacts, their links found and their normals made unit vectors.
+    pub(crate) fn resolve_holds(&self, mechanism: &Mechanism) -> Result<Vec<Held>, ConditionsError> {
+        let resolve = |(name, point, normal): &(String, Vector3<f64>, Option<Vector3<f64>>)| {
+            let link = mechanism.find_link(name)?;
+            let numbers = point.iter().chain(normal.iter().flat_map(|n| n.iter()));
+            if let Some(&value) = numbers.into_iter().find(|x| !x.is_finite() || x.abs() > 1e100) {
+                return Err(ConditionsError::BadHold {
+                    link: name.clone(),
+                    why: format!("{value} is no coordinate"),
+                });
+            }
+            if normal.is_some_and(|n| n.norm() < 1e-9) {
+                return Err(ConditionsError::BadHold {
+                    link: name.clone(),
+                    why: "its normal has no length".into(),
+                });
+            }
+            Ok(Held { link, point: *point, normal: normal.map(|n| n.normalize()) })
+        };
+        self.held.iter().map(resolve).collect()
+    }
+
     /// Whether each joint is locked.
     pub(crate) fn resolve_locks(&self, mechanism: &Mechanism) -> Result<Vec<bool>, ConditionsError> {
         let mut locked = vec![false; mechanism.joints().len()];
@@ -97,9 +134,17 @@ impl Conditions {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ConditionsError {
-    /// A joint that does not exist.
+    /// A joint or link that does not exist.
     #[error(transparent)]
-    UnknownJoint(#[from] UnknownName),
+    UnknownName(#[from] UnknownName),
+    /// A held contact that means nothing.
+    #[error("the held contact of link \"{link}\": {why}")]
+    BadHold {
+        /// The link.
+        link: String,
+        /// What is wrong.
+        why: String,
+    },
     /// The same condition given twice for a joint.
     #[error("{what} of joint \"{joint}\" is given twice")]
     Twice {

@@ -1,6 +1,7 @@
 //! Where the joints stand, as the user gives it.
 
-use crate::tangent;
+use crate::loops::Group;
+use crate::{System, tangent};
 use percuss_mechanism::{Joint, JointId, JointKind, Mechanism, UnknownName};
 use percuss_spatial::Transform;
 use std::sync::Arc;
@@ -11,7 +12,9 @@ pub struct Configuration {
     mechanism: Arc<Mechanism>,
     /// One list a joint, in joint order; mimics are filled in when a pose is made.
     pub(crate) values: Vec<Vec<f64>>,
-    given: Vec<bool>,
+    pub(crate) given: Vec<bool>,
+    /// Where joints of loops are looked for.
+    guesses: Vec<Option<Vec<f64>>>,
     pub(crate) base: Transform<f64>,
 }
 
@@ -72,6 +75,7 @@ impl Configuration {
             mechanism: Arc::clone(mechanism),
             values,
             given: vec![false; mechanism.joints().len()],
+            guesses: vec![None; mechanism.joints().len()],
             base: Transform::identity(),
         }
     }
@@ -93,6 +97,34 @@ impl Configuration {
         }
         self.values[id.index()] = checked(found, values)?;
         Ok(self)
+    }
+
+    /// Says where to look for a joint that follows from loops: which of the ways to put them together is meant.
+    ///
+    /// # Errors
+    /// [`ConfigurationError`], as for [`set`](Self::set).
+    pub fn guess(&mut self, joint: &str, values: &[f64]) -> Result<&mut Self, ConfigurationError> {
+        let id = self.mechanism.find_joint(joint)?;
+        let found = self.mechanism.joint(id);
+        if self.guesses[id.index()].is_some() {
+            return Err(ConfigurationError::Twice { joint: joint.to_owned() });
+        }
+        self.guesses[id.index()] = Some(checked(found, values)?);
+        Ok(self)
+    }
+
+    /// All positions with the guesses for a group in place, if there is any.
+    pub(crate) fn guess_for(&self, system: &System, group: &Group) -> Option<Vec<f64>> {
+        let mut any = false;
+        let mut q = self.values.concat();
+        for &c in &group.coordinates {
+            let id = system.joint_of_coordinate(c)?;
+            if let Some(guess) = &self.guesses[id.index()] {
+                any = true;
+                q[system.joint_q[id.index()].clone()].copy_from_slice(guess);
+            }
+        }
+        any.then_some(q)
     }
 
     /// Sets where the root link stands in the world: X_wr. Moves nothing relative to the root.

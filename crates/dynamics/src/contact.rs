@@ -4,7 +4,7 @@ use crate::kinematics::Kinematics;
 use crate::{Pose, System};
 use nalgebra::{DMatrix, Vector3};
 use percuss_mechanism::LinkId;
-use percuss_spatial::{Scalar, Transform};
+use percuss_spatial::Transform;
 
 /// In which frame a point or a normal is given.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -257,31 +257,15 @@ pub(crate) fn row_over_tree_into(
 ) {
     row.fill(0.0);
     size.fill(0.0);
-    for_each_support(system, contact, |i, sign| {
+    let on = system.seats[contact.link.index()].body;
+    let against = contact.against.and_then(|l| system.seats[l.index()].body);
+    system.for_each_support(on, against, |i, sign| {
         for (k, v) in system.bodies[i].v.clone().enumerate() {
             let (velocity, magnitude) = velocity_column(system, kinematics, i, k, &contact.point_root);
             row[v] = sign * contact.normal_root.dot(&velocity);
             size[v] = magnitude;
         }
     });
-}
-
-/// Visits the bodies that carry one side of the contact but not the other, with +1 on the struck side.
-fn for_each_support(system: &System, contact: &LocatedContact, mut visit: impl FnMut(usize, f64)) {
-    let mut on = system.seats[contact.link.index()].body;
-    let mut against = contact.against.and_then(|l| system.seats[l.index()].body);
-    // Bodies are numbered parents first: the higher number cannot carry the lower one.
-    while on != against {
-        if on > against {
-            let Some(i) = on else { return };
-            visit(i, 1.0);
-            on = system.bodies[i].parent;
-        } else {
-            let Some(i) = against else { return };
-            visit(i, -1.0);
-            against = system.bodies[i].parent;
-        }
-    }
 }
 
 /// Velocity of the point `at` (root frame) at unit velocity `k` of body `i`, and the size of its terms.
@@ -297,10 +281,4 @@ fn velocity_column(
     let (omega, slide) = (frame.vector(&column.angular), frame.vector(&column.linear));
     let arm = at - frame.translation;
     (slide + omega.cross(&arm), slide.norm() + omega.norm() * arm.norm())
-}
-
-/// X: root axes with the origin at the struck point, from body coordinates.
-#[inline]
-pub(crate) fn at_point<T: Scalar>(frame: &Transform<T>, point: &Vector3<T>) -> Transform<T> {
-    Transform::new(frame.rotation, frame.translation - point)
 }

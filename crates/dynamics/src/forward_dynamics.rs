@@ -100,7 +100,7 @@ impl System {
             vec![Step { s: Twist::zero(), u: Wrench::zero(), d: 0.0, t: 0.0 }; self.follows.len()];
         // Rigid inertia carried, about each body's origin: trace of the rotational part (or more), mass.
         let mut sizes: Vec<(f64, f64)> =
-            self.bodies.iter().map(|b| (b.inertia.rotational.trace(), b.inertia.mass)).collect();
+            self.bodies.iter().map(|b| (b.inertia.rotational.trace().abs(), b.inertia.mass)).collect();
         for (i, body) in self.bodies.iter().enumerate().rev() {
             // The bias acceleration c acts on the child's side of all the joint's velocities.
             wrenches[i] += inertias[i].apply(&biases[i]);

@@ -11,6 +11,8 @@ pub(crate) struct LeastEnergy<'a> {
     pub mass_size: &'a [f64],
     /// A, m×n; its rows in lengths (m/s at unit rate).
     pub constraints: &'a DMatrix<f64>,
+    /// Pivots of A below this part of the first count as zero.
+    pub rank_floor: f64,
     /// j.
     pub row: &'a [f64],
     /// For each coordinate, the size of the terms whose sum j's entry is.
@@ -38,8 +40,8 @@ pub(crate) struct Solution {
     pub minimum: Minimum,
     /// v* (zero where immovable).
     pub velocity: Vec<f64>,
-    /// Whether a free massless motion leaves v* open.
-    pub undetermined: bool,
+    /// Motions that carry no mass and leave the gap as it is: v* is open by them. Empty where m̄ is not finite.
+    pub free_motions: Vec<Vec<f64>>,
     /// dim ker A.
     pub mobility: usize,
     /// |j on ker A| relative to the size of its terms.
@@ -55,8 +57,6 @@ pub(crate) struct Solution {
 
 /// Below this, |j restricted to ker A| / |j| is immovable.
 pub(crate) const IMMOVABLE: f64 = 1e-10;
-/// Relative size of the pivots of A that count as zero.
-const RANK: f64 = 1e-10;
 /// In coordinates where M has unit diagonal, a direction whose root energy is below this carries no mass: a real one
 /// has at least √ε = 1.5e-8, rounding leaves 1e-13.
 const ROOT_ENERGY: f64 = 1e-10;
@@ -84,7 +84,7 @@ impl LeastEnergy<'_> {
         let mut solution = Solution {
             minimum: Minimum::Immovable,
             velocity: vec![0.0; n],
-            undetermined: false,
+            free_motions: Vec::new(),
             mobility,
             approach: self.approach(&kernel, &scales),
             condition: (rank == n && !factor.negative).then(|| condition(mass.as_ref())).flatten(),
@@ -100,8 +100,12 @@ impl LeastEnergy<'_> {
         } else if self.constraints.nrows() == 0 && rank == n {
             formula(&mass, &row)
         } else {
-            solution.undetermined = true; // until the factorisation says otherwise
-            least_squares(&factor.transpose, &kernel, &row, &mut solution.undetermined)
+            let found = least_squares(&factor.transpose, &kernel, &row);
+            if matches!(found.minimum, Minimum::Finite(_)) {
+                let unscaled = |c: usize| (0..n).map(|k| found.free[(k, c)] * scales[k]).collect();
+                solution.free_motions = (0..found.free.ncols()).map(unscaled).collect();
+            }
+            (found.minimum, found.velocity)
         };
         solution.minimum = minimum;
         solution.velocity = (0..n).map(|k| scaled[(k, 0)] * scales[k]).collect();
@@ -139,7 +143,7 @@ impl LeastEnergy<'_> {
         if by_length.norm_max() == 0.0 {
             return (Mat::identity(n, n), n);
         }
-        let rank = pivot_rank(by_length.col_piv_qr().R(), RANK);
+        let rank = pivot_rank(by_length.col_piv_qr().R(), self.rank_floor);
         let transposed = Mat::from_fn(n, m, |r, c| self.constraints[(c, r)] * scales[r]);
         let q = transposed.col_piv_qr().compute_Q();
         (q.get(.., rank..).to_owned(), n - rank)
@@ -224,25 +228,27 @@ fn stationary(mass: &Mat<f64>, kernel: &Mat<f64>, row: &Mat<f64>) -> (Minimum, M
     (Minimum::Stationary(1.0 / inverse), kernel * response)
 }
 
+/// What least squares finds, in scaled coordinates.
+struct Found {
+    minimum: Minimum,
+    velocity: Mat<f64>,
+    /// Columns: motions without energy.
+    free: Mat<f64>,
+}
+
 /// min ‖Lᵀ(v₀ + Z z)‖² with v₀ along j and Z the admissible motions that leave the gap as it is.
-fn least_squares(
-    factor: &Mat<f64>,
-    kernel: &Mat<f64>,
-    row: &Mat<f64>,
-    undetermined: &mut bool,
-) -> (Minimum, Mat<f64>) {
+fn least_squares(factor: &Mat<f64>, kernel: &Mat<f64>, row: &Mat<f64>) -> Found {
     let along = (row * kernel).transpose().to_owned();
     let norm = along.norm_l2();
     let particular = kernel * &along * faer::Scale(1.0 / (norm * norm));
-    let free = along.qr().compute_Q();
-    let motions = kernel * free.get(.., 1..);
+    let motions = kernel * along.qr().compute_Q().get(.., 1..);
     let rows = factor.nrows();
     let target = factor * &particular;
     let energies = factor * &motions;
     // Nothing to choose from, or nothing that matters (faer's pivoted QR of a zero matrix is NaN).
     if energies.norm_max() == 0.0 {
-        *undetermined = motions.ncols() > 0;
-        return (minimum(target.squared_norm_l2(), norm, rows), particular);
+        let minimum = minimum(target.squared_norm_l2(), norm, rows);
+        return Found { minimum, velocity: particular, free: motions };
     }
     let qr = energies.col_piv_qr();
     let r = qr.R();
@@ -250,14 +256,25 @@ fn least_squares(
     let rank = (0..size).take_while(|&i| r[(i, i)].abs() > ROOT_ENERGY).count();
     let rotated = qr.compute_Q().transpose() * &target;
     let energy: f64 = (rank..rows).map(|i| rotated[(i, 0)].powi(2)).sum();
-    let mut weights: Mat<f64> = Mat::zeros(motions.ncols(), 1);
     let order = qr.P().arrays().0;
-    for i in (0..rank).rev() {
-        let known: f64 = (i + 1..rank).map(|c| r[(i, c)] * weights[(order[c], 0)]).sum();
-        weights[(order[i], 0)] = -(rotated[(i, 0)] + known) / r[(i, i)];
+    // Weights of the motions, given right-hand sides of the leading triangle and the weights of the others.
+    let solve = |right: &dyn Fn(usize) -> f64, other: Option<usize>| {
+        let mut weights: Mat<f64> = Mat::zeros(motions.ncols(), 1);
+        if let Some(other) = other {
+            weights[(order[other], 0)] = 1.0;
+        }
+        for i in (0..rank).rev() {
+            let known: f64 = (i + 1..rank).map(|c| r[(i, c)] * weights[(order[c], 0)]).sum();
+            weights[(order[i], 0)] = (right(i) - known) / r[(i, i)];
+        }
+        &motions * weights
+    };
+    let velocity = particular + solve(&|i| -rotated[(i, 0)], None);
+    let mut free = Mat::zeros(velocity.nrows(), motions.ncols() - rank);
+    for other in rank..motions.ncols() {
+        free.col_mut(other - rank).copy_from(solve(&|i| -r[(i, other)], Some(other)).col(0));
     }
-    *undetermined = rank < motions.ncols();
-    (minimum(energy, norm, rows), particular + motions * weights)
+    Found { minimum: minimum(energy, norm, rows), velocity, free }
 }
 
 /// `energy` at unit closing speed, where a motion along j of unit size closes at `norm`.
@@ -305,6 +322,7 @@ mod tests {
             mass: &mass,
             mass_size: &mass_size,
             constraints: &constraints,
+            rank_floor: 1e-10,
             row,
             row_size: &row_size,
             lengths: &lengths,
@@ -351,7 +369,7 @@ mod tests {
         for (a, b) in general_way.velocity.iter().zip(&by_formula.velocity) {
             assert!((a - b).abs() < 1e-14);
         }
-        assert!(!general_way.undetermined);
+        assert!(general_way.free_motions.is_empty());
     }
 
     #[test]
@@ -359,7 +377,7 @@ mod tests {
         let point = DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.0, 0.0]);
         assert_eq!(solve(point.clone(), none(2), &[0.0, 1.0]).minimum, Minimum::Massless);
         let beside = solve(point.clone(), none(2), &[2.0, 0.0]);
-        assert!((finite(&beside) - 0.25).abs() < 1e-16 && beside.undetermined);
+        assert!((finite(&beside) - 0.25).abs() < 1e-16 && beside.free_motions == [vec![0.0, 1.0]]);
         assert_eq!(solve(point, none(2), &[0.0, 0.0]).minimum, Minimum::Immovable);
         assert_eq!(solve(DMatrix::zeros(0, 0), none(0), &[]).minimum, Minimum::Immovable);
         let held = solve(general(), DMatrix::identity(3, 3), &[1.0, 2.0, 3.0]);
@@ -372,7 +390,7 @@ mod tests {
         // Two slides in line: the first carries nothing itself, the second 3 kg. M = 3 [1 1; 1 1].
         let mass = DMatrix::from_element(2, 2, 3.0);
         let tip = solve(mass.clone(), none(2), &[1.0, 1.0]);
-        assert!((finite(&tip) - 3.0).abs() < 1e-14 && tip.undetermined);
+        assert!((finite(&tip) - 3.0).abs() < 1e-14 && tip.free_motions.len() == 1);
         assert_eq!(solve(mass, none(2), &[1.0, 0.0]).minimum, Minimum::Massless);
     }
 

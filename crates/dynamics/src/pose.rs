@@ -1,6 +1,7 @@
 //! A mechanism at one configuration.
 
 use crate::kinematics::Kinematics;
+use crate::loops::posing::LoopState;
 use crate::{Configuration, System};
 use nalgebra::DMatrix;
 use percuss_mechanism::{JointId, Limits, LinkId};
@@ -13,22 +14,13 @@ pub struct Pose {
     pub(crate) kinematics: Kinematics<f64>,
     pub(crate) joint_q: Vec<std::ops::Range<usize>>,
     pub(crate) base: Transform<f64>,
+    pub(crate) loops: Option<LoopState>,
 }
 
 impl System {
     /// Every joint at zero.
     pub fn configuration(&self) -> Configuration {
         Configuration::zero(&self.mechanism)
-    }
-
-    /// The pose at a configuration; joints that follow others are put where they belong.
-    pub fn pose(&self, configuration: &Configuration) -> Pose {
-        let mut kinematics = Kinematics::new(self);
-        for (values, range) in configuration.values.iter().zip(&self.joint_q) {
-            kinematics.q[range.clone()].copy_from_slice(values);
-        }
-        kinematics.refill(self);
-        Pose { kinematics, joint_q: self.joint_q.clone(), base: configuration.base }
     }
 
     /// Joint-space mass matrix M over the coordinates, n×n, symmetric, positive semi-definite (kg, kg·m, kg·m²).
@@ -55,6 +47,11 @@ impl System {
 }
 
 impl Pose {
+    /// What the pose of a mechanism with loops stands on; none for a tree.
+    pub fn loops(&self) -> Option<&LoopState> {
+        self.loops.as_ref()
+    }
+
     /// X_wr: the root link in the world.
     pub fn base(&self) -> &Transform<f64> {
         &self.base

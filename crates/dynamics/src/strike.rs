@@ -1,10 +1,11 @@
 //! The strike: effective mass, the velocity field of the blow, and who carries the mass.
 
 use crate::articulated::{Articulated, Trust};
-use crate::contact::{LocatedContact, row_over_tree};
-use crate::least_energy::{IMMOVABLE, LeastEnergy, Minimum, condition_of};
+use crate::contact::{LocatedContact, locate, row_over_tree};
+use crate::kinematics::Kinematics;
+use crate::least_energy::{IMMOVABLE, LeastEnergy, Minimum, Solution, condition_of};
 use crate::{Contact, ContactError, Pose, System, mass_matrix};
-use nalgebra::{DMatrix, Vector3};
+use nalgebra::Vector3;
 use percuss_mechanism::{JointId, LinkId};
 use percuss_spatial::{Twist, Wrench};
 
@@ -45,6 +46,12 @@ pub enum RouteError {
     /// The recursion follows one joint at a time.
     #[error("the articulated route does not take joints that mimic others; the dense route does")]
     Mimics,
+    /// The recursion follows open chains.
+    #[error("the articulated route does not take closed loops; the dense route does")]
+    Loops,
+    /// The recursion knows nothing of held contacts.
+    #[error("the articulated route does not take held contacts; the dense route does")]
+    Holds,
     /// A joint moves (almost) no mass.
     #[error(
         "the articulated route meets a joint that moves no mass (least pivot {least_pivot:.1e} of its terms); \
@@ -108,10 +115,14 @@ pub struct Strike {
     pub route: Route,
     /// Condition of M scaled to unit diagonal; none where M is singular or too large to ask.
     pub condition: Option<f64>,
-    /// First-order bound on the error of m̄ from rounding, kg; none unless finite.
+    /// First-order bound on the error of m̄ from rounding and from what the loops' residual leaves open, kg; none
+    /// unless finite.
     pub effective_mass_error: Option<f64>,
     /// dim ker A at the pose; a floating base's 6 included.
     pub degrees_of_freedom: usize,
+    /// Whether the constraints have less than their generic rank here: branches cross, and m̄ is a lower bound that no
+    /// branch attains.
+    pub singular_pose: bool,
     /// What the reader should know.
     pub remarks: Vec<Remark>,
     /// The contact at the pose.
@@ -120,6 +131,8 @@ pub struct Strike {
     pub joint_velocities: Vec<Vec<f64>>,
     /// v* of the root link in its own axes at its origin; zero where it is the ground.
     pub base_velocity: Twist<f64>,
+    /// Motions (over the coordinates) that carry no mass and leave the gap as it is: v* is open by them.
+    pub(crate) free_motions: Vec<Vec<f64>>,
     /// Share of each link in m̄; together with the rotors' and the other mass's, 1. None unless finite.
     pub shares: Option<Shares>,
 }
@@ -139,8 +152,9 @@ pub struct Shares {
 const CONDITION_LIMIT: usize = 300;
 /// The recursion's answer stands up to this relative error from its pivots.
 const TRUSTED_ERROR: f64 = 1e-11;
-/// The recursion's pivots count as zero below this.
-pub(crate) const LEAST_PIVOT: f64 = 1e-13;
+/// The recursions' pivots count as zero below this: what should vanish keeps the rounding of all that was subtracted
+/// before, up to 1e-12 where joints nearly line up.
+pub(crate) const LEAST_PIVOT: f64 = 1e-10;
 /// Below this relative closing speed, a finite answer comes with a remark.
 const NEARLY_IMMOVABLE: f64 = 1e-6;
 
@@ -160,32 +174,56 @@ impl System {
     ///
     /// # Errors
     /// [`StrikeError`]: a contact that means nothing; a route that was asked for and does not take the mechanism.
-    pub fn strike(&self, pose: &Pose, contact: &Contact, choice: RouteChoice) -> Result<Strike, StrikeError> {
-        let contact = self.locate(pose, contact)?;
+    pub fn strike(&self, pose: &Pose, asked: &Contact, choice: RouteChoice) -> Result<Strike, StrikeError> {
+        let contact = self.locate(pose, asked)?;
         Ok(match choice {
-            RouteChoice::Only(Route::Dense) => self.strike_dense(pose, &contact)?,
+            RouteChoice::Only(Route::Dense) => self.strike_dense(pose, asked, &contact)?,
             RouteChoice::Only(Route::Articulated) => self.strike_articulated(pose, &contact)?,
             RouteChoice::Auto => match self.strike_articulated(pose, &contact) {
                 Ok(strike) => strike,
-                Err(_) => self.strike_dense(pose, &contact)?,
+                Err(_) => self.strike_dense(pose, asked, &contact)?,
             },
         })
     }
 
-    /// Route A.
-    fn strike_dense(&self, pose: &Pose, contact: &LocatedContact) -> Result<Strike, RouteError> {
-        let mass = self.mass_matrix(pose);
-        let sizes = mass_matrix::diagonal_sizes(self, &pose.kinematics);
-        let (row, row_size) = row_over_tree(self, &pose.kinematics, contact);
-        let solution = LeastEnergy {
+    /// Route A on bare kinematics.
+    fn least_energy(&self, kinematics: &Kinematics<f64>, contact: &LocatedContact) -> Solution {
+        let mass = self.reduce(&mass_matrix::over_tree(self, kinematics));
+        let sizes = mass_matrix::diagonal_sizes(self, kinematics);
+        let (row, row_size) = row_over_tree(self, kinematics, contact);
+        LeastEnergy {
             mass: &mass,
             mass_size: &self.reduce_vector(&sizes, |multiplier| multiplier * multiplier),
-            constraints: &DMatrix::zeros(0, self.coordinates),
+            constraints: &self.constraint_rows(kinematics),
+            rank_floor: self.rank_floor(),
             row: &self.reduce_vector(&row, |multiplier| multiplier),
             row_size: &self.reduce_vector(&row_size, f64::abs),
             lengths: &self.coordinate_lengths(),
         }
-        .solve();
+        .solve()
+    }
+
+    /// Relative change of m̄ between a pose and where it may be, as far as its loops are from closed.
+    fn closing_error(&self, pose: &Pose, contact: &Contact, m: f64) -> f64 {
+        let Some(doubtful) = self.doubtful_poses(pose) else { return 0.0 };
+        let mut most = 0.0;
+        for kinematics in doubtful {
+            let Ok(moved) = locate(self, &kinematics, &pose.base, contact) else { continue };
+            if let Minimum::Finite(other) = self.least_energy(&kinematics, &moved).minimum {
+                most = f64::max(most, (other / m - 1.0).abs());
+            }
+        }
+        most
+    }
+
+    /// Route A.
+    fn strike_dense(
+        &self,
+        pose: &Pose,
+        asked: &Contact,
+        contact: &LocatedContact,
+    ) -> Result<Strike, RouteError> {
+        let solution = self.least_energy(&pose.kinematics, contact);
         let mut remarks = Vec::new();
         if solution.massless_directions > 0 {
             remarks.push(Remark::MasslessMotions { directions: solution.massless_directions });
@@ -200,17 +238,23 @@ impl System {
             }
             Minimum::Stationary(value) => return Err(RouteError::IndefiniteMass { value }),
         };
-        if solution.undetermined && matches!(effective_mass, EffectiveMass::Finite(_)) {
+        if !solution.free_motions.is_empty() && matches!(effective_mass, EffectiveMass::Finite(_)) {
             remarks.push(Remark::UndeterminedMotion);
         }
         let mut strike = self.finish(pose, contact, effective_mass, &self.expand(&solution.velocity));
         strike.condition = solution.condition;
         strike.degrees_of_freedom = solution.mobility;
+        strike.singular_pose = solution.mobility > self.degrees_of_freedom();
         strike.remarks = remarks;
         // A singular M has no condition; its pivots say how far the rest of it stretches rounding.
         let spread = if strike.condition.is_none() { solution.pivot_spread } else { 0.0 };
         let rounding = f64::EPSILON * self.coordinates as f64 * spread;
-        self.judge(&mut strike, solution.approach, rounding);
+        let closing = match strike.effective_mass {
+            EffectiveMass::Finite(m) => self.closing_error(pose, asked, m),
+            EffectiveMass::Immovable | EffectiveMass::Massless => 0.0,
+        };
+        strike.free_motions = solution.free_motions;
+        self.judge(&mut strike, solution.approach, rounding + closing);
         Ok(strike)
     }
 
@@ -242,7 +286,15 @@ impl System {
 
     /// Whether the recursion takes this system at all.
     pub(crate) fn articulated_support(&self) -> Result<(), RouteError> {
-        if self.has_active_mimics { Err(RouteError::Mimics) } else { Ok(()) }
+        if !self.groups.is_empty() {
+            Err(RouteError::Loops)
+        } else if !self.held.is_empty() {
+            Err(RouteError::Holds)
+        } else if self.has_active_mimics {
+            Err(RouteError::Mimics)
+        } else {
+            Ok(())
+        }
     }
 
     /// Whether its pivots can be relied on.
@@ -255,7 +307,7 @@ impl System {
     }
 
     /// How far a unit rate of each coordinate moves a point at the characteristic length.
-    fn coordinate_lengths(&self) -> Vec<f64> {
+    pub(crate) fn coordinate_lengths(&self) -> Vec<f64> {
         let mut lengths = vec![1.0; self.coordinates];
         for (v, length) in self.tree_lengths() {
             if let Some(f) = self.follows[v].filter(|f| f.multiplier == 1.0) {
@@ -304,10 +356,12 @@ impl System {
             condition: None,
             effective_mass_error: None,
             degrees_of_freedom: self.coordinates,
+            singular_pose: false,
             remarks: Vec::new(),
             contact: *contact,
             joint_velocities,
             base_velocity,
+            free_motions: Vec::new(),
             shares,
         }
     }

@@ -1,12 +1,15 @@
 //! A mechanism under conditions, compiled: bodies in order, coordinates numbered.
 
 use crate::joint_motion::JointMotion;
+use crate::loops::assembly::{Assembly, AssemblyError};
+use crate::loops::freedom::GenericRank;
+use crate::loops::{Gear, Group, Held, Loop};
 use crate::{Base, Conditions, ConditionsError};
 use nalgebra::DMatrix;
 use percuss_mechanism::{JointId, LinkId, Mechanism};
 use percuss_spatial::{Scalar, SpatialInertia, Transform};
 use std::ops::Range;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// A body of the tree with the joint above it. Links held together by fixed joints are one body.
 #[derive(Clone, Debug)]
@@ -60,6 +63,15 @@ pub struct System {
     pub(crate) coordinates: usize,
     pub(crate) redundant_locks: usize,
     pub(crate) has_active_mimics: bool,
+    pub(crate) loops: Vec<Loop>,
+    pub(crate) gears: Vec<Gear>,
+    pub(crate) held: Vec<Held>,
+    pub(crate) groups: Vec<Group>,
+    /// The same without locks, where there are loops to be closed with every joint free.
+    pub(crate) unlocked: Option<Arc<System>>,
+    /// Found when first asked for.
+    pub(crate) assembly: Arc<OnceLock<Result<Assembly, AssemblyError>>>,
+    pub(crate) generic_rank: Arc<OnceLock<GenericRank>>,
 }
 
 impl System {
@@ -92,12 +104,24 @@ impl System {
             coordinates: 0,
             redundant_locks,
             has_active_mimics: false,
+            loops: Vec::new(),
+            gears: Vec::new(),
+            held: conditions.resolve_holds(&mechanism)?,
+            groups: Vec::new(),
+            unlocked: None,
+            assembly: Arc::default(),
+            generic_rank: Arc::default(),
             mechanism: Arc::clone(&mechanism),
         };
         for &link in mechanism.order() {
             system.place(link, &armatures, conditions.keep_fixed_joints);
         }
         system.number_coordinates();
+        system.compile_loops();
+        if !system.groups.is_empty() && system.locked.contains(&true) {
+            let unlocked = Conditions { locked: Vec::new(), held: Vec::new(), ..conditions.clone() };
+            system.unlocked = Some(Arc::new(System::new(mechanism, &unlocked)?));
+        }
         Ok(system)
     }
 
@@ -188,14 +212,25 @@ impl System {
         self.base
     }
 
-    /// Degrees of freedom: how many independent velocities there are; a floating base counts 6.
-    pub fn degrees_of_freedom(&self) -> usize {
+    /// How many coordinates there are: independent velocities of the tree; a floating base counts 6.
+    pub fn coordinates(&self) -> usize {
         self.coordinates
     }
 
-    /// Constraint rows that add nothing: locks on joints that other locks hold already.
-    pub fn redundant_constraints(&self) -> usize {
-        self.redundant_locks
+    /// What each coordinate is: a joint (none: the floating base) and the number of its velocity.
+    pub fn coordinate_joints(&self) -> Vec<(Option<JointId>, usize)> {
+        let mut names = vec![(None, 0); self.coordinates];
+        for body in &self.bodies {
+            if body.joint.is_some_and(|id| self.mechanism.joint(id).mimic().is_some()) {
+                continue;
+            }
+            for (k, v) in body.v.clone().enumerate() {
+                if let Some(f) = self.follows[v] {
+                    names[f.index] = (body.joint, k);
+                }
+            }
+        }
+        names
     }
 
     /// Whether the joint cannot move: locked itself, or a mimic and its master where either is.

@@ -38,7 +38,7 @@ impl System {
             rotation_from_quaternion([q[3], q[4], q[5], q[6]]),
             Vector3::new(q[0], q[1], q[2]),
         );
-        Pose { kinematics, joint_q: self.joint_q.clone(), base: pose.base * step }
+        Pose { kinematics, joint_q: self.joint_q.clone(), base: pose.base * step, loops: pose.loops.clone() }
     }
 }
 
@@ -62,13 +62,17 @@ pub(crate) fn position_rates<T: Scalar>(kind: JointKind, q: &[T], v: &[T], rates
     }
 }
 
-/// q ⊕ h v of one joint, to second order in h, quaternions normalised.
+/// q ⊕ h v of one joint, to second order in h, quaternions normalised: the rates are those of the middle, since a
+/// floating joint's slide turns with it.
 pub(crate) fn advanced(kind: JointKind, q: &[f64], v: &[f64], h: f64) -> Vec<f64> {
-    let mut rates = vec![0.0; q.len()];
-    position_rates(kind, q, v, &mut rates);
-    let mut next: Vec<f64> = q.iter().zip(&rates).map(|(q, r)| q + h * r).collect();
-    normalise(kind, &mut next);
-    next
+    let step = |rates_at: &[f64], h: f64| {
+        let mut rates = vec![0.0; q.len()];
+        position_rates(kind, rates_at, v, &mut rates);
+        let mut next: Vec<f64> = q.iter().zip(&rates).map(|(q, r)| q + h * r).collect();
+        normalise(kind, &mut next);
+        next
+    };
+    step(&step(q, h / 2.0), h)
 }
 
 /// Scales a quaternion in `q` to unit norm.

@@ -47,15 +47,24 @@ const fn other(name: &'static str, usage: Use) -> Element {
     Element { name, usage, single: false, attributes: &[], children: &[] }
 }
 
-const LOOPS: Use = Refused(
-    "loop-unsupported",
-    "this version does not close loops, and the answer without this one would be wrong",
+/// Told of an origin that stands where the other spelling of a loop has it.
+const MISPLACED: Use = Refused(
+    "misplaced-origin",
+    "this does not belong here, and the loop frame without it would be wrong: <predecessor> and <successor> hold \
+     an <origin>, <link1> and <link2> bear xyz and rpy themselves",
 );
 
-const COUPLINGS: Use = Refused(
-    "loop-unsupported",
-    "this version does not read couplings, and the answer without this one would be wrong",
-);
+const UNWATCHED: Use = Noted("what closes a loop has no limits; ignored, limit a joint of the tree");
+
+/// Of constraints in another tongue: refused, with what to write instead.
+macro_rules! instead {
+    ($write:literal) => {
+        Refused(
+            "loop-unsupported",
+            concat!("this is not read, and the answer without it would be wrong: write ", $write, " instead"),
+        )
+    };
+}
 
 /// The root: its tag and what it holds.
 pub(crate) const ROBOT: Element = Element {
@@ -70,7 +79,7 @@ const IN_ROBOT: &[Element] = &[
     read("link", &[("name", Read), ("type", Silent)], IN_LINK),
     read(
         "joint",
-        // `independent` advises which coordinates drive; it never changes the effective mass (joint.rs).
+        // `independent` advises which coordinates drive; it never changes the effective mass.
         &[("name", Read), ("type", Read), ("independent", Read), ("dont_collapse", Silent)],
         IN_JOINT,
     ),
@@ -81,14 +90,16 @@ const IN_ROBOT: &[Element] = &[
     other("material", Silent),
     other("sensor", Silent),
     other("ros2_control", Silent),
+    // Looked into for constraints (survey.rs).
     other("mujoco", Silent),
     other("group", Silent),
     other("frame", Silent),
     other("capability", Silent),
     other("self_collision_checking", Silent),
-    other("loop", LOOPS),
-    other("coupling", COUPLINGS),
-    other("loop_joint", LOOPS),
+    read("loop", &[("name", Read), ("type", Read)], IN_LOOP),
+    read("loop_joint", &[("name", Read), ("type", Read)], IN_LOOP_JOINT),
+    read("coupling", &[("name", Read), ("type", Read)], IN_COUPLING),
+    other("constraint", instead!("a <loop> or a <coupling>")),
     other(
         "drake:joint",
         Refused(
@@ -96,13 +107,60 @@ const IN_ROBOT: &[Element] = &[
             "joints of Drake's own are not read, and the answer without this one would be wrong",
         ),
     ),
-    other("drake:ball_constraint", LOOPS),
-    other("drake:distance_constraint", LOOPS),
-    other("drake:weld_constraint", LOOPS),
-    other("drake:coupler_constraint", COUPLINGS),
+    other("drake:ball_constraint", instead!("<loop type=\"spherical\">")),
+    other("drake:distance_constraint", instead!("<loop type=\"distance\">")),
+    other("drake:weld_constraint", instead!("<loop type=\"fixed\">")),
+    other("drake:coupler_constraint", instead!("a <coupling>, or a <mimic> in the joint,")),
 ];
 
 const ORIGIN: Element = single("origin", &[("xyz", Read), ("rpy", Read), ("quat_xyzw", Read)]);
+
+const fn one(
+    name: &'static str,
+    attributes: &'static [(&'static str, Use)],
+    children: &'static [Element],
+) -> Element {
+    Element { name, usage: Read, single: true, attributes, children }
+}
+
+const HOLDS: &[(&str, Use)] =
+    &[("link", Read), ("xyz", MISPLACED), ("rpy", MISPLACED), ("quat_xyzw", MISPLACED)];
+
+const IN_LOOP: &[Element] = &[
+    one("predecessor", HOLDS, &[ORIGIN]),
+    one("successor", HOLDS, &[ORIGIN]),
+    single("axis", &[("xyz", Read)]),
+    single("axis2", &[("xyz", Read)]),
+    single("distance", &[("value", Read)]),
+    other("origin", MISPLACED),
+    other("predecessor_origin", MISPLACED),
+    other("successor_origin", MISPLACED),
+    other("limit", UNWATCHED),
+    // Finite forces.
+    other("dynamics", Silent),
+];
+
+const PLACED: &[(&str, Use)] = &[("link", Read), ("xyz", Read), ("rpy", Read), ("quat_xyzw", Read)];
+
+const IN_LOOP_JOINT: &[Element] = &[
+    one("link1", PLACED, &[other("origin", MISPLACED)]),
+    one("link2", PLACED, &[other("origin", MISPLACED)]),
+    single("axis", &[("xyz", Read)]),
+    single("axis2", &[("xyz", Read)]),
+    single("distance", &[("value", Read)]),
+    other("origin", MISPLACED),
+    other("limit", UNWATCHED),
+    other("dynamics", Silent),
+];
+
+const IN_COUPLING: &[Element] = &[
+    // A ratio between rates asks for no place on the links.
+    one("predecessor", &[("link", Read)], &[other("origin", Silent)]),
+    one("successor", &[("link", Read)], &[other("origin", Silent)]),
+    single("ratio", &[("value", Read)]),
+    // Both axes are those of the joints.
+    other("axis", Silent),
+];
 
 const IN_LINK: &[Element] = &[
     Element { name: "inertial", usage: Read, single: true, attributes: &[], children: IN_INERTIAL },

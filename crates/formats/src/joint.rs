@@ -23,6 +23,8 @@ pub(crate) struct JointText<'a> {
     /// None, one, or one a velocity, kg·m² or kg.
     pub armature: Vec<f64>,
     pub mimic: Option<MimicText<'a>>,
+    /// Whether it is advised to drive or to follow.
+    pub independent: Option<bool>,
 }
 
 /// A checked `<mimic>`.
@@ -41,7 +43,6 @@ const DEFAULT_AXIS: &str = "1 0 0";
 pub(crate) fn check<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> JointText<'a> {
     let name = name(node, report);
     let kind = kind(node, report);
-    unbound(node, report);
     JointText {
         name,
         kind: kind.unwrap_or(JointKind::Fixed),
@@ -52,6 +53,7 @@ pub(crate) fn check<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> Join
         limits: limits(node, kind, report),
         armature: armature::of_joint(node, report),
         mimic: child(node, "mimic").and_then(|n| mimic(n, kind, report)),
+        independent: independent(node, report),
     }
 }
 
@@ -76,11 +78,24 @@ fn kind(node: Node<'_, '_>, report: &mut Report) -> Option<JointKind> {
     kind
 }
 
-/// A joint that is declared dependent depends on something; where the file does not say on what, it was bound by
-/// other means, and here it is free.
-fn unbound<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) {
-    let dependent = node.attribute("independent").is_some_and(|text| text.eq_ignore_ascii_case("false"));
-    if dependent && child(node, "mimic").is_none() {
+/// URDF+ files say `true`, `True` and `TRUE`.
+fn independent(node: Node<'_, '_>, report: &mut Report) -> Option<bool> {
+    let text = node.attribute("independent")?;
+    let word = text.trim_ascii();
+    let value = [true, false].into_iter().find(|value| word.eq_ignore_ascii_case(&value.to_string()));
+    if value.is_none() {
+        report.warning("bad-flag", Place::Attribute(node, "independent"), || {
+            format!("independent={}: true or false is wanted; ignored", quoted(text))
+        });
+    }
+    value
+}
+
+/// A joint that is declared dependent depends on something. Where the file has no loop and no coupling at all, it
+/// was bound by other means, and here it is free; where it has some, only the mechanism's motion tells.
+pub(crate) fn unbound<'a, 'i: 'a>(joint: &JointText<'a>, node: Node<'a, 'i>, report: &mut Report) {
+    let moves = joint.kind.dofs() > 0;
+    if moves && joint.independent == Some(false) && child(node, "mimic").is_none() {
         let place = Place::Attribute(node, "independent");
         report.fold(Severity::Warning, "unbound-joint", String::new(), place, || {
             "the joint is declared dependent, but nothing in the file binds it; it moves freely".to_owned()
@@ -88,11 +103,12 @@ fn unbound<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) {
     }
 }
 
-/// The name of the parent or child link.
-fn end<'a, 'i: 'a>(node: Node<'a, 'i>, role: &'static str, report: &mut Report) -> &'a str {
+/// The name of the link at one end: a child element `role` gives it.
+pub(crate) fn end<'a, 'i: 'a>(node: Node<'a, 'i>, role: &'static str, report: &mut Report) -> &'a str {
     let Some(element) = child(node, role) else {
         report.error("missing-element", Place::Element(node), || {
-            format!("<joint> has no <{role}>; it needs <{role} link=\"...\"/>")
+            let tag = node.tag_name().name();
+            format!("<{tag}> has no <{role}>; it needs <{role} link=\"...\"/>")
         });
         return "";
     };

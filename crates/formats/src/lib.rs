@@ -10,19 +10,36 @@
 //! 5. the mechanism's builder checks the whole; what it finds is given its place in the file.
 //!
 //! # The dialect
-//! Plain URDF 1.0 to 1.2. What has no bearing on the mechanics (looks, sensors, controllers, simulator settings)
-//! is passed over in silence; what is not known is passed over with a warning; what would change the answer and
-//! is not supported is an error. The table is `src/dialect.rs`.
+//! Plain URDF 1.0 to 1.2, and what closes loops: URDF+ (`<loop>`, `<coupling>`, `independent`), `<loop_joint>`, and
+//! a link with two parent joints (the first in the file is the tree's). What has no bearing on the mechanics (looks,
+//! sensors, controllers, simulator settings) is passed over in silence; what is not known is passed over with a
+//! warning; what would change the answer and is not supported is an error. The table is `src/dialect.rs`.
+//!
+//! ```xml
+//! <loop name="pin" type="revolute">        <!-- fixed revolute continuous prismatic cylindrical universal planar
+//!                                               spherical distance; links may be "world" -->
+//!   <predecessor link="coupler"><origin xyz="0.7 0 0"/></predecessor>
+//!   <successor link="rocker"><origin xyz="0.5 0 0" rpy="0 0 0"/></successor>
+//!   <axis xyz="0 0 1"/>                    <!-- in both loop frames; 1 0 0 where there is none -->
+//!   <axis2 xyz="0 1 0"/>                   <!-- universal: the successor's pin, in its loop frame -->
+//!   <distance value="0.4"/>                <!-- distance: m; else the distance with all joints at 0 -->
+//! </loop>
+//! <coupling name="gear"><predecessor link="arm"/><successor link="rotor"/><ratio value="6"/></coupling>
+//! <loop_joint name="ball" type="spherical"><link1 link="a" xyz="0 0 0" rpy="0 0 0"/><link2 link="b"/></loop_joint>
+//! ```
 //!
 //! This crate knows no dynamics.
 
 mod armature;
+mod closure;
 mod diagnostic;
 mod dialect;
 mod geometry;
 mod joint;
 mod link;
 mod load;
+mod loops;
+mod nodes;
 mod numbers;
 mod origin;
 mod prescan;
@@ -31,9 +48,10 @@ mod report;
 mod source;
 mod standard;
 mod survey;
+mod texts;
 mod write;
 
 pub use diagnostic::{Diagnostic, LoadError};
 pub use load::{LoadOptions, Loaded, load};
 pub use source::{DEFAULT_MAX_SIZE, Source};
-pub use write::write_urdf;
+pub use write::{Comments, write_urdf, write_urdf_with};

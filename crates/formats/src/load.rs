@@ -1,14 +1,13 @@
 //! From a source to a mechanism.
 
 use crate::dialect::ROBOT;
+use crate::nodes::Nodes;
 use crate::report::{Place, Report, cut, shortened};
-use crate::survey::{child, children, macros, survey};
-use crate::{Diagnostic, LoadError, Source, armature, joint, link, prescan, references, standard};
-use percuss_mechanism::{Accept, Mechanism, MechanismBuilder, Problem, Severity, Subject};
+use crate::survey::{macros, survey};
+use crate::texts::Texts;
+use crate::{Diagnostic, LoadError, Source, link, prescan, standard};
+use percuss_mechanism::{Accept, Mechanism, MechanismBuilder, Severity};
 use roxmltree::{Document, Node, ParsingOptions};
-
-/// Links, and joints, of one file.
-const MOST_BODIES: usize = 100_000;
 
 /// How to read a file.
 #[derive(Clone, Copy, Debug, Default)]
@@ -26,7 +25,7 @@ pub struct Loaded {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Reads a URDF.
+/// Reads a URDF, closed loops and couplings included.
 ///
 /// Units are those of URDF: m, kg, kg·m², rad. Inertias given in a turned frame are turned into the link's axes,
 /// I = R I′ Rᵀ. Nothing outside the text is opened: meshes, packages and external entities stay where they are.
@@ -69,28 +68,16 @@ fn read(text: &str, options: &LoadOptions, report: &mut Report) -> Option<Mechan
     if report.is_xacro() {
         return None;
     }
-    let nodes =
-        Nodes { links: children(robot, "link").collect(), joints: children(robot, "joint").collect() };
-    for (what, count) in [("links", nodes.links.len()), ("joints", nodes.joints.len())] {
-        if count > MOST_BODIES {
-            report.error("too-complex", Place::Element(robot), || {
-                format!("{count} {what}; at most {MOST_BODIES} are read")
-            });
-            return None;
-        }
+    let nodes = Nodes::of(robot);
+    if !nodes.are_bounded(robot, report) {
+        return None;
     }
-    let links: Vec<_> = nodes.links.iter().map(|n| link::check(*n, report)).collect();
-    let mut joints: Vec<_> = nodes.joints.iter().map(|n| joint::check(*n, report)).collect();
-    let joint_index = references::index(joints.iter().map(|j| j.name));
-    armature::of_transmissions(robot, &mut joints, &joint_index, report);
-    for (joint, node) in joints.iter_mut().zip(&nodes.joints) {
-        armature::drop_from_fixed(joint, *node, report);
-    }
-    references::check(&links, &mut joints, &nodes.joints, &joint_index, report);
+    let texts = Texts::check(robot, &nodes, report);
     if report.has_errors() {
         return None;
     }
-    let values = standard::links(&links).and_then(|links| Ok((links, standard::joints(&joints)?)));
+    let values =
+        standard::links(&texts.links).and_then(|links| Ok((links, standard::joints(&texts.joints)?)));
     let (links, joints) = match values {
         Ok(values) => values,
         Err(trouble) => {
@@ -103,6 +90,8 @@ fn read(text: &str, options: &LoadOptions, report: &mut Report) -> Option<Mechan
     let builder = MechanismBuilder::new(name).accept(options.accept);
     let builder = links.into_iter().fold(builder, MechanismBuilder::link);
     let builder = joints.into_iter().fold(builder, MechanismBuilder::joint);
+    let builder = texts.closures.into_iter().fold(builder, MechanismBuilder::closure);
+    let builder = texts.couplings.into_iter().fold(builder, MechanismBuilder::coupling);
     let (mechanism, findings) = match builder.build() {
         Ok(built) => (Some(built.mechanism), built.findings),
         Err(error) => (None, error.findings),
@@ -113,52 +102,6 @@ fn read(text: &str, options: &LoadOptions, report: &mut Report) -> Option<Mechan
         });
     }
     mechanism
-}
-
-/// The elements of links and joints, in the order given.
-struct Nodes<'a, 'i> {
-    links: Vec<Node<'a, 'i>>,
-    joints: Vec<Node<'a, 'i>>,
-}
-
-impl<'a, 'i: 'a> Nodes<'a, 'i> {
-    /// Where in the file a finding of the builder belongs.
-    fn place(&self, robot: Node<'a, 'i>, subject: &Subject, problem: &Problem) -> Place<'a, 'i> {
-        let node = match subject {
-            Subject::Mechanism => Some(robot),
-            Subject::Link { index, .. } => self.links.get(*index).copied(),
-            Subject::Joint { index, .. } => self.joints.get(*index).copied(),
-        };
-        let node = node.unwrap_or(robot);
-        let within: &[&'static str] = match problem {
-            Problem::NotFinite { quantity, .. } | Problem::TooLarge { quantity, .. } => match *quantity {
-                "centre of mass" => &["inertial", "origin"],
-                "mass" => &["inertial", "mass"],
-                "inertia" => &["inertial", "inertia"],
-                "origin" | "rotation" => &["origin"],
-                "axis" => &["axis"],
-                "limit" => &["limit"],
-                "mimic" => &["mimic"],
-                "armature" => &["dynamics"],
-                // The builder's words, not the file's.
-                _ => &[],
-            },
-            Problem::NegativeMass { .. } => &["inertial", "mass"],
-            Problem::IndefiniteInertia { .. } | Problem::TriangleInequality { .. } => {
-                &["inertial", "inertia"]
-            }
-            Problem::ZeroAxis | Problem::AxisNotUnit { .. } => &["axis"],
-            Problem::LimitsReversed { .. } => &["limit"],
-            Problem::NegativeArmature { .. } | Problem::ArmatureCount { .. } => &["dynamics"],
-            Problem::MimicKind { .. } | Problem::MimicCycle { .. } | Problem::DanglingMimic { .. } => {
-                &["mimic"]
-            }
-            Problem::TwoParents { .. } | Problem::JoinsItself { .. } => &["child"],
-            // An open list of the builder's; the link or joint is place enough.
-            _ => &[],
-        };
-        Place::Element(within.iter().try_fold(node, |node, name| child(node, name)).unwrap_or(node))
-    }
 }
 
 /// Reports text that is no XML.

@@ -3,7 +3,7 @@
 use crate::numbers::{bad, optional, parse};
 use crate::report::{Place, Report};
 use crate::survey::child;
-use percuss_spatial::{Matrix3, rotation_from_quaternion};
+use percuss_spatial::{Matrix3, Transform, rotation_from_quaternion, rotation_from_rpy};
 use roxmltree::Node;
 
 /// A quaternion whose norm is further from 1 than this was not meant as it stands.
@@ -22,14 +22,26 @@ pub(crate) struct Origin<'a> {
 }
 
 impl Origin<'_> {
-    const IDENTITY: Origin<'static> = Origin { xyz: ZERO, rpy: ZERO, quaternion: None };
+    pub const IDENTITY: Origin<'static> = Origin { xyz: ZERO, rpy: ZERO, quaternion: None };
+
+    /// The transform, where no other reader takes part.
+    pub fn transform(&self) -> Transform<f64> {
+        // The numbers are known to be good.
+        let rotation = || rotation_from_rpy(parse(self.rpy).unwrap_or_default());
+        let translation = parse::<3>(self.xyz).unwrap_or_default();
+        Transform::new(self.quaternion.unwrap_or_else(rotation), translation.into())
+    }
 }
 
 const ZERO: &str = "0 0 0";
 
 /// Checks the `<origin>` of `parent`; the identity where there is none.
 pub(crate) fn check<'a, 'i: 'a>(parent: Node<'a, 'i>, report: &mut Report) -> Origin<'a> {
-    let Some(node) = child(parent, "origin") else { return Origin::IDENTITY };
+    child(parent, "origin").map_or(Origin::IDENTITY, |node| of(node, report))
+}
+
+/// Checks the attributes of an `<origin>`, or of an element that has them itself.
+pub(crate) fn of<'a>(node: Node<'a, '_>, report: &mut Report) -> Origin<'a> {
     let quaternion = node.attribute("quat_xyzw").and_then(|text| rotation(node, text, report));
     if node.attribute("quat_xyzw").is_some() && node.attribute("rpy").is_some() {
         report.warning("two-rotations", Place::Attribute(node, "quat_xyzw"), || {

@@ -24,12 +24,16 @@ pub(crate) fn index<'a>(names: impl Iterator<Item = &'a str>) -> HashMap<&'a str
 }
 
 /// Looks for what was meant, a few times only.
-struct Guesses {
+pub(crate) struct Guesses {
     left: usize,
 }
 
 impl Guesses {
-    fn near<'a>(&mut self, name: &str, names: impl Iterator<Item = &'a str>) -> Vec<String> {
+    pub fn new() -> Self {
+        Self { left: MOST_GUESSES }
+    }
+
+    pub fn near<'a>(&mut self, name: &str, names: impl Iterator<Item = &'a str>) -> Vec<String> {
         if self.left == 0 {
             return Vec::new();
         }
@@ -44,10 +48,10 @@ pub(crate) fn check<'a, 'i: 'a>(
     joints: &mut [JointText<'a>],
     nodes: &[Node<'a, 'i>],
     joint_index: &HashMap<&'a str, usize>,
+    guesses: &mut Guesses,
     report: &mut Report,
 ) {
     let link_index = index(links.iter().map(|l| l.name));
-    let mut guesses = Guesses { left: MOST_GUESSES };
     for (joint, node) in joints.iter().zip(nodes) {
         for (role, name) in [("parent", joint.parent), ("child", joint.child)] {
             // An empty name is one that is missing, and told already.

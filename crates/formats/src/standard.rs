@@ -78,6 +78,7 @@ fn joint(text: &JointText<'_>, values: &urdf_rs::Joint) -> JointDescription {
         limits: text.limits.map(|_| Limits { lower: limit.lower, upper: limit.upper }),
         armature: text.armature.clone(),
         mimic,
+        independent: text.independent,
     }
 }
 

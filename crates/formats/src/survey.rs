@@ -113,6 +113,7 @@ fn element(node: Node<'_, '_>, spec: &'static Element, report: &mut Report) {
     match spec.usage {
         Use::Read => survey(node, spec, report),
         Use::Silent if spec.name == "gazebo" => simulator_joints(node, report),
+        Use::Silent if spec.name == "mujoco" => equalities(node, report),
         Use::Silent => {}
         Use::Noted(why) => {
             report.fold(Severity::Note, "ignored", spec.name.to_owned(), place, || why.to_owned());
@@ -178,7 +179,18 @@ fn simulator_joints(gazebo: Node<'_, '_>, report: &mut Report) {
     for joint in children(gazebo, "joint") {
         report.warning("simulator-joint", Place::Element(joint), || {
             "a joint inside <gazebo> holds in that simulator only and is ignored; if it closes a loop, the answer \
-             is without that loop"
+             is without that loop: write it as a <loop> too"
+                .to_owned()
+        });
+    }
+}
+
+/// MuJoCo's settings do not matter here, but its equality constraints close loops and couple joints.
+fn equalities(mujoco: Node<'_, '_>, report: &mut Report) {
+    for equality in children(mujoco, "equality") {
+        report.error("loop-unsupported", Place::Element(equality), || {
+            "MuJoCo's equality constraints are not read, and the answer without them would be wrong: write a <loop> \
+             (for connect: spherical, for weld: fixed), or a <coupling> or <mimic> (for joint)"
                 .to_owned()
         });
     }

@@ -1,26 +1,66 @@
-//! A mechanism as plain URDF.
+//! A mechanism as URDF+.
 
-use percuss_mechanism::{Joint, JointKind, Link, Mechanism};
-use percuss_spatial::{Matrix3, Vector3, rpy_from_rotation};
+use percuss_mechanism::{Closure, ClosureKind, Coupling, Joint, JointKind, Link, LoopFrame, Mechanism};
+use percuss_spatial::{Matrix3, Transform, Vector3, rpy_from_rotation};
+use std::collections::HashMap;
 use std::fmt::Write;
 
-/// Writes plain URDF: links with their inertias, joints with their limits, mimics and armatures.
+/// Comments for a written file. Each is one line; what XML forbids in a comment is replaced.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Comments {
+    /// Above everything, a line each.
+    pub heading: Vec<String>,
+    /// Above a link, by its name.
+    pub links: HashMap<String, String>,
+    /// Above a joint, by its name.
+    pub joints: HashMap<String, String>,
+    /// Above a closure or a coupling, by its name.
+    pub closures: HashMap<String, String>,
+}
+
+/// Writes URDF+: links with their inertias, joints with their limits, mimics, armatures and advice, loops and
+/// couplings. Without loops and couplings it is plain URDF.
 ///
 /// Floats are the shortest that read back as the same bits, so that all comes back but the rotations, which go
 /// through roll, pitch and yaw and are exact to a few roundings. Shapes and meshes are not written, nor what XML
-/// cannot hold in a name; a chain of mimics comes out as mimics of its last master.
+/// cannot hold in a name; a chain of mimics comes out as mimics of its last master, and a joint to a second parent
+/// as the loop that it closes.
 /// `effort` and `velocity` are written as 0, since a mechanism does not know them and readers demand them.
 pub fn write_urdf(mechanism: &Mechanism) -> String {
+    write_urdf_with(mechanism, &Comments::default())
+}
+
+/// As [`write_urdf`], with comments. Those for names that do not occur are left out.
+pub fn write_urdf_with(mechanism: &Mechanism, comments: &Comments) -> String {
     let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    for line in &comments.heading {
+        put(&mut out, format_args!("<!-- {} -->\n", comment(line)));
+    }
     put(&mut out, format_args!("<robot name=\"{}\">\n", escaped(mechanism.name())));
     for link in mechanism.links() {
+        put_comment(&mut out, &comments.links, link.name());
         write_link(&mut out, link);
     }
     for joint in mechanism.joints() {
+        put_comment(&mut out, &comments.joints, joint.name());
         write_joint(&mut out, mechanism, joint);
+    }
+    for closure in mechanism.closures() {
+        put_comment(&mut out, &comments.closures, closure.name());
+        write_closure(&mut out, mechanism, closure);
+    }
+    for coupling in mechanism.couplings() {
+        put_comment(&mut out, &comments.closures, coupling.name());
+        write_coupling(&mut out, mechanism, coupling);
     }
     out.push_str("</robot>\n");
     out
+}
+
+fn put_comment(out: &mut String, comments: &HashMap<String, String>, name: &str) {
+    if let Some(text) = comments.get(name) {
+        put(out, format_args!("  <!-- {} -->\n", comment(text)));
+    }
 }
 
 fn put(out: &mut String, text: std::fmt::Arguments<'_>) {
@@ -48,15 +88,9 @@ fn write_link(out: &mut String, link: &Link) {
 fn write_joint(out: &mut String, mechanism: &Mechanism, joint: &Joint) {
     let (name, kind) = (escaped(joint.name()), joint.kind());
     let link_name = |id| escaped(mechanism.link(id).name());
-    put(out, format_args!("  <joint name=\"{name}\" type=\"{}\">\n", kind.name()));
-    let rotation = &joint.origin().rotation;
-    let xyz = triple(&joint.origin().translation);
-    if *rotation == Matrix3::identity() {
-        put(out, format_args!("    <origin xyz=\"{xyz}\"/>\n"));
-    } else {
-        let rpy = triple(&Vector3::from(rpy_from_rotation(rotation)));
-        put(out, format_args!("    <origin xyz=\"{xyz}\" rpy=\"{rpy}\"/>\n"));
-    }
+    let advice = joint.independent().map(|i| format!(" independent=\"{i}\"")).unwrap_or_default();
+    put(out, format_args!("  <joint name=\"{name}\" type=\"{}\"{advice}>\n", kind.name()));
+    put(out, format_args!("    {}\n", origin(joint.origin())));
     put(out, format_args!("    <parent link=\"{}\"/>\n", link_name(joint.parent())));
     put(out, format_args!("    <child link=\"{}\"/>\n", link_name(joint.child())));
     if kind.has_axis() {
@@ -86,6 +120,44 @@ fn write_joint(out: &mut String, mechanism: &Mechanism, joint: &Joint) {
     out.push_str("  </joint>\n");
 }
 
+fn write_closure(out: &mut String, mechanism: &Mechanism, closure: &Closure) {
+    let (name, kind) = (escaped(closure.name()), closure.kind());
+    put(out, format_args!("  <loop name=\"{name}\" type=\"{}\">\n", kind.name()));
+    for (tag, end) in [("predecessor", closure.predecessor()), ("successor", closure.successor())] {
+        let LoopFrame { link, frame } = end;
+        let link = link.map_or("world".to_owned(), |id| escaped(mechanism.link(id).name()));
+        put(out, format_args!("    <{tag} link=\"{link}\">{}</{tag}>\n", origin(frame)));
+    }
+    if kind.has_axis() {
+        put(out, format_args!("    <axis xyz=\"{}\"/>\n", triple(closure.axis())));
+    }
+    if kind == ClosureKind::Universal {
+        put(out, format_args!("    <axis2 xyz=\"{}\"/>\n", triple(closure.axis2())));
+    }
+    if let Some(distance) = closure.distance() {
+        put(out, format_args!("    <distance value=\"{}\"/>\n", number(distance)));
+    }
+    out.push_str("  </loop>\n");
+}
+
+fn write_coupling(out: &mut String, mechanism: &Mechanism, coupling: &Coupling) {
+    put(out, format_args!("  <coupling name=\"{}\">\n", escaped(coupling.name())));
+    for (tag, link) in [("predecessor", coupling.predecessor()), ("successor", coupling.successor())] {
+        put(out, format_args!("    <{tag} link=\"{}\"/>\n", escaped(mechanism.link(link).name())));
+    }
+    put(out, format_args!("    <ratio value=\"{}\"/>\n  </coupling>\n", number(coupling.ratio())));
+}
+
+fn origin(frame: &Transform<f64>) -> String {
+    let xyz = triple(&frame.translation);
+    if frame.rotation == Matrix3::identity() {
+        return format!("<origin xyz=\"{xyz}\"/>");
+    }
+    // No angle is −0.
+    let rpy = triple(&Vector3::from(rpy_from_rotation(&frame.rotation).map(|angle| angle + 0.0)));
+    format!("<origin xyz=\"{xyz}\" rpy=\"{rpy}\"/>")
+}
+
 fn triple(v: &Vector3<f64>) -> String {
     format!("{} {} {}", number(v.x), number(v.y), number(v.z))
 }
@@ -109,6 +181,20 @@ fn escaped(text: &str) -> String {
             '\n' => out.push_str("&#10;"),
             '\r' => out.push_str("&#13;"),
             '\u{0}'..='\u{1f}' | '\u{fffe}' | '\u{ffff}' => out.push('\u{fffd}'),
+            other => out.push(other),
+        }
+    }
+    out
+}
+
+/// For the inside of a comment, where `--` may not stand; on one line.
+fn comment(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.trim().chars() {
+        match c {
+            '-' if out.ends_with('-') => out.push_str(" -"),
+            '\u{fffe}' | '\u{ffff}' => out.push('\u{fffd}'),
+            c if c.is_control() => out.push(' '),
             other => out.push(other),
         }
     }

@@ -110,6 +110,7 @@ fn the_table_says_what_becomes_of_every_kind_of_element() {
     let at_robot = |element: &str| changed(&[("</robot>", &format!("{element}</robot>"))]);
     let at_link = |element: &str| changed(&[("<visual>", &format!("{element}<visual>"))]);
     let at_joint = |element: &str| changed(&[("<axis", &format!("{element}<axis"))]);
+    let drake = |name: &str| changed(&[DRAKE, ("</robot>", &format!("<drake:{name}/></robot>"))]);
     let cases = [
         (at_robot("<material name=\"red\"/>"), None),
         (at_robot("<gazebo reference=\"arm\"><any thing=\"x\"/></gazebo>"), None),
@@ -118,9 +119,13 @@ fn the_table_says_what_becomes_of_every_kind_of_element() {
         (at_robot("<other:thing xmlns:other=\"http://example.org\"/>"), None),
         (at_robot("<gazebo><joint name=\"j\"/></gazebo>"), Some((Warning, "simulator-joint"))),
         (at_robot("<thing/>"), Some((Warning, "unknown-element"))),
-        (at_robot("<loop name=\"l\" type=\"revolute\"/>"), Some((Error, "loop-unsupported"))),
-        (at_robot("<loop_joint name=\"l\"/>"), Some((Error, "loop-unsupported"))),
-        (at_robot("<coupling name=\"c\"/>"), Some((Error, "loop-unsupported"))),
+        (at_robot("<constraint name=\"c\"/>"), Some((Error, "loop-unsupported"))),
+        (at_robot("<mujoco><compiler/></mujoco>"), None),
+        (at_robot("<mujoco><equality/></mujoco>"), Some((Error, "loop-unsupported"))),
+        (drake("ball_constraint"), Some((Error, "loop-unsupported"))),
+        (drake("distance_constraint"), Some((Error, "loop-unsupported"))),
+        (drake("weld_constraint"), Some((Error, "loop-unsupported"))),
+        (drake("coupler_constraint"), Some((Error, "loop-unsupported"))),
         (at_link("<collision><any/></collision><contact/><self_collision_checking/>"), None),
         (at_link("<kinematic/>"), Some((Note, "ignored"))),
         (at_link("<origin xyz=\"0 0 0\"/>"), Some((Warning, "ignored"))),
@@ -134,6 +139,10 @@ fn the_table_says_what_becomes_of_every_kind_of_element() {
         (
             changed(&[("type=\"revolute\"", "type=\"revolute\" independent=\"FALSE\"")]),
             Some((Warning, "unbound-joint")),
+        ),
+        (
+            changed(&[("type=\"revolute\"", "type=\"revolute\" independent=\"perhaps\"")]),
+            Some((Warning, "bad-flag")),
         ),
         (changed(&[("name=\"pendulum\"", "name=\"p\" version=\"3\"")]), Some((Warning, "unknown-version"))),
         (changed(&[(" name=\"pendulum\"", "")]), Some((Note, "unnamed-robot"))),

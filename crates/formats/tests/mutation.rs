@@ -52,6 +52,25 @@ const ENTITIES: &str = r#"<!DOCTYPE robot [<!ENTITY m "1.5"><!ENTITY z "0 0 &m;"
 </robot>
 "#;
 
+/// A four-bar, with all else that binds: a distance, a ball in the other spelling, a gear and a second parent.
+const FOUR_BAR: &str = r#"<?xml version="1.0"?>
+<robot name="four_bar">
+  <link name="ground"/>
+  <link name="crank"><inertial><origin xyz="0.15 0 0"/><mass value="2"/><inertia ixx="0.002" ixy="0" ixz="0" iyy="0.017" iyz="0" izz="0.018"/></inertial></link>
+  <link name="coupler"/><link name="rocker"/><link name="rotor"/>
+  <joint name="a" type="continuous" independent="true"><parent link="ground"/><child link="crank"/><axis xyz="0 0 1"/></joint>
+  <joint name="b" type="continuous" independent="False"><parent link="crank"/><child link="coupler"/><origin xyz="0.3 0 0"/><axis xyz="0 0 1"/></joint>
+  <joint name="c" type="continuous"><parent link="ground"/><child link="rocker"/><origin xyz="0.8 0 0"/><axis xyz="0 0 1"/></joint>
+  <joint name="r" type="continuous"><parent link="ground"/><child link="rotor"/><axis xyz="0 0 1"/></joint>
+  <loop name="pin" type="revolute"><predecessor link="coupler"><origin xyz="0.7 0 0"/></predecessor><successor link="rocker"><origin xyz="0.5 0 0" rpy="0 0 0.1"/></successor><axis xyz="0 0 1"/></loop>
+  <loop name="hooke" type="universal"><predecessor link="world"/><successor link="crank"/><axis xyz="0 0 1"/><axis2 xyz="1 0 0"/></loop>
+  <loop name="rod" type="distance"><predecessor link="world"/><successor link="rocker"><origin quat_xyzw="0 0 0 1"/></successor><distance value="0.8"/></loop>
+  <loop_joint name="ball" type="spherical"><link1 link="ground" xyz="0.8 0 0"/><link2 link="rocker" rpy="0 0 1"/></loop_joint>
+  <coupling name="gear" type="rolling"><predecessor link="crank"/><successor link="rotor"/><ratio value="-6"/></coupling>
+  <joint name="second" type="planar"><parent link="rotor"/><child link="rocker"/><origin xyz="0.8 0 0"/><axis xyz="0 0 1"/></joint>
+</robot>
+"#;
+
 const NASTY: [&str; 24] = [
     "nan",
     "inf",
@@ -144,7 +163,7 @@ fn mutate(rng: &mut StdRng, text: &mut Vec<u8>) {
 fn no_mutation_makes_loading_panic_or_hang() {
     let mut rng = StdRng::seed_from_u64(0x7e0_cc55);
     let (mut good, mut bad) = (0, 0);
-    for original in [PENDULUM, ALL_JOINTS, MIMICS, ENTITIES] {
+    for original in [PENDULUM, ALL_JOINTS, MIMICS, ENTITIES, FOUR_BAR] {
         assert!(support::load_text(original).is_ok(), "{:?}", support::told(&support::load_text(original)));
         for case in 0..CASES {
             let mut bytes = original.as_bytes().to_vec();
@@ -166,6 +185,9 @@ fn no_mutation_makes_loading_panic_or_hang() {
                     let text = write_urdf(&loaded.mechanism);
                     let again = support::load_text(&text);
                     assert!(again.is_ok(), "case {case}: {:?}\n{shown}\n{text}", support::told(&again));
+                    let (before, after) = (&loaded.mechanism, &again.unwrap().mechanism);
+                    assert_eq!(before.closures().len(), after.closures().len(), "case {case}\n{shown}");
+                    assert_eq!(before.couplings().len(), after.couplings().len(), "case {case}\n{shown}");
                     for link in loaded.mechanism.links() {
                         let inertia = link.inertia();
                         assert!(inertia.mass.is_finite() && inertia.mass >= 0.0, "case {case}\n{shown}");

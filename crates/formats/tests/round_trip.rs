@@ -3,9 +3,10 @@
 mod support;
 
 use approx::assert_relative_eq;
-use percuss_formats::write_urdf;
+use percuss_formats::{Comments, write_urdf, write_urdf_with};
 use percuss_mechanism::{
-    Inertial, JointDescription, JointKind, Limits, LinkDescription, Mechanism, MechanismBuilder,
+    ClosureDescription, ClosureKind, CouplingDescription, Inertial, JointDescription, JointKind, Limits,
+    LinkDescription, Mechanism, MechanismBuilder,
 };
 use percuss_spatial::{Matrix3, Transform, Vector3, rotation_from_rpy};
 use support::load_text;
@@ -34,6 +35,7 @@ fn every_joint() -> Mechanism {
         let mut joint = JointDescription::new(kind.name(), kind, parent, &link.name)
             .origin(origin)
             .axis([0.6, 0.0, -0.8]);
+        joint.independent = [None, Some(true), Some(false)][i % 3];
         joint.armature = (0..kind.dofs()).map(|d| 0.1 / (1.0 + d as f64)).collect();
         if kind == JointKind::Prismatic {
             joint.limits = Some(Limits { lower: -1.0 / 3.0, upper: 1e-9 });
@@ -58,7 +60,7 @@ fn every_joint_comes_back() {
         // Decimals are exact to the last bit, also tiny and large ones.
         assert_eq!(a.origin().translation, b.origin().translation);
         assert_eq!((a.limits(), a.armature(), a.mimic()), (b.limits(), b.armature(), b.mimic()));
-        assert_eq!(a.axis(), b.axis());
+        assert_eq!((a.axis(), a.independent()), (b.axis(), b.independent()));
         // Through three angles and back.
         assert_relative_eq!(a.origin().rotation, b.origin().rotation, epsilon = 2e-15);
     }
@@ -72,4 +74,102 @@ fn every_joint_comes_back() {
 fn urdf_rs_reads_what_is_written() {
     let robot = urdf_rs::read_from_string(&write_urdf(&every_joint())).unwrap();
     assert_eq!((robot.links.len(), robot.joints.len()), (JointKind::ALL.len() + 1, JointKind::ALL.len()));
+}
+
+/// Two arms and a rotor; a closure of every kind between the arms and to the world, a gear, and two second parents.
+fn every_closure() -> Mechanism {
+    let frame = |i: usize| {
+        let x = i as f64 / 3.0;
+        Transform::new(rotation_from_rpy([x, -1.3 * x, 2.0 - x]), Vector3::new(x, 1e-7, -1.0 / 7.0))
+    };
+    let hinge = |name: &str, child: &str| JointDescription::new(name, JointKind::Continuous, "base", child);
+    let mut builder = MechanismBuilder::new("every closure")
+        .link(LinkDescription::massless("base"))
+        .link(body(0))
+        .link(body(1))
+        .link(LinkDescription::massless("rotor"))
+        .joint(hinge("left", &body(0).name))
+        .joint(hinge("second", "rotor").axis([0.6, 0.0, -0.8]))
+        .joint(hinge("right", &body(1).name))
+        .joint(hinge("third", &body(1).name).axis([0.6, 0.0, -0.8]).origin(frame(5)))
+        .joint(JointDescription::new("fourth", JointKind::Planar, "rotor", body(0).name).at([0.1, 0.2, 0.3]));
+    for (i, kind) in ClosureKind::ALL.into_iter().enumerate() {
+        let successor = if i % 3 == 0 { "world".to_owned() } else { body(1).name };
+        let name = format!("{} <&\">", kind.name());
+        builder = builder.closure(ClosureDescription {
+            predecessor_frame: frame(i),
+            successor_frame: frame(2 * i),
+            distance: (i % 2 == 1).then_some(1.0 / 3.0),
+            ..ClosureDescription::new(name, kind, body(0).name, successor)
+                .axis([0.0, 3.0, 4.0])
+                .axis2([-2.0, 0.1, 0.0])
+        });
+    }
+    let free = ClosureDescription::new("free length", ClosureKind::Distance, "rotor", "world")
+        .at([1.0; 3], [0.0; 3]);
+    let gear = CouplingDescription {
+        name: "gear".into(),
+        predecessor: body(1).name,
+        successor: "rotor".into(),
+        ratio: -19.0 / 3.0,
+    };
+    builder.closure(free).coupling(gear).build().unwrap_or_else(|e| panic!("{e}")).mechanism
+}
+
+#[test]
+fn every_closure_comes_back() {
+    let before = every_closure();
+    let text = write_urdf(&before);
+    let loaded = load_text(&text).unwrap_or_else(|e| panic!("{e}\n{text}"));
+    let after = &loaded.mechanism;
+    let kinds: Vec<ClosureKind> = before.closures().iter().map(|c| c.kind()).collect();
+    assert!(ClosureKind::ALL.iter().all(|kind| kinds.contains(kind)));
+    assert_eq!(kinds.len(), ClosureKind::ALL.len() + 3);
+    // The joints to second parents have become loops.
+    assert_eq!(before.closures().last().unwrap().name(), "fourth");
+    assert_eq!((after.joints().len(), after.closures().len()), (before.joints().len(), kinds.len()));
+    assert!(loaded.diagnostics.iter().all(|d| d.code != "second-parent"));
+    for (a, b) in after.closures().iter().zip(before.closures()) {
+        assert_eq!((a.name(), a.kind(), a.distance()), (b.name(), b.kind(), b.distance()));
+        assert_eq!((a.axis(), a.axis2()), (b.axis(), b.axis2()), "{}", a.name());
+        for (a, b) in [(a.predecessor(), b.predecessor()), (a.successor(), b.successor())] {
+            assert_eq!((a.link, a.frame.translation), (b.link, b.frame.translation));
+            assert_relative_eq!(a.frame.rotation, b.frame.rotation, epsilon = 2e-15);
+        }
+    }
+    assert_eq!(after.couplings().len(), 1);
+    let (a, b) = (&after.couplings()[0], &before.couplings()[0]);
+    assert_eq!((a.name(), a.ratio(), a.terms()), (b.name(), b.ratio(), b.terms()));
+    assert_eq!((a.predecessor(), a.successor()), (b.predecessor(), b.successor()));
+}
+
+#[test]
+fn comments_stand_above_what_they_are_about() {
+    let mechanism = every_closure();
+    let named = |name: &str, text: &str| [(name.to_owned(), text.to_owned())].into();
+    let comments = Comments {
+        heading: vec![
+            "a -- b --- c --> <robot>-".into(),
+            String::new(),
+            "-two\nlines\u{0}\u{ffff}\u{7}é".into(),
+        ],
+        links: named("rotor", "the rotor"),
+        joints: named("left", "the left -"),
+        closures: [("gear".to_owned(), "the gear".to_owned()), ("third".to_owned(), "the third".to_owned())]
+            .into(),
+    };
+    let text = write_urdf_with(&mechanism, &comments);
+    load_text(&text).unwrap_or_else(|e| panic!("{e}\n{text}"));
+    let bare: Vec<&str> = text.lines().filter(|line| !line.trim_start().starts_with("<!--")).collect();
+    assert_eq!(bare, write_urdf(&mechanism).lines().collect::<Vec<_>>());
+    for pair in [
+        "<!-- a - - b - - - c - -> <robot>- -->\n<!--  -->\n<!-- -two lines \u{fffd} é -->\n<robot",
+        "  <!-- the rotor -->\n  <link name=\"rotor\"/>",
+        "  <!-- the left - -->\n  <joint name=\"left\"",
+        "  <!-- the third -->\n  <loop name=\"third\"",
+        "  <!-- the gear -->\n  <coupling name=\"gear\"",
+    ] {
+        assert!(text.contains(pair), "{pair}\nis not in\n{text}");
+    }
+    assert_eq!(text.matches("<!--").count(), 7);
 }

@@ -2,8 +2,8 @@
 
 use crate::problem::{Problem, Severity, Subject};
 use crate::{
-    Geometry, Inertial, Joint, JointDescription, JointId, JointKind, Limits, Link, LinkDescription, LinkId,
-    Mechanism, Mimic, inertia_check, near_names, tree,
+    ClosureDescription, CouplingDescription, Geometry, Inertial, Joint, JointDescription, JointId, JointKind,
+    Limits, Link, LinkDescription, LinkId, Mechanism, Mimic, closure_check, inertia_check, near_names, tree,
 };
 use nalgebra::Matrix3;
 use percuss_spatial::{SpatialInertia, Vector3};
@@ -50,6 +50,10 @@ pub struct MechanismBuilder {
     accept: Accept,
     links: Vec<LinkDescription>,
     joints: Vec<JointDescription>,
+    /// Where each joint of the tree stood among those given, once second parents are taken out.
+    joint_index: Vec<usize>,
+    closures: Vec<ClosureDescription>,
+    couplings: Vec<CouplingDescription>,
 }
 
 /// Larger numbers are no mechanism in SI units, and their products would overflow.
@@ -83,6 +87,18 @@ impl MechanismBuilder {
         self
     }
 
+    /// Adds a joint that closes a loop.
+    pub fn closure(mut self, closure: ClosureDescription) -> Self {
+        self.closures.push(closure);
+        self
+    }
+
+    /// Adds a coupling.
+    pub fn coupling(mut self, coupling: CouplingDescription) -> Self {
+        self.couplings.push(coupling);
+        self
+    }
+
     /// Checks everything and builds the mechanism.
     ///
     /// # Errors
@@ -101,19 +117,23 @@ impl MechanismBuilder {
         }
     }
 
-    fn assemble(self, check: &mut Check) -> Option<Mechanism> {
+    fn assemble(mut self, check: &mut Check) -> Option<Mechanism> {
         if self.links.is_empty() {
             check.add(Subject::Mechanism, Problem::NoLinks);
             return None;
         }
         let link_ids = check.unique(self.links.iter().map(|l| &l.name), link_subject);
-        let joint_ids = check.unique(self.joints.iter().map(|j| &j.name), joint_subject);
+        check.unique(self.joints.iter().map(|j| &j.name), joint_subject);
         for (i, link) in self.links.iter().enumerate() {
             check.link_numbers(link_subject(i, &link.name), link);
         }
         for (i, joint) in self.joints.iter().enumerate() {
             check.joint_numbers(joint_subject(i, &joint.name), joint);
         }
+        closure_check::check(&self.closures, &self.couplings, &self.links, &link_ids, check);
+        let second_parents = self.take_second_parents(check, &link_ids);
+        self.closures.extend(second_parents);
+        let joint_ids = self.joints.iter().enumerate().map(|(i, j)| (j.name.clone(), i)).collect();
         let ends = self.ends(check, &link_ids);
         let mimics = self.mimics(check, &joint_ids);
         if check.has_errors() {
@@ -145,15 +165,46 @@ impl MechanismBuilder {
                 check.add(link_subject(i, &link.name), problem);
             }
         }
-        Some(Mechanism::new(self.name, links, joints, tree, length))
+        let mut mechanism = Mechanism::new(self.name, links, joints, tree, length);
+        closure_check::attach(&mut mechanism, &self.closures, &self.couplings, check);
+        Some(mechanism)
+    }
+
+    /// Takes every joint whose child has a parent already out of the tree, as a closure.
+    fn take_second_parents(
+        &mut self,
+        check: &mut Check,
+        ids: &HashMap<String, usize>,
+    ) -> Vec<ClosureDescription> {
+        let mut first_parent: HashMap<String, String> = HashMap::new();
+        let mut closures = Vec::new();
+        for (i, joint) in std::mem::take(&mut self.joints).into_iter().enumerate() {
+            let known = ids.contains_key(&joint.parent) && ids.contains_key(&joint.child);
+            let first =
+                first_parent.get(&joint.child).filter(|_| known && joint.parent != joint.child).cloned();
+            let Some(first) = first else {
+                first_parent.entry(joint.child.clone()).or_insert_with(|| joint.name.clone());
+                self.joint_index.push(i);
+                self.joints.push(joint);
+                continue;
+            };
+            let (subject, link) = (joint_subject(i, &joint.name), joint.child.clone());
+            match closure_check::of_joint(joint) {
+                Ok(closure) => {
+                    check.add(subject, Problem::SecondParent { link, first });
+                    closures.push(closure);
+                }
+                Err(why) => check.add(subject, Problem::NoClosure { link, first, why }),
+            }
+        }
+        closures
     }
 
     /// Parent and child of every joint; unknown names become link 0 beside the error.
     fn ends(&self, check: &mut Check, ids: &HashMap<String, usize>) -> Vec<(LinkId, LinkId)> {
-        let mut first_parent: HashMap<usize, usize> = HashMap::new();
         let mut ends = Vec::with_capacity(self.joints.len());
         for (i, joint) in self.joints.iter().enumerate() {
-            let subject = joint_subject(i, &joint.name);
+            let subject = self.tree_joint(i);
             let mut find = |role: &'static str, link: &String| {
                 ids.get(link).copied().unwrap_or_else(|| {
                     let near = check.near(link, self.links.iter().map(|l| l.name.as_str()));
@@ -164,17 +215,15 @@ impl MechanismBuilder {
             let (parent, child) = (find("parent", &joint.parent), find("child", &joint.child));
             if parent == child && parent != usize::MAX {
                 check.add(subject.clone(), Problem::JoinsItself { link: joint.child.clone() });
-            } else if child != usize::MAX
-                && let Some(&first) = first_parent.get(&child)
-            {
-                let problem =
-                    Problem::TwoParents { link: joint.child.clone(), first: self.joints[first].name.clone() };
-                check.add(subject, problem);
             }
-            first_parent.entry(child).or_insert(i);
             ends.push((LinkId(parent as u32), LinkId(child as u32)));
         }
         ends
+    }
+
+    /// The joint of the tree number `i`, by its place among those given.
+    fn tree_joint(&self, i: usize) -> Subject {
+        joint_subject(self.joint_index[i], &self.joints[i].name)
     }
 
     /// Follows every mimic to the joint that is not a mimic itself. Linear: every joint is resolved once.
@@ -197,8 +246,7 @@ impl MechanismBuilder {
             if on_chain[at] && next[at].is_some() {
                 let first = chain.iter().position(|&i| i == at).unwrap_or(0);
                 let joints = chain[first..].iter().map(|&i| self.joints[i].name.clone()).collect();
-                let subject = joint_subject(at, &self.joints[at].name);
-                check.add(subject, Problem::MimicCycle { joints });
+                check.add(self.tree_joint(at), Problem::MimicCycle { joints });
             }
             while let Some(i) = chain.pop() {
                 (done[i], on_chain[i]) = (true, false);
@@ -225,7 +273,7 @@ impl MechanismBuilder {
     fn mimicked(&self, check: &mut Check, ids: &HashMap<String, usize>, i: usize) -> Option<usize> {
         let joint = &self.joints[i];
         let mimic = joint.mimic.as_ref()?;
-        let subject = joint_subject(i, &joint.name);
+        let subject = self.tree_joint(i);
         let Some(&master) = ids.get(&mimic.joint) else {
             let near = check.near(&mimic.joint, self.joints.iter().map(|j| j.name.as_str()));
             check.add(subject, Problem::DanglingMimic { master: mimic.joint.clone(), near });
@@ -256,6 +304,7 @@ impl MechanismBuilder {
                 _ => joint.armature.clone(),
             },
             mimic,
+            independent: joint.independent,
         };
         self.joints.iter().zip(ends).zip(mimics).map(make).collect()
     }
@@ -270,7 +319,7 @@ fn joint_subject(index: usize, name: &str) -> Subject {
 }
 
 /// Normalised without overflow or underflow; left as it is where it is a unit vector already.
-fn unit(axis: &Vector3<f64>) -> Vector3<f64> {
+pub(crate) fn unit(axis: &Vector3<f64>) -> Vector3<f64> {
     let exact = (axis.norm() - 1.0).abs() <= 4.0 * f64::EPSILON;
     if exact { *axis } else { (axis / axis.amax()).normalize() }
 }
@@ -318,28 +367,28 @@ fn characteristic_length(links: &[Link], joints: &[Joint], root: LinkId) -> f64 
 
 /// The findings so far.
 #[derive(Default)]
-struct Check {
+pub(crate) struct Check {
     findings: Vec<(Subject, Problem)>,
     suggested: usize,
 }
 
 impl Check {
-    fn add(&mut self, subject: Subject, problem: Problem) {
+    pub fn add(&mut self, subject: Subject, problem: Problem) {
         self.findings.push((subject, problem));
     }
 
     /// Names that come near, for the first few unknown ones: comparing all with all takes too long.
-    fn near<'a>(&mut self, name: &str, candidates: impl Iterator<Item = &'a str>) -> Vec<String> {
+    pub fn near<'a>(&mut self, name: &str, candidates: impl Iterator<Item = &'a str>) -> Vec<String> {
         const MOST: usize = 20;
         self.suggested += 1;
         if self.suggested <= MOST { near_names(name, candidates) } else { Vec::new() }
     }
 
-    fn has_errors(&self) -> bool {
+    pub fn has_errors(&self) -> bool {
         self.findings.iter().any(|(_, p)| p.severity() == Severity::Error)
     }
 
-    fn unique<'a>(
+    pub fn unique<'a>(
         &mut self,
         names: impl Iterator<Item = &'a String>,
         subject: fn(usize, &str) -> Subject,
@@ -358,7 +407,7 @@ impl Check {
     }
 
     /// Adds an error and says `false` unless every value is finite and of a sane size.
-    fn sane<'a>(
+    pub fn sane<'a>(
         &mut self,
         subject: &Subject,
         quantity: &'static str,

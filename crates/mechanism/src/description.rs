@@ -1,6 +1,6 @@
 //! Plain descriptions handed to the builder: names instead of indices, nothing checked yet.
 
-use crate::{Geometry, JointKind, Limits};
+use crate::{ClosureKind, Geometry, JointKind, Limits};
 use nalgebra::{Matrix3, Vector3};
 use percuss_spatial::{SpatialInertia, Transform};
 
@@ -87,6 +87,8 @@ pub struct JointDescription {
     pub armature: Vec<f64>,
     /// What it follows.
     pub mimic: Option<MimicDescription>,
+    /// Whether it is advised to drive (`true`) or to follow (`false`) where loops leave a choice.
+    pub independent: Option<bool>,
 }
 
 impl JointDescription {
@@ -107,6 +109,7 @@ impl JointDescription {
             limits: None,
             armature: Vec::new(),
             mimic: None,
+            independent: None,
         }
     }
 
@@ -138,4 +141,87 @@ impl JointDescription {
         self.mimic = Some(MimicDescription { joint: joint.into(), multiplier, offset });
         self
     }
+}
+
+/// A joint that closes a loop, to be built.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ClosureDescription {
+    /// Unique name among closures and couplings.
+    pub name: String,
+    /// What it imposes.
+    pub kind: ClosureKind,
+    /// Name of the predecessor link; `world` is the ground where no link is called so.
+    pub predecessor: String,
+    /// X_lf: the loop frame in the predecessor.
+    pub predecessor_frame: Transform<f64>,
+    /// Name of the successor link.
+    pub successor: String,
+    /// X_lf: the loop frame in the successor.
+    pub successor_frame: Transform<f64>,
+    /// Axis, the same components in both loop frames; normalised by the builder.
+    pub axis: Vector3<f64>,
+    /// The successor's pin of a universal closure, in its loop frame.
+    pub axis2: Vector3<f64>,
+    /// Length of a distance closure, m; none: the distance with all joints at 0.
+    pub distance: Option<f64>,
+}
+
+impl ClosureDescription {
+    /// Between the origins of two links, axes along x (URDF's default), pins of a universal along x and y.
+    pub fn new(
+        name: impl Into<String>,
+        kind: ClosureKind,
+        predecessor: impl Into<String>,
+        successor: impl Into<String>,
+    ) -> Self {
+        Self {
+            name: name.into(),
+            kind,
+            predecessor: predecessor.into(),
+            predecessor_frame: Transform::identity(),
+            successor: successor.into(),
+            successor_frame: Transform::identity(),
+            axis: Vector3::x(),
+            axis2: Vector3::y(),
+            distance: None,
+        }
+    }
+
+    /// Places the loop frames' origins in their links (m), axes parallel to the links'.
+    pub fn at(mut self, predecessor: [f64; 3], successor: [f64; 3]) -> Self {
+        self.predecessor_frame = Transform::from_translation(predecessor.into());
+        self.successor_frame = Transform::from_translation(successor.into());
+        self
+    }
+
+    /// Sets the axis.
+    pub fn axis(mut self, axis: [f64; 3]) -> Self {
+        self.axis = axis.into();
+        self
+    }
+
+    /// Sets the successor's pin of a universal closure.
+    pub fn axis2(mut self, axis: [f64; 3]) -> Self {
+        self.axis2 = axis.into();
+        self
+    }
+
+    /// Sets the length of a distance closure, m.
+    pub fn distance(mut self, distance: f64) -> Self {
+        self.distance = Some(distance);
+        self
+    }
+}
+
+/// A ratio between rates, to be built.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CouplingDescription {
+    /// Unique name among closures and couplings.
+    pub name: String,
+    /// Name of the link whose rate is given.
+    pub predecessor: String,
+    /// Name of the link whose rate follows.
+    pub successor: String,
+    /// Successor's rate over predecessor's.
+    pub ratio: f64,
 }

@@ -154,6 +154,7 @@ pub struct Joint {
     pub(crate) limits: Option<Limits>,
     pub(crate) armature: Vec<f64>,
     pub(crate) mimic: Option<Mimic>,
+    pub(crate) independent: Option<bool>,
 }
 
 impl Joint {
@@ -200,5 +201,10 @@ impl Joint {
     /// What it follows, if anything.
     pub fn mimic(&self) -> Option<Mimic> {
         self.mimic
+    }
+
+    /// Whether it was advised to drive or to follow where loops leave a choice. Never changes m̄.
+    pub fn independent(&self) -> Option<bool> {
+        self.independent
     }
 }

@@ -1,15 +1,17 @@
 //! The immutable mechanism.
 
 use crate::tree::Tree;
-use crate::{Joint, JointId, Link, LinkId, NameKind, UnknownName, near_names};
+use crate::{Closure, ClosureId, Coupling, Joint, JointId, Link, LinkId, NameKind, UnknownName, near_names};
 use std::collections::HashMap;
 
-/// Links joined into one tree. Immutable, `Send + Sync`; share it by `Arc`.
+/// Links joined into one tree, and what closes loops across it. Immutable, `Send + Sync`; share it by `Arc`.
 #[derive(Debug)]
 pub struct Mechanism {
     pub(crate) name: String,
     pub(crate) links: Vec<Link>,
     pub(crate) joints: Vec<Joint>,
+    pub(crate) closures: Vec<Closure>,
+    pub(crate) couplings: Vec<Coupling>,
     pub(crate) root: LinkId,
     pub(crate) parent_joint: Vec<Option<JointId>>,
     pub(crate) child_joints: Vec<Vec<JointId>>,
@@ -36,6 +38,8 @@ impl Mechanism {
             name,
             links,
             joints,
+            closures: Vec::new(),
+            couplings: Vec::new(),
             root,
             parent_joint,
             child_joints,
@@ -59,6 +63,21 @@ impl Mechanism {
     /// All joints, in the order given.
     pub fn joints(&self) -> &[Joint] {
         &self.joints
+    }
+
+    /// All joints that close loops, in the order given; those made of a second parent come last.
+    pub fn closures(&self) -> &[Closure] {
+        &self.closures
+    }
+
+    /// All couplings, in the order given.
+    pub fn couplings(&self) -> &[Coupling] {
+        &self.couplings
+    }
+
+    /// Indices of all closures.
+    pub fn closure_ids(&self) -> impl Iterator<Item = ClosureId> + use<> {
+        (0..self.closures.len() as u32).map(ClosureId)
     }
 
     /// The link with this index.

@@ -44,6 +44,20 @@ pub enum Subject {
         /// Its name.
         name: String,
     },
+    /// The closure given as number `index`.
+    Closure {
+        /// Position in the order given.
+        index: usize,
+        /// Its name.
+        name: String,
+    },
+    /// The coupling given as number `index`.
+    Coupling {
+        /// Position in the order given.
+        index: usize,
+        /// Its name.
+        name: String,
+    },
 }
 
 impl fmt::Display for Subject {
@@ -52,6 +66,8 @@ impl fmt::Display for Subject {
             Subject::Mechanism => f.write_str("the mechanism"),
             Subject::Link { name, .. } => write!(f, "link \"{name}\""),
             Subject::Joint { name, .. } => write!(f, "joint \"{name}\""),
+            Subject::Closure { name, .. } => write!(f, "loop \"{name}\""),
+            Subject::Coupling { name, .. } => write!(f, "coupling \"{name}\""),
         }
     }
 }
@@ -71,7 +87,7 @@ pub enum Problem {
     },
     /// A joint names a link that does not exist.
     UnknownLink {
-        /// `parent` or `child`.
+        /// `parent`, `child`, `predecessor` or `successor`.
         role: &'static str,
         /// The name.
         link: String,
@@ -83,12 +99,45 @@ pub enum Problem {
         /// The link.
         link: String,
     },
-    /// A link is the child of two joints.
-    TwoParents {
+    /// A link is the child of two joints: the first is the tree's, this one closes a loop.
+    SecondParent {
         /// The link.
         link: String,
         /// The joint that came first.
         first: String,
+    },
+    /// A second parent through a joint that cannot close a loop, or that bears what a closure cannot.
+    NoClosure {
+        /// The link.
+        link: String,
+        /// The joint that came first.
+        first: String,
+        /// What stands in the way.
+        why: &'static str,
+    },
+    /// A closure or coupling between a link and itself.
+    ClosesOnItself {
+        /// The link.
+        link: String,
+    },
+    /// A distance closure of length 0 or less.
+    BadDistance {
+        /// Its value, m.
+        distance: f64,
+    },
+    /// A joint on a coupling's path has more than one degree of freedom.
+    CouplingKind {
+        /// The joint.
+        joint: String,
+        /// Its kind.
+        kind: &'static str,
+    },
+    /// No joint between the links of a coupling can move.
+    CouplingOfNothing,
+    /// Couplings that close a circle.
+    CouplingCycle {
+        /// The links at the ends of the coupling that closes it.
+        links: [String; 2],
     },
     /// Several links have no parent.
     SeveralRoots {
@@ -194,7 +243,12 @@ impl Problem {
             | Problem::DuplicateName { .. }
             | Problem::UnknownLink { .. }
             | Problem::JoinsItself { .. }
-            | Problem::TwoParents { .. }
+            | Problem::NoClosure { .. }
+            | Problem::ClosesOnItself { .. }
+            | Problem::BadDistance { .. }
+            | Problem::CouplingKind { .. }
+            | Problem::CouplingOfNothing
+            | Problem::CouplingCycle { .. }
             | Problem::SeveralRoots { .. }
             | Problem::Cycle { .. }
             | Problem::NotFinite { .. }
@@ -211,7 +265,7 @@ impl Problem {
             | Problem::TriangleInequality { .. }
             | Problem::LimitsReversed { .. }
             | Problem::DanglingMimic { .. } => Severity::Warning,
-            Problem::AxisNotUnit { .. } | Problem::Massless => Severity::Note,
+            Problem::AxisNotUnit { .. } | Problem::Massless | Problem::SecondParent { .. } => Severity::Note,
         }
     }
 
@@ -223,7 +277,13 @@ impl Problem {
             Problem::DuplicateName { .. } => "duplicate-name",
             Problem::UnknownLink { .. } => "unknown-link",
             Problem::JoinsItself { .. } => "joins-itself",
-            Problem::TwoParents { .. } => "two-parents",
+            Problem::SecondParent { .. } => "second-parent",
+            Problem::NoClosure { .. } => "two-parents",
+            Problem::ClosesOnItself { .. } => "closes-on-itself",
+            Problem::BadDistance { .. } => "bad-distance",
+            Problem::CouplingKind { .. } => "coupling-kind",
+            Problem::CouplingOfNothing => "coupling-of-nothing",
+            Problem::CouplingCycle { .. } => "coupling-cycle",
             Problem::SeveralRoots { .. } => "several-roots",
             Problem::Cycle { .. } => "cycle",
             Problem::NotFinite { .. } => "not-finite",
@@ -256,10 +316,26 @@ impl fmt::Display for Problem {
                 write_near(f, near)
             }
             Problem::JoinsItself { link } => write!(f, "joins link \"{link}\" to itself"),
-            Problem::TwoParents { link, first } => write!(
+            Problem::SecondParent { link, first } => {
+                write!(f, "link \"{link}\" hangs on joint \"{first}\" already; this joint closes a loop")
+            }
+            Problem::NoClosure { link, first, why } => write!(
                 f,
-                "link \"{link}\" already is the child of joint \"{first}\"; a second parent closes a loop, \
-                 which this version does not read"
+                "link \"{link}\" hangs on joint \"{first}\" already, and this joint cannot close a loop: {why}"
+            ),
+            Problem::ClosesOnItself { link } => write!(f, "holds link \"{link}\" to itself"),
+            Problem::BadDistance { distance } => write!(
+                f,
+                "the distance is {distance} m; more than 0 is wanted (for 0, a spherical loop holds the points together)"
+            ),
+            Problem::CouplingKind { joint, kind } => write!(
+                f,
+                "joint \"{joint}\" on its path is {kind}; a coupling wants joints with one degree of freedom"
+            ),
+            Problem::CouplingOfNothing => f.write_str("no joint between its links can move"),
+            Problem::CouplingCycle { links: [a, b] } => write!(
+                f,
+                "links \"{a}\" and \"{b}\" are coupled already, by way of other couplings: a circle of ratios"
             ),
             Problem::SeveralRoots { roots } => {
                 write!(f, "{} links have no parent, one is wanted: ", roots.len())?;
@@ -269,7 +345,7 @@ impl fmt::Display for Problem {
             Problem::Cycle { links } => {
                 f.write_str("links are their own ancestors: ")?;
                 write_list(f, links)?;
-                f.write_str("; one joint of the circle must go, or become a loop closure")
+                f.write_str("; one joint of the circle must go, or become a <loop>")
             }
             Problem::NotFinite { quantity, value } => {
                 write!(f, "{quantity} is {value}; a finite number is wanted")

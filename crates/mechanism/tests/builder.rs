@@ -1,8 +1,8 @@
 //! The builder's verdicts, one defect each.
 
 use percuss_mechanism::{
-    Accept, Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder, Problem,
-    Severity,
+    Accept, ClosureDescription, ClosureKind, CouplingDescription, Inertial, JointDescription, JointKind,
+    LinkDescription, Mechanism, MechanismBuilder, Problem, Severity, Subject,
 };
 
 fn rod() -> LinkDescription {
@@ -57,7 +57,7 @@ fn every_defect_has_its_error() {
     assert_eq!(errors(with(rod(), unknown)), ["unknown-link"]);
     let itself = JointDescription { parent: "rod".into(), ..hinge() };
     assert!(errors(with(rod(), itself)).contains(&"joins-itself"));
-    let second = JointDescription { name: "second".into(), ..hinge() };
+    let second = JointDescription { name: "second".into(), kind: JointKind::Floating, ..hinge() };
     assert_eq!(errors(with(rod(), hinge()).joint(second)), ["two-parents"]);
     let mut skew = hinge();
     skew.origin.rotation *= 1.01;
@@ -139,4 +139,77 @@ fn a_circle_of_mimics_is_told_once_and_long_chains_are_quick() {
     let built = chain(100_000, 0).build().unwrap().mechanism;
     let last = built.joint(built.find_joint("j100000").unwrap()).mimic().unwrap();
     assert_eq!((built.joint(last.master).name(), last.offset), ("j1", 0.5 * 99_999.0));
+}
+
+/// Ground, two arms, and what is said to close them.
+fn arms() -> MechanismBuilder {
+    let arm = |name: &str| LinkDescription::new(name, Inertial::point(1.0, [0.1, 0.0, 0.0]));
+    let joint = |name: &str, child: &str| JointDescription::new(name, JointKind::Revolute, "ground", child);
+    MechanismBuilder::new("arms")
+        .link(LinkDescription::massless("ground"))
+        .link(arm("a"))
+        .link(arm("b"))
+        .joint(joint("ja", "a"))
+        .joint(joint("jb", "b"))
+}
+
+fn ratio(name: &str, predecessor: &str, successor: &str) -> CouplingDescription {
+    CouplingDescription {
+        name: name.into(),
+        predecessor: predecessor.into(),
+        successor: successor.into(),
+        ratio: 2.0,
+    }
+}
+
+#[test]
+fn bad_loops_have_their_errors() {
+    let rod = |from: &str, to: &str| ClosureDescription::new("rod", ClosureKind::Distance, from, to);
+    assert_eq!(errors(arms().closure(rod("a", "nowhere"))), ["unknown-link"]);
+    assert_eq!(errors(arms().closure(rod("a", "a"))), ["closes-on-itself"]);
+    assert_eq!(errors(arms().closure(rod("a", "b").distance(0.0))), ["bad-distance"]);
+    assert_eq!(errors(arms().closure(rod("a", "b").distance(f64::NAN))), ["not-finite"]);
+    let pin = ClosureDescription::new("pin", ClosureKind::Revolute, "a", "b");
+    assert_eq!(errors(arms().closure(pin.clone().axis([0.0; 3]))), ["zero-axis"]);
+    assert_eq!(errors(arms().closure(pin.clone()).closure(pin.clone())), ["duplicate-name"]);
+    let hooke = ClosureDescription { kind: ClosureKind::Universal, ..pin };
+    assert_eq!(errors(arms().closure(hooke.axis2([0.0; 3]))), ["zero-axis"]);
+    assert_eq!(errors(arms().coupling(ratio("c", "a", "a"))), ["closes-on-itself"]);
+    assert_eq!(errors(arms().coupling(ratio("c", "a", "world"))), ["unknown-link"]);
+    assert_eq!(
+        errors(arms().coupling(ratio("c", "a", "b")).coupling(ratio("d", "b", "a"))),
+        ["coupling-cycle"]
+    );
+    let free = JointDescription::new("free", JointKind::Spherical, "ground", "ball");
+    let ball = arms().link(LinkDescription::new("ball", Inertial::point(1.0, [0.1, 0.0, 0.0]))).joint(free);
+    assert_eq!(errors(ball.coupling(ratio("c", "a", "ball"))), ["coupling-kind"]);
+}
+
+#[test]
+fn a_second_parent_closes_a_loop_and_indices_stay_those_given() {
+    let pin =
+        JointDescription::new("pin", JointKind::Revolute, "a", "b").at([0.2, 0.0, 0.0]).axis([0.0, 0.0, 2.0]);
+    let tip = LinkDescription::new("tip", Inertial::point(1.0, [0.1, 0.0, 0.0]));
+    let last = JointDescription::new("last", JointKind::Revolute, "b", "tip").mimic("nobody", 1.0, 0.0);
+    let built = arms().joint(pin).link(tip).joint(last).build().unwrap();
+    let m = &built.mechanism;
+    assert_eq!((m.joints().len(), m.closures().len()), (3, 1));
+    let closure = &m.closures()[0];
+    assert_eq!((closure.name(), closure.kind()), ("pin", ClosureKind::Revolute));
+    assert_eq!(closure.predecessor().frame.translation.x, 0.2);
+    assert_eq!(closure.axis().z, 1.0);
+    let codes: Vec<_> = built.findings.iter().map(|(s, p)| (s.clone(), p.code())).collect();
+    assert!(codes.contains(&(Subject::Joint { index: 2, name: "pin".into() }, "second-parent")), "{codes:?}");
+    assert!(
+        codes.contains(&(Subject::Joint { index: 3, name: "last".into() }, "dangling-mimic")),
+        "{codes:?}"
+    );
+}
+
+#[test]
+fn a_coupling_sums_the_joints_from_the_common_ancestor() {
+    let built = arms().coupling(ratio("gear", "a", "b")).build().unwrap().mechanism;
+    let terms: Vec<_> =
+        built.couplings()[0].terms().iter().map(|(j, f)| (built.joint(*j).name(), *f)).collect();
+    assert_eq!(terms, [("jb", 1.0), ("ja", -2.0)]);
 }

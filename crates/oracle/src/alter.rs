@@ -1,8 +1,8 @@
 //! The same mechanism changed: taken apart, in other units, on another ground.
 
 use percuss_mechanism::{
-    Accept, Geometry, Joint, JointDescription, JointKind, Limits, Link, LinkDescription, Mechanism,
-    MechanismBuilder, Mimic, MimicDescription,
+    Accept, ClosureDescription, CouplingDescription, Geometry, Joint, JointDescription, JointId, JointKind,
+    Limits, Link, LinkDescription, LinkId, LoopFrame, Mechanism, MechanismBuilder, Mimic, MimicDescription,
 };
 use percuss_spatial::Transform;
 
@@ -36,17 +36,57 @@ fn describe_joint(mechanism: &Mechanism, joint: &Joint) -> JointDescription {
             multiplier: mimic.multiplier,
             offset: mimic.offset,
         }),
+        independent: joint.independent(),
     }
+}
+
+/// The closures and couplings a mechanism could have been built with, in its order.
+pub fn describe_loops(mechanism: &Mechanism) -> (Vec<ClosureDescription>, Vec<CouplingDescription>) {
+    let name = |frame: &LoopFrame| frame.link.map_or("world", |link| mechanism.link(link).name()).to_owned();
+    let closures = mechanism.closures().iter().map(|closure| ClosureDescription {
+        name: closure.name().to_owned(),
+        kind: closure.kind(),
+        predecessor: name(closure.predecessor()),
+        predecessor_frame: closure.predecessor().frame,
+        successor: name(closure.successor()),
+        successor_frame: closure.successor().frame,
+        axis: *closure.axis(),
+        axis2: *closure.axis2(),
+        distance: closure.distance(),
+    });
+    let couplings = mechanism.couplings().iter().map(|coupling| CouplingDescription {
+        name: coupling.name().to_owned(),
+        predecessor: mechanism.link(coupling.predecessor()).name().to_owned(),
+        successor: mechanism.link(coupling.successor()).name().to_owned(),
+        ratio: coupling.ratio(),
+    });
+    (closures.collect(), couplings.collect())
+}
+
+/// Builds a mechanism without loops, its inertias taken as they are.
+///
+/// # Panics
+/// Where the descriptions make no mechanism, with the builder's words.
+pub fn build(name: &str, links: Vec<LinkDescription>, joints: Vec<JointDescription>) -> Mechanism {
+    build_with_loops(name, links, joints, Vec::new(), Vec::new())
 }
 
 /// Builds a mechanism, its inertias taken as they are.
 ///
 /// # Panics
 /// Where the descriptions make no mechanism, with the builder's words.
-pub fn build(name: &str, links: Vec<LinkDescription>, joints: Vec<JointDescription>) -> Mechanism {
+pub fn build_with_loops(
+    name: &str,
+    links: Vec<LinkDescription>,
+    joints: Vec<JointDescription>,
+    closures: Vec<ClosureDescription>,
+    couplings: Vec<CouplingDescription>,
+) -> Mechanism {
     let builder = MechanismBuilder::new(name).accept(Accept { indefinite_inertia: true });
     let builder = links.into_iter().fold(builder, MechanismBuilder::link);
-    match joints.into_iter().fold(builder, MechanismBuilder::joint).build() {
+    let builder = joints.into_iter().fold(builder, MechanismBuilder::joint);
+    let builder = closures.into_iter().fold(builder, MechanismBuilder::closure);
+    match couplings.into_iter().fold(builder, MechanismBuilder::coupling).build() {
         Ok(built) => built.mechanism,
         Err(error) => panic!("{name}: {error}"),
     }
@@ -54,8 +94,11 @@ pub fn build(name: &str, links: Vec<LinkDescription>, joints: Vec<JointDescripti
 
 /// The mechanism in other units: lengths times `length`, masses times `mass`; m̄ becomes `mass` times as large.
 ///
-/// Inertias and armatures of turning velocities take length²·mass, those of sliding ones mass; a mimic between a
-/// sliding and a turning joint has a ratio in 1/m or m, which changes too.
+/// Inertias and armatures of turning velocities take length²·mass, those of sliding ones mass; a mimic or a coupling
+/// between a sliding and a turning joint has a ratio in 1/m or m, which changes too.
+///
+/// # Panics
+/// Where one side of a coupling is a sum of sliding and turning joints: no ratio scales it.
 pub fn scaled(mechanism: &Mechanism, length: f64, mass: f64) -> Mechanism {
     let (mut links, mut joints) = describe(mechanism);
     for link in &mut links {
@@ -80,7 +123,7 @@ pub fn scaled(mechanism: &Mechanism, length: f64, mass: f64) -> Mechanism {
             JointKind::Floating => [[turning; 3], [sliding; 3]].concat(),
         };
         joint.armature.iter_mut().zip(factors).for_each(|(value, factor)| *value *= factor);
-        let unit = |kind| if kind == JointKind::Prismatic { length } else { 1.0 };
+        let unit = |kind| unit(kind, length);
         if let Some(Limits { lower, upper }) = &mut joint.limits {
             *lower *= unit(joint.kind);
             *upper *= unit(joint.kind);
@@ -90,7 +133,38 @@ pub fn scaled(mechanism: &Mechanism, length: f64, mass: f64) -> Mechanism {
             mimic.offset *= unit(joint.kind);
         }
     }
-    build(mechanism.name(), links, joints)
+    let (mut closures, mut couplings) = describe_loops(mechanism);
+    for closure in &mut closures {
+        closure.predecessor_frame.translation *= length;
+        closure.successor_frame.translation *= length;
+        closure.distance = closure.distance.map(|distance| distance * length);
+    }
+    for (coupling, own) in couplings.iter_mut().zip(mechanism.couplings()) {
+        let below = |link: LinkId, id: JointId| is_below(mechanism, link, id);
+        let (on, against): (Vec<_>, Vec<_>) =
+            own.terms().iter().map(|term| term.0).partition(|&id| below(own.successor(), id));
+        let side = |joints: &[JointId]| {
+            let units = joints.iter().map(|&id| unit(mechanism.joint(id).kind(), length));
+            let first = units.clone().next();
+            assert!(units.clone().all(|u| Some(u) == first), "coupling {}: a sum of rad and m", own.name());
+            first
+        };
+        if let (Some(on), Some(against)) = (side(&on), side(&against)) {
+            coupling.ratio *= on / against;
+        }
+    }
+    build_with_loops(mechanism.name(), links, joints, closures, couplings)
+}
+
+/// What one unit of a joint's position becomes where lengths are multiplied.
+fn unit(kind: JointKind, length: f64) -> f64 {
+    if kind == JointKind::Prismatic { length } else { 1.0 }
+}
+
+/// Whether a link hangs from a joint, directly or over others.
+fn is_below(mechanism: &Mechanism, link: LinkId, joint: JointId) -> bool {
+    let above = |link: &LinkId| mechanism.parent_joint(*link).map(|id| mechanism.joint(id).parent());
+    std::iter::successors(Some(link), above).any(|link| mechanism.parent_joint(link) == Some(joint))
 }
 
 /// Positions of a mechanism that was [`scaled`] by `length`.
@@ -126,13 +200,24 @@ pub fn rebased(mechanism: &Mechanism, x_gr: Transform<f64>) -> Mechanism {
     let root = mechanism.link(mechanism.root()).name();
     joints.push(JointDescription::new(hold, JointKind::Fixed, ground.as_str(), root).origin(x_gr));
     links.push(LinkDescription::massless(ground));
-    build(mechanism.name(), links, joints)
+    // The old root is no longer where the world is.
+    let (mut closures, couplings) = describe_loops(mechanism);
+    for (closure, own) in closures.iter_mut().zip(mechanism.closures()) {
+        if own.predecessor().link.is_none() {
+            closure.predecessor_frame = x_gr * closure.predecessor_frame;
+        }
+        if own.successor().link.is_none() {
+            closure.successor_frame = x_gr * closure.successor_frame;
+        }
+    }
+    build_with_loops(mechanism.name(), links, joints, closures, couplings)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::zoo;
+    use percuss_mechanism::Inertial;
 
     #[test]
     fn a_mechanism_survives_being_described() {

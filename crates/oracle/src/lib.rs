@@ -3,6 +3,7 @@
 //! - [`maximal`]: route C, the effective mass in maximal coordinates (six velocities a link, every joint a set of
 //!   constraint rows), on poses of its own built from 4×4 matrices.
 //! - [`closed_form`]: effective masses that can be written down.
+//! - [`linkage`]: mechanisms with closed loops, each with the joints that drive it and a position to start from.
 //! - [`zoo`]: one mechanism for every trait worth testing; [`random`]: as many more as wanted, from a seed.
 //! - [`alter`]: the same mechanism in other units, on another ground, or taken apart to be changed.
 //!
@@ -11,6 +12,7 @@
 
 pub mod alter;
 pub mod closed_form;
+pub mod linkage;
 pub mod maximal;
 pub mod random;
 pub mod zoo;

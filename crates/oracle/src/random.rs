@@ -1,9 +1,11 @@
 //! Random mechanisms, positions and contacts. The caller brings the seed (`StdRng::seed_from_u64`).
 
-use crate::alter::build;
+use crate::alter::{build, build_with_loops, describe};
+use crate::linkage::{closing, fitting};
 use nalgebra::{Rotation3, Vector3};
 use percuss_mechanism::{
-    Inertial, JointDescription, JointId, JointKind, LinkDescription, LinkId, Mechanism, MimicDescription,
+    ClosureDescription, ClosureKind, Inertial, JointDescription, JointId, JointKind, LinkDescription, LinkId,
+    Mechanism, MimicDescription,
 };
 use percuss_spatial::{Matrix3, Transform};
 use rand::Rng;
@@ -50,6 +52,37 @@ pub fn mechanism<R: Rng + ?Sized>(rng: &mut R, bodies: usize) -> Mechanism {
         joints.push(joint);
     }
     build("random", links, joints)
+}
+
+/// A random tree of `bodies` links with up to `closures` random closures of all kinds, and a position in which they are
+/// closed. Links are taken anywhere, the world among them; frames are general. There are fewer rows than degrees of
+/// freedom in the tree, but some loops may still be rigid, or rows redundant.
+pub fn linkage<R: Rng + ?Sized>(rng: &mut R, bodies: usize, closures: usize) -> (Mechanism, Vec<Vec<f64>>) {
+    let tree = mechanism(rng, bodies);
+    let positions = positions(rng, &tree);
+    let moves = tree.joints().iter().filter(|joint| joint.mimic().is_none());
+    let mut freedoms: usize = moves.map(|joint| joint.kind().dofs()).sum();
+    let mut made: Vec<ClosureDescription> = Vec::new();
+    for i in 0..closures {
+        let kind = ClosureKind::ALL[rng.random_range(0..ClosureKind::ALL.len())];
+        let [before, after] = [0; 2].map(|_| rng.random_range(0..=bodies));
+        if kind.rows() >= freedoms || before == after {
+            continue;
+        }
+        freedoms -= kind.rows();
+        let before = if rng.random_bool(0.15) { "world".into() } else { format!("link_{before}") };
+        let axis = direction(rng);
+        let turn = [0; 3].map(|_| rng.random_range(-1.5..1.5));
+        let fit = fitting(kind, &axis, vector(rng, 0.4), turn);
+        let closure = ClosureDescription {
+            predecessor_frame: frame(rng, 0.4),
+            axis,
+            ..ClosureDescription::new(format!("closure_{i}"), kind, before, format!("link_{after}"))
+        };
+        made.push(closing(&tree, &positions, closure, fit));
+    }
+    let (links, joints) = describe(&tree);
+    (build_with_loops("random linkage", links, joints, made, Vec::new()), positions)
 }
 
 /// Random positions of all joints: angles within ±π, lengths within ±0.5 m, unit quaternions; mimics follow.

@@ -7,7 +7,7 @@ use percuss_spatial::{Matrix3, Transform, Vector3, rotation_from_rpy};
 
 use JointKind::{Continuous, Fixed, Floating, Planar, Prismatic, Revolute, Spherical};
 
-/// Every mechanism of the zoo, by name.
+/// Every mechanism of the zoo without a loop, by name.
 pub fn all() -> Vec<(&'static str, Mechanism)> {
     vec![
         ("every_joint", every_joint()),
@@ -28,20 +28,25 @@ pub fn all() -> Vec<(&'static str, Mechanism)> {
     ]
 }
 
-fn joint(name: &str, kind: JointKind, parent: &str, child: &str) -> JointDescription {
+/// Every [`Linkage`](crate::linkage::Linkage), by name: mechanisms with closed loops and couplings.
+pub fn linkages() -> Vec<(&'static str, Mechanism)> {
+    crate::linkage::all().into_iter().map(|linkage| (linkage.name, linkage.mechanism)).collect()
+}
+
+pub(crate) fn joint(name: &str, kind: JointKind, parent: &str, child: &str) -> JointDescription {
     JointDescription::new(name, kind, parent, child)
 }
 
-fn ground() -> LinkDescription {
+pub(crate) fn ground() -> LinkDescription {
     LinkDescription::massless("ground")
 }
 
-fn frame(rpy: [f64; 3], p: [f64; 3]) -> Transform<f64> {
+pub(crate) fn frame(rpy: [f64; 3], p: [f64; 3]) -> Transform<f64> {
     Transform::new(rotation_from_rpy(rpy), p.into())
 }
 
 /// A body with no axis of symmetry: principal moments m·(0.011, 0.017, 0.024) size², turned out of its axes.
-fn lump(name: &str, mass: f64, com: [f64; 3], size: f64) -> LinkDescription {
+pub(crate) fn lump(name: &str, mass: f64, com: [f64; 3], size: f64) -> LinkDescription {
     let turn = rotation_from_rpy([0.4 + mass, -0.3 * mass, 0.9]);
     let moments = Matrix3::from_diagonal(&(Vector3::new(0.11, 0.17, 0.24) * (0.1 * mass * size * size)));
     LinkDescription::new(

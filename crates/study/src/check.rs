@@ -1,7 +1,8 @@
 //! What is in a model.
 
+use crate::question::StudyError;
 use crate::{DiagnosticRecord, Model};
-use percuss_dynamics::{Base, Conditions, ConditionsError, System};
+use percuss_dynamics::{Base, Conditions, System};
 use percuss_mechanism::{Geometry, Mechanism};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -23,14 +24,22 @@ pub struct CheckReport {
     pub links: Vec<LinkRecord>,
     /// All joints, in file order.
     pub joints: Vec<JointRecord>,
-    /// Loop closures; none are read yet.
-    pub closures: Vec<()>,
-    /// Degrees of freedom with the root fixed.
+    /// Loop closures and couplings, in file order.
+    pub closures: Vec<ClosureRecord>,
+    /// Degrees of freedom with the root fixed, at the pose shown.
     pub degrees_of_freedom: usize,
     /// The same at a generic pose.
     pub generic_degrees_of_freedom: usize,
     /// Constraint rows that add nothing.
     pub redundant_constraints: usize,
+    /// Loops and couplings on which they lie, those that cannot be told apart together.
+    pub redundant_loops: Vec<Vec<String>>,
+    /// Gap between the singular values of A that count and those that do not; null without loops.
+    pub rank_gap: Option<f64>,
+    /// Joints that drive the loops.
+    pub drivers: Vec<String>,
+    /// How far loops are from closed, m; null without loops.
+    pub closure_residual: Option<f64>,
     /// kg.
     pub total_mass: f64,
     /// Position of every movable joint, in the layout of `--set`.
@@ -75,15 +84,33 @@ pub struct JointRecord {
     pub mimics: Option<String>,
 }
 
+/// A loop closure or coupling in a [`CheckReport`].
+#[derive(Clone, Debug, Serialize)]
+pub struct ClosureRecord {
+    /// Its name.
+    pub name: String,
+    /// Its kind; `coupling` for a ratio.
+    pub kind: &'static str,
+    /// Predecessor link.
+    pub predecessor: String,
+    /// Successor link.
+    pub successor: String,
+    /// How many constraint rows it takes.
+    pub rows: usize,
+    /// Successor's rate over predecessor's, of a coupling.
+    pub ratio: Option<f64>,
+}
+
 /// Looks through a model with its root fixed.
 ///
 /// # Errors
-/// [`ConditionsError`], which default conditions never give.
-pub fn check(model: &Model) -> Result<CheckReport, ConditionsError> {
+/// [`StudyError`]: loops that do not close.
+pub fn check(model: &Model) -> Result<CheckReport, StudyError> {
     let mechanism = &model.mechanism;
     let system = System::new(std::sync::Arc::clone(mechanism), &Conditions::new().base(Base::Fixed))?;
-    let pose = system.pose(&system.configuration());
-    let freedom = system.degrees_of_freedom();
+    let pose = system.pose(&system.configuration())?;
+    let mut diagnostics = model.diagnostics.clone();
+    diagnostics.extend(crate::findings::about_pose(&system, &pose));
     Ok(CheckReport {
         schema: "percuss.check/1",
         percuss: env!("CARGO_PKG_VERSION"),
@@ -92,14 +119,43 @@ pub fn check(model: &Model) -> Result<CheckReport, ConditionsError> {
         root: mechanism.link(mechanism.root()).name().to_owned(),
         links: links(mechanism),
         joints: joints(mechanism),
-        closures: Vec::new(),
-        degrees_of_freedom: freedom,
-        generic_degrees_of_freedom: freedom,
+        closures: closures(mechanism),
+        degrees_of_freedom: system.degrees_of_freedom_at(&pose),
+        generic_degrees_of_freedom: system.degrees_of_freedom(),
         redundant_constraints: system.redundant_constraints(),
+        redundant_loops: system.redundant_loops().to_vec(),
+        rank_gap: system.rank_gap(),
+        drivers: pose.loops().map_or_else(Vec::new, |l| {
+            l.drivers.iter().map(|id| mechanism.joint(*id).name().to_owned()).collect()
+        }),
+        closure_residual: pose.loops().map(|l| l.residual),
         total_mass: mechanism.total_mass(),
         pose: crate::mass::pose_record(mechanism, &pose),
-        diagnostics: model.diagnostics.clone(),
+        diagnostics,
     })
+}
+
+fn closures(mechanism: &Mechanism) -> Vec<ClosureRecord> {
+    let end = |link: Option<percuss_mechanism::LinkId>| {
+        link.map_or_else(|| "world".to_owned(), |l| mechanism.link(l).name().to_owned())
+    };
+    let closure = |c: &percuss_mechanism::Closure| ClosureRecord {
+        name: c.name().to_owned(),
+        kind: c.kind().name(),
+        predecessor: end(c.predecessor().link),
+        successor: end(c.successor().link),
+        rows: c.kind().rows(),
+        ratio: None,
+    };
+    let coupling = |c: &percuss_mechanism::Coupling| ClosureRecord {
+        name: c.name().to_owned(),
+        kind: "coupling",
+        predecessor: end(Some(c.predecessor())),
+        successor: end(Some(c.successor())),
+        rows: 1,
+        ratio: Some(c.ratio()),
+    };
+    mechanism.closures().iter().map(closure).chain(mechanism.couplings().iter().map(coupling)).collect()
 }
 
 fn links(mechanism: &Mechanism) -> Vec<LinkRecord> {

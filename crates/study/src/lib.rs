@@ -5,17 +5,19 @@
 //! terminal.
 
 mod check;
+mod estimate;
 mod far_point;
+mod findings;
 mod mass;
 mod model;
 mod quantity;
+mod question;
 mod record;
 
-pub use check::{CheckReport, JointRecord, LinkRecord, check};
-pub use mass::{
-    Assumptions, BodyShare, ContactRecord, MassQuestion, MassReport, Normal, RotorShare, Status, StudyError,
-    mass,
-};
+pub use check::{CheckReport, ClosureRecord, JointRecord, LinkRecord, check};
+pub use estimate::EstimateRecord;
+pub use mass::{Assumptions, BodyShare, ContactRecord, MassReport, RotorShare, Status, mass};
 pub use model::{Input, Model};
 pub use quantity::{Dimension, Quantity, QuantityError, parse_list, parse_triple};
+pub use question::{EstimateQuestion, Hold, MassQuestion, Normal, StudyError};
 pub use record::DiagnosticRecord;

@@ -1,91 +1,13 @@
-//! One contact of a model: the question and the answer.
+//! The answer to one contact of a model.
 
-use crate::far_point;
+use crate::estimate::{EstimateRecord, estimate};
 use crate::model::Input;
-use crate::quantity::{QuantityError, parse_list, position_dimension};
-use crate::{DiagnosticRecord, Model};
-use nalgebra::Vector3;
-use percuss_dynamics::{
-    Base, Conditions, ConditionsError, Configuration, ConfigurationError, Contact, Direction, EffectiveMass,
-    Frame, Pose, Remark, Route, RouteChoice, Strike, StrikeError, System,
-};
-use percuss_mechanism::{JointId, LinkId, Mechanism, Severity, UnknownName};
+use crate::question::{MassQuestion, StudyError};
+use crate::{DiagnosticRecord, Model, findings};
+use percuss_dynamics::{Base, Contact, EffectiveMass, Pose, Route, RouteChoice, Strike, System};
+use percuss_mechanism::{JointId, LinkId, Mechanism, Severity};
 use serde::Serialize;
 use std::collections::BTreeMap;
-use std::sync::Arc;
-
-/// Where the normal of a question points.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Normal {
-    /// Along a vector in the question's frame.
-    Along([f64; 3]),
-    /// From the contact point towards a point (m) of a link, in that link's frame.
-    Toward(String, [f64; 3]),
-}
-
-/// A contact of a model, by names. The same words as the flags of `percuss mass`.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MassQuestion {
-    /// The struck link.
-    pub link: String,
-    /// The contact point, m, in `frame`.
-    pub point: [f64; 3],
-    /// The normal, out of the struck link.
-    pub normal: Normal,
-    /// In which frame `point` and a normal along a vector are given.
-    pub frame: Frame,
-    /// The other link; none: the ground.
-    pub against: Option<String>,
-    /// Mass of a free body on the other side, kg.
-    pub against_mass: Option<f64>,
-    /// Driving joints and what they are set to, as typed: numbers between commas, units allowed.
-    pub set: Vec<(String, String)>,
-    /// Joints that are held.
-    pub lock: Vec<String>,
-    /// Joints whose armature is replaced: one value, or one for each velocity.
-    pub armature: Vec<(String, Vec<f64>)>,
-    /// How the root stands.
-    pub base: Base,
-}
-
-/// Why a question has no answer.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum StudyError {
-    /// A name that nothing bears.
-    #[error(transparent)]
-    UnknownName(#[from] UnknownName),
-    /// A position that cannot be set.
-    #[error(transparent)]
-    Configuration(#[from] ConfigurationError),
-    /// A lock or an armature that does not fit.
-    #[error(transparent)]
-    Conditions(#[from] ConditionsError),
-    /// A contact that means nothing, or an impossible mass matrix.
-    #[error(transparent)]
-    Strike(#[from] StrikeError),
-    /// A number that is none.
-    #[error("--set {joint}: {source}")]
-    Set {
-        /// The joint.
-        joint: String,
-        /// What is wrong.
-        source: QuantityError,
-    },
-    /// The other body's mass is no mass.
-    #[error("the other body's mass is {mass} kg; a finite number above 0 is wanted")]
-    OtherMass {
-        /// What was given.
-        mass: f64,
-    },
-}
-
-impl StudyError {
-    /// Whether the question was fine and yet has no answer (exit code 1, not 2).
-    pub fn is_no_answer(&self) -> bool {
-        matches!(self, StudyError::Strike(StrikeError::Route(_)))
-    }
-}
 
 /// Kind of answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -147,6 +69,8 @@ pub struct Assumptions {
     pub mimics: Vec<String>,
     /// Joints that were set.
     pub set: Vec<String>,
+    /// Joints that drive loops.
+    pub drivers: Vec<String>,
 }
 
 /// `percuss mass`, as JSON. Keys are always present, null where they do not apply.
@@ -194,6 +118,18 @@ pub struct MassReport {
     pub characteristic_length: f64,
     /// The contact.
     pub contact: ContactRecord,
+    /// Joints that drive the loops.
+    pub drivers: Vec<String>,
+    /// For each group of loops, which of the ways to put it together this is: 1, -1, or 0 at a dead centre or a change
+    /// point.
+    pub assembly_modes: Vec<i8>,
+    /// Loops and couplings on which redundant rows lie, those that cannot be told apart together.
+    pub redundant_loops: Vec<Vec<String>>,
+    /// At a singular pose, the limits of m̄ along the branches that cross, kg; null for one along which the gap does not
+    /// close.
+    pub branch_limits: Vec<Option<f64>>,
+    /// The classical estimate, where it was asked for.
+    pub estimate: Option<EstimateRecord>,
     /// What was found, in the file and in the answer.
     pub diagnostics: Vec<DiagnosticRecord>,
     /// What the answer takes for granted.
@@ -204,35 +140,28 @@ pub struct MassReport {
 /// Answers one contact of a model.
 ///
 /// # Errors
-/// [`StudyError`]: names that nothing bears, positions that cannot be set, a contact that means nothing.
+/// [`StudyError`]: names that nothing bears, positions that cannot be reached, a contact that means nothing.
 pub fn mass(model: &Model, question: &MassQuestion) -> Result<MassReport, StudyError> {
-    let mechanism = &model.mechanism;
-    let mut conditions = Conditions::new().base(question.base);
-    for joint in &question.lock {
-        conditions = conditions.lock(joint);
-    }
-    for (joint, values) in &question.armature {
-        conditions = conditions.armature(joint, values.clone());
-    }
-    if let Some(mass) = question.against_mass.filter(|m| !(m.is_finite() && *m > 0.0)) {
-        return Err(StudyError::OtherMass { mass });
-    }
-    let system = System::new(Arc::clone(mechanism), &conditions)?;
-    let pose = system.pose(&configuration(mechanism, &question.set)?);
-    let contact = contact(&system, &pose, question)?;
-    let mut strike = system.strike(&pose, &contact, RouteChoice::Auto)?;
+    let system = question.system(&model.mechanism)?;
+    let pose = system.pose(&question.configuration(&model.mechanism)?)?;
+    let contact = question.contact(&system, &pose)?;
+    answer(model, question, &system, &pose, &contact)
+}
+
+/// Answers a contact at a pose.
+pub(crate) fn answer(
+    model: &Model,
+    question: &MassQuestion,
+    system: &System,
+    pose: &Pose,
+    contact: &Contact,
+) -> Result<MassReport, StudyError> {
+    let mut strike = system.strike(pose, contact, RouteChoice::Auto)?;
+    let estimate = question.estimate.as_ref().map(|e| estimate(system, pose, &strike, e)).transpose()?;
     let mut diagnostics = model.diagnostics.clone();
-    diagnostics.extend(far_point::doubt(mechanism, contact.link, &contact.point));
-    diagnostics.extend(pose.outside_limits(&system).map(|(joint, value, limits)| {
-        let message = format!(
-            "joint \"{}\" stands at {value}, outside its limits {} to {}",
-            mechanism.joint(joint).name(),
-            limits.lower,
-            limits.upper
-        );
-        DiagnosticRecord::about_answer(Severity::Warning, "outside-limits", message)
-    }));
-    diagnostics.extend(strike.remarks.iter().map(remark));
+    diagnostics.extend(findings::about_pose(system, pose));
+    diagnostics.extend(findings::about_strike(system, contact, &strike));
+    diagnostics.extend(findings::about_holds(model, question, pose, contact)?);
     if let Some(other) = question.against_mass {
         if strike.effective_mass == EffectiveMass::Immovable {
             let message =
@@ -241,44 +170,18 @@ pub fn mass(model: &Model, question: &MassQuestion) -> Result<MassReport, StudyE
         }
         strike = strike.against_mass(other);
     }
-    Ok(report(model, &system, &pose, &strike, diagnostics, assumptions(&system, question)))
-}
-
-fn configuration(mechanism: &Arc<Mechanism>, set: &[(String, String)]) -> Result<Configuration, StudyError> {
-    let mut configuration = Configuration::zero(mechanism);
-    for (joint, text) in set {
-        let kind = mechanism.joint(mechanism.find_joint(joint)?).kind();
-        let values = parse_list(text, |i| position_dimension(kind, i))
-            .map_err(|source| StudyError::Set { joint: joint.clone(), source })?;
-        configuration.set(joint, &values)?;
-    }
-    Ok(configuration)
-}
-
-fn contact(system: &System, pose: &Pose, question: &MassQuestion) -> Result<Contact, StudyError> {
-    let mechanism = system.mechanism();
-    let link = mechanism.find_link(&question.link)?;
-    let against = question.against.as_ref().map(|name| other_side(mechanism, name)).transpose()?.flatten();
-    let point = Vector3::from(question.point);
-    let normal = match &question.normal {
-        Normal::Along(normal) => Direction::Along(Vector3::from(*normal), question.frame),
-        Normal::Toward(name, point) => Direction::Toward(mechanism.find_link(name)?, Vector3::from(*point)),
-    };
-    Ok(Contact {
-        link,
-        against,
-        point: system.point_in_link(pose, link, against, question.frame, point),
-        normal,
-    })
-}
-
-/// The link of this name; `world` is the ground where no link is called so.
-fn other_side(mechanism: &Mechanism, name: &str) -> Result<Option<LinkId>, UnknownName> {
-    match mechanism.find_link(name) {
-        Ok(link) => Ok(Some(link)),
-        Err(_) if name == "world" => Ok(None),
-        Err(unknown) => Err(unknown),
-    }
+    let limits = if strike.singular_pose { system.branch_limits(pose, contact) } else { Vec::new() };
+    let mut report = report(model, system, pose, &strike, diagnostics, assumptions(system, pose, question));
+    report.estimate = estimate;
+    report.branch_limits = limits
+        .into_iter()
+        .map(|limit| match limit {
+            EffectiveMass::Finite(m) => Some(m),
+            EffectiveMass::Massless => Some(0.0),
+            EffectiveMass::Immovable => None,
+        })
+        .collect();
+    Ok(report)
 }
 
 fn report(
@@ -307,11 +210,11 @@ fn report(
         inputs: vec![model.input.clone()],
         effective_mass,
         status,
-        singular_pose: false,
+        singular_pose: strike.singular_pose,
         degrees_of_freedom: strike.degrees_of_freedom,
         generic_degrees_of_freedom: system.degrees_of_freedom(),
         redundant_constraints: system.redundant_constraints(),
-        rank_gap: None,
+        rank_gap: system.rank_gap(),
         route: match strike.route {
             Route::Dense => "dense",
             Route::Articulated => "articulated",
@@ -328,8 +231,8 @@ fn report(
             .collect(),
         other_mass_share: shares.and_then(|s| s.other_mass),
         pose: pose_record(mechanism, pose),
-        closure_residual: None,
-        closure_inexactness: None,
+        closure_residual: pose.loops().map(|l| l.residual),
+        closure_inexactness: pose.loops().map(|l| l.inexactness),
         characteristic_length: mechanism.characteristic_length(),
         contact: ContactRecord {
             link: link_name(contact.link),
@@ -339,12 +242,17 @@ fn report(
             point_link: contact.point_link.into(),
             normal_link: contact.normal_link.into(),
         },
+        drivers: assumptions.drivers.clone(),
+        assembly_modes: pose.loops().map_or_else(Vec::new, |l| l.modes.clone()),
+        redundant_loops: system.redundant_loops().to_vec(),
+        branch_limits: Vec::new(),
+        estimate: None,
         diagnostics,
         assumptions,
     }
 }
 
-fn assumptions(system: &System, question: &MassQuestion) -> Assumptions {
+fn assumptions(system: &System, pose: &Pose, question: &MassQuestion) -> Assumptions {
     let mechanism = system.mechanism();
     let root = mechanism.link(mechanism.root()).name();
     let mut assumptions = Assumptions {
@@ -353,6 +261,9 @@ fn assumptions(system: &System, question: &MassQuestion) -> Assumptions {
             Base::Floating => format!("floating (root link \"{root}\" moves freely)"),
         },
         set: question.set.iter().map(|(joint, _)| joint.clone()).collect(),
+        drivers: pose.loops().map_or_else(Vec::new, |l| {
+            l.drivers.iter().map(|id| mechanism.joint(*id).name().to_owned()).collect()
+        }),
         ..Assumptions::default()
     };
     for id in mechanism.joint_ids() {
@@ -372,35 +283,4 @@ fn assumptions(system: &System, question: &MassQuestion) -> Assumptions {
 pub(crate) fn pose_record(mechanism: &Mechanism, pose: &Pose) -> BTreeMap<String, Vec<f64>> {
     let movable = mechanism.joint_ids().filter(|id| mechanism.joint(*id).kind().dofs() > 0);
     movable.map(|id| (mechanism.joint(id).name().to_owned(), pose.joint(id).to_vec())).collect()
-}
-
-fn remark(remark: &Remark) -> DiagnosticRecord {
-    let (severity, code, message) = match remark {
-        Remark::NearlyImmovable { approach, uncertainty } => (
-            Severity::Warning,
-            "nearly-immovable",
-            format!(
-                "the gap hardly closes (closing speed {approach:.1e} of its terms): the mass is uncertain by \
-                 {uncertainty:.1e} of itself"
-            ),
-        ),
-        Remark::MasslessMotions { directions } => (
-            Severity::Note,
-            "massless-motions",
-            format!("{directions} motion(s) of the mechanism carry no mass; they do not matter here"),
-        ),
-        Remark::UndeterminedMotion => (
-            Severity::Note,
-            "undetermined-motion",
-            "a motion without mass leaves the velocities of the blow open; the mass and the shares are not"
-                .into(),
-        ),
-        Remark::IndefiniteMassMatrix => (
-            Severity::Warning,
-            "indefinite-mass-matrix",
-            "the mass matrix has negative directions: the value is stationary, not a minimum".into(),
-        ),
-        _ => (Severity::Note, "remark", format!("{remark:?}")),
-    };
-    DiagnosticRecord::about_answer(severity, code, message)
 }

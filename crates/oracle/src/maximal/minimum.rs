@@ -5,9 +5,6 @@ use super::{Answer, Outcome};
 use faer::Mat;
 use nalgebra::{DMatrix, DVector};
 
-/// A row of A counts as dependent when its pivot is below this part of the first. Rows are unit vectors and a tree's
-/// rows are independent, so a true dependency (a locked mimic) stands at rounding, 1e-15, and nothing else near.
-const RANK: f64 = 1e-11;
 /// The contact cannot close when |jZ| is at most this part of |j| (DESIGN §1).
 const IMMOVABLE: f64 = 1e-10;
 /// A column of W Z is a motion without mass when its norm is below this part of the largest row: masses span at most
@@ -18,13 +15,18 @@ const MASSLESS: f64 = 1e-11;
 
 /// Solves (D).
 pub(super) fn minimum(system: &System) -> Answer {
-    let (basis, rank) = kernel(&system.constraints);
+    let tree = complement(&system.tree);
+    let (within, singular_values) = kernel(&(&system.extra * &tree), system.threshold);
+    let basis = tree * within;
     let degrees_of_freedom = basis.ncols();
-    let redundant_constraints = system.constraints.nrows() - rank;
+    let rank = system.tree.ncols() - degrees_of_freedom;
+    let redundant_constraints = system.tree.nrows() + system.extra.nrows() - rank;
     let answer = |outcome| Answer {
         outcome,
         degrees_of_freedom,
         redundant_constraints,
+        singular_values: singular_values.clone(),
+        threshold: system.threshold,
         links: Vec::new(),
         rotors: Vec::new(),
     };
@@ -63,19 +65,34 @@ pub(super) fn minimum(system: &System) -> Answer {
     answer
 }
 
-/// An orthonormal basis of ker A (columns), and the rank of A.
-fn kernel(a: &DMatrix<f64>) -> (DMatrix<f64>, usize) {
-    let n = a.ncols();
-    if a.nrows() == 0 {
-        return (DMatrix::identity(n, n), 0);
+/// An orthonormal basis (columns) of the kernel of a matrix with independent rows.
+fn complement(rows: &DMatrix<f64>) -> DMatrix<f64> {
+    let (rank, n) = rows.shape();
+    if rank == 0 {
+        return DMatrix::identity(n, n);
     }
-    let transposed = Mat::from_fn(n, a.nrows(), |i, k| a[(k, i)]);
-    let qr = transposed.col_piv_qr();
-    let pivots = n.min(a.nrows());
-    let r = qr.R();
-    let rank = (0..pivots).take_while(|&i| r[(i, i)].abs() > RANK * r[(0, 0)].abs()).count();
-    let q = qr.compute_Q();
-    (DMatrix::from_fn(n, n - rank, |i, k| q[(i, rank + k)]), rank)
+    let q = Mat::from_fn(n, rank, |i, k| rows[(k, i)]).col_piv_qr().compute_Q();
+    DMatrix::from_fn(n, n - rank, |i, k| q[(i, rank + k)])
+}
+
+/// An orthonormal basis (columns) of the kernel, and the singular values as parts of the largest. Those up to
+/// `threshold` count as zero, and all do where the largest is rounding: the rows are unit vectors.
+fn kernel(rows: &DMatrix<f64>, threshold: f64) -> (DMatrix<f64>, Vec<f64>) {
+    const NOTHING: f64 = 1e-12;
+    let (m, n) = rows.shape();
+    if m == 0 || n == 0 {
+        return (DMatrix::identity(n, n), Vec::new());
+    }
+    let svd = Mat::from_fn(m, n, |i, k| rows[(i, k)]).svd().expect("finite rows");
+    let values: Vec<f64> = svd.S().column_vector().iter().copied().collect();
+    let largest = values[0];
+    if largest <= NOTHING {
+        return (DMatrix::identity(n, n), vec![0.0; values.len()]);
+    }
+    let relative: Vec<f64> = values.iter().map(|value| value / largest).collect();
+    let rank = relative.iter().filter(|value| **value > threshold).count();
+    let v = svd.V();
+    (DMatrix::from_fn(n, n - rank, |i, k| v[(i, rank + k)]), relative)
 }
 
 /// A z that minimises |rhs − matrix z|: Householder QR, the largest remaining column and in it the largest entry

@@ -1,14 +1,19 @@
 //! The rows of A, W and j: every one a linear form on the velocities of the links.
 
-use super::{Question, pose};
+use super::joints::Placed;
+use super::row::{Row, WORLD, com, rotation, translation, velocity_row};
+use super::{Question, loops, pose, residual};
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix4, SymmetricEigen, Vector3};
-use percuss_mechanism::{Joint, JointKind, Link};
-use percuss_spatial::plane_basis;
+use percuss_mechanism::Link;
 
 /// The problem in scaled velocities: six a link, L ω first, then the velocity of the centre of mass.
 pub(super) struct System {
-    /// A, its rows unit vectors.
-    pub constraints: DMatrix<f64>,
+    /// The rows of A that the base and the joints impose: independent by construction. Unit vectors.
+    pub tree: DMatrix<f64>,
+    /// The other rows of A: mimics, locks, closures, couplings, held contacts. Unit vectors.
+    pub extra: DMatrix<f64>,
+    /// The part of the largest singular value at which one of the other rows counts as zero.
+    pub threshold: f64,
     /// W: twice the kinetic energy is |W v|².
     pub energy: DMatrix<f64>,
     /// Whose energy each row of W is.
@@ -24,132 +29,6 @@ pub(super) struct System {
 pub(super) enum Owner {
     Link(usize),
     Rotor(usize),
-}
-
-/// A linear form: coefficients of (ω, v) for some links.
-#[derive(Clone, Default)]
-struct Row(Vec<(usize, Vector3<f64>, Vector3<f64>)>);
-
-impl Row {
-    /// `self` + `factor` · `other`.
-    fn plus(mut self, factor: f64, other: &Row) -> Row {
-        self.0
-            .extend(other.0.iter().map(|&(link, angular, linear)| (link, angular * factor, linear * factor)));
-        self
-    }
-
-    /// Coefficients of the scaled velocities.
-    fn dense(&self, links: usize, length: f64) -> DVector<f64> {
-        let mut dense = DVector::zeros(6 * links);
-        for (link, angular, linear) in &self.0 {
-            for i in 0..3 {
-                dense[6 * link + i] += angular[i] / length;
-                dense[6 * link + 3 + i] += linear[i];
-            }
-        }
-        dense
-    }
-}
-
-/// n · (velocity of the point of `link` that is `arm` from its centre of mass).
-fn velocity_row(link: usize, arm: &Vector3<f64>, n: &Vector3<f64>) -> Row {
-    Row(vec![(link, arm.cross(n), *n)])
-}
-
-/// A joint in world axes.
-struct Placed<'a> {
-    joint: &'a Joint,
-    /// From the parent's centre of mass to the child's origin.
-    arm_parent: Vector3<f64>,
-    /// From the child's centre of mass to its origin.
-    arm_child: Vector3<f64>,
-    /// e1, e2 of the plane normal to the axis, then the axis.
-    frame: [Vector3<f64>; 3],
-    /// Axes of the child.
-    child_axes: [Vector3<f64>; 3],
-}
-
-const WORLD: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-
-impl<'a> Placed<'a> {
-    fn new(joint: &'a Joint, q: &[f64], question: &Question, x_wl: &[Matrix4<f64>]) -> Self {
-        let (parent, child) = (joint.parent().index(), joint.child().index());
-        let links = question.mechanism.links();
-        let (r_wp, r_wc) = (rotation(&x_wl[parent]), rotation(&x_wl[child]));
-        // Arms from the relative pose: a world origin far away costs no digits.
-        let x_pc = pose::origin(joint) * pose::motion(joint, q);
-        let r_wj = r_wp * joint.origin().rotation;
-        let (e1, e2) = plane_basis(joint.axis());
-        Self {
-            joint,
-            arm_parent: r_wp * (translation(&x_pc) - com(&links[parent])),
-            arm_child: -(r_wc * com(&links[child])),
-            frame: [r_wj * e1, r_wj * e2, r_wj * joint.axis()],
-            child_axes: [0, 1, 2].map(|i| r_wc.column(i).into_owned()),
-        }
-    }
-
-    /// n · (angular velocity of the child relative to the parent).
-    fn angular(&self, n: &Vector3<f64>) -> Row {
-        let (parent, child) = (self.joint.parent().index(), self.joint.child().index());
-        Row(vec![(child, *n, Vector3::zeros()), (parent, -n, Vector3::zeros())])
-    }
-
-    /// n · (velocity of the child's origin relative to the point of the parent that is there).
-    fn linear(&self, n: &Vector3<f64>) -> Row {
-        let (parent, child) = (self.joint.parent().index(), self.joint.child().index());
-        velocity_row(child, &self.arm_child, n).plus(-1.0, &velocity_row(parent, &self.arm_parent, n))
-    }
-
-    /// What the joint forbids.
-    fn constraints(&self, locked: bool) -> Vec<Row> {
-        let world = WORLD.map(Vector3::from);
-        let [e1, e2, axis] = &self.frame;
-        let all_angular = || world.iter().map(|n| self.angular(n));
-        let all_linear = || world.iter().map(|n| self.linear(n));
-        let no_tilt = || [e1, e2].map(|n| self.angular(n));
-        if locked {
-            return all_angular().chain(all_linear()).collect();
-        }
-        match self.joint.kind() {
-            JointKind::Fixed => all_angular().chain(all_linear()).collect(),
-            JointKind::Revolute | JointKind::Continuous => all_linear().chain(no_tilt()).collect(),
-            JointKind::Prismatic => all_angular().chain([e1, e2].map(|n| self.linear(n))).collect(),
-            JointKind::Planar => no_tilt().into_iter().chain([self.linear(axis)]).collect(),
-            JointKind::Spherical => all_linear().collect(),
-            JointKind::Floating => Vec::new(),
-        }
-    }
-
-    /// Its velocities, in the order of [`JointKind`]'s table.
-    fn rates(&self) -> Vec<Row> {
-        let [e1, e2, axis] = &self.frame;
-        let child_angular = || self.child_axes.iter().map(|n| self.angular(n));
-        match self.joint.kind() {
-            JointKind::Fixed => Vec::new(),
-            JointKind::Revolute | JointKind::Continuous => vec![self.angular(axis)],
-            JointKind::Prismatic => vec![self.linear(axis)],
-            JointKind::Planar => vec![self.linear(e1), self.linear(e2), self.angular(axis)],
-            JointKind::Spherical => child_angular().collect(),
-            JointKind::Floating => {
-                child_angular().chain(self.child_axes.iter().map(|n| self.linear(n))).collect()
-            }
-        }
-    }
-}
-
-fn rotation(x: &Matrix4<f64>) -> Matrix3<f64> {
-    x.fixed_view::<3, 3>(0, 0).into_owned()
-}
-
-fn translation(x: &Matrix4<f64>) -> Vector3<f64> {
-    x.fixed_view::<3, 1>(0, 3).into_owned()
-}
-
-/// Centre of mass in the link frame; the origin of a massless link.
-fn com(link: &Link) -> Vector3<f64> {
-    let inertia = link.inertia();
-    if inertia.mass > 0.0 { inertia.first_moment / inertia.mass } else { Vector3::zeros() }
 }
 
 /// Rows whose squares sum to twice the kinetic energy of a link.
@@ -194,13 +73,18 @@ fn armature(question: &Question, joint: usize) -> Vec<f64> {
 /// root, m. Not the mechanism's characteristic length, which a featherweight with a large inertia inflates.
 fn length(question: &Question, placed: &[Placed]) -> f64 {
     let mechanism = question.mechanism;
+    let frames = mechanism.closures().iter().flat_map(|c| [c.predecessor(), c.successor()]);
+    let of_closures = frames.filter_map(|frame| {
+        let link = frame.link.filter(|link| *link != mechanism.root())?;
+        Some((frame.frame.translation - com(mechanism.link(link))).norm())
+    });
     let struck = (question.point - com(mechanism.link(question.on))).norm();
     let below = |joint: &Placed| joint.joint.parent() != mechanism.root();
     let arms = placed.iter().map(|joint| {
         let above = if below(joint) { joint.arm_parent.norm() } else { 0.0 };
         joint.arm_child.norm().max(above)
     });
-    let longest = arms.fold(struck, f64::max);
+    let longest = arms.chain(of_closures).fold(struck, f64::max);
     if longest > 0.0 { longest } else { 1.0 }
 }
 
@@ -212,27 +96,30 @@ pub(super) fn assemble(question: &Question) -> System {
     let placed: Vec<Placed> =
         joints.iter().zip(&question.positions).map(|(j, q)| Placed::new(j, q, question, &x_wl)).collect();
 
-    let mut constraints = Vec::new();
+    let mut tree = Vec::new();
     if !question.floating_base {
         let root = mechanism.root().index();
         for n in WORLD.map(Vector3::from) {
-            constraints.push(Row(vec![(root, n, Vector3::zeros())]));
-            constraints.push(Row(vec![(root, Vector3::zeros(), n)]));
+            tree.push(Row(vec![(root, n, Vector3::zeros())]));
+            tree.push(Row(vec![(root, Vector3::zeros(), n)]));
         }
     }
     let mut energy = Vec::new();
     let mut owners = Vec::new();
+    let mut extra = Vec::new();
     for (i, link) in links.iter().enumerate() {
         let rows = energy_rows(i, link, &rotation(&x_wl[i]));
         owners.extend(rows.iter().map(|_| Owner::Link(i)));
         energy.extend(rows);
     }
     for (i, joint) in placed.iter().enumerate() {
-        let locked = question.locked.iter().any(|id| id.index() == i);
-        constraints.extend(joint.constraints(locked));
+        tree.extend(joint.constraints());
+        if question.locked.iter().any(|id| id.index() == i) {
+            extra.extend(joint.rates());
+        }
         if let Some(mimic) = joint.joint.mimic() {
             let master = placed[mimic.master.index()].rates().swap_remove(0);
-            constraints.push(joint.rates().swap_remove(0).plus(-mimic.multiplier, &master));
+            extra.push(joint.rates().swap_remove(0).plus(-mimic.multiplier, &master));
         }
         let values = armature(question, i);
         let rates = joint.rates();
@@ -243,23 +130,39 @@ pub(super) fn assemble(question: &Question) -> System {
         }
     }
 
+    extra.extend(loops::rows(question, &placed, &x_wl));
+
     let length = length(question, &placed);
     let stack = |rows: &[Row], normalise: bool| {
         let mut matrix = DMatrix::zeros(rows.len(), 6 * links.len());
         for (i, row) in rows.iter().enumerate() {
             let dense = row.dense(links.len(), length);
-            let size = if normalise { dense.norm() } else { 1.0 };
+            // A row without an entry (a distance of zero) forbids nothing.
+            let norm = dense.norm();
+            let size = if normalise && norm > 0.0 { norm } else { 1.0 };
             matrix.set_row(i, &(dense / size).transpose());
         }
         matrix
     };
     System {
-        constraints: stack(&constraints, true),
+        tree: stack(&tree, true),
+        extra: stack(&extra, true),
+        threshold: question.threshold.unwrap_or_else(|| threshold(question)),
         energy: stack(&energy, false),
         owners,
         contact: contact_row(question, &x_wl).dense(links.len(), length),
         counts: (links.len(), joints.len()),
     }
+}
+
+/// max(1e-10, 10 δ / size), δ the residual of the loops at the position asked about (DESIGN §4).
+fn threshold(question: &Question) -> f64 {
+    const LEAST: f64 = 1e-10;
+    const MOST: f64 = 1e-3;
+    let size = question.mechanism.characteristic_length();
+    let residual = residual::residual(question.mechanism, &question.positions) / size;
+    assert!(residual <= MOST, "{}: open by {residual:e} of its size", question.mechanism.name());
+    LEAST.max(10.0 * residual)
 }
 
 /// j: the speed at which the struck point closes on the other side.

@@ -2,7 +2,17 @@
 //!
 //! Lengths in m, masses in kg, inertias in kg·m²; every result is m̄ in kg.
 
+mod planar;
+mod train;
+
 use nalgebra::{Matrix3, Vector2, Vector3};
+pub use planar::{
+    Crossing, FourBar, PlanarBody, PlanarPose, SliderCrank, antiparallelogram, planar_effective_mass,
+};
+pub use train::{
+    elliptic_trammel, gear_pair, hooke_output_angle, hooke_ratio, hooke_shaft, massless_arm_suspension,
+    planetary_gear, rack_and_pinion, slider,
+};
 
 /// Point mass m at r_A from a hinge on a massless rod, struck at r_B: m̄ = m (r_A / r_B)².
 ///

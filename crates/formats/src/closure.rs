@@ -1,0 +1,171 @@
+//! `<loop>` and `<loop_joint>`: joints that the tree leaves out. `<coupling>`: a ratio between rates.
+
+use crate::joint::{end, number};
+use crate::link::name;
+use crate::numbers::required;
+use crate::origin::{self, Origin};
+use crate::report::{Place, Report, quoted};
+use crate::survey::{child, is_named};
+use percuss_mechanism::{ClosureDescription, ClosureKind, CouplingDescription, Problem, near_names};
+use percuss_spatial::{Transform, Vector3};
+use roxmltree::Node;
+
+/// The axis, and the successor's pin of a universal loop, where none is given.
+const DEFAULT_AXIS: &str = "1 0 0";
+const DEFAULT_AXIS2: &str = "0 1 0";
+
+/// Whether the element closes a loop, in either spelling.
+pub(crate) fn is_loop(node: Node<'_, '_>) -> bool {
+    is_named(node, "loop") || is_named(node, "loop_joint")
+}
+
+/// The tags of the elements that name the links, the predecessor's first.
+pub(crate) fn ends(node: Node<'_, '_>) -> [&'static str; 2] {
+    if is_named(node, "loop_joint") { ["link1", "link2"] } else { ["predecessor", "successor"] }
+}
+
+/// Checks a `<loop>` or `<loop_joint>`. Every number is good, or what is wrong with it was reported.
+pub(crate) fn check<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> ClosureDescription {
+    let name = name(node, report);
+    let kind = kind(node, report);
+    let [predecessor, successor] = ends(node).map(|tag| end(node, tag, report));
+    let [predecessor_frame, successor_frame] = ends(node).map(|tag| frame(node, tag, report));
+    if let Some(kind) = kind {
+        beside_the_point(node, kind, report);
+    }
+    let universal = kind == Some(ClosureKind::Universal);
+    ClosureDescription {
+        name: name.to_owned(),
+        kind: kind.unwrap_or(ClosureKind::Fixed),
+        predecessor: predecessor.to_owned(),
+        predecessor_frame,
+        successor: successor.to_owned(),
+        successor_frame,
+        axis: direction(node, "axis", DEFAULT_AXIS, kind.filter(|k| k.has_axis()), report),
+        axis2: direction(node, "axis2", DEFAULT_AXIS2, kind.filter(|_| universal), report),
+        distance: distance(node, kind, report),
+    }
+}
+
+/// Checks a `<coupling>`.
+pub(crate) fn check_coupling<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> CouplingDescription {
+    let name = name(node, report);
+    // The only type in use.
+    if let Some(other) = node.attribute("type").filter(|t| *t != "rolling") {
+        report.warning("unknown-coupling-type", Place::Attribute(node, "type"), || {
+            format!("the coupling type {} is unknown; it is read as a ratio between rates", quoted(other))
+        });
+    }
+    let [predecessor, successor] = ends(node).map(|tag| end(node, tag, report).to_owned());
+    let ratio = match child(node, "ratio") {
+        Some(ratio) => number(ratio, "value", report),
+        None => {
+            report.error("missing-element", Place::Element(node), || {
+                "<coupling> has no <ratio>; it needs <ratio value=\"...\"/>, the successor's rate over the \
+                 predecessor's"
+                    .to_owned()
+            });
+            None
+        }
+    };
+    CouplingDescription { name: name.to_owned(), predecessor, successor, ratio: ratio.unwrap_or(1.0) }
+}
+
+fn kind(node: Node<'_, '_>, report: &mut Report) -> Option<ClosureKind> {
+    // URDF has two words for a hinge.
+    let names = || ClosureKind::ALL.map(ClosureKind::name).into_iter().chain(["continuous"]);
+    let listed = || names().collect::<Vec<_>>().join(", ");
+    let Some(text) = node.attribute("type") else {
+        report.error("missing-attribute", Place::Element(node), || {
+            let tag = node.tag_name().name();
+            format!("<{tag}> has no attribute \"type\"; it is one of {}", listed())
+        });
+        return None;
+    };
+    let word = if text == "continuous" { ClosureKind::Revolute.name() } else { text };
+    let kind = ClosureKind::ALL.into_iter().find(|k| k.name() == word);
+    let place = Place::Attribute(node, "type");
+    if word == "floating" {
+        report.error("loop-of-nothing", place, || {
+            format!(
+                "a floating joint holds nothing, so that it closes no loop; the type is one of {}",
+                listed()
+            )
+        });
+    } else if kind.is_none() {
+        report.error("unknown-loop-type", place, || {
+            let guess = near_names(text, names())
+                .first()
+                .map(|n| format!(" (did you mean \"{n}\"?)"))
+                .unwrap_or_default();
+            format!("the loop type {} is unknown{guess}; it is one of {}", quoted(text), listed())
+        });
+    }
+    kind
+}
+
+/// The loop frame in the link: `<origin>` in `<predecessor>` and `<successor>`, attributes of `<link1>` and `<link2>`.
+fn frame<'a, 'i: 'a>(node: Node<'a, 'i>, tag: &'static str, report: &mut Report) -> Transform<f64> {
+    let origin = match child(node, tag) {
+        Some(end) if is_named(node, "loop_joint") => origin::of(end, report),
+        Some(end) => origin::check(end, report),
+        None => Origin::IDENTITY,
+    };
+    origin.transform()
+}
+
+/// An axis; `kind` where the loop's kind asks for one, and then it must not be zero.
+fn direction<'a, 'i: 'a>(
+    node: Node<'a, 'i>,
+    tag: &'static str,
+    default: &'static str,
+    kind: Option<ClosureKind>,
+    report: &mut Report,
+) -> Vector3<f64> {
+    let text = match child(node, tag) {
+        Some(axis) => required::<3>(axis, "xyz", default, report),
+        None => {
+            if let Some(kind) = kind {
+                report.note("default-axis", Place::Element(node), || {
+                    format!("the {} loop has no <{tag}>: {default} is taken", kind.name())
+                });
+            }
+            default
+        }
+    };
+    let axis = Vector3::from(crate::numbers::parse::<3>(text).unwrap_or_default());
+    // The builder would not say which of two.
+    if let Some(element) = child(node, tag).filter(|_| kind.is_some() && axis.amax() < SMALLEST_AXIS) {
+        let problem = Problem::ZeroAxis;
+        report.add(problem.severity(), problem.code(), Place::Element(element), || problem.to_string());
+    }
+    axis
+}
+
+/// The builder takes a shorter axis for zero.
+const SMALLEST_AXIS: f64 = 1e-100;
+
+fn distance<'a, 'i: 'a>(node: Node<'a, 'i>, kind: Option<ClosureKind>, report: &mut Report) -> Option<f64> {
+    let element = child(node, "distance");
+    if element.is_none() && kind == Some(ClosureKind::Distance) {
+        report.note("default-distance", Place::Element(node), || {
+            "the loop has no <distance>: it keeps the distance its points have with all joints at 0"
+                .to_owned()
+        });
+    }
+    number(element?, "value", report)
+}
+
+/// What the kind has no use for. An axis is common beside kinds that have none; the rest is a slip.
+fn beside_the_point<'a, 'i: 'a>(node: Node<'a, 'i>, kind: ClosureKind, report: &mut Report) {
+    let tell = |tag: &str| format!("a {} loop has no <{tag}>; ignored", kind.name());
+    if let Some(axis) = child(node, "axis").filter(|_| !kind.has_axis()) {
+        report.note("unused-element", Place::Element(axis), || tell("axis"));
+    }
+    if let Some(axis2) = child(node, "axis2").filter(|_| kind != ClosureKind::Universal) {
+        report.warning("unused-element", Place::Element(axis2), || tell("axis2"));
+    }
+    if let Some(distance) = child(node, "distance").filter(|_| kind != ClosureKind::Distance) {
+        report.warning("unused-element", Place::Element(distance), || tell("distance"));
+    }
+}

@@ -1,0 +1,93 @@
+//! The elements that make the mechanism, and where a finding of the builder belongs among them.
+
+use crate::closure;
+use crate::report::{Place, Report};
+use crate::survey::{child, children, is_named};
+use percuss_mechanism::{Problem, Subject};
+use roxmltree::Node;
+
+/// Links, joints, loops and couplings of one file: so many of each.
+const MOST_BODIES: usize = 100_000;
+
+/// The elements of links, joints, loops and couplings, in the order given.
+pub(crate) struct Nodes<'a, 'i> {
+    pub links: Vec<Node<'a, 'i>>,
+    pub joints: Vec<Node<'a, 'i>>,
+    pub closures: Vec<Node<'a, 'i>>,
+    pub couplings: Vec<Node<'a, 'i>>,
+}
+
+impl<'a, 'i: 'a> Nodes<'a, 'i> {
+    pub fn of(robot: Node<'a, 'i>) -> Self {
+        Self {
+            links: children(robot, "link").collect(),
+            joints: children(robot, "joint").collect(),
+            closures: robot.children().filter(|n| n.is_element() && closure::is_loop(*n)).collect(),
+            couplings: children(robot, "coupling").collect(),
+        }
+    }
+
+    /// Refuses a file with too many of a kind.
+    pub fn are_bounded(&self, robot: Node<'a, 'i>, report: &mut Report) -> bool {
+        let counts = [
+            ("links", self.links.len()),
+            ("joints", self.joints.len()),
+            ("loops", self.closures.len()),
+            ("couplings", self.couplings.len()),
+        ];
+        let excess = counts.into_iter().find(|(_, count)| *count > MOST_BODIES);
+        if let Some((what, count)) = excess {
+            report.error("too-complex", Place::Element(robot), || {
+                format!("{count} {what}; at most {MOST_BODIES} are read")
+            });
+        }
+        excess.is_none()
+    }
+
+    /// Where in the file a finding of the builder belongs.
+    pub fn place(&self, robot: Node<'a, 'i>, subject: &Subject, problem: &Problem) -> Place<'a, 'i> {
+        let node = match subject {
+            Subject::Mechanism => Some(robot),
+            Subject::Link { index, .. } => self.links.get(*index).copied(),
+            Subject::Joint { index, .. } => self.joints.get(*index).copied(),
+            Subject::Closure { index, .. } => self.closures.get(*index).copied(),
+            Subject::Coupling { index, .. } => self.couplings.get(*index).copied(),
+        };
+        let node = node.unwrap_or(robot);
+        let within: &[&'static str] = match problem {
+            Problem::NotFinite { quantity, .. } | Problem::TooLarge { quantity, .. } => match *quantity {
+                "centre of mass" => &["inertial", "origin"],
+                "mass" => &["inertial", "mass"],
+                "inertia" => &["inertial", "inertia"],
+                "origin" | "rotation" => &["origin"],
+                "axis" => &["axis"],
+                "limit" => &["limit"],
+                "mimic" => &["mimic"],
+                "armature" => &["dynamics"],
+                "distance" => &["distance"],
+                "ratio" => &["ratio"],
+                // The builder's words, not the file's.
+                _ => &[],
+            },
+            Problem::NegativeMass { .. } => &["inertial", "mass"],
+            Problem::IndefiniteInertia { .. } | Problem::TriangleInequality { .. } => {
+                &["inertial", "inertia"]
+            }
+            Problem::ZeroAxis | Problem::AxisNotUnit { .. } => &["axis"],
+            Problem::LimitsReversed { .. } => &["limit"],
+            Problem::NegativeArmature { .. } | Problem::ArmatureCount { .. } => &["dynamics"],
+            Problem::MimicKind { .. } | Problem::MimicCycle { .. } | Problem::DanglingMimic { .. } => {
+                &["mimic"]
+            }
+            Problem::SecondParent { .. } | Problem::NoClosure { .. } | Problem::JoinsItself { .. } => {
+                &["child"]
+            }
+            Problem::BadDistance { .. } => &["distance"],
+            Problem::ClosesOnItself { .. } if is_named(node, "loop_joint") => &["link2"],
+            Problem::ClosesOnItself { .. } => &["successor"],
+            // An open list of the builder's; the link or joint is place enough.
+            _ => &[],
+        };
+        Place::Element(within.iter().try_fold(node, |node, name| child(node, name)).unwrap_or(node))
+    }
+}

@@ -1,0 +1,63 @@
+//! A mechanism taken apart again, to be built anew with something changed.
+
+use crate::{
+    Accept, ClosureDescription, CouplingDescription, JointDescription, LinkDescription, LinkId, Mechanism,
+    MechanismBuilder, MimicDescription,
+};
+
+impl Mechanism {
+    /// A builder that holds everything this mechanism was built from; what was accepted stays accepted.
+    pub fn to_builder(&self) -> MechanismBuilder {
+        let mut builder =
+            MechanismBuilder::new(self.name.clone()).accept(Accept { indefinite_inertia: true });
+        for link in &self.links {
+            let (name, inertial, geometry) = (link.name.clone(), link.inertial, link.geometry);
+            builder = builder.link(LinkDescription { name, inertial, geometry });
+        }
+        for joint in &self.joints {
+            builder = builder.joint(JointDescription {
+                name: joint.name.clone(),
+                kind: joint.kind,
+                parent: self.link(joint.parent).name.clone(),
+                child: self.link(joint.child).name.clone(),
+                origin: joint.origin,
+                axis: joint.axis,
+                limits: joint.limits,
+                armature: joint.armature.clone(),
+                mimic: joint.mimic.map(|m| MimicDescription {
+                    joint: self.joint(m.master).name.clone(),
+                    multiplier: m.multiplier,
+                    offset: m.offset,
+                }),
+                independent: joint.independent,
+            });
+        }
+        for closure in &self.closures {
+            builder = builder.closure(ClosureDescription {
+                name: closure.name.clone(),
+                kind: closure.kind,
+                predecessor: self.end_name(closure.predecessor.link),
+                predecessor_frame: closure.predecessor.frame,
+                successor: self.end_name(closure.successor.link),
+                successor_frame: closure.successor.frame,
+                axis: closure.axis,
+                axis2: closure.axis2,
+                distance: closure.distance,
+            });
+        }
+        for coupling in &self.couplings {
+            builder = builder.coupling(CouplingDescription {
+                name: coupling.name.clone(),
+                predecessor: self.link(coupling.predecessor).name.clone(),
+                successor: self.link(coupling.successor).name.clone(),
+                ratio: coupling.ratio,
+            });
+        }
+        builder
+    }
+
+    /// Name of the link a closure takes hold of; `world` for none.
+    fn end_name(&self, link: Option<LinkId>) -> String {
+        link.map_or_else(|| "world".into(), |l| self.link(l).name.clone())
+    }
+}

@@ -1,0 +1,175 @@
+//! Closures of every kind between general frames, made to fit a position of the tree.
+
+use super::Linkage;
+use crate::alter::{build, build_with_loops};
+use crate::maximal::poses;
+use crate::zoo::{frame, joint, lump};
+use nalgebra::Matrix4;
+use percuss_mechanism::{
+    ClosureDescription, ClosureKind, JointDescription, JointKind, LinkDescription, Mechanism,
+};
+use percuss_spatial::{Matrix3, Transform, Vector3, rotation_about, rotation_from_rpy};
+
+use JointKind::{Prismatic, Revolute};
+
+/// A motion the kind allows, from its axis and some numbers: X_ps, the successor's loop frame in the predecessor's. For
+/// a universal closure the successor's pin too.
+pub(crate) fn fitting(
+    kind: ClosureKind,
+    axis: &Vector3<f64>,
+    p: Vector3<f64>,
+    rpy: [f64; 3],
+) -> (Transform<f64>, Vector3<f64>) {
+    let about = rotation_about(axis, rpy[0]);
+    let any = rotation_from_rpy(rpy);
+    let slide = axis * p.x;
+    let (still, straight) = (Vector3::zeros(), Matrix3::identity());
+    let (rotation, translation) = match kind {
+        ClosureKind::Fixed => (straight, still),
+        ClosureKind::Revolute => (about, still),
+        ClosureKind::Prismatic => (straight, slide),
+        ClosureKind::Cylindrical => (about, slide),
+        ClosureKind::Universal | ClosureKind::Spherical => (any, still),
+        ClosureKind::Planar => (about, p - axis * axis.dot(&p)),
+        ClosureKind::Distance => (any, p),
+    };
+    // A pin at right angles to the axis, neither along the other nor along a coordinate.
+    let pin = any.tr_mul(&axis.cross(&Vector3::new(0.3, -0.5, 0.8))).normalize();
+    (Transform::new(rotation, translation), pin)
+}
+
+/// Completes a closure whose predecessor and axis are given: places the successor's loop frame so that it is closed at
+/// these positions of the tree, the frames apart by X_ps.
+pub(crate) fn closing(
+    tree: &Mechanism,
+    positions: &[Vec<f64>],
+    closure: ClosureDescription,
+    (x_ps, pin): (Transform<f64>, Vector3<f64>),
+) -> ClosureDescription {
+    let x_wl = poses(tree, positions);
+    let pose = |link: &str| match tree.find_link(link) {
+        Ok(link) => transform(&x_wl[link.index()]),
+        Err(_) => Transform::identity(),
+    };
+    let x_ws = pose(&closure.predecessor) * closure.predecessor_frame * x_ps;
+    let successor_frame = pose(&closure.successor).inverse() * x_ws;
+    let distance = (closure.kind == ClosureKind::Distance).then(|| x_ps.translation.norm());
+    ClosureDescription { successor_frame, axis2: pin, distance, ..closure }
+}
+
+fn transform(x: &Matrix4<f64>) -> Transform<f64> {
+    Transform::new(x.fixed_view::<3, 3>(0, 0).into_owned(), x.fixed_view::<3, 1>(0, 3).into_owned())
+}
+
+/// A chain of `count` bodies below `base`, general frames and axes; one joint in four slides. Names are
+/// `{prefix}_1` …; `seed` makes chains differ.
+fn chain(prefix: &str, base: &str, count: usize, seed: f64) -> (Vec<LinkDescription>, Vec<JointDescription>) {
+    let wave = |i: usize, k: usize| (seed * 1.7 + i as f64 * 2.3 + k as f64 * 4.1).sin();
+    let (mut links, mut joints) = (Vec::new(), Vec::new());
+    let mut parent = base.to_owned();
+    for i in 1..=count {
+        let name = format!("{prefix}_{i}");
+        let com = [0.1 * wave(i, 1), 0.1 * wave(i, 2), 0.1 * wave(i, 3)];
+        links.push(lump(&name, 1.0 + 0.7 * wave(i, 4), com, 0.4));
+        let kind = if i % 4 == 3 { Prismatic } else { Revolute };
+        let turn = [1.5 * wave(i, 5), 1.5 * wave(i, 6), 1.5 * wave(i, 7)];
+        let place = [0.3 * wave(i, 8), 0.3 * wave(i, 9), 0.2 + 0.1 * wave(i, 10)];
+        joints.push(joint(&name, kind, &parent, &name).origin(frame(turn, place)).axis([
+            wave(i, 11),
+            wave(i, 12),
+            0.7,
+        ]));
+        parent = name;
+    }
+    (links, joints)
+}
+
+/// All kinds of closure on one base that has mass and can fly: for each kind a chain with one joint more than the
+/// closure has rows, so that each has one degree of freedom, in general position, none redundant.
+///
+/// The universal closure holds its chain to the world; the spherical one to a link of the fixed one's chain, the planar
+/// one's own second link, an ancestor, takes its end. Drivers: the first joint of every chain, 0.08 to each side.
+pub fn every_closure() -> Linkage {
+    let mut links = vec![lump("base", 9.0, [0.1, 0.05, -0.1], 0.9)];
+    let mut joints = Vec::new();
+    for (i, kind) in ClosureKind::ALL.into_iter().enumerate() {
+        // A planar chain is longer by the two joints above the ancestor that it closes onto.
+        let ancestor = if kind == ClosureKind::Planar { 2 } else { 0 };
+        let (more_links, more_joints) =
+            chain(kind.name(), "base", kind.rows() + 1 + ancestor, 1.0 + i as f64);
+        links.extend(more_links);
+        joints.extend(more_joints);
+    }
+    let tree = build("every_closure", links.clone(), joints.clone());
+    let value = |i: usize| 0.5 * (i as f64 * 1.9 + 2.3).sin();
+    let positions: Vec<Vec<f64>> = (0..joints.len()).map(|i| vec![value(i)]).collect();
+    let closures = ClosureKind::ALL.into_iter().enumerate().map(|(i, kind)| {
+        let last = joints.iter().rfind(|j| j.name.starts_with(kind.name()));
+        let Some(last) = last else { unreachable!("every kind has a chain") };
+        let predecessor = match kind {
+            ClosureKind::Universal => "world",
+            ClosureKind::Spherical => "fixed_2",
+            ClosureKind::Planar => "planar_2",
+            ClosureKind::Fixed
+            | ClosureKind::Revolute
+            | ClosureKind::Prismatic
+            | ClosureKind::Cylindrical
+            | ClosureKind::Distance => "base",
+        };
+        let wave = |k: usize| (2.7 * i as f64 + 1.3 * k as f64 + 7.3).sin();
+        let axis = Vector3::new(wave(1), wave(2), wave(3)).normalize();
+        let closure = ClosureDescription {
+            predecessor_frame: frame([wave(4), wave(5), wave(6)], [0.4 * wave(7), 0.4 * wave(8), 0.3]),
+            axis,
+            ..ClosureDescription::new(
+                format!("{}_closure", kind.name()),
+                kind,
+                predecessor,
+                last.name.as_str(),
+            )
+        };
+        let apart = Vector3::new(0.3 + 0.1 * wave(9), 0.2 * wave(10), 0.2 * wave(11));
+        closing(&tree, &positions, closure, fitting(kind, &axis, apart, [wave(12), 0.7 * wave(13), wave(14)]))
+    });
+    let closures = closures.collect();
+    driven_by("every_closure", links, joints, closures, &positions, |name| {
+        name.ends_with("_1") || name == "planar_2" || name == "planar_3"
+    })
+}
+
+/// A leg of five joints below a base that can fly, its foot held to the world by a ball. On the ground it has two
+/// degrees of freedom, flying eight. Drivers `leg_1` and `leg_2`, 0.08 to each side.
+pub fn foot_on_the_world() -> Linkage {
+    let mut links = vec![lump("base", 4.0, [0.0, 0.1, 0.1], 0.6)];
+    let (more, joints) = chain("leg", "base", 5, 21.0);
+    links.extend(more);
+    let tree = build("foot_on_the_world", links.clone(), joints.clone());
+    let positions: Vec<Vec<f64>> = (0..5).map(|i| vec![0.3 * (1.0 + i as f64).sin()]).collect();
+    let foot = ClosureDescription {
+        predecessor_frame: frame([0.3, 0.2, -0.5], [0.1, -0.2, 0.4]),
+        ..ClosureDescription::new("foot", ClosureKind::Spherical, "world", "leg_5")
+    };
+    let fit = fitting(ClosureKind::Spherical, &Vector3::x(), Vector3::zeros(), [0.4, 0.5, 0.6]);
+    let foot = closing(&tree, &positions, foot, fit);
+    driven_by("foot_on_the_world", links, joints, vec![foot], &positions, |name| {
+        name == "leg_1" || name == "leg_2"
+    })
+}
+
+fn driven_by(
+    name: &'static str,
+    links: Vec<LinkDescription>,
+    joints: Vec<JointDescription>,
+    closures: Vec<ClosureDescription>,
+    positions: &[Vec<f64>],
+    drives: impl Fn(&str) -> bool,
+) -> Linkage {
+    const SIDE: f64 = 0.08;
+    let start: Vec<(String, f64)> =
+        joints.iter().zip(positions).map(|(j, q)| (j.name.clone(), q[0])).collect();
+    let mechanism = build_with_loops(name, links, joints, closures, Vec::new());
+    let start = start.iter().map(|(name, value)| (name.as_str(), *value));
+    let drivers = start.clone().filter(|(name, _)| drives(name));
+    let drivers = drivers.map(|(name, value)| (name, [value - SIDE, value + SIDE]));
+    Linkage::new(mechanism, name, drivers, start)
+}

@@ -1,0 +1,120 @@
+//! Couplings.
+
+use super::Linkage;
+use crate::alter::build_with_loops;
+use crate::zoo::{frame, ground, joint, lump};
+use percuss_mechanism::{
+    ClosureDescription, ClosureKind, CouplingDescription, Inertial, JointKind, LinkDescription,
+};
+use std::f64::consts::PI;
+
+use JointKind::{Continuous, Prismatic, Revolute};
+
+const Z: [f64; 3] = [0.0, 0.0, 1.0];
+
+fn coupling(name: &str, predecessor: &str, successor: &str, ratio: f64) -> CouplingDescription {
+    CouplingDescription {
+        name: name.into(),
+        predecessor: predecessor.into(),
+        successor: successor.into(),
+        ratio,
+    }
+}
+
+/// A wheel whose moment about z is given, its mass on the axis.
+fn wheel(name: &str, mass: f64, moment: f64) -> LinkDescription {
+    LinkDescription::new(
+        name,
+        Inertial::diagonal(mass, [0.0, 0.0, 0.02], [0.6 * moment, 0.6 * moment, moment]),
+    )
+}
+
+/// A rack (1.5 kg along x) and its pinion (0.0021 kg·m², radius 0.06 m): a coupling whose ratio is in m. Driver `rack`.
+pub fn rack_and_pinion() -> Linkage {
+    let links = vec![ground(), wheel("pinion", 0.8, 0.0021), lump("rack", 1.5, [0.1, 0.02, 0.0], 0.4)];
+    let joints = vec![
+        joint("pinion", Continuous, "ground", "pinion").at([0.0, 0.06, 0.0]).axis(Z),
+        joint("rack", Prismatic, "ground", "rack"),
+    ];
+    let couplings = vec![coupling("mesh", "pinion", "rack", 0.06)];
+    let mechanism = build_with_loops("rack_and_pinion", links, joints, Vec::new(), couplings);
+    let start = [("rack", 0.1), ("pinion", 0.1 / 0.06)];
+    Linkage::new(mechanism, "rack_and_pinion", [("rack", [-0.3, 0.3])], start)
+}
+
+/// Two parallel shafts, 0.02 and 0.005 kg·m², the second −2.5 times as fast. Driver `slow`.
+pub fn geared_pair() -> Linkage {
+    let links = vec![ground(), wheel("slow", 2.0, 0.02), wheel("fast", 0.7, 0.005)];
+    let place = frame([0.3, 0.2, -0.5], [0.1, 0.0, 0.2]);
+    let joints = vec![
+        joint("slow", Continuous, "ground", "slow").origin(place).axis(Z),
+        joint("fast", Continuous, "ground", "fast").origin(place * frame([0.0; 3], [0.14, 0.0, 0.0])).axis(Z),
+    ];
+    let couplings = vec![coupling("mesh", "slow", "fast", -2.5)];
+    let mechanism = build_with_loops("geared_pair", links, joints, Vec::new(), couplings);
+    Linkage::new(mechanism, "geared_pair", [("slow", [-PI, PI])], [("slow", 0.3), ("fast", -0.75)])
+}
+
+/// A planetary gear, teeth 24, 18, 60: sun, one planet (0.4 kg at 0.063 m) and ring turn on the carrier, two couplings
+/// mesh them there, and a fixed closure holds the ring to the ground (five of its six rows redundant). Moments 0.004 of
+/// the carrier, 0.0006, 0.0003, 0.01 kg·m². Driver `carrier`, a full turn.
+pub fn planetary_gear() -> Linkage {
+    let links = vec![
+        ground(),
+        wheel("carrier", 1.2, 0.004),
+        wheel("sun", 0.5, 0.0006),
+        LinkDescription::new("planet", Inertial::diagonal(0.4, [0.0; 3], [0.0002, 0.0002, 0.0003])),
+        wheel("ring", 1.5, 0.01),
+    ];
+    let place = frame([-0.4, 0.9, 0.1], [0.3, 0.1, -0.2]);
+    let joints = vec![
+        joint("carrier", Continuous, "ground", "carrier").origin(place).axis(Z),
+        joint("sun", Continuous, "carrier", "sun").axis(Z),
+        joint("planet", Continuous, "carrier", "planet").at([0.063, 0.0, 0.0]).axis(Z),
+        joint("ring", Continuous, "carrier", "ring").axis(Z),
+    ];
+    let hold = ClosureDescription {
+        predecessor_frame: place,
+        ..ClosureDescription::new("housing", ClosureKind::Fixed, "ground", "ring")
+    };
+    let couplings = vec![
+        coupling("outer_mesh", "sun", "planet", -24.0 / 18.0),
+        coupling("inner_mesh", "planet", "ring", 18.0 / 60.0),
+    ];
+    let mechanism = build_with_loops("planetary_gear", links, joints, vec![hold], couplings);
+    let turn = 0.2;
+    let start = [("carrier", turn), ("ring", -turn), ("planet", -turn / 0.3), ("sun", turn * 2.5)];
+    Linkage::new(mechanism, "planetary_gear", [("carrier", [-PI, PI])], start)
+}
+
+/// A rover: a body that can fly, a rocker on each side, coupled by a differential (ratio −1), a bogie on each rocker,
+/// six wheels. Drivers: a rocker, the bogies, the wheels.
+pub fn rocker_bogie() -> Linkage {
+    let mut links = vec![lump("body", 25.0, [0.02, 0.0, 0.1], 0.8)];
+    let mut joints = Vec::new();
+    let y = [0.0, 1.0, 0.0];
+    let mut drivers = vec![("left_rocker".to_owned(), [-0.5, 0.5])];
+    for (side, place) in [("left", 0.4), ("right", -0.4)] {
+        let name = |part: &str| format!("{side}_{part}");
+        links.push(lump(&name("rocker"), 2.2, [0.1, 0.0, -0.05], 0.5));
+        links.push(lump(&name("bogie"), 1.1, [-0.05, 0.0, -0.03], 0.3));
+        joints.push(joint(&name("rocker"), Revolute, "body", &name("rocker")).at([0.05, place, 0.0]).axis(y));
+        joints.push(
+            joint(&name("bogie"), Revolute, &name("rocker"), &name("bogie")).at([-0.35, 0.0, -0.15]).axis(y),
+        );
+        drivers.push((name("bogie"), [-0.6, 0.6]));
+        for (wheel, of, x) in [("front", "rocker", 0.45), ("middle", "bogie", 0.2), ("rear", "bogie", -0.2)] {
+            let wheel = name(wheel);
+            links.push(lump(&wheel, 0.9, [0.0, 0.01, 0.0], 0.15));
+            joints.push(
+                joint(&wheel, Continuous, &name(of), &wheel).at([x, 0.05, -0.2]).axis(y).armature(0.01),
+            );
+            drivers.push((wheel, [-1.0, 1.0]));
+        }
+    }
+    let couplings = vec![coupling("differential", "left_rocker", "right_rocker", -1.0)];
+    let mechanism = build_with_loops("rocker_bogie", links, joints, Vec::new(), couplings);
+    let start = [("left_rocker", 0.2), ("right_rocker", -0.2), ("left_bogie", -0.3), ("right_bogie", 0.1)];
+    let drivers = drivers.iter().map(|(name, range)| (name.as_str(), *range));
+    Linkage::new(mechanism, "rocker_bogie", drivers, start)
+}

@@ -1,0 +1,94 @@
+//! By how much the loops of a mechanism are open, from 4×4 matrices.
+
+use super::pose;
+use super::row::{rotation, translation};
+use crate::random;
+use nalgebra::{Matrix4, Vector3};
+use percuss_mechanism::{Closure, ClosureKind, Coupling, JointKind, LoopFrame, Mechanism};
+
+/// X_wf: a loop frame in the world, which is where the root link stands.
+pub(super) fn placed_frame(end: &LoopFrame, x_wl: &[Matrix4<f64>]) -> Matrix4<f64> {
+    let mut x_lf = Matrix4::identity();
+    x_lf.fixed_view_mut::<3, 3>(0, 0).copy_from(&end.frame.rotation);
+    x_lf.fixed_view_mut::<3, 1>(0, 3).copy_from(&end.frame.translation);
+    end.link.map_or(x_lf, |link| x_wl[link.index()] * x_lf)
+}
+
+/// Two unit vectors that make a right-handed frame with a third, unit one.
+pub(super) fn across(axis: &Vector3<f64>) -> [Vector3<f64>; 2] {
+    let first = axis.cross(&Vector3::ith(axis.iamin(), 1.0)).normalize();
+    [first, axis.cross(&first)]
+}
+
+/// |p|, without the overflow and underflow of squares.
+pub(super) fn distance(p: &Vector3<f64>) -> f64 {
+    p[0].hypot(p[1]).hypot(p[2])
+}
+
+/// By how much the worst closure or coupling is open, m; angles times the characteristic length. Zero without loops.
+///
+/// # Panics
+/// Where positions do not fit the joints.
+pub fn residual(mechanism: &Mechanism, positions: &[Vec<f64>]) -> f64 {
+    residuals(mechanism, positions).iter().map(|of_one| norm(of_one)).fold(0.0, f64::max)
+}
+
+/// What must vanish, for every closure and then for every coupling, m; angles times the characteristic length.
+///
+/// Frames and axes are compared component by component: no angle has to be found, an axis turned over is as far off
+/// as can be, and near a closed position each list is as long as the angle and the shift between the two sides.
+///
+/// # Panics
+/// Where positions do not fit the joints.
+pub fn residuals(mechanism: &Mechanism, positions: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    let x_wl = pose::poses(mechanism, positions);
+    let closures = mechanism.closures().iter().map(|closure| of_closure(closure, mechanism, &x_wl));
+    let couplings =
+        mechanism.couplings().iter().map(|coupling| vec![of_coupling(coupling, mechanism, positions)]);
+    closures.chain(couplings).collect()
+}
+
+fn norm(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |sum: f64, value| sum.hypot(*value))
+}
+
+fn of_closure(closure: &Closure, mechanism: &Mechanism, x_wl: &[Matrix4<f64>]) -> Vec<f64> {
+    let size = mechanism.characteristic_length();
+    let x_wp = placed_frame(closure.predecessor(), x_wl);
+    let x_ws = placed_frame(closure.successor(), x_wl);
+    let r_ps = rotation(&x_wp).transpose() * rotation(&x_ws);
+    let p = rotation(&x_wp).tr_mul(&(translation(&x_ws) - translation(&x_wp)));
+    let axis = closure.axis();
+    let point = || p.iter().copied();
+    let sides = || across(axis).map(|e| e.dot(&p));
+    let tilt = || (r_ps * axis - axis) * size;
+    // All nine components: each small angle shows in two of them.
+    let turn = || (r_ps - nalgebra::Matrix3::identity()) * (size / 2f64.sqrt());
+    match closure.kind() {
+        ClosureKind::Fixed => point().chain(turn().iter().copied()).collect(),
+        ClosureKind::Revolute => point().chain(tilt().iter().copied()).collect(),
+        ClosureKind::Prismatic => sides().into_iter().chain(turn().iter().copied()).collect(),
+        ClosureKind::Cylindrical => sides().into_iter().chain(tilt().iter().copied()).collect(),
+        ClosureKind::Universal => point().chain([size * axis.dot(&(r_ps * closure.axis2()))]).collect(),
+        ClosureKind::Planar => [axis.dot(&p)].into_iter().chain(tilt().iter().copied()).collect(),
+        ClosureKind::Spherical => point().collect(),
+        ClosureKind::Distance => {
+            let declared = closure.distance().unwrap_or_else(|| distance_at_zero(closure, mechanism));
+            vec![distance(&p) - declared]
+        }
+    }
+}
+
+/// What a distance closure without a declared length keeps: the distance with all joints at 0.
+fn distance_at_zero(closure: &Closure, mechanism: &Mechanism) -> f64 {
+    let x_wl = pose::poses(mechanism, &random::zero_positions(mechanism));
+    let [from, to] = [closure.predecessor(), closure.successor()].map(|end| placed_frame(end, &x_wl));
+    distance(&(translation(&to) - translation(&from)))
+}
+
+/// Σ factor · q, a length where the first of its joints slides.
+fn of_coupling(coupling: &Coupling, mechanism: &Mechanism, positions: &[Vec<f64>]) -> f64 {
+    let sum: f64 = coupling.terms().iter().map(|&(joint, factor)| factor * positions[joint.index()][0]).sum();
+    let slides = coupling.terms().first().map(|&(joint, _)| mechanism.joint(joint).kind());
+    if slides == Some(JointKind::Prismatic) { sum } else { sum * mechanism.characteristic_length() }
+}

@@ -1,0 +1,201 @@
+//! The range of an axis and the numbers on it.
+
+/// What can be drawn of a value: NaN, infinities and what is beyond 1e300 cannot, what is below 1e-300 is zero.
+/// Inside these bounds no difference, step or label overflows.
+pub(crate) fn drawable(value: f64) -> Option<f64> {
+    match value.abs() {
+        size if size < 1e-300 => Some(0.0),
+        size if size <= 1e300 => Some(value),
+        _ => None,
+    }
+}
+
+/// A range narrower than this part of its values is rounding, and drawn as one value.
+const FLAT: f64 = 1e-9;
+
+/// `mantissa` × 10^`exponent`, mantissa 1, 2 or 5.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Step {
+    mantissa: i64,
+    exponent: i32,
+}
+
+/// A linear axis.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Axis {
+    low: f64,
+    high: f64,
+    step: Step,
+}
+
+/// A number on an axis.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Tick {
+    /// How far along the axis, from 0 to 1.
+    pub fraction: f64,
+    pub label: String,
+}
+
+/// Least and greatest of what can be drawn.
+pub(crate) fn extent(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
+    values.filter_map(drawable).fold(None, |range, v| match range {
+        None => Some((v, v)),
+        Some((low, high)) => Some((v.min(low), v.max(high))),
+    })
+}
+
+impl Axis {
+    /// From the least value to the greatest, with at most `most` + 1 numbers.
+    pub fn tight(range: Option<(f64, f64)>, most: u32) -> Axis {
+        let (low, high) = widen(range);
+        Axis::stepped(low, high, most)
+    }
+
+    /// The same with some room at both ends, up to the next line of the minor grid.
+    pub fn roomy(range: Option<(f64, f64)>, most: u32) -> Axis {
+        let (low, high) = widen(range);
+        let room = 0.04 * (high - low);
+        let axis = Axis::stepped(low - room, high + room, most);
+        let minor = axis.step.minor();
+        let count = |v: f64| v / minor.value(1);
+        let low = minor.value(count(axis.low).floor() as i64);
+        let high = minor.value(count(axis.high).ceil() as i64);
+        Axis { low, high, ..axis }
+    }
+
+    /// The coarsest step that `most` allows and that puts two numbers on the axis.
+    fn stepped(low: f64, high: f64, most: u32) -> Axis {
+        let with = |most| Axis { low, high, step: Step::for_span(high - low, most) };
+        let found = (most..most + 8).map(with).find(|axis| axis.multiples(axis.step).len() >= 2);
+        found.unwrap_or_else(|| with(most + 8))
+    }
+
+    /// How far along the axis a value is; from 0 to 1 inside the range.
+    pub fn fraction(&self, value: f64) -> f64 {
+        (value - self.low) / (self.high - self.low)
+    }
+
+    /// Whether a value is in the range.
+    pub fn holds(&self, value: f64) -> bool {
+        self.low <= value && value <= self.high
+    }
+
+    /// The numbers, ascending.
+    pub fn ticks(&self) -> Vec<Tick> {
+        let counts = self.multiples(self.step);
+        let most = counts.iter().map(|n| n.abs()).max().unwrap_or(0);
+        let exponent = self.step.engineering_exponent(most);
+        let tick = |&n: &i64| Tick {
+            fraction: self.fraction(self.step.value(n)),
+            label: self.step.label(n, exponent),
+        };
+        counts.iter().map(tick).collect()
+    }
+
+    /// Where the minor grid goes, the lines of the major one left out.
+    pub fn minor(&self) -> Vec<f64> {
+        let minor = self.step.minor();
+        let each = self.step.minor_divisions();
+        let between = self.multiples(minor).into_iter().filter(|n| n % each != 0);
+        between.map(|n| self.fraction(minor.value(n))).collect()
+    }
+
+    /// Which multiples of the step are on the axis, the ends included in spite of rounding.
+    fn multiples(&self, step: Step) -> Vec<i64> {
+        let unit = step.value(1);
+        let first = (self.low / unit - 1e-6).ceil() as i64;
+        let last = (self.high / unit + 1e-6).floor() as i64;
+        (first..=last).collect()
+    }
+}
+
+/// A range of some width: nothing becomes 0 to 1, one value its neighbourhood.
+fn widen(range: Option<(f64, f64)>) -> (f64, f64) {
+    let Some((low, high)) = range else { return (0.0, 1.0) };
+    let size = low.abs().max(high.abs());
+    if high - low > FLAT * size {
+        return (low, high);
+    }
+    let middle = low + 0.5 * (high - low);
+    let room = if size == 0.0 { 1.0 } else { 0.05 * size };
+    (middle - room, middle + room)
+}
+
+impl Step {
+    /// The least 1-2-5 step of which no more than `most` go into the span.
+    fn for_span(span: f64, most: u32) -> Step {
+        let raw = span / f64::from(most.max(1));
+        let exponent = raw.log10().floor() as i32;
+        let leading = raw / 10f64.powi(exponent);
+        // A hair more than 2 is 2: a span of 0.6 in three steps must not depend on rounding.
+        match [1, 2, 5].into_iter().find(|&m| leading <= m as f64 * (1.0 + 1e-9)) {
+            Some(mantissa) => Step { mantissa, exponent },
+            None => Step { mantissa: 1, exponent: exponent + 1 },
+        }
+    }
+
+    /// `count` steps, rounded once.
+    fn value(self, count: i64) -> f64 {
+        let digits = (count * self.mantissa) as f64;
+        match self.exponent {
+            e if e >= 0 => digits * 10f64.powi(e),
+            e => digits / 10f64.powi(-e),
+        }
+    }
+
+    /// How many steps of the minor grid make one of this.
+    fn minor_divisions(self) -> i64 {
+        if self.mantissa == 2 { 4 } else { 5 }
+    }
+
+    fn minor(self) -> Step {
+        match self.mantissa {
+            1 => Step { mantissa: 2, exponent: self.exponent - 1 },
+            2 => Step { mantissa: 5, exponent: self.exponent - 1 },
+            _ => Step { mantissa: 1, exponent: self.exponent },
+        }
+    }
+
+    /// The power of ten to write labels with, a multiple of three, where `count` steps is the greatest of them:
+    /// 0 from 0.01 to below 100 000.
+    fn engineering_exponent(self, count: i64) -> i32 {
+        if count == 0 {
+            return 0;
+        }
+        // Of the leading digit, found in integers.
+        let decade = (count * self.mantissa).ilog10() as i32 + self.exponent;
+        if (-2..5).contains(&decade) { 0 } else { 3 * decade.div_euclid(3) }
+    }
+
+    /// `count` steps in decimal digits, exactly: `−0.25`, `150×10³`.
+    fn label(self, count: i64, exponent: i32) -> String {
+        if count == 0 {
+            return "0".into();
+        }
+        let digits = (count * self.mantissa).unsigned_abs().to_string();
+        let shift = self.exponent - exponent;
+        let number = match usize::try_from(-shift) {
+            Err(_) | Ok(0) => digits + &"0".repeat(shift.max(0) as usize),
+            Ok(places) => {
+                let padded = format!("{digits:0>width$}", width = places + 1);
+                let (whole, part) = padded.split_at(padded.len() - places);
+                format!("{whole}.{part}")
+            }
+        };
+        let sign = if count < 0 { "−" } else { "" };
+        let power = if exponent == 0 { String::new() } else { format!("×10{}", superscript(exponent)) };
+        format!("{sign}{number}{power}")
+    }
+}
+
+fn superscript(n: i32) -> String {
+    let raised = |c: char| match c.to_digit(10) {
+        Some(d) => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][d as usize],
+        None => '⁻',
+    };
+    n.to_string().chars().map(raised).collect()
+}
+
+#[cfg(test)]
+#[path = "axis_tests.rs"]
+mod tests;

@@ -1,0 +1,134 @@
+//! A series as runs of places on the page: broken at gaps, and no finer than the page can show.
+
+use crate::axis::drawable;
+use crate::scene::Point;
+use std::collections::HashSet;
+
+/// Points nearer than this fall into one column, in units of the page.
+const COLUMN: f64 = 0.5;
+/// No series puts more places than about this on the page: what is beyond is thinned evenly.
+const MOST_PLACES: usize = 8_000;
+
+/// A series on the page.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Curve {
+    /// Two places or more each.
+    pub chains: Vec<Vec<Point>>,
+    /// Values between two gaps.
+    pub lone: Vec<Point>,
+}
+
+/// The points as a line, `place` taking values to the page.
+pub(crate) fn line(points: &[(f64, Option<f64>)], place: impl Fn(f64, f64) -> Point) -> Curve {
+    let on_page = |&(x, y): &(f64, Option<f64>)| Some(place(drawable(x)?, drawable(y?)?));
+    let places: Vec<Option<Point>> = points.iter().map(on_page).collect();
+    let runs = places.split(Option::is_none).filter(|run| !run.is_empty());
+    let (mut chains, mut lone) = (Vec::new(), Vec::new());
+    for run in runs {
+        let run: Vec<Point> = run.iter().copied().flatten().collect();
+        match run[..] {
+            [only] => lone.push(only),
+            _ => chains.push(envelope(&run)),
+        }
+    }
+    // More chains than columns, or a line that runs to and fro: every so-manieth, first and last kept.
+    let most_chains = MOST_PLACES / 4;
+    let chains = every(chains, most_chains);
+    let share = MOST_PLACES / chains.len().max(1);
+    let chains = chains.into_iter().map(|chain| every(chain, share.max(2))).collect();
+    Curve { chains, lone: dots(lone) }
+}
+
+/// The points as dots.
+pub(crate) fn scatter(points: &[(f64, Option<f64>)], place: impl Fn(f64, f64) -> Point) -> Vec<Point> {
+    dots(points.iter().filter_map(|&(x, y)| Some(place(drawable(x)?, drawable(y?)?))).collect())
+}
+
+/// Of the points that follow each other within one column: the first, the lowest, the highest and the last.
+/// The picture is the same to half a unit, peaks included.
+fn envelope(run: &[Point]) -> Vec<Point> {
+    let column = |p: &Point| (p.0 / COLUMN).floor();
+    let mut kept = Vec::new();
+    for group in run.chunk_by(|a, b| column(a) == column(b)) {
+        let by_height = |&a: &usize, &b: &usize| group[a].1.total_cmp(&group[b].1);
+        let last = group.len() - 1;
+        let low = (0..=last).min_by(by_height).unwrap_or(0);
+        let high = (0..=last).max_by(by_height).unwrap_or(0);
+        let mut chosen = [0, low.min(high), low.max(high), last].to_vec();
+        chosen.dedup();
+        kept.extend(chosen.into_iter().map(|i| group[i]));
+    }
+    kept
+}
+
+/// One dot for each half unit of the page, in their order.
+fn dots(places: Vec<Point>) -> Vec<Point> {
+    let mut taken = HashSet::new();
+    let cell = |p: &Point| ((p.0 / COLUMN).round() as i64, (p.1 / COLUMN).round() as i64);
+    every(places.into_iter().filter(|p| taken.insert(cell(p))).collect(), MOST_PLACES)
+}
+
+/// All, or where they are more than `most` that many evenly, the first and the last among them.
+fn every<T>(all: Vec<T>, most: usize) -> Vec<T> {
+    if all.len() <= most {
+        return all;
+    }
+    let (last, steps) = (all.len() - 1, most - 1);
+    let mut wanted = (0..most).map(|i| i * last / steps).peekable();
+    let chosen = all.into_iter().enumerate().filter(|(i, _)| wanted.next_if_eq(i).is_some());
+    chosen.map(|(_, item)| item).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn as_is(x: f64, y: f64) -> Point {
+        (x, y)
+    }
+
+    #[test]
+    fn a_line_breaks_at_what_is_missing_or_not_a_number() {
+        let points = [
+            (0.0, Some(1.0)),
+            (1.0, Some(2.0)),
+            (2.0, None),
+            (3.0, Some(4.0)),
+            (4.0, Some(f64::NAN)),
+            (5.0, Some(6.0)),
+            (f64::INFINITY, Some(6.0)),
+            (7.0, Some(8.0)),
+            (8.0, Some(9.0)),
+        ];
+        let curve = line(&points, as_is);
+        assert_eq!(curve.chains, [vec![(0.0, 1.0), (1.0, 2.0)], vec![(7.0, 8.0), (8.0, 9.0)]]);
+        assert_eq!(curve.lone, [(3.0, 4.0), (5.0, 6.0)]);
+        assert_eq!(scatter(&points, as_is).len(), 6);
+    }
+
+    #[test]
+    fn thinning_keeps_the_peak() {
+        let spike = |i: usize| if i == 54_321 { 100.0 } else { (i as f64 * 0.1).sin() };
+        let points: Vec<_> = (0..100_000).map(|i| (i as f64 * 0.008, Some(spike(i)))).collect();
+        let curve = line(&points, as_is);
+        assert!(curve.chains[0].len() <= MOST_PLACES);
+        assert!(curve.chains[0].iter().any(|p| p.1 == 100.0));
+        assert_eq!(curve.chains[0].first(), Some(&(0.0, 0.0)));
+        assert_eq!(curve.chains[0].last().map(|p| p.0), points.last().map(|p| p.0));
+    }
+
+    #[test]
+    fn whatever_comes_its_size_is_bounded() {
+        // To and fro over the whole width; and a gap after every two points.
+        let zigzag: Vec<_> = (0..200_000).map(|i| (f64::from(i % 2) * 800.0, Some(f64::from(i)))).collect();
+        let broken: Vec<_> =
+            (0..200_000).map(|i| (f64::from(i) * 1e-2, (i % 3 != 0).then_some(1.0))).collect();
+        for points in [zigzag, broken] {
+            let curve = line(&points, as_is);
+            let places: usize = curve.chains.iter().map(Vec::len).sum();
+            assert!(places <= MOST_PLACES && places > 1_000, "{places}");
+            assert!(scatter(&points, as_is).len() <= MOST_PLACES);
+        }
+        assert_eq!(every((0..10).collect(), 4), [0, 3, 6, 9]);
+    }
+}

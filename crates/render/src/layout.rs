@@ -1,0 +1,198 @@
+//! Where everything goes: a figure becomes a scene.
+
+use crate::axis::{Axis, drawable, extent};
+use crate::figure::{Figure, Panel, Style};
+use crate::legend::{DOT, ROW, plan as plan_legend, stroke};
+use crate::marks::{Strip, plan as plan_marks};
+use crate::palette::{AXIS, Colour, GRID, INK, MINOR_GRID, SOFT_INK, ZERO, assign};
+use crate::scene::{Anchor, Font, Point, Scene, crisp, solid};
+use crate::text::{fit, medium, regular, width};
+use crate::{curve, legend};
+
+const WIDTH: f64 = 900.0;
+/// Free on the left and on the right of everything.
+const MARGIN: f64 = 28.0;
+/// Height of the frame of a panel.
+const FRAME: f64 = 232.0;
+/// Height of the heading of a panel, above its frame.
+const HEADING: f64 = 30.0;
+/// Between the frame of a panel and the heading of the next.
+const BETWEEN: f64 = 24.0;
+const TITLE: Font = medium(19.0);
+const SUBTITLE: Font = regular(13.0);
+const LABEL: Font = medium(13.0);
+const NUMBER: Font = regular(12.0);
+/// How far a number is from its axis, and how far below the middle of its line its baseline is.
+const GAP: f64 = 8.0;
+const HALF_DIGIT: f64 = 4.3;
+
+/// One panel's frame on the page.
+struct Frame<'a> {
+    x: &'a Axis,
+    y: &'a Axis,
+    left: f64,
+    right: f64,
+    top: f64,
+}
+
+impl Frame<'_> {
+    fn bottom(&self) -> f64 {
+        self.top + FRAME
+    }
+    fn across(&self, fraction: f64) -> f64 {
+        self.left + fraction * (self.right - self.left)
+    }
+    fn down(&self, fraction: f64) -> f64 {
+        self.bottom() - fraction * FRAME
+    }
+    fn place(&self, x: f64, y: f64) -> Point {
+        (self.across(self.x.fraction(x)), self.down(self.y.fraction(y)))
+    }
+    fn upright(&self, x: f64) -> Vec<Point> {
+        vec![(crisp(x), self.top), (crisp(x), self.bottom())]
+    }
+    fn level(&self, y: f64) -> Vec<Point> {
+        vec![(self.left, crisp(y)), (self.right, crisp(y))]
+    }
+}
+
+/// The figure on its page.
+pub(crate) fn arrange(figure: &Figure) -> Scene {
+    let title = fit(&figure.title, TITLE, WIDTH - 2.0 * MARGIN);
+    let subtitle = fit(&figure.subtitle, SUBTITLE, WIDTH - 2.0 * MARGIN);
+    let caption = [title.as_str(), subtitle.as_str()].into_iter().filter(|s| !s.is_empty());
+    let caption = caption.collect::<Vec<_>>().join(" — ");
+    let mut scene = Scene { width: WIDTH, height: 0.0, caption, items: Vec::new() };
+
+    let mut down = 16.0;
+    for (words, font, colour, line) in [(title, TITLE, INK, 24.0), (subtitle, SUBTITLE, SOFT_INK, 20.0)] {
+        if !words.is_empty() {
+            down += line;
+            scene.text(words, (MARGIN, down), Anchor::Start, font, colour);
+        }
+    }
+    down += 12.0;
+
+    let y_axes: Vec<Axis> = figure.panels.iter().map(y_axis).collect();
+    let left = MARGIN + GAP + widest(&y_axes).ceil();
+    let right = WIDTH - MARGIN;
+    let x_axis = x_axis(figure, right - left);
+    let colours = assign(figure);
+    let strip = plan_marks(&figure.marks, &x_axis, left, right);
+
+    for (i, ((panel, y_axis), colours)) in figure.panels.iter().zip(&y_axes).zip(&colours).enumerate() {
+        let baseline = down + 20.0;
+        let label = fit(&panel.y_label, LABEL, right - MARGIN);
+        let beside = right - MARGIN - 1.06 * width(&label, LABEL) - 32.0;
+        scene.text(label, (MARGIN, baseline), Anchor::Start, LABEL, INK);
+        let legend = plan_legend(&panel.series, right - MARGIN, beside);
+        let above = HEADING + legend.rows as f64 * ROW + if i == 0 { strip.height() } else { 0.0 };
+        legend.draw(&mut scene, &panel.series, colours, (MARGIN, right), baseline);
+        let frame = Frame { x: &x_axis, y: y_axis, left, right, top: down + above };
+        draw_panel(&mut scene, panel, colours, &frame, &strip, i == 0);
+        down = frame.bottom();
+        if i + 1 < figure.panels.len() {
+            down += BETWEEN;
+        } else {
+            numbers_across(&mut scene, &frame);
+        }
+    }
+    if figure.panels.is_empty() {
+        scene.text("nothing to draw".into(), (MARGIN, down + 20.0), Anchor::Start, SUBTITLE, SOFT_INK);
+        down += 20.0;
+    } else {
+        let label = fit(&figure.x_label, LABEL, right - left);
+        scene.text(label, (0.5 * (left + right), down + 46.0), Anchor::Middle, LABEL, INK);
+        down += if figure.x_label.trim().is_empty() { 28.0 } else { 50.0 };
+    }
+    scene.height = (down + 14.0).ceil();
+    scene
+}
+
+fn y_axis(panel: &Panel) -> Axis {
+    let points = panel.series.iter().flat_map(|s| &s.points);
+    // A value without its place is not drawn: it has no say in the range.
+    Axis::roomy(extent(points.filter(|p| drawable(p.0).is_some()).filter_map(|p| p.1)), 6)
+}
+
+/// The shared axis, its numbers as many as fit side by side.
+fn x_axis(figure: &Figure, room: f64) -> Axis {
+    let points = figure.panels.iter().flat_map(|p| &p.series).flat_map(|s| &s.points).map(|p| p.0);
+    let range = extent(points).or_else(|| extent(figure.marks.iter().map(|m| m.x)));
+    let fits = |axis: &Axis| {
+        let ticks = axis.ticks();
+        let step = room / (ticks.len().max(2) - 1) as f64;
+        ticks.iter().all(|t| width(&t.label, NUMBER) + 18.0 < step)
+    };
+    (2..=10).rev().map(|most| Axis::tight(range, most)).find(fits).unwrap_or_else(|| Axis::tight(range, 2))
+}
+
+fn widest(axes: &[Axis]) -> f64 {
+    axes.iter().flat_map(Axis::ticks).map(|t| width(&t.label, NUMBER)).fold(24.0, f64::max)
+}
+
+fn draw_panel(
+    scene: &mut Scene,
+    panel: &Panel,
+    colours: &[Colour],
+    frame: &Frame,
+    strip: &Strip,
+    first: bool,
+) {
+    draw_grid(scene, frame);
+    if first {
+        strip.draw_names(scene, frame.top);
+    }
+    strip.draw_lines(scene, frame.top, frame.bottom(), first);
+
+    let place = |x, y| frame.place(x, y);
+    let mut empty = true;
+    for (series, &colour) in panel.series.iter().zip(colours).rev() {
+        let before = scene.items.len();
+        if series.style == Style::Dots {
+            scene.dots(curve::scatter(&series.points, place), legend::DOT, colour);
+        } else {
+            let curve = curve::line(&series.points, place);
+            scene.lines(curve.chains, stroke(series.style, colour));
+            scene.dots(curve.lone, DOT, colour);
+        }
+        empty &= scene.items.len() == before;
+    }
+    if empty {
+        let at = (0.5 * (frame.left + frame.right), frame.top + 0.5 * FRAME);
+        scene.text("no value to draw".into(), at, Anchor::Middle, SUBTITLE, SOFT_INK);
+    }
+}
+
+/// Grid, zero lines, axis and the numbers on the left.
+fn draw_grid(scene: &mut Scene, frame: &Frame) {
+    let uprights = |fractions: Vec<f64>| fractions.into_iter().map(|f| frame.upright(frame.across(f)));
+    let levels = |fractions: Vec<f64>| fractions.into_iter().map(|f| frame.level(frame.down(f)));
+    let places = |axis: &Axis| axis.ticks().iter().map(|t| t.fraction).collect::<Vec<_>>();
+    let minor = uprights(frame.x.minor()).chain(levels(frame.y.minor())).collect();
+    scene.lines(minor, solid(MINOR_GRID, 1.0));
+    let major = uprights(places(frame.x)).chain(levels(places(frame.y))).collect();
+    scene.lines(major, solid(GRID, 1.0));
+    let zero = |axis: &Axis| if axis.holds(0.0) { vec![axis.fraction(0.0)] } else { Vec::new() };
+    scene.lines(uprights(zero(frame.x)).chain(levels(zero(frame.y))).collect(), solid(ZERO, 1.0));
+
+    let notch = |f: f64| {
+        vec![(crisp(frame.across(f)), frame.bottom()), (crisp(frame.across(f)), frame.bottom() + 5.0)]
+    };
+    let mut axis: Vec<Vec<Point>> = places(frame.x).into_iter().map(notch).collect();
+    axis.push(frame.level(frame.bottom()));
+    scene.lines(axis, solid(AXIS, 1.0));
+    for tick in frame.y.ticks() {
+        let at = (frame.left - GAP, frame.down(tick.fraction) + HALF_DIGIT);
+        scene.text(tick.label, at, Anchor::End, NUMBER, SOFT_INK);
+    }
+}
+
+/// The numbers below the last panel, those at the ends moved in where they would leave the page.
+fn numbers_across(scene: &mut Scene, frame: &Frame) {
+    for tick in frame.x.ticks() {
+        let half = 0.5 * width(&tick.label, NUMBER) + 4.0;
+        let x = frame.across(tick.fraction).clamp(half, (WIDTH - half).max(half));
+        scene.text(tick.label, (x, frame.bottom() + 22.0), Anchor::Middle, NUMBER, SOFT_INK);
+    }
+}

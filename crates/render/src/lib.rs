@@ -1,0 +1,44 @@
+//! Line plots from plain numbers, as SVG and as PNG.
+//!
+//! A [`Figure`] is a stack of [`Panel`]s over one shared x axis; each holds [`Series`] whose values may be missing.
+//! [`Figure::to_svg`] and [`Figure::to_png`] draw the same picture: `layout` turns the figure into a list of strokes,
+//! dots and texts (`scene`), and `svg` and `png` only say that list in their own language. SVG text stays text, in
+//! Roboto where it is installed and the reader's sans-serif elsewhere; PNG text is drawn with the embedded Roboto,
+//! so that a machine without fonts will do.
+//!
+//! What a figure cannot show is left out of it and never an error: a value that is missing, NaN, infinite or beyond
+//! 1e300 is a gap, one below 1e-300 is zero, an empty panel says so. Names too long for their room end in `…`.
+//! The same figure gives the same bytes, and their number does not grow with the number of points beyond what a
+//! picture of this size can show. Nothing here knows a mechanism, or where the numbers come from.
+//!
+//! ```
+//! use percuss_render::{Figure, Panel, Series, Style};
+//!
+//! let points = (-8..=8).map(|i| (10.0 * f64::from(i), Some(205.0 - 0.1 * f64::from(i * i)))).collect();
+//! let mass = Series { name: "formula".into(), style: Style::Line, points };
+//! let figure = Figure {
+//!     title: "Effective mass".into(),
+//!     x_label: "Wheel travel (mm)".into(),
+//!     panels: vec![Panel { y_label: "m̄ (kg)".into(), series: vec![mass] }],
+//!     ..Figure::default()
+//! };
+//! assert!(figure.to_svg().starts_with("<svg"));
+//! assert!(figure.to_png(2.0)?.starts_with(b"\x89PNG"));
+//! # Ok::<(), percuss_render::RenderError>(())
+//! ```
+
+mod axis;
+mod curve;
+mod figure;
+mod font;
+mod layout;
+mod legend;
+mod marks;
+mod palette;
+mod png;
+mod scene;
+mod svg;
+mod text;
+
+pub use figure::{Figure, Mark, Panel, Series, Style};
+pub use png::RenderError;

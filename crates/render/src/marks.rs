@@ -1,0 +1,70 @@
+//! Marks on the x axis: a line through all panels, named in a strip above the first.
+
+use crate::axis::{Axis, drawable};
+use crate::figure::Mark;
+use crate::palette::SOFT_INK;
+use crate::scene::{Anchor, Font, Scene, Stroke, crisp};
+use crate::text::{fit, regular, width};
+
+const FONT: Font = regular(12.0);
+const ROW: f64 = 17.0;
+const MOST_ROWS: usize = 4;
+const MOST_MARKS: usize = 400;
+const BETWEEN: f64 = 10.0;
+const STROKE: Stroke = Stroke { colour: SOFT_INK, width: 1.0, dash: Some((2.0, 3.0)) };
+
+/// Marks on the page.
+pub(crate) struct Strip {
+    /// Words, the mark's place, the words' middle, the row counted from the frame.
+    names: Vec<(String, f64, f64, usize)>,
+    /// Places without words.
+    bare: Vec<f64>,
+    rows: usize,
+}
+
+/// Finds each name a row where it meets no other, `left` and `right` being the ends of the frame.
+pub(crate) fn plan(marks: &[Mark], axis: &Axis, left: f64, right: f64) -> Strip {
+    let mut strip = Strip { names: Vec::new(), bare: Vec::new(), rows: 0 };
+    let mut taken: [Vec<(f64, f64)>; MOST_ROWS] = Default::default();
+    let drawn = marks.iter().filter_map(|m| Some((drawable(m.x)?, m))).filter(|(x, _)| axis.holds(*x));
+    for (x, mark) in drawn.take(MOST_MARKS) {
+        let x = crisp(left + axis.fraction(x) * (right - left));
+        let words = fit(&mark.label, FONT, 0.5 * (right - left));
+        let half = 0.5 * (width(&words, FONT) + BETWEEN);
+        let middle = x.clamp(left + half - BETWEEN, right - half + 0.5 * BETWEEN);
+        let (low, high) = (middle - half, middle + half);
+        let free = |row: &Vec<(f64, f64)>| row.iter().all(|&(a, b)| high <= a || b <= low);
+        match taken.iter().position(free).filter(|_| !words.is_empty()) {
+            Some(row) => {
+                taken[row].push((low, high));
+                strip.rows = strip.rows.max(row + 1);
+                strip.names.push((words, x, middle, row));
+            }
+            None => strip.bare.push(x),
+        }
+    }
+    strip
+}
+
+impl Strip {
+    /// The height it takes above the first frame.
+    pub fn height(&self) -> f64 {
+        if self.rows == 0 { 0.0 } else { ROW * self.rows as f64 + 4.0 }
+    }
+
+    /// The names above a frame whose upper edge is at `top`.
+    pub fn draw_names(&self, scene: &mut Scene, top: f64) {
+        for (words, _, middle, row) in &self.names {
+            let at = (*middle, top - 8.0 - ROW * *row as f64);
+            scene.text(words.clone(), at, Anchor::Middle, FONT, SOFT_INK);
+        }
+    }
+
+    /// The lines from the upper to the lower edge of a frame; in the first, up to their names.
+    pub fn draw_lines(&self, scene: &mut Scene, top: f64, bottom: f64, first: bool) {
+        let rise = |row: usize| if first { 4.0 + ROW * row as f64 } else { 0.0 };
+        let named = self.names.iter().map(|(_, x, _, row)| vec![(*x, top - rise(*row)), (*x, bottom)]);
+        let bare = self.bare.iter().map(|&x| vec![(x, top), (x, bottom)]);
+        scene.lines(named.chain(bare).collect(), STROKE);
+    }
+}

@@ -1,0 +1,47 @@
+//! The colours: Okabe and Ito's set, told apart with any of the common colour vision deficiencies, and greys.
+
+use crate::figure::Figure;
+
+/// Red, green, blue.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Colour(pub u8, pub u8, pub u8);
+
+pub(crate) const PAPER: Colour = Colour(255, 255, 255);
+pub(crate) const INK: Colour = Colour(28, 32, 38);
+pub(crate) const SOFT_INK: Colour = Colour(92, 99, 110);
+pub(crate) const AXIS: Colour = Colour(120, 128, 140);
+pub(crate) const ZERO: Colour = Colour(176, 183, 193);
+pub(crate) const GRID: Colour = Colour(220, 224, 230);
+pub(crate) const MINOR_GRID: Colour = Colour(242, 244, 247);
+
+/// Blue, vermilion, green, purple, orange, sky, black; yellow is left out: it vanishes on white.
+const SERIES: [Colour; 7] = [
+    Colour(0, 114, 178),
+    Colour(213, 94, 0),
+    Colour(0, 158, 115),
+    Colour(204, 121, 167),
+    Colour(230, 159, 0),
+    Colour(86, 180, 233),
+    Colour(60, 60, 60),
+];
+
+/// The colour of every series, panel by panel. A name keeps its colour through the figure; nameless ones differ.
+pub(crate) fn assign(figure: &Figure) -> Vec<Vec<Colour>> {
+    let mut seen = std::collections::HashMap::new();
+    let mut used = 0;
+    let mut next = || {
+        used += 1;
+        SERIES[(used - 1) % SERIES.len()]
+    };
+    figure
+        .panels
+        .iter()
+        .map(|panel| {
+            let colour_of = |series: &crate::Series| match series.name.as_str() {
+                "" => next(),
+                name => *seen.entry(name.to_owned()).or_insert_with(&mut next),
+            };
+            panel.series.iter().map(colour_of).collect()
+        })
+        .collect()
+}

@@ -1,0 +1,105 @@
+//! Words made fit for the page: printable, on one line, no wider than their room.
+
+use crate::font::{Typesetter, Weight};
+use crate::scene::Font;
+
+/// No more characters than this in one text, however narrow they are.
+const MOST_CHARACTERS: usize = 240;
+
+/// The text without control characters and outer space, cut to `room` (units of the page) with an ellipsis.
+pub(crate) fn fit(words: &str, font: Font, room: f64) -> String {
+    let mut typesetter = Typesetter::new(font.weight);
+    let ellipsis = width("…", font);
+    // As much as goes before an ellipsis, should one be needed.
+    let (mut kept, mut safe) = (String::new(), 0);
+    for (i, c) in words.trim().chars().map(printable).enumerate() {
+        typesetter.push(c);
+        let reach = typesetter.advance * font.size;
+        if reach > room || i >= MOST_CHARACTERS {
+            kept.truncate(safe);
+            kept.truncate(kept.trim_end().len());
+            kept.push('…');
+            return kept;
+        }
+        kept.push(c);
+        if reach + ellipsis <= room {
+            safe = kept.len();
+        }
+    }
+    kept
+}
+
+/// How wide a text is, in units of the page.
+pub(crate) fn width(words: &str, font: Font) -> f64 {
+    let mut typesetter = Typesetter::new(font.weight);
+    words.chars().for_each(|c| typesetter.push(c));
+    typesetter.advance * font.size
+}
+
+/// Space for control characters; U+FFFD for what XML cannot hold even escaped.
+fn printable(c: char) -> char {
+    match c {
+        c if c.is_control() || matches!(c, '\u{2028}' | '\u{2029}') => ' ',
+        '\u{FFFE}' | '\u{FFFF}' => '\u{FFFD}',
+        c => c,
+    }
+}
+
+/// A font in the regular face.
+pub(crate) const fn regular(size: f64) -> Font {
+    Font { weight: Weight::Regular, size }
+}
+
+/// A font in the medium face.
+pub(crate) const fn medium(size: f64) -> Font {
+    Font { weight: Weight::Medium, size }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn digits_have_one_width_so_that_columns_of_numbers_align() {
+        for digit in '0'..='9' {
+            assert_eq!(width(&digit.to_string(), regular(12.0)), width("0", regular(12.0)));
+        }
+    }
+
+    #[test]
+    fn accents_take_no_room_and_sit_over_their_letter() {
+        assert_eq!(width("m̄", regular(10.0)), width("m", regular(10.0)));
+        let mut plain = Typesetter::new(Weight::Regular);
+        "m̄".chars().for_each(|c| plain.push(c));
+        let mut tall = Typesetter::new(Weight::Regular);
+        "M̄".chars().for_each(|c| tall.push(c));
+        assert_eq!(plain.glyphs.len(), 2);
+        assert_eq!(plain.glyphs[1].y, 0.0);
+        assert!(tall.glyphs[1].y > 0.1, "over a capital the accent goes up");
+    }
+
+    #[test]
+    fn what_the_face_lacks_is_spelt_or_boxed() {
+        assert_eq!(width("→", regular(10.0)), width("->", regular(10.0)));
+        assert!(width("質", regular(10.0)) > 0.0);
+        assert_eq!(width("a\u{200B}b", regular(10.0)), width("ab", regular(10.0)));
+        // Every character percuss itself may write is there.
+        for c in "0123456789−.×⁰¹²³⁴⁵⁶⁷⁸⁹⁻…m̄ (kg) · ° µ Δ √ ≤ ≥ ≈ ∞".chars()
+        {
+            for weight in [Weight::Regular, Weight::Medium] {
+                assert!(weight.face().glyph_index(c).is_some(), "{weight:?} lacks {c:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn long_words_end_in_an_ellipsis_within_their_room() {
+        let font = medium(13.0);
+        let cut = fit(&"effective ".repeat(50), font, 200.0);
+        assert!(cut.ends_with('…') && width(&cut, font) <= 200.0 && width(&cut, font) > 150.0, "{cut}");
+        assert_eq!(fit("  mass  ", font, 200.0), "mass");
+        assert_eq!(fit("a\nb\u{0}c\u{FFFF}", font, 200.0), "a b c\u{FFFD}");
+        assert!(fit(&format!("m{}", "\u{304}".repeat(100_000)), font, 200.0).chars().count() <= 241);
+        assert_eq!(fit("mass", font, 0.0), "…");
+    }
+}
