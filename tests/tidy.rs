@@ -53,7 +53,14 @@ const ARROWS: [(&str, &[&str]); 12] = [
     ),
     (
         "percuss-cli",
-        &["percuss-spatial", "percuss-mechanism", "percuss-formats", "percuss-dynamics", "percuss-study"],
+        &[
+            "percuss-spatial",
+            "percuss-mechanism",
+            "percuss-formats",
+            "percuss-dynamics",
+            "percuss-render",
+            "percuss-study",
+        ],
     ),
     (
         "percuss",

@@ -4,7 +4,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use percuss_dynamics::{Base, Frame};
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions};
 use percuss_mechanism::Accept;
-use percuss_study::{Dimension, EstimateQuestion, Hold, MassQuestion, Normal, Quantity, parse_triple};
+use percuss_study::{Dimension, EstimateQuestion, Hold, MassQuestion, Normal, Quantity, Vary, parse_triple};
 
 /// How heavy is a mechanism where it is struck?
 ///
@@ -34,6 +34,15 @@ pub enum Command {
     /// Effective mass at a contact point along the normal.
     #[command(after_help = MASS_EXAMPLES)]
     Mass(Box<MassArgs>),
+    /// The same contact over a range of positions, loops closed along one branch.
+    #[command(after_help = SWEEP_EXAMPLES)]
+    Sweep(Box<SweepArgs>),
+    /// Turn a suspension's hardpoints (Chrono::Vehicle JSON) into a commented URDF+ model.
+    #[command(after_help = IMPORT_EXAMPLES)]
+    Import(ImportArgs),
+    /// Run a study: the flags of mass and sweep, kept in a TOML file.
+    #[command(after_help = RUN_EXAMPLES)]
+    Run(RunArgs),
     /// Print a completion script for a shell.
     #[command(after_help = "Examples:\n  percuss completions bash\n  percuss completions zsh > _percuss")]
     Completions {
@@ -48,6 +57,31 @@ Examples:
   percuss check robot.urdf --format json
   xacro robot.urdf.xacro | percuss check -
   percuss check robot.urdf --strict          warnings are errors (exit 2)";
+
+const SWEEP_EXAMPLES: &str = "\
+Examples:
+  Over a joint's range, as CSV:
+    percuss sweep models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0 --vary crank_hinge=0:360deg:361
+  Over the travel of a wheel's centre, as a plot:
+    percuss sweep car.urdf --link lower_arm --point 0,0.3,0 --along-line chassis:0,0.3,0.4 --against chassis \\
+        --vary travel:spindle:0,0,0:0,0,1=-80mm:80mm:161 --estimate spindle,upright --output travel.svg
+
+The file's ending chooses the format: .csv, .json, .svg or .png; without --output, CSV goes to stdout. A row that cannot be
+reached says so and the sweep goes on; exit 1 if none can.";
+
+const IMPORT_EXAMPLES: &str = "\
+Examples:
+  percuss import HMMWV_DoubleWishboneFront.json -o front_left.urdf
+  percuss import Sedan_DoubleWishbone.json -o axle.urdf --side both --wheel-mass 18kg --wheel-inertia 0.6,1.1,0.6 \\
+      --wheel-radius 0.31
+
+Templates: DoubleWishbone, DoubleWishboneReduced, MacPhersonStrut, SemiTrailingArm, ThreeLinkIRS, MultiLink. See
+docs/SUSPENSIONS.md for bodies, joints and frames.";
+
+const RUN_EXAMPLES: &str = "\
+Examples:
+  percuss run models/four_bar.toml                 its sweep, if it has one, else the contact
+  percuss run models/four_bar.toml --format json   the contact at its pose";
 
 const MASS_EXAMPLES: &str = "\
 Examples:
@@ -223,6 +257,83 @@ pub struct MassArgs {
     pub format: MassFormat,
 }
 
+/// Flags of `percuss sweep`.
+#[derive(Debug, Args)]
+pub struct SweepArgs {
+    #[command(flatten)]
+    pub model: ModelArgs,
+    #[command(flatten)]
+    pub contact: ContactArgs,
+    /// What is varied: a driving joint, or the travel of a point (m, link's frame) along a direction (world axes).
+    #[arg(
+        long,
+        value_name = "JOINT=FROM:TO:COUNT | travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT",
+        value_parser = Vary::parse
+    )]
+    pub vary: Vary,
+    /// Where the rows go.
+    #[arg(long, short, value_name = "FILE.csv|.json|.svg|.png")]
+    pub output: Option<String>,
+}
+
+/// Which side of the vehicle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum SideArg {
+    /// As the file has it.
+    Left,
+    /// Its mirror image.
+    Right,
+    /// Both on one chassis.
+    Both,
+}
+
+/// Flags of `percuss import`.
+#[derive(Debug, Args)]
+pub struct ImportArgs {
+    /// The hardpoint file; - reads the standard input.
+    pub hardpoints: String,
+    /// The URDF+ file to write; - writes to stdout.
+    #[arg(long, short, value_name = "MODEL.urdf")]
+    pub output: String,
+    /// Which side.
+    #[arg(long, value_enum, default_value_t = SideArg::Left)]
+    pub side: SideArg,
+    /// Mass of the wheel with its tyre (kg); the file has none.
+    #[arg(long, value_name = "KG", value_parser = kilograms)]
+    pub wheel_mass: Option<f64>,
+    /// Moments of the wheel about its centre (kg·m²), y along the spin axis.
+    #[arg(long, value_name = "IX,IY,IZ", value_parser = moments, requires = "wheel_mass")]
+    pub wheel_inertia: Option<[f64; 3]>,
+    /// Radius of the wheel (m): names the contact patch.
+    #[arg(long, value_name = "M", value_parser = metres, requires = "wheel_mass")]
+    pub wheel_radius: Option<f64>,
+    /// Lets the rack slide, with this mass (kg); otherwise it is fixed to the chassis.
+    #[arg(long, value_name = "KG", value_parser = kilograms)]
+    pub rack_mass: Option<f64>,
+    /// Refuse files larger than this many bytes.
+    #[arg(long, default_value_t = DEFAULT_MAX_SIZE, value_name = "BYTES")]
+    pub max_size: u64,
+    /// Make warnings errors (exit 2).
+    #[arg(long)]
+    pub strict: bool,
+}
+
+/// Flags of `percuss run`.
+#[derive(Debug, Args)]
+pub struct RunArgs {
+    /// The study; - reads the standard input.
+    pub study: String,
+    /// Show the contact at the study's pose in this format; its sweep is left out.
+    #[arg(long, value_enum)]
+    pub format: Option<MassFormat>,
+    /// Refuse files larger than this many bytes.
+    #[arg(long, default_value_t = DEFAULT_MAX_SIZE, value_name = "BYTES")]
+    pub max_size: u64,
+    /// Make warnings errors (exit 2).
+    #[arg(long)]
+    pub strict: bool,
+}
+
 impl ContactArgs {
     /// As a question.
     pub fn question(&self) -> MassQuestion {
@@ -267,6 +378,21 @@ fn normal(text: &str) -> Result<[f64; 3], String> {
 fn kilograms(text: &str) -> Result<f64, String> {
     let mass = Quantity::parse(text).and_then(|q| q.of(Dimension::Mass, text)).map_err(|e| e.to_string())?;
     if mass > 0.0 { Ok(mass) } else { Err(format!("{mass} kg; a mass above 0 is wanted")) }
+}
+
+fn metres(text: &str) -> Result<f64, String> {
+    let length =
+        Quantity::parse(text).and_then(|q| q.of(Dimension::Length, text)).map_err(|e| e.to_string())?;
+    if length > 0.0 { Ok(length) } else { Err(format!("{length} m; a length above 0 is wanted")) }
+}
+
+fn moments(text: &str) -> Result<[f64; 3], String> {
+    let moments = parse_triple(text, Dimension::Plain).map_err(|e| e.to_string())?;
+    if moments.iter().all(|i| *i >= 0.0) {
+        Ok(moments)
+    } else {
+        Err("moments of 0 or more are wanted".into())
+    }
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {

@@ -1,49 +1,114 @@
-//! One answer as the row of a table: the columns of a sweep.
+//! Answers as rows of a table (RFC 4180). A header always; an empty cell is a null.
 
-use percuss_study::{MassReport, Status};
+use percuss_study::{MassReport, SweepReport};
+use std::collections::BTreeMap;
 
-/// Header and row. An empty cell is a null.
+/// Columns between the drivers and the joints.
+const FIXED: [&str; 7] = [
+    "status",
+    "effective_mass",
+    "closure_residual",
+    "singular_pose",
+    "motion_ratio",
+    "estimate",
+    "estimate_error_percent",
+];
+
+/// One answer, as the row of a sweep over the joints that were set.
 pub fn of_mass(report: &MassReport, drivers: &[String]) -> String {
-    let mut header: Vec<String> = vec!["row".into()];
-    let mut row: Vec<String> = vec!["0".into()];
+    let estimate = report.estimate.as_ref();
+    let mut table = Table::default();
+    table.header.push("row".into());
+    table.row.push("0".into());
     for joint in drivers {
-        push_position(&mut header, &mut row, joint, &report.pose[joint]);
+        table.position(joint, &report.pose[joint]);
     }
-    let status = match report.status {
-        Status::Finite => "finite",
-        Status::Immovable => "immovable",
-        Status::Massless => "massless",
-    };
-    let cell = |value: Option<f64>| value.map_or_else(String::new, |v| format!("{v}"));
-    let fixed = [
-        ("status", status.to_owned()),
-        ("effective_mass", cell(report.effective_mass)),
-        ("closure_residual", cell(report.closure_residual)),
-        ("singular_pose", report.singular_pose.to_string()),
-        ("motion_ratio", String::new()),
-        ("estimate", String::new()),
-        ("estimate_error_percent", String::new()),
-    ];
-    for (name, value) in fixed {
-        header.push(name.into());
-        row.push(value);
-    }
-    for (joint, values) in report.pose.iter().filter(|(joint, _)| !drivers.contains(joint)) {
-        push_position(&mut header, &mut row, joint, values);
-    }
-    let line = |cells: Vec<String>| cells.iter().map(|c| quoted(c)).collect::<Vec<_>>().join(",") + "\n";
-    line(header) + &line(row)
+    table.fixed([
+        report.status.name().into(),
+        cell(report.effective_mass),
+        cell(report.closure_residual),
+        report.singular_pose.to_string(),
+        cell(estimate.and_then(|e| e.motion_ratio)),
+        cell(estimate.and_then(|e| e.estimate)),
+        cell(estimate.and_then(|e| e.error_percent)),
+    ]);
+    table.others(&report.pose, drivers);
+    line(&table.header) + &line(&table.row)
 }
 
-/// A joint with several numbers takes a column for each: `name[0]`, `name[1]`, …
-fn push_position(header: &mut Vec<String>, row: &mut Vec<String>, joint: &str, values: &[f64]) {
-    for (i, value) in values.iter().enumerate() {
-        header.push(if values.len() == 1 { joint.to_owned() } else { format!("{joint}[{i}]") });
-        row.push(format!("{value}"));
+/// A sweep: a row for each value.
+pub fn of_sweep(report: &SweepReport) -> String {
+    let drivers = [report.varied.clone()];
+    // A row that was not reached has no pose; its joints' cells stay empty.
+    let joints = report.rows.iter().map(|row| &row.pose).find(|pose| !pose.is_empty());
+    let mut text = String::new();
+    for row in &report.rows {
+        let mut table = Table::default();
+        table.header.extend(["row".into(), report.varied.clone()]);
+        table.row.extend([row.row.to_string(), cell(Some(row.value))]);
+        table.fixed([
+            row.status.into(),
+            cell(row.effective_mass),
+            cell(row.closure_residual),
+            row.singular_pose.to_string(),
+            cell(row.motion_ratio),
+            cell(row.estimate),
+            cell(row.estimate_error_percent),
+        ]);
+        match joints {
+            Some(names) if row.pose.is_empty() => {
+                table.others(names, &drivers);
+                let known = table.header.len()
+                    - names.iter().filter(|(j, _)| !drivers.contains(j)).map(|(_, v)| v.len()).sum::<usize>();
+                table.row[known..].fill(String::new());
+            }
+            _ => table.others(&row.pose, &drivers),
+        }
+        if text.is_empty() {
+            text += &line(&table.header);
+        }
+        text += &line(&table.row);
+    }
+    text
+}
+
+#[derive(Default)]
+struct Table {
+    header: Vec<String>,
+    row: Vec<String>,
+}
+
+impl Table {
+    fn fixed(&mut self, cells: [String; FIXED.len()]) {
+        self.header.extend(FIXED.map(str::to_owned));
+        self.row.extend(cells);
+    }
+
+    /// Joints that are no columns yet.
+    fn others(&mut self, pose: &BTreeMap<String, Vec<f64>>, drivers: &[String]) {
+        for (joint, values) in pose.iter().filter(|(joint, _)| !drivers.contains(joint)) {
+            self.position(joint, values);
+        }
+    }
+
+    /// A joint with several numbers takes a column for each: `name[0]`, `name[1]`, …
+    fn position(&mut self, joint: &str, values: &[f64]) {
+        for (i, value) in values.iter().enumerate() {
+            self.header.push(if values.len() == 1 { joint.to_owned() } else { format!("{joint}[{i}]") });
+            self.row.push(format!("{value}"));
+        }
     }
 }
 
-/// RFC 4180: quotes where a comma, a quote or a line break asks for them.
+fn cell(value: Option<f64>) -> String {
+    value.map_or_else(String::new, |v| format!("{v}"))
+}
+
+fn line(cells: &[String]) -> String {
+    cells.iter().map(|c| quoted(c)).collect::<Vec<_>>().join(",") + "\n"
+}
+
+/// Quotes where a comma, a quote or a line break asks for them.
 fn quoted(cell: &str) -> String {
     if cell.contains([',', '"', '\n', '\r']) {
         format!("\"{}\"", cell.replace('"', "\"\""))

@@ -1,7 +1,7 @@
 //! Why the command has nothing to show, and with which exit code it says so.
 
 use percuss_formats::LoadError;
-use percuss_study::{DiagnosticRecord, StudyError};
+use percuss_study::{DiagnosticRecord, StudyError, StudyFileError};
 use std::io::{self, Write};
 use std::process::ExitCode;
 
@@ -51,6 +51,15 @@ impl From<StudyError> for Failure {
             Failure::NoAnswer(error.to_string())
         } else {
             Failure::bad_input(error.to_string())
+        }
+    }
+}
+
+impl From<StudyFileError> for Failure {
+    fn from(error: StudyFileError) -> Self {
+        match error {
+            StudyFileError::Load(error) => error.into(),
+            other => Failure::BadInput(other.to_string().lines().map(str::to_owned).collect()),
         }
     }
 }

@@ -7,8 +7,11 @@ mod args;
 mod check;
 mod csv;
 mod failure;
+mod import;
 mod mass;
 mod report;
+mod run;
+mod sweep;
 mod text;
 
 use args::{Cli, Command};
@@ -20,6 +23,9 @@ fn main() -> ExitCode {
     let outcome = match &cli.command {
         Command::Check(args) => check::run(args),
         Command::Mass(args) => mass::run(args),
+        Command::Sweep(args) => sweep::run(args),
+        Command::Import(args) => import::run(args),
+        Command::Run(args) => run::run(args),
         Command::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(*shell, &mut Cli::command(), "percuss", &mut script);

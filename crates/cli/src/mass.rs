@@ -5,23 +5,39 @@ use crate::csv;
 use crate::failure::Failure;
 use crate::report::{tell, write_json, write_out};
 use crate::text::{bar, number, triple};
-use percuss_study::{EstimateRecord, MassReport, Model, Status, mass};
+use percuss_study::{EstimateRecord, MassQuestion, MassReport, Model, Status, mass};
 use std::fmt::Write;
 
 /// Runs the command.
 pub fn run(args: &MassArgs) -> Result<(), Failure> {
     let model = Model::load(&args.model.model, args.model.max_size, &args.model.options())?;
-    let report = mass(&model, &args.contact.question())?;
-    tell(&report.diagnostics, args.model.strict)?;
-    match args.format {
+    let expected = args.expect.map(|mass| Expected { mass, tolerance: args.tolerance });
+    show(&model, &args.contact.question(), args.format, expected, args.model.strict)
+}
+
+/// What the answer is compared with.
+#[derive(Clone, Copy)]
+pub struct Expected {
+    mass: f64,
+    tolerance: f64,
+}
+
+/// Answers a question and writes the answer.
+pub fn show(
+    model: &Model,
+    question: &MassQuestion,
+    format: MassFormat,
+    expected: Option<Expected>,
+    strict: bool,
+) -> Result<(), Failure> {
+    let report = mass(model, question)?;
+    tell(&report.diagnostics, strict)?;
+    match format {
         MassFormat::Json => write_json(&report)?,
         MassFormat::Csv => write_out(&csv::of_mass(&report, &report.assumptions.set))?,
-        MassFormat::Text => write_out(&text(&report, args.expect))?,
+        MassFormat::Text => write_out(&text(&report, expected.map(|e| e.mass)))?,
     }
-    match args.expect {
-        Some(expected) => compare(&report, expected, args.tolerance),
-        None => Ok(()),
-    }
+    expected.map_or(Ok(()), |e| compare(&report, e.mass, e.tolerance))
 }
 
 /// Exit code 1 where the expectation is missed.
@@ -34,16 +50,8 @@ fn compare(report: &MassReport, expected: f64, tolerance: f64) -> Result<(), Fai
         ))),
         None => Err(Failure::NoAnswer(format!(
             "{expected} kg was expected; the contact is {}",
-            word(report.status)
+            report.status.name()
         ))),
-    }
-}
-
-fn word(status: Status) -> &'static str {
-    match status {
-        Status::Finite => "finite",
-        Status::Immovable => "immovable",
-        Status::Massless => "massless",
     }
 }
 

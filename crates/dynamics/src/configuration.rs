@@ -113,6 +113,17 @@ impl Configuration {
         Ok(self)
     }
 
+    /// The same without guesses, to follow a branch from a pose that is known.
+    pub fn without_guesses(mut self) -> Self {
+        self.guesses.fill(None);
+        self
+    }
+
+    /// The mechanism it belongs to.
+    pub fn mechanism(&self) -> &Arc<Mechanism> {
+        &self.mechanism
+    }
+
     /// All positions with the guesses for a group in place, if there is any.
     pub(crate) fn guess_for(&self, system: &System, group: &Group) -> Option<Vec<f64>> {
         let mut any = false;

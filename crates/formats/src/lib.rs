@@ -48,6 +48,7 @@ mod report;
 mod source;
 mod standard;
 mod survey;
+pub mod suspension;
 mod texts;
 mod write;
 

@@ -1,13 +1,13 @@
 //! Where everything goes: a figure becomes a scene.
 
 use crate::axis::{Axis, drawable, extent};
+use crate::curve;
 use crate::figure::{Figure, Panel, Style};
-use crate::legend::{DOT, ROW, plan as plan_legend, stroke};
+use crate::legend::{DOT, ROW, SLACK, plan as plan_legend, stroke};
 use crate::marks::{Strip, plan as plan_marks};
 use crate::palette::{AXIS, Colour, GRID, INK, MINOR_GRID, SOFT_INK, ZERO, assign};
 use crate::scene::{Anchor, Font, Point, Scene, crisp, solid};
 use crate::text::{fit, medium, regular, width};
-use crate::{curve, legend};
 
 const WIDTH: f64 = 900.0;
 /// Free on the left and on the right of everything.
@@ -83,7 +83,7 @@ pub(crate) fn arrange(figure: &Figure) -> Scene {
     for (i, ((panel, y_axis), colours)) in figure.panels.iter().zip(&y_axes).zip(&colours).enumerate() {
         let baseline = down + 20.0;
         let label = fit(&panel.y_label, LABEL, right - MARGIN);
-        let beside = right - MARGIN - 1.06 * width(&label, LABEL) - 32.0;
+        let beside = right - MARGIN - SLACK * width(&label, LABEL) - 32.0;
         scene.text(label, (MARGIN, baseline), Anchor::Start, LABEL, INK);
         let legend = plan_legend(&panel.series, right - MARGIN, beside);
         let above = HEADING + legend.rows as f64 * ROW + if i == 0 { strip.height() } else { 0.0 };
@@ -140,17 +140,17 @@ fn draw_panel(
     first: bool,
 ) {
     draw_grid(scene, frame);
+    strip.draw_lines(scene, frame.top, frame.bottom(), first);
     if first {
         strip.draw_names(scene, frame.top);
     }
-    strip.draw_lines(scene, frame.top, frame.bottom(), first);
 
     let place = |x, y| frame.place(x, y);
     let mut empty = true;
     for (series, &colour) in panel.series.iter().zip(colours).rev() {
         let before = scene.items.len();
         if series.style == Style::Dots {
-            scene.dots(curve::scatter(&series.points, place), legend::DOT, colour);
+            scene.dots(curve::scatter(&series.points, place), DOT, colour);
         } else {
             let curve = curve::line(&series.points, place);
             scene.lines(curve.chains, stroke(series.style, colour));
@@ -160,7 +160,7 @@ fn draw_panel(
     }
     if empty {
         let at = (0.5 * (frame.left + frame.right), frame.top + 0.5 * FRAME);
-        scene.text("no value to draw".into(), at, Anchor::Middle, SUBTITLE, SOFT_INK);
+        scene.text_on_paper("no value to draw".into(), at, SUBTITLE, SOFT_INK);
     }
 }
 

@@ -10,12 +10,12 @@ const FONT: Font = regular(12.5);
 const SAMPLE: f64 = 24.0;
 const AFTER_SAMPLE: f64 = 7.0;
 const BETWEEN: f64 = 20.0;
-/// A reader's own sans-serif may be wider than the embedded one.
-const SLACK: f64 = 1.06;
+/// A reader's own sans-serif may be wider than the embedded one; DejaVu Sans is, by an eighth.
+pub(crate) const SLACK: f64 = 1.13;
 /// Height of one row.
 pub(crate) const ROW: f64 = 19.0;
 /// Radius of a lone value and of a measurement.
-pub(crate) const DOT: f64 = 2.6;
+pub(crate) const DOT: f64 = 2.8;
 
 /// Where the entries go: offsets from the left end of their row, and the rows.
 pub(crate) struct Legend {
@@ -34,7 +34,8 @@ pub(crate) fn plan(series: &[Series], room: f64, beside: f64) -> Legend {
     let name = |s: &Series| fit(if s.name.trim().is_empty() { "—" } else { &s.name }, FONT, 0.5 * room);
     let names: Vec<String> = series.iter().map(name).collect();
     let length = |words: &String| SAMPLE + AFTER_SAMPLE + SLACK * width(words, FONT);
-    let spare = names.last().map_or(0.0, |last| (SLACK - 1.0) * width(last, FONT));
+    // At the right end the margin serves as slack.
+    let spare = names.last().map_or(0.0, |last| ((SLACK - 1.0) * width(last, FONT)).min(16.0));
     let whole = names.iter().map(length).sum::<f64>() + BETWEEN * (names.len() - 1) as f64 - spare;
     let beside = whole <= beside;
     let (mut x, mut row, mut entries) = (0.0, 0, Vec::new());

@@ -2,7 +2,7 @@
 //!
 //! A [`Figure`] is a stack of [`Panel`]s over one shared x axis; each holds [`Series`] whose values may be missing.
 //! [`Figure::to_svg`] and [`Figure::to_png`] draw the same picture: `layout` turns the figure into a list of strokes,
-//! dots and texts (`scene`), and `svg` and `png` only say that list in their own language. SVG text stays text, in
+//! dots, patches and texts (`scene`), and `svg` and `png` only say that list in their own language. SVG text stays text, in
 //! Roboto where it is installed and the reader's sans-serif elsewhere; PNG text is drawn with the embedded Roboto,
 //! so that a machine without fonts will do.
 //!

@@ -3,7 +3,7 @@
 use crate::axis::{Axis, drawable};
 use crate::figure::Mark;
 use crate::palette::SOFT_INK;
-use crate::scene::{Anchor, Font, Scene, Stroke, crisp};
+use crate::scene::{Font, Scene, Stroke, crisp};
 use crate::text::{fit, regular, width};
 
 const FONT: Font = regular(12.0);
@@ -15,11 +15,21 @@ const STROKE: Stroke = Stroke { colour: SOFT_INK, width: 1.0, dash: Some((2.0, 3
 
 /// Marks on the page.
 pub(crate) struct Strip {
-    /// Words, the mark's place, the words' middle, the row counted from the frame.
-    names: Vec<(String, f64, f64, usize)>,
+    names: Vec<Name>,
     /// Places without words.
     bare: Vec<f64>,
     rows: usize,
+}
+
+/// The name of a mark.
+struct Name {
+    words: String,
+    /// The mark's place.
+    x: f64,
+    /// The words' middle.
+    middle: f64,
+    /// Counted upwards from the frame.
+    row: usize,
 }
 
 /// Finds each name a row where it meets no other, `left` and `right` being the ends of the frame.
@@ -38,7 +48,7 @@ pub(crate) fn plan(marks: &[Mark], axis: &Axis, left: f64, right: f64) -> Strip 
             Some(row) => {
                 taken[row].push((low, high));
                 strip.rows = strip.rows.max(row + 1);
-                strip.names.push((words, x, middle, row));
+                strip.names.push(Name { words, x, middle, row });
             }
             None => strip.bare.push(x),
         }
@@ -54,16 +64,16 @@ impl Strip {
 
     /// The names above a frame whose upper edge is at `top`.
     pub fn draw_names(&self, scene: &mut Scene, top: f64) {
-        for (words, _, middle, row) in &self.names {
-            let at = (*middle, top - 8.0 - ROW * *row as f64);
-            scene.text(words.clone(), at, Anchor::Middle, FONT, SOFT_INK);
+        for name in &self.names {
+            let at = (name.middle, top - 8.0 - ROW * name.row as f64);
+            scene.text_on_paper(name.words.clone(), at, FONT, SOFT_INK);
         }
     }
 
     /// The lines from the upper to the lower edge of a frame; in the first, up to their names.
     pub fn draw_lines(&self, scene: &mut Scene, top: f64, bottom: f64, first: bool) {
         let rise = |row: usize| if first { 4.0 + ROW * row as f64 } else { 0.0 };
-        let named = self.names.iter().map(|(_, x, _, row)| vec![(*x, top - rise(*row)), (*x, bottom)]);
+        let named = self.names.iter().map(|n| vec![(n.x, top - rise(n.row)), (n.x, bottom)]);
         let bare = self.bare.iter().map(|&x| vec![(x, top), (x, bottom)]);
         scene.lines(named.chain(bare).collect(), STROKE);
     }

@@ -5,7 +5,7 @@ use crate::palette::{Colour, PAPER};
 use crate::scene::{Anchor, Item, Point, Scene, Stroke, Text};
 use thiserror::Error;
 use tiny_skia::{
-    FillRule, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke as SkiaStroke, StrokeDash, Transform,
+    FillRule, LineJoin, Paint, Path, PathBuilder, Pixmap, Rect, Stroke as SkiaStroke, StrokeDash, Transform,
 };
 use ttf_parser::{GlyphId, OutlineBuilder};
 
@@ -65,6 +65,7 @@ pub(crate) fn draw(scene: &Scene, scale: f32) -> Result<Vec<u8>, RenderError> {
         match item {
             Item::Lines { chains, stroke } => canvas.lines(chains, stroke),
             Item::Dots { centres, radius, colour } => canvas.dots(centres, *radius, *colour),
+            Item::Patch { from, to, colour } => canvas.patch(*from, *to, *colour),
             Item::Text(text) => canvas.words(text),
         }
     }
@@ -111,6 +112,11 @@ impl Canvas {
             builder.push_circle(x as f32, y as f32, radius as f32);
         }
         self.fill(builder.finish(), colour);
+    }
+
+    fn patch(&mut self, from: Point, to: Point, colour: Colour) {
+        let rect = Rect::from_ltrb(from.0 as f32, from.1 as f32, to.0 as f32, to.1 as f32);
+        self.fill(rect.map(PathBuilder::from_rect), colour);
     }
 
     fn words(&mut self, text: &Text) {

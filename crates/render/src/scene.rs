@@ -1,9 +1,10 @@
-//! The drawing model between layout and the two back ends: strokes, dots and texts, in units of the page.
+//! The drawing model between layout and the two back ends: strokes, dots, patches and texts, in units of the page.
 //!
 //! x runs to the right and y downwards, from the upper left corner.
 
 use crate::font::Weight;
-use crate::palette::Colour;
+use crate::palette::{Colour, PAPER};
+use crate::text::width;
 
 /// A place on the page.
 pub(crate) type Point = (f64, f64);
@@ -25,6 +26,8 @@ pub(crate) enum Item {
     Lines { chains: Vec<Vec<Point>>, stroke: Stroke },
     /// Filled circles.
     Dots { centres: Vec<Point>, radius: f64, colour: Colour },
+    /// A filled rectangle between two opposite corners.
+    Patch { from: Point, to: Point, colour: Colour },
     /// One line of text.
     Text(Text),
 }
@@ -77,6 +80,14 @@ impl Scene {
         if !centres.is_empty() {
             self.items.push(Item::Dots { centres, radius, colour });
         }
+    }
+
+    /// Adds a text in the middle of a patch of paper, so that lines below do not cross it.
+    pub fn text_on_paper(&mut self, words: String, at: Point, font: Font, colour: Colour) {
+        let half = 0.5 * width(&words, font) + 3.0;
+        let (top, bottom) = (at.1 - 0.85 * font.size, at.1 + 0.3 * font.size);
+        self.items.push(Item::Patch { from: (at.0 - half, top), to: (at.0 + half, bottom), colour: PAPER });
+        self.text(words, at, Anchor::Middle, font, colour);
     }
 
     /// Adds a text; nothing where it has no characters.

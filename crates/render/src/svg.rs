@@ -27,6 +27,7 @@ fn document(scene: &Scene, out: &mut String) -> Result {
         match item {
             Item::Lines { chains, stroke } => lines(chains, stroke, out)?,
             Item::Dots { centres, radius, colour } => dots(centres, *radius, *colour, out)?,
+            Item::Patch { from, to, colour } => patch(*from, *to, *colour, out)?,
             Item::Text(text) => words(text, out)?,
         }
     }
@@ -57,6 +58,12 @@ fn dots(centres: &[Point], radius: f64, colour: Colour, out: &mut String) -> Res
     }
     let width = Number(2.0 * radius);
     writeln!(out, r#"" fill="none" stroke="{colour}" stroke-width="{width}" stroke-linecap="round"/>"#)
+}
+
+fn patch(from: Point, to: Point, colour: Colour, out: &mut String) -> Result {
+    write!(out, r#"<rect x="{}" y="{}""#, Number(from.0), Number(from.1))?;
+    let (width, height) = (Number(to.0 - from.0), Number(to.1 - from.1));
+    writeln!(out, r#" width="{width}" height="{height}" fill="{colour}"/>"#)
 }
 
 fn words(text: &Text, out: &mut String) -> Result {

@@ -13,6 +13,8 @@ mod model;
 mod quantity;
 mod question;
 mod record;
+mod study_file;
+mod sweep;
 
 pub use check::{CheckReport, ClosureRecord, JointRecord, LinkRecord, check};
 pub use estimate::EstimateRecord;
@@ -21,3 +23,5 @@ pub use model::{Input, Model};
 pub use quantity::{Dimension, Quantity, QuantityError, parse_list, parse_triple};
 pub use question::{EstimateQuestion, Hold, MassQuestion, Normal, StudyError};
 pub use record::DiagnosticRecord;
+pub use study_file::{StudyFile, StudyFileError};
+pub use sweep::{SweepReport, SweepRow, Varied, Vary, sweep};

@@ -21,6 +21,17 @@ pub enum Status {
     Massless,
 }
 
+impl Status {
+    /// As it stands in JSON and CSV.
+    pub fn name(self) -> &'static str {
+        match self {
+            Status::Finite => "finite",
+            Status::Immovable => "immovable",
+            Status::Massless => "massless",
+        }
+    }
+}
+
 /// What part of m̄ a link carries.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BodyShare {

@@ -1,0 +1,257 @@
+//! One corner of a vehicle while it is put together: everything by its place at the design position.
+
+use super::reader::Spot;
+use crate::Comments;
+use percuss_mechanism::{
+    ClosureDescription, ClosureKind, Inertial, JointDescription, JointKind, LinkDescription, MechanismBuilder,
+};
+use percuss_spatial::{Matrix3, Vector3};
+use std::collections::HashMap;
+
+/// The root link.
+pub(super) const CHASSIS: &str = "chassis";
+/// The link that holds the tie rods' inner ends.
+pub(super) const RACK: &str = "rack";
+
+/// What a link weighs, in the vehicle's frame at the design position.
+#[derive(Clone, Debug)]
+pub(super) struct Body {
+    /// kg.
+    pub mass: f64,
+    /// Centre of mass, m.
+    pub com: Vector3<f64>,
+    /// About the centre of mass, in the vehicle's axes, kg·m².
+    pub about_com: Matrix3<f64>,
+    /// Where the file states it.
+    pub spot: Spot,
+}
+
+/// Links, joints and closures of the left side; [`mirrored`](Self::mirrored) makes the right one.
+///
+/// Every link's axes are the vehicle's at the design position, so a link frame is a point and all joint origins and
+/// loop frames are differences of points.
+#[derive(Clone, Debug)]
+pub(super) struct Corner {
+    links: Vec<LinkDescription>,
+    joints: Vec<JointDescription>,
+    closures: Vec<ClosureDescription>,
+    origins: HashMap<String, Vector3<f64>>,
+    comments: Comments,
+    spots: HashMap<String, Spot>,
+    /// Pairs of seats: on the moving link, on the chassis.
+    struts: Vec<[&'static str; 2]>,
+}
+
+impl Corner {
+    /// With a chassis at the vehicle's origin and nothing on it.
+    pub fn new() -> Self {
+        Self {
+            links: Vec::new(),
+            joints: Vec::new(),
+            closures: Vec::new(),
+            origins: HashMap::from([(CHASSIS.to_owned(), Vector3::zeros())]),
+            comments: Comments::default(),
+            spots: HashMap::new(),
+            struts: Vec::new(),
+        }
+    }
+
+    /// The rack's frame, once there is one.
+    pub fn rack(&self) -> Option<Vector3<f64>> {
+        self.origins.get(RACK).copied()
+    }
+
+    /// Puts the rack's frame half way between the inner ends of the tie rods of both sides, `end` being one.
+    pub fn place_rack(&mut self, end: Vector3<f64>) {
+        self.origins.insert(RACK.to_owned(), Vector3::new(end.x, 0.0, end.z));
+    }
+
+    fn origin(&self, link: &str) -> Vector3<f64> {
+        self.origins.get(link).copied().unwrap_or_default()
+    }
+
+    /// A link whose frame is at a point.
+    pub fn link(&mut self, name: &str, at: Vector3<f64>, body: Option<&Body>, comment: impl Into<String>) {
+        let mut link = LinkDescription::massless(name);
+        if let Some(body) = body {
+            link.inertial = Some(Inertial { mass: body.mass, com: body.com - at, about_com: body.about_com });
+            self.spots.insert(name.to_owned(), body.spot.clone());
+        }
+        self.links.push(link);
+        self.origins.insert(name.to_owned(), at);
+        self.comments.links.insert(name.to_owned(), comment.into());
+    }
+
+    /// A joint at the child's frame; the axis is in the vehicle's axes.
+    pub fn joint(
+        &mut self,
+        (name, kind): (&str, JointKind),
+        [parent, child]: [&str; 2],
+        axis: Vector3<f64>,
+        spot: &Spot,
+        comment: impl Into<String>,
+    ) {
+        let at = self.origin(child) - self.origin(parent);
+        let joint = JointDescription::new(name, kind, parent, child).at(at.into());
+        self.joints.push(if kind.has_axis() { joint.axis(axis.into()) } else { joint });
+        self.spots.insert(name.to_owned(), spot.clone());
+        self.comments.joints.insert(name.to_owned(), comment.into());
+    }
+
+    /// A massless link fixed to another: a place to strike, or to measure.
+    pub fn frame(&mut self, name: &'static str, on: &str, at: Vector3<f64>, comment: impl Into<String>) {
+        self.links.push(LinkDescription::massless(name));
+        self.joints.push(
+            JointDescription::new(format!("{name}_fixed"), JointKind::Fixed, on, name)
+                .at((at - self.origin(on)).into()),
+        );
+        self.origins.insert(name.to_owned(), at);
+        self.comments.links.insert(name.to_owned(), comment.into());
+    }
+
+    /// Seats of a spring or shock: on the moving link and on the chassis.
+    pub fn seats(
+        &mut self,
+        [seat, chassis_seat]: [&'static str; 2],
+        on: &str,
+        [at, at_chassis]: [Vector3<f64>; 2],
+    ) {
+        self.frame(seat, on, at, String::new());
+        self.frame(chassis_seat, CHASSIS, at_chassis, String::new());
+        self.struts.push([seat, chassis_seat]);
+    }
+
+    /// A joint at a point that the tree leaves out; the axis is in the vehicle's axes.
+    pub fn closure(
+        &mut self,
+        (name, kind): (&str, ClosureKind),
+        [predecessor, successor]: [&str; 2],
+        at: Vector3<f64>,
+        axis: Vector3<f64>,
+        (spot, comment): (&Spot, &str),
+    ) {
+        let (p, s) = (at - self.origin(predecessor), at - self.origin(successor));
+        let closure = ClosureDescription::new(name, kind, predecessor, successor)
+            .at(p.into(), s.into())
+            .axis(axis.into());
+        self.add(closure, spot, comment);
+    }
+
+    /// A massless rod between ball joints; it is as long as the points are apart.
+    pub fn rod(
+        &mut self,
+        name: &str,
+        [predecessor, successor]: [&str; 2],
+        [a, b]: [Vector3<f64>; 2],
+        (spot, comment): (&Spot, &str),
+    ) {
+        let (p, s) = (a - self.origin(predecessor), b - self.origin(successor));
+        let closure = ClosureDescription::new(name, ClosureKind::Distance, predecessor, successor)
+            .at(p.into(), s.into())
+            .distance((b - a).norm());
+        self.add(closure, spot, comment);
+    }
+
+    fn add(&mut self, closure: ClosureDescription, spot: &Spot, comment: &str) {
+        self.spots.insert(closure.name.clone(), spot.clone());
+        self.comments.closures.insert(closure.name.clone(), comment.to_owned());
+        self.closures.push(closure);
+    }
+
+    /// Its mirror image in the vehicle's middle plane, y → −y, with equal coordinates for mirrored motions.
+    ///
+    /// With S = diag(1, −1, 1): points p → S p, inertias I → S I S, directions of sliding a → S a, axes of turning
+    /// a → −S a (a rotation R becomes S R S).
+    pub fn mirrored(&self) -> Corner {
+        let point = |p: &Vector3<f64>| Vector3::new(p.x, flip(p.y), p.z);
+        let turning = |a: &Vector3<f64>| Vector3::new(flip(a.x), a.y, flip(a.z));
+        let mut corner = self.clone();
+        for link in &mut corner.links {
+            if let Some(inertial) = &mut link.inertial {
+                inertial.com = point(&inertial.com);
+                for (row, column) in [(0, 1), (1, 0), (1, 2), (2, 1)] {
+                    inertial.about_com[(row, column)] = flip(inertial.about_com[(row, column)]);
+                }
+            }
+        }
+        for joint in &mut corner.joints {
+            joint.origin.translation = point(&joint.origin.translation);
+            joint.axis = match joint.kind {
+                JointKind::Prismatic => point(&joint.axis),
+                JointKind::Fixed
+                | JointKind::Revolute
+                | JointKind::Continuous
+                | JointKind::Planar
+                | JointKind::Spherical
+                | JointKind::Floating => turning(&joint.axis),
+            };
+        }
+        for closure in &mut corner.closures {
+            for frame in [&mut closure.predecessor_frame, &mut closure.successor_frame] {
+                frame.translation = point(&frame.translation);
+            }
+            // A line, whose sense does not matter.
+            closure.axis = turning(&closure.axis);
+            closure.axis2 = turning(&closure.axis2);
+        }
+        corner.origins.values_mut().for_each(|at| *at = point(at));
+        corner
+    }
+
+    /// Adds it to a mechanism, names of its own ending in `suffix`; and what belongs to the names.
+    pub fn put(self, suffix: &str, mut builder: MechanismBuilder, about: &mut About) -> MechanismBuilder {
+        let named = |name: &str| match name {
+            CHASSIS | RACK => name.to_owned(),
+            _ => format!("{name}{suffix}"),
+        };
+        let mut comments = self.comments;
+        for [seat, chassis_seat] in self.struts {
+            let line = self.origins[chassis_seat] - self.origins[seat];
+            let (length, [x, y, z]) = (line.norm(), (line / line.norm()).into());
+            let direction = format!("line {x:.12} {y:.12} {z:.12}, {length:.6} m at the design position");
+            comments
+                .links
+                .insert(seat.to_owned(), format!("the moving seat; to {}: {direction}", named(chassis_seat)));
+            comments
+                .links
+                .insert(chassis_seat.to_owned(), format!("the seat on the chassis, over {}", named(seat)));
+        }
+        for (ours, theirs) in [
+            (comments.links, &mut about.comments.links),
+            (comments.joints, &mut about.comments.joints),
+            (comments.closures, &mut about.comments.closures),
+        ] {
+            theirs.extend(ours.into_iter().map(|(name, text)| (named(&name), text)));
+        }
+        about.spots.extend(self.spots.into_iter().map(|(name, spot)| (named(&name), spot)));
+        for mut link in self.links {
+            link.name = named(&link.name);
+            builder = builder.link(link);
+        }
+        for mut joint in self.joints {
+            for name in [&mut joint.name, &mut joint.parent, &mut joint.child] {
+                *name = named(name);
+            }
+            builder = builder.joint(joint);
+        }
+        for mut closure in self.closures {
+            for name in [&mut closure.name, &mut closure.predecessor, &mut closure.successor] {
+                *name = named(name);
+            }
+            builder = builder.closure(closure);
+        }
+        builder
+    }
+}
+
+/// −x, but 0 for 0.
+fn flip(x: f64) -> f64 {
+    0.0 - x
+}
+
+/// What is known of the names of a mechanism.
+#[derive(Default)]
+pub(super) struct About {
+    pub comments: Comments,
+    pub spots: HashMap<String, Spot>,
+}

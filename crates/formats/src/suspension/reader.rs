@@ -1,0 +1,360 @@
+//! Typed access to the file's keys; every finding knows its key path and its place.
+
+use super::json::{Array, MOST_KEYS, Object};
+use super::text::{line_and_column, offset_of};
+use crate::Diagnostic;
+use crate::report::{quoted, shortened};
+use percuss_mechanism::{Severity, near_names};
+use percuss_spatial::Vector3;
+use serde_json::value::RawValue;
+
+/// Warnings and notes of a file; more are counted. Errors are as few as the keys that are asked for.
+const MOST_FINDINGS: usize = 50;
+/// No hardpoint is so far from its vehicle's origin, m. In millimetres, most are.
+const FARTHEST: f64 = 20.0;
+
+/// Where something stands in the file: its key path and its first byte.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Spot {
+    path: Option<String>,
+    at: Option<usize>,
+}
+
+impl Spot {
+    /// The key path as a reader would say it.
+    pub fn label(&self) -> &str {
+        self.path.as_deref().unwrap_or("the file")
+    }
+
+    /// Whether it is a place of the file at all.
+    pub fn is_somewhere(&self) -> bool {
+        self.path.is_some()
+    }
+}
+
+struct Finding {
+    severity: Severity,
+    code: &'static str,
+    spot: Spot,
+    message: String,
+}
+
+struct Entry<'t> {
+    key: String,
+    value: &'t RawValue,
+    used: bool,
+}
+
+/// An object of the file. What is asked of an absent one is answered with zeros: its absence is an error already.
+pub(super) struct Section<'t> {
+    pub spot: Spot,
+    entries: Option<Vec<Entry<'t>>>,
+}
+
+impl Section<'_> {
+    /// Whether it has this key.
+    pub fn has(&self, key: &str) -> bool {
+        self.entries.iter().flatten().any(|e| e.key == key)
+    }
+}
+
+/// Reads values and collects what is to be said of them.
+pub(super) struct Reader<'t> {
+    clean: &'t str,
+    findings: Vec<Finding>,
+    untold: usize,
+    farthest: Option<(f64, Spot)>,
+    /// A section that states products of inertia other than 0.
+    pub products: Option<Spot>,
+}
+
+impl<'t> Reader<'t> {
+    /// Over the text with its comments blanked.
+    pub fn new(clean: &'t str) -> Self {
+        Self { clean, findings: Vec::new(), untold: 0, farthest: None, products: None }
+    }
+
+    /// Adds a finding; the same one twice is told once.
+    pub fn add(&mut self, severity: Severity, code: &'static str, spot: &Spot, message: String) {
+        let same = |f: &Finding| f.code == code && f.spot.path == spot.path && f.message == message;
+        if self.findings.iter().any(same) {
+            return;
+        }
+        if severity != Severity::Error && self.findings.len() >= MOST_FINDINGS {
+            self.untold += 1;
+            return;
+        }
+        self.findings.push(Finding { severity, code, spot: spot.clone(), message });
+    }
+
+    /// An error.
+    pub fn error(&mut self, code: &'static str, spot: &Spot, message: String) {
+        self.add(Severity::Error, code, spot, message);
+    }
+
+    /// A warning.
+    pub fn warning(&mut self, code: &'static str, spot: &Spot, message: String) {
+        self.add(Severity::Warning, code, spot, message);
+    }
+
+    /// A note.
+    pub fn note(&mut self, code: &'static str, spot: &Spot, message: String) {
+        self.add(Severity::Note, code, spot, message);
+    }
+
+    /// Whether anything forbids a mechanism.
+    pub fn has_errors(&self) -> bool {
+        self.findings.iter().any(|f| f.severity == Severity::Error)
+    }
+
+    /// All findings in the order of the file, those without a place first.
+    pub fn finish(mut self, path: &str) -> Vec<Diagnostic> {
+        if self.untold > 0 {
+            let message = format!("and {} more warnings and notes", self.untold);
+            self.findings.push(Finding {
+                severity: Severity::Warning,
+                code: "and-more",
+                spot: Spot::default(),
+                message,
+            });
+        }
+        self.findings.sort_by_key(|f| f.spot.at);
+        let clean = self.clean;
+        let diagnostic = |f: Finding| {
+            let place = f.spot.at.map(|at| line_and_column(clean, at));
+            Diagnostic {
+                severity: f.severity,
+                code: f.code,
+                path: path.to_owned(),
+                line: place.map(|(line, _)| line),
+                column: place.map(|(_, column)| column),
+                element: f.spot.path,
+                message: f.message,
+            }
+        };
+        self.findings.into_iter().map(diagnostic).collect()
+    }
+
+    /// The whole file as an object; none if it is no JSON, which is said.
+    pub fn root(&mut self) -> Option<Section<'t>> {
+        match serde_json::from_str::<Object<'t>>(self.clean) {
+            Ok(object) => Some(self.checked(Spot::default(), object)),
+            Err(error) => {
+                let at = offset_of(self.clean, error.line(), error.column());
+                let full = error.to_string();
+                // The place is told once, by us.
+                let message = full.split(" at line ").next().unwrap_or(&full);
+                let hint = if self.clean.trim_ascii_start().starts_with('<') {
+                    ": this is XML; a suspension file of Chrono::Vehicle is JSON"
+                } else if error.is_eof() {
+                    ": the file ends too early; was it cut off?"
+                } else {
+                    ""
+                };
+                let spot = Spot { path: None, at: Some(at) };
+                self.error("not-json", &spot, format!("not JSON: {}{hint}", shortened(message)));
+                None
+            }
+        }
+    }
+
+    fn checked(&mut self, spot: Spot, object: Object<'t>) -> Section<'t> {
+        if object.too_many {
+            self.error("too-complex", &spot, format!("more than {MOST_KEYS} keys in one object"));
+        }
+        let mut entries: Vec<Entry<'t>> = Vec::with_capacity(object.entries.len());
+        for (key, value) in object.entries {
+            if entries.iter().any(|e| e.key == key) {
+                let spot = self.spot(&spot, &key, Some(value));
+                self.error("duplicate-key", &spot, "the key was given before; once is wanted".to_owned());
+                continue;
+            }
+            entries.push(Entry { key, value, used: false });
+        }
+        Section { spot, entries: Some(entries) }
+    }
+
+    /// The spot of a key of an object; of the object itself where the key is missing.
+    fn spot(&self, parent: &Spot, key: &str, value: Option<&RawValue>) -> Spot {
+        let key = shortened(key);
+        let path = match &parent.path {
+            Some(path) => format!("{path}/{key}"),
+            None => key,
+        };
+        Spot { path: Some(path), at: value.map(|v| self.offset(v)).or(parent.at) }
+    }
+
+    /// The first byte of a value, which is a piece of the text.
+    fn offset(&self, value: &RawValue) -> usize {
+        (value.get().as_ptr() as usize).wrapping_sub(self.clean.as_ptr() as usize)
+    }
+
+    fn optional(&mut self, section: &mut Section<'t>, key: &str) -> Option<(&'t RawValue, Spot)> {
+        let entry = section.entries.as_mut()?.iter_mut().find(|e| e.key == key)?;
+        entry.used = true;
+        let value = entry.value;
+        Some((value, self.spot(&section.spot, key, Some(value))))
+    }
+
+    fn required(
+        &mut self,
+        section: &mut Section<'t>,
+        key: &str,
+        wanted: &str,
+    ) -> Option<(&'t RawValue, Spot)> {
+        let found = self.optional(section, key);
+        if let (None, Some(entries)) = (&found, &section.entries) {
+            let spot = self.spot(&section.spot, key, None);
+            let mut message = format!("the key is missing; {wanted} is wanted");
+            let near = near_names(key, entries.iter().filter(|e| !e.used).map(|e| e.key.as_str()));
+            if !near.is_empty() {
+                let near: Vec<String> = near.iter().map(|n| quoted(n)).collect();
+                message.push_str(&format!("; there is {}", near.join(", ")));
+            }
+            self.error("missing-key", &spot, message);
+        }
+        found
+    }
+
+    fn wrong_type(&mut self, spot: &Spot, value: &RawValue, wanted: &str) {
+        let got = match value.get().as_bytes().first() {
+            Some(b'{') => "an object",
+            Some(b'[') => "an array",
+            Some(b'"') => "a string",
+            Some(b't' | b'f') => "true or false",
+            Some(b'n') => "null",
+            Some(_) | None => "a number",
+        };
+        self.error("wrong-type", spot, format!("{got} ({}); {wanted} is wanted", shortened(value.get())));
+    }
+
+    /// The object under a key.
+    pub fn section(&mut self, parent: &mut Section<'t>, key: &str) -> Section<'t> {
+        let absent = Section { spot: self.spot(&parent.spot, key, None), entries: None };
+        let Some((value, spot)) = self.required(parent, key, "an object") else { return absent };
+        match serde_json::from_str::<Object<'t>>(value.get()) {
+            Ok(object) => self.checked(spot, object),
+            Err(_) => {
+                self.wrong_type(&spot, value, "an object");
+                absent
+            }
+        }
+    }
+
+    /// Warns of the keys that nothing asked for, those of `passed_over` aside.
+    pub fn close(&mut self, section: Section<'t>, passed_over: &[&str]) {
+        let unknown = section.entries.iter().flatten().filter(|e| !e.used && !passed_over.contains(&&*e.key));
+        for entry in unknown {
+            let spot = self.spot(&section.spot, &entry.key, Some(entry.value));
+            if entry.key.starts_with("Bushing Data") {
+                let message = "bushings are not modelled: the joint is rigid, as without this key".to_owned();
+                self.warning("bushing", &spot, message);
+            } else {
+                self.warning("unknown-key", &spot, "the key is not known; it is passed over".to_owned());
+            }
+        }
+    }
+
+    /// A text.
+    pub fn string(&mut self, section: &mut Section<'t>, key: &str) -> Option<(String, Spot)> {
+        let (value, spot) = self.required(section, key, "a string")?;
+        match serde_json::from_str(value.get()) {
+            Ok(text) => Some((text, spot)),
+            Err(_) => {
+                self.wrong_type(&spot, value, "a string");
+                None
+            }
+        }
+    }
+
+    /// A switch that is off where it is missing.
+    pub fn flag(&mut self, section: &mut Section<'t>, key: &str) -> bool {
+        let Some((value, spot)) = self.optional(section, key) else { return false };
+        match value.get() {
+            "true" => true,
+            "false" => false,
+            _ => {
+                self.wrong_type(&spot, value, "true or false");
+                false
+            }
+        }
+    }
+
+    /// A number that must be there; `wanted` says what it is, with its unit.
+    pub fn number(&mut self, section: &mut Section<'t>, key: &str, wanted: &str) -> f64 {
+        match self.required(section, key, wanted) {
+            Some((value, spot)) => self.finite(value, &spot, wanted),
+            None => 0.0,
+        }
+    }
+
+    /// A number that is 0 where it is missing.
+    pub fn number_or_zero(&mut self, section: &mut Section<'t>, key: &str, wanted: &str) -> f64 {
+        match self.optional(section, key) {
+            Some((value, spot)) => self.finite(value, &spot, wanted),
+            None => 0.0,
+        }
+    }
+
+    /// The number as Rust reads it: serde_json's own reading can be off in the last digit.
+    fn finite(&mut self, value: &RawValue, spot: &Spot, wanted: &str) -> f64 {
+        let is_number = value.get().starts_with(|c: char| c == '-' || c.is_ascii_digit());
+        match value.get().parse::<f64>() {
+            Ok(number) if is_number && number.is_finite() => number,
+            Ok(_) if is_number => {
+                let message = format!("{} is beyond all bounds; {wanted} is wanted", shortened(value.get()));
+                self.error("not-finite", spot, message);
+                0.0
+            }
+            Ok(_) | Err(_) => {
+                self.wrong_type(spot, value, wanted);
+                0.0
+            }
+        }
+    }
+
+    /// Three numbers that must be there.
+    pub fn triple(&mut self, section: &mut Section<'t>, key: &str, wanted: &str) -> Vector3<f64> {
+        let Some((value, spot)) = self.required(section, key, wanted) else { return Vector3::zeros() };
+        let Ok(array) = serde_json::from_str::<Array<'t>>(value.get()) else {
+            self.wrong_type(&spot, value, wanted);
+            return Vector3::zeros();
+        };
+        let [Some(x), Some(y), Some(z)] = array.first else {
+            self.wrong_length(&spot, array.length, wanted);
+            return Vector3::zeros();
+        };
+        if array.length != 3 {
+            self.wrong_length(&spot, array.length, wanted);
+        }
+        let mut entry = |i: usize, value: &'t RawValue| {
+            let spot = Spot { path: Some(format!("{}[{i}]", spot.label())), at: Some(self.offset(value)) };
+            self.finite(value, &spot, "a number")
+        };
+        Vector3::new(entry(0, x), entry(1, y), entry(2, z))
+    }
+
+    fn wrong_length(&mut self, spot: &Spot, length: usize, wanted: &str) {
+        self.error("wrong-length", spot, format!("an array of {length}; {wanted} is wanted"));
+    }
+
+    /// A point of the vehicle that must be there, m.
+    pub fn point(&mut self, section: &mut Section<'t>, key: &str) -> Vector3<f64> {
+        let point = self.triple(section, key, "a point, [x, y, z] in m,");
+        if point.amax() > self.farthest.as_ref().map_or(FARTHEST, |f| f.0) {
+            let value = section.entries.iter().flatten().find(|e| e.key == key).map(|e| e.value);
+            self.farthest = Some((point.amax(), self.spot(&section.spot, key, value)));
+        }
+        point
+    }
+
+    /// Warns if the coordinates look like millimetres.
+    pub fn judge_unit(&mut self) {
+        if let Some((largest, spot)) = self.farthest.take() {
+            let message = format!(
+                "a coordinate of {largest} m: no hardpoint lies so far out. Chrono's files are in m; are these mm?"
+            );
+            self.warning("millimetres", &spot, message);
+        }
+    }
+}

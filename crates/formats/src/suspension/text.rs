@@ -1,0 +1,117 @@
+//! JSON as Chrono writes it: with comments. Bounds on the text before a parser sees it.
+
+/// Objects and arrays within one another.
+const DEEPEST: usize = 256;
+
+/// What is wrong with the text, and the byte where.
+pub(super) struct Trouble {
+    pub at: usize,
+    pub code: &'static str,
+    pub message: &'static str,
+}
+
+/// The text with its `//` and `/* */` comments blanked, every byte in its old place; refused where a comment does
+/// not end or brackets nest too deep. One pass that knows strings; the grammar is left to the parser.
+pub(super) fn without_comments(text: &str) -> Result<String, Trouble> {
+    let bytes = text.as_bytes();
+    let mut out = bytes.to_vec();
+    let (mut at, mut depth) = (0, 0usize);
+    while let Some(&byte) = bytes.get(at) {
+        match byte {
+            b'"' => at = end_of_string(bytes, at),
+            b'/' if bytes.get(at + 1) == Some(&b'/') => {
+                let length = bytes[at..].iter().position(|b| *b == b'\n').unwrap_or(bytes.len() - at);
+                out[at..at + length].fill(b' ');
+                at += length;
+            }
+            b'/' if bytes.get(at + 1) == Some(&b'*') => {
+                let Some(length) = bytes[at + 2..].windows(2).position(|w| w == b"*/") else {
+                    return Err(Trouble { at, code: "not-json", message: "this comment has no end, \"*/\"" });
+                };
+                let end = at + 2 + length + 2;
+                out[at..end].iter_mut().filter(|b| **b != b'\n').for_each(|b| *b = b' ');
+                at = end;
+            }
+            b'{' | b'[' => {
+                depth += 1;
+                if depth > DEEPEST {
+                    let message = "more than 256 objects and arrays within one another";
+                    return Err(Trouble { at, code: "too-complex", message });
+                }
+                at += 1;
+            }
+            b'}' | b']' => {
+                depth = depth.saturating_sub(1);
+                at += 1;
+            }
+            _ => at += 1,
+        }
+    }
+    // Whole characters were overwritten, for comments begin and end with ASCII.
+    String::from_utf8(out).map_err(|e| Trouble {
+        at: e.utf8_error().valid_up_to(),
+        code: "not-utf-8",
+        message: "not UTF-8 text",
+    })
+}
+
+/// One past the closing quote of the string that begins at `at`, or the end of the text.
+fn end_of_string(bytes: &[u8], mut at: usize) -> usize {
+    at += 1;
+    while let Some(&byte) = bytes.get(at) {
+        match byte {
+            b'"' => return at + 1,
+            b'\\' => at += 2,
+            _ => at += 1,
+        }
+    }
+    bytes.len()
+}
+
+/// Line, and column in characters, of a byte of the text; both from 1.
+pub(super) fn line_and_column(text: &str, at: usize) -> (u32, u32) {
+    let before = &text.as_bytes()[..at.min(text.len())];
+    let line_start = before.iter().rposition(|b| *b == b'\n').map_or(0, |i| i + 1);
+    let line = before.iter().filter(|b| **b == b'\n').count() as u32 + 1;
+    // Every byte that does not continue a character begins one.
+    let column = before[line_start..].iter().filter(|b| **b & 0xC0 != 0x80).count() as u32 + 1;
+    (line, column)
+}
+
+/// The byte at a line (from 1) and a byte of that line (from 1), as serde_json counts them.
+pub(super) fn offset_of(text: &str, line: usize, column: usize) -> usize {
+    let start: usize = text.split_inclusive('\n').take(line.saturating_sub(1)).map(str::len).sum();
+    (start + column.saturating_sub(1)).min(text.len())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn comments_are_blanked_in_place_and_strings_left_alone() {
+        let text = "{ // é\n \"a//b\\\"/*\": /* x\ny */ 1 }";
+        let Ok(clean) = without_comments(text) else { panic!("refused") };
+        assert_eq!(clean.len(), text.len());
+        assert_eq!(clean.replace(' ', ""), "{\n\"a//b\\\"/*\":\n1}");
+        assert_eq!(clean.find('1'), text.find('1'));
+    }
+
+    #[test]
+    fn a_comment_must_end_and_brackets_not_nest_without_bound() {
+        assert!(without_comments("{ /* ").is_err_and(|t| t.code == "not-json" && t.at == 2));
+        assert!(without_comments(&"[".repeat(300)).is_err_and(|t| t.code == "too-complex" && t.at == 256));
+        assert!(without_comments(&"[".repeat(256)).is_ok());
+        // An escape as the last byte.
+        assert!(without_comments("\"\\").is_ok());
+    }
+
+    #[test]
+    fn places_are_counted_from_one_in_characters() {
+        let text = "a\né x";
+        assert_eq!(line_and_column(text, 0), (1, 1));
+        assert_eq!(line_and_column(text, text.len() - 1), (2, 3));
+        assert_eq!(offset_of(text, 2, 1), 2);
+        assert_eq!(line_and_column(text, 99), (2, 4));
+    }
+}

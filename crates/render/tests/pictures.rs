@@ -1,0 +1,204 @@
+//! The picture: what is on it, where, and that both back ends draw the same.
+
+use percuss_render::{Figure, Mark, Panel, RenderError, Series, Style};
+use roxmltree::Document;
+use tiny_skia::Pixmap;
+
+const BLUE: (u8, u8, u8) = (0, 114, 178);
+const VERMILION: (u8, u8, u8) = (213, 94, 0);
+
+fn series(name: &str, style: Style, y: impl Fn(f64) -> Option<f64>) -> Series {
+    let travel = (-80..=80).map(f64::from);
+    Series { name: name.into(), style, points: travel.map(|x| (x, y(x))).collect() }
+}
+
+/// Effective mass with a gap from 20 to 40 mm, its estimate, and the motion ratio.
+fn sweep() -> Figure {
+    let mass = |x: f64| 207.0 - 6e-4 * x * x;
+    let gap = move |x: f64| (!(20.0..=40.0).contains(&x)).then(|| mass(x));
+    Figure {
+        title: "Effective mass at the spring seat".into(),
+        subtitle: "arm <lower> & \"upper\"".into(),
+        x_label: "Wheel travel (mm)".into(),
+        panels: vec![
+            Panel {
+                y_label: "Effective mass m̄ (kg)".into(),
+                series: vec![
+                    series("formula", Style::Line, gap),
+                    series("estimate", Style::Dashed, move |x| Some(mass(x) - 3.0)),
+                ],
+            },
+            Panel {
+                y_label: "Motion ratio".into(),
+                series: vec![series("ratio", Style::Line, |x| Some(2.2 - 1e-3 * x))],
+            },
+        ],
+        marks: vec![
+            Mark { x: 30.0, label: "singular pose".into() },
+            Mark { x: 90.0, label: "beyond".into() },
+        ],
+    }
+}
+
+fn hex(colour: (u8, u8, u8)) -> String {
+    format!("#{:02x}{:02x}{:02x}", colour.0, colour.1, colour.2)
+}
+
+/// The chains of the widest path of this colour: the curve, not its sample in the legend.
+fn curve(svg: &str, colour: (u8, u8, u8)) -> Vec<Vec<(f64, f64)>> {
+    let document = Document::parse(svg).expect("well-formed");
+    let paths = document.descendants().filter(|n| n.attribute("stroke") == Some(&hex(colour)));
+    let data = paths.filter_map(|n| n.attribute("d")).max_by_key(|d| d.len()).expect("a path of this colour");
+    let number = |s: &str| s.parse::<f64>().expect("a number");
+    let place = |s: &str| s.split_once(' ').map(|(x, y)| (number(x), number(y))).expect("a place");
+    data.split('M').skip(1).map(|chain| chain.split('L').map(place).collect()).collect()
+}
+
+fn texts(svg: &str) -> Vec<String> {
+    let document = Document::parse(svg).expect("well-formed");
+    let texts = document.descendants().filter(|n| n.has_tag_name("text"));
+    texts.filter_map(|n| n.text().map(str::to_owned)).collect()
+}
+
+fn pixel(picture: &Pixmap, (x, y): (f64, f64), scale: f64) -> (u8, u8, u8) {
+    let colour = picture.pixel((x * scale) as u32, (y * scale) as u32).expect("on the picture");
+    (colour.red(), colour.green(), colour.blue())
+}
+
+#[test]
+fn every_word_and_number_is_on_the_picture() {
+    let texts = texts(&sweep().to_svg());
+    for expected in [
+        "Effective mass at the spring seat",
+        "arm <lower> & \"upper\"",
+        "Effective mass m̄ (kg)",
+        "Motion ratio",
+        "Wheel travel (mm)",
+        "formula",
+        "estimate",
+        "singular pose",
+        "−80",
+        "60",
+        "206",
+        "2.25",
+    ] {
+        assert!(texts.iter().any(|t| t == expected), "{expected:?} is not among {texts:?}");
+    }
+    // A panel of one series needs no legend; a mark beyond the sweep is not drawn.
+    assert!(!texts.iter().any(|t| t == "ratio" || t == "beyond"), "{texts:?}");
+}
+
+#[test]
+fn values_are_where_the_numbers_say() {
+    let svg = sweep().to_svg();
+    let document = Document::parse(&svg).unwrap();
+    let tick = |words: &str, axis: &str| {
+        let text = document.descendants().find(|n| n.text() == Some(words) && n.has_tag_name("text"));
+        text.unwrap().attribute(axis).unwrap().parse::<f64>().unwrap()
+    };
+    let estimate = &curve(&svg, VERMILION)[0];
+    let (x0, x60) = (tick("0", "x"), tick("60", "x"));
+    // Labels sit a fixed way below their lines.
+    let (y202, y204) = (tick("202", "y"), tick("204", "y"));
+    assert!(y204 < y202, "greater is higher");
+    let value = |y: f64| 204.0 - 2.0 * (y - (y204 - 4.3)) / (y202 - y204);
+    let at = |x: f64| estimate.iter().min_by(|a, b| (a.0 - x).abs().total_cmp(&(b.0 - x).abs())).unwrap();
+    assert!((value(at(x0).1) - 204.0).abs() < 0.01);
+    assert!((value(at(x60).1) - (204.0 - 6e-4 * 3600.0)).abs() < 0.02);
+}
+
+#[test]
+fn a_line_breaks_at_a_gap_in_both() {
+    let figure = sweep();
+    let chains = curve(&figure.to_svg(), BLUE);
+    assert_eq!(chains.len(), 2);
+    let (end, start) = (*chains[0].last().unwrap(), chains[1][0]);
+    assert!(start.0 - end.0 > 100.0, "from 19 to 41 mm");
+    let picture = Pixmap::decode_png(&figure.to_png(1.0).unwrap()).unwrap();
+    for i in 1..20 {
+        let x = end.0 + (start.0 - end.0) * f64::from(i) / 20.0;
+        for y in end.1 as u32 - 10..start.1 as u32 + 10 {
+            assert_ne!(pixel(&picture, (x, f64::from(y)), 1.0), BLUE, "ink in the gap at {x}, {y}");
+        }
+    }
+}
+
+#[test]
+fn the_png_has_its_size_and_its_ink_where_the_svg_has_it() {
+    let figure = sweep();
+    let svg = figure.to_svg();
+    let document = Document::parse(&svg).unwrap();
+    let size = |name| document.root_element().attribute(name).unwrap().parse::<f64>().unwrap();
+    for scale in [1.0, 2.0, 2.5] {
+        let bytes = figure.to_png(scale as f32).unwrap();
+        assert_eq!(&bytes[..8], b"\x89PNG\r\n\x1a\n");
+        let picture = Pixmap::decode_png(&bytes).unwrap();
+        assert_eq!(f64::from(picture.width()), (size("width") * scale).round());
+        assert_eq!(f64::from(picture.height()), (size("height") * scale).round());
+        assert_eq!(pixel(&picture, (2.0, 2.0), scale), (255, 255, 255));
+        // The formula is drawn over all else: inside each chain its own colour is on every place.
+        for chain in curve(&svg, BLUE) {
+            for &place in &chain[1..chain.len() - 1] {
+                let (r, g, b) = pixel(&picture, place, scale);
+                let near = |a: u8, b: u8| a.abs_diff(b) < 70;
+                assert!(near(r, BLUE.0) && near(g, BLUE.1) && near(b, BLUE.2), "{place:?}: {r} {g} {b}");
+            }
+        }
+        // The title is dark and in the upper left.
+        let dark = |x, y| pixel(&picture, (f64::from(x), f64::from(y)), scale).0 < 100;
+        assert!((20..45).any(|y| (28..300).any(|x| dark(x, y))), "no title");
+    }
+}
+
+#[test]
+fn letters_stand_on_their_baseline() {
+    let figure = Figure { title: "LLLL".into(), ..Figure::default() };
+    let document = figure.to_svg();
+    let baseline = Document::parse(&document).unwrap();
+    let title = baseline.descendants().find(|n| n.text() == Some("LLLL") && n.has_tag_name("text")).unwrap();
+    let y = title.attribute("y").unwrap().parse::<u32>().unwrap() * 4;
+    let picture = Pixmap::decode_png(&figure.to_png(4.0).unwrap()).unwrap();
+    let ink = |row: u32| (0..800).filter(|&x| picture.pixel(x, row).unwrap().red() < 128).count();
+    // The foot of an L is wide, its top narrow; capitals are 0.71 em high and the title is 19 units.
+    assert!(ink(y - 2) > 3 * ink(y - 45) && ink(y - 45) > 0);
+    assert_eq!((ink(y + 2), ink(y - 56)), (0, 0));
+}
+
+#[test]
+fn a_name_keeps_its_colour_from_panel_to_panel() {
+    let mut figure = sweep();
+    figure.panels[1].series[0].name = "estimate".into();
+    assert!(!figure.to_svg().contains("#009e73"));
+    figure.panels[1].series[0].name = "ratio".into();
+    assert!(figure.to_svg().contains("#009e73"));
+}
+
+#[test]
+fn the_same_figure_gives_the_same_bytes() {
+    let (one, two) = (sweep(), sweep());
+    assert_eq!(one.to_svg(), two.to_svg());
+    assert_eq!(one.to_png(1.5).unwrap(), two.to_png(1.5).unwrap());
+}
+
+#[test]
+fn more_points_do_not_make_a_longer_document() {
+    let with = |n: u32| {
+        let wave = |i: u32| (f64::from(i), Some((f64::from(i) * 0.37).sin()));
+        let points = (0..n).map(wave).collect();
+        let series = vec![Series { name: "wave".into(), style: Style::Line, points }];
+        Figure { panels: vec![Panel { y_label: "y".into(), series }], ..Figure::default() }.to_svg().len()
+    };
+    assert!(with(1_000_000) < 150_000, "{}", with(1_000_000));
+    assert!(with(1_000_000) < 2 * with(20_000));
+}
+
+#[test]
+fn a_scale_that_cannot_be_is_an_error_that_says_so() {
+    for scale in [0.0, -1.0, f32::NAN, f32::INFINITY] {
+        assert!(matches!(sweep().to_png(scale), Err(RenderError::Scale { .. })));
+    }
+    let error = sweep().to_png(100.0).unwrap_err();
+    let RenderError::TooLarge { fitting, .. } = error else { panic!("{error}") };
+    assert!(sweep().to_png((fitting * 0.99) as f32).is_ok());
+    assert!(error.to_string().contains("take a scale below 7.2"), "{error}");
+}

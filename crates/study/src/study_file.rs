@@ -1,0 +1,342 @@
+//! A study in a file: the flags of `percuss mass` and `percuss sweep`, kept.
+
+use crate::Model;
+use crate::question::{EstimateQuestion, Hold, MassQuestion, Normal};
+use crate::sweep::Vary;
+use nalgebra::Vector3;
+use percuss_dynamics::{Base, Frame};
+use percuss_formats::{LoadError, LoadOptions, Source};
+use percuss_mechanism::{Accept, BuildError, ClosureDescription, ClosureKind};
+use percuss_spatial::{Transform, rotation_from_rpy};
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// A study, read but not yet run.
+#[derive(Clone, Debug)]
+pub struct StudyFile {
+    /// The model with the study's closures.
+    pub model: Model,
+    /// The contact and the conditions.
+    pub question: MassQuestion,
+    /// The range to go through, if any.
+    pub sweep: Option<Vary>,
+    /// Where the sweep's rows go, relative to the study file; none: stdout.
+    pub output: Option<String>,
+}
+
+/// A study that cannot be run.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum StudyFileError {
+    /// The study, or the model it names, cannot be read.
+    #[error(transparent)]
+    Load(#[from] LoadError),
+    /// It is not UTF-8 text.
+    #[error("{path}: error: not UTF-8 text; a study is a TOML file")]
+    NotText {
+        /// The file.
+        path: String,
+    },
+    /// It is no TOML, or has keys that mean nothing; the message says where.
+    #[error("{path}: error: {message}")]
+    Toml {
+        /// The file.
+        path: String,
+        /// What and where.
+        message: String,
+    },
+    /// A value that cannot be.
+    #[error("{path}: error: {key}: {why}")]
+    Value {
+        /// The file.
+        path: String,
+        /// The key.
+        key: &'static str,
+        /// What is wrong.
+        why: String,
+    },
+    /// The model with the study's closures is none.
+    #[error("{path}: error: {source}")]
+    Build {
+        /// The file.
+        path: String,
+        /// What the builder found.
+        source: BuildError,
+    },
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Text {
+    model: ModelText,
+    #[serde(default)]
+    conditions: ConditionsText,
+    #[serde(default)]
+    pose: PoseText,
+    contact: ContactText,
+    #[serde(default)]
+    closure: Vec<ClosureText>,
+    #[serde(default)]
+    hold: Vec<HoldText>,
+    sweep: Option<SweepText>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ModelText {
+    path: String,
+    #[serde(default)]
+    accept: Vec<String>,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ConditionsText {
+    base: Option<String>,
+    #[serde(default)]
+    lock: Vec<String>,
+    #[serde(default)]
+    armature: BTreeMap<String, OneOrMany>,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct PoseText {
+    #[serde(default)]
+    set: BTreeMap<String, Typed>,
+    #[serde(default)]
+    guess: BTreeMap<String, Typed>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ContactText {
+    link: String,
+    point: [f64; 3],
+    normal: Option<[f64; 3]>,
+    along_line: Option<LineText>,
+    frame: Option<String>,
+    against: Option<String>,
+    against_mass: Option<f64>,
+    estimate: Option<EstimateText>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct LineText {
+    link: String,
+    point: [f64; 3],
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct EstimateText {
+    links: Vec<String>,
+    #[serde(default)]
+    point: [f64; 3],
+    direction: Option<[f64; 3]>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct HoldText {
+    link: String,
+    point: [f64; 3],
+    normal: Option<[f64; 3]>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ClosureText {
+    name: String,
+    #[serde(rename = "type")]
+    kind: String,
+    predecessor: String,
+    #[serde(default)]
+    predecessor_xyz: [f64; 3],
+    #[serde(default)]
+    predecessor_rpy: [f64; 3],
+    successor: String,
+    #[serde(default)]
+    successor_xyz: [f64; 3],
+    #[serde(default)]
+    successor_rpy: [f64; 3],
+    axis: Option<[f64; 3]>,
+    axis2: Option<[f64; 3]>,
+    distance: Option<f64>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SweepText {
+    vary: String,
+    output: Option<String>,
+}
+
+/// A position: a number, numbers, or text with units.
+#[derive(Deserialize)]
+#[serde(untagged)]
+enum Typed {
+    Text(String),
+    One(f64),
+    Many(Vec<f64>),
+}
+
+#[derive(Deserialize)]
+#[serde(untagged)]
+enum OneOrMany {
+    One(f64),
+    Many(Vec<f64>),
+}
+
+impl Typed {
+    fn text(&self) -> String {
+        match self {
+            Typed::Text(text) => text.clone(),
+            Typed::One(x) => x.to_string(),
+            Typed::Many(xs) => xs.iter().map(f64::to_string).collect::<Vec<_>>().join(","),
+        }
+    }
+}
+
+impl StudyFile {
+    /// Reads a study and the model it names (relative to the study's folder). At most `max_size` bytes each.
+    ///
+    /// # Errors
+    /// [`StudyFileError`]: files that cannot be read, keys that mean nothing, values that cannot be.
+    pub fn load(path: &str, max_size: u64) -> Result<Self, StudyFileError> {
+        let source = Source::read(path, max_size)?;
+        let path = source.name.clone();
+        let text = String::from_utf8(source.bytes.clone())
+            .map_err(|_| StudyFileError::NotText { path: path.clone() })?;
+        let study: Text = toml::from_str(&text).map_err(|e| StudyFileError::Toml {
+            path: path.clone(),
+            message: e.to_string().trim().to_owned(),
+        })?;
+        let value = |key: &'static str, why: String| StudyFileError::Value { path: path.clone(), key, why };
+        let mut accept = Accept::default();
+        for word in &study.model.accept {
+            match word.as_str() {
+                "indefinite-inertia" => accept.indefinite_inertia = true,
+                _ => {
+                    return Err(value("model.accept", format!("\"{word}\"; known is \"indefinite-inertia\"")));
+                }
+            }
+        }
+        let folder = Path::new(&path).parent().unwrap_or(Path::new(""));
+        let model_path = folder.join(&study.model.path);
+        let mut model = Model::load(&model_path.to_string_lossy(), max_size, &LoadOptions { accept })?;
+        if !study.closure.is_empty() {
+            let closures = study.closure.iter().map(|c| c.describe(&value)).collect::<Result<Vec<_>, _>>()?;
+            model = with_closures(model, closures)
+                .map_err(|source| StudyFileError::Build { path: path.clone(), source })?;
+        }
+        let question = study.question(&value)?;
+        let sweep = study
+            .sweep
+            .as_ref()
+            .map(|s| Vary::parse(&s.vary))
+            .transpose()
+            .map_err(|why| value("sweep.vary", why))?;
+        let output =
+            study.sweep.and_then(|s| s.output).map(|o| folder.join(o).to_string_lossy().into_owned());
+        Ok(Self { model, question, sweep, output })
+    }
+}
+
+type Refuse<'a> = dyn Fn(&'static str, String) -> StudyFileError + 'a;
+
+impl Text {
+    fn question(&self, value: &Refuse) -> Result<MassQuestion, StudyFileError> {
+        let contact = &self.contact;
+        let normal = match (&contact.along_line, contact.normal) {
+            (Some(line), None) => Normal::Toward(line.link.clone(), line.point),
+            (None, Some(normal)) => Normal::Along(normal),
+            _ => return Err(value("contact", "give either normal or along_line".into())),
+        };
+        let frame = match contact.frame.as_deref() {
+            None | Some("link") => Frame::Link,
+            Some("world") => Frame::World,
+            Some("against") => Frame::Against,
+            Some(other) => {
+                return Err(value("contact.frame", format!("\"{other}\"; wanted link, world or against")));
+            }
+        };
+        let base = match self.conditions.base.as_deref() {
+            None | Some("fixed") => Base::Fixed,
+            Some("floating") => Base::Floating,
+            Some(other) => {
+                return Err(value("conditions.base", format!("\"{other}\"; wanted fixed or floating")));
+            }
+        };
+        if contact.against.is_some() && contact.against_mass.is_some() {
+            return Err(value("contact", "give either against or against_mass".into()));
+        }
+        let typed = |map: &BTreeMap<String, Typed>| map.iter().map(|(j, v)| (j.clone(), v.text())).collect();
+        Ok(MassQuestion {
+            link: contact.link.clone(),
+            point: contact.point,
+            normal,
+            frame,
+            against: contact.against.clone(),
+            against_mass: contact.against_mass,
+            set: typed(&self.pose.set),
+            guess: typed(&self.pose.guess),
+            lock: self.conditions.lock.clone(),
+            hold: self
+                .hold
+                .iter()
+                .map(|h| Hold { link: h.link.clone(), point: h.point, normal: h.normal })
+                .collect(),
+            armature: self
+                .conditions
+                .armature
+                .iter()
+                .map(|(joint, values)| match values {
+                    OneOrMany::One(x) => (joint.clone(), vec![*x]),
+                    OneOrMany::Many(xs) => (joint.clone(), xs.clone()),
+                })
+                .collect(),
+            base,
+            estimate: match &contact.estimate {
+                Some(e) if e.links.is_empty() => {
+                    return Err(value(
+                        "contact.estimate.links",
+                        "it is empty; name at least one link".into(),
+                    ));
+                }
+                Some(e) => {
+                    Some(EstimateQuestion { links: e.links.clone(), point: e.point, direction: e.direction })
+                }
+                None => None,
+            },
+        })
+    }
+}
+
+impl ClosureText {
+    fn describe(&self, value: &Refuse) -> Result<ClosureDescription, StudyFileError> {
+        let named = if self.kind == "continuous" { "revolute" } else { &self.kind };
+        let Some(kind) = ClosureKind::ALL.into_iter().find(|k| k.name() == named) else {
+            let known: Vec<&str> = ClosureKind::ALL.iter().map(|k| k.name()).collect();
+            return Err(value("closure.type", format!("\"{}\"; known are {}", self.kind, known.join(", "))));
+        };
+        let frame = |xyz: [f64; 3], rpy| Transform::new(rotation_from_rpy(rpy), xyz.into());
+        let mut closure = ClosureDescription::new(&self.name, kind, &self.predecessor, &self.successor);
+        closure.predecessor_frame = frame(self.predecessor_xyz, self.predecessor_rpy);
+        closure.successor_frame = frame(self.successor_xyz, self.successor_rpy);
+        closure.axis = self.axis.map_or(closure.axis, Vector3::from);
+        closure.axis2 = self.axis2.map_or(closure.axis2, Vector3::from);
+        closure.distance = self.distance;
+        Ok(closure)
+    }
+}
+
+/// The model with more closures than its file has.
+fn with_closures(model: Model, closures: Vec<ClosureDescription>) -> Result<Model, BuildError> {
+    let builder = closures.into_iter().fold(model.mechanism.to_builder(), |b, closure| b.closure(closure));
+    // What the builder finds about the file was told with its place when the file was read.
+    let mechanism = builder.build()?.mechanism;
+    Ok(Model { mechanism: std::sync::Arc::new(mechanism), ..model })
+}
