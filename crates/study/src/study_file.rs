@@ -220,7 +220,10 @@ impl StudyFile {
             match word.as_str() {
                 "indefinite-inertia" => accept.indefinite_inertia = true,
                 _ => {
-                    return Err(value("model.accept", format!("\"{word}\"; known is \"indefinite-inertia\"")));
+                    return Err(value(
+                        "model.accept",
+                        format!("\"{word}\"; known is \"indefinite-inertia\""),
+                    ));
                 }
             }
         }
