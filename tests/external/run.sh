@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Compares percuss with Pinocchio and MuJoCo on the robots of example-robot-data. README.md says what and how.
+# Compares percuss with Pinocchio and MuJoCo: robots of example-robot-data, closed linkages, reference files. README.md says
+# what and how.
 # Needs python3 and, the first time, the network. Options go to compare.py (--only NAME, --update-ledger, …).
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
@@ -13,6 +14,16 @@ if ! cmp -s "$here/requirements.txt" "$venv/requirements.txt"; then
   # Last, so that a venv that was only half made is made again.
   cp "$here/requirements.txt" "$venv/requirements.txt"
 fi
-cargo build --quiet --release -p percuss-tests --bin percuss-probe
+cargo build --quiet --release -p percuss-tests --bins -p percuss-cli
 export PYTHONDONTWRITEBYTECODE=1 OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
-exec "$venv/bin/python" "$here/compare.py" --probe "$target/release/percuss-probe" "$@"
+failed=0
+"$venv/bin/python" "$here/compare.py" --probe "$target/release/percuss-probe" "$@" || failed=1
+"$venv/bin/python" "$here/loops.py" --percuss "$target/release/percuss" || failed=1
+# Reference files of the loop dialect, where they are at hand: beside the repository, or where PERCUSS_REFERENCE says.
+reference=${PERCUSS_REFERENCE:-../shared/data}
+if [ -d "$reference" ]; then
+  "$target/release/percuss-reference" "$reference"/urdf-plus/*.urdf "$reference"/rounded/*.urdf || failed=1
+else
+  echo "reference files: not at hand ($reference), not compared"
+fi
+exit $failed

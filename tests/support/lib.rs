@@ -7,3 +7,4 @@ pub mod differences;
 pub mod gauge;
 pub mod judge;
 pub mod motion;
+pub mod rig;

@@ -63,8 +63,9 @@ Examples:
   Over a joint's range, as CSV:
     percuss sweep models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0 --vary crank_hinge=0:360deg:361
   Over the travel of a wheel's centre, as a plot:
-    percuss sweep car.urdf --link lower_arm --point 0,0.3,0 --along-line chassis:0,0.3,0.4 --against chassis \\
-        --vary travel:spindle:0,0,0:0,0,1=-80mm:80mm:161 --estimate spindle,upright --output travel.svg
+    percuss sweep models/double_wishbone.urdf --link spring_seat --point 0,0,0 \\
+        --along-line spring_chassis_seat:0,0,0 --vary travel:spindle:0,0,0:0,0,1=-80mm:80mm:161 \\
+        --estimate spindle,upright --output travel.svg
 
 The file's ending chooses the format: .csv, .json, .svg or .png; without --output, CSV goes to stdout. A row that cannot be
 reached says so and the sweep goes on; exit 1 if none can.";
@@ -88,12 +89,13 @@ Examples:
   A pendulum strikes a stop 0.8 m below its hinge:
     percuss mass models/point_mass_pendulum.urdf --link rod --point 0,0,-0.8 --normal 1,0,0
   An arm in a pose, its tool pushed down along the world's z:
-    percuss mass models/six_r_arm.urdf --link tool --point 0,0,0 --normal 0,0,-1 --frame world \\
+    percuss mass models/six_r_arm.urdf --link tool --point 0.08,0,0 --normal 0,0,-1 --normal-frame world \\
         --set shoulder=-40deg --set elbow=70deg
   Felt by a spring, along its line to a seat on another link:
-    percuss mass car.urdf --link lower_arm --point 0.3,0,50mm --along-line chassis:0.3,0,0.4 --against chassis
+    percuss mass models/double_wishbone.urdf --link spring_seat --point 0,0,0 --along-line spring_chassis_seat:0,0,0
   The classical estimate beside it, and why it is off:
-    percuss mass car.urdf … --estimate spindle,upright:0,0,0:0,0,1
+    percuss mass models/double_wishbone.urdf --link spring_seat --point 0,0,0 \\
+        --along-line spring_chassis_seat:0,0,0 --estimate spindle,upright:0,0,0:0,0,1
   A free body of 2 kg strikes it:
     percuss mass models/physical_pendulum.urdf --link body --point 0,0,-0.5 --normal 1,0,0 --against-mass 2kg
   In a regression test, against a closed form:
@@ -174,6 +176,16 @@ pub enum FrameArg {
     Against,
 }
 
+impl From<FrameArg> for Frame {
+    fn from(frame: FrameArg) -> Self {
+        match frame {
+            FrameArg::Link => Frame::Link,
+            FrameArg::World => Frame::World,
+            FrameArg::Against => Frame::Against,
+        }
+    }
+}
+
 /// How the root link stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum BaseArg {
@@ -205,9 +217,12 @@ pub struct ContactArgs {
     /// The normal points from the contact point towards this point (m) of a link, in that link's frame.
     #[arg(long, value_name = "LINK:X,Y,Z", value_parser = line)]
     pub along_line: Option<(String, [f64; 3])>,
-    /// In which frame the point and the normal are given.
+    /// In which frame the point and the normal are given, both.
     #[arg(long, value_enum, default_value_t = FrameArg::Link)]
     pub frame: FrameArg,
+    /// In which frame the normal is given, where it is not that of the point.
+    #[arg(long, value_enum)]
+    pub normal_frame: Option<FrameArg>,
     /// The other link; the ground if none is given.
     #[arg(long, value_name = "LINK")]
     pub against: Option<String>,
@@ -346,11 +361,8 @@ impl ContactArgs {
             link: self.link.clone(),
             point: self.point,
             normal,
-            frame: match self.frame {
-                FrameArg::Link => Frame::Link,
-                FrameArg::World => Frame::World,
-                FrameArg::Against => Frame::Against,
-            },
+            frame: self.frame.into(),
+            normal_frame: self.normal_frame.unwrap_or(self.frame).into(),
             against: self.against.clone(),
             against_mass: self.against_mass,
             set: self.set.clone(),

@@ -50,7 +50,7 @@ pub fn of_sweep(report: &SweepReport) -> String {
             row.status.into(),
             cell(row.effective_mass),
             cell(row.closure_residual),
-            row.singular_pose.to_string(),
+            row.singular_pose.map_or_else(String::new, |s| s.to_string()),
             cell(row.motion_ratio),
             cell(row.estimate),
             cell(row.estimate_error_percent),
@@ -95,13 +95,18 @@ impl Table {
     fn position(&mut self, joint: &str, values: &[f64]) {
         for (i, value) in values.iter().enumerate() {
             self.header.push(if values.len() == 1 { joint.to_owned() } else { format!("{joint}[{i}]") });
-            self.row.push(format!("{value}"));
+            self.row.push(number(*value));
         }
     }
 }
 
 fn cell(value: Option<f64>) -> String {
-    value.map_or_else(String::new, |v| format!("{v}"))
+    value.map_or_else(String::new, number)
+}
+
+/// The shortest digits that read back as the same number; with an exponent where zeros would fill the cell.
+fn number(x: f64) -> String {
+    if x == 0.0 || (1e-5..1e16).contains(&x.abs()) { format!("{x}") } else { format!("{x:e}") }
 }
 
 fn line(cells: &[String]) -> String {

@@ -9,6 +9,12 @@ use percuss_study::DiagnosticRecord;
 
 /// Runs the command.
 pub fn run(args: &ImportArgs) -> Result<(), Failure> {
+    let same = |a: &str, b: &str| {
+        std::fs::canonicalize(a).ok().zip(std::fs::canonicalize(b).ok()).is_some_and(|(a, b)| a == b)
+    };
+    if args.output != "-" && same(&args.hardpoints, &args.output) {
+        return Err(Failure::bad_input(format!("--output {} is the hardpoint file itself", args.output)));
+    }
     let source = Source::read(&args.hardpoints, args.max_size)?;
     let imported = import(&source, &options(args))?;
     let diagnostics: Vec<DiagnosticRecord> = imported.diagnostics.into_iter().map(Into::into).collect();

@@ -125,7 +125,11 @@ fn estimated(record: &EstimateRecord) -> String {
 /// What the answer stands on.
 fn facts(report: &MassReport) -> Vec<(&'static str, String)> {
     let contact = &report.contact;
-    let against = contact.against.as_deref().unwrap_or("the ground");
+    let against = match (report.conditions.against_mass, contact.against.as_deref()) {
+        (Some(mass), _) => format!("a free body of {} kg", number(mass)),
+        (None, Some(link)) => link.to_owned(),
+        (None, None) => "the ground".to_owned(),
+    };
     let list = |names: &[String]| {
         const SHOWN: usize = 8;
         let position = |name: &String| match report.pose.get(name).map(Vec::as_slice) {
@@ -149,7 +153,7 @@ fn facts(report: &MassReport) -> Vec<(&'static str, String)> {
             "in the world",
             format!("point {} m, normal {}", triple(&contact.point_world), triple(&contact.normal_world)),
         ),
-        ("against", against.to_owned()),
+        ("against", against),
         ("base", assumed.base.clone()),
         ("free joints", list(&assumed.free)),
     ];
@@ -158,6 +162,11 @@ fn facts(report: &MassReport) -> Vec<(&'static str, String)> {
     }
     if !assumed.locked.is_empty() {
         facts.push(("locked joints", list(&assumed.locked)));
+    }
+    for hold in &report.conditions.hold {
+        let along =
+            hold.normal.map_or_else(|| "in all directions".to_owned(), |n| format!("along {}", triple(&n)));
+        facts.push(("held", format!("{} at {} m, {along}", hold.link, triple(&hold.point))));
     }
     if !assumed.drivers.is_empty() {
         facts.push(("loops driven by", list(&assumed.drivers)));

@@ -112,6 +112,6 @@ fn figure(report: &SweepReport) -> Figure {
         subtitle: report.inputs.first().map_or_else(String::new, |input| input.path.clone()),
         x_label: format!("{} ({unit})", report.varied),
         panels,
-        marks: report.rows.iter().filter(|row| row.singular_pose).map(mark).collect(),
+        marks: report.rows.iter().filter(|row| row.singular_pose == Some(true)).map(mark).collect(),
     }
 }

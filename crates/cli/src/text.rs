@@ -36,8 +36,8 @@ pub fn triple(v: &[f64; 3]) -> String {
 pub fn bar(share: f64, width: usize) -> String {
     let eighths = (share.clamp(0.0, 1.0) * width as f64 * 8.0).round() as usize;
     let mut text = "█".repeat(eighths / 8);
-    if eighths % 8 > 0 {
-        text.push(['▏', '▎', '▍', '▌', '▋', '▊', '▉'][eighths % 8 - 1]);
+    if let Some(part) = (eighths % 8).checked_sub(1) {
+        text.push(['▏', '▎', '▍', '▌', '▋', '▊', '▉'][part]);
     }
     text
 }

@@ -50,7 +50,7 @@ pub enum ConfigurationError {
         got: usize,
     },
     /// NaN or infinite.
-    #[error("joint \"{joint}\" is set to {value}; a finite number is wanted")]
+    #[error("joint \"{joint}\" is set to {value:e}; a finite number of at most 1e100 is wanted")]
     NotFinite {
         /// The joint.
         joint: String,
@@ -92,10 +92,11 @@ impl Configuration {
             let master = self.mechanism.joint(mimic.master).name().to_owned();
             return Err(ConfigurationError::Mimic { joint: joint.to_owned(), master });
         }
-        if std::mem::replace(&mut self.given[id.index()], true) {
+        if self.given[id.index()] {
             return Err(ConfigurationError::Twice { joint: joint.to_owned() });
         }
         self.values[id.index()] = checked(found, values)?;
+        self.given[id.index()] = true;
         Ok(self)
     }
 
@@ -128,8 +129,7 @@ impl Configuration {
     pub(crate) fn guess_for(&self, system: &System, group: &Group) -> Option<Vec<f64>> {
         let mut any = false;
         let mut q = self.values.concat();
-        for &c in &group.coordinates {
-            let id = system.joint_of_coordinate(c)?;
+        for id in group.joints.iter().copied().flatten() {
             if let Some(guess) = &self.guesses[id.index()] {
                 any = true;
                 q[system.joint_q[id.index()].clone()].copy_from_slice(guess);

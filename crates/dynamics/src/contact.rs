@@ -69,7 +69,7 @@ impl Contact {
 #[non_exhaustive]
 pub enum ContactError {
     /// NaN, infinite or absurdly large.
-    #[error("the contact {what} has a component {value}; a finite number is wanted")]
+    #[error("the contact {what} has a component {value:e}; a finite number of at most 1e100 is wanted")]
     NotFinite {
         /// `point`, `normal` or `line`.
         what: &'static str,

@@ -33,15 +33,33 @@ impl<T: Scalar> Kinematics<T> {
                 self.q[range.start] = T::from_f64(mimic.multiplier) * master + T::from_f64(mimic.offset);
             }
         }
-        for (i, body) in system.bodies.iter().enumerate() {
-            if body.joint.is_some() {
-                self.steps[i] = body.origin.cast() * body.motion.transform(&self.q[body.q.clone()]);
-            }
-            self.frames[i] = match body.parent {
-                Some(parent) => self.frames[parent] * self.steps[i],
-                None => self.steps[i],
-            };
+        for i in 0..system.bodies.len() {
+            self.place(system, i);
         }
+    }
+
+    /// As [`refill`](Self::refill), but of these bodies alone (parents first, each with all those above it).
+    pub fn refill_bodies(&mut self, system: &System, bodies: &[usize]) {
+        for &i in bodies {
+            let body = &system.bodies[i];
+            if let Some(mimic) = body.joint.and_then(|id| system.mechanism.joint(id).mimic()) {
+                let master = self.q[system.joint_q[mimic.master.index()].start];
+                self.q[body.q.start] = T::from_f64(mimic.multiplier) * master + T::from_f64(mimic.offset);
+            }
+            self.place(system, i);
+        }
+    }
+
+    #[inline]
+    fn place(&mut self, system: &System, i: usize) {
+        let body = &system.bodies[i];
+        if body.joint.is_some() {
+            self.steps[i] = body.origin.cast() * body.motion.transform(&self.q[body.q.clone()]);
+        }
+        self.frames[i] = match body.parent {
+            Some(parent) => self.frames[parent] * self.steps[i],
+            None => self.steps[i],
+        };
     }
 
     /// Motion column `k` of body `i`, in the body's axes at its origin.

@@ -31,6 +31,7 @@ pub use configuration::{Configuration, ConfigurationError};
 pub use contact::{Contact, ContactError, Direction, Frame, LocatedContact};
 pub use forward_dynamics::{Accelerations, PointForce};
 pub use loops::assembly::AssemblyError;
+pub use loops::freedom::{PoseRank, Singularity};
 pub use loops::posing::LoopState;
 pub use motion::PointVelocity;
 pub use operational_inertia::InverseOperationalInertia;

@@ -26,11 +26,33 @@ impl System {
         link: LinkId,
         point: &Vector3<f64>,
     ) -> Option<PointVelocity> {
+        self.velocity_against(pose, strike, link, point, strike.contact.against)
+    }
+
+    /// The same relative to the ground, whatever the other side is.
+    pub fn point_velocity_over_ground(
+        &self,
+        pose: &Pose,
+        strike: &Strike,
+        link: LinkId,
+        point: &Vector3<f64>,
+    ) -> Option<PointVelocity> {
+        self.velocity_against(pose, strike, link, point, None)
+    }
+
+    fn velocity_against(
+        &self,
+        pose: &Pose,
+        strike: &Strike,
+        link: LinkId,
+        point: &Vector3<f64>,
+        against: Option<LinkId>,
+    ) -> Option<PointVelocity> {
         let EffectiveMass::Finite(_) = strike.effective_mass else { return None };
         let at = pose.kinematics.link_frame(self, link).point(point);
         let mut columns = vec![Vector3::zeros(); self.follows.len()];
         let on = self.seats[link.index()].body;
-        let against = strike.contact.against.and_then(|l| self.seats[l.index()].body);
+        let against = against.and_then(|l| self.seats[l.index()].body);
         self.for_each_relative_twist(&pose.kinematics, on, against, &at, |v, twist| {
             columns[v] = twist.linear
         });

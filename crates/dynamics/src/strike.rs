@@ -102,6 +102,11 @@ pub enum Remark {
     },
     /// v* is open by a massless motion; m̄ and the shares are not.
     UndeterminedMotion,
+    /// The pose is so near to where branches cross that the rank of its constraints is in doubt.
+    UnclearRank {
+        /// Between the singular values that count and those that do not.
+        gap: f64,
+    },
     /// M has negative directions (accepted indefinite inertias): m̄ is a stationary value, no minimum.
     IndefiniteMassMatrix,
 }
@@ -187,7 +192,7 @@ impl System {
     }
 
     /// Route A on bare kinematics.
-    fn least_energy(&self, kinematics: &Kinematics<f64>, contact: &LocatedContact) -> Solution {
+    pub(crate) fn least_energy(&self, kinematics: &Kinematics<f64>, contact: &LocatedContact) -> Solution {
         let mass = self.reduce(&mass_matrix::over_tree(self, kinematics));
         let sizes = mass_matrix::diagonal_sizes(self, kinematics);
         let (row, row_size) = row_over_tree(self, kinematics, contact);
@@ -245,6 +250,10 @@ impl System {
         strike.condition = solution.condition;
         strike.degrees_of_freedom = solution.mobility;
         strike.singular_pose = solution.mobility > self.degrees_of_freedom();
+        let rank = self.rank_at(pose);
+        if let Some(gap) = rank.gap.filter(|_| !rank.clear) {
+            remarks.push(Remark::UnclearRank { gap });
+        }
         strike.remarks = remarks;
         // A singular M has no condition; its pivots say how far the rest of it stretches rounding.
         let spread = if strike.condition.is_none() { solution.pivot_spread } else { 0.0 };
@@ -306,12 +315,19 @@ impl System {
         }
     }
 
-    /// How far a unit rate of each coordinate moves a point at the characteristic length.
+    /// How far a unit rate of each coordinate moves a point at the characteristic length; a coordinate that mimics
+    /// share is measured at its master.
     pub(crate) fn coordinate_lengths(&self) -> Vec<f64> {
+        let length = self.mechanism.characteristic_length();
         let mut lengths = vec![1.0; self.coordinates];
-        for (v, length) in self.tree_lengths() {
-            if let Some(f) = self.follows[v].filter(|f| f.multiplier == 1.0) {
-                lengths[f.index] = length;
+        for body in &self.bodies {
+            if body.joint.is_some_and(|id| self.mechanism.joint(id).mimic().is_some()) {
+                continue;
+            }
+            for (k, v) in body.v.clone().enumerate() {
+                if let Some(f) = self.follows[v] {
+                    lengths[f.index] = if body.motion.turns(k) { length } else { 1.0 };
+                }
             }
         }
         lengths

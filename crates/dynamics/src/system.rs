@@ -118,7 +118,8 @@ impl System {
         }
         system.number_coordinates();
         system.compile_loops();
-        if !system.groups.is_empty() && system.locked.contains(&true) {
+        // Asked of the conditions, not of the joints: a mimic with multiplier 0 stands still without any lock.
+        if !system.groups.is_empty() && !conditions.locked.is_empty() {
             let unlocked = Conditions { locked: Vec::new(), held: Vec::new(), ..conditions.clone() };
             system.unlocked = Some(Arc::new(System::new(mechanism, &unlocked)?));
         }

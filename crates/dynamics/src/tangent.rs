@@ -75,6 +75,32 @@ pub(crate) fn advanced(kind: JointKind, q: &[f64], v: &[f64], h: f64) -> Vec<f64
     step(&step(q, h / 2.0), h)
 }
 
+/// The velocities that take one joint from `from` to `to` in unit time, a turn along the shorter way; exact for joints
+/// whose rates are their velocities and for spherical ones, to second order for floating ones.
+pub(crate) fn displacement(kind: JointKind, from: &[f64], to: &[f64]) -> Vec<f64> {
+    let turn = |a: &[f64], b: &[f64]| {
+        let d = quaternion_product([a[0], -a[1], -a[2], -a[3]], [b[0], b[1], b[2], b[3]]);
+        let axis = Vector3::new(d[1], d[2], d[3]) * if d[0] < 0.0 { -1.0 } else { 1.0 };
+        let sine = axis.norm();
+        if sine > 0.0 { axis * (2.0 * sine.atan2(d[0].abs()) / sine) } else { axis }
+    };
+    match kind {
+        JointKind::Fixed
+        | JointKind::Revolute
+        | JointKind::Continuous
+        | JointKind::Prismatic
+        | JointKind::Planar => from.iter().zip(to).map(|(a, b)| b - a).collect(),
+        JointKind::Spherical => turn(from, to).as_slice().to_vec(),
+        JointKind::Floating => {
+            let w = turn(&from[3..], &to[3..]);
+            let slide = Vector3::new(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
+            let half = advanced(JointKind::Spherical, &from[3..], (w / 2.0).as_slice(), 1.0);
+            let v = rotation_from_quaternion([half[0], half[1], half[2], half[3]]).tr_mul(&slide);
+            vec![w.x, w.y, w.z, v.x, v.y, v.z]
+        }
+    }
+}
+
 /// Scales a quaternion in `q` to unit norm.
 pub(crate) fn normalise(kind: JointKind, q: &mut [f64]) {
     let quaternion = match kind {

@@ -154,7 +154,7 @@ impl MechanismBuilder {
             let parent = &mut links[joint.parent.index()];
             parent.extent = parent.extent.max(reach);
         }
-        let length = characteristic_length(&links, &joints, tree.root);
+        let length = characteristic_length(&links, &joints, &self.closures, tree.root);
         for (i, link) in self.links.iter().enumerate() {
             let problem = match &link.inertial {
                 Some(inertial) => inertia_check::check(inertial, length, self.accept.indefinite_inertia),
@@ -256,14 +256,17 @@ impl MechanismBuilder {
                     multiplier: mimic.multiplier,
                     offset: mimic.offset,
                 };
-                resolved[i] = Some(match resolved[master] {
+                let folded = match resolved[master] {
                     None => own,
                     Some(further) => Mimic {
                         master: further.master,
                         multiplier: own.multiplier * further.multiplier,
                         offset: own.offset + own.multiplier * further.offset,
                     },
-                });
+                };
+                // Each factor of a chain is sane; their product need not be.
+                check.sane(&self.tree_joint(i), "mimic", [&folded.multiplier, &folded.offset]);
+                resolved[i] = Some(folded);
             }
         }
         resolved
@@ -344,10 +347,15 @@ fn gyration(inertial: &Inertial) -> f64 {
     if inertial.mass > 0.0 { (inertial.about_com.trace().abs() / inertial.mass).sqrt() } else { 0.0 }
 }
 
-/// The greatest distance between a link's origin and its centre of mass, its shape's end or a joint below it, the
-/// root aside; where all are zero, the greatest radius of gyration. (Gyration comes last: files give bare frames a
+/// The greatest distance between a link's origin and its centre of mass, its shape's end, a joint below it or a loop
+/// that takes hold of it, the root aside; where all are zero, the greatest radius of gyration. (Gyration comes last: files give bare frames a
 /// tiny mass with any inertia.)
-fn characteristic_length(links: &[Link], joints: &[Joint], root: LinkId) -> f64 {
+fn characteristic_length(
+    links: &[Link],
+    joints: &[Joint],
+    closures: &[ClosureDescription],
+    root: LinkId,
+) -> f64 {
     let reach = |link: &Link| {
         let shape = match link.geometry {
             Geometry::None | Geometry::Mesh => 0.0,
@@ -357,8 +365,14 @@ fn characteristic_length(links: &[Link], joints: &[Joint], root: LinkId) -> f64 
     };
     let of_links = links.iter().enumerate().filter(|&(i, _)| i != root.index()).map(|(_, l)| reach(l));
     let of_joints = joints.iter().filter(|j| j.parent != root).map(|j| j.origin.translation.norm());
+    let root_name = &links[root.index()].name;
+    let of_closures = closures
+        .iter()
+        .flat_map(|c| [(&c.predecessor, &c.predecessor_frame), (&c.successor, &c.successor_frame)])
+        .filter(|(link, _)| *link != root_name && *link != "world")
+        .map(|(_, frame)| frame.translation.norm());
     let lengths = [
-        of_links.chain(of_joints).fold(0.0, f64::max),
+        of_links.chain(of_joints).chain(of_closures).fold(0.0, f64::max),
         links[root.index()].extent,
         links.iter().map(|l| l.extent).fold(0.0, f64::max),
     ];

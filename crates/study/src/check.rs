@@ -114,7 +114,7 @@ pub fn check(model: &Model) -> Result<CheckReport, StudyError> {
     Ok(CheckReport {
         schema: "percuss.check/1",
         percuss: env!("CARGO_PKG_VERSION"),
-        inputs: vec![model.input.clone()],
+        inputs: model.inputs.clone(),
         name: mechanism.name().to_owned(),
         root: mechanism.link(mechanism.root()).name().to_owned(),
         links: links(mechanism),

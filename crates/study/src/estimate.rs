@@ -36,6 +36,12 @@ pub(crate) fn estimate(
 ) -> Result<EstimateRecord, StudyError> {
     let mechanism = system.mechanism();
     let links = question.links.iter().map(|l| mechanism.find_link(l)).collect::<Result<Vec<_>, _>>()?;
+    if let Some(i) = (1..links.len()).find(|&i| links[..i].contains(&links[i])) {
+        return Err(StudyError::EstimateTwice { link: question.links[i].clone() });
+    }
+    if let Some(&value) = question.point.iter().find(|x| !(x.is_finite() && x.abs() <= 1e100)) {
+        return Err(StudyError::EstimatePoint { value });
+    }
     let direction = question.direction.map(Vector3::from);
     if let Some(length) = direction.map(|d| d.norm()).filter(|n| !(*n >= 1e-9 && n.is_finite())) {
         return Err(StudyError::EstimateDirection { length });

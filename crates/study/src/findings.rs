@@ -6,6 +6,9 @@ use nalgebra::Vector3;
 use percuss_dynamics::{Contact, EffectiveMass, PointVelocity, Pose, Remark, RouteChoice, Strike, System};
 use percuss_mechanism::Severity;
 
+/// A finite answer that is less certain than this comes with a warning.
+const DOUBTFUL: f64 = 1e-6;
+
 fn warning(code: &'static str, message: String) -> DiagnosticRecord {
     DiagnosticRecord::about_answer(Severity::Warning, code, message)
 }
@@ -68,7 +71,20 @@ pub(crate) fn about_pose(system: &System, pose: &Pose) -> Vec<DiagnosticRecord> 
 pub(crate) fn about_strike(system: &System, contact: &Contact, strike: &Strike) -> Vec<DiagnosticRecord> {
     let mut found: Vec<DiagnosticRecord> =
         far_point::doubt(system.mechanism(), contact.link, &contact.point).into_iter().collect();
-    found.extend(strike.remarks.iter().map(remark));
+    let finite = matches!(strike.effective_mass, EffectiveMass::Finite(_));
+    // A massless answer says it already.
+    let told = |r: &&Remark| finite || !matches!(r, Remark::MasslessMotions { .. });
+    found.extend(strike.remarks.iter().filter(told).map(remark));
+    if let (EffectiveMass::Finite(m), Some(error)) = (strike.effective_mass, strike.effective_mass_error)
+        && error > DOUBTFUL * m
+    {
+        let message = format!(
+            "the effective mass is uncertain by {:.1e} of itself: the pose is close to a singular one, or the mass matrix \
+             is; do not trust its digits beyond that",
+            error / m
+        );
+        found.push(warning("uncertain-mass", message));
+    }
     if strike.singular_pose {
         let message = format!(
             "singular pose (change point): {} degrees of freedom here, {} at a generic pose; branches cross, and the value \
@@ -96,17 +112,36 @@ pub(crate) fn about_holds(
         let system = without.system(&model.mechanism)?;
         let strike = system.strike(pose, contact, RouteChoice::Auto)?;
         let link = model.mechanism.find_link(&hold.link)?;
-        let velocity = system.point_velocity(pose, &strike, link, &Vector3::from(hold.point));
-        // The blow changes velocities by −v*: approaching the ground is −v*·n > 0.
-        if let (Some(PointVelocity::Known(v)), EffectiveMass::Finite(m)) = (velocity, strike.effective_mass)
-            && v.dot(&Vector3::from(normal).normalize()) > 1e-9
-        {
+        let velocity =
+            system.point_velocity_over_ground(pose, &strike, link, &Vector3::from(hold.point));
+        // The blow changes velocities by −v*: the point approaches what it is held to where −v*·n > 0.
+        let n = Vector3::from(normal).normalize();
+        let lifts = match velocity {
+            Some(PointVelocity::Known(v)) => pose.base().vector(&v).dot(&n) > 1e-9,
+            Some(PointVelocity::Undetermined) | None => false,
+        };
+        if lifts {
+            let without = match question.against_mass {
+                Some(other) => strike.against_mass(other).effective_mass,
+                None => strike.effective_mass,
+            };
+            let value = match without {
+                EffectiveMass::Finite(m) => format!("the effective mass is {m} kg"),
+                EffectiveMass::Immovable => "the contact is immovable".into(),
+                EffectiveMass::Massless => "the contact is massless".into(),
+            };
             let message = format!(
-                "the held contact of link \"{}\" would have to pull: the blow lifts it off; without it the effective mass \
-                 is {m} kg",
+                "the held contact of link \"{}\" would have to pull: the blow lifts it off; without it {value}",
                 hold.link
             );
             found.push(warning("hold-pulls", message));
+        } else if !matches!(strike.effective_mass, EffectiveMass::Finite(_)) || velocity == Some(PointVelocity::Undetermined) {
+            let message = format!(
+                "without the held contact of link \"{}\" the motion of the blow is not determined: whether it pulls cannot \
+                 be said",
+                hold.link
+            );
+            found.push(note("hold-undetermined", message));
         }
     }
     Ok(found)

@@ -18,7 +18,9 @@ mod sweep;
 
 pub use check::{CheckReport, ClosureRecord, JointRecord, LinkRecord, check};
 pub use estimate::EstimateRecord;
-pub use mass::{Assumptions, BodyShare, ContactRecord, MassReport, RotorShare, Status, mass};
+pub use mass::{
+    Assumptions, BodyShare, ConditionsRecord, ContactRecord, HoldRecord, MassReport, RotorShare, Status, mass,
+};
 pub use model::{Input, Model};
 pub use quantity::{Dimension, Quantity, QuantityError, parse_list, parse_triple};
 pub use question::{EstimateQuestion, Hold, MassQuestion, Normal, StudyError};

@@ -84,6 +84,51 @@ pub struct Assumptions {
     pub drivers: Vec<String>,
 }
 
+/// What an answer was asked under, so that it can be asked again.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct ConditionsRecord {
+    /// `fixed` or `floating`.
+    pub base: &'static str,
+    /// Joints held by the question.
+    pub lock: Vec<String>,
+    /// Points held by the question.
+    pub hold: Vec<HoldRecord>,
+    /// Armatures that replace those of the model.
+    pub armature: BTreeMap<String, Vec<f64>>,
+    /// Mass of a free body on the other side, kg.
+    pub against_mass: Option<f64>,
+    /// Where joints were looked for, as typed.
+    pub guess: BTreeMap<String, String>,
+}
+
+/// A held point.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct HoldRecord {
+    /// The link.
+    pub link: String,
+    /// The point in the link's frame, m.
+    pub point: [f64; 3],
+    /// The normal in world axes; null holds three directions.
+    pub normal: Option<[f64; 3]>,
+}
+
+impl ConditionsRecord {
+    fn of(question: &MassQuestion) -> Self {
+        let hold = |h: &crate::Hold| HoldRecord { link: h.link.clone(), point: h.point, normal: h.normal };
+        Self {
+            base: match question.base {
+                Base::Fixed => "fixed",
+                Base::Floating => "floating",
+            },
+            lock: question.lock.clone(),
+            hold: question.hold.iter().map(hold).collect(),
+            armature: question.armature.iter().cloned().collect(),
+            against_mass: question.against_mass,
+            guess: question.guess.iter().cloned().collect(),
+        }
+    }
+}
+
 /// `percuss mass`, as JSON. Keys are always present, null where they do not apply.
 #[derive(Clone, Debug, Serialize)]
 pub struct MassReport {
@@ -129,6 +174,8 @@ pub struct MassReport {
     pub characteristic_length: f64,
     /// The contact.
     pub contact: ContactRecord,
+    /// What the answer was asked under.
+    pub conditions: ConditionsRecord,
     /// Joints that drive the loops.
     pub drivers: Vec<String>,
     /// For each group of loops, which of the ways to put it together this is: 1, -1, or 0 at a dead centre or a change
@@ -183,13 +230,15 @@ pub(crate) fn answer(
     }
     let limits = if strike.singular_pose { system.branch_limits(pose, contact) } else { Vec::new() };
     let mut report = report(model, system, pose, &strike, diagnostics, assumptions(system, pose, question));
+    report.conditions = ConditionsRecord::of(question);
     report.estimate = estimate;
     report.branch_limits = limits
         .into_iter()
-        .map(|limit| match limit {
-            EffectiveMass::Finite(m) => Some(m),
-            EffectiveMass::Massless => Some(0.0),
-            EffectiveMass::Immovable => None,
+        .map(|limit| match (limit, question.against_mass) {
+            (EffectiveMass::Finite(m), Some(other)) => Some(m / (1.0 + m / other)),
+            (EffectiveMass::Immovable, other) => other,
+            (EffectiveMass::Finite(m), None) => Some(m),
+            (EffectiveMass::Massless, _) => Some(0.0),
         })
         .collect();
     Ok(report)
@@ -218,7 +267,7 @@ fn report(
     MassReport {
         schema: "percuss.mass/1",
         percuss: env!("CARGO_PKG_VERSION"),
-        inputs: vec![model.input.clone()],
+        inputs: model.inputs.clone(),
         effective_mass,
         status,
         singular_pose: strike.singular_pose,
@@ -253,6 +302,7 @@ fn report(
             point_link: contact.point_link.into(),
             normal_link: contact.normal_link.into(),
         },
+        conditions: ConditionsRecord::default(),
         drivers: assumptions.drivers.clone(),
         assembly_modes: pose.loops().map_or_else(Vec::new, |l| l.modes.clone()),
         redundant_loops: system.redundant_loops().to_vec(),

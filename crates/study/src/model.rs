@@ -16,13 +16,21 @@ pub struct Input {
     pub sha256: String,
 }
 
+impl Input {
+    /// Names a source and its bytes.
+    pub(crate) fn of(source: &Source) -> Self {
+        let digest = Sha256::digest(&source.bytes);
+        Self { path: source.name.clone(), sha256: digest.iter().map(|byte| format!("{byte:02x}")).collect() }
+    }
+}
+
 /// A mechanism read from a file.
 #[derive(Clone, Debug)]
 pub struct Model {
     /// The mechanism.
     pub mechanism: Arc<Mechanism>,
-    /// The file it came from.
-    pub input: Input,
+    /// The files it came from: the model's, and the study's that adds to it.
+    pub inputs: Vec<Input>,
     /// Warnings and notes found while reading.
     pub diagnostics: Vec<DiagnosticRecord>,
 }
@@ -35,13 +43,9 @@ impl Model {
     pub fn load(path: &str, max_size: u64, options: &LoadOptions) -> Result<Self, LoadError> {
         let source = Source::read(path, max_size)?;
         let loaded = load(&source, options)?;
-        let digest = Sha256::digest(&source.bytes);
         Ok(Self {
             mechanism: Arc::new(loaded.mechanism),
-            input: Input {
-                path: source.name,
-                sha256: digest.iter().map(|byte| format!("{byte:02x}")).collect(),
-            },
+            inputs: vec![Input::of(&source)],
             diagnostics: loaded.diagnostics.into_iter().map(Into::into).collect(),
         })
     }

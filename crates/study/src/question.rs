@@ -12,7 +12,7 @@ use std::sync::Arc;
 /// Where the normal of a question points.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Normal {
-    /// Along a vector in the question's frame.
+    /// Along a vector in the normal's frame.
     Along([f64; 3]),
     /// From the contact point towards a point (m) of a link, in that link's frame.
     Toward(String, [f64; 3]),
@@ -50,8 +50,10 @@ pub struct MassQuestion {
     pub point: [f64; 3],
     /// The normal, out of the struck link.
     pub normal: Normal,
-    /// In which frame `point` and a normal along a vector are given.
+    /// In which frame `point` is given.
     pub frame: Frame,
+    /// In which frame a normal along a vector is given.
+    pub normal_frame: Frame,
     /// The other link; none: the ground.
     pub against: Option<String>,
     /// Mass of a free body on the other side, kg.
@@ -102,10 +104,22 @@ pub enum StudyError {
         source: QuantityError,
     },
     /// The other body's mass is no mass.
-    #[error("the other body's mass is {mass} kg; a finite number above 0 is wanted")]
+    #[error("the other body's mass is {mass:e} kg; a finite number above 0 is wanted (1e-100 at least)")]
     OtherMass {
         /// What was given.
         mass: f64,
+    },
+    /// A link that is named twice in the estimate.
+    #[error("the estimate names link \"{link}\" twice; its mass counts once")]
+    EstimateTwice {
+        /// The link.
+        link: String,
+    },
+    /// A point that is nowhere.
+    #[error("the estimate's point has a component {value:e}; a finite number of at most 1e100 is wanted")]
+    EstimatePoint {
+        /// The component.
+        value: f64,
     },
     /// A direction without length.
     #[error("the estimate's direction has length {length:e}; at least 1e-9 is wanted")]
@@ -147,7 +161,7 @@ impl MassQuestion {
         for hold in &self.hold {
             conditions = conditions.hold(&hold.link, hold.point, hold.normal.map(Vector3::from));
         }
-        if let Some(mass) = self.against_mass.filter(|m| !(m.is_finite() && *m > 0.0)) {
+        if let Some(mass) = self.against_mass.filter(|m| !(m.is_finite() && *m > 1e-100)) {
             return Err(StudyError::OtherMass { mass });
         }
         Ok(System::new(Arc::clone(mechanism), &conditions)?)
@@ -180,7 +194,7 @@ impl MassQuestion {
         let against = self.against.as_ref().map(|name| other_side(mechanism, name)).transpose()?.flatten();
         let point = Vector3::from(self.point);
         let normal = match &self.normal {
-            Normal::Along(normal) => Direction::Along(Vector3::from(*normal), self.frame),
+            Normal::Along(normal) => Direction::Along(Vector3::from(*normal), self.normal_frame),
             Normal::Toward(name, point) => {
                 Direction::Toward(mechanism.find_link(name)?, Vector3::from(*point))
             }

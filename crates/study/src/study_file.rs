@@ -1,12 +1,12 @@
 //! A study in a file: the flags of `percuss mass` and `percuss sweep`, kept.
 
-use crate::Model;
+use crate::{DiagnosticRecord, Input, Model};
 use crate::question::{EstimateQuestion, Hold, MassQuestion, Normal};
 use crate::sweep::Vary;
 use nalgebra::Vector3;
 use percuss_dynamics::{Base, Frame};
 use percuss_formats::{LoadError, LoadOptions, Source};
-use percuss_mechanism::{Accept, BuildError, ClosureDescription, ClosureKind};
+use percuss_mechanism::{Accept, BuildError, ClosureDescription, ClosureKind, Severity, Subject};
 use percuss_spatial::{Transform, rotation_from_rpy};
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -117,6 +117,7 @@ struct ContactText {
     normal: Option<[f64; 3]>,
     along_line: Option<LineText>,
     frame: Option<String>,
+    normal_frame: Option<String>,
     against: Option<String>,
     against_mass: Option<f64>,
     estimate: Option<EstimateText>,
@@ -230,9 +231,10 @@ impl StudyFile {
         let folder = Path::new(&path).parent().unwrap_or(Path::new(""));
         let model_path = folder.join(&study.model.path);
         let mut model = Model::load(&model_path.to_string_lossy(), max_size, &LoadOptions { accept })?;
+        model.inputs.push(Input::of(&source));
         if !study.closure.is_empty() {
             let closures = study.closure.iter().map(|c| c.describe(&value)).collect::<Result<Vec<_>, _>>()?;
-            model = with_closures(model, closures)
+            model = with_closures(model, &path, closures)
                 .map_err(|source| StudyFileError::Build { path: path.clone(), source })?;
         }
         let question = study.question(&value)?;
@@ -258,14 +260,15 @@ impl Text {
             (None, Some(normal)) => Normal::Along(normal),
             _ => return Err(value("contact", "give either normal or along_line".into())),
         };
-        let frame = match contact.frame.as_deref() {
-            None | Some("link") => Frame::Link,
-            Some("world") => Frame::World,
-            Some("against") => Frame::Against,
-            Some(other) => {
-                return Err(value("contact.frame", format!("\"{other}\"; wanted link, world or against")));
-            }
+        let frame_of = |key: &'static str, name: &Option<String>, default: Frame| match name.as_deref() {
+            None => Ok(default),
+            Some("link") => Ok(Frame::Link),
+            Some("world") => Ok(Frame::World),
+            Some("against") => Ok(Frame::Against),
+            Some(other) => Err(value(key, format!("\"{other}\"; wanted link, world or against"))),
         };
+        let frame = frame_of("contact.frame", &contact.frame, Frame::Link)?;
+        let normal_frame = frame_of("contact.normal_frame", &contact.normal_frame, frame)?;
         let base = match self.conditions.base.as_deref() {
             None | Some("fixed") => Base::Fixed,
             Some("floating") => Base::Floating,
@@ -282,6 +285,7 @@ impl Text {
             point: contact.point,
             normal,
             frame,
+            normal_frame,
             against: contact.against.clone(),
             against_mass: contact.against_mass,
             set: typed(&self.pose.set),
@@ -336,10 +340,27 @@ impl ClosureText {
     }
 }
 
-/// The model with more closures than its file has.
-fn with_closures(model: Model, closures: Vec<ClosureDescription>) -> Result<Model, BuildError> {
+/// The model with more closures than its file has, and what is to be said of them.
+fn with_closures(model: Model, path: &str, closures: Vec<ClosureDescription>) -> Result<Model, BuildError> {
+    let of_file = model.mechanism.closures().len();
+    let mut diagnostics = model.diagnostics;
+    for closure in closures.iter().filter(|c| c.kind == ClosureKind::Distance && c.distance.is_none()) {
+        let message =
+            format!("loop \"{}\" has no distance: the distance with all joints at 0 is taken", closure.name);
+        let record = DiagnosticRecord::about_answer(Severity::Note, "default-distance", message);
+        diagnostics.push(DiagnosticRecord { path: Some(path.to_owned()), ..record });
+    }
+    // Nothing in the file bound these; the study's closures may.
+    diagnostics.retain(|d| d.code != "unbound-joint");
     let builder = closures.into_iter().fold(model.mechanism.to_builder(), |b, closure| b.closure(closure));
-    // What the builder finds about the file was told with its place when the file was read.
-    let mechanism = builder.build()?.mechanism;
-    Ok(Model { mechanism: std::sync::Arc::new(mechanism), ..model })
+    let built = builder.build()?;
+    // What the builder finds about the rest was told with its place when the file was read.
+    for (subject, problem) in built.findings {
+        if matches!(subject, Subject::Closure { index, .. } if index >= of_file) {
+            let message = format!("{subject}: {problem}");
+            let record = DiagnosticRecord::about_answer(problem.severity(), problem.code(), message);
+            diagnostics.push(DiagnosticRecord { path: Some(path.to_owned()), ..record });
+        }
+    }
+    Ok(Model { mechanism: std::sync::Arc::new(built.mechanism), diagnostics, ..model })
 }

@@ -120,8 +120,8 @@ pub struct SweepRow {
     pub effective_mass_error: Option<f64>,
     /// How far loops are from closed, m.
     pub closure_residual: Option<f64>,
-    /// Whether branches cross here.
-    pub singular_pose: bool,
+    /// Whether branches cross here; null where the row was not reached.
+    pub singular_pose: Option<bool>,
     /// Speed of the estimate's point A, or of the travelling point along its direction, per unit closing speed
     /// ("A over contact"); its inverse is "contact over A".
     pub motion_ratio: Option<f64>,
@@ -176,7 +176,8 @@ pub fn sweep(
     let mut contact: Option<Contact> = None;
     for (row, value) in values.into_iter().enumerate() {
         let answer = match course.pose(&system, last.as_ref(), value) {
-            Ok(pose) => {
+            Ok(Err(missed)) => unreached(row, value, missed),
+            Ok(Ok(pose)) => {
                 if contact.is_none() {
                     contact = Some(question.contact(&system, &pose)?);
                 }
@@ -194,7 +195,7 @@ pub fn sweep(
     Ok(SweepReport {
         schema: "percuss.sweep/1",
         percuss: env!("CARGO_PKG_VERSION"),
-        inputs: vec![model.input.clone()],
+        inputs: model.inputs.clone(),
         varied: vary.name(),
         unit: if course.dimension() == Dimension::Angle { "rad" } else { "m" },
         link: question.link.clone(),
@@ -210,7 +211,7 @@ fn unreached(row: usize, value: f64, error: String) -> SweepRow {
         effective_mass: None,
         effective_mass_error: None,
         closure_residual: None,
-        singular_pose: false,
+        singular_pose: None,
         motion_ratio: None,
         estimate: None,
         estimate_error_percent: None,
@@ -250,7 +251,7 @@ fn answered(
         effective_mass,
         effective_mass_error: strike.effective_mass_error,
         closure_residual: pose.loops().map(|l| l.residual),
-        singular_pose: strike.singular_pose,
+        singular_pose: Some(strike.singular_pose),
         motion_ratio,
         estimate: beside.as_ref().and_then(|e| e.estimate),
         estimate_error_percent: beside.as_ref().and_then(|e| e.error_percent),
@@ -330,24 +331,30 @@ impl Course {
         self.base.mechanism().joint(self.joint).kind()
     }
 
-    /// The pose at a value of what is varied, on the branch of the last one.
-    fn pose(&self, system: &System, last: Option<&Pose>, value: f64) -> Result<Pose, StudyError> {
+    /// The pose at a value of what is varied, on the branch of the last one; or why the point does not get there.
+    fn pose(
+        &self,
+        system: &System,
+        last: Option<&Pose>,
+        value: f64,
+    ) -> Result<Result<Pose, String>, StudyError> {
         match (&self.travel, last) {
-            (None, last) => at(system, &self.base, last, self.joint, value),
+            (None, last) => at(system, &self.base, last, self.joint, value).map(Ok),
             (Some(travel), Some(last)) => self.travelled(system, last, travel, value),
             (Some(_), None) => unreachable!("travel starts from a pose"),
         }
     }
 
-    /// Moves the driver until the point has gone the way that is wanted: secant steps, to 1e-12 of the size.
+    /// Moves the driver until the point has gone the way that is wanted: secant steps, to 1e-12 of the size. A step beyond
+    /// the end of the mechanism's range is halved until it is none.
     fn travelled(
         &self,
         system: &System,
         last: &Pose,
         travel: &Travel,
         wanted: f64,
-    ) -> Result<Pose, StudyError> {
-        const STEPS: usize = 40;
+    ) -> Result<Result<Pose, String>, StudyError> {
+        const STEPS: usize = 60;
         let size = system.mechanism().characteristic_length();
         let gone = |pose: &Pose| {
             travel.direction.dot(&(pose.link(system, travel.link).point(&travel.point) - travel.origin))
@@ -357,27 +364,36 @@ impl Course {
         let probe = 1e-4 * if self.kind() == JointKind::Prismatic { size } else { 1.0 };
         let mut to = at(system, &self.base, Some(&from), self.joint, value(&from) + probe)
             .or_else(|_| at(system, &self.base, Some(&from), self.joint, value(&from) - probe))?;
+        let mut nearest = gone(&from);
         for _ in 0..STEPS {
             let (miss, before) = (gone(&to) - wanted, gone(&from) - wanted);
             if miss.abs() <= 1e-12 * size {
-                return Ok(to);
+                return Ok(Ok(to));
+            }
+            if miss.abs() < (nearest - wanted).abs() {
+                nearest = gone(&to);
             }
             let slope = (miss - before) / (value(&to) - value(&from));
             let limit = 0.2 * probe / 1e-4;
-            let step = (-miss / slope).clamp(-limit, limit);
-            if !step.is_finite() || value(&to) + step == value(&to) {
-                return Ok(to);
-            }
-            let next = at(system, &self.base, Some(&to), self.joint, value(&to) + step)?;
+            let mut step = (-miss / slope).clamp(-limit, limit);
+            let next = loop {
+                if !step.is_finite() || value(&to) + step == value(&to) {
+                    break None;
+                }
+                match at(system, &self.base, Some(&to), self.joint, value(&to) + step) {
+                    Ok(next) => break Some(next),
+                    Err(error) if error.is_no_answer() => step *= 0.5,
+                    Err(error) => return Err(error),
+                }
+            };
+            let Some(next) = next else { break };
             from = std::mem::replace(&mut to, next);
         }
-        let reached = gone(&to);
-        Err(percuss_dynamics::AssemblyError::Unreachable {
-            wanted: vec![("travel".into(), wanted)],
-            nearest: vec![("travel".into(), reached)],
-            loops: Vec::new(),
+        // Rounding of the pose, not a miss, where a point far from the joint moves fast.
+        if (gone(&to) - wanted).abs() <= 1e-9 * size {
+            return Ok(Ok(to));
         }
-        .into())
+        Ok(Err(format!("a travel of {wanted} m cannot be reached; nearest reached: {nearest:.6} m")))
     }
 
     fn motion_ratio(&self, system: &System, pose: &Pose, strike: &Strike) -> Option<f64> {

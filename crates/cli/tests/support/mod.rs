@@ -59,3 +59,60 @@ pub fn json(line: &str) -> serde_json::Value {
     assert_eq!(outcome.code, 0, "{line}\n{}", outcome.stderr);
     serde_json::from_str(&outcome.stdout).expect("JSON on stdout")
 }
+
+/// The rows of a sweep's CSV, by column.
+pub struct Sweep {
+    pub header: Vec<String>,
+    pub rows: Vec<Vec<String>>,
+}
+
+impl Sweep {
+    /// Reads it; every row is as long as the header. Its names must hold no commas.
+    pub fn read(csv: &str) -> Self {
+        let mut lines = csv.lines().map(|l| l.split(',').map(str::to_owned).collect::<Vec<_>>());
+        let header = lines.next().expect("a header");
+        let rows: Vec<_> = lines.collect();
+        assert!(rows.iter().all(|row| row.len() == header.len()), "rows and header differ in length");
+        Self { header, rows }
+    }
+
+    /// A cell as it stands.
+    pub fn cell(&self, row: usize, column: &str) -> &str {
+        let at = self.header.iter().position(|h| h == column);
+        &self.rows[row][at.unwrap_or_else(|| panic!("no column {column} in {:?}", self.header))]
+    }
+
+    /// A cell's number; none where it is empty.
+    pub fn number(&self, row: usize, column: &str) -> Option<f64> {
+        let cell = self.cell(row, column);
+        if cell.is_empty() { None } else { Some(cell.parse().expect("a number")) }
+    }
+}
+
+/// A folder of its own in the temporary one, gone with the value.
+pub struct Scratch(PathBuf);
+
+impl Scratch {
+    pub fn new(name: &str) -> Self {
+        let folder = std::env::temp_dir().join(format!("percuss-cli-{}-{name}", std::process::id()));
+        std::fs::create_dir_all(&folder).expect("a temporary folder");
+        Self(folder)
+    }
+
+    /// The path of a file in it.
+    pub fn path(&self, name: &str) -> String {
+        self.0.join(name).to_string_lossy().into_owned()
+    }
+
+    /// Writes a file; its path.
+    pub fn write(&self, name: &str, text: &str) -> String {
+        std::fs::write(self.0.join(name), text).expect("a temporary file");
+        self.path(name)
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}

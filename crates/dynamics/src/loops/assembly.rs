@@ -1,7 +1,9 @@
 //! Putting the loops together: a first closed pose, a generic one, the rank there, and who drives whom.
 
 use super::rank::{FLOOR, Rank, decide, singular_values};
-use super::{Group, closing::Correction};
+use super::Group;
+use super::closing::{Correction, Moves};
+use super::roles::Roles;
 use crate::System;
 use crate::kinematics::Kinematics;
 use nalgebra::DMatrix;
@@ -27,6 +29,8 @@ pub(crate) struct GroupFacts {
     pub inexactness: f64,
     /// Whether the first closed pose has the generic rank.
     pub home_is_regular: bool,
+    /// Who drives where nothing is set.
+    pub roles: Roles,
 }
 
 /// Loops that do not go together.
@@ -121,9 +125,9 @@ impl System {
     /// Closes a group near where it stands. Returns its inexactness.
     fn close_first(&self, kinematics: &mut Kinematics<f64>, group: &Group) -> Result<f64, AssemblyError> {
         let tolerance = self.closing_tolerance(kinematics);
-        let all: Vec<usize> = (0..group.coordinates.len()).collect();
+        let all = &group.movable;
         let advised: Vec<usize> =
-            all.iter().copied().filter(|&at| !self.is_advised_to_drive(group.coordinates[at])).collect();
+            all.iter().copied().filter(|&at| self.advice(group, at) != Some(true)).collect();
         let mut best: Option<(Vec<f64>, Correction)> = None;
         let start = kinematics.q.clone();
         for attempt in 0..ATTEMPTS {
@@ -134,8 +138,8 @@ impl System {
                 let size = [0.01, 0.1, 0.3, 1.0][(attempt as usize / 2 - 1) % 4];
                 self.perturb(kinematics, group, size, attempt);
             }
-            let unknown = if attempt == 0 { &advised } else { &all };
-            let correction = self.correct(kinematics, group, unknown, tolerance);
+            let unknown = if attempt == 0 { &advised } else { all };
+            let correction = self.correct(kinematics, group, Moves { unknown, course: None }, tolerance);
             if correction.closed {
                 return Ok(0.0);
             }
@@ -161,12 +165,11 @@ impl System {
     fn look_around(&self, home: &Kinematics<f64>, group: &Group, mut inexactness: f64) -> GroupFacts {
         let length = self.mechanism.characteristic_length();
         let tolerance = self.closing_tolerance(home);
-        let lengths: Vec<f64> = self.lengths_of(group);
-        let all: Vec<usize> = (0..group.coordinates.len()).collect();
+        let all = Moves { unknown: &group.movable, course: None };
         let rank_of = |kinematics: &Kinematics<f64>, inexactness: f64| {
             let (_, rows) = self.group_rows(kinematics, group);
             let floor = FLOOR.max(10.0 * inexactness / length);
-            (decide(&singular_values(&rows, &lengths), floor), rows)
+            (decide(&singular_values(&rows, &group.lengths), floor), rows)
         };
         let (at_home, home_rows) = rank_of(home, inexactness);
         let mut best = (home.q.clone(), home_rows, at_home);
@@ -174,7 +177,7 @@ impl System {
         for attempt in 0..12u64 {
             let mut kinematics = home.clone();
             self.perturb(&mut kinematics, group, [0.2, 0.1, 0.03][attempt as usize / 4], 1000 + attempt);
-            let correction = self.correct(&mut kinematics, group, &all, tolerance);
+            let correction = self.correct(&mut kinematics, group, all, tolerance);
             if correction.residual
                 > tolerance.max(2.0 * inexactness).max(if inexactness > 0.0 { 1e-4 * length } else { 0.0 })
             {
@@ -193,12 +196,9 @@ impl System {
             }
         }
         let (generic, rows, rank) = best;
-        GroupFacts { generic, rows, rank, inexactness, home_is_regular: at_home.rank == rank.rank }
-    }
-
-    pub(crate) fn lengths_of(&self, group: &Group) -> Vec<f64> {
-        let lengths = self.coordinate_lengths();
-        group.coordinates.iter().map(|&c| lengths[c]).collect()
+        let floor = FLOOR.max(10.0 * inexactness / length);
+        let roles = self.advised_roles(group, &rows, floor);
+        GroupFacts { generic, rows, rank, inexactness, home_is_regular: at_home.rank == rank.rank, roles }
     }
 
     pub(crate) fn group_names(&self, group: &Group) -> Vec<String> {
@@ -206,26 +206,11 @@ impl System {
         loops.chain(group.gears.iter().map(|&g| self.gears[g].name.clone())).collect()
     }
 
-    /// The joint that a coordinate is a velocity of; none for the floating base.
-    pub(crate) fn joint_of_coordinate(&self, coordinate: usize) -> Option<JointId> {
-        self.bodies.iter().find_map(|body| {
-            let id = body.joint.filter(|id| self.mechanism.joint(*id).mimic().is_none())?;
-            let own = body.v.clone().any(|v| self.follows[v].is_some_and(|f| f.index == coordinate));
-            own.then_some(id)
-        })
-    }
-
-    fn is_advised_to_drive(&self, coordinate: usize) -> bool {
-        self.joint_of_coordinate(coordinate)
-            .is_some_and(|id| self.mechanism.joint(id).independent() == Some(true))
-    }
-
     /// Moves a group's coordinates aside by fixed pseudo-random amounts up to `size` (rad, or times the length).
     pub(crate) fn perturb(&self, kinematics: &mut Kinematics<f64>, group: &Group, size: f64, seed: u64) {
-        let lengths = self.coordinate_lengths();
         let mut state = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15);
-        let mut u = vec![0.0; self.coordinates];
-        for &c in &group.coordinates {
+        let mut u = vec![0.0; group.coordinates.len()];
+        for at in 0..u.len() {
             // splitmix64
             state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
             let mut z = state;
@@ -233,48 +218,8 @@ impl System {
             z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
             z ^= z >> 31;
             let unit = (z >> 11) as f64 / (1u64 << 53) as f64;
-            u[c] = size * (2.0 * unit - 1.0) * self.mechanism.characteristic_length() / lengths[c];
+            u[at] = size * (2.0 * unit - 1.0) * self.mechanism.characteristic_length() / group.lengths[at];
         }
-        self.advance(kinematics, &u);
-    }
-
-    /// Splits a group's coordinates (by index into it) into those that follow and those that drive. `wish` says how
-    /// much each wants to drive; among equals the best-conditioned choice follows.
-    pub(crate) fn followers(&self, group: &Group, facts: &GroupFacts, wish: &[u8]) -> Vec<usize> {
-        let lengths = self.lengths_of(group);
-        let mut columns: Vec<Vec<f64>> = (0..lengths.len())
-            .map(|c| facts.rows.column(c).iter().map(|x| x / lengths[c]).collect())
-            .collect();
-        let size = |c: &Vec<f64>| c.iter().map(|x| x * x).sum::<f64>().sqrt();
-        let largest = columns.iter().map(size).fold(0.0, f64::max);
-        let mut following = Vec::with_capacity(facts.rank.rank);
-        // A second, laxer pass takes what the first found too nearly dependent.
-        for threshold in [1e-6, 1e-12_f64] {
-            for class in 0..=u8::MAX {
-                if class > wish.iter().copied().max().unwrap_or(0) {
-                    break;
-                }
-                loop {
-                    let open = (0..columns.len()).filter(|c| wish[*c] == class && !following.contains(c));
-                    let best = open.max_by(|&a, &b| size(&columns[a]).total_cmp(&size(&columns[b])));
-                    let Some(best) = best.filter(|&c| {
-                        following.len() < facts.rank.rank && size(&columns[c]) > threshold * largest
-                    }) else {
-                        break;
-                    };
-                    let norm = size(&columns[best]);
-                    let unit: Vec<f64> = columns[best].iter().map(|x| x / norm).collect();
-                    following.push(best);
-                    for (c, column) in columns.iter_mut().enumerate() {
-                        if !following.contains(&c) {
-                            let along: f64 = column.iter().zip(&unit).map(|(a, b)| a * b).sum();
-                            column.iter_mut().zip(&unit).for_each(|(a, b)| *a -= along * b);
-                        }
-                    }
-                }
-            }
-        }
-        following.sort_unstable();
-        following
+        self.advance_group(kinematics, group, &u);
     }
 }

@@ -1,13 +1,17 @@
 //! At a change point branches cross, and (D) is a lower bound that none attains. The limits of m̄ along each.
 
 use super::Group;
+use super::closing::Moves;
 use super::rank::{decide, singular_values};
 use crate::kinematics::Kinematics;
-use crate::{Contact, EffectiveMass, Pose, RouteChoice, System};
+use crate::least_energy::Minimum;
+use crate::{Contact, EffectiveMass, Pose, System};
 use faer::Mat;
 
-/// How far from the crossing the branches are looked at, as a part of the length; halved once for the limit.
+/// How far from the crossing branches are looked for, as a part of the length.
 const REACH: f64 = 4e-3;
+/// How far apart are the places from which m̄ is carried on to the crossing.
+const APART: f64 = 0.01;
 /// Directions tried in the plane of admissible motions.
 const DIRECTIONS: usize = 96;
 /// Directions (up to sign) with a cosine above this are one branch.
@@ -17,14 +21,14 @@ impl System {
     /// Limits of the answer along the branches that cross at a singular pose, each once; empty at a regular one.
     ///
     /// In the kernel of A at the crossing, directions are tried; those along which a closed pose lies near are branches,
-    /// and m̄ at two distances is carried on to the crossing.
+    /// and m̄ at places on both sides is carried on to the crossing.
     pub fn branch_limits(&self, pose: &Pose, contact: &Contact) -> Vec<EffectiveMass> {
         let poser = self.unlocked.as_deref().unwrap_or(self);
         let Ok(assembly) = poser.assembly() else { return Vec::new() };
         let mut limits = Vec::new();
         for (group, facts) in poser.groups.iter().zip(&assembly.groups) {
             let (_, rows) = poser.group_rows(&pose.kinematics, group);
-            let values = singular_values(&rows, &poser.lengths_of(group));
+            let values = singular_values(&rows, &group.lengths);
             if decide(&values, poser.rank_floor()).rank < facts.rank.rank {
                 limits.extend(self.limits_of(poser, pose, contact, group, facts.rank.rank));
             }
@@ -40,7 +44,7 @@ impl System {
         group: &Group,
         generic_rank: usize,
     ) -> Vec<EffectiveMass> {
-        let lengths = poser.lengths_of(group);
+        let lengths = group.lengths.clone();
         let size = self.mechanism.characteristic_length();
         let kernel = kernel(poser, &pose.kinematics, group, &lengths);
         let mut found: Vec<Vec<f64>> = Vec::new();
@@ -60,13 +64,13 @@ impl System {
                 continue;
             }
             found.push(along.clone());
-            let at = |reach: f64| {
+            let at = |places: i32| {
+                let reach = f64::from(places) * APART * size;
                 let (kinematics, _) = poser.on_branch(pose, group, &lengths, &along, reach)?;
-                let near = Pose { kinematics, ..pose.clone() };
-                Some(self.strike(&near, contact, RouteChoice::Auto).ok()?.effective_mass)
+                let located = crate::contact::locate(self, &kinematics, &pose.base, contact).ok()?;
+                Some(self.least_energy(&kinematics, &located).minimum)
             };
-            let ends = [REACH, REACH / 2.0, -REACH, -REACH / 2.0].map(|r| at(r * size));
-            limits.extend(carried_on(ends));
+            limits.extend(carried_on(at));
         }
         limits
     }
@@ -82,26 +86,17 @@ impl System {
         reach: f64,
     ) -> Option<(Kinematics<f64>, Vec<f64>)> {
         let mut kinematics = pose.kinematics.clone();
-        let mut u = vec![0.0; self.coordinates];
-        for (at, &c) in group.coordinates.iter().enumerate() {
-            u[c] = reach * direction[at] / lengths[at];
-        }
-        self.advance(&mut kinematics, &u);
-        let all: Vec<usize> = (0..group.coordinates.len()).collect();
+        let u: Vec<f64> = direction.iter().zip(lengths).map(|(d, l)| reach * d / l).collect();
+        self.advance_group(&mut kinematics, group, &u);
         let tolerance = self.closing_tolerance(&kinematics);
-        let correction = self.correct(&mut kinematics, group, &all, tolerance);
+        let all = Moves { unknown: &group.movable, course: None };
+        let correction = self.correct(&mut kinematics, group, all, tolerance);
+        kinematics.refill(self);
         if !correction.closed || correction.moved > 0.9 * reach.abs() {
             return None;
         }
-        let way: Vec<f64> = group
-            .coordinates
-            .iter()
-            .enumerate()
-            .map(|(at, &c)| {
-                let q = self.joint_of_coordinate(c).map_or(0, |id| self.joint_q[id.index()].start);
-                (kinematics.q[q] - pose.kinematics.q[q]) * lengths[at] * reach.signum()
-            })
-            .collect();
+        let way = self.displacement(group, &pose.kinematics.q, &kinematics.q);
+        let way: Vec<f64> = way.iter().zip(lengths).map(|(w, l)| w * l * reach.signum()).collect();
         let far = way.iter().map(|w| w * w).sum::<f64>().sqrt();
         (far > 0.3 * reach.abs()).then_some((kinematics, way))
     }
@@ -147,15 +142,19 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// The limit at distance 0 from the values at h, h/2, −h, −h/2: the even part, carried on by Richardson.
-fn carried_on(ends: [Option<EffectiveMass>; 4]) -> Option<EffectiveMass> {
-    let finite = |m: Option<EffectiveMass>| match m {
-        Some(EffectiveMass::Finite(m)) => Some(m),
-        _ => None,
-    };
-    if let [Some(a), Some(b), Some(c), Some(d)] = ends.map(finite) {
-        let (far, near) = ((a + c) / 2.0, (b + d) / 2.0);
-        return Some(EffectiveMass::Finite((4.0 * near - far) / 3.0));
+/// The limit at the crossing from the values at one to four places on either side: Lagrange's formula, its weights at 0.
+/// The eighth derivative remains, times η⁸/35.
+fn carried_on(at: impl Fn(i32) -> Option<Minimum>) -> Option<EffectiveMass> {
+    let mut sum = 0.0;
+    for (places, weight) in [(1, 4.0 / 5.0), (2, -2.0 / 5.0), (3, 4.0 / 35.0), (4, -1.0 / 70.0)] {
+        for side in [places, -places] {
+            match at(side)? {
+                Minimum::Finite(m) => sum += weight * m,
+                Minimum::Immovable => return Some(EffectiveMass::Immovable),
+                Minimum::Massless => return Some(EffectiveMass::Massless),
+                Minimum::Stationary(_) => return None,
+            }
+        }
     }
-    ends[1].or(ends[3])
+    Some(EffectiveMass::Finite(sum))
 }

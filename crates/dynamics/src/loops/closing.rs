@@ -1,4 +1,4 @@
-//! Closing a group of loops: damped Gauss–Newton with least steps, and following a branch along its drivers.
+//! Closing a group of loops: damped Gauss–Newton with least steps.
 
 use super::Group;
 use crate::System;
@@ -8,6 +8,15 @@ use faer::Mat;
 use faer::linalg::solvers::SolveLstsq;
 use nalgebra::DMatrix;
 
+/// The directions in which a group may be moved.
+#[derive(Clone, Copy)]
+pub(crate) struct Moves<'a> {
+    /// Coordinates (by index into the group's), each by itself.
+    pub unknown: &'a [usize],
+    /// And together, along a course of the drivers: rates over the group's coordinates, 1 m/s long.
+    pub course: Option<&'a [f64]>,
+}
+
 /// How a correction ended.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Correction {
@@ -15,6 +24,8 @@ pub(crate) struct Correction {
     pub residual: f64,
     /// Length of the way from the start, in metres.
     pub moved: f64,
+    /// Part of it along the course, m.
+    pub along: f64,
     pub closed: bool,
     /// Row with the largest residual.
     pub worst: usize,
@@ -24,28 +35,89 @@ pub(crate) struct Correction {
 const ITERATIONS: usize = 60;
 /// Relative size of pivots that a least step takes for zero.
 const STEP_RANK: f64 = 1e-9;
-/// Longest step of a branch, as a part of the characteristic length.
-const LONGEST: f64 = 0.1;
-/// A branch step shorter than this part of the way has met a limit.
-const SHORTEST: f64 = 1e-7;
+
+impl Moves<'_> {
+    pub fn count(&self) -> usize {
+        self.unknown.len() + usize::from(self.course.is_some())
+    }
+
+    /// A over the moves, each measured in metres.
+    pub fn jacobian(&self, group: &Group, rows: &DMatrix<f64>) -> Mat<f64> {
+        Mat::from_fn(rows.nrows(), self.count(), |r, k| match (self.unknown.get(k), self.course) {
+            (Some(&at), _) => rows[(r, at)] / group.lengths[at],
+            (None, Some(course)) => (0..course.len()).map(|c| rows[(r, c)] * course[c]).sum(),
+            (None, None) => 0.0,
+        })
+    }
+
+    /// The coordinates' share in moves of so many metres, over the group's coordinates.
+    pub fn expand(&self, group: &Group, x: impl Fn(usize) -> f64) -> Vec<f64> {
+        let mut u = vec![0.0; group.coordinates.len()];
+        for (k, &at) in self.unknown.iter().enumerate() {
+            u[at] = x(k) / group.lengths[at];
+        }
+        if let Some(course) = self.course {
+            let along = x(self.unknown.len());
+            u.iter_mut().zip(course).for_each(|(u, c)| *u += along * c);
+        }
+        u
+    }
+}
 
 impl System {
     /// Moves the positions in `kinematics` by velocities `u` of the coordinates over unit time.
     pub(crate) fn advance(&self, kinematics: &mut Kinematics<f64>, u: &[f64]) {
-        for body in self.bodies.iter().filter(|b| !b.v.is_empty()) {
-            let Some(id) = body.joint else { continue };
-            let joint = self.mechanism.joint(id);
+        for body in 0..self.bodies.len() {
+            self.advance_body(kinematics, body, |c| u[c]);
+        }
+        kinematics.refill(self);
+    }
+
+    /// As [`advance`](Self::advance), by velocities over a group's coordinates.
+    pub(crate) fn advance_group(&self, kinematics: &mut Kinematics<f64>, group: &Group, u: &[f64]) {
+        for &body in &group.bodies {
+            let rate = |c: usize| group.coordinates.binary_search(&c).map_or(0.0, |at| u[at]);
+            self.advance_body(kinematics, body, rate);
+        }
+        self.refill_group(kinematics, group);
+    }
+
+    fn advance_body(&self, kinematics: &mut Kinematics<f64>, body: usize, rate: impl Fn(usize) -> f64) {
+        let body = &self.bodies[body];
+        let Some(joint) = body.joint.map(|id| self.mechanism.joint(id)) else { return };
+        if body.v.is_empty() || joint.mimic().is_some() {
+            return;
+        }
+        let q = &mut kinematics.q[body.q.clone()];
+        let of = |v: usize| self.follows[v].map_or(0.0, |f| f.multiplier * rate(f.index));
+        if q.len() == 1 {
+            q[0] += of(body.v.start);
+            return;
+        }
+        let velocity: Vec<f64> = body.v.clone().map(of).collect();
+        if velocity.iter().any(|v| *v != 0.0) {
+            let next = tangent::advanced(joint.kind(), q, &velocity, 1.0);
+            q.copy_from_slice(&next);
+        }
+    }
+
+    /// The velocities over a group's coordinates that lead from one position to another in unit time.
+    pub(crate) fn displacement(&self, group: &Group, from: &[f64], to: &[f64]) -> Vec<f64> {
+        let mut u = vec![0.0; group.coordinates.len()];
+        for body in group.bodies.iter().map(|&b| &self.bodies[b]) {
+            let Some(joint) = body.joint.map(|id| self.mechanism.joint(id)) else { continue };
             if joint.mimic().is_some() {
                 continue;
             }
-            let velocity: Vec<f64> =
-                body.v.clone().map(|v| self.follows[v].map_or(0.0, |f| f.multiplier * u[f.index])).collect();
-            if velocity.iter().any(|v| *v != 0.0) {
-                let next = tangent::advanced(joint.kind(), &kinematics.q[body.q.clone()], &velocity, 1.0);
-                kinematics.q[body.q.clone()].copy_from_slice(&next);
+            let way = tangent::displacement(joint.kind(), &from[body.q.clone()], &to[body.q.clone()]);
+            for (v, rate) in body.v.clone().zip(way) {
+                let at = self.follows[v].and_then(|f| group.coordinates.binary_search(&f.index).ok());
+                if let Some(at) = at {
+                    u[at] = rate;
+                }
             }
         }
-        kinematics.refill(self);
+        u
     }
 
     /// The largest residual of a group, m, and its row.
@@ -53,7 +125,7 @@ impl System {
         largest(&self.group_rows(kinematics, group).0)
     }
 
-    /// Closes a group by moving the coordinates `unknown` (indices into the group's) as little as can be.
+    /// Closes a group by moving it as little as can be.
     ///
     /// Gauss–Newton steps of least norm; where one does not help, Levenberg–Marquardt. Stops when nothing improves:
     /// at rounding for loops that fit, at the least squares of the residuals for those that do not quite.
@@ -61,11 +133,11 @@ impl System {
         &self,
         kinematics: &mut Kinematics<f64>,
         group: &Group,
-        unknown: &[usize],
+        moves: Moves,
         tolerance: f64,
     ) -> Correction {
-        let lengths = self.coordinate_lengths();
-        let mut moved = 0.0;
+        let size = self.mechanism.characteristic_length();
+        let (mut moved, mut along) = (0.0, 0.0);
         let mut damping = 0.0;
         let (mut residuals, mut rows) = self.group_rows(kinematics, group);
         for _ in 0..ITERATIONS {
@@ -74,139 +146,55 @@ impl System {
             if cost == 0.0 || at_rounding {
                 break;
             }
-            let Some((step, length)) = self.step(group, &rows, &residuals, unknown, &lengths, damping) else {
-                break;
-            };
+            let Some((x, length)) = self.step(group, &rows, &residuals, moves, damping) else { break };
             let before = kinematics.q.clone();
-            self.advance(kinematics, &step);
+            self.advance_group(kinematics, group, &moves.expand(group, |k| x[(k, 0)]));
             let (next, next_rows) = self.group_rows(kinematics, group);
             if norm(&next) < cost {
-                let stalled =
-                    norm(&next) > 0.99 * cost && length < 1e-9 * self.mechanism.characteristic_length();
+                let stalled = norm(&next) > 0.99 * cost && length < 1e-9 * size;
                 (residuals, rows) = (next, next_rows);
                 moved += length;
+                along += moves.course.map_or(0.0, |_| x[(moves.unknown.len(), 0)]);
                 damping = if damping < 1e-6 { 0.0 } else { damping / 10.0 };
                 if stalled {
                     break;
                 }
             } else {
                 kinematics.q = before;
-                kinematics.refill(self);
-                if length <= 1e-15 * self.mechanism.characteristic_length() || damping > 1e3 {
+                self.refill_group(kinematics, group);
+                if length <= 1e-15 * size || damping > 1e3 {
                     break;
                 }
                 damping = if damping == 0.0 { 1e-3 } else { damping * 10.0 };
             }
         }
         let (residual, worst) = largest(&residuals);
-        Correction { residual, moved, closed: residual <= tolerance, worst }
+        Correction { residual, moved, along, closed: residual <= tolerance, worst }
     }
 
-    /// The step of the coordinates that takes the residuals away to first order, and its length in metres.
+    /// The step (metres) that takes the residuals away to first order, and its length.
     fn step(
         &self,
         group: &Group,
         rows: &DMatrix<f64>,
         residuals: &[f64],
-        unknown: &[usize],
-        lengths: &[f64],
+        moves: Moves,
         damping: f64,
-    ) -> Option<(Vec<f64>, f64)> {
-        let scale = |k: usize| lengths[group.coordinates[unknown[k]]];
-        let jacobian = Mat::from_fn(rows.nrows(), unknown.len(), |r, k| rows[(r, unknown[k])] / scale(k));
+    ) -> Option<(Mat<f64>, f64)> {
+        let jacobian = moves.jacobian(group, rows);
         let target = Mat::from_fn(rows.nrows(), 1, |r, _| -residuals[r]);
-        let x =
+        let mut x =
             if damping > 0.0 { damped(&jacobian, &target, damping) } else { least_norm(&jacobian, &target) };
         let length = x.norm_l2();
-        // A full turn at once is no step.
-        let longest = 0.5 * self.mechanism.characteristic_length() * (unknown.len() as f64).sqrt();
-        let shorten = if length > longest { longest / length } else { 1.0 };
         if !(length > 0.0 && length.is_finite()) {
             return None;
         }
-        let mut u = vec![0.0; self.coordinates];
-        for k in 0..unknown.len() {
-            u[group.coordinates[unknown[k]]] = shorten * x[(k, 0)] / scale(k);
-        }
-        Some((u, length * shorten))
+        // A full turn at once is no step.
+        let longest = 0.5 * self.mechanism.characteristic_length() * (moves.count() as f64).sqrt();
+        let shorten = (longest / length).min(1.0);
+        x *= faer::Scale(shorten);
+        Some((x, length * shorten))
     }
-
-    /// Rates of the coordinates `unknown` that keep a group closed while its others move at `drive` (all over the
-    /// group's coordinates).
-    pub(crate) fn follow(
-        &self,
-        kinematics: &Kinematics<f64>,
-        group: &Group,
-        unknown: &[usize],
-        drive: &[f64],
-    ) -> Vec<f64> {
-        let (_, rows) = self.group_rows(kinematics, group);
-        let lengths = self.coordinate_lengths();
-        let scale = |k: usize| lengths[group.coordinates[unknown[k]]];
-        let jacobian = Mat::from_fn(rows.nrows(), unknown.len(), |r, k| rows[(r, unknown[k])] / scale(k));
-        let target = Mat::from_fn(rows.nrows(), 1, |r, _| {
-            -(0..drive.len()).map(|c| rows[(r, c)] * drive[c]).sum::<f64>()
-        });
-        let x = least_norm(&jacobian, &target);
-        let mut rates = drive.to_vec();
-        for (k, &c) in unknown.iter().enumerate() {
-            rates[c] = x[(k, 0)] / scale(k);
-        }
-        rates
-    }
-
-    /// Follows the branch that a closed group stands on while its drivers move by `way` (over the group's
-    /// coordinates; zero for `unknown`). Returns how much of the way was gone: 1, or less at a limit.
-    ///
-    /// Each step goes along the tangent, then is corrected; a correction that is not small beside the step, or a
-    /// tangent that turns sharply, is a sign of another branch, and the step is halved.
-    pub(crate) fn drive(
-        &self,
-        kinematics: &mut Kinematics<f64>,
-        group: &Group,
-        unknown: &[usize],
-        way: &[f64],
-        tolerance: f64,
-    ) -> f64 {
-        let lengths = self.coordinate_lengths();
-        let metres = |u: &[f64]| {
-            group.coordinates.iter().zip(u).map(|(&c, u)| (lengths[c] * u).powi(2)).sum::<f64>().sqrt()
-        };
-        let longest = LONGEST * self.mechanism.characteristic_length();
-        let (mut gone, mut share) = (0.0, 1.0);
-        let mut tangent = self.follow(kinematics, group, unknown, way);
-        while gone < 1.0 {
-            let speed = metres(&tangent);
-            let step = f64::min(share, 1.0 - gone).min(longest / speed.max(1e-300));
-            let before = kinematics.q.clone();
-            let mut u = vec![0.0; self.coordinates];
-            for (at, &c) in group.coordinates.iter().enumerate() {
-                u[c] = step * tangent[at];
-            }
-            self.advance(kinematics, &u);
-            let correction = self.correct(kinematics, group, unknown, tolerance);
-            let next = self.follow(kinematics, group, unknown, way);
-            let turn = dot(&tangent, &next, group, &lengths) / (speed * metres(&next)).max(1e-300);
-            let small = correction.moved <= 0.25 * step * speed + tolerance;
-            if correction.closed && small && turn > 0.8 {
-                gone = if 1.0 - gone - step < 1e-14 { 1.0 } else { gone + step };
-                share = 2.0 * step;
-                tangent = next;
-            } else {
-                kinematics.q = before;
-                kinematics.refill(self);
-                share = step / 2.0;
-                if share < SHORTEST {
-                    return gone;
-                }
-            }
-        }
-        gone
-    }
-}
-
-fn dot(a: &[f64], b: &[f64], group: &Group, lengths: &[f64]) -> f64 {
-    group.coordinates.iter().zip(a.iter().zip(b)).map(|(&c, (a, b))| lengths[c] * lengths[c] * a * b).sum()
 }
 
 fn norm(residuals: &[f64]) -> f64 {

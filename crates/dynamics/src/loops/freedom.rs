@@ -2,8 +2,10 @@
 
 use super::Group;
 use super::assembly::GroupFacts;
+use super::following::ease;
+use super::roles::Roles;
 use super::rank::{FLOOR, Rank, decide, singular_values};
-use crate::System;
+use crate::{Pose, System};
 use crate::kinematics::Kinematics;
 use nalgebra::DMatrix;
 
@@ -19,6 +21,20 @@ pub(crate) struct GenericRank {
     pub redundant: Vec<Vec<String>>,
 }
 
+/// The rank of the constraints at a pose.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PoseRank {
+    /// How many rows of A are independent.
+    pub rank: usize,
+    /// Least gap, of any group of loops, between singular values that count and those that do not; none without
+    /// constraints.
+    pub gap: Option<f64>,
+    /// Whether no singular value is within a factor of 30 of the threshold.
+    pub clear: bool,
+    /// Whether the rank is less than at a generic pose: branches cross here.
+    pub singular: bool,
+}
+
 impl System {
     /// Degrees of freedom at a generic pose; a floating base counts 6. Loops that do not close count as open.
     pub fn degrees_of_freedom(&self) -> usize {
@@ -26,10 +42,31 @@ impl System {
     }
 
     /// Degrees of freedom at a pose: more than the generic number at a change point.
-    pub fn degrees_of_freedom_at(&self, pose: &crate::Pose) -> usize {
-        let rows = self.constraint_rows(&pose.kinematics);
-        let values = singular_values(&rows, &self.coordinate_lengths());
-        self.coordinates - decide(&values, self.rank_floor()).rank
+    pub fn degrees_of_freedom_at(&self, pose: &Pose) -> usize {
+        self.coordinates - self.rank_at(pose).rank
+    }
+
+    /// How the rank of the constraints is decided at a pose.
+    pub fn rank_at(&self, pose: &Pose) -> PoseRank {
+        let floor = self.rank_floor();
+        let mut total = PoseRank { rank: 0, gap: None, clear: true, singular: false };
+        let mut add = |values: &[f64]| {
+            let rank = decide(values, floor);
+            total.rank += rank.rank;
+            total.gap = Some(total.gap.unwrap_or(f64::INFINITY).min(rank.gap));
+            total.clear &= rank.clear;
+        };
+        if self.held.is_empty() {
+            for group in &self.groups {
+                let (_, rows) = self.group_rows(&pose.kinematics, group);
+                add(&singular_values(&rows, &group.lengths));
+            }
+        } else {
+            let rows = self.constraint_rows(&pose.kinematics);
+            add(&singular_values(&rows, &self.coordinate_lengths()));
+        }
+        total.singular = total.rank < self.generic_rank().rank;
+        total
     }
 
     /// Constraint rows that add nothing at a generic pose: of loops, couplings, held contacts and locks.
@@ -86,11 +123,11 @@ impl System {
         let mut redundant = Vec::new();
         for group in &self.groups {
             let (_, rows) = self.group_rows(&kinematics, group);
-            let lengths = self.lengths_of(group);
-            let rank = decide(&singular_values(&rows, &lengths), floor);
+            let lengths = &group.lengths;
+            let rank = decide(&singular_values(&rows, lengths), floor);
             add(rows.nrows(), rank);
             if rank.rank < rows.nrows() {
-                let mut names: Vec<String> = dependent_rows(&rows, &lengths, rank.rank)
+                let mut names: Vec<String> = dependent_rows(&rows, lengths, rank.rank)
                     .into_iter()
                     .map(|row| group.row_name(self, row).to_owned())
                     .collect();
@@ -116,35 +153,82 @@ impl System {
     }
 }
 
+/// How a group of loops stands.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Singularity {
+    /// Regularly: the drivers determine the followers.
+    #[default]
+    None,
+    /// At a limit of the chosen drivers, which have nearly no say there; the mechanism has its usual mobility.
+    DeadCentre,
+    /// Where branches cross: the constraints have less than their generic rank.
+    ChangePoint,
+}
+
+/// Which assembly a group stands in, and how.
+pub(crate) struct Place {
+    pub mode: i8,
+    pub singularity: Singularity,
+}
+
+/// Followers whose Jacobian's least pivot is below this part of its generic size stand at a dead centre.
+const DEAD: f64 = 1e-6;
+/// Where the least singular value that should count is below this part of the largest, a change point is near.
+const NEAR: f64 = 1e-4;
+
 impl System {
-    /// Sign of the followers' Jacobian's determinant, on rows that are independent at the generic pose; 0 where it is
-    /// singular.
-    pub(crate) fn mode(
+    /// Which assembly a group stands in: the sign of the followers' Jacobian's determinant, on rows that are independent
+    /// at the generic pose; 0 where it is singular.
+    pub(crate) fn place_of(
         &self,
         kinematics: &Kinematics<f64>,
         group: &Group,
         facts: &GroupFacts,
-        following: &[usize],
-    ) -> i8 {
-        let lengths = self.lengths_of(group);
+        roles: &Roles,
+    ) -> Place {
+        let (_, rows) = self.group_rows(kinematics, group);
+        let floor = FLOOR.max(10.0 * facts.inexactness / self.mechanism.characteristic_length());
+        let following = &roles.following;
+        let values = singular_values(&rows, &group.lengths);
+        let least = facts.rank.rank.checked_sub(1).map_or(f64::INFINITY, |last| values[last]);
+        let weak = ease(group, &rows, following) < DEAD * roles.ease;
+        let singularity = if decide(&values, floor).rank < facts.rank.rank {
+            Singularity::ChangePoint
+        } else if weak && least > NEAR * values[0] {
+            Singularity::DeadCentre
+        } else {
+            // Beside a change point the followers' Jacobian is weak too, but all rows count.
+            Singularity::None
+        };
         let count = following.len();
         let scaled =
-            |rows: &DMatrix<f64>, r: usize, c: usize| rows[(r, following[c])] / lengths[following[c]];
+            |rows: &DMatrix<f64>, r: usize, c: usize| rows[(r, following[c])] / group.lengths[following[c]];
         let generic = faer::Mat::from_fn(count, facts.rows.nrows(), |c, r| scaled(&facts.rows, r, c));
-        if count == 0 || generic.norm_max() == 0.0 {
-            return 0;
+        if singularity != Singularity::None || count == 0 || generic.norm_max() == 0.0 {
+            return Place { mode: 0, singularity };
         }
         let order: Vec<usize> = generic.col_piv_qr().P().arrays().0[..count].to_vec();
-        let (_, rows) = self.group_rows(kinematics, group);
-        let square = DMatrix::from_fn(count, count, |r, c| scaled(&rows, order[r], c));
-        let values = singular_values(&square, &vec![1.0; count]);
-        let regular = values.last().copied().unwrap_or(0.0) > 1e-9 * values.first().copied().unwrap_or(0.0);
-        match (regular, square.determinant() > 0.0) {
-            (false, _) => 0,
-            (true, true) => 1,
-            (true, false) => -1,
-        }
+        let square = faer::Mat::from_fn(count, count, |r, c| scaled(&rows, order[r], c));
+        Place { mode: determinant_sign(&square), singularity }
     }
+}
+
+/// The sign of a determinant that may be too small, or too large, for a number.
+fn determinant_sign(square: &faer::Mat<f64>) -> i8 {
+    let lu = square.partial_piv_lu();
+    let order = lu.P().arrays().0;
+    let mut seen = vec![false; order.len()];
+    let mut negative = false;
+    for first in 0..order.len() {
+        // A cycle of an even number is an odd permutation.
+        let mut next = first;
+        while !std::mem::replace(&mut seen[next], true) {
+            next = order[next];
+            negative ^= next != first;
+        }
+        negative ^= lu.U()[(first, first)] < 0.0;
+    }
+    if negative { -1 } else { 1 }
 }
 
 /// Rows on which some vector of ker Aᵀ is not zero.

@@ -3,17 +3,20 @@
 pub(crate) mod assembly;
 mod branches;
 pub(crate) mod closing;
+mod crossing;
+pub(crate) mod following;
 pub(crate) mod freedom;
 pub(crate) mod posing;
 pub(crate) mod rank;
 pub(crate) mod rows;
+mod roles;
 mod uncertainty;
 
 use crate::System;
 use crate::kinematics::Kinematics;
 use crate::system::Seat;
 use nalgebra::Vector3;
-use percuss_mechanism::{ClosureKind, LinkId, LoopFrame};
+use percuss_mechanism::{ClosureKind, JointId, LinkId, LoopFrame};
 
 /// A closure, compiled.
 #[derive(Clone, Debug)]
@@ -59,6 +62,15 @@ pub(crate) struct Group {
     pub gears: Vec<usize>,
     /// Indices of coordinates, ascending.
     pub coordinates: Vec<usize>,
+    /// For each coordinate, how far a unit rate moves a point at the characteristic length, m.
+    pub lengths: Vec<f64>,
+    /// The joint each coordinate is a velocity of; none for the floating base.
+    pub joints: Vec<Option<JointId>>,
+    /// Coordinates (by index into the group's) that change the pose: all but the floating base's, from which
+    /// everything is seen.
+    pub movable: Vec<usize>,
+    /// Bodies on the way from its closures to the root, and of its couplings' joints, parents first.
+    bodies: Vec<usize>,
 }
 
 impl Group {
@@ -121,6 +133,40 @@ impl System {
             });
         }
         self.groups = self.find_groups();
+        let joints: Vec<Option<JointId>> = self.coordinate_joints().into_iter().map(|(id, _)| id).collect();
+        let lengths = self.coordinate_lengths();
+        let mut groups = std::mem::take(&mut self.groups);
+        for group in &mut groups {
+            group.lengths = group.coordinates.iter().map(|&c| lengths[c]).collect();
+            group.joints = group.coordinates.iter().map(|&c| joints[c]).collect();
+            group.movable = (0..group.joints.len()).filter(|&at| group.joints[at].is_some()).collect();
+            group.bodies = self.bodies_of(group);
+        }
+        self.groups = groups;
+    }
+
+    fn bodies_of(&self, group: &Group) -> Vec<usize> {
+        let seats = group.loops.iter().flat_map(|&l| [&self.loops[l].predecessor, &self.loops[l].successor]);
+        let mut bodies: Vec<usize> = Vec::new();
+        for body in seats.filter_map(|seat| seat.body) {
+            bodies.extend(std::iter::successors(Some(body), |&b| self.bodies[b].parent));
+        }
+        let positions: Vec<usize> =
+            group.gears.iter().flat_map(|&g| self.gears[g].terms.iter().map(|(q, _, _)| *q)).collect();
+        let of_joint = |b: &usize| {
+            let body = &self.bodies[*b];
+            body.joint.is_some_and(|id| group.joints.contains(&Some(id)))
+                || body.q.clone().any(|q| positions.contains(&q))
+        };
+        bodies.extend((0..self.bodies.len()).filter(of_joint));
+        bodies.sort_unstable();
+        bodies.dedup();
+        bodies
+    }
+
+    /// Frames of a group's bodies at the positions in `q`, mimics filled in.
+    pub(crate) fn refill_group(&self, kinematics: &mut Kinematics<f64>, group: &Group) {
+        kinematics.refill_bodies(self, &group.bodies);
     }
 
     fn loop_seat(&self, end: &LoopFrame) -> Seat {

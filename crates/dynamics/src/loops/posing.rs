@@ -2,6 +2,10 @@
 
 use super::Group;
 use super::assembly::{Assembly, AssemblyError, GroupFacts};
+use super::closing::Moves;
+use super::following::Course;
+use super::freedom::Singularity;
+use super::roles::Roles;
 use crate::kinematics::Kinematics;
 use crate::{Configuration, Pose, System};
 use percuss_mechanism::JointId;
@@ -20,17 +24,14 @@ pub struct LoopState {
     /// Drivers that were not set and could not be brought to 0, with where they are.
     pub off_zero: Vec<(JointId, f64)>,
     /// For each group of loops, the sign of the determinant of the followers' Jacobian: which of the ways to put it
-    /// together this is. 0 where it vanishes: a dead centre of the drivers, or a change point.
+    /// together this is. 0 where it vanishes: see [`singularities`](Self::singularities).
     pub modes: Vec<i8>,
+    /// For each group of loops, whether it stands at a dead centre of its drivers or at a change point.
+    pub singularities: Vec<Singularity>,
     /// For each group, its coordinates (by index into it) that follow.
     pub(crate) following: Vec<Vec<usize>>,
-}
-
-/// Who drives a group.
-struct Roles {
-    following: Vec<usize>,
-    driving: Vec<usize>,
-    declared: bool,
+    /// For each group that stands (nearly) singular, positions of a regular pose on the same branch.
+    pub(crate) anchors: Vec<Option<Vec<f64>>>,
 }
 
 /// A driver with a position of one number.
@@ -54,19 +55,16 @@ impl System {
         self.pose_along(configuration, None)
     }
 
-    /// The pose at a configuration on the branch of another pose of the same system, followed from there.
+    /// The pose at a configuration on the branch of another pose of the same system, followed from there: through
+    /// crossings of branches too.
     ///
     /// # Errors
     /// [`AssemblyError`], as for [`pose`](Self::pose).
     pub fn pose_from(&self, from: &Pose, configuration: &Configuration) -> Result<Pose, AssemblyError> {
-        self.pose_along(configuration, Some(from.positions()))
+        self.pose_along(configuration, Some(from))
     }
 
-    fn pose_along(
-        &self,
-        configuration: &Configuration,
-        start: Option<&[f64]>,
-    ) -> Result<Pose, AssemblyError> {
+    fn pose_along(&self, configuration: &Configuration, start: Option<&Pose>) -> Result<Pose, AssemblyError> {
         if let Some(unlocked) = &self.unlocked {
             // A lock holds velocities, not the pose.
             return unlocked.pose_along(configuration, start);
@@ -81,12 +79,13 @@ impl System {
             let assembly = self.assembly()?;
             let state = LoopState { declared: true, ..LoopState::default() };
             let mut closer = Closer { system: self, assembly, configuration, start, kinematics, state };
-            for (group, facts) in self.groups.iter().zip(&assembly.groups) {
-                closer.close(group, facts)?;
+            for number in 0..self.groups.len() {
+                closer.close(number)?;
             }
             closer.state.drivers.sort_unstable();
             closer.state.drivers.dedup();
             kinematics = closer.kinematics;
+            kinematics.refill(self);
             loops = Some(closer.state);
         }
         Ok(Pose { kinematics, joint_q: self.joint_q.clone(), base: configuration.base, loops })
@@ -102,13 +101,11 @@ impl System {
 
     /// Copies the positions of a group's joints.
     pub(crate) fn set_group(&self, kinematics: &mut Kinematics<f64>, group: &Group, q: &[f64]) {
-        for &c in &group.coordinates {
-            if let Some(id) = self.joint_of_coordinate(c) {
-                let range = self.joint_q[id.index()].clone();
-                kinematics.q[range.clone()].copy_from_slice(&q[range]);
-            }
+        for id in group.joints.iter().copied().flatten() {
+            let range = self.joint_q[id.index()].clone();
+            kinematics.q[range.clone()].copy_from_slice(&q[range]);
         }
-        kinematics.refill(self);
+        self.refill_group(kinematics, group);
     }
 }
 
@@ -117,79 +114,66 @@ struct Closer<'a> {
     system: &'a System,
     assembly: &'a Assembly,
     configuration: &'a Configuration,
-    start: Option<&'a [f64]>,
+    start: Option<&'a Pose>,
     kinematics: Kinematics<f64>,
     state: LoopState,
 }
 
 impl Closer<'_> {
-    fn close(&mut self, group: &Group, facts: &GroupFacts) -> Result<(), AssemblyError> {
-        let system = self.system;
+    fn close(&mut self, number: usize) -> Result<(), AssemblyError> {
+        let (system, facts) = (self.system, &self.assembly.groups[number]);
+        let group = &system.groups[number];
         let roles = self.roles(group, facts)?;
-        let tolerance = system.closing_tolerance(&self.kinematics).max(2.0 * facts.inexactness);
+        let tolerance = system.closing_tolerance(&self.kinematics).max(ROUNDED * facts.inexactness);
         let drivers = self.drivers(group, &roles);
-        match self.configuration.guess_for(system, group) {
+        let anchor = match self.configuration.guess_for(system, group) {
             Some(guess) => self.close_from_guess(group, &roles, &drivers, &guess, tolerance)?,
-            None => self.close_along_branch(group, facts, &roles, &drivers, tolerance)?,
-        }
-        self.state.residual = self.state.residual.max(system.group_residual(&self.kinematics, group).0);
-        self.state.inexactness = self.state.inexactness.max(facts.inexactness);
-        self.state.declared &= roles.declared;
-        self.state.modes.push(system.mode(&self.kinematics, group, facts, &roles.following));
-        self.state.following.push(roles.following);
-        let joint = |&at: &usize| system.joint_of_coordinate(group.coordinates[at]);
-        self.state.drivers.extend(roles.driving.iter().filter_map(joint));
+            None => self.close_along_branch(number, &roles, &drivers, tolerance)?,
+        };
+        let place = system.place_of(&self.kinematics, group, facts, &roles);
+        let state = &mut self.state;
+        state.residual = state.residual.max(system.group_residual(&self.kinematics, group).0);
+        state.inexactness = state.inexactness.max(facts.inexactness);
+        state.declared &= roles.declared;
+        state.modes.push(place.mode);
+        state.singularities.push(place.singularity);
+        state.drivers.extend(roles.driving.iter().filter_map(|&at| group.joints[at]));
+        state.following.push(roles.following);
+        state.anchors.push(anchor);
         Ok(())
     }
 
     /// Who drives: what was set, else what is declared, else the best-conditioned choice.
     fn roles(&self, group: &Group, facts: &GroupFacts) -> Result<Roles, AssemblyError> {
-        let (system, mechanism) = (self.system, &self.system.mechanism);
-        let joint = |at: usize| system.joint_of_coordinate(group.coordinates[at]);
-        let count = group.coordinates.len();
-        let advice: Vec<u8> = (0..count)
-            .map(|at| match joint(at).map(|id| mechanism.joint(id).independent()) {
-                None | Some(Some(true)) => 2,
-                Some(None) => 1,
-                Some(Some(false)) => 0,
-            })
-            .collect();
-        let given = |at: usize| joint(at).is_some_and(|id| self.configuration.given[id.index()]);
-        let rest = |following: &[usize]| (0..count).filter(|at| !following.contains(at)).collect::<Vec<_>>();
-        let by_advice = system.followers(group, facts, &advice);
-        let advised = rest(&by_advice);
-        let mobility = count - facts.rank.rank;
-        let declared = advised.iter().all(|&at| advice[at] == 2)
-            && advice.iter().filter(|a| **a == 2).count() == mobility;
-        let (following, driving) = if declared {
-            (by_advice, advised)
-        } else {
-            let wish: Vec<u8> = (0..count).map(|at| if given(at) { 3 } else { advice[at] }).collect();
-            let following = system.followers(group, facts, &wish);
-            let driving = rest(&following);
-            (following, driving)
-        };
-        if let Some(&at) = following.iter().find(|&&at| given(at)) {
-            let name = |at: usize| joint(at).map(|id| mechanism.joint(id).name().to_owned());
-            let mut drivers: Vec<String> = driving.iter().filter_map(|&d| name(d)).collect();
+        let given = |at: usize| group.joints[at].is_some_and(|id| self.configuration.given[id.index()]);
+        let roles = self.system.roles(group, facts, given);
+        if let Some(&at) = roles.following.iter().find(|&&at| given(at)) {
+            let name = |at: usize| group.joints[at].map(|id| self.system.mechanism.joint(id).name().to_owned());
+            let mut drivers: Vec<String> = roles.driving.iter().filter_map(|&d| name(d)).collect();
             drivers.dedup();
             return Err(AssemblyError::Dependent { joint: name(at).unwrap_or_default(), drivers });
         }
-        Ok(Roles { following, driving, declared })
+        Ok(roles)
     }
 
     fn drivers(&self, group: &Group, roles: &Roles) -> Vec<Driver> {
         let driver = |&at: &usize| {
-            let joint = self.system.joint_of_coordinate(group.coordinates[at])?;
+            let joint = group.joints[at]?;
             let range = &self.system.joint_q[joint.index()];
             let given = self.configuration.given[joint.index()];
-            let wanted = self.kinematics.q[range.start];
+            let wanted = self.configuration.values[joint.index()][0];
             (range.len() == 1).then_some(Driver { at, joint, q: range.start, wanted, given })
         };
         roles.driving.iter().filter_map(driver).collect()
     }
 
-    /// Puts the group where the guess says, the drivers where they are wanted, and closes it there.
+    fn correct(&mut self, group: &Group, unknown: &[usize], tolerance: f64) -> bool {
+        let moves = Moves { unknown, course: None };
+        self.system.correct(&mut self.kinematics, group, moves, tolerance).closed
+    }
+
+    /// Puts the group where the guess says, the drivers where they are wanted, and closes it there; or closes it near
+    /// the guess, and follows the branch to where the drivers are wanted.
     fn close_from_guess(
         &mut self,
         group: &Group,
@@ -197,85 +181,181 @@ impl Closer<'_> {
         drivers: &[Driver],
         guess: &[f64],
         tolerance: f64,
-    ) -> Result<(), AssemblyError> {
+    ) -> Result<Option<Vec<f64>>, AssemblyError> {
         self.system.set_group(&mut self.kinematics, group, guess);
+        self.put(group, drivers);
+        if self.correct(group, &roles.following, tolerance) {
+            return Ok(None);
+        }
+        self.system.set_group(&mut self.kinematics, group, guess);
+        if !self.correct(group, &group.movable, tolerance) {
+            return Err(self.unreachable(group, roles, drivers));
+        }
+        let all: Vec<&Driver> = drivers.iter().collect();
+        self.drive(group, roles, drivers, &all, tolerance)
+    }
+
+    /// Follows the branch of a known closed pose until the drivers are where they are wanted. Gives a regular pose on
+    /// the branch where the end is singular.
+    fn close_along_branch(
+        &mut self,
+        number: usize,
+        roles: &Roles,
+        drivers: &[Driver],
+        tolerance: f64,
+    ) -> Result<Option<Vec<f64>>, AssemblyError> {
+        let (system, facts) = (self.system, &self.assembly.groups[number]);
+        let group = &system.groups[number];
+        let home = &self.assembly.home;
+        let regular = |closer: &Self| {
+            facts.home_is_regular
+                && closer.system.place_of(&closer.kinematics, group, facts, roles).singularity
+                    == Singularity::None
+        };
+        let mut anchor = None;
+        match self.start {
+            Some(from) => {
+                let known = from.loops.as_ref().and_then(|l| l.anchors.get(number)?.as_ref());
+                let there = drivers.iter().all(|d| from.positions()[d.q] == d.wanted);
+                anchor = known.cloned();
+                let start = known.filter(|_| !there).map_or(from.positions(), Vec::as_slice);
+                system.set_group(&mut self.kinematics, group, start);
+            }
+            None => {
+                system.set_group(&mut self.kinematics, group, home);
+                // At a change point or a dead centre there is no branch to follow.
+                if !regular(self) {
+                    anchor = Some(facts.generic.clone());
+                    let there = drivers.iter().all(|d| home[d.q] == d.wanted);
+                    if !there {
+                        system.set_group(&mut self.kinematics, group, &facts.generic);
+                    }
+                }
+            }
+        }
+        self.set_directly(group, roles, drivers, tolerance)?;
+        // Drivers that nobody set go to 0, first and by themselves: together, or those that can.
+        let (given, idle): (Vec<&Driver>, Vec<&Driver>) = drivers.iter().partition(|d| d.given);
+        let before = self.kinematics.clone();
+        match self.drive(group, roles, drivers, &idle, tolerance) {
+            Ok(found) => anchor = found.or(anchor.filter(|_| self.stands(&idle) && before.q == self.kinematics.q)),
+            Err(_) => {
+                self.kinematics = before;
+                for driver in &idle {
+                    let before = self.kinematics.clone();
+                    if self.drive(group, roles, drivers, &[driver], tolerance).is_err() {
+                        self.kinematics = before;
+                        self.state.off_zero.push((driver.joint, self.kinematics.q[driver.q]));
+                    }
+                }
+                anchor = None;
+            }
+        }
+        if !self.stands(&given) {
+            anchor = self.drive(group, roles, drivers, &given, tolerance)?;
+        }
+        let (residual, _) = system.group_residual(&self.kinematics, group);
+        if residual <= tolerance || self.correct(group, &roles.following, tolerance) {
+            Ok(anchor)
+        } else {
+            Err(self.unreachable(group, roles, drivers))
+        }
+    }
+
+    fn stands(&self, drivers: &[&Driver]) -> bool {
+        drivers.iter().all(|d| self.kinematics.q[d.q] == d.wanted)
+    }
+
+    fn put<'d>(&mut self, group: &Group, drivers: impl IntoIterator<Item = &'d Driver>) {
         for driver in drivers {
             self.kinematics.q[driver.q] = driver.wanted;
         }
-        self.kinematics.refill(self.system);
-        let correction = self.system.correct(&mut self.kinematics, group, &roles.following, tolerance);
-        if correction.closed { Ok(()) } else { Err(self.unreachable(group, drivers)) }
+        self.system.refill_group(&mut self.kinematics, group);
     }
 
-    /// Follows the branch of a known closed pose until the drivers are where they are wanted.
-    fn close_along_branch(
+    /// Moves some drivers to where they are wanted, in a straight line.
+    fn drive(
         &mut self,
         group: &Group,
-        facts: &GroupFacts,
+        roles: &Roles,
+        drivers: &[Driver],
+        moving: &[&Driver],
+        tolerance: f64,
+    ) -> Result<Option<Vec<f64>>, AssemblyError> {
+        let mut way = vec![0.0; group.coordinates.len()];
+        moving.iter().for_each(|d| way[d.at] = d.wanted - self.kinematics.q[d.q]);
+        let Some(course) = Course::new(self.system, group, &roles.following, way, tolerance, roles.ease) else {
+            return Ok(None);
+        };
+        let arrival = course.go(&mut self.kinematics);
+        if !arrival.there {
+            return Err(self.unreachable(group, roles, drivers));
+        }
+        self.put(group, moving.iter().copied());
+        Ok(arrival.anchor)
+    }
+
+    /// Driving joints with positions of several numbers that were set go there in steps of a tenth, each closed from the
+    /// last.
+    fn set_directly(
+        &mut self,
+        group: &Group,
         roles: &Roles,
         drivers: &[Driver],
         tolerance: f64,
     ) -> Result<(), AssemblyError> {
         let system = self.system;
-        let wanted: Vec<(std::ops::Range<usize>, Vec<f64>)> = self.set_directly(group, roles);
-        let at_home = drivers.iter().all(|d| self.assembly.home[d.q] == d.wanted);
-        let start = match self.start {
-            Some(start) => start,
-            // At a change point there is no branch to follow.
-            None if facts.home_is_regular || at_home => &self.assembly.home,
-            None => &facts.generic,
+        let set = |at: &usize| {
+            let id = group.joints[*at]?;
+            let several = system.joint_q[id.index()].len() > 1;
+            (several && self.configuration.given[id.index()]).then_some(id)
         };
-        system.set_group(&mut self.kinematics, group, start);
-        for (range, values) in &wanted {
-            self.kinematics.q[range.clone()].copy_from_slice(values);
+        let mut joints: Vec<JointId> = roles.driving.iter().filter_map(set).collect();
+        joints.dedup();
+        if joints.is_empty() {
+            return Ok(());
         }
-        self.kinematics.refill(system);
-        if !wanted.is_empty() {
-            system.correct(&mut self.kinematics, group, &roles.following, tolerance);
+        let mut goal = self.kinematics.q.clone();
+        for id in &joints {
+            goal[system.joint_q[id.index()].clone()].copy_from_slice(&self.configuration.values[id.index()]);
         }
-        // Drivers that nobody set go to 0 as far as they can, first and by themselves.
-        for given in [false, true] {
-            let moving: Vec<&Driver> = drivers.iter().filter(|d| d.given == given).collect();
-            let mut way = vec![0.0; group.coordinates.len()];
-            moving.iter().for_each(|d| way[d.at] = d.wanted - self.kinematics.q[d.q]);
-            if way.iter().all(|w| *w == 0.0) {
-                continue;
-            }
-            let gone = system.drive(&mut self.kinematics, group, &roles.following, &way, tolerance);
-            if gone < 1.0 && given {
-                return Err(self.unreachable(group, drivers));
-            }
-            for driver in moving {
-                if gone == 1.0 {
-                    self.kinematics.q[driver.q] = driver.wanted;
-                } else if self.kinematics.q[driver.q] != driver.wanted {
-                    self.state.off_zero.push((driver.joint, self.kinematics.q[driver.q]));
+        let way = system.displacement(group, &self.kinematics.q, &goal);
+        let size = system.mechanism.characteristic_length();
+        let far = way.iter().zip(&group.lengths).map(|(w, l)| (w * l).abs()).fold(0.0, f64::max);
+        let steps = (10.0 * far / size).ceil().clamp(1.0, 1e4);
+        let part: Vec<f64> = way.iter().map(|w| w / steps).collect();
+        for step in 1..=steps as usize {
+            system.advance_group(&mut self.kinematics, group, &part);
+            if step as f64 == steps {
+                for id in &joints {
+                    let range = system.joint_q[id.index()].clone();
+                    self.kinematics.q[range.clone()].copy_from_slice(&goal[range]);
                 }
+                system.refill_group(&mut self.kinematics, group);
             }
-            self.kinematics.refill(system);
-            system.correct(&mut self.kinematics, group, &roles.following, tolerance);
+            if !self.correct(group, &roles.following, tolerance) {
+                return Err(self.unreachable(group, roles, drivers));
+            }
         }
-        let (residual, _) = system.group_residual(&self.kinematics, group);
-        if residual <= tolerance { Ok(()) } else { Err(self.unreachable(group, drivers)) }
+        Ok(())
     }
 
-    /// Driving joints with positions of several numbers that were set: they are put there, not followed.
-    fn set_directly(&self, group: &Group, roles: &Roles) -> Vec<(std::ops::Range<usize>, Vec<f64>)> {
-        let direct = |&at: &usize| {
-            let joint = self.system.joint_of_coordinate(group.coordinates[at])?;
-            let range = self.system.joint_q[joint.index()].clone();
-            let direct = range.len() > 1 && self.configuration.given[joint.index()];
-            direct.then(|| (range.clone(), self.kinematics.q[range].to_vec()))
+    /// Drivers, then followers, where the group stands now.
+    fn unreachable(&self, group: &Group, roles: &Roles, drivers: &[Driver]) -> AssemblyError {
+        let name = |id: JointId| self.system.mechanism.joint(id).name().to_owned();
+        let follower = |&at: &usize| {
+            let id = group.joints[at]?;
+            let range = &self.system.joint_q[id.index()];
+            (range.len() == 1).then(|| (name(id), self.kinematics.q[range.start]))
         };
-        roles.driving.iter().filter_map(direct).collect()
-    }
-
-    fn unreachable(&self, group: &Group, drivers: &[Driver]) -> AssemblyError {
-        let name = |d: &Driver| self.system.mechanism.joint(d.joint).name().to_owned();
+        let of_drivers = drivers.iter().map(|d| (name(d.joint), self.kinematics.q[d.q]));
         AssemblyError::Unreachable {
-            wanted: drivers.iter().map(|d| (name(d), d.wanted)).collect(),
-            nearest: drivers.iter().map(|d| (name(d), self.kinematics.q[d.q])).collect(),
+            wanted: drivers.iter().map(|d| (name(d.joint), d.wanted)).collect(),
+            nearest: of_drivers.chain(roles.following.iter().filter_map(follower)).collect(),
             loops: self.system.group_names(group),
         }
     }
 }
+
+/// Loops of a rounded file fit to within this many times their inexactness, which is measured at one pose, at others.
+const ROUNDED: f64 = 10.0;

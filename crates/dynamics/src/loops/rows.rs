@@ -18,10 +18,7 @@ struct Row {
 impl System {
     /// Residuals (m) of a group and its rows over the group's coordinates.
     pub(crate) fn group_rows(&self, kinematics: &Kinematics<f64>, group: &Group) -> (Vec<f64>, DMatrix<f64>) {
-        let mut column = vec![usize::MAX; self.coordinates];
-        for (at, &c) in group.coordinates.iter().enumerate() {
-            column[c] = at;
-        }
+        let column = |c: usize| group.coordinates.partition_point(|&other| other < c);
         let mut residuals = Vec::with_capacity(group.rows(self));
         let mut matrix = DMatrix::zeros(group.rows(self), group.coordinates.len());
         for &l in &group.loops {
@@ -34,7 +31,7 @@ impl System {
             self.for_each_relative_twist(kinematics, on, against, &x_rs.translation, |v, twist| {
                 if let Some(f) = self.follows[v] {
                     for (i, row) in rows.iter().enumerate() {
-                        matrix[(first + i, column[f.index])] += row.wrench.power(&twist) * f.multiplier;
+                        matrix[(first + i, column(f.index))] += row.wrench.power(&twist) * f.multiplier;
                     }
                 }
             });
@@ -45,14 +42,15 @@ impl System {
             residuals.push(gear.scale * gear.terms.iter().map(|(q, _, f)| f * kinematics.q[*q]).sum::<f64>());
             for (_, v, factor) in &gear.terms {
                 if let Some(f) = v.and_then(|v| self.follows[v]) {
-                    matrix[(row, column[f.index])] += gear.scale * factor * f.multiplier;
+                    matrix[(row, column(f.index))] += gear.scale * factor * f.multiplier;
                 }
             }
         }
         (residuals, matrix)
     }
 
-    /// All rows of A over the coordinates: groups one after another, then the held contacts.
+    /// All rows of A over the coordinates: groups one after another, each scaled to an entry of at most 1 (so that its
+    /// rank does not hang on the others'), then the held contacts.
     pub(crate) fn constraint_rows(&self, kinematics: &Kinematics<f64>) -> DMatrix<f64> {
         let count: usize = self.groups.iter().map(|g| g.rows(self)).sum();
         let held: usize = self.held.iter().map(Held::rows).sum();
@@ -60,8 +58,11 @@ impl System {
         let mut first = 0;
         for group in &self.groups {
             let (_, rows) = self.group_rows(kinematics, group);
+            let scaled = |at: usize| rows.column(at) / group.lengths[at];
+            let largest = (0..group.lengths.len()).map(|at| scaled(at).amax()).fold(0.0, f64::max);
+            let scale = if largest > 0.0 { 1.0 / largest } else { 1.0 };
             for (at, &c) in group.coordinates.iter().enumerate() {
-                matrix.view_mut((first, c), (rows.nrows(), 1)).copy_from(&rows.column(at));
+                matrix.view_mut((first, c), (rows.nrows(), 1)).copy_from(&(rows.column(at) * scale));
             }
             first += rows.nrows();
         }

@@ -1,0 +1,269 @@
+//! Contacts of closed linkages through the command: which joints drive, which assembly, what is held, what stands beside.
+
+mod support;
+
+use support::{json, percuss, root};
+
+const COUPLER: &str = "mass models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0";
+const ROCKER: &str = "mass models/four_bar.urdf --link rocker --point -0.25,0.6,0 --normal 12,5,0";
+const SPRING: &str = "mass models/double_wishbone.urdf --link spring_seat --point 0,0,0 --along-line spring_chassis_seat:0,0,0";
+const MIDDLE_WHEEL: &str = "mass models/rocker_bogie.urdf --link right_middle --point 0,0,0 --normal 0,0,-1";
+
+/// Σ (m v² + I ω²) of the four-bar at zero per unit rate of the crank, kg·m²: see the model.
+const FOUR_BAR_ENERGY: f64 = 52163.0 / 110250.0;
+
+fn kilograms(line: &str) -> f64 {
+    json(&format!("{line} --format json"))["effective_mass"].as_f64().expect("a finite mass")
+}
+
+#[track_caller]
+fn assert_close(got: f64, expected: f64, tolerance: f64) {
+    assert!((got - expected).abs() <= tolerance * expected.abs(), "got {got}, expected {expected}");
+}
+
+/// What a refusal says, and with which exit code.
+#[track_caller]
+fn assert_refused(line: &str, code: i32, words: &[&str]) {
+    let outcome = percuss(line);
+    assert_eq!(outcome.code, code, "{line}\n{}", outcome.stderr);
+    assert_eq!(outcome.stdout, "", "{line}");
+    for word in words {
+        assert!(outcome.stderr.contains(word), "{line}: {word} is missing in\n{}", outcome.stderr);
+    }
+}
+
+#[test]
+fn json_says_how_the_loops_stand() {
+    let report = json(&format!("{COUPLER} --format json"));
+    assert_eq!(
+        (report["degrees_of_freedom"].as_u64(), report["generic_degrees_of_freedom"].as_u64()),
+        (Some(1), Some(1))
+    );
+    assert_eq!(report["redundant_constraints"], 3);
+    assert_eq!(report["redundant_loops"], serde_json::json!([["rocker_pin"]]));
+    assert_eq!(report["drivers"], serde_json::json!(["crank_hinge"]));
+    assert_eq!((&report["singular_pose"], &report["route"]), (&false.into(), &"dense".into()));
+    assert!(
+        report["closure_residual"].as_f64().unwrap()
+            <= 1e-12 * report["characteristic_length"].as_f64().unwrap()
+    );
+    assert!(report["closure_inexactness"].as_f64().unwrap() < 1e-12);
+    assert!(report["rank_gap"].as_f64().unwrap() > 1e6);
+    assert_eq!(report["assembly_modes"].as_array().unwrap().len(), 1);
+    assert_eq!(report["branch_limits"], serde_json::json!([]));
+    for joint in ["crank_hinge", "crank_pin", "rocker_hinge"] {
+        assert_eq!(report["pose"][joint].as_array().map(Vec::len), Some(1), "{joint}");
+    }
+    let shares: f64 = report["bodies"].as_array().unwrap().iter().map(|b| b["share"].as_f64().unwrap()).sum();
+    assert_close(shares, 1.0, 1e-14);
+    // An open chain has none of it.
+    let open = json(
+        "mass models/semi_trailing_arm.urdf --link spring_seat --point 0,0,0 --normal 0,0,1 --format json",
+    );
+    for key in ["rank_gap", "closure_residual", "closure_inexactness"] {
+        assert!(open[key].is_null(), "{key}: {}", open[key]);
+    }
+    let check = json("check models/six_bar.urdf --format json");
+    assert_eq!(
+        (check["degrees_of_freedom"].as_u64(), check["redundant_constraints"].as_u64()),
+        (Some(1), Some(6))
+    );
+    assert_eq!(check["closures"].as_array().map(Vec::len), Some(2));
+}
+
+#[test]
+fn followers_are_not_set() {
+    for joint in ["rocker_hinge=0.1", "crank_pin=1deg"] {
+        let name = joint.split('=').next().unwrap();
+        assert_refused(&format!("{COUPLER} --set {joint}"), 2, &[name, "\"crank_hinge\"", "--guess"]);
+        // Even where the driver is set as well.
+        assert_refused(&format!("{COUPLER} --set crank_hinge=0.2 --set {joint}"), 2, &[name, "--guess"]);
+    }
+    assert_refused(
+        &format!("{MIDDLE_WHEEL} --set right_rocker=0.1"),
+        2,
+        &["right_rocker", "\"left_rocker\""],
+    );
+    assert_refused(&format!("{SPRING} --set lower_ball=1,0,0,0"), 2, &["lower_ball", "\"lower_arm_hinge\""]);
+    assert_refused(&format!("{SPRING} --guess lower_ball=1,0,0"), 2, &["lower_ball", "quaternion"]);
+    assert_refused(&format!("{SPRING} --guess tie_rod=1"), 2, &["no joint is named \"tie_rod\""]);
+}
+
+#[test]
+fn what_cannot_be_reached_is_told_with_the_loop_and_the_nearest() {
+    let outcome = percuss(&format!("{SPRING} --set lower_arm_hinge=2"));
+    assert_eq!((outcome.code, outcome.stdout.as_str()), (1, ""));
+    let message = outcome.stderr.lines().last().unwrap();
+    assert!(message.contains("lower_arm_hinge = 2") && message.contains("\"upper_ball\""), "{message}");
+    let (_, nearest) = message.split_once("nearest reached: lower_arm_hinge = ").expect("it is told");
+    let nearest: f64 = nearest.split(',').next().unwrap().trim().parse().expect("a number");
+    // Computed independently; the range ends like a parabola, so that 1e-12 of the size is 1e-6 of the angle.
+    assert!((nearest - 0.457779675518).abs() < 1e-5, "{nearest}");
+}
+
+/// The other assembly is the mirror image of the rocker's pin in the line from the crank's pin to the rocker's hinge.
+#[test]
+fn a_guess_selects_the_other_assembly() {
+    let (here, there) = (
+        json(&format!("{ROCKER} --format json")),
+        json(&format!("{ROCKER} --guess rocker_hinge=150deg --format json")),
+    );
+    let at = |report: &serde_json::Value, i: usize| report["contact"]["point_world"][i].as_f64().unwrap();
+    let (x, y) = (0.65, -0.3); // from the crank's pin (0, 0.3) to the rocker's hinge
+    let (dx, dy) = (at(&here, 0), at(&here, 1) - 0.3);
+    let along = (dx * x + dy * y) / (x * x + y * y);
+    let mirrored = [2.0 * along * x - dx, 2.0 * along * y - dy + 0.3];
+    for (i, coordinate) in mirrored.into_iter().enumerate() {
+        assert!((at(&there, i) - coordinate).abs() < 1e-12, "{} {coordinate}", at(&there, i));
+    }
+    assert_ne!(here["assembly_modes"], there["assembly_modes"]);
+    // The parallelogram of the antiparallelogram's lengths: the rocker's pin moves with the crank's.
+    let crossed = "mass models/antiparallelogram.urdf --link rocker --point 0.4,-0.3,0 --normal 3,4,0 --guess rocker_hinge=74deg";
+    // Crank, rocker and coupler at 0.5 m: 2·2.4/3 + 3.
+    assert_close(kilograms(crossed), 4.6, 1e-12);
+}
+
+#[test]
+fn held_contacts_hold_and_say_where_they_pull() {
+    let (free, locked) = (2.96923687043227, 0.15 / (0.2 * 0.2));
+    assert_close(kilograms(MIDDLE_WHEEL), free, 1e-12);
+    // Lifted in the middle, the right rocker presses its front wheel down, and the differential lifts the left one.
+    let pressed = percuss(&format!(
+        "{MIDDLE_WHEEL} --hold right_front:0,0,-0.1:0,0,-1 --expect {locked} --tolerance 1e-12"
+    ));
+    assert_eq!((pressed.code, pressed.stderr.as_str()), (0, ""));
+    let lifted = format!("{MIDDLE_WHEEL} --hold left_front:0,0,-0.1:0,0,-1");
+    let outcome = percuss(&lifted);
+    assert_eq!(outcome.code, 0);
+    assert!(
+        outcome.stderr.contains("would have to pull") && outcome.stderr.contains("2.9692368704"),
+        "{}",
+        outcome.stderr
+    );
+    let report = json(&format!("{lifted} --format json"));
+    assert_eq!(report["diagnostics"][0]["code"], "hold-pulls");
+    assert_close(report["effective_mass"].as_f64().unwrap(), locked, 1e-12);
+    assert_eq!(report["degrees_of_freedom"], 8);
+    assert_refused(&format!("{lifted} --strict"), 2, &["would have to pull"]);
+    assert_refused(&format!("{MIDDLE_WHEEL} --hold nothing:0,0,0"), 2, &["nothing"]);
+    assert_refused(&format!("{MIDDLE_WHEEL} --hold left_front:0,0,0:0,0,0"), 2, &["normal"]);
+    assert_refused(&format!("{MIDDLE_WHEEL} --hold left_front"), 2, &["LINK:X,Y,Z"]);
+    // A tyre that is rigid, and grips: nothing gives way.
+    assert_eq!(json(&format!("{SPRING} --hold contact_patch:0,0,0 --format json"))["status"], "immovable");
+}
+
+#[test]
+fn locks_on_followers_count() {
+    assert_eq!(json(&format!("{COUPLER} --lock rocker_hinge --format json"))["status"], "immovable");
+    assert_eq!(json(&format!("{SPRING} --lock upper_arm_hinge --format json"))["status"], "immovable");
+    assert_close(kilograms(&format!("{MIDDLE_WHEEL} --lock right_rocker")), 3.75, 1e-12);
+    assert_close(kilograms(&format!("{SPRING} --lock spin")), 527.65933305523, 1e-11);
+    assert_eq!(json(&format!("{SPRING} --lock spin --format json"))["degrees_of_freedom"], 1);
+    assert_refused(&format!("{SPRING} --lock upper_ball"), 2, &["no joint is named \"upper_ball\""]);
+}
+
+/// Contacts between links of one loop: the relative speed counts, not the two sides apart.
+#[test]
+fn against_another_link_of_the_loop() {
+    // Coupler against crank: (ω - 1)·0.35 with ω = -5/21.
+    assert_close(
+        kilograms(&format!("{COUPLER} --against crank")),
+        FOUR_BAR_ENERGY / (26.0 / 21.0 * 0.35f64).powi(2),
+        1e-12,
+    );
+    // Coupler against rocker: -0.35·5/21 from the coupler, 8/21·(0.35 - 0.65) from the rocker.
+    let speed = -0.35 * 5.0 / 21.0 - 8.0 / 21.0 * (0.35 - 0.65);
+    assert_close(kilograms(&format!("{COUPLER} --against rocker")), FOUR_BAR_ENERGY / (speed * speed), 1e-12);
+    // Either side may be called the struck one; the ground may be struck too.
+    let ground = COUPLER.replace("coupler", "ground").replace("0.35,0.1,0", "0.35,0.4,0");
+    assert_close(kilograms(&format!("{ground} --against coupler")), FOUR_BAR_ENERGY * 144.0, 1e-12);
+    // In a bearing there is nothing to close.
+    let pin =
+        "mass models/four_bar.urdf --link coupler --point 0,0,0 --normal 1,2,0 --against crank --format json";
+    assert_eq!(json(pin)["status"], "immovable");
+    // From the coupler's point towards the rocker's hinge, (0.3, -0.4): v = (-29/105, -1/12).
+    let along = COUPLER.replace("--normal 0,1,0", "--along-line rocker:0,0,0");
+    let speed = 0.6 * -29.0 / 105.0 + 0.8 / 12.0;
+    assert_close(kilograms(&along), FOUR_BAR_ENERGY / (speed * speed), 1e-12);
+    assert_close(
+        kilograms(&COUPLER.replace("0,1,0", "3,-4,0").replace("0.35,0.1,0", "0.35,0.1,0")),
+        kilograms(&along),
+        1e-13,
+    );
+    // A line to the contact's own place has no direction.
+    let nowhere = COUPLER.replace("--normal 0,1,0", "--along-line ground:0.35,0.4,0");
+    assert_refused(&nowhere, 2, &["no direction"]);
+}
+
+#[test]
+fn the_estimate_stands_beside_the_answer() {
+    let asked = format!("{SPRING} --estimate wheel,spindle,upright");
+    let report = json(&format!("{asked} --format json"));
+    let estimate = &report["estimate"];
+    let of = |key: &str| estimate[key].as_f64().unwrap_or_else(|| panic!("{key} in {estimate}"));
+    assert_close(of("mass"), 60.0 + 14.705 + 19.45, 1e-15);
+    assert_close(of("motion_ratio"), 2.2621034649, 1e-9);
+    assert_close(of("lever"), 1.0 / of("motion_ratio"), 1e-15);
+    assert_close(of("estimate"), of("mass") * of("motion_ratio").powi(2), 1e-14);
+    let exact = report["effective_mass"].as_f64().unwrap();
+    assert_close(of("error_percent"), 100.0 * (of("estimate") / exact - 1.0), 1e-10);
+    let carried: f64 = ["wheel", "spindle", "upright"]
+        .iter()
+        .map(|link| {
+            report["bodies"].as_array().unwrap().iter().find(|b| b["link"] == **link).unwrap()["share"]
+                .as_f64()
+                .unwrap()
+        })
+        .sum();
+    assert!((of("share_left_out") - (1.0 - carried)).abs() < 1e-14);
+    let text = percuss(&asked).stdout;
+    for words in [
+        "estimate m_K/l²      481.801688 kg   (-6.86 %)",
+        "94.155 kg of wheel, spindle, upright",
+        "2.26210346 (A over contact)",
+        "0.442066429 (contact over A)",
+    ] {
+        assert!(text.contains(words), "{words} is missing in\n{text}");
+    }
+    // The component of A's velocity along a direction.
+    let vertical = json(&format!("{asked}:0,0,0:0,0,2 --format json"));
+    assert_close(vertical["estimate"]["motion_ratio"].as_f64().unwrap(), 2.21478924, 1e-8);
+    assert_refused(&format!("{SPRING} --estimate wheel,nothing"), 2, &["no link is named \"nothing\""]);
+    assert_refused(&format!("{SPRING} --estimate wheel:0,0,0:0,0,0"), 2, &["direction"]);
+    assert_refused(&format!("{SPRING} --estimate wheel,,upright"), 2, &["LINK[,LINK"]);
+    assert!(json(&format!("{SPRING} --format json"))["estimate"].is_null());
+}
+
+/// A free body on the other side is in series with the mechanism; the estimate stays beside the mechanism's own.
+#[test]
+fn a_free_body_on_the_other_side_of_a_linkage() {
+    let mass = kilograms(SPRING);
+    assert_close(kilograms(&format!("{SPRING} --against-mass 500")), mass * 500.0 / (mass + 500.0), 1e-12);
+    let at_dead_centre = "mass models/slider_crank.urdf --link slider --point 0,0,0 --normal 1,0,0 --set crank_hinge=90deg --against-mass 2";
+    let report = json(&format!("{at_dead_centre} --format json"));
+    assert_eq!(
+        (report["effective_mass"].as_f64(), report["other_mass_share"].as_f64()),
+        (Some(2.0), Some(1.0))
+    );
+}
+
+/// A lock, a hold or more mass never makes a linkage lighter; a floating base never heavier.
+#[test]
+fn more_constraints_never_lower_the_mass() {
+    let free = kilograms(MIDDLE_WHEEL);
+    for more in [
+        "--lock left_bogie",
+        "--lock right_rocker",
+        "--lock right_middle",
+        "--hold left_rear:0,0,-0.1:1,0,0",
+        "--armature right_bogie=0.5",
+    ] {
+        assert!(kilograms(&format!("{MIDDLE_WHEEL} {more}")) >= free * (1.0 - 1e-13), "{more}");
+    }
+    for model in ["rocker_bogie --link left_front", "four_bar --link rocker", "multi_link --link upright"] {
+        let (name, link) = model.split_once(' ').unwrap();
+        assert!(root().join(format!("models/{name}.urdf")).exists());
+        let line = format!("mass models/{name}.urdf {link} --point 0.01,0.1,0.02 --normal 0.3,0.5,0.7");
+        assert!(kilograms(&format!("{line} --base floating")) <= kilograms(&line) * (1.0 + 1e-12), "{model}");
+    }
+}

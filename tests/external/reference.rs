@@ -1,0 +1,142 @@
+//! Reference files of closed linkages, read where they lie: percuss against the oracle's route C at random poses.
+//!
+//! `percuss-reference FILE.urdf …` prints a line a file, then `N passed, N failed`; it fails where nothing ran.
+
+use percuss_dynamics::{Conditions, Contact, Direction, EffectiveMass, Frame, Pose, RouteChoice, System};
+use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions, Source, load};
+use percuss_mechanism::{JointId, Mechanism};
+use percuss_oracle::maximal::{Outcome, Question, solve};
+use percuss_oracle::random;
+use rand::rngs::StdRng;
+use rand::{Rng, SeedableRng};
+use std::process::ExitCode;
+use std::sync::Arc;
+
+/// Configurations of each file, and contacts at each.
+const CONFIGURATIONS: usize = 50;
+const CONTACTS: usize = 5;
+/// Both are good to 1e-11 and better on these files; a rounded file's rank decision costs the rest.
+const TOLERANCE: f64 = 1e-9;
+/// Nearer to a singular pose (least over largest singular value of A) than this, poses are for other tests.
+const REGULAR: f64 = 1e-4;
+
+#[derive(Default)]
+struct Tally {
+    passed: usize,
+    failed: usize,
+    worst: f64,
+}
+
+fn main() -> ExitCode {
+    let mut total = Tally::default();
+    for path in std::env::args().skip(1) {
+        match compare(&path) {
+            Ok(tally) => {
+                println!("{path}: {} agree, {} do not, worst {:.1e}", tally.passed, tally.failed, tally.worst);
+                total.passed += tally.passed;
+                total.failed += tally.failed;
+            }
+            Err(message) => {
+                println!("{path}: FAILED: {message}");
+                total.failed += 1;
+            }
+        }
+    }
+    println!("{} passed, {} failed", total.passed, total.failed);
+    if total.failed == 0 && total.passed > 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+fn compare(path: &str) -> Result<Tally, String> {
+    let source = Source::read(path, DEFAULT_MAX_SIZE).map_err(|e| e.to_string())?;
+    let mechanism = load(&source, &LoadOptions::default()).map_err(|e| e.to_string())?.mechanism;
+    let mechanism = Arc::new(mechanism);
+    let system = System::new(Arc::clone(&mechanism), &Conditions::new()).map_err(|e| e.to_string())?;
+    let home = system.pose(&system.configuration()).map_err(|e| e.to_string())?;
+    let drivers = drivers(&mechanism, &home);
+    let mut rng = StdRng::seed_from_u64(2411);
+    let mut tally = Tally::default();
+    let mut posed = 0;
+    for attempt in 0..40 * CONFIGURATIONS {
+        if posed == CONFIGURATIONS {
+            break;
+        }
+        // Half the attempts stay near, where every linkage can go.
+        let reach = if attempt % 2 == 0 { 0.3 } else { 1.5 };
+        let mut configuration = system.configuration();
+        for &joint in &drivers {
+            let value = home.joint(joint)[0] + rng.random_range(-reach..reach);
+            configuration.set(mechanism.joint(joint).name(), &[value]).map_err(|e| e.to_string())?;
+        }
+        let Ok(pose) = system.pose(&configuration) else { continue };
+        let mut regular = true;
+        for _ in 0..CONTACTS {
+            regular &= contact(&mechanism, &system, &pose, &mut rng, &mut tally);
+        }
+        posed += usize::from(regular);
+    }
+    if posed < CONFIGURATIONS {
+        return Err(format!("only {posed} of {CONFIGURATIONS} configurations were reached"));
+    }
+    Ok(tally)
+}
+
+/// Joints with one position that drive: those of the loops, and those outside them.
+fn drivers(mechanism: &Mechanism, home: &Pose) -> Vec<JointId> {
+    let loops = home.loops();
+    let in_loops = |id: &JointId| loops.is_none_or(|l| l.drivers.contains(id));
+    mechanism
+        .joint_ids()
+        .filter(|id| mechanism.joint(*id).kind().positions() == 1 && mechanism.joint(*id).mimic().is_none())
+        .filter(in_loops)
+        .collect()
+}
+
+/// One contact; false where the pose is too near a singular one to count.
+fn contact(
+    mechanism: &Arc<Mechanism>,
+    system: &System,
+    pose: &Pose,
+    rng: &mut StdRng,
+    tally: &mut Tally,
+) -> bool {
+    let asked = random::contact(rng, mechanism);
+    let positions: Vec<Vec<f64>> = mechanism.joint_ids().map(|id| pose.joint(id).to_vec()).collect();
+    let mut question = Question::new(mechanism, positions, asked.on, asked.point, asked.normal);
+    question.against = asked.against;
+    let answer = solve(&question);
+    let counted = answer.singular_values.iter().filter(|v| **v > answer.threshold);
+    if counted.fold(1.0, |least: f64, v| least.min(*v)) < REGULAR {
+        return false;
+    }
+    let ours = Contact {
+        link: asked.on,
+        against: asked.against,
+        point: asked.point,
+        normal: Direction::Along(asked.normal, Frame::World),
+    };
+    let strike = match system.strike(pose, &ours, RouteChoice::Auto) {
+        Ok(strike) => strike,
+        Err(error) => {
+            println!("    {error}");
+            tally.failed += 1;
+            return true;
+        }
+    };
+    let deviation = match (strike.effective_mass, answer.outcome) {
+        (EffectiveMass::Finite(a), Outcome::Finite(c)) => (a / c - 1.0).abs(),
+        (EffectiveMass::Immovable, Outcome::Immovable) | (EffectiveMass::Massless, Outcome::Massless) => 0.0,
+        (a, c) => {
+            println!("    {a:?} beside {c:?}");
+            f64::INFINITY
+        }
+    };
+    let same_freedom = strike.degrees_of_freedom == answer.degrees_of_freedom;
+    if deviation <= TOLERANCE && same_freedom {
+        tally.passed += 1;
+    } else {
+        println!("    {deviation:.1e} off; {} and {} degrees of freedom", strike.degrees_of_freedom, answer.degrees_of_freedom);
+        tally.failed += 1;
+    }
+    tally.worst = tally.worst.max(deviation);
+    true
+}

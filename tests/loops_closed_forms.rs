@@ -1,0 +1,164 @@
+//! Planar linkages against their closed forms: over full turns, through crossings of branches, to their limits.
+
+use nalgebra::Vector2;
+use percuss_dynamics::{AssemblyError, EffectiveMass, Pose, Singularity};
+use percuss_oracle::closed_form::{
+    Crossing, FourBar, PlanarBody, PlanarPose, SliderCrank, antiparallelogram, planar_effective_mass,
+};
+use percuss_oracle::linkage::{self, Linkage};
+use percuss_tests::gauge::Gauge;
+use percuss_tests::rig::{Rig, in_plane, mass};
+use std::f64::consts::{PI, TAU};
+
+const BODIES: [PlanarBody; 3] = linkage::FOUR_BAR_BODIES;
+
+/// Points of the three bodies, and directions, that are struck.
+fn blows() -> impl Iterator<Item = (usize, Vector2<f64>, Vector2<f64>)> {
+    [(0, [0.2, 0.07]), (1, [0.31, -0.12]), (2, [0.24, 0.1])].into_iter().flat_map(|(body, point)| {
+        (0..3).map(move |k| {
+            let (sin, cos) = (0.3 + f64::from(k) * TAU / 7.0).sin_cos();
+            (body, Vector2::from(point), Vector2::new(cos, sin))
+        })
+    })
+}
+
+/// Strikes every body of a planar linkage at a pose, and compares with the bodies' motions.
+fn struck(rig: &Rig, pose: &Pose, bodies: [PlanarBody; 3], motions: [PlanarPose; 3], bound: f64, gauge: &mut Gauge) {
+
+    let all: Vec<_> = bodies.into_iter().zip(motions).collect();
+    for (body, point, n) in blows() {
+        // Digits are lost where the point hardly moves along the normal.
+        if n.dot(&motions[body].velocity_of(point)).abs() < 0.02 {
+            continue;
+        }
+        let link = rig.mechanism.links()[body + 1].name();
+        let strike = rig.strike(pose, &rig.contact(link, [point.x, point.y, 0.03], in_plane(n)));
+        let case = format!("{} {link} at {:?}", rig.name, rig.drivers.iter().map(|d| pose.joint(rig.joint(d))).collect::<Vec<_>>());
+        // Near a crossing the strike says how many digits are left.
+        let said = strike.effective_mass_error.expect("finite") / mass(&strike);
+        gauge.relative(&case, mass(&strike), planar_effective_mass(&all, body, point, n), bound.max(said));
+        let near = motions[0].angle.sin().abs();
+        if rig.name.contains("gram") { println!("near {near:e} {said:e}"); }
+        assert_eq!((strike.degrees_of_freedom, strike.singular_pose), (1, false), "{case}");
+    }
+}
+
+#[test]
+fn full_turns() {
+    let mut gauge = Gauge::new("full turns against closed forms");
+    let mut turn = |linkage: Linkage, bodies, motions: &dyn Fn(f64) -> [PlanarPose; 3]| {
+        let rig = Rig::new(linkage);
+        assert_eq!((rig.system.degrees_of_freedom(), rig.system.redundant_constraints()), (1, 3));
+        let mut pose = rig.closed();
+        for i in 0..=360 {
+            let theta = f64::from(i) * TAU / 360.0;
+            pose = rig.reach(&pose, &[theta]);
+            struck(&rig, &pose, bodies, motions(theta), 1e-10, &mut gauge);
+        }
+    };
+    let bar = linkage::FOUR_BAR;
+    turn(linkage::four_bar(), BODIES, &|t| bar.poses(t, Crossing::Left).unwrap());
+    let crossed = linkage::four_bar_of("crossed", bar, BODIES, Crossing::Right, 0.7, [-PI, PI]);
+    turn(crossed, BODIES, &|t| bar.poses(t, Crossing::Right).unwrap());
+    let engine = linkage::SLIDER_CRANK;
+    turn(linkage::slider_crank(), linkage::SLIDER_CRANK_BODIES, &|t| engine.poses(t).unwrap());
+    gauge.report();
+}
+
+/// Coupler's and rocker's angles and rates of a parallelogram, open or crossed, whatever the turn.
+fn motions(bar: FourBar, open: bool, theta: f64) -> [PlanarPose; 3] {
+    let wrapped = (theta + PI).rem_euclid(TAU) - PI;
+    let (psi, rate) = if open { (theta, 1.0) } else { antiparallelogram(bar.ground, bar.crank, wrapped) };
+    let along = |angle: f64| Vector2::new(angle.cos(), angle.sin());
+    let across = |angle: f64| Vector2::new(-angle.sin(), angle.cos());
+    let (pin, end) = (bar.crank * along(theta), Vector2::new(bar.ground, 0.0) + bar.rocker * along(psi));
+    let coupler = end - pin;
+    let turn = bar.rocker * rate * across(psi) - bar.crank * across(theta);
+    let phi_rate = coupler.perp(&turn) / coupler.norm_squared();
+    let still = Vector2::zeros();
+    [
+        PlanarPose { origin: Vector2::zeros(), angle: theta, velocity: still, rate: 1.0 },
+        PlanarPose {
+            origin: pin,
+            angle: coupler.y.atan2(coupler.x),
+            velocity: bar.crank * across(theta),
+            rate: phi_rate,
+        },
+        PlanarPose { origin: Vector2::new(bar.ground, 0.0), angle: psi, velocity: still, rate },
+    ]
+}
+
+fn wrapped(angle: f64) -> f64 {
+    angle.sin().atan2(angle.cos())
+}
+
+/// Two turns forth, two back, in so many rows a turn, begun at `first`.
+fn two_turns(linkage: Linkage, open: bool, first: f64, rows: i32) -> (Gauge, Gauge, usize) {
+    let bar = linkage::PARALLELOGRAM;
+    let rig = Rig::new(linkage);
+    let mut angles = Gauge::new("angles through crossings");
+    let mut masses = Gauge::new("masses through crossings");
+    let mut crossings = 0;
+    let mut pose = rig.closed();
+    let there = 0..=2 * rows;
+    for i in there.clone().chain(there.rev()) {
+        let theta = first + f64::from(i) * TAU / f64::from(rows);
+        pose = rig.reach(&pose, &[theta]);
+        let motions = motions(bar, open, theta);
+        let case = format!("{} at {theta}", rig.name);
+        let rocker = pose.joint(rig.joint("rocker_hinge"))[0];
+        let pin = pose.joint(rig.joint("crank_pin"))[0];
+        angles.note(&case, wrapped(rocker - motions[2].angle).abs(), 1e-12);
+        angles.note(&case, wrapped(pin - (motions[1].angle - theta)).abs(), 1e-12);
+        assert!(rig.open(&pose) <= 1e-12, "{case}: {}", rig.open(&pose));
+        let near = theta.sin().abs();
+        let state = pose.loops().expect("loops");
+        if near > 1e-9 {
+            // Rounding over the distance from the crossing, where the rows lose their rank.
+            struck(&rig, &pose, BODIES, motions, 1e-10, &mut masses);
+
+            assert_eq!(state.singularities, [Singularity::None], "{case}");
+        } else {
+            crossings += 1;
+            assert_eq!((state.singularities.as_slice(), state.modes[0]), ([Singularity::ChangePoint].as_slice(), 0));
+            limits(&rig, &pose, motions, &mut masses);
+        }
+    }
+    (angles, masses, crossings)
+}
+
+/// At a crossing (D) is a lower bound, and one of the branches' limits is this branch's.
+fn limits(rig: &Rig, pose: &Pose, motions: [PlanarPose; 3], gauge: &mut Gauge) {
+    let (_, point, n) = blows().nth(4).expect("a blow");
+    let contact = rig.contact("coupler", [point.x, point.y, 0.0], in_plane(n));
+    let strike = rig.strike(pose, &contact);
+    assert!(strike.singular_pose && strike.degrees_of_freedom == 2);
+    let expected = planar_effective_mass(&BODIES.into_iter().zip(motions).collect::<Vec<_>>(), 1, point, n);
+    assert!(mass(&strike) < expected);
+    let limits = rig.system.branch_limits(pose, &contact);
+    let error = |limit: &EffectiveMass| match limit {
+        EffectiveMass::Finite(m) => (m / expected - 1.0).abs(),
+        EffectiveMass::Immovable | EffectiveMass::Massless => f64::INFINITY,
+    };
+    let nearest = limits.iter().map(error).fold(f64::INFINITY, f64::min);
+    assert_eq!(limits.len(), 2, "{limits:?}");
+    gauge.note(&format!("{} limit", rig.name), nearest, 1e-9);
+}
+
+#[test]
+fn no_branch_is_lost_at_a_crossing() {
+    for (linkage, open) in [
+        (linkage::parallelogram as fn() -> Linkage, true),
+        (linkage::antiparallelogram as fn() -> Linkage, false),
+    ] {
+        // Rows on the crossings, and beside them at many distances.
+        let mut crossings = 0;
+        for (first, rows) in [(0.0, 24), (-PI, 60), (0.017, 36), (1e-3, 24), (-1e-6, 12), (1e-8, 8), (0.4, 3)] {
+            let (angles, masses, met) = two_turns(linkage(), open, first, rows);
+            angles.report();
+            masses.report();
+            crossings += met;
+        }
+        assert!(crossings >= 20, "{crossings}");
+    }
+}
