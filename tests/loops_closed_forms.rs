@@ -37,8 +37,6 @@ fn struck(rig: &Rig, pose: &Pose, bodies: [PlanarBody; 3], motions: [PlanarPose;
         // Near a crossing the strike says how many digits are left.
         let said = strike.effective_mass_error.expect("finite") / mass(&strike);
         gauge.relative(&case, mass(&strike), planar_effective_mass(&all, body, point, n), bound.max(said));
-        let near = motions[0].angle.sin().abs();
-        if rig.name.contains("gram") { println!("near {near:e} {said:e}"); }
         assert_eq!((strike.degrees_of_freedom, strike.singular_pose), (1, false), "{case}");
     }
 }

@@ -142,8 +142,7 @@ impl System {
         let (mut residuals, mut rows) = self.group_rows(kinematics, group);
         for _ in 0..ITERATIONS {
             let cost = norm(&residuals);
-            let at_rounding = largest(&residuals).0 <= 0.01 * tolerance;
-            if cost == 0.0 || at_rounding {
+            if cost == 0.0 || largest(&residuals).0 <= 1e-3 * tolerance {
                 break;
             }
             let Some((x, length)) = self.step(group, &rows, &residuals, moves, damping) else { break };
@@ -162,7 +161,8 @@ impl System {
             } else {
                 kinematics.q = before;
                 self.refill_group(kinematics, group);
-                if length <= 1e-15 * size || damping > 1e3 {
+                let at_rounding = largest(&residuals).0 <= 0.01 * tolerance;
+                if at_rounding || length <= 1e-15 * size || damping > 1e3 {
                     break;
                 }
                 damping = if damping == 0.0 { 1e-3 } else { damping * 10.0 };

@@ -1,0 +1,191 @@
+//! `percuss run`: what a study says is what the flags say; what it must not say is told with its place.
+
+mod support;
+
+use support::{Scratch, Sweep, percuss, percuss_with_stdin, root};
+
+/// A study of a shipped model, given by its absolute path.
+fn study(model: &str, contact: &str, more: &str) -> String {
+    let path = root().join(format!("models/{model}.urdf"));
+    format!("{more}\n[model]\npath = {:?}\n[contact]\n{contact}\n", path.to_string_lossy())
+}
+
+const COUPLER: &str = "link = \"coupler\"\npoint = [0.35, 0.1, 0]\nnormal = [0, 1, 0]";
+
+fn mass_of(stdout: &str) -> f64 {
+    let report: serde_json::Value = serde_json::from_str(stdout).expect("JSON");
+    report["effective_mass"].as_f64().unwrap_or_else(|| panic!("{report}"))
+}
+
+#[test]
+fn a_study_without_a_sweep_answers_like_mass() {
+    let folder = Scratch::new("run-mass");
+    let flags = "--link coupler --point 0.35,0.1,0 --frame link --against crank --set crank_hinge=20deg --armature crank_hinge=0.3 \
+                 --lock rocker_hinge --base floating --estimate coupler:0.2,0,0:1,0,0 --along-line rocker:0,0,0";
+    let text = study(
+        "four_bar",
+        "link = \"coupler\"\npoint = [0.35, 0.1, 0]\nalong_line = { link = \"rocker\", point = [0, 0, 0] }\nframe = \"link\"\n\
+         against = \"crank\"\nestimate = { links = [\"coupler\"], point = [0.2, 0, 0], direction = [1, 0, 0] }",
+        "[pose]\nset = { crank_hinge = \"20deg\" }\n[conditions]\nbase = \"floating\"\nlock = [\"rocker_hinge\"]\n\
+         armature = { crank_hinge = 0.3 }",
+    );
+    let path = folder.write("study.toml", &text);
+    for format in ["text", "json", "csv"] {
+        let by_study = percuss(&format!("run {path} --format {format}"));
+        let by_flags = percuss(&format!("mass {}/models/four_bar.urdf {flags} --format {format}", root().display()));
+        assert_eq!((by_study.code, by_flags.code), (0, 0), "{} {}", by_study.stderr, by_flags.stderr);
+        assert_eq!(by_study.stdout, by_flags.stdout, "{format}");
+    }
+    // Text is the default, numbers of any kind are positions, and stdin is read.
+    assert!(percuss(&format!("run {path}")).stdout.starts_with("effective mass "));
+    for angle in ["0.5", "[0.5]", "\"0.5\"", "\"0.5rad\""] {
+        let text = study("four_bar", COUPLER, &format!("[pose]\nset = {{ crank_hinge = {angle} }}"));
+        let outcome = percuss_with_stdin("run - --format json", text.as_bytes());
+        let flags = percuss("mass models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0 --set crank_hinge=0.5 --format json");
+        assert_eq!(mass_of(&outcome.stdout), mass_of(&flags.stdout), "{angle}");
+    }
+}
+
+#[test]
+fn a_study_with_a_sweep_sweeps_and_with_a_format_does_not() {
+    let rows = percuss("run models/four_bar.toml");
+    let by_flags = percuss("sweep models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0 --vary crank_hinge=0:360deg:73");
+    assert_eq!((rows.code, rows.stdout), (0, by_flags.stdout));
+    let one = percuss("run models/four_bar.toml --format json");
+    assert!((mass_of(&one.stdout) / 68.13126530612244 - 1.0).abs() < 1e-13);
+    // Warnings of a model stop a study that is strict.
+    let strict = percuss("run models/double_wishbone.toml --strict");
+    assert_eq!((strict.code, strict.stdout.as_str()), (2, ""));
+}
+
+/// The model and the output are relative to the study, wherever the command is run from.
+#[test]
+fn paths_are_relative_to_the_study() {
+    let folder = Scratch::new("run-paths");
+    std::fs::create_dir_all(folder.path("inner")).unwrap();
+    std::fs::copy(root().join("models/four_bar.urdf"), folder.path("model.urdf")).unwrap();
+    let text = |output: &str| {
+        format!("[model]\npath = \"../model.urdf\"\n[contact]\n{COUPLER}\n[sweep]\nvary = \"crank_hinge=0:90deg:4\"\noutput = \"{output}\"\n")
+    };
+    let path = folder.write("inner/study.toml", &text("rows.csv"));
+    let outcome = percuss(&format!("run {path}"));
+    assert_eq!((outcome.code, outcome.stdout.as_str()), (0, ""), "{}", outcome.stderr);
+    assert_eq!(Sweep::read(&std::fs::read_to_string(folder.path("inner/rows.csv")).unwrap()).rows.len(), 4);
+    for (output, words) in [("rows.xls", ".csv, .json, .svg or .png"), ("none/rows.csv", "cannot be written")] {
+        let path = folder.write("inner/study.toml", &text(output));
+        let outcome = percuss(&format!("run {path}"));
+        assert_eq!(outcome.code, 2);
+        assert!(outcome.stderr.contains(words), "{}", outcome.stderr);
+    }
+    let path = folder.write("inner/study.toml", &text("rows.csv").replace("../model", "model"));
+    let outcome = percuss(&format!("run {path}"));
+    assert_eq!(outcome.code, 2);
+    assert!(outcome.stderr.contains("model.urdf") && outcome.stderr.contains("no such file"), "{}", outcome.stderr);
+}
+
+/// Loops that a plain URDF gets from its study are the loops of the dialect.
+#[test]
+fn closures_of_a_study_are_those_of_the_model() {
+    let folder = Scratch::new("run-closures");
+    let cut = |name: &str| {
+        let text = std::fs::read_to_string(root().join(format!("models/{name}.urdf"))).unwrap();
+        let mut plain = text[text.find("<robot").unwrap()..].replace(" independent=\"true\"", "");
+        while let Some(start) = plain.find("<loop ") {
+            let end = start + plain[start..].find("</loop>").unwrap() + "</loop>".len();
+            plain.replace_range(start..end, "");
+        }
+        folder.write(&format!("{name}.urdf"), &plain);
+    };
+    let compare = |name: &str, closures: &str, contact: &str| {
+        cut(name);
+        let text = format!("[model]\npath = \"{name}.urdf\"\n[contact]\n{contact}\n{closures}");
+        let path = folder.write("study.toml", &text);
+        let plain = percuss(&format!("run {path} --format json"));
+        assert_eq!(plain.code, 0, "{}", plain.stderr);
+        let report: serde_json::Value = serde_json::from_str(&plain.stdout).unwrap();
+        let whole = percuss_with_stdin("run - --format json", study(name, contact, "").as_bytes());
+        let expected: serde_json::Value = serde_json::from_str(&whole.stdout).unwrap();
+        let (m, wanted) = (mass_of(&plain.stdout), mass_of(&whole.stdout));
+        assert!((m / wanted - 1.0).abs() < 1e-12, "{name}: {m} {wanted}");
+        for key in ["degrees_of_freedom", "redundant_constraints", "redundant_loops"] {
+            assert_eq!(report[key], expected[key], "{name}: {key}");
+        }
+    };
+    compare(
+        "four_bar",
+        "[[closure]]\nname = \"rocker_pin\"\ntype = \"continuous\"\npredecessor = \"coupler\"\npredecessor_xyz = [0.4, 0.3, 0]\n\
+         successor = \"rocker\"\nsuccessor_xyz = [-0.25, 0.6, 0]\naxis = [0, 0, 1]\n",
+        COUPLER,
+    );
+    compare(
+        "double_wishbone",
+        "[[closure]]\nname = \"upper_ball\"\ntype = \"spherical\"\npredecessor = \"upper_arm\"\n\
+         predecessor_xyz = [-0.005, 0.27, -0.03]\nsuccessor = \"upright\"\nsuccessor_xyz = [-0.017, -0.071, 0.333]\n\
+         [[closure]]\nname = \"tie_rod\"\ntype = \"distance\"\npredecessor = \"rack\"\npredecessor_xyz = [0, 0.448, 0]\n\
+         successor = \"upright\"\nsuccessor_xyz = [-0.14, 0.034, 0.102]\n",
+        "link = \"spring_seat\"\npoint = [0, 0, 0]\nalong_line = { link = \"spring_chassis_seat\", point = [0, 0, 0] }",
+    );
+    // Turned frames: the axis is in the predecessor's.
+    compare(
+        "slider_crank",
+        "[[closure]]\nname = \"wrist_pin\"\ntype = \"revolute\"\npredecessor = \"rod\"\npredecessor_xyz = [0.4, -0.3, 0]\n\
+         predecessor_rpy = [1.5707963267948966, 0, 0]\nsuccessor = \"slider\"\nsuccessor_rpy = [1.5707963267948966, 0, 0]\naxis = [0, 1, 0]\n",
+        "link = \"slider\"\npoint = [0, 0, 0]\nnormal = [1, 0, 0]",
+    );
+}
+
+#[test]
+fn mistakes_in_a_study_are_told_with_exit_code_2() {
+    let folder = Scratch::new("run-mistakes");
+    let of = |contact: &str, more: &str| study("four_bar", contact, more);
+    let closure = |keys: &str| of(COUPLER, "") + &format!("[[closure]]\nname = \"x\"\npredecessor = \"ground\"\nsuccessor = \"coupler\"\n{keys}");
+    let cases = [
+        ("x = 1".to_owned(), "unknown field `x`"),
+        ("not toml".into(), "TOML"),
+        (String::new(), "missing field `model`"),
+        (of(COUPLER, "").replace("[contact]", "[contacts]"), "unknown field `contacts`"),
+        (of(COUPLER, "").replace("normal", "norml"), "unknown field `norml`"),
+        (of(COUPLER, "").replace("path = ", "path = 3 #"), "expected a string"),
+        (of(&COUPLER.replace("[0.35, 0.1, 0]", "[0.35, 0.1]"), ""), "length 2"),
+        (of(&COUPLER.replace("0.35", "\"a\""), ""), "expected f64"),
+        (of(&COUPLER.replace("0.35", "nan"), ""), "NaN"),
+        (of(&COUPLER.replace("[0, 1, 0]", "[0, 0, 0]"), ""), "the normal has length"),
+        (of(&format!("{COUPLER}\nalong_line = {{ link = \"ground\", point = [1, 1, 1] }}"), ""), "either normal or along_line"),
+        (of("link = \"coupler\"\npoint = [0, 0, 0]", ""), "either normal or along_line"),
+        (of(&format!("{COUPLER}\nagainst = \"crank\"\nagainst_mass = 2"), ""), "either against or against_mass"),
+        (of(&format!("{COUPLER}\nagainst_mass = -2"), ""), "above 0"),
+        (of(&format!("{COUPLER}\nframe = \"body\""), ""), "wanted link, world or against"),
+        (of(&format!("{COUPLER}\nestimate = {{ links = [] }}"), ""), "name at least one link"),
+        (of(&COUPLER.replace("coupler", "copler"), ""), "did you mean \"coupler\""),
+        (of(COUPLER, "[conditions]\nbase = \"free\""), "wanted fixed or floating"),
+        (of(COUPLER, "[conditions]\nlock = [\"nothing\"]"), "no joint is named \"nothing\""),
+        (of(COUPLER, "[conditions]\narmature = { crank_hinge = -1 }"), "finite number ≥ 0"),
+        (of(COUPLER, "[pose]\nset = { rocker_hinge = 1 }"), "\"crank_hinge\""),
+        (of(COUPLER, "[pose]\nset = { crank_hinge = \"1kg\" }"), "where an angle (rad) is wanted"),
+        (of(COUPLER, "[pose]\nset = { crank_hinge = nan }"), "not finite"),
+        (of(COUPLER, "") + "[[hold]]\nlink = \"coupler\"\npoint = [0, 0, inf]", "no coordinate"),
+        (of(COUPLER, "") + "[sweep]\nvary = \"crank_hinge=0:1:0\"", "COUNT is 0"),
+        (of(COUPLER, "") + "[sweep]\nvary = \"rocker_hinge=0:1:3\"", "\"crank_hinge\""),
+        (of(COUPLER, "") + "[sweep]\nsteps = 3", "unknown field `steps`"),
+        (of(COUPLER, "").replace("[contact]", "accept = [\"anything\"]\n[contact]"), "indefinite-inertia"),
+        (closure("type = \"weld\""), "\"weld\"; known are fixed, revolute"),
+        (closure("type = \"revolute\"\naxis = [0, 0, 0]"), "the axis is zero"),
+        (closure("type = \"distance\"\ndistance = -1"), "distance"),
+        (closure("type = \"revolute\"\nsize = 3"), "unknown field `size`"),
+        (closure("type = \"revolute\"").replace("\"ground\"", "\"grund\""), "did you mean \"ground\""),
+        (closure("type = \"revolute\"").replace("\"x\"", "\"rocker_pin\""), "names must be unique"),
+    ];
+    for (text, words) in cases {
+        let path = folder.write("study.toml", &text);
+        let outcome = percuss(&format!("run {path}"));
+        assert_eq!(outcome.code, 2, "{text}\n{}", outcome.stderr);
+        assert!(outcome.stderr.contains(words), "{text}\n{}", outcome.stderr);
+        assert_eq!(outcome.stdout, "", "{text}");
+    }
+    assert!(percuss("run models/none.toml").stderr.contains("no such file"));
+    assert_eq!(percuss("run models").code, 2);
+    assert_eq!(percuss("run models/four_bar.toml --max-size 100").code, 2);
+    assert_eq!(percuss("run models/four_bar.urdf").code, 2, "a model is no study");
+    std::fs::write(folder.path("bytes.toml"), [0xff, 0xfe, 0x00]).unwrap();
+    assert!(percuss(&format!("run {}", folder.path("bytes.toml"))).stderr.contains("not UTF-8"));
+}
