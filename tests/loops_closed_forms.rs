@@ -160,3 +160,73 @@ fn no_branch_is_lost_at_a_crossing() {
         assert!(crossings >= 20, "{crossings}");
     }
 }
+
+/// The limit in an error: of the driver, then of the followers.
+fn nearest(error: AssemblyError) -> Vec<(String, f64)> {
+    match error {
+        AssemblyError::Unreachable { nearest, .. } => nearest,
+        other => panic!("{other}"),
+    }
+}
+
+fn value(places: &[(String, f64)], joint: &str) -> f64 {
+    places.iter().find(|(name, _)| name == joint).unwrap_or_else(|| panic!("{joint} of {places:?}")).1
+}
+
+#[test]
+fn limits_are_found() {
+    let mut gauge = Gauge::new("limits");
+    // Coupler and rocker in line: cos θ = (a² + g² − (b + c)²) / 2ag; both ways round, from near and far.
+    let bar = FourBar { ground: 0.8, crank: 0.6, coupler: 0.5, rocker: 0.4 };
+    let reach = bar.coupler + bar.rocker;
+    let limit = ((bar.crank.powi(2) + bar.ground.powi(2) - reach * reach) / (2.0 * bar.crank * bar.ground)).acos();
+    let [a, g] = [bar.crank, bar.ground];
+    for (start, wanted) in [(0.7, 1.5), (0.7, 3.0), (-0.7, -2.0), (limit - 1e-3, limit + 1e-9), (0.9, limit + 1e-6)] {
+        for crossing in [Crossing::Left, Crossing::Right] {
+            let rig = Rig::new(linkage::four_bar_of("triple rocker", bar, BODIES, crossing, start, [-1.3, 1.3]));
+            let places = nearest(rig.go(&rig.closed(), &[wanted]).unwrap_err());
+            let limit = limit.copysign(wanted);
+            let phi = (-a * limit.sin()).atan2(g - a * limit.cos());
+            let case = format!("triple rocker from {start} to {wanted}");
+            gauge.note(&case, (places[0].1 - limit).abs(), 1e-12);
+            gauge.note(&case, wrapped(value(&places, "crank_pin") - (phi - limit)).abs(), 1e-10);
+            gauge.note(&case, wrapped(value(&places, "rocker_hinge") - phi - PI).abs(), 1e-10);
+            // Put there by hand, it is a dead centre: the driver is stuck, the mechanism is not.
+            let mut there = rig.system.configuration();
+            there.set("crank_hinge", &[places[0].1]).unwrap();
+            for (name, at) in &places[1..] {
+                there.guess(name, &[*at]).unwrap();
+            }
+            let pose = rig.system.pose(&there).unwrap();
+            let state = pose.loops().expect("loops");
+            assert_eq!((state.singularities[0], state.modes[0]), (Singularity::DeadCentre, 0), "{case}");
+            assert_eq!(rig.system.degrees_of_freedom_at(&pose), 1);
+            assert!(!rig.system.rank_at(&pose).singular && rig.system.rank_at(&pose).clear);
+            // Just before it the branch is still the right one.
+            for before in [1e-3, 1e-6, 1e-9, 1e-12] {
+                let theta = limit - before * limit.signum();
+                let pose = rig.reach(&rig.closed(), &[theta]);
+                let [_, coupler, rocker] = bar.poses(theta, crossing).expect("in reach");
+                // The angle is uncertain by ε, and its root with it.
+                let bound = 1e-10f64.max(4e-15 / before.sqrt());
+                gauge.note(&case, wrapped(pose.joint(rig.joint("rocker_hinge"))[0] - rocker.angle).abs(), bound);
+                gauge.note(&case, wrapped(pose.joint(rig.joint("crank_pin"))[0] + theta - coupler.angle).abs(), bound);
+            }
+        }
+    }
+    // A slider-crank driven by its slider: stretched, √((r + l)² − e²), and folded.
+    let engine = SliderCrank { crank: 0.3, rod: 1.1, offset: 0.12 };
+    for (wanted, sum) in [(2.0, engine.rod + engine.crank), (-0.3, engine.rod - engine.crank)] {
+        let rig = Rig::new(linkage::slider_crank_of("pushed", engine, linkage::SLIDER_CRANK_BODIES));
+        let start = rig.closed();
+        let mut configuration = rig.system.configuration();
+        configuration.set("guide", &[wanted]).unwrap();
+        let places = nearest(rig.system.pose_from(&start, &configuration).unwrap_err());
+        let limit = (sum * sum - engine.offset * engine.offset).sqrt();
+        let line = engine.offset.atan2(limit);
+        let crank = if wanted > 0.0 { line } else { line + PI };
+        gauge.note("slider", (places[0].1 - limit).abs(), 1e-12);
+        gauge.note("slider's crank", wrapped(value(&places, "crank_hinge") - crank).abs(), 1e-10);
+    }
+    gauge.report();
+}

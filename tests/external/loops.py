@@ -19,10 +19,11 @@ TOLERANCE = 1e-9
 RANK = 1e-8
 
 MODELS = {
-    # model: (links struck, driver, values)
-    "four_bar": ("crank_hinge", np.linspace(-3, 3, 25)),
-    "six_bar": (None, np.linspace(-0.3, 0.3, 13)),
-    "double_wishbone": (None, np.linspace(-0.2, 0.2, 13)),
+    # model: (driver, its values, links that are not struck)
+    "four_bar": ("crank_hinge", np.linspace(-3, 3, 25), ()),
+    "six_bar": (None, np.linspace(-0.3, 0.3, 13), ()),
+    # What spins is struck by others only: its moment about the spin axis is not the same in MuJoCo (see `presentable`).
+    "double_wishbone": (None, np.linspace(-0.2, 0.2, 25), ("spindle", "wheel")),
 }
 
 
@@ -107,7 +108,7 @@ def mjcf(path):
             p, r = origin(inertial)
             i = inertial.find("inertia")
             ixx, iyy, izz, ixy, ixz, iyz = (float(i.get(k)) for k in ("ixx", "iyy", "izz", "ixy", "ixz", "iyz"))
-            full = r @ np.array([[ixx, ixy, ixz], [ixy, iyy, iyz], [ixz, iyz, izz]]) @ r.T
+            full = presentable(r @ np.array([[ixx, ixy, ixz], [ixy, iyy, iyz], [ixz, iyz, izz]]) @ r.T)
             values = [full[0, 0], full[1, 1], full[2, 2], full[0, 1], full[0, 2], full[1, 2]]
             mass = inertial.find("mass").get("value")
             out.append(f'<inertial pos="{numbers(p)}" mass="{mass}" fullinertia="{numbers(values)}"/>')
@@ -118,13 +119,25 @@ def mjcf(path):
         f'<spatial name="{t}"><site site="{t}_0"/><site site="{t}_1"/></spatial>' for t in tendons
     )
     equality += [f'<tendon tendon1="{t}"/>' for t in tendons]
-    # A hinge's inertia about its own axis is all that counts: MuJoCo's demand on triangles is not ours.
     return (
         '<mujoco><compiler angle="radian" balanceinertia="false" boundmass="0" boundinertia="0"/>'
         '<option gravity="0 0 0"/>'
         f'<worldbody>{"".join(contents(root))}</worldbody><tendon>{rods}</tendon>'
         f'<equality>{"".join(equality)}</equality></mujoco>'
     ), [name for name in links if name != root]
+
+
+def presentable(inertia):
+    """An inertia that MuJoCo takes: it refuses thin rods and what breaks the triangle inequality.
+
+    Neither change moves an effective mass here: a moment of zero becomes 1e-12 kg·m²; a moment beyond the sum of the others is
+    cut to it, and in these models only arms (which turn about another axis) and the freely spinning spindle have one, which the
+    contacts spare."""
+    moments, axes = np.linalg.eigh(inertia)
+    moments = np.maximum(moments, 1e-12)
+    if moments[2] > moments[0] + moments[1]:
+        moments[2] = (moments[0] + moments[1]) * (1 - 1e-9)
+    return axes @ np.diag(moments) @ axes.T
 
 
 def least_energy(mass, rows, row):
@@ -150,7 +163,7 @@ class Peer:
             d.qpos[address : address + len(values)] = values
         mujoco.mj_fwdPosition(m, d)
         mass = np.zeros((m.nv, m.nv))
-        mujoco.mj_fullM(m, mass, d.qM)
+        mujoco.mj_fullM(m, d, mass)
         rows = np.zeros((d.nefc, m.nv))
         rows[:] = d.efc_J.reshape(d.nefc, m.nv)
         rows = rows[d.efc_type == mujoco.mjtConstraint.mjCNSTR_EQUALITY]
@@ -168,12 +181,12 @@ def main():
     percuss = parser.parse_args().percuss
     rng = np.random.default_rng(7)
     passed = failed = 0
-    for name, (driver, values) in MODELS.items():
+    for name, (driver, values, spared) in MODELS.items():
         path = f"models/{name}.urdf"
         peer = Peer(path)
         check = json.loads(subprocess.run([percuss, "check", path, "--format", "json"], capture_output=True, check=True, text=True).stdout)
         driver = driver or check["drivers"][0]
-        massive = [l["name"] for l in check["links"] if l["mass"] > 0 and l["name"] in peer.links]
+        massive = [l["name"] for l in check["links"] if l["mass"] > 0 and l["name"] in peer.links and l["name"] not in spared]
         worst, here = 0.0, 0
         for value in values:
             link = massive[rng.integers(len(massive))]

@@ -15,7 +15,8 @@ use std::sync::Arc;
 /// Configurations of each file, and contacts at each.
 const CONFIGURATIONS: usize = 50;
 const CONTACTS: usize = 5;
-/// Both are good to 1e-11 and better on these files; a rounded file's rank decision costs the rest.
+/// Both are good to 1e-11 and better on these files. Where percuss says that it knows less (contacts that hardly close, a
+/// rounded file's least squares), its own bound holds instead.
 const TOLERANCE: f64 = 1e-9;
 /// Nearer to a singular pose (least over largest singular value of A) than this, poses are for other tests.
 const REGULAR: f64 = 1e-4;
@@ -99,21 +100,16 @@ fn contact(
     rng: &mut StdRng,
     tally: &mut Tally,
 ) -> bool {
-    let asked = random::contact(rng, mechanism);
+    let (on, against, point, normal) = random::contact(rng, mechanism);
     let positions: Vec<Vec<f64>> = mechanism.joint_ids().map(|id| pose.joint(id).to_vec()).collect();
-    let mut question = Question::new(mechanism, positions, asked.on, asked.point, asked.normal);
-    question.against = asked.against;
+    let mut question = Question::new(mechanism, positions, on, point, normal);
+    question.against = against;
     let answer = solve(&question);
     let counted = answer.singular_values.iter().filter(|v| **v > answer.threshold);
     if counted.fold(1.0, |least: f64, v| least.min(*v)) < REGULAR {
         return false;
     }
-    let ours = Contact {
-        link: asked.on,
-        against: asked.against,
-        point: asked.point,
-        normal: Direction::Along(asked.normal, Frame::World),
-    };
+    let ours = Contact { link: on, against, point, normal: Direction::Along(normal, Frame::World) };
     let strike = match system.strike(pose, &ours, RouteChoice::Auto) {
         Ok(strike) => strike,
         Err(error) => {
@@ -131,7 +127,11 @@ fn contact(
         }
     };
     let same_freedom = strike.degrees_of_freedom == answer.degrees_of_freedom;
-    if deviation <= TOLERANCE && same_freedom {
+    let bound = match (strike.effective_mass, strike.effective_mass_error) {
+        (EffectiveMass::Finite(m), Some(error)) => error / m,
+        _ => 0.0,
+    };
+    if deviation <= TOLERANCE.max(bound) && same_freedom {
         tally.passed += 1;
     } else {
         println!("    {deviation:.1e} off; {} and {} degrees of freedom", strike.degrees_of_freedom, answer.degrees_of_freedom);

@@ -20,28 +20,53 @@ fn mass_of(stdout: &str) -> f64 {
 #[test]
 fn a_study_without_a_sweep_answers_like_mass() {
     let folder = Scratch::new("run-mass");
-    let flags = "--link coupler --point 0.35,0.1,0 --frame link --against crank --set crank_hinge=20deg --armature crank_hinge=0.3 \
-                 --lock rocker_hinge --base floating --estimate coupler:0.2,0,0:1,0,0 --along-line rocker:0,0,0";
-    let text = study(
-        "four_bar",
-        "link = \"coupler\"\npoint = [0.35, 0.1, 0]\nalong_line = { link = \"rocker\", point = [0, 0, 0] }\nframe = \"link\"\n\
-         against = \"crank\"\nestimate = { links = [\"coupler\"], point = [0.2, 0, 0], direction = [1, 0, 0] }",
-        "[pose]\nset = { crank_hinge = \"20deg\" }\n[conditions]\nbase = \"floating\"\nlock = [\"rocker_hinge\"]\n\
-         armature = { crank_hinge = 0.3 }",
-    );
-    let path = folder.write("study.toml", &text);
-    for format in ["text", "json", "csv"] {
-        let by_study = percuss(&format!("run {path} --format {format}"));
-        let by_flags = percuss(&format!("mass {}/models/four_bar.urdf {flags} --format {format}", root().display()));
-        assert_eq!((by_study.code, by_flags.code), (0, 0), "{} {}", by_study.stderr, by_flags.stderr);
-        assert_eq!(by_study.stdout, by_flags.stdout, "{format}");
+    let cases = [
+        (
+            "four_bar",
+            "link = \"coupler\"\npoint = [0.35, 0.1, 0]\nalong_line = { link = \"rocker\", point = [0, 0, 0] }\nframe = \"link\"\n\
+             against = \"crank\"\nestimate = { links = [\"coupler\"], point = [0.2, 0, 0], direction = [1, 0, 0] }",
+            "[pose]\nset = { crank_hinge = \"20deg\" }\nguess = { rocker_hinge = \"150deg\" }\n[conditions]\nbase = \"floating\"\n\
+             armature = { crank_hinge = 0.3 }",
+            "--link coupler --point 0.35,0.1,0 --frame link --against crank --set crank_hinge=20deg --guess rocker_hinge=150deg \
+             --armature crank_hinge=0.3 --base floating --estimate coupler:0.2,0,0:1,0,0 --along-line rocker:0,0,0",
+        ),
+        (
+            "rocker_bogie",
+            "link = \"right_middle\"\npoint = [0.5, 0, 0]\nnormal = [0, 0, -1]\nframe = \"world\"\nagainst_mass = 2",
+            "[conditions]\nlock = [\"left_bogie\"]\n[[hold]]\nlink = \"right_front\"\npoint = [0, 0, -0.1]\nnormal = [0, 0, -1]",
+            "--link right_middle --point 0.5,0,0 --normal 0,0,-1 --frame world --against-mass 2 --lock left_bogie \
+             --hold right_front:0,0,-0.1:0,0,-1",
+        ),
+    ];
+    for (model, contact, more, flags) in cases {
+        let path = folder.write("study.toml", &study(model, contact, more));
+        let answer = |line: &str, format: &str| {
+            let outcome = percuss(&format!("{line} --format {format}"));
+            assert_eq!(outcome.code, 0, "{line}: {}", outcome.stderr);
+            outcome.stdout
+        };
+        let flags = format!("mass {}/models/{model}.urdf {flags}", root().display());
+        for format in ["text", "csv"] {
+            assert_eq!(answer(&format!("run {path}"), format), answer(&flags, format), "{model}");
+        }
+        let json = |line: &str| {
+            let mut report: serde_json::Value = serde_json::from_str(&answer(line, "json")).expect("JSON");
+            assert!(report["effective_mass"].is_f64(), "{report}");
+            // A study may be an input of its own.
+            report.as_object_mut().unwrap().remove("inputs").expect("inputs");
+            report
+        };
+        assert_eq!(json(&format!("run {path}")), json(&flags), "{model}");
     }
+    let path = folder.write("study.toml", &study("four_bar", COUPLER, ""));
     // Text is the default, numbers of any kind are positions, and stdin is read.
     assert!(percuss(&format!("run {path}")).stdout.starts_with("effective mass "));
     for angle in ["0.5", "[0.5]", "\"0.5\"", "\"0.5rad\""] {
         let text = study("four_bar", COUPLER, &format!("[pose]\nset = {{ crank_hinge = {angle} }}"));
         let outcome = percuss_with_stdin("run - --format json", text.as_bytes());
-        let flags = percuss("mass models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0 --set crank_hinge=0.5 --format json");
+        let flags = percuss(
+            "mass models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0 --set crank_hinge=0.5 --format json",
+        );
         assert_eq!(mass_of(&outcome.stdout), mass_of(&flags.stdout), "{angle}");
     }
 }
@@ -49,7 +74,9 @@ fn a_study_without_a_sweep_answers_like_mass() {
 #[test]
 fn a_study_with_a_sweep_sweeps_and_with_a_format_does_not() {
     let rows = percuss("run models/four_bar.toml");
-    let by_flags = percuss("sweep models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0 --vary crank_hinge=0:360deg:73");
+    let by_flags = percuss(
+        "sweep models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0 --vary crank_hinge=0:360deg:73",
+    );
     assert_eq!((rows.code, rows.stdout), (0, by_flags.stdout));
     let one = percuss("run models/four_bar.toml --format json");
     assert!((mass_of(&one.stdout) / 68.13126530612244 - 1.0).abs() < 1e-13);
@@ -65,13 +92,16 @@ fn paths_are_relative_to_the_study() {
     std::fs::create_dir_all(folder.path("inner")).unwrap();
     std::fs::copy(root().join("models/four_bar.urdf"), folder.path("model.urdf")).unwrap();
     let text = |output: &str| {
-        format!("[model]\npath = \"../model.urdf\"\n[contact]\n{COUPLER}\n[sweep]\nvary = \"crank_hinge=0:90deg:4\"\noutput = \"{output}\"\n")
+        format!(
+            "[model]\npath = \"../model.urdf\"\n[contact]\n{COUPLER}\n[sweep]\nvary = \"crank_hinge=0:90deg:4\"\noutput = \"{output}\"\n"
+        )
     };
     let path = folder.write("inner/study.toml", &text("rows.csv"));
     let outcome = percuss(&format!("run {path}"));
     assert_eq!((outcome.code, outcome.stdout.as_str()), (0, ""), "{}", outcome.stderr);
     assert_eq!(Sweep::read(&std::fs::read_to_string(folder.path("inner/rows.csv")).unwrap()).rows.len(), 4);
-    for (output, words) in [("rows.xls", ".csv, .json, .svg or .png"), ("none/rows.csv", "cannot be written")] {
+    for (output, words) in [("rows.xls", ".csv, .json, .svg or .png"), ("none/rows.csv", "cannot be written")]
+    {
         let path = folder.write("inner/study.toml", &text(output));
         let outcome = percuss(&format!("run {path}"));
         assert_eq!(outcome.code, 2);
@@ -80,7 +110,11 @@ fn paths_are_relative_to_the_study() {
     let path = folder.write("inner/study.toml", &text("rows.csv").replace("../model", "model"));
     let outcome = percuss(&format!("run {path}"));
     assert_eq!(outcome.code, 2);
-    assert!(outcome.stderr.contains("model.urdf") && outcome.stderr.contains("no such file"), "{}", outcome.stderr);
+    assert!(
+        outcome.stderr.contains("model.urdf") && outcome.stderr.contains("no such file"),
+        "{}",
+        outcome.stderr
+    );
 }
 
 /// Loops that a plain URDF gets from its study are the loops of the dialect.
@@ -138,7 +172,10 @@ fn closures_of_a_study_are_those_of_the_model() {
 fn mistakes_in_a_study_are_told_with_exit_code_2() {
     let folder = Scratch::new("run-mistakes");
     let of = |contact: &str, more: &str| study("four_bar", contact, more);
-    let closure = |keys: &str| of(COUPLER, "") + &format!("[[closure]]\nname = \"x\"\npredecessor = \"ground\"\nsuccessor = \"coupler\"\n{keys}");
+    let closure = |keys: &str| {
+        of(COUPLER, "")
+            + &format!("[[closure]]\nname = \"x\"\npredecessor = \"ground\"\nsuccessor = \"coupler\"\n{keys}")
+    };
     let cases = [
         ("x = 1".to_owned(), "unknown field `x`"),
         ("not toml".into(), "TOML"),
@@ -150,9 +187,15 @@ fn mistakes_in_a_study_are_told_with_exit_code_2() {
         (of(&COUPLER.replace("0.35", "\"a\""), ""), "expected f64"),
         (of(&COUPLER.replace("0.35", "nan"), ""), "NaN"),
         (of(&COUPLER.replace("[0, 1, 0]", "[0, 0, 0]"), ""), "the normal has length"),
-        (of(&format!("{COUPLER}\nalong_line = {{ link = \"ground\", point = [1, 1, 1] }}"), ""), "either normal or along_line"),
+        (
+            of(&format!("{COUPLER}\nalong_line = {{ link = \"ground\", point = [1, 1, 1] }}"), ""),
+            "either normal or along_line",
+        ),
         (of("link = \"coupler\"\npoint = [0, 0, 0]", ""), "either normal or along_line"),
-        (of(&format!("{COUPLER}\nagainst = \"crank\"\nagainst_mass = 2"), ""), "either against or against_mass"),
+        (
+            of(&format!("{COUPLER}\nagainst = \"crank\"\nagainst_mass = 2"), ""),
+            "either against or against_mass",
+        ),
         (of(&format!("{COUPLER}\nagainst_mass = -2"), ""), "above 0"),
         (of(&format!("{COUPLER}\nframe = \"body\""), ""), "wanted link, world or against"),
         (of(&format!("{COUPLER}\nestimate = {{ links = [] }}"), ""), "name at least one link"),

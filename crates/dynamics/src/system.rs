@@ -72,6 +72,10 @@ pub struct System {
     /// Found when first asked for.
     pub(crate) assembly: Arc<OnceLock<Result<Assembly, AssemblyError>>>,
     pub(crate) generic_rank: Arc<OnceLock<GenericRank>>,
+    /// What the rank would be at zero, while nothing closes.
+    pub(crate) open_rank: Arc<OnceLock<GenericRank>>,
+    /// The assembly found from the first guess that closed, where nothing closes from zero.
+    pub(crate) guided: Arc<OnceLock<Assembly>>,
 }
 
 impl System {
@@ -111,6 +115,8 @@ impl System {
             unlocked: None,
             assembly: Arc::default(),
             generic_rank: Arc::default(),
+            open_rank: Arc::default(),
+            guided: Arc::default(),
             mechanism: Arc::clone(&mechanism),
         };
         for &link in mechanism.order() {

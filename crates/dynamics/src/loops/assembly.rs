@@ -7,7 +7,6 @@ use super::roles::Roles;
 use crate::System;
 use crate::kinematics::Kinematics;
 use nalgebra::DMatrix;
-use percuss_mechanism::JointId;
 
 /// What was found once about the loops of a system.
 #[derive(Clone, Debug)]
@@ -135,7 +134,7 @@ impl System {
             kinematics.refill(self);
             if attempt > 1 {
                 // A start that is stuck (Aᵀr = 0 with r ≠ 0) is left by a fixed step aside, then a longer one.
-                let size = [0.01, 0.1, 0.3, 1.0][(attempt as usize / 2 - 1) % 4];
+                let size = [0.01, 0.1, 0.3, 1.0, 3.0, 2.0][(attempt as usize / 2 - 1) % 6];
                 self.perturb(kinematics, group, size, attempt);
             }
             let unknown = if attempt == 0 { &advised } else { all };
@@ -169,33 +168,36 @@ impl System {
         let rank_of = |kinematics: &Kinematics<f64>, inexactness: f64| {
             let (_, rows) = self.group_rows(kinematics, group);
             let floor = FLOOR.max(10.0 * inexactness / length);
-            (decide(&singular_values(&rows, &group.lengths), floor), rows)
+            let values = singular_values(&rows, &group.lengths);
+            let rank = decide(&values, floor);
+            let least = rank.rank.checked_sub(1).map_or(1.0, |last| values[last] / values[0]);
+            (rank, least, rows)
         };
-        let (at_home, home_rows) = rank_of(home, inexactness);
-        let mut best = (home.q.clone(), home_rows, at_home);
+        let (at_home, _, home_rows) = rank_of(home, inexactness);
+        // Any other pose is better, since much vanishes where all joints are at 0; of those the best-conditioned.
+        let mut best = (home.q.clone(), home_rows, at_home, 0.0);
         let mut found = 0;
         for attempt in 0..12u64 {
             let mut kinematics = home.clone();
             self.perturb(&mut kinematics, group, [0.2, 0.1, 0.03][attempt as usize / 4], 1000 + attempt);
             let correction = self.correct(&mut kinematics, group, all, tolerance);
-            if correction.residual
-                > tolerance.max(2.0 * inexactness).max(if inexactness > 0.0 { 1e-4 * length } else { 0.0 })
-            {
+            let rounding = if inexactness > 0.0 { (2.0 * inexactness).max(1e-4 * length) } else { 0.0 };
+            if correction.residual > tolerance.max(rounding) {
                 continue;
             }
             if inexactness > 0.0 {
-                inexactness = correction.residual.max(inexactness.min(correction.residual));
+                inexactness = inexactness.max(correction.residual);
             }
-            let (rank, rows) = rank_of(&kinematics, inexactness);
-            if rank.rank > best.2.rank || (rank.rank == best.2.rank && rank.gap > best.2.gap) {
-                best = (kinematics.q, rows, rank);
+            let (rank, least, rows) = rank_of(&kinematics, inexactness);
+            if rank.rank > best.2.rank || (rank.rank == best.2.rank && least > best.3) {
+                best = (kinematics.q, rows, rank, least);
             }
             found += 1;
             if found == 3 {
                 break;
             }
         }
-        let (generic, rows, rank) = best;
+        let (generic, rows, rank, _) = best;
         let floor = FLOOR.max(10.0 * inexactness / length);
         let roles = self.advised_roles(group, &rows, floor);
         GroupFacts { generic, rows, rank, inexactness, home_is_regular: at_home.rank == rank.rank, roles }

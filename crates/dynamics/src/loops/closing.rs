@@ -150,11 +150,16 @@ impl System {
             self.advance_group(kinematics, group, &moves.expand(group, |k| x[(k, 0)]));
             let (next, next_rows) = self.group_rows(kinematics, group);
             if norm(&next) < cost {
-                let stalled = norm(&next) > 0.99 * cost && length < 1e-9 * size;
+                let gain = norm(&next) / cost;
+                let at_rounding = largest(&next).0 <= 0.01 * tolerance;
+                let stalled = gain > 0.99 && length < 1e-9 * size || gain > 0.3 && at_rounding;
                 (residuals, rows) = (next, next_rows);
                 moved += length;
                 along += moves.course.map_or(0.0, |_| x[(moves.unknown.len(), 0)]);
-                damping = if damping < 1e-6 { 0.0 } else { damping / 10.0 };
+                damping *= if gain < 0.3 { 0.1 } else if gain < 0.9 { 0.5 } else { 1.0 };
+                if damping < 1e-6 {
+                    damping = 0.0;
+                }
                 if stalled {
                     break;
                 }
@@ -221,7 +226,7 @@ pub(crate) fn least_norm(jacobian: &Mat<f64>, target: &Mat<f64>) -> Mat<f64> {
     let size = r.nrows().min(n);
     let first = r[(0, 0)].abs();
     let rank = (0..size).take_while(|&i| r[(i, i)].abs() > STEP_RANK * first).count();
-    let rotated = qr.compute_Q().transpose() * target;
+    let rotated = qr.compute_thin_Q().transpose() * target;
     // [R₁₁ R₁₂] Pᵀx = c has a solution; the shortest is Q₂ T⁻ᵀ c with [R₁₁ R₁₂]ᵀ = Q₂ T.
     let upper = Mat::from_fn(n, rank, |c, i| if c >= i { r[(i, c)] } else { 0.0 });
     let second = upper.qr();

@@ -43,8 +43,6 @@ pub(crate) struct Course<'a> {
 pub(crate) struct Arrival {
     /// Whether that is where it was to go; else it is a limit, or the nearest point that was found.
     pub there: bool,
-    /// How far the drivers have gone, m.
-    pub gone: f64,
     /// A regular pose on the same branch, where the end is none.
     pub anchor: Option<Vec<f64>>,
 }
@@ -118,7 +116,7 @@ impl<'a> Course<'a> {
     ) -> Arrival {
         self.stand(kinematics, &here.q);
         if target == here.gone {
-            return Arrival { there: true, gone: target, anchor: None };
+            return Arrival { there: true, anchor: None };
         }
         let sign = (target - here.gone).signum();
         let slope = |point: &Point| sign * point.tangent[self.unknown.len()];
@@ -131,13 +129,13 @@ impl<'a> Course<'a> {
             if slope(&here) > 0.0 && left <= step * slope(&here) {
                 if let Some(singular) = self.land(kinematics, &here, target) {
                     if !singular {
-                        return Arrival { there: true, gone: target, anchor: None };
+                        return Arrival { there: true, anchor: None };
                     }
                     if !careful {
-                        return Arrival { there: true, gone: target, anchor: Some(here.q) };
+                        return Arrival { there: true, anchor: Some(here.q) };
                     }
                     let anchor = self.across(kinematics, &here, target).unwrap_or(here.q);
-                    return Arrival { there: true, gone: target, anchor: Some(anchor) };
+                    return Arrival { there: true, anchor: Some(anchor) };
                 }
                 self.stand(kinematics, &here.q);
             }
@@ -151,11 +149,11 @@ impl<'a> Course<'a> {
                     };
                     let beyond = sign * (limit.gone - target);
                     if beyond < -1e-13 * self.size() {
-                        return Arrival { there: false, gone: limit.gone, anchor: Some(here.q) };
+                        return Arrival { there: false, anchor: Some(here.q) };
                     }
                     if beyond.abs() <= 1e-13 * self.size() {
                         self.stand(kinematics, &limit.q);
-                        return Arrival { there: true, gone: target, anchor: Some(here.q) };
+                        return Arrival { there: true, anchor: Some(here.q) };
                     }
                     // The end lies before the limit: nearer to it the direct way is found.
                     step /= 2.0;
@@ -172,7 +170,7 @@ impl<'a> Course<'a> {
             }
         }
         self.stand(kinematics, &here.q);
-        Arrival { there: false, gone: here.gone, anchor: None }
+        Arrival { there: false, anchor: None }
     }
 
     fn longest(&self, tangent: &[f64]) -> f64 {

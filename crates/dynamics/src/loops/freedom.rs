@@ -98,6 +98,10 @@ impl System {
     }
 
     pub(crate) fn generic_rank(&self) -> &GenericRank {
+        if !self.groups.is_empty() && self.assembly().is_err() {
+            // Not yet known: a guess may still find where they close.
+            return self.open_rank.get_or_init(|| self.find_generic_rank());
+        }
         self.generic_rank.get_or_init(|| self.find_generic_rank())
     }
 
@@ -187,19 +191,10 @@ impl System {
         roles: &Roles,
     ) -> Place {
         let (_, rows) = self.group_rows(kinematics, group);
-        let floor = FLOOR.max(10.0 * facts.inexactness / self.mechanism.characteristic_length());
         let following = &roles.following;
-        let values = singular_values(&rows, &group.lengths);
-        let least = facts.rank.rank.checked_sub(1).map_or(f64::INFINITY, |last| values[last]);
+        // Only where the followers' rows are weak can there be a singularity.
         let weak = ease(group, &rows, following) < DEAD * roles.ease;
-        let singularity = if decide(&values, floor).rank < facts.rank.rank {
-            Singularity::ChangePoint
-        } else if weak && least > NEAR * values[0] {
-            Singularity::DeadCentre
-        } else {
-            // Beside a change point the followers' Jacobian is weak too, but all rows count.
-            Singularity::None
-        };
+        let singularity = if weak { self.singularity(group, &rows, facts) } else { Singularity::None };
         let count = following.len();
         let scaled =
             |rows: &DMatrix<f64>, r: usize, c: usize| rows[(r, following[c])] / group.lengths[following[c]];
@@ -210,6 +205,20 @@ impl System {
         let order: Vec<usize> = generic.col_piv_qr().P().arrays().0[..count].to_vec();
         let square = faer::Mat::from_fn(count, count, |r, c| scaled(&rows, order[r], c));
         Place { mode: determinant_sign(&square), singularity }
+    }
+
+    /// Which singularity makes the followers' rows weak. Beside a change point they are, but all of A counts: none.
+    fn singularity(&self, group: &Group, rows: &DMatrix<f64>, facts: &GroupFacts) -> Singularity {
+        let floor = FLOOR.max(10.0 * facts.inexactness / self.mechanism.characteristic_length());
+        let values = singular_values(rows, &group.lengths);
+        let least = facts.rank.rank.checked_sub(1).map_or(f64::INFINITY, |last| values[last]);
+        if decide(&values, floor).rank < facts.rank.rank {
+            Singularity::ChangePoint
+        } else if least > NEAR * values[0] {
+            Singularity::DeadCentre
+        } else {
+            Singularity::None
+        }
     }
 }
 

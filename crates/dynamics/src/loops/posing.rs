@@ -76,7 +76,7 @@ impl System {
         kinematics.refill(self);
         let mut loops = None;
         if !self.groups.is_empty() {
-            let assembly = self.assembly()?;
+            let assembly = self.assembly_near(configuration)?;
             let state = LoopState { declared: true, ..LoopState::default() };
             let mut closer = Closer { system: self, assembly, configuration, start, kinematics, state };
             for number in 0..self.groups.len() {
@@ -91,12 +91,39 @@ impl System {
         Ok(Pose { kinematics, joint_q: self.joint_q.clone(), base: configuration.base, loops })
     }
 
-    /// What is known about the loops, found at the first call.
+    /// What is known about the loops, found at the first call: from all joints at 0, or, where that leads nowhere, from
+    /// the first guess that does.
     pub(crate) fn assembly(&self) -> Result<&Assembly, AssemblyError> {
         if let Some(unlocked) = &self.unlocked {
             return unlocked.assembly();
         }
-        self.assembly.get_or_init(|| self.assemble(self.zero_kinematics())).as_ref().map_err(Clone::clone)
+        let from_zero = self.assembly.get_or_init(|| self.assemble(self.zero_kinematics()));
+        match (from_zero, self.guided.get()) {
+            (Ok(found), _) | (Err(_), Some(found)) => Ok(found),
+            (Err(error), None) => Err(error.clone()),
+        }
+    }
+
+    /// As [`assembly`](Self::assembly), and where that failed tries the configuration's guesses.
+    fn assembly_near(&self, configuration: &Configuration) -> Result<&Assembly, AssemblyError> {
+        let failed = match self.assembly() {
+            Ok(found) => return Ok(found),
+            Err(error) => error,
+        };
+        let mut start = self.zero_kinematics();
+        let mut guessed = false;
+        for group in &self.groups {
+            if let Some(guess) = configuration.guess_for(self, group) {
+                self.set_group(&mut start, group, &guess);
+                guessed = true;
+            }
+        }
+        start.refill(self);
+        if !guessed {
+            return Err(failed);
+        }
+        let found = self.assemble(start)?;
+        Ok(self.guided.get_or_init(|| found))
     }
 
     /// Copies the positions of a group's joints.
@@ -146,14 +173,32 @@ impl Closer<'_> {
     /// Who drives: what was set, else what is declared, else the best-conditioned choice.
     fn roles(&self, group: &Group, facts: &GroupFacts) -> Result<Roles, AssemblyError> {
         let given = |at: usize| group.joints[at].is_some_and(|id| self.configuration.given[id.index()]);
-        let roles = self.system.roles(group, facts, given);
-        if let Some(&at) = roles.following.iter().find(|&&at| given(at)) {
+        let mut roles = self.system.roles(group, facts, given);
+        let follower = |roles: &Roles| roles.following.iter().copied().find(|&at| given(at));
+        if follower(&roles).is_some() && !roles.declared {
+            // Long trains may carry a driver at one pose and not, to rounding, at another: try where this one starts.
+            let near = self.near(group);
+            let there = self.system.roles_at(group, &near, &roles, given);
+            if follower(&there).is_none() {
+                roles = there;
+            }
+        }
+        if let Some(at) = follower(&roles) {
             let name = |at: usize| group.joints[at].map(|id| self.system.mechanism.joint(id).name().to_owned());
             let mut drivers: Vec<String> = roles.driving.iter().filter_map(|&d| name(d)).collect();
             drivers.dedup();
             return Err(AssemblyError::Dependent { joint: name(at).unwrap_or_default(), drivers });
         }
         Ok(roles)
+    }
+
+    /// Where the group's search begins.
+    fn near(&self, group: &Group) -> Kinematics<f64> {
+        let mut near = self.kinematics.clone();
+        let guess = self.configuration.guess_for(self.system, group);
+        let start = guess.as_deref().or(self.start.map(Pose::positions)).unwrap_or(&self.assembly.home);
+        self.system.set_group(&mut near, group, start);
+        near
     }
 
     fn drivers(&self, group: &Group, roles: &Roles) -> Vec<Driver> {
@@ -172,8 +217,8 @@ impl Closer<'_> {
         self.system.correct(&mut self.kinematics, group, moves, tolerance).closed
     }
 
-    /// Puts the group where the guess says, the drivers where they are wanted, and closes it there; or closes it near
-    /// the guess, and follows the branch to where the drivers are wanted.
+    /// Puts the group where the guess says and the drivers where they are wanted. What is not closed there is closed by
+    /// the shortest way, drivers and all, and then driven back along the branch; or else by the followers alone.
     fn close_from_guess(
         &mut self,
         group: &Group,
@@ -182,17 +227,30 @@ impl Closer<'_> {
         guess: &[f64],
         tolerance: f64,
     ) -> Result<Option<Vec<f64>>, AssemblyError> {
-        self.system.set_group(&mut self.kinematics, group, guess);
-        self.put(group, drivers);
+        let system = self.system;
+        let begin = |closer: &mut Self| {
+            system.set_group(&mut closer.kinematics, group, guess);
+            closer.put(group, drivers);
+        };
+        begin(self);
+        if system.group_residual(&self.kinematics, group).0 <= tolerance {
+            self.correct(group, &roles.following, tolerance);
+            return Ok(None);
+        }
+        let all: Vec<&Driver> = drivers.iter().collect();
+        let closed = self.correct(group, &group.movable, tolerance);
+        // The short way may have turned driving balls aside, which cannot be driven back.
+        if closed && drivers.len() == roles.driving.len() {
+            let driven = self.drive(group, roles, drivers, &all, tolerance);
+            if driven.is_ok() {
+                return driven;
+            }
+        }
+        begin(self);
         if self.correct(group, &roles.following, tolerance) {
             return Ok(None);
         }
-        self.system.set_group(&mut self.kinematics, group, guess);
-        if !self.correct(group, &group.movable, tolerance) {
-            return Err(self.unreachable(group, roles, drivers));
-        }
-        let all: Vec<&Driver> = drivers.iter().collect();
-        self.drive(group, roles, drivers, &all, tolerance)
+        Err(self.unreachable(group, roles, drivers))
     }
 
     /// Follows the branch of a known closed pose until the drivers are where they are wanted. Gives a regular pose on

@@ -5,6 +5,7 @@ use super::assembly::GroupFacts;
 use super::following::ease;
 use super::rank::{decide, singular_values};
 use crate::System;
+use crate::kinematics::Kinematics;
 use faer::Mat;
 use nalgebra::DMatrix;
 
@@ -27,11 +28,7 @@ impl System {
 
     /// Who drives where nothing is set: what is declared, else the best-conditioned choice.
     pub(crate) fn advised_roles(&self, group: &Group, generic: &DMatrix<f64>, floor: f64) -> Roles {
-        let wish = |at: usize| match self.advice(group, at) {
-            Some(false) => 0,
-            None => 1,
-            Some(true) => 2,
-        };
+        let wish = |at: usize| self.wish(group, at, |_| false);
         let movable = DMatrix::from_fn(generic.nrows(), group.movable.len(), |r, k| generic[(r, group.movable[k])]);
         let lengths: Vec<f64> = group.movable.iter().map(|&at| group.lengths[at]).collect();
         let count = decide(&singular_values(&movable, &lengths), floor).rank;
@@ -47,12 +44,29 @@ impl System {
         if advised.declared || !advised.following.iter().any(|&at| given(at)) {
             return advised.clone();
         }
-        self.roles_by(group, &facts.rows, advised.following.len(), |at| match self.advice(group, at) {
+        self.roles_by(group, &facts.rows, advised.following.len(), |at| self.wish(group, at, &given))
+    }
+
+    /// As [`roles`](Self::roles), by the rows at another pose; as many follow as in `generic`.
+    pub(crate) fn roles_at(
+        &self,
+        group: &Group,
+        kinematics: &Kinematics<f64>,
+        generic: &Roles,
+        given: impl Fn(usize) -> bool,
+    ) -> Roles {
+        let (_, rows) = self.group_rows(kinematics, group);
+        self.roles_by(group, &rows, generic.following.len(), |at| self.wish(group, at, &given))
+    }
+
+    /// How much a coordinate wants to drive.
+    fn wish(&self, group: &Group, at: usize, given: impl Fn(usize) -> bool) -> u8 {
+        match self.advice(group, at) {
             _ if given(at) => 3,
             Some(false) => 0,
             None => 1,
             Some(true) => 2,
-        })
+        }
     }
 
     /// Splits a group's coordinates, `count` of which follow. `wish` says how much each wants to drive; among equals the best-conditioned choice
