@@ -24,7 +24,6 @@ pub fn go_through(
     strict: bool,
 ) -> Result<(), Failure> {
     let format = Format::of(output)?;
-    tell(&model.diagnostics, strict)?;
     // Hidden where stderr is no terminal.
     let bar = ProgressBar::new(vary.count as u64).with_style(
         ProgressStyle::with_template("{bar:40} {pos}/{len} rows, {eta} left")
@@ -33,6 +32,7 @@ pub fn go_through(
     let report = sweep(model, question, vary, &mut |done, _| bar.set_position(done as u64));
     bar.finish_and_clear();
     let report = report?;
+    tell(&report.diagnostics, strict)?;
     let bytes = match format {
         Format::Csv => csv::of_sweep(&report).into_bytes(),
         Format::Json => {

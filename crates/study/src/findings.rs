@@ -112,8 +112,7 @@ pub(crate) fn about_holds(
         let system = without.system(&model.mechanism)?;
         let strike = system.strike(pose, contact, RouteChoice::Auto)?;
         let link = model.mechanism.find_link(&hold.link)?;
-        let velocity =
-            system.point_velocity_over_ground(pose, &strike, link, &Vector3::from(hold.point));
+        let velocity = system.point_velocity_over_ground(pose, &strike, link, &Vector3::from(hold.point));
         // The blow changes velocities by −v*: the point approaches what it is held to where −v*·n > 0.
         let n = Vector3::from(normal).normalize();
         let lifts = match velocity {
@@ -135,7 +134,9 @@ pub(crate) fn about_holds(
                 hold.link
             );
             found.push(warning("hold-pulls", message));
-        } else if !matches!(strike.effective_mass, EffectiveMass::Finite(_)) || velocity == Some(PointVelocity::Undetermined) {
+        } else if !matches!(strike.effective_mass, EffectiveMass::Finite(_))
+            || velocity == Some(PointVelocity::Undetermined)
+        {
             let message = format!(
                 "without the held contact of link \"{}\" the motion of the blow is not determined: whether it pulls cannot \
                  be said",

@@ -1,8 +1,8 @@
 //! A study in a file: the flags of `percuss mass` and `percuss sweep`, kept.
 
-use crate::{DiagnosticRecord, Input, Model};
 use crate::question::{EstimateQuestion, Hold, MassQuestion, Normal};
 use crate::sweep::Vary;
+use crate::{DiagnosticRecord, Input, Model};
 use nalgebra::Vector3;
 use percuss_dynamics::{Base, Frame};
 use percuss_formats::{LoadError, LoadOptions, Source};

@@ -1,10 +1,10 @@
 //! The same contact over a range of positions; loops stay closed along one branch.
 
-use crate::Model;
 use crate::estimate::estimate;
 use crate::mass::{Status, pose_record};
 use crate::quantity::{Dimension, Quantity, parse_triple, position_dimension};
 use crate::question::{MassQuestion, StudyError};
+use crate::{DiagnosticRecord, Model, findings};
 use nalgebra::Vector3;
 use percuss_dynamics::{
     Configuration, Contact, EffectiveMass, PointVelocity, Pose, RouteChoice, Strike, System,
@@ -112,7 +112,7 @@ pub struct SweepRow {
     pub row: usize,
     /// Value of what is varied, rad or m.
     pub value: f64,
-    /// `finite`, `immovable`, `massless`, or `unreachable`.
+    /// `finite`, `immovable`, `massless`, `unreachable`, or `no answer` where the contact means nothing here.
     pub status: &'static str,
     /// m̄, kg; null unless finite.
     pub effective_mass: Option<f64>,
@@ -152,6 +152,8 @@ pub struct SweepReport {
     pub link: String,
     /// All rows.
     pub rows: Vec<SweepRow>,
+    /// What was found, in the file and in the rows.
+    pub diagnostics: Vec<DiagnosticRecord>,
 }
 
 /// Answers a contact over a range; `progress` is told rows done and rows in all.
@@ -171,27 +173,37 @@ pub fn sweep(
     let system = question.system(mechanism)?;
     let course = Course::new(&system, question, vary)?;
     let values = vary.values(course.dimension())?;
-    let mut rows = Vec::with_capacity(values.len());
+    let mut rows: Vec<SweepRow> = Vec::with_capacity(values.len());
     let mut last: Option<Pose> = course.start.clone();
     let mut contact: Option<Contact> = None;
+    let mut findings = Findings::default();
     for (row, value) in values.into_iter().enumerate() {
         let answer = match course.pose(&system, last.as_ref(), value) {
-            Ok(Err(missed)) => unreached(row, value, missed),
+            Ok(Err(missed)) => Ok(unanswered(row, value, UNREACHABLE, missed)),
             Ok(Ok(pose)) => {
-                if contact.is_none() {
-                    contact = Some(question.contact(&system, &pose)?);
-                }
-                let located = contact.as_ref().unwrap_or_else(|| unreachable!("it was just found"));
-                let answer = answered(&system, question, &course, &pose, located, row, value)?;
+                let located = match contact {
+                    Some(contact) => contact,
+                    None => *contact.insert(question.contact(&system, &pose)?),
+                };
+                let answer =
+                    answered(model, &system, question, &course, &pose, &located, row, value, &mut findings);
                 last = Some(pose);
                 answer
             }
-            Err(error) if error.is_no_answer() => unreached(row, value, error.to_string()),
-            Err(error) => return Err(error),
+            Err(error) if error.is_no_answer() => Ok(unanswered(row, value, UNREACHABLE, error.to_string())),
+            Err(error) => Err(error),
         };
-        rows.push(answer);
+        rows.push(match answer {
+            Ok(answer) => answer,
+            // What is wrong from the start is wrong with the question; later it is wrong with a row.
+            Err(error) if rows.iter().any(|row| row.error.is_none()) => {
+                unanswered(row, value, "no answer", error.to_string())
+            }
+            Err(error) => return Err(error),
+        });
         progress(row + 1, vary.count);
     }
+    let diagnostics = model.diagnostics.iter().cloned().chain(findings.told(rows.len())).collect();
     Ok(SweepReport {
         schema: "percuss.sweep/1",
         percuss: env!("CARGO_PKG_VERSION"),
@@ -200,14 +212,45 @@ pub fn sweep(
         unit: if course.dimension() == Dimension::Angle { "rad" } else { "m" },
         link: question.link.clone(),
         rows,
+        diagnostics,
     })
 }
 
-fn unreached(row: usize, value: f64, error: String) -> SweepRow {
+const UNREACHABLE: &str = "unreachable";
+
+/// What was found in the rows: each thing once, with where and how often.
+#[derive(Default)]
+struct Findings {
+    /// Finding, first row, number of rows, by code and what it is about.
+    kinds: BTreeMap<(&'static str, String), (DiagnosticRecord, usize, usize)>,
+}
+
+impl Findings {
+    fn add(&mut self, row: usize, records: impl IntoIterator<Item = DiagnosticRecord>) {
+        for record in records {
+            let about = record.message.split('"').nth(1).unwrap_or_default().to_owned();
+            self.kinds.entry((record.code, about)).or_insert((record, row, 0)).2 += 1;
+        }
+    }
+
+    fn told(self, rows: usize) -> impl Iterator<Item = DiagnosticRecord> {
+        self.kinds.into_values().map(move |(mut record, first, count)| {
+            if count < rows {
+                record.message += &match count {
+                    1 => format!(" (row {first})"),
+                    _ => format!(" (row {first}, and {} more)", count - 1),
+                };
+            }
+            record
+        })
+    }
+}
+
+fn unanswered(row: usize, value: f64, status: &'static str, error: String) -> SweepRow {
     SweepRow {
         row,
         value,
-        status: "unreachable",
+        status,
         effective_mass: None,
         effective_mass_error: None,
         closure_residual: None,
@@ -220,7 +263,9 @@ fn unreached(row: usize, value: f64, error: String) -> SweepRow {
     }
 }
 
+#[expect(clippy::too_many_arguments, reason = "one row of `sweep`, which owns all of these")]
 fn answered(
+    model: &Model,
     system: &System,
     question: &MassQuestion,
     course: &Course,
@@ -228,8 +273,12 @@ fn answered(
     contact: &Contact,
     row: usize,
     value: f64,
+    findings: &mut Findings,
 ) -> Result<SweepRow, StudyError> {
     let strike = system.strike(pose, contact, RouteChoice::Auto)?;
+    findings.add(row, findings::about_pose(system, pose));
+    findings.add(row, findings::about_strike(system, contact, &strike));
+    findings.add(row, findings::about_holds(model, question, pose, contact)?);
     let beside = question.estimate.as_ref().map(|e| estimate(system, pose, &strike, e)).transpose()?;
     let motion_ratio = match &beside {
         Some(estimate) => estimate.motion_ratio,

@@ -146,6 +146,7 @@ impl System {
                 break;
             }
             let Some((x, length)) = self.step(group, &rows, &residuals, moves, damping) else { break };
+            if std::env::var("DBG").is_ok() { eprintln!("step cost {cost:e} damping {damping:e} {}x{} len {length:e}", rows.nrows(), moves.count()); }
             let before = kinematics.q.clone();
             self.advance_group(kinematics, group, &moves.expand(group, |k| x[(k, 0)]));
             let (next, next_rows) = self.group_rows(kinematics, group);
