@@ -1,7 +1,9 @@
 //! Closed loops by route A against route C: every linkage at many poses of its range, random linkages; one- and
 //! two-sided, on the ground and flying, with locks, held contacts and armatures.
 
-use percuss_dynamics::{AssemblyError, Base, Conditions, Contact, Direction, EffectiveMass, Frame, Pose, RouteChoice, System};
+use percuss_dynamics::{
+    AssemblyError, Base, Conditions, Contact, Direction, EffectiveMass, Frame, Pose, RouteChoice, System,
+};
 use percuss_mechanism::{ClosureKind, JointId, JointKind, Mechanism};
 use percuss_oracle::maximal::{self, Answer, Held, Outcome};
 use percuss_oracle::{linkage, random};
@@ -39,7 +41,8 @@ fn imposed(rng: &mut StdRng, mechanism: &Mechanism, variant: usize) -> Imposed {
     }
     if variant / 4 % 2 == 1 {
         let id = joints[rng.random_range(0..joints.len())];
-        let values: Vec<f64> = (0..mechanism.joint(id).kind().dofs()).map(|_| rng.random_range(0.01..2.0)).collect();
+        let values: Vec<f64> =
+            (0..mechanism.joint(id).kind().dofs()).map(|_| rng.random_range(0.01..2.0)).collect();
         all.conditions = all.conditions.armature(mechanism.joint(id).name(), values.clone());
         all.name += ", armature";
         all.armature.push((id, values));
@@ -69,7 +72,15 @@ struct Count {
     unclear: usize,
 }
 
-fn compare(system: &System, mechanism: &Mechanism, pose: &Pose, given: &Imposed, case: &str, rng: &mut StdRng, gauge: &mut Gauge, count: &mut Count) {
+fn compare(
+    (system, pose): (&System, &Pose),
+    given: &Imposed,
+    case: &str,
+    rng: &mut StdRng,
+    gauge: &mut Gauge,
+    count: &mut Count,
+) {
+    let mechanism = system.mechanism();
     let contact = contact(rng, mechanism);
     let question = maximal::Question {
         locked: given.locked.clone(),
@@ -90,7 +101,12 @@ fn compare(system: &System, mechanism: &Mechanism, pose: &Pose, given: &Imposed,
     assert_eq!(strike.degrees_of_freedom, answer.degrees_of_freedom, "{case}: {:?}", answer.singular_values);
     if !strike.singular_pose {
         assert_eq!(system.degrees_of_freedom(), answer.degrees_of_freedom, "{case}");
-        assert_eq!(system.redundant_constraints(), answer.redundant_constraints, "{case}: {rank:?} {:?}", answer.singular_values);
+        assert_eq!(
+            system.redundant_constraints(),
+            answer.redundant_constraints,
+            "{case}: {rank:?} {:?}",
+            answer.singular_values
+        );
     }
     match (strike.effective_mass, answer.outcome) {
         (EffectiveMass::Finite(a), Outcome::Finite(c)) => {
@@ -131,16 +147,21 @@ fn every_linkage_over_its_range() {
                 }
             };
             assert!(rig.open(&pose) <= 1e-12, "{case}: {:e}", rig.open(&pose));
+            let plain = imposed(&mut rng, &rig.mechanism, 0);
+            for _ in 0..2 {
+                compare((&rig.system, &pose), &plain, &case, &mut rng, &mut gauge, &mut count);
+            }
             if large && i % 5 > 0 {
                 continue;
             }
             let given = imposed(&mut rng, &rig.mechanism, i % 16);
             let system = rig.with(&given.conditions);
-            let same = system.pose(&rig.guessed(&drivers, &positions(&rig.mechanism, &pose))).expect("closed");
+            let same =
+                system.pose(&rig.guessed(&drivers, &positions(&rig.mechanism, &pose))).expect("closed");
             for (a, b) in pose.positions().iter().zip(same.positions()) {
                 assert!((a - b).abs() < 1e-9, "{case}: {a} and {b}");
             }
-            compare(&system, &rig.mechanism, &same, &given, &case, &mut rng, &mut gauge, &mut count);
+            compare((&system, &same), &given, &case, &mut rng, &mut gauge, &mut count);
         }
     }
     for kind in ClosureKind::ALL {
@@ -148,8 +169,8 @@ fn every_linkage_over_its_range() {
     }
     gauge.report();
     println!("{count:?}, {barred} barred");
-    assert!(barred < 10, "{barred}");
-    assert!(count.finite > 600 && count.immovable > 10, "{count:?}");
+    assert!(barred < 25, "{barred}");
+    assert!(count.finite > 1800 && count.immovable > 100, "{count:?}");
     assert!(count.unclear < 60, "{count:?}");
 }
 
@@ -169,14 +190,19 @@ fn random_linkages() {
         let system = System::new(Arc::clone(&mechanism), &given.conditions).expect("conditions that fit");
         let case = format!("random linkage {i}");
         let pose = at_start(&system, &mechanism, &start).unwrap_or_else(|error| panic!("{case}: {error}"));
-        let off = positions(&mechanism, &pose).concat().iter().zip(start.concat()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        let off = positions(&mechanism, &pose)
+            .concat()
+            .iter()
+            .zip(start.concat())
+            .map(|(a, b)| (a - b).abs())
+            .fold(0.0, f64::max);
         assert!(off < 1e-6, "{case}: it left its start by {off:e}");
         kinds.extend(mechanism.closures().iter().map(|c| c.kind()));
         let bound = |kind| mechanism.joints().iter().filter(|j| j.kind() == kind).count();
         spherical += bound(JointKind::Spherical);
         mimics += mechanism.joints().iter().filter(|j| j.mimic().is_some()).count();
         for _ in 0..3 {
-            compare(&system, &mechanism, &pose, &given, &case, &mut rng, &mut gauge, &mut count);
+            compare((&system, &pose), &given, &case, &mut rng, &mut gauge, &mut count);
         }
     }
     for kind in ClosureKind::ALL {

@@ -1,10 +1,10 @@
 //! Putting loops together: from a rough guess, hundreds of them, rounded files, loops that contradict themselves, and
 //! who may be set.
 
-use percuss_dynamics::{AssemblyError, Conditions, EffectiveMass, RouteChoice, Strike, System};
+use percuss_dynamics::{AssemblyError, Conditions, EffectiveMass, Strike, System};
 use percuss_mechanism::{
-    ClosureDescription, ClosureKind, CouplingDescription, Inertial, JointDescription, JointKind, LinkDescription,
-    Mechanism, MechanismBuilder,
+    ClosureDescription, ClosureKind, Inertial, JointDescription, JointKind, LinkDescription, Mechanism,
+    MechanismBuilder,
 };
 use percuss_oracle::linkage::{self, Linkage};
 use percuss_oracle::maximal;
@@ -12,7 +12,6 @@ use percuss_spatial::{Transform, Vector3, rotation_from_rpy};
 use percuss_tests::gauge::Gauge;
 use percuss_tests::rig::{Rig, mass, question};
 use rand::{Rng, SeedableRng, rngs::StdRng};
-use std::sync::Arc;
 use std::time::Instant;
 
 #[test]
@@ -61,11 +60,17 @@ fn timed<T>(what: &str, run: impl FnOnce() -> T) -> T {
 
 #[test]
 fn hundreds_of_loops() {
-    for (linkage, degrees, redundant) in [(linkage::separate(200), 200, 600), (linkage::ladder(200), 1, 600)] {
+    for (linkage, degrees, redundant) in [(linkage::separate(200), 200, 600), (linkage::ladder(200), 1, 600)]
+    {
         let rig = Rig::new(linkage);
-        let pose = timed(&format!("{} from zero", rig.name), || rig.system.pose(&rig.system.configuration()).unwrap());
+        let pose = timed(&format!("{} from zero", rig.name), || {
+            rig.system.pose(&rig.system.configuration()).unwrap()
+        });
         assert!(rig.open(&pose) < 1e-12);
-        assert_eq!((rig.system.degrees_of_freedom(), rig.system.redundant_constraints()), (degrees, redundant));
+        assert_eq!(
+            (rig.system.degrees_of_freedom(), rig.system.redundant_constraints()),
+            (degrees, redundant)
+        );
         let mut off = rig.start.clone();
         let mut rng = StdRng::seed_from_u64(31);
         off.iter_mut().flatten().for_each(|q| *q += rng.random_range(-0.3..0.3));
@@ -104,13 +109,15 @@ fn a_rounded_file_is_its_exact_twin() {
         assert_eq!(a.loops().expect("loops").inexactness, 0.0);
         for link in ["crank", "coupler", "rocker"] {
             let n = Vector3::new(0.5, 0.2, 0.8).normalize();
-            let at = |rig: &Rig, pose: &_| -> Strike { rig.strike(pose, &rig.contact(link, [0.3, 0.1, 0.0], n)) };
+            let at =
+                |rig: &Rig, pose: &_| -> Strike { rig.strike(pose, &rig.contact(link, [0.3, 0.1, 0.0], n)) };
             let (right, near) = (at(&exact, &a), at(&rounded, &b));
             assert_eq!((near.degrees_of_freedom, near.singular_pose), (1, false));
             let said = near.effective_mass_error.expect("finite") / mass(&near);
             let case = format!("{link} at {drivers:?}");
-            gauge.relative(&case, mass(&near), mass(&right), 1e-4);
-            println!("said {said:e} {:e}", (mass(&near) / mass(&right) - 1.0).abs());
+            // Some micrometres on a metre; more where the point hardly moves along the normal, which the strike says.
+            gauge.relative(&case, mass(&near), mass(&right), said);
+            assert!(said < 1e-3 || mass(&right) > 1e3, "{case}: {said:e}");
         }
     }
     gauge.report();
@@ -118,7 +125,8 @@ fn a_rounded_file_is_its_exact_twin() {
 
 /// A crank on the ground, 0.5 m long, mass at its tip, held by closures.
 fn crank(closures: Vec<ClosureDescription>) -> Mechanism {
-    let bar = |name: &str| LinkDescription::new(name, Inertial::diagonal(1.0, [0.4, 0.0, 0.0], [0.01, 0.02, 0.03]));
+    let bar =
+        |name: &str| LinkDescription::new(name, Inertial::diagonal(1.0, [0.4, 0.0, 0.0], [0.01, 0.02, 0.03]));
     let plate = JointDescription::new("weld", JointKind::Fixed, "crank", "plate").at([0.5, 0.0, 0.0]);
     let hinge = JointDescription::new("hinge", JointKind::Revolute, "ground", "crank").axis([0.0, 0.0, 1.0]);
     let builder = MechanismBuilder::new("crank")
@@ -147,7 +155,9 @@ fn unclosed(mechanism: Mechanism) -> Vec<String> {
 #[test]
 fn loops_that_contradict_themselves() {
     let rod = |name: &str, at: [f64; 3], length: f64| {
-        ClosureDescription::new(name, ClosureKind::Distance, "ground", "crank").at(at, [0.5, 0.0, 0.0]).distance(length)
+        ClosureDescription::new(name, ClosureKind::Distance, "ground", "crank")
+            .at(at, [0.5, 0.0, 0.0])
+            .distance(length)
     };
     // One rod asks for a quarter turn, the other for none; one alone closes.
     let system = System::new(crank(vec![rod("up", [0.0, 1.0, 0.0], 0.6)]), &Conditions::new()).unwrap();
@@ -164,7 +174,9 @@ fn loops_that_contradict_themselves() {
     };
     assert_eq!(unclosed(crank(vec![tilted])), ["tilted"]);
     // Between links that are one body, and do not fit; and that do.
-    let weld = |x: f64| ClosureDescription::new("again", ClosureKind::Fixed, "crank", "plate").at([x, 0.0, 0.0], [0.0; 3]);
+    let weld = |x: f64| {
+        ClosureDescription::new("again", ClosureKind::Fixed, "crank", "plate").at([x, 0.0, 0.0], [0.0; 3])
+    };
     assert_eq!(unclosed(crank(vec![weld(0.6)])), ["again"]);
     let system = System::new(crank(vec![weld(0.5)]), &Conditions::new()).unwrap();
     let pose = system.pose(&system.configuration()).expect("it fits");
@@ -179,8 +191,8 @@ fn whoever_follows_is_not_set() {
     let mut both = rig.configuration(&[0.7]);
     both.set("rocker_hinge", &[1.0]).unwrap();
     let error = rig.system.pose(&both).unwrap_err();
-    assert!(error.is_bad_input() && error.to_string().contains("set \"crank_hinge\" instead")
-        || error.to_string().contains("set \"rocker_hinge\" instead"), "{error}");
+    assert!(error.is_bad_input());
+    assert!(error.to_string().contains("\" follows from the loops; set \""), "{error}");
     assert!(matches!(error, AssemblyError::Dependent { .. }));
     // Any one alone may drive.
     for joint in ["crank_hinge", "crank_pin", "rocker_hinge"] {
@@ -197,7 +209,8 @@ fn whoever_follows_is_not_set() {
 fn locks_within_loops() {
     // Every joint of a loop, one of them, and a coupling over locked shafts: as route C has it.
     let whole = ["crank_hinge", "crank_pin", "rocker_hinge"];
-    let cases: [(fn() -> Linkage, &[&str], &str); 5] = [
+    type Case<'a> = (fn() -> Linkage, &'a [&'a str], &'a str);
+    let cases: [Case; 5] = [
         (linkage::four_bar, &whole, "coupler"),
         (linkage::four_bar, &whole[1..2], "coupler"),
         (linkage::geared_pair, &["slow"], "fast"),
@@ -222,20 +235,45 @@ fn locks_within_loops() {
 
 #[test]
 fn a_sphere_drives_a_loop() {
-    // A plate on a ball, its edge on a rod to the ground: three rates less one.
-    let plate = LinkDescription::new("plate", Inertial::diagonal(2.0, [0.2, 0.1, 0.0], [0.05, 0.06, 0.08]));
-    let slider = LinkDescription::new("slider", Inertial::diagonal(1.0, [0.0; 3], [0.01; 3]));
+    // A plate on a ball carries a slider on a guide by a rod: the ball's three turns drive, the slider follows.
+    let body = |name: &str, mass: f64| {
+        LinkDescription::new(name, Inertial::diagonal(mass, [0.2, 0.1, 0.0], [0.05, 0.06, 0.08]))
+    };
+    let rod = ClosureDescription::new("rod", ClosureKind::Distance, "slider", "plate")
+        .at([0.0; 3], [0.4, 0.1, 0.0])
+        .distance(0.5);
     let mechanism = MechanismBuilder::new("plate")
         .link(LinkDescription::massless("ground"))
-        .link(plate)
-        .link(slider)
+        .link(body("plate", 2.0))
+        .link(body("slider", 1.0))
         .joint(JointDescription::new("ball", JointKind::Spherical, "ground", "plate"))
         .joint(JointDescription::new("slide", JointKind::Prismatic, "ground", "slider").axis([0.0, 0.0, 1.0]))
-        .closure(ClosureDescription::new("rod", ClosureKind::Distance, "slider", "plate").at([0.5, 0.0, -0.4], [0.4, 0.1, 0.0]).distance(0.42))
-        .coupling(CouplingDescription { name: "none".into(), predecessor: "ground".into(), successor: "slider".into(), ratio: 0.0 })
-        .build();
-    // A coupling to the ground is refused or holds the slider; without it the ball drives.
-    drop(mechanism);
-    let _ = Arc::new(0);
-    let _ = RouteChoice::Auto;
+        .closure(rod)
+        .build()
+        .expect("a plate")
+        .mechanism;
+    let system = System::new(mechanism, &Conditions::new()).expect("free");
+    assert_eq!(system.degrees_of_freedom(), 3);
+    let slide = system.mechanism().find_joint("slide").unwrap();
+    let at_zero = system.pose(&system.configuration()).expect("it closes");
+    // On the side where it begins, at any turn: z = p_z ± √(l² − p_x² − p_y²).
+    let side = at_zero.joint(slide)[0].signum();
+    let mut pose = at_zero;
+    for [roll, pitch, yaw] in
+        [[0.3, 0.1, 0.0], [-0.4, 0.5, 1.0], [0.2, -0.9, 2.9], [0.0, 0.4, -2.0], [0.7, 0.0, 0.3]]
+    {
+        let turn = rotation_from_rpy([roll, pitch, yaw]);
+        let q = nalgebra::UnitQuaternion::from_matrix(&turn);
+        let mut configuration = system.configuration();
+        configuration.set("ball", &[q.w, q.i, q.j, q.k]).unwrap();
+        for from in [None, Some(&pose)] {
+            let here = from
+                .map_or_else(|| system.pose(&configuration), |from| system.pose_from(from, &configuration));
+            let p = turn * Vector3::new(0.4, 0.1, 0.0);
+            let expected = p.z + side * (0.25 - p.x * p.x - p.y * p.y).sqrt();
+            let got = here.as_ref().expect("in reach").joint(slide)[0];
+            assert!((got - expected).abs() < 1e-12, "{roll} {pitch} {yaw}: {got} {expected}");
+        }
+        pose = system.pose(&configuration).unwrap();
+    }
 }

@@ -23,8 +23,14 @@ fn blows() -> impl Iterator<Item = (usize, Vector2<f64>, Vector2<f64>)> {
 }
 
 /// Strikes every body of a planar linkage at a pose, and compares with the bodies' motions.
-fn struck(rig: &Rig, pose: &Pose, bodies: [PlanarBody; 3], motions: [PlanarPose; 3], bound: f64, gauge: &mut Gauge) {
-
+fn struck(
+    rig: &Rig,
+    pose: &Pose,
+    bodies: [PlanarBody; 3],
+    motions: [PlanarPose; 3],
+    bound: f64,
+    gauge: &mut Gauge,
+) {
     let all: Vec<_> = bodies.into_iter().zip(motions).collect();
     for (body, point, n) in blows() {
         // Digits are lost where the point hardly moves along the normal.
@@ -33,7 +39,11 @@ fn struck(rig: &Rig, pose: &Pose, bodies: [PlanarBody; 3], motions: [PlanarPose;
         }
         let link = rig.mechanism.links()[body + 1].name();
         let strike = rig.strike(pose, &rig.contact(link, [point.x, point.y, 0.03], in_plane(n)));
-        let case = format!("{} {link} at {:?}", rig.name, rig.drivers.iter().map(|d| pose.joint(rig.joint(d))).collect::<Vec<_>>());
+        let case = format!(
+            "{} {link} at {:?}",
+            rig.name,
+            rig.drivers.iter().map(|d| pose.joint(rig.joint(d))).collect::<Vec<_>>()
+        );
         // Near a crossing the strike says how many digits are left.
         let said = strike.effective_mass_error.expect("finite") / mass(&strike);
         gauge.relative(&case, mass(&strike), planar_effective_mass(&all, body, point, n), bound.max(said));
@@ -118,7 +128,10 @@ fn two_turns(linkage: Linkage, open: bool, first: f64, rows: i32) -> (Gauge, Gau
             assert_eq!(state.singularities, [Singularity::None], "{case}");
         } else {
             crossings += 1;
-            assert_eq!((state.singularities.as_slice(), state.modes[0]), ([Singularity::ChangePoint].as_slice(), 0));
+            assert_eq!(
+                (state.singularities.as_slice(), state.modes[0]),
+                ([Singularity::ChangePoint].as_slice(), 0)
+            );
             limits(&rig, &pose, motions, &mut masses);
         }
     }
@@ -151,7 +164,8 @@ fn no_branch_is_lost_at_a_crossing() {
     ] {
         // Rows on the crossings, and beside them at many distances.
         let mut crossings = 0;
-        for (first, rows) in [(0.0, 24), (-PI, 60), (0.017, 36), (1e-3, 24), (-1e-6, 12), (1e-8, 8), (0.4, 3)] {
+        for (first, rows) in [(0.0, 24), (-PI, 60), (0.017, 36), (1e-3, 24), (-1e-6, 12), (1e-8, 8), (0.4, 3)]
+        {
             let (angles, masses, met) = two_turns(linkage(), open, first, rows);
             angles.report();
             masses.report();
@@ -159,6 +173,27 @@ fn no_branch_is_lost_at_a_crossing() {
         }
         assert!(crossings >= 20, "{crossings}");
     }
+}
+
+/// Whole turns in one go, ends near crossings and far from them: steps land where they like.
+#[test]
+fn long_ways_keep_their_branch() {
+    let mut gauge = Gauge::new("angles after long ways");
+    for (linkage, open) in [(linkage::parallelogram(), true), (linkage::antiparallelogram(), false)] {
+        let rig = Rig::new(linkage);
+        let start = rig.closed();
+        for i in 0..300 {
+            // Some pass a crossing at every distance from their last step.
+            let theta = (f64::from(i) * 0.618_033_988_75).fract() * 40.0 - 20.0;
+            let theta = if i % 10 == 0 { (theta / PI).round() * PI + 1e-4 } else { theta };
+            let from = rig.reach(&start, &[1.2 + f64::from(i) * 1e-3]);
+            let pose = rig.reach(&from, &[theta]);
+            let rocker = pose.joint(rig.joint("rocker_hinge"))[0];
+            let expected = motions(linkage::PARALLELOGRAM, open, theta)[2].angle;
+            gauge.note(&format!("{} to {theta}", rig.name), wrapped(rocker - expected).abs(), 1e-11);
+        }
+    }
+    gauge.report();
 }
 
 /// The limit in an error: of the driver, then of the followers.
@@ -179,11 +214,15 @@ fn limits_are_found() {
     // Coupler and rocker in line: cos θ = (a² + g² − (b + c)²) / 2ag; both ways round, from near and far.
     let bar = FourBar { ground: 0.8, crank: 0.6, coupler: 0.5, rocker: 0.4 };
     let reach = bar.coupler + bar.rocker;
-    let limit = ((bar.crank.powi(2) + bar.ground.powi(2) - reach * reach) / (2.0 * bar.crank * bar.ground)).acos();
+    let limit =
+        ((bar.crank.powi(2) + bar.ground.powi(2) - reach * reach) / (2.0 * bar.crank * bar.ground)).acos();
     let [a, g] = [bar.crank, bar.ground];
-    for (start, wanted) in [(0.7, 1.5), (0.7, 3.0), (-0.7, -2.0), (limit - 1e-3, limit + 1e-9), (0.9, limit + 1e-6)] {
+    for (start, wanted) in
+        [(0.7, 1.5), (0.7, 3.0), (-0.7, -2.0), (limit - 1e-3, limit + 1e-9), (0.9, limit + 1e-6)]
+    {
         for crossing in [Crossing::Left, Crossing::Right] {
-            let rig = Rig::new(linkage::four_bar_of("triple rocker", bar, BODIES, crossing, start, [-1.3, 1.3]));
+            let rig =
+                Rig::new(linkage::four_bar_of("triple rocker", bar, BODIES, crossing, start, [-1.3, 1.3]));
             let places = nearest(rig.go(&rig.closed(), &[wanted]).unwrap_err());
             let limit = limit.copysign(wanted);
             let phi = (-a * limit.sin()).atan2(g - a * limit.cos());
@@ -209,8 +248,16 @@ fn limits_are_found() {
                 let [_, coupler, rocker] = bar.poses(theta, crossing).expect("in reach");
                 // The angle is uncertain by ε, and its root with it.
                 let bound = 1e-10f64.max(4e-15 / before.sqrt());
-                gauge.note(&case, wrapped(pose.joint(rig.joint("rocker_hinge"))[0] - rocker.angle).abs(), bound);
-                gauge.note(&case, wrapped(pose.joint(rig.joint("crank_pin"))[0] + theta - coupler.angle).abs(), bound);
+                gauge.note(
+                    &case,
+                    wrapped(pose.joint(rig.joint("rocker_hinge"))[0] - rocker.angle).abs(),
+                    bound,
+                );
+                gauge.note(
+                    &case,
+                    wrapped(pose.joint(rig.joint("crank_pin"))[0] + theta - coupler.angle).abs(),
+                    bound,
+                );
             }
         }
     }

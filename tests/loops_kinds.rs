@@ -12,13 +12,12 @@ use percuss_spatial::{Transform, rotation_from_rpy};
 use percuss_tests::bench::{Bench, assert_close};
 use percuss_tests::gauge::Gauge;
 use percuss_tests::rig::{Rig, in_plane, mass};
-use std::f64::consts::PI;
 
 /// Masses of the wedge's sliders, kg.
 const WEDGE: [f64; 2] = [1.7, 0.9];
 
 /// Two sliders along x and along y, each hung on the ground; a closure keeps the second on a line (or a plane) that
-/// rises by `slope` on the first: y = x tan(slope). Struck at the first along x, m̄ = m₁ + m₂ tan².
+/// rises by `slope` on the first: y = ±x tan(slope). Struck at the first along x, m̄ = m₁ + m₂ tan².
 ///
 /// A cylindrical or planar closure leaves the axes' turn free, which the slides hold.
 fn wedge(kind: ClosureKind, slope: f64) -> Mechanism {
@@ -58,10 +57,11 @@ fn sliding_closures_are_wedges() {
             let bench = Bench::new(wedge(kind, slope)).set("first", &[0.3]);
             let pose = bench.system.pose(&bench.configuration).expect("it closes");
             let y = pose.joint(bench.system.mechanism().find_joint("second").unwrap())[0];
-            // The planar slope passes through both origins upwards, the line the other way.
-            let sign = if kind == ClosureKind::Planar { 1.0 } else { -1.0 };
-            assert!((y * sign - (-0.3f64).abs() * slope.tan() * 1.0).abs() < 1e-12 || (y.abs() - 0.3 * slope.tan()).abs() < 1e-12, "{kind:?}: {y}");
-            let normal = Transform::new(rotation_from_rpy([0.4, -0.7, 1.1]), Vector3::zeros()).vector(&Vector3::x());
+            // On the line the second goes up as the first goes forward; the plane pushes it down.
+            let rise = if kind == ClosureKind::Planar { -0.3 } else { 0.3 };
+            assert!((y - rise * slope.tan()).abs() < 1e-12, "{kind:?}: {y}");
+            let normal =
+                Transform::new(rotation_from_rpy([0.4, -0.7, 1.1]), Vector3::zeros()).vector(&Vector3::x());
             let strike = bench.strike(&bench.contact("first", [0.1, 0.2, 0.3], normal), RouteChoice::Auto);
             let expected = WEDGE[0] + WEDGE[1] * slope.tan().powi(2);
             gauge.relative(&format!("{kind:?} {slope}"), mass(&strike), expected, 1e-12);
@@ -120,7 +120,12 @@ fn every_other_kind_has_its_closed_form() {
     let gear = Rig::new(linkage::planetary_gear());
     let inertias = [0.004, 0.0006, 0.0003];
     let form = |_| closed_form::planetary_gear(inertias, 0.4, 0.063, 1.0, [24.0, 18.0, 60.0], 0.05);
-    over_the_range(&gear, ("carrier", [0.05, 0.0, 0.0], &|t| across(&gear, "carrier", t), &form), 1, &mut gauge);
+    over_the_range(
+        &gear,
+        ("carrier", [0.05, 0.0, 0.0], &|t| across(&gear, "carrier", t), &form),
+        1,
+        &mut gauge,
+    );
     assert_eq!(gear.system.redundant_constraints(), 5);
     gauge.report();
     // The recursion says that it is not for loops.
@@ -148,7 +153,8 @@ fn arms_without_mass_are_exact() {
 fn a_heavy_chassis_is_the_ground() {
     let n = Vector2::new(0.6, 0.8);
     let bar = linkage::FOUR_BAR;
-    let bodies: Vec<_> = linkage::FOUR_BAR_BODIES.into_iter().zip(bar.poses(0.9, Crossing::Left).unwrap()).collect();
+    let bodies: Vec<_> =
+        linkage::FOUR_BAR_BODIES.into_iter().zip(bar.poses(0.9, Crossing::Left).unwrap()).collect();
     let fixed = planar_effective_mass(&bodies, 1, [0.31, -0.12].into(), n);
     let mut last = f64::INFINITY;
     for decade in [2, 4, 6, 8, 10] {
@@ -187,15 +193,20 @@ fn a_loop_onto_the_world_does_not_let_the_base_off() {
         let strike = flying.strike(&poses.0, &contact);
         assert!(mass(&strike) > 0.0);
     }
-    let _ = PI;
     // Nothing but a body, hinged to the world by a closure alone.
     let body = LinkDescription::new("body", Inertial::diagonal(2.0, [0.3, 0.0, 0.0], [0.02, 0.03, 0.04]));
     let arm = LinkDescription::new("arm", Inertial::diagonal(0.5, [0.1, 0.0, 0.0], [0.002, 0.003, 0.004]));
     let mechanism = MechanismBuilder::new("hung")
         .link(body)
         .link(arm)
-        .joint(JointDescription::new("wrist", JointKind::Revolute, "body", "arm").at([0.5, 0.0, 0.0]).axis([0.0, 0.0, 1.0]))
-        .closure(ClosureDescription::new("hook", ClosureKind::Revolute, "world", "body").axis([0.0, 0.0, 1.0]))
+        .joint(
+            JointDescription::new("wrist", JointKind::Revolute, "body", "arm")
+                .at([0.5, 0.0, 0.0])
+                .axis([0.0, 0.0, 1.0]),
+        )
+        .closure(
+            ClosureDescription::new("hook", ClosureKind::Revolute, "world", "body").axis([0.0, 0.0, 1.0]),
+        )
         .build()
         .expect("a body on a hook")
         .mechanism;

@@ -17,9 +17,18 @@ fn ideal_mechanisms_have_a_clear_rank() {
         for i in 0..5 {
             pose = rig.reach(&pose, &rig.at(0.1 + 0.2 * f64::from(i)));
             let here = rig.system.rank_at(&pose);
-            assert!(here.clear && !here.singular && here.gap.is_some_and(|g| g > 1e11), "{}: {here:?}", rig.name);
+            assert!(
+                here.clear && !here.singular && here.gap.is_some_and(|g| g > 1e11),
+                "{}: {here:?}",
+                rig.name
+            );
             assert!(pose.loops().is_some_and(|l| l.singularities.iter().all(|s| *s == Singularity::None)));
-            assert_eq!(rig.system.degrees_of_freedom_at(&pose), rig.system.degrees_of_freedom(), "{}", rig.name);
+            assert_eq!(
+                rig.system.degrees_of_freedom_at(&pose),
+                rig.system.degrees_of_freedom(),
+                "{}",
+                rig.name
+            );
         }
     }
     println!("least gap {least:e}");

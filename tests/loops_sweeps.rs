@@ -69,7 +69,8 @@ fn the_error_bounds_what_another_closing_gives() {
                     off[id.index()].iter_mut().for_each(|x| *x /= norm);
                 }
             }
-            let closed = maximal::close(&rig.mechanism, &off, &oracle.dependent()).expect("near a closed pose");
+            let closed =
+                maximal::close(&rig.mechanism, &off, &oracle.dependent()).expect("near a closed pose");
             for _ in 0..3 {
                 let (on, against, point, normal) = random::contact(&mut rng, &rig.mechanism);
                 let mut contact = rig.contact(rig.mechanism.link(on).name(), point.into(), normal);

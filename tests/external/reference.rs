@@ -33,7 +33,10 @@ fn main() -> ExitCode {
     for path in std::env::args().skip(1) {
         match compare(&path) {
             Ok(tally) => {
-                println!("{path}: {} agree, {} do not, worst {:.1e}", tally.passed, tally.failed, tally.worst);
+                println!(
+                    "{path}: {} agree, {} do not, worst {:.1e}",
+                    tally.passed, tally.failed, tally.worst
+                );
                 total.passed += tally.passed;
                 total.failed += tally.failed;
             }
@@ -134,7 +137,10 @@ fn contact(
     if deviation <= TOLERANCE.max(bound) && same_freedom {
         tally.passed += 1;
     } else {
-        println!("    {deviation:.1e} off; {} and {} degrees of freedom", strike.degrees_of_freedom, answer.degrees_of_freedom);
+        println!(
+            "    {deviation:.1e} off; {} and {} degrees of freedom",
+            strike.degrees_of_freedom, answer.degrees_of_freedom
+        );
         tally.failed += 1;
     }
     tally.worst = tally.worst.max(deviation);

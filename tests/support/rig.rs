@@ -2,8 +2,8 @@
 
 use nalgebra::{Vector2, Vector3};
 use percuss_dynamics::{
-    AssemblyError, Base, Conditions, Configuration, Contact, Direction, EffectiveMass, Frame, Pose, RouteChoice,
-    Strike, System,
+    AssemblyError, Base, Conditions, Configuration, Contact, Direction, EffectiveMass, Frame, Pose,
+    RouteChoice, Strike, System,
 };
 use percuss_mechanism::{JointId, JointKind, Mechanism};
 use percuss_oracle::linkage::{self, Linkage};

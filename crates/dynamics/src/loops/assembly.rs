@@ -1,8 +1,8 @@
 //! Putting the loops together: a first closed pose, a generic one, the rank there, and who drives whom.
 
-use super::rank::{FLOOR, Rank, decide, singular_values};
 use super::Group;
 use super::closing::{Correction, Moves};
+use super::rank::{FLOOR, Rank, decide, singular_values};
 use super::roles::Roles;
 use crate::System;
 use crate::kinematics::Kinematics;

@@ -145,20 +145,46 @@ impl System {
             if cost == 0.0 || largest(&residuals).0 <= 1e-3 * tolerance {
                 break;
             }
-            let Some((x, length)) = self.step(group, &rows, &residuals, moves, damping) else { break };
-            if std::env::var("DBG").is_ok() { eprintln!("step cost {cost:e} damping {damping:e} {}x{} len {length:e}", rows.nrows(), moves.count()); }
+            let jacobian = moves.jacobian(group, &rows);
+            let target = Mat::from_fn(residuals.len(), 1, |r, _| -residuals[r]);
+            let x = match damping > 0.0 {
+                true => damped(&jacobian, &target, damping),
+                false => shortest(&jacobian, &target),
+            };
+            let length = x.norm_l2();
+            if !(length > 0.0 && length.is_finite()) {
+                break;
+            }
+            // So long a step is no first-order matter: a third of a radian, or of the gap, is the most. A damped one goes
+            // where more is won than a shortened one.
+            let longest = 0.3 * size.max(largest(&residuals).0) * (moves.count() as f64).sqrt();
+            if length > longest && damping < 0.1 {
+                damping = f64::max(10.0 * damping, 1e-3);
+                continue;
+            }
+            let part = (longest / length).min(1.0);
+            let (x, length) = (x * faer::Scale(part), part * length);
+            let promised = (jacobian * &x - &target).norm_l2();
             let before = kinematics.q.clone();
             self.advance_group(kinematics, group, &moves.expand(group, |k| x[(k, 0)]));
             let (next, next_rows) = self.group_rows(kinematics, group);
-            if norm(&next) < cost {
-                let gain = norm(&next) / cost;
+            let left = norm(&next);
+            if left < cost {
                 let at_rounding = largest(&next).0 <= 0.01 * tolerance;
-                let stalled = gain > 0.99 && length < 1e-9 * size || gain > 0.3 && at_rounding;
+                let stalled = left > 0.99 * cost && length < 1e-9 * size || left > 0.3 * cost && at_rounding;
+                // As much as was promised: the promise may be bolder.
+                let kept = (cost * cost - left * left) / (cost * cost - promised * promised);
                 (residuals, rows) = (next, next_rows);
                 moved += length;
                 along += moves.course.map_or(0.0, |_| x[(moves.unknown.len(), 0)]);
-                damping *= if gain < 0.3 { 0.1 } else if gain < 0.9 { 0.5 } else { 1.0 };
-                if damping < 1e-6 {
+                damping *= if kept > 0.75 {
+                    0.1
+                } else if kept > 0.25 {
+                    0.5
+                } else {
+                    2.0
+                };
+                if damping < 1e-5 {
                     damping = 0.0;
                 }
                 if stalled {
@@ -177,30 +203,6 @@ impl System {
         let (residual, worst) = largest(&residuals);
         Correction { residual, moved, along, closed: residual <= tolerance, worst }
     }
-
-    /// The step (metres) that takes the residuals away to first order, and its length.
-    fn step(
-        &self,
-        group: &Group,
-        rows: &DMatrix<f64>,
-        residuals: &[f64],
-        moves: Moves,
-        damping: f64,
-    ) -> Option<(Mat<f64>, f64)> {
-        let jacobian = moves.jacobian(group, rows);
-        let target = Mat::from_fn(rows.nrows(), 1, |r, _| -residuals[r]);
-        let mut x =
-            if damping > 0.0 { damped(&jacobian, &target, damping) } else { least_norm(&jacobian, &target) };
-        let length = x.norm_l2();
-        if !(length > 0.0 && length.is_finite()) {
-            return None;
-        }
-        // A full turn at once is no step.
-        let longest = 0.5 * self.mechanism.characteristic_length() * (moves.count() as f64).sqrt();
-        let shorten = (longest / length).min(1.0);
-        x *= faer::Scale(shorten);
-        Some((x, length * shorten))
-    }
 }
 
 fn norm(residuals: &[f64]) -> f64 {
@@ -216,8 +218,18 @@ fn largest(residuals: &[f64]) -> (f64, usize) {
         .fold((0.0, 0), |(most, at), (i, r)| if size(*r) > most { (size(*r), i) } else { (most, at) })
 }
 
+/// The shortest x with least ‖Jx − b‖.
+///
+/// Pivoting is what costs most in a large system: there a damping of 1e-8 stands in for it, which shortens by 1e-4 what a
+/// singular value of 1e-6 asks for and leaves out what those of rounding do.
+pub(crate) fn shortest(jacobian: &Mat<f64>, target: &Mat<f64>) -> Mat<f64> {
+    const LARGE: usize = 48;
+    const FAINT: f64 = 1e-8;
+    if jacobian.ncols() > LARGE { damped(jacobian, target, FAINT) } else { least_norm(jacobian, target) }
+}
+
 /// The shortest x with least ‖Jx − b‖, by a complete orthogonal factorisation.
-pub(crate) fn least_norm(jacobian: &Mat<f64>, target: &Mat<f64>) -> Mat<f64> {
+fn least_norm(jacobian: &Mat<f64>, target: &Mat<f64>) -> Mat<f64> {
     let n = jacobian.ncols();
     if n == 0 || jacobian.nrows() == 0 || jacobian.norm_max() == 0.0 {
         return Mat::zeros(n, 1);

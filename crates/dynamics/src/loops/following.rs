@@ -5,7 +5,7 @@
 //! Methods, 2003, ch. 2, 6 and 8; a step is corrected by the shortest way (their Moore–Penrose correction).
 
 use super::Group;
-use super::closing::{Moves, least_norm};
+use super::closing::{Moves, shortest};
 use crate::System;
 use crate::kinematics::Kinematics;
 use faer::Mat;
@@ -15,8 +15,9 @@ use nalgebra::DMatrix;
 const LONGEST: f64 = 0.15;
 /// A shorter step than this part of the length is not worth going on with.
 const SHORTEST: f64 = 1e-9;
-/// Most steps: some thousand turns.
+/// Most steps: some thousand turns of a small group; of a large one fewer, which take as long.
 const STEPS: usize = 100_000;
+const FEWEST_STEPS: usize = 500;
 /// The tangent turns by less than about 25° in a step.
 const STRAIGHT: f64 = 0.9;
 /// Followers' Jacobians whose least pivot is below this part of its size at the generic pose are near-singular.
@@ -124,7 +125,9 @@ impl<'a> Course<'a> {
             here.tangent.iter_mut().for_each(|t| *t = -*t);
         }
         let mut step = self.longest(&here.tangent);
-        for _ in 0..STEPS {
+        let columns = self.unknown.len() + 1;
+        let steps = (10_000_000 / columns.pow(3)).clamp(FEWEST_STEPS, STEPS);
+        for _ in 0..steps {
             let left = (target - here.gone).abs();
             if slope(&here) > 0.0 && left <= step * slope(&here) {
                 if let Some(singular) = self.land(kinematics, &here, target) {
@@ -198,12 +201,7 @@ impl<'a> Course<'a> {
 
     /// Goes from a point straight to the target, followers alone being corrected. None where that is not the branch;
     /// else whether the end is nearly singular.
-    pub(super) fn land(
-        &self,
-        kinematics: &mut Kinematics<f64>,
-        here: &Point,
-        target: f64,
-    ) -> Option<bool> {
+    pub(super) fn land(&self, kinematics: &mut Kinematics<f64>, here: &Point, target: f64) -> Option<bool> {
         self.stand(kinematics, &here.q);
         let n = self.unknown.len();
         let step = (target - here.gone) / here.tangent[n];
@@ -236,9 +234,10 @@ impl<'a> Course<'a> {
         let (_, rows) = self.system.group_rows(kinematics, self.group);
         let jacobian = self.moves().jacobian(self.group, &rows);
         let m = jacobian.nrows();
-        let bordered = Mat::from_fn(m + 1, before.len(), |r, c| if r < m { jacobian[(r, c)] } else { before[c] });
+        let bordered =
+            Mat::from_fn(m + 1, before.len(), |r, c| if r < m { jacobian[(r, c)] } else { before[c] });
         let target = Mat::from_fn(m + 1, 1, |r, _| if r < m { 0.0 } else { 1.0 });
-        let t = least_norm(&bordered, &target);
+        let t = shortest(&bordered, &target);
         let norm = t.norm_l2();
         (0..before.len()).map(|k| t[(k, 0)] / norm).collect()
     }

@@ -3,10 +3,10 @@
 use super::Group;
 use super::assembly::GroupFacts;
 use super::following::ease;
-use super::roles::Roles;
 use super::rank::{FLOOR, Rank, decide, singular_values};
-use crate::{Pose, System};
+use super::roles::Roles;
 use crate::kinematics::Kinematics;
+use crate::{Pose, System};
 use nalgebra::DMatrix;
 
 /// Rank of all constraints at a generic closed pose.

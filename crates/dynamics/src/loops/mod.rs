@@ -2,14 +2,15 @@
 
 pub(crate) mod assembly;
 mod branches;
+mod closer;
 pub(crate) mod closing;
 mod crossing;
 pub(crate) mod following;
 pub(crate) mod freedom;
 pub(crate) mod posing;
 pub(crate) mod rank;
-pub(crate) mod rows;
 mod roles;
+pub(crate) mod rows;
 mod uncertainty;
 
 use crate::System;

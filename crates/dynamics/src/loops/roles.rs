@@ -29,7 +29,8 @@ impl System {
     /// Who drives where nothing is set: what is declared, else the best-conditioned choice.
     pub(crate) fn advised_roles(&self, group: &Group, generic: &DMatrix<f64>, floor: f64) -> Roles {
         let wish = |at: usize| self.wish(group, at, |_| false);
-        let movable = DMatrix::from_fn(generic.nrows(), group.movable.len(), |r, k| generic[(r, group.movable[k])]);
+        let movable =
+            DMatrix::from_fn(generic.nrows(), group.movable.len(), |r, k| generic[(r, group.movable[k])]);
         let lengths: Vec<f64> = group.movable.iter().map(|&at| group.lengths[at]).collect();
         let count = decide(&singular_values(&movable, &lengths), floor).rank;
         let mut roles = self.roles_by(group, generic, count, wish);
@@ -93,7 +94,8 @@ impl System {
                     .copied()
                     .filter(|at| wish(*at) == class && !following.contains(at))
                     .collect();
-                let columns = Mat::from_fn(rows, open.len(), |r, k| generic[(r, open[k])] / group.lengths[open[k]]);
+                let columns =
+                    Mat::from_fn(rows, open.len(), |r, k| generic[(r, open[k])] / group.lengths[open[k]]);
                 // Twice is enough: what is left is normal to the span to rounding.
                 let once = &columns - &span * (span.transpose() * &columns);
                 let rest = &once - &span * (span.transpose() * &once);
