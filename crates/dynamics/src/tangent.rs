@@ -20,7 +20,8 @@ impl System {
     }
 
     /// The pose a short time `h` (s) later at joint velocities `velocities` and base twist `base` (root link's axes,
-    /// at its origin), to second order in `h`. Quaternions stay normalised.
+    /// at its origin), to second order in `h`. Quaternions stay normalised. Loops are not closed again: the pose's
+    /// residual says how far they have come apart.
     ///
     /// # Panics
     /// Where the number of velocities is not that of the mechanism.
@@ -38,7 +39,14 @@ impl System {
             rotation_from_quaternion([q[3], q[4], q[5], q[6]]),
             Vector3::new(q[0], q[1], q[2]),
         );
-        Pose { kinematics, joint_q: self.joint_q.clone(), base: pose.base * step, loops: pose.loops.clone() }
+        let mut loops = pose.loops.clone();
+        if let Some(state) = &mut loops {
+            // Not closed again: what that leaves is said.
+            let poser = self.unlocked.as_deref().unwrap_or(self);
+            let residual = |group| poser.group_residual(&kinematics, group).0;
+            state.residual = poser.groups.iter().map(residual).fold(0.0, f64::max);
+        }
+        Pose { kinematics, joint_q: self.joint_q.clone(), base: pose.base * step, loops }
     }
 }
 

@@ -2,8 +2,9 @@
 
 use crate::problem::{Problem, Severity, Subject};
 use crate::{
-    ClosureDescription, CouplingDescription, Geometry, Inertial, Joint, JointDescription, JointId, JointKind,
-    Limits, Link, LinkDescription, LinkId, Mechanism, Mimic, closure_check, inertia_check, near_names, tree,
+    ClosureDescription, ClosureKind, CouplingDescription, Geometry, Inertial, Joint, JointDescription,
+    JointId, JointKind, Limits, Link, LinkDescription, LinkId, Mechanism, Mimic, closure_check,
+    inertia_check, near_names, tree,
 };
 use nalgebra::Matrix3;
 use percuss_spatial::{SpatialInertia, Vector3};
@@ -370,7 +371,8 @@ fn characteristic_length(
         .iter()
         .flat_map(|c| [(&c.predecessor, &c.predecessor_frame), (&c.successor, &c.successor_frame)])
         .filter(|(link, _)| *link != root_name && *link != "world")
-        .map(|(_, frame)| frame.translation.norm());
+        .map(|(_, frame)| frame.translation.norm())
+        .chain(closures.iter().filter_map(|c| c.distance.filter(|_| c.kind == ClosureKind::Distance)));
     let lengths = [
         of_links.chain(of_joints).chain(of_closures).fold(0.0, f64::max),
         links[root.index()].extent,

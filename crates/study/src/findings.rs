@@ -170,6 +170,13 @@ fn remark(remark: &Remark) -> DiagnosticRecord {
             "indefinite-mass-matrix",
             "the mass matrix has negative directions: the value is stationary, not a minimum".into(),
         ),
+        Remark::UnclearRank { gap } => warning(
+            "unclear-rank-here",
+            format!(
+                "the rank of the constraints is in doubt at this pose (gap {gap:.1e}): it is close to a change point, where \
+                 mobility is another"
+            ),
+        ),
         _ => note("remark", format!("{remark:?}")),
     }
 }
