@@ -1,7 +1,7 @@
 //! A four-bar closed by a spatial hinge: three redundant rows, and frames as a CAD export rounds them.
 
 use nalgebra::Vector3;
-use percuss_dynamics::{Conditions, Contact, EffectiveMass, RouteChoice, Strike, System};
+use percuss_dynamics::{AssemblyError, Conditions, Contact, EffectiveMass, RouteChoice, Strike, System};
 use percuss_mechanism::{
     ClosureDescription, ClosureKind, Inertial, JointDescription, JointKind, LinkDescription, MechanismBuilder,
 };
@@ -75,4 +75,23 @@ fn the_other_assembly_is_another_answer() {
     let system = four_bar(right, right);
     let (a, b) = (strike(&system, -0.7, 1.5), strike(&system, -2.2, -2.4));
     assert!((kilograms(&a) / kilograms(&b) - 1.0).abs() > 1e-3);
+}
+
+#[test]
+fn a_rod_between_points_that_coincide_is_refused() {
+    let arm = |name: &str| LinkDescription::new(name, Inertial::point(1.0, [0.2, 0.0, 0.0]));
+    let hinge = |name: &str, child: &str| JointDescription::new(name, JointKind::Continuous, "ground", child);
+    let built = MechanismBuilder::new("arms")
+        .link(LinkDescription::massless("ground"))
+        .link(arm("a"))
+        .link(arm("b"))
+        .joint(hinge("ja", "a"))
+        .joint(hinge("jb", "b"))
+        .closure(ClosureDescription::new("rod", ClosureKind::Distance, "a", "b").at([0.1; 3], [0.1; 3]))
+        .build()
+        .expect("a good mechanism");
+    let system = System::new(built.mechanism, &Conditions::new()).expect("a system");
+    let error = system.pose(&system.configuration()).expect_err("no length, no direction");
+    assert!(matches!(&error, AssemblyError::NoDistance { name } if name == "rod"), "{error}");
+    assert!(error.is_bad_input());
 }

@@ -7,6 +7,7 @@ use super::roles::Roles;
 use crate::System;
 use crate::kinematics::Kinematics;
 use nalgebra::DMatrix;
+use percuss_mechanism::ClosureKind;
 
 /// What was found once about the loops of a system.
 #[derive(Clone, Debug)]
@@ -65,6 +66,15 @@ pub enum AssemblyError {
         /// The loops of the group.
         loops: Vec<String>,
     },
+    /// A rod without a declared length whose ends coincide with all joints at 0: no direction to hold.
+    #[error(
+        "rod \"{name}\" has no distance, and its ends coincide with all joints at 0; give it a <distance>, or hold the points \
+         together with a spherical loop"
+    )]
+    NoDistance {
+        /// The closure.
+        name: String,
+    },
     /// A joint was set that follows others.
     #[error(
         "joint \"{joint}\" follows from the loops; set {} instead, or start from another assembly with --guess",
@@ -81,7 +91,7 @@ pub enum AssemblyError {
 impl AssemblyError {
     /// Whether the input is at fault (and not merely the place asked for).
     pub fn is_bad_input(&self) -> bool {
-        matches!(self, AssemblyError::Dependent { .. })
+        matches!(self, AssemblyError::Dependent { .. } | AssemblyError::NoDistance { .. })
     }
 }
 
@@ -110,6 +120,11 @@ impl System {
 
     /// Finds the first closed pose, starting at `start`, and what is generic about each group.
     pub(crate) fn assemble(&self, mut start: Kinematics<f64>) -> Result<Assembly, AssemblyError> {
+        let shortest = 1e-12 * self.mechanism.characteristic_length();
+        let rod = self.loops.iter().find(|l| l.kind == ClosureKind::Distance && l.distance <= shortest);
+        if let Some(rod) = rod {
+            return Err(AssemblyError::NoDistance { name: rod.name.clone() });
+        }
         let mut inexact = Vec::with_capacity(self.groups.len());
         for group in &self.groups {
             inexact.push(self.close_first(&mut start, group)?);
