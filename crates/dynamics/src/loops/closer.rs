@@ -12,7 +12,7 @@ use crate::{Configuration, Pose, System};
 use percuss_mechanism::JointId;
 
 /// Loops of a rounded file fit to within this many times their inexactness, which is measured at one pose, at others.
-const ROUNDED: f64 = 10.0;
+pub(super) const ROUNDED: f64 = 10.0;
 
 /// A driver with a position of one number.
 struct Driver {
