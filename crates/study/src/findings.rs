@@ -3,7 +3,9 @@
 use crate::question::{MassQuestion, StudyError};
 use crate::{DiagnosticRecord, Model, far_point};
 use nalgebra::Vector3;
-use percuss_dynamics::{Contact, EffectiveMass, PointVelocity, Pose, Remark, RouteChoice, Strike, System};
+use percuss_dynamics::{
+    Contact, EffectiveMass, PointVelocity, Pose, Remark, RouteChoice, Singularity, Strike, System,
+};
 use percuss_mechanism::Severity;
 
 /// A finite answer that is less certain than this comes with a warning.
@@ -68,7 +70,12 @@ pub(crate) fn about_pose(system: &System, pose: &Pose) -> Vec<DiagnosticRecord> 
 }
 
 /// The contact point, and the remarks of the strike.
-pub(crate) fn about_strike(system: &System, contact: &Contact, strike: &Strike) -> Vec<DiagnosticRecord> {
+pub(crate) fn about_strike(
+    system: &System,
+    pose: &Pose,
+    contact: &Contact,
+    strike: &Strike,
+) -> Vec<DiagnosticRecord> {
     let mut found: Vec<DiagnosticRecord> =
         far_point::doubt(system.mechanism(), contact.link, &contact.point).into_iter().collect();
     let finite = matches!(strike.effective_mass, EffectiveMass::Finite(_));
@@ -86,12 +93,19 @@ pub(crate) fn about_strike(system: &System, contact: &Contact, strike: &Strike) 
         found.push(warning("uncertain-mass", message));
     }
     if strike.singular_pose {
-        let message = format!(
-            "singular pose (change point): {} degrees of freedom here, {} at a generic pose; branches cross, and the value \
-             is a lower bound that none of them attains: see the limits along the branches",
-            strike.degrees_of_freedom,
-            system.degrees_of_freedom()
-        );
+        let (here, generic) = (strike.degrees_of_freedom, system.degrees_of_freedom());
+        let loops = pose.loops().is_some_and(|l| l.singularities.contains(&Singularity::ChangePoint));
+        let message = if loops {
+            format!(
+                "singular pose (change point): {here} degrees of freedom here, {generic} at a generic pose; branches \
+                 cross, and the value is a lower bound that none of them attains: see the limits along the branches"
+            )
+        } else {
+            format!(
+                "singular pose: {here} degrees of freedom here, {generic} at a generic pose; what is held or locked binds \
+                 less here than beside it, and the value is a lower bound"
+            )
+        };
         found.push(warning("singular-pose", message));
     }
     found

@@ -277,7 +277,7 @@ fn answered(
 ) -> Result<SweepRow, StudyError> {
     let strike = system.strike(pose, contact, RouteChoice::Auto)?;
     findings.add(row, findings::about_pose(system, pose));
-    findings.add(row, findings::about_strike(system, contact, &strike));
+    findings.add(row, findings::about_strike(system, pose, contact, &strike));
     findings.add(row, findings::about_holds(model, question, pose, contact)?);
     let beside = question.estimate.as_ref().map(|e| estimate(system, pose, &strike, e)).transpose()?;
     let motion_ratio = match &beside {

@@ -66,6 +66,19 @@ pub enum AssemblyError {
         /// The loops of the group.
         loops: Vec<String>,
     },
+    /// The drivers are wanted so far off that the branch cannot be followed there in one go.
+    #[error(
+        "{} is too far to follow the loops there in one go: they still closed at {}; whole turns can be left out if the \
+         mechanism repeats after them, or give a starting pose there with --guess",
+        places(wanted),
+        places(reached)
+    )]
+    TooFar {
+        /// Driving joints and where they are wanted.
+        wanted: Vec<(String, f64)>,
+        /// How far they came.
+        reached: Vec<(String, f64)>,
+    },
     /// A rod without a declared length whose ends coincide with all joints at 0: no direction to hold.
     #[error(
         "rod \"{name}\" has no distance, and its ends coincide with all joints at 0; give it a <distance>, or hold the points \

@@ -240,6 +240,9 @@ impl Closer<'_> {
             return Ok(None);
         };
         let arrival = course.go(&mut self.kinematics);
+        if arrival.too_far {
+            return Err(self.too_far(drivers));
+        }
         if !arrival.there {
             return Err(self.unreachable(group, roles, drivers));
         }
@@ -290,6 +293,14 @@ impl Closer<'_> {
             }
         }
         Ok(())
+    }
+
+    fn too_far(&self, drivers: &[Driver]) -> AssemblyError {
+        let place = |d: &Driver, at: f64| (self.system.mechanism.joint(d.joint).name().to_owned(), at);
+        AssemblyError::TooFar {
+            wanted: drivers.iter().map(|d| place(d, d.wanted)).collect(),
+            reached: drivers.iter().map(|d| place(d, self.kinematics.q[d.q])).collect(),
+        }
     }
 
     /// Drivers, then followers, where the group stands now.

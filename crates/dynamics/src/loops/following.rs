@@ -46,6 +46,18 @@ pub(crate) struct Arrival {
     pub there: bool,
     /// A regular pose on the same branch, where the end is none.
     pub anchor: Option<Vec<f64>>,
+    /// Whether the way was too long to go, and nothing but that stopped it.
+    pub too_far: bool,
+}
+
+impl Arrival {
+    fn at_end(anchor: Option<Vec<f64>>) -> Self {
+        Self { there: true, anchor, too_far: false }
+    }
+
+    fn short_of_end(anchor: Option<Vec<f64>>, too_far: bool) -> Self {
+        Self { there: false, anchor, too_far }
+    }
 }
 
 /// A point of the curve.
@@ -117,7 +129,7 @@ impl<'a> Course<'a> {
     ) -> Arrival {
         self.stand(kinematics, &here.q);
         if target == here.gone {
-            return Arrival { there: true, anchor: None };
+            return Arrival::at_end(None);
         }
         let sign = (target - here.gone).signum();
         let slope = |point: &Point| sign * point.tangent[self.unknown.len()];
@@ -127,18 +139,19 @@ impl<'a> Course<'a> {
         let mut step = self.longest(&here.tangent);
         let columns = self.unknown.len() + 1;
         let steps = (10_000_000 / columns.pow(3)).clamp(FEWEST_STEPS, STEPS);
+        let mut too_far = true;
         for _ in 0..steps {
             let left = (target - here.gone).abs();
             if slope(&here) > 0.0 && left <= step * slope(&here) {
                 if let Some(singular) = self.land(kinematics, &here, target) {
                     if !singular {
-                        return Arrival { there: true, anchor: None };
+                        return Arrival::at_end(None);
                     }
                     if !careful {
-                        return Arrival { there: true, anchor: Some(here.q) };
+                        return Arrival::at_end(Some(here.q));
                     }
                     let anchor = self.across(kinematics, &here, target).unwrap_or(here.q);
-                    return Arrival { there: true, anchor: Some(anchor) };
+                    return Arrival::at_end(Some(anchor));
                 }
                 self.stand(kinematics, &here.q);
             }
@@ -152,11 +165,11 @@ impl<'a> Course<'a> {
                     };
                     let beyond = sign * (limit.gone - target);
                     if beyond < -1e-13 * self.size() {
-                        return Arrival { there: false, anchor: Some(here.q) };
+                        return Arrival::short_of_end(Some(here.q), false);
                     }
                     if beyond.abs() <= 1e-13 * self.size() {
                         self.stand(kinematics, &limit.q);
-                        return Arrival { there: true, anchor: Some(here.q) };
+                        return Arrival::at_end(Some(here.q));
                     }
                     // The end lies before the limit: nearer to it the direct way is found.
                     step /= 2.0;
@@ -169,11 +182,12 @@ impl<'a> Course<'a> {
                 None => step /= 2.0,
             }
             if step < SHORTEST * self.size() {
+                too_far = false;
                 break;
             }
         }
         self.stand(kinematics, &here.q);
-        Arrival { there: false, anchor: None }
+        Arrival::short_of_end(None, too_far)
     }
 
     fn longest(&self, tangent: &[f64]) -> f64 {

@@ -1,10 +1,11 @@
 //! Degrees of freedom: generic and present, and which rows are redundant.
 
-use super::Group;
 use super::assembly::GroupFacts;
 use super::following::ease;
 use super::rank::{FLOOR, Rank, decide, singular_values};
+use super::redundancy::Redundancy;
 use super::roles::Roles;
+use super::{Group, Held};
 use crate::kinematics::Kinematics;
 use crate::{Pose, System};
 use nalgebra::DMatrix;
@@ -118,35 +119,48 @@ impl System {
             total.gap = Some(total.gap.unwrap_or(f64::INFINITY).min(rank.gap));
             total.clear &= rank.clear;
         };
-        if !self.held.is_empty() {
-            // Held contacts tie groups together.
-            let rows = self.constraint_rows(&kinematics);
-            add(rows.nrows(), decide(&singular_values(&rows, &self.coordinate_lengths()), floor));
-            return total;
-        }
-        let mut redundant = Vec::new();
-        for group in &self.groups {
-            let (_, rows) = self.group_rows(&kinematics, group);
-            let lengths = &group.lengths;
-            let rank = decide(&singular_values(&rows, lengths), floor);
-            add(rows.nrows(), rank);
-            if rank.rank < rows.nrows() {
-                let mut names: Vec<String> = dependent_rows(&rows, lengths, rank.rank)
-                    .into_iter()
-                    .map(|row| group.row_name(self, row).to_owned())
-                    .collect();
-                names.dedup();
-                redundant.push(names);
+        let mut redundancy = Redundancy::default();
+        if self.held.is_empty() {
+            for group in &self.groups {
+                let (_, rows) = self.group_rows(&kinematics, group);
+                let rank = decide(&singular_values(&rows, &group.lengths), floor);
+                add(rows.nrows(), rank);
+                let names: Vec<&str> = (0..rows.nrows()).map(|row| group.row_name(self, row)).collect();
+                redundancy.look_at(&rows, &group.lengths, rank.rank, &names);
             }
+        } else {
+            // Held contacts tie groups together.
+            let (rows, lengths) = (self.constraint_rows(&kinematics), self.coordinate_lengths());
+            let rank = decide(&singular_values(&rows, &lengths), floor);
+            add(rows.nrows(), rank);
+            let names = self.constraint_names();
+            let names: Vec<&str> = names.iter().map(String::as_str).collect();
+            redundancy.look_at(&rows, &lengths, rank.rank, &names);
         }
-        total.redundant = redundant;
+        total.redundant = redundancy.sets;
         total
     }
 
-    /// Every group at its generic pose.
+    /// What each row of A belongs to: a closure, a coupling, a held contact.
+    fn constraint_names(&self) -> Vec<String> {
+        let of_group = |group: &Group| {
+            let of_row = |row| group.row_name(self, row).to_owned();
+            (0..group.rows(self)).map(of_row).collect::<Vec<_>>()
+        };
+        let of_hold = |held: &Held| {
+            let name = format!("hold of {}", self.mechanism.link(held.link).name());
+            vec![name; held.rows()]
+        };
+        self.groups.iter().flat_map(of_group).chain(self.held.iter().flat_map(of_hold)).collect()
+    }
+
+    /// Every group at its generic pose; where contacts are held, the joints outside loops aside from zero too.
     fn generic_kinematics(&self) -> Kinematics<f64> {
         let poser = self.unlocked.as_deref().unwrap_or(self);
         let mut kinematics = self.zero_kinematics();
+        if !self.held.is_empty() {
+            poser.perturb(&mut kinematics, &poser.outside_loops(), 0.2, 77);
+        }
         if let Ok(assembly) = poser.assembly() {
             for (group, facts) in poser.groups.iter().zip(&assembly.groups) {
                 poser.set_group(&mut kinematics, group, &facts.generic);
@@ -238,15 +252,4 @@ fn determinant_sign(square: &faer::Mat<f64>) -> i8 {
         negative ^= lu.U()[(first, first)] < 0.0;
     }
     if negative { -1 } else { 1 }
-}
-
-/// Rows on which some vector of ker Aᵀ is not zero.
-fn dependent_rows(rows: &DMatrix<f64>, lengths: &[f64], rank: usize) -> Vec<usize> {
-    let (m, n) = rows.shape();
-    let scaled = faer::Mat::from_fn(m, n, |r, c| rows[(r, c)] / lengths[c]);
-    if rank == 0 || scaled.norm_max() == 0.0 {
-        return (0..m).collect();
-    }
-    let q = scaled.col_piv_qr().compute_Q();
-    (0..m).filter(|&r| (rank..m).map(|c| q[(r, c)] * q[(r, c)]).sum::<f64>() > 1e-12).collect()
 }

@@ -9,6 +9,7 @@ pub(crate) mod following;
 pub(crate) mod freedom;
 pub(crate) mod posing;
 pub(crate) mod rank;
+mod redundancy;
 mod roles;
 pub(crate) mod rows;
 mod uncertainty;
@@ -168,6 +169,19 @@ impl System {
     /// Frames of a group's bodies at the positions in `q`, mimics filled in.
     pub(crate) fn refill_group(&self, kinematics: &mut Kinematics<f64>, group: &Group) {
         kinematics.refill_bodies(self, &group.bodies);
+    }
+
+    /// The coordinates that no loop and no coupling binds.
+    pub(crate) fn outside_loops(&self) -> Group {
+        let bound = |c: &usize| self.groups.iter().any(|g| g.coordinates.binary_search(c).is_ok());
+        let coordinates: Vec<usize> = (0..self.coordinates).filter(|c| !bound(c)).collect();
+        let lengths = self.coordinate_lengths();
+        Group {
+            lengths: coordinates.iter().map(|&c| lengths[c]).collect(),
+            coordinates,
+            bodies: (0..self.bodies.len()).collect(),
+            ..Group::default()
+        }
     }
 
     fn loop_seat(&self, end: &LoopFrame) -> Seat {
