@@ -36,6 +36,13 @@ pub(crate) fn about_pose(system: &System, pose: &Pose) -> Vec<DiagnosticRecord> 
         })
         .collect();
     let Some(loops) = pose.loops() else { return found };
+    for name in system.reversed_axes() {
+        let message = format!(
+            "the axis of loop \"{name}\" points opposite ways in its two frames with all joints at 0; the successor's was \
+             taken reversed"
+        );
+        found.push(note("reversed-axis", message));
+    }
     if loops.inexactness > 0.0 {
         let part = loops.inexactness / mechanism.characteristic_length();
         let message = format!(

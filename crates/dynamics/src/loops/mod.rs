@@ -27,8 +27,10 @@ pub(crate) struct Loop {
     pub kind: ClosureKind,
     pub predecessor: Seat,
     pub successor: Seat,
-    /// In the predecessor's loop frame, and, for the kinds that compare axes, in the successor's.
+    /// In the predecessor's loop frame.
     pub axis: Vector3<f64>,
+    /// What the kinds that compare axes bring onto it, in the successor's loop frame: the same vector, or its reverse.
+    pub successor_axis: Vector3<f64>,
     /// Two unit vectors normal to the axis.
     pub normals: [Vector3<f64>; 2],
     /// The successor's pin of a universal closure.
@@ -36,6 +38,9 @@ pub(crate) struct Loop {
     /// m; of a distance closure.
     pub distance: f64,
 }
+
+/// Axes with a cosine below this with all joints at 0 were written to point opposite ways.
+const REVERSED: f64 = -0.99;
 
 /// A coupling, compiled: Σ factor q = 0.
 #[derive(Clone, Debug)]
@@ -108,6 +113,7 @@ impl System {
                 predecessor: self.loop_seat(closure.predecessor()),
                 successor: self.loop_seat(closure.successor()),
                 axis,
+                successor_axis: axis,
                 normals: [e1, e2],
                 axis2,
                 distance: 0.0,
@@ -117,6 +123,15 @@ impl System {
                     [&compiled.predecessor, &compiled.successor].map(|s| seat_frame(&zero, s).translation);
                 (ends[1] - ends[0]).norm()
             });
+            let aligned = matches!(
+                compiled.kind,
+                ClosureKind::Revolute | ClosureKind::Cylindrical | ClosureKind::Planar
+            );
+            let [a, b] =
+                [&compiled.predecessor, &compiled.successor].map(|s| seat_frame(&zero, s).vector(&axis));
+            if aligned && a.dot(&b) < REVERSED * axis.norm_squared() {
+                compiled.successor_axis = -axis;
+            }
             self.loops.push(compiled);
         }
         for coupling in mechanism.couplings() {
@@ -169,6 +184,12 @@ impl System {
     /// Frames of a group's bodies at the positions in `q`, mimics filled in.
     pub(crate) fn refill_group(&self, kinematics: &mut Kinematics<f64>, group: &Group) {
         kinematics.refill_bodies(self, &group.bodies);
+    }
+
+    /// Closures whose axis points one way in the predecessor's loop frame and the other way in the successor's, with all
+    /// joints at 0; they are imposed with the successor's reversed.
+    pub fn reversed_axes(&self) -> impl Iterator<Item = &str> {
+        self.loops.iter().filter(|l| l.successor_axis != l.axis).map(|l| l.name.as_str())
     }
 
     /// The coordinates that no loop and no coupling binds.

@@ -150,8 +150,8 @@ fn aligned(
     length: f64,
     cosine: impl Fn(&Vector3<f64>, &Vector3<f64>) -> Row,
 ) -> Vec<Row> {
-    let mut rows: Vec<Row> = l.normals.iter().map(|e| cosine(e, &l.axis)).collect();
-    let along = x_rp.vector(&l.axis).dot(&x_rs.vector(&l.axis));
+    let mut rows: Vec<Row> = l.normals.iter().map(|e| cosine(e, &l.successor_axis)).collect();
+    let along = x_rp.vector(&l.axis).dot(&x_rs.vector(&l.successor_axis));
     if along < 0.0 {
         let size = rows.iter().map(|r| r.residual * r.residual).sum::<f64>().sqrt();
         // sin θ becomes 2 − sin θ: it grows on to the opposite direction.
