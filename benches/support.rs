@@ -1,6 +1,6 @@
 //! What the benchmarks share: a system with configurations to go through.
 
-use percuss_dynamics::{Conditions, Contact, System};
+use percuss_dynamics::{Conditions, Contact, Direction, System};
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions, Source, load};
 use percuss_mechanism::Mechanism;
 use percuss_oracle::{random, zoo};
@@ -42,6 +42,18 @@ pub fn subjects() -> Vec<Subject> {
         Subject::new("six_r_arm", zoo::six_r_arm()),
         Subject::new("tree_of_30", tree.expect("some seed has no mimic")),
     ]
+}
+
+/// The double wishbone that is shipped, its bump stop against the chassis, and the joint that drives it.
+pub fn double_wishbone() -> (System, Contact, &'static str) {
+    let text = include_str!("../models/double_wishbone.urdf");
+    let mechanism = loaded(text);
+    let link = |name: &str| mechanism.find_link(name).expect("a link of the model");
+    let contact = Contact::new(link("bump_stop_pad"), [0.0; 3], [0.0, 0.0, 1.0])
+        .against(link("chassis"))
+        .normal(Direction::Toward(link("bump_stop"), [0.0; 3].into()));
+    let system = System::new(mechanism, &Conditions::new()).expect("default conditions fit");
+    (system, contact, "lower_arm_hinge")
 }
 
 /// A chain of so many links with shapes, as a URDF.

@@ -2,7 +2,10 @@
 //! locked; and massless links that must not matter.
 
 use nalgebra::{Vector2, Vector3};
-use percuss_dynamics::{Conditions, Direction, EffectiveMass, Frame, Remark, Route, RouteChoice};
+use percuss_dynamics::{
+    Conditions, Contact, ContactError, Direction, EffectiveMass, Frame, Remark, Route, RouteChoice, StrikeError,
+    System,
+};
 use percuss_oracle::closed_form::{self, PlanarLink};
 use percuss_oracle::zoo;
 use percuss_tests::bench::{Bench, TOL, along, mass};
@@ -111,4 +114,23 @@ fn massless_links_within_are_exact() {
         let expected = mass(&ball.strike(&of(&ball), RouteChoice::Auto));
         chain.weighs(&of(&chain), expected);
     }
+}
+
+#[test]
+fn handles_of_another_mechanism_are_refused() {
+    let system = |mechanism| System::new(mechanism, &Conditions::new()).expect("default conditions fit");
+    let (arm, pendulum) = (system(zoo::six_r_arm()), system(zoo::double_pendulum()));
+    let last = arm.mechanism().link_ids().last().expect("links");
+    let pose = pendulum.pose(&pendulum.configuration()).expect("a tree poses");
+    let foreign = pendulum.strike(&pose, &Contact::new(last, [0.0; 3], [1.0, 0.0, 0.0]), RouteChoice::Auto);
+    assert!(
+        matches!(foreign, Err(StrikeError::Contact(ContactError::ForeignLink { index, links })) if index >= links),
+        "{foreign:?}"
+    );
+    let first = arm.mechanism().link_ids().nth(1).expect("links");
+    let foreign = arm.strike(&pose, &Contact::new(first, [0.0; 3], [1.0, 0.0, 0.0]), RouteChoice::Auto);
+    assert!(
+        matches!(foreign, Err(StrikeError::Contact(ContactError::ForeignPose { got: 2, expected: 6 }))),
+        "{foreign:?}"
+    );
 }

@@ -22,6 +22,20 @@ impl Failure {
         Failure::BadInput(vec![format!("error: {}", message.into())])
     }
 
+    /// The same, naming the file whose question it is.
+    pub fn in_file(self, path: &str) -> Self {
+        match self {
+            Failure::BadInput(lines) => Failure::BadInput(
+                lines
+                    .into_iter()
+                    .map(|line| if line.starts_with("error: ") { format!("{path}: {line}") } else { line })
+                    .collect(),
+            ),
+            Failure::NoAnswer(message) => Failure::NoAnswer(format!("{path}: {message}")),
+            Failure::Unread => Failure::Unread,
+        }
+    }
+
     /// Writes to stderr what is the matter and gives the exit code.
     pub fn tell(self) -> ExitCode {
         let (lines, code) = match self {

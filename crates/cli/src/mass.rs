@@ -94,7 +94,11 @@ fn estimated(record: &EstimateRecord) -> String {
             record.links[0]
         );
     };
-    let off = record.error_percent.map_or_else(String::new, |p| format!("   ({p:+.2} %)"));
+    let off = record.error_percent.map_or_else(String::new, |p| {
+        // Rounding leaves no sign on zero.
+        let p = if p.abs() < 0.005 { 0.0 } else { p };
+        format!("   ({p:+.2} %)")
+    });
     let mut out = format!("\n{:<20} {} kg{off}\n", "estimate m_K/l²", number(estimate));
     let lever = record.lever.map_or_else(|| "–".to_owned(), number);
     let _ = writeln!(

@@ -8,7 +8,7 @@ use percuss_study::StudyFile;
 /// Runs the command: the contact at the study's pose, or its sweep.
 pub fn run(args: &RunArgs) -> Result<(), Failure> {
     let study = StudyFile::load(&args.study, args.max_size)?;
-    match &study.sweep {
+    let answered = match &study.sweep {
         Some(vary) if args.format.is_none() => {
             sweep::go_through(&study.model, &study.question, vary, study.output.as_deref(), args.strict)
         }
@@ -16,5 +16,6 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
             let format = args.format.unwrap_or(MassFormat::Text);
             mass::show(&study.model, &study.question, format, None, args.strict)
         }
-    }
+    };
+    answered.map_err(|failure| failure.in_file(&args.study))
 }

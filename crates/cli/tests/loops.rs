@@ -263,3 +263,20 @@ fn more_constraints_never_lower_the_mass() {
         assert!(kilograms(&format!("{line} --base floating")) <= kilograms(&line) * (1.0 + 1e-12), "{model}");
     }
 }
+
+#[test]
+fn a_guess_that_is_of_no_use_is_said() {
+    for (line, code) in [
+        (format!("{COUPLER} --guess crank_hinge=1"), "unused-guess"),
+        (
+            "mass models/planar_2r.urdf --link outer --point 0.4,0,0 --normal 0,1,0 --guess elbow=1".into(),
+            "unused-guess",
+        ),
+        (format!("{COUPLER} --guess rocker_hinge=3.5"), "far-from-guess"),
+    ] {
+        let report = json(&format!("{line} --format json"));
+        let codes: Vec<_> =
+            report["diagnostics"].as_array().unwrap().iter().map(|d| d["code"].clone()).collect();
+        assert!(codes.contains(&code.into()), "{line}: {codes:?}");
+    }
+}

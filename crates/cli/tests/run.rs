@@ -184,7 +184,7 @@ fn mistakes_in_a_study_are_told_with_exit_code_2() {
         (of(COUPLER, "").replace("normal", "norml"), "unknown field `norml`"),
         (of(COUPLER, "").replace("path = ", "path = 3 #"), "expected a string"),
         (of(&COUPLER.replace("[0.35, 0.1, 0]", "[0.35, 0.1]"), ""), "length 2"),
-        (of(&COUPLER.replace("0.35", "\"a\""), ""), "expected f64"),
+        (of(&COUPLER.replace("0.35", "\"a\""), ""), "is no number"),
         (of(&COUPLER.replace("0.35", "nan"), ""), "NaN"),
         (of(&COUPLER.replace("[0, 1, 0]", "[0, 0, 0]"), ""), "the normal has length"),
         (
@@ -231,4 +231,28 @@ fn mistakes_in_a_study_are_told_with_exit_code_2() {
     assert_eq!(percuss("run models/four_bar.urdf").code, 2, "a model is no study");
     std::fs::write(folder.path("bytes.toml"), [0xff, 0xfe, 0x00]).unwrap();
     assert!(percuss(&format!("run {}", folder.path("bytes.toml"))).stderr.contains("not UTF-8"));
+}
+
+#[test]
+fn a_study_takes_units_and_names_itself_in_errors() {
+    let scratch = Scratch::new("run-units");
+    let model = root().join("models/four_bar.urdf");
+    let study = |contact: &str| {
+        let text =
+            format!("[model]\npath = {:?}\n[contact]\n{contact}\nnormal = [0, 1, 0]\n", model.display());
+        scratch.write("units.toml", &text)
+    };
+    let plain = study("link = \"coupler\"\npoint = [0.35, 0.1, 0]\nagainst_mass = 80");
+    let expected = percuss(&format!("run {plain}")).stdout;
+    let typed = study("link = \"coupler\"\npoint = [\"350mm\", \"10 cm\", 0]\nagainst_mass = \"80 kg\"");
+    assert_eq!(percuss(&format!("run {typed}")).stdout, expected);
+    for (contact, word) in [
+        ("link = \"coupler\"\npoint = [\"350mm\", \"10 kg\", 0]", "10 kg"),
+        ("link = \"coupler\"\npoint = [\"350mm\", true, 0]", "a number, or text with a unit"),
+        ("link = \"cupler\"\npoint = [0, 0, 0]", "did you mean \"coupler\""),
+    ] {
+        let outcome = percuss(&format!("run {}", study(contact)));
+        assert_eq!(outcome.code, 2, "{contact}");
+        assert!(outcome.stderr.starts_with(&plain) && outcome.stderr.contains(word), "{}", outcome.stderr);
+    }
 }

@@ -114,6 +114,11 @@ impl Configuration {
         Ok(self)
     }
 
+    /// The guesses given.
+    pub fn guesses(&self) -> impl Iterator<Item = (JointId, &[f64])> {
+        self.mechanism.joint_ids().filter_map(|id| Some((id, self.guesses[id.index()].as_deref()?)))
+    }
+
     /// The same without guesses, to follow a branch from a pose that is known.
     pub fn without_guesses(mut self) -> Self {
         self.guesses.fill(None);

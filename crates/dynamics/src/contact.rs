@@ -92,6 +92,24 @@ pub enum ContactError {
         /// How far the points are apart, m.
         distance: f64,
     },
+    /// A handle of another mechanism.
+    #[error(
+        "link number {index} is not of this mechanism, which has {links} links; ask it for the link by name"
+    )]
+    ForeignLink {
+        /// The handle's number.
+        index: usize,
+        /// How many links this mechanism has.
+        links: usize,
+    },
+    /// A pose of another system.
+    #[error("the pose has {got} positions, this mechanism {expected}: it was made by another system")]
+    ForeignPose {
+        /// Positions of the pose.
+        got: usize,
+        /// Positions of the mechanism.
+        expected: usize,
+    },
     /// A link struck by itself.
     #[error("link \"{link}\" cannot strike itself; name another link, or none for the ground")]
     Itself {
@@ -148,6 +166,10 @@ impl System {
     /// # Errors
     /// [`ContactError`]: not finite, no direction, a link against itself.
     pub fn locate(&self, pose: &Pose, contact: &Contact) -> Result<LocatedContact, ContactError> {
+        let own = self.joint_q.last().map_or(0, |range| range.end);
+        if pose.kinematics.q.len() != own || pose.kinematics.frames.len() != self.bodies.len() {
+            return Err(ContactError::ForeignPose { got: pose.kinematics.q.len(), expected: own });
+        }
         locate(self, &pose.kinematics, &pose.base, contact)
     }
 
@@ -185,6 +207,16 @@ pub(crate) fn locate(
     base: &Transform<f64>,
     contact: &Contact,
 ) -> Result<LocatedContact, ContactError> {
+    let line = match contact.normal {
+        Direction::Toward(link, _) => Some(link),
+        Direction::Along(..) => None,
+    };
+    let links = system.mechanism.links().len();
+    for link in [Some(contact.link), contact.against, line].into_iter().flatten() {
+        if link.index() >= links {
+            return Err(ContactError::ForeignLink { index: link.index(), links });
+        }
+    }
     let name = |link: LinkId| system.mechanism.link(link).name().to_owned();
     if contact.against == Some(contact.link) {
         return Err(ContactError::Itself { link: name(contact.link) });

@@ -4,12 +4,20 @@ use crate::question::{MassQuestion, StudyError};
 use crate::{DiagnosticRecord, Model, far_point};
 use nalgebra::Vector3;
 use percuss_dynamics::{
-    Contact, EffectiveMass, PointVelocity, Pose, Remark, RouteChoice, Singularity, Strike, System,
+    Configuration, Contact, EffectiveMass, PointVelocity, Pose, Remark, RouteChoice, Singularity, Strike,
+    System,
 };
-use percuss_mechanism::Severity;
+use percuss_mechanism::{JointKind, Severity};
 
 /// A finite answer that is less certain than this comes with a warning.
 const DOUBTFUL: f64 = 1e-6;
+
+/// An assembly is far from its guess from this angle on (rad, or parts of the size).
+const FAR_FROM_GUESS: f64 = 0.5;
+
+fn remainder(x: f64, period: f64) -> f64 {
+    x - period * (x / period).round()
+}
 
 fn warning(code: &'static str, message: String) -> DiagnosticRecord {
     DiagnosticRecord::about_answer(Severity::Warning, code, message)
@@ -72,6 +80,41 @@ pub(crate) fn about_pose(system: &System, pose: &Pose) -> Vec<DiagnosticRecord> 
         let message =
             format!("the rank of the constraints is unclear (gap {gap:.1e}): mobility may be another");
         found.push(warning("unclear-rank", message));
+    }
+    found
+}
+
+/// Guesses that were of no use, and those that the assembly found is far from.
+pub(crate) fn about_guesses(system: &System, pose: &Pose, wanted: &Configuration) -> Vec<DiagnosticRecord> {
+    let unlocked = pose.loops();
+    let drives = |joint| unlocked.is_some_and(|loops| loops.drivers.contains(&joint));
+    let mut found = Vec::new();
+    for (joint, guess) in wanted.guesses() {
+        let name = system.mechanism().joint(joint).name();
+        if !system.is_bound(joint) {
+            let message =
+                format!("the guess for joint \"{name}\" is not used: no loop binds it; --set moves it");
+            found.push(warning("unused-guess", message));
+        } else if drives(joint) {
+            let message =
+                format!("the guess for joint \"{name}\" is not used: it drives its loops; --set moves it");
+            found.push(warning("unused-guess", message));
+        } else if let (&[at], &[guess]) = (pose.joint(joint), guess) {
+            let size = system.mechanism().characteristic_length();
+            let turns = system.mechanism().joint(joint).kind() != JointKind::Prismatic;
+            let off = if turns {
+                remainder(at - guess, std::f64::consts::TAU).abs()
+            } else {
+                (at - guess).abs() / size
+            };
+            if off > FAR_FROM_GUESS {
+                let message = format!(
+                    "joint \"{name}\" was guessed at {guess} and stands at {at:.9}: no nearer way to close its loops was \
+                     found"
+                );
+                found.push(warning("far-from-guess", message));
+            }
+        }
     }
     found
 }

@@ -14,6 +14,7 @@ mod quantity;
 mod question;
 mod record;
 mod study_file;
+mod study_value;
 mod sweep;
 
 pub use check::{CheckReport, ClosureRecord, JointRecord, LinkRecord, check};

@@ -218,6 +218,8 @@ pub(crate) fn answer(
     let estimate = question.estimate.as_ref().map(|e| estimate(system, pose, &strike, e)).transpose()?;
     let mut diagnostics = model.diagnostics.clone();
     diagnostics.extend(findings::about_pose(system, pose));
+    let wanted = question.configuration(&model.mechanism)?;
+    diagnostics.extend(findings::about_guesses(system, pose, &wanted));
     diagnostics.extend(findings::about_strike(system, pose, contact, &strike));
     diagnostics.extend(findings::about_holds(model, question, pose, contact)?);
     if let Some(other) = question.against_mass {

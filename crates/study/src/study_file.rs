@@ -2,7 +2,7 @@
 
 use crate::question::{EstimateQuestion, Hold, MassQuestion, Normal};
 use crate::sweep::Vary;
-use crate::{DiagnosticRecord, Input, Model};
+use crate::{DiagnosticRecord, Input, Model, study_value};
 use nalgebra::Vector3;
 use percuss_dynamics::{Base, Frame};
 use percuss_formats::{LoadError, LoadOptions, Source};
@@ -113,12 +113,14 @@ struct PoseText {
 #[serde(deny_unknown_fields)]
 struct ContactText {
     link: String,
+    #[serde(deserialize_with = "study_value::lengths")]
     point: [f64; 3],
     normal: Option<[f64; 3]>,
     along_line: Option<LineText>,
     frame: Option<String>,
     normal_frame: Option<String>,
     against: Option<String>,
+    #[serde(default, deserialize_with = "study_value::mass")]
     against_mass: Option<f64>,
     estimate: Option<EstimateText>,
 }
@@ -127,6 +129,7 @@ struct ContactText {
 #[serde(deny_unknown_fields)]
 struct LineText {
     link: String,
+    #[serde(deserialize_with = "study_value::lengths")]
     point: [f64; 3],
 }
 
@@ -134,7 +137,7 @@ struct LineText {
 #[serde(deny_unknown_fields)]
 struct EstimateText {
     links: Vec<String>,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "study_value::lengths")]
     point: [f64; 3],
     direction: Option<[f64; 3]>,
 }
@@ -143,6 +146,7 @@ struct EstimateText {
 #[serde(deny_unknown_fields)]
 struct HoldText {
     link: String,
+    #[serde(deserialize_with = "study_value::lengths")]
     point: [f64; 3],
     normal: Option<[f64; 3]>,
 }
@@ -154,17 +158,18 @@ struct ClosureText {
     #[serde(rename = "type")]
     kind: String,
     predecessor: String,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "study_value::lengths")]
     predecessor_xyz: [f64; 3],
-    #[serde(default)]
+    #[serde(default, deserialize_with = "study_value::angles")]
     predecessor_rpy: [f64; 3],
     successor: String,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "study_value::lengths")]
     successor_xyz: [f64; 3],
-    #[serde(default)]
+    #[serde(default, deserialize_with = "study_value::angles")]
     successor_rpy: [f64; 3],
     axis: Option<[f64; 3]>,
     axis2: Option<[f64; 3]>,
+    #[serde(default, deserialize_with = "study_value::length")]
     distance: Option<f64>,
 }
 

@@ -186,6 +186,11 @@ impl System {
         kinematics.refill_bodies(self, &group.bodies);
     }
 
+    /// Whether a loop or a coupling binds a joint.
+    pub fn is_bound(&self, joint: JointId) -> bool {
+        self.groups.iter().any(|group| group.joints.contains(&Some(joint)))
+    }
+
     /// Closures whose axis points one way in the predecessor's loop frame and the other way in the successor's, with all
     /// joints at 0; they are imposed with the successor's reversed.
     pub fn reversed_axes(&self) -> impl Iterator<Item = &str> {

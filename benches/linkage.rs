@@ -1,0 +1,46 @@
+//! The double wishbone: m̄ at a closed pose, and a sweep's step that starts from the pose before.
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use percuss_benches::double_wishbone;
+use percuss_dynamics::{EffectiveMass, RouteChoice};
+use std::hint::black_box;
+
+/// Steps of the sweep, there and back: 1 mrad each.
+const STEPS: usize = 200;
+
+fn linkage(criterion: &mut Criterion) {
+    let (system, contact, driver) = double_wishbone();
+    let at = |step: usize| {
+        let step = (step % (2 * STEPS)) as f64;
+        let angle = 1e-3 * (step - 2.0 * (step - STEPS as f64).max(0.0) - STEPS as f64 / 2.0);
+        let mut configuration = system.configuration();
+        configuration.set(driver, &[angle]).expect("the lower arm drives");
+        configuration
+    };
+    let mut poses = vec![system.pose(&at(0)).expect("the start is in reach")];
+    for step in 1..2 * STEPS {
+        let next = system.pose_from(&poses[step - 1], &at(step)).expect("the range is in reach");
+        poses.push(next);
+    }
+    let strike = system.strike(&poses[STEPS / 2], &contact, RouteChoice::Auto).expect("a contact");
+    assert!(matches!(strike.effective_mass, EffectiveMass::Finite(m) if (20.0..500.0).contains(&m)));
+
+    let mut next = poses.iter().cycle();
+    criterion.bench_function("double_wishbone/strike", |bencher| {
+        bencher.iter(|| {
+            let pose = next.next().expect("a cycle has no end");
+            black_box(system.strike(black_box(pose), &contact, RouteChoice::Auto))
+        });
+    });
+    let mut pose = poses[0].clone();
+    let mut step = 0;
+    criterion.bench_function("double_wishbone/step", |bencher| {
+        bencher.iter(|| {
+            step += 1;
+            pose = system.pose_from(&pose, black_box(&at(step))).expect("the range is in reach");
+        });
+    });
+}
+
+criterion_group!(benches, linkage);
+criterion_main!(benches);

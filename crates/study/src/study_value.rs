@@ -1,0 +1,48 @@
+//! Numbers of a study file: plain (SI), or text with a unit (`"350 mm"`).
+
+use crate::quantity::{Dimension, Quantity};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer};
+
+#[derive(Deserialize)]
+#[serde(untagged, expecting = "a number, or text with a unit such as \"350mm\"")]
+enum NumberOrText {
+    Number(f64),
+    Text(String),
+}
+
+impl NumberOrText {
+    fn of<E: Error>(self, dimension: Dimension) -> Result<f64, E> {
+        match self {
+            NumberOrText::Number(number) => Ok(number),
+            NumberOrText::Text(text) => Quantity::parse(&text)
+                .and_then(|quantity| quantity.of(dimension, &text))
+                .map_err(E::custom),
+        }
+    }
+}
+
+fn triple<'de, D: Deserializer<'de>>(from: D, dimension: Dimension) -> Result<[f64; 3], D::Error> {
+    let [x, y, z] = <[NumberOrText; 3]>::deserialize(from)?;
+    Ok([x.of(dimension)?, y.of(dimension)?, z.of(dimension)?])
+}
+
+/// Three lengths, m.
+pub(crate) fn lengths<'de, D: Deserializer<'de>>(from: D) -> Result<[f64; 3], D::Error> {
+    triple(from, Dimension::Length)
+}
+
+/// Three angles, rad.
+pub(crate) fn angles<'de, D: Deserializer<'de>>(from: D) -> Result<[f64; 3], D::Error> {
+    triple(from, Dimension::Angle)
+}
+
+/// A length, m.
+pub(crate) fn length<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
+    NumberOrText::deserialize(from)?.of(Dimension::Length).map(Some)
+}
+
+/// A mass, kg.
+pub(crate) fn mass<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
+    NumberOrText::deserialize(from)?.of(Dimension::Mass).map(Some)
+}
