@@ -136,12 +136,12 @@ impl System {
             let target = Mat::from_fn(m + 1, 1, |r, _| if r < m { -residuals[r] } else { 0.0 });
             let x = shortest(&bordered, &target);
             let step = x.norm_l2();
-            // At rounding, or no longer beside the direction (a NaN counts as far).
+            // At rounding, or no longer beside the direction.
             if closed && step <= 1e-9 * reach.abs() {
                 break;
             }
             moved += step;
-            if !(moved <= 0.9 * reach.abs()) {
+            if moved.is_nan() || moved > 0.9 * reach.abs() {
                 return None;
             }
             self.advance_group(kinematics, group, &all.expand(group, |k| x[(k, 0)]));
