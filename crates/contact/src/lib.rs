@@ -12,12 +12,18 @@
 //! # Ok::<(), percuss_contact::ContactError>(())
 //! ```
 
+mod blow;
 mod contact;
+mod damper;
 mod error;
 mod laws;
+mod orbit;
+mod quadrature;
 mod separation;
 
+pub use blow::{Blow, Sample};
 pub use contact::Contact;
+pub use damper::Damper;
 pub use error::ContactError;
-pub use laws::{hunt_crossley, kelvin_voigt};
+pub use laws::{Alias, ApproximationError, Law, hunt_crossley, kelvin_voigt};
 pub use separation::Separation;

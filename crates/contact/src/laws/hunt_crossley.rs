@@ -15,11 +15,20 @@
 //! the motion. Zhang and Sharf (2004, 2009) give the same implicit relation: from memory of the literature, not opened.
 //! The law itself is Hunt and Crossley's (1975).
 
+use super::Facts;
 use crate::ContactError;
 use crate::error::{not_negative, unit_interval};
 
-/// The law's name, for messages.
-const NAME: &str = "hunt-crossley";
+pub(super) const FACTS: Facts = Facts {
+    name: "hunt-crossley",
+    title: "Hunt–Crossley, solved exactly",
+    formula: "F = k xᵖ (1 + d ẋ), d = a/v, a (1 + e) = ln((1 + a)/(1 − e a))",
+    source: "the law of Hunt and Crossley (1975); the equation of motion, solved",
+    approximation: None,
+};
+
+/// The greatest dissipation number whose blow is computed.
+pub(crate) const GREATEST: f64 = 1e300;
 
 /// The restitution of the dissipation number a = d v. Errors: a is negative, NaN or infinite.
 pub fn restitution(dissipation_number: f64) -> Result<f64, ContactError> {
@@ -51,7 +60,7 @@ fn number(loss: f64, e: f64) -> Result<f64, ContactError> {
     // Below it 1/e overflows.
     if e < f64::MIN_POSITIVE {
         return Err(ContactError::Unreachable {
-            law: NAME,
+            law: FACTS.name,
             restitution: e,
             why: "the rebound speed nears 1/d as the dissipation d grows, and 0 only without bound",
             mend: "ask for a small restitution, such as 0.01",

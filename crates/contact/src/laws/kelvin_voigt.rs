@@ -14,12 +14,19 @@
 //! Source: derived here from the equation of motion and tested against its integration. The force-vanishes row is
 //! also in Schwager and Pöschel (2007): from memory of the literature, not opened.
 
+use super::Facts;
 use crate::error::{not_negative, unit_interval};
 use crate::{ContactError, Separation};
 use std::f64::consts::PI;
 
-/// The law's name, for messages.
-const NAME: &str = "kelvin-voigt";
+pub(super) const FACTS: Facts = Facts {
+    name: "kelvin-voigt",
+    title: "Kelvin–Voigt",
+    formula: "F = k xᵖ + c x^((p−1)/2) ẋ, c = 2ζ√((p+1)/2)√(k m̄), e = exp(−2ζ arccos ζ/√(1−ζ²)), \
+              or exp(−πζ/√(1−ζ²)) where the gap closes",
+    source: "the equation of motion, solved; p = 3/2: Tsuji, Tanaka and Ishida (1992)",
+    approximation: None,
+};
 
 /// The restitution of the damping ratio ζ, at every speed and for every exponent.
 ///
@@ -59,7 +66,7 @@ pub fn ratio_of_loss(loss: f64, separation: Separation) -> Result<f64, ContactEr
 
 fn unreachable() -> ContactError {
     ContactError::Unreachable {
-        law: NAME,
+        law: FACTS.name,
         restitution: 0.0,
         why: "a contact that cannot pull nears 0 only as the damping grows without bound (e = 1/(4 ratio^2))",
         mend: "ask for a small restitution, such as 0.01 (ratio 4.8)",
@@ -88,7 +95,7 @@ pub(crate) fn compression(ratio: f64) -> f64 {
 }
 
 /// −ln e.
-fn decrement(ratio: f64, separation: Separation) -> f64 {
+pub(crate) fn decrement(ratio: f64, separation: Separation) -> f64 {
     match separation {
         Separation::ForceVanishes => 2.0 * ratio * compression(ratio),
         Separation::GapCloses if ratio < 1.0 => PI * ratio / ((1.0 - ratio) * (1.0 + ratio)).sqrt(),
