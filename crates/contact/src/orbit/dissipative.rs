@@ -49,7 +49,10 @@ impl Dissipative {
     fn fallen_before_end(&self, s: f64) -> f64 {
         if self.end < 0.5 {
             self.end * s.exp_m1() - exp_m1_minus(s)
+        } else if s < 1.0 {
+            s - (-self.last).exp() * s.exp_m1()
         } else {
+            // e^s may overflow, e^(s − last) does not.
             s - ((s - self.last).exp() - (-self.last).exp())
         }
     }
