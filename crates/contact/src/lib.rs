@@ -13,6 +13,7 @@
 //! ```
 
 mod blow;
+mod body_region;
 mod contact;
 mod damper;
 mod error;
@@ -20,10 +21,13 @@ mod laws;
 mod orbit;
 mod quadrature;
 mod separation;
+mod transient_contact;
 
 pub use blow::{Blow, Sample};
+pub use body_region::BodyRegion;
 pub use contact::Contact;
 pub use damper::Damper;
 pub use error::ContactError;
 pub use laws::{Alias, ApproximationError, Law, hunt_crossley, kelvin_voigt};
 pub use separation::Separation;
+pub use transient_contact::{SafeSpeed, TransientContact, standard_robot_mass};
