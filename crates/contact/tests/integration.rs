@@ -3,7 +3,8 @@
 mod support;
 
 use percuss_contact::{Blow, Contact, Damper, Law, Separation};
-use support::{Impact, Measured, apart};
+use support::apart;
+use support::integrated::{Impact, Measured};
 
 /// From nearly dead to nearly elastic, finer than the tenths.
 const RESTITUTIONS: [f64; 11] = [0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.65, 0.8, 0.95, 0.99];

@@ -132,6 +132,10 @@ fn langevin_slope(h: f64, langevin: f64) -> f64 {
 
 /// h where 𝓛(h) = value, given 1 − value too, by Newton's method from Cohen's rational estimate (1991).
 fn inverse_langevin(value: f64, complement: f64) -> f64 {
+    if complement < 0.02 {
+        // 1 − 𝓛 = 1/h − 2/(e^(2h) − 1), the last 1e-43 at h = 50.
+        return 1.0 / complement;
+    }
     let mut h = value * (3.0 - value * value) / (complement * (1.0 + value));
     for _ in 0..60 {
         let (at, short) = langevin(h);

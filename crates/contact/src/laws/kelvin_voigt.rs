@@ -132,7 +132,7 @@ fn root_of_compression(h: f64) -> f64 {
         // d(ζC)/dζ = (C − ζ)/(1 − ζ²), 2/3 at ζ = 1.
         let slope = if gap.abs() < 1e-5 { 2.0 / 3.0 } else { (time - ratio) / gap / (1.0 + ratio) };
         let newton = ratio - excess / slope;
-        let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+        let next = if newton >= low && newton <= high { newton } else { 0.5 * (low + high) };
         if (next - ratio).abs() <= 2.0 * f64::EPSILON * ratio {
             return next;
         }

@@ -49,6 +49,21 @@ impl Oscillator {
         }
     }
 
+    /// y at s before the end. Under ζ = 1 its sine is that of the angle left to y = 0, which keeps its digits where
+    /// y is small: 0 at the end where the gap closes, π − 2 arccos ζ = 2 arcsin ζ where the force vanishes.
+    fn displacement_before_end(&self, s: f64) -> f64 {
+        let at = self.compression + self.expansion - s;
+        if self.ratio < 1.0 {
+            let left = match self.separation {
+                Separation::ForceVanishes => 2.0 * self.ratio.asin(),
+                Separation::GapCloses => 0.0,
+            };
+            (-self.ratio * at).exp() * (self.root * s + left).sin() / self.root
+        } else {
+            self.displacement(at)
+        }
+    }
+
     /// e^(−(ζ−√(ζ²−1)) s), ζ ≥ 1.
     fn slow(&self, s: f64) -> f64 {
         (-s / (self.ratio + self.root)).exp()
@@ -170,7 +185,11 @@ impl Orbit for Oscillator {
     }
 
     fn singularities(&self) -> [f64; 2] {
-        let closes = self.separation == Separation::GapCloses && self.ratio < 1.0;
+        // Lightly damped, the force vanishes where the gap all but closes.
+        let closes = match self.separation {
+            Separation::ForceVanishes => self.ratio < 0.05,
+            Separation::GapCloses => self.ratio < 1.0,
+        };
         [self.warp, if closes { self.warp } else { 0.0 }]
     }
 
@@ -188,17 +207,5 @@ impl Orbit for Oscillator {
 
     fn time_before_end(&self, s: f64) -> f64 {
         if self.warp == 0.0 { s } else { super::from_singular_end(s, |s| self.pace_before_end(s)) }
-    }
-}
-
-impl Oscillator {
-    /// y at s before the end; where the gap closes, sin(π − √s) = sin(√s).
-    fn displacement_before_end(&self, s: f64) -> f64 {
-        let at = self.compression + self.expansion - s;
-        if self.separation == Separation::GapCloses && self.ratio < 1.0 {
-            (-self.ratio * at).exp() * (self.root * s).sin() / self.root
-        } else {
-            self.displacement(at)
-        }
     }
 }
