@@ -1,0 +1,114 @@
+//! The damper beside the spring of a contact.
+
+use crate::blow::{self, Blow, Sample};
+use crate::error::{not_negative, positive, representable};
+use crate::orbit::{Dissipative, Orbit, Oscillator};
+use crate::{Contact, ContactError, Separation, hunt_crossley};
+
+/// A damper: with a [`Contact`] and an approach speed it makes a blow.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Damper {
+    /// F = k xᵖ + c x^((p−1)/2) ẋ.
+    KelvinVoigt {
+        /// ζ = c/(2√((p+1)/2)√(k m̄)) on the contact that it was made for. What the damper does follows from the
+        /// coefficient: on another contact it has another ratio.
+        ratio: f64,
+        /// c, in N·s/m^((p+1)/2): N·s/m for a linear contact.
+        coefficient: f64,
+        /// When the contact ends.
+        separation: Separation,
+    },
+    /// F = k xᵖ (1 + d ẋ).
+    HuntCrossley {
+        /// d, in s/m.
+        dissipation: f64,
+    },
+}
+
+impl Damper {
+    /// The Kelvin–Voigt damper with this damping ratio on this contact: c = 2ζ√((p+1)/2)√(k m̄).
+    ///
+    /// Errors: ζ is negative, NaN or infinite; c is beyond a 64-bit float.
+    pub fn kelvin_voigt(contact: Contact, ratio: f64, separation: Separation) -> Result<Self, ContactError> {
+        let ratio = not_negative("damping ratio", ratio)?;
+        let coefficient = match ratio * critical(contact) {
+            _ if ratio == 0.0 => 0.0,
+            c => representable("damping coefficient, N s/m^((p+1)/2)", c)?,
+        };
+        Ok(Self::KelvinVoigt { ratio, coefficient, separation })
+    }
+
+    /// The Kelvin–Voigt damper with this coefficient c, in N·s/m^((p+1)/2), on this contact.
+    ///
+    /// Errors: c is negative, NaN or infinite; ζ is beyond a 64-bit float.
+    pub fn kelvin_voigt_from_coefficient(
+        contact: Contact,
+        coefficient: f64,
+        separation: Separation,
+    ) -> Result<Self, ContactError> {
+        let ratio = ratio_on(contact, coefficient)?;
+        Ok(Self::KelvinVoigt { ratio, coefficient, separation })
+    }
+
+    /// The Hunt–Crossley damper with this dissipation d, in s/m. Errors: d is negative, NaN or infinite.
+    pub fn hunt_crossley(dissipation: f64) -> Result<Self, ContactError> {
+        Ok(Self::HuntCrossley { dissipation: not_negative("dissipation, s/m", dissipation)? })
+    }
+
+    /// The restitution on this contact at this approach speed, in m/s: exact for the force, whichever formula the
+    /// damper came from. A Kelvin–Voigt damper gives the same at every speed.
+    ///
+    /// Errors: the speed is not a finite number above zero; a damper of no sense; beyond a 64-bit float.
+    pub fn restitution(self, contact: Contact, speed: f64) -> Result<f64, ContactError> {
+        Ok(self.orbit(contact, speed)?.restitution())
+    }
+
+    /// 1 − e, with all its digits where the damping is light. Errors: as [`Damper::restitution`].
+    pub fn restitution_loss(self, contact: Contact, speed: f64) -> Result<f64, ContactError> {
+        Ok(self.orbit(contact, speed)?.loss())
+    }
+
+    /// The blow on this contact at this approach speed, in m/s. Errors: as [`Damper::restitution`].
+    pub fn blow(self, contact: Contact, speed: f64) -> Result<Blow, ContactError> {
+        blow::blow(&*self.orbit(contact, speed)?, contact, speed)
+    }
+
+    /// The course of the blow in `samples` moments from the first touch to the end: force over time, and force over
+    /// penetration, whose loop encloses the energy lost.
+    ///
+    /// The last sample is the end itself, where the force is 0, or the pull of a Kelvin–Voigt damper that ends when
+    /// the gap closes. A contact that takes for ever to close is shown for eight time constants of its slow return.
+    /// Errors: as [`Damper::restitution`]; fewer than 2 or more than 1 000 000 samples.
+    pub fn history(self, contact: Contact, speed: f64, samples: usize) -> Result<Vec<Sample>, ContactError> {
+        blow::history(&*self.orbit(contact, speed)?, contact, speed, samples)
+    }
+
+    fn orbit(self, contact: Contact, speed: f64) -> Result<Box<dyn Orbit>, ContactError> {
+        let speed = positive("approach speed, m/s", speed)?;
+        match self {
+            Self::KelvinVoigt { coefficient, separation, .. } => {
+                Ok(Box::new(Oscillator::new(ratio_on(contact, coefficient)?, contact.exponent(), separation)))
+            }
+            Self::HuntCrossley { dissipation } => {
+                let number = not_negative("dissipation, s/m", dissipation)? * speed;
+                if number > hunt_crossley::GREATEST {
+                    return Err(ContactError::NotRepresentable { what: "dissipation times approach speed" });
+                }
+                Ok(Box::new(Dissipative::new(number, contact.exponent())))
+            }
+        }
+    }
+}
+
+/// 2√((p+1)/2)√(k m̄): the coefficient of the damping ratio 1.
+fn critical(contact: Contact) -> f64 {
+    2.0 * (0.5 * (contact.exponent() + 1.0)).sqrt() * contact.stiffness().sqrt() * contact.mass().sqrt()
+}
+
+fn ratio_on(contact: Contact, coefficient: f64) -> Result<f64, ContactError> {
+    let coefficient = not_negative("damping coefficient, N s/m^((p+1)/2)", coefficient)?;
+    if coefficient == 0.0 {
+        return Ok(0.0);
+    }
+    representable("damping ratio", coefficient / critical(contact))
+}

@@ -1,0 +1,19 @@
+//! EXUDYN's mixture: an approximation of the Hunt–Crossley law's damping.
+//!
+//! The best of the approximations; it jumps at 1/3.
+
+use super::{Facts, carvalho_martins, gonthier};
+
+pub(super) const FACTS: Facts = Facts {
+    name: "exudyn-mixed",
+    title: "EXUDYN's mixture",
+    formula: "F = k xᵖ (1 + d ẋ), d = a/v, a = 3(1−e)(11−e)/(2(1+9e)) for e > 1/3, else (1−e²)/e",
+    source: "EXUDYN's CObjectContactSphereSphere.cpp, impact model 2: Carvalho and Martins \
+             above 1/3, Gonthier and others below.",
+    approximation: Some(number),
+};
+
+/// a of the requested e.
+pub(super) fn number(e: f64) -> f64 {
+    if e > 1.0 / 3.0 { carvalho_martins::number(e) } else { gonthier::number(e) }
+}

@@ -1,0 +1,20 @@
+//! Gonthier and others 2004: an approximation of the Hunt–Crossley law's damping.
+//!
+//! Right towards e = 0; a third too much near e = 1.
+
+use super::Facts;
+
+pub(super) const FACTS: Facts = Facts {
+    name: "gonthier",
+    title: "Gonthier and others 2004",
+    formula: "F = k xᵖ (1 + d ẋ), d = a/v, a = (1−e²)/e",
+    source: "Gonthier, McPhee, Lange and Piedboeuf (2004), their approximation. Formula as in \
+             L. Škrinjar's contact_model.py and EXUDYN's CObjectContactSphereSphere.cpp \
+             (impact model 2, e ≤ 1/3).",
+    approximation: Some(number),
+};
+
+/// a of the requested e.
+pub(super) fn number(e: f64) -> f64 {
+    (1.0 - e) * (1.0 + e) / e
+}

@@ -1,0 +1,20 @@
+//! Hunt and Crossley 1975, linearised: an approximation of the Hunt–Crossley law's damping.
+//!
+//! It agrees with the exact law to first order in 1 − e.
+
+use super::Facts;
+
+pub(super) const FACTS: Facts = Facts {
+    name: "hunt-crossley-1975",
+    title: "Hunt and Crossley 1975, linearised",
+    formula: "F = k xᵖ (1 + d ẋ), d = a/v, a = 3(1−e)/2",
+    source: "Hunt and Crossley (1975). Formula as in L. Škrinjar's contact_model.py and \
+             EXUDYN's CObjectContactSphereSphere.cpp (impact model 1). Marhefka and Orin's \
+             (1999) is the same: from memory of the literature, not opened.",
+    approximation: Some(number),
+};
+
+/// a of the requested e.
+pub(super) fn number(e: f64) -> f64 {
+    1.5 * (1.0 - e)
+}

@@ -1,0 +1,142 @@
+//! Kelvin–Voigt: a spring beside a damper, F = k x + c ẋ, and its like for any exponent.
+//!
+//! With ζ = c/(2√(k m̄)) and C(ζ) = arccos ζ/√(1−ζ²), continued beyond ζ = 1 as arccosh ζ/√(ζ²−1):
+//!
+//! | the contact ends          | restitution             | damping ratio for it       |
+//! |---------------------------|-------------------------|----------------------------|
+//! | when the force vanishes   | e = exp(−2ζ C(ζ))       | the root of ζ C(ζ) = −½ ln e |
+//! | when the gap closes       | e = exp(−πζ/√(1−ζ²)); 0 from ζ = 1 on | ζ = L/√(π²+L²), L = −ln e |
+//!
+//! For the exponent p the force k xᵖ + c x^((p−1)/2) ẋ with c = 2ζ√((p+1)/2)√(k m̄) has the same restitution at every
+//! speed: y = x^((p+1)/2) turns the motion into the linear oscillator's. With p = 3/2 that is the law of Tsuji,
+//! Tanaka and Ishida (1992).
+//!
+//! Source: derived here from the equation of motion and tested against its integration. The force-vanishes row is
+//! also in Schwager and Pöschel (2007): from memory of the literature, not opened.
+
+use super::Facts;
+use crate::error::{not_negative, unit_interval};
+use crate::{ContactError, Separation};
+use std::f64::consts::PI;
+
+pub(super) const FACTS: Facts = Facts {
+    name: "kelvin-voigt",
+    title: "Kelvin–Voigt",
+    formula: "F = k xᵖ + c x^((p−1)/2) ẋ, c = 2ζ√((p+1)/2)√(k m̄), e = exp(−2ζ arccos ζ/√(1−ζ²)), \
+              or exp(−πζ/√(1−ζ²)) where the gap closes",
+    source: "the equation of motion, solved; p = 3/2: Tsuji, Tanaka and Ishida (1992)",
+    approximation: None,
+};
+
+/// The restitution of the damping ratio ζ, at every speed and for every exponent.
+///
+/// It falls below the smallest float, to 0, at ζ ≈ 1e162. Errors: ζ is negative, NaN or infinite.
+pub fn restitution(ratio: f64, separation: Separation) -> Result<f64, ContactError> {
+    Ok((-decrement(not_negative("damping ratio", ratio)?, separation)).exp())
+}
+
+/// 1 − e of the damping ratio ζ, with all its digits where ζ is small. Errors: as [`restitution`].
+pub fn restitution_loss(ratio: f64, separation: Separation) -> Result<f64, ContactError> {
+    Ok(-(-decrement(not_negative("damping ratio", ratio)?, separation)).exp_m1())
+}
+
+/// The damping ratio ζ that gives the restitution e.
+///
+/// 0 for e = 1. Where the contact ends when the gap closes, e = 0 is given by ζ = 1 (and by all above it), the
+/// critical damping: the gap then takes for ever to close. Errors: e is not from 0 to 1; e = 0 where the contact
+/// ends when the force vanishes, which no ζ reaches (e ≈ 1/(4ζ²) for large ζ).
+pub fn ratio(restitution: f64, separation: Separation) -> Result<f64, ContactError> {
+    let e = unit_interval("restitution", restitution)?;
+    if e == 0.0 && separation == Separation::ForceVanishes {
+        return Err(unreachable());
+    }
+    Ok(ratio_of_decrement(-e.ln(), separation))
+}
+
+/// The damping ratio ζ that gives the restitution e = 1 − loss, for a loss too small to survive in e.
+///
+/// Errors: the loss is not from 0 to 1; a loss of 1 as e = 0 of [`ratio`].
+pub fn ratio_of_loss(loss: f64, separation: Separation) -> Result<f64, ContactError> {
+    let loss = unit_interval("1 - restitution", loss)?;
+    if loss == 1.0 && separation == Separation::ForceVanishes {
+        return Err(unreachable());
+    }
+    Ok(ratio_of_decrement(-(-loss).ln_1p(), separation))
+}
+
+fn unreachable() -> ContactError {
+    ContactError::Unreachable {
+        law: FACTS.name,
+        restitution: 0.0,
+        why: "a contact that cannot pull nears 0 only as the damping grows without bound (e = 1/(4 ratio^2))",
+        mend: "ask for a small restitution, such as 0.01 (ratio 4.8)",
+    }
+}
+
+/// C(ζ) = arccos ζ/√(1−ζ²) = arccosh ζ/√(ζ²−1), C(1) = 1: the time from the first touch to the greatest penetration
+/// of a linear contact, in units of √(m̄/k).
+///
+/// Errors: ζ is negative, NaN or infinite.
+pub fn compression_time(ratio: f64) -> Result<f64, ContactError> {
+    Ok(compression(not_negative("damping ratio", ratio)?))
+}
+
+pub(crate) fn compression(ratio: f64) -> f64 {
+    let gap = 1.0 - ratio;
+    if gap > 0.0 {
+        ratio.acos() / (gap * (1.0 + ratio)).sqrt()
+    } else if gap == 0.0 {
+        1.0
+    } else {
+        // arccosh ζ = ln(1 + (ζ−1) + √(ζ²−1)) keeps its digits near 1, and its root does not overflow.
+        let root = (-gap).sqrt() * (1.0 + ratio).sqrt();
+        (root - gap).ln_1p() / root
+    }
+}
+
+/// −ln e.
+pub(crate) fn decrement(ratio: f64, separation: Separation) -> f64 {
+    match separation {
+        Separation::ForceVanishes => 2.0 * ratio * compression(ratio),
+        Separation::GapCloses if ratio < 1.0 => PI * ratio / ((1.0 - ratio) * (1.0 + ratio)).sqrt(),
+        Separation::GapCloses => f64::INFINITY,
+    }
+}
+
+fn ratio_of_decrement(decrement: f64, separation: Separation) -> f64 {
+    match separation {
+        Separation::ForceVanishes => root_of_compression(0.5 * decrement),
+        Separation::GapCloses if decrement.is_infinite() => 1.0,
+        Separation::GapCloses => decrement / PI.hypot(decrement),
+    }
+}
+
+/// The root of ζ C(ζ) = h, by Newton's method kept within a bracket: the left side rises from 0 with a falling slope.
+fn root_of_compression(h: f64) -> f64 {
+    let mut ratio = match h {
+        _ if h < 0.75 => 2.0 * h / PI * (1.0 + 8.0 * h / (PI * PI)).min(1.5),
+        _ if h < 3.0 => 1.0,
+        _ => 0.5 * h.exp(),
+    };
+    // ζ C(ζ) ≥ ln(2ζ) for ζ ≥ 1.
+    let (mut low, mut high) = (0.0, h.exp().max(1.0));
+    for _ in 0..60 {
+        let time = compression(ratio);
+        let excess = ratio * time - h;
+        if excess > 0.0 {
+            high = ratio
+        } else {
+            low = ratio
+        }
+        let gap = 1.0 - ratio;
+        // d(ζC)/dζ = (C − ζ)/(1 − ζ²), 2/3 at ζ = 1.
+        let slope = if gap.abs() < 1e-5 { 2.0 / 3.0 } else { (time - ratio) / gap / (1.0 + ratio) };
+        let newton = ratio - excess / slope;
+        let next = if newton >= low && newton <= high { newton } else { 0.5 * (low + high) };
+        if (next - ratio).abs() <= 2.0 * f64::EPSILON * ratio {
+            return next;
+        }
+        ratio = next;
+    }
+    ratio
+}

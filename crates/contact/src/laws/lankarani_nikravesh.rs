@@ -1,0 +1,18 @@
+//! Lankarani and Nikravesh 1990: an approximation of the Hunt–Crossley law's damping.
+//!
+//! It agrees with the exact law to first order in 1 − e.
+
+use super::Facts;
+
+pub(super) const FACTS: Facts = Facts {
+    name: "lankarani-nikravesh",
+    title: "Lankarani and Nikravesh 1990",
+    formula: "F = k xᵖ (1 + d ẋ), d = a/v, a = 3(1−e²)/4",
+    source: "Lankarani and Nikravesh (1990). Formula as in L. Škrinjar's contact_model.py.",
+    approximation: Some(number),
+};
+
+/// a of the requested e.
+pub(super) fn number(e: f64) -> f64 {
+    0.75 * (1.0 - e) * (1.0 + e)
+}

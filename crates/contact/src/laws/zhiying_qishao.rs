@@ -1,0 +1,18 @@
+//! Zhiying and Qishao 2006: an approximation of the Hunt–Crossley law's damping.
+//!
+//! It agrees with the exact law to first order in 1 − e.
+
+use super::Facts;
+
+pub(super) const FACTS: Facts = Facts {
+    name: "zhiying-qishao",
+    title: "Zhiying and Qishao 2006",
+    formula: "F = k xᵖ (1 + d ẋ), d = a/v, a = 3(1−e²) exp(2(1−e))/4",
+    source: "Zhiying and Qishao (2006). Formula as in L. Škrinjar's contact_model.py.",
+    approximation: Some(number),
+};
+
+/// a of the requested e.
+pub(super) fn number(e: f64) -> f64 {
+    0.75 * (1.0 - e) * (1.0 + e) * (2.0 * (1.0 - e)).exp()
+}

@@ -1,0 +1,211 @@
+//! The blow on a Kelvin–Voigt contact.
+//!
+//! In y = x^((p+1)/2) it is the linear oscillator y″ + 2ζ y′ + y = 0, y(0) = 0, y′(0) = 1, in its own time s; the
+//! speed is y′, the force y^q (y + 2ζ y′) and dt/ds = (1 − q) y^(−q), with q = (p−1)/(p+1).
+//!
+//! With r = y′/y, which falls from ∞ at the touch through 0 at the greatest penetration, y = e^(−ζs)/√(r² + 2ζr + 1)
+//! and s = arccot((r + ζ)/√(1−ζ²))/√(1−ζ²): the peak of the force, where 2ζq r² + (1 + q − 4ζ²) r − 2ζ = 0, is closed
+//! too.
+
+use super::{Moment, Orbit};
+use crate::Separation;
+use crate::laws::kelvin_voigt::{compression, decrement};
+use std::f64::consts::PI;
+
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Oscillator {
+    ratio: f64,
+    separation: Separation,
+    /// q = (p−1)/(p+1).
+    warp: f64,
+    /// √|1 − ζ²|.
+    root: f64,
+    compression: f64,
+    expansion: f64,
+}
+
+/// How many time constants of the slow return are shown where the contact does not end.
+const SLOW_RETURN: f64 = 8.0;
+
+impl Oscillator {
+    pub(crate) fn new(ratio: f64, exponent: f64, separation: Separation) -> Self {
+        let root = (1.0 - ratio).abs().sqrt() * (1.0 + ratio).sqrt();
+        let compression = compression(ratio);
+        let expansion = match separation {
+            Separation::ForceVanishes => compression,
+            Separation::GapCloses if ratio < 1.0 => PI / root - compression,
+            Separation::GapCloses => SLOW_RETURN * (ratio + root),
+        };
+        let warp = (exponent - 1.0) / (exponent + 1.0);
+        Self { ratio, separation, warp, root, compression, expansion }
+    }
+
+    /// y at s after the touch.
+    fn displacement(&self, s: f64) -> f64 {
+        if self.ratio < 1.0 {
+            (-self.ratio * s).exp() * (self.root * s).sin() / self.root
+        } else {
+            self.slow(s) * self.fast_share(s)
+        }
+    }
+
+    /// y at s before the end. Under ζ = 1 its sine is that of the angle left to y = 0, which keeps its digits where
+    /// y is small: 0 at the end where the gap closes, π − 2 arccos ζ = 2 arcsin ζ where the force vanishes.
+    fn displacement_before_end(&self, s: f64) -> f64 {
+        let at = self.compression + self.expansion - s;
+        if self.ratio < 1.0 {
+            let left = match self.separation {
+                Separation::ForceVanishes => 2.0 * self.ratio.asin(),
+                Separation::GapCloses => 0.0,
+            };
+            (-self.ratio * at).exp() * (self.root * s + left).sin() / self.root
+        } else {
+            self.displacement(at)
+        }
+    }
+
+    /// e^(−(ζ−√(ζ²−1)) s), ζ ≥ 1.
+    fn slow(&self, s: f64) -> f64 {
+        (-s / (self.ratio + self.root)).exp()
+    }
+
+    /// (1 − e^(−2√(ζ²−1) s))/(2√(ζ²−1)), ζ ≥ 1.
+    fn fast_share(&self, s: f64) -> f64 {
+        if self.root == 0.0 { s } else { -(-2.0 * self.root * s).exp_m1() / (2.0 * self.root) }
+    }
+
+    /// y′ at s after the touch.
+    fn rate(&self, s: f64) -> f64 {
+        if self.ratio < 1.0 {
+            let (sine, cosine) = (self.root * s).sin_cos();
+            (-self.ratio * s).exp() * (cosine - self.ratio / self.root * sine)
+        } else {
+            // cosh − ζ sinh/√ = e^(√ s) [1 − (ζ + √) (1 − e^(−2√s))/(2√)].
+            self.slow(s) * (1.0 - (self.ratio + self.root) * self.fast_share(s))
+        }
+    }
+
+    /// y^q, 1 for the linear contact even at y = 0.
+    fn warped(&self, y: f64) -> f64 {
+        if self.warp == 0.0 { 1.0 } else { y.max(0.0).powf(self.warp) }
+    }
+
+    fn moment(&self, y: f64, rate: f64) -> Moment {
+        Moment {
+            penetration: y.max(0.0).powf(1.0 - self.warp),
+            rate,
+            force: self.warped(y) * (y + 2.0 * self.ratio * rate),
+        }
+    }
+
+    fn pace(&self, y: f64) -> f64 {
+        (1.0 - self.warp) / self.warped(y)
+    }
+
+    /// r = y′/y where the force is greatest; infinite at the touch.
+    fn slope_at_peak(&self) -> f64 {
+        let (double, q) = (2.0 * self.ratio, self.warp);
+        // 1 + q − 4ζ² in factors: no overflow, and its sign is right near 0.
+        let half = (1.0 + q).sqrt();
+        let middle = (half - double) * (half + double);
+        let discriminant = middle.hypot(2.0 * double * q.sqrt());
+        if middle > 0.0 {
+            2.0 * double / (middle + discriminant)
+        } else {
+            (discriminant - middle) / (2.0 * double * q)
+        }
+    }
+
+    /// s where y′/y = r, r ≥ 0.
+    fn at_slope(&self, r: f64) -> f64 {
+        let g = r + self.ratio;
+        if self.root < 1e-4 * g {
+            // arctan(√/g)/√ to the third order; artanh beyond ζ = 1.
+            let square = (1.0 - self.ratio) * (1.0 + self.ratio) / g / g;
+            (1.0 - square / 3.0 + square * square / 5.0) / g
+        } else if self.ratio < 1.0 {
+            self.root.atan2(g) / self.root
+        } else {
+            // g − √ = r + 1/(ζ + √) keeps its digits.
+            (2.0 * self.root / (r + 1.0 / (self.ratio + self.root))).ln_1p() / (2.0 * self.root)
+        }
+    }
+}
+
+impl Orbit for Oscillator {
+    fn loss(&self) -> f64 {
+        -(-decrement(self.ratio, self.separation)).exp_m1()
+    }
+
+    fn restitution(&self) -> f64 {
+        (-decrement(self.ratio, self.separation)).exp()
+    }
+
+    fn compression(&self) -> f64 {
+        self.compression
+    }
+
+    fn expansion(&self) -> f64 {
+        self.expansion
+    }
+
+    fn ends(&self) -> bool {
+        self.separation == Separation::ForceVanishes || self.ratio < 1.0
+    }
+
+    fn greatest_penetration(&self) -> f64 {
+        (-(1.0 - self.warp) * self.ratio * self.compression).exp()
+    }
+
+    fn peak(&self) -> (f64, f64) {
+        let slope = self.slope_at_peak();
+        if !slope.is_finite() {
+            // A linear contact with ζ ≥ 1/2: the damper's jump at the touch.
+            return (0.0, 2.0 * self.ratio);
+        }
+        let s = self.at_slope(slope);
+        // y = e^(−ζs)/√(r² + 2ζr + 1), the root without overflow.
+        let across = ((slope + 2.0 * self.ratio) * slope).sqrt().hypot(1.0);
+        let decay = (-self.ratio * s).exp();
+        let force = (decay / across).powf(self.warp) * decay * (1.0 + 2.0 * self.ratio * slope) / across;
+        (s, force)
+    }
+
+    fn after_touch(&self, s: f64) -> Moment {
+        self.moment(self.displacement(s), self.rate(s))
+    }
+
+    fn before_end(&self, s: f64) -> Moment {
+        let at = self.compression + self.expansion - s;
+        let mut moment = self.moment(self.displacement_before_end(s), self.rate(at));
+        if self.separation == Separation::ForceVanishes {
+            moment.force = if s == 0.0 { 0.0 } else { moment.force.max(0.0) };
+        }
+        moment
+    }
+
+    fn singularities(&self) -> [f64; 2] {
+        // Lightly damped, the force vanishes where the gap all but closes.
+        let closes = match self.separation {
+            Separation::ForceVanishes => self.ratio < 0.05,
+            Separation::GapCloses => self.ratio < 1.0,
+        };
+        [self.warp, if closes { self.warp } else { 0.0 }]
+    }
+
+    fn pace_after_touch(&self, s: f64) -> f64 {
+        self.pace(self.displacement(s))
+    }
+
+    fn pace_before_end(&self, s: f64) -> f64 {
+        self.pace(self.displacement_before_end(s))
+    }
+
+    fn time_after_touch(&self, s: f64) -> f64 {
+        if self.warp == 0.0 { s } else { super::from_singular_end(s, |s| self.pace_after_touch(s)) }
+    }
+
+    fn time_before_end(&self, s: f64) -> f64 {
+        if self.warp == 0.0 { s } else { super::from_singular_end(s, |s| self.pace_before_end(s)) }
+    }
+}

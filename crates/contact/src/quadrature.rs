@@ -1,0 +1,66 @@
+//! Integrals with a power singularity at their lower end.
+
+use std::f64::consts::PI;
+
+/// ∫₀^span f(s) ds by the double-exponential rule (Takahasi and Mori 1974).
+///
+/// f may rise as s⁻ᵅ, α ≤ 0.95, at 0, and is smooth elsewhere. The step is halved until two results agree to 1e-13 of
+/// themselves; the integrals of this crate then agree with closed forms to 1e-12.
+pub(crate) fn from_singular_end(span: f64, f: impl Fn(f64) -> f64) -> f64 {
+    if span <= 0.0 {
+        return 0.0;
+    }
+    let term = |t: f64| {
+        // The distance from the lower end is span/(1 + e^x): it keeps its digits however near the end.
+        let x = -PI * t.sinh();
+        let below = 1.0 / (1.0 + x.exp());
+        let above = 1.0 / (1.0 + (-x).exp());
+        let s = span * below;
+        if s > 0.0 { PI * t.cosh() * below * above * f(s) } else { 0.0 }
+    };
+    // e^(-π sinh 6.1) is 1e-304: nothing nearer the singular end can be said in a float.
+    const LOWEST: f64 = -6.0;
+    const HIGHEST: f64 = 3.25;
+    let mut step = 0.25;
+    let mut sum = 0.0;
+    let count = ((HIGHEST - LOWEST) / step) as usize;
+    for i in 0..=count {
+        sum += term(LOWEST + step * i as f64);
+    }
+    let mut last = sum * step;
+    for _ in 0..5 {
+        let between = ((HIGHEST - LOWEST) / step) as usize;
+        for i in 0..between {
+            sum += term(LOWEST + step * (i as f64 + 0.5));
+        }
+        step *= 0.5;
+        let next = sum * step;
+        if (next - last).abs() <= 1e-13 * next.abs() {
+            return next * span;
+        }
+        last = next;
+    }
+    last * span
+}
+
+#[cfg(test)]
+mod tests {
+    use super::from_singular_end;
+
+    /// Up to the exponent of p = 10 under Hunt and Crossley's law, 10/11.
+    #[test]
+    fn powers_have_their_integrals() {
+        for power in [0.0, 0.1, 0.5, 0.75, 10.0 / 11.0] {
+            let exact = 3.0_f64.powf(1.0 - power) / (1.0 - power);
+            let error = from_singular_end(3.0, |s| s.powf(-power)) / exact - 1.0;
+            assert!(error.abs() < 1e-13, "{power}: {error:e}");
+        }
+    }
+
+    #[test]
+    fn a_fast_scale_near_the_end_is_seen() {
+        let exact = (1.0 + 1e8_f64).ln();
+        let error = from_singular_end(1.0, |s| 1.0 / (1e-8 + s)) / exact - 1.0;
+        assert!(error.abs() < 1e-12, "{error:e}");
+    }
+}

@@ -1,0 +1,102 @@
+//! How fast a robot may strike a person: the transient contact of ISO/TS 15066.
+//!
+//! The energy ½ μ v² of the relative motion goes into the spring of the body's region, ½ F²/k, with the two-body mass
+//! μ = 1/(1/m_H + 1/m_R). So F = v √(μ k): the peak force of an undamped linear contact.
+//!
+//! m_R is the mass with which the robot strikes. The standard's is M/2 + m_L, half the moving mass and the load,
+//! whatever the pose and the direction; the effective mass along the direction of motion, (uᵀ J M⁻¹ Jᵀ u)⁻¹, is what
+//! F = m a gives, and may be several times smaller or larger. [`TransientContact`] takes either.
+//!
+//! The equations are ISO/TS 15066:2016's (now in ISO 10218-2:2025), Annex A, as public secondary sources give them;
+//! the standard itself was not opened. How much force or pressure a person may suffer is for the user to say.
+
+use crate::error::{not_negative, positive, representable};
+use crate::{BodyRegion, ContactError};
+
+/// The mass M/2 + m_L that the standard takes for a robot, in kg: half the mass of its moving parts, and the load
+/// with the tool.
+///
+/// Errors: M not a finite number above zero, m_L negative, NaN or infinite.
+pub fn standard_robot_mass(moving_mass: f64, load: f64) -> Result<f64, ContactError> {
+    let half = 0.5 * positive("mass of the moving parts, kg", moving_mass)?;
+    representable("mass of the robot, kg", half + not_negative("load, kg", load)?)
+}
+
+/// A robot that strikes a region of the body: two masses and the spring between them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TransientContact {
+    reduced_mass: f64,
+    stiffness: f64,
+}
+
+/// How fast, and what it comes to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SafeSpeed {
+    /// The greatest relative speed, in m/s.
+    pub speed: f64,
+    /// The greatest force, in N.
+    pub force: f64,
+    /// The energy of the blow, F²/(2k) = ½ μ v², in J.
+    pub energy: f64,
+}
+
+impl TransientContact {
+    /// A robot of the mass m_R, in kg, that strikes this region. Errors: m_R is not a finite number above zero.
+    pub fn new(region: &BodyRegion, robot_mass: f64) -> Result<Self, ContactError> {
+        Self::with_body(region.mass, region.stiffness, robot_mass)
+    }
+
+    /// The same with a body's mass m_H, in kg, and stiffness k, in N/m, of the user's own.
+    ///
+    /// Errors: any of them is not a finite number above zero.
+    pub fn with_body(body_mass: f64, stiffness: f64, robot_mass: f64) -> Result<Self, ContactError> {
+        let body = positive("mass of the body's region, kg", body_mass)?;
+        let robot = positive("mass of the robot, kg", robot_mass)?;
+        let stiffness = positive("stiffness of the body's region, N/m", stiffness)?;
+        // The lighter one over 1 and their ratio: nothing overflows.
+        let (light, heavy) = if body < robot { (body, robot) } else { (robot, body) };
+        Ok(Self { reduced_mass: light / (1.0 + light / heavy), stiffness })
+    }
+
+    /// μ = 1/(1/m_H + 1/m_R), in kg.
+    pub fn reduced_mass(self) -> f64 {
+        self.reduced_mass
+    }
+
+    /// k, in N/m.
+    pub fn stiffness(self) -> f64 {
+        self.stiffness
+    }
+
+    /// √(μ k), in N·s/m: the force of each m/s.
+    fn impedance(self) -> f64 {
+        self.reduced_mass.sqrt() * self.stiffness.sqrt()
+    }
+
+    /// F = v √(μ k), in N, at the relative speed v, in m/s.
+    ///
+    /// Errors: v is negative, NaN or infinite; F is beyond a 64-bit float.
+    pub fn force(self, speed: f64) -> Result<f64, ContactError> {
+        let speed = not_negative("relative speed, m/s", speed)?;
+        if speed == 0.0 { Ok(0.0) } else { representable("force, N", speed * self.impedance()) }
+    }
+
+    /// v = F/√(μ k) for the greatest force that the user allows, in N.
+    ///
+    /// Errors: F is not a finite number above zero; the result is beyond a 64-bit float.
+    pub fn speed_for_force(self, force: f64) -> Result<SafeSpeed, ContactError> {
+        let force = positive("greatest force, N", force)?;
+        let speed = representable("relative speed, m/s", force / self.impedance())?;
+        let energy = representable("energy, J", 0.5 * force * (force / self.stiffness))?;
+        Ok(SafeSpeed { speed, force, energy })
+    }
+
+    /// v = p A/√(μ k) for the greatest pressure that the user allows, in Pa, on the area of the contact, in m².
+    ///
+    /// Errors: either is not a finite number above zero; the result is beyond a 64-bit float.
+    pub fn speed_for_pressure(self, pressure: f64, area: f64) -> Result<SafeSpeed, ContactError> {
+        let force =
+            positive("greatest pressure, Pa", pressure)? * positive("area of the contact, m^2", area)?;
+        self.speed_for_force(representable("force, N", force)?)
+    }
+}

@@ -1,0 +1,417 @@
+//! The exports: numbers, snippets, refusals; and that models of the engines' steps bounce as asked with them.
+
+use percuss_contact::exports::{Export, ExportError, Impact, Options, Request, Tool, Value};
+use percuss_contact::{Contact, ContactError, Separation, hunt_crossley, kelvin_voigt};
+
+const MASS: f64 = 2.28125;
+const STIFFNESS: f64 = 1e5;
+const SPEED: f64 = 0.4;
+
+fn request(restitution: f64) -> Request {
+    let options = Options { own_mass: Some(1.5), other_own_mass: Some(3.0), ..Options::default() };
+    Request { options, ..Request::new(Contact::new(MASS, STIFFNESS).unwrap(), restitution).at(SPEED) }
+}
+
+fn numbers(export: &Export, name: &str) -> Vec<f64> {
+    match export.parameter(name).unwrap_or_else(|| panic!("{}: no {name}", export.tool)) {
+        Value::Number(number) => vec![*number],
+        Value::Numbers(numbers) => numbers.clone(),
+        other => panic!("{name} is {other:?}"),
+    }
+}
+
+fn number(export: &Export, name: &str) -> f64 {
+    numbers(export, name)[0]
+}
+
+fn close(got: f64, expected: f64, relative: f64) {
+    assert!((got - expected).abs() <= relative * expected.abs(), "{got:?}, expected {expected:?}");
+}
+
+/// The restitution of an engine's step x, v ↦ v⁺ (x penetration, v approach), the worst of all phases against `e`.
+fn worst(e: f64, step: f64, next: impl Fn(f64, f64) -> f64) -> f64 {
+    let mut worst: f64 = 0.0;
+    for phase in 0..40 {
+        let (mut x, mut v) = (-(f64::from(phase) + 0.5) / 40.0 * step, 1.0);
+        loop {
+            v = if x > 0.0 || x + step * v > 0.0 { next(x, v) } else { v };
+            x += step * v;
+            if x < 0.0 && v <= 0.0 {
+                break;
+            }
+        }
+        worst = worst.max((-v - e).abs());
+    }
+    worst
+}
+
+/// max(0, k(x + h v⁺) + c v⁺) by implicit Euler: ODE, Bullet, PhysX, SAP.
+fn implicit(k: f64, c: f64, mass: f64, h: f64) -> impl Fn(f64, f64) -> f64 {
+    move |x, v| {
+        let contact = (v - h / mass * k * x) / (1.0 + h / mass * (h * k + c));
+        if k * (x + h * contact) + c * contact > 0.0 { contact } else { v }
+    }
+}
+
+/// max(0, kx + cv) by semi-implicit Euler, only where x > 0: MuJoCo, Chrono.
+fn explicit(k: f64, c: f64, mass: f64, h: f64) -> impl Fn(f64, f64) -> f64 {
+    move |x, v| if x > 0.0 { v - h / mass * (k * x + c * v).max(0.0) } else { v }
+}
+
+const RESTITUTIONS: [f64; 12] = [0.005, 0.01, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 0.8, 0.9, 0.95, 0.99];
+
+#[test]
+fn mujoco_bounces_as_asked_whatever_its_diagonal() {
+    for e in RESTITUTIONS {
+        for accuracy in [1e-2, 1e-3, 1e-4] {
+            for alpha in [None, Some(0.165), Some(55.7)] {
+                let mut request = request(e);
+                request.options.accuracy = accuracy;
+                request.options.diagonal_ratio = alpha;
+                let export = Tool::Mujoco.export(&request).unwrap();
+                let (h, solref) = (export.time_step.unwrap(), numbers(&export, "solref"));
+                let d = numbers(&export, "solimp")[0];
+                let f = d + (1.0 - d) * alpha.unwrap_or(1.0);
+                // The row solved: stiffness −solref₀/f, damping −solref₁/f, per unit of m̄.
+                close(-solref[0] / f * MASS, STIFFNESS, 1e-14);
+                let engine = explicit(-solref[0] / f, -solref[1] / f, 1.0, h);
+                let (found, bound) = (worst(e, h, engine), export.error_bound.unwrap());
+                assert!(
+                    found <= bound && bound <= accuracy * (1.0 + 1e-12),
+                    "{e} {accuracy}: {found:e} {bound:e}"
+                );
+                let standard = numbers(&export, "solref_standard");
+                close(1.0 / (standard[0] * standard[1]).powi(2), -solref[0], 1e-13);
+                close(2.0 / standard[0], -solref[1], 1e-13);
+                assert!(standard[0] >= 2.0 * h, "refsafe would act");
+            }
+        }
+    }
+}
+
+#[test]
+fn mujoco_settles_the_equalities_of_loops() {
+    let mut request = request(0.5);
+    assert!(Tool::Mujoco.export(&request).unwrap().parameter("equality_solref").is_none());
+    request.options.closed_loops = true;
+    let export = Tool::Mujoco.export(&request).unwrap();
+    assert_eq!(numbers(&export, "equality_solref"), [2.0 * export.time_step.unwrap(), 1.0]);
+    assert_eq!(numbers(&export, "equality_solimp"), [0.9999, 0.9999, 1.0]);
+    assert!(export.snippets[0].text.contains("<equality solref="));
+}
+
+#[test]
+fn implicit_engines_bounce_as_asked() {
+    for e in RESTITUTIONS {
+        let request = request(e);
+        for tool in [Tool::Ode, Tool::Bullet, Tool::Gazebo, Tool::Physx, Tool::Drake] {
+            let export = tool.export(&request).unwrap();
+            let h = export.time_step.unwrap();
+            let (k, c) = match tool {
+                Tool::Ode => {
+                    let (erp, cfm) = (number(&export, "soft_erp"), number(&export, "soft_cfm"));
+                    (erp / (h * cfm), (1.0 - erp) / cfm)
+                }
+                Tool::Bullet => {
+                    (number(&export, "contactStiffness") / 2.0, number(&export, "contactDamping") * 2.0)
+                }
+                Tool::Gazebo => (number(&export, "kp") / 2.0, number(&export, "kd") * 2.0),
+                Tool::Physx => {
+                    close(number(&export, "acceleration_stiffness") * MASS, STIFFNESS, 1e-14);
+                    let damping = number(&export, "compliant_contact_damping");
+                    close(number(&export, "acceleration_damping") * MASS, damping, 1e-14);
+                    (number(&export, "compliant_contact_stiffness"), damping)
+                }
+                _ => {
+                    let k = number(&export, "point_contact_stiffness") / 2.0;
+                    (k, k * 2.0 * number(&export, "relaxation_time"))
+                }
+            };
+            close(k, STIFFNESS, 1e-9);
+            let (found, bound) = (worst(e, h, implicit(k, c, MASS, h)), export.error_bound.unwrap());
+            assert!(found <= bound && bound <= 1.0001e-3, "{tool} {e}: {found:e}, bound {bound:e}");
+        }
+    }
+}
+
+#[test]
+fn a_step_too_long_for_an_implicit_engine_names_the_longest() {
+    let mut request = request(0.8);
+    let frequency = (STIFFNESS / MASS).sqrt();
+    let largest = 2.0 * kelvin_voigt::ratio(0.8, Separation::ForceVanishes).unwrap() / frequency;
+    for tool in [Tool::Ode, Tool::Bullet, Tool::Gazebo, Tool::Physx, Tool::Drake] {
+        request.options.time_step = Some(1.01 * largest);
+        let error = tool.export(&request).unwrap_err();
+        let ExportError::StepTooLong { reached, largest: named, .. } = error else {
+            panic!("{tool}: {error}")
+        };
+        close(named, largest, 1e-12);
+        assert!(reached < 0.8);
+        request.options.time_step = Some(0.99 * largest);
+        assert!(tool.export(&request).is_ok());
+        request.options.time_step = None;
+        let rigid = Request { restitution: 1.0, ..request };
+        match tool.export(&rigid) {
+            Ok(export) => assert!(tool == Tool::Drake && export.parameter("relaxation_time").is_none()),
+            Err(error) => assert!(matches!(error, ExportError::Unreachable { .. }), "{tool}: {error}"),
+        }
+    }
+}
+
+/// max(0, k(x + h v⁺))(1 + d v⁺)₊ by implicit Euler: Drake's similar, and lagged along the normal.
+fn drake_lagged(k: f64, d: f64, mass: f64, h: f64) -> impl Fn(f64, f64) -> f64 {
+    move |x, v| {
+        let force = |u: f64| (k * (x + h * u)).max(0.0) * (1.0 + d * u).max(0.0);
+        // v⁺ + h f(v⁺)/m = v has one root, the left side rising.
+        let (mut low, mut high) = (-2.0_f64.max(v.abs()), v);
+        for _ in 0..60 {
+            let middle = (low + high) / 2.0;
+            if middle + h / mass * force(middle) > v { high = middle } else { low = middle }
+        }
+        high
+    }
+}
+
+#[test]
+fn drake_bounces_as_asked_continuous_and_lagged() {
+    for e in [0.05, 0.1, 0.2, 0.5, 0.8, 0.95] {
+        let export = Tool::Drake.export(&request(e)).unwrap();
+        let d = number(&export, "hunt_crossley_dissipation");
+        close(hunt_crossley::restitution(d * SPEED).unwrap(), e, 1e-12);
+        let h = number(&export, "time_step_lagged");
+        let frequency = (STIFFNESS / MASS).sqrt();
+        // At 1 m/s in place of the request's speed.
+        let found = worst(e, h, drake_lagged(STIFFNESS, d * SPEED, MASS, h));
+        assert!(found <= 1e-3, "{e}: {found:e} at ωh = {}", frequency * h);
+    }
+}
+
+#[test]
+fn drake_without_a_speed_still_gives_the_rest() {
+    let export = Tool::Drake.export(&Request { speed: None, ..request(0.5) }).unwrap();
+    assert!(export.parameter("hunt_crossley_dissipation").is_none());
+    assert_eq!(export.missing.len(), 1);
+    assert!(export.parameter("relaxation_time").is_some());
+    for tool in [Tool::Adams, Tool::Simscape] {
+        let export = tool.export(&Request { speed: None, ..request(0.5) }).unwrap();
+        assert_eq!(export.missing.len(), 1, "{tool}");
+    }
+}
+
+/// Chrono's conversion from a material's restitution to a damping ratio on the bodies' own masses.
+fn chrono_ratio(cr: f64) -> f64 {
+    1.0 / (1.0 + (std::f64::consts::PI / cr.ln()).powi(2)).sqrt()
+}
+
+#[test]
+fn chrono_takes_its_own_masses() {
+    let own = 1.5 * 3.0 / 4.5;
+    for e in RESTITUTIONS {
+        let export = Tool::Chrono.export(&request(e)).unwrap();
+        close(number(&export, "m_eff"), own, 1e-15);
+        let (k, c) = (number(&export, "kn"), number(&export, "gn") * own);
+        let h = export.time_step.unwrap();
+        let (found, bound) = (worst(e, h, explicit(k, c, MASS, h)), export.error_bound.unwrap());
+        assert!(found <= bound, "{e}: {found:e}, bound {bound:e}");
+        let Some(cr) = export.number("cr") else {
+            assert!(e < 0.4, "{e}");
+            continue;
+        };
+        let ratio = chrono_ratio(cr) * (own / MASS).sqrt();
+        close(kelvin_voigt::restitution(ratio, Separation::ForceVanishes).unwrap(), e, 1e-12);
+    }
+    let without = Request { options: Options::default(), ..request(0.5) };
+    assert!(matches!(Tool::Chrono.export(&without), Err(ExportError::Missing { .. })));
+}
+
+#[test]
+fn chrono_corrects_a_material_restitution() {
+    // Published beside the law: 0.2, 0.5, 0.8 ask for these where m_eff = m̄.
+    for (e, cr) in [(0.2, 0.034462), (0.5, 0.436288), (0.8, 0.791170)] {
+        let contact = Contact::new(1.0, STIFFNESS).unwrap().with_exponent(1.5).unwrap();
+        let options = Options { own_mass: Some(2.0), other_own_mass: Some(2.0), ..Options::default() };
+        let export = Tool::Chrono.export(&Request { options, ..Request::new(contact, e) }).unwrap();
+        assert!((number(&export, "cr") - cr).abs() < 5e-7);
+        close(number(&export, "E_eff·sqrt(R_eff)"), 0.75 * STIFFNESS, 1e-15);
+    }
+    let contact = Contact::new(1.0, STIFFNESS).unwrap().with_exponent(1.5).unwrap();
+    let options = Options { own_mass: Some(2.0), other_own_mass: Some(2.0), ..Options::default() };
+    let error = Tool::Chrono.export(&Request { options, ..Request::new(contact, 0.1) }).unwrap_err();
+    assert!(matches!(error, ExportError::Unreachable { .. }), "{error}");
+}
+
+/// (p, D, ĉ for e = 0.2, 0.5, 0.8).
+const REFERENCE: [(f64, f64, [f64; 3]); 9] = [
+    (1.0, 0.01, [1.4717478533914463, 0.5127236596677833, 0.14923036920892438]),
+    (1.0, 0.1, [1.5585912046862842, 0.5329631423947213, 0.15426547349467074]),
+    (1.0, 1.0, [9.764602143836134, 1.7236698142197058, 0.3973457402902571]),
+    (1.5, 0.01, [1.0653849521101013, 0.39689235759396346, 0.11758650155738191]),
+    (1.5, 0.1, [1.1307387098808213, 0.4134388695433387, 0.12150968479625174]),
+    (1.5, 1.0, [3.9257236760785315, 1.0644143827339294, 0.28244549712835887]),
+    (2.2, 0.01, [0.7574337886536031, 0.30305491391146705, 0.09207713756267376]),
+    (2.2, 0.1, [0.8040065235554179, 0.3161761823566864, 0.09526056760662403]),
+    (2.2, 1.0, [2.130920700027913, 0.6755291694512376, 0.1978268537605603]),
+];
+
+#[test]
+fn adams_impact_agrees_with_an_independent_integration() {
+    // ĉ by SciPy's DOP853 at 1e-12 and Brent's method, e = 0.2, 0.5, 0.8.
+    for (p, ramp, expected) in REFERENCE {
+        let impact = Impact::new(p, ramp).unwrap();
+        for (e, expected) in [0.2, 0.5, 0.8].into_iter().zip(expected) {
+            let damping = impact.damping(e).unwrap();
+            close(damping, expected, 1e-7);
+            assert!((impact.restitution(damping).unwrap() - e).abs() < 1e-9);
+        }
+    }
+    // Where the ramp vanishes it is the linear damper.
+    let ratio = kelvin_voigt::ratio(0.5, Separation::ForceVanishes).unwrap();
+    close(Impact::new(1.0, 1e-4).unwrap().damping(0.5).unwrap(), 2.0 * ratio, 1e-4);
+}
+
+#[test]
+fn adams_gives_its_numbers_in_si() {
+    let contact = Contact::new(MASS, 3e8).unwrap().with_exponent(1.5).unwrap();
+    let export = Tool::Adams.export(&Request::new(contact, 0.5).at(0.7)).unwrap();
+    let (cmax, d) = (number(&export, "cmax"), number(&export, "d"));
+    // The motion in kg, m, s by a plain fourth-order Runge–Kutta of small steps.
+    let rates = |[x, v]: [f64; 2]| {
+        let part = (x.max(0.0) / d).min(1.0);
+        let force = 3e8 * x.max(0.0).powf(1.5) + cmax * part * part * (3.0 - 2.0 * part) * v;
+        [v, -force.max(0.0) / MASS]
+    };
+    let (mut state, h) = ([0.0, 0.7], 1e-7);
+    while state[0] > 0.0 || state[1] > 0.0 {
+        let along = |k: [f64; 2], h: f64| [state[0] + h * k[0], state[1] + h * k[1]];
+        let k1 = rates(state);
+        let k2 = rates(along(k1, h / 2.0));
+        let k3 = rates(along(k2, h / 2.0));
+        let k4 = rates(along(k3, h));
+        for i in 0..2 {
+            state[i] += h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]);
+        }
+    }
+    close(-state[1] / 0.7, 0.5, 1e-6);
+}
+
+#[test]
+fn simscape_and_rapier_say_what_they_are_told() {
+    let export = Tool::Simscape.export(&request(0.5)).unwrap();
+    let ratio = kelvin_voigt::ratio(0.5, Separation::ForceVanishes).unwrap();
+    close(number(&export, "Damping"), 2.0 * ratio * (STIFFNESS * MASS).sqrt(), 1e-14);
+    let width = number(&export, "Transition Region Width");
+    assert!(width < 0.01 * SPEED / (STIFFNESS / MASS).sqrt());
+    let export = Tool::Rapier.export(&request(0.5)).unwrap();
+    assert_eq!(number(&export, "restitution"), 0.5);
+    assert!(!export.cannot.is_empty());
+}
+
+#[test]
+fn every_snippet_is_well_formed_and_holds_the_numbers_in_full() {
+    let mut seen = 0;
+    for tool in Tool::ALL {
+        for e in [0.2, 0.5, 0.8] {
+            for loops in [false, true] {
+                let mut request = request(e);
+                request.options.closed_loops = loops;
+                let export = tool.export(&request).unwrap();
+                assert!(
+                    !export.snippets.is_empty()
+                        && !export.sources.is_empty()
+                        && !export.assumptions.is_empty()
+                );
+                for snippet in &export.snippets {
+                    well_formed(snippet.language, &snippet.text);
+                    seen += 1;
+                }
+                let first = &export.snippets[0].text;
+                if let Some(step) = export.time_step {
+                    assert!(first.contains(&format!("{step:?}")), "{tool}: {first}");
+                }
+                let json = serde_json::to_value(&export).unwrap();
+                assert_eq!(json["tool"], tool.name());
+                let text = json.to_string();
+                assert!(!text.contains("null") || export.time_step.is_none() || export.error_bound.is_none());
+            }
+        }
+    }
+    assert!(seen > 90, "{seen}");
+}
+
+fn well_formed(language: &str, text: &str) {
+    assert!(text.ends_with('\n') && !text.contains("NaN") && !text.contains("inf"), "{text}");
+    match language {
+        "xml" => {
+            roxmltree::Document::parse(text).unwrap_or_else(|error| panic!("{error}: {text}"));
+        }
+        "python" | "cpp" | "rust" => {
+            for (open, shut) in [('(', ')'), ('{', '}'), ('[', ']')] {
+                assert_eq!(text.matches(open).count(), text.matches(shut).count(), "{text}");
+            }
+            assert_eq!(text.matches('"').count() % 2, 0, "{text}");
+        }
+        "matlab" | "adams" => assert!(text.is_ascii(), "{text}"),
+        other => panic!("a language no one checks: {other}"),
+    }
+}
+
+#[test]
+fn tools_are_found_by_name_and_alias() {
+    for tool in Tool::ALL {
+        assert_eq!(Tool::from_name(tool.name()), Ok(tool));
+        assert!(!tool.title().is_empty());
+        for alias in tool.aliases() {
+            assert_eq!(Tool::from_name(&alias.to_uppercase()), Ok(tool));
+        }
+    }
+    assert_eq!(Tool::from_name("Isaac Lab"), Ok(Tool::Physx));
+    let error = Tool::from_name("mujocko").unwrap_err().to_string();
+    assert!(error.contains("did you mean \"mujoco\"") && error.contains("simscape"), "{error}");
+}
+
+#[test]
+fn a_curved_spring_is_for_those_that_have_one() {
+    let curved = Contact::new(MASS, STIFFNESS).unwrap().with_exponent(2.0).unwrap();
+    for tool in Tool::ALL {
+        let answer = tool.export(&Request { contact: curved, ..request(0.5) });
+        match tool {
+            Tool::Adams | Tool::Rapier => assert!(answer.is_ok(), "{tool}"),
+            _ => assert!(matches!(answer, Err(ExportError::Exponent { .. })), "{tool}: {answer:?}"),
+        }
+    }
+}
+
+#[test]
+fn what_is_out_of_range_is_refused_and_nothing_overflows() {
+    let wrong = [
+        Request { restitution: -0.1, ..request(0.5) },
+        Request { restitution: f64::NAN, ..request(0.5) },
+        request(0.5).at(0.0),
+        request(0.5).at(f64::INFINITY),
+        Request { options: Options { accuracy: 0.0, ..Options::default() }, ..request(0.5) },
+        Request { options: Options { time_step: Some(-1.0), ..Options::default() }, ..request(0.5) },
+        Request { options: Options { own_mass: Some(0.0), ..Options::default() }, ..request(0.5) },
+        Request { options: Options { diagonal_ratio: Some(f64::NAN), ..Options::default() }, ..request(0.5) },
+    ];
+    for tool in Tool::ALL {
+        for request in wrong {
+            let error = tool.export(&request).unwrap_err();
+            assert!(
+                matches!(error, ExportError::Contact(ContactError::OutOfRange { .. })),
+                "{tool}: {error}"
+            );
+        }
+        for (mass, stiffness) in [(1e300, 1e-300), (1e-300, 1e300), (1e300, 1e300), (1e-300, 1e-300)] {
+            for e in [1e-300, 1e-9, 0.5, 1.0 - 1e-16, 0.0, 1.0] {
+                for speed in [1e-300, 1.0, 1e300] {
+                    let contact = Contact::new(mass, stiffness).unwrap();
+                    if let Ok(export) = tool.export(&Request { contact, ..request(e) }.at(speed)) {
+                        for snippet in &export.snippets {
+                            well_formed(snippet.language, &snippet.text);
+                        }
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,127 @@
+//! The closed forms against the integrated equation of motion.
+
+mod support;
+
+use percuss_contact::{Blow, Contact, Damper, Law, Separation};
+use support::apart;
+use support::integrated::{Impact, Measured};
+
+/// From nearly dead to nearly elastic, finer than the tenths.
+const RESTITUTIONS: [f64; 11] = [0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.65, 0.8, 0.95, 0.99];
+const MASSES: [f64; 3] = [0.05, 2.3, 700.0];
+const STIFFNESSES: [f64; 3] = [3e3, 1e5, 4e7];
+const EXPONENTS: [f64; 3] = [1.0, 1.5, 3.0];
+
+/// A run: its name, and the figures both ways.
+struct Case {
+    name: String,
+    blow: Blow,
+    measured: Measured,
+    energy: f64,
+    asked: f64,
+}
+
+fn run(law: Law, e: f64, contact: Contact, speed: f64, separation: Separation) -> Case {
+    let damper = law.damper(contact, e, Some(speed), separation).unwrap();
+    let (k, p) = (contact.stiffness(), contact.exponent());
+    let force = |x: f64, rate: f64| match damper {
+        Damper::KelvinVoigt { coefficient, .. } => {
+            k * x.powf(p) + coefficient * x.powf(0.5 * (p - 1.0)) * rate
+        }
+        Damper::HuntCrossley { dissipation } => k * x.powf(p) * (1.0 + dissipation * rate),
+    };
+    let kelvin_voigt = matches!(damper, Damper::KelvinVoigt { .. });
+    let impact = Impact {
+        mass: contact.mass(),
+        speed,
+        length: (contact.mass() * speed * speed / k).powf(1.0 / (p + 1.0)),
+        force: &force,
+        ends_with_the_force: kelvin_voigt && separation == Separation::ForceVanishes,
+    };
+    Case {
+        name: format!("{} e={e} {contact:?} v={speed} {separation:?}", law.name()),
+        blow: damper.blow(contact, speed).unwrap(),
+        measured: impact.measure(),
+        energy: 0.5 * contact.mass() * speed * speed,
+        asked: e,
+    }
+}
+
+/// The integration keeps 1e-12 a step, and its events are found to the last digit.
+const TOLERANCE: f64 = 1e-11;
+
+/// The force is flat at its peak: its time is found to the root of what a float holds of the force.
+const TIME_OF_PEAK: f64 = 1e-6;
+
+/// The worst relative error of each figure, and where.
+#[derive(Default)]
+struct Worst(Vec<(&'static str, f64, String)>);
+
+impl Worst {
+    fn see(&mut self, what: &'static str, error: f64, name: &str) {
+        let tolerance = if what == "time of peak" { TIME_OF_PEAK } else { TOLERANCE };
+        assert!(error < tolerance, "{what} is off by {error:e} at {name}");
+        match self.0.iter_mut().find(|entry| entry.0 == what) {
+            Some(entry) if error > entry.1 => *entry = (what, error, name.into()),
+            Some(_) => {}
+            None => self.0.push((what, error, name.into())),
+        }
+    }
+
+    fn compare(&mut self, case: &Case) {
+        let (blow, measured, name) = (&case.blow, &case.measured, case.name.as_str());
+        self.see("restitution", apart(measured.restitution, case.asked), name);
+        self.see("restitution of the blow", apart(blow.restitution, case.asked), name);
+        self.see("duration", apart(measured.duration, blow.duration.unwrap()), name);
+        self.see("penetration", apart(measured.max_penetration, blow.max_penetration), name);
+        self.see("peak force", apart(measured.peak_force, blow.peak_force), name);
+        let compression = blow.time_of_max_penetration;
+        self.see("time of penetration", apart(measured.time_of_max_penetration, compression), name);
+        let late = measured.time_of_peak_force - blow.time_of_peak_force;
+        self.see("time of peak", (late / compression).abs(), name);
+        self.see("work of the loop", apart(measured.work, blow.energy_lost), name);
+        let lost = case.energy * (1.0 - case.asked) * (1.0 + case.asked);
+        self.see("energy", apart(blow.energy_lost, lost), name);
+    }
+
+    /// For `--nocapture`.
+    fn tell(&self) {
+        for (what, error, name) in &self.0 {
+            println!("{what}: {error:.1e} at {name}");
+        }
+    }
+}
+
+fn sweep(law: Law, separation: Separation, exponents: &[f64]) {
+    let mut worst = Worst::default();
+    let mut count = 0;
+    for e in RESTITUTIONS {
+        for &p in exponents {
+            for mass in MASSES {
+                for stiffness in STIFFNESSES {
+                    let contact = Contact::new(mass, stiffness).unwrap().with_exponent(p).unwrap();
+                    let speed = if count % 2 == 0 { 0.3 } else { 4.0 };
+                    worst.compare(&run(law, e, contact, speed, separation));
+                    count += 1;
+                }
+            }
+        }
+    }
+    assert_eq!(count, RESTITUTIONS.len() * exponents.len() * MASSES.len() * STIFFNESSES.len());
+    worst.tell();
+}
+
+#[test]
+fn kelvin_voigt_until_the_force_vanishes() {
+    sweep(Law::KelvinVoigt, Separation::ForceVanishes, &EXPONENTS);
+}
+
+#[test]
+fn kelvin_voigt_until_the_gap_closes() {
+    sweep(Law::KelvinVoigt, Separation::GapCloses, &EXPONENTS);
+}
+
+#[test]
+fn hunt_crossley() {
+    sweep(Law::HuntCrossley, Separation::ForceVanishes, &EXPONENTS);
+}
