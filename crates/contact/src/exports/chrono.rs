@@ -1,0 +1,138 @@
+//! Project Chrono, smooth contacts (SMC): user coefficients, or a coefficient of restitution that comes out right.
+
+use super::export::single;
+use super::linear::Linear;
+use super::{Export, ExportError, Request, Tool};
+use crate::{Separation, kelvin_voigt};
+
+/// The mass that Chrono gives a body if nobody else does, in kg; a fixed one too.
+const DEFAULT_MASS: f64 = 1.0;
+const TOOL: Tool = Tool::Chrono;
+
+/// Hooke (p = 1): kn = k, gn = c/m_eff. Hooke and Hertz (p = 3/2): cr' = e_a(ζ√(m̄/m_eff)).
+///
+/// Chrono's force is max(0, kn x + m_eff gn ẋ), m_eff = m₁m₂/(m₁+m₂) of the two bodies' own masses, fixed bodies
+/// included, whatever hangs on them. From a material's cr it takes the ratio of the half period, e_a(ζ) =
+/// exp(−πζ/√(1−ζ²)), on that mass, and clamps; so cr itself bounces too high (0.325, 0.550, 0.808 for 0.2, 0.5, 0.8 with
+/// m_eff = m̄). cr' takes both out, and is out of reach where ζ√(m̄/m_eff) ≥ 1.
+/// The step is [`Linear::explicit_step`]: Chrono's contact forces are explicit.
+pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
+    let own = request.options.own_mass.ok_or(ExportError::Missing {
+        tool: TOOL,
+        what: "the struck body's own mass, kg",
+        why: "it computes the damping with the masses of the two bodies, not with the effective mass",
+    })?;
+    let other = request.options.other_own_mass.unwrap_or(DEFAULT_MASS);
+    let effective = own * (other / (own + other));
+    let mut export = Export::new(
+        TOOL,
+        "Hooke: linear spring and damper, never pulling; Hertz: the same with x^(3/2) and x^(1/4) ẋ",
+        &[
+            "Project Chrono, src/chrono/physics/ChContactSMC.cpp and ChSystemSMC.h",
+            "Project Chrono, src/chrono/physics/ChContactMaterialSMC.h",
+        ],
+    );
+    export.set("m_eff", effective, "kg");
+    if request.contact.exponent() == 1.5 {
+        hertz(&mut export, request, effective)?;
+    } else if request.contact.exponent() == 1.0 {
+        hooke(&mut export, request, effective)?;
+    } else {
+        return Err(ExportError::Exponent {
+            tool: TOOL,
+            exponent: request.contact.exponent(),
+            takes: "Hooke has 1, Hertz 3/2",
+            mend: "choose one of the two",
+        });
+    }
+    words(&mut export, own, other);
+    Ok(export)
+}
+
+fn hooke(export: &mut Export, request: &Request, effective: f64) -> Result<(), ExportError> {
+    let linear = Linear::of(request, TOOL)?;
+    let step = linear.explicit_step();
+    let damping = linear.damping(linear.ratio) / effective;
+    single("Chrono's kn, N/m", linear.stiffness)?;
+    single("Chrono's gn, 1/s", damping)?;
+    export.time_step = Some(step);
+    export.error_bound = Some(linear.error_bound(step));
+    export.set("kn", linear.stiffness, "N/m");
+    export.set("gn", damping, "1/s");
+    export.set("step", step, "s");
+    export.write(
+        "user coefficients",
+        "cpp",
+        format!(
+            "system.UseMaterialProperties(false);\n\
+             system.SetContactForceModel(chrono::ChSystemSMC::Hooke);\n\
+             material->SetKn({:?}f);\n\
+             material->SetGn({damping:?}f);\n\
+             // In the loop:\n\
+             system.DoStepDynamics({step:?});\n",
+            linear.stiffness
+        ),
+    );
+    match corrected(request, effective) {
+        Ok(cr) => {
+            export.set("cr", cr, "");
+            export.say(format!(
+                "With material properties instead, SetRestitution({cr:?}f) gives the same restitution; the stiffness \
+                 is then Chrono's own."
+            ));
+        }
+        Err(_) => export.cannot.push("this restitution by SetRestitution: user coefficients only"),
+    }
+    Ok(())
+}
+
+fn hertz(export: &mut Export, request: &Request, effective: f64) -> Result<(), ExportError> {
+    let cr = corrected(request, effective)?;
+    // F = 4/3 E* √R x^(3/2).
+    let modulus = 0.75 * request.contact.stiffness();
+    export.set("cr", cr, "");
+    export.set("E_eff·sqrt(R_eff)", modulus, "N/m^(3/2)");
+    export.time_step = request.options.time_step;
+    let step = request
+        .options
+        .time_step
+        .map_or_else(String::new, |step| format!("// In the loop:\nsystem.DoStepDynamics({step:?});\n"));
+    export.write(
+        "material properties",
+        "cpp",
+        format!(
+            "system.UseMaterialProperties(true);\n\
+             system.SetContactForceModel(chrono::ChSystemSMC::Hertz);\n\
+             material->SetRestitution({cr:?}f);\n\
+             // 1/E_eff = (1 - nu1^2)/E1 + (1 - nu2^2)/E2, with E_eff * sqrt(R_eff) = {modulus:?} N/m^(3/2).\n\
+             // Of two equal materials: SetYoungModulus(2 * (1 - nu * nu) * E_eff).\n{step}"
+        ),
+    );
+    export.say("Both materials carry the restitution (the lesser of two counts).");
+    Ok(())
+}
+
+/// cr' with which Chrono's own conversion ends at the restitution asked for.
+fn corrected(request: &Request, effective: f64) -> Result<f64, ExportError> {
+    let ratio = kelvin_voigt::ratio(request.restitution, Separation::ForceVanishes)?;
+    let ratio = ratio * (request.contact.mass() / effective).sqrt();
+    if ratio < 1.0 {
+        return Ok(kelvin_voigt::restitution(ratio, Separation::GapCloses)?);
+    }
+    Err(ExportError::Unreachable {
+        tool: TOOL,
+        restitution: request.restitution,
+        why: "even a material restitution of 0 damps no more than critically, on the bodies' own masses",
+        mend: "use user coefficients (exponent 1), give the bodies other masses, or ask for more restitution",
+    })
+}
+
+fn words(export: &mut Export, own: f64, other: f64) {
+    export.say(format!(
+        "The struck body has {own:?} kg of its own, the other {other:?} kg: Chrono divides by m₁m₂/(m₁+m₂), and a \
+         fixed body counts with its own mass, 1 kg unless set."
+    ));
+    export.say("Both materials carry these values (kn and gn of two are averaged). Chrono stores them in single precision.");
+    export.say("No adhesion and no friction; the Flores model of the same enumeration is Hooke's in fact.");
+    export.say("Not measured in Chrono: read in its source, and run in a model of its force.");
+}

@@ -1,0 +1,173 @@
+//! Drake: point contact of `MultibodyPlant`, continuous (Hunt–Crossley) and discrete (SAP, lagged).
+
+use std::f64::consts::PI;
+
+use super::linear::Linear;
+use super::{Export, ExportError, Request, Tool};
+use crate::hunt_crossley;
+
+/// ω times the continuous integrator's greatest step.
+const LONGEST_STEP: f64 = 0.1;
+
+/// For each of two equal geometries: point stiffness 2k, Hunt–Crossley dissipation d = a(e)/v, and for SAP the
+/// relaxation time ζ'/ω, half of the pair's τ = c/k.
+///
+/// Drake combines k = k₁k₂/(k₁+k₂), d = (k₂d₁+k₁d₂)/(k₁+k₂), τ = τ₁+τ₂. SAP integrates max(0, −k φ − k τ v) by implicit
+/// Euler, so ζ' = ζ − ωh/2.
+///
+/// Measured in Drake 1.51.1, ball and pendulum with rotor inertia, e = 0.2, 0.5, 0.8:
+/// continuous, runge_kutta3, accuracy 1e-3, greatest step 0.1/ω: |Δe| ≤ 6.1e-5, the same at 1e-2; left to itself
+/// (greatest step 10/ω) accuracy 1e-3 gives −2.5e-4, −1.5e-2, −1.6e-2 and 1e-5 gives 6e-6, −2e-5, −1.4e-4;
+/// runge_kutta5 steps over the contact; implicit_euler is off by 2e-2 at 1e-5.
+/// Discrete lagged and similar lose (0.04, 0.48, 1.10)·ωh, at e = 0.95 1.45·ωh, at 0.1 0.001·ωh: below (π/2)e ωh.
+/// SAP: see [`Linear::implicit_error_bound`].
+pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
+    let linear = Linear::of(request, Tool::Drake)?;
+    let mut export = Export::new(
+        Tool::Drake,
+        "continuous and lagged: Hunt–Crossley k x (1 + d ẋ), never pulling; SAP: linear spring and damper",
+        &[
+            "Drake 1.51.1, multibody/plant/contact_model_doxygen.h, \"Modeling point contact\"",
+            "Drake 1.51.1, multibody/plant/contact_properties.cc",
+            "Drake 1.51.1, multibody/contact_solvers/sap/sap_friction_cone_constraint.cc",
+        ],
+    );
+    let stiffness = 2.0 * linear.stiffness;
+    export.set("point_contact_stiffness", stiffness, "N/m");
+    let number = hunt_crossley::dissipation_number(request.restitution)?;
+    let dissipation = request.speed.map(|speed| number / speed);
+    match dissipation {
+        Some(d) => export.set("hunt_crossley_dissipation", d, "s/m"),
+        None => export.missing.push(
+            "approach speed, m/s: the dissipation of continuous and lagged plants is a number over the speed",
+        ),
+    }
+    let relaxation = discrete(&mut export, &linear, request.options.time_step)?;
+    continuous(&mut export, request, &linear);
+    snippets(&mut export, stiffness, dissipation, relaxation);
+    words(&mut export, request, number);
+    Ok(export)
+}
+
+/// Sets the discrete plants' parameters; gives the relaxation time of each geometry, if SAP can have e at all.
+fn discrete(export: &mut Export, linear: &Linear, wanted: Option<f64>) -> Result<Option<f64>, ExportError> {
+    let lagged = wanted.unwrap_or_else(|| linear.lagged_step());
+    export.set("time_step_lagged", lagged, "s");
+    let step = linear.implicit_step();
+    let ratio = match linear.implicit_ratio(step) {
+        Ok(ratio) => ratio,
+        Err(ExportError::Unreachable { .. }) => {
+            export.cannot.push("SAP with restitution 1: implicit Euler damps a little at every step");
+            return Ok(None);
+        }
+        Err(error) => return Err(error),
+    };
+    let relaxation = ratio / linear.frequency;
+    export.set("relaxation_time", relaxation, "s");
+    export.set("time_step_sap", step, "s");
+    export.time_step = Some(step);
+    export.error_bound = Some(linear.implicit_error_bound(step));
+    export.say(linear.implicit_words(step));
+    export.say(format!(
+        "A discrete plant with the lagged or similar approximation (lagged is Drake's default) loses up to \
+         (π/2)·e·ωh of the restitution, {:.1e} at {lagged:?} s, and cannot be mended by another dissipation.",
+        linear.lagged_error(lagged)
+    ));
+    Ok(Some(relaxation))
+}
+
+impl Linear {
+    /// What Hunt–Crossley loses by implicit Euler: (π/2) e ωh bounds it.
+    fn lagged_error(&self, time_step: f64) -> f64 {
+        PI / 2.0 * self.restitution * self.frequency * time_step
+    }
+
+    fn lagged_step(&self) -> f64 {
+        self.accuracy * (2.0 / PI) / self.restitution / self.frequency
+    }
+}
+
+fn continuous(export: &mut Export, request: &Request, linear: &Linear) {
+    let accuracy = request.options.accuracy;
+    let largest = LONGEST_STEP * (accuracy / 1e-3).sqrt().min(1.0) / linear.frequency;
+    export.set("integration_scheme", "runge_kutta3", "");
+    export.set("accuracy", accuracy.min(1e-3), "");
+    export.set("max_step_size", largest, "s");
+    export.say(format!(
+        "A continuous plant is integrated by runge_kutta3 in steps of at most {largest:?} s: error control alone \
+         notices the contact too late, and schemes of higher order can step over it."
+    ));
+}
+
+fn snippets(export: &mut Export, stiffness: f64, dissipation: Option<f64>, relaxation: Option<f64>) {
+    let largest = export.number("max_step_size").unwrap_or_default();
+    let accuracy = export.number("accuracy").unwrap_or_default();
+    let mut python = String::from(
+        "from pydrake.geometry import AddContactMaterial, ProximityProperties\n\
+         from pydrake.multibody.plant import CoulombFriction\n\
+         from pydrake.systems.analysis import SimulatorConfig\n\n\
+         # Both geometries of the pair take these.\n\
+         properties = ProximityProperties()\n",
+    );
+    let d = dissipation.map_or_else(|| "0.0".to_owned(), |d| format!("{d:?}"));
+    if dissipation.is_none() {
+        python += "# Without the approach speed this is for SAP alone: continuous and lagged plants need a dissipation.\n";
+    }
+    python += &format!(
+        "AddContactMaterial(\n    dissipation={d},\n    point_stiffness={stiffness:?},\n    \
+         friction=CoulombFriction(0.0, 0.0),\n    properties=properties,\n)\n"
+    );
+    if let Some(tau) = relaxation {
+        let step = export.time_step.unwrap_or_default();
+        python += &format!(
+            "# SAP only; with MultibodyPlantConfig(time_step={step:?}, discrete_contact_approximation=\"sap\").\n\
+             properties.AddProperty(\"material\", \"relaxation_time\", {tau:?})\n"
+        );
+    }
+    python += &format!(
+        "# A continuous plant: ApplySimulatorConfig(config, simulator).\n\
+         config = SimulatorConfig()\n\
+         config.integration_scheme = \"runge_kutta3\"\n\
+         config.accuracy = {accuracy:?}\n\
+         config.max_step_size = {largest:?}\n"
+    );
+    export.write("pydrake", "python", python);
+    let mut urdf = format!(
+        "<drake:proximity_properties xmlns:drake=\"http://drake.mit.edu\">\n  \
+         <drake:point_contact_stiffness value=\"{stiffness:?}\"/>\n"
+    );
+    let mut sdf = format!(
+        "<drake:proximity_properties xmlns:drake=\"http://drake.mit.edu\">\n  \
+         <drake:point_contact_stiffness>{stiffness:?}</drake:point_contact_stiffness>\n"
+    );
+    for (name, value) in [("hunt_crossley_dissipation", dissipation), ("relaxation_time", relaxation)] {
+        if let Some(value) = value {
+            urdf += &format!("  <drake:{name} value=\"{value:?}\"/>\n");
+            sdf += &format!("  <drake:{name}>{value:?}</drake:{name}>\n");
+        }
+    }
+    export.write("in a URDF's <collision>", "xml", urdf + "</drake:proximity_properties>\n");
+    export.write("in an SDF's <collision>", "xml", sdf + "</drake:proximity_properties>\n");
+}
+
+fn words(export: &mut Export, request: &Request, number: f64) {
+    export.say(
+        "Both geometries of the pair carry these values. Against a much stiffer one, the soft one carries half the \
+         stiffness and the same dissipation, and all of the relaxation time, the stiff one 0.",
+    );
+    export.say("Point contact (ContactModel.kPoint, or a pair without a hydroelastic representation).");
+    if let Some(speed) = request.speed {
+        export.say(format!(
+            "The dissipation is for approach at {speed:?} m/s (d·v = {number:?}); faster blows bounce less. It does \
+             not depend on the effective mass."
+        ));
+    }
+    export.say(
+        "penetration_allowance is not used: it sizes the spring by the mass of the heaviest body, not by m̄.",
+    );
+    if request.options.closed_loops {
+        export
+            .cannot
+            .push("closed loops in a continuous plant: its constraints are for discrete plants (SAP) only");
+    }
+}

@@ -1,0 +1,80 @@
+//! What can keep a contact out of a tool.
+
+use thiserror::Error;
+
+use super::Tool;
+use crate::ContactError;
+
+/// Why a tool has no parameters for a contact.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum ExportError {
+    /// A number out of range, or a restitution that no damping gives.
+    #[error(transparent)]
+    Contact(#[from] ContactError),
+    /// The tool's spring has another exponent.
+    #[error("{tool}: its contact spring cannot have the exponent {exponent:?}: {takes}; {mend}")]
+    Exponent {
+        /// The tool.
+        tool: Tool,
+        /// As asked for.
+        exponent: f64,
+        /// What the tool has.
+        takes: &'static str,
+        /// What to do.
+        mend: &'static str,
+    },
+    /// A number that nothing can be said without.
+    #[error("{tool}: needs {what}; {why}")]
+    Missing {
+        /// The tool.
+        tool: Tool,
+        /// The number, with its unit.
+        what: &'static str,
+        /// What it is for.
+        why: &'static str,
+    },
+    /// The integrator's own damping is more than the contact is to have.
+    #[error(
+        "{tool}: at the time step {time_step:?} s its integrator alone damps the contact to a restitution of \
+         {reached:.6}; for {restitution:?} the step must be below {largest:?} s"
+    )]
+    StepTooLong {
+        /// The tool.
+        tool: Tool,
+        /// In s.
+        time_step: f64,
+        /// As asked for.
+        restitution: f64,
+        /// With no damping at all.
+        reached: f64,
+        /// The step at which the integrator's damping is all of it, in s.
+        largest: f64,
+    },
+    /// The tool's own conversion does not reach this restitution.
+    #[error("{tool}: the restitution {restitution:?} cannot be had: {why}; {mend}")]
+    Unreachable {
+        /// The tool.
+        tool: Tool,
+        /// As asked for.
+        restitution: f64,
+        /// What the tool does.
+        why: &'static str,
+        /// What to do.
+        mend: &'static str,
+    },
+    /// No tool of this name.
+    #[error("\"{name}\" is no tool percuss writes for{}; known: {known}", suggestion(.nearest))]
+    UnknownTool {
+        /// As given.
+        name: String,
+        /// The most similar name, where one is close.
+        nearest: Option<&'static str>,
+        /// All names, commas between.
+        known: String,
+    },
+}
+
+fn suggestion(nearest: &Option<&'static str>) -> String {
+    nearest.map_or_else(String::new, |name| format!(", did you mean \"{name}\"?"))
+}

@@ -1,0 +1,240 @@
+//! The IMPACT force of Adams, without dimensions: its restitution, and the damping that gives one.
+
+use crate::ContactError;
+use crate::error::{not_negative, positive, representable, unit_interval};
+
+/// Tolerance of one step, on penetration and speed that are both of order 1.
+const STEP_TOLERANCE: f64 = 1e-12;
+/// Steps after which a contact is given up.
+const STEPS: usize = 400_000;
+/// The least 1 − e that is integrated.
+const LEAST_LOSS: f64 = 1e-6;
+/// The root finder's: on ln e.
+const ROOT_TOLERANCE: f64 = 1e-11;
+
+/// F = max(0, k xᵖ + STEP(x, 0, 0, d, cmax) ẋ), in the penetration x₀ = ((p+1) m̄ v²/(2k))^{1/(p+1)} that the spring
+/// alone would reach, and the approach speed v.
+///
+/// y″ = −(p+1)/2 · max(0, yᵖ + ĉ S(y/D) y′), y(0) = 0, y′(0) = 1, S(u) = 3u² − 2u³ up to 1; with D = d/x₀ and
+/// ĉ = cmax v/(k x₀ᵖ). The contact ends when y is 0 again: before that the force can be zero for a while.
+/// There is no closed form; the motion is integrated by Dormand and Prince's pair of orders 5 and 4.
+/// For D → 0 and p = 1, ĉ → 2ζ.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Impact {
+    exponent: f64,
+    ramp: f64,
+}
+
+impl Impact {
+    /// `exponent` p from 1 to 10; `ramp` D, from 1e-4 to 1e4. Errors: either is out of its range.
+    pub fn new(exponent: f64, ramp: f64) -> Result<Self, ContactError> {
+        if !crate::Contact::EXPONENTS.contains(&exponent) {
+            let (what, valid) = ("exponent of the spring", "a number from 1 to 10");
+            return Err(ContactError::OutOfRange { what, got: exponent, valid });
+        }
+        if !(1e-4..=1e4).contains(&ramp) {
+            let (what, valid) =
+                ("IMPACT's ramp d over the undamped penetration", "a number from 1e-4 to 1e4");
+            return Err(ContactError::OutOfRange { what, got: ramp, valid });
+        }
+        Ok(Self { exponent, ramp })
+    }
+
+    /// x₀, in m. Errors: it is beyond a float, or an argument is not above 0.
+    pub fn undamped_penetration(
+        exponent: f64,
+        mass: f64,
+        stiffness: f64,
+        speed: f64,
+    ) -> Result<f64, ContactError> {
+        let speed = positive("approach speed, m/s", speed)?;
+        // As a sum of logarithms: the terms may be large where the root is not.
+        let sum = ((exponent + 1.0) / 2.0).ln() + mass.ln() + 2.0 * speed.ln() - stiffness.ln();
+        representable("undamped penetration, m", (sum / (exponent + 1.0)).exp())
+    }
+
+    /// The restitution of the damping ĉ. Errors: ĉ is negative or not finite; the contact does not end.
+    pub fn restitution(&self, damping: f64) -> Result<f64, ContactError> {
+        let damping = not_negative("IMPACT's dimensionless damping", damping)?;
+        if damping == 0.0 {
+            return Ok(1.0);
+        }
+        let mut state = [0.0, 1.0];
+        let mut step = 1e-3 * self.ramp.min(1.0);
+        for _ in 0..STEPS {
+            let (next, error) = self.dormand_prince(damping, state, step);
+            let grow = (0.9 * (STEP_TOLERANCE / error.max(1e-30)).powf(0.2)).clamp(0.2, 4.0);
+            if error > STEP_TOLERANCE {
+                step *= grow;
+                continue;
+            }
+            let pulls = |state| self.force(damping, state) < 0.0;
+            if next[0] <= 0.0 {
+                return Ok((-self.end_of_step(damping, state, step, |s| s[0] <= 0.0)[1]).clamp(0.0, 1.0));
+            }
+            if !pulls(next) {
+                state = next;
+                step *= grow;
+                continue;
+            }
+            let [y, u] = self.end_of_step(damping, state, step, pulls);
+            let Some(y) = self.pressed_again(damping, y, u) else { return Ok((-u).clamp(0.0, 1.0)) };
+            state = [y, u];
+            step = step.min(0.1 * y / -u);
+        }
+        Err(endless(f64::NAN))
+    }
+
+    /// The first y below the given one, on the way out at a constant speed u, where the force is above zero again.
+    fn pressed_again(&self, damping: f64, y: f64, u: f64) -> Option<f64> {
+        let presses = |y: f64| self.force(damping, [y, u]) > 0.0;
+        let mut above = y;
+        // The region may be as small as (D/ĉ)^(1/(2−p)): the search goes down by a constant ratio.
+        while above > 1e-12 {
+            let below = 0.98 * above;
+            if presses(below) {
+                return Some(bisect(below, above, |y| !presses(y)).0);
+            }
+            above = below;
+        }
+        None
+    }
+
+    /// The damping ĉ of the restitution e, 0 for e = 1. Errors: e is not from 0 to 1, or so small that the contact
+    /// all but sticks (e = 0 included).
+    pub fn damping(&self, restitution: f64) -> Result<f64, ContactError> {
+        let e = unit_interval("restitution", restitution)?;
+        if e == 1.0 {
+            return Ok(0.0);
+        }
+        if e < 1e-3 {
+            return Err(endless(e));
+        }
+        // The loss is in proportion to the damping as both vanish, where the integration could not tell it from 0.
+        if 1.0 - e < LEAST_LOSS {
+            return Ok(self.damping(1.0 - LEAST_LOSS)? * ((1.0 - e) / LEAST_LOSS));
+        }
+        let miss =
+            |damping: f64| -> Result<f64, ContactError> { Ok(self.restitution(damping)?.ln() - e.ln()) };
+        // From a fair start, both ends are sought.
+        let mut low = 1.0 - e;
+        let mut at_low = miss(low)?;
+        while at_low < 0.0 {
+            low /= 4.0;
+            at_low = miss(low)?;
+        }
+        let (mut high, mut at_high) = (low, at_low);
+        while at_high > 0.0 {
+            (low, at_low) = (high, at_high);
+            high *= 2.0;
+            if high > 1e8 {
+                return Err(endless(e));
+            }
+            at_high = miss(high)?;
+        }
+        falsi(low, at_low, high, at_high, miss)
+    }
+
+    /// yᵖ + ĉ S(y/D) y′, which may be below zero; continued smoothly to y < 0.
+    fn force(&self, damping: f64, [y, u]: [f64; 2]) -> f64 {
+        let part = (y / self.ramp).min(1.0);
+        y.abs().powf(self.exponent).copysign(y) + damping * part * part * (3.0 - 2.0 * part) * u
+    }
+
+    fn rates(&self, damping: f64, state: [f64; 2]) -> [f64; 2] {
+        [state[1], -(self.exponent + 1.0) / 2.0 * self.force(damping, state)]
+    }
+
+    /// The state a step on, and the estimated error of it.
+    fn dormand_prince(&self, damping: f64, state: [f64; 2], step: f64) -> ([f64; 2], f64) {
+        const A: [&[f64]; 6] = [
+            &[1.0 / 5.0],
+            &[3.0 / 40.0, 9.0 / 40.0],
+            &[44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0],
+            &[19372.0 / 6561.0, -25360.0 / 2187.0, 64448.0 / 6561.0, -212.0 / 729.0],
+            &[9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18656.0],
+            &[35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0],
+        ];
+        const ERROR: [f64; 7] = [
+            71.0 / 57600.0,
+            0.0,
+            -71.0 / 16695.0,
+            71.0 / 1920.0,
+            -17253.0 / 339200.0,
+            22.0 / 525.0,
+            -1.0 / 40.0,
+        ];
+        let mut slopes = [self.rates(damping, state); 7];
+        let mut reached = state;
+        for (i, row) in A.iter().enumerate() {
+            reached = state;
+            for (weight, slope) in row.iter().zip(&slopes) {
+                reached[0] += step * weight * slope[0];
+                reached[1] += step * weight * slope[1];
+            }
+            slopes[i + 1] = self.rates(damping, reached);
+        }
+        let part = |j: usize| ERROR.iter().zip(&slopes).map(|(w, s)| w * s[j]).sum::<f64>() * step;
+        (reached, part(0).abs().max(part(1).abs()))
+    }
+
+    /// The state within a step from which on something holds.
+    fn end_of_step(
+        &self,
+        damping: f64,
+        state: [f64; 2],
+        step: f64,
+        holds: impl Fn([f64; 2]) -> bool,
+    ) -> [f64; 2] {
+        let at = |part: f64| self.dormand_prince(damping, state, part).0;
+        at(bisect(0.0, step, |part| holds(at(part))).1)
+    }
+}
+
+/// The two neighbours between which something begins to hold that does not hold at `low` and does at `high`.
+fn bisect(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> (f64, f64) {
+    for _ in 0..60 {
+        let middle = (low + high) / 2.0;
+        if holds(middle) { high = middle } else { low = middle }
+    }
+    (low, high)
+}
+
+/// The zero of a falling function between two ends, by the Illinois variant of regula falsi in the logarithm.
+fn falsi(
+    low: f64,
+    at_low: f64,
+    high: f64,
+    at_high: f64,
+    miss: impl Fn(f64) -> Result<f64, ContactError>,
+) -> Result<f64, ContactError> {
+    let (mut a, mut f_a, mut b, mut f_b) = (low.ln(), at_low, high.ln(), at_high);
+    let mut last_side = 0;
+    for _ in 0..200 {
+        let middle = if f_a == f_b { (a + b) / 2.0 } else { (a * f_b - b * f_a) / (f_b - f_a) };
+        let middle = if middle > a && middle < b { middle } else { (a + b) / 2.0 };
+        let miss = miss(middle.exp())?;
+        if miss.abs() < ROOT_TOLERANCE || b - a < 1e-15 * b.abs().max(1.0) {
+            return Ok(middle.exp());
+        }
+        if miss > 0.0 {
+            (a, f_a) = (middle, miss);
+            f_b = if last_side == 1 { f_b / 2.0 } else { f_b };
+            last_side = 1;
+        } else {
+            (b, f_b) = (middle, miss);
+            f_a = if last_side == -1 { f_a / 2.0 } else { f_a };
+            last_side = -1;
+        }
+    }
+    Ok(((a + b) / 2.0).exp())
+}
+
+fn endless(restitution: f64) -> ContactError {
+    ContactError::Unreachable {
+        law: "adams-impact",
+        restitution,
+        why: "the contact all but sticks",
+        mend: "ask for a restitution of at least 0.001",
+    }
+}

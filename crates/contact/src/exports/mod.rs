@@ -1,0 +1,170 @@
+//! The contact in the numbers of a simulator: which parameters make it bounce with the restitution asked for.
+//!
+//! A [`Request`] is a contact, a restitution and what single tools need besides; [`Tool::export`] answers with an
+//! [`Export`]: the tool's parameters, snippets for its files, the time step that holds the accuracy, what was assumed,
+//! and what the tool cannot do. Every tool here clamps a force that would pull, so linear springs and dampers get the
+//! ratio ζ of a contact that ends when the force vanishes; the half-period formula of textbooks would bounce too high.
+//!
+//! One file per tool. Nothing here reads a simulator's files or runs one.
+
+mod adams;
+mod bullet;
+mod chrono;
+mod drake;
+mod error;
+mod export;
+mod gazebo;
+mod impact;
+mod linear;
+mod mujoco;
+mod ode;
+mod physx;
+mod rapier;
+mod request;
+mod simscape;
+
+pub use error::ExportError;
+pub use export::{Export, Parameter, Snippet, Value};
+pub use impact::Impact;
+pub use request::{Options, Request};
+
+use crate::error::nearest;
+
+/// A simulator that contacts are written for.
+#[derive(Clone, Copy, Debug, Eq, Hash, PartialEq)]
+pub enum Tool {
+    /// MuJoCo.
+    Mujoco,
+    /// Drake's `MultibodyPlant`, point contact.
+    Drake,
+    /// Gazebo: Classic with ODE, and what the new one reads of the same SDF.
+    Gazebo,
+    /// Open Dynamics Engine, by its own interface.
+    Ode,
+    /// Bullet and PyBullet.
+    Bullet,
+    /// PhysX 5, Isaac Sim and Isaac Lab.
+    Physx,
+    /// Rapier.
+    Rapier,
+    /// Project Chrono, smooth contacts (SMC).
+    Chrono,
+    /// Adams, the IMPACT function; also MotionSolve, RecurDyn and SolidWorks Motion.
+    Adams,
+    /// Simscape Multibody, Spatial Contact Force.
+    Simscape,
+}
+
+impl Tool {
+    /// All of them.
+    pub const ALL: [Self; 10] = [
+        Self::Mujoco,
+        Self::Drake,
+        Self::Gazebo,
+        Self::Ode,
+        Self::Bullet,
+        Self::Physx,
+        Self::Rapier,
+        Self::Chrono,
+        Self::Adams,
+        Self::Simscape,
+    ];
+
+    /// As it is written in files and on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Mujoco => "mujoco",
+            Self::Drake => "drake",
+            Self::Gazebo => "gazebo",
+            Self::Ode => "ode",
+            Self::Bullet => "bullet",
+            Self::Physx => "physx",
+            Self::Rapier => "rapier",
+            Self::Chrono => "chrono",
+            Self::Adams => "adams",
+            Self::Simscape => "simscape",
+        }
+    }
+
+    /// As its makers write it.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Mujoco => "MuJoCo",
+            Self::Drake => "Drake",
+            Self::Gazebo => "Gazebo",
+            Self::Ode => "Open Dynamics Engine",
+            Self::Bullet => "Bullet",
+            Self::Physx => "PhysX and Isaac",
+            Self::Rapier => "Rapier",
+            Self::Chrono => "Project Chrono (SMC)",
+            Self::Adams => "Adams (IMPACT)",
+            Self::Simscape => "Simscape Multibody",
+        }
+    }
+
+    /// Other names that [`Self::from_name`] takes.
+    pub fn aliases(self) -> &'static [&'static str] {
+        match self {
+            Self::Mujoco => &["mjcf"],
+            Self::Drake => &["sap"],
+            Self::Gazebo => &["sdf", "sdformat", "gz", "gazebo-classic", "ignition"],
+            Self::Ode => &["open-dynamics-engine"],
+            Self::Bullet => &["pybullet", "bullet3"],
+            Self::Physx => &["isaac", "isaac-sim", "isaac-lab", "isaaclab"],
+            Self::Rapier => &["rapier3d"],
+            Self::Chrono => &["project-chrono", "pychrono", "smc"],
+            Self::Adams => &["impact", "motionsolve", "recurdyn", "solidworks-motion"],
+            Self::Simscape => &["simscape-multibody", "matlab", "simulink"],
+        }
+    }
+
+    /// The tool of this name or alias, in either case.
+    pub fn from_name(name: &str) -> Result<Self, ExportError> {
+        let wanted = name.trim().to_lowercase().replace([' ', '_'], "-");
+        let found =
+            Self::ALL.into_iter().find(|t| t.name() == wanted || t.aliases().contains(&wanted.as_str()));
+        found.ok_or_else(|| {
+            let known = Self::ALL.map(Self::name);
+            let all = Self::ALL.into_iter().flat_map(|t| t.aliases().iter().copied().chain([t.name()]));
+            ExportError::UnknownTool {
+                name: name.to_owned(),
+                nearest: nearest(&wanted, all),
+                known: known.join(", "),
+            }
+        })
+    }
+
+    /// The parameters with which the tool makes the contact bounce as asked.
+    ///
+    /// A tool for which one number is missing still gives the others, and says so in [`Export::missing`]. Errors: a
+    /// number of the request is out of its range; the tool cannot have this restitution, this exponent or this time
+    /// step; a number it cannot do without is missing; a parameter does not fit in a 64-bit float.
+    pub fn export(self, request: &Request) -> Result<Export, ExportError> {
+        request.check()?;
+        let export = match self {
+            Self::Mujoco => mujoco::export(request),
+            Self::Drake => drake::export(request),
+            Self::Gazebo => gazebo::export(request),
+            Self::Ode => ode::export(request),
+            Self::Bullet => bullet::export(request),
+            Self::Physx => physx::export(request),
+            Self::Rapier => rapier::export(request),
+            Self::Chrono => chrono::export(request),
+            Self::Adams => adams::export(request),
+            Self::Simscape => simscape::export(request),
+        }?;
+        export.finite()
+    }
+}
+
+impl std::fmt::Display for Tool {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl serde::Serialize for Tool {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
+    }
+}

@@ -1,0 +1,54 @@
+//! Open Dynamics Engine: soft contacts by ERP and CFM.
+
+use super::linear::Linear;
+use super::{Export, ExportError, Request, Tool};
+
+/// ERP = h k/(h k + c'), CFM = 1/(h k + c').
+///
+/// ODE's contact row, multiplied out with these, is max(0, k (x − h v⁺) − c' v⁺): implicit Euler of the linear spring
+/// and damper, with v⁺ the speed of separation after the step. c' = 2ζ'√(k m̄), ζ' = ζ − ωh/2.
+pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
+    let linear = Linear::of(request, Tool::Ode)?;
+    let step = linear.implicit_step();
+    let damping = linear.damping(linear.implicit_ratio(step)?);
+    let (erp, cfm) = erp_and_cfm(linear.stiffness, damping, step);
+    let mut export = Export::new(
+        Tool::Ode,
+        "linear spring and damper, never pulling, by implicit Euler",
+        &[
+            "ODE user guide, \"How To Use ERP and CFM\" and \"Contact\"",
+            "Gazebo Classic, gazebo/physics/ode/ODEPhysics.cc: Collide",
+        ],
+    );
+    export.time_step = Some(step);
+    export.error_bound = Some(linear.implicit_error_bound(step));
+    export.set("soft_erp", erp, "");
+    export.set("soft_cfm", cfm, "m/(N·s)");
+    export.set("time_step", step, "s");
+    export.write(
+        "near callback and step",
+        "cpp",
+        format!(
+            "// In the near callback, for each contact:\n\
+             contact.surface.mode = dContactSoftERP | dContactSoftCFM;\n\
+             contact.surface.soft_erp = {erp:?};\n\
+             contact.surface.soft_cfm = {cfm:?};\n\
+             contact.surface.mu = 0.0;\n\n\
+             // In the loop:\n\
+             dWorldStep(world, {step:?});\n"
+        ),
+    );
+    export.say(linear.implicit_words(step));
+    export.say(
+        "ODE is built in double precision, and dContactBounce is off: its bounce would come on top of the spring's.",
+    );
+    export.say("dWorldSetContactMaxCorrectingVel is left at infinity, dWorldSetContactSurfaceLayer at 0.");
+    export.say("Not measured in ODE itself: the row was read in its documentation and run in a model of it.");
+    Ok(export)
+}
+
+/// (ERP, CFM) of a stiffness, a damping and a time step.
+pub(super) fn erp_and_cfm(stiffness: f64, damping: f64, step: f64) -> (f64, f64) {
+    let sum = step * stiffness + damping;
+    (step * stiffness / sum, 1.0 / sum)
+}

@@ -1,0 +1,82 @@
+//! What is asked of a tool.
+
+use super::ExportError;
+use crate::error::{positive, unit_interval};
+use crate::{Contact, ContactError};
+
+/// A contact, and how it is to bounce.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Request {
+    /// The effective mass and the spring.
+    pub contact: Contact,
+    /// The coefficient of restitution e, from 0 to 1.
+    pub restitution: f64,
+    /// The approach speed in m/s, above 0, for the tools whose numbers depend on it.
+    pub speed: Option<f64>,
+    /// What only some tools need.
+    pub options: Options,
+}
+
+/// What only some tools need.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// How far the measured restitution may be from the one asked for: above 0, at most 0.1.
+    pub accuracy: f64,
+    /// The tool's time step in s, where it is given; else the one that holds the accuracy.
+    pub time_step: Option<f64>,
+    /// The struck body's own mass in kg, without what hangs on its joints: Chrono divides by it.
+    pub own_mass: Option<f64>,
+    /// The same of the other body, in kg. Chrono gives a fixed body 1 kg if nobody else does.
+    pub other_own_mass: Option<f64>,
+    /// MuJoCo's Â m̄, how much its estimate of the contact's inverse mass is off: Â is the sum of `body_invweight0[0]`
+    /// of the two bodies.
+    pub diagonal_ratio: Option<f64>,
+    /// The mechanism has closed loops.
+    pub closed_loops: bool,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            accuracy: 1e-3,
+            time_step: None,
+            own_mass: None,
+            other_own_mass: None,
+            diagonal_ratio: None,
+            closed_loops: false,
+        }
+    }
+}
+
+impl Request {
+    /// A request with the default options and no speed.
+    pub fn new(contact: Contact, restitution: f64) -> Self {
+        Self { contact, restitution, speed: None, options: Options::default() }
+    }
+
+    /// The same at an approach speed in m/s.
+    pub fn at(self, speed: f64) -> Self {
+        Self { speed: Some(speed), ..self }
+    }
+
+    /// Whether every number is in its range.
+    pub(super) fn check(&self) -> Result<(), ExportError> {
+        unit_interval("restitution", self.restitution)?;
+        let accuracy = self.options.accuracy;
+        if !(1e-9..=0.1).contains(&accuracy) {
+            let (what, valid) = ("accuracy of the restitution", "a number from 1e-9 to 0.1");
+            return Err(ContactError::OutOfRange { what, got: accuracy, valid }.into());
+        }
+        let optional = [
+            ("approach speed, m/s", self.speed),
+            ("time step, s", self.options.time_step),
+            ("struck body's own mass, kg", self.options.own_mass),
+            ("other body's own mass, kg", self.options.other_own_mass),
+            ("MuJoCo's diagonal ratio", self.options.diagonal_ratio),
+        ];
+        for (what, value) in optional {
+            value.map(|value| positive(what, value)).transpose()?;
+        }
+        Ok(())
+    }
+}

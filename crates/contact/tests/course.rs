@@ -1,0 +1,146 @@
+//! The course of a blow: its ends, its turn, its loop.
+
+mod support;
+
+use percuss_contact::{Contact, Damper, Law, Sample, Separation};
+use support::apart;
+
+/// Every kind of orbit: both laws, both ends, three exponents, light and heavy damping.
+fn cases() -> Vec<(Damper, Contact, f64)> {
+    let mut cases = Vec::new();
+    for exponent in [1.0, 1.5, 4.0] {
+        for (mass, stiffness, speed) in [(0.3, 2e4, 1.5), (80.0, 7e6, 0.2)] {
+            let contact = Contact::new(mass, stiffness).unwrap().with_exponent(exponent).unwrap();
+            for e in [0.05, 0.4, 0.9, 0.999] {
+                for law in [Law::KelvinVoigt, Law::HuntCrossley] {
+                    for separation in Separation::ALL {
+                        cases.push((
+                            law.damper(contact, e, Some(speed), separation).unwrap(),
+                            contact,
+                            speed,
+                        ));
+                    }
+                }
+            }
+        }
+    }
+    cases
+}
+
+/// The trapezium's error is the square of the step but for the corner where the force sets in: x^(1/4) under heavy
+/// damping with p = 3/2, whose first step of some thousands is a tenth of the peak.
+const TRAPEZIUM: f64 = 5e-4;
+
+/// ∫ F dx.
+fn loop_area(course: &[Sample]) -> f64 {
+    course
+        .windows(2)
+        .map(|pair| 0.5 * (pair[0].force + pair[1].force) * (pair[1].penetration - pair[0].penetration))
+        .sum()
+}
+
+/// The area within the loop of the force over the penetration is ½ m̄ v² (1 − e²).
+#[test]
+fn the_loop_encloses_the_energy_lost() {
+    let count = 4001;
+    for (damper, contact, speed) in cases() {
+        let blow = damper.blow(contact, speed).unwrap();
+        let area = loop_area(&damper.history(contact, speed, count).unwrap());
+        let energy = 0.5 * contact.mass() * speed * speed;
+        let error = (area - blow.energy_lost).abs() / energy;
+        assert!(
+            error < TRAPEZIUM,
+            "{damper:?} {contact:?}: {area:e} beside {:e}, {error:e}",
+            blow.energy_lost
+        );
+        assert!(apart(blow.energy_lost, energy * (1.0 - blow.restitution.powi(2))) < 1e-12);
+    }
+}
+
+/// Newton's law along the course: what the force takes from the speed, sample by sample.
+#[test]
+fn the_force_changes_the_speed() {
+    for (damper, contact, speed) in cases() {
+        let course = damper.history(contact, speed, 2001).unwrap();
+        let greatest = course_greatest(&course);
+        let mut impulse = 0.0;
+        let mut way = 0.0;
+        for pair in course.windows(2) {
+            let time = pair[1].time - pair[0].time;
+            assert!(time > 0.0, "{damper:?} {contact:?}: time stands at {pair:?}");
+            impulse += 0.5 * (pair[0].force + pair[1].force) * time;
+            way += 0.5 * (pair[0].rate + pair[1].rate) * time;
+            let momentum = contact.mass() * (speed - pair[1].rate);
+            assert!(
+                (impulse - momentum).abs() < TRAPEZIUM * contact.mass() * speed,
+                "{damper:?} {contact:?} {pair:?}"
+            );
+            assert!((way - pair[1].penetration).abs() < TRAPEZIUM * greatest, "{damper:?} {contact:?}");
+        }
+    }
+}
+
+fn course_greatest(course: &[Sample]) -> f64 {
+    course.iter().map(|sample| sample.penetration).fold(0.0, f64::max)
+}
+
+#[test]
+fn the_course_has_the_blows_figures() {
+    for (damper, contact, speed) in cases() {
+        let name = format!("{damper:?} {contact:?}");
+        let blow = damper.blow(contact, speed).unwrap();
+        let course = damper.history(contact, speed, 1001).unwrap();
+        let [first, last] = [course[0], course[1000]];
+        assert!(first.time == 0.0 && first.penetration == 0.0 && apart(first.rate, speed) < 1e-14, "{name}");
+        assert!(apart(last.time, blow.duration.unwrap()) < 1e-14, "{name}");
+        assert!(apart(-last.rate, blow.rebound_speed) < 1e-12, "{name}: {last:?}");
+        let greatest = course_greatest(&course);
+        assert!(greatest <= blow.max_penetration * (1.0 + 1e-14), "{name}");
+        assert!(greatest > blow.max_penetration * (1.0 - 1e-4), "{name}");
+        let peak = course.iter().map(|sample| sample.force).fold(0.0, f64::max);
+        assert!(peak <= blow.peak_force * (1.0 + 1e-14) && peak > blow.peak_force * (1.0 - 1e-3), "{name}");
+        match damper {
+            Damper::KelvinVoigt { separation: Separation::GapCloses, coefficient, .. } => {
+                assert!(last.penetration == 0.0 && last.force <= 0.0, "{name}: {last:?}");
+                if contact.exponent() == 1.0 {
+                    assert!(apart(last.force, coefficient * last.rate) < 1e-12, "{name}: {last:?}");
+                }
+            }
+            Damper::KelvinVoigt { .. } => {
+                assert!(last.force == 0.0 && last.penetration > 0.0, "{name}: {last:?}");
+                assert!(course.iter().all(|sample| sample.force >= 0.0), "{name}");
+            }
+            Damper::HuntCrossley { .. } => {
+                assert!(last.force == 0.0 && last.penetration == 0.0, "{name}: {last:?}");
+                assert!(course.iter().all(|sample| sample.force >= 0.0), "{name}");
+            }
+        }
+    }
+}
+
+/// Critically damped and beyond, the gap takes for ever to close.
+#[test]
+fn a_contact_that_never_ends_is_shown_settling() {
+    for ratio in [1.0, 3.0] {
+        let contact = Contact::new(2.0, 5e4).unwrap();
+        let damper = Damper::kelvin_voigt(contact, ratio, Separation::GapCloses).unwrap();
+        let blow = damper.blow(contact, 1.0).unwrap();
+        assert_eq!((blow.duration, blow.restitution, blow.rebound_speed), (None, 0.0, 0.0));
+        assert!(apart(blow.energy_lost, 1.0) < 1e-15);
+        let last = *damper.history(contact, 1.0, 300).unwrap().last().unwrap();
+        // e⁻⁸ is 3e-4, times 1 + 8 where the damping is critical.
+        assert!(
+            last.penetration > 0.0 && last.penetration < 4e-3 * blow.max_penetration,
+            "{ratio}: {last:?}"
+        );
+    }
+}
+
+#[test]
+fn the_shortest_course_is_its_two_ends() {
+    for (damper, contact, speed) in cases() {
+        let course = damper.history(contact, speed, 2).unwrap();
+        assert!(course.len() == 2 && course[0].time == 0.0);
+        assert!(apart(course[1].time, damper.blow(contact, speed).unwrap().duration.unwrap()) < 1e-14);
+    }
+}
