@@ -3,8 +3,8 @@
 
 use nalgebra::{Vector2, Vector3};
 use percuss_dynamics::{
-    Conditions, Contact, ContactError, Direction, EffectiveMass, Frame, Remark, Route, RouteChoice, StrikeError,
-    System,
+    Conditions, Contact, ContactError, Direction, EffectiveMass, Frame, Remark, Route, RouteChoice,
+    StrikeError, System,
 };
 use percuss_oracle::closed_form::{self, PlanarLink};
 use percuss_oracle::zoo;

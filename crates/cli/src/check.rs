@@ -4,14 +4,14 @@ use crate::args::{CheckArgs, CheckFormat};
 use crate::failure::Failure;
 use crate::report::{tell, write_json, write_out};
 use crate::text::{Table, number};
-use percuss_study::{CheckReport, Model, check};
+use percuss_study::{CheckReport, check};
 use std::fmt::Write;
 
 /// Runs the command.
 pub fn run(args: &CheckArgs) -> Result<(), Failure> {
-    let model = Model::load(&args.model.model, args.model.max_size, &args.model.options())?;
+    let model = args.model.load()?;
     let report = check(&model)?;
-    tell(&report.diagnostics, args.model.strict)?;
+    tell(&report.diagnostics, args.model.reading.strict)?;
     match args.format {
         CheckFormat::Json => write_json(&report),
         CheckFormat::Text => write_out(&text(&report)),

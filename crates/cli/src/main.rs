@@ -6,29 +6,34 @@
 mod args;
 mod check;
 mod csv;
+mod damp;
 mod failure;
 mod import;
 mod mass;
 mod report;
 mod run;
+mod safe_speed;
 mod sweep;
 mod text;
 
 use args::{Cli, Command};
-use clap::{CommandFactory, Parser};
+use clap::FromArgMatches;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let cli = Cli::parse();
+    let parsed = Cli::from_arg_matches(&Cli::definition().get_matches());
+    let cli = parsed.unwrap_or_else(|error| error.format(&mut Cli::definition()).exit());
     let outcome = match &cli.command {
         Command::Check(args) => check::run(args),
         Command::Mass(args) => mass::run(args),
         Command::Sweep(args) => sweep::run(args),
         Command::Import(args) => import::run(args),
+        Command::Damp(args) => damp::run(args),
+        Command::SafeSpeed(args) => safe_speed::run(args),
         Command::Run(args) => run::run(args),
         Command::Completions { shell } => {
             let mut script = Vec::new();
-            clap_complete::generate(*shell, &mut Cli::command(), "percuss", &mut script);
+            clap_complete::generate(*shell, &mut Cli::definition(), "percuss", &mut script);
             report::write_out(&String::from_utf8_lossy(&script))
         }
     };

@@ -5,14 +5,17 @@ use crate::csv;
 use crate::failure::Failure;
 use crate::report::{tell, write_json, write_out};
 use crate::text::{bar, number, triple};
-use percuss_study::{EstimateRecord, MassQuestion, MassReport, Model, Status, mass};
+use percuss_study::{
+    DampingQuestion, EstimateRecord, MassQuestion, MassReport, Model, Status, mass, mass_with_damper,
+};
 use std::fmt::Write;
 
 /// Runs the command.
 pub fn run(args: &MassArgs) -> Result<(), Failure> {
-    let model = Model::load(&args.model.model, args.model.max_size, &args.model.options())?;
+    let model = args.model.load()?;
     let expected = args.expect.map(|mass| Expected { mass, tolerance: args.tolerance });
-    show(&model, &args.contact.question(), args.format, expected, args.model.strict)
+    let damping = args.damping.question();
+    show(&model, &args.contact.question(), damping.as_ref(), args.format, expected, args.model.reading.strict)
 }
 
 /// What the answer is compared with.
@@ -26,11 +29,15 @@ pub struct Expected {
 pub fn show(
     model: &Model,
     question: &MassQuestion,
+    damping: Option<&DampingQuestion>,
     format: MassFormat,
     expected: Option<Expected>,
     strict: bool,
 ) -> Result<(), Failure> {
-    let report = mass(model, question)?;
+    let report = match damping {
+        Some(damping) => mass_with_damper(model, question, damping)?,
+        None => mass(model, question)?,
+    };
     tell(&report.diagnostics, strict)?;
     match format {
         MassFormat::Json => write_json(&report)?,
@@ -68,6 +75,10 @@ fn text(report: &MassReport, expected: Option<f64>) -> String {
     }
     if let Some(estimate) = &report.estimate {
         out += &estimated(estimate);
+    }
+    if let Some(damper) = &report.damper {
+        out.push('\n');
+        out += &crate::damp::damper(damper);
     }
     if report.effective_mass.is_some() {
         out += &shares(report);

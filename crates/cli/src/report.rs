@@ -13,6 +13,11 @@ pub fn write_out(text: &str) -> Result<(), Failure> {
     Ok(())
 }
 
+/// Writes a result to a file.
+pub fn write_file(path: &str, bytes: &[u8]) -> Result<(), Failure> {
+    std::fs::write(path, bytes).map_err(|e| Failure::bad_input(format!("{path} cannot be written: {e}")))
+}
+
 /// Writes a result to stdout as indented JSON.
 pub fn write_json(result: &impl serde::Serialize) -> Result<(), Failure> {
     match serde_json::to_string_pretty(result) {

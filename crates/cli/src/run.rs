@@ -14,7 +14,7 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
         }
         _ => {
             let format = args.format.unwrap_or(MassFormat::Text);
-            mass::show(&study.model, &study.question, format, None, args.strict)
+            mass::show(&study.model, &study.question, study.damping.as_ref(), format, None, args.strict)
         }
     };
     answered.map_err(|failure| failure.in_file(&args.study))

@@ -3,7 +3,7 @@
 use crate::args::SweepArgs;
 use crate::csv;
 use crate::failure::Failure;
-use crate::report::{tell, write_out};
+use crate::report::{tell, write_file, write_out};
 use indicatif::{ProgressBar, ProgressStyle};
 use percuss_render::{Figure, Mark, Panel, Series, Style};
 use percuss_study::{MassQuestion, Model, SweepReport, Vary, sweep};
@@ -11,8 +11,14 @@ use std::path::Path;
 
 /// Runs the command.
 pub fn run(args: &SweepArgs) -> Result<(), Failure> {
-    let model = Model::load(&args.model.model, args.model.max_size, &args.model.options())?;
-    go_through(&model, &args.contact.question(), &args.vary, args.output.as_deref(), args.model.strict)
+    let model = args.model.load()?;
+    go_through(
+        &model,
+        &args.contact.question(),
+        &args.vary,
+        args.output.as_deref(),
+        args.model.reading.strict,
+    )
 }
 
 /// Sweeps, with a progress bar where it takes long, and writes the rows.
@@ -44,8 +50,7 @@ pub fn go_through(
     };
     match output {
         None => write_out(&String::from_utf8_lossy(&bytes))?,
-        Some(path) => std::fs::write(path, bytes)
-            .map_err(|e| Failure::bad_input(format!("{path} cannot be written: {e}")))?,
+        Some(path) => write_file(path, &bytes)?,
     }
     summary(&report)
 }

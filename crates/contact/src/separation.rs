@@ -20,8 +20,8 @@ impl Separation {
     /// As it is written in files and on the command line.
     pub fn name(self) -> &'static str {
         match self {
-            Self::ForceVanishes => "force-vanishes",
-            Self::GapCloses => "gap-closes",
+            Self::ForceVanishes => "force",
+            Self::GapCloses => "gap",
         }
     }
 }

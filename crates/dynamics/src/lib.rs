@@ -20,6 +20,8 @@ mod mass_matrix;
 mod motion;
 mod operational_inertia;
 mod pose;
+mod push;
+mod rigid_body;
 mod strike;
 mod support;
 mod system;

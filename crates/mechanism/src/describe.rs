@@ -8,30 +8,7 @@ use crate::{
 impl Mechanism {
     /// A builder that holds everything this mechanism was built from; what was accepted stays accepted.
     pub fn to_builder(&self) -> MechanismBuilder {
-        let mut builder =
-            MechanismBuilder::new(self.name.clone()).accept(Accept { indefinite_inertia: true });
-        for link in &self.links {
-            let (name, inertial, geometry) = (link.name.clone(), link.inertial, link.geometry);
-            builder = builder.link(LinkDescription { name, inertial, geometry });
-        }
-        for joint in &self.joints {
-            builder = builder.joint(JointDescription {
-                name: joint.name.clone(),
-                kind: joint.kind,
-                parent: self.link(joint.parent).name.clone(),
-                child: self.link(joint.child).name.clone(),
-                origin: joint.origin,
-                axis: joint.axis,
-                limits: joint.limits,
-                armature: joint.armature.clone(),
-                mimic: joint.mimic.map(|m| MimicDescription {
-                    joint: self.joint(m.master).name.clone(),
-                    multiplier: m.multiplier,
-                    offset: m.offset,
-                }),
-                independent: joint.independent,
-            });
-        }
+        let mut builder = self.to_tree_builder(true);
         for closure in &self.closures {
             builder = builder.closure(ClosureDescription {
                 name: closure.name.clone(),
@@ -51,6 +28,39 @@ impl Mechanism {
                 predecessor: self.link(coupling.predecessor).name.clone(),
                 successor: self.link(coupling.successor).name.clone(),
                 ratio: coupling.ratio,
+            });
+        }
+        builder
+    }
+
+    /// A builder of the spanning tree alone, every joint free: without closures and couplings, and without mimics.
+    pub fn to_open_tree(&self) -> MechanismBuilder {
+        self.to_tree_builder(false)
+    }
+
+    fn to_tree_builder(&self, mimics: bool) -> MechanismBuilder {
+        let mut builder =
+            MechanismBuilder::new(self.name.clone()).accept(Accept { indefinite_inertia: true });
+        for link in &self.links {
+            let (name, inertial, geometry) = (link.name.clone(), link.inertial, link.geometry);
+            builder = builder.link(LinkDescription { name, inertial, geometry });
+        }
+        for joint in &self.joints {
+            builder = builder.joint(JointDescription {
+                name: joint.name.clone(),
+                kind: joint.kind,
+                parent: self.link(joint.parent).name.clone(),
+                child: self.link(joint.child).name.clone(),
+                origin: joint.origin,
+                axis: joint.axis,
+                limits: joint.limits,
+                armature: joint.armature.clone(),
+                mimic: joint.mimic.filter(|_| mimics).map(|m| MimicDescription {
+                    joint: self.joint(m.master).name.clone(),
+                    multiplier: m.multiplier,
+                    offset: m.offset,
+                }),
+                independent: joint.independent,
             });
         }
         builder

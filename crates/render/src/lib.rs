@@ -6,6 +6,8 @@
 //! Roboto where it is installed and the reader's sans-serif elsewhere; PNG text is drawn with the embedded Roboto,
 //! so that a machine without fonts will do.
 //!
+//! A [`Sheet`] puts figures with x axes of their own below one another.
+//!
 //! What a figure cannot show is left out of it and never an error: a value that is missing, NaN, infinite or beyond
 //! 1e300 is a gap, one below 1e-300 is zero, an empty panel says so. Names too long for their room end in `…`.
 //! The same figure gives the same bytes, and their number does not grow with the number of points beyond what a
@@ -37,8 +39,10 @@ mod marks;
 mod palette;
 mod png;
 mod scene;
+mod sheet;
 mod svg;
 mod text;
 
 pub use figure::{Figure, Mark, Panel, Series, Style};
 pub use png::RenderError;
+pub use sheet::Sheet;

@@ -5,6 +5,8 @@
 //! terminal.
 
 mod check;
+mod damped_contact;
+mod damping;
 mod estimate;
 mod far_point;
 mod findings;
@@ -13,18 +15,27 @@ mod model;
 mod quantity;
 mod question;
 mod record;
+mod safe_speed;
+mod simulators;
 mod study_file;
 mod study_value;
 mod sweep;
 
 pub use check::{CheckReport, ClosureRecord, JointRecord, LinkRecord, check};
+pub use damped_contact::damp_contact;
+pub use damping::{
+    BodyAlone, DamperRecord, DampingQuestion, DampingReport, Drift, blow_history, damp, damper,
+};
 pub use estimate::EstimateRecord;
 pub use mass::{
-    Assumptions, BodyShare, ConditionsRecord, ContactRecord, HoldRecord, MassReport, RotorShare, Status, mass,
+    Assumptions, BodyShare, ConditionsRecord, ContactRecord, HoldRecord, MassReport, RotorShare, Status,
+    mass, mass_with_damper,
 };
 pub use model::{Input, Model};
 pub use quantity::{Dimension, Quantity, QuantityError, parse_list, parse_triple};
 pub use question::{EstimateQuestion, Hold, MassQuestion, Normal, StudyError};
 pub use record::DiagnosticRecord;
+pub use safe_speed::{Limit, SafeSpeedQuestion, SafeSpeedReport, SpeedRecord, safe_speed};
+pub use simulators::ExportRecord;
 pub use study_file::{StudyFile, StudyFileError};
 pub use sweep::{SweepReport, SweepRow, Varied, Vary, sweep};

@@ -1,5 +1,7 @@
 //! The answer to one contact of a model.
 
+use crate::damped_contact::damping_of;
+use crate::damping::{DampingQuestion, DampingReport};
 use crate::estimate::{EstimateRecord, estimate};
 use crate::model::Input;
 use crate::question::{MassQuestion, StudyError};
@@ -188,6 +190,8 @@ pub struct MassReport {
     pub branch_limits: Vec<Option<f64>>,
     /// The classical estimate, where it was asked for.
     pub estimate: Option<EstimateRecord>,
+    /// The damper that gives the contact a restitution, where one was asked for.
+    pub damper: Option<DampingReport>,
     /// What was found, in the file and in the answer.
     pub diagnostics: Vec<DiagnosticRecord>,
     /// What the answer takes for granted.
@@ -195,55 +199,104 @@ pub struct MassReport {
     pub assumptions: Assumptions,
 }
 
+/// A contact that is answered, with what the answer stands on.
+pub(crate) struct Answered {
+    pub system: System,
+    pub pose: Pose,
+    pub contact: Contact,
+    pub strike: Strike,
+    pub report: MassReport,
+}
+
 /// Answers one contact of a model.
 ///
 /// # Errors
 /// [`StudyError`]: names that nothing bears, positions that cannot be reached, a contact that means nothing.
 pub fn mass(model: &Model, question: &MassQuestion) -> Result<MassReport, StudyError> {
-    let system = question.system(&model.mechanism)?;
-    let pose = system.pose(&question.configuration(&model.mechanism)?)?;
-    let contact = question.contact(&system, &pose)?;
-    answer(model, question, &system, &pose, &contact)
+    Ok(Answered::new(model, question)?.report)
 }
 
-/// Answers a contact at a pose.
-pub(crate) fn answer(
+/// Answers one contact of a model, with the damper that gives it a restitution; none where its mass is not finite.
+///
+/// # Errors
+/// [`StudyError`], as for [`mass()`]; a restitution or a stiffness out of range.
+pub fn mass_with_damper(
     model: &Model,
     question: &MassQuestion,
+    damping: &DampingQuestion,
+) -> Result<MassReport, StudyError> {
+    let answered = Answered::new(model, question)?;
+    match damping_of(model, question, damping, &answered) {
+        Ok(mut damper) => {
+            let mut report = answered.report;
+            report.diagnostics = std::mem::take(&mut damper.diagnostics);
+            report.damper = Some(damper);
+            Ok(report)
+        }
+        Err(error @ StudyError::NoDamper { .. }) => {
+            let mut report = answered.report;
+            let note = DiagnosticRecord::about_answer(Severity::Warning, "no-damper", error.to_string());
+            report.diagnostics.push(note);
+            Ok(report)
+        }
+        Err(error) => Err(error),
+    }
+}
+
+impl Answered {
+    /// Answers a question.
+    pub fn new(model: &Model, question: &MassQuestion) -> Result<Self, StudyError> {
+        let system = question.system(&model.mechanism)?;
+        let wanted = question.configuration(&model.mechanism)?;
+        let pose = system.pose(&wanted)?;
+        let contact = question.contact(&system, &pose)?;
+        let mut strike = system.strike(&pose, &contact, RouteChoice::Auto)?;
+        let beside = question.estimate.as_ref();
+        let estimate = beside.map(|e| estimate(&system, &pose, &strike, e)).transpose()?;
+        let mut diagnostics = model.diagnostics.clone();
+        diagnostics.extend(findings::about_pose(&system, &pose));
+        diagnostics.extend(findings::about_guesses(&system, &pose, &wanted));
+        diagnostics.extend(findings::about_strike(&system, &pose, &contact, &strike));
+        diagnostics.extend(findings::about_holds(model, question, &pose, &contact)?);
+        if let Some(other) = question.against_mass {
+            if strike.effective_mass == EffectiveMass::Immovable {
+                let message =
+                    "the mechanism itself does not give way: only the other body's mass counts".to_owned();
+                diagnostics.push(DiagnosticRecord::about_answer(
+                    Severity::Note,
+                    "immovable-mechanism",
+                    message,
+                ));
+            }
+            strike = strike.against_mass(other);
+        }
+        let assumptions = assumptions(&system, &pose, question);
+        let mut report = report(model, &system, &pose, &strike, diagnostics, assumptions);
+        report.conditions = ConditionsRecord::of(question);
+        report.estimate = estimate;
+        report.branch_limits = limits(&system, &pose, &contact, &strike, question.against_mass);
+        Ok(Self { system, pose, contact, strike, report })
+    }
+}
+
+/// Limits of m̄ along the branches at a singular pose, kg; none for one along which the gap does not close.
+fn limits(
     system: &System,
     pose: &Pose,
     contact: &Contact,
-) -> Result<MassReport, StudyError> {
-    let mut strike = system.strike(pose, contact, RouteChoice::Auto)?;
-    let estimate = question.estimate.as_ref().map(|e| estimate(system, pose, &strike, e)).transpose()?;
-    let mut diagnostics = model.diagnostics.clone();
-    diagnostics.extend(findings::about_pose(system, pose));
-    let wanted = question.configuration(&model.mechanism)?;
-    diagnostics.extend(findings::about_guesses(system, pose, &wanted));
-    diagnostics.extend(findings::about_strike(system, pose, contact, &strike));
-    diagnostics.extend(findings::about_holds(model, question, pose, contact)?);
-    if let Some(other) = question.against_mass {
-        if strike.effective_mass == EffectiveMass::Immovable {
-            let message =
-                "the mechanism itself does not give way: only the other body's mass counts".to_owned();
-            diagnostics.push(DiagnosticRecord::about_answer(Severity::Note, "immovable-mechanism", message));
-        }
-        strike = strike.against_mass(other);
+    strike: &Strike,
+    against: Option<f64>,
+) -> Vec<Option<f64>> {
+    if !strike.singular_pose {
+        return Vec::new();
     }
-    let limits = if strike.singular_pose { system.branch_limits(pose, contact) } else { Vec::new() };
-    let mut report = report(model, system, pose, &strike, diagnostics, assumptions(system, pose, question));
-    report.conditions = ConditionsRecord::of(question);
-    report.estimate = estimate;
-    report.branch_limits = limits
-        .into_iter()
-        .map(|limit| match (limit, question.against_mass) {
-            (EffectiveMass::Finite(m), Some(other)) => Some(m / (1.0 + m / other)),
-            (EffectiveMass::Immovable, other) => other,
-            (EffectiveMass::Finite(m), None) => Some(m),
-            (EffectiveMass::Massless, _) => Some(0.0),
-        })
-        .collect();
-    Ok(report)
+    let limit = |limit| match (limit, against) {
+        (EffectiveMass::Finite(m), Some(other)) => Some(m / (1.0 + m / other)),
+        (EffectiveMass::Immovable, other) => other,
+        (EffectiveMass::Finite(m), None) => Some(m),
+        (EffectiveMass::Massless, _) => Some(0.0),
+    };
+    system.branch_limits(pose, contact).into_iter().map(limit).collect()
 }
 
 fn report(
@@ -310,6 +363,7 @@ fn report(
         redundant_loops: system.redundant_loops().to_vec(),
         branch_limits: Vec::new(),
         estimate: None,
+        damper: None,
         diagnostics,
         assumptions,
     }

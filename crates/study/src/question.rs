@@ -2,6 +2,8 @@
 
 use crate::quantity::{QuantityError, parse_list, position_dimension};
 use nalgebra::Vector3;
+use percuss_contact::ContactError;
+use percuss_contact::exports::ExportError;
 use percuss_dynamics::{
     AssemblyError, Base, Conditions, ConditionsError, Configuration, ConfigurationError, Contact, Direction,
     Frame, Pose, StrikeError, System,
@@ -127,6 +129,18 @@ pub enum StudyError {
         /// Its length.
         length: f64,
     },
+    /// A restitution, a stiffness or a speed out of range, or a restitution that the law does not reach.
+    #[error(transparent)]
+    Damping(#[from] ContactError),
+    /// A simulator that cannot have the contact.
+    #[error(transparent)]
+    Export(Box<ExportError>),
+    /// A contact that nothing damps.
+    #[error("the contact is {status}: no damper gives it a restitution")]
+    NoDamper {
+        /// `immovable` or `massless`.
+        status: &'static str,
+    },
     /// What is swept does not move, or is none of the things that can be swept.
     #[error("--vary {what}: {why}")]
     Vary {
@@ -141,6 +155,7 @@ impl StudyError {
     /// Whether the question was fine and yet has no answer (exit code 1, not 2).
     pub fn is_no_answer(&self) -> bool {
         match self {
+            StudyError::NoDamper { .. } => true,
             StudyError::Strike(error) => matches!(error, StrikeError::Route(_)),
             StudyError::Assembly(error) => !error.is_bad_input(),
             _ => false,

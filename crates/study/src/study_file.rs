@@ -1,9 +1,12 @@
 //! A study in a file: the flags of `percuss mass` and `percuss sweep`, kept.
 
+use crate::damping::DampingQuestion;
 use crate::question::{EstimateQuestion, Hold, MassQuestion, Normal};
 use crate::sweep::Vary;
 use crate::{DiagnosticRecord, Input, Model, study_value};
 use nalgebra::Vector3;
+use percuss_contact::exports::Tool;
+use percuss_contact::{Law, Separation};
 use percuss_dynamics::{Base, Frame};
 use percuss_formats::{LoadError, LoadOptions, Source};
 use percuss_mechanism::{Accept, BuildError, ClosureDescription, ClosureKind, Severity, Subject};
@@ -19,6 +22,8 @@ pub struct StudyFile {
     pub model: Model,
     /// The contact and the conditions.
     pub question: MassQuestion,
+    /// The damper to give, if a restitution is asked for.
+    pub damping: Option<DampingQuestion>,
     /// The range to go through, if any.
     pub sweep: Option<Vary>,
     /// Where the sweep's rows go, relative to the study file; none: stdout.
@@ -79,6 +84,7 @@ struct Text {
     closure: Vec<ClosureText>,
     #[serde(default)]
     hold: Vec<HoldText>,
+    damping: Option<DampingText>,
     sweep: Option<SweepText>,
 }
 
@@ -140,6 +146,44 @@ struct EstimateText {
     #[serde(default, deserialize_with = "study_value::lengths")]
     point: [f64; 3],
     direction: Option<[f64; 3]>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct DampingText {
+    restitution: f64,
+    stiffness: f64,
+    exponent: Option<f64>,
+    speed: Option<f64>,
+    law: Option<String>,
+    separation: Option<String>,
+    #[serde(default, rename = "for")]
+    tools: Vec<String>,
+    accuracy: Option<f64>,
+    time_step: Option<f64>,
+}
+
+impl DampingText {
+    /// As a question, or the key that is wrong and why.
+    fn question(&self) -> Result<DampingQuestion, (&'static str, String)> {
+        let mut question = DampingQuestion::new(self.restitution, self.stiffness);
+        question.speed = self.speed;
+        question.exponent = self.exponent.unwrap_or(question.exponent);
+        question.options.accuracy = self.accuracy.unwrap_or(question.options.accuracy);
+        question.options.time_step = self.time_step;
+        if let Some(law) = &self.law {
+            question.law = Law::from_name(law).map_err(|e| ("damping.law", e.to_string()))?;
+        }
+        if let Some(word) = &self.separation {
+            let known = Separation::ALL.into_iter().find(|s| s.name() == word);
+            let wanted = || ("damping.separation", format!("\"{word}\"; wanted force or gap"));
+            question.separation = known.ok_or_else(wanted)?;
+        }
+        for tool in &self.tools {
+            question.tools.push(Tool::from_name(tool).map_err(|e| ("damping.for", e.to_string()))?);
+        }
+        Ok(question)
+    }
 }
 
 #[derive(Deserialize)]
@@ -243,6 +287,8 @@ impl StudyFile {
                 .map_err(|source| StudyFileError::Build { path: path.clone(), source })?;
         }
         let question = study.question(&value)?;
+        let damping = study.damping.as_ref().map(DampingText::question).transpose();
+        let damping = damping.map_err(|(key, why)| value(key, why))?;
         let sweep = study
             .sweep
             .as_ref()
@@ -251,7 +297,7 @@ impl StudyFile {
             .map_err(|why| value("sweep.vary", why))?;
         let output =
             study.sweep.and_then(|s| s.output).map(|o| folder.join(o).to_string_lossy().into_owned());
-        Ok(Self { model, question, sweep, output })
+        Ok(Self { model, question, damping, sweep, output })
     }
 }
 

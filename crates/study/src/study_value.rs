@@ -15,9 +15,9 @@ impl NumberOrText {
     fn of<E: Error>(self, dimension: Dimension) -> Result<f64, E> {
         match self {
             NumberOrText::Number(number) => Ok(number),
-            NumberOrText::Text(text) => Quantity::parse(&text)
-                .and_then(|quantity| quantity.of(dimension, &text))
-                .map_err(E::custom),
+            NumberOrText::Text(text) => {
+                Quantity::parse(&text).and_then(|quantity| quantity.of(dimension, &text)).map_err(E::custom)
+            }
         }
     }
 }

@@ -1,0 +1,135 @@
+//! The contact and its conditions.
+
+use super::words::{armature, assignment, estimate, hold, kilograms, line, normal, point};
+use crate::failure::Failure;
+use clap::{Args, ValueEnum};
+use percuss_dynamics::{Base, Frame};
+use percuss_study::{EstimateQuestion, Hold, MassQuestion, Normal};
+
+/// In which frame point and normal are given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum FrameArg {
+    /// The struck link's.
+    Link,
+    /// The root link's at its reference pose.
+    World,
+    /// The other link's.
+    Against,
+}
+
+impl From<FrameArg> for Frame {
+    fn from(frame: FrameArg) -> Self {
+        match frame {
+            FrameArg::Link => Frame::Link,
+            FrameArg::World => Frame::World,
+            FrameArg::Against => Frame::Against,
+        }
+    }
+}
+
+/// How the root link stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum BaseArg {
+    /// It is the ground.
+    Fixed,
+    /// It moves freely.
+    Floating,
+}
+
+/// The contact and the conditions: what `percuss mass` and `percuss sweep` share.
+#[derive(Debug, Args)]
+pub struct ContactArgs {
+    /// The struck link.
+    #[arg(long, value_name = "LINK")]
+    pub link: String,
+    /// The contact point (m).
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = point)]
+    pub point: [f64; 3],
+    /// The normal, out of the struck link into the other side.
+    #[arg(
+        long,
+        value_name = "X,Y,Z",
+        allow_hyphen_values = true,
+        value_parser = normal,
+        required_unless_present = "along_line",
+        conflicts_with = "along_line"
+    )]
+    pub normal: Option<[f64; 3]>,
+    /// The normal points from the contact point towards this point (m) of a link, in that link's frame.
+    #[arg(long, value_name = "LINK:X,Y,Z", value_parser = line)]
+    pub along_line: Option<(String, [f64; 3])>,
+    /// In which frame the point and the normal are given, both.
+    #[arg(long, value_enum, default_value_t = FrameArg::Link)]
+    pub frame: FrameArg,
+    /// In which frame the normal is given, where it is not that of the point.
+    #[arg(long, value_enum)]
+    pub normal_frame: Option<FrameArg>,
+    /// The other link; the ground if none is given.
+    #[arg(long, value_name = "LINK")]
+    pub against: Option<String>,
+    /// A free body of this mass (kg) on the other side.
+    #[arg(long, value_name = "KG", allow_hyphen_values = true, value_parser = kilograms, conflicts_with = "against")]
+    pub against_mass: Option<f64>,
+    /// Sets a driving joint; the others stand at 0. Spherical: w,x,y,z; planar: x,y,angle; floating: x,y,z,w,x,y,z.
+    #[arg(long, value_name = "JOINT=VALUE", value_parser = assignment)]
+    pub set: Vec<(String, String)>,
+    /// Says where to look for a joint that follows from loops: which way to put them together is meant.
+    #[arg(long, value_name = "JOINT=VALUE", value_parser = assignment)]
+    pub guess: Vec<(String, String)>,
+    /// Holds a joint where it stands.
+    #[arg(long, value_name = "JOINT")]
+    pub lock: Vec<String>,
+    /// Holds a point (m, link's frame) of a link to the ground: along a normal (world axes, out of the link), or in all
+    /// directions.
+    #[arg(long, value_name = "LINK:X,Y,Z[:NX,NY,NZ]", value_parser = hold)]
+    pub hold: Vec<Hold>,
+    /// Rotor inertia reflected to a joint (kg·m² or kg): one value, or one for each velocity between commas.
+    #[arg(long, value_name = "JOINT=VALUE", value_parser = armature)]
+    pub armature: Vec<(String, Vec<f64>)>,
+    /// How the root link stands.
+    #[arg(long, value_enum, default_value_t = BaseArg::Fixed)]
+    pub base: BaseArg,
+    /// Sets the classical estimate beside the answer: the mass of these links, moved with point A (m, first link's frame;
+    /// default its origin), by A's full speed or its component along a direction (world axes).
+    #[arg(long, value_name = "LINK[,LINK…][:X,Y,Z[:DX,DY,DZ]]", value_parser = estimate)]
+    pub estimate: Option<EstimateQuestion>,
+}
+
+impl ContactArgs {
+    /// The contact where one is needed and clap did not see to it.
+    pub fn needed(given: Option<&Self>) -> Result<&Self, Failure> {
+        given.filter(|c| c.normal.is_some() || c.along_line.is_some()).ok_or_else(|| {
+            Failure::bad_input(
+                "a contact of the model is wanted: --link LINK, --point X,Y,Z, and --normal X,Y,Z or --along-line LINK:X,Y,Z",
+            )
+        })
+    }
+
+    /// As a question.
+    pub fn question(&self) -> MassQuestion {
+        let normal = match (&self.along_line, self.normal) {
+            (Some((link, point)), _) => Normal::Toward(link.clone(), *point),
+            // clap sees to it that one of them is given.
+            (None, normal) => Normal::Along(normal.unwrap_or_default()),
+        };
+        MassQuestion {
+            link: self.link.clone(),
+            point: self.point,
+            normal,
+            frame: self.frame.into(),
+            normal_frame: self.normal_frame.unwrap_or(self.frame).into(),
+            against: self.against.clone(),
+            against_mass: self.against_mass,
+            set: self.set.clone(),
+            guess: self.guess.clone(),
+            lock: self.lock.clone(),
+            hold: self.hold.clone(),
+            armature: self.armature.clone(),
+            base: match self.base {
+                BaseArg::Fixed => Base::Fixed,
+                BaseArg::Floating => Base::Floating,
+            },
+            estimate: self.estimate.clone(),
+        }
+    }
+}

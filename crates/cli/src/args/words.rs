@@ -1,0 +1,120 @@
+//! How the words of flags are read.
+
+use super::Tools;
+use percuss_contact::Law;
+use percuss_contact::exports::Tool;
+use percuss_study::{Dimension, EstimateQuestion, Hold, Quantity, parse_triple};
+
+pub fn point(text: &str) -> Result<[f64; 3], String> {
+    parse_triple(text, Dimension::Length).map_err(|e| e.to_string())
+}
+
+pub fn normal(text: &str) -> Result<[f64; 3], String> {
+    parse_triple(text, Dimension::Plain).map_err(|e| e.to_string())
+}
+
+pub fn kilograms(text: &str) -> Result<f64, String> {
+    let mass = Quantity::parse(text).and_then(|q| q.of(Dimension::Mass, text)).map_err(|e| e.to_string())?;
+    if mass > 0.0 { Ok(mass) } else { Err(format!("{mass} kg; a mass above 0 is wanted")) }
+}
+
+/// A mass whose range is checked later, with the rest of the contact.
+pub fn plain_kilograms(text: &str) -> Result<f64, String> {
+    Quantity::parse(text).and_then(|q| q.of(Dimension::Mass, text)).map_err(|e| e.to_string())
+}
+
+/// A number whose range is checked later.
+pub fn plain(text: &str) -> Result<f64, String> {
+    Quantity::parse(text).and_then(|q| q.of(Dimension::Plain, text)).map_err(|e| e.to_string())
+}
+
+pub fn law(text: &str) -> Result<Law, String> {
+    Law::from_name(text).map_err(|e| e.to_string())
+}
+
+pub fn tools(text: &str) -> Result<Tools, String> {
+    match text {
+        "all" => Ok(Tool::ALL.to_vec()),
+        _ => Ok(vec![Tool::from_name(text).map_err(|e| e.to_string())?]),
+    }
+}
+
+pub fn metres(text: &str) -> Result<f64, String> {
+    let length =
+        Quantity::parse(text).and_then(|q| q.of(Dimension::Length, text)).map_err(|e| e.to_string())?;
+    if length > 0.0 { Ok(length) } else { Err(format!("{length} m; a length above 0 is wanted")) }
+}
+
+pub fn moments(text: &str) -> Result<[f64; 3], String> {
+    let moments = parse_triple(text, Dimension::Plain).map_err(|e| e.to_string())?;
+    if moments.iter().all(|i| *i >= 0.0) {
+        Ok(moments)
+    } else {
+        Err("moments of 0 or more are wanted".into())
+    }
+}
+
+pub fn tolerance(text: &str) -> Result<f64, String> {
+    let value =
+        Quantity::parse(text).and_then(|q| q.of(Dimension::Plain, text)).map_err(|e| e.to_string())?;
+    if value >= 0.0 { Ok(value) } else { Err(format!("{value}; a tolerance of 0 or more is wanted")) }
+}
+
+/// `LINK:X,Y,Z`, split at the last colon: link names may have some of their own.
+pub fn line(text: &str) -> Result<(String, [f64; 3]), String> {
+    match text.rsplit_once(':') {
+        Some((link, numbers)) if !link.is_empty() => Ok((link.to_owned(), point(numbers)?)),
+        _ => Err("wanted LINK:X,Y,Z, such as chassis:0.3,0,0.4".into()),
+    }
+}
+
+/// `JOINT=VALUE`, split at the last equals sign.
+pub fn assignment(text: &str) -> Result<(String, String), String> {
+    match text.rsplit_once('=') {
+        Some((joint, value)) if !joint.is_empty() && !value.is_empty() => {
+            Ok((joint.to_owned(), value.to_owned()))
+        }
+        _ => Err("wanted JOINT=VALUE, such as elbow=30deg".into()),
+    }
+}
+
+pub fn armature(text: &str) -> Result<(String, Vec<f64>), String> {
+    let (joint, value) = assignment(text)?;
+    let values = percuss_study::parse_list(&value, |_| Dimension::Plain).map_err(|e| e.to_string())?;
+    Ok((joint, values))
+}
+
+/// Up to two triples behind a name, split from the right.
+fn triples(text: &str) -> (&str, Vec<&str>) {
+    let (mut name, mut found) = (text, Vec::new());
+    while found.len() < 2
+        && let Some((rest, last)) = name.rsplit_once(':')
+        && last.contains(',')
+        && last.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c))
+    {
+        found.insert(0, last);
+        name = rest;
+    }
+    (name, found)
+}
+
+pub fn hold(text: &str) -> Result<Hold, String> {
+    let (link, found) = triples(text);
+    let (at, along) = match found[..] {
+        [at] => (at, None),
+        [at, along] => (at, Some(normal(along)?)),
+        _ => return Err("wanted LINK:X,Y,Z or LINK:X,Y,Z:NX,NY,NZ, such as foot:0,0,0:0,0,-1".into()),
+    };
+    Ok(Hold { link: link.to_owned(), point: point(at)?, normal: along })
+}
+
+pub fn estimate(text: &str) -> Result<EstimateQuestion, String> {
+    let (links, found) = triples(text);
+    let links: Vec<String> = links.split(',').map(str::to_owned).collect();
+    if links.iter().any(String::is_empty) {
+        return Err("wanted LINK[,LINK…][:X,Y,Z[:DX,DY,DZ]], such as spindle,upright:0,0,0:0,0,1".into());
+    }
+    let at = found.first().map_or(Ok([0.0; 3]), |text| point(text))?;
+    let direction = found.get(1).map(|text| normal(text)).transpose()?;
+    Ok(EstimateQuestion { links, point: at, direction })
+}

@@ -1,0 +1,255 @@
+//! `percuss damp`, and the damper beside an effective mass.
+
+use crate::args::{CheckFormat, ContactArgs, DampArgs};
+use crate::failure::Failure;
+use crate::report::{tell, write_file, write_json, write_out};
+use crate::text::{Table, number};
+use percuss_contact::exports::Tool;
+use percuss_contact::{Law, Sample};
+use percuss_render::{Figure, Mark, Panel, Series, Sheet, Style};
+use percuss_study::{DampingQuestion, DampingReport, ExportRecord, blow_history, damp, damp_contact};
+use std::fmt::Write;
+use std::path::Path;
+
+/// Moments of a blow that are drawn.
+const SAMPLES: usize = 500;
+
+/// Runs the command.
+pub fn run(args: &DampArgs) -> Result<(), Failure> {
+    if args.list_laws {
+        return write_out(&laws());
+    }
+    if args.list_tools {
+        return write_out(&tools());
+    }
+    let Some(mut question) = args.damping.question() else {
+        return Err(Failure::bad_input(
+            "--restitution E and --stiffness N/m are wanted: the restitution you measured, and the contact's spring",
+        ));
+    };
+    if args.format == CheckFormat::Json && question.tools.is_empty() {
+        question.tools = Tool::ALL.to_vec();
+    }
+    let report = match (args.mass, &args.mass_from, &args.contact) {
+        (Some(mass), None, None) => damp(&question, mass)?,
+        (None, Some(path), contact) => {
+            let contact = ContactArgs::needed(contact.as_ref())?;
+            damp_contact(&args.reading.load(path)?, &contact.question(), &question)?
+        }
+        (Some(_), ..) => {
+            return Err(Failure::bad_input(
+                "--link, --point and the like belong to --mass-from MODEL, not to --mass",
+            ));
+        }
+        _ => {
+            return Err(Failure::bad_input("either --mass KG or --mass-from MODEL with a contact is wanted"));
+        }
+    };
+    tell(&report.diagnostics, args.reading.strict)?;
+    if let Some(path) = &args.output {
+        draw(&report, &question, path)?;
+    }
+    match args.format {
+        CheckFormat::Json => write_json(&report),
+        CheckFormat::Text => {
+            let mut out = format!("{:<20} {} kg\n", "effective mass", number(report.effective_mass));
+            out += &damper(&report);
+            write_out(&out)
+        }
+    }
+}
+
+/// The damper, the blow, how good one number is, and what to paste.
+pub fn damper(report: &DampingReport) -> String {
+    let mut out = String::new();
+    for (name, value) in facts(report) {
+        let _ = writeln!(out, "{name:<20} {value}");
+    }
+    for (name, export) in &report.exports {
+        out += &exported(name, export);
+    }
+    out
+}
+
+fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
+    let damper = &report.damper;
+    let e = damper.restitution;
+    let mut facts = Vec::new();
+    let law = match damper.separation {
+        Some("gap") => format!("{}, ending when the gap closes (the damper pulls at the end)", damper.law),
+        Some(_) => format!("{}, ending when the force vanishes", damper.law),
+        None => damper.law.to_owned(),
+    };
+    facts.push(("law", law));
+    let power = if damper.exponent == 1.0 { String::new() } else { format!("^{}", number(damper.exponent)) };
+    facts.push(("stiffness", format!("{} N/m{power}", number(damper.stiffness))));
+    match (damper.damping_ratio, damper.damping) {
+        (Some(ratio), Some(c)) => {
+            let unit = match damper.exponent {
+                1.0 => "N·s/m".to_owned(),
+                p => format!("N·s/m^{}", number(0.5 * (p + 1.0))),
+            };
+            facts.push(("damping", format!("{} {unit}   (ratio {})", number(c), number(ratio))));
+            if let Some(d) = damper.dissipation {
+                facts.push((
+                    "or Hunt–Crossley",
+                    format!("{} s/m at this speed, instead of the damping", number(d)),
+                ));
+            }
+        }
+        _ => facts.push(("dissipation", format!("{} s/m", number(damper.dissipation.unwrap_or_default())))),
+    }
+    let achieved = damper.achieved_restitution;
+    let off = if damper.law_is_exact {
+        "exactly".to_owned()
+    } else {
+        format!("{:+.4} off: this law is an approximation", achieved - e)
+    };
+    facts.push(("restitution", format!("{} ({} asked for, {off})", number(achieved), number(e))));
+    let metric =
+        |value: Option<f64>, scale: f64, unit: &str| value.map(|v| format!("{} {unit}", number(scale * v)));
+    let mut blow = |name, text: Option<String>| {
+        if let Some(text) = text {
+            facts.push((name, text));
+        }
+    };
+    blow("approach speed", metric(damper.speed, 1.0, "m/s"));
+    blow("rebound speed", metric(damper.rebound_speed, 1.0, "m/s"));
+    blow("contact lasts", metric(damper.contact_duration, 1e3, "ms"));
+    blow("penetration", metric(damper.max_penetration, 1e3, "mm"));
+    let when = damper.time_of_peak_force.unwrap_or_default();
+    blow("peak force", damper.peak_force.map(|f| format!("{} N, at {} ms", number(f), number(1e3 * when))));
+    blow("energy lost", metric(damper.energy_lost, 1.0, "J"));
+    if let Some(drift) = report.drift {
+        let slope = drift.per_metre.map(|s| format!("{:+.3} % per mm of penetration", 0.1 * s));
+        let over = drift.over_penetration.map(|o| format!("{:+.3} % over the penetration", 100.0 * o));
+        let text: Vec<String> = [over, slope].into_iter().flatten().collect();
+        facts.push(("mass drifts by", if text.is_empty() { "unknown".into() } else { text.join(", ") }));
+    }
+    if let Some(alone) = report.body_alone {
+        let wrong = alone.restitution.map_or_else(String::new, |e| {
+            format!("; a damper made for that would rebound with {}", number(e))
+        });
+        facts.push(("struck body alone", format!("{} kg{wrong}", number(alone.mass))));
+    }
+    facts
+}
+
+fn exported(name: &str, export: &ExportRecord) -> String {
+    let mut out = format!("\n{} ({name})\n", export.title);
+    if let Some(error) = &export.error {
+        return out + &format!("  cannot: {error}\n");
+    }
+    let mut line = |what: &str, text: &str| {
+        let _ = writeln!(out, "  {what:<18} {text}");
+    };
+    line("integrates", export.law.unwrap_or_default());
+    for (name, value) in &export.parameters {
+        let unit = export.units.get(name).copied().unwrap_or_default();
+        let value = serde_json::to_string(value).unwrap_or_default();
+        line(name, format!("{value} {unit}").trim_end());
+    }
+    if let Some(step) = export.time_step {
+        let bound = export.error_bound.map_or_else(String::new, |b| format!(", restitution within {b:.0e}"));
+        line("time step", &format!("{} s{bound}", number(step)));
+    }
+    for missing in &export.missing {
+        line("missing", missing);
+    }
+    for assumption in &export.assumptions {
+        line("assumes", assumption);
+    }
+    for cannot in &export.cannot {
+        line("cannot", cannot);
+    }
+    for snippet in &export.snippets {
+        let _ = writeln!(out, "  {}:", snippet.title);
+        for text in snippet.text.lines() {
+            let _ = writeln!(out, "    {text}");
+        }
+    }
+    if !export.sources.is_empty() {
+        let _ = writeln!(out, "  sources: {}", export.sources.join("; "));
+    }
+    out
+}
+
+fn laws() -> String {
+    let mut out = String::new();
+    for law in Law::ALL {
+        let kind = if law.is_exact() { "exact" } else { "approximation" };
+        let speed = if law.needs_speed() { ", needs --speed" } else { "" };
+        let _ = writeln!(out, "{}  ({kind}{speed})", law.name());
+        let _ = writeln!(out, "    {}\n    {}\n    {}", law.title(), law.formula(), law.source());
+        for alias in Law::ALIASES.iter().filter(|alias| alias.law == law) {
+            let _ = writeln!(out, "    also {}: {}", alias.name, alias.note);
+        }
+    }
+    out
+}
+
+fn tools() -> String {
+    let mut table = Table::new(["name", "simulator", "also"]);
+    for tool in Tool::ALL {
+        table.row([tool.name().into(), tool.title().into(), tool.aliases().join(", ")]);
+    }
+    table.to_string()
+}
+
+/// Writes the course of the blow: a plot, or its numbers.
+fn draw(report: &DampingReport, question: &DampingQuestion, path: &str) -> Result<(), Failure> {
+    let ending = Path::new(path).extension().and_then(|e| e.to_str()).unwrap_or("").to_ascii_lowercase();
+    let samples =
+        || blow_history(question, report.effective_mass, SAMPLES).map_err(percuss_study::StudyError::from);
+    let bytes = match ending.as_str() {
+        "svg" => sheet(report, &samples()?).to_svg().into_bytes(),
+        "png" => sheet(report, &samples()?).to_png(2.0).map_err(|e| Failure::NoAnswer(e.to_string()))?,
+        "csv" => csv(&samples()?).into_bytes(),
+        _ => {
+            return Err(Failure::bad_input(format!(
+                "--output {path}: its name must end in .svg, .png or .csv"
+            )));
+        }
+    };
+    write_file(path, &bytes)
+}
+
+fn csv(samples: &[Sample]) -> String {
+    let mut out = "time,penetration,rate,force\n".to_owned();
+    for s in samples {
+        let _ = writeln!(out, "{},{},{},{}", s.time, s.penetration, s.rate, s.force);
+    }
+    out
+}
+
+/// Force over time, and over penetration, whose loop encloses the energy lost.
+fn sheet(report: &DampingReport, samples: &[Sample]) -> Sheet {
+    let damper = &report.damper;
+    let panel = |x: &dyn Fn(&Sample) -> f64| Panel {
+        y_label: "force (N)".into(),
+        series: vec![Series {
+            name: damper.law.into(),
+            style: Style::Line,
+            points: samples.iter().map(|s| (x(s), Some(s.force))).collect(),
+        }],
+    };
+    let deepest = damper.time_of_max_penetration.map(|t| Mark { x: 1e3 * t, label: "deepest".into() });
+    let over_time = Figure {
+        title: format!(
+            "A blow of {} kg at {} m/s: restitution {}",
+            number(report.effective_mass),
+            number(damper.speed.unwrap_or_default()),
+            number(damper.achieved_restitution)
+        ),
+        subtitle: format!("{}, stiffness {} N/m", damper.law, number(damper.stiffness)),
+        x_label: "time (ms)".into(),
+        panels: vec![panel(&|s| 1e3 * s.time)],
+        marks: deepest.into_iter().collect(),
+    };
+    let over_penetration = Figure {
+        x_label: "penetration (mm)".into(),
+        panels: vec![panel(&|s| 1e3 * s.penetration)],
+        ..Figure::default()
+    };
+    Sheet { figures: vec![over_time, over_penetration] }
+}

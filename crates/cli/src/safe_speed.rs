@@ -1,0 +1,91 @@
+//! `percuss safe-speed`.
+
+use crate::args::{CheckFormat, ContactArgs, SafeSpeedArgs};
+use crate::failure::Failure;
+use crate::report::{tell, write_json, write_out};
+use crate::text::{Table, number};
+use percuss_contact::BodyRegion;
+use percuss_study::{Limit, SafeSpeedQuestion, SafeSpeedReport, SpeedRecord, safe_speed};
+use std::fmt::Write;
+
+/// Newtons per square centimetre, in pascals.
+const PASCALS: f64 = 1e4;
+/// A square centimetre, in square metres.
+const SQUARE_CENTIMETRE: f64 = 1e-4;
+
+/// Runs the command.
+pub fn run(args: &SafeSpeedArgs) -> Result<(), Failure> {
+    if args.list_regions {
+        return write_out(&regions());
+    }
+    let (Some(path), Some(region)) = (&args.model, &args.region) else {
+        return Err(Failure::bad_input("a model and the --region of the body that is struck are wanted"));
+    };
+    let contact = ContactArgs::needed(args.contact.as_ref())?;
+    let limit = match (args.force, args.pressure, args.area) {
+        (Some(force), None, None) => Limit::Force(force),
+        (None, Some(pressure), Some(area)) => Limit::Pressure(PASCALS * pressure, SQUARE_CENTIMETRE * area),
+        _ => {
+            return Err(Failure::bad_input(
+                "either --force N or --pressure N/cm² with --area cm² is wanted: the limit of the region, from the \
+                 edition of the standard that applies to you",
+            ));
+        }
+    };
+    let asked = SafeSpeedQuestion { region: region.clone(), limit, load: args.load };
+    let report = safe_speed(&args.reading.load(path)?, &contact.question(), &asked)?;
+    tell(&report.diagnostics, args.reading.strict)?;
+    match args.format {
+        CheckFormat::Json => write_json(&report),
+        CheckFormat::Text => write_out(&text(&report)),
+    }
+}
+
+fn text(report: &SafeSpeedReport) -> String {
+    let mut out = String::new();
+    let mut fact = |name: &str, value: String| {
+        let _ = writeln!(out, "{name:<20} {value}");
+    };
+    let speed = |record: &SpeedRecord, mass: &str| {
+        format!(
+            "{} m/s   with {} kg ({mass}), two-body mass {} kg",
+            number(record.speed),
+            number(record.robot_mass),
+            number(record.reduced_mass)
+        )
+    };
+    fact(
+        "greatest speed",
+        report.reflected.as_ref().map_or_else(
+            || "none: the robot does not give way along this direction".to_owned(),
+            |record| speed(record, "effective mass at the contact"),
+        ),
+    );
+    fact("by the standard", speed(&report.standard, "M/2 + m_L"));
+    fact(
+        "struck",
+        format!(
+            "{}: {} kg on {} N/m",
+            report.region,
+            number(report.region_mass),
+            number(report.region_stiffness)
+        ),
+    );
+    if let Some(note) = &report.region_note {
+        fact("", note.clone());
+    }
+    fact("greatest force", format!("{} N, energy {} J", number(report.force), number(report.energy)));
+    fact("robot", format!("{} kg that move, load {} kg", number(report.moving_mass), number(report.load)));
+    out + "\nAn engineering aid, no certification. v = F/√(μ k), the transient contact of ISO/TS 15066 (now ISO 10218-2); the\n\
+           standard's M/2 + m_L knows neither pose nor direction. The table of regions is informative, from public secondary\n\
+           sources: check it, and the limit you gave, against the purchased standard.\n"
+}
+
+fn regions() -> String {
+    let mut table = Table::new(["name", "region", "kg", "N/m", "note"]);
+    for r in BodyRegion::all() {
+        let note = r.note.clone().unwrap_or_default();
+        table.row([r.name.clone(), r.title.clone(), number(r.mass), number(r.stiffness), note]);
+    }
+    format!("{table}\nInformative, from public secondary sources: check against the purchased standard.\n")
+}

@@ -1,0 +1,93 @@
+//! Several figures on one page, one below the other, each with axes of its own.
+
+use crate::figure::Figure;
+use crate::png::RenderError;
+use crate::scene::{Item, Point, Scene};
+use crate::{layout, png, svg};
+
+/// Figures with x axes of their own, from top to bottom.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Sheet {
+    /// From top to bottom.
+    pub figures: Vec<Figure>,
+}
+
+impl Sheet {
+    /// The sheet as an SVG document.
+    pub fn to_svg(&self) -> String {
+        svg::write(&self.arrange())
+    }
+
+    /// The same picture as a PNG, `scale` pixels for each unit of the SVG.
+    ///
+    /// # Errors
+    /// `scale` not a positive number, or a picture of more than 2^25 pixels.
+    pub fn to_png(&self, scale: f32) -> Result<Vec<u8>, RenderError> {
+        png::draw(&self.arrange(), scale)
+    }
+
+    fn arrange(&self) -> Scene {
+        let mut scenes = self.figures.iter().map(layout::arrange);
+        let Some(mut page) = scenes.next() else { return layout::arrange(&Figure::default()) };
+        for scene in scenes {
+            let down = page.height;
+            page.items.extend(scene.items.into_iter().map(|item| lowered(item, down)));
+            page.width = page.width.max(scene.width);
+            page.height += scene.height;
+            page.caption = format!("{}; {}", page.caption, scene.caption);
+        }
+        page
+    }
+}
+
+fn lowered(item: Item, down: f64) -> Item {
+    let lower = |(x, y): Point| (x, y + down);
+    match item {
+        Item::Lines { chains, stroke } => {
+            let chains = chains.into_iter().map(|chain| chain.into_iter().map(lower).collect()).collect();
+            Item::Lines { chains, stroke }
+        }
+        Item::Dots { centres, radius, colour } => {
+            Item::Dots { centres: centres.into_iter().map(lower).collect(), radius, colour }
+        }
+        Item::Patch { from, to, colour } => Item::Patch { from: lower(from), to: lower(to), colour },
+        Item::Text(mut text) => {
+            text.at = lower(text.at);
+            Item::Text(text)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Panel, Series};
+
+    fn figure(title: &str) -> Figure {
+        let series = Series { points: vec![(0.0, Some(1.0)), (1.0, Some(2.0))], ..Series::default() };
+        Figure {
+            title: title.into(),
+            panels: vec![Panel { series: vec![series], ..Panel::default() }],
+            ..Figure::default()
+        }
+    }
+
+    #[test]
+    fn figures_follow_one_another() {
+        let (first, second) = (figure("first"), figure("second"));
+        let page = Sheet { figures: vec![first.clone(), second.clone()] }.arrange();
+        let [a, b] = [&first, &second].map(layout::arrange);
+        assert_eq!(page.height, a.height + b.height);
+        assert_eq!(page.items.len(), a.items.len() + b.items.len());
+        let place = |scene: &Scene, words: &str| {
+            scene.items.iter().find_map(|item| match item {
+                Item::Text(text) if text.words == words => Some(text.at),
+                _ => None,
+            })
+        };
+        let (alone, below) = (place(&b, "second").expect("drawn"), place(&page, "second").expect("drawn"));
+        assert_eq!(below, (alone.0, alone.1 + a.height));
+        assert_eq!(Sheet { figures: vec![first.clone()] }.to_svg(), first.to_svg());
+        assert!(Sheet::default().to_svg().starts_with("<svg"));
+    }
+}

@@ -1,0 +1,139 @@
+//! The damper of a model's contact: what the model knows beside the effective mass.
+
+use crate::damping::{BodyAlone, DampingQuestion, DampingReport, Drift, contact, damper, exports};
+use crate::mass::Answered;
+use crate::question::{MassQuestion, StudyError};
+use crate::{DiagnosticRecord, Model};
+use percuss_contact::exports::Options;
+use percuss_contact::{Damper, Law};
+use percuss_dynamics::{Conditions, Contact, EffectiveMass, RouteChoice, System};
+use percuss_mechanism::{LinkId, Mechanism, Severity};
+
+/// Half the way of the differences that give dm̄/dδ, in parts of the characteristic length.
+const DIFFERENCE: f64 = 1e-5;
+/// From this change of m̄ over the penetration on, one number is not good enough without a word.
+const DRIFTING: f64 = 0.01;
+
+/// The damper of a model's contact.
+///
+/// # Errors
+/// [`StudyError`], as for [`mass`](crate::mass()) and [`damp`](crate::damp); a contact without a finite mass.
+pub fn damp_contact(
+    model: &Model,
+    question: &MassQuestion,
+    damping: &DampingQuestion,
+) -> Result<DampingReport, StudyError> {
+    let answered = Answered::new(model, question)?;
+    damping_of(model, question, damping, &answered)
+}
+
+/// The damper of a contact that is answered.
+pub(crate) fn damping_of(
+    model: &Model,
+    question: &MassQuestion,
+    damping: &DampingQuestion,
+    answered: &Answered,
+) -> Result<DampingReport, StudyError> {
+    let EffectiveMass::Finite(mass) = answered.strike.effective_mass else {
+        return Err(StudyError::NoDamper { status: answered.report.status.name() });
+    };
+    let record = damper(damping, mass)?;
+    let drift = drift(question, answered, mass, record.max_penetration);
+    let options = options(damping.options, &model.mechanism, question, answered, mass);
+    let alone = answered.system.rigid_body_mass(answered.contact.link);
+    let body_alone = alone
+        .filter(|m| *m > 0.0)
+        .map(|m| BodyAlone { mass: m, restitution: restitution_with(damping, m, mass) });
+    let mut diagnostics = answered.report.diagnostics.clone();
+    if let Some(over) = drift.over_penetration.filter(|over| over.abs() > DRIFTING) {
+        let message = format!(
+            "the effective mass changes by {:+.1} % over the penetration: one number is no better than that here; a \
+             stiffer contact or a slower blow changes it less",
+            100.0 * over
+        );
+        diagnostics.push(DiagnosticRecord::about_answer(Severity::Warning, "mass-drifts", message));
+    }
+    Ok(DampingReport {
+        schema: "percuss.damp/1",
+        percuss: env!("CARGO_PKG_VERSION"),
+        inputs: model.inputs.clone(),
+        effective_mass: mass,
+        damper: record,
+        drift: Some(drift),
+        body_alone,
+        exports: exports(damping, mass, options)?,
+        diagnostics,
+    })
+}
+
+/// What a damper made for one mass does to another.
+fn restitution_with(damping: &DampingQuestion, made_for: f64, mass: f64) -> Option<f64> {
+    if damping.law != Law::KelvinVoigt {
+        return None;
+    }
+    let made = damping.law.damper(
+        contact(damping, made_for).ok()?,
+        damping.restitution,
+        damping.speed,
+        damping.separation,
+    );
+    let Ok(Damper::KelvinVoigt { coefficient, separation, .. }) = made else { return None };
+    let real = contact(damping, mass).ok()?;
+    let damper = Damper::kelvin_voigt_from_coefficient(real, coefficient, separation).ok()?;
+    damper.restitution(real, damping.speed.unwrap_or(1.0)).ok()
+}
+
+/// m̄ along the strike's own motion.
+fn drift(question: &MassQuestion, answered: &Answered, mass: f64, penetration: Option<f64>) -> Drift {
+    let Answered { system, pose, contact, strike, .. } = answered;
+    let at = |distance: f64| {
+        let pushed = system.pushed(pose, strike, distance)?;
+        let there = system.strike(&pushed, contact, RouteChoice::Auto).ok()?;
+        let there = question.against_mass.map_or(there.clone(), |other| there.against_mass(other));
+        match there.effective_mass {
+            EffectiveMass::Finite(m) => Some(m),
+            EffectiveMass::Immovable | EffectiveMass::Massless => None,
+        }
+    };
+    let step = DIFFERENCE * system.mechanism().characteristic_length();
+    let slope = at(step).zip(at(-step)).map(|(more, less)| (more - less) / (2.0 * step * mass));
+    Drift { per_metre: slope, over_penetration: penetration.and_then(at).map(|there| there / mass - 1.0) }
+}
+
+/// What simulators want to know of the model, where the question does not say.
+fn options(
+    given: Options,
+    mechanism: &Mechanism,
+    question: &MassQuestion,
+    answered: &Answered,
+    mass: f64,
+) -> Options {
+    let own = |link: LinkId| answered.system.rigid_body_mass(link).filter(|m| *m > 0.0);
+    let Contact { link, against, .. } = answered.contact;
+    let ratio = || {
+        let ours = open_inverse_mass(mechanism, question, link)?;
+        let other = against.map_or(Some(0.0), |other| open_inverse_mass(mechanism, question, other))?;
+        let free = question.against_mass.map_or(0.0, |other| 1.0 / other);
+        Some((ours + other + free) * mass)
+    };
+    Options {
+        own_mass: given.own_mass.or_else(|| own(link)),
+        other_own_mass: given.other_own_mass.or(question.against_mass).or_else(|| against.and_then(own)),
+        diagonal_ratio: given.diagonal_ratio.or_else(ratio),
+        closed_loops: given.closed_loops || !mechanism.closures().is_empty(),
+        ..given
+    }
+}
+
+/// MuJoCo's `body_invweight0`: of the spanning tree alone, with all joints at zero.
+fn open_inverse_mass(mechanism: &Mechanism, question: &MassQuestion, link: LinkId) -> Option<f64> {
+    let tree = mechanism.to_open_tree().build().ok()?.mechanism;
+    let mut conditions = Conditions::new().base(question.base);
+    for (joint, values) in &question.armature {
+        conditions = conditions.armature(joint.clone(), values.clone());
+    }
+    let link = tree.find_link(mechanism.link(link).name()).ok()?;
+    let system = System::new(tree, &conditions).ok()?;
+    let pose = system.pose(&system.configuration()).ok()?;
+    system.mean_inverse_mass(&pose, link).ok()
+}

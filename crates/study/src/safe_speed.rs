@@ -1,0 +1,141 @@
+//! How fast a robot may move where it may strike a person: the effective mass in place of the standard's guess.
+
+use crate::mass::Answered;
+use crate::model::Input;
+use crate::question::{MassQuestion, StudyError};
+use crate::{DiagnosticRecord, Model};
+use percuss_contact::{BodyRegion, ContactError, TransientContact, standard_robot_mass};
+use percuss_dynamics::EffectiveMass;
+use percuss_mechanism::{LinkId, Mechanism, Severity};
+use serde::Serialize;
+
+/// The limit that the user sets, from the edition of the standard that applies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Limit {
+    /// Greatest force, N.
+    Force(f64),
+    /// Greatest pressure, Pa, on an area, m².
+    Pressure(f64, f64),
+}
+
+/// Who is struck, and what may happen.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SafeSpeedQuestion {
+    /// Name of the body's region.
+    pub region: String,
+    /// The limit.
+    pub limit: Limit,
+    /// Load with its tool that the model does not hold, kg.
+    pub load: f64,
+}
+
+/// The speed for one mass of the robot.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct SpeedRecord {
+    /// m_R, kg.
+    pub robot_mass: f64,
+    /// μ = 1/(1/m_H + 1/m_R), kg.
+    pub reduced_mass: f64,
+    /// The greatest relative speed, m/s.
+    pub speed: f64,
+}
+
+/// `percuss safe-speed`, as JSON.
+#[derive(Clone, Debug, Serialize)]
+pub struct SafeSpeedReport {
+    /// `percuss.safe-speed/1`.
+    pub schema: &'static str,
+    /// Version of percuss.
+    pub percuss: &'static str,
+    /// The files.
+    pub inputs: Vec<Input>,
+    /// The region struck.
+    pub region: String,
+    /// Its effective mass, kg.
+    pub region_mass: f64,
+    /// Its stiffness, N/m.
+    pub region_stiffness: f64,
+    /// What is less certain about it.
+    pub region_note: Option<String>,
+    /// The greatest force, N.
+    pub force: f64,
+    /// The energy of the blow, J.
+    pub energy: f64,
+    /// With the effective mass at the contact; null where the robot is immovable there.
+    pub reflected: Option<SpeedRecord>,
+    /// With the standard's M/2 + m_L.
+    pub standard: SpeedRecord,
+    /// M: mass of all links that can move, kg.
+    pub moving_mass: f64,
+    /// m_L, kg.
+    pub load: f64,
+    /// What was found.
+    pub diagnostics: Vec<DiagnosticRecord>,
+}
+
+/// How fast the contact of a robot may go.
+///
+/// # Errors
+/// [`StudyError`], as for [`mass`](crate::mass()); limits out of range, a region that is not in the table, a contact
+/// that carries no mass.
+pub fn safe_speed(
+    model: &Model,
+    question: &MassQuestion,
+    asked: &SafeSpeedQuestion,
+) -> Result<SafeSpeedReport, StudyError> {
+    let region = BodyRegion::from_name(&asked.region)?;
+    let answered = Answered::new(model, question)?;
+    let moving_mass = moving_mass(&model.mechanism, &answered);
+    let speed = |robot_mass: f64| -> Result<_, ContactError> {
+        let contact = TransientContact::new(region, robot_mass)?;
+        let safe = match asked.limit {
+            Limit::Force(force) => contact.speed_for_force(force),
+            Limit::Pressure(pressure, area) => contact.speed_for_pressure(pressure, area),
+        }?;
+        Ok((SpeedRecord { robot_mass, reduced_mass: contact.reduced_mass(), speed: safe.speed }, safe))
+    };
+    let (standard, safe) = speed(standard_robot_mass(moving_mass, asked.load)?)?;
+    let mut diagnostics = answered.report.diagnostics.clone();
+    let reflected = match answered.strike.effective_mass {
+        // A load at the tool moves with the contact.
+        EffectiveMass::Finite(m) => Some(speed(m + asked.load)?.0),
+        EffectiveMass::Immovable => {
+            let message = "the robot does not give way along this direction: it strikes with no bounded mass, and only \
+                           the person's counts"
+                .to_owned();
+            diagnostics.push(DiagnosticRecord::about_answer(Severity::Warning, "immovable-robot", message));
+            None
+        }
+        EffectiveMass::Massless => return Err(StudyError::NoDamper { status: "massless" }),
+    };
+    if let Some(record) = reflected.filter(|r| r.speed < standard.speed) {
+        let message = format!(
+            "the standard's mass allows {:.3} m/s, the effective mass only {:.3} m/s: here M/2 + m_L is too light",
+            standard.speed, record.speed
+        );
+        diagnostics.push(DiagnosticRecord::about_answer(Severity::Warning, "standard-too-fast", message));
+    }
+    Ok(SafeSpeedReport {
+        schema: "percuss.safe-speed/1",
+        percuss: env!("CARGO_PKG_VERSION"),
+        inputs: model.inputs.clone(),
+        region: region.name.clone(),
+        region_mass: region.mass,
+        region_stiffness: region.stiffness,
+        region_note: region.note.clone(),
+        force: safe.force,
+        energy: safe.energy,
+        reflected,
+        standard,
+        moving_mass,
+        load: asked.load,
+        diagnostics,
+    })
+}
+
+/// Mass of the links that are not the ground.
+fn moving_mass(mechanism: &Mechanism, answered: &Answered) -> f64 {
+    let moves = |link: &LinkId| answered.system.rigid_body_mass(*link).is_some();
+    let mass = |link: LinkId| mechanism.link(link).inertial().map_or(0.0, |i| i.mass);
+    mechanism.link_ids().filter(moves).map(mass).sum()
+}
