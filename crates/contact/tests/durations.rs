@@ -1,5 +1,7 @@
 //! The times, which alone are integrals, at light and heavy damping and for stiff exponents.
 
+#![allow(clippy::excessive_precision, reason = "figures stand as the other program gave them")]
+
 mod support;
 
 use percuss_contact::{Contact, Damper, Separation};
