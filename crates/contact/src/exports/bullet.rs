@@ -23,7 +23,6 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
             "Bullet 3, src/BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.cpp: setupContactConstraint",
             "Bullet 3, src/BulletDynamics/Featherstone/btMultiBodyConstraintSolver.cpp",
             "Bullet 3, src/BulletCollision/CollisionDispatch/btManifoldResult.cpp",
-            "PyBullet Quickstart Guide, \"changeDynamics\"",
         ],
     );
     export.time_step = Some(step);
