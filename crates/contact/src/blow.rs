@@ -3,12 +3,13 @@
 use crate::error::{positive, representable};
 use crate::orbit::{Moment, Orbit};
 use crate::{Contact, ContactError};
+use serde::Serialize;
 
 /// The figures of one blow: a contact met at some approach speed, until it ends.
 ///
 /// The restitution, penetration, force and energy are closed forms, the times too where a Kelvin–Voigt contact is
 /// linear; other times are integrals, to 1e-12 of themselves.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Blow {
     /// Rebound speed over approach speed.
     pub restitution: f64,
@@ -30,7 +31,7 @@ pub struct Blow {
 }
 
 /// One moment of a blow.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Sample {
     /// Since the first touch, in s.
     pub time: f64,

@@ -2,7 +2,7 @@
 
 use crate::ContactError;
 use crate::error::nearest;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use std::sync::LazyLock;
 
 /// A region of the human body, as a mass on a spring.
@@ -10,7 +10,7 @@ use std::sync::LazyLock;
 /// The table is informational: public secondary copies of ISO/TS 15066:2016's values, the standard itself not opened.
 /// Check it against the purchased standard before anything depends on it. Limits of force and pressure are not in it:
 /// public copies of those contradict each other.
-#[derive(Clone, Debug, Deserialize, PartialEq)]
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct BodyRegion {

@@ -4,11 +4,31 @@
 //! and a damper; which damper gives e is a matter of the law of the damper, and several are in use. Nothing here knows
 //! what the mass is the effective mass of.
 //!
-//! ```
-//! use percuss_contact::{Separation, kelvin_voigt};
+//! | question                                   | answer                                                  |
+//! |--------------------------------------------|---------------------------------------------------------|
+//! | which damper gives this restitution        | [`Law::damper`]                                         |
+//! | which restitution this damper gives        | [`Damper::restitution`]                                 |
+//! | how long, how deep, how hard, what is lost | [`Damper::blow`], [`Damper::history`]                   |
+//! | how far a formula of the literature misses | [`Law::approximation_error`]                            |
+//! | what to type into a simulator              | [`exports`]                                             |
+//! | how fast a robot may strike a person       | [`TransientContact`]                                    |
 //!
-//! let ratio = kelvin_voigt::ratio(0.5, Separation::ForceVanishes)?;
-//! assert!((ratio - 0.25527563764865).abs() < 1e-13);
+//! Two laws are solved exactly, [`kelvin_voigt`] and [`hunt_crossley`]; the others are formulas of the literature for
+//! the damping of the second, known to miss. Units are SI throughout. Nothing panics on input, and no NaN or infinity
+//! comes out: what a 64-bit float cannot hold is an error.
+//!
+//! ```
+//! use percuss_contact::{Contact, Damper, Law, Separation};
+//!
+//! let contact = Contact::new(2.281, 1e5)?;
+//! let damper = Law::KelvinVoigt.damper(contact, 0.5, None, Separation::ForceVanishes)?;
+//! let blow = damper.blow(contact, 0.4)?;
+//! assert!((blow.rebound_speed - 0.2).abs() < 1e-15);
+//! // The half period of the textbooks gives too much rebound where nothing pulls.
+//! let textbook = Law::KelvinVoigt.damper(contact, 0.5, None, Separation::GapCloses)?;
+//! let Damper::KelvinVoigt { ratio, .. } = textbook else { unreachable!() };
+//! let damper = Damper::kelvin_voigt(contact, ratio, Separation::ForceVanishes)?;
+//! assert!((damper.restitution(contact, 0.4)? - 0.5503).abs() < 1e-4);
 //! # Ok::<(), percuss_contact::ContactError>(())
 //! ```
 
@@ -17,6 +37,7 @@ mod body_region;
 mod contact;
 mod damper;
 mod error;
+pub mod exports;
 mod laws;
 mod orbit;
 mod quadrature;

@@ -24,4 +24,9 @@ impl Separation {
             Self::GapCloses => "gap",
         }
     }
+
+    /// The one of this name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|separation| separation.name() == name)
+    }
 }

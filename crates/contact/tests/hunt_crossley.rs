@@ -1,5 +1,7 @@
 //! Hunt–Crossley's relation between dissipation and restitution, in figures and at its limits.
 
+#![allow(clippy::excessive_precision, reason = "figures stand as the other program gave them")]
+
 mod support;
 
 use percuss_contact::{Contact, Damper, Law, Separation, hunt_crossley};

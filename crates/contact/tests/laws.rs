@@ -190,6 +190,15 @@ fn names_are_unique_and_lead_back() {
 }
 
 #[test]
+fn separations_have_names() {
+    for separation in Separation::ALL {
+        assert_eq!(Separation::from_name(separation.name()), Some(separation));
+    }
+    assert_eq!(Separation::from_name("never"), None);
+    assert_eq!(Separation::default(), Separation::ForceVanishes);
+}
+
+#[test]
 fn an_unknown_name_lists_the_known() {
     let error = Law::from_name("hunt-crosley").unwrap_err();
     let ContactError::UnknownLaw { nearest, .. } = &error else { panic!("{error:?}") };

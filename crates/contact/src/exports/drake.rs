@@ -15,12 +15,15 @@ const LONGEST_STEP: f64 = 0.1;
 /// Drake combines k = k₁k₂/(k₁+k₂), d = (k₂d₁+k₁d₂)/(k₁+k₂), τ = τ₁+τ₂. SAP integrates max(0, −k φ − k τ v) by implicit
 /// Euler, so ζ' = ζ − ωh/2.
 ///
-/// Measured in Drake 1.51.1, ball and pendulum with rotor inertia, e = 0.2, 0.5, 0.8:
-/// continuous, runge_kutta3, accuracy 1e-3, greatest step 0.1/ω: |Δe| ≤ 6.1e-5, the same at 1e-2; left to itself
-/// (greatest step 10/ω) accuracy 1e-3 gives −2.5e-4, −1.5e-2, −1.6e-2 and 1e-5 gives 6e-6, −2e-5, −1.4e-4;
-/// runge_kutta5 steps over the contact; implicit_euler is off by 2e-2 at 1e-5.
-/// Discrete lagged and similar lose (0.04, 0.48, 1.10)·ωh, at e = 0.95 1.45·ωh, at 0.1 0.001·ωh: below (π/2)e ωh.
-/// SAP: see [`Linear::implicit_error_bound`].
+/// Measured in Drake 1.51.1 at accuracy 1e-3, the worst of 25 phases for e = 0.05, 0.2, 0.5, 0.8, 0.95, 0.99:
+/// continuous (runge_kutta3, accuracy 1e-3, greatest step 0.1/ω) 1e-10, 1.4e-5, 1.1e-4, 2.4e-4, 3.2e-4, 3.5e-4; discrete
+/// lagged 1e-6, 1.2e-4, 6.2e-4, 8.9e-4, 9.7e-4, 9.9e-4; SAP 5.9e-4, 5.1e-4, 4.2e-4, 3.6e-4, 2.9e-4, 1e-5. Pendulums with rotor
+/// inertia the same. With the struck body's own 1.5 kg for m̄ = 6.19 kg SAP shows 0.395, 0.693, 0.894 for 0.2, 0.5, 0.8;
+/// continuous and lagged plants need no m̄ for the restitution.
+/// With steps left to error control (greatest step 10/ω) the same integrator is off by 1.6e-2 at accuracy 1e-3 and 1.4e-4 at
+/// 1e-5; runge_kutta5 can step over the contact; implicit_euler is off by 2e-2 at 1e-5.
+/// Lagged and similar lose 0.001, 0.04, 0.48, 1.10, 1.45 ωh for e = 0.1, 0.2, 0.5, 0.8, 0.95: below (π/2)e ωh.
+/// SAP's step: [`Linear::implicit_error_bound`].
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let linear = Linear::of(request, Tool::Drake)?;
     let mut export = Export::new(

@@ -24,7 +24,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
         "Gazebo Classic with ODE: linear spring and damper, never pulling, by implicit Euler",
         &[
             "Gazebo Classic, gazebo/physics/ode/ODEPhysics.cc: Collide",
-            "SDFormat 1.9, surface.sdf and physics.sdf",
+            "SDFormat 1.9, surface.sdf",
             "gz-physics, bullet-featherstone/src/SDFFeatures.cc and dartsim/src/SDFFeatures.cc",
         ],
     );

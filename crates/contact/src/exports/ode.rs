@@ -16,8 +16,8 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
         Tool::Ode,
         "linear spring and damper, never pulling, by implicit Euler",
         &[
-            "ODE user guide, \"How To Use ERP and CFM\" and \"Contact\"",
             "Gazebo Classic, gazebo/physics/ode/ODEPhysics.cc: Collide",
+            "ODE manual, \"How To Use ERP and CFM\" (from memory, not opened)",
         ],
     );
     export.time_step = Some(step);
@@ -42,8 +42,9 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     export.say(
         "ODE is built in double precision, and dContactBounce is off: its bounce would come on top of the spring's.",
     );
-    export.say("dWorldSetContactMaxCorrectingVel is left at infinity, dWorldSetContactSurfaceLayer at 0.");
-    export.say("Not measured in ODE itself: the row was read in its documentation and run in a model of it.");
+    export
+        .say("The world's contact settings are ODE's own: no cap on the correcting speed, no surface layer.");
+    export.say("Not measured in ODE itself: the formulas are those that Gazebo Classic hands to it, run in a model of its row.");
     Ok(export)
 }
 

@@ -5,12 +5,14 @@ use super::{Export, ExportError, Request, Tool};
 
 /// Δe per transition width in units of v/ω, as an upper bound.
 const ERROR_PER_WIDTH: f64 = 0.16;
+/// Up to which width, in units of v/ω, that holds.
+const WIDEST: f64 = 0.1;
 
 /// Stiffness k, damping c = 2ζ√(k m̄), transition region width w = accuracy/0.32 · v/ω.
 ///
 /// f = s(x, w)(k x + b ẋ), never pulling, s rising from 0 to 1 with level ends over w. The block's page does not give
-/// s; with 3u²−2u³ the restitution comes out 0.0015, 0.0013, 0.0006 high at w = 0.01 v/ω for e = 0.2, 0.5, 0.8, and in
-/// proportion to w up to 0.1 v/ω. The width is half of what the accuracy allows.
+/// s; with 3u²−2u³, integrated, the restitution comes out high by (0.12, 0.15, 0.15, 0.13, 0.06) w ω/v for e = 0.1, 0.2,
+/// 0.3, 0.5, 0.8, up to w = 0.1 v/ω. The width is half of what the accuracy allows.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let linear = Linear::of(request, Tool::Simscape)?;
     let damping = linear.damping(linear.ratio);
@@ -31,7 +33,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     );
     match request.speed {
         Some(speed) => {
-            let width = linear.accuracy / (2.0 * ERROR_PER_WIDTH) * speed / linear.frequency;
+            let width = WIDEST.min(linear.accuracy / (2.0 * ERROR_PER_WIDTH)) * speed / linear.frequency;
             export.set("Transition Region Width", width, "m");
             text += &format!("contact_transition_width = {width:?}; % m\n");
             export.error_bound = Some(linear.accuracy / 2.0);

@@ -17,6 +17,7 @@ mod zhiying_qishao;
 
 use crate::error::{nearest, positive, unit_interval};
 use crate::{Contact, ContactError, Damper, Separation};
+use serde::Serialize;
 
 /// A contact law: which damper gives the restitution asked for.
 ///
@@ -75,7 +76,7 @@ pub struct Alias {
 }
 
 /// How far an approximation misses.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ApproximationError {
     /// The restitution asked for.
     pub requested: f64,
