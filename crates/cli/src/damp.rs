@@ -121,8 +121,10 @@ fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
     blow("peak force", damper.peak_force.map(|f| format!("{} N, at {} ms", number(f), number(1e3 * when))));
     blow("energy lost", metric(damper.energy_lost, 1.0, "J"));
     if let Some(drift) = report.drift {
-        let slope = drift.per_metre.map(|s| format!("{:+.3} % per mm of penetration", 0.1 * s));
-        let over = drift.over_penetration.map(|o| format!("{:+.3} % over the penetration", 100.0 * o));
+        // Rounding leaves no sign on zero.
+        let percent = |p: f64| format!("{:+.3} %", if p.abs() < 5e-4 { 0.0 } else { p });
+        let slope = drift.per_metre.map(|s| percent(0.1 * s) + " per mm of penetration");
+        let over = drift.over_penetration.map(|o| percent(100.0 * o) + " over the penetration");
         let text: Vec<String> = [over, slope].into_iter().flatten().collect();
         facts.push(("mass drifts by", if text.is_empty() { "unknown".into() } else { text.join(", ") }));
     }

@@ -58,7 +58,10 @@ fn text(report: &SafeSpeedReport) -> String {
         "greatest speed",
         report.reflected.as_ref().map_or_else(
             || "none: the robot does not give way along this direction".to_owned(),
-            |record| speed(record, "effective mass at the contact"),
+            |record| {
+                let load = if report.load > 0.0 { " and the load" } else { "" };
+                speed(record, &format!("effective mass at the contact{load}"))
+            },
         ),
     );
     fact("by the standard", speed(&report.standard, "M/2 + m_L"));

@@ -81,7 +81,7 @@ pub(crate) fn positive(what: &'static str, value: f64) -> Result<f64, ContactErr
     if value.is_normal() && value > 0.0 {
         return Ok(value);
     }
-    Err(ContactError::OutOfRange { what, got: value, valid: "a finite number above 2.3e-308" })
+    Err(ContactError::OutOfRange { what, got: value, valid: "a finite number above 0 (at least 2.3e-308)" })
 }
 
 /// A finite number, zero or above.
