@@ -141,10 +141,10 @@ def presentable(inertia):
 
 
 def least_energy(mass, rows, row):
-    """min vᵀMv with Av = 0, jv = 1, on the kernel of A."""
+    """min vᵀMv with Av = 0, jv = 1, on the kernel of A, which may have no rows."""
     size = 1 / np.sqrt(np.diag(mass))
     u, s, vt = np.linalg.svd(rows * size)
-    rank = int((s > RANK * s[0]).sum())
+    rank = int((s > RANK * s.max(initial=0)).sum())
     kernel = vt[rank:].T * size[:, None]
     along = row @ kernel
     return 1 / (along @ np.linalg.solve(kernel.T @ mass @ kernel, along))

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Compares percuss with Pinocchio and MuJoCo: robots of example-robot-data, closed linkages, reference files. README.md says
-# what and how.
+# Compares percuss with Pinocchio, MuJoCo and Drake: robots of example-robot-data, closed linkages, contacts that bounce,
+# reference files. README.md says what and how.
 # Needs python3 and, the first time, the network. Options go to compare.py (--only NAME, --update-ledger, …).
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
@@ -19,6 +19,7 @@ export PYTHONDONTWRITEBYTECODE=1 OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 failed=0
 "$venv/bin/python" "$here/compare.py" --probe "$target/release/percuss-probe" "$@" || failed=1
 "$venv/bin/python" "$here/loops.py" --percuss "$target/release/percuss" || failed=1
+PYTHONPATH=$here "$venv/bin/python" "$here/contact/check.py" --percuss "$target/release/percuss" || failed=1
 # Reference files of the loop dialect, where they are at hand: beside the repository, or where PERCUSS_REFERENCE says.
 reference=${PERCUSS_REFERENCE:-../shared/data}
 if [ -d "$reference" ]; then

@@ -39,13 +39,15 @@ class Tally:
             worst = self.worst.get(check)
             tail = f"{worst[0]:9.1e}{worst[2]:9.0e}  {worst[1]}" if worst and worst[0] > 0 else ""
             print(f"{check:48}{self.passed[check]:7}{self.failed[check]:9}{tail}")
-        print("\ncontacts            base       finite   immovable    massless     refused")
+        if self.answers:
+            print("\ncontacts            base       finite   immovable    massless     refused")
         for peer, base in sorted({key[:2] for key in self.answers}):
             counts = [self.answers[peer, base, status] for status in ("finite", "immovable", "massless", "refused")]
             print(f"{peer:20}{base:9}" + "".join(f"{count:8}    " for count in counts).rstrip())
         for (peer, status), count in sorted(self.undecided.items()):
             print(f"{peer}: {count} more answered {status} where rounding decides")
-        print("\nworst conditions of M scaled to unit diagonal")
+        if self.conditions:
+            print("\nworst conditions of M scaled to unit diagonal")
         for label, value in sorted(self.conditions.items(), key=lambda item: -item[1])[:6]:
             print(f"    {value:8.1e}  {label}")
         print(f"\n{seconds:.0f} s")

@@ -1,0 +1,259 @@
+"""Whether simulators bounce as asked with the parameters that `percuss damp` writes for them.
+
+    check.py --percuss PATH     prints tables and `N passed, N failed`
+
+A ball and pendulums in MuJoCo and Drake, a four-bar and a double wishbone on its bump stop in MuJoCo. Each is run with the
+parameters that percuss exports, at the time step it recommends; and beside that with the struck body's own mass in place of the
+effective mass, to show what that does. Run from the repository's root, with tests/external on PYTHONPATH."""
+
+import argparse
+import dataclasses
+import itertools
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import drake_scenes
+import mujoco_scenes
+import snippets
+from blows import Contact, answer, damp, linear_blow, parameters
+from tally import Tally
+
+RESTITUTIONS = (0.2, 0.5, 0.8)
+# The error that percuss promises at its time step.
+RESTITUTION = 1e-3
+# Of the penetration, relative: it is looked at once a step.
+DEPTH = 5e-3
+# Of the effective mass over the penetration, so that one number is good enough; and between percuss's and MuJoCo's.
+DRIFT, DRIFT_AGREEMENT = 1e-3, 2e-6
+# Of the effective mass by MuJoCo's matrices; of α = Â m̄.
+MASS, ALPHA = 1e-9, 1e-6
+# Of what percuss says that a damper for the wrong mass does.
+STATED = 1e-9
+# Of a blow with wrong numbers about what it should then do: the time step is not made for it.
+WRONG = 0.01
+
+# In MuJoCo each contact is run in these other ways too. With closed loops implicitfast needs half the step.
+OTHERWISE = {
+    "implicitfast": lambda p: {
+        "integrator": "implicitfast",
+        "timestep": p["timestep"] * (0.5 if "equality_solref" in p else 1.0),
+    },
+    "RK4": lambda p: {"integrator": "RK4"},
+    "standard format": lambda p: {"solref": p["solref_standard"]},
+}
+WRONG_NAMES = ("own mass", "k, c over own mass", "k, c undivided", "loops at default")
+
+BALL = Contact(("--mass", "1.5"), 1e5, 0.4)
+LENGTH, ROTORS = 0.8, (0.0, 0.5, 3.0)
+PENDULUM = f"""<robot name="pendulum">
+  <link name="world"/>
+  <link name="rod">
+    <inertial>
+      <origin xyz="{LENGTH} 0 0"/>
+      <mass value="1.5"/>
+      <inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/>
+    </inertial>
+  </link>
+  <joint name="hinge" type="continuous">
+    <parent link="world"/>
+    <child link="rod"/>
+    <axis xyz="0 -1 0"/>
+  </joint>
+</robot>
+"""
+FOUR_BAR = Contact(
+    ("--mass-from", "models/four_bar.urdf", "--link", "coupler", "--point", "0.35,0.1,0", "--normal", "0,1,0"), 1e6, 2e-3
+)
+BUMP_STOP = Contact(
+    ("--mass-from", "models/double_wishbone.urdf", "--link", "bump_stop_pad", "--point", "0,0,0")
+    + ("--along-line", "bump_stop:0,0,0", "--against", "chassis"),
+    1e6,
+    2e-2,
+)
+
+
+@dataclasses.dataclass
+class Row:
+    """A line of the printed table: restitution and penetration as measured, the latter over what percuss states; likewise
+    with the wrong parameters."""
+
+    tool: str
+    scene: str
+    restitution: float
+    mean: float
+    error: float
+    depth: float
+    wrong: dict = dataclasses.field(default_factory=dict)
+
+    def __str__(self):
+        line = f"{self.tool:22} {self.scene:19} {self.restitution:4} {self.mean:9.5f} {self.error:8.1e} {self.depth:6.3f}"
+        for name in WRONG_NAMES:
+            line += "   {:6.3f} {:6.3f}".format(*self.wrong[name]) if name in self.wrong else " " * 16
+        return line.rstrip()
+
+
+class Check:
+    def __init__(self, percuss):
+        self.percuss, self.tally, self.rows = percuss, Tally(), []
+
+    def right(self, tool, scene, report, outcome, linear=True):
+        """A blow with percuss's parameters."""
+        e, where = report["restitution"], f"{scene}, e = {report['restitution']}"
+        depth = outcome.depth / report["max_penetration"]
+        self.tally.within(f"restitution: {tool}", where, outcome.error(e), RESTITUTION)
+        if linear:  # percuss states the penetration of the law it was asked for
+            self.tally.within(f"penetration: {tool}", where, abs(depth - 1), DEPTH)
+        self.rows.append(Row(tool, scene, e, outcome.mean, outcome.error(e), depth))
+        return self.rows[-1]
+
+    def wrong(self, row, name, report, outcome, foreseen=None):
+        """A blow with wrong parameters; restitution and penetration as they follow from the law."""
+        row.wrong[name] = outcome.mean, outcome.depth / report["max_penetration"]
+        if foreseen:
+            where, (e, depth) = f"{row.tool}, {row.scene}, e = {row.restitution}", foreseen
+            self.tally.within(f"as foreseen: {name}", where, abs(outcome.mean - e), WRONG)
+            self.tally.within(f"as foreseen: {name}, x", where, abs(outcome.depth / depth - 1), WRONG)
+
+    def damp(self, contact, e, *more):
+        return damp(self.percuss, contact, e, *more)
+
+    def mujoco(self, scene, report, blow):
+        """`blow(parameters)` gives the outcome."""
+        given = parameters(report, "mujoco")
+        for name, change in OTHERWISE.items():
+            self.right(f"MuJoCo {name}", scene, report, blow(given | change(given)))
+        return self.right("MuJoCo", scene, report, blow(given))
+
+    def wrong_in_mujoco(self, row, contact, report, alone, blow):
+        """Everything computed for the struck body's own mass; the contact's k and c over that mass; k and c as they are; and,
+        where loops are closed, MuJoCo's own settings of the equality constraints."""
+        given, own = parameters(report, "mujoco"), report["body_alone"]["mass"]
+        k, c = contact.stiffness, report["damping"]
+        for name, solref in (
+            ("own mass", parameters(alone, "mujoco")["solref"]),
+            ("k, c over own mass", [-k / own, -c / own]),
+            ("k, c undivided", [-k, -c]),
+        ):
+            # As many steps to a period as with the right stiffness.
+            step = given["timestep"] * (given["solref"][0] / solref[0]) ** 0.5
+            outcome = blow(given | {"solref": solref, "timestep": step})
+            self.wrong(row, name, report, outcome, linear_blow(-solref[0], -solref[1], contact.speed))
+        if "equality_solref" in given:
+            loose = {name: value for name, value in given.items() if not name.startswith("equality_")}
+            self.wrong(row, "loops at default", report, blow(loose))
+
+    def alone(self, contact, report):
+        """What percuss would say of the struck body's own mass; None where that is the effective mass."""
+        own, mass = report["body_alone"], report["effective_mass"]
+        if abs(own["mass"] / mass - 1) < MASS:
+            return None
+        alone = self.damp(contact.of_mass(own["mass"]), report["restitution"])
+        e, _ = linear_blow(contact.stiffness / mass, alone["damping"] / mass, contact.speed)
+        where = f"m̄ = {mass:.6g} kg, own {own['mass']:.6g} kg, e = {report['restitution']}"
+        self.tally.within("stated: what the own mass's damper does", where, abs(own["restitution"] - e), STATED)
+        return alone
+
+    def ball(self):
+        for e in RESTITUTIONS:
+            report = self.damp(BALL, e)
+            mass = report["effective_mass"]
+            self.mujoco("ball", report, lambda p: mujoco_scenes.ball(p, mass, BALL.speed))
+            for mode in drake_scenes.MODES:
+                outcome = drake_scenes.ball(parameters(report, "drake"), mode, mass, BALL.speed)
+                self.right(f"Drake {mode}", "ball", report, outcome, linear=mode == "sap")
+
+    def pendulum(self, folder, rotor):
+        path = Path(folder) / "pendulum.urdf"
+        path.write_text(PENDULUM)
+        flags = ("--link", "rod", "--point", f"{LENGTH},0,0", "--normal", "0,0,-1", "--armature", f"hinge={rotor}")
+        contact = dataclasses.replace(BALL, flags=("--mass-from", str(path), *flags))
+        scene = f"pendulum, rotor {rotor}"
+        for report, alone in self.mechanism(scene, contact):
+
+            def blow(of, mode):
+                return drake_scenes.pendulum(parameters(of, "drake"), mode, PENDULUM, LENGTH, rotor, contact.speed)
+
+            for mode in drake_scenes.MODES:
+                row = self.right(f"Drake {mode}", scene, report, blow(report, mode), linear=mode == "sap")
+                if alone:
+                    # SAP integrates k and c as they are; the other plants' numbers do not depend on a mass.
+                    mass = report["effective_mass"]
+                    foreseen = linear_blow(contact.stiffness / mass, alone["damping"] / mass, contact.speed)
+                    self.wrong(row, "own mass", report, blow(alone, mode), foreseen if mode == "sap" else None)
+
+    def mechanism(self, scene, contact):
+        """A model's contact in MuJoCo. Gives percuss's report for each restitution, and what it says of the own mass."""
+        _, path, *flags = contact.flags
+        theirs = mujoco_scenes.Mechanism(path, answer(self.percuss, "mass", path, *flags))
+        mass = theirs.effective_mass(theirs.pose)
+        for e in RESTITUTIONS:
+            where = f"{scene}, e = {e}"
+            report = self.damp(contact, e)
+            given, ours = parameters(report, "mujoco"), report["effective_mass"]
+            self.tally.within("effective mass by MuJoCo's matrices", where, abs(ours / mass - 1), MASS)
+            # The direct solref is that of an exact diagonal times d + (1 − d)α, d the impedance.
+            d = given["solimp"][0]
+            alpha = (-given["solref"][0] * ours / contact.stiffness - d) / (1 - d)
+            their_alpha = theirs.inverse_diagonal() * mass
+            self.tally.within("α = Â m̄ by MuJoCo's body_invweight0", where, abs(alpha / their_alpha - 1), ALPHA)
+
+            alone = self.alone(contact, report)
+            row = self.mujoco(scene, report, lambda p: theirs.blow(p, contact.speed)[0])
+            if alone:
+                self.wrong_in_mujoco(row, contact, report, alone, lambda p: theirs.blow(p, contact.speed)[0])
+
+            # The plane's normal stays; that of the contact asked for may turn with the mechanism.
+            drift = report["drift"]["over_penetration"]
+            on_plane = self.damp(contact.along(theirs.normal), e)["drift"]["over_penetration"]
+            their_drift = theirs.effective_mass(theirs.blow(given, contact.speed)[1]) / mass - 1
+            self.tally.within("drift of the effective mass", where, max(abs(drift), abs(on_plane)), DRIFT)
+            self.tally.within("drift by MuJoCo's matrices", where, abs(on_plane - their_drift), DRIFT_AGREEMENT)
+            print(
+                f"{where}: m̄ = {ours:.6f} kg (MuJoCo {mass:.6f}), body alone {report['body_alone']['mass']:.6g} kg, "
+                f"α = {alpha:.6f} (MuJoCo {their_alpha:.6f}), drift {drift:+.2e}, on a plane {on_plane:+.2e} "
+                f"(MuJoCo {their_drift:+.2e})",
+                flush=True,
+            )
+            yield report, alone
+
+    def snippets(self):
+        contacts = {
+            "ball": dataclasses.replace(BALL, flags=(*BALL.flags, "--own-mass", "1.5")),
+            "four-bar": FOUR_BAR,
+            "double wishbone": BUMP_STOP,
+        }
+        for (name, contact), e in itertools.product(contacts.items(), RESTITUTIONS):
+            snippets.check(self.damp(contact, e, "--for", "all"), f"{name}, e = {e}", self.tally)
+
+    def table(self):
+        print("\nRestitution e: asked for, measured (mean and worst of the phases); penetration x, over what percuss states")
+        print("(that of the linear law: Drake's continuous and lagged plants have another). Then e and x with wrong numbers.")
+        print(f"{'':69}" + "".join(f"{name:>16}" for name in ("own", "k, c over", "k, c", "loops at")))
+        print(
+            f"{'tool':22} {'scene':19} {'e':>4} {'measured':>9} {'worst':>8} {'x':>6}"
+            + "".join(f"{name:>16}" for name in ("mass", "own mass", "undivided", "default"))
+        )
+        for row in sorted(self.rows, key=lambda r: (r.scene, r.tool)):
+            print(row)
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--percuss", required=True)
+    started = time.monotonic()
+    check = Check(parser.parse_args().percuss)
+    check.snippets()
+    list(check.mechanism("four-bar", FOUR_BAR))
+    list(check.mechanism("double wishbone", BUMP_STOP))
+    check.ball()
+    with tempfile.TemporaryDirectory() as folder:
+        for rotor in ROTORS:
+            check.pendulum(folder, rotor)
+    check.table()
+    return check.tally.report(time.monotonic() - started)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

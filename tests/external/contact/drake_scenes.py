@@ -1,0 +1,124 @@
+"""Blows in Drake. `parameters` in Drake's own names, as percuss writes them, the same for both geometries of the pair:
+"point_contact_stiffness", "hunt_crossley_dissipation", "relaxation_time"; and of the plant: "integration_scheme", "accuracy",
+"max_step_size" (continuous), "time_step_lagged", "time_step_sap". `mode` says which plant.
+
+Nothing here knows a contact law: the parameters come from elsewhere."""
+
+import logging
+
+from pydrake.geometry import AddContactMaterial, HalfSpace, ProximityProperties, Sphere
+from pydrake.math import RigidTransform
+from pydrake.multibody.parsing import Parser
+from pydrake.multibody.plant import AddMultibodyPlantSceneGraph, CoulombFriction, DiscreteContactApproximation
+from pydrake.multibody.tree import PrismaticJoint, SpatialInertia
+from pydrake.systems.analysis import ApplySimulatorConfig, Simulator, SimulatorConfig
+from pydrake.systems.framework import DiagramBuilder, EventStatus
+
+from blows import RADIUS, Outcome
+
+# It warns that half spaces do not touch deformable bodies.
+logging.getLogger("drake").setLevel(logging.ERROR)
+# mode: the approximation of a discrete plant, and its time step.
+MODES = {
+    "continuous": None,
+    "lagged": (DiscreteContactApproximation.kLagged, "time_step_lagged"),
+    "sap": (DiscreteContactApproximation.kSap, "time_step_sap"),
+}
+# The flight before a blow in a continuous plant, in steps of the integrator; and the longest blow that is waited for, likewise.
+FLIGHT, LONGEST = 200, 20_000
+
+
+def ball(parameters, mode, mass, speed):
+    """A ball thrown square at a half space. Effective mass: `mass`."""
+
+    def build(plant):
+        body = plant.AddRigidBody("ball", SpatialInertia.SolidSphereWithMass(mass, RADIUS))
+        plant.AddJoint(PrismaticJoint("along", plant.world_frame(), body.body_frame(), [0, 0, 1]))
+        return body, RigidTransform()
+
+    return blows(build, parameters, mode, 1.0, speed)
+
+
+def pendulum(parameters, mode, urdf, length, rotor_inertia, speed):
+    """The pendulum of a URDF, as Drake reads it, swung on to a stop below its end."""
+
+    def build(plant):
+        Parser(plant).AddModelsFromString(urdf, "urdf")
+        actuator = plant.AddJointActuator("rotor", plant.GetJointByName("hinge"))
+        actuator.set_default_rotor_inertia(rotor_inertia)
+        return plant.GetBodyByName("rod"), RigidTransform([length, 0, 0])
+
+    return blows(build, parameters, mode, length, speed)
+
+
+def blows(build, parameters, mode, lever, speed):
+    """In a continuous plant the phase is where in a step of the integrator the contact begins."""
+    return Outcome.of(lambda phase: blow(build, parameters, mode, lever, speed, phase))
+
+
+def blow(build, parameters, mode, lever, speed, phase):
+    """A plant of one coordinate; `lever`: metres of gap for each unit of it."""
+    discrete = MODES[mode]
+    builder = DiagramBuilder()
+    plant, _ = AddMultibodyPlantSceneGraph(builder, time_step=parameters[discrete[1]] if discrete else 0.0)
+    plant.mutable_gravity_field().set_gravity_vector([0, 0, 0])
+    body, place = build(plant)
+    plant.RegisterCollisionGeometry(body, place, Sphere(RADIUS), "struck", material(parameters))
+    stop = RigidTransform([0, 0, -RADIUS])
+    plant.RegisterCollisionGeometry(plant.world_body(), stop, HalfSpace(), "stop", material(parameters))
+    if discrete:
+        plant.set_discrete_contact_approximation(discrete[0])
+    plant.Finalize()
+    simulator = Simulator(builder.Build())
+    if not discrete:
+        ApplySimulatorConfig(simulation(parameters), simulator)
+    context = plant.GetMyMutableContextFromRoot(simulator.get_mutable_context())
+    step = plant.time_step() if discrete else parameters["max_step_size"]
+    flight = phase if discrete else FLIGHT + phase
+    plant.SetPositions(context, [flight * speed * step / lever])
+    plant.SetVelocities(context, [-speed / lever])
+    watch = Watch(plant, lever)
+    simulator.set_monitor(watch)
+    simulator.Initialize()
+    simulator.AdvanceTo((flight + LONGEST) * step)
+    if watch.rebound is None:
+        raise RuntimeError("the blow did not end")
+    return watch.rebound / speed, watch.depth
+
+
+def material(parameters):
+    properties = ProximityProperties()
+    AddContactMaterial(
+        dissipation=parameters["hunt_crossley_dissipation"],
+        point_stiffness=parameters["point_contact_stiffness"],
+        friction=CoulombFriction(0.0, 0.0),
+        properties=properties,
+    )
+    properties.AddProperty("material", "relaxation_time", parameters["relaxation_time"])
+    return properties
+
+
+def simulation(parameters):
+    config = SimulatorConfig()
+    config.integration_scheme = parameters["integration_scheme"]
+    config.accuracy = parameters["accuracy"]
+    config.max_step_size = parameters["max_step_size"]
+    return config
+
+
+class Watch:
+    """Looks on after each step, and ends the run once the gap has opened again."""
+
+    def __init__(self, plant, lever):
+        self.plant, self.lever = plant, lever
+        self.depth, self.rebound = 0.0, None
+
+    def __call__(self, root):
+        context = self.plant.GetMyContextFromRoot(root)
+        height = self.plant.GetPositions(context)[0] * self.lever
+        opening = self.plant.GetVelocities(context)[0] * self.lever
+        self.depth = max(self.depth, -height)
+        if opening > 0 and height > 0:
+            self.rebound = opening
+            return EventStatus.ReachedTermination(None, "the gap has opened")
+        return EventStatus.DidNothing()

@@ -1,0 +1,156 @@
+"""Blows in MuJoCo. `parameters` in MuJoCo's own names, as percuss writes them: "solref", "solimp", "timestep", for closed
+loops "equality_solref" and "equality_solimp"; and where wanted "integrator".
+
+Nothing here knows a contact law: the parameters come from elsewhere. Everything else is MuJoCo's default, but that there is no
+gravity and no friction."""
+
+import mujoco
+import numpy as np
+
+from blows import RADIUS, Outcome
+from loops import least_energy, mjcf, quaternion
+
+# A blow that has not ended after this many steps is not one.
+STEPS = 2_000_000
+
+
+def dress(spec, parameters):
+    """Gives the parameters to all geoms and equality constraints."""
+    spec.option.timestep = parameters["timestep"]
+    spec.option.integrator = getattr(mujoco.mjtIntegrator, f"mjINT_{parameters.get('integrator', 'Euler').upper()}")
+    for geom in spec.geoms:
+        geom.solref = parameters["solref"]
+        geom.solimp[:3] = parameters["solimp"]
+        geom.condim = 1
+    if "equality_solref" in parameters:
+        for equality in spec.equalities:
+            equality.solref = parameters["equality_solref"]
+            equality.solimp[:3] = parameters["equality_solimp"]
+    return spec.compile()
+
+
+def ball(parameters, mass, speed):
+    """A ball thrown square at a plane. Effective mass: `mass`."""
+    spec = mujoco.MjSpec.from_string(
+        '<mujoco><option gravity="0 0 0"/><worldbody><geom type="plane" size="1 1 .1"/>'
+        f'<body pos="0 0 {RADIUS}"><joint type="slide" axis="0 0 1"/>'
+        f'<geom type="sphere" size="{RADIUS}" mass="{mass!r}"/></body></worldbody></mujoco>'
+    )
+    model = dress(spec, parameters)
+    return Blow(model, model.qpos0, np.ones(1), lambda data: data.qvel[0]).outcome(speed)
+
+
+class Mechanism:
+    """One of percuss's models, made MJCF by loops.py, with a stop before the contact of a report of `percuss mass`: a small
+    sphere about the contact point and a plane that touches it. Pose, point and normal are the report's.
+
+    The sphere belongs to the body that the struck link is welded to, as when MuJoCo reads a URDF (fusestatic)."""
+
+    def __init__(self, path, report):
+        text, _ = mjcf(path)
+        self.spec = mujoco.MjSpec.from_string(text)
+        for joint, values in report["conditions"]["armature"].items():
+            self.spec.joint(joint).armature = values[0] if isinstance(values, list) else values
+        contact = report["contact"]
+        self.normal = np.array(contact["normal_world"])
+        bare = self.spec.compile()
+        self.pose = bare.qpos0.copy()
+        for joint, values in report["pose"].items():
+            address = bare.joint(joint).qposadr[0]
+            self.pose[address : address + len(values)] = values
+        data = mujoco.MjData(bare)
+        data.qpos[:] = self.pose
+        mujoco.mj_kinematics(bare, data)
+        self.body = bare.body_weldid[bare.body(contact["link"]).id]
+        point = np.array(contact["point_world"])
+        local = data.xmat[self.body].reshape(3, 3).T @ (point - data.xpos[self.body])
+        name = bare.body(self.body).name
+        self.spec.body(name).add_geom(name="struck", type=mujoco.mjtGeom.mjGEOM_SPHERE, size=[RADIUS, 0, 0], pos=local, mass=0)
+        self.spec.worldbody.add_geom(
+            type=mujoco.mjtGeom.mjGEOM_PLANE,
+            size=[1, 1, 0.1],
+            pos=point + RADIUS * self.normal,
+            quat=facing(-self.normal),
+        )
+        self.model = self.spec.compile()
+        self.probed = mujoco.MjData(self.model)
+
+    def blow(self, parameters, speed):
+        """The outcome, and the pose of the deepest penetration."""
+        blow = Blow(dress(self.spec.copy(), parameters), self.pose, self.opening(), self.opening_speed)
+        return blow.outcome(speed), blow.deepest
+
+    def inverse_diagonal(self):
+        """Â, what MuJoCo takes for the contact's inverse mass."""
+        return self.model.body_invweight0[self.body][0]
+
+    def effective_mass(self, pose):
+        return least_energy(*self.matrices(pose))
+
+    def matrices(self, pose):
+        """Mass matrix, rows of the equality constraints, row of the contact."""
+        m, d = self.model, self.probed
+        d.qpos[:] = pose
+        mujoco.mj_fwdPosition(m, d)
+        mass = np.zeros((m.nv, m.nv))
+        mujoco.mj_fullM(m, d, mass)
+        rows = d.efc_J.reshape(d.nefc, m.nv)[d.efc_type == mujoco.mjtConstraint.mjCNSTR_EQUALITY]
+        return mass, rows, self.row(m, d)
+
+    def row(self, model, data):
+        """How fast the gap closes, per joint rate. The sphere's centre and its contact lie on one normal."""
+        jacobian = np.zeros((3, model.nv))
+        mujoco.mj_jacGeom(model, data, jacobian, None, model.geom("struck").id)
+        return self.normal @ jacobian
+
+    def opening(self):
+        """The motion of least energy that the loops admit and that opens the gap at 1 m/s: the one a blow excites."""
+        mass, rows, row = self.matrices(self.pose)
+        # Stationary energy under both kinds of constraint; least squares, for rows that do not count.
+        held = np.vstack([rows, row])
+        n = len(mass)
+        system = np.block([[mass, held.T], [held, np.zeros((len(held), len(held)))]])
+        wanted = np.zeros(len(system))
+        wanted[-1] = -1
+        return np.linalg.lstsq(system, wanted)[0][:n]
+
+    def opening_speed(self, data):
+        model = data.model
+        mujoco.mj_kinematics(model, data)
+        mujoco.mj_comPos(model, data)
+        return -self.row(model, data) @ data.qvel
+
+
+def facing(normal):
+    """The quaternion that turns z to a direction."""
+    x = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
+    x /= np.linalg.norm(x)
+    return [float(q) for q in quaternion(np.column_stack([x, np.cross(normal, x), normal])).split()]
+
+
+class Blow:
+    """A model about to strike: its touching pose, the rates by which its gap opens at 1 m/s, and how fast it opens."""
+
+    def __init__(self, model, pose, opening, opening_speed):
+        self.model, self.pose, self.opening, self.opening_speed = model, pose, opening, opening_speed
+        self.depth, self.deepest = 0.0, pose
+
+    def outcome(self, speed):
+        return Outcome.of(lambda phase: self.run(speed, phase))
+
+    def run(self, speed, phase):
+        model, data = self.model, mujoco.MjData(self.model)
+        data.qpos[:] = self.pose
+        mujoco.mj_integratePos(model, data.qpos, self.opening, phase * speed * model.opt.timestep)
+        data.qvel[:] = -speed * self.opening
+        depth, touched = 0.0, False
+        for _ in range(STEPS):
+            mujoco.mj_step(model, data)
+            if data.ncon:
+                touched = True
+                depth = max(depth, -data.contact[0].dist)
+                if depth > self.depth:
+                    self.depth, self.deepest = depth, data.qpos.copy()
+            elif touched:
+                return self.opening_speed(data) / speed, depth
+        raise RuntimeError("the blow did not end")

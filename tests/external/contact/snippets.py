@@ -1,0 +1,107 @@
+"""Whether what `percuss damp … --for all` gives to paste is taken by the programs it is for.
+
+All XML must parse, all JSON too, all Python compile. MuJoCo's snippets are loaded by MuJoCo; Drake's Python is run, its URDF and
+SDF are read by Drake in the place they are for; Gazebo's SDF by the SDFormat library that Drake has. What they hold must then be
+the exported parameters."""
+
+import ast
+import json
+import xml.etree.ElementTree as ElementTree
+
+import mujoco
+import numpy as np
+from pydrake.multibody.parsing import Parser
+from pydrake.multibody.plant import AddMultibodyPlantSceneGraph
+from pydrake.systems.framework import DiagramBuilder
+
+PARSERS = {"xml": ElementTree.fromstring, "json": json.loads, "python": ast.parse}
+# What there must be at least, so that nothing passes by being absent.
+EXPECTED = {
+    ("mujoco", "xml"),
+    ("drake", "xml"),
+    ("drake", "python"),
+    ("gazebo", "xml"),
+    ("bullet", "python"),
+    ("physx", "python"),
+}
+INERTIAL = '<mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>'
+
+
+def check(report, where, tally):
+    """All snippets of a report."""
+    seen = set()
+    for tool, export in report["exports"].items():
+        for snippet in export["snippets"]:
+            language, text = snippet["language"], snippet["text"]
+            seen.add((tool, language))
+            readers = [PARSERS.get(language)]
+            if loader := LOADERS.get((tool, language)):
+                readers.append(lambda text, load=loader, of=export["parameters"]: load(text, of))
+            for reader in filter(None, readers):
+                wrong = ""
+                try:
+                    reader(text)
+                except Exception as error:  # whatever a foreign reader raises is the answer looked for
+                    wrong = f"{type(error).__name__}: {error}"
+                tally.check(f"snippets: {tool}, {language}", f"{where}, {snippet['title']}", not wrong, wrong)
+    tally.check("snippets: none is missing", where, seen >= EXPECTED, f"{EXPECTED - seen}")
+
+
+def same(theirs, ours):
+    assert np.array_equal(theirs, ours), f"{theirs} was read where {ours} was exported"
+
+
+def in_mujoco(text, parameters):
+    spec = mujoco.MjSpec.from_string(text)
+    spec.worldbody.add_geom(type=mujoco.mjtGeom.mjGEOM_SPHERE, size=[1, 0, 0])
+    body = spec.worldbody.add_body(name="held", mass=1, inertia=[1, 1, 1])
+    body.add_freejoint()
+    spec.add_equality(type=mujoco.mjtEq.mjEQ_WELD, objtype=mujoco.mjtObj.mjOBJ_BODY, name1="held")
+    model = spec.compile()
+    same(model.opt.timestep, parameters["timestep"])
+    standard = model.geom_solref[0][0] > 0
+    same(model.geom_solref[0], parameters["solref_standard" if standard else "solref"])
+    same(model.geom_solimp[0][:3], parameters["solimp"])
+    if "equality_solref" in parameters:
+        same(model.eq_solref[0], parameters["equality_solref"])
+        same(model.eq_solimp[0][:3], parameters["equality_solimp"])
+
+
+def drake_properties(properties, parameters):
+    for name in ("point_contact_stiffness", "hunt_crossley_dissipation", "relaxation_time"):
+        same(properties.GetProperty("material", name), parameters[name])
+
+
+def in_pydrake(text, parameters):
+    names = {}
+    exec(text, names)
+    drake_properties(names["properties"], parameters)
+    for name in ("integration_scheme", "accuracy", "max_step_size"):
+        same(getattr(names["config"], name), parameters[name])
+
+
+def in_drake_file(text, parameters):
+    """Which of the two it is shows in how a number is written."""
+    if 'value="' in text:
+        collision = f'<collision><geometry><sphere radius="1"/></geometry>{text}</collision>'
+        document, kind = f'<robot name="r"><link name="l"><inertial>{INERTIAL}</inertial>{collision}</link></robot>', "urdf"
+    else:
+        collision = f'<collision name="c"><geometry><sphere><radius>1</radius></sphere></geometry>{text}</collision>'
+        document, kind = f'<sdf version="1.9"><model name="r"><link name="l">{collision}</link></model></sdf>', "sdf"
+    plant, scene = read_by_drake(document, kind)
+    (geometry,) = plant.GetCollisionGeometriesForBody(plant.GetBodyByName("l"))
+    drake_properties(scene.model_inspector().GetProximityProperties(geometry), parameters)
+
+
+def read_by_drake(document, kind):
+    plant, scene = AddMultibodyPlantSceneGraph(DiagramBuilder(), time_step=0.0)
+    Parser(plant).AddModelsFromString(document, kind)
+    return plant, scene
+
+
+LOADERS = {
+    ("mujoco", "xml"): in_mujoco,
+    ("drake", "python"): in_pydrake,
+    ("drake", "xml"): in_drake_file,
+    ("gazebo", "xml"): lambda text, _: read_by_drake(text, "sdf"),
+}
