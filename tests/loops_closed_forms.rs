@@ -146,7 +146,7 @@ fn limits(rig: &Rig, pose: &Pose, motions: [PlanarPose; 3], gauge: &mut Gauge) {
     assert!(strike.singular_pose && strike.degrees_of_freedom == 2);
     let expected = planar_effective_mass(&BODIES.into_iter().zip(motions).collect::<Vec<_>>(), 1, point, n);
     assert!(mass(&strike) < expected);
-    let limits = rig.system.branch_limits(pose, &contact);
+    let limits = rig.system.branch_limits(pose, &contact).limits;
     let error = |limit: &EffectiveMass| match limit {
         EffectiveMass::Finite(m) => (m / expected - 1.0).abs(),
         EffectiveMass::Immovable | EffectiveMass::Massless => f64::INFINITY,

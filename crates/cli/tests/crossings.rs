@@ -3,7 +3,7 @@
 mod support;
 
 use serde_json::Value;
-use support::{Scratch, json, percuss};
+use support::{Scratch, json, percuss, root};
 
 /// A link of a parallelogram: kg, centre of mass on x, moment of inertia.
 fn link(name: &str, mass: f64, x: f64, inertia: f64) -> String {
@@ -155,4 +155,160 @@ fn a_drive_of_very_many_turns_says_how_far_it_came() {
     for word in ["crank_hinge = 1000000", "too far", "still closed at", "whole turns"] {
         assert!(outcome.stderr.contains(word), "{word}: {}", outcome.stderr);
     }
+}
+
+/// A pin between two links, at so much of x in either frame.
+fn pin(name: &str, [a, at_a]: [&str; 2], [b, at_b]: [&str; 2]) -> String {
+    format!(
+        "<loop name=\"{name}\" type=\"revolute\"><predecessor link=\"{a}\"><origin xyz=\"{at_a} 0 0\"/></predecessor>\
+         <successor link=\"{b}\"><origin xyz=\"{at_b} 0 0\"/></successor><axis xyz=\"0 0 1\"/></loop>\n"
+    )
+}
+
+#[test]
+fn more_loops_than_freedoms_drawn_folded_still_move() {
+    let scratch = Scratch::new("crossings-third");
+    let third = link("third", 3.0, 0.1, 0.01)
+        + &hinge("third_hinge", "ground", "third", 0.4)
+        + &pin("third_pin", ["a_coupler", "0.4"], ["third", "0.5"]);
+    let model = robot(&scratch, "third.urdf", &[parallelogram("ground", "a", STRAIGHT), third]);
+    let contact = format!("mass {model} --link a_coupler --point 0.1,0.05,0 --normal 0,1,0 --format json");
+    let folded = json(&contact);
+    for (key, expected) in
+        [("degrees_of_freedom", 2), ("generic_degrees_of_freedom", 1), ("redundant_constraints", 7)]
+    {
+        assert_eq!(folded[key], expected, "{key}");
+    }
+    // Three cranks at ω = 2 and the coupler at 1 m/s: the crossed branch is lost with the third crank.
+    assert_eq!(limits(&folded).len(), 1);
+    assert_one_is(&limits(&folded), 3.0 * 0.04 * 4.0 + 2.0);
+    let driven = json(&format!("{contact} --set a1=0.5"));
+    assert_eq!((&driven["singular_pose"], &driven["degrees_of_freedom"]), (&false.into(), &1.into()));
+}
+
+#[test]
+fn groups_that_the_contact_does_not_feel_are_left_out() {
+    let scratch = Scratch::new("crossings-seven");
+    let all: Vec<String> =
+        ["a", "b", "c", "d", "e", "f", "g"].map(|name| parallelogram("ground", name, STRAIGHT)).into();
+    let model = robot(&scratch, "seven.urdf", &all);
+    for side in ["a_coupler", "g_coupler"] {
+        let report =
+            json(&format!("mass {model} --link {side} --point 0.1,0.05,0 --normal 0,1,0 --format json"));
+        assert_eq!(report["degrees_of_freedom"], 14);
+        assert_eq!(limits(&report).len(), 2, "{side}");
+        assert_one_is(&limits(&report), 2.32);
+    }
+}
+
+#[test]
+fn every_branch_of_a_ladder_is_found() {
+    let scratch = Scratch::new("crossings-ladder");
+    let mut text = String::new();
+    for crank in 0..5 {
+        text += &(link(&format!("crank{crank}"), 3.0, 0.1, 0.01)
+            + &hinge(&format!("h{crank}"), "ground", &format!("crank{crank}"), f64::from(crank)));
+    }
+    for cell in 0..4 {
+        let (coupler, next) = (format!("coupler{cell}"), format!("crank{}", cell + 1));
+        text += &(link(&coupler, 2.0, 0.2, 0.03)
+            + &hinge(&format!("p{cell}"), &format!("crank{cell}"), &coupler, 0.5)
+            + &pin(&format!("pin{cell}"), [&coupler, "1"], [&next, "0.5"]));
+    }
+    let model = robot(&scratch, "ladder.urdf", &[text]);
+    let report =
+        json(&format!("mass {model} --link coupler1 --point 0.1,0.05,0 --normal 0,1,0 --format json"));
+    assert_eq!(
+        (&report["degrees_of_freedom"], &report["generic_degrees_of_freedom"]),
+        (&5.into(), &1.into())
+    );
+    // Each cell goes on as a parallelogram or crossed: 2⁴. All as parallelograms: five cranks at ω = 2, four couplers.
+    assert_eq!(limits(&report).len(), 16);
+    assert_one_is(&limits(&report), 5.0 * 0.04 * 4.0 + 4.0 * 2.0);
+}
+
+fn message<'a>(report: &'a Value, code: &str) -> &'a str {
+    let all = report["diagnostics"].as_array().expect("a list");
+    let found = all.iter().find(|d| d["code"] == code).unwrap_or_else(|| panic!("{code} in {all:?}"));
+    found["message"].as_str().expect("words")
+}
+
+#[test]
+fn a_small_crossing_beside_a_long_arm_keeps_its_digits() {
+    // A cylinder and a sphere that touch from inside (r and 2r, r = 0.2 m): Viviani's curve crosses itself at the origin
+    // along y = z and y = −z. A link of 10 m stands beside it.
+    let scratch = Scratch::new("crossings-viviani");
+    let slide = |name: &str, axis: &str, parent: &str, mass: f64| {
+        link(name, mass, 0.0, 0.1)
+            + &format!(
+                "<joint name=\"along_{name}\" type=\"prismatic\"><parent link=\"{parent}\"/><child link=\"{name}\"/>\
+                 <axis xyz=\"{axis}\"/><limit lower=\"-1\" upper=\"1\" effort=\"1\" velocity=\"1\"/></joint>"
+            )
+    };
+    let rod = |name: &str, at: &str, to: &str, length: f64| {
+        format!(
+            "<loop name=\"{name}\" type=\"distance\"><predecessor link=\"ground\"><origin xyz=\"{at} 0 0\"/></predecessor>\
+             <successor link=\"{to}\"><origin xyz=\"0.2 0 0\"/></successor><distance value=\"{length}\"/></loop>"
+        )
+    };
+    let text = slide("X", "1 0 0", "ground", 1.0)
+        + &slide("Y", "0 1 0", "X", 2.0)
+        + &slide("Z", "0 0 1", "Y", 3.0)
+        + &rod("cylinder", "0", "Y", 0.2)
+        + &rod("sphere", "-0.2", "Z", 0.4)
+        + &link("arm", 1.0, 0.0, 0.1)
+        + &link("far", 1.0, 0.0, 0.1)
+        + &hinge("arm_hinge", "ground", "arm", 0.0)
+        + &hinge("far_hinge", "arm", "far", 10.0);
+    let model = robot(&scratch, "viviani.urdf", &[text]);
+    let report = json(&format!("mass {model} --link Z --point 0,0,0 --normal 0,1,2 --format json"));
+    // 5 kg move along y, 3 along z: (5 + 3)/(3/√5)² and (5 + 3)/(1/√5)².
+    assert_eq!(limits(&report).len(), 2);
+    assert_one_is(&limits(&report), 40.0 / 9.0);
+    assert_one_is(&limits(&report), 40.0);
+}
+
+#[test]
+fn what_is_no_crossing_of_branches_is_said() {
+    let scratch = Scratch::new("crossings-odd");
+    // Stretched out: the ground is as long as the other three together, and nothing moves.
+    let chain = |lengths: [f64; 3], base: f64| {
+        link("A", 1.0, 0.1, 0.05)
+            + &link("B", 1.0, 0.1, 0.05)
+            + &link("C", 1.0, 0.1, 0.05)
+            + &hinge("jA", "ground", "A", 0.0)
+            + &hinge("jB", "A", "B", lengths[0])
+            + &hinge("jC", "ground", "C", base)
+            + &pin("closing", ["B", &lengths[1].to_string()], ["C", &lengths[2].to_string()])
+    };
+    let model = robot(&scratch, "stretched.urdf", &[chain([0.3, 0.5, -0.4], 1.2)]);
+    let report = json(&format!("mass {model} --link B --point 0.1,0.2,0 --normal 0.3,1,0 --format json"));
+    assert_eq!((&report["singular_pose"], limits(&report).len()), (&true.into(), 0));
+    assert!(message(&report, "singular-pose").contains("no branch was found"));
+    // A flat five-bar: its freedoms at the crossing are three, and the directions that lead on are a cone.
+    let five = chain([0.6, 0.5, 0.0], 0.7)
+        .replace("link=\"B\"><origin xyz=\"0.5", "link=\"D\"><origin xyz=\"-0.1")
+        .replace("link=\"C\"><origin xyz=\"0 ", "link=\"C\"><origin xyz=\"0.3 ")
+        + &link("D", 1.0, 0.1, 0.05)
+        + &hinge("jD", "B", "D", 0.5);
+    let model = robot(&scratch, "five.urdf", &[five]);
+    let report = json(&format!("mass {model} --link B --point 0.1,0.2,0 --normal 0.3,1,0 --format json"));
+    assert!(message(&report, "singular-pose").contains("continuum"));
+    let range = limits(&report);
+    assert!(range.len() == 2 && range[0].expect("a mass") < 0.5 * range[1].expect("a mass"), "{range:?}");
+    assert!(report["effective_mass"].as_f64().expect("a mass") < range[0].expect("a mass"));
+}
+
+#[test]
+fn a_redundant_loop_off_by_a_tenth_of_a_micron_is_warned_of() {
+    let scratch = Scratch::new("crossings-hair");
+    let text = std::fs::read_to_string(root().join("models/parallelogram.urdf")).expect("the model");
+    let pin = "<predecessor link=\"platform\">\n      <origin xyz=\"1 0 0\"/>";
+    let off = text.replacen(pin, &pin.replace("1 0 0", "1.0000001 0 0"), 1);
+    assert_ne!(text, off);
+    let model = scratch.write("off.urdf", &off);
+    let report =
+        json(&format!("mass {model} --link platform --point 0.3,0.1,0 --normal 1,0,0 --format json"));
+    assert_eq!(report["status"], "immovable");
+    assert!(message(&report, "bound-by-a-hair").contains("a degree of freedom more than the 0 counted"));
 }

@@ -183,7 +183,7 @@ fn mistakes_in_a_study_are_told_with_exit_code_2() {
         (of(COUPLER, "").replace("[contact]", "[contacts]"), "unknown field `contacts`"),
         (of(COUPLER, "").replace("normal", "norml"), "unknown field `norml`"),
         (of(COUPLER, "").replace("path = ", "path = 3 #"), "expected a string"),
-        (of(&COUPLER.replace("[0.35, 0.1, 0]", "[0.35, 0.1]"), ""), "length 2"),
+        (of(&COUPLER.replace("[0.35, 0.1, 0]", "[0.35, 0.1]"), ""), "2 numbers; wanted 3"),
         (of(&COUPLER.replace("0.35", "\"a\""), ""), "is no number"),
         (of(&COUPLER.replace("0.35", "nan"), ""), "NaN"),
         (of(&COUPLER.replace("[0, 1, 0]", "[0, 0, 0]"), ""), "the normal has length"),

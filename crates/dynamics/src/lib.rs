@@ -34,6 +34,7 @@ pub use contact::{Contact, ContactError, Direction, Frame, LocatedContact};
 pub use forward_dynamics::{Accelerations, PointForce};
 pub use loops::assembly::AssemblyError;
 pub use loops::freedom::{PoseRank, Singularity};
+pub use loops::limits::BranchLimits;
 pub use loops::posing::LoopState;
 pub use motion::PointVelocity;
 pub use operational_inertia::InverseOperationalInertia;

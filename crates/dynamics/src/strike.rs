@@ -249,8 +249,8 @@ impl System {
         let mut strike = self.finish(pose, contact, effective_mass, &self.expand(&solution.velocity));
         strike.condition = solution.condition;
         strike.degrees_of_freedom = solution.mobility;
-        strike.singular_pose = solution.mobility > self.degrees_of_freedom();
         let rank = self.rank_at(pose);
+        strike.singular_pose = rank.singular;
         if let Some(gap) = rank.gap.filter(|_| !rank.clear) {
             remarks.push(Remark::UnclearRank { gap });
         }
@@ -323,18 +323,23 @@ impl System {
     /// share is measured at its master.
     pub(crate) fn coordinate_lengths(&self) -> Vec<f64> {
         let length = self.mechanism.characteristic_length();
-        let mut lengths = vec![1.0; self.coordinates];
+        self.turning_coordinates().into_iter().map(|turns| if turns { length } else { 1.0 }).collect()
+    }
+
+    /// Which coordinates turn.
+    pub(crate) fn turning_coordinates(&self) -> Vec<bool> {
+        let mut turning = vec![false; self.coordinates];
         for body in &self.bodies {
             if body.joint.is_some_and(|id| self.mechanism.joint(id).mimic().is_some()) {
                 continue;
             }
             for (k, v) in body.v.clone().enumerate() {
                 if let Some(f) = self.follows[v] {
-                    lengths[f.index] = if body.motion.turns(k) { length } else { 1.0 };
+                    turning[f.index] = body.motion.turns(k);
                 }
             }
         }
-        lengths
+        turning
     }
 
     fn tree_lengths(&self) -> impl Iterator<Item = (usize, f64)> + '_ {

@@ -4,8 +4,8 @@ use crate::question::{MassQuestion, StudyError};
 use crate::{DiagnosticRecord, Model, far_point};
 use nalgebra::Vector3;
 use percuss_dynamics::{
-    Configuration, Contact, EffectiveMass, PointVelocity, Pose, Remark, RouteChoice, Singularity, Strike,
-    System,
+    BranchLimits, Configuration, Contact, EffectiveMass, PointVelocity, Pose, Remark, RouteChoice,
+    Singularity, Strike, System,
 };
 use percuss_mechanism::{JointKind, Severity};
 
@@ -14,6 +14,9 @@ const DOUBTFUL: f64 = 1e-6;
 
 /// An assembly is far from its guess from this angle on (rad, or parts of the size).
 const FAR_FROM_GUESS: f64 = 0.5;
+
+/// Rows that bind more weakly than this part may owe it to rounded figures.
+const BY_A_HAIR: f64 = 1e-4;
 
 fn remainder(x: f64, period: f64) -> f64 {
     x - period * (x / period).round()
@@ -81,6 +84,15 @@ pub(crate) fn about_pose(system: &System, pose: &Pose) -> Vec<DiagnosticRecord> 
             format!("the rank of the constraints is unclear (gap {gap:.1e}): mobility may be another");
         found.push(warning("unclear-rank", message));
     }
+    let least = system.least_singular_value();
+    if least < BY_A_HAIR {
+        let message = format!(
+            "the loops bind by a hair: the least singular value of their rows that counts is {least:.1e} of the largest; if \
+             the file's figures are rounded by as much, there is a degree of freedom more than the {} counted",
+            system.degrees_of_freedom()
+        );
+        found.push(warning("bound-by-a-hair", message));
+    }
     found
 }
 
@@ -120,12 +132,7 @@ pub(crate) fn about_guesses(system: &System, pose: &Pose, wanted: &Configuration
 }
 
 /// The contact point, and the remarks of the strike.
-pub(crate) fn about_strike(
-    system: &System,
-    pose: &Pose,
-    contact: &Contact,
-    strike: &Strike,
-) -> Vec<DiagnosticRecord> {
+pub(crate) fn about_strike(system: &System, contact: &Contact, strike: &Strike) -> Vec<DiagnosticRecord> {
     let mut found: Vec<DiagnosticRecord> =
         far_point::doubt(system.mechanism(), contact.link, &contact.point).into_iter().collect();
     let finite = matches!(strike.effective_mass, EffectiveMass::Finite(_));
@@ -142,23 +149,43 @@ pub(crate) fn about_strike(
         );
         found.push(warning("uncertain-mass", message));
     }
-    if strike.singular_pose {
-        let (here, generic) = (strike.degrees_of_freedom, system.degrees_of_freedom());
-        let loops = pose.loops().is_some_and(|l| l.singularities.contains(&Singularity::ChangePoint));
-        let message = if loops {
-            format!(
-                "singular pose (change point): {here} degrees of freedom here, {generic} at a generic pose; branches \
-                 cross, and the value is a lower bound that none of them attains: see the limits along the branches"
-            )
-        } else {
-            format!(
-                "singular pose: {here} degrees of freedom here, {generic} at a generic pose; what is held or locked binds \
-                 less here than beside it, and the value is a lower bound"
-            )
-        };
-        found.push(warning("singular-pose", message));
-    }
     found
+}
+
+/// Where branches cross, or something binds less than beside the pose.
+pub(crate) fn about_branches(
+    system: &System,
+    pose: &Pose,
+    strike: &Strike,
+    limits: &BranchLimits,
+) -> Option<DiagnosticRecord> {
+    if !strike.singular_pose {
+        return None;
+    }
+    let (here, generic) = (strike.degrees_of_freedom, system.degrees_of_freedom());
+    let loops = pose.loops().is_some_and(|l| l.singularities.contains(&Singularity::ChangePoint));
+    let kind = if loops { "singular pose (change point)" } else { "singular pose" };
+    let mut message = format!("{kind}: {here} degrees of freedom here, {generic} at a generic pose; ");
+    message += match (limits.limits.is_empty(), limits.continuous, limits.complete) {
+        (true, ..) if !loops => {
+            "what is held or locked binds less here than beside it, and the value is a lower bound"
+        }
+        (true, ..) => {
+            "no branch was found to lead away from it, and the value is a lower bound that no finite motion attains"
+        }
+        (false, true, _) => {
+            "a continuum of branches meets here, the limit depends on the direction of approach, and the value is a lower \
+             bound: see the least and the greatest of the limits that were found"
+        }
+        (false, false, true) => {
+            "branches cross, and the value is a lower bound that none of them attains: see the limits along the branches"
+        }
+        (false, false, false) => {
+            "many branches cross, and the value is a lower bound that none of them attains: see the limits along those that \
+             were found; there may be more"
+        }
+    };
+    Some(warning("singular-pose", message))
 }
 
 /// Held contacts that would have to pull: without them, the point leaves what it is held to.

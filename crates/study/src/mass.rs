@@ -6,7 +6,9 @@ use crate::estimate::{EstimateRecord, estimate};
 use crate::model::Input;
 use crate::question::{MassQuestion, StudyError};
 use crate::{DiagnosticRecord, Model, findings};
-use percuss_dynamics::{Base, Contact, EffectiveMass, Pose, Route, RouteChoice, Strike, System};
+use percuss_dynamics::{
+    Base, BranchLimits, Contact, EffectiveMass, Pose, Route, RouteChoice, Strike, System,
+};
 use percuss_mechanism::{JointId, LinkId, Mechanism, Severity};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -256,7 +258,13 @@ impl Answered {
         let mut diagnostics = model.diagnostics.clone();
         diagnostics.extend(findings::about_pose(&system, &pose));
         diagnostics.extend(findings::about_guesses(&system, &pose, &wanted));
-        diagnostics.extend(findings::about_strike(&system, &pose, &contact, &strike));
+        let limits = if strike.singular_pose {
+            system.branch_limits(&pose, &contact)
+        } else {
+            BranchLimits::default()
+        };
+        diagnostics.extend(findings::about_strike(&system, &contact, &strike));
+        diagnostics.extend(findings::about_branches(&system, &pose, &strike, &limits));
         diagnostics.extend(findings::about_holds(model, question, &pose, &contact)?);
         if let Some(other) = question.against_mass {
             if strike.effective_mass == EffectiveMass::Immovable {
@@ -274,29 +282,19 @@ impl Answered {
         let mut report = report(model, &system, &pose, &strike, diagnostics, assumptions);
         report.conditions = ConditionsRecord::of(question);
         report.estimate = estimate;
-        report.branch_limits = limits(&system, &pose, &contact, &strike, question.against_mass);
+        report.branch_limits = limits.limits.iter().map(|l| limit(*l, question.against_mass)).collect();
         Ok(Self { system, pose, contact, strike, report })
     }
 }
 
-/// Limits of m̄ along the branches at a singular pose, kg; none for one along which the gap does not close.
-fn limits(
-    system: &System,
-    pose: &Pose,
-    contact: &Contact,
-    strike: &Strike,
-    against: Option<f64>,
-) -> Vec<Option<f64>> {
-    if !strike.singular_pose {
-        return Vec::new();
-    }
-    let limit = |limit| match (limit, against) {
+/// A limit of m̄, kg; none for one along which the gap does not close.
+fn limit(limit: EffectiveMass, against: Option<f64>) -> Option<f64> {
+    match (limit, against) {
         (EffectiveMass::Finite(m), Some(other)) => Some(m / (1.0 + m / other)),
         (EffectiveMass::Immovable, other) => other,
         (EffectiveMass::Finite(m), None) => Some(m),
         (EffectiveMass::Massless, _) => Some(0.0),
-    };
-    system.branch_limits(pose, contact).into_iter().map(limit).collect()
+    }
 }
 
 fn report(

@@ -121,6 +121,7 @@ struct ContactText {
     link: String,
     #[serde(deserialize_with = "study_value::lengths")]
     point: [f64; 3],
+    #[serde(default, deserialize_with = "study_value::plain_if")]
     normal: Option<[f64; 3]>,
     along_line: Option<LineText>,
     frame: Option<String>,
@@ -145,6 +146,7 @@ struct EstimateText {
     links: Vec<String>,
     #[serde(default, deserialize_with = "study_value::lengths")]
     point: [f64; 3],
+    #[serde(default, deserialize_with = "study_value::plain_if")]
     direction: Option<[f64; 3]>,
 }
 
@@ -192,6 +194,7 @@ struct HoldText {
     link: String,
     #[serde(deserialize_with = "study_value::lengths")]
     point: [f64; 3],
+    #[serde(default, deserialize_with = "study_value::plain_if")]
     normal: Option<[f64; 3]>,
 }
 
@@ -211,7 +214,9 @@ struct ClosureText {
     successor_xyz: [f64; 3],
     #[serde(default, deserialize_with = "study_value::angles")]
     successor_rpy: [f64; 3],
+    #[serde(default, deserialize_with = "study_value::plain_if")]
     axis: Option<[f64; 3]>,
+    #[serde(default, deserialize_with = "study_value::plain_if")]
     axis2: Option<[f64; 3]>,
     #[serde(default, deserialize_with = "study_value::length")]
     distance: Option<f64>,
@@ -226,7 +231,7 @@ struct SweepText {
 
 /// A position: a number, numbers, or text with units.
 #[derive(Deserialize)]
-#[serde(untagged)]
+#[serde(untagged, expecting = "a number, a list of numbers, or text with units")]
 enum Typed {
     Text(String),
     One(f64),
@@ -234,7 +239,7 @@ enum Typed {
 }
 
 #[derive(Deserialize)]
-#[serde(untagged)]
+#[serde(untagged, expecting = "a number, or a list of numbers")]
 enum OneOrMany {
     One(f64),
     Many(Vec<f64>),

@@ -23,8 +23,22 @@ impl NumberOrText {
 }
 
 fn triple<'de, D: Deserializer<'de>>(from: D, dimension: Dimension) -> Result<[f64; 3], D::Error> {
-    let [x, y, z] = <[NumberOrText; 3]>::deserialize(from)?;
-    Ok([x.of(dimension)?, y.of(dimension)?, z.of(dimension)?])
+    let values: Vec<f64> = Vec::<NumberOrText>::deserialize(from)?
+        .into_iter()
+        .map(|v| v.of(dimension))
+        .collect::<Result<_, _>>()?;
+    <[f64; 3]>::try_from(values)
+        .map_err(|given| D::Error::custom(format!("{} numbers; wanted 3", given.len())))
+}
+
+/// Three numbers without a unit.
+pub(crate) fn plain<'de, D: Deserializer<'de>>(from: D) -> Result<[f64; 3], D::Error> {
+    triple(from, Dimension::Plain)
+}
+
+/// Three numbers without a unit, where they are given.
+pub(crate) fn plain_if<'de, D: Deserializer<'de>>(from: D) -> Result<Option<[f64; 3]>, D::Error> {
+    plain(from).map(Some)
 }
 
 /// Three lengths, m.

@@ -277,7 +277,11 @@ fn answered(
 ) -> Result<SweepRow, StudyError> {
     let strike = system.strike(pose, contact, RouteChoice::Auto)?;
     findings.add(row, findings::about_pose(system, pose));
-    findings.add(row, findings::about_strike(system, pose, contact, &strike));
+    findings.add(row, findings::about_strike(system, contact, &strike));
+    if strike.singular_pose {
+        let limits = system.branch_limits(pose, contact);
+        findings.add(row, findings::about_branches(system, pose, &strike, &limits));
+    }
     findings.add(row, findings::about_holds(model, question, pose, contact)?);
     let beside = question.estimate.as_ref().map(|e| estimate(system, pose, &strike, e)).transpose()?;
     let motion_ratio = match &beside {

@@ -53,7 +53,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
 /// An SDF with the physics and one collision that has the surface.
 fn document(engine: &str, step: f64, surface: &str) -> String {
     format!(
-        "<sdf version=\"1.9\">\n  <world name=\"world\">\n    \
+        "<sdf version=\"1.9\">\n  <world name=\"default\">\n    \
          <physics name=\"step\" type=\"{engine}\">\n      <max_step_size>{step:?}</max_step_size>\n    </physics>\n    \
          <model name=\"struck\">\n      <link name=\"link\">\n        <collision name=\"collision\">\n          \
          <geometry><sphere><radius>0.1</radius></sphere></geometry>\n          \

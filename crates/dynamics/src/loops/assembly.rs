@@ -1,11 +1,12 @@
 //! Putting the loops together: a first closed pose, a generic one, the rank there, and who drives whom.
 
 use super::Group;
-use super::closing::{Correction, Moves};
+use super::closing::{Correction, Moves, shortest};
 use super::rank::{FLOOR, Rank, decide, singular_values};
 use super::roles::Roles;
 use crate::System;
 use crate::kinematics::Kinematics;
+use faer::Mat;
 use nalgebra::DMatrix;
 use percuss_mechanism::ClosureKind;
 
@@ -121,6 +122,10 @@ fn places(places: &[(String, f64)]) -> String {
 
 /// Residuals below this part of the size pass as a file's rounding.
 pub(crate) const ROUNDING: f64 = 1e-3;
+/// A step of Newton's method shorter than this part of the size changes nothing.
+const SETTLED: f64 = 1e-8;
+/// A pose nearer to the first one than this part of the size is that pose again.
+const BACK: f64 = 1e-5;
 /// Seeded starts that are tried before a group is given up.
 const ATTEMPTS: u64 = 24;
 
@@ -128,7 +133,10 @@ impl System {
     /// Residual (m) at which a loop counts as closed: 1e-12 of the size, and rounding of far-off positions.
     pub(crate) fn closing_tolerance(&self, kinematics: &Kinematics<f64>) -> f64 {
         let far = kinematics.frames.iter().map(|x| x.translation.amax()).fold(0.0, f64::max);
-        (1e-12 * self.mechanism.characteristic_length()).max(16.0 * f64::EPSILON * far)
+        // Angles of many turns have fewer digits left within one.
+        let turned = kinematics.q.iter().fold(0.0, |most: f64, q| most.max(q.abs()));
+        let size = self.mechanism.characteristic_length();
+        (1e-12 * size).max(16.0 * f64::EPSILON * far).max(4.0 * f64::EPSILON * turned * size)
     }
 
     /// Finds the first closed pose, starting at `start`, and what is generic about each group.
@@ -204,7 +212,13 @@ impl System {
         let (at_home, _, home_rows) = rank_of(home, inexactness);
         // Any other pose is better, since much vanishes where all joints are at 0; of those the best-conditioned.
         let mut best = (home.q.clone(), home_rows, at_home, 0.0);
-        let mut found = 0;
+        let mut consider = |kinematics: Kinematics<f64>, inexactness: f64| {
+            let (rank, least, rows) = rank_of(&kinematics, inexactness);
+            if rank.rank > best.2.rank || (rank.rank == best.2.rank && least > best.3) {
+                best = (kinematics.q, rows, rank, least);
+            }
+        };
+        let (mut found, mut unsettled) = (0, None);
         for attempt in 0..12u64 {
             let mut kinematics = home.clone();
             self.perturb(&mut kinematics, group, [0.2, 0.1, 0.03][attempt as usize / 4], 1000 + attempt);
@@ -213,22 +227,52 @@ impl System {
             if correction.residual > tolerance.max(rounding) {
                 continue;
             }
+            let way = self.displacement(group, &home.q, &kinematics.q);
+            let gone = way.iter().zip(&group.lengths).map(|(w, l)| (w * l).powi(2)).sum::<f64>().sqrt();
+            if gone < BACK * length || !self.is_settled(&kinematics, group) {
+                unsettled.get_or_insert(kinematics);
+                continue;
+            }
             if inexactness > 0.0 {
                 inexactness = inexactness.max(correction.residual);
             }
-            let (rank, least, rows) = rank_of(&kinematics, inexactness);
-            if rank.rank > best.2.rank || (rank.rank == best.2.rank && least > best.3) {
-                best = (kinematics.q, rows, rank, least);
-            }
+            consider(kinematics, inexactness);
             found += 1;
             if found == 3 {
                 break;
+            }
+        }
+        if found == 0 {
+            // All ways led back to where branches cross: along one of them, then.
+            let around = self.surroundings(home, group, inexactness);
+            for branch in &around.branches {
+                for reach in [0.1, 0.03, 0.01, 1e-3] {
+                    let mut kinematics = home.clone();
+                    if self.go_beside(&mut kinematics, &around, &branch.along, reach * around.size).is_some()
+                    {
+                        consider(kinematics, inexactness);
+                        break;
+                    }
+                }
+            }
+            // No way leads off: what binds beside the pose counts, though nothing closes there.
+            if let Some(kinematics) = unsettled.filter(|_| around.branches.is_empty() && !around.regular) {
+                consider(kinematics, inexactness);
             }
         }
         let (generic, rows, rank, _) = best;
         let floor = FLOOR.max(10.0 * inexactness / length);
         let roles = self.advised_roles(group, &rows, floor);
         GroupFacts { generic, rows, rank, inexactness, home_is_regular: at_home.rank == rank.rank, roles }
+    }
+
+    /// Whether a closed pose is where Newton's method would stay: near a crossing, residuals are squares of what is
+    /// still to go, and pass for closed long before it is gone.
+    fn is_settled(&self, kinematics: &Kinematics<f64>, group: &Group) -> bool {
+        let (residuals, rows) = self.group_rows(kinematics, group);
+        let jacobian = Moves { unknown: &group.movable, course: None }.jacobian(group, &rows);
+        let target = Mat::from_fn(residuals.len(), 1, |r, _| -residuals[r]);
+        shortest(&jacobian, &target).norm_l2() <= SETTLED * self.mechanism.characteristic_length()
     }
 
     pub(crate) fn group_names(&self, group: &Group) -> Vec<String> {

@@ -1,198 +1,219 @@
-//! At a change point branches cross, and (D) is a lower bound that none attains. The limits of m̄ along each.
+//! What lies around a pose where a group of loops has less than its generic rank: branches that cross, or nothing odd.
 
 use super::Group;
 use super::closing::{Moves, shortest};
-use super::rank::{decide, singular_values};
+use super::rank::{FLOOR, decide, singular_values};
+use crate::System;
 use crate::kinematics::Kinematics;
-use crate::least_energy::Minimum;
-use crate::{Contact, EffectiveMass, Pose, System};
 use faer::Mat;
 
-/// How far from the crossing branches are looked for, as a part of the length.
-const REACH: f64 = 4e-3;
-/// How far apart are the places from which m̄ is carried on to the crossing.
-const APART: f64 = 0.01;
-/// Directions tried where two motions are admissible, and where there are more.
+/// How far from the pose branches are looked for, as a part of the group's size.
+const REACH: f64 = 1e-3;
+/// Directions tried where two motions are admissible; in more dimensions at least and at most.
 const IN_A_PLANE: usize = 96;
-const IN_MORE: usize = 256;
+const FEWEST: usize = 256;
+const MOST: usize = 2048;
 /// Most corrections on the way to a branch.
-const CORRECTIONS: usize = 30;
-/// Projections of two tangent spaces that differ by less than this belong to one branch.
-const SAME: f64 = 0.1;
-/// Most combinations of branches of several groups that are looked at.
-const COMBINATIONS: usize = 64;
-/// A limit below this part of the values it is carried on from is zero.
-const VANISHING: f64 = 1e-8;
+const CORRECTIONS: usize = 40;
+/// Tangent spaces that differ by less than this (rad) belong to one branch.
+const SAME: f64 = 0.02;
+/// Singular values beside a crossing count from this part of the largest on.
+const COUNTS: f64 = 1e-8;
 
-/// A group of loops at a crossing, with a direction (unit, scaled coordinates) along each of its branches.
-struct Crossing<'a> {
-    group: &'a Group,
-    tolerance: f64,
-    branches: Vec<Vec<f64>>,
+/// A branch through a pose.
+pub(super) struct Branch {
+    /// Unit vector along it, over the group's scaled coordinates.
+    pub along: Vec<f64>,
+    /// Orthonormal basis of its tangent space near by.
+    tangents: Vec<Vec<f64>>,
+}
+
+/// What lies around a pose.
+pub(super) struct Surroundings {
+    /// The group, its coordinates measured on its own size.
+    pub group: Group,
+    /// Residual at which it counts as closed, m.
+    pub tolerance: f64,
+    /// The size of the group, m.
+    pub size: f64,
+    /// Singular values below this part of the largest count as zero.
+    floor: f64,
+    /// The branches that were found.
+    pub branches: Vec<Branch>,
+    /// Whether all closed poses near by lie on one smooth branch, with the rank that the pose has.
+    pub regular: bool,
+    /// Whether the branches are samples of a continuum (a cone of directions).
+    pub continuous: bool,
+    /// Whether the last directions tried had nothing new.
+    pub complete: bool,
 }
 
 impl System {
-    /// Limits of the answer along the branches that cross at a singular pose, one for each branch, and for each
-    /// combination of branches where several groups stand at crossings of their own; empty at a regular pose.
-    ///
-    /// In the kernel of A at the crossing, directions are tried; those along which a closed pose lies near are branches,
-    /// told apart by their tangent spaces, and 1/m̄ at places on both sides is carried on to the crossing.
-    pub fn branch_limits(&self, pose: &Pose, contact: &Contact) -> Vec<EffectiveMass> {
-        let poser = self.unlocked.as_deref().unwrap_or(self);
-        let crossings = poser.crossings(pose);
-        let combinations: usize =
-            crossings.iter().try_fold(1, |n: usize, c| n.checked_mul(c.branches.len())).unwrap_or(usize::MAX);
-        if crossings.is_empty() {
-            return Vec::new();
-        }
-        let limit = |number: usize| {
-            self.carried_on(&|places| {
-                let mut kinematics = pose.kinematics.clone();
-                let mut number = number;
-                for crossing in &crossings {
-                    let along = &crossing.branches[number % crossing.branches.len()];
-                    number /= crossing.branches.len();
-                    let reach = f64::from(places) * APART * self.mechanism.characteristic_length();
-                    poser.go_along(&mut kinematics, crossing.group, crossing.tolerance, along, reach)?;
-                }
-                let located = crate::contact::locate(self, &kinematics, &pose.base, contact).ok()?;
-                Some(self.least_energy(&kinematics, &located).minimum)
-            })
+    /// Looks around a closed pose. In the kernel of A, directions are tried; those by which a closed pose is reached
+    /// lead to branches, told apart by their tangent spaces.
+    pub(super) fn surroundings(
+        &self,
+        kinematics: &Kinematics<f64>,
+        group: &Group,
+        inexactness: f64,
+    ) -> Surroundings {
+        let size = self.group_size(kinematics, group);
+        let lengths = group.turning.iter().map(|turns| if *turns { size } else { 1.0 }).collect();
+        let mut around = Surroundings {
+            group: Group { lengths, ..group.clone() },
+            tolerance: self.closing_tolerance(kinematics).max(super::closer::ROUNDED * inexactness),
+            size,
+            floor: FLOOR.max(10.0 * inexactness / self.mechanism.characteristic_length()),
+            branches: Vec::new(),
+            regular: false,
+            continuous: false,
+            complete: true,
         };
-        (0..combinations.min(COMBINATIONS)).filter_map(limit).collect()
+        let (tangents, _) = tangent_space(self, kinematics, group, &around.group.lengths, around.floor);
+        self.find_branches(kinematics, &tangents, &mut around);
+        if around.branches.len() > 2 {
+            around.continuous = self.lies_between(kinematics, &around);
+        }
+        around
     }
 
-    /// The groups that have less than their generic rank at a pose, and the branches that cross there.
-    fn crossings(&self, pose: &Pose) -> Vec<Crossing<'_>> {
-        let Ok(assembly) = self.assembly() else { return Vec::new() };
-        let mut crossings = Vec::new();
-        for (group, facts) in self.groups.iter().zip(&assembly.groups) {
-            let (_, rows) = self.group_rows(&pose.kinematics, group);
-            let generic = facts.rank.rank;
-            if decide(&singular_values(&rows, &group.lengths), self.rank_floor()).rank >= generic {
+    fn find_branches(&self, kinematics: &Kinematics<f64>, kernel: &[Vec<f64>], around: &mut Surroundings) {
+        let mut newest = 0;
+        for (tried, direction) in directions(kernel).enumerate() {
+            if kernel.len() > 2 && tried >= FEWEST && tried > 2 * newest {
+                return;
+            }
+            let Some(branch) = self.branch_beside(kinematics, around, &direction) else { continue };
+            if branch.tangents.len() >= kernel.len() {
+                // As many motions beside the pose as at it: no branches cross here, if they lead all ways.
+                around.regular = kernel.iter().all(|e| self.leads_along(kinematics, around, e));
+                if around.regular {
+                    return;
+                }
                 continue;
             }
-            let tolerance =
-                self.closing_tolerance(&pose.kinematics).max(super::closer::ROUNDED * facts.inexactness);
-            let mut crossing = Crossing { group, tolerance, branches: Vec::new() };
-            self.find_branches(pose, &mut crossing, generic);
-            if !crossing.branches.is_empty() {
-                crossings.push(crossing);
+            if around.branches.iter().all(|known| apart(&known.tangents, &branch.tangents) > SAME) {
+                around.branches.push(branch);
+                newest = tried;
             }
         }
-        crossings
+        around.complete = kernel.len() <= 2;
     }
 
-    fn find_branches(&self, pose: &Pose, crossing: &mut Crossing, generic_rank: usize) {
-        let group = crossing.group;
-        let reach = REACH * self.mechanism.characteristic_length();
-        let floor = self.rank_floor().max(1e-8);
-        let (kernel, _) = kernel(self, &pose.kinematics, group, self.rank_floor());
-        let mut spaces: Vec<Vec<Vec<f64>>> = Vec::new();
-        for direction in directions(&kernel) {
-            let mut kinematics = pose.kinematics.clone();
-            let Some(way) = self.go_along(&mut kinematics, group, crossing.tolerance, &direction, reach)
-            else {
-                continue;
-            };
-            // The plane may hold more motions than there are branches: a branch has the generic rank beside it.
-            let (tangents, rank) = self::kernel(self, &kinematics, group, floor);
-            if rank < generic_rank || spaces.iter().any(|known| apart(known, &tangents) < SAME) {
-                continue;
-            }
-            spaces.push(tangents);
-            crossing.branches.push(unit(&way));
-        }
+    /// Whether a closed pose is found in this very direction.
+    fn leads_along(&self, kinematics: &Kinematics<f64>, around: &Surroundings, direction: &[f64]) -> bool {
+        self.branch_beside(kinematics, around, direction)
+            .is_some_and(|branch| dot(&branch.along, direction) > 0.99)
     }
 
-    /// Moves a group to a closed pose at about this distance from where it stands, along a direction of its scaled
-    /// coordinates, and says how it lies from there; none where no branch leads that way.
+    fn branch_beside(
+        &self,
+        kinematics: &Kinematics<f64>,
+        around: &Surroundings,
+        direction: &[f64],
+    ) -> Option<Branch> {
+        // Inexact loops tell branches apart only from some way off.
+        let reach = around.size * REACH.max(3.0 * (around.tolerance / around.size).sqrt());
+        let mut beside = kinematics.clone();
+        let way = self.go_beside(&mut beside, around, direction, reach)?;
+        let lengths = &around.group.lengths;
+        let (tangents, _) = tangent_space(self, &beside, &around.group, lengths, around.floor.max(COUNTS));
+        Some(Branch { along: unit(&way), tangents })
+    }
+
+    /// Moves a group to a closed pose at this distance (m; negative: the other way) from where it stands, starting
+    /// along a direction of its scaled coordinates, and says how that lies from there; none where no branch is found.
     ///
-    /// Corrections go across the direction only: at a crossing the residuals are quadratic forms, and where these are
-    /// more than the freedoms, Newton's free step leads straight back to where all of them vanish.
-    fn go_along(
+    /// Corrections keep the distance: at a crossing the residuals are quadratic forms, and where these are more than
+    /// the freedoms, Newton's free step leads straight back to where all of them vanish.
+    pub(super) fn go_beside(
         &self,
         kinematics: &mut Kinematics<f64>,
-        group: &Group,
-        tolerance: f64,
+        around: &Surroundings,
         direction: &[f64],
         reach: f64,
     ) -> Option<Vec<f64>> {
-        let lengths = &group.lengths;
+        let group = &around.group;
+        let (lengths, distance) = (&group.lengths, reach.abs());
         let before = kinematics.q.clone();
         let u: Vec<f64> = direction.iter().zip(lengths).map(|(d, l)| reach * d / l).collect();
         self.advance_group(kinematics, group, &u);
         let all = Moves { unknown: &group.movable, course: None };
-        let mut moved = 0.0;
-        let mut closed = false;
         for _ in 0..CORRECTIONS {
             let (residuals, rows) = self.group_rows(kinematics, group);
-            let jacobian = all.jacobian(group, &rows);
-            let m = residuals.len();
-            closed = residuals.iter().all(|r| r.abs() <= tolerance);
-            let bordered = Mat::from_fn(m + 1, all.count(), |r, k| {
-                if r < m { jacobian[(r, k)] } else { direction[group.movable[k]] }
-            });
-            let target = Mat::from_fn(m + 1, 1, |r, _| if r < m { -residuals[r] } else { 0.0 });
-            let x = shortest(&bordered, &target);
-            let step = x.norm_l2();
-            // At rounding, or no longer beside the direction.
-            if closed && step <= 1e-9 * reach.abs() {
-                break;
-            }
-            moved += step;
-            if moved.is_nan() || moved > 0.9 * reach.abs() {
+            let way = self.displacement(group, &before, &kinematics.q);
+            let way: Vec<f64> = way.iter().zip(lengths).map(|(w, l)| w * l).collect();
+            let gone = dot(&way, &way).sqrt();
+            if !(0.1 * distance..10.0 * distance).contains(&gone) {
                 return None;
             }
-            self.advance_group(kinematics, group, &all.expand(group, |k| x[(k, 0)]));
-        }
-        kinematics.refill(self);
-        let way = self.displacement(group, &before, &kinematics.q);
-        closed.then(|| way.iter().zip(lengths).map(|(w, l)| w * l * reach.signum()).collect())
-    }
-
-    /// The limit at the crossing from the values at one to four places on either side: Lagrange's formula for 1/m̄, its
-    /// weights at 0. The eighth derivative remains, times η⁸/35.
-    fn carried_on(&self, at: &dyn Fn(i32) -> Option<Minimum>) -> Option<EffectiveMass> {
-        let (mut mobility, mut most_mobile) = (0.0, 0.0_f64);
-        let (mut mass, mut heaviest) = (0.0, 0.0_f64);
-        for (places, weight) in [(1, 4.0 / 5.0), (2, -2.0 / 5.0), (3, 4.0 / 35.0), (4, -1.0 / 70.0)] {
-            for side in [places, -places] {
-                let m = match at(side)? {
-                    Minimum::Finite(m) => m,
-                    Minimum::Immovable => return Some(EffectiveMass::Immovable),
-                    Minimum::Massless => return Some(EffectiveMass::Massless),
-                    Minimum::Stationary(_) => return None,
-                };
-                mobility += weight / m;
-                mass += weight * m;
-                most_mobile = most_mobile.max(1.0 / m);
-                heaviest = heaviest.max(m);
+            let (jacobian, m) = (all.jacobian(group, &rows), residuals.len());
+            let bordered = Mat::from_fn(m + 1, all.count(), |r, k| {
+                if r < m { jacobian[(r, k)] } else { way[group.movable[k]] / gone }
+            });
+            let target = Mat::from_fn(m + 1, 1, |r, _| if r < m { -residuals[r] } else { distance - gone });
+            let x = shortest(&bordered, &target);
+            let step = x.norm_l2();
+            let there = step <= 1e-6 * distance && residuals.iter().all(|r| r.abs() <= around.tolerance);
+            let part = (0.5 * distance / step).min(1.0);
+            self.advance_group(kinematics, group, &all.expand(group, |k| part * x[(k, 0)]));
+            if there {
+                kinematics.refill(self);
+                return Some(way.iter().map(|w| w * reach.signum()).collect());
             }
         }
-        Some(if mobility <= VANISHING * most_mobile {
-            EffectiveMass::Immovable
-        } else if mass <= VANISHING * heaviest {
-            EffectiveMass::Massless
-        } else {
-            EffectiveMass::Finite(1.0 / mobility)
+        None
+    }
+
+    /// Whether between the two nearest branches others lie: then they are samples of a cone.
+    fn lies_between(&self, kinematics: &Kinematics<f64>, around: &Surroundings) -> bool {
+        let branches = &around.branches;
+        let pairs = (0..branches.len()).flat_map(|a| (0..a).map(move |b| (a, b)));
+        let cosine = |&(a, b): &(usize, usize)| dot(&branches[a].along, &branches[b].along);
+        let Some((a, b)) = pairs.max_by(|p, q| cosine(p).abs().total_cmp(&cosine(q).abs())) else {
+            return false;
+        };
+        let (first, second) = (&branches[a], &branches[b]);
+        let sign = cosine(&(a, b)).signum();
+        let middle: Vec<f64> = first.along.iter().zip(&second.along).map(|(x, y)| x + sign * y).collect();
+        self.branch_beside(kinematics, around, &unit(&middle)).is_some_and(|between| {
+            let limit = 0.25 * apart(&first.tangents, &second.tangents);
+            [first, second].iter().all(|known| apart(&known.tangents, &between.tangents) > limit)
         })
+    }
+
+    /// How far a group's bodies and loop frames reach, m; at most the characteristic length.
+    fn group_size(&self, kinematics: &Kinematics<f64>, group: &Group) -> f64 {
+        let moving = group.joints.iter().flatten().filter_map(|joint| {
+            let body = self.bodies.iter().position(|b| b.joint == Some(*joint))?;
+            Some(kinematics.frames[body].translation)
+        });
+        let ends = group.loops.iter().flat_map(|&l| [&self.loops[l].predecessor, &self.loops[l].successor]);
+        let mut places = moving.chain(ends.map(|end| super::seat_frame(kinematics, end).translation));
+        let whole = self.mechanism.characteristic_length();
+        let Some(first) = places.next() else { return whole };
+        let spread = places.map(|place| (place - first).norm()).fold(0.0, f64::max);
+        // Nothing is told apart below a millionth of the whole.
+        if spread > 0.0 { spread.clamp(1e-6 * whole, whole) } else { whole }
     }
 }
 
-/// An orthonormal basis of the admissible motions within a group, over its scaled coordinates, and the rank of A.
-fn kernel(
+/// An orthonormal basis of the admissible motions within a group, over coordinates scaled by `lengths`, and the rank
+/// of A (decided on the group's own scale).
+fn tangent_space(
     system: &System,
     kinematics: &Kinematics<f64>,
     group: &Group,
+    lengths: &[f64],
     floor: f64,
 ) -> (Vec<Vec<f64>>, usize) {
     let (_, rows) = system.group_rows(kinematics, group);
     let rank = decide(&singular_values(&rows, &group.lengths), floor).rank;
-    let jacobian = Moves { unknown: &group.movable, course: None }.jacobian(group, &rows);
-    let n = jacobian.ncols();
-    let q = jacobian.transpose().col_piv_qr().compute_Q();
-    let mut basis = vec![vec![0.0; group.lengths.len()]; n.saturating_sub(rank)];
+    let n = group.movable.len();
+    let transposed =
+        Mat::from_fn(n, rows.nrows(), |k, r| rows[(r, group.movable[k])] / lengths[group.movable[k]]);
+    let q = transposed.col_piv_qr().compute_Q();
+    let mut basis = vec![vec![0.0; lengths.len()]; n.saturating_sub(rank)];
     for (k, vector) in basis.iter_mut().enumerate() {
         for (i, &at) in group.movable.iter().enumerate() {
             vector[at] = if rank == 0 { f64::from(u8::from(i == k)) } else { q[(i, rank + k)] };
@@ -201,11 +222,18 @@ fn kernel(
     (basis, rank)
 }
 
-/// Sine of the largest angle between two spaces, given by orthonormal bases of the same number.
+/// Sine of the largest angle between two spaces, given by orthonormal bases; 1 where they differ in dimension.
 fn apart(a: &[Vec<f64>], b: &[Vec<f64>]) -> f64 {
+    if a.len() != b.len() {
+        return 1.0;
+    }
     let outside = |v: &Vec<f64>| {
-        let inside: f64 = a.iter().map(|e| dot(e, v).powi(2)).sum();
-        (1.0 - inside).max(0.0).sqrt()
+        let mut rest = v.clone();
+        for e in a {
+            let along = dot(e, v);
+            rest.iter_mut().zip(e).for_each(|(r, e)| *r -= along * e);
+        }
+        dot(&rest, &rest).sqrt()
     };
     b.iter().map(outside).fold(0.0, f64::max)
 }
@@ -216,7 +244,12 @@ fn directions(kernel: &[Vec<f64>]) -> impl Iterator<Item = Vec<f64>> {
     let n = kernel.first().map_or(0, Vec::len);
     // Kronecker's sequence on the powers of the root of x^(d+1) = x + 1.
     let root = (0..50).fold(1.5_f64, |x, _| (1.0 + x).powf(1.0 / (dimension as f64 + 1.0)));
-    let count = if dimension == 2 { IN_A_PLANE } else { IN_MORE };
+    let count = match dimension {
+        0 => 0,
+        1 => 1,
+        2 => IN_A_PLANE,
+        _ => MOST,
+    };
     (0..count).map(move |k| {
         let mut sum = vec![0.0; n];
         for (i, basis) in kernel.iter().enumerate() {
@@ -232,11 +265,11 @@ fn directions(kernel: &[Vec<f64>]) -> impl Iterator<Item = Vec<f64>> {
     })
 }
 
-fn unit(v: &[f64]) -> Vec<f64> {
+pub(super) fn unit(v: &[f64]) -> Vec<f64> {
     let norm = dot(v, v).sqrt();
     v.iter().map(|x| x / norm).collect()
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
+pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

@@ -18,6 +18,8 @@ pub(crate) struct GenericRank {
     /// Least gap of any group; none without constraints.
     pub gap: Option<f64>,
     pub clear: bool,
+    /// Least singular value that counts, as a part of the largest of its group; 1 without constraints.
+    pub least: f64,
     /// Names of the loops and couplings on which redundant rows lie; those that cannot be told apart together.
     pub redundant: Vec<Vec<String>>,
 }
@@ -66,8 +68,23 @@ impl System {
             let rows = self.constraint_rows(&pose.kinematics);
             add(&singular_values(&rows, &self.coordinate_lengths()));
         }
-        total.singular = total.rank < self.generic_rank().rank;
+        total.singular = total.rank < self.generic_rank().rank && self.is_singular(pose, floor);
         total
+    }
+
+    /// Whether a pose with less than the generic rank is singular. It is not where it has as many motions as the poses
+    /// beside it: on a branch with more freedoms than the one where the generic rank was taken.
+    fn is_singular(&self, pose: &Pose, floor: f64) -> bool {
+        let poser = self.unlocked.as_deref().unwrap_or(self);
+        let Ok(assembly) = poser.assembly() else { return true };
+        let mut less = (0..poser.groups.len()).filter(|&number| {
+            let group = &poser.groups[number];
+            let (_, rows) = poser.group_rows(&pose.kinematics, group);
+            decide(&singular_values(&rows, &group.lengths), floor).rank < assembly.groups[number].rank.rank
+        });
+        // What is held or locked may bind less where the loops do not.
+        let Some(first) = less.next() else { return true };
+        poser.is_crossing(pose, first) || less.any(|number| poser.is_crossing(pose, number))
     }
 
     /// Constraint rows that add nothing at a generic pose: of loops, couplings, held contacts and locks.
@@ -84,6 +101,12 @@ impl System {
     /// Least gap between singular values of A that count and those that do not; none without constraints.
     pub fn rank_gap(&self) -> Option<f64> {
         self.generic_rank().gap
+    }
+
+    /// The least singular value of A that counts at the generic pose, as a part of the largest of its group. Where it is
+    /// small, the constraints bind by a hair: a little off in the figures of a file, and one more motion is free.
+    pub fn least_singular_value(&self) -> f64 {
+        self.generic_rank().least
     }
 
     /// Whether the generic rank is beyond doubt.
@@ -108,16 +131,17 @@ impl System {
 
     fn find_generic_rank(&self) -> GenericRank {
         if self.groups.is_empty() && self.held.is_empty() {
-            return GenericRank { clear: true, ..GenericRank::default() };
+            return GenericRank { clear: true, least: 1.0, ..GenericRank::default() };
         }
         let kinematics = self.generic_kinematics();
         let floor = self.rank_floor();
-        let mut total = GenericRank { clear: true, ..GenericRank::default() };
+        let mut total = GenericRank { clear: true, least: 1.0, ..GenericRank::default() };
         let mut add = |rows: usize, rank: Rank| {
             total.rows += rows;
             total.rank += rank.rank;
             total.gap = Some(total.gap.unwrap_or(f64::INFINITY).min(rank.gap));
             total.clear &= rank.clear;
+            total.least = total.least.min(rank.least);
         };
         let mut redundancy = Redundancy::default();
         if self.held.is_empty() {

@@ -7,6 +7,7 @@ pub(crate) mod closing;
 mod crossing;
 pub(crate) mod following;
 pub(crate) mod freedom;
+pub(crate) mod limits;
 pub(crate) mod posing;
 pub(crate) mod rank;
 mod redundancy;
@@ -71,6 +72,8 @@ pub(crate) struct Group {
     pub coordinates: Vec<usize>,
     /// For each coordinate, how far a unit rate moves a point at the characteristic length, m.
     pub lengths: Vec<f64>,
+    /// Whether it turns (rad), or slides (m).
+    pub turning: Vec<bool>,
     /// The joint each coordinate is a velocity of; none for the floating base.
     pub joints: Vec<Option<JointId>>,
     /// Coordinates (by index into the group's) that change the pose: all but the floating base's, from which
@@ -152,9 +155,11 @@ impl System {
         self.groups = self.find_groups();
         let joints: Vec<Option<JointId>> = self.coordinate_joints().into_iter().map(|(id, _)| id).collect();
         let lengths = self.coordinate_lengths();
+        let turning = self.turning_coordinates();
         let mut groups = std::mem::take(&mut self.groups);
         for group in &mut groups {
             group.lengths = group.coordinates.iter().map(|&c| lengths[c]).collect();
+            group.turning = group.coordinates.iter().map(|&c| turning[c]).collect();
             group.joints = group.coordinates.iter().map(|&c| joints[c]).collect();
             group.movable = (0..group.joints.len()).filter(|&at| group.joints[at].is_some()).collect();
             group.bodies = self.bodies_of(group);

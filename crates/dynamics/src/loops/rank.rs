@@ -9,6 +9,8 @@ pub(crate) struct Rank {
     pub rank: usize,
     /// Least singular value that counts over the greatest that does not (taken as at least ε/1000 of the largest).
     pub gap: f64,
+    /// Least singular value that counts, as a part of the largest.
+    pub least: f64,
     /// Whether both sides of the gap lie more than a factor of 30 from the threshold.
     pub clear: bool,
 }
@@ -38,7 +40,7 @@ pub(crate) fn singular_values(matrix: &DMatrix<f64>, lengths: &[f64]) -> Vec<f64
 pub(crate) fn decide(values: &[f64], floor: f64) -> Rank {
     let largest = values.first().copied().unwrap_or(0.0);
     if largest == 0.0 {
-        return Rank { rank: 0, gap: 1.0 / f64::EPSILON, clear: true };
+        return Rank { rank: 0, gap: 1.0 / f64::EPSILON, least: 1.0, clear: true };
     }
     let threshold = floor * largest;
     let rank = values.iter().take_while(|v| **v > threshold).count();
@@ -46,6 +48,7 @@ pub(crate) fn decide(values: &[f64], floor: f64) -> Rank {
     Rank {
         rank,
         gap: least / next.max(1e-3 * f64::EPSILON * largest),
+        least: least / largest,
         clear: least > MARGIN * threshold && next < threshold / MARGIN,
     }
 }

@@ -1,0 +1,199 @@
+//! At a change point (D) is a lower bound that no branch attains. The limits of m̄ along each.
+
+use super::branches::{Surroundings, dot};
+use super::rank::{decide, singular_values};
+use crate::least_energy::Minimum;
+use crate::{Contact, EffectiveMass, Pose, System};
+
+/// How far apart are the places from which m̄ is carried on to the crossing, in parts of the groups' sizes; the next is
+/// tried where the values vary too much.
+const APART: [f64; 4] = [0.01, 2.5e-3, 6e-4, 1.5e-4];
+/// Two orders of the interpolation that agree to this are good: the higher one is much better than that.
+const AGREE: f64 = 1e-7;
+/// Most combinations of branches of several groups that are looked at.
+const COMBINATIONS: usize = 256;
+/// A limit below this part of the values it is carried on from is zero.
+const VANISHING: f64 = 1e-7;
+/// Cosine between a branch and where it is at the places.
+const BENT: f64 = 0.9;
+
+/// Limits of m̄ where branches cross.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct BranchLimits {
+    /// One for each branch, or for each combination of branches where several groups that the contact feels stand at
+    /// crossings of their own. Of a continuum of branches, the least and the greatest of the samples taken.
+    pub limits: Vec<EffectiveMass>,
+    /// Whether the branches are a continuum: the limit depends on the direction of approach.
+    pub continuous: bool,
+    /// Whether nothing speaks for more branches than were found.
+    pub complete: bool,
+}
+
+impl System {
+    /// Limits of the answer along the branches that cross at a singular pose; none at a regular one, nor where no
+    /// branch leads away.
+    pub fn branch_limits(&self, pose: &Pose, contact: &Contact) -> BranchLimits {
+        let poser = self.unlocked.as_deref().unwrap_or(self);
+        let crossings = poser.crossings(pose, contact);
+        if crossings.is_empty() {
+            return BranchLimits { complete: true, ..BranchLimits::default() };
+        }
+        let count = |n: usize, c: &Surroundings| n.saturating_mul(c.branches.len());
+        let combinations = crossings.iter().fold(1, count);
+        let limit = |number: usize| self.limit(poser, pose, contact, &crossings, number);
+        let continuous = crossings.iter().any(|c| c.continuous);
+        let mut limits: Vec<EffectiveMass> = (0..combinations.min(COMBINATIONS)).filter_map(limit).collect();
+        if continuous {
+            limits.sort_by(|a, b| value(a).total_cmp(&value(b)));
+            let last = limits.len().saturating_sub(1);
+            limits = limits
+                .into_iter()
+                .enumerate()
+                .filter(|(i, _)| *i == 0 || *i == last)
+                .map(|(_, l)| l)
+                .collect();
+        }
+        BranchLimits {
+            limits,
+            continuous,
+            complete: combinations <= COMBINATIONS && crossings.iter().all(|c| c.complete || c.continuous),
+        }
+    }
+
+    /// Whether branches of a group cross at a pose where it has less than its generic rank.
+    pub(super) fn is_crossing(&self, pose: &Pose, number: usize) -> bool {
+        let group = &self.groups[number];
+        let inexactness = pose.loops().map_or(0.0, |loops| loops.inexactness);
+        !self.surroundings(&pose.kinematics, group, inexactness).regular
+    }
+
+    /// The groups at crossings that the contact feels, those it moves itself first.
+    fn crossings(&self, pose: &Pose, contact: &Contact) -> Vec<Surroundings> {
+        let Ok(assembly) = self.assembly() else { return Vec::new() };
+        let floor = self.rank_floor();
+        let mut crossings = Vec::new();
+        for number in self.felt_groups(contact) {
+            let (group, facts) = (&self.groups[number], &assembly.groups[number]);
+            let (_, rows) = self.group_rows(&pose.kinematics, group);
+            if decide(&singular_values(&rows, &group.lengths), floor).rank < facts.rank.rank {
+                let around = self.surroundings(&pose.kinematics, group, facts.inexactness);
+                if !around.branches.is_empty() && !around.regular {
+                    crossings.push(around);
+                }
+            }
+        }
+        crossings
+    }
+
+    /// Groups on the trees, or tied to the trees, that the contact's sides stand on; those that move the sides first.
+    fn felt_groups(&self, contact: &Contact) -> Vec<usize> {
+        let tree = |mut body: usize| {
+            while let Some(parent) = self.bodies[body].parent {
+                body = parent;
+            }
+            body
+        };
+        let sides = [Some(contact.link), contact.against].into_iter().flatten();
+        let bodies: Vec<usize> = sides.filter_map(|link| self.seats[link.index()].body).collect();
+        let mut felt: Vec<usize> = bodies.iter().map(|&b| tree(b)).collect();
+        let trees: Vec<Vec<usize>> =
+            self.groups.iter().map(|g| g.bodies.iter().map(|&b| tree(b)).collect()).collect();
+        let mut found: Vec<usize> = Vec::new();
+        loop {
+            let next = (0..self.groups.len())
+                .find(|g| !found.contains(g) && trees[*g].iter().any(|t| felt.contains(t)));
+            let Some(next) = next else { break };
+            felt.extend(&trees[next]);
+            found.push(next);
+        }
+        let mut carriers = vec![false; self.bodies.len()];
+        for body in bodies {
+            std::iter::successors(Some(body), |&b| self.bodies[b].parent).for_each(|b| carriers[b] = true);
+        }
+        found.sort_by_key(|&g| !self.groups[g].bodies.iter().any(|&b| carriers[b]));
+        found
+    }
+
+    /// The limit along a combination of branches: at four places on either side, Lagrange's formula for 1/m̄ carries it
+    /// on; the order below must agree.
+    fn limit(
+        &self,
+        poser: &System,
+        pose: &Pose,
+        contact: &Contact,
+        crossings: &[Surroundings],
+        number: usize,
+    ) -> Option<EffectiveMass> {
+        let at = |places: i32, apart: f64| {
+            let mut kinematics = pose.kinematics.clone();
+            let mut number = number;
+            for around in crossings {
+                let along = &around.branches[number % around.branches.len()].along;
+                number /= around.branches.len();
+                let way = poser.go_beside(
+                    &mut kinematics,
+                    around,
+                    along,
+                    f64::from(places) * apart * around.size,
+                )?;
+                if dot(&way, along) < BENT * dot(&way, &way).sqrt() {
+                    return None;
+                }
+            }
+            let located = crate::contact::locate(self, &kinematics, &pose.base, contact).ok()?;
+            Some(self.least_energy(&kinematics, &located).minimum)
+        };
+        let mut best: Option<(f64, EffectiveMass)> = None;
+        for apart in APART {
+            let Some((doubt, limit)) = carried_on(&|places| at(places, apart)) else { continue };
+            if best.is_none_or(|(least, _)| doubt < least) {
+                best = Some((doubt, limit));
+            }
+            if doubt < AGREE {
+                break;
+            }
+        }
+        best.map(|(_, limit)| limit)
+    }
+}
+
+/// For sorting.
+fn value(limit: &EffectiveMass) -> f64 {
+    match limit {
+        EffectiveMass::Finite(m) => *m,
+        EffectiveMass::Immovable => f64::INFINITY,
+        EffectiveMass::Massless => 0.0,
+    }
+}
+
+/// The limit from values at one to four places on either side, and how far two orders of the interpolation differ.
+fn carried_on(at: &dyn Fn(i32) -> Option<Minimum>) -> Option<(f64, EffectiveMass)> {
+    const EIGHT: [f64; 4] = [4.0 / 5.0, -2.0 / 5.0, 4.0 / 35.0, -1.0 / 70.0];
+    const SIX: [f64; 4] = [3.0 / 4.0, -3.0 / 10.0, 1.0 / 20.0, 0.0];
+    let (mut mobility, mut coarse, mut most_mobile) = (0.0, 0.0, 0.0_f64);
+    let (mut mass, mut coarse_mass, mut heaviest) = (0.0, 0.0, 0.0_f64);
+    for place in 0..4 {
+        for side in [1, -1] {
+            let m = match at(side * (place as i32 + 1))? {
+                Minimum::Finite(m) => m,
+                Minimum::Immovable => return Some((0.0, EffectiveMass::Immovable)),
+                Minimum::Massless => return Some((0.0, EffectiveMass::Massless)),
+                Minimum::Stationary(_) => return None,
+            };
+            mobility += EIGHT[place] / m;
+            coarse += SIX[place] / m;
+            mass += EIGHT[place] * m;
+            coarse_mass += SIX[place] * m;
+            most_mobile = most_mobile.max(1.0 / m);
+            heaviest = heaviest.max(m);
+        }
+    }
+    let doubt = (mobility - coarse).abs() / most_mobile;
+    Some(if mobility <= VANISHING * most_mobile {
+        (doubt, EffectiveMass::Immovable)
+    } else if mass <= VANISHING * heaviest {
+        ((mass - coarse_mass).abs() / heaviest, EffectiveMass::Massless)
+    } else {
+        (doubt * most_mobile / mobility, EffectiveMass::Finite(1.0 / mobility))
+    })
+}
