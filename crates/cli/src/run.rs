@@ -10,6 +10,11 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
     let study = StudyFile::load(&args.study, args.max_size)?;
     let answered = match &study.sweep {
         Some(vary) if args.format.is_none() => {
+            if study.damping.is_some() {
+                eprintln!(
+                    "note: [damping] is of the contact at its pose, not of the sweep: --format text shows it"
+                );
+            }
             sweep::go_through(&study.model, &study.question, vary, study.output.as_deref(), args.strict)
         }
         _ => {

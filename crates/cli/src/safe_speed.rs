@@ -4,7 +4,7 @@ use crate::args::{CheckFormat, ContactArgs, SafeSpeedArgs};
 use crate::failure::Failure;
 use crate::report::{tell, write_json, write_out};
 use crate::text::{Table, number};
-use percuss_contact::BodyRegion;
+use percuss_study::contact::BodyRegion;
 use percuss_study::{Limit, SafeSpeedQuestion, SafeSpeedReport, SpeedRecord, safe_speed};
 use std::fmt::Write;
 

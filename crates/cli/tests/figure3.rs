@@ -23,7 +23,7 @@ fn the_page_shows_what_is_printed() {
         }
         commands += 1;
     }
-    assert_eq!(commands, 4);
+    assert_eq!(commands, 6);
 }
 
 /// The XML of the page is the model's, but for spaces.

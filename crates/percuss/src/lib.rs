@@ -3,10 +3,12 @@
 //! # The crate
 //! Everything a user of the library needs, re-exported from the crates that hold it.
 
+pub use percuss_contact as contact;
 pub use percuss_dynamics::{
-    Accelerations, AssemblyError, Base, Conditions, ConditionsError, Configuration, ConfigurationError,
-    Contact, ContactError, Direction, EffectiveMass, Frame, InverseOperationalInertia, LocatedContact,
-    PointForce, Pose, Remark, Route, RouteChoice, RouteError, Shares, Strike, StrikeError, System, Workspace,
+    Accelerations, AssemblyError, Base, BranchLimits, Conditions, ConditionsError, Configuration,
+    ConfigurationError, Contact, ContactError, Direction, EffectiveMass, Frame, InverseOperationalInertia,
+    LocatedContact, PointForce, Pose, Remark, Route, RouteChoice, RouteError, Shares, Strike, StrikeError,
+    System, Workspace,
 };
 pub use percuss_formats::{
     DEFAULT_MAX_SIZE, Diagnostic, LoadError, LoadOptions, Loaded, Source, load, write_urdf,

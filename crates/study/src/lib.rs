@@ -21,6 +21,9 @@ mod study_file;
 mod study_value;
 mod sweep;
 
+/// Contact laws, simulators and safe speeds, for the faces that name them.
+pub use percuss_contact as contact;
+
 pub use check::{CheckReport, ClosureRecord, JointRecord, LinkRecord, check};
 pub use damped_contact::damp_contact;
 pub use damping::{

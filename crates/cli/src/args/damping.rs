@@ -3,9 +3,9 @@
 use super::words::{kilograms, law, plain, plain_kilograms, tools};
 use super::{CheckFormat, ContactArgs, ReadingArgs};
 use clap::{Args, ValueEnum};
-use percuss_contact::exports::{Options, Tool};
-use percuss_contact::{Law, Separation};
 use percuss_study::DampingQuestion;
+use percuss_study::contact::exports::{Options, Tool};
+use percuss_study::contact::{Law, Separation};
 
 /// The damper of the contact: what `percuss damp` and `percuss mass` share.
 #[derive(Debug, Args)]
@@ -17,7 +17,7 @@ pub struct DampingArgs {
     #[arg(long, value_name = "N/M", allow_hyphen_values = true, value_parser = plain, requires = "restitution")]
     pub stiffness: Option<f64>,
     /// Exponent p of the spring's force k x^p: 1 linear, 1.5 Hertz.
-    #[arg(long, default_value = "1", value_name = "P", value_parser = plain, requires = "restitution")]
+    #[arg(long, default_value = "1", value_name = "P", allow_hyphen_values = true, value_parser = plain, requires = "restitution")]
     pub exponent: f64,
     /// Approach speed (m/s): for penetration, force and energy, and for laws that depend on it.
     #[arg(long, value_name = "M/S", allow_hyphen_values = true, value_parser = plain, requires = "restitution")]
@@ -32,10 +32,10 @@ pub struct DampingArgs {
     #[arg(long = "for", value_name = "TOOL", value_parser = tools, requires = "restitution")]
     pub tools: Vec<Tools>,
     /// How far the simulator's restitution may be off; chooses the time step.
-    #[arg(long, default_value = "0.001", value_name = "E", value_parser = plain, requires = "restitution")]
+    #[arg(long, default_value = "0.001", value_name = "E", allow_hyphen_values = true, value_parser = plain, requires = "restitution")]
     pub accuracy: f64,
     /// The simulator's time step (s), where it is given.
-    #[arg(long, value_name = "S", value_parser = plain, requires = "restitution")]
+    #[arg(long, value_name = "S", allow_hyphen_values = true, value_parser = plain, requires = "restitution")]
     pub time_step: Option<f64>,
     /// Mass (kg) of the struck body by itself, for simulators that divide by it; a model tells.
     #[arg(long, value_name = "KG", value_parser = kilograms, requires = "restitution")]
@@ -138,7 +138,7 @@ pub struct SafeSpeedArgs {
     #[arg(long, value_name = "CM2", allow_hyphen_values = true, value_parser = plain, requires = "pressure")]
     pub area: Option<f64>,
     /// Load with its tool that the model does not hold (kg): enters the standard's estimate M/2 + m_L.
-    #[arg(long, default_value = "0", value_name = "KG", value_parser = plain_kilograms)]
+    #[arg(long, default_value = "0", value_name = "KG", allow_hyphen_values = true, value_parser = plain_kilograms)]
     pub load: f64,
     /// Lists the regions and ends.
     #[arg(long, exclusive = true)]

@@ -1,8 +1,8 @@
 //! How the words of flags are read.
 
 use super::Tools;
-use percuss_contact::Law;
-use percuss_contact::exports::Tool;
+use percuss_study::contact::Law;
+use percuss_study::contact::exports::Tool;
 use percuss_study::{Dimension, EstimateQuestion, Hold, Quantity, parse_triple};
 
 pub fn point(text: &str) -> Result<[f64; 3], String> {

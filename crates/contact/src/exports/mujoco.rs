@@ -24,7 +24,8 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let alpha = request.options.diagonal_ratio;
     let scale = IMPEDANCE + (1.0 - IMPEDANCE) * alpha.unwrap_or(1.0);
     let (zeta, omega) = (linear.ratio, linear.frequency);
-    let solref = [-(omega * omega * scale), -(2.0 * zeta * omega * scale)];
+    // 0 − x: without damping a zero, not a negative one.
+    let solref = [0.0 - omega * omega * scale, 0.0 - 2.0 * zeta * omega * scale];
     let solimp = [IMPEDANCE, IMPEDANCE, 1.0];
     let step = linear.explicit_step();
 

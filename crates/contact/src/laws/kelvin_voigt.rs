@@ -50,7 +50,7 @@ pub fn ratio(restitution: f64, separation: Separation) -> Result<f64, ContactErr
     if e == 0.0 && separation == Separation::ForceVanishes {
         return Err(unreachable());
     }
-    Ok(ratio_of_decrement(-e.ln(), separation))
+    Ok(ratio_of_decrement(0.0 - e.ln(), separation))
 }
 
 /// The damping ratio ζ that gives the restitution e = 1 − loss, for a loss too small to survive in e.
@@ -61,7 +61,7 @@ pub fn ratio_of_loss(loss: f64, separation: Separation) -> Result<f64, ContactEr
     if loss == 1.0 && separation == Separation::ForceVanishes {
         return Err(unreachable());
     }
-    Ok(ratio_of_decrement(-(-loss).ln_1p(), separation))
+    Ok(ratio_of_decrement(0.0 - (-loss).ln_1p(), separation))
 }
 
 fn unreachable() -> ContactError {

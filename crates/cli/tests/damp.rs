@@ -1,0 +1,241 @@
+//! `percuss damp`: from a restitution to a damper, by closed forms; what a model adds; what is refused.
+
+mod support;
+
+use serde_json::Value;
+use support::{Scratch, Sweep, json, percuss, root};
+
+const STOP: &str = "--link bump_stop_pad --point 0,0,0 --along-line bump_stop:0,0,0 --against chassis";
+const WISHBONE: &str = "models/double_wishbone.urdf";
+
+#[track_caller]
+fn assert_close(got: &Value, expected: f64, tolerance: f64) {
+    let got = got.as_f64().unwrap_or_else(|| panic!("{got} is no number"));
+    assert!((got - expected).abs() <= tolerance * expected.abs(), "got {got}, expected {expected}");
+}
+
+/// e = exp(−2ζC) with C = arccos ζ/√(1−ζ²), F = k x + c ẋ, ω = √(k/m).
+#[test]
+fn the_default_is_the_linear_law_without_tension() {
+    let (m, k, e, v) = (12.0, 4e5, 0.4, 0.5);
+    let report = json("damp --mass 12kg --stiffness 4e5 --restitution 0.4 --speed 0.5 --format json");
+    let ratio = report["damping_ratio"].as_f64().expect("a ratio");
+    let c = ratio.acos() / (1.0 - ratio * ratio).sqrt();
+    let omega = (k / m as f64).sqrt();
+    assert_close(&report["achieved_restitution"], e, 1e-12);
+    assert!(((-2.0 * ratio * c).exp() / e - 1.0).abs() < 1e-12);
+    assert_close(&report["damping"], 2.0 * ratio * (k * m).sqrt(), 1e-14);
+    assert_close(&report["contact_duration"], 2.0 * c / omega, 1e-12);
+    assert_close(&report["max_penetration"], v / omega * e.sqrt(), 1e-12);
+    assert_close(&report["energy_lost"], 0.5 * m * v * v * (1.0 - e * e), 1e-12);
+    assert_close(&report["rebound_speed"], e * v, 1e-12);
+    // The Hunt–Crossley dissipation for the same: a(0.4) = 2.0824981641…, over the speed.
+    assert_close(&report["dissipation"], 2.08249816414701 / v, 1e-11);
+    assert_eq!((&report["law"], &report["separation"]), (&"kelvin-voigt".into(), &"force".into()));
+    assert_eq!(report["schema"], "percuss.damp/1");
+    for absent in ["drift", "body_alone"] {
+        assert!(report[absent].is_null(), "{absent}");
+    }
+    assert_eq!(report["exports"].as_object().map(serde_json::Map::len), Some(10), "all tools, in JSON");
+}
+
+#[test]
+fn the_textbook_half_period_is_the_other_separation() {
+    let report = json("damp --mass 2 --stiffness 1e4 --restitution 0.5 --separation gap --format json");
+    let l = -(0.5f64.ln());
+    assert_close(&report["damping_ratio"], l / (std::f64::consts::PI.powi(2) + l * l).sqrt(), 1e-13);
+    assert_eq!(report["separation"], "gap");
+    for unknown in ["max_penetration", "peak_force", "energy_lost", "rebound_speed", "dissipation"] {
+        assert!(report[unknown].is_null(), "{unknown} needs a speed");
+    }
+    assert!(report["contact_duration"].as_f64().is_some(), "a linear contact takes as long at every speed");
+}
+
+#[test]
+fn an_approximation_says_how_far_off_it_is() {
+    let report = json(
+        "damp --mass 3 --stiffness 1e6 --restitution 0.5 --speed 2 --law lankarani-nikravesh --exponent 1.5 --format json",
+    );
+    // a = 3(1 − e²)/4; what it achieves, by the exact relation: 0.7252.
+    assert_close(&report["dissipation"], 0.75 * 0.75 / 2.0, 1e-14);
+    assert_close(&report["achieved_restitution"], 0.7252, 1e-4);
+    assert_eq!(report["law_is_exact"], false);
+    assert!(report["damping"].is_null() && report["damping_ratio"].is_null());
+    let text =
+        percuss("damp --mass 3 --stiffness 1e6 --restitution 0.5 --speed 2 --law lankarani-nikravesh").stdout;
+    assert!(text.contains("+0.2252 off"), "{text}");
+}
+
+#[test]
+fn a_model_tells_its_mass_its_drift_and_what_the_body_alone_would_do() {
+    let report = json(&format!(
+        "damp --mass-from {WISHBONE} {STOP} --stiffness 2e5 --restitution 0.3 --speed 0.5 --for mujoco --format json"
+    ));
+    let mass = json(&format!("mass {WISHBONE} {STOP} --format json"));
+    assert_eq!(report["effective_mass"], mass["effective_mass"]);
+    assert_eq!(report["inputs"], mass["inputs"]);
+    let m = mass["effective_mass"].as_f64().expect("a mass");
+    // The drift is the mass at a pose pushed on, over the mass here: by moving the driver, dm/dδ over m is the same.
+    let per_metre = report["drift"]["per_metre"].as_f64().expect("a slope");
+    let at = |angle: f64| {
+        let line = format!("mass {WISHBONE} {STOP} --set lower_arm_hinge={angle} --format json");
+        json(&line)["effective_mass"].as_f64().expect("a mass")
+    };
+    let gap = |angle: f64| {
+        let line = format!("mass {WISHBONE} {STOP} --set lower_arm_hinge={angle} --format json");
+        let points: Vec<f64> = json(&line)["contact"]["point_world"]
+            .as_array()
+            .expect("a point")
+            .iter()
+            .filter_map(Value::as_f64)
+            .collect();
+        let normal: Vec<f64> = json(&line)["contact"]["normal_world"]
+            .as_array()
+            .expect("a normal")
+            .iter()
+            .filter_map(Value::as_f64)
+            .collect();
+        (points, normal)
+    };
+    let h = 1e-4;
+    let ((ahead, n), (behind, _)) = (gap(h), gap(-h));
+    let closed: f64 = (0..3).map(|i| (ahead[i] - behind[i]) * n[i]).sum();
+    let slope = (at(h) - at(-h)) / closed / m;
+    assert!((slope / per_metre - 1.0).abs() < 1e-3, "{slope} {per_metre}");
+    let over = report["drift"]["over_penetration"].as_f64().expect("a drift");
+    let linear = per_metre * report["max_penetration"].as_f64().expect("a penetration");
+    assert!((over / linear - 1.0).abs() < 0.5 && over > 0.0, "{over} {linear}");
+    // c made for 24 kg has ζ √(24/m̄) on m̄.
+    let (alone, ratio) = (23.965, report["damping_ratio"].as_f64().expect("a ratio"));
+    assert_close(&report["body_alone"]["mass"], alone, 1e-12);
+    let weak = ratio * (alone / m).sqrt();
+    let e = (-2.0 * weak * weak.acos() / (1.0 - weak * weak).sqrt()).exp();
+    assert_close(&report["body_alone"]["restitution"], e, 1e-12);
+    let mujoco = &report["exports"]["mujoco"];
+    assert!(mujoco["parameters"]["equality_solref"].is_array(), "loops are closed by constraints");
+    assert!(mujoco["snippet"].as_str().expect("text").contains("<equality solref="));
+}
+
+#[test]
+fn mass_and_studies_take_a_restitution_too() {
+    let flags = "--stiffness 2e5 --restitution 0.3 --speed 0.5";
+    let damp = json(&format!("damp --mass-from {WISHBONE} {STOP} {flags} --for drake --format json"));
+    let mass = json(&format!("mass {WISHBONE} {STOP} {flags} --for drake --format json"));
+    for (key, value) in damp.as_object().expect("an object") {
+        // In a mass's answer they stand with the others.
+        let expected = if key == "diagnostics" { &serde_json::json!([]) } else { value };
+        assert!(mass["damper"][key] == *expected, "{key}");
+    }
+    assert!(json(&format!("mass {WISHBONE} {STOP} --format json"))["damper"].is_null());
+    let text = percuss(&format!("mass {WISHBONE} {STOP} {flags}")).stdout;
+    assert!(text.contains("struck body alone") && text.contains("who carries it"), "{text}");
+    let scratch = Scratch::new("damp-study");
+    let study = scratch.write(
+        "stop.toml",
+        &format!(
+            "[model]\npath = {:?}\n[contact]\nlink = \"bump_stop_pad\"\npoint = [0, 0, 0]\nagainst = \"chassis\"\n\
+             along_line = {{ link = \"bump_stop\", point = [0, 0, 0] }}\n[damping]\nrestitution = 0.3\nstiffness = 2e5\n\
+             speed = 0.5\nfor = [\"drake\"]\n",
+            root().join(WISHBONE).to_string_lossy()
+        ),
+    );
+    let from_study = json(&format!("run {study} --format json"));
+    for key in ["damping", "dissipation", "drift", "exports"] {
+        assert_eq!(from_study["damper"][key], damp[key], "{key}");
+    }
+}
+
+#[test]
+fn the_course_of_the_blow_is_drawn() {
+    let scratch = Scratch::new("damp-course");
+    let blow = "damp --mass 12 --stiffness 4e5 --restitution 0.4 --speed 0.5";
+    let csv = scratch.path("course.csv");
+    assert_eq!(percuss(&format!("{blow} --output {csv}")).code, 0);
+    let course = Sweep::read(&std::fs::read_to_string(&csv).expect("written"));
+    let column = |name: &str| -> Vec<f64> {
+        (0..500).map(|row| course.number(row, name).expect("a number")).collect()
+    };
+    let (x, f) = (column("penetration"), column("force"));
+    // The loop of force over penetration encloses what is lost: ½ m v² (1 − e²) = 1.26 J.
+    let area: f64 = (1..500).map(|i| 0.5 * (f[i] + f[i - 1]) * (x[i] - x[i - 1])).sum();
+    assert!((area / 1.26 - 1.0).abs() < 1e-3, "{area}");
+    let svg = scratch.path("course.svg");
+    assert_eq!(percuss(&format!("{blow} --output {svg}")).code, 0);
+    let drawn = std::fs::read_to_string(&svg).expect("written");
+    assert!(drawn.contains("time (ms)") && drawn.contains("penetration (mm)"));
+    let png = scratch.path("course.png");
+    assert_eq!(percuss(&format!("{blow} --output {png}")).code, 0);
+    assert!(std::fs::read(&png).expect("written").starts_with(b"\x89PNG"));
+}
+
+#[test]
+fn what_has_no_damper_says_why() {
+    for (line, code, words) in [
+        ("", 2, "--restitution E and --stiffness"),
+        ("--mass 3", 2, "--restitution E and --stiffness"),
+        ("--stiffness 1e4 --restitution 0.5", 2, "either --mass KG or --mass-from MODEL"),
+        ("--mass 3 --restitution 0.5", 2, "--stiffness"),
+        ("--mass 3 --stiffness 1e4 --restitution 1.2", 2, "a number from 0 to 1"),
+        ("--mass 3 --stiffness 1e4 --restitution=-0.1", 2, "a number from 0 to 1"),
+        ("--mass 3 --stiffness 1e4 --restitution nan", 2, "not finite"),
+        ("--mass 3 --stiffness 0 --restitution 0.5", 2, "a finite number above 0"),
+        ("--mass 3 --stiffness -5 --restitution 0.5", 2, "a finite number above 0"),
+        ("--mass 0 --stiffness 1e4 --restitution 0.5", 2, "a finite number above 0"),
+        ("--mass -1 --stiffness 1e4 --restitution 0.5", 2, "a finite number above 0"),
+        ("--mass 3 --stiffness 1e4 --restitution 0.5 --speed 0", 2, "approach speed"),
+        ("--mass 3 --stiffness 1e4 --restitution 0.5 --law hunt-crossley", 2, "give the speed"),
+        (
+            "--mass 3 --stiffness 1e4 --restitution 0.5 --law hunt-crosley",
+            2,
+            "did you mean \"hunt-crossley\"?",
+        ),
+        ("--mass 3 --stiffness 1e4 --restitution 0.5 --for mujco", 2, "did you mean \"mujoco\"?"),
+        ("--mass 3 --stiffness 1e4 --restitution 0.5 --exponent 0.5", 2, "exponent"),
+        ("--mass 3 --stiffness 1e4 --restitution 0", 2, "ask for a small restitution"),
+        ("--mass 3 --stiffness 1e4 --restitution 0.5 --output plot.svg", 2, "--speed"),
+        ("--mass 3 --stiffness 1e4 --restitution 0.5 --speed 1 --output plot.pdf", 2, ".svg, .png or .csv"),
+        (
+            "--mass 3 --mass-from models/four_bar.urdf --stiffness 1e4 --restitution 0.5",
+            2,
+            "cannot be used with",
+        ),
+        (
+            "--mass-from models/four_bar.urdf --stiffness 1e4 --restitution 0.5",
+            2,
+            "--link LINK, --point X,Y,Z",
+        ),
+        ("--mass 3 --stiffness 1e4 --restitution 0.99 --for bullet --time-step 1", 2, "step must be below"),
+        (
+            "--mass-from models/physical_pendulum.urdf --link body --point 0,0,-0.5 --normal 0,0,1 --stiffness 1e4 --restitution 0.5",
+            1,
+            "immovable",
+        ),
+    ] {
+        let outcome = percuss(&format!("damp {line}"));
+        assert_eq!(outcome.code, code, "{line}\n{}", outcome.stderr);
+        assert_eq!(outcome.stdout, "", "{line}");
+        assert!(outcome.stderr.contains(words), "{line}: {words} is missing in\n{}", outcome.stderr);
+    }
+    // No damping, and critical damping, are answers.
+    let elastic = json("damp --mass 3 --stiffness 1e4 --restitution 1 --speed 1 --format json");
+    assert_eq!((&elastic["damping"], &elastic["energy_lost"]), (&0.0.into(), &0.0.into()));
+    let dead = json("damp --mass 3 --stiffness 1e4 --restitution 0 --separation gap --speed 1 --format json");
+    assert_close(&dead["damping_ratio"], 1.0, 1e-15);
+    assert!(dead["contact_duration"].is_null(), "it never comes back");
+    assert!(!elastic.to_string().contains("-0.0"));
+}
+
+#[test]
+fn lists_stand_alone() {
+    let laws = percuss("damp --list-laws");
+    assert_eq!(laws.code, 0);
+    for name in [
+        "kelvin-voigt  (exact)",
+        "hunt-crossley  (exact, needs --speed)",
+        "gonthier  (approximation",
+        "tsuji",
+    ] {
+        assert!(laws.stdout.contains(name), "{name}");
+    }
+    assert!(percuss("damp --list-tools").stdout.contains("pybullet"));
+}

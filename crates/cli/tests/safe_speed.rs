@@ -1,0 +1,63 @@
+//! `percuss safe-speed`: the transient contact by hand, and what is refused.
+
+mod support;
+
+use support::{json, percuss};
+
+const ARM: &str =
+    "safe-speed models/six_r_arm.urdf --link tool --point 0.08,0,0 --normal 1,0,0 --set elbow=70deg";
+
+#[test]
+fn the_effective_mass_stands_beside_the_standards() {
+    let report = json(&format!("{ARM} --region chest --force 280 --load 2 --format json"));
+    let contact = ARM.replace("safe-speed", "mass");
+    let m = json(&format!("{contact} --format json"))["effective_mass"].as_f64().expect("a mass") + 2.0;
+    // Chest: 40 kg on 25 N/mm.
+    let speed = |robot: f64| 280.0 / (25e3 / (1.0 / 40.0 + 1.0 / robot)).sqrt();
+    let close = |value: &serde_json::Value, expected: f64| {
+        let got = value.as_f64().expect("a number");
+        assert!((got / expected - 1.0).abs() < 1e-12, "{got} {expected}");
+    };
+    close(&report["reflected"]["robot_mass"], m);
+    close(&report["reflected"]["speed"], speed(m));
+    let standard = 0.5 * report["moving_mass"].as_f64().expect("a mass") + 2.0;
+    close(&report["standard"]["robot_mass"], standard);
+    close(&report["standard"]["speed"], speed(standard));
+    close(&report["energy"], 280.0 * 280.0 / (2.0 * 25e3));
+    // 140 N/cm² on 2 cm² are 280 N.
+    let pressed = json(&format!("{ARM} --region chest --pressure 140 --area 2 --load 2 --format json"));
+    close(&pressed["reflected"]["speed"], speed(m));
+    let text = percuss(&format!("{ARM} --region chest --force 280")).stdout;
+    assert!(text.contains("no certification") && text.contains("M/2 + m_L"), "{text}");
+}
+
+#[test]
+fn limits_are_the_users() {
+    for (flags, words) in [
+        ("--region chest", "either --force N or --pressure"),
+        ("--region chest --force 0", "a finite number above 0"),
+        ("--region chest --force -3", "a finite number above 0"),
+        ("--region chest --force 280 --load -1", "load"),
+        ("--region chst --force 280", "did you mean \"chest\"?"),
+        ("--force 280", "--region"),
+        ("--region chest --pressure 100", "--area"),
+    ] {
+        let outcome = percuss(&format!("{ARM} {flags}"));
+        assert_eq!(outcome.code, 2, "{flags}\n{}", outcome.stderr);
+        assert!(outcome.stderr.contains(words), "{flags}: {words} is missing in\n{}", outcome.stderr);
+    }
+    let outcome = percuss("safe-speed models/six_r_arm.urdf --region chest --force 280");
+    assert!(outcome.code == 2 && outcome.stderr.contains("--link LINK"), "{}", outcome.stderr);
+    assert!(percuss("safe-speed --list-regions").stdout.contains("lower-leg"));
+}
+
+#[test]
+fn a_direction_without_give_is_said() {
+    let report = json(
+        "safe-speed models/physical_pendulum.urdf --link body --point 0,0,-0.5 --normal 0,0,1 --region hand --force 100 --format json",
+    );
+    assert!(report["reflected"].is_null());
+    let codes: Vec<_> =
+        report["diagnostics"].as_array().expect("a list").iter().map(|d| d["code"].clone()).collect();
+    assert!(codes.contains(&"immovable-robot".into()), "{codes:?}");
+}
