@@ -17,11 +17,11 @@ fn assert_close(got: &Value, expected: f64, tolerance: f64) {
 /// e = exp(−2ζC) with C = arccos ζ/√(1−ζ²), F = k x + c ẋ, ω = √(k/m).
 #[test]
 fn the_default_is_the_linear_law_without_tension() {
-    let (m, k, e, v) = (12.0, 4e5, 0.4, 0.5);
+    let (m, k, e, v): (f64, f64, f64, f64) = (12.0, 4e5, 0.4, 0.5);
     let report = json("damp --mass 12kg --stiffness 4e5 --restitution 0.4 --speed 0.5 --format json");
     let ratio = report["damping_ratio"].as_f64().expect("a ratio");
     let c = ratio.acos() / (1.0 - ratio * ratio).sqrt();
-    let omega = (k / m as f64).sqrt();
+    let omega = f64::sqrt(k / m);
     assert_close(&report["achieved_restitution"], e, 1e-12);
     assert!(((-2.0 * ratio * c).exp() / e - 1.0).abs() < 1e-12);
     assert_close(&report["damping"], 2.0 * ratio * (k * m).sqrt(), 1e-14);
