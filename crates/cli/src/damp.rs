@@ -7,12 +7,14 @@ use crate::text::{Table, number};
 use percuss_render::{Figure, Mark, Panel, Series, Sheet, Style};
 use percuss_study::contact::exports::Tool;
 use percuss_study::contact::{Law, Sample};
-use percuss_study::{DampingQuestion, DampingReport, ExportRecord, blow_history, damp, damp_contact};
+use percuss_study::{
+    DamperRecord, DampingQuestion, DampingReport, ExportRecord, blow_history, damp, damp_contact,
+};
 use std::fmt::Write;
 use std::path::Path;
 
 /// Moments of a blow that are drawn.
-const SAMPLES: usize = 500;
+const SAMPLES: usize = 2000;
 
 /// Runs the command.
 pub fn run(args: &DampArgs) -> Result<(), Failure> {
@@ -22,7 +24,7 @@ pub fn run(args: &DampArgs) -> Result<(), Failure> {
     if args.list_tools {
         return write_out(&tools());
     }
-    let Some(mut question) = args.damping.question() else {
+    let Some(mut question) = args.damping.question()? else {
         return Err(Failure::bad_input(
             "--restitution E and --stiffness N/m are wanted: the restitution you measured, and the contact's spring",
         ));
@@ -80,9 +82,9 @@ fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
         Some(_) => format!("{}, ending when the force vanishes", damper.law),
         None => damper.law.to_owned(),
     };
+    let law = damper.law_alias.map_or(law.clone(), |alias| format!("{law} (asked for as {alias})"));
     facts.push(("law", law));
-    let power = if damper.exponent == 1.0 { String::new() } else { format!("^{}", number(damper.exponent)) };
-    facts.push(("stiffness", format!("{} N/m{power}", number(damper.stiffness))));
+    facts.push(("stiffness", stiffness(damper)));
     match (damper.damping_ratio, damper.damping) {
         (Some(ratio), Some(c)) => {
             let unit = match damper.exponent {
@@ -135,6 +137,11 @@ fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
         facts.push(("struck body alone", format!("{} kg{wrong}", number(alone.mass))));
     }
     facts
+}
+
+fn stiffness(damper: &DamperRecord) -> String {
+    let power = if damper.exponent == 1.0 { String::new() } else { format!("^{}", number(damper.exponent)) };
+    format!("{} N/m{power}", number(damper.stiffness))
 }
 
 fn exported(name: &str, export: &ExportRecord) -> String {
@@ -243,7 +250,7 @@ fn sheet(report: &DampingReport, samples: &[Sample]) -> Sheet {
             number(damper.speed.unwrap_or_default()),
             number(damper.achieved_restitution)
         ),
-        subtitle: format!("{}, stiffness {} N/m", damper.law, number(damper.stiffness)),
+        subtitle: format!("{}, stiffness {}", damper.law, stiffness(damper)),
         x_label: "time (ms)".into(),
         panels: vec![panel(&|s| 1e3 * s.time)],
         marks: deepest.into_iter().collect(),

@@ -1,6 +1,7 @@
 //! Why the command has nothing to show, and with which exit code it says so.
 
 use percuss_formats::LoadError;
+use percuss_study::contact::ContactError;
 use percuss_study::{DiagnosticRecord, StudyError, StudyFileError};
 use std::io::{self, Write};
 use std::process::ExitCode;
@@ -64,7 +65,12 @@ impl From<StudyError> for Failure {
         if error.is_no_answer() {
             Failure::NoAnswer(error.to_string())
         } else {
-            Failure::bad_input(error.to_string())
+            let flag = match &error {
+                StudyError::Damping(ContactError::SpeedNeeded { .. }) => " (--speed)",
+                StudyError::Export(error) if error.to_string().contains("own mass") => " (--own-mass)",
+                _ => "",
+            };
+            Failure::bad_input(format!("{error}{flag}"))
         }
     }
 }

@@ -14,7 +14,7 @@ use std::fmt::Write;
 pub fn run(args: &MassArgs) -> Result<(), Failure> {
     let model = args.model.load()?;
     let expected = args.expect.map(|mass| Expected { mass, tolerance: args.tolerance });
-    let damping = args.damping.question();
+    let damping = args.damping.question()?;
     show(&model, &args.contact.question(), damping.as_ref(), args.format, expected, args.model.reading.strict)
 }
 
@@ -41,6 +41,10 @@ pub fn show(
     tell(&report.diagnostics, strict)?;
     match format {
         MassFormat::Json => write_json(&report)?,
+        MassFormat::Csv if report.damper.is_some() => {
+            eprintln!("note: the damper has no columns in CSV; --format text or json shows it");
+            write_out(&csv::of_mass(&report, &report.assumptions.set))?;
+        }
         MassFormat::Csv => write_out(&csv::of_mass(&report, &report.assumptions.set))?,
         MassFormat::Text => write_out(&text(&report, expected.map(|e| e.mass)))?,
     }

@@ -8,11 +8,6 @@ use percuss_study::contact::BodyRegion;
 use percuss_study::{Limit, SafeSpeedQuestion, SafeSpeedReport, SpeedRecord, safe_speed};
 use std::fmt::Write;
 
-/// Newtons per square centimetre, in pascals.
-const PASCALS: f64 = 1e4;
-/// A square centimetre, in square metres.
-const SQUARE_CENTIMETRE: f64 = 1e-4;
-
 /// Runs the command.
 pub fn run(args: &SafeSpeedArgs) -> Result<(), Failure> {
     if args.list_regions {
@@ -24,7 +19,7 @@ pub fn run(args: &SafeSpeedArgs) -> Result<(), Failure> {
     let contact = ContactArgs::needed(args.contact.as_ref())?;
     let limit = match (args.force, args.pressure, args.area) {
         (Some(force), None, None) => Limit::Force(force),
-        (None, Some(pressure), Some(area)) => Limit::Pressure(PASCALS * pressure, SQUARE_CENTIMETRE * area),
+        (None, Some(pressure), Some(area)) => Limit::Pressure(pressure, area),
         _ => {
             return Err(Failure::bad_input(
                 "either --force N or --pressure N/cm² with --area cm² is wanted: the limit of the region, from the \
@@ -47,23 +42,15 @@ fn text(report: &SafeSpeedReport) -> String {
         let _ = writeln!(out, "{name:<20} {value}");
     };
     let speed = |record: &SpeedRecord, mass: &str| {
+        let robot = record.robot_mass.map_or("no bounded mass".to_owned(), |m| format!("{} kg", number(m)));
         format!(
-            "{} m/s   with {} kg ({mass}), two-body mass {} kg",
+            "{} m/s   with {robot} ({mass}), two-body mass {} kg",
             number(record.speed),
-            number(record.robot_mass),
             number(record.reduced_mass)
         )
     };
-    fact(
-        "greatest speed",
-        report.reflected.as_ref().map_or_else(
-            || "none: the robot does not give way along this direction".to_owned(),
-            |record| {
-                let load = if report.load > 0.0 { " and the load" } else { "" };
-                speed(record, &format!("effective mass at the contact{load}"))
-            },
-        ),
-    );
+    let load = if report.load > 0.0 { " and the load" } else { "" };
+    fact("greatest speed", speed(&report.reflected, &format!("effective mass at the contact{load}")));
     fact("by the standard", speed(&report.standard, "M/2 + m_L"));
     fact(
         "struck",

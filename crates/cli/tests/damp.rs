@@ -153,11 +153,11 @@ fn the_course_of_the_blow_is_drawn() {
     assert_eq!(percuss(&format!("{blow} --output {csv}")).code, 0);
     let course = Sweep::read(&std::fs::read_to_string(&csv).expect("written"));
     let column = |name: &str| -> Vec<f64> {
-        (0..500).map(|row| course.number(row, name).expect("a number")).collect()
+        (0..2000).map(|row| course.number(row, name).expect("a number")).collect()
     };
     let (x, f) = (column("penetration"), column("force"));
     // The loop of force over penetration encloses what is lost: ½ m v² (1 − e²) = 1.26 J.
-    let area: f64 = (1..500).map(|i| 0.5 * (f[i] + f[i - 1]) * (x[i] - x[i - 1])).sum();
+    let area: f64 = (1..2000).map(|i| 0.5 * (f[i] + f[i - 1]) * (x[i] - x[i - 1])).sum();
     assert!((area / 1.26 - 1.0).abs() < 1e-3, "{area}");
     let svg = scratch.path("course.svg");
     assert_eq!(percuss(&format!("{blow} --output {svg}")).code, 0);
@@ -238,4 +238,72 @@ fn lists_stand_alone() {
         assert!(laws.stdout.contains(name), "{name}");
     }
     assert!(percuss("damp --list-tools").stdout.contains("pybullet"));
+}
+
+#[test]
+fn names_stand_for_what_they_are_known_for() {
+    let base = "damp --mass 12 --stiffness 2e5 --restitution 0.3 --format json --law";
+    let half_period = json(&format!("{base} anagnostopoulos"));
+    assert_eq!(
+        (&half_period["separation"], &half_period["law_alias"]),
+        (&"gap".into(), &"anagnostopoulos".into())
+    );
+    let l = -(0.3f64.ln());
+    assert_close(&half_period["damping_ratio"], l / (std::f64::consts::PI.powi(2) + l * l).sqrt(), 1e-13);
+    assert_eq!(json(&format!("{base} tsuji"))["exponent"], 1.5);
+    assert_eq!(json(&format!("{base} tsuji --exponent 1.5"))["exponent"], 1.5);
+    for contradiction in
+        ["tsuji --exponent 1", "anagnostopoulos --separation force", "anagnostopoulos --exponent 2"]
+    {
+        let outcome = percuss(&format!("{base} {contradiction}"));
+        assert_eq!(outcome.code, 2, "{contradiction}");
+        assert!(outcome.stderr.contains("stands for"), "{}", outcome.stderr);
+    }
+}
+
+#[test]
+fn units_may_follow_numbers() {
+    let plain = json(
+        "damp --mass 12 --stiffness 4e5 --restitution 0.4 --speed 0.5 --time-step 1e-4 --for ode --format json",
+    );
+    let typed = json(
+        "damp --mass 12kg --stiffness 400N/mm --restitution 40% --speed 500mm/s --time-step 0.1ms --for ode --format json",
+    );
+    assert_eq!(plain, typed);
+    for (flags, words) in [
+        ("--stiffness 400lb --restitution 0.4", "N/mm"),
+        ("--stiffness 400mm --restitution 0.4", "N/mm"),
+        ("--stiffness 4e5 --restitution 0.4 --speed 1N", "km/h"),
+        ("--stiffness 400N/mm --restitution 0.4 --exponent 1.5", "N/m^1.5"),
+        ("--stiffness 4e5 --restitution 40", "from 0 to 1"),
+    ] {
+        let outcome = percuss(&format!("damp --mass 12 {flags}"));
+        assert_eq!(outcome.code, 2, "{flags}");
+        assert!(outcome.stderr.contains(words), "{flags}: {}", outcome.stderr);
+    }
+}
+
+/// Every tool integrates a law of its own: its numbers are for that, and it is said.
+#[test]
+fn exports_are_for_the_restitution_not_for_the_law() {
+    let base = "damp --mass 12 --stiffness 4e5 --restitution 0.3 --speed 0.5 --for mujoco,drake --for mujoco --format json";
+    let exact = json(base);
+    let other = json(&format!("{base} --law flores"));
+    assert_eq!(exact["exports"], other["exports"]);
+    assert_eq!(exact["exports"].as_object().map(serde_json::Map::len), Some(2));
+    assert_eq!(exact["diagnostics"], serde_json::json!([]));
+    assert_eq!(other["diagnostics"][0]["code"], "exports-own-law");
+    assert_eq!(json(&format!("{base} --separation gap"))["diagnostics"][0]["code"], "exports-own-law");
+}
+
+#[test]
+fn the_struck_bodys_own_mass_may_be_given() {
+    let report =
+        json("damp --mass 12 --stiffness 4e5 --restitution 0.3 --own-mass 3 --for chrono --format json");
+    let ratio = report["damping_ratio"].as_f64().expect("a ratio") / 2.0;
+    let e = (-2.0 * ratio * ratio.acos() / (1.0 - ratio * ratio).sqrt()).exp();
+    assert_close(&report["body_alone"]["restitution"], e, 1e-12);
+    assert!(report["exports"]["chrono"]["error"].is_null());
+    let outcome = percuss("damp --mass 12 --stiffness 4e5 --restitution 0.3 --for chrono");
+    assert!(outcome.code == 2 && outcome.stderr.contains("--own-mass"), "{}", outcome.stderr);
 }

@@ -52,12 +52,24 @@ fn limits_are_the_users() {
 }
 
 #[test]
-fn a_direction_without_give_is_said() {
-    let report = json(
-        "safe-speed models/physical_pendulum.urdf --link body --point 0,0,-0.5 --normal 0,0,1 --region hand --force 100 --format json",
-    );
-    assert!(report["reflected"].is_null());
+fn a_direction_without_give_leaves_the_persons_mass() {
+    // The arm stretched out, struck along itself.
+    let stretched = "safe-speed models/six_r_arm.urdf --link tool --point 0.08,0,0 --normal 1,0,0 --region chest --force 280";
+    let report = json(&format!("{stretched} --format json"));
+    assert!(report["reflected"]["robot_mass"].is_null());
+    let speed = report["reflected"]["speed"].as_f64().expect("a speed");
+    assert!((speed / (280.0 / (40.0f64 * 25e3).sqrt()) - 1.0).abs() < 1e-14, "{speed}");
     let codes: Vec<_> =
         report["diagnostics"].as_array().expect("a list").iter().map(|d| d["code"].clone()).collect();
-    assert!(codes.contains(&"immovable-robot".into()), "{codes:?}");
+    for code in ["immovable-robot", "standard-too-fast"] {
+        assert!(codes.contains(&code.into()), "{codes:?}");
+    }
+    for other in ["--against-mass 5", "--against base"] {
+        let outcome = percuss(&format!("{stretched} {other}"));
+        assert!(
+            outcome.code == 2 && outcome.stderr.contains("the other side is the person"),
+            "{}",
+            outcome.stderr
+        );
+    }
 }

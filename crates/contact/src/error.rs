@@ -50,6 +50,20 @@ pub enum ContactError {
         /// All names, commas between.
         known: String,
     },
+    /// The name of a law stands for another exponent, or another end of the contact, than was given.
+    #[error(
+        "{name} stands for the {what} {fixed}; {got} was given: leave it out, or name the law without that"
+    )]
+    Contradicts {
+        /// The name.
+        name: &'static str,
+        /// Exponent or separation.
+        what: &'static str,
+        /// What the name stands for.
+        fixed: String,
+        /// What was given.
+        got: String,
+    },
     /// A region of the body of this name is not in the table.
     #[error("\"{name}\" is no region of the body in the table{}; known: {known}", suggestion(.nearest))]
     UnknownRegion {
@@ -81,7 +95,7 @@ pub(crate) fn positive(what: &'static str, value: f64) -> Result<f64, ContactErr
     if value.is_normal() && value > 0.0 {
         return Ok(value);
     }
-    Err(ContactError::OutOfRange { what, got: value, valid: "a finite number above 0 (at least 2.3e-308)" })
+    Err(ContactError::OutOfRange { what, got: value, valid: "a finite number above 0" })
 }
 
 /// A finite number, zero or above.

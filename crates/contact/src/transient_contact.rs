@@ -49,6 +49,11 @@ impl TransientContact {
         Self::with_body(region.mass, region.stiffness, robot_mass)
     }
 
+    /// A robot that does not give way: μ = m_H.
+    pub fn immovable(region: &BodyRegion) -> Self {
+        Self { reduced_mass: region.mass, stiffness: region.stiffness }
+    }
+
     /// The same with a body's mass m_H, in kg, and stiffness k, in N/m, of the user's own.
     ///
     /// Errors: any of them is not a finite number above zero.

@@ -32,7 +32,7 @@ fn contacts() {
     }
     assert_eq!(
         Contact::new(-1.0, 1.0).unwrap_err().to_string(),
-        "effective mass, kg: -1.0 is out of range; wanted a finite number above 0 (at least 2.3e-308)"
+        "effective mass, kg: -1.0 is out of range; wanted a finite number above 0"
     );
 }
 

@@ -1,11 +1,10 @@
 //! The damper of a model's contact: what the model knows beside the effective mass.
 
-use crate::damping::{BodyAlone, DampingQuestion, DampingReport, Drift, contact, damper, exports};
+use crate::damping::{DampingQuestion, DampingReport, Drift, about_exports, body_alone, damper, exports};
 use crate::mass::Answered;
 use crate::question::{MassQuestion, StudyError};
 use crate::{DiagnosticRecord, Model};
 use percuss_contact::exports::Options;
-use percuss_contact::{Damper, Law};
 use percuss_dynamics::{Conditions, Contact, EffectiveMass, RouteChoice, System};
 use percuss_mechanism::{LinkId, Mechanism, Severity};
 
@@ -40,11 +39,10 @@ pub(crate) fn damping_of(
     let record = damper(damping, mass)?;
     let drift = drift(question, answered, mass, record.max_penetration);
     let options = options(damping.options, &model.mechanism, question, answered, mass);
-    let alone = answered.system.rigid_body_mass(answered.contact.link);
-    let body_alone = alone
-        .filter(|m| *m > 0.0)
-        .map(|m| BodyAlone { mass: m, restitution: restitution_with(damping, m, mass) });
+    let alone = damping.options.own_mass.or(answered.system.rigid_body_mass(answered.contact.link));
+    let body_alone = alone.filter(|m| *m > 0.0).map(|m| body_alone(damping, m, mass));
     let mut diagnostics = answered.report.diagnostics.clone();
+    diagnostics.extend(about_exports(damping));
     if let Some(over) = drift.over_penetration.filter(|over| over.abs() > DRIFTING) {
         let message = format!(
             "the effective mass changes by {:+.1} % over the penetration: one number is no better than that here; a \
@@ -64,23 +62,6 @@ pub(crate) fn damping_of(
         exports: exports(damping, mass, options)?,
         diagnostics,
     })
-}
-
-/// What a damper made for one mass does to another.
-fn restitution_with(damping: &DampingQuestion, made_for: f64, mass: f64) -> Option<f64> {
-    if damping.law != Law::KelvinVoigt {
-        return None;
-    }
-    let made = damping.law.damper(
-        contact(damping, made_for).ok()?,
-        damping.restitution,
-        damping.speed,
-        damping.separation,
-    );
-    let Ok(Damper::KelvinVoigt { coefficient, separation, .. }) = made else { return None };
-    let real = contact(damping, mass).ok()?;
-    let damper = Damper::kelvin_voigt_from_coefficient(real, coefficient, separation).ok()?;
-    damper.restitution(real, damping.speed.unwrap_or(1.0)).ok()
 }
 
 /// m̄ along the strike's own motion.

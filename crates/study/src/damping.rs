@@ -1,11 +1,13 @@
 //! From a restitution to a damper: a contact's effective mass, its spring, and what the laws and the simulators make of
 //! them.
 
+use crate::DiagnosticRecord;
 use crate::model::Input;
 use crate::question::StudyError;
 use crate::simulators::ExportRecord;
 use percuss_contact::exports::{Options, Request, Tool};
 use percuss_contact::{Contact, ContactError, Damper, Law, Sample, Separation};
+use percuss_mechanism::Severity;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -22,6 +24,8 @@ pub struct DampingQuestion {
     pub speed: Option<f64>,
     /// The law of the damper.
     pub law: Law,
+    /// The other name by which it was asked for.
+    pub alias: Option<&'static str>,
     /// When a Kelvin–Voigt contact ends.
     pub separation: Separation,
     /// For which simulators parameters are written.
@@ -39,10 +43,49 @@ impl DampingQuestion {
             exponent: 1.0,
             speed: None,
             law: Law::KelvinVoigt,
+            alias: None,
             separation: Separation::ForceVanishes,
             tools: Vec::new(),
             options: Options::default(),
         }
+    }
+}
+
+impl DampingQuestion {
+    /// Takes a law by its name. An alias stands for an exponent or an end of the contact too; what is given besides must
+    /// not contradict it.
+    ///
+    /// # Errors
+    /// [`ContactError`]: no such law, a contradiction.
+    pub fn choose(
+        &mut self,
+        name: &str,
+        exponent: Option<f64>,
+        separation: Option<Separation>,
+    ) -> Result<(), ContactError> {
+        self.law = Law::from_name(name)?;
+        let alias = Law::alias(name);
+        let (fixed_exponent, fixed_end) = alias.map_or((None, None), |a| (a.exponent, a.separation));
+        let contradicts = |what, fixed: String, got: String| ContactError::Contradicts {
+            name: alias.map_or("", |a| a.name),
+            what,
+            fixed,
+            got,
+        };
+        if let (Some(fixed), Some(got)) = (fixed_exponent, exponent)
+            && fixed != got
+        {
+            return Err(contradicts("exponent", fixed.to_string(), got.to_string()));
+        }
+        if let (Some(fixed), Some(got)) = (fixed_end, separation)
+            && fixed != got
+        {
+            return Err(contradicts("separation", fixed.name().into(), got.name().into()));
+        }
+        self.alias = alias.map(|a| a.name);
+        self.exponent = fixed_exponent.or(exponent).unwrap_or(self.exponent);
+        self.separation = fixed_end.or(separation).unwrap_or(self.separation);
+        Ok(())
     }
 }
 
@@ -59,6 +102,8 @@ pub struct DamperRecord {
     pub speed: Option<f64>,
     /// The law of the damper.
     pub law: &'static str,
+    /// The other name by which it was asked for.
+    pub law_alias: Option<&'static str>,
     /// Whether it gives the restitution asked for exactly.
     pub law_is_exact: bool,
     /// When the contact ends: `force` or `gap`; null for laws whose force vanishes with the gap.
@@ -128,7 +173,7 @@ pub struct DampingReport {
     /// Parameters and snippets by simulator.
     pub exports: BTreeMap<&'static str, ExportRecord>,
     /// What was found, in the file and in the answer.
-    pub diagnostics: Vec<crate::DiagnosticRecord>,
+    pub diagnostics: Vec<DiagnosticRecord>,
 }
 
 /// The contact of a question on a mass.
@@ -170,6 +215,7 @@ pub fn damper(question: &DampingQuestion, mass: f64) -> Result<DamperRecord, Con
         exponent: question.exponent,
         speed: question.speed,
         law: question.law.name(),
+        law_alias: question.alias,
         law_is_exact: question.law.is_exact(),
         separation,
         damping_ratio,
@@ -224,11 +270,37 @@ pub(crate) fn exports(
     Ok(exports)
 }
 
+/// That simulators do not integrate the law that was asked for.
+pub(crate) fn about_exports(question: &DampingQuestion) -> Option<DiagnosticRecord> {
+    let same = question.law == Law::KelvinVoigt && question.separation == Separation::ForceVanishes;
+    (!same && !question.tools.is_empty()).then(|| {
+        let message = format!(
+            "the simulators' parameters are for the laws that they integrate, and for the restitution {}; --law and \
+             --separation are for the damper above",
+            question.restitution
+        );
+        DiagnosticRecord::about_answer(Severity::Note, "exports-own-law", message)
+    })
+}
+
+/// What a damper made for the struck body's own mass does to the contact.
+pub(crate) fn body_alone(question: &DampingQuestion, alone: f64, mass: f64) -> BodyAlone {
+    let restitution = || {
+        let made = damper_of(question, contact(question, alone).ok()?).ok()?;
+        let Damper::KelvinVoigt { coefficient, separation, .. } = made else { return None };
+        let real = contact(question, mass).ok()?;
+        let damper = Damper::kelvin_voigt_from_coefficient(real, coefficient, separation).ok()?;
+        damper.restitution(real, question.speed.unwrap_or(1.0)).ok()
+    };
+    BodyAlone { mass: alone, restitution: restitution() }
+}
+
 /// The damper of a mass that is given.
 ///
 /// # Errors
 /// [`StudyError`]: as for [`damper`]; a simulator that cannot have it, where it is the only one.
 pub fn damp(question: &DampingQuestion, mass: f64) -> Result<DampingReport, StudyError> {
+    let body_alone = question.options.own_mass.map(|alone| body_alone(question, alone, mass));
     Ok(DampingReport {
         schema: "percuss.damp/1",
         percuss: env!("CARGO_PKG_VERSION"),
@@ -236,8 +308,8 @@ pub fn damp(question: &DampingQuestion, mass: f64) -> Result<DampingReport, Stud
         effective_mass: mass,
         damper: damper(question, mass)?,
         drift: None,
-        body_alone: None,
+        body_alone,
         exports: exports(question, mass, question.options)?,
-        diagnostics: Vec::new(),
+        diagnostics: about_exports(question).into_iter().collect(),
     })
 }

@@ -11,6 +11,7 @@ mod estimate;
 mod far_point;
 mod findings;
 mod mass;
+mod measure;
 mod model;
 mod quantity;
 mod question;
@@ -34,6 +35,7 @@ pub use mass::{
     Assumptions, BodyShare, ConditionsRecord, ContactRecord, HoldRecord, MassReport, RotorShare, Status,
     mass, mass_with_damper,
 };
+pub use measure::{Measure, Measured};
 pub use model::{Input, Model};
 pub use quantity::{Dimension, Quantity, QuantityError, parse_list, parse_triple};
 pub use question::{EstimateQuestion, Hold, MassQuestion, Normal, StudyError};

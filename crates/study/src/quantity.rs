@@ -35,6 +35,16 @@ pub enum QuantityError {
         /// What was given.
         text: String,
     },
+    /// Not a number with one of the units of its kind.
+    #[error("\"{text}\" is no number here; wanted is a number{first}, or with one of the units {units}")]
+    NoMeasure {
+        /// What was given.
+        text: String,
+        /// The unit that is meant where none is given, with `in` before it.
+        first: String,
+        /// The units it may have.
+        units: String,
+    },
     /// NaN or infinite.
     #[error("\"{text}\" is not finite; a finite number is wanted")]
     NotFinite {

@@ -135,6 +135,9 @@ pub enum StudyError {
     /// A simulator that cannot have the contact.
     #[error(transparent)]
     Export(Box<ExportError>),
+    /// A safe speed against something else than a person.
+    #[error("the other side is the person: leave --against and --against-mass out")]
+    PersonIsTheOther,
     /// A contact that nothing damps.
     #[error("the contact is {status}: no damper gives it a restitution")]
     NoDamper {

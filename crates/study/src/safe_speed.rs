@@ -32,8 +32,8 @@ pub struct SafeSpeedQuestion {
 /// The speed for one mass of the robot.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct SpeedRecord {
-    /// m_R, kg.
-    pub robot_mass: f64,
+    /// m_R, kg; null where the robot does not give way.
+    pub robot_mass: Option<f64>,
     /// μ = 1/(1/m_H + 1/m_R), kg.
     pub reduced_mass: f64,
     /// The greatest relative speed, m/s.
@@ -61,8 +61,8 @@ pub struct SafeSpeedReport {
     pub force: f64,
     /// The energy of the blow, J.
     pub energy: f64,
-    /// With the effective mass at the contact; null where the robot is immovable there.
-    pub reflected: Option<SpeedRecord>,
+    /// With the effective mass at the contact.
+    pub reflected: SpeedRecord,
     /// With the standard's M/2 + m_L.
     pub standard: SpeedRecord,
     /// M: mass of all links that can move, kg.
@@ -84,34 +84,40 @@ pub fn safe_speed(
     asked: &SafeSpeedQuestion,
 ) -> Result<SafeSpeedReport, StudyError> {
     let region = BodyRegion::from_name(&asked.region)?;
+    if question.against.is_some() || question.against_mass.is_some() {
+        return Err(StudyError::PersonIsTheOther);
+    }
     let answered = Answered::new(model, question)?;
     let moving_mass = moving_mass(&model.mechanism, &answered);
-    let speed = |robot_mass: f64| -> Result<_, ContactError> {
-        let contact = TransientContact::new(region, robot_mass)?;
+    let speed = |robot_mass: Option<f64>| -> Result<_, ContactError> {
+        let contact = match robot_mass {
+            Some(mass) => TransientContact::new(region, mass)?,
+            None => TransientContact::immovable(region),
+        };
         let safe = match asked.limit {
             Limit::Force(force) => contact.speed_for_force(force),
             Limit::Pressure(pressure, area) => contact.speed_for_pressure(pressure, area),
         }?;
         Ok((SpeedRecord { robot_mass, reduced_mass: contact.reduced_mass(), speed: safe.speed }, safe))
     };
-    let (standard, safe) = speed(standard_robot_mass(moving_mass, asked.load)?)?;
+    let (standard, safe) = speed(Some(standard_robot_mass(moving_mass, asked.load)?))?;
     let mut diagnostics = answered.report.diagnostics.clone();
-    let reflected = match answered.strike.effective_mass {
+    let (reflected, _) = match answered.strike.effective_mass {
         // A load at the tool moves with the contact.
-        EffectiveMass::Finite(m) => Some(speed(m + asked.load)?.0),
+        EffectiveMass::Finite(m) => speed(Some(m + asked.load))?,
         EffectiveMass::Immovable => {
-            let message = "the robot does not give way along this direction: it strikes with no bounded mass, and only \
-                           the person's counts"
+            let message = "the robot does not give way along this direction: only the person's mass is between it and the \
+                           force"
                 .to_owned();
             diagnostics.push(DiagnosticRecord::about_answer(Severity::Warning, "immovable-robot", message));
-            None
+            speed(None)?
         }
         EffectiveMass::Massless => return Err(StudyError::NoDamper { status: "massless" }),
     };
-    if let Some(record) = reflected.filter(|r| r.speed < standard.speed) {
+    if reflected.speed < standard.speed {
         let message = format!(
             "the standard's mass allows {:.3} m/s, the effective mass only {:.3} m/s: here M/2 + m_L is too light",
-            standard.speed, record.speed
+            standard.speed, reflected.speed
         );
         diagnostics.push(DiagnosticRecord::about_answer(Severity::Warning, "standard-too-fast", message));
     }

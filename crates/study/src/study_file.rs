@@ -153,36 +153,50 @@ struct EstimateText {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct DampingText {
+    #[serde(deserialize_with = "study_value::ratio")]
     restitution: f64,
+    #[serde(deserialize_with = "study_value::stiffness")]
     stiffness: f64,
     exponent: Option<f64>,
+    #[serde(default, deserialize_with = "study_value::speed")]
     speed: Option<f64>,
-    law: Option<String>,
+    #[serde(default = "kelvin_voigt")]
+    law: String,
     separation: Option<String>,
-    #[serde(default, rename = "for")]
+    #[serde(default, rename = "for", deserialize_with = "study_value::words")]
     tools: Vec<String>,
     accuracy: Option<f64>,
+    #[serde(default, deserialize_with = "study_value::time")]
     time_step: Option<f64>,
+    #[serde(default, deserialize_with = "study_value::mass")]
+    own_mass: Option<f64>,
+}
+
+fn kelvin_voigt() -> String {
+    Law::KelvinVoigt.name().to_owned()
 }
 
 impl DampingText {
     /// As a question, or the key that is wrong and why.
     fn question(&self) -> Result<DampingQuestion, (&'static str, String)> {
         let mut question = DampingQuestion::new(self.restitution, self.stiffness);
+        let end = |word: &String| {
+            let known = Separation::ALL.into_iter().find(|s| s.name() == word);
+            known.ok_or_else(|| ("damping.separation", format!("\"{word}\"; wanted force or gap")))
+        };
+        let separation = self.separation.as_ref().map(end).transpose()?;
+        question.choose(&self.law, self.exponent, separation).map_err(|e| ("damping.law", e.to_string()))?;
         question.speed = self.speed;
-        question.exponent = self.exponent.unwrap_or(question.exponent);
         question.options.accuracy = self.accuracy.unwrap_or(question.options.accuracy);
         question.options.time_step = self.time_step;
-        if let Some(law) = &self.law {
-            question.law = Law::from_name(law).map_err(|e| ("damping.law", e.to_string()))?;
-        }
-        if let Some(word) = &self.separation {
-            let known = Separation::ALL.into_iter().find(|s| s.name() == word);
-            let wanted = || ("damping.separation", format!("\"{word}\"; wanted force or gap"));
-            question.separation = known.ok_or_else(wanted)?;
-        }
+        question.options.own_mass = self.own_mass;
         for tool in &self.tools {
-            question.tools.push(Tool::from_name(tool).map_err(|e| ("damping.for", e.to_string()))?);
+            match tool.as_str() {
+                "all" => question.tools.extend(Tool::ALL),
+                name => {
+                    question.tools.push(Tool::from_name(name).map_err(|e| ("damping.for", e.to_string()))?)
+                }
+            }
         }
         Ok(question)
     }

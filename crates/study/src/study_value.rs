@@ -1,5 +1,6 @@
 //! Numbers of a study file: plain (SI), or text with a unit (`"350 mm"`).
 
+use crate::measure::Measure;
 use crate::quantity::{Dimension, Quantity};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer};
@@ -49,6 +50,47 @@ pub(crate) fn lengths<'de, D: Deserializer<'de>>(from: D) -> Result<[f64; 3], D:
 /// Three angles, rad.
 pub(crate) fn angles<'de, D: Deserializer<'de>>(from: D) -> Result<[f64; 3], D::Error> {
     triple(from, Dimension::Angle)
+}
+
+fn measured<'de, D: Deserializer<'de>>(from: D, measure: Measure) -> Result<f64, D::Error> {
+    match NumberOrText::deserialize(from)? {
+        NumberOrText::Number(number) => Ok(number),
+        NumberOrText::Text(text) => measure.parse(&text).map(|m| m.value).map_err(D::Error::custom),
+    }
+}
+
+/// A number from 0 to 1, or per cent.
+pub(crate) fn ratio<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
+    measured(from, Measure::Ratio)
+}
+
+/// A stiffness, N/m.
+pub(crate) fn stiffness<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
+    measured(from, Measure::Stiffness)
+}
+
+/// A speed, m/s.
+pub(crate) fn speed<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
+    measured(from, Measure::Speed).map(Some)
+}
+
+/// A time, s.
+pub(crate) fn time<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
+    measured(from, Measure::Time).map(Some)
+}
+
+/// One word, or several.
+pub(crate) fn words<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<String>, D::Error> {
+    #[derive(Deserialize)]
+    #[serde(untagged, expecting = "a name, or a list of names")]
+    enum Words {
+        One(String),
+        Many(Vec<String>),
+    }
+    Ok(match Words::deserialize(from)? {
+        Words::One(word) => vec![word],
+        Words::Many(words) => words,
+    })
 }
 
 /// A length, m.

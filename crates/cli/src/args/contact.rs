@@ -40,11 +40,11 @@ pub enum BaseArg {
 #[derive(Debug, Args)]
 pub struct ContactArgs {
     /// The struck link.
-    #[arg(long, value_name = "LINK")]
-    pub link: String,
+    #[arg(long, value_name = "LINK", required = true)]
+    pub link: Option<String>,
     /// The contact point (m).
-    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = point)]
-    pub point: [f64; 3],
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = point, required = true)]
+    pub point: Option<[f64; 3]>,
     /// The normal, out of the struck link into the other side.
     #[arg(
         long,
@@ -98,7 +98,10 @@ pub struct ContactArgs {
 impl ContactArgs {
     /// The contact where one is needed and clap did not see to it.
     pub fn needed(given: Option<&Self>) -> Result<&Self, Failure> {
-        given.filter(|c| c.normal.is_some() || c.along_line.is_some()).ok_or_else(|| {
+        let whole = |c: &&Self| {
+            c.link.is_some() && c.point.is_some() && (c.normal.is_some() || c.along_line.is_some())
+        };
+        given.filter(whole).ok_or_else(|| {
             Failure::bad_input(
                 "a contact of the model is wanted: --link LINK, --point X,Y,Z, and --normal X,Y,Z or --along-line LINK:X,Y,Z",
             )
@@ -113,8 +116,9 @@ impl ContactArgs {
             (None, normal) => Normal::Along(normal.unwrap_or_default()),
         };
         MassQuestion {
-            link: self.link.clone(),
-            point: self.point,
+            // clap, or `needed`, sees to it that link and point are given.
+            link: self.link.clone().unwrap_or_default(),
+            point: self.point.unwrap_or_default(),
             normal,
             frame: self.frame.into(),
             normal_frame: self.normal_frame.unwrap_or(self.frame).into(),

@@ -1,44 +1,54 @@
 //! The damper of a contact, and the speed at which a person may be struck.
 
-use super::words::{kilograms, law, plain, plain_kilograms, tools};
+use super::words::{
+    area, force, kilograms, law, plain, plain_kilograms, pressure, ratio, speed, stiffness, time, tools,
+};
 use super::{CheckFormat, ContactArgs, ReadingArgs};
+use crate::failure::Failure;
 use clap::{Args, ValueEnum};
-use percuss_study::DampingQuestion;
+use percuss_study::contact::Separation;
 use percuss_study::contact::exports::{Options, Tool};
-use percuss_study::contact::{Law, Separation};
+use percuss_study::{DampingQuestion, Measured, StudyError};
 
 /// The damper of the contact: what `percuss damp` and `percuss mass` share.
 #[derive(Debug, Args)]
 pub struct DampingArgs {
     /// Coefficient of restitution wanted, from 0 to 1.
-    #[arg(long, value_name = "E", allow_hyphen_values = true, value_parser = plain, requires = "stiffness")]
+    #[arg(long, value_name = "E", allow_hyphen_values = true, value_parser = ratio, requires = "stiffness")]
     pub restitution: Option<f64>,
-    /// Stiffness of the contact (N/m; N/m^p with --exponent).
-    #[arg(long, value_name = "N/M", allow_hyphen_values = true, value_parser = plain, requires = "restitution")]
-    pub stiffness: Option<f64>,
-    /// Exponent p of the spring's force k x^p: 1 linear, 1.5 Hertz.
-    #[arg(long, default_value = "1", value_name = "P", allow_hyphen_values = true, value_parser = plain, requires = "restitution")]
-    pub exponent: f64,
-    /// Approach speed (m/s): for penetration, force and energy, and for laws that depend on it.
-    #[arg(long, value_name = "M/S", allow_hyphen_values = true, value_parser = plain, requires = "restitution")]
+    /// Stiffness of the contact (N/m; N/mm, kN/m, kN/mm may follow); with --exponent p in N/m^p.
+    #[arg(long, value_name = "K", allow_hyphen_values = true, value_parser = stiffness, requires = "restitution")]
+    pub stiffness: Option<Measured>,
+    /// Exponent p of the spring's force k x^p: 1 linear (the default), 1.5 Hertz.
+    #[arg(long, value_name = "P", allow_hyphen_values = true, value_parser = plain, requires = "restitution")]
+    pub exponent: Option<f64>,
+    /// Approach speed (m/s; mm/s, km/h may follow): for penetration, force and energy, and for laws that depend on it.
+    #[arg(long, value_name = "V", allow_hyphen_values = true, value_parser = speed, requires = "restitution")]
     pub speed: Option<f64>,
     /// Law of the damper; see `percuss damp --list-laws`.
     #[arg(long, default_value = "kelvin-voigt", value_name = "NAME", value_parser = law, requires = "restitution")]
-    pub law: Law,
-    /// When the contact ends: as the force vanishes, or as the gap closes (then the damper pulls at the end).
-    #[arg(long, value_enum, default_value_t = SeparationArg::Force, requires = "restitution")]
-    pub separation: SeparationArg,
+    pub law: String,
+    /// When the contact ends: as the force vanishes (the default), or as the gap closes (then the damper pulls at the end).
+    #[arg(long, value_enum, requires = "restitution")]
+    pub separation: Option<SeparationArg>,
     /// Parameters for a simulator, or `all`: mujoco, drake, gazebo, ode, bullet, physx, rapier, chrono, adams, simscape.
-    #[arg(long = "for", value_name = "TOOL", value_parser = tools, requires = "restitution")]
+    #[arg(long = "for", value_name = "TOOL", value_parser = tools, value_delimiter = ',', requires = "restitution")]
     pub tools: Vec<Tools>,
     /// How far the simulator's restitution may be off; chooses the time step.
-    #[arg(long, default_value = "0.001", value_name = "E", allow_hyphen_values = true, value_parser = plain, requires = "restitution")]
+    #[arg(
+        long,
+        default_value = "0.001",
+        value_name = "E",
+        allow_hyphen_values = true,
+        value_parser = ratio,
+        requires = "restitution"
+    )]
     pub accuracy: f64,
-    /// The simulator's time step (s), where it is given.
-    #[arg(long, value_name = "S", allow_hyphen_values = true, value_parser = plain, requires = "restitution")]
+    /// The simulator's time step (s; ms may follow), where it is given.
+    #[arg(long, value_name = "S", allow_hyphen_values = true, value_parser = time, requires = "restitution")]
     pub time_step: Option<f64>,
     /// Mass (kg) of the struck body by itself, for simulators that divide by it; a model tells.
-    #[arg(long, value_name = "KG", value_parser = kilograms, requires = "restitution")]
+    #[arg(long, value_name = "KG", allow_hyphen_values = true, value_parser = kilograms, requires = "restitution")]
     pub own_mass: Option<f64>,
 }
 
@@ -56,27 +66,37 @@ pub type Tools = Vec<Tool>;
 
 impl DampingArgs {
     /// As a question; none where no restitution is asked for.
-    pub fn question(&self) -> Option<DampingQuestion> {
-        let (restitution, stiffness) = (self.restitution?, self.stiffness?);
-        let mut tools = self.tools.concat();
-        tools.dedup();
-        Some(DampingQuestion {
-            exponent: self.exponent,
-            speed: self.speed,
-            law: self.law,
-            separation: match self.separation {
-                SeparationArg::Force => Separation::ForceVanishes,
-                SeparationArg::Gap => Separation::GapCloses,
-            },
-            tools,
-            options: Options {
-                accuracy: self.accuracy,
-                time_step: self.time_step,
-                own_mass: self.own_mass,
-                ..Options::default()
-            },
-            ..DampingQuestion::new(restitution, stiffness)
-        })
+    pub fn question(&self) -> Result<Option<DampingQuestion>, Failure> {
+        let (Some(restitution), Some(stiffness)) = (self.restitution, self.stiffness) else {
+            return Ok(None);
+        };
+        let mut question = DampingQuestion::new(restitution, stiffness.value);
+        let separation = self.separation.map(|end| match end {
+            SeparationArg::Force => Separation::ForceVanishes,
+            SeparationArg::Gap => Separation::GapCloses,
+        });
+        question.choose(&self.law, self.exponent, separation).map_err(StudyError::from)?;
+        if stiffness.unit && question.exponent != 1.0 {
+            return Err(Failure::bad_input(format!(
+                "--stiffness: its unit is that of a linear spring; with the exponent {0} a plain number in N/m^{0} is \
+                 wanted (1 N/mm^{0} is {1:e} N/m^{0})",
+                question.exponent,
+                1e3_f64.powf(question.exponent)
+            )));
+        }
+        question.speed = self.speed;
+        for tool in self.tools.iter().flatten() {
+            if !question.tools.contains(tool) {
+                question.tools.push(*tool);
+            }
+        }
+        question.options = Options {
+            accuracy: self.accuracy,
+            time_step: self.time_step,
+            own_mass: self.own_mass,
+            ..Options::default()
+        };
+        Ok(Some(question))
     }
 }
 
@@ -99,8 +119,6 @@ pub struct DampArgs {
     pub reading: ReadingArgs,
     #[command(flatten)]
     pub damping: DampingArgs,
-    #[command(flatten, next_help_heading = "The contact of --mass-from")]
-    pub contact: Option<ContactArgs>,
     /// Lists the laws and ends.
     #[arg(long, exclusive = true)]
     pub list_laws: bool,
@@ -113,6 +131,8 @@ pub struct DampArgs {
     /// How the result is shown.
     #[arg(long, value_enum, default_value_t = CheckFormat::Text)]
     pub format: CheckFormat,
+    #[command(flatten, next_help_heading = "The contact of --mass-from")]
+    pub contact: Option<ContactArgs>,
 }
 
 /// Flags of `percuss safe-speed`.
@@ -123,19 +143,17 @@ pub struct SafeSpeedArgs {
     pub model: Option<String>,
     #[command(flatten)]
     pub reading: ReadingArgs,
-    #[command(flatten)]
-    pub contact: Option<ContactArgs>,
     /// The region of the body that is struck; see --list-regions.
     #[arg(long, value_name = "NAME", required_unless_present = "list_regions")]
     pub region: Option<String>,
     /// Greatest force allowed (N), from the standard.
-    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = plain)]
+    #[arg(long, value_name = "F", allow_hyphen_values = true, value_parser = force, conflicts_with = "pressure")]
     pub force: Option<f64>,
-    /// Greatest pressure allowed (N/cm²), from the standard; with --area.
-    #[arg(long, value_name = "N/CM2", allow_hyphen_values = true, value_parser = plain, requires = "area")]
+    /// Greatest pressure allowed (N/cm²; N/mm2, MPa may follow), from the standard; with --area.
+    #[arg(long, value_name = "P", allow_hyphen_values = true, value_parser = pressure, requires = "area")]
     pub pressure: Option<f64>,
-    /// Contact area (cm²), for --pressure.
-    #[arg(long, value_name = "CM2", allow_hyphen_values = true, value_parser = plain, requires = "pressure")]
+    /// Contact area (cm²; mm2 may follow), for --pressure.
+    #[arg(long, value_name = "A", allow_hyphen_values = true, value_parser = area, requires = "pressure")]
     pub area: Option<f64>,
     /// Load with its tool that the model does not hold (kg): enters the standard's estimate M/2 + m_L.
     #[arg(long, default_value = "0", value_name = "KG", allow_hyphen_values = true, value_parser = plain_kilograms)]
@@ -146,4 +164,6 @@ pub struct SafeSpeedArgs {
     /// How the result is shown.
     #[arg(long, value_enum, default_value_t = CheckFormat::Text)]
     pub format: CheckFormat,
+    #[command(flatten, next_help_heading = "The contact")]
+    pub contact: Option<ContactArgs>,
 }

@@ -3,7 +3,7 @@
 use super::Tools;
 use percuss_study::contact::Law;
 use percuss_study::contact::exports::Tool;
-use percuss_study::{Dimension, EstimateQuestion, Hold, Quantity, parse_triple};
+use percuss_study::{Dimension, EstimateQuestion, Hold, Measure, Measured, Quantity, parse_triple};
 
 pub fn point(text: &str) -> Result<[f64; 3], String> {
     parse_triple(text, Dimension::Length).map_err(|e| e.to_string())
@@ -28,8 +28,40 @@ pub fn plain(text: &str) -> Result<f64, String> {
     Quantity::parse(text).and_then(|q| q.of(Dimension::Plain, text)).map_err(|e| e.to_string())
 }
 
-pub fn law(text: &str) -> Result<Law, String> {
-    Law::from_name(text).map_err(|e| e.to_string())
+pub fn law(text: &str) -> Result<String, String> {
+    Law::from_name(text).map(|_| text.to_owned()).map_err(|e| e.to_string())
+}
+
+fn measured(measure: Measure, text: &str) -> Result<Measured, String> {
+    measure.parse(text).map_err(|e| e.to_string())
+}
+
+pub fn stiffness(text: &str) -> Result<Measured, String> {
+    measured(Measure::Stiffness, text)
+}
+
+pub fn ratio(text: &str) -> Result<f64, String> {
+    measured(Measure::Ratio, text).map(|m| m.value)
+}
+
+pub fn speed(text: &str) -> Result<f64, String> {
+    measured(Measure::Speed, text).map(|m| m.value)
+}
+
+pub fn time(text: &str) -> Result<f64, String> {
+    measured(Measure::Time, text).map(|m| m.value)
+}
+
+pub fn force(text: &str) -> Result<f64, String> {
+    measured(Measure::Force, text).map(|m| m.value)
+}
+
+pub fn pressure(text: &str) -> Result<f64, String> {
+    measured(Measure::Pressure, text).map(|m| m.value)
+}
+
+pub fn area(text: &str) -> Result<f64, String> {
+    measured(Measure::Area, text).map(|m| m.value)
 }
 
 pub fn tools(text: &str) -> Result<Tools, String> {

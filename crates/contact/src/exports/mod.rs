@@ -141,7 +141,7 @@ impl Tool {
     /// step; a number it cannot do without is missing; a parameter does not fit in a 64-bit float.
     pub fn export(self, request: &Request) -> Result<Export, ExportError> {
         request.check()?;
-        let export = match self {
+        let mut export = match self {
             Self::Mujoco => mujoco::export(request),
             Self::Drake => drake::export(request),
             Self::Gazebo => gazebo::export(request),
@@ -153,6 +153,12 @@ impl Tool {
             Self::Adams => adams::export(request),
             Self::Simscape => simscape::export(request),
         }?;
+        if request.options.closed_loops && !matches!(self, Self::Mujoco | Self::Drake) {
+            export.say(
+                "Closed loops: how far this tool's constraints that close them give way during the blow was not examined; \
+                 what gives way spoils the restitution.",
+            );
+        }
         export.finite()
     }
 }

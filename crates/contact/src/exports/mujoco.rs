@@ -113,8 +113,8 @@ fn words(export: &mut Export, request: &Request, linear: &Linear) {
              where Euler and RK4 keep 1e-3.",
         );
         export.say(
-            "The approach is so slow that m̄ changes by less than 1e-3 while the contact lasts; a mechanism near a \
-             dead point needs a stiffer contact or less speed.",
+            "m̄ is that of one pose: where it changes while the contact lasts, the restitution does too; a stiffer \
+             contact or less speed changes it less. Those measured in docs/SIMULATORS.md changed by less than 1e-3.",
         );
     }
     if linear.ratio == 0.0 {

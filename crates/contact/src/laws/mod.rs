@@ -65,14 +65,23 @@ struct Facts {
 }
 
 /// Another name under which a law is known.
-#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Alias {
     /// The other name.
     pub name: &'static str,
     /// The law.
     pub law: Law,
+    /// The exponent that the name stands for; none where it is any law's.
+    pub exponent: Option<f64>,
+    /// The end of the contact that the name stands for.
+    pub separation: Option<Separation>,
     /// Under which condition they are the same.
     pub note: &'static str,
+}
+
+/// A name as it is looked for.
+fn canonical(name: &str) -> String {
+    name.trim().to_lowercase().replace(['_', ' '], "-")
 }
 
 /// How far an approximation misses.
@@ -115,36 +124,57 @@ impl Law {
         Alias {
             name: "tsuji",
             law: Self::KelvinVoigt,
+            exponent: Some(1.5),
+            separation: None,
             note: "Tsuji, Tanaka and Ishida 1992: the same with the exponent 3/2",
         },
         Alias {
             name: "anagnostopoulos",
             law: Self::KelvinVoigt,
+            exponent: Some(1.0),
+            separation: Some(Separation::GapCloses),
             note: "Anagnostopoulos 1988, 2004: the same with the exponent 1 where the contact ends when the gap closes \
                    (from memory of the literature, not opened)",
         },
         Alias {
             name: "zhang-sharf",
             law: Self::HuntCrossley,
+            exponent: None,
+            separation: None,
             note: "Zhang and Sharf 2004, 2009: the same implicit relation (from memory of the literature, not opened)",
         },
         Alias {
             name: "marhefka-orin",
             law: Self::HuntCrossley1975,
+            exponent: None,
+            separation: None,
             note: "Marhefka and Orin 1999: the same (from memory of the literature, not opened)",
         },
-        Alias { name: "ye", law: Self::HuGuo, note: "Ye, Li and Zhu 2009: the same with the exponent 1" },
+        Alias {
+            name: "ye",
+            law: Self::HuGuo,
+            exponent: Some(1.0),
+            separation: None,
+            note: "Ye, Li and Zhu 2009: the same with the exponent 1",
+        },
     ];
+
+    /// The alias of this name, upper and lower case alike.
+    pub fn alias(name: &str) -> Option<&'static Alias> {
+        const ALIASES: &[Alias] = &Law::ALIASES;
+        let wanted = canonical(name);
+        ALIASES.iter().find(|alias| alias.name == wanted)
+    }
 
     /// The law of this name or alias, upper and lower case alike. Errors: [`ContactError::UnknownLaw`].
     pub fn from_name(name: &str) -> Result<Self, ContactError> {
-        let wanted = name.trim().to_lowercase().replace(['_', ' '], "-");
+        let wanted = canonical(name);
         let names =
             || Self::ALL.into_iter().map(Self::name).chain(Self::ALIASES.iter().map(|alias| alias.name));
         Self::ALL
             .into_iter()
             .find(|law| law.name() == wanted)
-            .or_else(|| Self::ALIASES.iter().find(|alias| alias.name == wanted).map(|alias| alias.law))
+            .or_else(|| Self::alias(name).map(|alias| alias.law))
             .ok_or_else(|| ContactError::UnknownLaw {
                 name: name.into(),
                 nearest: nearest(&wanted, names()),

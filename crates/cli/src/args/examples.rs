@@ -1,0 +1,136 @@
+//! What stands below the help of each command. No line is longer than a terminal of 80 columns shows, so that none is
+//! broken where a shell would not take it.
+
+pub const TOP: &str = "\
+Examples:
+  percuss check models/six_r_arm.urdf
+  percuss mass models/point_mass_pendulum.urdf --link rod --point 0,0,-0.8 \\
+      --normal 1,0,0
+  percuss damp --mass 12kg --stiffness 400N/mm --restitution 0.4 --for mujoco
+  percuss completions bash > /etc/bash_completion.d/percuss
+
+Exit codes: 0 an answer (immovable and massless are answers), 1 no answer,
+2 bad input or usage.";
+
+pub const CHECK: &str = "\
+Examples:
+  percuss check models/double_pendulum.urdf
+  percuss check robot.urdf --format json
+  xacro robot.urdf.xacro | percuss check -
+  percuss check robot.urdf --strict          warnings are errors (exit 2)";
+
+pub const MASS: &str = "\
+Examples:
+  A pendulum strikes a stop 0.8 m below its hinge:
+    percuss mass models/point_mass_pendulum.urdf --link rod \\
+        --point 0,0,-0.8 --normal 1,0,0
+  An arm in a pose, its tool pushed down along the world's z:
+    percuss mass models/six_r_arm.urdf --link tool --point 0.08,0,0 \\
+        --normal 0,0,-1 --normal-frame world \\
+        --set shoulder=-40deg --set elbow=70deg
+  Felt by a spring, along its line to a seat on another link:
+    percuss mass models/double_wishbone.urdf --link spring_seat \\
+        --point 0,0,0 --along-line spring_chassis_seat:0,0,0
+  The classical estimate beside it, and why it is off:
+    percuss mass models/double_wishbone.urdf --link spring_seat \\
+        --point 0,0,0 --along-line spring_chassis_seat:0,0,0 \\
+        --estimate wheel,spindle,upright:0,0,0:0,0,1
+  The damper that gives it a restitution (more in percuss damp):
+    percuss mass models/double_wishbone.urdf --link bump_stop_pad \\
+        --point 0,0,0 --along-line bump_stop:0,0,0 --against chassis \\
+        --restitution 0.3 --stiffness 200N/mm --speed 0.5
+  A free body of 2 kg strikes it:
+    percuss mass models/physical_pendulum.urdf --link body \\
+        --point 0,0,-0.5 --normal 1,0,0 --against-mass 2kg
+  In a regression test, against a closed form:
+    percuss mass models/point_mass_pendulum.urdf --link rod \\
+        --point 0,0,-0.8 --normal 1,0,0 --expect 0.78125
+
+Numbers are SI; deg, rad, mm, cm, m, g, kg may follow them. The normal points
+out of the struck link into the other side; its length does not matter.";
+
+pub const SWEEP: &str = "\
+Examples:
+  Over a joint's range, as CSV:
+    percuss sweep models/four_bar.urdf --link coupler --point 0.35,0.1,0 \\
+        --normal 0,1,0 --vary crank_hinge=0:360deg:361
+  Over the travel of a wheel's centre, as a plot:
+    percuss sweep models/double_wishbone.urdf --link spring_seat \\
+        --point 0,0,0 --along-line spring_chassis_seat:0,0,0 \\
+        --vary travel:spindle:0,0,0:0,0,1=-80mm:80mm:161 \\
+        --estimate wheel,spindle,upright --output travel.svg
+
+The file's ending chooses the format: .csv, .json, .svg or .png; without
+--output, CSV goes to stdout. A row that cannot be reached says so and the
+sweep goes on; exit 1 if none can.";
+
+pub const IMPORT: &str = "\
+Examples:
+  percuss import HMMWV_DoubleWishboneFront.json -o front_left.urdf
+  percuss import Sedan_DoubleWishbone.json -o axle.urdf --side both \\
+      --wheel-mass 18kg --wheel-inertia 0.6,1.1,0.6 --wheel-radius 0.31
+
+Templates: DoubleWishbone, DoubleWishboneReduced, MacPhersonStrut,
+SemiTrailingArm, ThreeLinkIRS, MultiLink. docs/SUSPENSIONS.md has the bodies,
+joints and frames, and says where such files are.";
+
+pub const DAMP: &str = "\
+Examples:
+  Steel on a rubber stop, 12 kg felt at the contact:
+    percuss damp --mass 12kg --stiffness 400N/mm --restitution 0.4 --speed 0.5
+  A Hertz contact: k in N/m^1.5, c of c x^(1/4) v:
+    percuss damp --mass 12kg --stiffness 1e8 --exponent 1.5 --restitution 0.4 \\
+        --speed 0.5
+  For MuJoCo and Drake, ready to paste:
+    percuss damp --mass 12kg --stiffness 400N/mm --restitution 0.4 \\
+        --speed 0.5 --for mujoco,drake
+  A suspension on its bump stop, from the model:
+    percuss damp --mass-from models/double_wishbone.urdf \\
+        --link bump_stop_pad --point 0,0,0 --along-line bump_stop:0,0,0 \\
+        --against chassis --stiffness 200N/mm --restitution 0.3 --speed 0.5
+  Force over time and penetration, and which laws there are:
+    percuss damp --mass 12kg --stiffness 400N/mm --restitution 0.4 \\
+        --speed 0.5 --output blow.svg
+    percuss damp --list-laws
+
+The default law is the linear one, exactly, ending when the force vanishes:
+no contact pulls, and simulators cut there. --separation gap is the
+half-period formula of textbooks.";
+
+pub const SAFE_SPEED: &str = "\
+Examples:
+  percuss safe-speed models/six_r_arm.urdf --link tool --point 0.08,0,0 \\
+      --normal 1,0,0 --set elbow=70deg --region chest --force 280 --load 2kg
+  percuss safe-speed --list-regions
+
+An engineering aid, no certification: the limits of force or pressure are
+yours to give, from the edition of the standard that applies to you, and the
+table of regions is informative.";
+
+pub const RUN: &str = "\
+Examples:
+  Its sweep, if it has one, else the contact:
+    percuss run models/four_bar.toml
+  The contact at its pose, and its damper if it has one:
+    percuss run models/four_bar.toml --format json";
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn no_line_is_broken_by_a_narrow_terminal() {
+        for text in [
+            super::TOP,
+            super::CHECK,
+            super::MASS,
+            super::SWEEP,
+            super::IMPORT,
+            super::DAMP,
+            super::SAFE_SPEED,
+            super::RUN,
+        ] {
+            for line in text.lines() {
+                assert!(line.chars().count() < 80, "{line}");
+            }
+        }
+    }
+}
