@@ -108,8 +108,9 @@ fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
         format!("{:+.4} off: this law is an approximation", achieved - e)
     };
     facts.push(("restitution", format!("{} ({} asked for, {off})", number(achieved), number(e))));
-    let metric =
-        |value: Option<f64>, scale: f64, unit: &str| value.map(|v| format!("{} {unit}", number(scale * v)));
+    let metric = |value: Option<f64>, scale: f64, unit: &str| {
+        value.map(|v| scale * v).filter(|v| v.is_finite()).map(|v| format!("{} {unit}", number(v)))
+    };
     let mut blow = |name, text: Option<String>| {
         if let Some(text) = text {
             facts.push((name, text));

@@ -3,7 +3,7 @@
 use crate::args::{MassArgs, MassFormat};
 use crate::csv;
 use crate::failure::Failure;
-use crate::report::{tell, write_json, write_out};
+use crate::report::{note, tell, write_json, write_out};
 use crate::text::{bar, number, triple};
 use percuss_study::{
     DampingQuestion, EstimateRecord, MassQuestion, MassReport, Model, Status, mass, mass_with_damper,
@@ -42,7 +42,7 @@ pub fn show(
     match format {
         MassFormat::Json => write_json(&report)?,
         MassFormat::Csv if report.damper.is_some() => {
-            eprintln!("note: the damper has no columns in CSV; --format text or json shows it");
+            note("the damper has no columns in CSV; --format text or json shows it");
             write_out(&csv::of_mass(&report, &report.assumptions.set))?;
         }
         MassFormat::Csv => write_out(&csv::of_mass(&report, &report.assumptions.set))?,

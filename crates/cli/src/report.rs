@@ -26,6 +26,11 @@ pub fn write_json(result: &impl serde::Serialize) -> Result<(), Failure> {
     }
 }
 
+/// Writes a note about the command itself to stderr. A closed stderr changes nothing.
+pub fn note(message: &str) {
+    let _ = writeln!(io::stderr().lock(), "note: {message}");
+}
+
 /// Writes diagnostics to stderr; under `strict`, a warning is an error and ends it.
 pub fn tell(diagnostics: &[DiagnosticRecord], strict: bool) -> Result<(), Failure> {
     let mut lines = lines(diagnostics);

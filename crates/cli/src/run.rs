@@ -2,6 +2,7 @@
 
 use crate::args::{MassFormat, RunArgs};
 use crate::failure::Failure;
+use crate::report::note;
 use crate::{mass, sweep};
 use percuss_study::StudyFile;
 
@@ -11,9 +12,7 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
     let answered = match &study.sweep {
         Some(vary) if args.format.is_none() => {
             if study.damping.is_some() {
-                eprintln!(
-                    "note: [damping] is of the contact at its pose, not of the sweep: --format text shows it"
-                );
+                note("[damping] is of the contact at its pose, not of the sweep: --format text shows it");
             }
             sweep::go_through(&study.model, &study.question, vary, study.output.as_deref(), args.strict)
         }

@@ -205,6 +205,12 @@ fn what_has_no_damper_says_why() {
             "--link LINK, --point X,Y,Z",
         ),
         ("--mass 3 --stiffness 1e4 --restitution 0.99 --for bullet --time-step 1", 2, "step must be below"),
+        ("--mass 3 --stiffness 1e4 --restitution 0.5 --for mujoco --time-step 1", 2, "too long to follow"),
+        (
+            "--mass 1.5 --stiffness 1e5 --restitution 0.01 --for mujoco --time-step 7.7e-4",
+            2,
+            "too long to follow",
+        ),
         (
             "--mass-from models/physical_pendulum.urdf --link body --point 0,0,-0.5 --normal 0,0,1 --stiffness 1e4 --restitution 0.5",
             1,
@@ -306,4 +312,28 @@ fn the_struck_bodys_own_mass_may_be_given() {
     assert!(report["exports"]["chrono"]["error"].is_null());
     let outcome = percuss("damp --mass 12 --stiffness 4e5 --restitution 0.3 --for chrono");
     assert!(outcome.code == 2 && outcome.stderr.contains("--own-mass"), "{}", outcome.stderr);
+}
+
+/// Simulators hold what follows, is locked or held by constraints, as they hold loops.
+#[test]
+fn constraints_of_any_kind_are_stiffened_in_mujoco() {
+    let arm = "damp --mass-from models/six_r_arm.urdf --link tool --point 0.08,0,0 --normal 0,1,1 --set elbow=70deg \
+               --stiffness 1e5 --restitution 0.5 --speed 0.1 --for mujoco --format json";
+    let settings = |flags: &str| {
+        json(&format!("{arm} {flags}"))["exports"]["mujoco"]["parameters"]["equality_solref"].is_array()
+    };
+    assert!(!settings(""), "a tree needs none");
+    assert!(settings("--lock yaw"));
+    assert!(settings("--hold forearm:0,0,0:0,0,1"));
+}
+
+/// A body that only turns still moves: a blow at the centre of mass's lever of a floating body.
+#[test]
+fn the_drift_of_a_floating_body_is_known() {
+    let report = json(
+        "damp --mass-from models/floating_body.urdf --base floating --link body --point 1,0,0 --normal 0,1,0 \
+         --stiffness 1e5 --restitution 0.5 --speed 0.1 --format json",
+    );
+    let over = report["drift"]["over_penetration"].as_f64().expect("known");
+    assert!(over.abs() < 1e-3, "{over}");
 }

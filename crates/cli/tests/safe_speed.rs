@@ -2,7 +2,7 @@
 
 mod support;
 
-use support::{json, percuss};
+use support::{Scratch, json, percuss, root};
 
 const ARM: &str =
     "safe-speed models/six_r_arm.urdf --link tool --point 0.08,0,0 --normal 1,0,0 --set elbow=70deg";
@@ -10,8 +10,15 @@ const ARM: &str =
 #[test]
 fn the_effective_mass_stands_beside_the_standards() {
     let report = json(&format!("{ARM} --region chest --force 280 --load 2 --format json"));
-    let contact = ARM.replace("safe-speed", "mass");
-    let m = json(&format!("{contact} --format json"))["effective_mass"].as_f64().expect("a mass") + 2.0;
+    // The load is a point mass at the contact: in the model, as a link of its own, it is the same.
+    let scratch = Scratch::new("safe-speed-load");
+    let text = std::fs::read_to_string(root().join("models/six_r_arm.urdf")).expect("the model");
+    let load = "<link name=\"held\"><inertial><origin xyz=\"0.08 0 0\"/><mass value=\"2\"/>\
+                <inertia ixx=\"0\" iyy=\"0\" izz=\"0\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>\
+                <joint name=\"held_fixed\" type=\"fixed\"><parent link=\"tool\"/><child link=\"held\"/></joint></robot>";
+    let with_load = scratch.write("loaded.urdf", &text.replace("</robot>", load));
+    let contact = ARM.replace("safe-speed models/six_r_arm.urdf", &format!("mass {with_load}"));
+    let m = json(&format!("{contact} --format json"))["effective_mass"].as_f64().expect("a mass");
     // Chest: 40 kg on 25 N/mm.
     let speed = |robot: f64| 280.0 / (25e3 / (1.0 / 40.0 + 1.0 / robot)).sqrt();
     let close = |value: &serde_json::Value, expected: f64| {
@@ -20,6 +27,9 @@ fn the_effective_mass_stands_beside_the_standards() {
     };
     close(&report["reflected"]["robot_mass"], m);
     close(&report["reflected"]["speed"], speed(m));
+    let bare = ARM.replace("safe-speed", "mass");
+    let bare = json(&format!("{bare} --format json"))["effective_mass"].as_f64().expect("a mass");
+    assert!(m > bare + 2.0, "more than by the load alone: it moves across too ({m}, {bare})");
     let standard = 0.5 * report["moving_mass"].as_f64().expect("a mass") + 2.0;
     close(&report["standard"]["robot_mass"], standard);
     close(&report["standard"]["speed"], speed(standard));

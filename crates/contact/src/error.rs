@@ -76,7 +76,8 @@ pub enum ContactError {
     },
 }
 
-fn suggestion(nearest: &Option<&'static str>) -> String {
+/// What an error adds where a name is close.
+pub(crate) fn suggestion(nearest: &Option<&'static str>) -> String {
     nearest.map_or_else(String::new, |name| format!(", did you mean \"{name}\"?"))
 }
 

@@ -1,10 +1,15 @@
 //! A little further into the contact: the pose once the strike's own motion has closed the gap by some distance.
 
-use crate::loops::closing::Moves;
+use crate::kinematics::Kinematics;
+use crate::loops::Group;
+use crate::loops::closing::{Moves, shortest};
 use crate::{Pose, Strike, System};
+use faer::Mat;
 
 /// Loops of a rounded file close to within this many times their inexactness at other poses.
 const ROUNDED: f64 = 10.0;
+/// Most steps that close a group again.
+const STEPS: usize = 8;
 
 impl System {
     /// The pose after the mechanism has gone along v* until the gap has closed by `distance` (m; negative: opened).
@@ -21,13 +26,39 @@ impl System {
         for group in &self.groups {
             let inexactness = pose.loops().map_or(0.0, |loops| loops.inexactness);
             let tolerance = self.closing_tolerance(&pushed.kinematics).max(ROUNDED * inexactness);
-            let all = Moves { unknown: &group.movable, course: None };
-            let correction = self.correct(&mut pushed.kinematics, group, all, tolerance);
-            if !correction.closed || correction.moved > distance.abs() {
+            if !self.closed_again(&mut pushed.kinematics, group, tolerance, distance.abs()) {
                 return None;
             }
         }
         pushed.kinematics.refill(self);
         Some(pushed)
+    }
+
+    /// Closes a group by plain Gauss–Newton steps of least norm, as long as they help. What contradicts itself in a rounded
+    /// file is left as it is: the damped steps that settle a group would follow it.
+    fn closed_again(
+        &self,
+        kinematics: &mut Kinematics<f64>,
+        group: &Group,
+        tolerance: f64,
+        distance: f64,
+    ) -> bool {
+        let all = Moves { unknown: &group.movable, course: None };
+        let floor = tolerance / self.mechanism.characteristic_length();
+        let mut moved = 0.0;
+        for _ in 0..STEPS {
+            let (residuals, rows) = self.group_rows(kinematics, group);
+            let target = Mat::from_fn(residuals.len(), 1, |r, _| -residuals[r]);
+            let x = shortest(&all.jacobian(group, &rows), &target, floor);
+            moved += x.norm_l2();
+            if moved.is_nan() || moved > distance {
+                return false;
+            }
+            self.advance_group(kinematics, group, &all.expand(group, |k| x[(k, 0)]));
+            if x.norm_l2() <= 1e-9 * distance {
+                break;
+            }
+        }
+        self.group_residual(kinematics, group).0 <= tolerance
     }
 }

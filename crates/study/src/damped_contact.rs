@@ -67,6 +67,10 @@ pub(crate) fn damping_of(
 /// m̄ along the strike's own motion.
 fn drift(question: &MassQuestion, answered: &Answered, mass: f64, penetration: Option<f64>) -> Drift {
     let Answered { system, pose, contact, strike, .. } = answered;
+    if question.against_mass == Some(mass) {
+        // The mechanism does not give way: the other body's mass is all there is.
+        return Drift { per_metre: Some(0.0), over_penetration: penetration.map(|_| 0.0) };
+    }
     let at = |distance: f64| {
         let pushed = system.pushed(pose, strike, distance)?;
         let there = system.strike(&pushed, contact, RouteChoice::Auto).ok()?;
@@ -97,11 +101,18 @@ fn options(
         let free = question.against_mass.map_or(0.0, |other| 1.0 / other);
         Some((ours + other + free) * mass)
     };
+    // What simulators hold by constraints: mimics, couplings, locks and held contacts too.
+    let follows = |joint: &percuss_mechanism::Joint| joint.mimic().is_some();
+    let constrained = !mechanism.closures().is_empty()
+        || !mechanism.couplings().is_empty()
+        || mechanism.joints().iter().any(follows)
+        || !question.lock.is_empty()
+        || !question.hold.is_empty();
     Options {
         own_mass: given.own_mass.or_else(|| own(link)),
         other_own_mass: given.other_own_mass.or(question.against_mass).or_else(|| against.and_then(own)),
         diagonal_ratio: given.diagonal_ratio.or_else(ratio),
-        closed_loops: given.closed_loops || !mechanism.closures().is_empty(),
+        closed_loops: given.closed_loops || constrained,
         ..given
     }
 }

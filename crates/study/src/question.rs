@@ -138,6 +138,11 @@ pub enum StudyError {
     /// A safe speed against something else than a person.
     #[error("the other side is the person: leave --against and --against-mass out")]
     PersonIsTheOther,
+    /// A robot without mass where it strikes.
+    #[error(
+        "the contact is massless: any speed is as good as none; the load, if there is one, is given by --load"
+    )]
+    NoMass,
     /// A contact that nothing damps.
     #[error("the contact is {status}: no damper gives it a restitution")]
     NoDamper {
@@ -158,7 +163,7 @@ impl StudyError {
     /// Whether the question was fine and yet has no answer (exit code 1, not 2).
     pub fn is_no_answer(&self) -> bool {
         match self {
-            StudyError::NoDamper { .. } => true,
+            StudyError::NoDamper { .. } | StudyError::NoMass => true,
             StudyError::Strike(error) => matches!(error, StrikeError::Route(_)),
             StudyError::Assembly(error) => !error.is_bad_input(),
             _ => false,

@@ -6,7 +6,9 @@ use crate::question::{MassQuestion, StudyError};
 use crate::{DiagnosticRecord, Model};
 use percuss_contact::{BodyRegion, ContactError, TransientContact, standard_robot_mass};
 use percuss_dynamics::EffectiveMass;
-use percuss_mechanism::{LinkId, Mechanism, Severity};
+use percuss_mechanism::{
+    Inertial, JointDescription, JointKind, LinkDescription, LinkId, Mechanism, Severity,
+};
 use serde::Serialize;
 
 /// The limit that the user sets, from the edition of the standard that applies.
@@ -87,8 +89,10 @@ pub fn safe_speed(
     if question.against.is_some() || question.against_mass.is_some() {
         return Err(StudyError::PersonIsTheOther);
     }
-    let answered = Answered::new(model, question)?;
-    let moving_mass = moving_mass(&model.mechanism, &answered);
+    let bare = Answered::new(model, question)?;
+    let loaded = if asked.load > 0.0 { Some(loaded(model, &bare, asked.load)?) } else { None };
+    let answered = loaded.as_ref().map_or(Ok(bare), |model| Answered::new(model, question))?;
+    let moving_mass = moving_mass(&answered.system.mechanism().clone(), question, &answered);
     let speed = |robot_mass: Option<f64>| -> Result<_, ContactError> {
         let contact = match robot_mass {
             Some(mass) => TransientContact::new(region, mass)?,
@@ -100,11 +104,10 @@ pub fn safe_speed(
         }?;
         Ok((SpeedRecord { robot_mass, reduced_mass: contact.reduced_mass(), speed: safe.speed }, safe))
     };
-    let (standard, safe) = speed(Some(standard_robot_mass(moving_mass, asked.load)?))?;
+    let (standard, safe) = speed(Some(standard_robot_mass(moving_mass - asked.load, asked.load)?))?;
     let mut diagnostics = answered.report.diagnostics.clone();
     let (reflected, _) = match answered.strike.effective_mass {
-        // A load at the tool moves with the contact.
-        EffectiveMass::Finite(m) => speed(Some(m + asked.load))?,
+        EffectiveMass::Finite(m) => speed(Some(m))?,
         EffectiveMass::Immovable => {
             let message = "the robot does not give way along this direction: only the person's mass is between it and the \
                            force"
@@ -112,7 +115,7 @@ pub fn safe_speed(
             diagnostics.push(DiagnosticRecord::about_answer(Severity::Warning, "immovable-robot", message));
             speed(None)?
         }
-        EffectiveMass::Massless => return Err(StudyError::NoDamper { status: "massless" }),
+        EffectiveMass::Massless => return Err(StudyError::NoMass),
     };
     if reflected.speed < standard.speed {
         let message = format!(
@@ -133,15 +136,43 @@ pub fn safe_speed(
         energy: safe.energy,
         reflected,
         standard,
-        moving_mass,
+        moving_mass: moving_mass - asked.load,
         load: asked.load,
         diagnostics,
     })
 }
 
-/// Mass of the links that are not the ground.
-fn moving_mass(mechanism: &Mechanism, answered: &Answered) -> f64 {
-    let moves = |link: &LinkId| answered.system.rigid_body_mass(*link).is_some();
+/// The model with a load: a point mass at the contact, held by the struck link.
+fn loaded(model: &Model, bare: &Answered, load: f64) -> Result<Model, StudyError> {
+    let mechanism = &model.mechanism;
+    let at = bare.contact.point;
+    let name = (0..).map(|i| format!("load{i}")).find(|name| mechanism.find_link(name).is_err());
+    let name = name.unwrap_or_default();
+    let struck = mechanism.link(bare.contact.link).name();
+    let builder = mechanism
+        .to_builder()
+        .link(LinkDescription::new(&name, Inertial::point(load, at.into())))
+        .joint(JointDescription::new(format!("{name} on {struck}"), JointKind::Fixed, struck, &name));
+    let built = builder.build().map_err(|_| ContactError::OutOfRange {
+        what: "load, kg",
+        got: load,
+        valid: "a finite number, 0 or above",
+    })?;
+    Ok(Model { mechanism: built.mechanism.into(), ..model.clone() })
+}
+
+/// Mass of the links that can move: not the ground, and not behind locked joints alone.
+fn moving_mass(mechanism: &Mechanism, question: &MassQuestion, answered: &Answered) -> f64 {
+    let moves = |link: &LinkId| {
+        let above = std::iter::successors(mechanism.parent_joint(*link), |joint| {
+            mechanism.parent_joint(mechanism.joint(*joint).parent())
+        });
+        let floats = question.base == percuss_dynamics::Base::Floating;
+        floats
+            || above
+                .into_iter()
+                .any(|joint| mechanism.joint(joint).kind().dofs() > 0 && !answered.system.is_locked(joint))
+    };
     let mass = |link: LinkId| mechanism.link(link).inertial().map_or(0.0, |i| i.mass);
     mechanism.link_ids().filter(moves).map(mass).sum()
 }

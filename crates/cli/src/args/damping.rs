@@ -50,6 +50,12 @@ pub struct DampingArgs {
     /// Mass (kg) of the struck body by itself, for simulators that divide by it; a model tells.
     #[arg(long, value_name = "KG", allow_hyphen_values = true, value_parser = kilograms, requires = "restitution")]
     pub own_mass: Option<f64>,
+    /// The same of the other body.
+    #[arg(long, value_name = "KG", allow_hyphen_values = true, value_parser = kilograms, requires = "restitution")]
+    pub other_own_mass: Option<f64>,
+    /// MuJoCo's α = Â·m̄, Â the sum of both bodies' body_invweight0; a model tells.
+    #[arg(long, value_name = "A", allow_hyphen_values = true, value_parser = plain, requires = "restitution")]
+    pub diagonal_ratio: Option<f64>,
 }
 
 /// When a contact ends.
@@ -94,6 +100,8 @@ impl DampingArgs {
             accuracy: self.accuracy,
             time_step: self.time_step,
             own_mass: self.own_mass,
+            other_own_mass: self.other_own_mass,
+            diagonal_ratio: self.diagonal_ratio,
             ..Options::default()
         };
         Ok(Some(question))
@@ -155,7 +163,7 @@ pub struct SafeSpeedArgs {
     /// Contact area (cm²; mm2 may follow), for --pressure.
     #[arg(long, value_name = "A", allow_hyphen_values = true, value_parser = area, requires = "pressure")]
     pub area: Option<f64>,
-    /// Load with its tool that the model does not hold (kg): enters the standard's estimate M/2 + m_L.
+    /// Load with its tool that the model does not hold (kg): a point mass at the contact, and m_L of M/2 + m_L.
     #[arg(long, default_value = "0", value_name = "KG", allow_hyphen_values = true, value_parser = plain_kilograms)]
     pub load: f64,
     /// Lists the regions and ends.

@@ -51,7 +51,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
 
 fn hooke(export: &mut Export, request: &Request, effective: f64) -> Result<(), ExportError> {
     let linear = Linear::of(request, TOOL)?;
-    let step = linear.explicit_step();
+    let step = linear.explicit_step()?;
     let damping = linear.damping(linear.ratio) / effective;
     single("Chrono's kn, N/m", linear.stiffness)?;
     single("Chrono's gn, 1/s", damping)?;

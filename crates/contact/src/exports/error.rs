@@ -4,6 +4,7 @@ use thiserror::Error;
 
 use super::Tool;
 use crate::ContactError;
+use crate::error::suggestion;
 
 /// Why a tool has no parameters for a contact.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -51,6 +52,19 @@ pub enum ExportError {
         /// The step at which the integrator's damping is all of it, in s.
         largest: f64,
     },
+    /// An explicit integrator cannot follow the contact at this step.
+    #[error(
+        "{tool}: the time step {time_step:?} s is too long to follow this contact explicitly; it must be at most \
+         {largest:?} s"
+    )]
+    StepTooCoarse {
+        /// The tool.
+        tool: Tool,
+        /// In s.
+        time_step: f64,
+        /// In s.
+        largest: f64,
+    },
     /// The tool's own conversion does not reach this restitution.
     #[error("{tool}: the restitution {restitution:?} cannot be had: {why}; {mend}")]
     Unreachable {
@@ -73,8 +87,4 @@ pub enum ExportError {
         /// All names, commas between.
         known: String,
     },
-}
-
-fn suggestion(nearest: &Option<&'static str>) -> String {
-    nearest.map_or_else(String::new, |name| format!(", did you mean \"{name}\"?"))
 }

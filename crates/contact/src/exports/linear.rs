@@ -92,8 +92,16 @@ impl Linear {
     }
 
     /// The request's step, else the longest whose [`Self::error_bound`] is within the accuracy.
-    pub(super) fn explicit_step(&self) -> f64 {
-        self.time_step.unwrap_or_else(|| self.accurate_step(1.0))
+    ///
+    /// Error: the request's is too long for an explicit step to follow the contact, ωh or 2ζωh above twice what holds
+    /// for the recommended one; the bound is no bound there.
+    pub(super) fn explicit_step(&self) -> Result<f64, ExportError> {
+        let Some(step) = self.time_step else { return Ok(self.accurate_step(1.0)) };
+        let largest = 2.0 * LONGEST_STEP.min(STIFFEST_STEP / (2.0 * self.ratio)) / self.frequency;
+        if step > largest {
+            return Err(ExportError::StepTooCoarse { tool: self.tool, time_step: step, largest });
+        }
+        Ok(step)
     }
 
     /// The same by [`Self::implicit_error_bound`]; the step's own damping is to be at most half of all.

@@ -27,7 +27,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     // 0 − x: without damping a zero, not a negative one.
     let solref = [0.0 - omega * omega * scale, 0.0 - 2.0 * zeta * omega * scale];
     let solimp = [IMPEDANCE, IMPEDANCE, 1.0];
-    let step = linear.explicit_step();
+    let step = linear.explicit_step()?;
 
     let mut export = Export::new(
         Tool::Mujoco,

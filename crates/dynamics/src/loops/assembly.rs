@@ -272,7 +272,7 @@ impl System {
         let (residuals, rows) = self.group_rows(kinematics, group);
         let jacobian = Moves { unknown: &group.movable, course: None }.jacobian(group, &rows);
         let target = Mat::from_fn(residuals.len(), 1, |r, _| -residuals[r]);
-        shortest(&jacobian, &target).norm_l2() <= SETTLED * self.mechanism.characteristic_length()
+        shortest(&jacobian, &target, 0.0).norm_l2() <= SETTLED * self.mechanism.characteristic_length()
     }
 
     pub(crate) fn group_names(&self, group: &Group) -> Vec<String> {

@@ -15,8 +15,14 @@ const FEWEST: usize = 256;
 const MOST: usize = 2048;
 /// Most corrections on the way to a branch.
 const CORRECTIONS: usize = 40;
-/// Tangent spaces that differ by less than this (rad) belong to one branch.
-const SAME: f64 = 0.02;
+/// Branches between branches that make a cone.
+const HALVINGS: usize = 4;
+/// Work, in cubes of a group's coordinates, after which no more directions are tried.
+const WORK: usize = 30_000_000;
+/// Tangents of curves that differ by less than this (rad) belong to one branch; and tangent spaces of branches with more
+/// freedoms, which are known beside the crossing only.
+const SAME: f64 = 2e-3;
+const SAME_SPACE: f64 = 0.02;
 /// Singular values beside a crossing count from this part of the largest on.
 const COUNTS: f64 = 1e-8;
 
@@ -80,8 +86,11 @@ impl System {
     fn find_branches(&self, kinematics: &Kinematics<f64>, kernel: &[Vec<f64>], around: &mut Surroundings) {
         let mut newest = 0;
         for (tried, direction) in directions(kernel).enumerate() {
-            if kernel.len() > 2 && tried >= FEWEST && tried > 2 * newest {
+            if kernel.len() > 2 && tried >= FEWEST.max(4 * newest).max(24 * around.branches.len()) {
                 return;
+            }
+            if tried > WORK / kinematics.q.len().max(1).pow(3) && kernel.len() > 2 {
+                break;
             }
             let Some(branch) = self.branch_beside(kinematics, around, &direction) else { continue };
             if branch.tangents.len() >= kernel.len() {
@@ -92,7 +101,8 @@ impl System {
                 }
                 continue;
             }
-            if around.branches.iter().all(|known| apart(&known.tangents, &branch.tangents) > SAME) {
+            let same = if branch.tangents.len() > 1 { SAME_SPACE } else { SAME };
+            if around.branches.iter().all(|known| apart(&known.tangents, &branch.tangents) > same) {
                 around.branches.push(branch);
                 newest = tried;
             }
@@ -152,7 +162,7 @@ impl System {
                 if r < m { jacobian[(r, k)] } else { way[group.movable[k]] / gone }
             });
             let target = Mat::from_fn(m + 1, 1, |r, _| if r < m { -residuals[r] } else { distance - gone });
-            let x = shortest(&bordered, &target);
+            let x = shortest(&bordered, &target, around.tolerance / around.size);
             let step = x.norm_l2();
             let there = step <= 1e-6 * distance && residuals.iter().all(|r| r.abs() <= around.tolerance);
             let part = (0.5 * distance / step).min(1.0);
@@ -165,7 +175,8 @@ impl System {
         None
     }
 
-    /// Whether between the two nearest branches others lie: then they are samples of a cone.
+    /// Whether between the two nearest branches lies another, and between that and the first another, and so on: then
+    /// they are samples of a cone.
     fn lies_between(&self, kinematics: &Kinematics<f64>, around: &Surroundings) -> bool {
         let branches = &around.branches;
         let pairs = (0..branches.len()).flat_map(|a| (0..a).map(move |b| (a, b)));
@@ -173,13 +184,20 @@ impl System {
         let Some((a, b)) = pairs.max_by(|p, q| cosine(p).abs().total_cmp(&cosine(q).abs())) else {
             return false;
         };
-        let (first, second) = (&branches[a], &branches[b]);
-        let sign = cosine(&(a, b)).signum();
-        let middle: Vec<f64> = first.along.iter().zip(&second.along).map(|(x, y)| x + sign * y).collect();
-        self.branch_beside(kinematics, around, &unit(&middle)).is_some_and(|between| {
+        let first = &branches[a];
+        let between = |second: &Branch| {
+            let sign = dot(&first.along, &second.along).signum();
+            let middle: Vec<f64> = first.along.iter().zip(&second.along).map(|(x, y)| x + sign * y).collect();
+            let found = self.branch_beside(kinematics, around, &unit(&middle))?;
             let limit = 0.25 * apart(&first.tangents, &second.tangents);
-            [first, second].iter().all(|known| apart(&known.tangents, &between.tangents) > limit)
-        })
+            let new = [first, second].iter().all(|known| apart(&known.tangents, &found.tangents) > limit);
+            new.then_some(found)
+        };
+        let mut second = between(&branches[b]);
+        for _ in 1..HALVINGS {
+            second = second.as_ref().and_then(&between);
+        }
+        second.is_some()
     }
 
     /// How far a group's bodies and loop frames reach, m; at most the characteristic length.

@@ -149,7 +149,7 @@ impl System {
             let target = Mat::from_fn(residuals.len(), 1, |r, _| -residuals[r]);
             let x = match damping > 0.0 {
                 true => damped(&jacobian, &target, damping),
-                false => shortest(&jacobian, &target),
+                false => shortest(&jacobian, &target, tolerance / size),
             };
             let length = x.norm_l2();
             if !(length > 0.0 && length.is_finite()) {
@@ -222,14 +222,21 @@ fn largest(residuals: &[f64]) -> (f64, usize) {
 ///
 /// Pivoting is what costs most in a large system: there a damping of 1e-8 stands in for it, which shortens by 1e-4 what a
 /// singular value of 1e-6 asks for and leaves out what those of rounding do.
-pub(crate) fn shortest(jacobian: &Mat<f64>, target: &Mat<f64>) -> Mat<f64> {
+///
+/// Pivots below `floor` times the first are left out too: rows of a rounded file that repeat others but for its
+/// inexactness contradict them, and following them leads far off.
+pub(crate) fn shortest(jacobian: &Mat<f64>, target: &Mat<f64>, floor: f64) -> Mat<f64> {
     const LARGE: usize = 48;
     const FAINT: f64 = 1e-8;
-    if jacobian.ncols() > LARGE { damped(jacobian, target, FAINT) } else { least_norm(jacobian, target) }
+    if jacobian.ncols() > LARGE {
+        damped(jacobian, target, FAINT)
+    } else {
+        least_norm(jacobian, target, floor.max(STEP_RANK))
+    }
 }
 
 /// The shortest x with least ‖Jx − b‖, by a complete orthogonal factorisation.
-fn least_norm(jacobian: &Mat<f64>, target: &Mat<f64>) -> Mat<f64> {
+fn least_norm(jacobian: &Mat<f64>, target: &Mat<f64>, floor: f64) -> Mat<f64> {
     let n = jacobian.ncols();
     if n == 0 || jacobian.nrows() == 0 || jacobian.norm_max() == 0.0 {
         return Mat::zeros(n, 1);
@@ -238,7 +245,7 @@ fn least_norm(jacobian: &Mat<f64>, target: &Mat<f64>) -> Mat<f64> {
     let r = qr.R();
     let size = r.nrows().min(n);
     let first = r[(0, 0)].abs();
-    let rank = (0..size).take_while(|&i| r[(i, i)].abs() > STEP_RANK * first).count();
+    let rank = (0..size).take_while(|&i| r[(i, i)].abs() > floor * first).count();
     let rotated = qr.compute_thin_Q().transpose() * target;
     // [R₁₁ R₁₂] Pᵀx = c has a solution; the shortest is Q₂ T⁻ᵀ c with [R₁₁ R₁₂]ᵀ = Q₂ T.
     let upper = Mat::from_fn(n, rank, |c, i| if c >= i { r[(i, c)] } else { 0.0 });
@@ -284,13 +291,13 @@ mod tests {
         // Rank 1: x + 2y = 5 twice (the second times 3).
         let j = Mat::from_fn(2, 2, |r, c| [1.0, 2.0][c] * [1.0, 3.0][r]);
         let b = Mat::from_fn(2, 1, |r, _| [5.0, 15.0][r]);
-        let x = least_norm(&j, &b);
+        let x = least_norm(&j, &b, STEP_RANK);
         assert!((x[(0, 0)] - 1.0).abs() < 1e-14 && (x[(1, 0)] - 2.0).abs() < 1e-14);
         let wide = Mat::from_fn(1, 3, |_, c| [3.0, 0.0, 4.0][c]);
-        let x = least_norm(&wide, &Mat::from_fn(1, 1, |_, _| 25.0));
+        let x = least_norm(&wide, &Mat::from_fn(1, 1, |_, _| 25.0), STEP_RANK);
         assert!(
             (x[(0, 0)] - 3.0).abs() < 1e-14 && x[(1, 0)].abs() < 1e-15 && (x[(2, 0)] - 4.0).abs() < 1e-14
         );
-        assert_eq!(least_norm(&Mat::zeros(2, 2), &b).norm_l2(), 0.0);
+        assert_eq!(least_norm(&Mat::zeros(2, 2), &b, STEP_RANK).norm_l2(), 0.0);
     }
 }

@@ -251,7 +251,7 @@ impl<'a> Course<'a> {
         let bordered =
             Mat::from_fn(m + 1, before.len(), |r, c| if r < m { jacobian[(r, c)] } else { before[c] });
         let target = Mat::from_fn(m + 1, 1, |r, _| if r < m { 0.0 } else { 1.0 });
-        let t = shortest(&bordered, &target);
+        let t = shortest(&bordered, &target, self.tolerance / self.size());
         let norm = t.norm_l2();
         (0..before.len()).map(|k| t[(k, 0)] / norm).collect()
     }

@@ -43,6 +43,7 @@ impl System {
         let limit = |number: usize| self.limit(poser, pose, contact, &crossings, number);
         let continuous = crossings.iter().any(|c| c.continuous);
         let mut limits: Vec<EffectiveMass> = (0..combinations.min(COMBINATIONS)).filter_map(limit).collect();
+        let answered = limits.len() == combinations;
         if continuous {
             limits.sort_by(|a, b| value(a).total_cmp(&value(b)));
             let last = limits.len().saturating_sub(1);
@@ -53,11 +54,7 @@ impl System {
                 .map(|(_, l)| l)
                 .collect();
         }
-        BranchLimits {
-            limits,
-            continuous,
-            complete: combinations <= COMBINATIONS && crossings.iter().all(|c| c.complete || c.continuous),
-        }
+        BranchLimits { limits, continuous, complete: answered && crossings.iter().all(|c| c.complete) }
     }
 
     /// Whether branches of a group cross at a pose where it has less than its generic rank.
