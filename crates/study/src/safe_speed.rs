@@ -90,9 +90,9 @@ pub fn safe_speed(
         return Err(StudyError::PersonIsTheOther);
     }
     let bare = Answered::new(model, question)?;
+    let moving_mass = moving_mass(&model.mechanism, question, &bare);
     let loaded = if asked.load > 0.0 { Some(loaded(model, &bare, asked.load)?) } else { None };
     let answered = loaded.as_ref().map_or(Ok(bare), |model| Answered::new(model, question))?;
-    let moving_mass = moving_mass(&answered.system.mechanism().clone(), question, &answered);
     let speed = |robot_mass: Option<f64>| -> Result<_, ContactError> {
         let contact = match robot_mass {
             Some(mass) => TransientContact::new(region, mass)?,
@@ -104,7 +104,7 @@ pub fn safe_speed(
         }?;
         Ok((SpeedRecord { robot_mass, reduced_mass: contact.reduced_mass(), speed: safe.speed }, safe))
     };
-    let (standard, safe) = speed(Some(standard_robot_mass(moving_mass - asked.load, asked.load)?))?;
+    let (standard, safe) = speed(Some(standard_robot_mass(moving_mass, asked.load)?))?;
     let mut diagnostics = answered.report.diagnostics.clone();
     let (reflected, _) = match answered.strike.effective_mass {
         EffectiveMass::Finite(m) => speed(Some(m))?,
@@ -136,7 +136,7 @@ pub fn safe_speed(
         energy: safe.energy,
         reflected,
         standard,
-        moving_mass: moving_mass - asked.load,
+        moving_mass,
         load: asked.load,
         diagnostics,
     })
