@@ -20,6 +20,8 @@ failed=0
 "$venv/bin/python" "$here/compare.py" --probe "$target/release/percuss-probe" "$@" || failed=1
 "$venv/bin/python" "$here/loops.py" --percuss "$target/release/percuss" || failed=1
 PYTHONPATH=$here "$venv/bin/python" "$here/contact/check.py" --percuss "$target/release/percuss" || failed=1
+# The shipped models: route A against the oracle's route C.
+"$target/release/percuss-reference" models/*.urdf || failed=1
 # Reference files of the loop dialect, where they are at hand: beside the repository, or where PERCUSS_REFERENCE says.
 reference=${PERCUSS_REFERENCE:-../shared/data}
 if [ -d "$reference" ]; then

@@ -2,7 +2,7 @@
 
 mod support;
 
-use support::{Sweep, percuss, root};
+use support::{Scratch, Sweep, json, percuss, root};
 
 /// Names of the files in `models` with this ending, sorted.
 fn shipped(ending: &str) -> Vec<String> {
@@ -80,6 +80,42 @@ fn every_study_runs_and_all_its_rows_are_sound() {
             assert_eq!(sweep.cell(row, "singular_pose"), "false", "{study} {row}");
         }
     }
+}
+
+/// Every study again in a thousand steps, loops closed to 1e-12 of the model's own size throughout.
+#[test]
+fn every_study_keeps_its_loops_closed_over_a_thousand_steps() {
+    let scratch = Scratch::new("models-thousand");
+    let mut looped = 0;
+    for study in shipped(".toml") {
+        let text = std::fs::read_to_string(root().join(format!("models/{study}.toml"))).expect("a text file");
+        let model = root().join(format!("models/{study}.urdf"));
+        let length =
+            json(&format!("run models/{study}.toml --format json"))["characteristic_length"].as_f64();
+        let long: Vec<String> = text
+            .lines()
+            .map(|line| match line.split_once(" = ") {
+                Some(("vary", range)) => {
+                    let (range, _) = range.rsplit_once(':').expect("a count");
+                    format!("vary = {range}:1001\"")
+                }
+                Some(("path", _)) => format!("path = {:?}", model.to_string_lossy()),
+                _ => line.to_owned(),
+            })
+            .collect();
+        let outcome = percuss(&format!("run {}", scratch.write("long.toml", &long.join("\n"))));
+        assert_eq!(outcome.code, 0, "{study}: {}", outcome.stderr);
+        let sweep = Sweep::read(&outcome.stdout);
+        assert_eq!(sweep.rows.len(), 1001, "{study}");
+        for row in 0..1001 {
+            assert_ne!(sweep.cell(row, "status"), "", "{study} {row}");
+            if let Some(residual) = sweep.number(row, "closure_residual") {
+                looped += usize::from(row == 0);
+                assert!(residual <= 1e-12 * length.expect("a length"), "{study} {row}: {residual:e}");
+            }
+        }
+    }
+    assert!(looped >= 10, "{looped} studies have loops");
 }
 
 /// A parallelogram's platform weighs 7.5 kg / cos²; figure 3's estimate is exact for massless arms; no estimate of the

@@ -97,7 +97,7 @@ fn mujoco_bounces_as_asked_whatever_its_diagonal() {
 fn mujoco_settles_the_equalities_of_loops() {
     let mut request = request(0.5);
     assert!(Tool::Mujoco.export(&request).unwrap().parameter("equality_solref").is_none());
-    request.options.closed_loops = true;
+    request.options.constrained = true;
     let export = Tool::Mujoco.export(&request).unwrap();
     assert_eq!(numbers(&export, "equality_solref"), [2.0 * export.time_step.unwrap(), 1.0]);
     assert_eq!(numbers(&export, "equality_solimp"), [0.9999, 0.9999, 1.0]);
@@ -322,7 +322,7 @@ fn every_snippet_is_well_formed_and_holds_the_numbers_in_full() {
         for e in [0.2, 0.5, 0.8] {
             for loops in [false, true] {
                 let mut request = request(e);
-                request.options.closed_loops = loops;
+                request.options.constrained = loops;
                 let export = tool.export(&request).unwrap();
                 assert!(
                     !export.snippets.is_empty()

@@ -6,8 +6,6 @@ use crate::loops::closing::{Moves, shortest};
 use crate::{Pose, Strike, System};
 use faer::Mat;
 
-/// Loops of a rounded file close to within this many times their inexactness at other poses.
-const ROUNDED: f64 = 10.0;
 /// Most steps that close a group again.
 const STEPS: usize = 8;
 
@@ -17,15 +15,13 @@ impl System {
     /// Every joint goes at its rate of the strike, then the loops are closed by the shortest way: exact to second
     /// order in the distance. None where they do not close there, or where nothing moves.
     pub fn pushed(&self, pose: &Pose, strike: &Strike, distance: f64) -> Option<Pose> {
-        if strike.joint_velocities.iter().flatten().all(|v| *v == 0.0)
-            && strike.base_velocity.linear.norm() == 0.0
-        {
+        if !strike.gives_way() {
             return None;
         }
         let mut pushed = self.advanced(pose, &strike.joint_velocities, &strike.base_velocity, distance);
         for group in &self.groups {
             let inexactness = pose.loops().map_or(0.0, |loops| loops.inexactness);
-            let tolerance = self.closing_tolerance(&pushed.kinematics).max(ROUNDED * inexactness);
+            let tolerance = self.rounded_tolerance(&pushed.kinematics, inexactness);
             if !self.closed_again(&mut pushed.kinematics, group, tolerance, distance.abs()) {
                 return None;
             }

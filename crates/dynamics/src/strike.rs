@@ -163,6 +163,15 @@ pub(crate) const LEAST_PIVOT: f64 = 1e-10;
 /// Below this relative closing speed, a finite answer comes with a remark.
 const NEARLY_IMMOVABLE: f64 = 1e-6;
 
+impl Strike {
+    /// Whether the mechanism itself gives way: v* is not zero.
+    pub fn gives_way(&self) -> bool {
+        self.joint_velocities.iter().flatten().any(|v| *v != 0.0)
+            || self.base_velocity.linear.norm() > 0.0
+            || self.base_velocity.angular.norm() > 0.0
+    }
+}
+
 impl System {
     /// Effective mass of a contact along its normal, in kilograms, with the strike that goes with it.
     ///

@@ -67,8 +67,8 @@ pub(crate) fn damping_of(
 /// m̄ along the strike's own motion.
 fn drift(question: &MassQuestion, answered: &Answered, mass: f64, penetration: Option<f64>) -> Drift {
     let Answered { system, pose, contact, strike, .. } = answered;
-    if question.against_mass == Some(mass) {
-        // The mechanism does not give way: the other body's mass is all there is.
+    if !strike.gives_way() {
+        // The other body's mass is all there is.
         return Drift { per_metre: Some(0.0), over_penetration: penetration.map(|_| 0.0) };
     }
     let at = |distance: f64| {
@@ -112,7 +112,7 @@ fn options(
         own_mass: given.own_mass.or_else(|| own(link)),
         other_own_mass: given.other_own_mass.or(question.against_mass).or_else(|| against.and_then(own)),
         diagonal_ratio: given.diagonal_ratio.or_else(ratio),
-        closed_loops: given.closed_loops || constrained,
+        constrained: given.constrained || constrained,
         ..given
     }
 }

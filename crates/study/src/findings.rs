@@ -98,8 +98,7 @@ pub(crate) fn about_pose(system: &System, pose: &Pose) -> Vec<DiagnosticRecord> 
 
 /// Guesses that were of no use, and those that the assembly found is far from.
 pub(crate) fn about_guesses(system: &System, pose: &Pose, wanted: &Configuration) -> Vec<DiagnosticRecord> {
-    let unlocked = pose.loops();
-    let drives = |joint| unlocked.is_some_and(|loops| loops.drivers.contains(&joint));
+    let drives = |joint| pose.loops().is_some_and(|loops| loops.drivers.contains(&joint));
     let mut found = Vec::new();
     for (joint, guess) in wanted.guesses() {
         let name = system.mechanism().joint(joint).name();

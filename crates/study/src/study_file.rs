@@ -121,7 +121,7 @@ struct ContactText {
     link: String,
     #[serde(deserialize_with = "study_value::lengths")]
     point: [f64; 3],
-    #[serde(default, deserialize_with = "study_value::plain_if")]
+    #[serde(default, deserialize_with = "study_value::plain")]
     normal: Option<[f64; 3]>,
     along_line: Option<LineText>,
     frame: Option<String>,
@@ -146,7 +146,7 @@ struct EstimateText {
     links: Vec<String>,
     #[serde(default, deserialize_with = "study_value::lengths")]
     point: [f64; 3],
-    #[serde(default, deserialize_with = "study_value::plain_if")]
+    #[serde(default, deserialize_with = "study_value::plain")]
     direction: Option<[f64; 3]>,
 }
 
@@ -208,7 +208,7 @@ struct HoldText {
     link: String,
     #[serde(deserialize_with = "study_value::lengths")]
     point: [f64; 3],
-    #[serde(default, deserialize_with = "study_value::plain_if")]
+    #[serde(default, deserialize_with = "study_value::plain")]
     normal: Option<[f64; 3]>,
 }
 
@@ -228,9 +228,9 @@ struct ClosureText {
     successor_xyz: [f64; 3],
     #[serde(default, deserialize_with = "study_value::angles")]
     successor_rpy: [f64; 3],
-    #[serde(default, deserialize_with = "study_value::plain_if")]
+    #[serde(default, deserialize_with = "study_value::plain")]
     axis: Option<[f64; 3]>,
-    #[serde(default, deserialize_with = "study_value::plain_if")]
+    #[serde(default, deserialize_with = "study_value::plain")]
     axis2: Option<[f64; 3]>,
     #[serde(default, deserialize_with = "study_value::length")]
     distance: Option<f64>,

@@ -33,13 +33,8 @@ fn triple<'de, D: Deserializer<'de>>(from: D, dimension: Dimension) -> Result<[f
 }
 
 /// Three numbers without a unit.
-pub(crate) fn plain<'de, D: Deserializer<'de>>(from: D) -> Result<[f64; 3], D::Error> {
-    triple(from, Dimension::Plain)
-}
-
-/// Three numbers without a unit, where they are given.
-pub(crate) fn plain_if<'de, D: Deserializer<'de>>(from: D) -> Result<Option<[f64; 3]>, D::Error> {
-    plain(from).map(Some)
+pub(crate) fn plain<'de, D: Deserializer<'de>>(from: D) -> Result<Option<[f64; 3]>, D::Error> {
+    triple(from, Dimension::Plain).map(Some)
 }
 
 /// Three lengths, m.

@@ -168,9 +168,9 @@ fn words(export: &mut Export, request: &Request, number: f64) {
     export.say(
         "penetration_allowance is not used: it sizes the spring by the mass of the heaviest body, not by m̄.",
     );
-    if request.options.closed_loops {
+    if request.options.constrained {
         export
             .cannot
-            .push("closed loops in a continuous plant: its constraints are for discrete plants (SAP) only");
+            .push("constraints (loops, mimics, locks) in a continuous plant: its constraints are for discrete plants (SAP) only");
     }
 }

@@ -153,9 +153,9 @@ impl Tool {
             Self::Adams => adams::export(request),
             Self::Simscape => simscape::export(request),
         }?;
-        if request.options.closed_loops && !matches!(self, Self::Mujoco | Self::Drake) {
+        if request.options.constrained && !matches!(self, Self::Mujoco | Self::Drake) {
             export.say(
-                "Closed loops: how far this tool's constraints that close them give way during the blow was not examined; \
+                "Loops, mimics, locks: how far this tool's constraints that hold them give way during the blow was not examined; \
                  what gives way spoils the restitution.",
             );
         }

@@ -47,13 +47,13 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     if let Some(pair) = standard {
         export.set("solref_standard", pair, "s, -");
     }
-    if request.options.closed_loops {
+    if request.options.constrained {
         export.set("equality_solref", [2.0 * step, 1.0], "s, -");
         export.set("equality_solimp", [IMPEDANCE, IMPEDANCE, 1.0], "-, -, m");
     }
-    export.write("direct format", "xml", document(solref, solimp, step, request.options.closed_loops));
+    export.write("direct format", "xml", document(solref, solimp, step, request.options.constrained));
     if let Some(pair) = standard {
-        export.write("standard format", "xml", document(pair, solimp, step, request.options.closed_loops));
+        export.write("standard format", "xml", document(pair, solimp, step, request.options.constrained));
     }
     words(&mut export, request, &linear);
     Ok(export)
@@ -102,14 +102,14 @@ fn words(export: &mut Export, request: &Request, linear: &Linear) {
             (1.0 - IMPEDANCE) / 2.0
         )),
     }
-    if request.options.closed_loops {
+    if request.options.constrained {
         export.say(
-            "Closed loops: MuJoCo's Â is that of the tree with the loops cut open, with diagexact too; α = Â·m̄ with \
-             the m̄ of the closed loop. The equality constraints need their own solref and solimp as given: the \
+            "Loops, mimics, locks: MuJoCo's Â is that of the open tree without these constraints, with diagexact too; α = Â·m̄ \
+             with the m̄ under them. The equality constraints need their own solref and solimp as given: the \
              defaults give way during the contact and spoil the restitution.",
         );
         export.say(
-            "Closed loops with the integrator implicitfast want half this time step: at the whole one it was 1.3e-3 off \
+            "Constraints with the integrator implicitfast want half this time step: at the whole one it was 1.3e-3 off \
              where Euler and RK4 keep 1e-3.",
         );
         export.say(

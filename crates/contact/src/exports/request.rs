@@ -31,8 +31,8 @@ pub struct Options {
     /// MuJoCo's Â m̄, how much its estimate of the contact's inverse mass is off: Â is the sum of `body_invweight0[0]`
     /// of the two bodies.
     pub diagonal_ratio: Option<f64>,
-    /// The mechanism has closed loops.
-    pub closed_loops: bool,
+    /// The mechanism has what simulators hold by constraints: closed loops, mimics, locks, held points.
+    pub constrained: bool,
 }
 
 impl Default for Options {
@@ -43,7 +43,7 @@ impl Default for Options {
             own_mass: None,
             other_own_mass: None,
             diagonal_ratio: None,
-            closed_loops: false,
+            constrained: false,
         }
     }
 }

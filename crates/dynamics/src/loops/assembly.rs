@@ -122,6 +122,8 @@ fn places(places: &[(String, f64)]) -> String {
 
 /// Residuals below this part of the size pass as a file's rounding.
 pub(crate) const ROUNDING: f64 = 1e-3;
+/// Loops of a rounded file fit to within this many times their inexactness, which is measured at one pose, at others.
+const ROUNDED: f64 = 10.0;
 /// A step of Newton's method shorter than this part of the size changes nothing.
 const SETTLED: f64 = 1e-8;
 /// A pose nearer to the first one than this part of the size is that pose again.
@@ -137,6 +139,16 @@ impl System {
         let turned = kinematics.q.iter().fold(0.0, |most: f64, q| most.max(q.abs()));
         let size = self.mechanism.characteristic_length();
         (1e-12 * size).max(16.0 * f64::EPSILON * far).max(4.0 * f64::EPSILON * turned * size)
+    }
+
+    /// The same for loops that are inexact by so much at the generic pose (m); they may be by some more at others.
+    pub(crate) fn rounded_tolerance(&self, kinematics: &Kinematics<f64>, inexactness: f64) -> f64 {
+        self.closing_tolerance(kinematics).max(ROUNDED * inexactness)
+    }
+
+    /// Singular values of A below this part of the largest count as zero, where the loops are inexact by so much (m).
+    pub(crate) fn floor_for(&self, inexactness: f64) -> f64 {
+        FLOOR.max(ROUNDED * inexactness / self.mechanism.characteristic_length())
     }
 
     /// Finds the first closed pose, starting at `start`, and what is generic about each group.
@@ -203,7 +215,7 @@ impl System {
         let all = Moves { unknown: &group.movable, course: None };
         let rank_of = |kinematics: &Kinematics<f64>, inexactness: f64| {
             let (_, rows) = self.group_rows(kinematics, group);
-            let floor = FLOOR.max(10.0 * inexactness / length);
+            let floor = self.floor_for(inexactness);
             let values = singular_values(&rows, &group.lengths);
             let rank = decide(&values, floor);
             let least = rank.rank.checked_sub(1).map_or(1.0, |last| values[last] / values[0]);
@@ -261,8 +273,7 @@ impl System {
             }
         }
         let (generic, rows, rank, _) = best;
-        let floor = FLOOR.max(10.0 * inexactness / length);
-        let roles = self.advised_roles(group, &rows, floor);
+        let roles = self.advised_roles(group, &rows, self.floor_for(inexactness));
         GroupFacts { generic, rows, rank, inexactness, home_is_regular: at_home.rank == rank.rank, roles }
     }
 

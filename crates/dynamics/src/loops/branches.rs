@@ -2,7 +2,7 @@
 
 use super::Group;
 use super::closing::{Moves, shortest};
-use super::rank::{FLOOR, decide, singular_values};
+use super::rank::{decide, singular_values};
 use crate::System;
 use crate::kinematics::Kinematics;
 use faer::Mat;
@@ -67,15 +67,15 @@ impl System {
         let lengths = group.turning.iter().map(|turns| if *turns { size } else { 1.0 }).collect();
         let mut around = Surroundings {
             group: Group { lengths, ..group.clone() },
-            tolerance: self.closing_tolerance(kinematics).max(super::closer::ROUNDED * inexactness),
+            tolerance: self.rounded_tolerance(kinematics, inexactness),
             size,
-            floor: FLOOR.max(10.0 * inexactness / self.mechanism.characteristic_length()),
+            floor: self.floor_for(inexactness),
             branches: Vec::new(),
             regular: false,
             continuous: false,
             complete: true,
         };
-        let (tangents, _) = tangent_space(self, kinematics, group, &around.group.lengths, around.floor);
+        let tangents = tangent_space(self, kinematics, group, &around.group.lengths, around.floor);
         self.find_branches(kinematics, &tangents, &mut around);
         if around.branches.len() > 2 {
             around.continuous = self.lies_between(kinematics, &around);
@@ -127,7 +127,7 @@ impl System {
         let mut beside = kinematics.clone();
         let way = self.go_beside(&mut beside, around, direction, reach)?;
         let lengths = &around.group.lengths;
-        let (tangents, _) = tangent_space(self, &beside, &around.group, lengths, around.floor.max(COUNTS));
+        let tangents = tangent_space(self, &beside, &around.group, lengths, around.floor.max(COUNTS));
         Some(Branch { along: unit(&way), tangents })
     }
 
@@ -216,15 +216,15 @@ impl System {
     }
 }
 
-/// An orthonormal basis of the admissible motions within a group, over coordinates scaled by `lengths`, and the rank
-/// of A (decided on the group's own scale).
+/// An orthonormal basis of the admissible motions within a group, over coordinates scaled by `lengths`; the rank of A
+/// is decided on the scale of the whole mechanism.
 fn tangent_space(
     system: &System,
     kinematics: &Kinematics<f64>,
     group: &Group,
     lengths: &[f64],
     floor: f64,
-) -> (Vec<Vec<f64>>, usize) {
+) -> Vec<Vec<f64>> {
     let (_, rows) = system.group_rows(kinematics, group);
     let rank = decide(&singular_values(&rows, &group.lengths), floor).rank;
     let n = group.movable.len();
@@ -237,7 +237,7 @@ fn tangent_space(
             vector[at] = if rank == 0 { f64::from(u8::from(i == k)) } else { q[(i, rank + k)] };
         }
     }
-    (basis, rank)
+    basis
 }
 
 /// Sine of the largest angle between two spaces, given by orthonormal bases; 1 where they differ in dimension.

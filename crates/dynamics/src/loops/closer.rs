@@ -11,9 +11,6 @@ use crate::kinematics::Kinematics;
 use crate::{Configuration, Pose, System};
 use percuss_mechanism::JointId;
 
-/// Loops of a rounded file fit to within this many times their inexactness, which is measured at one pose, at others.
-pub(super) const ROUNDED: f64 = 10.0;
-
 /// A driver with a position of one number.
 struct Driver {
     /// Index into the group's coordinates.
@@ -41,7 +38,7 @@ impl Closer<'_> {
         let (system, facts) = (self.system, &self.assembly.groups[number]);
         let group = &system.groups[number];
         let roles = self.roles(group, facts)?;
-        let tolerance = system.closing_tolerance(&self.kinematics).max(ROUNDED * facts.inexactness);
+        let tolerance = system.rounded_tolerance(&self.kinematics, facts.inexactness);
         let drivers = self.drivers(group, &roles);
         let anchor = match self.configuration.guess_for(system, group) {
             Some(guess) => self.close_from_guess(group, &roles, &drivers, &guess, tolerance)?,

@@ -2,7 +2,7 @@
 
 use super::assembly::GroupFacts;
 use super::following::ease;
-use super::rank::{FLOOR, Rank, decide, singular_values};
+use super::rank::{Rank, decide, singular_values};
 use super::redundancy::Redundancy;
 use super::roles::Roles;
 use super::{Group, Held};
@@ -68,23 +68,27 @@ impl System {
             let rows = self.constraint_rows(&pose.kinematics);
             add(&singular_values(&rows, &self.coordinate_lengths()));
         }
-        total.singular = total.rank < self.generic_rank().rank && self.is_singular(pose, floor);
+        total.singular = total.rank < self.generic_rank().rank && self.is_singular(pose);
         total
     }
 
     /// Whether a pose with less than the generic rank is singular. It is not where it has as many motions as the poses
     /// beside it: on a branch with more freedoms than the one where the generic rank was taken.
-    fn is_singular(&self, pose: &Pose, floor: f64) -> bool {
+    fn is_singular(&self, pose: &Pose) -> bool {
         let poser = self.unlocked.as_deref().unwrap_or(self);
-        let Ok(assembly) = poser.assembly() else { return true };
-        let mut less = (0..poser.groups.len()).filter(|&number| {
-            let group = &poser.groups[number];
-            let (_, rows) = poser.group_rows(&pose.kinematics, group);
-            decide(&singular_values(&rows, &group.lengths), floor).rank < assembly.groups[number].rank.rank
-        });
+        let all = 0..poser.groups.len();
+        let mut less = all.filter(|&number| poser.has_lost_rank(&pose.kinematics, number)).peekable();
         // What is held or locked may bind less where the loops do not.
-        let Some(first) = less.next() else { return true };
-        poser.is_crossing(pose, first) || less.any(|number| poser.is_crossing(pose, number))
+        less.peek().is_none() || less.any(|number| poser.is_crossing(pose, number))
+    }
+
+    /// Whether a group has less than its generic rank at a pose.
+    pub(super) fn has_lost_rank(&self, kinematics: &Kinematics<f64>, number: usize) -> bool {
+        let Ok(assembly) = self.assembly() else { return false };
+        let group = &self.groups[number];
+        let (_, rows) = self.group_rows(kinematics, group);
+        let here = decide(&singular_values(&rows, &group.lengths), self.rank_floor()).rank;
+        here < assembly.groups[number].rank.rank
     }
 
     /// Constraint rows that add nothing at a generic pose: of loops, couplings, held contacts and locks.
@@ -118,7 +122,7 @@ impl System {
     pub(crate) fn rank_floor(&self) -> f64 {
         let inexact =
             self.assembly().map_or(0.0, |a| a.groups.iter().map(|g| g.inexactness).fold(0.0, f64::max));
-        FLOOR.max(10.0 * inexact / self.mechanism.characteristic_length())
+        self.floor_for(inexact)
     }
 
     pub(crate) fn generic_rank(&self) -> &GenericRank {
@@ -247,7 +251,7 @@ impl System {
 
     /// Which singularity makes the followers' rows weak. Beside a change point they are, but all of A counts: none.
     fn singularity(&self, group: &Group, rows: &DMatrix<f64>, facts: &GroupFacts) -> Singularity {
-        let floor = FLOOR.max(10.0 * facts.inexactness / self.mechanism.characteristic_length());
+        let floor = self.floor_for(facts.inexactness);
         let values = singular_values(rows, &group.lengths);
         let least = facts.rank.rank.checked_sub(1).map_or(f64::INFINITY, |last| values[last]);
         if decide(&values, floor).rank < facts.rank.rank {

@@ -1,7 +1,6 @@
 //! At a change point (D) is a lower bound that no branch attains. The limits of m̄ along each.
 
 use super::branches::{Surroundings, dot};
-use super::rank::{decide, singular_values};
 use crate::least_energy::Minimum;
 use crate::{Contact, EffectiveMass, Pose, System};
 
@@ -59,27 +58,21 @@ impl System {
 
     /// Whether branches of a group cross at a pose where it has less than its generic rank.
     pub(super) fn is_crossing(&self, pose: &Pose, number: usize) -> bool {
-        let group = &self.groups[number];
-        let inexactness = pose.loops().map_or(0.0, |loops| loops.inexactness);
-        !self.surroundings(&pose.kinematics, group, inexactness).regular
+        !self.around(pose, number).regular
+    }
+
+    fn around(&self, pose: &Pose, number: usize) -> Surroundings {
+        let inexactness = self.assembly().map_or(0.0, |assembly| assembly.groups[number].inexactness);
+        self.surroundings(&pose.kinematics, &self.groups[number], inexactness)
     }
 
     /// The groups at crossings that the contact feels, those it moves itself first.
     fn crossings(&self, pose: &Pose, contact: &Contact) -> Vec<Surroundings> {
-        let Ok(assembly) = self.assembly() else { return Vec::new() };
-        let floor = self.rank_floor();
-        let mut crossings = Vec::new();
-        for number in self.felt_groups(contact) {
-            let (group, facts) = (&self.groups[number], &assembly.groups[number]);
-            let (_, rows) = self.group_rows(&pose.kinematics, group);
-            if decide(&singular_values(&rows, &group.lengths), floor).rank < facts.rank.rank {
-                let around = self.surroundings(&pose.kinematics, group, facts.inexactness);
-                if !around.branches.is_empty() && !around.regular {
-                    crossings.push(around);
-                }
-            }
-        }
-        crossings
+        let felt = self.felt_groups(contact).into_iter();
+        let lost = felt.filter(|&number| self.has_lost_rank(&pose.kinematics, number));
+        lost.map(|number| self.around(pose, number))
+            .filter(|a| !a.branches.is_empty() && !a.regular)
+            .collect()
     }
 
     /// Groups on the trees, or tied to the trees, that the contact's sides stand on; those that move the sides first.
