@@ -28,7 +28,16 @@ pub fn write_json(result: &impl serde::Serialize) -> Result<(), Failure> {
 
 /// Writes a note about the command itself to stderr. A closed stderr changes nothing.
 pub fn note(message: &str) {
-    let _ = writeln!(io::stderr().lock(), "note: {message}");
+    remark("note", message);
+}
+
+/// The same as a warning.
+pub fn warn(message: &str) {
+    remark("warning", message);
+}
+
+fn remark(severity: &str, message: &str) {
+    let _ = writeln!(io::stderr().lock(), "{severity}: {message}");
 }
 
 /// Writes diagnostics to stderr; under `strict`, a warning is an error and ends it.

@@ -3,7 +3,7 @@
 use crate::args::SweepArgs;
 use crate::csv;
 use crate::failure::Failure;
-use crate::report::{tell, write_file, write_out};
+use crate::report::{tell, warn, write_file, write_out};
 use indicatif::{ProgressBar, ProgressStyle};
 use percuss_render::{Figure, Mark, Panel, Series, Style};
 use percuss_study::{MassQuestion, Model, SweepReport, Vary, sweep};
@@ -90,7 +90,7 @@ fn summary(report: &SweepReport) -> Result<(), Failure> {
     if failed.len() == report.rows.len() {
         return Err(Failure::NoAnswer(message));
     }
-    eprintln!("warning: {message}");
+    warn(&message);
     Ok(())
 }
 
