@@ -1,0 +1,45 @@
+//! Circles among the imports of a crate's files.
+
+use super::imports::Imports;
+use std::collections::BTreeSet;
+use std::fmt::Write;
+
+/// The groups of files of which each imports every other, directly or through others (the strongly connected
+/// components with more than one file).
+pub fn circles(imports: &Imports) -> Vec<BTreeSet<&str>> {
+    let files: BTreeSet<&str> = imports.keys().flat_map(|(a, b)| [a.as_str(), b.as_str()]).collect();
+    let mut found: Vec<BTreeSet<&str>> = Vec::new();
+    for &file in files.iter().filter(|&&file| reached(imports, file).contains(file)) {
+        if found.iter().all(|circle| !circle.contains(file)) {
+            let ahead = reached(imports, file);
+            found.push(ahead.into_iter().filter(|&other| reached(imports, other).contains(file)).collect());
+        }
+    }
+    found
+}
+
+/// The files that `file` imports, directly or through others.
+fn reached<'a>(imports: &'a Imports, file: &'a str) -> BTreeSet<&'a str> {
+    let mut seen = BTreeSet::new();
+    let mut open = vec![file];
+    while let Some(at) = open.pop() {
+        for (_, to) in imports.keys().filter(|(from, _)| from == at) {
+            if seen.insert(to.as_str()) {
+                open.push(to);
+            }
+        }
+    }
+    seen
+}
+
+/// A circle in words: each import inside it, with its names.
+pub fn describe(circle: &BTreeSet<&str>, imports: &Imports) -> String {
+    let mut text = String::new();
+    for ((from, to), names) in imports {
+        if circle.contains(from.as_str()) && circle.contains(to.as_str()) {
+            let names: Vec<&str> = names.iter().map(String::as_str).collect();
+            writeln!(text, "    {from} imports {} of {to}", names.join(", ")).expect("a String takes all");
+        }
+    }
+    text
+}

@@ -1,0 +1,182 @@
+//! Which source file of a crate imports which, read from its code by syn.
+//!
+//! An import belongs to the file that *defines* the name: `use crate::Name` is an import of the file from which `lib.rs`
+//! re-exports `Name`, and of `lib.rs` only where `Name` stands in `lib.rs` itself. `mod` declarations are not imports,
+//! nor is the re-export of a name by a module above its definition (`pub use child::Name`). Naming a module binds a
+//! name only; what is reached through it counts. Paths in code count as `use` does, also inside macro calls and
+//! attributes. Items under `#[cfg(test)]` are left out.
+
+use super::modules::{Binding, Module, Path, is_for_tests, path_attribute};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The names that one file takes from another, by (importing file, imported file).
+pub type Imports = BTreeMap<(String, String), BTreeSet<String>>;
+
+/// The imports between the files of one crate. `sources` holds its texts by path below `src`; the crate's roots are
+/// `lib.rs` and `main.rs`, as far as they exist.
+pub fn imports(sources: &BTreeMap<String, String>) -> Imports {
+    let mut found = Imports::new();
+    let mut reached = BTreeSet::new();
+    for root in ["lib.rs", "main.rs"].into_iter().filter(|root| sources.contains_key(*root)) {
+        let mut tree = Tree { sources, modules: Vec::new(), reached: BTreeSet::new() };
+        tree.read_file(root, "", None);
+        tree.collect(&mut found);
+        reached.append(&mut tree.reached);
+    }
+    let missed: Vec<_> = sources.keys().filter(|file| !reached.contains(*file)).collect();
+    assert!(missed.is_empty(), "no `mod` leads to {missed:?}");
+    found
+}
+
+/// The longest chain of re-exports that is followed; `use` declarations may name one another.
+const LONGEST_CHAIN: usize = 32;
+
+/// What a path leads to: a module, or an item of a module.
+#[derive(Clone, Copy, PartialEq)]
+enum Target {
+    Module(usize),
+    Item(usize),
+}
+
+struct Tree<'a> {
+    sources: &'a BTreeMap<String, String>,
+    modules: Vec<Module>,
+    reached: BTreeSet<String>,
+}
+
+impl Tree<'_> {
+    /// Reads a file whose submodules lie in `folder`.
+    fn read_file(&mut self, file: &str, folder: &str, parent: Option<usize>) -> usize {
+        self.reached.insert(file.to_string());
+        let parsed = syn::parse_file(&self.sources[file]).unwrap_or_else(|e| panic!("{file}: {e}"));
+        self.read_items(&parsed.items, file, folder, parent)
+    }
+
+    fn read_items(&mut self, items: &[syn::Item], file: &str, folder: &str, parent: Option<usize>) -> usize {
+        let id = self.modules.len();
+        self.modules.push(Module::new(file, parent, items));
+        for item in items {
+            if let syn::Item::Mod(module) = item {
+                self.read_module(module, is_for_tests(item), file, folder, id);
+            } else if !is_for_tests(item) {
+                self.modules[id].read(item);
+            }
+        }
+        id
+    }
+
+    fn read_module(&mut self, module: &syn::ItemMod, tests: bool, file: &str, folder: &str, parent: usize) {
+        let name = module.ident.to_string();
+        let below = format!("{folder}{name}/");
+        let child = if let Some((_, items)) = &module.content {
+            if tests {
+                return;
+            }
+            self.read_items(items, file, &below, Some(parent))
+        } else {
+            let places = match path_attribute(&module.attrs) {
+                Some(path) => {
+                    vec![format!("{}{path}", file.rsplit_once('/').map_or("", |(f, _)| &file[..=f.len()]))]
+                }
+                None => vec![format!("{folder}{name}.rs"), format!("{folder}{name}/mod.rs")],
+            };
+            let found = places.into_iter().find(|place| self.sources.contains_key(place));
+            let found = found.unwrap_or_else(|| panic!("{file}: `mod {name}` has no file"));
+            if tests {
+                self.reached.insert(found);
+                return;
+            }
+            self.read_file(&found, &below, Some(parent))
+        };
+        self.modules[parent].children.insert(name, child);
+    }
+
+    /// Resolves every `use` and every path of code to the file that defines what it names.
+    fn collect(&self, found: &mut Imports) {
+        for (id, module) in self.modules.iter().enumerate() {
+            let mut import = |path: &Path, re_exported: bool| {
+                let (targets, length) = self.resolve(id, path, 0);
+                for target in targets {
+                    if let Target::Item(to) = target
+                        && self.modules[to].file != module.file
+                        && !(re_exported && self.is_below(to, id))
+                    {
+                        let files = (module.file.clone(), self.modules[to].file.clone());
+                        found.entry(files).or_default().insert(path[length - 1].clone());
+                    }
+                }
+            };
+            module.bindings.iter().for_each(|binding| import(&binding.path, binding.public));
+            for path in &module.paths {
+                // A bare name that is also a variable somewhere in the module is taken for the variable.
+                let variable = path.len() == 1 && module.variables.contains(&path[0]);
+                if !variable {
+                    import(path, false);
+                }
+            }
+        }
+    }
+
+    fn is_below(&self, module: usize, above: usize) -> bool {
+        let mut at = Some(module);
+        while let Some(id) = at {
+            if id == above {
+                return true;
+            }
+            at = self.modules[id].parent;
+        }
+        false
+    }
+
+    /// What a path in `module` leads to, and how many of its names lead there (the rest are variants and methods of an
+    /// item); nothing where it leads out of the crate. A name may stand for a module and an item at once.
+    fn resolve(&self, module: usize, path: &[String], depth: usize) -> (Vec<Target>, usize) {
+        if depth > LONGEST_CHAIN {
+            return (Vec::new(), 1);
+        }
+        let mut targets = match path[0].as_str() {
+            "crate" => vec![Target::Module(0)],
+            "self" => vec![Target::Module(module)],
+            "super" => self.modules[module].parent.map(Target::Module).into_iter().collect(),
+            name => self.look_up(module, name, depth),
+        };
+        for (i, name) in path.iter().enumerate().skip(1) {
+            let within = targets.iter().find_map(|t| if let Target::Module(m) = t { Some(*m) } else { None });
+            let Some(within) = within else { return (targets, i) };
+            targets = if name == "super" {
+                self.modules[within].parent.map(Target::Module).into_iter().collect()
+            } else {
+                let found = self.look_up(within, name, depth);
+                // A name that is not seen there is made by a macro.
+                if found.is_empty() { vec![Target::Item(within)] } else { found }
+            };
+        }
+        (targets, path.len())
+    }
+
+    fn look_up(&self, module: usize, name: &str, depth: usize) -> Vec<Target> {
+        let within = &self.modules[module];
+        let mut found: Vec<Target> =
+            within.children.get(name).map(|c| Target::Module(*c)).into_iter().collect();
+        if within.items.contains(name) {
+            found.push(Target::Item(module));
+        }
+        // `use name::…` inside a module binds nothing that its own path could stand on.
+        for binding in within.bindings.iter().filter(|b| b.name == name && b.path != [name]) {
+            found.extend(self.resolve(module, &binding.path, depth + 1).0);
+        }
+        if found.is_empty() {
+            for glob in &within.globs {
+                for target in self.resolve(module, glob, depth + 1).0 {
+                    if let Target::Module(other) = target
+                        && other != module
+                    {
+                        found.extend(self.look_up(other, name, depth + 1));
+                    }
+                }
+            }
+        }
+        found.dedup();
+        found
+    }
+}
