@@ -1,12 +1,12 @@
 //! From descriptions to a mechanism: all the validation there is.
 
+use crate::axis::unit;
+use crate::check::Check;
 use crate::problem::{Problem, Severity, Subject};
 use crate::{
     ClosureDescription, ClosureKind, CouplingDescription, Geometry, Inertial, Joint, JointDescription,
-    JointId, JointKind, Limits, Link, LinkDescription, LinkId, Mechanism, Mimic, closure_check,
-    inertia_check, near_names, tree,
+    JointId, JointKind, Link, LinkDescription, LinkId, Mechanism, Mimic, closure_check, inertia_check, tree,
 };
-use nalgebra::Matrix3;
 use percuss_spatial::{SpatialInertia, Vector3};
 use std::collections::HashMap;
 use std::fmt;
@@ -56,13 +56,6 @@ pub struct MechanismBuilder {
     closures: Vec<ClosureDescription>,
     couplings: Vec<CouplingDescription>,
 }
-
-/// Larger numbers are no mechanism in SI units, and their products would overflow.
-const LARGEST: f64 = 1e100;
-/// A rotation matrix given from outside may be off by this much.
-const ROTATION_DEFECT: f64 = 1e-9;
-/// Axes are normalised; beyond this relative deviation that is worth a note.
-const AXIS_SLACK: f64 = 1e-4;
 
 impl MechanismBuilder {
     /// An empty mechanism of this name.
@@ -322,12 +315,6 @@ fn joint_subject(index: usize, name: &str) -> Subject {
     Subject::Joint { index, name: name.to_owned() }
 }
 
-/// Normalised without overflow or underflow; left as it is where it is a unit vector already.
-pub(crate) fn unit(axis: &Vector3<f64>) -> Vector3<f64> {
-    let exact = (axis.norm() - 1.0).abs() <= 4.0 * f64::EPSILON;
-    if exact { *axis } else { (axis / axis.amax()).normalize() }
-}
-
 fn make_link(link: &LinkDescription) -> Link {
     let reach = match link.geometry {
         Geometry::None | Geometry::Mesh => 0.0,
@@ -379,113 +366,4 @@ fn characteristic_length(
         links.iter().map(|l| l.extent).fold(0.0, f64::max),
     ];
     lengths.into_iter().find(|length| *length > 0.0).unwrap_or(1.0)
-}
-
-/// The findings so far.
-#[derive(Default)]
-pub(crate) struct Check {
-    findings: Vec<(Subject, Problem)>,
-    suggested: usize,
-}
-
-impl Check {
-    pub fn add(&mut self, subject: Subject, problem: Problem) {
-        self.findings.push((subject, problem));
-    }
-
-    /// Names that come near, for the first few unknown ones: comparing all with all takes too long.
-    pub fn near<'a>(&mut self, name: &str, candidates: impl Iterator<Item = &'a str>) -> Vec<String> {
-        const MOST: usize = 20;
-        self.suggested += 1;
-        if self.suggested <= MOST { near_names(name, candidates) } else { Vec::new() }
-    }
-
-    pub fn has_errors(&self) -> bool {
-        self.findings.iter().any(|(_, p)| p.severity() == Severity::Error)
-    }
-
-    pub fn unique<'a>(
-        &mut self,
-        names: impl Iterator<Item = &'a String>,
-        subject: fn(usize, &str) -> Subject,
-    ) -> HashMap<String, usize> {
-        let mut ids = HashMap::new();
-        for (i, name) in names.enumerate() {
-            if name.is_empty() {
-                self.add(subject(i, name), Problem::EmptyName);
-            } else if let Some(&first) = ids.get(name) {
-                self.add(subject(i, name), Problem::DuplicateName { first });
-            } else {
-                ids.insert(name.clone(), i);
-            }
-        }
-        ids
-    }
-
-    /// Adds an error and says `false` unless every value is finite and of a sane size.
-    pub fn sane<'a>(
-        &mut self,
-        subject: &Subject,
-        quantity: &'static str,
-        values: impl IntoIterator<Item = &'a f64>,
-    ) -> bool {
-        for &value in values {
-            if !value.is_finite() {
-                self.add(subject.clone(), Problem::NotFinite { quantity, value });
-                return false;
-            }
-            if value.abs() > LARGEST {
-                self.add(subject.clone(), Problem::TooLarge { quantity, value });
-                return false;
-            }
-        }
-        true
-    }
-
-    fn link_numbers(&mut self, subject: Subject, link: &LinkDescription) {
-        let Some(inertial) = &link.inertial else { return };
-        self.sane(&subject, "centre of mass", &inertial.com);
-        self.sane(&subject, "inertia", &inertial.about_com);
-        if self.sane(&subject, "mass", [&inertial.mass]) && inertial.mass < 0.0 {
-            self.add(subject, Problem::NegativeMass { mass: inertial.mass });
-        }
-    }
-
-    fn joint_numbers(&mut self, subject: Subject, joint: &JointDescription) {
-        self.sane(&subject, "origin", &joint.origin.translation);
-        if self.sane(&subject, "rotation", &joint.origin.rotation) {
-            let r = &joint.origin.rotation;
-            let defect = (r.transpose() * r - Matrix3::identity()).amax();
-            if defect > ROTATION_DEFECT || r.determinant() < 0.0 {
-                self.add(subject.clone(), Problem::NotARotation { defect });
-            }
-        }
-        if joint.kind.has_axis() && self.sane(&subject, "axis", &joint.axis) {
-            let length = joint.axis.norm();
-            if joint.axis.amax() < 1e-100 {
-                self.add(subject.clone(), Problem::ZeroAxis);
-            } else if (length - 1.0).abs() > AXIS_SLACK {
-                self.add(subject.clone(), Problem::AxisNotUnit { length });
-            }
-        }
-        if self.sane(&subject, "armature", &joint.armature) {
-            if let Some(&value) = joint.armature.iter().find(|a| **a < 0.0) {
-                self.add(subject.clone(), Problem::NegativeArmature { value });
-            }
-            let (got, dofs) = (joint.armature.len(), joint.kind.dofs());
-            let one_fits = got == 1 && joint.kind.is_homogeneous() && dofs > 0;
-            if got != 0 && got != dofs && !one_fits {
-                self.add(subject.clone(), Problem::ArmatureCount { got, dofs });
-            }
-        }
-        if let Some(Limits { lower, upper }) = joint.limits {
-            self.sane(&subject, "limit", [&lower, &upper]);
-            if lower > upper {
-                self.add(subject.clone(), Problem::LimitsReversed { lower, upper });
-            }
-        }
-        if let Some(mimic) = &joint.mimic {
-            self.sane(&subject, "mimic", [&mimic.multiplier, &mimic.offset]);
-        }
-    }
 }

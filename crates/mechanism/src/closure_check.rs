@@ -1,7 +1,9 @@
 //! Validation of closures and couplings.
 
-use crate::builder::{Check, unit};
+use crate::axis::unit;
+use crate::check::Check;
 use crate::closure::{Closure, ClosureKind, Coupling, LoopFrame};
+use crate::limits;
 use crate::problem::{Problem, Subject};
 use crate::{
     ClosureDescription, CouplingDescription, JointDescription, JointId, JointKind, LinkDescription, LinkId,
@@ -82,7 +84,7 @@ fn closure_numbers(subject: &Subject, closure: &ClosureDescription, check: &mut 
         check.sane(subject, "origin", &frame.translation);
         if check.sane(subject, "rotation", &frame.rotation) {
             let defect = (frame.rotation.transpose() * frame.rotation - Matrix3::identity()).amax();
-            if defect > 1e-9 || frame.rotation.determinant() < 0.0 {
+            if defect > limits::ROTATION_DEFECT || frame.rotation.determinant() < 0.0 {
                 check.add(subject.clone(), Problem::NotARotation { defect });
             }
         }
@@ -93,7 +95,7 @@ fn closure_numbers(subject: &Subject, closure: &ClosureDescription, check: &mut 
         _ => &[],
     };
     for axis in axes {
-        if check.sane(subject, "axis", *axis) && axis.amax() < 1e-100 {
+        if check.sane(subject, "axis", *axis) && axis.amax() < limits::SHORTEST_AXIS {
             check.add(subject.clone(), Problem::ZeroAxis);
         }
     }

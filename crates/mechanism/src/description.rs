@@ -1,43 +1,15 @@
 //! Plain descriptions handed to the builder: names instead of indices, nothing checked yet.
 
-use crate::{ClosureKind, Geometry, JointKind, Limits};
-use nalgebra::{Matrix3, Vector3};
-use percuss_spatial::{SpatialInertia, Transform};
-
-/// Mass, centre of mass and inertia of a link, as a user declares them.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Inertial {
-    /// Mass, kg.
-    pub mass: f64,
-    /// Centre of mass in the link frame, m.
-    pub com: Vector3<f64>,
-    /// Rotational inertia about the centre of mass, in the link's axes, kg·m².
-    pub about_com: Matrix3<f64>,
-}
-
-impl Inertial {
-    /// A point mass (kg) at `com` (m).
-    pub fn point(mass: f64, com: [f64; 3]) -> Self {
-        Self { mass, com: com.into(), about_com: Matrix3::zeros() }
-    }
-
-    /// Mass (kg), centre of mass (m) and the moments about it along the link's axes (kg·m²).
-    pub fn diagonal(mass: f64, com: [f64; 3], moments: [f64; 3]) -> Self {
-        Self { mass, com: com.into(), about_com: Matrix3::from_diagonal(&moments.into()) }
-    }
-
-    /// About the link's origin.
-    pub fn spatial(&self) -> SpatialInertia<f64> {
-        SpatialInertia::about_com(self.mass, self.com, self.about_com)
-    }
-}
+use crate::{ClosureKind, Geometry, Inertial, JointKind, Limits};
+use nalgebra::Vector3;
+use percuss_spatial::Transform;
 
 /// A link to be built.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LinkDescription {
     /// Unique name.
     pub name: String,
-    /// What it weighs; `None` is a massless link.
+    /// Its mass and inertia; `None` is a massless link.
     pub inertial: Option<Inertial>,
     /// How far its declared shape reaches.
     pub geometry: Geometry,

@@ -1,12 +1,8 @@
 //! Is this inertia one that a body can have?
 
+use crate::limits::{MOMENT_SLACK, STEINER_SLACK};
 use crate::{Inertial, Problem};
 use nalgebra::Matrix3;
-
-/// Relative slack: real files carry eight or nine digits, and point masses and rods sit on the edge.
-const RELATIVE: f64 = 1e-9;
-/// Slack as a part of m·size²: below it, a moment is rounding of the parallel-axis theorem.
-const ABSOLUTE: f64 = 1e-12;
 
 /// Judges the inertia about the centre of mass of a body in a mechanism of the given size (m).
 ///
@@ -15,7 +11,7 @@ const ABSOLUTE: f64 = 1e-12;
 pub(crate) fn check(inertial: &Inertial, size: f64, accept_indefinite: bool) -> Option<Problem> {
     let principal = principal_moments(&inertial.about_com);
     let [a, b, c] = principal;
-    let slack = (RELATIVE * c.abs().max(a.abs())).max(ABSOLUTE * inertial.mass * size * size);
+    let slack = (MOMENT_SLACK * c.abs().max(a.abs())).max(STEINER_SLACK * inertial.mass * size * size);
     if a < -slack {
         Some(Problem::IndefiniteInertia { principal, accepted: accept_indefinite })
     } else if c > a + b + slack {
@@ -47,7 +43,7 @@ mod tests {
     }
 
     #[test]
-    fn point_masses_rods_and_discs_raise_no_alarm() {
+    fn point_masses_rods_and_discs_are_possible() {
         for moments in [[0.0; 3], [0.0, 0.3, 0.3], [0.3, 0.3, 0.6], [1e-12, 1e-12, 1e-12]] {
             assert_eq!(check(&diagonal(moments), 1.0, false), None, "{moments:?}");
         }

@@ -14,7 +14,7 @@ impl LinkId {
     }
 }
 
-/// How far the declared shape of a link reaches. Used only to doubt a contact point, never in the mechanics.
+/// How far the declared shape of a link reaches. Used only to warn of a contact point far away, never in the mechanics.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Geometry {
     /// No shape was declared.
@@ -26,7 +26,7 @@ pub enum Geometry {
     Mesh,
 }
 
-/// A rigid link: its name and what it weighs.
+/// A rigid link: its name, mass and inertia.
 #[derive(Clone, Debug)]
 pub struct Link {
     pub(crate) name: String,

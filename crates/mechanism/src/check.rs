@@ -1,0 +1,117 @@
+//! The findings of the builder, and the checks of single numbers and names.
+
+use crate::description::{JointDescription, LinkDescription};
+use crate::joint::Limits;
+use crate::limits;
+use crate::names::near_names;
+use crate::problem::{Problem, Severity, Subject};
+use nalgebra::Matrix3;
+use std::collections::HashMap;
+
+/// The findings so far.
+#[derive(Default)]
+pub(crate) struct Check {
+    pub findings: Vec<(Subject, Problem)>,
+    suggested: usize,
+}
+
+impl Check {
+    pub fn add(&mut self, subject: Subject, problem: Problem) {
+        self.findings.push((subject, problem));
+    }
+
+    /// Names that come near, for the first few unknown ones: comparing all with all takes too long.
+    pub fn near<'a>(&mut self, name: &str, candidates: impl Iterator<Item = &'a str>) -> Vec<String> {
+        self.suggested += 1;
+        if self.suggested <= limits::MOST_SUGGESTIONS { near_names(name, candidates) } else { Vec::new() }
+    }
+
+    pub fn has_errors(&self) -> bool {
+        self.findings.iter().any(|(_, p)| p.severity() == Severity::Error)
+    }
+
+    pub fn unique<'a>(
+        &mut self,
+        names: impl Iterator<Item = &'a String>,
+        subject: fn(usize, &str) -> Subject,
+    ) -> HashMap<String, usize> {
+        let mut ids = HashMap::new();
+        for (i, name) in names.enumerate() {
+            if name.is_empty() {
+                self.add(subject(i, name), Problem::EmptyName);
+            } else if let Some(&first) = ids.get(name) {
+                self.add(subject(i, name), Problem::DuplicateName { first });
+            } else {
+                ids.insert(name.clone(), i);
+            }
+        }
+        ids
+    }
+
+    /// Adds an error and says `false` unless every value is finite and of a size that can be computed with.
+    pub fn sane<'a>(
+        &mut self,
+        subject: &Subject,
+        quantity: &'static str,
+        values: impl IntoIterator<Item = &'a f64>,
+    ) -> bool {
+        for &value in values {
+            if !value.is_finite() {
+                self.add(subject.clone(), Problem::NotFinite { quantity, value });
+                return false;
+            }
+            if value.abs() > limits::LARGEST_NUMBER {
+                self.add(subject.clone(), Problem::TooLarge { quantity, value });
+                return false;
+            }
+        }
+        true
+    }
+
+    pub fn link_numbers(&mut self, subject: Subject, link: &LinkDescription) {
+        let Some(inertial) = &link.inertial else { return };
+        self.sane(&subject, "centre of mass", &inertial.com);
+        self.sane(&subject, "inertia", &inertial.about_com);
+        if self.sane(&subject, "mass", [&inertial.mass]) && inertial.mass < 0.0 {
+            self.add(subject, Problem::NegativeMass { mass: inertial.mass });
+        }
+    }
+
+    pub fn joint_numbers(&mut self, subject: Subject, joint: &JointDescription) {
+        self.sane(&subject, "origin", &joint.origin.translation);
+        if self.sane(&subject, "rotation", &joint.origin.rotation) {
+            let r = &joint.origin.rotation;
+            let defect = (r.transpose() * r - Matrix3::identity()).amax();
+            if defect > limits::ROTATION_DEFECT || r.determinant() < 0.0 {
+                self.add(subject.clone(), Problem::NotARotation { defect });
+            }
+        }
+        if joint.kind.has_axis() && self.sane(&subject, "axis", &joint.axis) {
+            let length = joint.axis.norm();
+            if joint.axis.amax() < limits::SHORTEST_AXIS {
+                self.add(subject.clone(), Problem::ZeroAxis);
+            } else if (length - 1.0).abs() > limits::AXIS_NORM_SLACK {
+                self.add(subject.clone(), Problem::AxisNotUnit { length });
+            }
+        }
+        if self.sane(&subject, "armature", &joint.armature) {
+            if let Some(&value) = joint.armature.iter().find(|a| **a < 0.0) {
+                self.add(subject.clone(), Problem::NegativeArmature { value });
+            }
+            let (got, dofs) = (joint.armature.len(), joint.kind.dofs());
+            let one_fits = got == 1 && joint.kind.is_homogeneous() && dofs > 0;
+            if got != 0 && got != dofs && !one_fits {
+                self.add(subject.clone(), Problem::ArmatureCount { got, dofs });
+            }
+        }
+        if let Some(Limits { lower, upper }) = joint.limits {
+            self.sane(&subject, "limit", [&lower, &upper]);
+            if lower > upper {
+                self.add(subject.clone(), Problem::LimitsReversed { lower, upper });
+            }
+        }
+        if let Some(mimic) = &joint.mimic {
+            self.sane(&subject, "mimic", [&mimic.multiplier, &mimic.offset]);
+        }
+    }
+}
