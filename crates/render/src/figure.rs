@@ -1,8 +1,5 @@
 //! What is to be drawn, in the caller's own numbers.
 
-use crate::png::RenderError;
-use crate::{layout, png, svg};
-
 /// A plot: panels one above the other, over one shared x axis.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Figure {
@@ -57,22 +54,4 @@ pub struct Mark {
     pub x: f64,
     /// What; a line without words where empty. Where too many crowd together, later ones go without theirs.
     pub label: String,
-}
-
-impl Figure {
-    /// The figure as an SVG document, 900 units wide and about 300 high for each panel.
-    ///
-    /// Cost: linear in the points. The document's length is bounded by the number of series, not of points.
-    pub fn to_svg(&self) -> String {
-        svg::write(&layout::arrange(self))
-    }
-
-    /// The same picture as a PNG, `scale` pixels for each unit of the SVG: 1 for a small screen, 2 for a sharp one or
-    /// for print.
-    ///
-    /// # Errors
-    /// `scale` not a positive number, or a picture of more than 2^25 pixels.
-    pub fn to_png(&self, scale: f32) -> Result<Vec<u8>, RenderError> {
-        png::draw(&layout::arrange(self), scale)
-    }
 }

@@ -32,6 +32,13 @@ impl Weight {
     }
 }
 
+/// A face at a size, in units of the page to the em.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Font {
+    pub weight: Weight,
+    pub size: f64,
+}
+
 /// A glyph and the place of its origin, in ems; y upwards.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Placed {

@@ -3,10 +3,11 @@
 use crate::axis::{Axis, drawable, extent};
 use crate::curve;
 use crate::figure::{Figure, Panel, Style};
+use crate::font::Font;
 use crate::legend::{DOT, ROW, SLACK, plan as plan_legend, stroke};
 use crate::marks::{Strip, plan as plan_marks};
 use crate::palette::{AXIS, Colour, GRID, INK, MINOR_GRID, SOFT_INK, ZERO, assign};
-use crate::scene::{Anchor, Font, Point, Scene, crisp, solid};
+use crate::scene::{Anchor, Point, Scene, crisp, solid};
 use crate::text::{fit, medium, regular, width};
 
 const WIDTH: f64 = 900.0;

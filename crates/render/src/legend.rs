@@ -1,8 +1,9 @@
 //! The legend of a panel: beside its heading where there is room, else in rows below it.
 
 use crate::figure::{Series, Style};
+use crate::font::Font;
 use crate::palette::{Colour, INK};
-use crate::scene::{Anchor, Font, Point, Scene, Stroke};
+use crate::scene::{Anchor, Point, Scene, Stroke};
 use crate::text::{fit, regular, width};
 
 const FONT: Font = regular(12.5);

@@ -2,8 +2,9 @@
 
 use crate::axis::{Axis, drawable};
 use crate::figure::Mark;
+use crate::font::Font;
 use crate::palette::SOFT_INK;
-use crate::scene::{Font, Scene, Stroke, crisp};
+use crate::scene::{Scene, Stroke, crisp};
 use crate::text::{fit, regular, width};
 
 const FONT: Font = regular(12.0);

@@ -2,7 +2,7 @@
 //!
 //! x runs to the right and y downwards, from the upper left corner.
 
-use crate::font::Weight;
+use crate::font::Font;
 use crate::palette::{Colour, PAPER};
 use crate::text::width;
 
@@ -58,13 +58,6 @@ pub(crate) enum Anchor {
     Start,
     Middle,
     End,
-}
-
-/// A face at a size, in units of the page to the em.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Font {
-    pub weight: Weight,
-    pub size: f64,
 }
 
 impl Scene {

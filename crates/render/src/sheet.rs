@@ -1,9 +1,27 @@
-//! Several figures on one page, one below the other, each with axes of its own.
+//! Figures drawn: one on a page, or several one below the other, each with axes of its own.
 
 use crate::figure::Figure;
 use crate::png::RenderError;
 use crate::scene::{Item, Point, Scene};
 use crate::{layout, png, svg};
+
+impl Figure {
+    /// The figure as an SVG document, 900 units wide and about 300 high for each panel.
+    ///
+    /// Cost: linear in the points. The document's length is bounded by the number of series, not of points.
+    pub fn to_svg(&self) -> String {
+        svg::write(&layout::arrange(self))
+    }
+
+    /// The same picture as a PNG, `scale` pixels for each unit of the SVG: 1 for a small screen, 2 for a sharp one or
+    /// for print.
+    ///
+    /// # Errors
+    /// `scale` not a positive number, or a picture of more than 2^25 pixels.
+    pub fn to_png(&self, scale: f32) -> Result<Vec<u8>, RenderError> {
+        png::draw(&layout::arrange(self), scale)
+    }
+}
 
 /// Figures with x axes of their own, from top to bottom.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -1,7 +1,6 @@
 //! Words made fit for the page: printable, on one line, no wider than their room.
 
-use crate::font::{Typesetter, Weight};
-use crate::scene::Font;
+use crate::font::{Font, Typesetter, Weight};
 
 /// No more characters than this in one text, however narrow they are.
 const MOST_CHARACTERS: usize = 240;
