@@ -1,8 +1,8 @@
 //! `<loop>` and `<loop_joint>`: joints that the tree leaves out. `<coupling>`: a ratio between rates.
 
-use crate::joint::{end, number};
+use crate::joint::end;
 use crate::link::name;
-use crate::numbers::required;
+use crate::numbers::{number, required};
 use crate::origin::{self, Origin};
 use crate::report::{Place, Report, quoted};
 use crate::survey::{child, is_named};

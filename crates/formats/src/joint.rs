@@ -2,7 +2,7 @@
 
 use crate::armature;
 use crate::link::name;
-use crate::numbers::{bad, missing, optional, parse, required};
+use crate::numbers::{missing, optional, required};
 use crate::origin::{self, Origin};
 use crate::report::{Place, Report, quoted};
 use crate::survey::child;
@@ -176,19 +176,4 @@ fn mimic<'a>(node: Node<'a, '_>, kind: Option<JointKind>, report: &mut Report) -
         return None;
     }
     Some(MimicText { joint, multiplier, offset })
-}
-
-/// One number from an attribute that must be there.
-pub(crate) fn number(node: Node<'_, '_>, attribute: &'static str, report: &mut Report) -> Option<f64> {
-    let Some(text) = node.attribute(attribute) else {
-        missing(node, attribute, report);
-        return None;
-    };
-    match parse::<1>(text) {
-        Ok([value]) => Some(value),
-        Err(trouble) => {
-            bad(node, attribute, text, &trouble, report);
-            None
-        }
-    }
 }

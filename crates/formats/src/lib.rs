@@ -32,6 +32,7 @@
 
 mod armature;
 mod closure;
+mod consistency;
 mod diagnostic;
 mod dialect;
 mod geometry;
@@ -50,6 +51,7 @@ mod standard;
 mod survey;
 pub mod suspension;
 mod texts;
+mod transmission;
 mod write;
 
 pub use diagnostic::{Diagnostic, LoadError};

@@ -5,7 +5,7 @@ use crate::nodes::Nodes;
 use crate::report::{Place, Report, cut, shortened};
 use crate::survey::{macros, survey};
 use crate::texts::Texts;
-use crate::{Diagnostic, LoadError, Source, link, prescan, standard};
+use crate::{Diagnostic, LoadError, Source, consistency, link, prescan, standard};
 use percuss_mechanism::{Accept, Mechanism, MechanismBuilder, Severity};
 use roxmltree::{Document, Node, ParsingOptions};
 
@@ -72,7 +72,8 @@ fn read(text: &str, options: &LoadOptions, report: &mut Report) -> Option<Mechan
     if !nodes.are_bounded(robot, report) {
         return None;
     }
-    let texts = Texts::check(robot, &nodes, report);
+    let mut texts = Texts::read(&nodes, report);
+    consistency::check(robot, &nodes, &mut texts, report);
     if report.has_errors() {
         return None;
     }

@@ -65,6 +65,21 @@ pub(crate) fn required<'a, const N: usize>(
     optional::<N>(node, attribute, default, report)
 }
 
+/// One number from an attribute that must be there.
+pub(crate) fn number(node: Node<'_, '_>, attribute: &'static str, report: &mut Report) -> Option<f64> {
+    let Some(text) = node.attribute(attribute) else {
+        missing(node, attribute, report);
+        return None;
+    };
+    match parse::<1>(text) {
+        Ok([value]) => Some(value),
+        Err(trouble) => {
+            bad(node, attribute, text, &trouble, report);
+            None
+        }
+    }
+}
+
 /// Reports a number that cannot be read.
 pub(crate) fn bad(
     node: Node<'_, '_>,

@@ -1,0 +1,33 @@
+//! What the elements say of one another: transmissions of joints, names that lead somewhere, loops.
+
+use crate::loops::{Loops, second_parents};
+use crate::nodes::Nodes;
+use crate::references::{self, Guesses};
+use crate::report::Report;
+use crate::texts::Texts;
+use crate::{joint, transmission};
+use roxmltree::Node;
+
+/// Gives the armatures of transmissions to their joints and checks every reference. Afterwards, where the report has
+/// no error, every name leads somewhere.
+pub(crate) fn check<'a, 'i: 'a>(
+    robot: Node<'a, 'i>,
+    nodes: &Nodes<'a, 'i>,
+    texts: &mut Texts<'a>,
+    report: &mut Report,
+) {
+    let joints = &mut texts.joints;
+    let joint_index = references::index(joints.iter().map(|j| j.name));
+    transmission::of_transmissions(robot, joints, &joint_index, report);
+    for (joint, node) in joints.iter_mut().zip(&nodes.joints) {
+        transmission::drop_from_fixed(joint, *node, report);
+    }
+    let mut guesses = Guesses::new();
+    references::check(&texts.links, joints, &nodes.joints, &joint_index, &mut guesses, report);
+    let second = second_parents(&texts.joints);
+    Loops { texts, nodes, second: &second }.check(&mut guesses, report);
+    if texts.closures.is_empty() && texts.couplings.is_empty() && !second.contains(&true) {
+        let joints = texts.joints.iter().zip(&nodes.joints);
+        joints.for_each(|(joint, node)| joint::unbound(joint, *node, report));
+    }
+}

@@ -1,0 +1,42 @@
+//! Armatures that a `<transmission>` gives to a joint, and those that a fixed joint cannot have.
+
+use crate::armature;
+use crate::joint::JointText;
+use crate::report::{Place, Report, quoted};
+use crate::survey::{child, children};
+use percuss_mechanism::JointKind;
+use roxmltree::Node;
+use std::collections::HashMap;
+
+/// The armatures given in `<transmission>`s, put to their joints.
+pub(crate) fn of_transmissions<'a, 'i: 'a>(
+    robot: Node<'a, 'i>,
+    joints: &mut [JointText<'a>],
+    index: &HashMap<&'a str, usize>,
+    report: &mut Report,
+) {
+    for transmission in children(robot, "transmission") {
+        let joint = child(transmission, "joint").and_then(|n| n.attribute("name")).unwrap_or_default();
+        for actuator in children(transmission, "actuator") {
+            let Some(value) = armature::reflected(actuator, report) else { continue };
+            match index.get(joint) {
+                Some(&i) => armature::add(&mut joints[i].armature, value, actuator, report),
+                None => report.warning("dangling-armature", Place::Element(actuator), || {
+                    format!("the rotor inertia is for joint {}, which does not exist; ignored", quoted(joint))
+                }),
+            }
+        }
+    }
+}
+
+/// A joint that does not move has no use for a rotor.
+pub(crate) fn drop_from_fixed(joint: &mut JointText<'_>, node: Node<'_, '_>, report: &mut Report) {
+    if joint.kind == JointKind::Fixed && !joint.armature.is_empty() {
+        if joint.armature.iter().any(|a| *a != 0.0) {
+            report.warning("fixed-armature", Place::Element(node), || {
+                "the joint is fixed; its armature is ignored".to_owned()
+            });
+        }
+        joint.armature.clear();
+    }
+}
