@@ -12,7 +12,10 @@
 
 pub mod alter;
 pub mod closed_form;
+mod closures;
 pub mod linkage;
 pub mod maximal;
+mod parts;
+mod positions;
 pub mod random;
 pub mod zoo;

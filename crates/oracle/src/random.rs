@@ -1,7 +1,8 @@
 //! Random mechanisms, positions and contacts. The caller brings the seed (`StdRng::seed_from_u64`).
 
 use crate::alter::{build, build_with_loops, describe};
-use crate::linkage::{closing, fitting};
+use crate::closures::{closing, fitting};
+pub use crate::positions::{follow, zero_positions};
 use nalgebra::{Rotation3, Vector3};
 use percuss_mechanism::{
     ClosureDescription, ClosureKind, Inertial, JointDescription, JointId, JointKind, LinkDescription, LinkId,
@@ -105,33 +106,6 @@ pub fn positions<R: Rng + ?Sized>(rng: &mut R, mechanism: &Mechanism) -> Vec<Vec
     }
     follow(mechanism, &mut all);
     all
-}
-
-/// The zero position: quaternions 1,0,0,0; mimics at their offsets.
-pub fn zero_positions(mechanism: &Mechanism) -> Vec<Vec<f64>> {
-    let mut all: Vec<Vec<f64>> = Vec::with_capacity(mechanism.joints().len());
-    for joint in mechanism.joints() {
-        all.push(match joint.kind() {
-            JointKind::Spherical => vec![1.0, 0.0, 0.0, 0.0],
-            JointKind::Floating => vec![0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0],
-            kind @ (JointKind::Fixed
-            | JointKind::Revolute
-            | JointKind::Continuous
-            | JointKind::Prismatic
-            | JointKind::Planar) => vec![0.0; kind.positions()],
-        });
-    }
-    follow(mechanism, &mut all);
-    all
-}
-
-/// Sets the position of every mimic from its master's.
-pub fn follow(mechanism: &Mechanism, positions: &mut [Vec<f64>]) {
-    for (i, joint) in mechanism.joints().iter().enumerate() {
-        if let Some(mimic) = joint.mimic() {
-            positions[i] = vec![mimic.multiplier * positions[mimic.master.index()][0] + mimic.offset];
-        }
-    }
 }
 
 /// A random contact that a motion can close in general: the struck link is not rigidly held by the other side.

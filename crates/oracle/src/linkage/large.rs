@@ -4,7 +4,7 @@ use super::Linkage;
 use super::planar::{link, on_ground, pin};
 use crate::alter::build_with_loops;
 use crate::closed_form::{Crossing, FourBar, PlanarBody};
-use crate::zoo::{ground, joint};
+use crate::parts::{ground, joint};
 use percuss_mechanism::JointKind::Continuous;
 
 const Z: [f64; 3] = [0.0, 0.0, 1.0];

@@ -1,9 +1,9 @@
 //! Planar linkages, whose answers are in [`closed_form`](crate::closed_form).
 
-use super::{Linkage, plane};
+use super::Linkage;
 use crate::alter::build_with_loops;
 use crate::closed_form::{Crossing, FourBar, PlanarBody, SliderCrank};
-use crate::zoo::{ground, joint};
+use crate::parts::{frame, ground, joint};
 use percuss_mechanism::{ClosureDescription, ClosureKind, Inertial, JointKind, LinkDescription};
 use percuss_spatial::{Transform, Vector3};
 use std::f64::consts::PI;
@@ -11,6 +11,11 @@ use std::f64::consts::PI;
 use JointKind::{Continuous, Prismatic, Revolute};
 
 const Z: [f64; 3] = [0.0, 0.0, 1.0];
+
+/// The frame in the ground whose x-y plane holds the planar linkages.
+pub fn plane() -> Transform<f64> {
+    frame([0.4, -0.7, 1.1], [0.2, -0.1, 0.5])
+}
 
 /// Lengths of [`four_bar`]: a crank-rocker.
 pub const FOUR_BAR: FourBar = FourBar { ground: 0.9, crank: 0.25, coupler: 0.8, rocker: 0.6 };

@@ -4,7 +4,7 @@ use super::Linkage;
 use super::planar::{link, pin};
 use crate::alter::build_with_loops;
 use crate::closed_form::{Crossing, FourBar, PlanarBody};
-use crate::zoo::{frame, ground, joint};
+use crate::parts::{frame, ground, joint};
 use percuss_mechanism::JointKind::Continuous;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_6, PI};
 

@@ -3,7 +3,7 @@
 use super::{Linkage, plane};
 use crate::alter::build_with_loops;
 use crate::closed_form::hooke_output_angle;
-use crate::zoo::{frame, ground, joint};
+use crate::parts::{frame, ground, joint};
 use percuss_mechanism::{ClosureDescription, ClosureKind, Inertial, JointKind, LinkDescription};
 use std::f64::consts::PI;
 

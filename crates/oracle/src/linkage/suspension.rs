@@ -2,7 +2,7 @@
 
 use super::Linkage;
 use crate::alter::build_with_loops;
-use crate::zoo::{ground, joint};
+use crate::parts::{ground, joint};
 use percuss_mechanism::{
     ClosureDescription, ClosureKind, Inertial, JointDescription, JointKind, LinkDescription,
 };

@@ -2,7 +2,7 @@
 
 use super::Linkage;
 use crate::alter::build_with_loops;
-use crate::zoo::{frame, ground, joint, lump};
+use crate::parts::{frame, ground, joint, lump};
 use percuss_mechanism::{
     ClosureDescription, ClosureKind, CouplingDescription, Inertial, JointKind, LinkDescription,
 };

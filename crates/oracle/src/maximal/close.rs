@@ -1,7 +1,7 @@
 //! An assembler of loops for tests: slow, plain, and no relative of the library's.
 
 use super::residual::{residual, residuals};
-use crate::random;
+use crate::positions::follow;
 use faer::Mat;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use percuss_mechanism::{JointId, JointKind, Mechanism};
@@ -61,7 +61,7 @@ pub fn close_as_far_as_possible(
     let unknowns: Vec<(JointId, usize)> =
         free.iter().flat_map(|&id| (0..mechanism.joint(id).kind().dofs()).map(move |i| (id, i))).collect();
     let mut here = positions.to_vec();
-    random::follow(mechanism, &mut here);
+    follow(mechanism, &mut here);
     let mut open = stacked(mechanism, &here);
     let mut damping = 1e-3;
     for _ in 0..ROUNDS {
@@ -116,7 +116,7 @@ fn advanced(
     for (&(joint, i), by) in unknowns.iter().zip(step) {
         run(mechanism, &mut there, joint, i, by * unit(mechanism, (joint, i)));
     }
-    random::follow(mechanism, &mut there);
+    follow(mechanism, &mut there);
     there
 }
 
@@ -170,7 +170,7 @@ pub fn moved(
 ) -> Vec<Vec<f64>> {
     let mut moved = positions.to_vec();
     run(mechanism, &mut moved, joint, i, h);
-    random::follow(mechanism, &mut moved);
+    follow(mechanism, &mut moved);
     moved
 }
 

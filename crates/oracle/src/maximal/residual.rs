@@ -2,7 +2,7 @@
 
 use super::pose;
 use super::row::{rotation, translation};
-use crate::random;
+use crate::positions::zero_positions;
 use nalgebra::{Matrix4, Vector3};
 use percuss_mechanism::{Closure, ClosureKind, Coupling, JointKind, LoopFrame, Mechanism};
 
@@ -81,7 +81,7 @@ fn of_closure(closure: &Closure, mechanism: &Mechanism, x_wl: &[Matrix4<f64>]) -
 
 /// What a distance closure without a declared length keeps: the distance with all joints at 0.
 fn distance_at_zero(closure: &Closure, mechanism: &Mechanism) -> f64 {
-    let x_wl = pose::poses(mechanism, &random::zero_positions(mechanism));
+    let x_wl = pose::poses(mechanism, &zero_positions(mechanism));
     let [from, to] = [closure.predecessor(), closure.successor()].map(|end| placed_frame(end, &x_wl));
     distance(&(translation(&to) - translation(&from)))
 }

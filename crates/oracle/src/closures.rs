@@ -1,0 +1,55 @@
+//! Closures between general frames, made to fit a position of the tree.
+
+use crate::maximal::poses;
+use nalgebra::Matrix4;
+use percuss_mechanism::{ClosureDescription, ClosureKind, Mechanism};
+use percuss_spatial::{Matrix3, Transform, Vector3, rotation_about, rotation_from_rpy};
+
+/// A motion the kind allows, from its axis and some numbers: X_ps, the successor's loop frame in the predecessor's. For
+/// a universal closure the successor's pin too.
+pub(crate) fn fitting(
+    kind: ClosureKind,
+    axis: &Vector3<f64>,
+    p: Vector3<f64>,
+    rpy: [f64; 3],
+) -> (Transform<f64>, Vector3<f64>) {
+    let about = rotation_about(axis, rpy[0]);
+    let any = rotation_from_rpy(rpy);
+    let slide = axis * p.x;
+    let (still, straight) = (Vector3::zeros(), Matrix3::identity());
+    let (rotation, translation) = match kind {
+        ClosureKind::Fixed => (straight, still),
+        ClosureKind::Revolute => (about, still),
+        ClosureKind::Prismatic => (straight, slide),
+        ClosureKind::Cylindrical => (about, slide),
+        ClosureKind::Universal | ClosureKind::Spherical => (any, still),
+        ClosureKind::Planar => (about, p - axis * axis.dot(&p)),
+        ClosureKind::Distance => (any, p),
+    };
+    // A pin at right angles to the axis, neither along the other nor along a coordinate.
+    let pin = any.tr_mul(&axis.cross(&Vector3::new(0.3, -0.5, 0.8))).normalize();
+    (Transform::new(rotation, translation), pin)
+}
+
+/// Completes a closure whose predecessor and axis are given: places the successor's loop frame so that it is closed at
+/// these positions of the tree, the frames apart by X_ps.
+pub(crate) fn closing(
+    tree: &Mechanism,
+    positions: &[Vec<f64>],
+    closure: ClosureDescription,
+    (x_ps, pin): (Transform<f64>, Vector3<f64>),
+) -> ClosureDescription {
+    let x_wl = poses(tree, positions);
+    let pose = |link: &str| match tree.find_link(link) {
+        Ok(link) => transform(&x_wl[link.index()]),
+        Err(_) => Transform::identity(),
+    };
+    let x_ws = pose(&closure.predecessor) * closure.predecessor_frame * x_ps;
+    let successor_frame = pose(&closure.successor).inverse() * x_ws;
+    let distance = (closure.kind == ClosureKind::Distance).then(|| x_ps.translation.norm());
+    ClosureDescription { successor_frame, axis2: pin, distance, ..closure }
+}
+
+fn transform(x: &Matrix4<f64>) -> Transform<f64> {
+    Transform::new(x.fixed_view::<3, 3>(0, 0).into_owned(), x.fixed_view::<3, 1>(0, 3).into_owned())
+}
