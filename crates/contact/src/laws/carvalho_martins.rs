@@ -2,7 +2,7 @@
 //!
 //! It agrees with the exact law to third order in 1 − e, and stays finite towards e = 0.
 
-use super::Facts;
+use super::facts::Facts;
 
 pub(super) const FACTS: Facts = Facts {
     name: "carvalho-martins",

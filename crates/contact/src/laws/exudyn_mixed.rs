@@ -2,7 +2,8 @@
 //!
 //! The best of the approximations; it jumps at 1/3.
 
-use super::{Facts, carvalho_martins, gonthier};
+use super::facts::Facts;
+use super::{carvalho_martins, gonthier};
 
 pub(super) const FACTS: Facts = Facts {
     name: "exudyn-mixed",

@@ -2,7 +2,7 @@
 //!
 //! A fifteenth too much near e = 1, 1.6 times the exact towards e = 0.
 
-use super::Facts;
+use super::facts::Facts;
 
 pub(super) const FACTS: Facts = Facts {
     name: "flores",

@@ -2,7 +2,7 @@
 //!
 //! Right towards e = 0; made for that end. At e = 1 it still damps, to e = 0.59.
 
-use super::Facts;
+use super::facts::Facts;
 
 pub(super) const FACTS: Facts = Facts {
     name: "gharib-hurmuzlu",

@@ -2,7 +2,7 @@
 //!
 //! Right towards e = 0; a third too much near e = 1.
 
-use super::Facts;
+use super::facts::Facts;
 
 pub(super) const FACTS: Facts = Facts {
     name: "gonthier",

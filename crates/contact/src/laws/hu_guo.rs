@@ -2,7 +2,7 @@
 //!
 //! It agrees with the exact law to second order in 1 − e; half too much towards e = 0.
 
-use super::Facts;
+use super::facts::Facts;
 
 pub(super) const FACTS: Facts = Facts {
     name: "hu-guo",

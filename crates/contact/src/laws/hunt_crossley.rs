@@ -15,7 +15,7 @@
 //! the motion. Zhang and Sharf (2004, 2009) give the same implicit relation: from memory of the literature, not opened.
 //! The law itself is Hunt and Crossley's (1975).
 
-use super::Facts;
+use super::facts::Facts;
 use crate::ContactError;
 use crate::error::{not_negative, unit_interval};
 

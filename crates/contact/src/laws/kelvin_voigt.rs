@@ -14,7 +14,7 @@
 //! Source: derived here from the equation of motion and tested against its integration. The force-vanishes row is
 //! also in Schwager and Pöschel (2007): from memory of the literature, not opened.
 
-use super::Facts;
+use super::facts::Facts;
 use crate::error::{not_negative, unit_interval};
 use crate::{ContactError, Separation};
 use std::f64::consts::PI;

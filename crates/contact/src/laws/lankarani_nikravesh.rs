@@ -2,7 +2,7 @@
 //!
 //! It agrees with the exact law to first order in 1 − e.
 
-use super::Facts;
+use super::facts::Facts;
 
 pub(super) const FACTS: Facts = Facts {
     name: "lankarani-nikravesh",

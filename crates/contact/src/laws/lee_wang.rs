@@ -2,7 +2,7 @@
 //!
 //! Half of the exact damping, even near e = 1.
 
-use super::Facts;
+use super::facts::Facts;
 
 pub(super) const FACTS: Facts = Facts {
     name: "lee-wang",

@@ -2,6 +2,7 @@
 
 mod carvalho_martins;
 mod exudyn_mixed;
+mod facts;
 mod flores;
 mod gharib_hurmuzlu;
 mod gonthier;
@@ -17,6 +18,7 @@ mod zhiying_qishao;
 
 use crate::error::{nearest, positive, unit_interval};
 use crate::{Contact, ContactError, Damper, Separation};
+use facts::Facts;
 use serde::Serialize;
 
 /// A contact law: which damper gives the restitution asked for.
@@ -52,16 +54,6 @@ pub enum Law {
     SafaeifarFarshidianfar,
     /// EXUDYN's mixture.
     ExudynMixed,
-}
-
-/// What a law's file says about it.
-struct Facts {
-    name: &'static str,
-    title: &'static str,
-    formula: &'static str,
-    source: &'static str,
-    /// The dissipation number a = d v that it takes for the restitution e; none where the law is solved exactly.
-    approximation: Option<fn(f64) -> f64>,
 }
 
 /// Another name under which a law is known.

@@ -2,7 +2,7 @@
 //!
 //! A sixth too little near e = 1, a quarter too much towards e = 0.
 
-use super::Facts;
+use super::facts::Facts;
 
 pub(super) const FACTS: Facts = Facts {
     name: "safaeifar-farshidianfar",
