@@ -1,5 +1,6 @@
 //! Why the command has nothing to show, and with which exit code it says so.
 
+use crate::diagnostics::lines;
 use percuss_formats::LoadError;
 use percuss_study::contact::ContactError;
 use percuss_study::{DiagnosticRecord, StudyError, StudyFileError};
@@ -56,7 +57,7 @@ impl Failure {
 impl From<LoadError> for Failure {
     fn from(error: LoadError) -> Self {
         let records: Vec<DiagnosticRecord> = error.diagnostics.into_iter().map(Into::into).collect();
-        Failure::BadInput(crate::report::lines(&records))
+        Failure::BadInput(lines(&records))
     }
 }
 

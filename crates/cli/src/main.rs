@@ -7,6 +7,7 @@ mod args;
 mod check;
 mod csv;
 mod damp;
+mod diagnostics;
 mod failure;
 mod import;
 mod mass;

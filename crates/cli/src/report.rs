@@ -1,8 +1,8 @@
 //! Output that both commands share: results to stdout, diagnostics to stderr.
 
+use crate::diagnostics::lines;
 use crate::failure::Failure;
 use percuss_study::DiagnosticRecord;
-use std::collections::HashMap;
 use std::io::{self, Write};
 
 /// Writes a result to stdout.
@@ -53,29 +53,4 @@ pub fn tell(diagnostics: &[DiagnosticRecord], strict: bool) -> Result<(), Failur
         let _ = writeln!(stderr, "{line}");
     }
     Ok(())
-}
-
-/// One line a diagnostic; of many of one kind that are no errors, the first and a count.
-pub fn lines(diagnostics: &[DiagnosticRecord]) -> Vec<String> {
-    const SHOWN: usize = 3;
-    let mut totals: HashMap<&str, usize> = HashMap::new();
-    for d in diagnostics {
-        *totals.entry(d.code).or_default() += 1;
-    }
-    let mut shown: HashMap<&str, usize> = HashMap::new();
-    let mut lines = Vec::new();
-    for d in diagnostics {
-        let (total, so_far) = (totals[d.code], shown.entry(d.code).or_default());
-        *so_far += 1;
-        if d.severity == "error" || total <= SHOWN + 1 || *so_far <= SHOWN {
-            lines.push(d.line());
-        } else if *so_far == total {
-            let rest = total - SHOWN;
-            lines.push(format!(
-                "{}: and {rest} more like these ({}); all in --format json",
-                d.severity, d.code
-            ));
-        }
-    }
-    lines
 }

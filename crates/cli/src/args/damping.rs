@@ -1,13 +1,16 @@
 //! The damper of a contact, and the speed at which a person may be struck.
 
+use super::contact::ContactArgs;
+use super::format::CheckFormat;
+use super::model::ReadingArgs;
 use super::words::{
-    area, force, kilograms, law, plain, plain_kilograms, pressure, ratio, speed, stiffness, time, tools,
+    Tools, area, force, kilograms, law, plain, plain_kilograms, pressure, ratio, speed, stiffness, time,
+    tools,
 };
-use super::{CheckFormat, ContactArgs, ReadingArgs};
 use crate::failure::Failure;
 use clap::{Args, ValueEnum};
 use percuss_study::contact::Separation;
-use percuss_study::contact::exports::{Options, Tool};
+use percuss_study::contact::exports::Options;
 use percuss_study::{DampingQuestion, Measured, StudyError};
 
 /// The damper of the contact: what `percuss damp` and `percuss mass` share.
@@ -66,9 +69,6 @@ pub enum SeparationArg {
     /// When the gap closes.
     Gap,
 }
-
-/// What `--for` names: one tool, or all.
-pub type Tools = Vec<Tool>;
 
 impl DampingArgs {
     /// As a question; none where no restitution is asked for.

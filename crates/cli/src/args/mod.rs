@@ -3,17 +3,19 @@
 mod contact;
 mod damping;
 mod examples;
+mod format;
 mod import;
 mod model;
 mod words;
 
 pub use contact::ContactArgs;
-pub use damping::{DampArgs, DampingArgs, SafeSpeedArgs, Tools};
+pub use damping::{DampArgs, DampingArgs, SafeSpeedArgs};
+pub use format::{CheckFormat, MassFormat};
 pub use import::{ImportArgs, SideArg};
-pub use model::{ModelArgs, ReadingArgs};
+pub use model::ModelArgs;
 
 use clap::builder::Resettable;
-use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
+use clap::{Args, CommandFactory, Parser, Subcommand};
 use percuss_formats::DEFAULT_MAX_SIZE;
 use percuss_study::Vary;
 use words::{kilograms, tolerance};
@@ -90,26 +92,6 @@ pub struct CheckArgs {
     /// How the result is shown.
     #[arg(long, value_enum, default_value_t = CheckFormat::Text)]
     pub format: CheckFormat,
-}
-
-/// Formats of `percuss check`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum CheckFormat {
-    /// For people.
-    Text,
-    /// For programs.
-    Json,
-}
-
-/// Formats of `percuss mass`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum MassFormat {
-    /// For people.
-    Text,
-    /// For programs.
-    Json,
-    /// One row with a header, the columns of a sweep.
-    Csv,
 }
 
 /// Flags of `percuss mass`.

@@ -1,9 +1,11 @@
 //! How the words of flags are read.
 
-use super::Tools;
 use percuss_study::contact::Law;
 use percuss_study::contact::exports::Tool;
 use percuss_study::{Dimension, EstimateQuestion, Hold, Measure, Measured, Quantity, parse_triple};
+
+/// What `--for` names: one tool, or all.
+pub type Tools = Vec<Tool>;
 
 pub fn point(text: &str) -> Result<[f64; 3], String> {
     parse_triple(text, Dimension::Length).map_err(|e| e.to_string())
