@@ -6,7 +6,7 @@
 //! name only; what is reached through it counts. Paths in code count as `use` does, also inside macro calls and
 //! attributes. Items under `#[cfg(test)]` are left out.
 
-use super::modules::{Binding, Module, Path, is_for_tests, path_attribute};
+use super::modules::{Module, Path, is_for_tests, path_attribute};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The names that one file takes from another, by (importing file, imported file).
