@@ -1,4 +1,4 @@
-//! The regions of the human body: what a robot strikes.
+//! The regions of the human body: where a robot may hit a person.
 
 use crate::ContactError;
 use crate::error::nearest;
@@ -16,7 +16,7 @@ use std::sync::LazyLock;
 pub struct BodyRegion {
     /// As it is written in files and on the command line.
     pub name: String,
-    /// For people.
+    /// A title for display.
     pub title: String,
     /// Its effective mass, in kg.
     pub mass: f64,

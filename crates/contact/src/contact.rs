@@ -1,4 +1,4 @@
-//! A mass met by a spring.
+//! An effective mass and a contact spring.
 
 use crate::ContactError;
 use crate::error::positive;

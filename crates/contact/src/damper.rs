@@ -1,17 +1,17 @@
-//! The damper beside the spring of a contact.
+//! The damper in parallel with the spring of a contact.
 
-use crate::blow::{self, Blow, Sample};
 use crate::error::{not_negative, positive, representable};
-use crate::orbit::{Dissipative, Orbit, Oscillator};
+use crate::impact::{self, Impact, Sample};
+use crate::trajectory::{Dissipative, Oscillator, Trajectory};
 use crate::{Contact, ContactError, Separation, hunt_crossley};
 
-/// A damper: with a [`Contact`] and an approach speed it makes a blow.
+/// A damper: with a [`Contact`] and an approach speed it makes an impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Damper {
     /// F = k xᵖ + c x^((p−1)/2) ẋ.
     KelvinVoigt {
-        /// ζ = c/(2√((p+1)/2)√(k m̄)) on the contact that it was made for. What the damper does follows from the
-        /// coefficient: on another contact it has another ratio.
+        /// ζ = c/(2√((p+1)/2)√(k m̄)) on the contact that it was made for. The force follows from
+        /// the coefficient: on another contact the ratio differs.
         ratio: f64,
         /// c, in N·s/m^((p+1)/2): N·s/m for a linear contact.
         coefficient: f64,
@@ -58,32 +58,32 @@ impl Damper {
     /// The restitution on this contact at this approach speed, in m/s: exact for the force, whichever formula the
     /// damper came from. A Kelvin–Voigt damper gives the same at every speed.
     ///
-    /// Errors: the speed is not a finite number above zero; a damper of no sense; beyond a 64-bit float.
+    /// Errors: the speed is not a finite number above zero; a coefficient out of range; beyond a 64-bit float.
     pub fn restitution(self, contact: Contact, speed: f64) -> Result<f64, ContactError> {
-        Ok(self.orbit(contact, speed)?.restitution())
+        Ok(self.trajectory(contact, speed)?.restitution())
     }
 
-    /// 1 − e, with all its digits where the damping is light. Errors: as [`Damper::restitution`].
+    /// 1 − e, without loss of digits where the damping is light. Errors: as [`Damper::restitution`].
     pub fn restitution_loss(self, contact: Contact, speed: f64) -> Result<f64, ContactError> {
-        Ok(self.orbit(contact, speed)?.loss())
+        Ok(self.trajectory(contact, speed)?.loss())
     }
 
-    /// The blow on this contact at this approach speed, in m/s. Errors: as [`Damper::restitution`].
-    pub fn blow(self, contact: Contact, speed: f64) -> Result<Blow, ContactError> {
-        blow::blow(&*self.orbit(contact, speed)?, contact, speed)
+    /// The impact on this contact at this approach speed, in m/s. Errors: as [`Damper::restitution`].
+    pub fn impact(self, contact: Contact, speed: f64) -> Result<Impact, ContactError> {
+        impact::impact(&*self.trajectory(contact, speed)?, contact, speed)
     }
 
-    /// The course of the blow in `samples` moments from the first touch to the end: force over time, and force over
+    /// The history of the impact at `samples` instants from the first touch to the end: force over time, and force over
     /// penetration, whose loop encloses the energy lost.
     ///
     /// The last sample is the end itself, where the force is 0, or the pull of a Kelvin–Voigt damper that ends when
-    /// the gap closes. A contact that takes for ever to close is shown for eight time constants of its slow return.
+    /// the gap closes. A contact that takes forever to close is shown for eight time constants of its slow return.
     /// Errors: as [`Damper::restitution`]; fewer than 2 or more than 1 000 000 samples.
     pub fn history(self, contact: Contact, speed: f64, samples: usize) -> Result<Vec<Sample>, ContactError> {
-        blow::history(&*self.orbit(contact, speed)?, contact, speed, samples)
+        impact::history(&*self.trajectory(contact, speed)?, contact, speed, samples)
     }
 
-    fn orbit(self, contact: Contact, speed: f64) -> Result<Box<dyn Orbit>, ContactError> {
+    fn trajectory(self, contact: Contact, speed: f64) -> Result<Box<dyn Trajectory>, ContactError> {
         let speed = positive("approach speed, m/s", speed)?;
         match self {
             Self::KelvinVoigt { coefficient, separation, .. } => {

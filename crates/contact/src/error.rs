@@ -1,4 +1,4 @@
-//! What can be wrong with a question about a contact.
+//! Errors of this crate.
 
 use thiserror::Error;
 
@@ -17,7 +17,7 @@ pub enum ContactError {
         valid: &'static str,
     },
     /// The law has no damping that gives this restitution.
-    #[error("{law}: no damping gives the restitution {restitution:?}: {why}; {mend}")]
+    #[error("{law}: no damping gives the restitution {restitution:?}: {why}; {remedy}")]
     Unreachable {
         /// The law's name.
         law: &'static str,
@@ -26,7 +26,7 @@ pub enum ContactError {
         /// What the law does instead.
         why: &'static str,
         /// What to ask for instead.
-        mend: &'static str,
+        remedy: &'static str,
     },
     /// The damping depends on the approach speed, which was not given.
     #[error("{law}: its damping is a number over the approach speed: give the speed, in m/s")]

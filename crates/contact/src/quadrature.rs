@@ -11,14 +11,14 @@ pub(crate) fn from_singular_end(span: f64, f: impl Fn(f64) -> f64) -> f64 {
         return 0.0;
     }
     let term = |t: f64| {
-        // The distance from the lower end is span/(1 + e^x): it keeps its digits however near the end.
+        // The distance from the lower end is span/(1 + e^x): it does not lose digits however near the end.
         let x = -PI * t.sinh();
         let below = 1.0 / (1.0 + x.exp());
         let above = 1.0 / (1.0 + (-x).exp());
         let s = span * below;
         if s > 0.0 { PI * t.cosh() * below * above * f(s) } else { 0.0 }
     };
-    // e^(-π sinh 6.1) is 1e-304: nothing nearer the singular end can be said in a float.
+    // e^(-π sinh 6.1) is 1e-304: a point nearer the singular end is not representable.
     const LOWEST: f64 = -6.0;
     const HIGHEST: f64 = 3.25;
     let mut step = 0.25;

@@ -1,16 +1,16 @@
-//! How fast a robot may strike a person: the transient contact of ISO/TS 15066.
+//! How fast a robot may hit a person: the transient contact of ISO/TS 15066.
 //!
 //! The energy ½ μ v² of the relative motion goes into the spring of the body's region, ½ F²/k, with the two-body mass
 //! μ = 1/(1/m_H + 1/m_R). So F = v √(μ k): the peak force of an undamped linear contact.
 //!
-//! m_R is the mass with which the robot strikes. The standard's is M/2 + m_L, half the moving mass and the load,
+//! m_R is the effective mass of the robot at the contact. The standard's is M/2 + m_L, half the moving mass and the load,
 //! whatever the pose and the direction; the effective mass along the direction of motion, (uᵀ J M⁻¹ Jᵀ u)⁻¹, is what
 //! F = m a gives, and may be several times smaller or larger. [`TransientContact`] takes either.
-//! Damping in the contact changes the force: [`Damper::blow`](crate::Damper::blow) on a [`Contact`](crate::Contact) of
-//! the mass μ and the stiffness k tells by how much: 0.81 times at e = 0.49, the least, and more than 1 below e = 0.30.
+//! Damping in the contact changes the force: [`Damper::impact`](crate::Damper::impact) on a [`Contact`](crate::Contact) of
+//! the mass μ and the stiffness k gives the factor: 0.81 times at e = 0.49, the least, and more than 1 below e = 0.30.
 //!
 //! The equations are ISO/TS 15066:2016's (now in ISO 10218-2:2025), Annex A, as public secondary sources give them;
-//! the standard itself was not opened. How much force or pressure a person may suffer is for the user to say.
+//! the standard itself was not opened. The limits of force and pressure are input, to be taken from the standard.
 
 use crate::error::{not_negative, positive, representable};
 use crate::{BodyRegion, ContactError};
@@ -25,7 +25,7 @@ pub fn standard_robot_mass(moving_mass: f64, load: f64) -> Result<f64, ContactEr
     representable("mass of the robot, kg", half + not_negative("load, kg", load)?)
 }
 
-/// A robot that strikes a region of the body: two masses and the spring between them.
+/// A robot that hits a region of the body: two masses and the spring between them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TransientContact {
     reduced_mass: f64,
@@ -39,12 +39,12 @@ pub struct SafeSpeed {
     pub speed: f64,
     /// The greatest force, in N.
     pub force: f64,
-    /// The energy of the blow, F²/(2k) = ½ μ v², in J.
+    /// The energy of the impact, F²/(2k) = ½ μ v², in J.
     pub energy: f64,
 }
 
 impl TransientContact {
-    /// A robot of the mass m_R, in kg, that strikes this region. Errors: m_R is not a finite number above zero.
+    /// A robot of the mass m_R, in kg, that hits this region. Errors: m_R is not a finite number above zero.
     pub fn new(region: &BodyRegion, robot_mass: f64) -> Result<Self, ContactError> {
         Self::with_body(region.mass, region.stiffness, robot_mass)
     }

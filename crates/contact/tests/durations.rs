@@ -8,7 +8,7 @@ use percuss_contact::{Contact, Damper, Separation};
 use support::apart;
 
 /// p, ζ, the time of the greatest penetration and the duration where the force vanishes, in units of X/v, from the
-/// orbit's integral in 40 digits.
+/// trajectory's integral in 40 digits.
 const KELVIN_VOIGT: [(f64, f64, f64, f64); 18] = [
     (1.5, 1e-6, 1.47163700107834933, 2.94324851437268602),
     (1.5, 0.01, 1.4657623636794526, 2.90864866014437978),
@@ -53,7 +53,7 @@ const HUNT_CROSSLEY: [(f64, f64, f64, f64); 19] = [
     (10.0, 1e8, 0.531223038462835597, 19956925.7097136002),
 ];
 
-/// Where two steps of the quadrature agree to 1e-13, the second is nearer than that; cancellation in the orbit takes
+/// Where two steps of the quadrature agree to 1e-13, the second is nearer than that; cancellation in the trajectory takes
 /// the rest.
 const TOLERANCE: f64 = 1e-12;
 
@@ -63,10 +63,11 @@ fn unit(exponent: f64) -> Contact {
 }
 
 fn check(damper: Damper, exponent: f64, compression: f64, duration: f64) -> f64 {
-    let blow = damper.blow(unit(exponent), 1.0).unwrap();
-    let errors = [apart(blow.time_of_max_penetration, compression), apart(blow.duration.unwrap(), duration)];
+    let impact = damper.impact(unit(exponent), 1.0).unwrap();
+    let errors =
+        [apart(impact.time_of_max_penetration, compression), apart(impact.duration.unwrap(), duration)];
     for error in errors {
-        assert!(error < TOLERANCE, "{damper:?} p={exponent}: {blow:?} off by {error:e}");
+        assert!(error < TOLERANCE, "{damper:?} p={exponent}: {impact:?} off by {error:e}");
     }
     errors[0].max(errors[1])
 }

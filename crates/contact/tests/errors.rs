@@ -103,7 +103,7 @@ fn speeds() {
             Damper::hunt_crossley(0.1).unwrap(),
             Damper::kelvin_voigt(contact(), 0.1, Separation::default()).unwrap(),
         ] {
-            refused(damper.blow(contact(), bad), "approach speed, m/s", bad);
+            refused(damper.impact(contact(), bad), "approach speed, m/s", bad);
             refused(damper.restitution(contact(), bad), "approach speed, m/s", bad);
             refused(damper.restitution_loss(contact(), bad), "approach speed, m/s", bad);
             refused(damper.history(contact(), bad, 10), "approach speed, m/s", bad);
@@ -122,13 +122,13 @@ fn dampers() {
             refused(kelvin_voigt::restitution_loss(bad, separation), "damping ratio", bad);
             // Written out by hand, past the constructors.
             let damper = Damper::KelvinVoigt { ratio: 0.1, coefficient: bad, separation };
-            refused(damper.blow(contact(), 1.0), coefficient, bad);
+            refused(damper.impact(contact(), 1.0), coefficient, bad);
         }
         refused(kelvin_voigt::compression_time(bad), "damping ratio", bad);
         refused(hunt_crossley::restitution(bad), "dissipation number", bad);
         refused(hunt_crossley::restitution_loss(bad), "dissipation number", bad);
         refused(Damper::hunt_crossley(bad), "dissipation, s/m", bad);
-        refused(Damper::HuntCrossley { dissipation: bad }.blow(contact(), 1.0), "dissipation, s/m", bad);
+        refused(Damper::HuntCrossley { dissipation: bad }.impact(contact(), 1.0), "dissipation, s/m", bad);
     }
 }
 
@@ -153,10 +153,13 @@ fn beyond_a_float() {
     let ratio = Damper::kelvin_voigt(extreme, 1e10, gap).map(|_| ());
     not_representable(ratio, "damping coefficient, N s/m^((p+1)/2)");
     let damper = Damper::kelvin_voigt(contact(), 0.1, gap).unwrap();
-    not_representable(damper.blow(contact(), 1e200).map(|_| ()), "energy lost, J");
-    not_representable(damper.blow(Contact::new(1e300, 1e-300).unwrap(), 1e200).map(|_| ()), "penetration, m");
+    not_representable(damper.impact(contact(), 1e200).map(|_| ()), "energy lost, J");
+    not_representable(
+        damper.impact(Contact::new(1e300, 1e-300).unwrap(), 1e200).map(|_| ()),
+        "penetration, m",
+    );
     let stiff = Damper::hunt_crossley(1e200).unwrap();
-    not_representable(stiff.blow(contact(), 1e150).map(|_| ()), "dissipation times approach speed");
+    not_representable(stiff.impact(contact(), 1e150).map(|_| ()), "dissipation times approach speed");
 }
 
 #[test]

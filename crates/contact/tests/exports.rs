@@ -1,6 +1,6 @@
 //! The exports: numbers, snippets, refusals; and that models of the engines' steps bounce as asked with them.
 
-use percuss_contact::exports::{Export, ExportError, Impact, Options, Request, Tool, Value};
+use percuss_contact::exports::{Export, ExportError, ImpactFunction, Options, Request, Tool, Value};
 use percuss_contact::{Contact, ContactError, Separation, hunt_crossley, kelvin_voigt};
 
 const MASS: f64 = 2.28125;
@@ -266,7 +266,7 @@ const REFERENCE: [(f64, f64, [f64; 3]); 9] = [
 fn adams_impact_agrees_with_an_independent_integration() {
     // ĉ by SciPy's DOP853 at 1e-12, steps of at most 0.002, and Brent's method, e = 0.2, 0.5, 0.8.
     for (p, ramp, expected) in REFERENCE {
-        let impact = Impact::new(p, ramp).unwrap();
+        let impact = ImpactFunction::new(p, ramp).unwrap();
         for (e, expected) in [0.2, 0.5, 0.8].into_iter().zip(expected) {
             let damping = impact.damping(e).unwrap();
             close(damping, expected, 1e-7);
@@ -275,7 +275,7 @@ fn adams_impact_agrees_with_an_independent_integration() {
     }
     // Where the ramp vanishes it is the linear damper.
     let ratio = kelvin_voigt::ratio(0.5, Separation::ForceVanishes).unwrap();
-    close(Impact::new(1.0, 1e-4).unwrap().damping(0.5).unwrap(), 2.0 * ratio, 1e-4);
+    close(ImpactFunction::new(1.0, 1e-4).unwrap().damping(0.5).unwrap(), 2.0 * ratio, 1e-4);
 }
 
 #[test]

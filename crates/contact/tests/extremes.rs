@@ -37,7 +37,7 @@ fn all_finite(samples: &[Sample]) -> bool {
     samples.iter().flat_map(|s| [s.time, s.penetration, s.rate, s.force]).all(f64::is_finite)
 }
 
-/// Whether there was an answer; a blow's figures must agree among themselves.
+/// Whether there was an answer; an impact's figures must agree among themselves.
 fn strike(damper: Damper, contact: Contact, speed: f64, name: &str) -> bool {
     if let Ok(e) = damper.restitution(contact, speed) {
         assert!((0.0..=1.0).contains(&e), "{name}: {e}");
@@ -47,32 +47,35 @@ fn strike(damper: Damper, contact: Contact, speed: f64, name: &str) -> bool {
     if let Ok(samples) = damper.history(contact, speed, 5) {
         assert!(all_finite(&samples) && samples.len() == 5, "{name}: {samples:?}");
     }
-    let Ok(blow) = damper.blow(contact, speed) else { return false };
+    let Ok(impact) = damper.impact(contact, speed) else { return false };
     let figures = [
-        blow.restitution,
-        blow.duration.unwrap_or(1.0),
-        blow.max_penetration,
-        blow.time_of_max_penetration,
-        blow.peak_force,
-        blow.time_of_peak_force,
-        blow.energy_lost,
-        blow.rebound_speed,
+        impact.restitution,
+        impact.duration.unwrap_or(1.0),
+        impact.max_penetration,
+        impact.time_of_max_penetration,
+        impact.peak_force,
+        impact.time_of_peak_force,
+        impact.energy_lost,
+        impact.rebound_speed,
     ];
-    assert!(figures.iter().all(|figure| figure.is_finite() && *figure >= 0.0), "{name}: {blow:?}");
-    assert!(blow.duration.is_none_or(|time| time >= blow.time_of_max_penetration), "{name}: {blow:?}");
-    assert!(blow.time_of_peak_force <= blow.time_of_max_penetration * (1.0 + 1e-12), "{name}: {blow:?}");
-    assert!(blow.rebound_speed <= speed, "{name}: {blow:?}");
+    assert!(figures.iter().all(|figure| figure.is_finite() && *figure >= 0.0), "{name}: {impact:?}");
+    assert!(impact.duration.is_none_or(|time| time >= impact.time_of_max_penetration), "{name}: {impact:?}");
+    assert!(
+        impact.time_of_peak_force <= impact.time_of_max_penetration * (1.0 + 1e-12),
+        "{name}: {impact:?}"
+    );
+    assert!(impact.rebound_speed <= speed, "{name}: {impact:?}");
     // A speed that falls from v to 0 cannot have gone further than v t, nor be stopped by a lesser mean force.
-    let bound = speed * blow.time_of_max_penetration;
-    assert!(blow.max_penetration <= bound * (1.0 + 1e-9), "{name}: {blow:?}");
+    let bound = speed * impact.time_of_max_penetration;
+    assert!(impact.max_penetration <= bound * (1.0 + 1e-9), "{name}: {impact:?}");
     let momentum = contact.mass().sqrt() * speed * contact.mass().sqrt();
-    let push = blow.peak_force * blow.time_of_max_penetration;
-    assert!(momentum == 0.0 || push >= momentum * (1.0 - 1e-9), "{name}: {blow:?}");
+    let push = impact.peak_force * impact.time_of_max_penetration;
+    assert!(momentum == 0.0 || push >= momentum * (1.0 - 1e-9), "{name}: {impact:?}");
     true
 }
 
 #[test]
-fn blows_of_every_law() {
+fn impacts_of_every_law() {
     let mut rng = StdRng::seed_from_u64(20_250_917);
     let mut answered = 0;
     let rounds = 6000;

@@ -150,10 +150,10 @@ fn the_duration_without_damping() {
             Damper::kelvin_voigt(contact, 0.0, Separation::ForceVanishes).unwrap(),
             Damper::kelvin_voigt(contact, 1e-16, Separation::GapCloses).unwrap(),
         ] {
-            let blow = damper.blow(contact, 1.0).unwrap();
+            let impact = damper.impact(contact, 1.0).unwrap();
             // What two steps of the quadrature must agree to.
-            assert!(apart(blow.duration.unwrap(), expected) < 1e-13, "p={p} {damper:?}: {blow:?}");
-            assert!(apart(blow.max_penetration, 1.0) < 1e-14, "p={p} {damper:?}: {blow:?}");
+            assert!(apart(impact.duration.unwrap(), expected) < 1e-13, "p={p} {damper:?}: {impact:?}");
+            assert!(apart(impact.max_penetration, 1.0) < 1e-14, "p={p} {damper:?}: {impact:?}");
         }
     }
 }
@@ -164,11 +164,11 @@ fn light_damping_still_takes_its_energy() {
     for dissipation in [1e-9, 1e-16, 1e-100] {
         let damper = Damper::hunt_crossley(dissipation).unwrap();
         // ½ m̄ v² (1 − e²) = ½ m̄ v² (4/3) d v for small d v.
-        let lost = damper.blow(contact, 3.0).unwrap().energy_lost;
+        let lost = damper.impact(contact, 3.0).unwrap().energy_lost;
         let expected = 9.0 * 4.0 / 3.0 * dissipation * 3.0;
         assert!(apart(lost, expected) < 1e-15 + 2.0 * dissipation * 3.0, "{dissipation:e}: {lost:e}");
     }
     let damper = Law::HuntCrossley.damper(contact, 1.0, Some(3.0), Separation::ForceVanishes).unwrap();
     assert_eq!(damper, Damper::HuntCrossley { dissipation: 0.0 });
-    assert_eq!(damper.blow(contact, 3.0).unwrap().energy_lost, 0.0);
+    assert_eq!(damper.impact(contact, 3.0).unwrap().energy_lost, 0.0);
 }

@@ -2,9 +2,9 @@
 
 mod support;
 
-use percuss_contact::{Blow, Contact, Damper, Law, Separation};
+use percuss_contact::{Contact, Damper, Impact, Law, Separation};
 use support::apart;
-use support::integrated::{Impact, Measured};
+use support::integrated::{IntegratedImpact, Measured};
 
 /// From nearly dead to nearly elastic, finer than the tenths.
 const RESTITUTIONS: [f64; 11] = [0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.65, 0.8, 0.95, 0.99];
@@ -15,7 +15,7 @@ const EXPONENTS: [f64; 3] = [1.0, 1.5, 3.0];
 /// A run: its name, and the figures both ways.
 struct Case {
     name: String,
-    blow: Blow,
+    impact: Impact,
     measured: Measured,
     energy: f64,
     asked: f64,
@@ -31,7 +31,7 @@ fn run(law: Law, e: f64, contact: Contact, speed: f64, separation: Separation) -
         Damper::HuntCrossley { dissipation } => k * x.powf(p) * (1.0 + dissipation * rate),
     };
     let kelvin_voigt = matches!(damper, Damper::KelvinVoigt { .. });
-    let impact = Impact {
+    let impact = IntegratedImpact {
         mass: contact.mass(),
         speed,
         length: (contact.mass() * speed * speed / k).powf(1.0 / (p + 1.0)),
@@ -40,7 +40,7 @@ fn run(law: Law, e: f64, contact: Contact, speed: f64, separation: Separation) -
     };
     Case {
         name: format!("{} e={e} {contact:?} v={speed} {separation:?}", law.name()),
-        blow: damper.blow(contact, speed).unwrap(),
+        impact: damper.impact(contact, speed).unwrap(),
         measured: impact.measure(),
         energy: 0.5 * contact.mass() * speed * speed,
         asked: e,
@@ -69,19 +69,19 @@ impl Worst {
     }
 
     fn compare(&mut self, case: &Case) {
-        let (blow, measured, name) = (&case.blow, &case.measured, case.name.as_str());
+        let (impact, measured, name) = (&case.impact, &case.measured, case.name.as_str());
         self.see("restitution", apart(measured.restitution, case.asked), name);
-        self.see("restitution of the blow", apart(blow.restitution, case.asked), name);
-        self.see("duration", apart(measured.duration, blow.duration.unwrap()), name);
-        self.see("penetration", apart(measured.max_penetration, blow.max_penetration), name);
-        self.see("peak force", apart(measured.peak_force, blow.peak_force), name);
-        let compression = blow.time_of_max_penetration;
+        self.see("restitution of the impact", apart(impact.restitution, case.asked), name);
+        self.see("duration", apart(measured.duration, impact.duration.unwrap()), name);
+        self.see("penetration", apart(measured.max_penetration, impact.max_penetration), name);
+        self.see("peak force", apart(measured.peak_force, impact.peak_force), name);
+        let compression = impact.time_of_max_penetration;
         self.see("time of penetration", apart(measured.time_of_max_penetration, compression), name);
-        let late = measured.time_of_peak_force - blow.time_of_peak_force;
+        let late = measured.time_of_peak_force - impact.time_of_peak_force;
         self.see("time of peak", (late / compression).abs(), name);
-        self.see("work of the loop", apart(measured.work, blow.energy_lost), name);
+        self.see("work of the loop", apart(measured.work, impact.energy_lost), name);
         let lost = case.energy * (1.0 - case.asked) * (1.0 + case.asked);
-        self.see("energy", apart(blow.energy_lost, lost), name);
+        self.see("energy", apart(impact.energy_lost, lost), name);
     }
 
     /// For `--nocapture`.

@@ -77,7 +77,7 @@ fn the_table_of_damping_ratios() {
     for (ratio, e_gap, e_force, duration, penetration, force) in TABLE {
         let [by_force, by_gap] = BOTH.map(|separation| {
             let damper = Damper::kelvin_voigt(contact, ratio, separation).unwrap();
-            damper.blow(contact, speed).unwrap()
+            damper.impact(contact, speed).unwrap()
         });
         assert!(near(by_gap.restitution, e_gap), "{ratio}: {by_gap:?}");
         assert!(near(by_force.restitution, e_force), "{ratio}: {by_force:?}");
@@ -90,9 +90,12 @@ fn the_table_of_damping_ratios() {
             }
             None => assert!(ratio >= 1.0 && by_gap.rebound_speed == 0.0, "{ratio}: {by_gap:?}"),
         }
-        for blow in [by_force, by_gap] {
-            assert!(near(blow.max_penetration * frequency / speed, penetration), "{ratio}: {blow:?}");
-            assert!(near(blow.peak_force / (speed * (stiffness * mass).sqrt()), force), "{ratio}: {blow:?}");
+        for impact in [by_force, by_gap] {
+            assert!(near(impact.max_penetration * frequency / speed, penetration), "{ratio}: {impact:?}");
+            assert!(
+                near(impact.peak_force / (speed * (stiffness * mass).sqrt()), force),
+                "{ratio}: {impact:?}"
+            );
         }
     }
 }
@@ -194,10 +197,10 @@ fn the_ends_of_the_range() {
     let elastic = Law::KelvinVoigt;
     let contact = Contact::new(1.0, 1.0).unwrap();
     let damper = elastic.damper(contact, 1.0, None, Separation::ForceVanishes).unwrap();
-    let blow = damper.blow(contact, 1.0).unwrap();
-    assert_eq!((blow.energy_lost, blow.rebound_speed), (0.0, 1.0));
-    assert!(apart(blow.duration.unwrap(), std::f64::consts::PI) < 2.0 * f64::EPSILON);
-    assert!(apart(blow.peak_force, 1.0) < 2.0 * f64::EPSILON);
+    let impact = damper.impact(contact, 1.0).unwrap();
+    assert_eq!((impact.energy_lost, impact.rebound_speed), (0.0, 1.0));
+    assert!(apart(impact.duration.unwrap(), std::f64::consts::PI) < 2.0 * f64::EPSILON);
+    assert!(apart(impact.peak_force, 1.0) < 2.0 * f64::EPSILON);
 }
 
 /// Damping first lowers, then raises, the peak force: least at ζ = 0.264932.
@@ -206,7 +209,7 @@ fn the_least_peak_force() {
     let contact = Contact::new(1.0, 1.0).unwrap();
     let peak = |ratio: f64| {
         let damper = Damper::kelvin_voigt(contact, ratio, Separation::ForceVanishes).unwrap();
-        damper.blow(contact, 1.0).unwrap().peak_force
+        damper.impact(contact, 1.0).unwrap().peak_force
     };
     assert!((peak(0.2649320861) - 0.8101247520).abs() < 1e-10);
     assert!(peak(0.2549320861) > 0.81013 && peak(0.2749320861) > 0.81013);

@@ -5,7 +5,7 @@ mod support;
 use percuss_contact::{Contact, ContactError, Damper, Law, Separation};
 use std::collections::BTreeSet;
 use support::apart;
-use support::integrated::Impact;
+use support::integrated::IntegratedImpact;
 
 /// The restitution that each approximation gives where e is asked for, e = 0.1, 0.2, …, 0.9, 0.95; and the largest
 /// error among them. Four decimals, from the formulas and the exact relation by another program.
@@ -73,7 +73,7 @@ fn the_approximations_miss_by_this_much() {
             assert_eq!(error.requested, asked);
             assert!((error.achieved - expected).abs() < 6e-5, "{law:?} {asked}: {error:?}");
             most = most.max(error.error().abs());
-            // The damper gives what was foretold.
+            // The damper gives what was predicted.
             let damper = law.damper(contact(), asked, Some(0.7), Separation::default()).unwrap();
             let e = damper.restitution(contact(), 0.7).unwrap();
             assert!(apart(e, error.achieved) < 1e-14, "{law:?} {asked}: {e}");
@@ -84,20 +84,20 @@ fn the_approximations_miss_by_this_much() {
     assert_eq!(listed, Law::ALL.iter().filter(|law| !law.is_exact()).count());
 }
 
-/// The exact relation that judges the approximations stands against the motion itself, for every law.
+/// The exact relation that judges the approximations stands against the motion itself, forevery law.
 #[test]
-fn every_laws_damper_gives_the_foretold_rebound() {
+fn every_laws_damper_gives_the_predicted_rebound() {
     let (contact, speed) = (contact(), 0.7);
     for law in Law::ALL {
         for asked in [0.2, 0.5, 0.8] {
-            let foretold = law.approximation_error(asked).unwrap().achieved;
+            let predicted = law.approximation_error(asked).unwrap().achieved;
             let damper = law.damper(contact, asked, Some(speed), Separation::default()).unwrap();
             let (k, p) = (contact.stiffness(), contact.exponent());
             let force = |x: f64, rate: f64| match damper {
                 Damper::KelvinVoigt { coefficient, .. } => k * x.powf(p) + coefficient * x.powf(0.25) * rate,
                 Damper::HuntCrossley { dissipation } => k * x.powf(p) * (1.0 + dissipation * rate),
             };
-            let impact = Impact {
+            let impact = IntegratedImpact {
                 mass: contact.mass(),
                 speed,
                 length: (contact.mass() * speed * speed / k).powf(1.0 / (p + 1.0)),
@@ -106,7 +106,7 @@ fn every_laws_damper_gives_the_foretold_rebound() {
             };
             let measured = impact.measure().restitution;
             // As in integration.rs.
-            assert!(apart(measured, foretold) < 1e-11, "{law:?} {asked}: {measured}, not {foretold}");
+            assert!(apart(measured, predicted) < 1e-11, "{law:?} {asked}: {measured}, not {predicted}");
         }
     }
 }

@@ -1,4 +1,4 @@
-//! The speed at which a robot may strike, against the undamped blow and against figures.
+//! The speed at which a robot may strike, against the undamped impact and against figures.
 
 mod support;
 
@@ -7,7 +7,7 @@ use support::apart;
 
 /// The standard's force is the peak force of an undamped linear contact of the two masses.
 #[test]
-fn it_is_the_undamped_blow() {
+fn it_is_the_undamped_impact() {
     let mut struck = 0;
     for region in BodyRegion::all() {
         for robot in [0.4, 4.0, 15.0, 120.0] {
@@ -17,8 +17,8 @@ fn it_is_the_undamped_blow() {
             let safe = contact.speed_for_force(100.0).unwrap();
             let linear = Contact::new(mass, region.stiffness).unwrap();
             let damper = Damper::kelvin_voigt(linear, 0.0, Separation::ForceVanishes).unwrap();
-            let blow = damper.blow(linear, safe.speed).unwrap();
-            assert!(apart(blow.peak_force, 100.0) < 8.0 * f64::EPSILON, "{region:?} {robot}: {blow:?}");
+            let impact = damper.impact(linear, safe.speed).unwrap();
+            assert!(apart(impact.peak_force, 100.0) < 8.0 * f64::EPSILON, "{region:?} {robot}: {impact:?}");
             assert!(apart(safe.energy, 0.5 * mass * safe.speed * safe.speed) < 8.0 * f64::EPSILON);
             assert!(apart(safe.energy, 1e4 / (2.0 * contact.stiffness())) < 4.0 * f64::EPSILON);
             assert!(apart(contact.force(safe.speed).unwrap(), 100.0) < 4.0 * f64::EPSILON);

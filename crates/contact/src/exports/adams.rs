@@ -1,6 +1,6 @@
 //! Adams: the IMPACT function and contact; the same function in MotionSolve, RecurDyn and SolidWorks Motion.
 
-use super::{Export, ExportError, Impact, Request, Tool};
+use super::{Export, ExportError, ImpactFunction, Request, Tool};
 use crate::ContactError;
 
 /// The depth of full damping over the penetration that the spring alone would reach: a compromise between a force that
@@ -9,7 +9,7 @@ const RAMP: f64 = 0.1;
 
 /// IMPACT(x, x', x1, k, e, cmax, d) = max(0, k(x1−x)^e − STEP(x, x1−d, cmax, x1, 0) x').
 ///
-/// k and the exponent are the contact's; d = 0.1 x₀, cmax = ĉ k x₀ᵖ/v with the ĉ of [`Impact::damping`]. Both depend on
+/// k and the exponent are the contact's; d = 0.1 x₀, cmax = ĉ k x₀ᵖ/v with the ĉ of [`ImpactFunction::damping`]. Both depend on
 /// the speed; at another one the restitution is another.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let (mass, stiffness, p) =
@@ -25,10 +25,10 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     );
     export.set("stiffness", stiffness, "N/m^p");
     export.set("exponent", p, "");
-    export.say("The model's units are kg, m, s and N; Adams/View starts with mm: there k·1000^(−p), cmax/1000, d·1000.");
-    export.say("No friction; the integrator's steps resolve d (HMAX at most d over the speed).");
-    export.say("Not measured in Adams: the function is as documented, integrated here to 1e-9.");
-    export.say(format!(
+    export.assume("The model's units are kg, m, s and N; Adams/View starts with mm: there k·1000^(−p), cmax/1000, d·1000.");
+    export.assume("No friction; the integrator's steps resolve d (HMAX at most d over the speed).");
+    export.assume("Not measured in Adams: the function is as documented, integrated here to 1e-9.");
+    export.assume(format!(
         "A POISSON contact with restitution_coefficient = {e:?} is the alternative; its penalty is not this spring, \
          and its force law was not checked against a source."
     ));
@@ -36,9 +36,9 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
         export.missing.push("approach speed, m/s: damping and the depth of full damping depend on it");
         return Ok(export);
     };
-    let depth = Impact::undamped_penetration(p, mass, stiffness, speed)?;
+    let depth = ImpactFunction::undamped_penetration(p, mass, stiffness, speed)?;
     let ramp = RAMP * depth;
-    let number = Impact::new(p, RAMP)?.damping(e)?;
+    let number = ImpactFunction::new(p, RAMP)?.damping(e)?;
     // k x₀ᵖ/v = (p+1)/2 · m̄ v/x₀.
     let damping = number * (p + 1.0) / 2.0 * mass * speed / depth;
     if !damping.is_finite() {
@@ -47,7 +47,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     export.set("cmax", damping, "N·s/m");
     export.set("d", ramp, "m");
     export.error_bound = Some(1e-6);
-    export.say(format!("cmax and d are for approach at {speed:?} m/s."));
+    export.assume(format!("cmax and d are for approach at {speed:?} m/s."));
     export.write(
         "SFORCE and CONTACT",
         "adams",

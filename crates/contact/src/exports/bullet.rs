@@ -52,12 +52,14 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
              world->stepSimulation({step:?}, 0);\n"
         ),
     );
-    export.say("Both bodies carry these values: a body left alone adds a damping of 0.1 N·s/m and is rigid.");
-    export.say(linear.implicit_words(step));
-    export.say(
+    export.assume(
+        "Both bodies have these values: a body with default values adds a damping of 0.1 N·s/m and is rigid.",
+    );
+    export.assume(linear.implicit_words(step));
+    export.assume(
         "restitution is 0: it would come on top of the spring, as the product of both bodies' values above 0.2 m/s.",
     );
-    export.say("Bullet is built in double precision, as PyBullet is.");
+    export.assume("Bullet is built in double precision, as PyBullet is.");
     export.cannot.push(
         "a faithful rigid bounce: restitution acts on contacts that are still open, and gives 0.43 … 0.58 for 0.5 at 240 Hz",
     );

@@ -5,14 +5,14 @@ use super::linear::Linear;
 use super::{Export, ExportError, Request, Tool};
 use crate::{Separation, kelvin_voigt};
 
-/// The mass that Chrono gives a body if nobody else does, in kg; a fixed one too.
+/// The mass that Chrono gives a body without a mass, in kg; also a fixed one.
 const DEFAULT_MASS: f64 = 1.0;
 const TOOL: Tool = Tool::Chrono;
 
 /// Hooke (p = 1): kn = k, gn = c/m_eff. Hooke and Hertz (p = 3/2): cr' = e_a(ζ√(m̄/m_eff)).
 ///
 /// Chrono's force is max(0, kn x + m_eff gn ẋ), m_eff = m₁m₂/(m₁+m₂) of the two bodies' own masses, fixed bodies
-/// included, whatever hangs on them. From a material's cr it takes the ratio of the half period, e_a(ζ) =
+/// included, whatever is attached to them by joints. From a material's cr it takes the ratio of the half period, e_a(ζ) =
 /// exp(−πζ/√(1−ζ²)), on that mass, and clamps; so cr itself bounces too high (0.325, 0.550, 0.808 for 0.2, 0.5, 0.8 with
 /// m_eff = m̄). cr' takes both out, and is out of reach where ζ√(m̄/m_eff) ≥ 1.
 /// The step is [`Linear::explicit_step`]: Chrono's contact forces are explicit.
@@ -42,7 +42,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
             tool: TOOL,
             exponent: request.contact.exponent(),
             takes: "Hooke has 1, Hertz 3/2",
-            mend: "choose one of the two",
+            remedy: "choose one of the two",
         });
     }
     words(&mut export, own, other);
@@ -76,7 +76,7 @@ fn hooke(export: &mut Export, request: &Request, effective: f64) -> Result<(), E
     match corrected(request, effective) {
         Ok(cr) => {
             export.set("cr", cr, "");
-            export.say(format!(
+            export.assume(format!(
                 "With material properties instead, SetRestitution({cr:?}f) gives the same restitution; the stiffness \
                  is then Chrono's own."
             ));
@@ -108,7 +108,7 @@ fn hertz(export: &mut Export, request: &Request, effective: f64) -> Result<(), E
              // Of two equal materials: SetYoungModulus(2 * (1 - nu * nu) * E_eff).\n{step}"
         ),
     );
-    export.say("Both materials carry the restitution (the lesser of two counts).");
+    export.assume("Both materials have the restitution (the lesser of two counts).");
     Ok(())
 }
 
@@ -123,16 +123,17 @@ fn corrected(request: &Request, effective: f64) -> Result<f64, ExportError> {
         tool: TOOL,
         restitution: request.restitution,
         why: "even a material restitution of 0 damps no more than critically, on the bodies' own masses",
-        mend: "use user coefficients (exponent 1), give the bodies other masses, or ask for more restitution",
+        remedy: "use user coefficients (exponent 1), give the bodies other masses, or ask for more restitution",
     })
 }
 
 fn words(export: &mut Export, own: f64, other: f64) {
-    export.say(format!(
+    export.assume(format!(
         "The struck body has {own:?} kg of its own, the other {other:?} kg: Chrono divides by m₁m₂/(m₁+m₂), and a \
          fixed body counts with its own mass, 1 kg unless set."
     ));
-    export.say("Both materials carry these values (kn and gn of two are averaged). Chrono stores them in single precision.");
-    export.say("No adhesion and no friction; the Flores model of the same enumeration is Hooke's in fact.");
-    export.say("Not measured in Chrono: read in its source, and run in a model of its force.");
+    export.assume("Both materials have these values (kn and gn of two are averaged). Chrono stores them in single precision.");
+    export
+        .assume("No adhesion and no friction; the Flores model of the same enumeration is Hooke's in fact.");
+    export.assume("Not measured in Chrono: read in its source, and run in a model of its force.");
 }

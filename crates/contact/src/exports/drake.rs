@@ -70,10 +70,10 @@ fn discrete(export: &mut Export, linear: &Linear, wanted: Option<f64>) -> Result
     export.set("time_step_sap", step, "s");
     export.time_step = Some(step);
     export.error_bound = Some(linear.implicit_error_bound(step));
-    export.say(linear.implicit_words(step));
-    export.say(format!(
+    export.assume(linear.implicit_words(step));
+    export.assume(format!(
         "A discrete plant with the lagged or similar approximation (lagged is Drake's default) loses up to \
-         (π/2)·e·ωh of the restitution, {:.1e} at {lagged:?} s, and cannot be mended by another dissipation.",
+         (π/2)·e·ωh of the restitution, {:.1e} at {lagged:?} s, and cannot be corrected by another dissipation.",
         linear.lagged_error(lagged)
     ));
     Ok(Some(relaxation))
@@ -96,7 +96,7 @@ fn continuous(export: &mut Export, request: &Request, linear: &Linear) {
     export.set("integration_scheme", "runge_kutta3", "");
     export.set("accuracy", accuracy.min(1e-3), "");
     export.set("max_step_size", largest, "s");
-    export.say(format!(
+    export.assume(format!(
         "A continuous plant is integrated by runge_kutta3 in steps of at most {largest:?} s: error control alone \
          notices the contact too late, and schemes of higher order can step over it."
     ));
@@ -154,18 +154,18 @@ fn snippets(export: &mut Export, stiffness: f64, dissipation: Option<f64>, relax
 }
 
 fn words(export: &mut Export, request: &Request, number: f64) {
-    export.say(
-        "Both geometries of the pair carry these values. Against a much stiffer one, the soft one carries half the \
+    export.assume(
+        "Both geometries of the pair have these values. Against a much stiffer one, the soft one has half the \
          stiffness and the same dissipation, and all of the relaxation time, the stiff one 0.",
     );
-    export.say("Point contact (ContactModel.kPoint, or a pair without a hydroelastic representation).");
+    export.assume("Point contact (ContactModel.kPoint, or a pair without a hydroelastic representation).");
     if let Some(speed) = request.speed {
-        export.say(format!(
-            "The dissipation is for approach at {speed:?} m/s (d·v = {number:?}); faster blows bounce less. It does \
+        export.assume(format!(
+            "The dissipation is for approach at {speed:?} m/s (d·v = {number:?}); faster impacts bounce less. It does \
              not depend on the effective mass."
         ));
     }
-    export.say(
+    export.assume(
         "penetration_allowance is not used: it sizes the spring by the mass of the heaviest body, not by m̄.",
     );
     if request.options.constrained {

@@ -1,4 +1,4 @@
-//! What can keep a contact out of a tool.
+//! Errors of the export to a simulator.
 
 use thiserror::Error;
 
@@ -14,7 +14,7 @@ pub enum ExportError {
     #[error(transparent)]
     Contact(#[from] ContactError),
     /// The tool's spring has another exponent.
-    #[error("{tool}: its contact spring cannot have the exponent {exponent:?}: {takes}; {mend}")]
+    #[error("{tool}: its contact spring cannot have the exponent {exponent:?}: {takes}; {remedy}")]
     Exponent {
         /// The tool.
         tool: Tool,
@@ -23,9 +23,9 @@ pub enum ExportError {
         /// What the tool has.
         takes: &'static str,
         /// What to do.
-        mend: &'static str,
+        remedy: &'static str,
     },
-    /// A number that nothing can be said without.
+    /// A number without which there is no answer.
     #[error("{tool}: needs {what}; {why}")]
     Missing {
         /// The tool.
@@ -66,7 +66,7 @@ pub enum ExportError {
         largest: f64,
     },
     /// The tool's own conversion does not reach this restitution.
-    #[error("{tool}: the restitution {restitution:?} cannot be had: {why}; {mend}")]
+    #[error("{tool}: the restitution {restitution:?} is not reachable: {why}; {remedy}")]
     Unreachable {
         /// The tool.
         tool: Tool,
@@ -75,10 +75,10 @@ pub enum ExportError {
         /// What the tool does.
         why: &'static str,
         /// What to do.
-        mend: &'static str,
+        remedy: &'static str,
     },
     /// No tool of this name.
-    #[error("\"{name}\" is no tool percuss writes for{}; known: {known}", suggestion(.nearest))]
+    #[error("\"{name}\" is not a tool that percuss supports{}; known: {known}", suggestion(.nearest))]
     UnknownTool {
         /// As given.
         name: String,

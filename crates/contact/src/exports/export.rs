@@ -15,7 +15,7 @@ pub struct Export {
     pub law: &'static str,
     /// The tool's parameters, under the tool's names.
     pub parameters: Vec<Parameter>,
-    /// Text for the tool's files, the first being the one to take if nothing speaks against it.
+    /// Text for the tool's files, the first being the one to take by default.
     pub snippets: Vec<Snippet>,
     /// The tool's time step in s: the one of the request, or the longest that holds the accuracy. None where the
     /// tool chooses its steps itself.
@@ -25,11 +25,11 @@ pub struct Export {
     pub error_bound: Option<f64>,
     /// Numbers that are missing for the whole answer, and what they are for.
     pub missing: Vec<&'static str>,
-    /// What has to hold for the contact to bounce as asked.
+    /// What has to hold for the contact to have the required restitution.
     pub assumptions: Vec<String>,
     /// What the tool cannot do.
     pub cannot: Vec<&'static str>,
-    /// The documentation and source files this stands on.
+    /// The documentation and source files on which this is based.
     pub sources: &'static [&'static str],
 }
 
@@ -101,7 +101,7 @@ impl Export {
         self.parameters.push(Parameter { name, value: value.into(), unit });
     }
 
-    pub(super) fn say(&mut self, text: impl Into<String>) {
+    pub(super) fn assume(&mut self, text: impl Into<String>) {
         self.assumptions.push(text.into());
     }
 

@@ -5,13 +5,13 @@ use super::{Export, ExportError, Request, Tool};
 
 /// Below this approach speed, in m/s, `restitution_coefficient` is not to act; SDF's default of 100000 switches it off.
 const THRESHOLD: f64 = 0.01;
-/// `max_velocity` where no speed is given, m/s: above any blow's.
+/// `max_velocity` where no speed is given, m/s: above any impact's.
 const FASTEST: f64 = 100.0;
 
 /// For each of two equal collisions kp = 2k, kd = c'/2: ODE gets the springs in series and the sum of the dampers.
 ///
 /// c' as for ODE: 2(ζ − ωh/2)√(k m̄). The rigid alternative is `restitution_coefficient` = e with its threshold
-/// lowered, all that the new Gazebo knows.
+/// lowered, all that the new Gazebo reads.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let linear = Linear::of(request, Tool::Gazebo)?;
     let step = linear.implicit_step();
@@ -62,17 +62,17 @@ fn document(engine: &str, step: f64, surface: &str) -> String {
 }
 
 fn words(export: &mut Export, linear: &Linear, step: f64) {
-    export.say("Both collisions carry the <surface>; the sphere is a stand-in for your geometry.");
-    export.say(linear.implicit_words(step));
-    export.say(
+    export.assume("Both collisions have the <surface>; the sphere is a placeholder for your geometry.");
+    export.assume(linear.implicit_words(step));
+    export.assume(
         "max_vel caps the speed at which ODE pushes bodies apart (0.01 m/s by default), and must be above the \
          rebound's; that it caps the spring too was not measured.",
     );
-    export.say(
+    export.assume(
         "Of two restitution_coefficients Classic takes the lesser, of two thresholds too; spring and coefficient \
          together would bounce twice, so give one of them.",
     );
-    export.say("Not measured in Gazebo itself: read in its source, and run in a model of ODE's row.");
+    export.assume("Not measured in Gazebo itself: read in its source, and run in a model of ODE's row.");
     export.cannot.push(
         "new Gazebo (dartsim, bullet-featherstone): does not read kp and kd; it bounces by restitution_coefficient alone",
     );

@@ -6,7 +6,7 @@ use crate::{Separation, kelvin_voigt};
 
 /// The greatest ωh of any recommended step.
 const LONGEST_STEP: f64 = 0.1;
-/// The greatest 2ζωh, so that the damping stays well inside what an explicit step can bear.
+/// The greatest 2ζωh, so that the damping stays well inside the stability limit of an explicit step.
 const STIFFEST_STEP: f64 = 0.1;
 
 /// A linear contact whose force never pulls: m̄ ẍ = −max(0, k x + c ẋ).
@@ -43,7 +43,7 @@ impl Linear {
                 tool,
                 exponent: contact.exponent(),
                 takes: "it is linear, exponent 1",
-                mend: "choose a linear stiffness that stores the same energy at the same penetration",
+                remedy: "choose a linear stiffness that stores the same energy at the same penetration",
             });
         }
         let frequency =
@@ -77,7 +77,7 @@ impl Linear {
         self.bound(1.0, time_step)
     }
 
-    /// The same for implicit Euler whose ratio is mended as in [`Self::implicit_ratio`]: 3ζe ωh + (ωh)²/8.
+    /// The same for implicit Euler whose ratio is corrected as in [`Self::implicit_ratio`]: 3ζe ωh + (ωh)²/8.
     ///
     /// Measured in Drake 1.51.1 with SAP as the worst |Δe|/(ωh): 0.206, 0.222, 0.158, 0.063, 0.017 for e = 0.1, 0.2,
     /// 0.5, 0.8, 0.95. An engine that acts on a contact a step before it touches is off by 0.28, 0.35, 0.34, 0.16, 0.03
@@ -125,7 +125,7 @@ impl Linear {
                 tool: self.tool,
                 restitution: self.restitution,
                 why: "its integrator damps the contact a little at every step",
-                mend: "ask for a restitution below 1",
+                remedy: "ask for a restitution below 1",
             });
         }
         let own = self.frequency * time_step / 2.0;
@@ -141,7 +141,7 @@ impl Linear {
         })
     }
 
-    /// The sentence about the mended ratio.
+    /// The sentence about the corrected ratio.
     pub(super) fn implicit_words(&self, time_step: f64) -> String {
         format!(
             "The damping is for the time step {time_step:?} s: implicit Euler adds ωh/2 = {:.3e} to the damping ratio, \

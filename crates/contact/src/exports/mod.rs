@@ -1,9 +1,9 @@
-//! The contact in the numbers of a simulator: which parameters make it bounce with the restitution asked for.
+//! The contact in the numbers of a simulator: which parameters give it the required restitution.
 //!
-//! A [`Request`] is a contact, a restitution and what single tools need besides; [`Tool::export`] answers with an
+//! A [`Request`] is a contact, a restitution and what some tools need in addition; [`Tool::export`] answers with an
 //! [`Export`]: the tool's parameters, snippets for its files, the time step that holds the accuracy, what was assumed,
 //! and what the tool cannot do. Every tool here clamps a force that would pull, so linear springs and dampers get the
-//! ratio ζ of a contact that ends when the force vanishes; the half-period formula of textbooks would bounce too high.
+//! ratio ζ of a contact that ends when the force vanishes; the half-period formula of textbooks would give too much restitution.
 //!
 //! One file per tool. Nothing here reads a simulator's files or runs one.
 
@@ -14,7 +14,7 @@ mod drake;
 mod error;
 mod export;
 mod gazebo;
-mod impact;
+mod impact_function;
 mod linear;
 mod mujoco;
 mod ode;
@@ -26,7 +26,7 @@ mod tool;
 
 pub use error::ExportError;
 pub use export::{Export, Parameter, Snippet, Value};
-pub use impact::Impact;
+pub use impact_function::ImpactFunction;
 pub use request::{Options, Request};
 pub use tool::Tool;
 
@@ -49,9 +49,9 @@ impl Tool {
         })
     }
 
-    /// The parameters with which the tool makes the contact bounce as asked.
+    /// The parameters with which the tool gives the contact the required restitution.
     ///
-    /// A tool for which one number is missing still gives the others, and says so in [`Export::missing`]. Errors: a
+    /// A tool for which one number is missing still gives the others, and lists it in [`Export::missing`]. Errors: a
     /// number of the request is out of its range; the tool cannot have this restitution, this exponent or this time
     /// step; a number it cannot do without is missing; a parameter does not fit in a 64-bit float.
     pub fn export(self, request: &Request) -> Result<Export, ExportError> {
@@ -69,9 +69,9 @@ impl Tool {
             Self::Simscape => simscape::export(request),
         }?;
         if request.options.constrained && !matches!(self, Self::Mujoco | Self::Drake) {
-            export.say(
-                "Loops, mimics, locks: how far this tool's constraints that hold them give way during the blow was not examined; \
-                 what gives way spoils the restitution.",
+            export.assume(
+                "Loops, mimics, locks: the compliance of this tool's constraints during the impact was not examined; \
+                 compliant constraints change the restitution.",
             );
         }
         export.finite()

@@ -1,4 +1,4 @@
-//! MuJoCo: `solref` and `solimp` of a geom, in the direct format and beside it in the standard one.
+//! MuJoCo: `solref` and `solimp` of a geom, in the direct format and in the standard one.
 
 use super::linear::Linear;
 use super::{Export, ExportError, Request, Tool};
@@ -8,7 +8,7 @@ const IMPEDANCE: f64 = 0.9999;
 
 /// The direct `solref` = (−ω² f, −2ζω f) at a constant impedance d, f = d + (1−d)α.
 ///
-/// MuJoCo's normal row obeys f_n = max(0, (a_ref − a)/(A + R)), A = 1/m̄, R = (1−d)/d Â, and a_ref = −(b v + κ r) with
+/// MuJoCo's normal row is f_n = max(0, (a_ref − a)/(A + R)), A = 1/m̄, R = (1−d)/d Â, and a_ref = −(b v + κ r) with
 /// κ = −solref₀/d², b = −solref₁/d; Â is its estimate of A, α = Â m̄. Solved, the contact has the stiffness m̄ κd²/f and
 /// the damping m̄ bd/f, so that f takes the estimate's error out again. The standard format gives the same with
 /// timeconst 1/(ζωf) and dampratio ζ√f.
@@ -80,22 +80,22 @@ fn document(solref: [f64; 2], solimp: [f64; 3], step: f64, loops: bool) -> Strin
 }
 
 fn words(export: &mut Export, request: &Request, linear: &Linear) {
-    export.say(
-        "Both geoms carry these values (of two direct solrefs MuJoCo takes the lesser of each number), or a <pair> \
+    export.assume(
+        "Both geoms have these values (of two direct solrefs MuJoCo takes the lesser of each number), or a <pair> \
          or the geom of higher priority does.",
     );
-    export.say(
+    export.assume(
         "Frictionless (condim 1): friction at a finite lever shifts the restitution by a few thousandths.",
     );
-    export.say(
+    export.assume(
         "condim 3 with the default pyramidal cone multiplies α by μ²(1+μ²)/2; elliptic cones and condim 1 do not.",
     );
-    export.say(
+    export.assume(
         "The standard format needs timeconst ≥ 2·timestep, else refsafe raises it; the direct format is left alone.",
     );
     match request.options.diagonal_ratio {
-        Some(alpha) => export.say(format!("α = Â·m̄ = {alpha:?}, Â at the model's reference pose qpos0.")),
-        None => export.say(format!(
+        Some(alpha) => export.assume(format!("α = Â·m̄ = {alpha:?}, Â at the model's reference pose qpos0.")),
+        None => export.assume(format!(
             "α = Â·m̄ is taken as 1 (Â: the sum of body_invweight0[0] of the two bodies, times m̄). With the impedance \
              {IMPEDANCE} another α changes the damping ratio by {:.0e}·(α−1), relative: give α where it is above 10, \
              or set <flag diagexact=\"enable\"/>, which makes it 1 where no loop is closed.",
@@ -103,16 +103,16 @@ fn words(export: &mut Export, request: &Request, linear: &Linear) {
         )),
     }
     if request.options.constrained {
-        export.say(
+        export.assume(
             "Loops, mimics, locks: MuJoCo's Â is that of the open tree without these constraints, with diagexact too; α = Â·m̄ \
              with the m̄ under them. The equality constraints need their own solref and solimp as given: the \
-             defaults give way during the contact and spoil the restitution.",
+             defaults are compliant during the contact and change the restitution.",
         );
-        export.say(
-            "Constraints with the integrator implicitfast want half this time step: at the whole one it was 1.3e-3 off \
+        export.assume(
+            "Constraints with the integrator implicitfast need half this time step: at the whole one it was 1.3e-3 off \
              where Euler and RK4 keep 1e-3.",
         );
-        export.say(
+        export.assume(
             "m̄ is that of one pose: where it changes while the contact lasts, the restitution does too; a stiffer \
              contact or less speed changes it less. Those measured in docs/SIMULATORS.md changed by less than 1e-3.",
         );

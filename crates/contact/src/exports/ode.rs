@@ -38,13 +38,14 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
              dWorldStep(world, {step:?});\n"
         ),
     );
-    export.say(linear.implicit_words(step));
-    export.say(
+    export.assume(linear.implicit_words(step));
+    export.assume(
         "ODE is built in double precision, and dContactBounce is off: its bounce would come on top of the spring's.",
     );
-    export
-        .say("The world's contact settings are ODE's own: no cap on the correcting speed, no surface layer.");
-    export.say("Not measured in ODE itself: the formulas are those that Gazebo Classic hands to it, run in a model of its row.");
+    export.assume(
+        "The world's contact settings are ODE's own: no cap on the correcting speed, no surface layer.",
+    );
+    export.assume("Not measured in ODE itself: the formulas are those that Gazebo Classic hands to it, run in a model of its row.");
     Ok(export)
 }
 

@@ -76,15 +76,15 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
              simulation = sim_utils.SimulationCfg(dt={step:?})\n"
         ),
     );
-    export.say(
-        "Both materials carry these values (two compliant materials are combined by the combine mode, average by \
+    export.assume(
+        "Both materials have these values (two compliant materials are combined by the combine mode, average by \
          default), or the other is rigid: the compliant one then wins.",
     );
-    export.say(
+    export.assume(
         "Force mode; in acceleration mode PhysX multiplies by its own effective mass, and m̄ is not needed.",
     );
-    export.say(linear.implicit_words(step));
-    export.say("PhysX computes in single precision: expect 1e-3 at best, and less at very short steps.");
-    export.say("Not measured in PhysX: read in its source, and run in a model of its compliant contact.");
+    export.assume(linear.implicit_words(step));
+    export.assume("PhysX computes in single precision: expect 1e-3 at best, and less at very short steps.");
+    export.assume("Not measured in PhysX: read in its source, and run in a model of its compliant contact.");
     Ok(export)
 }

@@ -33,8 +33,8 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
         );
     }
     export.write("Rapier", "rust", text);
-    export.say("Both colliders carry the restitution (their average counts).");
-    export.say(
+    export.assume("Both colliders have the restitution (their average counts).");
+    export.assume(
         "Articulated bodies are multibody joints (reduced coordinates): there the restitution was 1e-3 low at 5e-4 s. \
          Impulse joints do not reach it.",
     );

@@ -4,7 +4,7 @@ use super::ExportError;
 use crate::error::{positive, unit_interval};
 use crate::{Contact, ContactError};
 
-/// A contact, and how it is to bounce.
+/// A contact, and the required restitution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Request {
     /// The effective mass and the spring.
@@ -24,9 +24,9 @@ pub struct Options {
     pub accuracy: f64,
     /// The tool's time step in s, where it is given; else the one that holds the accuracy.
     pub time_step: Option<f64>,
-    /// The struck body's own mass in kg, without what hangs on its joints: Chrono divides by it.
+    /// The struck body's own mass in kg, without the links attached by joints: Chrono divides by it.
     pub own_mass: Option<f64>,
-    /// The same of the other body, in kg. Chrono gives a fixed body 1 kg if nobody else does.
+    /// The same of the other body, in kg. Chrono gives a fixed body without a mass 1 kg.
     pub other_own_mass: Option<f64>,
     /// MuJoCo's Â m̄, how much its estimate of the contact's inverse mass is off: Â is the sum of `body_invweight0[0]`
     /// of the two bodies.

@@ -37,22 +37,22 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
             export.set("Transition Region Width", width, "m");
             text += &format!("contact_transition_width = {width:?}; % m\n");
             export.error_bound = Some(linear.accuracy / 2.0);
-            export.say(format!(
-                "The transition region is for approach at {speed:?} m/s; slower blows bounce higher."
+            export.assume(format!(
+                "The transition region is for approach at {speed:?} m/s; slower impacts bounce higher."
             ));
         }
         None => export.missing.push(
-            "approach speed, m/s: the transition region must be thin beside the penetration, speed over ω",
+            "approach speed, m/s: the transition region must be thin compared with the penetration, speed over ω",
         ),
     }
     export.write("MATLAB", "matlab", text);
-    export.say(
+    export.assume(
         "A solver whose steps resolve the contact: ode15s or ode23t with a relative tolerance of 1e-6 and the block's \
          zero-crossing detection on.",
     );
-    export.say(
+    export.assume(
         "The block's smoothing function is not published; a cubic was assumed. Not measured in Simscape.",
     );
-    export.say("Friction off.");
+    export.assume("Friction off.");
     Ok(export)
 }

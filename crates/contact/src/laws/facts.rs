@@ -1,6 +1,6 @@
 //! What the file of a contact law holds.
 
-/// What a law's file says about it.
+/// The name, formula and source of a law, and its approximation.
 pub(super) struct Facts {
     pub name: &'static str,
     pub title: &'static str,

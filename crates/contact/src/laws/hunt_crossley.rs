@@ -27,7 +27,7 @@ pub(super) const FACTS: Facts = Facts {
     approximation: None,
 };
 
-/// The greatest dissipation number whose blow is computed.
+/// The greatest dissipation number whose impact is computed.
 pub(crate) const GREATEST: f64 = 1e300;
 
 /// The restitution of the dissipation number a = d v. Errors: a is negative, NaN or infinite.
@@ -35,7 +35,7 @@ pub fn restitution(dissipation_number: f64) -> Result<f64, ContactError> {
     Ok(Solution::of_number(not_negative("dissipation number", dissipation_number)?).restitution())
 }
 
-/// 1 − e of the dissipation number a = d v, with all its digits where a is small. Errors: as [`restitution`].
+/// 1 − e of the dissipation number a = d v, without loss of digits where a is small. Errors: as [`restitution`].
 pub fn restitution_loss(dissipation_number: f64) -> Result<f64, ContactError> {
     Ok(Solution::of_number(not_negative("dissipation number", dissipation_number)?).loss())
 }
@@ -48,7 +48,7 @@ pub fn dissipation_number(restitution: f64) -> Result<f64, ContactError> {
     number(1.0 - e, e)
 }
 
-/// The dissipation number a = d v that gives the restitution e = 1 − loss, for a loss too small to survive in e.
+/// The dissipation number a = d v that gives the restitution e = 1 − loss, for a loss too small to be represented in e.
 ///
 /// Errors: the loss is not from 0 to 1; a loss of 1 as e = 0 of [`dissipation_number`].
 pub fn dissipation_number_of_loss(loss: f64) -> Result<f64, ContactError> {
@@ -63,7 +63,7 @@ fn number(loss: f64, e: f64) -> Result<f64, ContactError> {
             law: FACTS.name,
             restitution: e,
             why: "the rebound speed nears 1/d as the dissipation d grows, and 0 only without bound",
-            mend: "ask for a small restitution, such as 0.01",
+            remedy: "ask for a small restitution, such as 0.01",
         });
     }
     Ok(2.0 * inverse_langevin(loss / (1.0 + e), 2.0 * e / (1.0 + e)) / (1.0 + e))
@@ -78,7 +78,7 @@ pub(crate) struct Solution {
 }
 
 impl Solution {
-    /// Newton's method on h (1 + 𝓛(h)) = a; the left side is convex, so the steps come down on the root.
+    /// Newton's method on h (1 + 𝓛(h)) = a; the left side is convex, so the steps approach the root from above.
     pub(crate) fn of_number(a: f64) -> Self {
         let mut h = if a < 2.0 { 2.0 * a / (1.0 + (1.0 + 4.0 * a / 3.0).sqrt()) } else { 0.5 * a + 0.5 };
         for _ in 0..60 {
@@ -106,7 +106,7 @@ impl Solution {
     }
 }
 
-/// 𝓛(h) = coth h − 1/h and 1 − 𝓛(h), each with all its digits, for h ≥ 0.
+/// 𝓛(h) = coth h − 1/h and 1 − 𝓛(h), each without loss of digits, for h ≥ 0.
 fn langevin(h: f64) -> (f64, f64) {
     if h < 3.0 {
         // h/(3 + h²/(5 + h²/(7 + …))), all terms positive; 16 levels reach 1e-17 at h = 3.

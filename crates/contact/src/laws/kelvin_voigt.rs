@@ -1,4 +1,4 @@
-//! Kelvin–Voigt: a spring beside a damper, F = k x + c ẋ, and its like for any exponent.
+//! Kelvin–Voigt: a spring in parallel with a damper, F = k x + c ẋ, and its generalisation to any exponent.
 //!
 //! With ζ = c/(2√(k m̄)) and C(ζ) = arccos ζ/√(1−ζ²), continued beyond ζ = 1 as arccosh ζ/√(ζ²−1):
 //!
@@ -28,14 +28,14 @@ pub(super) const FACTS: Facts = Facts {
     approximation: None,
 };
 
-/// The restitution of the damping ratio ζ, at every speed and for every exponent.
+/// The restitution of the damping ratio ζ, at every speed and forevery exponent.
 ///
 /// It falls below the smallest float, to 0, at ζ ≈ 1e162. Errors: ζ is negative, NaN or infinite.
 pub fn restitution(ratio: f64, separation: Separation) -> Result<f64, ContactError> {
     Ok((-decrement(not_negative("damping ratio", ratio)?, separation)).exp())
 }
 
-/// 1 − e of the damping ratio ζ, with all its digits where ζ is small. Errors: as [`restitution`].
+/// 1 − e of the damping ratio ζ, without loss of digits where ζ is small. Errors: as [`restitution`].
 pub fn restitution_loss(ratio: f64, separation: Separation) -> Result<f64, ContactError> {
     Ok(-(-decrement(not_negative("damping ratio", ratio)?, separation)).exp_m1())
 }
@@ -43,7 +43,7 @@ pub fn restitution_loss(ratio: f64, separation: Separation) -> Result<f64, Conta
 /// The damping ratio ζ that gives the restitution e.
 ///
 /// 0 for e = 1. Where the contact ends when the gap closes, e = 0 is given by ζ = 1 (and by all above it), the
-/// critical damping: the gap then takes for ever to close. Errors: e is not from 0 to 1; e = 0 where the contact
+/// critical damping: the gap then takes forever to close. Errors: e is not from 0 to 1; e = 0 where the contact
 /// ends when the force vanishes, which no ζ reaches (e ≈ 1/(4ζ²) for large ζ).
 pub fn ratio(restitution: f64, separation: Separation) -> Result<f64, ContactError> {
     let e = unit_interval("restitution", restitution)?;
@@ -53,7 +53,7 @@ pub fn ratio(restitution: f64, separation: Separation) -> Result<f64, ContactErr
     Ok(ratio_of_decrement(0.0 - e.ln(), separation))
 }
 
-/// The damping ratio ζ that gives the restitution e = 1 − loss, for a loss too small to survive in e.
+/// The damping ratio ζ that gives the restitution e = 1 − loss, for a loss too small to be represented in e.
 ///
 /// Errors: the loss is not from 0 to 1; a loss of 1 as e = 0 of [`ratio`].
 pub fn ratio_of_loss(loss: f64, separation: Separation) -> Result<f64, ContactError> {
@@ -69,7 +69,7 @@ fn unreachable() -> ContactError {
         law: FACTS.name,
         restitution: 0.0,
         why: "a contact that cannot pull nears 0 only as the damping grows without bound (e = 1/(4 ratio^2))",
-        mend: "ask for a small restitution, such as 0.01 (ratio 4.8)",
+        remedy: "ask for a small restitution, such as 0.01 (ratio 4.8)",
     }
 }
 
@@ -88,7 +88,7 @@ pub(crate) fn compression(ratio: f64) -> f64 {
     } else if gap == 0.0 {
         1.0
     } else {
-        // arccosh ζ = ln(1 + (ζ−1) + √(ζ²−1)) keeps its digits near 1, and its root does not overflow.
+        // arccosh ζ = ln(1 + (ζ−1) + √(ζ²−1)) does not lose digits near 1, and its root does not overflow.
         let root = (-gap).sqrt() * (1.0 + ratio).sqrt();
         (root - gap).ln_1p() / root
     }

@@ -26,7 +26,7 @@ use serde::Serialize;
 /// Adding one is a file, a variant, and a line in [`Law::ALL`] and in `facts`.
 #[derive(Clone, Copy, Debug, Eq, Hash, PartialEq)]
 pub enum Law {
-    /// A spring beside a damper, solved exactly.
+    /// A spring in parallel with a damper, solved exactly.
     KelvinVoigt,
     /// A damper that stiffens with the spring, solved exactly.
     HuntCrossley,
@@ -63,7 +63,7 @@ pub struct Alias {
     pub name: &'static str,
     /// The law.
     pub law: Law,
-    /// The exponent that the name stands for; none where it is any law's.
+    /// The exponent that the name stands for; none where the name fits every exponent.
     pub exponent: Option<f64>,
     /// The end of the contact that the name stands for.
     pub separation: Option<Separation>,
@@ -76,7 +76,7 @@ fn canonical(name: &str) -> String {
     name.trim().to_lowercase().replace(['_', ' '], "-")
 }
 
-/// How far an approximation misses.
+/// The error of an approximation.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ApproximationError {
     /// The restitution asked for.
@@ -179,7 +179,7 @@ impl Law {
         self.facts().name
     }
 
-    /// For people.
+    /// A title for display.
     pub fn title(self) -> &'static str {
         self.facts().title
     }
@@ -189,7 +189,7 @@ impl Law {
         self.facts().formula
     }
 
-    /// Who, when, and what of it was seen.
+    /// Author and year, and which documents were read.
     pub fn source(self) -> &'static str {
         self.facts().source
     }
@@ -199,7 +199,7 @@ impl Law {
         self.facts().approximation.is_none()
     }
 
-    /// Whether the damping depends on the approach speed, and so has to be told it.
+    /// Whether the damping depends on the approach speed, and so must be given it.
     pub fn needs_speed(self) -> bool {
         self != Self::KelvinVoigt
     }
@@ -254,7 +254,7 @@ impl Law {
             law: self.name(),
             restitution: e,
             why: "its damping grows without bound towards 0",
-            mend: "ask for a small restitution, such as 0.01",
+            remedy: "ask for a small restitution, such as 0.01",
         })
     }
 

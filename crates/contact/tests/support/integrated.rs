@@ -1,4 +1,4 @@
-//! A blow by integration of its equation of motion, which knows no closed form.
+//! An impact by integration of its equation of motion, which knows no closed form.
 
 use differential_equations::prelude::*;
 
@@ -16,7 +16,7 @@ pub struct Measured {
 }
 
 /// A mass that meets a force.
-pub struct Impact<'a> {
+pub struct IntegratedImpact<'a> {
     pub mass: f64,
     pub speed: f64,
     /// A length of the right size; the integration is in units of it.
@@ -30,7 +30,7 @@ pub struct Impact<'a> {
 /// Penetration, rate and work, in units of length, speed and m̄ v².
 type State = [f64; 3];
 
-impl Impact<'_> {
+impl IntegratedImpact<'_> {
     fn force(&self, state: &State) -> f64 {
         (self.force)(state[0].max(0.0) * self.length, state[1] * self.speed)
     }
@@ -81,7 +81,7 @@ impl Impact<'_> {
 }
 
 struct Watcher<'a> {
-    impact: &'a Impact<'a>,
+    impact: &'a IntegratedImpact<'a>,
     seen: &'a mut Measured,
     ended: &'a mut bool,
 }

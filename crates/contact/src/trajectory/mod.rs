@@ -1,4 +1,4 @@
-//! The motion of a blow in units of its own.
+//! The motion of an impact in units of its own.
 //!
 //! | quantity    | unit                                          |
 //! |-------------|-----------------------------------------------|
@@ -7,8 +7,8 @@
 //! | time        | X/v                                           |
 //! | force       | k Xᵖ                                          |
 //!
-//! Each law's motion is known in closed form along a parameter s; only the time needs an integral, ∫ pace ds. The
-//! pace is singular, if at all, where the contact begins and where it ends, so s is measured from both.
+//! Each law's motion is known in closed form along a parameter s; only the time needs an integral, ∫ (dt/ds) ds. The
+//! integrand dt/ds is singular, if at all, where the contact begins and where it ends, so s is measured from both.
 
 mod dissipative;
 mod oscillator;
@@ -18,16 +18,16 @@ pub(crate) use oscillator::Oscillator;
 
 use crate::quadrature::from_singular_end;
 
-/// A moment of the blow, in its units.
+/// The state at one instant of the impact, in its units.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Moment {
+pub(crate) struct State {
     pub penetration: f64,
     pub rate: f64,
     pub force: f64,
 }
 
-/// The motion of a blow.
-pub(crate) trait Orbit {
+/// The motion of an impact.
+pub(crate) trait Trajectory {
     /// 1 − e.
     fn loss(&self) -> f64;
     /// e.
@@ -43,23 +43,23 @@ pub(crate) trait Orbit {
     /// Where the force is greatest, as s from the first touch, and the force there.
     fn peak(&self) -> (f64, f64);
     /// The state s after the first touch, not beyond the greatest penetration.
-    fn after_touch(&self, s: f64) -> Moment;
+    fn after_touch(&self, s: f64) -> State;
     /// The state s before the end, not before the greatest penetration.
-    fn before_end(&self, s: f64) -> Moment;
-    /// The α for which the pace is like s⁻ᵅ near the first touch, and near the end.
+    fn before_end(&self, s: f64) -> State;
+    /// The α for which dt/ds is like s⁻ᵅ near the first touch, and near the end.
     fn singularities(&self) -> [f64; 2];
-    /// dt/ds where [`Orbit::after_touch`] tells the state.
-    fn pace_after_touch(&self, s: f64) -> f64;
-    /// dt/ds where [`Orbit::before_end`] tells the state.
-    fn pace_before_end(&self, s: f64) -> f64;
+    /// dt/ds where [`Trajectory::after_touch`] gives the state.
+    fn time_rate_after_touch(&self, s: f64) -> f64;
+    /// dt/ds where [`Trajectory::before_end`] gives the state.
+    fn time_rate_before_end(&self, s: f64) -> f64;
 
     /// The time from the first touch to s after it.
     fn time_after_touch(&self, s: f64) -> f64 {
-        from_singular_end(s, |s| self.pace_after_touch(s))
+        from_singular_end(s, |s| self.time_rate_after_touch(s))
     }
 
     /// The time from s before the end to the end.
     fn time_before_end(&self, s: f64) -> f64 {
-        from_singular_end(s, |s| self.pace_before_end(s))
+        from_singular_end(s, |s| self.time_rate_before_end(s))
     }
 }

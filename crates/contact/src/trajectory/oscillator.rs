@@ -1,4 +1,4 @@
-//! The blow on a Kelvin–Voigt contact.
+//! The impact on a Kelvin–Voigt contact.
 //!
 //! In y = x^((p+1)/2) it is the linear oscillator y″ + 2ζ y′ + y = 0, y(0) = 0, y′(0) = 1, in its own time s; the
 //! speed is y′, the force y^q (y + 2ζ y′) and dt/ds = (1 − q) y^(−q), with q = (p−1)/(p+1).
@@ -7,7 +7,7 @@
 //! and s = arccot((r + ζ)/√(1−ζ²))/√(1−ζ²): the peak of the force, where 2ζq r² + (1 + q − 4ζ²) r − 2ζ = 0, is closed
 //! too.
 
-use super::{Moment, Orbit};
+use super::{State, Trajectory};
 use crate::Separation;
 use crate::laws::kelvin_voigt::{compression, decrement};
 use std::f64::consts::PI;
@@ -17,7 +17,7 @@ pub(crate) struct Oscillator {
     ratio: f64,
     separation: Separation,
     /// q = (p−1)/(p+1).
-    warp: f64,
+    q: f64,
     /// √|1 − ζ²|.
     root: f64,
     compression: f64,
@@ -36,8 +36,8 @@ impl Oscillator {
             Separation::GapCloses if ratio < 1.0 => PI / root - compression,
             Separation::GapCloses => SLOW_RETURN * (ratio + root),
         };
-        let warp = (exponent - 1.0) / (exponent + 1.0);
-        Self { ratio, separation, warp, root, compression, expansion }
+        let q = (exponent - 1.0) / (exponent + 1.0);
+        Self { ratio, separation, q, root, compression, expansion }
     }
 
     /// y at s after the touch.
@@ -49,7 +49,7 @@ impl Oscillator {
         }
     }
 
-    /// y at s before the end. Under ζ = 1 its sine is that of the angle left to y = 0, which keeps its digits where
+    /// y at s before the end. Under ζ = 1 its sine is that of the angle left to y = 0, which does not lose digits where
     /// y is small: 0 at the end where the gap closes, π − 2 arccos ζ = 2 arcsin ζ where the force vanishes.
     fn displacement_before_end(&self, s: f64) -> f64 {
         let at = self.compression + self.expansion - s;
@@ -86,25 +86,25 @@ impl Oscillator {
     }
 
     /// y^q, 1 for the linear contact even at y = 0.
-    fn warped(&self, y: f64) -> f64 {
-        if self.warp == 0.0 { 1.0 } else { y.max(0.0).powf(self.warp) }
+    fn y_to_q(&self, y: f64) -> f64 {
+        if self.q == 0.0 { 1.0 } else { y.max(0.0).powf(self.q) }
     }
 
-    fn moment(&self, y: f64, rate: f64) -> Moment {
-        Moment {
-            penetration: y.max(0.0).powf(1.0 - self.warp),
+    fn moment(&self, y: f64, rate: f64) -> State {
+        State {
+            penetration: y.max(0.0).powf(1.0 - self.q),
             rate,
-            force: self.warped(y) * (y + 2.0 * self.ratio * rate),
+            force: self.y_to_q(y) * (y + 2.0 * self.ratio * rate),
         }
     }
 
-    fn pace(&self, y: f64) -> f64 {
-        (1.0 - self.warp) / self.warped(y)
+    fn time_rate(&self, y: f64) -> f64 {
+        (1.0 - self.q) / self.y_to_q(y)
     }
 
     /// r = y′/y where the force is greatest; infinite at the touch.
     fn slope_at_peak(&self) -> f64 {
-        let (double, q) = (2.0 * self.ratio, self.warp);
+        let (double, q) = (2.0 * self.ratio, self.q);
         // 1 + q − 4ζ² in factors: no overflow, and its sign is right near 0.
         let half = (1.0 + q).sqrt();
         let middle = (half - double) * (half + double);
@@ -126,13 +126,13 @@ impl Oscillator {
         } else if self.ratio < 1.0 {
             self.root.atan2(g) / self.root
         } else {
-            // g − √ = r + 1/(ζ + √) keeps its digits.
+            // g − √ = r + 1/(ζ + √) does not lose digits.
             (2.0 * self.root / (r + 1.0 / (self.ratio + self.root))).ln_1p() / (2.0 * self.root)
         }
     }
 }
 
-impl Orbit for Oscillator {
+impl Trajectory for Oscillator {
     fn loss(&self) -> f64 {
         -(-decrement(self.ratio, self.separation)).exp_m1()
     }
@@ -154,7 +154,7 @@ impl Orbit for Oscillator {
     }
 
     fn greatest_penetration(&self) -> f64 {
-        (-(1.0 - self.warp) * self.ratio * self.compression).exp()
+        (-(1.0 - self.q) * self.ratio * self.compression).exp()
     }
 
     fn peak(&self) -> (f64, f64) {
@@ -167,15 +167,15 @@ impl Orbit for Oscillator {
         // y = e^(−ζs)/√(r² + 2ζr + 1), the root without overflow.
         let across = ((slope + 2.0 * self.ratio) * slope).sqrt().hypot(1.0);
         let decay = (-self.ratio * s).exp();
-        let force = (decay / across).powf(self.warp) * decay * (1.0 + 2.0 * self.ratio * slope) / across;
+        let force = (decay / across).powf(self.q) * decay * (1.0 + 2.0 * self.ratio * slope) / across;
         (s, force)
     }
 
-    fn after_touch(&self, s: f64) -> Moment {
+    fn after_touch(&self, s: f64) -> State {
         self.moment(self.displacement(s), self.rate(s))
     }
 
-    fn before_end(&self, s: f64) -> Moment {
+    fn before_end(&self, s: f64) -> State {
         let at = self.compression + self.expansion - s;
         let mut moment = self.moment(self.displacement_before_end(s), self.rate(at));
         if self.separation == Separation::ForceVanishes {
@@ -185,27 +185,27 @@ impl Orbit for Oscillator {
     }
 
     fn singularities(&self) -> [f64; 2] {
-        // Lightly damped, the force vanishes where the gap all but closes.
+        // Lightly damped, the force vanishes where the gap is nearly closed.
         let closes = match self.separation {
             Separation::ForceVanishes => self.ratio < 0.05,
             Separation::GapCloses => self.ratio < 1.0,
         };
-        [self.warp, if closes { self.warp } else { 0.0 }]
+        [self.q, if closes { self.q } else { 0.0 }]
     }
 
-    fn pace_after_touch(&self, s: f64) -> f64 {
-        self.pace(self.displacement(s))
+    fn time_rate_after_touch(&self, s: f64) -> f64 {
+        self.time_rate(self.displacement(s))
     }
 
-    fn pace_before_end(&self, s: f64) -> f64 {
-        self.pace(self.displacement_before_end(s))
+    fn time_rate_before_end(&self, s: f64) -> f64 {
+        self.time_rate(self.displacement_before_end(s))
     }
 
     fn time_after_touch(&self, s: f64) -> f64 {
-        if self.warp == 0.0 { s } else { super::from_singular_end(s, |s| self.pace_after_touch(s)) }
+        if self.q == 0.0 { s } else { super::from_singular_end(s, |s| self.time_rate_after_touch(s)) }
     }
 
     fn time_before_end(&self, s: f64) -> f64 {
-        if self.warp == 0.0 { s } else { super::from_singular_end(s, |s| self.pace_before_end(s)) }
+        if self.q == 0.0 { s } else { super::from_singular_end(s, |s| self.time_rate_before_end(s)) }
     }
 }

@@ -1,11 +1,11 @@
-//! The course of a blow: its ends, its turn, its loop.
+//! The course of an impact: its ends, its turn, its loop.
 
 mod support;
 
 use percuss_contact::{Contact, Damper, Law, Sample, Separation};
 use support::apart;
 
-/// Every kind of orbit: both laws, both ends, three exponents, light and heavy damping.
+/// Every kind of trajectory: both laws, both ends, three exponents, light and heavy damping.
 fn cases() -> Vec<(Damper, Contact, f64)> {
     let mut cases = Vec::new();
     for exponent in [1.0, 1.5, 4.0] {
@@ -44,16 +44,16 @@ fn loop_area(course: &[Sample]) -> f64 {
 fn the_loop_encloses_the_energy_lost() {
     let count = 1501;
     for (damper, contact, speed) in cases() {
-        let blow = damper.blow(contact, speed).unwrap();
+        let impact = damper.impact(contact, speed).unwrap();
         let area = loop_area(&damper.history(contact, speed, count).unwrap());
         let energy = 0.5 * contact.mass() * speed * speed;
-        let error = (area - blow.energy_lost).abs() / energy;
+        let error = (area - impact.energy_lost).abs() / energy;
         assert!(
             error < TRAPEZIUM,
             "{damper:?} {contact:?}: {area:e} beside {:e}, {error:e}",
-            blow.energy_lost
+            impact.energy_lost
         );
-        assert!(apart(blow.energy_lost, energy * (1.0 - blow.restitution.powi(2))) < 1e-12);
+        assert!(apart(impact.energy_lost, energy * (1.0 - impact.restitution.powi(2))) < 1e-12);
     }
 }
 
@@ -85,20 +85,23 @@ fn course_greatest(course: &[Sample]) -> f64 {
 }
 
 #[test]
-fn the_course_has_the_blows_figures() {
+fn the_course_has_the_impacts_figures() {
     for (damper, contact, speed) in cases() {
         let name = format!("{damper:?} {contact:?}");
-        let blow = damper.blow(contact, speed).unwrap();
+        let impact = damper.impact(contact, speed).unwrap();
         let course = damper.history(contact, speed, 1001).unwrap();
         let [first, last] = [course[0], course[1000]];
         assert!(first.time == 0.0 && first.penetration == 0.0 && apart(first.rate, speed) < 1e-14, "{name}");
-        assert!(apart(last.time, blow.duration.unwrap()) < 1e-14, "{name}");
-        assert!(apart(-last.rate, blow.rebound_speed) < 1e-12, "{name}: {last:?}");
+        assert!(apart(last.time, impact.duration.unwrap()) < 1e-14, "{name}");
+        assert!(apart(-last.rate, impact.rebound_speed) < 1e-12, "{name}: {last:?}");
         let greatest = course_greatest(&course);
-        assert!(greatest <= blow.max_penetration * (1.0 + 1e-14), "{name}");
-        assert!(greatest > blow.max_penetration * (1.0 - 1e-4), "{name}");
+        assert!(greatest <= impact.max_penetration * (1.0 + 1e-14), "{name}");
+        assert!(greatest > impact.max_penetration * (1.0 - 1e-4), "{name}");
         let peak = course.iter().map(|sample| sample.force).fold(0.0, f64::max);
-        assert!(peak <= blow.peak_force * (1.0 + 1e-14) && peak > blow.peak_force * (1.0 - 1e-3), "{name}");
+        assert!(
+            peak <= impact.peak_force * (1.0 + 1e-14) && peak > impact.peak_force * (1.0 - 1e-3),
+            "{name}"
+        );
         match damper {
             Damper::KelvinVoigt { separation: Separation::GapCloses, coefficient, .. } => {
                 assert!(last.penetration == 0.0 && last.force <= 0.0, "{name}: {last:?}");
@@ -118,19 +121,19 @@ fn the_course_has_the_blows_figures() {
     }
 }
 
-/// Critically damped and beyond, the gap takes for ever to close.
+/// Critically damped and beyond, the gap takes forever to close.
 #[test]
 fn a_contact_that_never_ends_is_shown_settling() {
     for ratio in [1.0, 3.0] {
         let contact = Contact::new(2.0, 5e4).unwrap();
         let damper = Damper::kelvin_voigt(contact, ratio, Separation::GapCloses).unwrap();
-        let blow = damper.blow(contact, 1.0).unwrap();
-        assert_eq!((blow.duration, blow.restitution, blow.rebound_speed), (None, 0.0, 0.0));
-        assert!(apart(blow.energy_lost, 1.0) < 1e-15);
+        let impact = damper.impact(contact, 1.0).unwrap();
+        assert_eq!((impact.duration, impact.restitution, impact.rebound_speed), (None, 0.0, 0.0));
+        assert!(apart(impact.energy_lost, 1.0) < 1e-15);
         let last = *damper.history(contact, 1.0, 300).unwrap().last().unwrap();
         // e⁻⁸ is 3e-4, times 1 + 8 where the damping is critical.
         assert!(
-            last.penetration > 0.0 && last.penetration < 4e-3 * blow.max_penetration,
+            last.penetration > 0.0 && last.penetration < 4e-3 * impact.max_penetration,
             "{ratio}: {last:?}"
         );
     }
@@ -141,6 +144,6 @@ fn the_shortest_course_is_its_two_ends() {
     for (damper, contact, speed) in cases() {
         let course = damper.history(contact, speed, 2).unwrap();
         assert!(course.len() == 2 && course[0].time == 0.0);
-        assert!(apart(course[1].time, damper.blow(contact, speed).unwrap().duration.unwrap()) < 1e-14);
+        assert!(apart(course[1].time, damper.impact(contact, speed).unwrap().duration.unwrap()) < 1e-14);
     }
 }

@@ -20,12 +20,12 @@ const ROOT_TOLERANCE: f64 = 1e-11;
 /// There is no closed form; the motion is integrated by Dormand and Prince's pair of orders 5 and 4.
 /// For D → 0 and p = 1, ĉ → 2ζ.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Impact {
+pub struct ImpactFunction {
     exponent: f64,
     ramp: f64,
 }
 
-impl Impact {
+impl ImpactFunction {
     /// `exponent` p from 1 to 10; `ramp` D, from 1e-4 to 1e4. Errors: either is out of its range.
     pub fn new(exponent: f64, ramp: f64) -> Result<Self, ContactError> {
         if !crate::Contact::EXPONENTS.contains(&exponent) {
@@ -110,7 +110,7 @@ impl Impact {
         if e < 1e-3 {
             return Err(endless(e));
         }
-        // The loss is in proportion to the damping as both vanish, where the integration could not tell it from 0.
+        // The loss is in proportion to the damping as both vanish, where the integration could not distinguish it from 0.
         if 1.0 - e < LEAST_LOSS {
             return Ok(self.damping(1.0 - LEAST_LOSS)? * ((1.0 - e) / LEAST_LOSS));
         }
@@ -235,6 +235,6 @@ fn endless(restitution: f64) -> ContactError {
         law: "adams-impact",
         restitution,
         why: "the contact all but sticks",
-        mend: "ask for a restitution of at least 0.001",
+        remedy: "ask for a restitution of at least 0.001",
     }
 }

@@ -1,19 +1,19 @@
-//! What a blow amounts to, and its course.
+//! What an impact amounts to, and its history.
 
 use crate::error::{positive, representable};
-use crate::orbit::{Moment, Orbit};
+use crate::trajectory::{State, Trajectory};
 use crate::{Contact, ContactError};
 use serde::Serialize;
 
-/// The figures of one blow: a contact met at some approach speed, until it ends.
+/// The figures of one impact: a contact met at some approach speed, until it ends.
 ///
 /// The restitution, penetration, force and energy are closed forms, the times too where a Kelvin–Voigt contact is
 /// linear; other times are integrals, to 1e-12 of themselves.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Blow {
+pub struct Impact {
     /// Rebound speed over approach speed.
     pub restitution: f64,
-    /// From the first touch to the end, in s; none where the gap takes for ever to close (a Kelvin–Voigt contact
+    /// From the first touch to the end, in s; none where the gap takes forever to close (a Kelvin–Voigt contact
     /// that ends when the gap closes, damping ratio 1 or more).
     pub duration: Option<f64>,
     /// In m.
@@ -30,7 +30,7 @@ pub struct Blow {
     pub rebound_speed: f64,
 }
 
-/// One moment of a blow.
+/// The state at one instant of an impact.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Sample {
     /// Since the first touch, in s.
@@ -43,7 +43,7 @@ pub struct Sample {
     pub force: f64,
 }
 
-/// The units of an orbit.
+/// The units of a trajectory.
 #[derive(Clone, Copy, Debug)]
 struct Units {
     speed: f64,
@@ -66,7 +66,7 @@ impl Units {
         Ok(Self { speed, length, time, force })
     }
 
-    fn sample(&self, time: f64, moment: Moment) -> Sample {
+    fn sample(&self, time: f64, moment: State) -> Sample {
         Sample {
             time: time * self.time,
             penetration: moment.penetration * self.length,
@@ -76,38 +76,47 @@ impl Units {
     }
 }
 
-/// The figures of this orbit.
-pub(crate) fn blow(orbit: &dyn Orbit, contact: Contact, speed: f64) -> Result<Blow, ContactError> {
+/// The figures of this trajectory.
+pub(crate) fn impact(
+    trajectory: &dyn Trajectory,
+    contact: Contact,
+    speed: f64,
+) -> Result<Impact, ContactError> {
     let units = Units::new(contact, speed)?;
-    let (at_peak, peak) = orbit.peak();
-    let compression = orbit.time_after_touch(orbit.compression());
-    let duration = orbit.ends().then(|| compression + orbit.time_before_end(orbit.expansion()));
-    let (loss, restitution) = (orbit.loss(), orbit.restitution());
+    let (at_peak, peak) = trajectory.peak();
+    let compression = trajectory.time_after_touch(trajectory.compression());
+    let duration =
+        trajectory.ends().then(|| compression + trajectory.time_before_end(trajectory.expansion()));
+    let (loss, restitution) = (trajectory.loss(), trajectory.restitution());
     let energy_lost = 0.5 * (contact.mass() * speed) * speed * loss * (1.0 + restitution);
     let rebound_speed = restitution * speed;
-    let to_peak = orbit.time_after_touch(at_peak);
+    let to_peak = trajectory.time_after_touch(at_peak);
     let time = |value: f64| representable("duration, s", value * units.time);
-    Ok(Blow {
-        restitution: if orbit.ends() { representable("restitution", restitution)? } else { restitution },
+    Ok(Impact {
+        restitution: if trajectory.ends() { representable("restitution", restitution)? } else { restitution },
         duration: duration.map(time).transpose()?,
-        max_penetration: representable("penetration, m", orbit.greatest_penetration() * units.length)?,
+        max_penetration: representable("penetration, m", trajectory.greatest_penetration() * units.length)?,
         time_of_max_penetration: time(compression)?,
         peak_force: representable("force, N", peak * units.force)?,
         time_of_peak_force: if to_peak == 0.0 { 0.0 } else { time(to_peak)? },
         energy_lost: if loss == 0.0 { 0.0 } else { representable("energy lost, J", energy_lost)? },
-        rebound_speed: if orbit.ends() { representable("rebound speed, m/s", rebound_speed)? } else { 0.0 },
+        rebound_speed: if trajectory.ends() {
+            representable("rebound speed, m/s", rebound_speed)?
+        } else {
+            0.0
+        },
     })
 }
 
-/// The fewest and the most samples of a course.
+/// The fewest and the most samples of a history.
 const SAMPLES: std::ops::RangeInclusive<usize> = 2..=1_000_000;
 
-/// The course of this orbit in `count` moments, the touch and the end included.
+/// The history of this trajectory at `count` instants, the touch and the end included.
 ///
 /// They are nearly evenly spaced in time near both ends, where the force of a stiffening spring sets in, and along
-/// the orbit's own parameter between.
+/// the trajectory's own parameter between.
 pub(crate) fn history(
-    orbit: &dyn Orbit,
+    trajectory: &dyn Trajectory,
     contact: Contact,
     speed: f64,
     count: usize,
@@ -117,18 +126,18 @@ pub(crate) fn history(
         return Err(ContactError::OutOfRange { what: "number of samples", got: count as f64, valid });
     }
     let units = Units::new(contact, speed)?;
-    let compression = orbit.time_after_touch(orbit.compression());
-    let total = compression + orbit.time_before_end(orbit.expansion());
-    let [from_touch, to_end] = orbit.singularities().map(|power| 1.0 / (1.0 - power));
+    let compression = trajectory.time_after_touch(trajectory.compression());
+    let total = compression + trajectory.time_before_end(trajectory.expansion());
+    let [from_touch, to_end] = trajectory.singularities().map(|power| 1.0 / (1.0 - power));
     let turn = compression / total;
     let moment = |i: usize| {
         let fraction = i as f64 / (count - 1) as f64;
         if fraction <= turn {
-            let s = orbit.compression() * (fraction / turn).powf(from_touch);
-            (orbit.time_after_touch(s), orbit.after_touch(s))
+            let s = trajectory.compression() * (fraction / turn).powf(from_touch);
+            (trajectory.time_after_touch(s), trajectory.after_touch(s))
         } else {
-            let s = orbit.expansion() * ((1.0 - fraction) / (1.0 - turn)).powf(to_end);
-            (total - orbit.time_before_end(s), orbit.before_end(s))
+            let s = trajectory.expansion() * ((1.0 - fraction) / (1.0 - turn)).powf(to_end);
+            (total - trajectory.time_before_end(s), trajectory.before_end(s))
         }
     };
     (0..count)
@@ -139,7 +148,7 @@ pub(crate) fn history(
             if all.iter().all(|value| value.is_finite()) {
                 return Ok(sample);
             }
-            Err(ContactError::NotRepresentable { what: "course of the blow" })
+            Err(ContactError::NotRepresentable { what: "history of the impact" })
         })
         .collect()
 }

@@ -1,10 +1,10 @@
-//! The blow on a Hunt–Crossley contact with the dissipation number a = d v > 0.
+//! The impact on a Hunt–Crossley contact with the dissipation number a = d v > 0.
 //!
 //! With w = d ẋ, which falls from a to −e a, λ = ln(1 + w) and G = w − ln(1 + w) = e^λ − 1 − λ:
 //! x^(p+1) = 2 (G(a) − G)/a², the force is xᵖ e^λ and dt/ds = (1 − q) x⁻ᵖ/a with q = (p−1)/(p+1), where s is how far λ
 //! has fallen. λ falls by 2h in all, h the parameter of the exact solution.
 
-use super::{Moment, Orbit};
+use super::{State, Trajectory};
 use crate::laws::hunt_crossley::Solution;
 
 #[derive(Clone, Copy, Debug)]
@@ -57,21 +57,21 @@ impl Dissipative {
         }
     }
 
-    fn moment(&self, fallen: f64, log: f64) -> Moment {
+    fn moment(&self, fallen: f64, log: f64) -> State {
         let penetration = self.penetration(fallen);
-        Moment {
+        State {
             penetration,
             rate: log.exp_m1() / self.number,
             force: penetration.powf(self.exponent) * log.exp(),
         }
     }
 
-    fn pace(&self, fallen: f64) -> f64 {
+    fn time_rate(&self, fallen: f64) -> f64 {
         2.0 / (self.exponent + 1.0) / self.number * self.penetration(fallen).powf(-self.exponent)
     }
 }
 
-impl Orbit for Dissipative {
+impl Trajectory for Dissipative {
     fn loss(&self) -> f64 {
         self.solution.loss()
     }
@@ -97,7 +97,7 @@ impl Orbit for Dissipative {
     }
 
     /// The force is greatest where G(a) − G = p/(p+1) w, that is κ w − ln(1 + w) = G(a) with κ = (2p+1)/(p+1): the
-    /// left side is convex in λ, and Newton's steps come down on the root from above.
+    /// left side is convex in λ, and Newton's steps approach the root from above.
     fn peak(&self) -> (f64, f64) {
         let share = self.exponent / (self.exponent + 1.0);
         let fallen = exp_m1_minus(self.first);
@@ -116,11 +116,11 @@ impl Orbit for Dissipative {
         (self.first - log, penetration.powf(self.exponent) * log.exp())
     }
 
-    fn after_touch(&self, s: f64) -> Moment {
+    fn after_touch(&self, s: f64) -> State {
         self.moment(self.fallen_after_touch(s), self.first - s)
     }
 
-    fn before_end(&self, s: f64) -> Moment {
+    fn before_end(&self, s: f64) -> State {
         self.moment(self.fallen_before_end(s), s - self.last)
     }
 
@@ -128,16 +128,16 @@ impl Orbit for Dissipative {
         [self.exponent / (self.exponent + 1.0); 2]
     }
 
-    fn pace_after_touch(&self, s: f64) -> f64 {
-        self.pace(self.fallen_after_touch(s))
+    fn time_rate_after_touch(&self, s: f64) -> f64 {
+        self.time_rate(self.fallen_after_touch(s))
     }
 
-    fn pace_before_end(&self, s: f64) -> f64 {
-        self.pace(self.fallen_before_end(s))
+    fn time_rate_before_end(&self, s: f64) -> f64 {
+        self.time_rate(self.fallen_before_end(s))
     }
 }
 
-/// e^x − 1 − x, with all its digits near 0.
+/// e^x − 1 − x, without loss of digits near 0.
 fn exp_m1_minus(x: f64) -> f64 {
     if x.abs() > 0.5 {
         return x.exp_m1() - x;
