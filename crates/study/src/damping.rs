@@ -194,7 +194,7 @@ pub fn damper(question: &DampingQuestion, mass: f64) -> Result<DamperRecord, Con
     let contact = contact(question, mass)?;
     let damper = damper_of(question, contact)?;
     // Kelvin–Voigt rebounds alike at every speed, and a linear one takes as long.
-    let blow = damper.blow(contact, question.speed.unwrap_or(1.0))?;
+    let blow = damper.impact(contact, question.speed.unwrap_or(1.0))?;
     let at_speed = question.speed.map(|_| blow);
     let exact_dissipation = || {
         let speed = question.speed?;
