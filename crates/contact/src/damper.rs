@@ -2,8 +2,9 @@
 
 use crate::error::{not_negative, positive, representable};
 use crate::impact::{self, Impact, Sample};
+use crate::limits;
 use crate::trajectory::{Dissipative, Oscillator, Trajectory};
-use crate::{Contact, ContactError, Separation, hunt_crossley};
+use crate::{Contact, ContactError, Separation};
 
 /// A damper: with a [`Contact`] and an approach speed it makes an impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -91,7 +92,7 @@ impl Damper {
             }
             Self::HuntCrossley { dissipation } => {
                 let number = not_negative("dissipation, s/m", dissipation)? * speed;
-                if number > hunt_crossley::GREATEST {
+                if number > limits::GREATEST_DISSIPATION_NUMBER {
                     return Err(ContactError::NotRepresentable { what: "dissipation times approach speed" });
                 }
                 Ok(Box::new(Dissipative::new(number, contact.exponent())))

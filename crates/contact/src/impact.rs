@@ -1,6 +1,7 @@
 //! What an impact amounts to, and its history.
 
 use crate::error::{positive, representable};
+use crate::limits;
 use crate::trajectory::{State, Trajectory};
 use crate::{Contact, ContactError};
 use serde::Serialize;
@@ -108,9 +109,6 @@ pub(crate) fn impact(
     })
 }
 
-/// The fewest and the most samples of a history.
-const SAMPLES: std::ops::RangeInclusive<usize> = 2..=1_000_000;
-
 /// The history of this trajectory at `count` instants, the touch and the end included.
 ///
 /// They are nearly evenly spaced in time near both ends, where the force of a stiffening spring sets in, and along
@@ -121,7 +119,7 @@ pub(crate) fn history(
     speed: f64,
     count: usize,
 ) -> Result<Vec<Sample>, ContactError> {
-    if !SAMPLES.contains(&count) {
+    if !limits::SAMPLES.contains(&count) {
         let valid = "a whole number from 2 to 1000000";
         return Err(ContactError::OutOfRange { what: "number of samples", got: count as f64, valid });
     }

@@ -39,6 +39,7 @@ mod error;
 pub mod exports;
 mod impact;
 mod laws;
+mod limits;
 mod quadrature;
 mod separation;
 mod trajectory;

@@ -1,5 +1,6 @@
 //! Integrals with a power singularity at their lower end.
 
+use crate::limits;
 use std::f64::consts::PI;
 
 /// ∫₀^span f(s) ds by the double-exponential rule (Takahasi and Mori 1974).
@@ -18,24 +19,22 @@ pub(crate) fn from_singular_end(span: f64, f: impl Fn(f64) -> f64) -> f64 {
         let s = span * below;
         if s > 0.0 { PI * t.cosh() * below * above * f(s) } else { 0.0 }
     };
-    // e^(-π sinh 6.1) is 1e-304: a point nearer the singular end is not representable.
-    const LOWEST: f64 = -6.0;
-    const HIGHEST: f64 = 3.25;
+    let [lowest, highest] = limits::QUADRATURE_RANGE;
     let mut step = 0.25;
     let mut sum = 0.0;
-    let count = ((HIGHEST - LOWEST) / step) as usize;
+    let count = ((highest - lowest) / step) as usize;
     for i in 0..=count {
-        sum += term(LOWEST + step * i as f64);
+        sum += term(lowest + step * i as f64);
     }
     let mut last = sum * step;
     for _ in 0..5 {
-        let between = ((HIGHEST - LOWEST) / step) as usize;
+        let between = ((highest - lowest) / step) as usize;
         for i in 0..between {
-            sum += term(LOWEST + step * (i as f64 + 0.5));
+            sum += term(lowest + step * (i as f64 + 0.5));
         }
         step *= 0.5;
         let next = sum * step;
-        if (next - last).abs() <= 1e-13 * next.abs() {
+        if (next - last).abs() <= limits::QUADRATURE_AGREEMENT * next.abs() {
             return next * span;
         }
         last = next;

@@ -2,10 +2,7 @@
 
 use super::{Export, ExportError, ImpactFunction, Request, Tool};
 use crate::ContactError;
-
-/// The depth of full damping over the penetration that the spring alone would reach: a compromise between a force that
-/// jumps (0) and a damper that hardly acts (1).
-const RAMP: f64 = 0.1;
+use crate::limits;
 
 /// IMPACT(x, x', x1, k, e, cmax, d) = max(0, k(x1−x)^e − STEP(x, x1−d, cmax, x1, 0) x').
 ///
@@ -37,8 +34,8 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
         return Ok(export);
     };
     let depth = ImpactFunction::undamped_penetration(p, mass, stiffness, speed)?;
-    let ramp = RAMP * depth;
-    let number = ImpactFunction::new(p, RAMP)?.damping(e)?;
+    let ramp = limits::ADAMS_RAMP * depth;
+    let number = ImpactFunction::new(p, limits::ADAMS_RAMP)?.damping(e)?;
     // k x₀ᵖ/v = (p+1)/2 · m̄ v/x₀.
     let damping = number * (p + 1.0) / 2.0 * mass * speed / depth;
     if !damping.is_finite() {
@@ -46,7 +43,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     }
     export.set("cmax", damping, "N·s/m");
     export.set("d", ramp, "m");
-    export.error_bound = Some(1e-6);
+    export.error_bound = Some(limits::ADAMS_ERROR);
     export.assume(format!("cmax and d are for approach at {speed:?} m/s."));
     export.write(
         "SFORCE and CONTACT",

@@ -1,13 +1,11 @@
 //! Drake: point contact of `MultibodyPlant`, continuous (Hunt–Crossley) and discrete (SAP, lagged).
 
+use crate::limits;
 use std::f64::consts::PI;
 
 use super::linear::Linear;
 use super::{Export, ExportError, Request, Tool};
 use crate::hunt_crossley;
-
-/// ω times the continuous integrator's greatest step.
-const LONGEST_STEP: f64 = 0.1;
 
 /// For each of two equal geometries: point stiffness 2k, Hunt–Crossley dissipation d = a(e)/v, and for SAP the
 /// relaxation time ζ'/ω, half of the pair's τ = c/k.
@@ -92,9 +90,10 @@ impl Linear {
 
 fn continuous(export: &mut Export, request: &Request, linear: &Linear) {
     let accuracy = request.options.accuracy;
-    let largest = LONGEST_STEP * (accuracy / 1e-3).sqrt().min(1.0) / linear.frequency;
+    let largest =
+        limits::LONGEST_STEP * (accuracy / limits::DEFAULT_ACCURACY).sqrt().min(1.0) / linear.frequency;
     export.set("integration_scheme", "runge_kutta3", "");
-    export.set("accuracy", accuracy.min(1e-3), "");
+    export.set("accuracy", accuracy.min(limits::DRAKE_ACCURACY), "");
     export.set("max_step_size", largest, "s");
     export.assume(format!(
         "A continuous plant is integrated by runge_kutta3 in steps of at most {largest:?} s: error control alone \

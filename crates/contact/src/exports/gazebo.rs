@@ -2,11 +2,7 @@
 
 use super::linear::Linear;
 use super::{Export, ExportError, Request, Tool};
-
-/// Below this approach speed, in m/s, `restitution_coefficient` is not to act; SDF's default of 100000 switches it off.
-const THRESHOLD: f64 = 0.01;
-/// `max_velocity` where no speed is given, m/s: above any impact's.
-const FASTEST: f64 = 100.0;
+use crate::limits;
 
 /// For each of two equal collisions kp = 2k, kd = c'/2: ODE gets the springs in series and the sum of the dampers.
 ///
@@ -17,8 +13,9 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let step = linear.implicit_step();
     let damping = linear.damping(linear.implicit_ratio(step)?);
     let (kp, kd) = (2.0 * linear.stiffness, damping / 2.0);
-    let fastest = request.speed.map_or(FASTEST, |speed| 10.0 * speed);
-    let threshold = request.speed.map_or(THRESHOLD, |speed| THRESHOLD.min(speed / 10.0));
+    let fastest = request.speed.map_or(limits::GAZEBO_FASTEST, |speed| 10.0 * speed);
+    let threshold =
+        request.speed.map_or(limits::GAZEBO_THRESHOLD, |speed| limits::GAZEBO_THRESHOLD.min(speed / 10.0));
     let mut export = Export::new(
         Tool::Gazebo,
         "Gazebo Classic with ODE: linear spring and damper, never pulling, by implicit Euler",

@@ -2,15 +2,7 @@
 
 use crate::ContactError;
 use crate::error::{not_negative, positive, representable, unit_interval};
-
-/// Tolerance of one step, on penetration and speed that are both of order 1.
-const STEP_TOLERANCE: f64 = 1e-12;
-/// Steps after which a contact is given up.
-const STEPS: usize = 400_000;
-/// The least 1 − e that is integrated.
-const LEAST_LOSS: f64 = 1e-6;
-/// The root finder's: on ln e.
-const ROOT_TOLERANCE: f64 = 1e-11;
+use crate::limits;
 
 /// F = max(0, k xᵖ + STEP(x, 0, 0, d, cmax) ẋ), in the penetration x₀ = ((p+1) m̄ v²/(2k))^{1/(p+1)} that the spring
 /// alone would reach, and the approach speed v.
@@ -32,7 +24,7 @@ impl ImpactFunction {
             let (what, valid) = ("exponent of the spring", "a number from 1 to 10");
             return Err(ContactError::OutOfRange { what, got: exponent, valid });
         }
-        if !(1e-4..=1e4).contains(&ramp) {
+        if !limits::RAMPS.contains(&ramp) {
             let (what, valid) =
                 ("IMPACT's ramp d over the undamped penetration", "a number from 1e-4 to 1e4");
             return Err(ContactError::OutOfRange { what, got: ramp, valid });
@@ -60,11 +52,12 @@ impl ImpactFunction {
             return Ok(1.0);
         }
         let mut state = [0.0, 1.0];
-        let mut step = 1e-3 * self.ramp.min(1.0);
-        for _ in 0..STEPS {
+        let mut step = limits::FIRST_STEP * self.ramp.min(1.0);
+        for _ in 0..limits::MOST_STEPS {
             let (next, error) = self.dormand_prince(damping, state, step);
-            let grow = (0.9 * (STEP_TOLERANCE / error.max(1e-30)).powf(0.2)).clamp(0.2, 4.0);
-            if error > STEP_TOLERANCE {
+            let grow = (0.9 * (limits::STEP_TOLERANCE / error.max(limits::LEAST_STEP_ERROR)).powf(0.2))
+                .clamp(0.2, 4.0);
+            if error > limits::STEP_TOLERANCE {
                 step *= grow;
                 continue;
             }
@@ -78,7 +71,7 @@ impl ImpactFunction {
                 continue;
             }
             let [y, u] = self.end_of_step(damping, state, step, pulls);
-            let Some(y) = self.pressed_again(damping, y, u) else { return Ok((-u).clamp(0.0, 1.0)) };
+            let Some(y) = self.positive_again(damping, y, u) else { return Ok((-u).clamp(0.0, 1.0)) };
             state = [y, u];
             step = step.min(0.1 * y / -u);
         }
@@ -86,12 +79,12 @@ impl ImpactFunction {
     }
 
     /// The first y below the given one, on the way out at a constant speed u, where the force is above zero again.
-    fn pressed_again(&self, damping: f64, y: f64, u: f64) -> Option<f64> {
+    fn positive_again(&self, damping: f64, y: f64, u: f64) -> Option<f64> {
         let presses = |y: f64| self.force(damping, [y, u]) > 0.0;
         let mut above = y;
         // The region may be as small as (D/ĉ)^(1/(2−p)): the search goes down by a constant ratio.
-        while above > 1e-12 {
-            let below = 0.98 * above;
+        while above > limits::CLOSED_GAP {
+            let below = limits::SEARCH_RATIO * above;
             if presses(below) {
                 return Some(bisect(below, above, |y| !presses(y)).0);
             }
@@ -100,23 +93,23 @@ impl ImpactFunction {
         None
     }
 
-    /// The damping ĉ of the restitution e, 0 for e = 1. Errors: e is not from 0 to 1, or so small that the contact
-    /// all but sticks (e = 0 included).
+    /// The damping ĉ of the restitution e, 0 for e = 1. Errors: e is not from 0 to 1, or so small that the mass
+    /// nearly comes to rest in the contact (e = 0 included).
     pub fn damping(&self, restitution: f64) -> Result<f64, ContactError> {
         let e = unit_interval("restitution", restitution)?;
         if e == 1.0 {
             return Ok(0.0);
         }
-        if e < 1e-3 {
+        if e < limits::LEAST_RESTITUTION {
             return Err(endless(e));
         }
         // The loss is in proportion to the damping as both vanish, where the integration could not distinguish it from 0.
-        if 1.0 - e < LEAST_LOSS {
-            return Ok(self.damping(1.0 - LEAST_LOSS)? * ((1.0 - e) / LEAST_LOSS));
+        if 1.0 - e < limits::LEAST_LOSS {
+            return Ok(self.damping(1.0 - limits::LEAST_LOSS)? * ((1.0 - e) / limits::LEAST_LOSS));
         }
         let miss =
             |damping: f64| -> Result<f64, ContactError> { Ok(self.restitution(damping)?.ln() - e.ln()) };
-        // From a fair start, both ends are sought.
+        // A bracket is sought from 1 − e on, by factors.
         let mut low = 1.0 - e;
         let mut at_low = miss(low)?;
         while at_low < 0.0 {
@@ -127,7 +120,7 @@ impl ImpactFunction {
         while at_high > 0.0 {
             (low, at_low) = (high, at_high);
             high *= 2.0;
-            if high > 1e8 {
+            if high > limits::GREATEST_IMPACT_DAMPING {
                 return Err(endless(e));
             }
             at_high = miss(high)?;
@@ -193,7 +186,7 @@ impl ImpactFunction {
 
 /// The two neighbours between which something begins to hold that does not hold at `low` and does at `high`.
 fn bisect(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> (f64, f64) {
-    for _ in 0..60 {
+    for _ in 0..limits::MOST_ITERATIONS {
         let middle = (low + high) / 2.0;
         if holds(middle) { high = middle } else { low = middle }
     }
@@ -210,11 +203,12 @@ fn falsi(
 ) -> Result<f64, ContactError> {
     let (mut a, mut f_a, mut b, mut f_b) = (low.ln(), at_low, high.ln(), at_high);
     let mut last_side = 0;
-    for _ in 0..200 {
+    for _ in 0..limits::MOST_SEARCH_STEPS {
         let middle = if f_a == f_b { (a + b) / 2.0 } else { (a * f_b - b * f_a) / (f_b - f_a) };
         let middle = if middle > a && middle < b { middle } else { (a + b) / 2.0 };
         let miss = miss(middle.exp())?;
-        if miss.abs() < ROOT_TOLERANCE || b - a < 1e-15 * b.abs().max(1.0) {
+        if miss.abs() < limits::RESTITUTION_TOLERANCE || b - a < limits::BRACKET_TOLERANCE * b.abs().max(1.0)
+        {
             return Ok(middle.exp());
         }
         if miss > 0.0 {
@@ -234,7 +228,7 @@ fn endless(restitution: f64) -> ContactError {
     ContactError::Unreachable {
         law: "adams-impact",
         restitution,
-        why: "the contact all but sticks",
+        why: "the mass nearly comes to rest in the contact",
         remedy: "ask for a restitution of at least 0.001",
     }
 }

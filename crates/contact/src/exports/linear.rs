@@ -2,12 +2,8 @@
 
 use super::{ExportError, Request, Tool};
 use crate::error::representable;
+use crate::limits;
 use crate::{Separation, kelvin_voigt};
-
-/// The greatest ωh of any recommended step.
-const LONGEST_STEP: f64 = 0.1;
-/// The greatest 2ζωh, so that the damping stays well inside the stability limit of an explicit step.
-const STIFFEST_STEP: f64 = 0.1;
 
 /// A linear contact whose force never pulls: m̄ ẍ = −max(0, k x + c ẋ).
 #[derive(Clone, Copy, Debug)]
@@ -97,7 +93,8 @@ impl Linear {
     /// for the recommended one; the bound is no bound there.
     pub(super) fn explicit_step(&self) -> Result<f64, ExportError> {
         let Some(step) = self.time_step else { return Ok(self.accurate_step(1.0)) };
-        let largest = 2.0 * LONGEST_STEP.min(STIFFEST_STEP / (2.0 * self.ratio)) / self.frequency;
+        let largest =
+            2.0 * limits::LONGEST_STEP.min(limits::STIFFEST_STEP / (2.0 * self.ratio)) / self.frequency;
         if step > largest {
             return Err(ExportError::StepTooCoarse { tool: self.tool, time_step: step, largest });
         }
@@ -113,7 +110,7 @@ impl Linear {
     fn accurate_step(&self, factor: f64) -> f64 {
         let slope = factor * 2.0 * self.ratio * self.restitution;
         let step = 2.0 * self.accuracy / (slope + (slope * slope + self.accuracy / 2.0).sqrt());
-        step.min(LONGEST_STEP).min(STIFFEST_STEP / (2.0 * self.ratio)) / self.frequency
+        step.min(limits::LONGEST_STEP).min(limits::STIFFEST_STEP / (2.0 * self.ratio)) / self.frequency
     }
 
     /// The ratio to command where the contact is integrated by implicit Euler, which adds ωh/2 to it: ζ − ωh/2.

@@ -2,9 +2,7 @@
 
 use super::linear::Linear;
 use super::{Export, ExportError, Request, Tool};
-
-/// The greatest impedance that MuJoCo takes (mjMAXIMP); it makes little of a wrong diagonal.
-const IMPEDANCE: f64 = 0.9999;
+use crate::limits;
 
 /// The direct `solref` = (−ω² f, −2ζω f) at a constant impedance d, f = d + (1−d)α.
 ///
@@ -22,11 +20,11 @@ const IMPEDANCE: f64 = 0.9999;
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let linear = Linear::of(request, Tool::Mujoco)?;
     let alpha = request.options.diagonal_ratio;
-    let scale = IMPEDANCE + (1.0 - IMPEDANCE) * alpha.unwrap_or(1.0);
+    let scale = limits::MUJOCO_IMPEDANCE + (1.0 - limits::MUJOCO_IMPEDANCE) * alpha.unwrap_or(1.0);
     let (zeta, omega) = (linear.ratio, linear.frequency);
     // 0 − x: without damping a zero, not a negative one.
     let solref = [0.0 - omega * omega * scale, 0.0 - 2.0 * zeta * omega * scale];
-    let solimp = [IMPEDANCE, IMPEDANCE, 1.0];
+    let solimp = [limits::MUJOCO_IMPEDANCE, limits::MUJOCO_IMPEDANCE, 1.0];
     let step = linear.explicit_step()?;
 
     let mut export = Export::new(
@@ -49,7 +47,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     }
     if request.options.constrained {
         export.set("equality_solref", [2.0 * step, 1.0], "s, -");
-        export.set("equality_solimp", [IMPEDANCE, IMPEDANCE, 1.0], "-, -, m");
+        export.set("equality_solimp", [limits::MUJOCO_IMPEDANCE, limits::MUJOCO_IMPEDANCE, 1.0], "-, -, m");
     }
     export.write("direct format", "xml", document(solref, solimp, step, request.options.constrained));
     if let Some(pair) = standard {
@@ -97,9 +95,10 @@ fn words(export: &mut Export, request: &Request, linear: &Linear) {
         Some(alpha) => export.assume(format!("α = Â·m̄ = {alpha:?}, Â at the model's reference pose qpos0.")),
         None => export.assume(format!(
             "α = Â·m̄ is taken as 1 (Â: the sum of body_invweight0[0] of the two bodies, times m̄). With the impedance \
-             {IMPEDANCE} another α changes the damping ratio by {:.0e}·(α−1), relative: give α where it is above 10, \
+             {} another α changes the damping ratio by {:.0e}·(α−1), relative: give α where it is above 10, \
              or set <flag diagexact=\"enable\"/>, which makes it 1 where no loop is closed.",
-            (1.0 - IMPEDANCE) / 2.0
+            limits::MUJOCO_IMPEDANCE,
+            (1.0 - limits::MUJOCO_IMPEDANCE) / 2.0
         )),
     }
     if request.options.constrained {

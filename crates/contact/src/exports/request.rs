@@ -2,6 +2,7 @@
 
 use super::ExportError;
 use crate::error::{positive, unit_interval};
+use crate::limits;
 use crate::{Contact, ContactError};
 
 /// A contact, and the required restitution.
@@ -38,7 +39,7 @@ pub struct Options {
 impl Default for Options {
     fn default() -> Self {
         Self {
-            accuracy: 1e-3,
+            accuracy: limits::DEFAULT_ACCURACY,
             time_step: None,
             own_mass: None,
             other_own_mass: None,
@@ -63,7 +64,7 @@ impl Request {
     pub(super) fn check(&self) -> Result<(), ExportError> {
         unit_interval("restitution", self.restitution)?;
         let accuracy = self.options.accuracy;
-        if !(1e-9..=0.1).contains(&accuracy) {
+        if !limits::ACCURACIES.contains(&accuracy) {
             let (what, valid) = ("accuracy of the restitution", "a number from 1e-9 to 0.1");
             return Err(ContactError::OutOfRange { what, got: accuracy, valid }.into());
         }

@@ -2,11 +2,7 @@
 
 use super::linear::Linear;
 use super::{Export, ExportError, Request, Tool};
-
-/// Δe per transition width in units of v/ω, as an upper bound.
-const ERROR_PER_WIDTH: f64 = 0.16;
-/// Up to which width, in units of v/ω, that holds.
-const WIDEST: f64 = 0.1;
+use crate::limits;
 
 /// Stiffness k, damping c = 2ζ√(k m̄), transition region width w = accuracy/0.32 · v/ω.
 ///
@@ -33,7 +29,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     );
     match request.speed {
         Some(speed) => {
-            let width = WIDEST.min(linear.accuracy / (2.0 * ERROR_PER_WIDTH)) * speed / linear.frequency;
+            let width = limits::SIMSCAPE_WIDEST.min(linear.accuracy / (2.0 * limits::SIMSCAPE_ERROR_PER_WIDTH)) * speed / linear.frequency;
             export.set("Transition Region Width", width, "m");
             text += &format!("contact_transition_width = {width:?}; % m\n");
             export.error_bound = Some(linear.accuracy / 2.0);

@@ -18,6 +18,7 @@
 use super::facts::Facts;
 use crate::ContactError;
 use crate::error::{not_negative, unit_interval};
+use crate::limits;
 
 pub(super) const FACTS: Facts = Facts {
     name: "hunt-crossley",
@@ -26,9 +27,6 @@ pub(super) const FACTS: Facts = Facts {
     source: "the law of Hunt and Crossley (1975); the equation of motion, solved",
     approximation: None,
 };
-
-/// The greatest dissipation number whose impact is computed.
-pub(crate) const GREATEST: f64 = 1e300;
 
 /// The restitution of the dissipation number a = d v. Errors: a is negative, NaN or infinite.
 pub fn restitution(dissipation_number: f64) -> Result<f64, ContactError> {
@@ -81,12 +79,12 @@ impl Solution {
     /// Newton's method on h (1 + 𝓛(h)) = a; the left side is convex, so the steps approach the root from above.
     pub(crate) fn of_number(a: f64) -> Self {
         let mut h = if a < 2.0 { 2.0 * a / (1.0 + (1.0 + 4.0 * a / 3.0).sqrt()) } else { 0.5 * a + 0.5 };
-        for _ in 0..60 {
+        for _ in 0..limits::MOST_ITERATIONS {
             let (langevin, _) = langevin(h);
             // h 𝓛' = h − h 𝓛² − 2 𝓛.
             let slope = 1.0 + langevin + h * langevin_slope(h, langevin);
             let next = h - (h * (1.0 + langevin) - a) / slope;
-            let settled = (next - h).abs() <= 2.0 * f64::EPSILON * h;
+            let settled = (next - h).abs() <= limits::CONVERGED * h;
             h = next;
             if settled {
                 break;
@@ -108,7 +106,7 @@ impl Solution {
 
 /// 𝓛(h) = coth h − 1/h and 1 − 𝓛(h), each without loss of digits, for h ≥ 0.
 fn langevin(h: f64) -> (f64, f64) {
-    if h < 3.0 {
+    if h < limits::LANGEVIN_FRACTION {
         // h/(3 + h²/(5 + h²/(7 + …))), all terms positive; 16 levels reach 1e-17 at h = 3.
         let tail = (1..17).rev().fold(35.0, |below, n| f64::from(2 * n + 1) + h * h / below);
         let value = h / tail;
@@ -121,9 +119,9 @@ fn langevin(h: f64) -> (f64, f64) {
 
 /// 𝓛'(h) = 1/h² − 1/sinh² h = 1 − 𝓛² − 2𝓛/h.
 fn langevin_slope(h: f64, langevin: f64) -> f64 {
-    if h < 1e-4 {
+    if h < limits::LANGEVIN_SERIES {
         1.0 / 3.0 - h * h / 15.0
-    } else if h < 3.0 {
+    } else if h < limits::LANGEVIN_FRACTION {
         1.0 - langevin * langevin - 2.0 * langevin / h
     } else {
         1.0 / h / h - h.sinh().powi(-2)
@@ -132,22 +130,22 @@ fn langevin_slope(h: f64, langevin: f64) -> f64 {
 
 /// h where 𝓛(h) = value, given 1 − value too, by Newton's method from Cohen's rational estimate (1991).
 fn inverse_langevin(value: f64, complement: f64) -> f64 {
-    if complement < 0.02 {
+    if complement < limits::LANGEVIN_ASYMPTOTE {
         // 1 − 𝓛 = 1/h − 2/(e^(2h) − 1), the last 1e-43 at h = 50.
         return 1.0 / complement;
     }
     let mut h = value * (3.0 - value * value) / (complement * (1.0 + value));
-    for _ in 0..60 {
+    for _ in 0..limits::MOST_ITERATIONS {
         let (at, short) = langevin(h);
         let excess = if value < 0.5 { at - value } else { complement - short };
-        let next = if h < 3.0 {
+        let next = if h < limits::LANGEVIN_FRACTION {
             h - excess / langevin_slope(h, at)
         } else {
             // The complement is nearly 1/h: the step is taken in 1/h.
             let inverse = 1.0 / h;
             1.0 / (inverse + excess * inverse * inverse / langevin_slope(h, at))
         };
-        let settled = (next - h).abs() <= 2.0 * f64::EPSILON * h;
+        let settled = (next - h).abs() <= limits::CONVERGED * h;
         h = next;
         if settled {
             break;

@@ -16,6 +16,7 @@
 
 use super::facts::Facts;
 use crate::error::{not_negative, unit_interval};
+use crate::limits;
 use crate::{ContactError, Separation};
 use std::f64::consts::PI;
 
@@ -120,7 +121,7 @@ fn root_of_compression(h: f64) -> f64 {
     };
     // ζ C(ζ) ≥ ln(2ζ) for ζ ≥ 1.
     let (mut low, mut high) = (0.0, h.exp().max(1.0));
-    for _ in 0..60 {
+    for _ in 0..limits::MOST_ITERATIONS {
         let time = compression(ratio);
         let excess = ratio * time - h;
         if excess > 0.0 {
@@ -130,10 +131,11 @@ fn root_of_compression(h: f64) -> f64 {
         }
         let gap = 1.0 - ratio;
         // d(ζC)/dζ = (C − ζ)/(1 − ζ²), 2/3 at ζ = 1.
-        let slope = if gap.abs() < 1e-5 { 2.0 / 3.0 } else { (time - ratio) / gap / (1.0 + ratio) };
+        let slope =
+            if gap.abs() < limits::CRITICAL_SLOPE { 2.0 / 3.0 } else { (time - ratio) / gap / (1.0 + ratio) };
         let newton = ratio - excess / slope;
         let next = if newton >= low && newton <= high { newton } else { 0.5 * (low + high) };
-        if (next - ratio).abs() <= 2.0 * f64::EPSILON * ratio {
+        if (next - ratio).abs() <= limits::CONVERGED * ratio {
             return next;
         }
         ratio = next;

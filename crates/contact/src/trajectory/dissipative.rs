@@ -6,6 +6,7 @@
 
 use super::{State, Trajectory};
 use crate::laws::hunt_crossley::Solution;
+use crate::limits;
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Dissipative {
@@ -25,7 +26,7 @@ impl Dissipative {
     pub(crate) fn new(number: f64, exponent: f64) -> Self {
         let exact = Solution::of_number(number);
         // Damping lighter than this shows in 1 − e alone; the rest would divide zero by zero.
-        let number = number.max(1e-17);
+        let number = number.max(limits::LEAST_DISSIPATION_NUMBER);
         let solution = Solution::of_number(number);
         let end = number * solution.restitution();
         let first = number.ln_1p();
@@ -103,10 +104,10 @@ impl Trajectory for Dissipative {
         let fallen = exp_m1_minus(self.first);
         let quadratic = 2.0 * fallen / (share + (share * share + 2.0 * (1.0 + share) * fallen).sqrt());
         let mut log = quadratic.min(self.first);
-        for _ in 0..60 {
+        for _ in 0..limits::MOST_ITERATIONS {
             let excess = share * log.exp_m1() + exp_m1_minus(log) - fallen;
             let next = log - excess / ((1.0 + share) * log.exp_m1() + share);
-            let settled = (next - log).abs() <= 2.0 * f64::EPSILON * log;
+            let settled = (next - log).abs() <= limits::CONVERGED * log;
             log = next;
             if settled {
                 break;

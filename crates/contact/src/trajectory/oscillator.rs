@@ -10,6 +10,7 @@
 use super::{State, Trajectory};
 use crate::Separation;
 use crate::laws::kelvin_voigt::{compression, decrement};
+use crate::limits;
 use std::f64::consts::PI;
 
 #[derive(Clone, Copy, Debug)]
@@ -24,9 +25,6 @@ pub(crate) struct Oscillator {
     expansion: f64,
 }
 
-/// How many time constants of the slow return are shown where the contact does not end.
-const SLOW_RETURN: f64 = 8.0;
-
 impl Oscillator {
     pub(crate) fn new(ratio: f64, exponent: f64, separation: Separation) -> Self {
         let root = (1.0 - ratio).abs().sqrt() * (1.0 + ratio).sqrt();
@@ -34,7 +32,7 @@ impl Oscillator {
         let expansion = match separation {
             Separation::ForceVanishes => compression,
             Separation::GapCloses if ratio < 1.0 => PI / root - compression,
-            Separation::GapCloses => SLOW_RETURN * (ratio + root),
+            Separation::GapCloses => limits::SLOW_RETURN * (ratio + root),
         };
         let q = (exponent - 1.0) / (exponent + 1.0);
         Self { ratio, separation, q, root, compression, expansion }
@@ -119,7 +117,7 @@ impl Oscillator {
     /// s where y′/y = r, r ≥ 0.
     fn at_slope(&self, r: f64) -> f64 {
         let g = r + self.ratio;
-        if self.root < 1e-4 * g {
+        if self.root < limits::SMALL_ANGLE * g {
             // arctan(√/g)/√ to the third order; artanh beyond ζ = 1.
             let square = (1.0 - self.ratio) * (1.0 + self.ratio) / g / g;
             (1.0 - square / 3.0 + square * square / 5.0) / g
@@ -187,7 +185,7 @@ impl Trajectory for Oscillator {
     fn singularities(&self) -> [f64; 2] {
         // Lightly damped, the force vanishes where the gap is nearly closed.
         let closes = match self.separation {
-            Separation::ForceVanishes => self.ratio < 0.05,
+            Separation::ForceVanishes => self.ratio < limits::LIGHT_DAMPING,
             Separation::GapCloses => self.ratio < 1.0,
         };
         [self.q, if closes { self.q } else { 0.0 }]

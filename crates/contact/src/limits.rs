@@ -1,0 +1,111 @@
+//! The thresholds of this crate, each with its unit and its reason. Numbers without a unit are dimensionless.
+
+use std::ops::RangeInclusive;
+
+// Newton's method and bisection.
+
+/// Most steps of an iteration for a root: Newton's converge in fewer than 10, and as many bisections reach the last bit
+/// of any bracket within a factor of 2⁵³.
+pub(crate) const MOST_ITERATIONS: usize = 60;
+/// Relative change at which Newton's method has converged: two roundings.
+pub(crate) const CONVERGED: f64 = 2.0 * f64::EPSILON;
+
+// The exact laws.
+
+/// The greatest dissipation number d v of which the motion is computed: the overflow at 1.8e308 is far
+/// enough for the sums and products of the solution.
+pub(crate) const GREATEST_DISSIPATION_NUMBER: f64 = 1e300;
+/// The least dissipation number of which the motion is computed. Less damping is visible in 1 − e only (it is below ε),
+/// and would give quotients 0/0 elsewhere.
+pub(crate) const LEAST_DISSIPATION_NUMBER: f64 = 1e-17;
+/// Below this h the slope of Langevin's function is taken from its series, whose next term, 2h⁴/189, is below 1e-17.
+pub(crate) const LANGEVIN_SERIES: f64 = 1e-4;
+/// Below this h Langevin's function is taken from 16 levels of its continued fraction, which reach 1e-17 there; above,
+/// from coth h − 1/h, which loses less than one bit there.
+pub(crate) const LANGEVIN_FRACTION: f64 = 3.0;
+/// Below this 1 − 𝓛, h is 1/(1 − 𝓛): the next term is e^(−2h), 1e-43 at h = 50.
+pub(crate) const LANGEVIN_ASYMPTOTE: f64 = 0.02;
+/// Within this |ζ − 1| the slope of ζ C(ζ) is taken as its value at ζ = 1; it serves Newton's method only, which
+/// corrects the relative error of 1e-5.
+pub(crate) const CRITICAL_SLOPE: f64 = 1e-5;
+/// Below this √|1−ζ²| over r + ζ, the arctangent is taken to the fifth order: the next term is 1e-24/7.
+pub(crate) const SMALL_ANGLE: f64 = 1e-4;
+/// Below this damping ratio the end of a contact, where the force vanishes, is so near the closed gap that the
+/// integral over time is treated as singular there.
+pub(crate) const LIGHT_DAMPING: f64 = 0.05;
+/// Time constants of the slow return that are shown where the contact does not end: e⁻⁸ = 3e-4 of the penetration is
+/// left.
+pub(crate) const SLOW_RETURN: f64 = 8.0;
+/// Samples of a force history: two ends at least, and 32 MB at most.
+pub(crate) const SAMPLES: RangeInclusive<usize> = 2..=1_000_000;
+
+// The quadrature of times.
+
+/// Ends of the double-exponential rule's variable: at −6.1 the abscissa is 1e-304 of the span, near the least float; at
+/// 3.25 the weight at the regular end is 1e-16.
+pub(crate) const QUADRATURE_RANGE: [f64; 2] = [-6.0, 3.25];
+/// Relative agreement of two halvings of the step; the rule doubles the digits with each, so that the second is better.
+pub(crate) const QUADRATURE_AGREEMENT: f64 = 1e-13;
+
+// Adams' IMPACT function, integrated numerically.
+
+/// Error of one step, in penetration and speed that are both of order 1. The restitution is then right to
+/// about 1e-9.
+pub(crate) const STEP_TOLERANCE: f64 = 1e-12;
+/// An error of a step below this does not enlarge the next step further (it is enlarged four times at most).
+pub(crate) const LEAST_STEP_ERROR: f64 = 1e-30;
+/// The first step, as a part of the ramp or of the undamped time, whichever is shorter.
+pub(crate) const FIRST_STEP: f64 = 1e-3;
+/// Steps after which a contact counts as endless; it bounds the computing time.
+pub(crate) const MOST_STEPS: usize = 400_000;
+/// The least 1 − e that is integrated; below, the loss is proportional to the damping to 1e-6.
+pub(crate) const LEAST_LOSS: f64 = 1e-6;
+/// The least restitution: below, the mass nearly comes to rest in the contact.
+pub(crate) const LEAST_RESTITUTION: f64 = 1e-3;
+/// The penetration, as a part of the undamped one, below which the gap counts as closed: the step's own tolerance.
+pub(crate) const CLOSED_GAP: f64 = 1e-12;
+/// Ratio of the search for the penetration at which the force is positive again.
+pub(crate) const SEARCH_RATIO: f64 = 0.98;
+/// The greatest dimensionless damping that is tried; a restitution that needs more counts as
+/// unreachable.
+pub(crate) const GREATEST_IMPACT_DAMPING: f64 = 1e8;
+/// Depth of full damping over the undamped penetration: outside, the force is practically a jump, or
+/// practically undamped.
+pub(crate) const RAMPS: RangeInclusive<f64> = 1e-4..=1e4;
+/// Tolerance of ln e in the search for a damping: ten step tolerances.
+pub(crate) const RESTITUTION_TOLERANCE: f64 = 1e-11;
+/// Width of the bracket, relative to the logarithm of the damping or 1, at which that search ends: a few roundings.
+pub(crate) const BRACKET_TOLERANCE: f64 = 1e-15;
+/// Most steps of that search; the Illinois method needs about ten.
+pub(crate) const MOST_SEARCH_STEPS: usize = 200;
+
+// Parameters of simulators.
+
+/// How far a simulator's restitution may be from the one asked for, where nothing else is asked for.
+pub(crate) const DEFAULT_ACCURACY: f64 = 1e-3;
+/// Accuracies that may be asked for: below, the time steps become impracticably short; above, the error bounds, of first
+/// order, do not hold.
+pub(crate) const ACCURACIES: RangeInclusive<f64> = 1e-9..=0.1;
+/// The greatest ωh of a recommended step: 31 steps in a half period, and the bounds of the error hold.
+pub(crate) const LONGEST_STEP: f64 = 0.1;
+/// The greatest 2ζωh, so that the damping stays well inside the stability limit 2 of an explicit step.
+pub(crate) const STIFFEST_STEP: f64 = 0.1;
+/// Error bound of the restitution stated for Adams: the parameters are right to 1e-9, the rest is for the error of its
+/// integrator.
+pub(crate) const ADAMS_ERROR: f64 = 1e-6;
+/// The depth of full damping over the penetration that the spring alone would reach, for Adams: a compromise between a
+/// force that jumps (0) and a damper with little effect (1).
+pub(crate) const ADAMS_RAMP: f64 = 0.1;
+/// The accuracy setting of Drake's integrator, at most.
+pub(crate) const DRAKE_ACCURACY: f64 = 1e-3;
+/// Approach speed, m/s, below which Gazebo's `restitution_coefficient` has no effect; SDF's default of 100000 disables
+/// it.
+pub(crate) const GAZEBO_THRESHOLD: f64 = 0.01;
+/// Gazebo's `max_velocity` where no speed is given, m/s: above the speed of any impact.
+pub(crate) const GAZEBO_FASTEST: f64 = 100.0;
+/// The greatest impedance that MuJoCo takes (mjMAXIMP); a wrong diagonal has the least effect with it.
+pub(crate) const MUJOCO_IMPEDANCE: f64 = 0.9999;
+/// Upper bound of the change of e for each v/ω of Simscape's transition width.
+pub(crate) const SIMSCAPE_ERROR_PER_WIDTH: f64 = 0.16;
+/// The greatest transition width, in units of v/ω, for which that bound holds.
+pub(crate) const SIMSCAPE_WIDEST: f64 = 0.1;
