@@ -2,7 +2,7 @@
 
 use crate::args::{CheckArgs, CheckFormat};
 use crate::failure::Failure;
-use crate::report::{tell, write_json, write_out};
+use crate::report::{write_diagnostics, write_json, write_out};
 use crate::text::{Table, number};
 use percuss_study::{CheckReport, check};
 use std::fmt::Write;
@@ -11,7 +11,7 @@ use std::fmt::Write;
 pub fn run(args: &CheckArgs) -> Result<(), Failure> {
     let model = args.model.load()?;
     let report = check(&model)?;
-    tell(&report.diagnostics, args.model.reading.strict)?;
+    write_diagnostics(&report.diagnostics, args.model.reading.strict)?;
     match args.format {
         CheckFormat::Json => write_json(&report),
         CheckFormat::Text => write_out(&text(&report)),

@@ -1,5 +1,6 @@
 //! Answers as rows of a table (RFC 4180). A header always; an empty cell is a null.
 
+use crate::limits;
 use percuss_study::{MassReport, SweepReport};
 use std::collections::BTreeMap;
 
@@ -106,7 +107,7 @@ fn cell(value: Option<f64>) -> String {
 
 /// The shortest digits that read back as the same number; with an exponent where zeros would fill the cell.
 fn number(x: f64) -> String {
-    if x == 0.0 || (1e-5..1e16).contains(&x.abs()) { format!("{x}") } else { format!("{x:e}") }
+    if x == 0.0 || limits::DECIMAL_NUMBERS.contains(&x.abs()) { format!("{x}") } else { format!("{x:e}") }
 }
 
 fn line(cells: &[String]) -> String {

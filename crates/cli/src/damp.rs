@@ -2,7 +2,8 @@
 
 use crate::args::{CheckFormat, ContactArgs, DampArgs};
 use crate::failure::Failure;
-use crate::report::{tell, write_file, write_json, write_out};
+use crate::limits;
+use crate::report::{write_diagnostics, write_file, write_json, write_out};
 use crate::text::{Table, number};
 use percuss_render::{Figure, Mark, Panel, Series, Sheet, Style};
 use percuss_study::contact::exports::Tool;
@@ -12,9 +13,6 @@ use percuss_study::{
 };
 use std::fmt::Write;
 use std::path::Path;
-
-/// Moments of a blow that are drawn.
-const SAMPLES: usize = 2000;
 
 /// Runs the command.
 pub fn run(args: &DampArgs) -> Result<(), Failure> {
@@ -26,7 +24,7 @@ pub fn run(args: &DampArgs) -> Result<(), Failure> {
     }
     let Some(mut question) = args.damping.question()? else {
         return Err(Failure::bad_input(
-            "--restitution E and --stiffness N/m are wanted: the restitution you measured, and the contact's spring",
+            "--restitution E and --stiffness N/m are required: the restitution you measured, and the contact's spring",
         ));
     };
     if args.format == CheckFormat::Json && question.tools.is_empty() {
@@ -44,10 +42,12 @@ pub fn run(args: &DampArgs) -> Result<(), Failure> {
             ));
         }
         _ => {
-            return Err(Failure::bad_input("either --mass KG or --mass-from MODEL with a contact is wanted"));
+            return Err(Failure::bad_input(
+                "either --mass KG or --mass-from MODEL with a contact is required",
+            ));
         }
     };
-    tell(&report.diagnostics, args.reading.strict)?;
+    write_diagnostics(&report.diagnostics, args.reading.strict)?;
     if let Some(path) = &args.output {
         draw(&report, &question, path)?;
     }
@@ -61,7 +61,7 @@ pub fn run(args: &DampArgs) -> Result<(), Failure> {
     }
 }
 
-/// The damper, the blow, how good one number is, and what to paste.
+/// The damper, the impact, the validity over the travel, and text for simulators.
 pub fn damper(report: &DampingReport) -> String {
     let mut out = String::new();
     for (name, value) in facts(report) {
@@ -111,21 +111,21 @@ fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
     let metric = |value: Option<f64>, scale: f64, unit: &str| {
         value.map(|v| scale * v).filter(|v| v.is_finite()).map(|v| format!("{} {unit}", number(v)))
     };
-    let mut blow = |name, text: Option<String>| {
+    let mut add = |name, text: Option<String>| {
         if let Some(text) = text {
             facts.push((name, text));
         }
     };
-    blow("approach speed", metric(damper.speed, 1.0, "m/s"));
-    blow("rebound speed", metric(damper.rebound_speed, 1.0, "m/s"));
-    blow("contact lasts", metric(damper.contact_duration, 1e3, "ms"));
-    blow("penetration", metric(damper.max_penetration, 1e3, "mm"));
+    add("approach speed", metric(damper.speed, 1.0, "m/s"));
+    add("rebound speed", metric(damper.rebound_speed, 1.0, "m/s"));
+    add("contact lasts", metric(damper.contact_duration, 1e3, "ms"));
+    add("penetration", metric(damper.max_penetration, 1e3, "mm"));
     let when = damper.time_of_peak_force.unwrap_or_default();
-    blow("peak force", damper.peak_force.map(|f| format!("{} N, at {} ms", number(f), number(1e3 * when))));
-    blow("energy lost", metric(damper.energy_lost, 1.0, "J"));
+    add("peak force", damper.peak_force.map(|f| format!("{} N, at {} ms", number(f), number(1e3 * when))));
+    add("energy lost", metric(damper.energy_lost, 1.0, "J"));
     if let Some(drift) = report.drift {
-        // Rounding leaves no sign on zero.
-        let percent = |p: f64| format!("{:+.3} %", if p.abs() < 5e-4 { 0.0 } else { p });
+        // A value that rounds to zero is shown without a sign.
+        let percent = |p: f64| format!("{:+.3} %", if p.abs() < limits::DRIFT_ROUNDING { 0.0 } else { p });
         let slope = drift.per_metre.map(|s| percent(0.1 * s) + " per mm of penetration");
         let over = drift.over_penetration.map(|o| percent(100.0 * o) + " over the penetration");
         let text: Vec<String> = [over, slope].into_iter().flatten().collect();
@@ -206,11 +206,13 @@ fn tools() -> String {
     table.to_string()
 }
 
-/// Writes the course of the blow: a plot, or its numbers.
+/// Writes the force history of the impact: a plot, or its numbers.
 fn draw(report: &DampingReport, question: &DampingQuestion, path: &str) -> Result<(), Failure> {
     let ending = Path::new(path).extension().and_then(|e| e.to_str()).unwrap_or("").to_ascii_lowercase();
-    let samples =
-        || blow_history(question, report.effective_mass, SAMPLES).map_err(percuss_study::StudyError::from);
+    let samples = || {
+        blow_history(question, report.effective_mass, limits::HISTORY_SAMPLES)
+            .map_err(percuss_study::StudyError::from)
+    };
     let bytes = match ending.as_str() {
         "svg" => sheet(report, &samples()?).to_svg().into_bytes(),
         "png" => sheet(report, &samples()?).to_png(2.0).map_err(|e| Failure::NoAnswer(e.to_string()))?,
@@ -246,7 +248,7 @@ fn sheet(report: &DampingReport, samples: &[Sample]) -> Sheet {
     let deepest = damper.time_of_max_penetration.map(|t| Mark { x: 1e3 * t, label: "deepest".into() });
     let over_time = Figure {
         title: format!(
-            "A blow of {} kg at {} m/s: restitution {}",
+            "Impact of {} kg at {} m/s: restitution {}",
             number(report.effective_mass),
             number(damper.speed.unwrap_or_default()),
             number(damper.achieved_restitution)

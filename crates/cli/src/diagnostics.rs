@@ -1,10 +1,8 @@
 //! Diagnostics as lines of text.
 
+use crate::limits;
 use percuss_study::DiagnosticRecord;
 use std::collections::HashMap;
-
-/// How many warnings or notes of one kind are shown in full: enough to see what they have in common.
-const SHOWN: usize = 3;
 
 /// One line for each diagnostic; of many warnings or notes of one kind, the first few and a count.
 pub fn lines(diagnostics: &[DiagnosticRecord]) -> Vec<String> {
@@ -17,10 +15,13 @@ pub fn lines(diagnostics: &[DiagnosticRecord]) -> Vec<String> {
     for d in diagnostics {
         let (total, so_far) = (totals[d.code], shown.entry(d.code).or_default());
         *so_far += 1;
-        if d.severity == "error" || total <= SHOWN + 1 || *so_far <= SHOWN {
+        if d.severity == "error"
+            || total <= limits::DIAGNOSTICS_SHOWN + 1
+            || *so_far <= limits::DIAGNOSTICS_SHOWN
+        {
             lines.push(d.line());
         } else if *so_far == total {
-            let rest = total - SHOWN;
+            let rest = total - limits::DIAGNOSTICS_SHOWN;
             lines.push(format!(
                 "{}: and {rest} more like these ({}); all in --format json",
                 d.severity, d.code

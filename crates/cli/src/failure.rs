@@ -1,8 +1,9 @@
-//! Why the command has nothing to show, and with which exit code it says so.
+//! Why a command has no result, and its exit code.
 
 use crate::diagnostics::lines;
 use percuss_formats::LoadError;
 use percuss_study::contact::ContactError;
+use percuss_study::contact::exports::{ExportError, Options};
 use percuss_study::{DiagnosticRecord, StudyError, StudyFileError};
 use std::io::{self, Write};
 use std::process::ExitCode;
@@ -14,7 +15,7 @@ pub enum Failure {
     BadInput(Vec<String>),
     /// The question was fine and has no answer: exit 1.
     NoAnswer(String),
-    /// Nobody reads the output any more: exit 0, silently.
+    /// The reader of the output has closed it: exit 0, silently.
     Unread,
 }
 
@@ -38,8 +39,8 @@ impl Failure {
         }
     }
 
-    /// Writes to stderr what is the matter and gives the exit code.
-    pub fn tell(self) -> ExitCode {
+    /// Writes the reason to stderr and returns the exit code.
+    pub fn report(self) -> ExitCode {
         let (lines, code) = match self {
             Failure::BadInput(lines) => (lines, 2),
             Failure::NoAnswer(message) => (vec![format!("error: {message}")], 1),
@@ -68,7 +69,11 @@ impl From<StudyError> for Failure {
         } else {
             let flag = match &error {
                 StudyError::Damping(ContactError::SpeedNeeded { .. }) => " (--speed)",
-                StudyError::Export(error) if error.to_string().contains("own mass") => " (--own-mass)",
+                StudyError::Export(error)
+                    if matches!(**error, ExportError::Missing { what: Options::OWN_MASS, .. }) =>
+                {
+                    " (--own-mass)"
+                }
                 _ => "",
             };
             Failure::bad_input(format!("{error}{flag}"))

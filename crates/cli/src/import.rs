@@ -2,7 +2,7 @@
 
 use crate::args::{ImportArgs, SideArg};
 use crate::failure::Failure;
-use crate::report::{tell, write_out};
+use crate::report::{write_diagnostics, write_out};
 use percuss_formats::suspension::{ImportOptions, Rack, Side, Wheel, import};
 use percuss_formats::{Source, write_urdf_with};
 use percuss_study::DiagnosticRecord;
@@ -18,7 +18,7 @@ pub fn run(args: &ImportArgs) -> Result<(), Failure> {
     let source = Source::read(&args.hardpoints, args.max_size)?;
     let imported = import(&source, &options(args))?;
     let diagnostics: Vec<DiagnosticRecord> = imported.diagnostics.into_iter().map(Into::into).collect();
-    tell(&diagnostics, args.strict)?;
+    write_diagnostics(&diagnostics, args.strict)?;
     let text = write_urdf_with(&imported.mechanism, &imported.comments);
     match args.output.as_str() {
         "-" => write_out(&text),

@@ -10,6 +10,7 @@ mod damp;
 mod diagnostics;
 mod failure;
 mod import;
+mod limits;
 mod mass;
 mod report;
 mod run;
@@ -40,6 +41,6 @@ fn main() -> ExitCode {
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => failure.tell(),
+        Err(failure) => failure.report(),
     }
 }

@@ -3,7 +3,8 @@
 use crate::args::{MassArgs, MassFormat};
 use crate::csv;
 use crate::failure::Failure;
-use crate::report::{note, tell, write_json, write_out};
+use crate::limits;
+use crate::report::{note, write_diagnostics, write_json, write_out};
 use crate::text::{bar, number, triple};
 use percuss_study::{
     DampingQuestion, EstimateRecord, MassQuestion, MassReport, Model, Status, mass, mass_with_damper,
@@ -38,11 +39,11 @@ pub fn show(
         Some(damping) => mass_with_damper(model, question, damping)?,
         None => mass(model, question)?,
     };
-    tell(&report.diagnostics, strict)?;
+    write_diagnostics(&report.diagnostics, strict)?;
     match format {
         MassFormat::Json => write_json(&report)?,
         MassFormat::Csv if report.damper.is_some() => {
-            note("the damper has no columns in CSV; --format text or json shows it");
+            note("the damper has no columns in CSV; use --format text or json");
             write_out(&csv::of_mass(&report, &report.assumptions.set))?;
         }
         MassFormat::Csv => write_out(&csv::of_mass(&report, &report.assumptions.set))?,
@@ -87,7 +88,7 @@ fn text(report: &MassReport, expected: Option<f64>) -> String {
     if report.effective_mass.is_some() {
         out += &shares(report);
     }
-    out += "\nNot in it: friction, compliance of the links, several impacts at once. Gravity, springs, dampers and speed\n\
+    out += "\nNot included: friction, compliance of the links, several impacts at once. Gravity, springs, dampers and speed\n\
             do not enter: a finite force does no work in an instantaneous impact. See docs/LIMITS.md.\n";
     out
 }
@@ -95,12 +96,12 @@ fn text(report: &MassReport, expected: Option<f64>) -> String {
 fn headline(report: &MassReport) -> String {
     match (report.status, report.effective_mass) {
         (Status::Immovable, _) => "immovable: no motion of the mechanism closes this gap".into(),
-        (Status::Massless, _) => "massless (0 kg): a motion that carries no mass closes this gap".into(),
+        (Status::Massless, _) => "massless (0 kg): a motion without mass closes this gap".into(),
         (Status::Finite, m) => format!("{} kg", number(m.unwrap_or_default())),
     }
 }
 
-/// The classical estimate, by how much it is off, and why.
+/// The classical estimate, its error, and the reason.
 fn estimated(record: &EstimateRecord) -> String {
     let links = record.links.join(", ");
     let (Some(ratio), Some(estimate)) = (record.motion_ratio, record.estimate) else {
@@ -110,8 +111,8 @@ fn estimated(record: &EstimateRecord) -> String {
         );
     };
     let off = record.error_percent.map_or_else(String::new, |p| {
-        // Rounding leaves no sign on zero.
-        let p = if p.abs() < 0.005 { 0.0 } else { p };
+        // A value that rounds to zero is shown without a sign.
+        let p = if p.abs() < limits::ESTIMATE_ROUNDING { 0.0 } else { p };
         format!("   ({p:+.2} %)")
     });
     let mut out = format!("\n{:<20} {} kg{off}\n", "estimate m_K/l²", number(estimate));
@@ -133,7 +134,7 @@ fn estimated(record: &EstimateRecord) -> String {
     if let Some(share) = record.share_left_out {
         let _ = writeln!(
             out,
-            "{:<20} {:.2} % of the effective mass, carried by other links",
+            "{:<20} {:.2} % of the effective mass, contributed by other links",
             "  leaves out",
             100.0 * share
         );
@@ -141,7 +142,7 @@ fn estimated(record: &EstimateRecord) -> String {
     out
 }
 
-/// What the answer stands on.
+/// The conditions of the answer.
 fn facts(report: &MassReport) -> Vec<(&'static str, String)> {
     let contact = &report.contact;
     let against = match (report.conditions.against_mass, contact.against.as_deref()) {
@@ -150,7 +151,6 @@ fn facts(report: &MassReport) -> Vec<(&'static str, String)> {
         (None, None) => "the ground".to_owned(),
     };
     let list = |names: &[String]| {
-        const SHOWN: usize = 8;
         let position = |name: &String| match report.pose.get(name).map(Vec::as_slice) {
             Some([value]) => format!("{name} = {}", number(*value)),
             Some(values) => {
@@ -158,9 +158,9 @@ fn facts(report: &MassReport) -> Vec<(&'static str, String)> {
             }
             None => name.clone(),
         };
-        let mut text = names.iter().take(SHOWN).map(position).collect::<Vec<_>>().join("  ");
-        if names.len() > SHOWN {
-            let _ = write!(text, "  and {} more", names.len() - SHOWN);
+        let mut text = names.iter().take(limits::JOINTS_SHOWN).map(position).collect::<Vec<_>>().join("  ");
+        if names.len() > limits::JOINTS_SHOWN {
+            let _ = write!(text, "  and {} more", names.len() - limits::JOINTS_SHOWN);
         }
         if text.is_empty() { "none".into() } else { text }
     };
@@ -233,24 +233,23 @@ fn uncertainty(report: &MassReport) -> String {
     }
 }
 
-/// Who carries the mass, largest first; what carries nothing is counted.
+/// Contribution of each link, largest first; negligible ones are counted.
 fn shares(report: &MassReport) -> String {
-    const SMALLEST: f64 = 5e-4;
-    const WIDTH: usize = 30;
     let links = report.bodies.iter().filter_map(|b| Some((b.link.clone(), b.share?)));
     let rotors = report.rotors.iter().filter_map(|r| Some((format!("rotor of {}", r.joint), r.share?)));
     let other = report.other_mass_share.map(|share| ("the other body".to_owned(), share));
     let mut all: Vec<(String, f64)> = links.chain(rotors).chain(other).collect();
     all.sort_by(|a, b| b.1.total_cmp(&a.1));
-    let (shown, rest): (Vec<_>, Vec<_>) = all.into_iter().partition(|(_, share)| share.abs() >= SMALLEST);
+    let (shown, rest): (Vec<_>, Vec<_>) =
+        all.into_iter().partition(|(_, share)| share.abs() >= limits::LEAST_CONTRIBUTION);
     let width = shown.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0).max(20);
-    let mut out = "\nwho carries it\n".to_owned();
+    let mut out = "\ncontribution of each link (share of the kinetic energy)\n".to_owned();
     for (name, share) in &shown {
         let pad = " ".repeat(width - name.chars().count());
-        let _ = writeln!(out, "  {name}{pad} {:>6.2} %  {}", share * 100.0, bar(*share, WIDTH));
+        let _ = writeln!(out, "  {name}{pad} {:>6.2} %  {}", share * 100.0, bar(*share, limits::BAR_WIDTH));
     }
     if !rest.is_empty() {
-        let _ = writeln!(out, "  and {} that carry less than 0.05 %", rest.len());
+        let _ = writeln!(out, "  and {} of less than {} %", rest.len(), 100.0 * limits::LEAST_CONTRIBUTION);
     }
     out
 }

@@ -41,7 +41,7 @@ fn remark(severity: &str, message: &str) {
 }
 
 /// Writes diagnostics to stderr; under `strict`, a warning is an error and ends it.
-pub fn tell(diagnostics: &[DiagnosticRecord], strict: bool) -> Result<(), Failure> {
+pub fn write_diagnostics(diagnostics: &[DiagnosticRecord], strict: bool) -> Result<(), Failure> {
     let mut lines = lines(diagnostics);
     let warnings = diagnostics.iter().filter(|d| d.severity == "warning").count();
     if strict && warnings > 0 {

@@ -2,7 +2,7 @@
 
 use crate::args::{CheckFormat, ContactArgs, SafeSpeedArgs};
 use crate::failure::Failure;
-use crate::report::{tell, write_json, write_out};
+use crate::report::{write_diagnostics, write_json, write_out};
 use crate::text::{Table, number};
 use percuss_study::contact::BodyRegion;
 use percuss_study::{Limit, SafeSpeedQuestion, SafeSpeedReport, SpeedRecord, safe_speed};
@@ -14,7 +14,9 @@ pub fn run(args: &SafeSpeedArgs) -> Result<(), Failure> {
         return write_out(&regions());
     }
     let (Some(path), Some(region)) = (&args.model, &args.region) else {
-        return Err(Failure::bad_input("a model and the --region of the body that is struck are wanted"));
+        return Err(Failure::bad_input(
+            "a model and --region, the region of the body that the robot hits, are required",
+        ));
     };
     let contact = ContactArgs::needed(args.contact.as_ref())?;
     let limit = match (args.force, args.pressure, args.area) {
@@ -22,14 +24,14 @@ pub fn run(args: &SafeSpeedArgs) -> Result<(), Failure> {
         (None, Some(pressure), Some(area)) => Limit::Pressure(pressure, area),
         _ => {
             return Err(Failure::bad_input(
-                "either --force N or --pressure N/cm² with --area cm² is wanted: the limit of the region, from the \
+                "either --force N or --pressure N/cm² with --area cm² is required: the limit of the region, from the \
                  edition of the standard that applies to you",
             ));
         }
     };
     let asked = SafeSpeedQuestion { region: region.clone(), limit, load: args.load };
     let report = safe_speed(&args.reading.load(path)?, &contact.question(), &asked)?;
-    tell(&report.diagnostics, args.reading.strict)?;
+    write_diagnostics(&report.diagnostics, args.reading.strict)?;
     match args.format {
         CheckFormat::Json => write_json(&report),
         CheckFormat::Text => write_out(&text(&report)),
@@ -66,7 +68,7 @@ fn text(report: &SafeSpeedReport) -> String {
     }
     fact("greatest force", format!("{} N, energy {} J", number(report.force), number(report.energy)));
     fact("robot", format!("{} kg that move, load {} kg", number(report.moving_mass), number(report.load)));
-    out + "\nAn engineering aid, no certification. v = F/√(μ k), the transient contact of ISO/TS 15066 (now ISO 10218-2); the\n\
+    out + "\nAn engineering aid, not a certification. v = F/√(μ k), the transient contact of ISO/TS 15066 (now ISO 10218-2); the\n\
            standard's M/2 + m_L knows neither pose nor direction. The table of regions is informative, from public secondary\n\
            sources: check it, and the limit you gave, against the purchased standard.\n"
 }

@@ -3,7 +3,7 @@
 use crate::args::SweepArgs;
 use crate::csv;
 use crate::failure::Failure;
-use crate::report::{tell, warn, write_file, write_out};
+use crate::report::{warn, write_diagnostics, write_file, write_out};
 use indicatif::{ProgressBar, ProgressStyle};
 use percuss_render::{Figure, Mark, Panel, Series, Style};
 use percuss_study::{MassQuestion, Model, SweepReport, Vary, sweep};
@@ -38,7 +38,7 @@ pub fn go_through(
     let report = sweep(model, question, vary, &mut |done, _| bar.set_position(done as u64));
     bar.finish_and_clear();
     let report = report?;
-    tell(&report.diagnostics, strict)?;
+    write_diagnostics(&report.diagnostics, strict)?;
     let bytes = match format {
         Format::Csv => csv::of_sweep(&report).into_bytes(),
         Format::Json => {

@@ -1,5 +1,6 @@
-//! Numbers, tables and bars for people.
+//! Numbers, tables and bars in text output.
 
+use crate::limits;
 use std::fmt;
 
 /// Nine significant digits, without trailing zeros; scientific where that is shorter to read.
@@ -28,7 +29,8 @@ fn trimmed(digits: &str) -> String {
 /// `(x, y, z)`; rounding noise beside larger components is shown as 0.
 pub fn triple(v: &[f64; 3]) -> String {
     let largest = v.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-    let shown = v.map(|x| if x.abs() < 1e-14 * largest { "0".into() } else { number(x) });
+    let shown =
+        v.map(|x| if x.abs() < limits::COMPONENT_ROUNDING * largest { "0".into() } else { number(x) });
     format!("({}, {}, {})", shown[0], shown[1], shown[2])
 }
 

@@ -128,7 +128,7 @@ fn mass_and_studies_take_a_restitution_too() {
     }
     assert!(json(&format!("mass {WISHBONE} {STOP} --format json"))["damper"].is_null());
     let text = percuss(&format!("mass {WISHBONE} {STOP} {flags}")).stdout;
-    assert!(text.contains("struck body alone") && text.contains("who carries it"), "{text}");
+    assert!(text.contains("struck body alone") && text.contains("contribution of each link"), "{text}");
     let scratch = Scratch::new("damp-study");
     let study = scratch.write(
         "stop.toml",
@@ -146,11 +146,11 @@ fn mass_and_studies_take_a_restitution_too() {
 }
 
 #[test]
-fn the_course_of_the_blow_is_drawn() {
+fn the_force_history_is_drawn() {
     let scratch = Scratch::new("damp-course");
-    let blow = "damp --mass 12 --stiffness 4e5 --restitution 0.4 --speed 0.5";
+    let impact = "damp --mass 12 --stiffness 4e5 --restitution 0.4 --speed 0.5";
     let csv = scratch.path("course.csv");
-    assert_eq!(percuss(&format!("{blow} --output {csv}")).code, 0);
+    assert_eq!(percuss(&format!("{impact} --output {csv}")).code, 0);
     let course = Sweep::read(&std::fs::read_to_string(&csv).expect("written"));
     let column = |name: &str| -> Vec<f64> {
         (0..2000).map(|row| course.number(row, name).expect("a number")).collect()
@@ -160,11 +160,11 @@ fn the_course_of_the_blow_is_drawn() {
     let area: f64 = (1..2000).map(|i| 0.5 * (f[i] + f[i - 1]) * (x[i] - x[i - 1])).sum();
     assert!((area / 1.26 - 1.0).abs() < 1e-3, "{area}");
     let svg = scratch.path("course.svg");
-    assert_eq!(percuss(&format!("{blow} --output {svg}")).code, 0);
+    assert_eq!(percuss(&format!("{impact} --output {svg}")).code, 0);
     let drawn = std::fs::read_to_string(&svg).expect("written");
     assert!(drawn.contains("time (ms)") && drawn.contains("penetration (mm)"));
     let png = scratch.path("course.png");
-    assert_eq!(percuss(&format!("{blow} --output {png}")).code, 0);
+    assert_eq!(percuss(&format!("{impact} --output {png}")).code, 0);
     assert!(std::fs::read(&png).expect("written").starts_with(b"\x89PNG"));
 }
 
@@ -337,14 +337,14 @@ fn the_drift_of_a_body_that_only_turns_is_known() {
         "<robot name=\"p\"><link name=\"base\"><inertial><origin xyz=\"0.5 0 0\"/><mass value=\"2\"/>\
          <inertia ixx=\"0.5\" ixy=\"0\" ixz=\"0\" iyy=\"0.5\" iyz=\"0\" izz=\"0.5\"/></inertial></link></robot>",
     );
-    let blow = format!(
+    let impact = format!(
         "damp --mass-from {model} --base floating --link base --point 1,0,0 --stiffness 1e5 --restitution 0.5 --speed 0.1 \
          --format json"
     );
     // The normal turns with the body: nothing changes. One that stands still meets it aslant: m̄ changes in second order.
-    let turning = json(&format!("{blow} --normal 0,1,0"));
+    let turning = json(&format!("{impact} --normal 0,1,0"));
     assert!(turning["drift"]["over_penetration"].as_f64().expect("known").abs() < 1e-12);
-    let still = json(&format!("{blow} --normal 0,1,0 --normal-frame world"));
+    let still = json(&format!("{impact} --normal 0,1,0 --normal-frame world"));
     let depth = still["max_penetration"].as_f64().expect("a depth");
     // 1/m̄ = 1/2 + (0.5 cos δ)²/0.5 at 1 m/s of the point per rad/s: here cos² δ = 1 − δ².
     let expected = 1.0 / (0.5 + 0.5 * depth.cos().powi(2)) - 1.0;

@@ -167,7 +167,7 @@ fn the_double_wishbone_without_its_wheel_is_the_reference() {
         let outcome = support::percuss_with_stdin(&line, bare.as_bytes());
         assert_eq!(outcome.code, 0, "{more}: {}", outcome.stderr);
     }
-    // The estimates of the seed beside it: the full speed of the spindle, and its vertical component.
+    // The estimates of Fayzullin (2018) next to it: the full speed of the spindle, and its vertical component.
     for (point, ratio, kilograms) in [("", 2.2621034649, 174.7749633), (":0,0,0:0,0,1", 2.21478924, 167.5402)]
     {
         let line = format!("{spring} --estimate spindle,upright{point} --format json");

@@ -6,7 +6,7 @@ use clap::{Args, ValueEnum};
 use percuss_dynamics::{Base, Frame};
 use percuss_study::{EstimateQuestion, Hold, MassQuestion, Normal};
 
-/// In which frame point and normal are given.
+/// The frame of point and normal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum FrameArg {
     /// The struck link's.
@@ -27,7 +27,7 @@ impl From<FrameArg> for Frame {
     }
 }
 
-/// How the root link stands.
+/// Whether the root link is fixed or moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum BaseArg {
     /// It is the ground.
@@ -58,10 +58,10 @@ pub struct ContactArgs {
     /// The normal points from the contact point towards this point (m) of a link, in that link's frame.
     #[arg(long, value_name = "LINK:X,Y,Z", value_parser = line)]
     pub along_line: Option<(String, [f64; 3])>,
-    /// In which frame the point and the normal are given, both.
+    /// The frame of the point and the normal.
     #[arg(long, value_enum, default_value_t = FrameArg::Link)]
     pub frame: FrameArg,
-    /// In which frame the normal is given, where it is not that of the point.
+    /// The frame of the normal, where it differs from that of the point.
     #[arg(long, value_enum)]
     pub normal_frame: Option<FrameArg>,
     /// The other link; the ground if none is given.
@@ -73,7 +73,7 @@ pub struct ContactArgs {
     /// Sets a driving joint; the others stand at 0. Spherical: w,x,y,z; planar: x,y,angle; floating: x,y,z,w,x,y,z.
     #[arg(long, value_name = "JOINT=VALUE", value_parser = assignment)]
     pub set: Vec<(String, String)>,
-    /// Says where to look for a joint that follows from loops: which way to put them together is meant.
+    /// First guess of a joint that follows from loops: selects the assembly mode.
     #[arg(long, value_name = "JOINT=VALUE", value_parser = assignment)]
     pub guess: Vec<(String, String)>,
     /// Holds a joint where it stands.
@@ -86,24 +86,24 @@ pub struct ContactArgs {
     /// Rotor inertia reflected to a joint (kg·m² or kg): one value, or one for each velocity between commas.
     #[arg(long, value_name = "JOINT=VALUE", value_parser = armature)]
     pub armature: Vec<(String, Vec<f64>)>,
-    /// How the root link stands.
+    /// Whether the root link is fixed or moves.
     #[arg(long, value_enum, default_value_t = BaseArg::Fixed)]
     pub base: BaseArg,
-    /// Sets the classical estimate beside the answer: the mass of these links, moved with point A (m, first link's frame;
+    /// Shows the classical estimate next to the result: the mass of these links, moved with point A (m, first link's frame;
     /// default its origin), by A's full speed or its component along a direction (world axes).
     #[arg(long, value_name = "LINK[,LINK…][:X,Y,Z[:DX,DY,DZ]]", value_parser = estimate)]
     pub estimate: Option<EstimateQuestion>,
 }
 
 impl ContactArgs {
-    /// The contact where one is needed and clap did not see to it.
+    /// The contact where one is needed and clap does not require it.
     pub fn needed(given: Option<&Self>) -> Result<&Self, Failure> {
         let whole = |c: &&Self| {
             c.link.is_some() && c.point.is_some() && (c.normal.is_some() || c.along_line.is_some())
         };
         given.filter(whole).ok_or_else(|| {
             Failure::bad_input(
-                "a contact of the model is wanted: --link LINK, --point X,Y,Z, and --normal X,Y,Z or --along-line LINK:X,Y,Z",
+                "a contact of the model is required: --link LINK, --point X,Y,Z, and --normal X,Y,Z or --along-line LINK:X,Y,Z",
             )
         })
     }
@@ -112,11 +112,11 @@ impl ContactArgs {
     pub fn question(&self) -> MassQuestion {
         let normal = match (&self.along_line, self.normal) {
             (Some((link, point)), _) => Normal::Toward(link.clone(), *point),
-            // clap sees to it that one of them is given.
+            // clap requires one of them.
             (None, normal) => Normal::Along(normal.unwrap_or_default()),
         };
         MassQuestion {
-            // clap, or `needed`, sees to it that link and point are given.
+            // clap, or `needed`, requires link and point.
             link: self.link.clone().unwrap_or_default(),
             point: self.point.unwrap_or_default(),
             normal,

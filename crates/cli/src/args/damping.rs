@@ -1,4 +1,4 @@
-//! The damper of a contact, and the speed at which a person may be struck.
+//! The damper of a contact, and the speed at which a robot may hit a person.
 
 use super::contact::ContactArgs;
 use super::format::CheckFormat;
@@ -16,7 +16,7 @@ use percuss_study::{DampingQuestion, Measured, StudyError};
 /// The damper of the contact: what `percuss damp` and `percuss mass` share.
 #[derive(Debug, Args)]
 pub struct DampingArgs {
-    /// Coefficient of restitution wanted, from 0 to 1.
+    /// Required coefficient of restitution, from 0 to 1.
     #[arg(long, value_name = "E", allow_hyphen_values = true, value_parser = ratio, requires = "stiffness")]
     pub restitution: Option<f64>,
     /// Stiffness of the contact (N/m; N/mm, kN/m, kN/mm may follow); with --exponent p in N/m^p.
@@ -50,13 +50,13 @@ pub struct DampingArgs {
     /// The simulator's time step (s; ms may follow), where it is given.
     #[arg(long, value_name = "S", allow_hyphen_values = true, value_parser = time, requires = "restitution")]
     pub time_step: Option<f64>,
-    /// Mass (kg) of the struck body by itself, for simulators that divide by it; a model tells.
+    /// Mass (kg) of the struck body by itself, for simulators that divide by it; taken from the model where one is given.
     #[arg(long, value_name = "KG", allow_hyphen_values = true, value_parser = kilograms, requires = "restitution")]
     pub own_mass: Option<f64>,
     /// The same of the other body.
     #[arg(long, value_name = "KG", allow_hyphen_values = true, value_parser = kilograms, requires = "restitution")]
     pub other_own_mass: Option<f64>,
-    /// MuJoCo's α = Â·m̄, Â the sum of both bodies' body_invweight0; a model tells.
+    /// MuJoCo's α = Â·m̄, Â the sum of both bodies' body_invweight0; taken from the model where one is given.
     #[arg(long, value_name = "A", allow_hyphen_values = true, value_parser = plain, requires = "restitution")]
     pub diagonal_ratio: Option<f64>,
 }
@@ -85,7 +85,7 @@ impl DampingArgs {
         if stiffness.unit && question.exponent != 1.0 {
             return Err(Failure::bad_input(format!(
                 "--stiffness: its unit is that of a linear spring; with the exponent {0} a plain number in N/m^{0} is \
-                 wanted (1 N/mm^{0} is {1:e} N/m^{0})",
+                 expected (1 N/mm^{0} is {1:e} N/m^{0})",
                 question.exponent,
                 1e3_f64.powf(question.exponent)
             )));
@@ -151,7 +151,7 @@ pub struct SafeSpeedArgs {
     pub model: Option<String>,
     #[command(flatten)]
     pub reading: ReadingArgs,
-    /// The region of the body that is struck; see --list-regions.
+    /// The region of the body that the robot hits; see --list-regions.
     #[arg(long, value_name = "NAME", required_unless_present = "list_regions")]
     pub region: Option<String>,
     /// Greatest force allowed (N), from the standard.

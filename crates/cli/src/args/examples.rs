@@ -1,5 +1,5 @@
-//! What stands below the help of each command. No line is longer than a terminal of 80 columns shows, so that none is
-//! broken where a shell would not take it.
+//! The text below the help of each command. No line is longer than a terminal of 80 columns shows, so that no
+//! command is broken at a place that a shell does not accept.
 
 pub const TOP: &str = "\
 Examples:
@@ -21,17 +21,17 @@ Examples:
 
 pub const MASS: &str = "\
 Examples:
-  A pendulum strikes a stop 0.8 m below its hinge:
+  A pendulum hits a stop 0.8 m below its hinge:
     percuss mass models/point_mass_pendulum.urdf --link rod \\
         --point 0,0,-0.8 --normal 1,0,0
   An arm in a pose, its tool pushed down along the world's z:
     percuss mass models/six_r_arm.urdf --link tool --point 0.08,0,0 \\
         --normal 0,0,-1 --normal-frame world \\
         --set shoulder=-40deg --set elbow=70deg
-  Felt by a spring, along its line to a seat on another link:
+  At a spring seat, along the line to its seat on another link:
     percuss mass models/double_wishbone.urdf --link spring_seat \\
         --point 0,0,0 --along-line spring_chassis_seat:0,0,0
-  The classical estimate beside it, and why it is off:
+  The classical estimate next to it, and its error:
     percuss mass models/double_wishbone.urdf --link spring_seat \\
         --point 0,0,0 --along-line spring_chassis_seat:0,0,0 \\
         --estimate wheel,spindle,upright:0,0,0:0,0,1
@@ -39,7 +39,7 @@ Examples:
     percuss mass models/double_wishbone.urdf --link bump_stop_pad \\
         --point 0,0,0 --along-line bump_stop:0,0,0 --against chassis \\
         --restitution 0.3 --stiffness 200N/mm --speed 0.5
-  A free body of 2 kg strikes it:
+  Against a free body of 2 kg:
     percuss mass models/physical_pendulum.urdf --link body \\
         --point 0,0,-0.5 --normal 1,0,0 --against-mass 2kg
   In a regression test, against a closed form:
@@ -61,8 +61,8 @@ Examples:
         --estimate wheel,spindle,upright --output travel.svg
 
 The file's ending chooses the format: .csv, .json, .svg or .png; without
---output, CSV goes to stdout. A row that cannot be reached says so and the
-sweep goes on; exit 1 if none can.";
+--output, CSV goes to stdout. A row that cannot be reached is marked and the
+sweep continues; exit 1 if none can.";
 
 pub const IMPORT: &str = "\
 Examples:
@@ -76,7 +76,7 @@ joints and frames, and says where such files are.";
 
 pub const DAMP: &str = "\
 Examples:
-  Steel on a rubber stop, 12 kg felt at the contact:
+  Steel on a rubber stop, 12 kg effective mass:
     percuss damp --mass 12kg --stiffness 400N/mm --restitution 0.4 --speed 0.5
   A Hertz contact: k in N/m^1.5, c of c x^(1/4) v:
     percuss damp --mass 12kg --stiffness 1e8 --exponent 1.5 --restitution 0.4 \\
@@ -90,12 +90,12 @@ Examples:
         --against chassis --stiffness 200N/mm --restitution 0.3 --speed 0.5
   Force over time and penetration, and which laws there are:
     percuss damp --mass 12kg --stiffness 400N/mm --restitution 0.4 \\
-        --speed 0.5 --output blow.svg
+        --speed 0.5 --output impact.svg
     percuss damp --list-laws
 
 The default law is the linear one, exactly, ending when the force vanishes:
-no contact pulls, and simulators cut there. --separation gap is the
-half-period formula of textbooks.";
+a contact does not pull, and simulators set the force to 0 there.
+--separation gap is the half-period formula of textbooks.";
 
 pub const SAFE_SPEED: &str = "\
 Examples:
@@ -103,9 +103,9 @@ Examples:
       --normal 1,0,0 --set elbow=70deg --region chest --force 280 --load 2kg
   percuss safe-speed --list-regions
 
-An engineering aid, no certification: the limits of force or pressure are
-yours to give, from the edition of the standard that applies to you, and the
-table of regions is informative.";
+An engineering aid, not a certification: the limits of force or pressure are
+input, to be taken from the edition of the standard that applies to you, and
+the table of regions is informative.";
 
 pub const RUN: &str = "\
 Examples:

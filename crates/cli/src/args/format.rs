@@ -5,18 +5,18 @@ use clap::ValueEnum;
 /// Formats of `percuss check`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum CheckFormat {
-    /// For people.
+    /// Text to read.
     Text,
-    /// For programs.
+    /// JSON for programs.
     Json,
 }
 
 /// Formats of `percuss mass`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum MassFormat {
-    /// For people.
+    /// Text to read.
     Text,
-    /// For programs.
+    /// JSON for programs.
     Json,
     /// One row with a header, the columns of a sweep.
     Csv,

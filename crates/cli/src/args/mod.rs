@@ -1,4 +1,4 @@
-//! The command line: flags, help, and how their words are read.
+//! The command line: flags, help, and how their values are parsed.
 
 mod contact;
 mod damping;
@@ -14,15 +14,16 @@ pub use format::{CheckFormat, MassFormat};
 pub use import::{ImportArgs, SideArg};
 pub use model::ModelArgs;
 
+use crate::limits;
 use clap::builder::Resettable;
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use percuss_formats::DEFAULT_MAX_SIZE;
 use percuss_study::Vary;
 use words::{kilograms, tolerance};
 
-/// How heavy is a mechanism where it is struck?
+/// The effective mass of a mechanism at a contact.
 ///
-/// percuss reads a URDF and answers the effective mass at a contact point along the impact normal.
+/// percuss reads a URDF and computes the effective mass at a contact point along the impact normal.
 #[derive(Debug, Parser)]
 #[command(name = "percuss", version, arg_required_else_help = true, after_help = examples::TOP)]
 pub struct Cli {
@@ -49,7 +50,7 @@ impl Cli {
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Say what is in a model: links, joints, mobility, mass, diagnostics.
+    /// List what is in a model: links, joints, mobility, mass, diagnostics.
     #[command(after_help = examples::CHECK)]
     Check(CheckArgs),
     /// Effective mass at a contact point along the normal.
@@ -61,13 +62,13 @@ pub enum Command {
     /// Turn a suspension's hardpoints (Chrono::Vehicle JSON) into a commented URDF+ model.
     #[command(after_help = examples::IMPORT)]
     Import(ImportArgs),
-    /// The damper that gives a contact a restitution, and the parameters to type into simulators.
+    /// The damper that gives a contact a required restitution, and the parameters for simulators.
     #[command(
         after_help = examples::DAMP,
         override_usage = "percuss damp (--mass KG | --mass-from MODEL --link L --point X,Y,Z --normal X,Y,Z …)\n                    --stiffness K --restitution E [--speed V] [--law NAME] [--for TOOL] …"
     )]
     Damp(Box<DampArgs>),
-    /// How fast a robot may move where it may strike a person: transient contact as in ISO/TS 15066, with the effective mass.
+    /// The greatest speed of a robot where it may hit a person: transient contact as in ISO/TS 15066, with the effective mass.
     #[command(
         after_help = examples::SAFE_SPEED,
         override_usage = "percuss safe-speed MODEL --link L --point X,Y,Z --normal X,Y,Z … --region NAME\n                          (--force F | --pressure P --area A) [--load KG]"
@@ -105,7 +106,7 @@ pub struct MassArgs {
     #[arg(long, value_name = "KG", value_parser = kilograms)]
     pub expect: Option<f64>,
     /// Relative tolerance of --expect.
-    #[arg(long, default_value_t = 1e-9, value_name = "RELATIVE", value_parser = tolerance, requires = "expect")]
+    #[arg(long, default_value_t = limits::DEFAULT_TOLERANCE, value_name = "RELATIVE", value_parser = tolerance, requires = "expect")]
     pub tolerance: f64,
     /// How the result is shown.
     #[arg(long, value_enum, default_value_t = MassFormat::Text)]
@@ -121,14 +122,14 @@ pub struct SweepArgs {
     pub model: ModelArgs,
     #[command(flatten)]
     pub contact: ContactArgs,
-    /// What is varied: a driving joint, or the travel of a point (m, link's frame) along a direction (world axes).
+    /// The varied quantity: a driving joint, or the travel of a point (m, link's frame) along a direction (world axes).
     #[arg(
         long,
         value_name = "JOINT=FROM:TO:COUNT | travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT",
         value_parser = Vary::parse
     )]
     pub vary: Vary,
-    /// Where the rows go.
+    /// The output file.
     #[arg(long, short, value_name = "FILE.csv|.json|.svg|.png")]
     pub output: Option<String>,
 }

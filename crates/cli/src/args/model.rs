@@ -17,7 +17,7 @@ pub struct ModelArgs {
 /// How a model is read.
 #[derive(Debug, Args)]
 pub struct ReadingArgs {
-    /// Take a finding as it is, against the loader's advice.
+    /// Accept a model in spite of this finding.
     #[arg(long, value_enum, value_name = "FINDING")]
     pub accept: Vec<Acceptable>,
     /// Refuse files larger than this many bytes.

@@ -1,4 +1,4 @@
-//! How the words of flags are read.
+//! How the values of flags are parsed.
 
 use percuss_study::contact::Law;
 use percuss_study::contact::exports::Tool;
@@ -17,7 +17,7 @@ pub fn normal(text: &str) -> Result<[f64; 3], String> {
 
 pub fn kilograms(text: &str) -> Result<f64, String> {
     let mass = Quantity::parse(text).and_then(|q| q.of(Dimension::Mass, text)).map_err(|e| e.to_string())?;
-    if mass > 0.0 { Ok(mass) } else { Err(format!("{mass} kg; a mass above 0 is wanted")) }
+    if mass > 0.0 { Ok(mass) } else { Err(format!("{mass} kg; a mass above 0 is expected")) }
 }
 
 /// A mass whose range is checked later, with the rest of the contact.
@@ -76,7 +76,7 @@ pub fn tools(text: &str) -> Result<Tools, String> {
 pub fn metres(text: &str) -> Result<f64, String> {
     let length =
         Quantity::parse(text).and_then(|q| q.of(Dimension::Length, text)).map_err(|e| e.to_string())?;
-    if length > 0.0 { Ok(length) } else { Err(format!("{length} m; a length above 0 is wanted")) }
+    if length > 0.0 { Ok(length) } else { Err(format!("{length} m; a length above 0 is expected")) }
 }
 
 pub fn moments(text: &str) -> Result<[f64; 3], String> {
@@ -84,21 +84,21 @@ pub fn moments(text: &str) -> Result<[f64; 3], String> {
     if moments.iter().all(|i| *i >= 0.0) {
         Ok(moments)
     } else {
-        Err("moments of 0 or more are wanted".into())
+        Err("moments of 0 or more are expected".into())
     }
 }
 
 pub fn tolerance(text: &str) -> Result<f64, String> {
     let value =
         Quantity::parse(text).and_then(|q| q.of(Dimension::Plain, text)).map_err(|e| e.to_string())?;
-    if value >= 0.0 { Ok(value) } else { Err(format!("{value}; a tolerance of 0 or more is wanted")) }
+    if value >= 0.0 { Ok(value) } else { Err(format!("{value}; a tolerance of 0 or more is expected")) }
 }
 
 /// `LINK:X,Y,Z`, split at the last colon: link names may have some of their own.
 pub fn line(text: &str) -> Result<(String, [f64; 3]), String> {
     match text.rsplit_once(':') {
         Some((link, numbers)) if !link.is_empty() => Ok((link.to_owned(), point(numbers)?)),
-        _ => Err("wanted LINK:X,Y,Z, such as chassis:0.3,0,0.4".into()),
+        _ => Err("expected LINK:X,Y,Z, such as chassis:0.3,0,0.4".into()),
     }
 }
 
@@ -108,7 +108,7 @@ pub fn assignment(text: &str) -> Result<(String, String), String> {
         Some((joint, value)) if !joint.is_empty() && !value.is_empty() => {
             Ok((joint.to_owned(), value.to_owned()))
         }
-        _ => Err("wanted JOINT=VALUE, such as elbow=30deg".into()),
+        _ => Err("expected JOINT=VALUE, such as elbow=30deg".into()),
     }
 }
 
@@ -137,7 +137,7 @@ pub fn hold(text: &str) -> Result<Hold, String> {
     let (at, along) = match found[..] {
         [at] => (at, None),
         [at, along] => (at, Some(normal(along)?)),
-        _ => return Err("wanted LINK:X,Y,Z or LINK:X,Y,Z:NX,NY,NZ, such as foot:0,0,0:0,0,-1".into()),
+        _ => return Err("expected LINK:X,Y,Z or LINK:X,Y,Z:NX,NY,NZ, such as foot:0,0,0:0,0,-1".into()),
     };
     Ok(Hold { link: link.to_owned(), point: point(at)?, normal: along })
 }
@@ -146,7 +146,7 @@ pub fn estimate(text: &str) -> Result<EstimateQuestion, String> {
     let (links, found) = triples(text);
     let links: Vec<String> = links.split(',').map(str::to_owned).collect();
     if links.iter().any(String::is_empty) {
-        return Err("wanted LINK[,LINK…][:X,Y,Z[:DX,DY,DZ]], such as spindle,upright:0,0,0:0,0,1".into());
+        return Err("expected LINK[,LINK…][:X,Y,Z[:DX,DY,DZ]], such as spindle,upright:0,0,0:0,0,1".into());
     }
     let at = found.first().map_or(Ok([0.0; 3]), |text| point(text))?;
     let direction = found.get(1).map(|text| normal(text)).transpose()?;

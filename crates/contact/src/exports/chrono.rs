@@ -2,7 +2,7 @@
 
 use super::export::single;
 use super::linear::Linear;
-use super::{Export, ExportError, Request, Tool};
+use super::{Export, ExportError, Options, Request, Tool};
 use crate::{Separation, kelvin_voigt};
 
 /// The mass that Chrono gives a body without a mass, in kg; also a fixed one.
@@ -19,7 +19,7 @@ const TOOL: Tool = Tool::Chrono;
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let own = request.options.own_mass.ok_or(ExportError::Missing {
         tool: TOOL,
-        what: "the struck body's own mass, kg",
+        what: Options::OWN_MASS,
         why: "it computes the damping with the masses of the two bodies, not with the effective mass",
     })?;
     let other = request.options.other_own_mass.unwrap_or(DEFAULT_MASS);

@@ -36,6 +36,11 @@ pub struct Options {
     pub constrained: bool,
 }
 
+impl Options {
+    /// The own mass of the struck body, as [`ExportError::Missing`] names it.
+    pub const OWN_MASS: &str = "the struck body's own mass, kg";
+}
+
 impl Default for Options {
     fn default() -> Self {
         Self {
