@@ -4,14 +4,12 @@
 //! - Drake's `<drake:rotor_inertia value="I"/>` and `<drake:gear_ratio value="r"/>`, A = I r², in the joint, in an
 //!   `<actuator>` of the joint, or in the `<actuator>` of a `<transmission>` that names the joint.
 
+use crate::limits::ARMATURE_SLACK;
 use crate::numbers::{bad, number, parse};
 use crate::report::{Place, Report};
 use crate::survey::{child, children};
 use percuss_mechanism::Severity;
 use roxmltree::Node;
-
-/// Two spellings of one armature may differ by so much, relatively, through rounding.
-const SPELLING_SLACK: f64 = 1e-9;
 
 /// The armature given inside a `<joint>`.
 pub(crate) fn of_joint<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> Vec<f64> {
@@ -31,8 +29,8 @@ fn listed(node: Node<'_, '_>, report: &mut Report) -> Vec<f64> {
         6 => parse::<6>(text).map(Vec::from),
         _ => parse::<1>(text).map(Vec::from),
     };
-    parsed.unwrap_or_else(|trouble| {
-        bad(node, "armature", text, &trouble, report);
+    parsed.unwrap_or_else(|defect| {
+        bad(node, "armature", text, &defect, report);
         Vec::new()
     })
 }
@@ -56,9 +54,9 @@ pub(crate) fn reflected<'a, 'i: 'a>(holder: Node<'a, 'i>, report: &mut Report) -
 pub(crate) fn add(armature: &mut Vec<f64>, value: f64, place: Node<'_, '_>, report: &mut Report) {
     match armature[..] {
         [] => armature.push(value),
-        [given] if (given - value).abs() <= SPELLING_SLACK * given.abs().max(value.abs()) => {}
+        [given] if (given - value).abs() <= ARMATURE_SLACK * given.abs().max(value.abs()) => {}
         _ => report.error("two-armatures", Place::Element(place), || {
-            format!("the joint's armature is given twice, and not alike: {armature:?} and {value}")
+            format!("the joint's armature is given twice, with different values: {armature:?} and {value}")
         }),
     }
 }

@@ -1,6 +1,7 @@
 //! `<loop>` and `<loop_joint>`: joints that the tree leaves out. `<coupling>`: a ratio between rates.
 
 use crate::joint::end;
+use crate::limits::SHORTEST_AXIS;
 use crate::link::name;
 use crate::numbers::{number, required};
 use crate::origin::{self, Origin};
@@ -135,15 +136,12 @@ fn direction<'a, 'i: 'a>(
     };
     let axis = Vector3::from(crate::numbers::parse::<3>(text).unwrap_or_default());
     // The builder would not say which of two.
-    if let Some(element) = child(node, tag).filter(|_| kind.is_some() && axis.amax() < SMALLEST_AXIS) {
+    if let Some(element) = child(node, tag).filter(|_| kind.is_some() && axis.amax() < SHORTEST_AXIS) {
         let problem = Problem::ZeroAxis;
         report.add(problem.severity(), problem.code(), Place::Element(element), || problem.to_string());
     }
     axis
 }
-
-/// The builder takes a shorter axis for zero.
-const SMALLEST_AXIS: f64 = 1e-100;
 
 fn distance<'a, 'i: 'a>(node: Node<'a, 'i>, kind: Option<ClosureKind>, report: &mut Report) -> Option<f64> {
     let element = child(node, "distance");
@@ -158,14 +156,14 @@ fn distance<'a, 'i: 'a>(node: Node<'a, 'i>, kind: Option<ClosureKind>, report: &
 
 /// What the kind has no use for. An axis is common beside kinds that have none; the rest is a slip.
 fn beside_the_point<'a, 'i: 'a>(node: Node<'a, 'i>, kind: ClosureKind, report: &mut Report) {
-    let tell = |tag: &str| format!("a {} loop has no <{tag}>; ignored", kind.name());
+    let message = |tag: &str| format!("a {} loop has no <{tag}>; ignored", kind.name());
     if let Some(axis) = child(node, "axis").filter(|_| !kind.has_axis()) {
-        report.note("unused-element", Place::Element(axis), || tell("axis"));
+        report.note("unused-element", Place::Element(axis), || message("axis"));
     }
     if let Some(axis2) = child(node, "axis2").filter(|_| kind != ClosureKind::Universal) {
-        report.warning("unused-element", Place::Element(axis2), || tell("axis2"));
+        report.warning("unused-element", Place::Element(axis2), || message("axis2"));
     }
     if let Some(distance) = child(node, "distance").filter(|_| kind != ClosureKind::Distance) {
-        report.warning("unused-element", Place::Element(distance), || tell("distance"));
+        report.warning("unused-element", Place::Element(distance), || message("distance"));
     }
 }

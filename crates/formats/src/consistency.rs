@@ -2,7 +2,7 @@
 
 use crate::loops::{Loops, second_parents};
 use crate::nodes::Nodes;
-use crate::references::{self, Guesses};
+use crate::references::{self, Suggestions};
 use crate::report::Report;
 use crate::texts::Texts;
 use crate::{joint, transmission};
@@ -22,10 +22,10 @@ pub(crate) fn check<'a, 'i: 'a>(
     for (joint, node) in joints.iter_mut().zip(&nodes.joints) {
         transmission::drop_from_fixed(joint, *node, report);
     }
-    let mut guesses = Guesses::new();
-    references::check(&texts.links, joints, &nodes.joints, &joint_index, &mut guesses, report);
+    let mut suggestions = Suggestions::new();
+    references::check(&texts.links, joints, &nodes.joints, &joint_index, &mut suggestions, report);
     let second = second_parents(&texts.joints);
-    Loops { texts, nodes, second: &second }.check(&mut guesses, report);
+    Loops { texts, nodes, second: &second }.check(&mut suggestions, report);
     if texts.closures.is_empty() && texts.couplings.is_empty() && !second.contains(&true) {
         let joints = texts.joints.iter().zip(&nodes.joints);
         joints.for_each(|(joint, node)| joint::unbound(joint, *node, report));

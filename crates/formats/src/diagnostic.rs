@@ -1,4 +1,4 @@
-//! What is told about a file.
+//! Diagnostics: what was found in a file.
 
 use percuss_mechanism::Severity;
 use std::fmt;
@@ -18,7 +18,7 @@ pub struct Diagnostic {
     pub column: Option<u32>,
     /// The element, as an XML path: `robot/joint[hinge]/axis`.
     pub element: Option<String>,
-    /// What is the matter: what was got, what is wanted and, where there is one, the mend.
+    /// The finding: what was got, what is expected and, where there is one, the remedy.
     pub message: String,
 }
 

@@ -51,7 +51,7 @@ const fn other(name: &'static str, usage: Use) -> Element {
 const MISPLACED: Use = Refused(
     "misplaced-origin",
     "this does not belong here, and the loop frame without it would be wrong: <predecessor> and <successor> hold \
-     an <origin>, <link1> and <link2> bear xyz and rpy themselves",
+     an <origin>, <link1> and <link2> have xyz and rpy themselves",
 );
 
 const UNWATCHED: Use = Noted("what closes a loop has no limits; ignored, limit a joint of the tree");
@@ -220,7 +220,7 @@ const IN_JOINT: &[Element] = &[
             ("gear_velocity", Silent),
         ],
     ),
-    // Friction, damping and springs are finite forces: they do no work in an instantaneous blow.
+    // Friction, damping and springs are finite forces: they do no work in an instantaneous impact.
     single(
         "dynamics",
         &[

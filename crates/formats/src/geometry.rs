@@ -1,13 +1,11 @@
 //! How far the declared shape of a link reaches. It enters no result, so that nothing here is an error.
 
+use crate::limits::LARGEST_SHAPE;
 use crate::numbers::parse;
 use crate::report::{Place, Report, quoted, shortened};
 use crate::survey::{child, children, is_substitution};
 use percuss_mechanism::Geometry;
 use roxmltree::Node;
-
-/// A shape larger than this (m) is a slip.
-const LARGEST: f64 = 1e9;
 
 /// A sphere about the link's origin that holds every `<visual>` and `<collision>`; not tight.
 pub(crate) fn reach<'a, 'i: 'a>(link: Node<'a, 'i>, report: &mut Report) -> Geometry {
@@ -79,13 +77,13 @@ fn numbers<const N: usize>(
         report.xacro(place, &format!("{attribute}={}", quoted(text)));
         return None;
     }
-    let trouble = match parse::<N>(text) {
-        Ok(values) if values.iter().all(|v| v.abs() <= LARGEST) => return Some(values),
-        Ok(_) => format!("more than {LARGEST:e} m is no shape"),
-        Err(trouble) => trouble,
+    let defect = match parse::<N>(text) {
+        Ok(values) if values.iter().all(|v| v.abs() <= LARGEST_SHAPE) => return Some(values),
+        Ok(_) => format!("more than {LARGEST_SHAPE:e} m is no shape"),
+        Err(defect) => defect,
     };
     report.warning("bad-shape", place, || {
-        format!("{attribute}={}: {trouble}; the shape is ignored", quoted(text))
+        format!("{attribute}={}: {defect}; the shape is ignored", quoted(text))
     });
     None
 }

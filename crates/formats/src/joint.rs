@@ -85,14 +85,14 @@ fn independent(node: Node<'_, '_>, report: &mut Report) -> Option<bool> {
     let value = [true, false].into_iter().find(|value| word.eq_ignore_ascii_case(&value.to_string()));
     if value.is_none() {
         report.warning("bad-flag", Place::Attribute(node, "independent"), || {
-            format!("independent={}: true or false is wanted; ignored", quoted(text))
+            format!("independent={}: true or false is expected; ignored", quoted(text))
         });
     }
     value
 }
 
 /// A joint that is declared dependent depends on something. Where the file has no loop and no coupling at all, it
-/// was bound by other means, and here it is free; where it has some, only the mechanism's motion tells.
+/// was bound by other means, and here it is free; where it has some, only the mechanism's mobility shows whether it is.
 pub(crate) fn unbound<'a, 'i: 'a>(joint: &JointText<'a>, node: Node<'a, 'i>, report: &mut Report) {
     let moves = joint.kind.dofs() > 0;
     if moves && joint.independent == Some(false) && child(node, "mimic").is_none() {
@@ -133,7 +133,7 @@ fn axis<'a, 'i: 'a>(node: Node<'a, 'i>, kind: Option<JointKind>, report: &mut Re
 }
 
 /// The range of positions. Where neither end is given there is none: a `<limit>` that gives only effort and speed
-/// does not nail the joint to zero.
+/// does not fix the joint at zero.
 fn limits<'a, 'i: 'a>(
     node: Node<'a, 'i>,
     kind: Option<JointKind>,

@@ -4,15 +4,15 @@
 //!
 //! 1. the bytes are text, not too many, and bounded in tags, nesting and entities (before any parser runs);
 //! 2. roxmltree makes a tree with positions;
-//! 3. [the table of the dialect](crate#the-dialect) says of every element and attribute what becomes of it;
+//! 3. [the table of the dialect](crate#the-dialect) says how every element and attribute is treated;
 //! 4. every number and reference is checked, and a clean extract of the standard part is given to `urdf-rs`,
-//!    which turns it into values;
+//!    which converts it to values;
 //! 5. the mechanism's builder checks the whole; what it finds is given its place in the file.
 //!
 //! # The dialect
 //! Plain URDF 1.0 to 1.2, and what closes loops: URDF+ (`<loop>`, `<coupling>`, `independent`), `<loop_joint>`, and
-//! a link with two parent joints (the first in the file is the tree's). What has no bearing on the mechanics (looks,
-//! sensors, controllers, simulator settings) is passed over in silence; what is not known is passed over with a
+//! a link with two parent joints (the first in the file is the tree's). What does not affect the mechanics (looks,
+//! sensors, controllers, simulator settings) is ignored without a message; what is not known is ignored with a
 //! warning; what would change the answer and is not supported is an error. The table is `src/dialect.rs`.
 //!
 //! ```xml
@@ -37,6 +37,7 @@ mod diagnostic;
 mod dialect;
 mod geometry;
 mod joint;
+mod limits;
 mod link;
 mod load;
 mod loops;

@@ -1,15 +1,13 @@
-//! `<link>`: what it weighs and how far its shape reaches.
+//! `<link>`: its mass and inertia, and how far its shape reaches.
 
 use crate::geometry;
+use crate::limits::LONGEST_NAME;
 use crate::numbers::{optional, required};
 use crate::origin::{self, Origin};
 use crate::report::{Place, Report, shortened};
 use crate::survey::child;
 use percuss_mechanism::{Geometry, Problem};
 use roxmltree::Node;
-
-/// Names longer than this (bytes) name nothing; they would only swell the messages.
-pub(crate) const LONGEST_NAME: usize = 1024;
 
 /// A checked `<link>`: every number in it is good.
 pub(crate) struct LinkText<'a> {

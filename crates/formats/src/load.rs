@@ -5,14 +5,14 @@ use crate::nodes::Nodes;
 use crate::report::{Place, Report, cut, shortened};
 use crate::survey::{macros, survey};
 use crate::texts::Texts;
-use crate::{Diagnostic, LoadError, Source, consistency, link, prescan, standard};
+use crate::{Diagnostic, LoadError, Source, consistency, limits, prescan, standard};
 use percuss_mechanism::{Accept, Mechanism, MechanismBuilder, Severity};
 use roxmltree::{Document, Node, ParsingOptions};
 
 /// How to read a file.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct LoadOptions {
-    /// What the user takes as it is.
+    /// Findings that the user accepts.
     pub accept: Accept,
 }
 
@@ -50,7 +50,7 @@ fn read(text: &str, options: &LoadOptions, report: &mut Report) -> Option<Mechan
     if !prescan::check(text, report) {
         return None;
     }
-    let parsing = ParsingOptions { allow_dtd: true, nodes_limit: prescan::MOST_NODES, entity_resolver: None };
+    let parsing = ParsingOptions { allow_dtd: true, nodes_limit: limits::MOST_NODES, entity_resolver: None };
     let document = match Document::parse_with_options(text, parsing) {
         Ok(document) => document,
         Err(error) => {
@@ -81,13 +81,14 @@ fn read(text: &str, options: &LoadOptions, report: &mut Report) -> Option<Mechan
         standard::links(&texts.links).and_then(|links| Ok((links, standard::joints(&texts.joints)?)));
     let (links, joints) = match values {
         Ok(values) => values,
-        Err(trouble) => {
-            report.error("unreadable-urdf", Place::Element(robot), || trouble);
+        Err(defect) => {
+            report.error("unreadable-urdf", Place::Element(robot), || defect);
             return None;
         }
     };
     let name = robot.attribute("name").unwrap_or_default();
-    let name = if name.len() > link::LONGEST_NAME { cut(name, link::LONGEST_NAME) } else { name.to_owned() };
+    let name =
+        if name.len() > limits::LONGEST_NAME { cut(name, limits::LONGEST_NAME) } else { name.to_owned() };
     let builder = MechanismBuilder::new(name).accept(options.accept);
     let builder = links.into_iter().fold(builder, MechanismBuilder::link);
     let builder = joints.into_iter().fold(builder, MechanismBuilder::joint);
@@ -113,14 +114,14 @@ fn ill_formed(text: &str, error: &roxmltree::Error, report: &mut Report) {
         Error::UnclosedRootNode | Error::UnexpectedEndOfStream => Place::Offset(text.len()),
         _ => Place::Offset(offset_of(text, at.row, at.col)),
     };
-    let mend = match error {
+    let remedy = match error {
         Error::UnknownNamespace(prefix, _) if prefix == "xacro" => {
             report.xacro(place, "the prefix \"xacro:\"");
             return;
         }
         Error::NodesLimitReached => {
             report.error("too-complex", Place::File, || {
-                format!("more than {} elements, comments and stretches of text", prescan::MOST_NODES)
+                format!("more than {} elements, comments and stretches of text", limits::MOST_NODES)
             });
             return;
         }
@@ -134,9 +135,11 @@ fn ill_formed(text: &str, error: &roxmltree::Error, report: &mut Report) {
         // An open list of the parser's; its own words are enough.
         _ => String::new(),
     };
-    // The place is told once, by us.
+    // The message of the parser has the place too; it is shown once.
     let message = error.to_string().replace(&format!(" at {}:{}", at.row, at.col), "");
-    report.error("not-xml", place, || format!("not well-formed XML: {}{mend}", cut(&message, 200)));
+    report.error("not-xml", place, || {
+        format!("not well-formed XML: {}{remedy}", cut(&message, limits::LONGEST_PARSER_MESSAGE))
+    });
 }
 
 /// The byte at a line and column (in characters), both from 1.

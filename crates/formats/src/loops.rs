@@ -1,19 +1,17 @@
-//! What loops, couplings and second parents refer to: looked up here, where the place in the file is known and the
+//! What loops, couplings and second parents refer to. It is looked up here, where the place in the file is known and the
 //! cost is bounded.
 
 use crate::closure::ends;
 use crate::joint::JointText;
+use crate::limits::MOST_COUPLING_STEPS;
 use crate::nodes::Nodes;
-use crate::references::{Guesses, index};
+use crate::references::{Suggestions, index};
 use crate::report::{Place, Report, quoted, shortened};
 use crate::survey::child;
 use crate::texts::Texts;
 use percuss_mechanism::{Problem, Severity};
 use roxmltree::Node;
 use std::collections::{HashMap, HashSet};
-
-/// Joints on the paths of all couplings together, from the links up to the root.
-const MOST_STEPS: usize = 4_000_000;
 
 /// Which joints go to a link that an earlier joint went to: the builder makes closures of them.
 pub(crate) fn second_parents(joints: &[JointText<'_>]) -> Vec<bool> {
@@ -32,7 +30,7 @@ pub(crate) struct Loops<'f, 'a, 'i> {
 impl<'a, 'i: 'a> Loops<'_, 'a, 'i> {
     /// Checks the links that loops and couplings name, their own names, what joints that close loops cannot have,
     /// and the work that couplings make.
-    pub fn check(&self, guesses: &mut Guesses, report: &mut Report) {
+    pub fn check(&self, suggestions: &mut Suggestions, report: &mut Report) {
         let links = index(self.texts.links.iter().map(|l| l.name));
         for (closure, node) in self.texts.closures.iter().zip(&self.nodes.closures) {
             let names = [closure.predecessor.as_str(), &closure.successor];
@@ -40,20 +38,22 @@ impl<'a, 'i: 'a> Loops<'_, 'a, 'i> {
                 *node,
                 names,
                 &|link| link == "world" || links.contains_key(link),
-                guesses,
+                suggestions,
                 report,
             );
         }
         for (coupling, node) in self.texts.couplings.iter().zip(&self.nodes.couplings) {
             let names = [coupling.predecessor.as_str(), &coupling.successor];
-            self.check_ends(*node, names, &|link| links.contains_key(link), guesses, report);
+            self.check_ends(*node, names, &|link| links.contains_key(link), suggestions, report);
         }
         self.names(report);
         self.mimics(report);
         self.limits(report);
-        if self.steps() > MOST_STEPS {
+        if self.steps() > MOST_COUPLING_STEPS {
             report.error("too-complex", Place::File, || {
-                format!("the couplings' paths to the root have more than {MOST_STEPS} joints together")
+                format!(
+                    "the couplings' paths to the root have more than {MOST_COUPLING_STEPS} joints together"
+                )
             });
         }
     }
@@ -63,16 +63,16 @@ impl<'a, 'i: 'a> Loops<'_, 'a, 'i> {
         node: Node<'a, 'i>,
         names: [&str; 2],
         exists: &dyn Fn(&str) -> bool,
-        guesses: &mut Guesses,
+        suggestions: &mut Suggestions,
         report: &mut Report,
     ) {
         for ((tag, role), name) in ends(node).into_iter().zip(["predecessor", "successor"]).zip(names) {
-            // An empty name is one that is missing, and told already.
+            // An empty name is one that is missing, and reported already.
             let element = child(node, tag).filter(|n| n.has_attribute("link"));
             if let Some(element) = element
                 && !exists(name)
             {
-                let near = guesses.near(name, self.texts.links.iter().map(|l| l.name));
+                let near = suggestions.near(name, self.texts.links.iter().map(|l| l.name));
                 let problem = Problem::UnknownLink { role, link: shortened(name), near };
                 report
                     .add(problem.severity(), problem.code(), Place::Element(element), || problem.to_string());
@@ -80,7 +80,7 @@ impl<'a, 'i: 'a> Loops<'_, 'a, 'i> {
         }
     }
 
-    /// Closures, couplings and joints that close loops bear names of one kind.
+    /// Closures, couplings and joints that close loops share one set of names.
     fn names(&self, report: &mut Report) {
         let closures = self.texts.closures.iter().map(|c| c.name.as_str()).zip(&self.nodes.closures);
         let couplings = self.texts.couplings.iter().map(|c| c.name.as_str()).zip(&self.nodes.couplings);
@@ -125,12 +125,12 @@ impl<'a, 'i: 'a> Loops<'_, 'a, 'i> {
         for ((_, node), _) in closing.filter(|((joint, _), second)| **second && joint.limits.is_some()) {
             let place = child(*node, "limit").map_or(Place::Element(*node), Place::Element);
             report.fold(Severity::Note, "unused-element", "limit".to_owned(), place, || {
-                "the joint closes a loop, its limits are not watched; limit a joint of the tree".to_owned()
+                "the joint closes a loop, its limits are not checked; limit a joint of the tree".to_owned()
             });
         }
     }
 
-    /// How many joints the builder will walk for the couplings' sake; in a chain that is quadratic.
+    /// How many joints the builder will walk because of the couplings; in a chain the number is quadratic.
     fn steps(&self) -> usize {
         if self.texts.couplings.is_empty() {
             return 0;
@@ -142,7 +142,7 @@ impl<'a, 'i: 'a> Loops<'_, 'a, 'i> {
         for link in self.texts.couplings.iter().flat_map(|c| [c.predecessor.as_str(), &c.successor]) {
             let mut path = Vec::new();
             let mut at = link;
-            // Links that are their own ancestors are the builder's to tell.
+            // Links that are their own ancestors are reported by the builder.
             while path.len() <= self.texts.joints.len() && !depths.contains_key(at) {
                 path.push(at);
                 match parent.get(at) {

@@ -1,13 +1,11 @@
 //! The elements that make the mechanism, and where a finding of the builder belongs among them.
 
 use crate::closure;
+use crate::limits::MOST_BODIES;
 use crate::report::{Place, Report};
 use crate::survey::{child, children, is_named};
 use percuss_mechanism::{Problem, Subject};
 use roxmltree::Node;
-
-/// Links, joints, loops and couplings of one file: so many of each.
-const MOST_BODIES: usize = 100_000;
 
 /// The elements of links, joints, loops and couplings, in the order given.
 pub(crate) struct Nodes<'a, 'i> {

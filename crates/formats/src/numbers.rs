@@ -6,16 +6,16 @@ use roxmltree::Node;
 
 /// Exactly N finite numbers with white space between them; else what is the matter.
 pub(crate) fn parse<const N: usize>(text: &str) -> Result<[f64; N], String> {
-    let wanted = || if N == 1 { "1 finite number".to_owned() } else { format!("{N} finite numbers") };
+    let expected = || if N == 1 { "1 finite number".to_owned() } else { format!("{N} finite numbers") };
     let mut values = [0.0; N];
     let mut count = 0;
     for word in text.split_ascii_whitespace() {
         let value = word.parse::<f64>().map_err(|_| {
-            let mend = if word.contains(',') { " (spaces, not commas, go between numbers)" } else { "" };
-            format!("{} is not a number{mend}; {} wanted", quoted(word), wanted_is(N))
+            let remedy = if word.contains(',') { " (spaces, not commas, go between numbers)" } else { "" };
+            format!("{} is not a number{remedy}; {} expected", quoted(word), expected_count(N))
         })?;
         if !value.is_finite() {
-            return Err(format!("{} is not finite; {} wanted", quoted(word), wanted_is(N)));
+            return Err(format!("{} is not finite; {} expected", quoted(word), expected_count(N)));
         }
         if let Some(slot) = values.get_mut(count) {
             *slot = value;
@@ -25,13 +25,13 @@ pub(crate) fn parse<const N: usize>(text: &str) -> Result<[f64; N], String> {
     if count == N {
         Ok(values)
     } else if count == 0 {
-        Err(format!("it is empty; {} wanted", wanted_is(N)))
+        Err(format!("it is empty; {} expected", expected_count(N)))
     } else {
-        Err(format!("got {count}, expected {}", wanted()))
+        Err(format!("got {count}, expected {}", expected()))
     }
 }
 
-fn wanted_is(count: usize) -> String {
+fn expected_count(count: usize) -> String {
     if count == 1 { "1 finite number is".to_owned() } else { format!("{count} finite numbers are") }
 }
 
@@ -45,8 +45,8 @@ pub(crate) fn optional<'a, const N: usize>(
     let Some(text) = node.attribute(attribute) else { return default };
     match parse::<N>(text) {
         Ok(_) => text,
-        Err(trouble) => {
-            bad(node, attribute, text, &trouble, report);
+        Err(defect) => {
+            bad(node, attribute, text, &defect, report);
             default
         }
     }
@@ -73,8 +73,8 @@ pub(crate) fn number(node: Node<'_, '_>, attribute: &'static str, report: &mut R
     };
     match parse::<1>(text) {
         Ok([value]) => Some(value),
-        Err(trouble) => {
-            bad(node, attribute, text, &trouble, report);
+        Err(defect) => {
+            bad(node, attribute, text, &defect, report);
             None
         }
     }
@@ -85,14 +85,14 @@ pub(crate) fn bad(
     node: Node<'_, '_>,
     attribute: &'static str,
     text: &str,
-    trouble: &str,
+    defect: &str,
     report: &mut Report,
 ) {
     let place = Place::Attribute(node, attribute);
     if is_substitution(text) {
         report.xacro(place, &format!("{attribute}={}", quoted(text)));
     } else {
-        report.error("bad-number", place, || format!("{attribute}={}: {trouble}", quoted(text)));
+        report.error("bad-number", place, || format!("{attribute}={}: {defect}", quoted(text)));
     }
 }
 

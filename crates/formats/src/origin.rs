@@ -1,13 +1,11 @@
 //! `<origin>`: a translation, and a rotation in one of two spellings.
 
+use crate::limits::QUATERNION_NORM_SLACK;
 use crate::numbers::{bad, optional, parse};
 use crate::report::{Place, Report};
 use crate::survey::child;
 use percuss_spatial::{Matrix3, Transform, rotation_from_quaternion, rotation_from_rpy};
 use roxmltree::Node;
-
-/// A quaternion whose norm is further from 1 than this was not meant as it stands.
-const NORM_SLACK: f64 = 1e-3;
 
 /// A checked `<origin>`.
 #[derive(Clone, Copy)]
@@ -58,21 +56,21 @@ pub(crate) fn of<'a>(node: Node<'a, '_>, report: &mut Report) -> Origin<'a> {
 fn rotation(node: Node<'_, '_>, text: &str, report: &mut Report) -> Option<Matrix3<f64>> {
     let [x, y, z, w] = match parse::<4>(text) {
         Ok(values) => values,
-        Err(trouble) => {
-            bad(node, "quat_xyzw", text, &trouble, report);
+        Err(defect) => {
+            bad(node, "quat_xyzw", text, &defect, report);
             return None;
         }
     };
     // Scaled first, so that no square overflows or underflows.
     let scale = [x, y, z, w].iter().fold(0.0f64, |a, b| a.max(b.abs()));
     if scale < f64::MIN_POSITIVE {
-        bad(node, "quat_xyzw", text, "it is zero; a unit quaternion x y z w is wanted", report);
+        bad(node, "quat_xyzw", text, "it is zero; a unit quaternion x y z w is expected", report);
         return None;
     }
     let q = [w / scale, x / scale, y / scale, z / scale];
     let norm = q.iter().map(|c| c * c).sum::<f64>().sqrt();
     let length = norm * scale;
-    if (length - 1.0).abs() > NORM_SLACK {
+    if (length - 1.0).abs() > QUATERNION_NORM_SLACK {
         report.warning("quaternion-not-unit", Place::Attribute(node, "quat_xyzw"), || {
             format!("the quaternion has norm {length}, not 1; it was normalised")
         });

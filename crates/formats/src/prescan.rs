@@ -5,24 +5,11 @@
 //! hours or fill the memory. This scan is one pass, and knows comments, CDATA, processing instructions, the
 //! DOCTYPE and quotes. It does not judge whether the text is well formed; the parser does.
 
+use crate::limits::{
+    DEEPEST_NESTING, MOST_ATTRIBUTES, MOST_ELEMENTS, MOST_ENTITIES, MOST_EXPANDED, MOST_NAMESPACES,
+    MOST_NODES, REFERENCES_IN_A_REFERENCE,
+};
 use crate::report::{Place, Report};
-
-/// Elements within elements.
-const DEEPEST: usize = 256;
-/// Elements, and attributes, of the whole file.
-const MOST_ELEMENTS: usize = 1_000_000;
-/// Nodes of the parsed tree: elements, comments, and the text between them.
-pub(crate) const MOST_NODES: u32 = 3_000_000;
-/// Attributes of one element.
-const MOST_ATTRIBUTES: usize = 256;
-/// Declarations of namespaces.
-const MOST_NAMESPACES: usize = 128;
-/// Declarations of entities.
-const MOST_ENTITIES: usize = 64;
-/// Bytes that the references to entities may grow to.
-const MOST_EXPANDED: usize = 64 << 20;
-/// roxmltree follows at most so many references inside one reference.
-const REFERENCES_IN_A_REFERENCE: usize = 256;
 
 /// Says what is beyond the bounds, and whether nothing is.
 pub(crate) fn check(text: &str, report: &mut Report) -> bool {
@@ -150,8 +137,8 @@ impl Scan<'_> {
         if !empty {
             self.depth += 1;
         }
-        if self.depth > DEEPEST {
-            return Err(format!("elements are nested deeper than {DEEPEST} levels"));
+        if self.depth > DEEPEST_NESTING {
+            return Err(format!("elements are nested deeper than {DEEPEST_NESTING} levels"));
         }
         if self.elements > MOST_ELEMENTS {
             return Err(format!("more than {MOST_ELEMENTS} elements"));

@@ -1,18 +1,13 @@
-//! Names that joints refer to by: looked up here, where the place in the file is known and the cost is bounded.
+//! Names that joints refer to. They are looked up here, where the place in the file is known and the cost is bounded.
 
 use crate::joint::JointText;
+use crate::limits::{LONGEST_MIMIC_CHAIN, MOST_CANDIDATES, MOST_SUGGESTIONS};
 use crate::link::LinkText;
 use crate::report::{Place, Report, shortened};
 use crate::survey::child;
 use percuss_mechanism::{Problem, near_names};
 use roxmltree::Node;
 use std::collections::HashMap;
-
-/// Suggestions are sought for so many names, among so many candidates.
-const MOST_GUESSES: usize = 10;
-const MOST_CANDIDATES: usize = 2_000;
-/// Joints that mimic one another in a row.
-const LONGEST_CHAIN: usize = 100;
 
 /// Where each name was given first.
 pub(crate) fn index<'a>(names: impl Iterator<Item = &'a str>) -> HashMap<&'a str, usize> {
@@ -24,13 +19,13 @@ pub(crate) fn index<'a>(names: impl Iterator<Item = &'a str>) -> HashMap<&'a str
 }
 
 /// Looks for what was meant, a few times only.
-pub(crate) struct Guesses {
+pub(crate) struct Suggestions {
     left: usize,
 }
 
-impl Guesses {
+impl Suggestions {
     pub fn new() -> Self {
-        Self { left: MOST_GUESSES }
+        Self { left: MOST_SUGGESTIONS }
     }
 
     pub fn near<'a>(&mut self, name: &str, names: impl Iterator<Item = &'a str>) -> Vec<String> {
@@ -48,18 +43,18 @@ pub(crate) fn check<'a, 'i: 'a>(
     joints: &mut [JointText<'a>],
     nodes: &[Node<'a, 'i>],
     joint_index: &HashMap<&'a str, usize>,
-    guesses: &mut Guesses,
+    suggestions: &mut Suggestions,
     report: &mut Report,
 ) {
     let link_index = index(links.iter().map(|l| l.name));
     for (joint, node) in joints.iter().zip(nodes) {
         for (role, name) in [("parent", joint.parent), ("child", joint.child)] {
-            // An empty name is one that is missing, and told already.
+            // An empty name is one that is missing, and reported already.
             let element = child(*node, role).filter(|n| n.has_attribute("link"));
             if let Some(element) = element
                 && !link_index.contains_key(name)
             {
-                let near = guesses.near(name, links.iter().map(|l| l.name));
+                let near = suggestions.near(name, links.iter().map(|l| l.name));
                 let problem = Problem::UnknownLink { role, link: shortened(name), near };
                 report
                     .add(problem.severity(), problem.code(), Place::Element(element), || problem.to_string());
@@ -70,7 +65,7 @@ pub(crate) fn check<'a, 'i: 'a>(
     for (joint, node) in joints.iter_mut().zip(nodes) {
         let Some(mimic) = &joint.mimic else { continue };
         if !joint_index.contains_key(mimic.joint) && !mimic.joint.is_empty() {
-            let near = guesses.near(mimic.joint, names.iter().copied());
+            let near = suggestions.near(mimic.joint, names.iter().copied());
             let problem = Problem::DanglingMimic { master: shortened(mimic.joint), near };
             let place = child(*node, "mimic").map_or(Place::Element(*node), Place::Element);
             report.add(problem.severity(), problem.code(), place, || problem.to_string());
@@ -91,10 +86,10 @@ fn chains<'a, 'i: 'a>(
     let next: Vec<Option<usize>> = joints.iter().map(master).collect();
     let mut told = vec![false; joints.len()];
     for (start, node) in nodes.iter().enumerate() {
-        // A circle that was told is told once, to whichever joint came to it first.
+        // A circle is reported once, at the joint from which it was found first.
         let walk = std::iter::successors(Some(start), |i| next[*i]).take_while(|i| !told[*i]);
-        let path: Vec<usize> = walk.take(LONGEST_CHAIN + 1).collect();
-        if path.len() <= LONGEST_CHAIN {
+        let path: Vec<usize> = walk.take(LONGEST_MIMIC_CHAIN + 1).collect();
+        if path.len() <= LONGEST_MIMIC_CHAIN {
             continue;
         }
         let place = child(*node, "mimic").map_or(Place::Element(*node), Place::Element);
@@ -102,7 +97,7 @@ fn chains<'a, 'i: 'a>(
             |(step, joint): (usize, &usize)| path[..step].iter().position(|j| j == joint).map(|i| i..step);
         let Some(circle) = path.iter().enumerate().find_map(closes) else {
             report.error("mimic-chain", place, || {
-                format!("more than {LONGEST_CHAIN} joints mimic one another in a row")
+                format!("more than {LONGEST_MIMIC_CHAIN} joints mimic one another in a row")
             });
             return;
         };

@@ -1,18 +1,10 @@
 //! Collects findings while a file is read: bounded in number, placed in the file at the end.
 
 use crate::Diagnostic;
+use crate::limits::{FARTHEST_COLUMN, LONGEST_SHOWN, MOST_FINDINGS, MOST_KINDS};
 use percuss_mechanism::Severity;
 use roxmltree::Node;
 use std::collections::HashMap;
-
-/// At most so many findings of each severity are told; the others are counted.
-const MOST: usize = 50;
-/// At most so many kinds of repeated finding are told apart.
-const MOST_FOLDED: usize = 500;
-/// A column further right than so many bytes is not worth counting out.
-const FARTHEST_COLUMN: usize = 1 << 16;
-/// Texts from the file are cut to so many characters when shown.
-const LONGEST_SHOWN: usize = 60;
 
 /// Where a finding belongs.
 #[derive(Clone, Copy)]
@@ -54,7 +46,7 @@ fn rank(severity: Severity) -> usize {
 }
 
 impl Report {
-    /// Adds a finding; its message is made only if there is room to tell it.
+    /// Adds a finding; its message is made only if it is shown.
     pub fn add(
         &mut self,
         severity: Severity,
@@ -63,7 +55,7 @@ impl Report {
         message: impl FnOnce() -> String,
     ) {
         self.counts[rank(severity)] += 1;
-        if self.counts[rank(severity)] > MOST {
+        if self.counts[rank(severity)] > MOST_FINDINGS {
             return;
         }
         let (offset, element) = match place {
@@ -93,7 +85,7 @@ impl Report {
         self.add(Severity::Note, code, place, message);
     }
 
-    /// Adds a finding that is told once for each `kind` and then counted.
+    /// Adds a finding that is reported once for each `kind` and then counted.
     pub fn fold(
         &mut self,
         severity: Severity,
@@ -110,13 +102,13 @@ impl Report {
         }
         let before = self.items.len();
         self.add(severity, code, place, message);
-        if self.folded.len() < MOST_FOLDED {
+        if self.folded.len() < MOST_KINDS {
             let told = self.items.len() > before;
             self.folded.insert((code, kind), told.then_some(before));
         }
     }
 
-    /// The error that the file is a xacro; told once.
+    /// The error that the file is a xacro; reported once.
     pub fn xacro(&mut self, place: Place<'_, '_>, sign: &str) {
         let message = || {
             format!(
@@ -161,7 +153,7 @@ impl Report {
             });
         }
         for severity in [Severity::Error, Severity::Warning, Severity::Note] {
-            let more = self.counts[rank(severity)].saturating_sub(MOST);
+            let more = self.counts[rank(severity)].saturating_sub(MOST_FINDINGS);
             if more > 0 {
                 diagnostics.push(Diagnostic {
                     severity,

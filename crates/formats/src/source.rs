@@ -61,7 +61,7 @@ impl Source {
             [&b"\xFF\xFE"[..], b"\xFE\xFF", b"<\0", b"\0<"].iter().any(|mark| bytes.starts_with(mark));
         if utf16 {
             report.error("utf-16", Place::File, || {
-                "the file is in UTF-16; UTF-8 is wanted: run \"iconv -f UTF-16 -t UTF-8 FILE\" and load the result"
+                "the file is in UTF-16; UTF-8 is expected: run \"iconv -f UTF-16 -t UTF-8 FILE\" and load the result"
                     .to_owned()
             });
             return None;

@@ -6,6 +6,7 @@
 //! stay with what was read beside their places.
 
 use crate::joint::JointText;
+use crate::limits::EXTRACT_SIZE;
 use crate::link::{InertialText, LinkText, MOMENTS};
 use crate::origin::Origin;
 use nalgebra::Matrix3;
@@ -13,13 +14,10 @@ use percuss_mechanism::{Inertial, JointDescription, JointKind, Limits, LinkDescr
 use percuss_spatial::{Transform, rotation_from_rpy};
 use std::fmt::Write;
 
-/// Elements an extract holds: `urdf-rs` keeps several copies of what it reads in memory.
-const CHUNK: usize = 256;
-
 /// The links' values.
 pub(crate) fn links(texts: &[LinkText<'_>]) -> Result<Vec<LinkDescription>, String> {
     let mut links = Vec::with_capacity(texts.len());
-    for chunk in texts.chunks(CHUNK) {
+    for chunk in texts.chunks(EXTRACT_SIZE) {
         let mut extract = Extract::new();
         chunk.iter().for_each(|text| extract.link(text));
         let robot = extract.read()?;
@@ -32,7 +30,7 @@ pub(crate) fn links(texts: &[LinkText<'_>]) -> Result<Vec<LinkDescription>, Stri
 /// The joints' values.
 pub(crate) fn joints(texts: &[JointText<'_>]) -> Result<Vec<JointDescription>, String> {
     let mut joints = Vec::with_capacity(texts.len());
-    for chunk in texts.chunks(CHUNK) {
+    for chunk in texts.chunks(EXTRACT_SIZE) {
         let mut extract = Extract::new();
         chunk.iter().for_each(|text| extract.joint(text));
         let robot = extract.read()?;
@@ -42,8 +40,8 @@ pub(crate) fn joints(texts: &[JointText<'_>]) -> Result<Vec<JointDescription>, S
     Ok(joints)
 }
 
-fn counted(got: usize, wanted: usize) -> Result<(), String> {
-    if got == wanted { Ok(()) } else { Err(format!("urdf-rs read {got} of {wanted} elements")) }
+fn counted(got: usize, expected: usize) -> Result<(), String> {
+    if got == expected { Ok(()) } else { Err(format!("urdf-rs read {got} of {expected} elements")) }
 }
 
 fn link(text: &LinkText<'_>, values: &urdf_rs::Link) -> LinkDescription {

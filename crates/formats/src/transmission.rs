@@ -29,7 +29,7 @@ pub(crate) fn of_transmissions<'a, 'i: 'a>(
     }
 }
 
-/// A joint that does not move has no use for a rotor.
+/// A fixed joint has no velocity, so its armature is dropped.
 pub(crate) fn drop_from_fixed(joint: &mut JointText<'_>, node: Node<'_, '_>, report: &mut Report) {
     if joint.kind == JointKind::Fixed && !joint.armature.is_empty() {
         if joint.armature.iter().any(|a| *a != 0.0) {

@@ -1,5 +1,6 @@
 //! A mechanism as URDF+.
 
+use crate::limits::DECIMAL_NUMBERS;
 use percuss_mechanism::{Closure, ClosureKind, Coupling, Joint, JointKind, Link, LoopFrame, Mechanism};
 use percuss_spatial::{Matrix3, Transform, Vector3, rpy_from_rotation};
 use std::collections::HashMap;
@@ -165,7 +166,7 @@ fn triple(v: &Vector3<f64>) -> String {
 /// The shortest decimal that reads back as the same bits; an exponent where the digits would run long.
 fn number(x: f64) -> String {
     let size = x.abs();
-    if x == 0.0 || (1e-5..1e16).contains(&size) { format!("{x}") } else { format!("{x:e}") }
+    if x == 0.0 || DECIMAL_NUMBERS.contains(&size) { format!("{x}") } else { format!("{x:e}") }
 }
 
 /// For an attribute in double quotes. What XML 1.0 cannot hold becomes U+FFFD.

@@ -224,7 +224,7 @@ fn a_finding_says_where_it_is() {
     assert_eq!((finding.line, finding.column), (Some(8), Some(22)));
     assert_eq!(
         finding.to_string(),
-        "model.urdf:8: error: robot/joint[hinge]/axis: xyz=\"0 q 0\": \"q\" is not a number; 3 finite numbers are wanted"
+        "model.urdf:8: error: robot/joint[hinge]/axis: xyz=\"0 q 0\": \"q\" is not a number; 3 finite numbers are expected"
     );
 }
 

@@ -51,8 +51,8 @@ fn every_malformed_file_is_refused_with_the_expected_words() {
         std::fs::write(&expected, &found).expect("the expectations can be written");
     }
     let expected = std::fs::read_to_string(expected).expect("expected.txt is there");
-    for (line, wanted) in found.lines().zip(expected.lines()) {
-        assert_eq!(line, wanted);
+    for (line, expected) in found.lines().zip(expected.lines()) {
+        assert_eq!(line, expected);
     }
     assert_eq!(found, expected, "expected.txt has other lines at its end");
 }

@@ -13,7 +13,7 @@ pub(super) const CHASSIS: &str = "chassis";
 /// The link that holds the tie rods' inner ends.
 pub(super) const RACK: &str = "rack";
 
-/// What a link weighs, in the vehicle's frame at the design position.
+/// Mass and inertia of a link, in the vehicle's frame at the design position.
 #[derive(Clone, Debug)]
 pub(super) struct Body {
     /// kg.
@@ -98,7 +98,7 @@ impl Corner {
         self.comments.joints.insert(name.to_owned(), comment.into());
     }
 
-    /// A massless link fixed to another: a place to strike, or to measure.
+    /// A massless link fixed to another: a place for a contact, or to measure.
     pub fn frame(&mut self, name: &'static str, on: &str, at: Vector3<f64>, comment: impl Into<String>) {
         self.links.push(LinkDescription::massless(name));
         self.joints.push(

@@ -3,10 +3,8 @@
 //! A frame is a rotation R whose columns are its axes in the vehicle's; I = R I′ Rᵀ. All are right-handed. None where
 //! the points do not span it.
 
+use crate::limits::PARALLEL;
 use percuss_spatial::{Matrix3, Vector3};
-
-/// Directions closer than this (sine of the angle) are one.
-const PARALLEL: f64 = 1e-9;
 
 /// The unit vector; none where there is no direction.
 pub(super) fn unit(v: Vector3<f64>) -> Option<Vector3<f64>> {

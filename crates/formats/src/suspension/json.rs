@@ -1,11 +1,9 @@
 //! One level of JSON at a time: values stay pieces of the text, so that their places are known.
 
+use crate::limits::MOST_KEYS;
 use serde::de::{Deserialize, Deserializer, Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
 use serde_json::value::RawValue;
 use std::fmt;
-
-/// Keys of one object.
-pub(super) const MOST_KEYS: usize = 1000;
 
 /// An object whose values are left as text.
 pub(super) struct Object<'t> {

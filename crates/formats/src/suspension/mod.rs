@@ -22,6 +22,7 @@ mod spindle;
 mod templates;
 mod text;
 
+use crate::limits::LONGEST_NAME;
 use crate::report::{Place, Report, cut, quoted};
 use crate::{Comments, Diagnostic, LoadError, Source};
 use corner::{About, CHASSIS, Corner, RACK};
@@ -31,9 +32,6 @@ use percuss_mechanism::{
 };
 use percuss_spatial::Vector3;
 use reader::{Reader, Section, Spot};
-
-/// Names longer than this (bytes) are cut.
-const LONGEST_NAME: usize = 1024;
 
 /// A mechanism, what its parts are, and what was noticed in its file.
 #[derive(Debug)]
@@ -49,11 +47,11 @@ pub struct Imported {
 /// Reads a suspension file of Chrono::Vehicle; comments in the JSON are allowed.
 ///
 /// An inertia I′ stated in axes R becomes R I′ Rᵀ. The axle's inertia J about the axis of spin a adds J a aᵀ to the
-/// spindle's. Force laws are passed over. Sources: Project Chrono, `src/chrono_vehicle/wheeled_vehicle/suspension`.
+/// spindle's. Force laws are ignored. Sources: Project Chrono, `src/chrono_vehicle/wheeled_vehicle/suspension`.
 ///
 /// # Errors
 /// [`LoadError`] with every finding, where one is an error: no JSON, an unknown template, a missing key, a value of
-/// the wrong type or length, hardpoints that span no joint, and what the mechanism's builder refuses.
+/// the wrong type or length, hardpoints that define no joint axis, and what the mechanism's builder refuses.
 pub fn import(source: &Source, options: &ImportOptions) -> Result<Imported, LoadError> {
     let mut report = Report::default();
     let text = decoded(source, &mut report);
@@ -62,8 +60,8 @@ pub fn import(source: &Source, options: &ImportOptions) -> Result<Imported, Load
     };
     let clean = match text::without_comments(text) {
         Ok(clean) => clean,
-        Err(trouble) => {
-            report.error(trouble.code, Place::Offset(trouble.at), || trouble.message.to_owned());
+        Err(defect) => {
+            report.error(defect.code, Place::Offset(defect.at), || defect.message.to_owned());
             return Err(LoadError { diagnostics: report.finish(&source.name, text) });
         }
     };
@@ -81,11 +79,11 @@ pub fn import(source: &Source, options: &ImportOptions) -> Result<Imported, Load
 fn decoded<'s>(source: &'s Source, report: &mut Report) -> Option<&'s str> {
     let wide = [&b"\xFF\xFE"[..], b"\xFE\xFF"].iter().any(|mark| source.bytes.starts_with(mark));
     if source.bytes.trim_ascii().is_empty() {
-        report.error("empty-file", Place::File, || "the file is empty; JSON is wanted".to_owned());
+        report.error("empty-file", Place::File, || "the file is empty; JSON is expected".to_owned());
         None
     } else if source.bytes.contains(&0) && !wide {
         report.error("binary", Place::File, || {
-            "this is not a text file (it has zero bytes); JSON in UTF-8 is wanted".to_owned()
+            "this is not a text file (it has zero bytes); JSON in UTF-8 is expected".to_owned()
         });
         None
     } else {
@@ -94,7 +92,7 @@ fn decoded<'s>(source: &'s Source, report: &mut Report) -> Option<&'s str> {
 }
 
 fn read(reader: &mut Reader<'_>, source: &Source, options: &ImportOptions) -> Option<(Mechanism, Comments)> {
-    judge_options(reader, options);
+    check_options(reader, options);
     let mut root = reader.root()?;
     let name = header(reader, &mut root);
     let (template_name, build) = template(reader, &mut root)?;
@@ -102,7 +100,7 @@ fn read(reader: &mut Reader<'_>, source: &Source, options: &ImportOptions) -> Op
     let corner = build(reader, &mut root, &spindle);
     // Chrono's switch for its own output.
     reader.close(root, &["Output"]);
-    reader.judge_unit();
+    reader.check_unit();
     let corner = corner.filter(|_| !reader.has_errors())?;
     let (builder, about) = assemble(reader, corner, &name, options);
     let mut comments = about.comments;
@@ -136,7 +134,7 @@ fn header<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>) -> String {
     if let Some((kind, spot)) = reader.string(root, "Type")
         && kind != "Suspension"
     {
-        let message = format!("the file describes a {}; a \"Suspension\" is wanted", quoted(&kind));
+        let message = format!("the file describes a {}; a \"Suspension\" is expected", quoted(&kind));
         reader.error("wrong-kind", &spot, message);
     }
     let name = reader.string(root, "Name").map(|(name, _)| name).unwrap_or_default();
@@ -156,14 +154,14 @@ fn template<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>) -> Option<(&'st
     found
 }
 
-fn judge_options(reader: &mut Reader<'_>, options: &ImportOptions) {
+fn check_options(reader: &mut Reader<'_>, options: &ImportOptions) {
     let nowhere = Spot::default();
     match options.wheel {
         None => reader.warning("no-wheel", &nowhere, {
             "no wheel was given, and suspension files hold none: its mass is not in the answer".to_owned()
         }),
         Some(Wheel { radius: Some(radius), .. }) if !(radius.is_finite() && radius > 0.0) => {
-            let message = format!("the wheel's radius is {radius} m; more than 0 is wanted");
+            let message = format!("the wheel's radius is {radius} m; more than 0 is expected");
             reader.error("bad-radius", &nowhere, message);
         }
         Some(_) => {}

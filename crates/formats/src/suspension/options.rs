@@ -2,7 +2,7 @@
 
 use percuss_mechanism::Accept;
 
-/// Which side of the vehicle to build. Files describe the left one; the right one is its mirror image.
+/// Which side of the vehicle to build. Files describe the left side; the right one is its mirror image.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Side {
     /// The file's own side.
@@ -43,10 +43,10 @@ pub enum Rack {
 pub struct ImportOptions {
     /// Which side.
     pub side: Side,
-    /// The wheel; without one, its mass is not in the answer, which is said in a warning.
+    /// The wheel; without one, its mass is not in the answer, which a warning states.
     pub wheel: Option<Wheel>,
     /// Whether the vehicle steers.
     pub rack: Rack,
-    /// What the user takes as it is.
+    /// Findings that the user accepts.
     pub accept: Accept,
 }

@@ -3,13 +3,12 @@
 use super::corner::{Body, CHASSIS, Corner, RACK};
 use super::frames;
 use super::reader::{Reader, Section, Spot};
+use crate::limits::OBLIQUE_PINS;
 use percuss_mechanism::{ClosureKind, JointKind};
 use percuss_spatial::{Matrix3, Vector3};
 
 /// Keys that only draw.
 const DRAWN: [&str; 2] = ["Radius", "Width"];
-/// Cosine of the angle between the pins of a Hooke's joint above which they are not at right angles.
-const OBLIQUE: f64 = 1e-3;
 
 /// How a file states inertias.
 #[derive(Clone, Copy, PartialEq)]
@@ -56,8 +55,8 @@ fn inertia<'t>(reader: &mut Reader<'t>, section: &mut Section<'t>, how: Inertias
         Inertias::Moments => Matrix3::from_diagonal(&reader.triple(section, "Inertia", MOMENTS)),
         Inertias::WithProducts => {
             let moments = reader.triple(section, "Moments of Inertia", MOMENTS);
-            let wanted = "the inertia matrix's entries [xy, xz, yz] in kg·m²";
-            let products = reader.triple(section, "Products of Inertia", wanted);
+            let expected = "the inertia matrix's entries [xy, xz, yz] in kg·m²";
+            let products = reader.triple(section, "Products of Inertia", expected);
             if products != Vector3::zeros() {
                 reader.products.get_or_insert_with(|| section.spot.clone());
             }
@@ -90,14 +89,9 @@ pub(super) fn close<'t>(reader: &mut Reader<'t>, section: Section<'t>) {
 }
 
 /// The value; where hardpoints do not make one, says so (unless they were not all there).
-pub(super) fn spanned<T: Default>(
-    reader: &mut Reader<'_>,
-    value: Option<T>,
-    spot: &Spot,
-    trouble: &str,
-) -> T {
+pub(super) fn spanned<T: Default>(reader: &mut Reader<'_>, value: Option<T>, spot: &Spot, defect: &str) -> T {
     if value.is_none() && !reader.has_errors() {
-        reader.error("degenerate-geometry", spot, trouble.to_owned());
+        reader.error("degenerate-geometry", spot, defect.to_owned());
     }
     value.unwrap_or_default()
 }
@@ -134,8 +128,8 @@ pub(super) fn arm<'t>(
     let [front, back, ball] = [front, back, ball].map(|key| reader.point(&mut section, key));
     let spot = section.spot.clone();
     close(reader, section);
-    let trouble = "its hinge's points and its outer point lie on one line, or coincide";
-    let frame = spanned(reader, frames::arm(front, back, ball), &spot, trouble);
+    let defect = "its hinge's points and its outer point lie on one line, or coincide";
+    let frame = spanned(reader, frames::arm(front, back, ball), &spot, defect);
     let body = stated.map(|(stated, axes)| match axes {
         Axes::Own => stated.in_frame(&frame),
         Axes::Vehicle => stated.into_vehicle(),
@@ -153,7 +147,7 @@ impl Arm {
     }
 
     /// The arm on its hinge on the chassis.
-    pub fn hang(&self, corner: &mut Corner, name: &str) {
+    pub fn attach(&self, corner: &mut Corner, name: &str) {
         let comment = format!("{}: frame at the hinge's first point", self.spot.label());
         corner.link(name, self.front, self.body.as_ref(), comment);
         let joint = (&*format!("{name}_hinge"), JointKind::Revolute);
@@ -175,7 +169,7 @@ pub(super) fn hooke(
     comment: String,
 ) {
     let cosine = parent_pin.dot(&pin).abs();
-    if cosine > OBLIQUE {
+    if cosine > OBLIQUE_PINS {
         let message = format!(
             "the pins of the universal joint stand at {:.3}° to one another, not at 90°; they are taken as they are",
             cosine.acos().to_degrees()
@@ -252,7 +246,7 @@ pub(super) fn seats<'t>(
     let mut section = reader.section(root, key);
     let chassis = reader.point(&mut section, "Location Chassis");
     let seat = reader.point(&mut section, moving);
-    // Force laws come in many kinds and bear on nothing here.
+    // Force laws come in many kinds and do not affect the effective mass.
     let line = frames::unit(chassis - seat).map(|_| ());
     spanned(reader, line, &section.spot, "its ends coincide: it has no line");
     [seat, chassis]

@@ -1,17 +1,14 @@
 //! Typed access to the file's keys; every finding knows its key path and its place.
 
-use super::json::{Array, MOST_KEYS, Object};
+use super::json::{Array, Object};
 use super::text::{line_and_column, offset_of};
 use crate::Diagnostic;
+use crate::limits::MOST_KEYS;
+use crate::limits::{FARTHEST_HARDPOINT, MOST_FINDINGS};
 use crate::report::{quoted, shortened};
 use percuss_mechanism::{Severity, near_names};
 use percuss_spatial::Vector3;
 use serde_json::value::RawValue;
-
-/// Warnings and notes of a file; more are counted. Errors are as few as the keys that are asked for.
-const MOST_FINDINGS: usize = 50;
-/// No hardpoint is so far from its vehicle's origin, m. In millimetres, most are.
-const FARTHEST: f64 = 20.0;
 
 /// Where something stands in the file: its key path and its first byte.
 #[derive(Clone, Debug, Default)]
@@ -74,7 +71,7 @@ impl<'t> Reader<'t> {
         Self { clean, findings: Vec::new(), untold: 0, farthest: None, products: None }
     }
 
-    /// Adds a finding; the same one twice is told once.
+    /// Adds a finding; the same one twice is reported once.
     pub fn add(&mut self, severity: Severity, code: &'static str, spot: &Spot, message: String) {
         let same = |f: &Finding| f.code == code && f.spot.path == spot.path && f.message == message;
         if self.findings.iter().any(same) {
@@ -142,7 +139,7 @@ impl<'t> Reader<'t> {
             Err(error) => {
                 let at = offset_of(self.clean, error.line(), error.column());
                 let full = error.to_string();
-                // The place is told once, by us.
+                // The message of the parser has the place too; it is shown once.
                 let message = full.split(" at line ").next().unwrap_or(&full);
                 let hint = if self.clean.trim_ascii_start().starts_with('<') {
                     ": this is XML; a suspension file of Chrono::Vehicle is JSON"
@@ -166,7 +163,7 @@ impl<'t> Reader<'t> {
         for (key, value) in object.entries {
             if entries.iter().any(|e| e.key == key) {
                 let spot = self.spot(&spot, &key, Some(value));
-                self.error("duplicate-key", &spot, "the key was given before; once is wanted".to_owned());
+                self.error("duplicate-key", &spot, "the key is given twice".to_owned());
                 continue;
             }
             entries.push(Entry { key, value, used: false });
@@ -200,12 +197,12 @@ impl<'t> Reader<'t> {
         &mut self,
         section: &mut Section<'t>,
         key: &str,
-        wanted: &str,
+        expected: &str,
     ) -> Option<(&'t RawValue, Spot)> {
         let found = self.optional(section, key);
         if let (None, Some(entries)) = (&found, &section.entries) {
             let spot = self.spot(&section.spot, key, None);
-            let mut message = format!("the key is missing; {wanted} is wanted");
+            let mut message = format!("the key is missing; {expected} is expected");
             let near = near_names(key, entries.iter().filter(|e| !e.used).map(|e| e.key.as_str()));
             if !near.is_empty() {
                 let near: Vec<String> = near.iter().map(|n| quoted(n)).collect();
@@ -216,7 +213,7 @@ impl<'t> Reader<'t> {
         found
     }
 
-    fn wrong_type(&mut self, spot: &Spot, value: &RawValue, wanted: &str) {
+    fn wrong_type(&mut self, spot: &Spot, value: &RawValue, expected: &str) {
         let got = match value.get().as_bytes().first() {
             Some(b'{') => "an object",
             Some(b'[') => "an array",
@@ -225,7 +222,7 @@ impl<'t> Reader<'t> {
             Some(b'n') => "null",
             Some(_) | None => "a number",
         };
-        self.error("wrong-type", spot, format!("{got} ({}); {wanted} is wanted", shortened(value.get())));
+        self.error("wrong-type", spot, format!("{got} ({}); {expected} is expected", shortened(value.get())));
     }
 
     /// The object under a key.
@@ -241,7 +238,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Warns of the keys that nothing asked for, those of `passed_over` aside.
+    /// Warns of the keys that were not read, except `passed_over`.
     pub fn close(&mut self, section: Section<'t>, passed_over: &[&str]) {
         let unknown = section.entries.iter().flatten().filter(|e| !e.used && !passed_over.contains(&&*e.key));
         for entry in unknown {
@@ -280,52 +277,52 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// A number that must be there; `wanted` says what it is, with its unit.
-    pub fn number(&mut self, section: &mut Section<'t>, key: &str, wanted: &str) -> f64 {
-        match self.required(section, key, wanted) {
-            Some((value, spot)) => self.finite(value, &spot, wanted),
+    /// A number that must be there; `expected` says what it is, with its unit.
+    pub fn number(&mut self, section: &mut Section<'t>, key: &str, expected: &str) -> f64 {
+        match self.required(section, key, expected) {
+            Some((value, spot)) => self.finite(value, &spot, expected),
             None => 0.0,
         }
     }
 
     /// A number that is 0 where it is missing.
-    pub fn number_or_zero(&mut self, section: &mut Section<'t>, key: &str, wanted: &str) -> f64 {
+    pub fn number_or_zero(&mut self, section: &mut Section<'t>, key: &str, expected: &str) -> f64 {
         match self.optional(section, key) {
-            Some((value, spot)) => self.finite(value, &spot, wanted),
+            Some((value, spot)) => self.finite(value, &spot, expected),
             None => 0.0,
         }
     }
 
     /// The number as Rust reads it: serde_json's own reading can be off in the last digit.
-    fn finite(&mut self, value: &RawValue, spot: &Spot, wanted: &str) -> f64 {
+    fn finite(&mut self, value: &RawValue, spot: &Spot, expected: &str) -> f64 {
         let is_number = value.get().starts_with(|c: char| c == '-' || c.is_ascii_digit());
         match value.get().parse::<f64>() {
             Ok(number) if is_number && number.is_finite() => number,
             Ok(_) if is_number => {
-                let message = format!("{} is beyond all bounds; {wanted} is wanted", shortened(value.get()));
+                let message = format!("{} is too large; {expected} is expected", shortened(value.get()));
                 self.error("not-finite", spot, message);
                 0.0
             }
             Ok(_) | Err(_) => {
-                self.wrong_type(spot, value, wanted);
+                self.wrong_type(spot, value, expected);
                 0.0
             }
         }
     }
 
     /// Three numbers that must be there.
-    pub fn triple(&mut self, section: &mut Section<'t>, key: &str, wanted: &str) -> Vector3<f64> {
-        let Some((value, spot)) = self.required(section, key, wanted) else { return Vector3::zeros() };
+    pub fn triple(&mut self, section: &mut Section<'t>, key: &str, expected: &str) -> Vector3<f64> {
+        let Some((value, spot)) = self.required(section, key, expected) else { return Vector3::zeros() };
         let Ok(array) = serde_json::from_str::<Array<'t>>(value.get()) else {
-            self.wrong_type(&spot, value, wanted);
+            self.wrong_type(&spot, value, expected);
             return Vector3::zeros();
         };
         let [Some(x), Some(y), Some(z)] = array.first else {
-            self.wrong_length(&spot, array.length, wanted);
+            self.wrong_length(&spot, array.length, expected);
             return Vector3::zeros();
         };
         if array.length != 3 {
-            self.wrong_length(&spot, array.length, wanted);
+            self.wrong_length(&spot, array.length, expected);
         }
         let mut entry = |i: usize, value: &'t RawValue| {
             let spot = Spot { path: Some(format!("{}[{i}]", spot.label())), at: Some(self.offset(value)) };
@@ -334,14 +331,14 @@ impl<'t> Reader<'t> {
         Vector3::new(entry(0, x), entry(1, y), entry(2, z))
     }
 
-    fn wrong_length(&mut self, spot: &Spot, length: usize, wanted: &str) {
-        self.error("wrong-length", spot, format!("an array of {length}; {wanted} is wanted"));
+    fn wrong_length(&mut self, spot: &Spot, length: usize, expected: &str) {
+        self.error("wrong-length", spot, format!("an array of {length}; {expected} is expected"));
     }
 
     /// A point of the vehicle that must be there, m.
     pub fn point(&mut self, section: &mut Section<'t>, key: &str) -> Vector3<f64> {
         let point = self.triple(section, key, "a point, [x, y, z] in m,");
-        if point.amax() > self.farthest.as_ref().map_or(FARTHEST, |f| f.0) {
+        if point.amax() > self.farthest.as_ref().map_or(FARTHEST_HARDPOINT, |f| f.0) {
             let value = section.entries.iter().flatten().find(|e| e.key == key).map(|e| e.value);
             self.farthest = Some((point.amax(), self.spot(&section.spot, key, value)));
         }
@@ -349,7 +346,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Warns if the coordinates look like millimetres.
-    pub fn judge_unit(&mut self) {
+    pub fn check_unit(&mut self) {
         if let Some((largest, spot)) = self.farthest.take() {
             let message = format!(
                 "a coordinate of {largest} m: no hardpoint lies so far out. Chrono's files are in m; are these mm?"

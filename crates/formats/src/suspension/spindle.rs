@@ -4,6 +4,7 @@ use super::corner::{Body, Corner};
 use super::parts::{Inertias, Stated, body, close, spanned};
 use super::reader::{Reader, Section, Spot};
 use super::{ImportOptions, Wheel, frames};
+use crate::limits::MOMENT_SLACK;
 use percuss_mechanism::{JointKind, Problem};
 use percuss_spatial::{Matrix3, Vector3, rotation_about};
 
@@ -32,11 +33,11 @@ pub(super) fn read<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>, options:
         reader.error(
             "negative-inertia",
             &section.spot,
-            format!("Inertia is {axle} kg·m²; 0 or more is wanted"),
+            format!("Inertia is {axle} kg·m²; 0 or more is expected"),
         );
     }
     reader.close(section, &[]);
-    judge_moments(reader, &stated);
+    check_moments(reader, &stated);
     if stated.com.y <= 0.0 && !reader.has_errors() {
         let message = format!(
             "the spindle is at y = {}: these files describe the left side, which has y > 0; left and right are \
@@ -52,19 +53,19 @@ pub(super) fn read<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>, options:
 }
 
 /// Warns where the spindle alone breaks the triangle inequality: with the axle in it, it nearly always does.
-fn judge_moments(reader: &mut Reader<'_>, stated: &Stated) {
+fn check_moments(reader: &mut Reader<'_>, stated: &Stated) {
     let mut principal: [f64; 3] = stated.inertia.diagonal().into();
     principal.sort_by(f64::total_cmp);
     let [a, b, c] = principal;
-    if c > (a + b) * (1.0 + 1e-9) {
+    if c > (a + b) * (1.0 + MOMENT_SLACK) {
         let problem = Problem::TriangleInequality { principal };
         reader.add(problem.severity(), problem.code(), &stated.spot, problem.to_string());
     }
 }
 
 impl Spindle {
-    /// On the link that bears it.
-    pub fn bear(&self, reader: &mut Reader<'_>, corner: &mut Corner, bearer: &str) {
+    /// Attaches the spindle to its parent link.
+    pub fn attach(&self, reader: &mut Reader<'_>, corner: &mut Corner, parent: &str) {
         let at = self.body.com;
         let comment = format!(
             "Spindle, with the axle's {} kg·m² about the axis of spin in its inertia: frame at its centre",
@@ -74,7 +75,7 @@ impl Spindle {
         let spot = &self.body.spot;
         corner.joint(
             ("spin", JointKind::Continuous),
-            [bearer, "spindle"],
+            [parent, "spindle"],
             self.axis,
             spot,
             "the wheel's bearing",

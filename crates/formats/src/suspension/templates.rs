@@ -45,10 +45,10 @@ fn double_wishbone<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>, spindle:
         return None;
     }
     let mut corner = Corner::new();
-    lower.hang(&mut corner, "lower_arm");
+    lower.attach(&mut corner, "lower_arm");
     upright_on(&mut corner, "lower_arm", "lower_ball", lower.ball, &upright);
-    spindle.bear(reader, &mut corner, "upright");
-    upper.hang(&mut corner, "upper_arm");
+    spindle.attach(reader, &mut corner, "upright");
+    upper.attach(&mut corner, "upper_arm");
     ball(&mut corner, "upper_ball", ["upper_arm", "upright"], upper.ball, &upper.spot);
     tie_rod.tie(reader, &mut corner);
     corner.seats(SPRING, "lower_arm", spring);
@@ -72,9 +72,9 @@ fn double_wishbone_reduced<'t>(
     let mut corner = Corner::new();
     corner.link("upright", lower.ball, Some(&upright), "Upright: frame at the lower ball joint");
     let free = ("upright_free", JointKind::Floating);
-    let comment = "nothing but the rods holds the upright";
+    let comment = "only the rods hold the upright";
     corner.joint(free, [CHASSIS, "upright"], Vector3::x(), &upright.spot, comment);
-    spindle.bear(reader, &mut corner, "upright");
+    spindle.attach(reader, &mut corner, "upright");
     for (arm, names) in
         [(&upper, ["upper_front_rod", "upper_back_rod"]), (&lower, ["lower_front_rod", "lower_back_rod"])]
     {
@@ -106,9 +106,9 @@ fn macpherson_strut<'t>(
     // The strut's own axes serve its joints; its inertia is stated in the vehicle's.
     let y = frames::normal(bottom - arm.back, top - arm.back);
     let axes = y.and_then(|y| frames::along_z(top - bottom, y));
-    let trouble =
+    let defect =
         "the spring's line passes through the arm's back hinge point: the strut's pins have no direction";
-    let axes = spanned(reader, axes, &strut_spot, trouble);
+    let axes = spanned(reader, axes, &strut_spot, defect);
     if reader.has_errors() {
         return None;
     }
@@ -120,9 +120,9 @@ fn macpherson_strut<'t>(
     };
     let [x, y, z] = [0, 1, 2].map(|i| axes.column(i).into_owned());
     let mut corner = Corner::new();
-    arm.hang(&mut corner, "control_arm");
+    arm.attach(&mut corner, "control_arm");
     upright_on(&mut corner, "control_arm", "lower_ball", arm.ball, &upright);
-    spindle.bear(reader, &mut corner, "upright");
+    spindle.attach(reader, &mut corner, "upright");
     let comment = "Strut, half way along the spring's line: frame at the spring's upper seat".to_owned();
     hooke(reader, &mut corner, (CHASSIS, "strut"), top, &strut, [x, y], comment);
     let slide = ("strut_slide", ClosureKind::Cylindrical);
@@ -139,7 +139,7 @@ fn semi_trailing_arm<'t>(
     root: &mut Section<'t>,
     spindle: &Spindle,
 ) -> Option<Corner> {
-    // Chrono's normal of this arm is the other one; principal moments do not know the difference.
+    // Chrono's normal of this arm is the other one; principal moments do not change with it.
     let points = ["Location Chassis Outer", "Location Chassis Inner", "Location Spindle"];
     let arm = parts::arm(reader, root, "Trailing Arm", points, OWN);
     let spring = seats(reader, root, "Spring", "Location Arm");
@@ -148,8 +148,8 @@ fn semi_trailing_arm<'t>(
         return None;
     }
     let mut corner = Corner::new();
-    arm.hang(&mut corner, "trailing_arm");
-    spindle.bear(reader, &mut corner, "trailing_arm");
+    arm.attach(&mut corner, "trailing_arm");
+    spindle.attach(reader, &mut corner, "trailing_arm");
     corner.seats(SPRING, "trailing_arm", spring);
     corner.seats(SHOCK, "trailing_arm", shock);
     Some(corner)
@@ -182,8 +182,8 @@ fn three_link_irs<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>, spindle: 
         let frame = spanned(reader, frames::along_x(outer - inner), &section.spot, vertical);
         // The pin in the file stays with the link; the chassis' is what of ẑ is normal to it.
         let axes = frames::normal(pin, Vector3::z()).and_then(|w| frames::along_z(w, w.cross(&pin)));
-        let trouble = "Universal Joint Axis is zero or vertical: the other pin has no direction";
-        let axes = spanned(reader, axes, &section.spot, trouble);
+        let defect = "Universal Joint Axis is zero or vertical: the other pin has no direction";
+        let axes = spanned(reader, axes, &section.spot, defect);
         parts::close(reader, section);
         let pins = [axes.column(1).into_owned(), axes.column(0).into_owned()];
         Rod { body: stated.in_frame(&frame), inner, outer, pins }
@@ -198,7 +198,7 @@ fn three_link_irs<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>, spindle: 
     corner.link("trailing_arm", chassis, Some(&arm), "Trailing Arm: frame at its ball joint on the chassis");
     let joint = ("trailing_arm_ball", JointKind::Spherical);
     corner.joint(joint, [CHASSIS, "trailing_arm"], Vector3::x(), &arm.spot, "a ball joint");
-    spindle.bear(reader, &mut corner, "trailing_arm");
+    spindle.attach(reader, &mut corner, "trailing_arm");
     for (name, link) in links {
         let comment = format!("{}: frame at its inner end", link.body.spot.label());
         hooke(reader, &mut corner, (CHASSIS, name), link.inner, &link.body, link.pins, comment);
@@ -219,14 +219,14 @@ fn multi_link<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>, spindle: &Spi
         let stated = parts::body(reader, &mut section, Inertias::Moments);
         let inner = reader.point(&mut section, "Location Chassis");
         let outer = reader.point(&mut section, "Location Upright");
-        let wanted = "a direction [x, y, z]";
+        let expected = "a direction [x, y, z]";
         // Chrono gives the first body, the link, the pin that the file calls the chassis', and vice versa.
         let pins = ["Universal Joint Axis Link", "Universal Joint Axis Chassis"].map(|key| {
-            let pin = frames::unit(reader.triple(&mut section, key, wanted));
+            let pin = frames::unit(reader.triple(&mut section, key, expected));
             spanned(reader, pin, &section.spot, &format!("{key} is zero: it has no direction"))
         });
-        let trouble = "the pins of its universal joint are parallel";
-        spanned(reader, frames::normal(pins[0], pins[1]), &section.spot, trouble);
+        let defect = "the pins of its universal joint are parallel";
+        spanned(reader, frames::normal(pins[0], pins[1]), &section.spot, defect);
         parts::close(reader, section);
         (stated, inner, outer, pins)
     };
@@ -239,10 +239,10 @@ fn multi_link<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>, spindle: &Spi
     let rods = [("lateral", lateral, foot), ("trailing_link", trailing, spring[0])].map(
         |(name, (stated, inner, outer, pins), third)| {
             let y = frames::normal(outer - third, inner - third);
-            let trouble = "the plane of its axes (its ends, and the trailing link's outer end for the lateral, the \
+            let defect = "the plane of its axes (its ends, and the trailing link's outer end for the lateral, the \
                            spring's lower seat for the trailing link) is not defined: the points lie on one line";
             let frame = y.and_then(|y| frames::along_z(inner - outer, y));
-            let frame = spanned(reader, frame, &stated.spot, trouble);
+            let frame = spanned(reader, frame, &stated.spot, defect);
             (name, Rod { body: stated.in_frame(&frame), inner, outer, pins })
         },
     );
@@ -250,9 +250,9 @@ fn multi_link<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>, spindle: &Spi
         return None;
     }
     let mut corner = Corner::new();
-    upper.hang(&mut corner, "upper_arm");
+    upper.attach(&mut corner, "upper_arm");
     upright_on(&mut corner, "upper_arm", "upper_ball", upper.ball, &upright);
-    spindle.bear(reader, &mut corner, "upright");
+    spindle.attach(reader, &mut corner, "upright");
     for (name, rod) in rods {
         let comment = format!("{}: frame at its inner end", rod.body.spot.label());
         hooke(reader, &mut corner, (CHASSIS, name), rod.inner, &rod.body, rod.pins, comment);

@@ -1,10 +1,9 @@
 //! JSON as Chrono writes it: with comments. Bounds on the text before a parser sees it.
 
-/// Objects and arrays within one another.
-const DEEPEST: usize = 256;
+use crate::limits::DEEPEST_JSON;
 
 /// What is wrong with the text, and the byte where.
-pub(super) struct Trouble {
+pub(super) struct TextError {
     pub at: usize,
     pub code: &'static str,
     pub message: &'static str,
@@ -12,7 +11,7 @@ pub(super) struct Trouble {
 
 /// The text with its `//` and `/* */` comments blanked, every byte in its old place; refused where a comment does
 /// not end or brackets nest too deep. One pass that knows strings; the grammar is left to the parser.
-pub(super) fn without_comments(text: &str) -> Result<String, Trouble> {
+pub(super) fn without_comments(text: &str) -> Result<String, TextError> {
     let bytes = text.as_bytes();
     let mut out = bytes.to_vec();
     let (mut at, mut depth) = (0, 0usize);
@@ -26,7 +25,11 @@ pub(super) fn without_comments(text: &str) -> Result<String, Trouble> {
             }
             b'/' if bytes.get(at + 1) == Some(&b'*') => {
                 let Some(length) = bytes[at + 2..].windows(2).position(|w| w == b"*/") else {
-                    return Err(Trouble { at, code: "not-json", message: "this comment has no end, \"*/\"" });
+                    return Err(TextError {
+                        at,
+                        code: "not-json",
+                        message: "this comment has no end, \"*/\"",
+                    });
                 };
                 let end = at + 2 + length + 2;
                 out[at..end].iter_mut().filter(|b| **b != b'\n').for_each(|b| *b = b' ');
@@ -34,9 +37,9 @@ pub(super) fn without_comments(text: &str) -> Result<String, Trouble> {
             }
             b'{' | b'[' => {
                 depth += 1;
-                if depth > DEEPEST {
+                if depth > DEEPEST_JSON {
                     let message = "more than 256 objects and arrays within one another";
-                    return Err(Trouble { at, code: "too-complex", message });
+                    return Err(TextError { at, code: "too-complex", message });
                 }
                 at += 1;
             }
@@ -48,7 +51,7 @@ pub(super) fn without_comments(text: &str) -> Result<String, Trouble> {
         }
     }
     // Whole characters were overwritten, for comments begin and end with ASCII.
-    String::from_utf8(out).map_err(|e| Trouble {
+    String::from_utf8(out).map_err(|e| TextError {
         at: e.utf8_error().valid_up_to(),
         code: "not-utf-8",
         message: "not UTF-8 text",

@@ -50,7 +50,7 @@ fn each_template_has_its_links_joints_loops_and_mass() {
         ("ThreeLinkIRS", 12, 11, 2, 9.25, "trailing_arm"),
         ("MultiLink", 14, 13, 3, 15.0, "upright"),
     ];
-    for ((template, keys), (name, links, joints, closures, mass, bearer)) in all().into_iter().zip(expected) {
+    for ((template, keys), (name, links, joints, closures, mass, parent)) in all().into_iter().zip(expected) {
         assert_eq!(template, name);
         let left = imported(template, &keys, &on(Side::Left)).mechanism;
         let counts = (left.links().len(), left.joints().len(), left.closures().len());
@@ -58,7 +58,7 @@ fn each_template_has_its_links_joints_loops_and_mass() {
         assert!((left.total_mass() - mass).abs() < 1e-12, "{template}: {}", left.total_mass());
         assert_eq!(left.link(left.root()).name(), "chassis");
         let spin = joint(&left, "spin");
-        assert_eq!((left.link(spin.parent()).name(), spin.kind()), (bearer, JointKind::Continuous));
+        assert_eq!((left.link(spin.parent()).name(), spin.kind()), (parent, JointKind::Continuous));
         let both = imported(template, &keys, &on(Side::Both)).mechanism;
         // One chassis, and one rack where there are tie rods.
         let shared = 1 + usize::from(left.find_link("rack").is_ok());
@@ -123,8 +123,8 @@ fn links_stand_where_the_file_says() {
 
 #[test]
 fn springs_and_shocks_stand_on_the_links_of_the_template() {
-    let bearers = ["lower_arm", "upright", "upright", "trailing_arm", "trailing_arm", "trailing_link"];
-    for ((template, keys), bearer) in all().into_iter().zip(bearers) {
+    let parents = ["lower_arm", "upright", "upright", "trailing_arm", "trailing_arm", "trailing_link"];
+    for ((template, keys), expected) in all().into_iter().zip(parents) {
         let mechanism = imported(template, &keys, &on(Side::Left)).mechanism;
         for seat in ["spring_seat", "shock_seat"] {
             let Ok(seat) = mechanism.find_link(seat) else {
@@ -132,7 +132,7 @@ fn springs_and_shocks_stand_on_the_links_of_the_template() {
                 continue;
             };
             let parent = mechanism.joint(mechanism.parent_joint(seat).unwrap()).parent();
-            assert_eq!(mechanism.link(parent).name(), bearer, "{template}");
+            assert_eq!(mechanism.link(parent).name(), expected, "{template}");
         }
     }
 }

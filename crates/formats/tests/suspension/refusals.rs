@@ -64,7 +64,7 @@ fn a_missing_or_wrong_value_is_named_by_its_path() {
         assert!(element == "Axle" || line > 4, "{found}");
     }
     let flag = error(&[("Vehicle-Frame Inertia", "1")]);
-    assert_eq!(flag.message, "a number (1); true or false is wanted");
+    assert_eq!(flag.message, "a number (1); true or false is expected");
     // The line is the key's: Name, Type, Template come first, then switches.
     assert_eq!(flag.line, Some(5));
     // A key that nearly fits is offered.

@@ -1,0 +1,84 @@
+//! The thresholds of the readers and the writer, each with its unit and its reason.
+//!
+//! Files may be hostile: every count below bounds time or memory. Sizes are far above those of real models (the largest
+//! robots have some hundred links), and small enough that a file at the limit is refused or read within seconds.
+
+// URDF: the text.
+
+/// Elements within elements: real files stay below 20; parsers recurse, and the stack must hold.
+pub(crate) const DEEPEST_NESTING: usize = 256;
+/// Elements, and attributes, of the whole file.
+pub(crate) const MOST_ELEMENTS: usize = 1_000_000;
+/// Nodes of the parsed tree: elements, comments, and the text between them.
+pub(crate) const MOST_NODES: u32 = 3_000_000;
+/// Attributes of one element: the parser compares all with all.
+pub(crate) const MOST_ATTRIBUTES: usize = 256;
+/// Declarations of namespaces: the parser searches them at every element.
+pub(crate) const MOST_NAMESPACES: usize = 128;
+/// Declarations of entities.
+pub(crate) const MOST_ENTITIES: usize = 64;
+/// Bytes to which the references to entities may expand.
+pub(crate) const MOST_EXPANDED: usize = 64 << 20;
+/// References inside one reference that roxmltree follows at most.
+pub(crate) const REFERENCES_IN_A_REFERENCE: usize = 256;
+/// Characters of the XML parser's own message that are shown.
+pub(crate) const LONGEST_PARSER_MESSAGE: usize = 200;
+
+// URDF: the elements.
+
+/// Links, joints, loops and couplings of one file: so many of each.
+pub(crate) const MOST_BODIES: usize = 100_000;
+/// Names longer than this (bytes) are not accepted as names; they would make messages unreadable.
+pub(crate) const LONGEST_NAME: usize = 1024;
+/// Unknown names for which similar names are searched.
+pub(crate) const MOST_SUGGESTIONS: usize = 10;
+/// Names compared with an unknown one: the comparison is quadratic in their length.
+pub(crate) const MOST_CANDIDATES: usize = 2_000;
+/// Joints that mimic one another in a row.
+pub(crate) const LONGEST_MIMIC_CHAIN: usize = 100;
+/// Joints on the paths of all couplings together, from the links up to the root.
+pub(crate) const MOST_COUPLING_STEPS: usize = 4_000_000;
+/// Elements in one extract for `urdf-rs`, which keeps several copies of what it reads in memory.
+pub(crate) const EXTRACT_SIZE: usize = 256;
+
+// URDF: numbers.
+
+/// |norm − 1| of a quaternion, dimensionless, above which it is an error and not a rounded unit quaternion (files
+/// carry three decimals or more).
+pub(crate) const QUATERNION_NORM_SLACK: f64 = 1e-3;
+/// The largest component of an axis that counts as zero, dimensionless: the mechanism's builder refuses a smaller one.
+pub(crate) const SHORTEST_AXIS: f64 = 1e-100;
+/// A shape larger than this (m) is a mistake, and not used.
+pub(crate) const LARGEST_SHAPE: f64 = 1e9;
+/// Relative difference of two values of one armature that is rounding: files carry nine digits.
+pub(crate) const ARMATURE_SLACK: f64 = 1e-9;
+/// Numbers of this size are written in decimal notation, others in scientific, since zeros would fill the line.
+pub(crate) const DECIMAL_NUMBERS: std::ops::Range<f64> = 1e-5..1e16;
+
+// Findings.
+
+/// Findings of each severity that are shown; the others are counted.
+pub(crate) const MOST_FINDINGS: usize = 50;
+/// Kinds of repeated finding that are counted separately.
+pub(crate) const MOST_KINDS: usize = 500;
+/// Bytes of a line in which the column of a finding is counted in characters.
+pub(crate) const FARTHEST_COLUMN: usize = 1 << 16;
+/// Characters of a text from the file that are shown in a message.
+pub(crate) const LONGEST_SHOWN: usize = 60;
+
+// Suspension files.
+
+/// Objects and arrays within one another.
+pub(crate) const DEEPEST_JSON: usize = 256;
+/// Keys of one object: they are searched one after another.
+pub(crate) const MOST_KEYS: usize = 1000;
+/// Distance of a hardpoint from the vehicle's origin, m, above which the file is probably in millimetres: vehicles are
+/// shorter, and in millimetres most hardpoints exceed it.
+pub(crate) const FARTHEST_HARDPOINT: f64 = 20.0;
+/// Cosine of the angle between the pins of a Hooke's joint above which they are not at right angles: files carry three
+/// decimals.
+pub(crate) const OBLIQUE_PINS: f64 = 1e-3;
+/// Sine of the angle below which two directions are parallel, and span no plane: below any angle that a hardpoint file resolves.
+pub(crate) const PARALLEL: f64 = 1e-9;
+/// Slack of the triangle inequality of principal moments, relative: files carry nine digits.
+pub(crate) const MOMENT_SLACK: f64 = 1e-9;
