@@ -11,7 +11,7 @@ use percuss_spatial::{SpatialInertia, Vector3};
 use std::collections::HashMap;
 use std::fmt;
 
-/// What a user takes as it is, against the builder's advice.
+/// Findings that the user accepts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Accept {
     /// Inertias with a negative principal moment.
@@ -63,7 +63,7 @@ impl MechanismBuilder {
         Self { name: name.into(), ..Self::default() }
     }
 
-    /// Takes some findings as they are.
+    /// Accepts some findings.
     pub fn accept(mut self, accept: Accept) -> Self {
         self.accept = accept;
         self
@@ -258,8 +258,8 @@ impl MechanismBuilder {
                         offset: own.offset + own.multiplier * further.offset,
                     },
                 };
-                // Each factor of a chain is sane; their product need not be.
-                check.sane(&self.tree_joint(i), "mimic", [&folded.multiplier, &folded.offset]);
+                // Each factor of a chain is valid; their product may overflow.
+                check.is_valid(&self.tree_joint(i), "mimic", [&folded.multiplier, &folded.offset]);
                 resolved[i] = Some(folded);
             }
         }
@@ -336,8 +336,8 @@ fn gyration(inertial: &Inertial) -> f64 {
 }
 
 /// The greatest distance between a link's origin and its centre of mass, its shape's end, a joint below it or a loop
-/// that takes hold of it, the root aside; where all are zero, the greatest radius of gyration. (Gyration comes last: files give bare frames a
-/// tiny mass with any inertia.)
+/// frame on it, except the root; where all are zero, the greatest radius of gyration. (Gyration is used last: files give
+/// empty frames a tiny mass with any inertia.)
 fn characteristic_length(
     links: &[Link],
     joints: &[Joint],

@@ -20,7 +20,7 @@ impl Check {
         self.findings.push((subject, problem));
     }
 
-    /// Names that come near, for the first few unknown ones: comparing all with all takes too long.
+    /// Similar names, for the first few unknown ones: comparing all with all takes too long.
     pub fn near<'a>(&mut self, name: &str, candidates: impl Iterator<Item = &'a str>) -> Vec<String> {
         self.suggested += 1;
         if self.suggested <= limits::MOST_SUGGESTIONS { near_names(name, candidates) } else { Vec::new() }
@@ -49,7 +49,7 @@ impl Check {
     }
 
     /// Adds an error and says `false` unless every value is finite and of a size that can be computed with.
-    pub fn sane<'a>(
+    pub fn is_valid<'a>(
         &mut self,
         subject: &Subject,
         quantity: &'static str,
@@ -70,23 +70,23 @@ impl Check {
 
     pub fn link_numbers(&mut self, subject: Subject, link: &LinkDescription) {
         let Some(inertial) = &link.inertial else { return };
-        self.sane(&subject, "centre of mass", &inertial.com);
-        self.sane(&subject, "inertia", &inertial.about_com);
-        if self.sane(&subject, "mass", [&inertial.mass]) && inertial.mass < 0.0 {
+        self.is_valid(&subject, "centre of mass", &inertial.com);
+        self.is_valid(&subject, "inertia", &inertial.about_com);
+        if self.is_valid(&subject, "mass", [&inertial.mass]) && inertial.mass < 0.0 {
             self.add(subject, Problem::NegativeMass { mass: inertial.mass });
         }
     }
 
     pub fn joint_numbers(&mut self, subject: Subject, joint: &JointDescription) {
-        self.sane(&subject, "origin", &joint.origin.translation);
-        if self.sane(&subject, "rotation", &joint.origin.rotation) {
+        self.is_valid(&subject, "origin", &joint.origin.translation);
+        if self.is_valid(&subject, "rotation", &joint.origin.rotation) {
             let r = &joint.origin.rotation;
             let defect = (r.transpose() * r - Matrix3::identity()).amax();
             if defect > limits::ROTATION_DEFECT || r.determinant() < 0.0 {
                 self.add(subject.clone(), Problem::NotARotation { defect });
             }
         }
-        if joint.kind.has_axis() && self.sane(&subject, "axis", &joint.axis) {
+        if joint.kind.has_axis() && self.is_valid(&subject, "axis", &joint.axis) {
             let length = joint.axis.norm();
             if joint.axis.amax() < limits::SHORTEST_AXIS {
                 self.add(subject.clone(), Problem::ZeroAxis);
@@ -94,7 +94,7 @@ impl Check {
                 self.add(subject.clone(), Problem::AxisNotUnit { length });
             }
         }
-        if self.sane(&subject, "armature", &joint.armature) {
+        if self.is_valid(&subject, "armature", &joint.armature) {
             if let Some(&value) = joint.armature.iter().find(|a| **a < 0.0) {
                 self.add(subject.clone(), Problem::NegativeArmature { value });
             }
@@ -105,13 +105,13 @@ impl Check {
             }
         }
         if let Some(Limits { lower, upper }) = joint.limits {
-            self.sane(&subject, "limit", [&lower, &upper]);
+            self.is_valid(&subject, "limit", [&lower, &upper]);
             if lower > upper {
                 self.add(subject.clone(), Problem::LimitsReversed { lower, upper });
             }
         }
         if let Some(mimic) = &joint.mimic {
-            self.sane(&subject, "mimic", [&mimic.multiplier, &mimic.offset]);
+            self.is_valid(&subject, "mimic", [&mimic.multiplier, &mimic.offset]);
         }
     }
 }

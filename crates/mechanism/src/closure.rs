@@ -14,18 +14,18 @@ impl ClosureId {
     }
 }
 
-/// The kinds of closure. Each imposes exactly what it says between two loop frames, the predecessor's and the
+/// The kinds of closure. Each imposes exactly what its row states between two loop frames, the predecessor's and the
 /// successor's: with p the successor's origin in the predecessor's frame, a the axis (the same components in both
 /// frames) and b the second axis (in the successor's frame),
 ///
 /// | kind        | imposes                                        | rows |
 /// |-------------|------------------------------------------------|------|
 /// | fixed       | the frames coincide                            | 6    |
-/// | revolute    | p = 0, the axes a point alike                  | 5    |
+/// | revolute    | p = 0, the axes a parallel, same sense                  | 5    |
 /// | prismatic   | p along a, axes of the frames parallel         | 5    |
-/// | cylindrical | p along a, the axes a point alike              | 4    |
+/// | cylindrical | p along a, the axes a parallel, same sense              | 4    |
 /// | universal   | p = 0, a (predecessor) normal to b (successor) | 4    |
-/// | planar      | p normal to a, the axes a point alike          | 3    |
+/// | planar      | p normal to a, the axes a parallel, same sense          | 3    |
 /// | spherical   | p = 0                                          | 3    |
 /// | distance    | the length of p                                | 1    |
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -99,7 +99,7 @@ impl ClosureKind {
     }
 }
 
-/// A loop frame: where a closure takes hold of a link.
+/// A loop frame: where a closure is attached to a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LoopFrame {
     /// The link; none is the world, which is the root link's frame at its reference pose.

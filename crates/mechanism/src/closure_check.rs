@@ -28,7 +28,7 @@ pub(crate) fn of_joint(joint: JointDescription) -> Result<ClosureDescription, &'
         JointKind::Prismatic => ClosureKind::Prismatic,
         JointKind::Planar => ClosureKind::Planar,
         JointKind::Spherical => ClosureKind::Spherical,
-        JointKind::Floating => return Err("a floating joint holds nothing"),
+        JointKind::Floating => return Err("a floating joint constrains nothing"),
     };
     if joint.mimic.is_some() {
         return Err("it mimics another; let a joint of the tree mimic, or use a <coupling>");
@@ -74,15 +74,15 @@ pub(crate) fn check(
         if coupling.predecessor == coupling.successor {
             check.add(subject.clone(), Problem::ClosesOnItself { link: coupling.successor.clone() });
         }
-        check.sane(&subject, "ratio", [&coupling.ratio]);
+        check.is_valid(&subject, "ratio", [&coupling.ratio]);
     }
     circles(couplings, check);
 }
 
 fn closure_numbers(subject: &Subject, closure: &ClosureDescription, check: &mut Check) {
     for frame in [&closure.predecessor_frame, &closure.successor_frame] {
-        check.sane(subject, "origin", &frame.translation);
-        if check.sane(subject, "rotation", &frame.rotation) {
+        check.is_valid(subject, "origin", &frame.translation);
+        if check.is_valid(subject, "rotation", &frame.rotation) {
             let defect = (frame.rotation.transpose() * frame.rotation - Matrix3::identity()).amax();
             if defect > limits::ROTATION_DEFECT || frame.rotation.determinant() < 0.0 {
                 check.add(subject.clone(), Problem::NotARotation { defect });
@@ -95,12 +95,12 @@ fn closure_numbers(subject: &Subject, closure: &ClosureDescription, check: &mut 
         _ => &[],
     };
     for axis in axes {
-        if check.sane(subject, "axis", *axis) && axis.amax() < limits::SHORTEST_AXIS {
+        if check.is_valid(subject, "axis", *axis) && axis.amax() < limits::SHORTEST_AXIS {
             check.add(subject.clone(), Problem::ZeroAxis);
         }
     }
     if let Some(distance) = closure.distance.filter(|_| closure.kind == ClosureKind::Distance)
-        && check.sane(subject, "distance", [&distance])
+        && check.is_valid(subject, "distance", [&distance])
         && distance <= 0.0
     {
         check.add(subject.clone(), Problem::BadDistance { distance });

@@ -66,7 +66,7 @@ impl Mechanism {
         builder
     }
 
-    /// Name of the link a closure takes hold of; `world` for none.
+    /// Name of the link a closure is attached to; `world` for none.
     fn end_name(&self, link: Option<LinkId>) -> String {
         link.map_or_else(|| "world".into(), |l| self.link(l).name.clone())
     }

@@ -1,4 +1,4 @@
-//! Is this inertia one that a body can have?
+//! Whether a body can have this inertia.
 
 use crate::limits::{MOMENT_SLACK, STEINER_SLACK};
 use crate::{Inertial, Problem};

@@ -123,7 +123,7 @@ impl Mechanism {
     /// The link of this name.
     ///
     /// # Errors
-    /// [`UnknownName`] with the names that come near.
+    /// [`UnknownName`] with similar names.
     pub fn find_link(&self, name: &str) -> Result<LinkId, UnknownName> {
         self.link_by_name.get(name).copied().ok_or_else(|| UnknownName {
             kind: NameKind::Link,
@@ -135,7 +135,7 @@ impl Mechanism {
     /// The joint of this name.
     ///
     /// # Errors
-    /// [`UnknownName`] with the names that come near.
+    /// [`UnknownName`] with similar names.
     pub fn find_joint(&self, name: &str) -> Result<JointId, UnknownName> {
         self.joint_by_name.get(name).copied().ok_or_else(|| UnknownName {
             kind: NameKind::Joint,

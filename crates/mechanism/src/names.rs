@@ -11,7 +11,7 @@ pub enum NameKind {
     Joint,
 }
 
-/// A name that nothing bears, with the names that come near it.
+/// An unknown name, with similar ones.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownName {
     /// Link or joint.

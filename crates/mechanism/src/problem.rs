@@ -8,7 +8,7 @@ use std::fmt;
 pub enum Severity {
     /// Worth knowing; nothing is wrong.
     Note,
-    /// Probably not what was meant; the answer stands on what the message says.
+    /// Probably not what was meant; the answer uses what the message states.
     Warning,
     /// No mechanism comes of it.
     Error,
@@ -82,7 +82,7 @@ pub enum Problem {
     EmptyName,
     /// The name was given before.
     DuplicateName {
-        /// Position, in the order given, of the first that bears it.
+        /// Position, in the order given, of the first with this name.
         first: usize,
     },
     /// A joint names a link that does not exist.
@@ -91,7 +91,7 @@ pub enum Problem {
         role: &'static str,
         /// The name.
         link: String,
-        /// Names that come near.
+        /// Similar names.
         near: Vec<String>,
     },
     /// A joint joins a link to itself.
@@ -106,13 +106,13 @@ pub enum Problem {
         /// The joint that came first.
         first: String,
     },
-    /// A second parent through a joint that cannot close a loop, or that bears what a closure cannot.
+    /// A second parent through a joint that cannot close a loop, or that has what a closure cannot have.
     NoClosure {
         /// The link.
         link: String,
         /// The joint that came first.
         first: String,
-        /// What stands in the way.
+        /// The reason.
         why: &'static str,
     },
     /// A closure or coupling between a link and itself.
@@ -217,7 +217,7 @@ pub enum Problem {
     DanglingMimic {
         /// The name it gives.
         master: String,
-        /// Names that come near.
+        /// Similar names.
         near: Vec<String>,
     },
     /// Only joints with one degree of freedom can mimic or be mimicked.
@@ -317,41 +317,44 @@ impl fmt::Display for Problem {
             }
             Problem::JoinsItself { link } => write!(f, "joins link \"{link}\" to itself"),
             Problem::SecondParent { link, first } => {
-                write!(f, "link \"{link}\" hangs on joint \"{first}\" already; this joint closes a loop")
+                write!(
+                    f,
+                    "link \"{link}\" is the child of joint \"{first}\" already; this joint closes a loop"
+                )
             }
             Problem::NoClosure { link, first, why } => write!(
                 f,
-                "link \"{link}\" hangs on joint \"{first}\" already, and this joint cannot close a loop: {why}"
+                "link \"{link}\" is the child of joint \"{first}\" already, and this joint cannot close a loop: {why}"
             ),
             Problem::ClosesOnItself { link } => write!(f, "holds link \"{link}\" to itself"),
             Problem::BadDistance { distance } => write!(
                 f,
-                "the distance is {distance} m; more than 0 is wanted (for 0, a spherical loop holds the points together)"
+                "the distance is {distance} m; more than 0 is expected (for 0, use a spherical loop)"
             ),
             Problem::CouplingKind { joint, kind } => write!(
                 f,
-                "joint \"{joint}\" on its path is {kind}; a coupling wants joints with one degree of freedom"
+                "joint \"{joint}\" on its path is {kind}; a coupling needs joints with one degree of freedom"
             ),
             Problem::CouplingOfNothing => f.write_str("no joint between its links can move"),
             Problem::CouplingCycle { links: [a, b] } => write!(
                 f,
-                "links \"{a}\" and \"{b}\" are coupled already, by way of other couplings: a circle of ratios"
+                "links \"{a}\" and \"{b}\" are coupled already, by way of other couplings: the ratios form a circle"
             ),
             Problem::SeveralRoots { roots } => {
-                write!(f, "{} links have no parent, one is wanted: ", roots.len())?;
+                write!(f, "{} links have no parent, one is expected: ", roots.len())?;
                 write_list(f, roots)?;
                 f.write_str("; join the others to the root (a fixed joint holds them to it)")
             }
             Problem::Cycle { links } => {
                 f.write_str("links are their own ancestors: ")?;
                 write_list(f, links)?;
-                f.write_str("; one joint of the circle must go, or become a <loop>")
+                f.write_str("; remove one joint of the circle, or make it a <loop>")
             }
             Problem::NotFinite { quantity, value } => {
-                write!(f, "{quantity} is {value}; a finite number is wanted")
+                write!(f, "{quantity} is {value}; a finite number is expected")
             }
             Problem::TooLarge { quantity, value } => {
-                write!(f, "{quantity} is {value:e}; more than 1e100 in SI units is no mechanism")
+                write!(f, "{quantity} is {value:e}; more than 1e100 in SI units is not accepted")
             }
             Problem::NegativeMass { mass } => write!(f, "mass is {mass} kg; it must be 0 or more"),
             Problem::ZeroAxis => f.write_str("the axis is zero; it needs a direction, such as 0 0 1"),
@@ -366,12 +369,12 @@ impl fmt::Display for Problem {
                 write!(
                     f,
                     "the inertia about the centre of mass has principal moments {a:.6e}, {b:.6e}, {c:.6e} kg·m²; \
-                     a negative one lets motion have negative energy"
+                     with a negative one, a motion has negative energy"
                 )?;
                 if *accepted {
-                    f.write_str(" (taken as it is)")
+                    f.write_str(" (accepted)")
                 } else {
-                    f.write_str("; mend the file, or take it as it is with --accept indefinite-inertia")
+                    f.write_str("; correct the file, or accept it with --accept indefinite-inertia")
                 }
             }
             Problem::TriangleInequality { principal: [a, b, c] } => write!(
@@ -393,7 +396,7 @@ impl fmt::Display for Problem {
             }
             Problem::MimicKind { joint, kind } => write!(
                 f,
-                "mimic wants joints with one degree of freedom (revolute, continuous, prismatic); \
+                "mimic needs joints with one degree of freedom (revolute, continuous, prismatic); \
                  \"{joint}\" is {kind}"
             ),
             Problem::MimicCycle { joints } => {

@@ -141,7 +141,7 @@ fn a_circle_of_mimics_is_told_once_and_long_chains_are_quick() {
     assert_eq!((built.joint(last.master).name(), last.offset), ("j1", 0.5 * 99_999.0));
 }
 
-/// Ground, two arms, and what is said to close them.
+/// Ground, two arms, and the joints that close them.
 fn arms() -> MechanismBuilder {
     let arm = |name: &str| LinkDescription::new(name, Inertial::point(1.0, [0.1, 0.0, 0.0]));
     let joint = |name: &str, child: &str| JointDescription::new(name, JointKind::Revolute, "ground", child);
