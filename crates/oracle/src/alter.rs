@@ -161,7 +161,7 @@ fn unit(kind: JointKind, length: f64) -> f64 {
     if kind == JointKind::Prismatic { length } else { 1.0 }
 }
 
-/// Whether a link hangs from a joint, directly or over others.
+/// Whether a link is a descendant of a joint.
 fn is_below(mechanism: &Mechanism, link: LinkId, joint: JointId) -> bool {
     let above = |link: &LinkId| mechanism.parent_joint(*link).map(|id| mechanism.joint(id).parent());
     std::iter::successors(Some(link), above).any(|link| mechanism.parent_joint(link) == Some(joint))
@@ -185,7 +185,7 @@ pub fn scaled_positions(mechanism: &Mechanism, positions: &[Vec<f64>], length: f
 /// The mechanism under a new, massless ground link, held to it by a fixed joint with the origin `x_gr`.
 ///
 /// The ground and its joint come last, so that ids of links and joints stay what they were; with a floating base
-/// the new ground flies along.
+/// the new ground moves with it.
 pub fn rebased(mechanism: &Mechanism, x_gr: Transform<f64>) -> Mechanism {
     let (mut links, mut joints) = describe(mechanism);
     let unused = |taken: &dyn Fn(&str) -> bool| {

@@ -20,7 +20,7 @@ pub type Contact = (LinkId, Option<LinkId>, Vector3<f64>, Vector3<f64>);
 ///
 /// Half of them are chain-like, half bushy. All joint kinds come (hinges most often, in a chain of some length all
 /// of them), with general frames and axes; masses span three decades and every link can be a real body (positive
-/// inertia, triangle inequality kept). About a third of the joints bear armature; some mimic an earlier one.
+/// inertia, triangle inequality kept). About a third of the joints have armature; some mimic an earlier one.
 pub fn mechanism<R: Rng + ?Sized>(rng: &mut R, bodies: usize) -> Mechanism {
     let bushy = rng.random_bool(0.5);
     let mut links = vec![body(rng, 0)];
@@ -224,7 +224,7 @@ mod tests {
     }
 
     #[test]
-    fn contacts_are_between_links_that_can_part() {
+    fn contacts_are_between_links_that_move_apart() {
         let mut rng = StdRng::seed_from_u64(3);
         for _ in 0..50 {
             let mechanism = mechanism(&mut rng, 8);

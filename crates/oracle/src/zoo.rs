@@ -1,4 +1,4 @@
-//! One mechanism for every trait worth testing.
+//! One mechanism for every property to test.
 
 use crate::alter::build;
 use crate::closed_form::PlanarLink;
@@ -34,7 +34,7 @@ pub fn linkages() -> Vec<(&'static str, Mechanism)> {
 }
 
 /// One branching tree with a joint of every kind, general frames, axes and inertias, armature on every kind that
-/// can bear it, and a mimic. Its root has mass, so it can fly.
+/// can have it, and a mimic. Its root has mass, so that it can float.
 pub fn every_joint() -> Mechanism {
     let links = vec![
         lump("base", 6.0, [0.05, -0.1, 0.2], 0.9),

@@ -25,7 +25,7 @@ fn arm(mass: f64, com: Point, moments: Point, hinge: [Point; 2], ball: Point) ->
     Arm { hinge, ball, body: Inertial { mass, com: com.into(), about_com } }
 }
 
-/// m̄ felt by the spring at its seat on the lower arm, along its line, in the design position; spin free and locked.
+/// m̄ at the spring's seat on the lower arm, along its line, in the design position; spin free and locked.
 fn felt_by_the_spring(corner: &Corner) -> [f64; 2] {
     let linkage = double_wishbone_of(corner);
     let mechanism = &linkage.mechanism;

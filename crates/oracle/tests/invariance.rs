@@ -24,7 +24,7 @@ fn ask<'a>(rng: &mut StdRng, mechanism: &'a Mechanism) -> Question<'a> {
     Question { against, ..Question::new(mechanism, positions, on, point, normal) }
 }
 
-/// Compares outcomes; says the relative difference of finite ones.
+/// Compares outcomes; returns the relative difference of finite ones.
 fn difference(a: Outcome, b: Outcome) -> f64 {
     match (a, b) {
         (Outcome::Finite(a), Outcome::Finite(b)) => (a / b - 1.0).abs(),

@@ -207,7 +207,7 @@ fn locks_and_holds_close_what_is_open() {
 
 #[test]
 fn massless_where_only_what_weighs_nothing_moves() {
-    // The rod of a trammel spins: struck beside its line it gives way, along it it carries both sliders.
+    // The rod of a trammel spins: across its line it spins freely, along it it moves both sliders.
     let linkage = linkage::trammel_with_rod();
     let mechanism = &linkage.mechanism;
     let positions = linkage.closed_start();
@@ -234,7 +234,7 @@ fn massless_where_only_what_weighs_nothing_moves() {
     let question = Question::new(&light_mechanism, light.closed_start(), on, Vector3::new(0.2, 0.0, 0.0), n);
     assert_eq!(effective_mass(&question), Outcome::Massless);
 
-    // A wheel free to spin on its upright does not care; nor does its suspension, whose strut weighs nothing.
+    // A wheel free to spin on its upright has no influence; nor has its suspension's strut, which has no mass.
     let corner = linkage::two_point_wishbone();
     let piston = corner.mechanism.find_link("piston").unwrap();
     let question =

@@ -1,4 +1,4 @@
-//! When there is no finite effective mass, and what the answer says beside it.
+//! When there is no finite effective mass, and what the answer contains then.
 
 use nalgebra::Vector3;
 use percuss_mechanism::{JointDescription, JointKind, LinkDescription, Mechanism};
@@ -20,7 +20,7 @@ fn a_blow_into_the_bearings_moves_nothing() {
     }
     // On the hinge's axis every direction is a bearing's.
     assert_eq!(effective_mass(&at_zero(&pendulum, "body", [0.0; 3], Vector3::y())), Outcome::Immovable);
-    // A stage of slides is felt along them only; the needle's base not across its slide.
+    // A stage of slides has mass along them only; the needle's base not across its slide.
     let needle = zoo::needle_on_heavy_base();
     assert_eq!(effective_mass(&at_zero(&needle, "base", [0.1; 3], Vector3::x())), Outcome::Immovable);
 }
@@ -70,7 +70,7 @@ fn a_free_massless_link_weighs_nothing() {
     let inertia = arm.link(arm.find_link("arm").unwrap()).inertia().rotational[(2, 2)];
     let mass = effective_mass(&question).finite().unwrap();
     assert!((mass * 0.64 / inertia - 1.0).abs() < 1e-13, "{mass}");
-    // A rotor at its hinge gives it weight.
+    // A rotor at its hinge gives it inertia.
     let mut question = at_zero(&arm, "feeler", [0.2, 0.0, 0.0], Vector3::y());
     question.armature = vec![(arm.find_joint("feeler_hinge").unwrap(), vec![0.01])];
     assert!(effective_mass(&question).finite().unwrap() > 0.1);

@@ -16,14 +16,14 @@ pub use train::{
 
 /// Point mass m at r_A from a hinge on a massless rod, struck at r_B: m̄ = m (r_A / r_B)².
 ///
-/// Source: Fayzullin 2018, the worked example of the seed.
+/// Source: Euler's note (Fayzullin 2018), the worked example.
 pub fn point_mass_pendulum(mass: f64, r_a: f64, r_b: f64) -> f64 {
     mass * (r_a / r_b).powi(2)
 }
 
 /// Rigid body on a hinge, struck on a line at the arm r_B from it: m̄ = J_O / r_B².
 ///
-/// Source: Fayzullin 2018 (there as m (r_i / r_B)², r_i = √(J_O / m)).
+/// Source: Euler's note (Fayzullin 2018; there as m (r_i / r_B)², r_i = √(J_O / m)).
 pub fn physical_pendulum(inertia_about_hinge: f64, r_b: f64) -> f64 {
     inertia_about_hinge / (r_b * r_b)
 }
@@ -55,7 +55,7 @@ pub fn rod_tip(mass: f64) -> f64 {
     mass / 3.0
 }
 
-/// The rod of [`rod_tip`], its hinge on a base of mass M that slides along the blow:
+/// The rod of [`rod_tip`], its hinge on a base of mass M that slides along the normal:
 /// m̄ = m (4M + m) / (4 (3M + m)); m/3 for M → ∞, m/4 for M = 0.
 ///
 /// From M = [M+m, ml/2; ml/2, ml²/3], j = (1, l).

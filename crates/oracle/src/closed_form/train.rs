@@ -1,4 +1,4 @@
-//! Trains of couplings, shafts and rods, and the suspension of the seed.
+//! Trains of couplings, shafts and rods, and the suspension of Euler's note (Fayzullin 2018).
 
 /// A mass on a guide, struck at an angle to it whose cosine is given: m̄ = m / cos².
 ///
@@ -7,14 +7,14 @@ pub fn slider(mass: f64, cosine: f64) -> f64 {
     mass / (cosine * cosine)
 }
 
-/// A rack of mass m that turns a pinion of moment J and radius r, felt along the rack: m̄ = m + J / r².
+/// A rack of mass m that turns a pinion of moment J and radius r, contact along the rack: m̄ = m + J / r².
 ///
 /// The pinion turns by 1/r per unit of the rack's way.
 pub fn rack_and_pinion(mass: f64, inertia: f64, radius: f64) -> f64 {
     mass + inertia / (radius * radius)
 }
 
-/// Two geared shafts, the second turning `ratio` times as fast; felt at the arm r of the first:
+/// Two geared shafts, the second turning `ratio` times as fast; contact at the arm r of the first:
 /// m̄ = (J₁ + i² J₂) / r².
 pub fn gear_pair(inertia_1: f64, inertia_2: f64, ratio: f64, arm: f64) -> f64 {
     (inertia_1 + ratio * ratio * inertia_2) / (arm * arm)
@@ -40,12 +40,12 @@ pub fn hooke_output_angle(beta: f64, theta: f64) -> f64 {
     theta + (sin * cos * (1.0 - beta.cos()) / (beta.cos() * cos * cos + sin * sin)).atan()
 }
 
-/// Two shafts and a Hooke's joint without mass, felt at the arm r of the driving one: m̄ = (J₁ + J₂ φ'²) / r².
+/// Two shafts and a Hooke's joint without mass, contact at the arm r of the driving one: m̄ = (J₁ + J₂ φ'²) / r².
 pub fn hooke_shaft(inertia_1: f64, inertia_2: f64, beta: f64, theta: f64, arm: f64) -> f64 {
     gear_pair(inertia_1, inertia_2, hooke_ratio(beta, theta), arm)
 }
 
-/// Two sliders on lines at a right angle, x and y from where these cross, joined by a rod without mass; felt at the
+/// Two sliders on lines at a right angle, x and y from where these cross, joined by a rod without mass; contact at the
 /// first along its line: m̄ = m₁ + m₂ (x / y)².
 ///
 /// x² + y² = l² gives x ẋ + y ẏ = 0.
@@ -53,7 +53,7 @@ pub fn elliptic_trammel(mass_1: f64, mass_2: f64, x: f64, y: f64) -> f64 {
     mass_1 + mass_2 * (x / y).powi(2)
 }
 
-/// A planetary gear with its ring held, felt at the arm r of the carrier:
+/// A planetary gear with its ring fixed, contact at the arm r of the carrier:
 /// m̄ = (J_c + J_s (1 + z_r/z_s)² + k (m_p ρ² + J_p (1 − z_r/z_p)²)) / r².
 ///
 /// `inertias` of carrier, sun and one planet (about its own axis), `planet_mass` at the radius `planet_radius` ρ from
@@ -74,10 +74,10 @@ pub fn planetary_gear(
     (carrier + sun * (1.0 + of_ring / of_sun).powi(2) + planets * (orbit + spin)) / (arm * arm)
 }
 
-/// A wheel of mass m_K on a parallelogram of arms without mass, felt by a bump stop on the arm at r_B, the upright's
+/// A wheel of mass m_K on a parallelogram of arms without mass, contact with a bump stop on the arm at r_B, the upright's
 /// joint being at r_A: m̄ = m_K / l̄², l̄ = r_B / r_A. Exact, since the upright does not turn.
 ///
-/// Source: Fayzullin 2018 (there the estimate for arms that are light).
+/// Source: Euler's note (Fayzullin 2018; there the estimate for arms that are light).
 pub fn massless_arm_suspension(wheel_mass: f64, r_a: f64, r_b: f64) -> f64 {
     wheel_mass / (r_b / r_a).powi(2)
 }

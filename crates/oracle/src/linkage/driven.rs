@@ -1,5 +1,6 @@
 //! A mechanism with loops and the joints that drive it.
 
+use crate::limits;
 use crate::maximal::{NotClosed, close};
 use crate::positions::{follow, zero_positions};
 use percuss_mechanism::{JointId, Mechanism};
@@ -72,16 +73,14 @@ impl Linkage {
     /// Moves from a closed position in small steps to the drivers' values, on the same branch.
     ///
     /// # Errors
-    /// [`NotClosed`] where the way there, a straight line, is barred.
+    /// [`NotClosed`] where the straight way there cannot be closed.
     pub fn go(&self, from: &[Vec<f64>], drivers: &[f64]) -> Result<Vec<Vec<f64>>, NotClosed> {
-        /// The part of a driver's range that is one step.
-        const STEP: f64 = 0.05;
         let (begin, dependent) = (self.drivers_at(from), self.dependent());
-        let steps = begin
-            .iter()
-            .zip(drivers)
-            .zip(&self.range)
-            .map(|((a, b), range)| ((b - a).abs() / (STEP * (range[1] - range[0]))).ceil().min(1e4));
+        let steps = begin.iter().zip(drivers).zip(&self.range).map(|((a, b), range)| {
+            ((b - a).abs() / (limits::DRIVER_STEP * (range[1] - range[0])))
+                .ceil()
+                .min(limits::MOST_DRIVER_STEPS)
+        });
         let steps = steps.fold(1.0, f64::max);
         let mut here = from.to_vec();
         let mut before = here.clone();
@@ -103,7 +102,7 @@ impl Linkage {
     /// Closed positions, `count` of them, the drivers going through their ranges together, lowest first.
     ///
     /// # Panics
-    /// Where the range is barred: a mistake in the zoo.
+    /// Where the range cannot be closed: a mistake in the zoo.
     pub fn sweep(&self, count: usize) -> Vec<Vec<Vec<f64>>> {
         let mut here = self.closed_start();
         let mut all = Vec::with_capacity(count);

@@ -32,7 +32,7 @@ fn chain(prefix: &str, base: &str, count: usize, seed: f64) -> (Vec<LinkDescript
     (links, joints)
 }
 
-/// All kinds of closure on one base that has mass and can fly: for each kind a chain with one joint more than the
+/// All kinds of closure on one base that has mass and can float: for each kind a chain with one joint more than the
 /// closure has rows, so that each has one degree of freedom, in general position, none redundant.
 ///
 /// The universal closure holds its chain to the world; the spherical one to a link of the fixed one's chain, the planar
@@ -85,8 +85,8 @@ pub fn every_closure() -> Linkage {
     })
 }
 
-/// A leg of five joints below a base that can fly, its foot held to the world by a ball. On the ground it has two
-/// degrees of freedom, flying eight. Drivers `leg_1` and `leg_2`, 0.08 to each side.
+/// A leg of five joints below a base that can float, its foot held to the world by a ball. On the ground it has two
+/// degrees of freedom, eight with a floating base. Drivers `leg_1` and `leg_2`, 0.08 to each side.
 pub fn foot_on_the_world() -> Linkage {
     let mut links = vec![lump("base", 4.0, [0.0, 0.1, 0.1], 0.6)];
     let (more, joints) = chain("leg", "base", 5, 21.0);

@@ -12,7 +12,7 @@ const Z: [f64; 3] = [0.0, 0.0, 1.0];
 /// `n` four-bars in a row, the rocker of each the crank of the next: n loops in one group, one degree of freedom.
 ///
 /// Pivots of `link_0` … `link_n` are 1 m apart; couplers `coupler_1` … `coupler_n`, 1 m long, join pins at 0.4 m, the
-/// outgoing pin of a link 0.3 rad ahead of the incoming one, or behind it, by turns. So every loop is a parallelogram, all links turn alike and
+/// outgoing pin of a link 0.3 rad ahead of the incoming one, or behind it, alternately. So every loop is a parallelogram, all links turn by the same angle and
 /// no coupler turns, however many there are; with m the mass and J the moment about the pivot of every link (1.2 kg,
 /// 0.07 kg·m²) and μ the mass of a coupler (0.8 kg), 2T = ((n + 1) J + 0.16 n μ) θ̇². Driver `hinge_0`, 0.5 to 2.0.
 pub fn ladder(n: usize) -> Linkage {

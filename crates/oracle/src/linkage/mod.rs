@@ -1,6 +1,6 @@
 //! Mechanisms with closed loops, and how to move them.
 //!
-//! The planar ones lie in the x-y plane of [`plane`], turned out of all axes, so that nothing vanishes by luck. Their
+//! The planar ones lie in the x-y plane of [`plane`], which is parallel to no axis, so that nothing vanishes by chance. Their
 //! closures are spatial: three of the five rows of a revolute one are redundant.
 
 mod driven;

@@ -73,7 +73,7 @@ pub fn trammel() -> Linkage {
 }
 
 /// The same with a link for a rod, without mass, between a ball joint and a spherical closure: it can spin about
-/// itself, one more degree of freedom that weighs nothing. Driver `first`, 0.2 to 0.75 m.
+/// itself, one more degree of freedom without mass. Driver `first`, 0.2 to 0.75 m.
 pub fn trammel_with_rod() -> Linkage {
     trammel_of("trammel_with_rod", true)
 }

@@ -36,7 +36,7 @@ pub struct Corner {
     pub spin_axis: [f64; 3],
     /// The tie rod, at the chassis and at the upright: a rod without mass.
     pub tie_rod: [[f64; 3]; 2],
-    /// The spring or damper, at the chassis and at the lower arm: no mass, no effect; a place to strike.
+    /// The spring or damper, at the chassis and at the lower arm: no mass, no effect; a place for a contact.
     pub spring: [[f64; 3]; 2],
 }
 

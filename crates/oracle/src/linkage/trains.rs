@@ -87,7 +87,7 @@ pub fn planetary_gear() -> Linkage {
     Linkage::new(mechanism, "planetary_gear", [("carrier", [-PI, PI])], start)
 }
 
-/// A rover: a body that can fly, a rocker on each side, coupled by a differential (ratio −1), a bogie on each rocker,
+/// A rover: a body that can float, a rocker on each side, coupled by a differential (ratio −1), a bogie on each rocker,
 /// six wheels. Drivers: a rocker, the bogies, the wheels.
 pub fn rocker_bogie() -> Linkage {
     let mut links = vec![lump("body", 25.0, [0.02, 0.0, 0.1], 0.8)];

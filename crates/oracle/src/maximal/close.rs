@@ -1,6 +1,7 @@
-//! An assembler of loops for tests: slow, plain, and no relative of the library's.
+//! An assembler of loops for tests: slow, plain, and independent of the library's.
 
 use super::residual::{residual, residuals};
+use crate::limits;
 use crate::positions::follow;
 use faer::Mat;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
@@ -27,7 +28,7 @@ impl std::error::Error for NotClosed {}
 /// Moves the joints `free`, and mimics with them, until the residual is 1e-13 of the characteristic length.
 ///
 /// Levenberg and Marquardt's method on [`residuals`], from `positions`, with differences for a Jacobian and a
-/// singular value decomposition for the step. Redundant closures and more free joints than needed are no obstacle:
+/// singular value decomposition for the step. Redundant closures and more free joints than needed are allowed:
 /// the step is the shortest one.
 ///
 /// # Errors
@@ -41,9 +42,8 @@ pub fn close(
     positions: &[Vec<f64>],
     free: &[JointId],
 ) -> Result<Vec<Vec<f64>>, NotClosed> {
-    const CLOSED: f64 = 1e-13;
     let (positions, residual) = close_as_far_as_possible(mechanism, positions, free);
-    let closed = residual <= CLOSED * mechanism.characteristic_length();
+    let closed = residual <= limits::CLOSED * mechanism.characteristic_length();
     if closed { Ok(positions) } else { Err(NotClosed { positions, residual }) }
 }
 
@@ -56,30 +56,29 @@ pub fn close_as_far_as_possible(
     positions: &[Vec<f64>],
     free: &[JointId],
 ) -> (Vec<Vec<f64>>, f64) {
-    const ROUNDS: usize = 200;
     assert!(free.iter().all(|&id| mechanism.joint(id).mimic().is_none()), "a mimic is never free");
     let unknowns: Vec<(JointId, usize)> =
         free.iter().flat_map(|&id| (0..mechanism.joint(id).kind().dofs()).map(move |i| (id, i))).collect();
     let mut here = positions.to_vec();
     follow(mechanism, &mut here);
     let mut open = stacked(mechanism, &here);
-    let mut damping = 1e-3;
-    for _ in 0..ROUNDS {
+    let mut damping = limits::FIRST_DAMPING;
+    for _ in 0..limits::MOST_ROUNDS {
         if norm(&open) == 0.0 || unknowns.is_empty() {
             break;
         }
         let steps = Steps::new(mechanism, &here, &unknowns, &open);
         // Rejected steps are tried again shorter; without damping the last digits come in one or two rounds.
-        let better = (0..12).find_map(|_| {
+        let better = (0..limits::MOST_ATTEMPTS).find_map(|_| {
             let there = advanced(mechanism, &here, &unknowns, &steps.step(damping));
             let residual = stacked(mechanism, &there);
             let accepted = norm(&residual) < norm(&open);
-            damping = if accepted { damping / 30.0 } else { (damping * 10.0).max(1e-12) };
+            damping = if accepted { damping / 30.0 } else { (damping * 10.0).max(limits::LEAST_DAMPING) };
             accepted.then_some((there, residual))
         });
         let Some(better) = better else { break };
         (here, open) = better;
-        if damping < 1e-16 {
+        if damping < limits::NO_DAMPING {
             damping = 0.0;
         }
     }
@@ -130,8 +129,8 @@ struct Steps {
 
 impl Steps {
     fn new(mechanism: &Mechanism, here: &[Vec<f64>], unknowns: &[(JointId, usize)], open: &[f64]) -> Self {
-        // Central differences of functions of order size: h²/6 and ε/h, 1e-11 both.
-        let h = 1e-5 * mechanism.characteristic_length();
+        // Central differences of functions of order size.
+        let h = limits::DIFFERENCE_STEP * mechanism.characteristic_length();
         let mut jacobian = Mat::zeros(open.len(), unknowns.len());
         for (k, &unknown) in unknowns.iter().enumerate() {
             let [plus, minus] =
@@ -147,10 +146,11 @@ impl Steps {
 
     /// −(JᵀJ + (damping · σ_max)²)⁻¹ Jᵀ r, without those parts of J that are errors of the differences.
     fn step(&self, damping: f64) -> Vec<f64> {
-        const NOISE: f64 = 1e-9;
         let largest = self.values[0];
         let mut step = vec![0.0; self.right.nrows()];
-        for (k, &value) in self.values.iter().enumerate().filter(|(_, value)| **value > NOISE * largest) {
+        for (k, &value) in
+            self.values.iter().enumerate().filter(|(_, value)| **value > limits::DIFFERENCE_NOISE * largest)
+        {
             let along: f64 = self.open.iter().enumerate().map(|(i, r)| self.left[(i, k)] * r).sum();
             let factor = -along * value / (value * value + (damping * largest).powi(2));
             step.iter_mut().enumerate().for_each(|(i, x)| *x += factor * self.right[(i, k)]);

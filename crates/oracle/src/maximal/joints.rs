@@ -24,7 +24,7 @@ impl<'a> Placed<'a> {
         let (parent, child) = (joint.parent().index(), joint.child().index());
         let links = question.mechanism.links();
         let (r_wp, r_wc) = (rotation(&x_wl[parent]), rotation(&x_wl[child]));
-        // Arms from the relative pose: a world origin far away costs no digits.
+        // Arms from the relative pose: a world origin far away does not add rounding.
         let x_pc = pose::origin(joint) * pose::motion(joint, q);
         let r_wj = r_wp * joint.origin().rotation;
         let (e1, e2) = plane_basis(joint.axis());

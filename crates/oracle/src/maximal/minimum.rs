@@ -2,16 +2,9 @@
 
 use super::rows::{Owner, System};
 use super::{Answer, Outcome};
+use crate::limits;
 use faer::Mat;
 use nalgebra::{DMatrix, DVector};
-
-/// The contact cannot close when |jZ| is at most this part of |j| (DESIGN §1).
-const IMMOVABLE: f64 = 1e-10;
-/// A column of W Z is a motion without mass when its norm is below this part of the largest row: masses span at most
-/// twelve decades, their roots six, and rounding leaves 1e-15 to 1e-14.
-const WEIGHTLESS: f64 = 1e-12;
-/// The minimum vanishes when |W v*| is below this part of max|Wᵢ| |v*|.
-const MASSLESS: f64 = 1e-11;
 
 /// Solves (D).
 pub(super) fn minimum(system: &System) -> Answer {
@@ -32,10 +25,10 @@ pub(super) fn minimum(system: &System) -> Answer {
     };
     let mut closing = basis.tr_mul(&system.contact);
     let speed = closing.norm();
-    if speed <= IMMOVABLE * system.contact.norm() {
+    if speed <= limits::IMMOVABLE * system.contact.norm() {
         return answer(Outcome::Immovable);
     }
-    // The first column of the reflected basis carries all the closing speed.
+    // The first column of the reflected basis has all the closing speed.
     let mut basis = basis;
     let sign = if closing[0] < 0.0 { -1.0 } else { 1.0 };
     closing[0] += sign * speed;
@@ -47,10 +40,10 @@ pub(super) fn minimum(system: &System) -> Answer {
     let matrix = &system.energy * &free;
     let rhs = &system.energy * &particular;
     let heaviest = system.energy.row_iter().map(|row| row.norm()).fold(0.0, f64::max);
-    let z = least_squares(&matrix, &rhs, WEIGHTLESS * heaviest);
+    let z = least_squares(&matrix, &rhs, limits::MASSLESS_COLUMN * heaviest);
     let strike = particular - &free * z;
     let momenta = &system.energy * &strike;
-    if momenta.norm() <= MASSLESS * heaviest * strike.norm() {
+    if momenta.norm() <= limits::MASSLESS * heaviest * strike.norm() {
         return answer(Outcome::Massless);
     }
     let (links, joints) = system.counts;
@@ -78,7 +71,6 @@ fn complement(rows: &DMatrix<f64>) -> DMatrix<f64> {
 /// An orthonormal basis (columns) of the kernel, and the singular values as parts of the largest. Those up to
 /// `threshold` count as zero, and all do where the largest is rounding: the rows are unit vectors.
 fn kernel(rows: &DMatrix<f64>, threshold: f64) -> (DMatrix<f64>, Vec<f64>) {
-    const NOTHING: f64 = 1e-12;
     let (m, n) = rows.shape();
     if m == 0 || n == 0 {
         return (DMatrix::identity(n, n), Vec::new());
@@ -86,7 +78,7 @@ fn kernel(rows: &DMatrix<f64>, threshold: f64) -> (DMatrix<f64>, Vec<f64>) {
     let svd = Mat::from_fn(m, n, |i, k| rows[(i, k)]).svd().expect("finite rows");
     let values: Vec<f64> = svd.S().column_vector().iter().copied().collect();
     let largest = values[0];
-    if largest <= NOTHING {
+    if largest <= limits::ZERO_ROWS {
         return (DMatrix::identity(n, n), vec![0.0; values.len()]);
     }
     let relative: Vec<f64> = values.iter().map(|value| value / largest).collect();

@@ -2,7 +2,7 @@
 //!
 //! Every link has six velocities of its own (world axes, the linear three at its centre of mass), every joint is
 //! so many constraint rows, nothing is merged or eliminated by topology. The matrices are large and plain, and no
-//! formula is shared with the recursions they judge.
+//! formula is shared with the recursions that are tested.
 
 mod close;
 mod joints;
@@ -34,7 +34,7 @@ pub fn effective_mass(question: &Question) -> Outcome {
 ///    small values, up to [`threshold`](Question::threshold), count as zero.
 /// 3. `Immovable` where |jZ| ≤ 1e-10 |j|.
 /// 4. A reflection of the columns of Z leaves the closing speed to the first; the others minimise |W Z z|² by
-///    Householder QR with rows and columns pivoted, which is stable row by row: a needle on a heavy base keeps its
+///    Householder QR with rows and columns pivoted, which is stable row by row: a needle on a heavy base loses no
 ///    digits (Cox and Higham 1998).
 /// 5. `Massless` where |W v*| is below 1e-11 of max|Wᵢ| |v*|, that is m̄ below 1e-22 of the largest mass.
 ///

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use percuss_mechanism::{JointId, LinkId, Mechanism};
 
-/// A contact that lasts through the blow: a point of a link held to the ground.
+/// A contact that lasts through the impact: a point of a link held to the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Held {
     /// The link that is held.
@@ -19,7 +19,7 @@ pub struct Held {
 pub struct Question<'a> {
     /// The mechanism.
     pub mechanism: &'a Mechanism,
-    /// Whether the root link flies freely (it stands at its reference pose, where the world's axes are its own);
+    /// Whether the root link moves freely (it is at its reference pose, where the world's axes are its own);
     /// else the ground holds it.
     pub floating_base: bool,
     /// Joints that are held still.
@@ -45,7 +45,7 @@ pub struct Question<'a> {
 }
 
 impl<'a> Question<'a> {
-    /// A strike on a link of a mechanism with its base held, nothing locked, against the ground.
+    /// A contact on a link of a mechanism with its base held, nothing locked, against the ground.
     pub fn new(
         mechanism: &'a Mechanism,
         positions: Vec<Vec<f64>>,
@@ -90,7 +90,7 @@ impl Outcome {
     }
 }
 
-/// The outcome and what the strike v* shows.
+/// The outcome and what follows from the velocity response v*.
 #[derive(Clone, Debug)]
 pub struct Answer {
     /// The effective mass.

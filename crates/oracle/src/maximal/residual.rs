@@ -6,7 +6,7 @@ use crate::positions::zero_positions;
 use nalgebra::{Matrix4, Vector3};
 use percuss_mechanism::{Closure, ClosureKind, Coupling, JointKind, LoopFrame, Mechanism};
 
-/// X_wf: a loop frame in the world, which is where the root link stands.
+/// X_wf: a loop frame in the world, that is, in the frame of the root link.
 pub(super) fn placed_frame(end: &LoopFrame, x_wl: &[Matrix4<f64>]) -> Matrix4<f64> {
     let mut x_lf = Matrix4::identity();
     x_lf.fixed_view_mut::<3, 3>(0, 0).copy_from(&end.frame.rotation);

@@ -3,6 +3,7 @@
 use super::joints::Placed;
 use super::row::{Row, WORLD, com, rotation, translation, velocity_row};
 use super::{Question, loops, pose, residual};
+use crate::limits;
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix4, SymmetricEigen, Vector3};
 use percuss_mechanism::Link;
 
@@ -35,14 +36,13 @@ pub(super) enum Owner {
 ///
 /// Principal moments within the rounding of the parallel-axis theorem count as zero: the root of that rounding
 /// would be 1e-8, and a point mass would seem to have an inertia. So do negative ones (files that were taken with
-/// an indefinite inertia are not this route's business).
+/// an indefinite inertia are not supported by this route).
 fn energy_rows(index: usize, link: &Link, r_wl: &Matrix3<f64>) -> Vec<Row> {
-    const ROUNDING: f64 = 32.0 * f64::EPSILON;
     let inertia = link.inertia();
     let c = com(link);
     let steiner = Matrix3::from_diagonal_element(c.dot(&c)) - c * c.transpose();
     let about_com = inertia.rotational - steiner * inertia.mass;
-    let floor = ROUNDING * inertia.rotational.trace().abs();
+    let floor = limits::STEINER_ROUNDING * inertia.rotational.trace().abs();
     let principal = SymmetricEigen::new((about_com + about_com.transpose()) / 2.0);
     let mut rows = Vec::new();
     for i in 0..3 {
@@ -70,7 +70,7 @@ fn armature(question: &Question, joint: usize) -> Vec<f64> {
 }
 
 /// The length L that makes angular velocities comparable with linear ones: the longest arm on a link other than the
-/// root, m. Not the mechanism's characteristic length, which a featherweight with a large inertia inflates.
+/// root, m. Not the mechanism's characteristic length, which a light link with a large inertia increases.
 fn length(question: &Question, placed: &[Placed]) -> f64 {
     let mechanism = question.mechanism;
     let frames = mechanism.closures().iter().flat_map(|c| [c.predecessor(), c.successor()]);
@@ -157,12 +157,14 @@ pub(super) fn assemble(question: &Question) -> System {
 
 /// max(1e-10, 10 δ / size), δ the residual of the loops at the position asked about (DESIGN §4).
 fn threshold(question: &Question) -> f64 {
-    const LEAST: f64 = 1e-10;
-    const MOST: f64 = 1e-3;
     let size = question.mechanism.characteristic_length();
     let residual = residual::residual(question.mechanism, &question.positions) / size;
-    assert!(residual <= MOST, "{}: open by {residual:e} of its size", question.mechanism.name());
-    LEAST.max(10.0 * residual)
+    assert!(
+        residual <= limits::LARGEST_RESIDUAL,
+        "{}: open by {residual:e} of its size",
+        question.mechanism.name()
+    );
+    limits::RANK_THRESHOLD.max(limits::RANK_PER_RESIDUAL * residual)
 }
 
 /// j: the speed at which the struck point closes on the other side.
