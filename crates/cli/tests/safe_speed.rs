@@ -38,7 +38,7 @@ fn the_effective_mass_stands_beside_the_standards() {
     let pressed = json(&format!("{ARM} --region chest --pressure 140 --area 2 --load 2 --format json"));
     close(&pressed["reflected"]["speed"], speed(m));
     let text = percuss(&format!("{ARM} --region chest --force 280")).stdout;
-    assert!(text.contains("no certification") && text.contains("M/2 + m_L"), "{text}");
+    assert!(text.contains("not a certification") && text.contains("M/2 + m_L"), "{text}");
 }
 
 #[test]

@@ -1,17 +1,16 @@
 //! The range of an axis and the numbers on it.
 
+use crate::limits;
+
 /// What can be drawn of a value: NaN, infinities and what is beyond 1e300 cannot, what is below 1e-300 is zero.
 /// Inside these bounds no difference, step or label overflows.
 pub(crate) fn drawable(value: f64) -> Option<f64> {
     match value.abs() {
-        size if size < 1e-300 => Some(0.0),
-        size if size <= 1e300 => Some(value),
+        size if size < limits::SMALLEST_VALUE => Some(0.0),
+        size if size <= limits::LARGEST_VALUE => Some(value),
         _ => None,
     }
 }
-
-/// A range narrower than this part of its values is rounding, and drawn as one value.
-const FLAT: f64 = 1e-9;
 
 /// `mantissa` × 10^`exponent`, mantissa 1, 2 or 5.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -103,8 +102,8 @@ impl Axis {
     /// Which multiples of the step are on the axis, the ends included in spite of rounding.
     fn multiples(&self, step: Step) -> Vec<i64> {
         let unit = step.value(1);
-        let first = (self.low / unit - 1e-6).ceil() as i64;
-        let last = (self.high / unit + 1e-6).floor() as i64;
+        let first = (self.low / unit - limits::TICK_SLACK).ceil() as i64;
+        let last = (self.high / unit + limits::TICK_SLACK).floor() as i64;
         (first..=last).collect()
     }
 }
@@ -113,7 +112,7 @@ impl Axis {
 fn widen(range: Option<(f64, f64)>) -> (f64, f64) {
     let Some((low, high)) = range else { return (0.0, 1.0) };
     let size = low.abs().max(high.abs());
-    if high - low > FLAT * size {
+    if high - low > limits::FLAT * size {
         return (low, high);
     }
     let middle = low + 0.5 * (high - low);
@@ -127,8 +126,7 @@ impl Step {
         let raw = span / f64::from(most.max(1));
         let exponent = raw.log10().floor() as i32;
         let leading = raw / 10f64.powi(exponent);
-        // A hair more than 2 is 2: a span of 0.6 in three steps must not depend on rounding.
-        match [1, 2, 5].into_iter().find(|&m| leading <= m as f64 * (1.0 + 1e-9)) {
+        match [1, 2, 5].into_iter().find(|&m| leading <= m as f64 * (1.0 + limits::STEP_SLACK)) {
             Some(mantissa) => Step { mantissa, exponent },
             None => Step { mantissa: 1, exponent: exponent + 1 },
         }

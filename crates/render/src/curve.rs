@@ -1,13 +1,9 @@
 //! A series as runs of places on the page: broken at gaps, and no finer than the page can show.
 
 use crate::axis::drawable;
+use crate::limits;
 use crate::scene::Point;
 use std::collections::HashSet;
-
-/// Points nearer than this fall into one column, in units of the page.
-const COLUMN: f64 = 0.5;
-/// No series puts more places than about this on the page: what is beyond is thinned evenly.
-const MOST_PLACES: usize = 8_000;
 
 /// A series on the page.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -32,9 +28,9 @@ pub(crate) fn line(points: &[(f64, Option<f64>)], place: impl Fn(f64, f64) -> Po
         }
     }
     // More chains than columns, or a line that runs to and fro: every so-manieth, first and last kept.
-    let most_chains = MOST_PLACES / 4;
+    let most_chains = limits::MOST_PLACES / 4;
     let chains = every(chains, most_chains);
-    let share = MOST_PLACES / chains.len().max(1);
+    let share = limits::MOST_PLACES / chains.len().max(1);
     let chains = chains.into_iter().map(|chain| every(chain, share.max(2))).collect();
     Curve { chains, lone: dots(lone) }
 }
@@ -47,7 +43,7 @@ pub(crate) fn scatter(points: &[(f64, Option<f64>)], place: impl Fn(f64, f64) ->
 /// Of the points that follow each other within one column: the first, the lowest, the highest and the last.
 /// The picture is the same to half a unit, peaks included.
 fn envelope(run: &[Point]) -> Vec<Point> {
-    let column = |p: &Point| (p.0 / COLUMN).floor();
+    let column = |p: &Point| (p.0 / limits::COLUMN).floor();
     let mut kept = Vec::new();
     for group in run.chunk_by(|a, b| column(a) == column(b)) {
         let by_height = |&a: &usize, &b: &usize| group[a].1.total_cmp(&group[b].1);
@@ -64,8 +60,8 @@ fn envelope(run: &[Point]) -> Vec<Point> {
 /// One dot for each half unit of the page, in their order.
 fn dots(places: Vec<Point>) -> Vec<Point> {
     let mut taken = HashSet::new();
-    let cell = |p: &Point| ((p.0 / COLUMN).round() as i64, (p.1 / COLUMN).round() as i64);
-    every(places.into_iter().filter(|p| taken.insert(cell(p))).collect(), MOST_PLACES)
+    let cell = |p: &Point| ((p.0 / limits::COLUMN).round() as i64, (p.1 / limits::COLUMN).round() as i64);
+    every(places.into_iter().filter(|p| taken.insert(cell(p))).collect(), limits::MOST_PLACES)
 }
 
 /// All, or where they are more than `most` that many evenly, the first and the last among them.
@@ -111,7 +107,7 @@ mod tests {
         let spike = |i: usize| if i == 54_321 { 100.0 } else { (i as f64 * 0.1).sin() };
         let points: Vec<_> = (0..100_000).map(|i| (i as f64 * 0.008, Some(spike(i)))).collect();
         let curve = line(&points, as_is);
-        assert!(curve.chains[0].len() <= MOST_PLACES);
+        assert!(curve.chains[0].len() <= limits::MOST_PLACES);
         assert!(curve.chains[0].iter().any(|p| p.1 == 100.0));
         assert_eq!(curve.chains[0].first(), Some(&(0.0, 0.0)));
         assert_eq!(curve.chains[0].last().map(|p| p.0), points.last().map(|p| p.0));
@@ -126,8 +122,8 @@ mod tests {
         for points in [zigzag, broken] {
             let curve = line(&points, as_is);
             let places: usize = curve.chains.iter().map(Vec::len).sum();
-            assert!(places <= MOST_PLACES && places > 1_000, "{places}");
-            assert!(scatter(&points, as_is).len() <= MOST_PLACES);
+            assert!(places <= limits::MOST_PLACES && places > 1_000, "{places}");
+            assert!(scatter(&points, as_is).len() <= limits::MOST_PLACES);
         }
         assert_eq!(every((0..10).collect(), 4), [0, 3, 6, 9]);
     }

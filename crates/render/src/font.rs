@@ -1,4 +1,4 @@
-//! The two embedded faces: how wide a text is, and where each of its glyphs goes.
+//! The two embedded faces: the width of a text, and where each of its glyphs goes.
 //!
 //! No shaping: one glyph after the other, accents centred over the letter before them. That serves every script
 //! the faces hold (Latin, Greek, Cyrillic); a character they lack is written in others (`→` as `->`) or as a box.
@@ -107,7 +107,7 @@ impl Typesetter {
     }
 }
 
-/// What takes no room and leaves no ink: joiners, direction marks, variation selectors.
+/// Characters without width and outline: joiners, direction marks, variation selectors.
 fn is_invisible(c: char) -> bool {
     matches!(c, '\u{200B}'..='\u{200F}' | '\u{202A}'..='\u{202E}' | '\u{2060}'..='\u{206F}'
         | '\u{FE00}'..='\u{FE0F}' | '\u{FEFF}' | '\u{00AD}')
@@ -118,7 +118,7 @@ fn is_accent(c: char) -> bool {
         | '\u{20D0}'..='\u{20FF}')
 }
 
-/// Signs that the faces lack and that others can say.
+/// Signs that the faces lack, in other characters.
 fn stand_in(c: char) -> Option<&'static str> {
     Some(match c {
         '→' | '⟶' => "->",

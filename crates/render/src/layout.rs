@@ -112,7 +112,7 @@ pub(crate) fn arrange(figure: &Figure) -> Scene {
 
 fn y_axis(panel: &Panel) -> Axis {
     let points = panel.series.iter().flat_map(|s| &s.points);
-    // A value without its place is not drawn: it has no say in the range.
+    // A value without its place is not drawn: it does not affect the range.
     Axis::roomy(extent(points.filter(|p| drawable(p.0).is_some()).filter_map(|p| p.1)), 6)
 }
 

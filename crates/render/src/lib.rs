@@ -2,14 +2,14 @@
 //!
 //! A [`Figure`] is a stack of [`Panel`]s over one shared x axis; each holds [`Series`] whose values may be missing.
 //! [`Figure::to_svg`] and [`Figure::to_png`] draw the same picture: `layout` turns the figure into a list of strokes,
-//! dots, patches and texts (`scene`), and `svg` and `png` only say that list in their own language. SVG text stays text, in
+//! dots, patches and texts (`scene`), and `svg` and `png` only write that list in their formats. SVG text stays text, in
 //! Roboto where it is installed and the reader's sans-serif elsewhere; PNG text is drawn with the embedded Roboto,
 //! so that a machine without fonts will do.
 //!
 //! A [`Sheet`] puts figures with x axes of their own below one another.
 //!
 //! What a figure cannot show is left out of it and never an error: a value that is missing, NaN, infinite or beyond
-//! 1e300 is a gap, one below 1e-300 is zero, an empty panel says so. Names too long for their room end in `…`.
+//! 1e300 is a gap, one below 1e-300 is zero, an empty panel has a note. Names too long for their room end in `…`.
 //! The same figure gives the same bytes, and their number does not grow with the number of points beyond what a
 //! picture of this size can show. Nothing here knows a mechanism, or where the numbers come from.
 //!
@@ -35,6 +35,7 @@ mod figure;
 mod font;
 mod layout;
 mod legend;
+mod limits;
 mod marks;
 mod palette;
 mod png;

@@ -3,14 +3,13 @@
 use crate::axis::{Axis, drawable};
 use crate::figure::Mark;
 use crate::font::Font;
+use crate::limits;
 use crate::palette::SOFT_INK;
 use crate::scene::{Scene, Stroke, crisp};
 use crate::text::{fit, regular, width};
 
 const FONT: Font = regular(12.0);
 const ROW: f64 = 17.0;
-const MOST_ROWS: usize = 4;
-const MOST_MARKS: usize = 400;
 const BETWEEN: f64 = 10.0;
 const STROKE: Stroke = Stroke { colour: SOFT_INK, width: 1.0, dash: Some((2.0, 3.0)) };
 
@@ -36,9 +35,9 @@ struct Name {
 /// Finds each name a row where it meets no other, `left` and `right` being the ends of the frame.
 pub(crate) fn plan(marks: &[Mark], axis: &Axis, left: f64, right: f64) -> Strip {
     let mut strip = Strip { names: Vec::new(), bare: Vec::new(), rows: 0 };
-    let mut taken: [Vec<(f64, f64)>; MOST_ROWS] = Default::default();
+    let mut taken: [Vec<(f64, f64)>; limits::MOST_MARK_ROWS] = Default::default();
     let drawn = marks.iter().filter_map(|m| Some((drawable(m.x)?, m))).filter(|(x, _)| axis.holds(*x));
-    for (x, mark) in drawn.take(MOST_MARKS) {
+    for (x, mark) in drawn.take(limits::MOST_MARKS) {
         let x = crisp(left + axis.fraction(x) * (right - left));
         let words = fit(&mark.label, FONT, 0.5 * (right - left));
         let half = 0.5 * (width(&words, FONT) + BETWEEN);

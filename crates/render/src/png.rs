@@ -1,6 +1,7 @@
 //! A scene as pixels.
 
 use crate::font::{Typesetter, Weight};
+use crate::limits;
 use crate::palette::{Colour, PAPER};
 use crate::scene::{Anchor, Item, Point, Scene, Stroke, Text};
 use thiserror::Error;
@@ -8,9 +9,6 @@ use tiny_skia::{
     FillRule, LineJoin, Paint, Path, PathBuilder, Pixmap, Rect, Stroke as SkiaStroke, StrokeDash, Transform,
 };
 use ttf_parser::{GlyphId, OutlineBuilder};
-
-/// The largest picture, in pixels: 128 MiB while it is drawn.
-const MOST_PIXELS: f64 = (1u32 << 25) as f64;
 
 /// Why there is no PNG.
 #[derive(Debug, Error)]
@@ -36,10 +34,10 @@ pub enum RenderError {
         /// The scale that just fits.
         fitting: f64,
     },
-    /// The encoder gave up.
-    #[error("the PNG encoder gave up")]
+    /// The encoder failed.
+    #[error("the PNG encoder failed")]
     Encoder {
-        /// What it said.
+        /// Its error.
         #[source]
         source: Box<dyn std::error::Error + Send + Sync>,
     },
@@ -48,14 +46,14 @@ pub enum RenderError {
 /// The picture with `scale` pixels to a unit.
 pub(crate) fn draw(scene: &Scene, scale: f32) -> Result<Vec<u8>, RenderError> {
     let too_large = |width, height| {
-        let fitting = (MOST_PIXELS / (scene.width * scene.height)).sqrt();
-        RenderError::TooLarge { width, height, most: MOST_PIXELS, fitting }
+        let fitting = (limits::MOST_PIXELS / (scene.width * scene.height)).sqrt();
+        RenderError::TooLarge { width, height, most: limits::MOST_PIXELS, fitting }
     };
     if !(scale.is_finite() && scale > 0.0) {
         return Err(RenderError::Scale { scale });
     }
     let [width, height] = [scene.width, scene.height].map(|s| (s * f64::from(scale)).round().max(1.0));
-    if width * height > MOST_PIXELS {
+    if width * height > limits::MOST_PIXELS {
         return Err(too_large(width, height));
     }
     let mut pixmap = Pixmap::new(width as u32, height as u32).ok_or_else(|| too_large(width, height))?;

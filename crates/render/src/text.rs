@@ -1,9 +1,7 @@
-//! Words made fit for the page: printable, on one line, no wider than their room.
+//! Text prepared for the page: printable, on one line, no wider than their room.
 
 use crate::font::{Font, Typesetter, Weight};
-
-/// No more characters than this in one text, however narrow they are.
-const MOST_CHARACTERS: usize = 240;
+use crate::limits;
 
 /// The text without control characters and outer space, cut to `room` (units of the page) with an ellipsis.
 pub(crate) fn fit(words: &str, font: Font, room: f64) -> String {
@@ -14,7 +12,7 @@ pub(crate) fn fit(words: &str, font: Font, room: f64) -> String {
     for (i, c) in words.trim().chars().map(printable).enumerate() {
         typesetter.push(c);
         let reach = typesetter.advance * font.size;
-        if reach > room || i >= MOST_CHARACTERS {
+        if reach > room || i >= limits::MOST_CHARACTERS {
             kept.truncate(safe);
             kept.truncate(kept.trim_end().len());
             kept.push('…');

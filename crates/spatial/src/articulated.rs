@@ -1,4 +1,4 @@
-//! Articulated-body inertia: what a subtree with free joints opposes to the body it hangs on.
+//! Articulated-body inertia: the inertia of a subtree with free joints, at the body it is attached to.
 
 use crate::{Scalar, SpatialInertia, Twist, Wrench};
 use nalgebra::{Matrix3, Vector3};

@@ -56,7 +56,7 @@ pub fn rotation_from_rpy(rpy: [f64; 3]) -> Matrix3<f64> {
 
 /// Roll, pitch and yaw (rad) of a rotation matrix: the inverse of [`rotation_from_rpy`].
 ///
-/// Where the pitch is ±90° to rounding, roll is taken as zero and yaw carries the turn.
+/// Where the pitch is ±90° to rounding, roll is taken as zero and yaw takes the whole angle.
 pub fn rpy_from_rotation(rotation: &Matrix3<f64>) -> [f64; 3] {
     let r = rotation;
     let cos_pitch = r[(0, 0)].hypot(r[(1, 0)]);

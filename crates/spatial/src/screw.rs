@@ -112,7 +112,7 @@ impl<T: Scalar> Twist<T> {
         self.linear + self.angular.cross(p)
     }
 
-    /// Rate of change of the motion `m` carried along by this twist: (ω×m_ω, ω×m_v + v×m_ω).
+    /// Rate of change of the motion `m` that moves with this twist: (ω×m_ω, ω×m_v + v×m_ω).
     ///
     /// Featherstone 2008, eq. 2.31 (`crm`).
     #[inline]
@@ -123,7 +123,7 @@ impl<T: Scalar> Twist<T> {
         )
     }
 
-    /// Rate of change of the force `f` carried along by this twist: (ω×f_n + v×f_f, ω×f_f).
+    /// Rate of change of the force `f` that moves with this twist: (ω×f_n + v×f_f, ω×f_f).
     ///
     /// Featherstone 2008, eq. 2.32 (`crf`).
     #[inline]

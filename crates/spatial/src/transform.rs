@@ -1,4 +1,4 @@
-//! Rigid transforms and how they carry points, twists, wrenches and inertias.
+//! Rigid transforms and how they map points, twists, wrenches and inertias.
 
 use crate::{Scalar, SpatialInertia, Twist, Wrench};
 use nalgebra::{Matrix3, Vector3};
