@@ -166,7 +166,7 @@ fn the_right_side_is_the_mirror_image_of_the_left() {
             let off = (mirror() * a.axis() + b.axis()).amax();
             assert!(off < 1e-15, "{template}: {} is off by {off}", a.name());
         }
-        // The sides of one chassis are those of two, and a blow is felt alike.
+        // The sides of one chassis are those of two, and their effective masses are equal.
         let seat = |m: &Mechanism, suffix: &str| {
             let [seat, top] = ["shock_seat", "shock_chassis_seat"].map(|n| format!("{n}{suffix}"));
             let line = (place(m, &top) - place(m, &seat)).normalize();
