@@ -7,7 +7,7 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum ContactError {
     /// A number outside its range, NaN and infinity included.
-    #[error("{what}: {got:?} is out of range; wanted {valid}")]
+    #[error("{what}: {got:?} is out of range; expected {valid}")]
     OutOfRange {
         /// Which number, with its unit.
         what: &'static str,

@@ -18,7 +18,7 @@ fn refused<T: Debug>(answer: Result<T, ContactError>, quantity: &str, value: f64
     let ContactError::OutOfRange { what, got, valid } = &error else { panic!("{quantity}: {error:?}") };
     assert_eq!(*what, quantity);
     assert!(got.to_bits() == value.to_bits() || got.is_nan() && value.is_nan(), "{error}");
-    assert_eq!(error.to_string(), format!("{quantity}: {value:?} is out of range; wanted {valid}"));
+    assert_eq!(error.to_string(), format!("{quantity}: {value:?} is out of range; expected {valid}"));
 }
 
 #[test]
@@ -32,7 +32,7 @@ fn contacts() {
     }
     assert_eq!(
         Contact::new(-1.0, 1.0).unwrap_err().to_string(),
-        "effective mass, kg: -1.0 is out of range; wanted a finite number above 0"
+        "effective mass, kg: -1.0 is out of range; expected a finite number above 0"
     );
 }
 

@@ -1,4 +1,4 @@
-//! The colours: Okabe and Ito's set, told apart with any of the common colour vision deficiencies, and greys.
+//! The colours: Okabe and Ito's set, distinguishable with any of the common colour vision deficiencies, and greys.
 
 use crate::figure::Figure;
 
