@@ -1,4 +1,4 @@
-//! m̄ at a fresh configuration each call: the recursion in a workspace, and the dense route with its shares.
+//! m̄ at a fresh configuration each call: the recursion in a workspace, and the careful route with its contributions.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use percuss_benches::subjects;
@@ -10,20 +10,18 @@ fn routes(criterion: &mut Criterion) {
         let (system, contact) = (&subject.system, &subject.contact);
         let mut workspace = system.workspace();
         // The value is asserted once: both answer the same question.
-        workspace.repose(&subject.positions[0]);
+        workspace.set_positions(&subject.positions[0]);
         assert!(matches!(workspace.effective_mass(contact), Ok(EffectiveMass::Finite(m)) if m > 0.0));
         let mut next = subject.positions.iter().cycle();
         criterion.bench_function(&format!("{}/recursion", subject.name), |bencher| {
             bencher.iter(|| {
-                workspace.repose(black_box(next.next().expect("a cycle has no end")));
+                workspace.set_positions(black_box(next.next().expect("a cycle has no end")));
                 black_box(workspace.effective_mass(black_box(contact)))
             });
         });
         let pose = system.pose(&system.configuration()).expect("a tree poses");
         criterion.bench_function(&format!("{}/dense", subject.name), |bencher| {
-            bencher.iter(|| {
-                black_box(system.strike(black_box(&pose), contact, RouteChoice::Only(Route::Dense)))
-            });
+            bencher.iter(|| black_box(black_box(&pose).respond(contact, RouteChoice::Only(Route::Dense))));
         });
     }
 }

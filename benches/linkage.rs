@@ -22,14 +22,22 @@ fn linkage(criterion: &mut Criterion) {
         let next = system.pose_from(&poses[step - 1], &at(step)).expect("the range is in reach");
         poses.push(next);
     }
-    let strike = system.strike(&poses[STEPS / 2], &contact, RouteChoice::Auto).expect("a contact");
-    assert!(matches!(strike.effective_mass, EffectiveMass::Finite(m) if (20.0..500.0).contains(&m)));
+    let response = poses[STEPS / 2].respond(&contact, RouteChoice::Auto).expect("a contact");
+    assert!(matches!(response.effective_mass, EffectiveMass::Finite(m) if (20.0..500.0).contains(&m)));
 
     let mut next = poses.iter().cycle();
-    criterion.bench_function("double_wishbone/strike", |bencher| {
+    criterion.bench_function("double_wishbone/response", |bencher| {
         bencher.iter(|| {
             let pose = next.next().expect("a cycle has no end");
-            black_box(system.strike(black_box(pose), &contact, RouteChoice::Auto))
+            black_box(black_box(pose).respond(&contact, RouteChoice::Auto))
+        });
+    });
+    let mut workspace = poses[0].assembly().workspace();
+    let mut next = poses.iter().cycle();
+    criterion.bench_function("double_wishbone/workspace", |bencher| {
+        bencher.iter(|| {
+            workspace.set_positions(black_box(next.next().expect("a cycle has no end").positions()));
+            black_box(workspace.effective_mass(&contact))
         });
     });
     let mut pose = poses[0].clone();

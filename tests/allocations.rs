@@ -4,10 +4,15 @@
 // and hands on to the system's.
 #![allow(unsafe_code)]
 
-use percuss_dynamics::{EffectiveMass, Route, RouteChoice, RouteError, Strike, StrikeError};
+use percuss_dynamics::{
+    Contact, Direction, EffectiveMass, Frame, Pose, ResponseError, Route, RouteChoice, Workspace,
+};
+use percuss_oracle::linkage;
 use percuss_tests::cases::{self, Case};
 use percuss_tests::gauge::Gauge;
-use percuss_tests::judge::{hard, rounding};
+use percuss_tests::imposed::{Imposed, VARIANTS};
+use percuss_tests::judge::{NEAR, near_at};
+use percuss_tests::rig::Rig;
 use rand::{SeedableRng, rngs::StdRng};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -63,14 +68,32 @@ fn the_counter_counts() {
     assert!(allocations() > before);
 }
 
+/// What a workspace answers at configurations one after another, which must allocate nothing after the first.
+fn answers(
+    name: &str,
+    workspace: &mut Workspace,
+    contact: &Contact,
+    configurations: &[Vec<f64>],
+) -> Vec<Result<EffectiveMass, ResponseError>> {
+    let mut answers = Vec::with_capacity(configurations.len());
+    workspace.set_positions(&configurations[0]);
+    let _ = workspace.effective_mass(contact);
+    let before = allocations();
+    for configuration in configurations {
+        workspace.set_positions(configuration);
+        answers.push(workspace.effective_mass(contact));
+    }
+    assert_eq!(allocations() - before, 0, "{name}");
+    answers
+}
+
 #[test]
-fn a_workspace_allocates_nothing_and_says_what_strike_says() {
+fn a_workspace_allocates_nothing_and_answers_as_a_pose_does() {
     let mut rng = StdRng::seed_from_u64(41);
-    let mut same = Gauge::new("workspace = strike");
-    let mut immovable = 0;
+    let mut same = Gauge::new("workspace = pose");
+    let (mut immovable, mut massless) = (0, 0);
     for case in [cases::of_the_zoo(4, 1), cases::at_random(4000, 60, 40)].concat() {
         let system = case.system();
-        let mut workspace = system.workspace();
         let contact = case.contact();
         let configurations: Vec<Vec<f64>> = (0..20)
             .map(|_| {
@@ -78,54 +101,67 @@ fn a_workspace_allocates_nothing_and_says_what_strike_says() {
                 positions.into_iter().flatten().collect()
             })
             .collect();
-        let mut answers = Vec::with_capacity(configurations.len());
-        workspace.repose(&configurations[0]);
-        let _ = workspace.effective_mass(&contact);
-        let before = allocations();
-        for configuration in &configurations {
-            workspace.repose(configuration);
-            answers.push(workspace.effective_mass(&contact));
-        }
-        assert_eq!(allocations() - before, 0, "{}", case.name);
-        for (configuration, answer) in configurations.iter().zip(answers) {
-            let strike = strike(&case, &system, configuration);
-            match answer {
-                Ok(EffectiveMass::Finite(m)) => {
+        let all = answers(&case.name, &mut system.workspace(), &contact, &configurations);
+        for (configuration, answer) in configurations.iter().zip(all) {
+            let pose = pose(&case, &system, configuration);
+            let response = pose.respond(&contact, RouteChoice::Only(Route::Articulated)).expect("an answer");
+            match answer.unwrap_or_else(|error| panic!("{}: {error}", case.name)) {
+                EffectiveMass::Finite(m) => {
                     // The same recursion; but a configuration normalises its quaternions, which are off by ε.
-                    let strike = strike.unwrap_or_else(|error| panic!("{}: {error}", case.name));
-                    let EffectiveMass::Finite(expected) = strike.effective_mass else {
-                        panic!("{}", case.name)
+                    let EffectiveMass::Finite(expected) = response.effective_mass else {
+                        panic!("{}: {m} kg in the workspace, {:?}", case.name, response.effective_mass)
                     };
-                    same.relative(&case.name, m, expected, rounding(&strike));
+                    same.relative(&case.name, m, expected, near_at(&pose));
                 }
-                Ok(EffectiveMass::Immovable) => {
-                    assert_eq!(
-                        strike.map(|s| s.effective_mass),
-                        Ok(EffectiveMass::Immovable),
-                        "{}",
-                        case.name
-                    );
-                    immovable += 1;
+                other => {
+                    assert_eq!(other, response.effective_mass, "{}", case.name);
+                    immovable += usize::from(other == EffectiveMass::Immovable);
+                    massless += usize::from(other == EffectiveMass::Massless);
                 }
-                Ok(EffectiveMass::Massless) => panic!("{}: the recursion never says massless", case.name),
-                // The pivot that is no pivot depends on the last bits; that it is none does not.
-                Err(StrikeError::Route(RouteError::SingularPivot { .. })) => {
-                    let again = match &strike {
-                        Ok(strike) => hard(strike),
-                        Err(error) => matches!(error, StrikeError::Route(RouteError::SingularPivot { .. })),
-                    };
-                    assert!(again, "{}: {strike:?}", case.name);
-                }
-                Err(error) => assert_eq!(strike.map(|s| s.effective_mass), Err(error), "{}", case.name),
             }
         }
     }
     same.report();
-    assert!(immovable > 0, "nothing was immovable");
+    assert!(immovable > 0 && massless > 0, "{immovable} immovable, {massless} massless");
 }
 
-/// By way of a configuration and a pose.
-fn strike(case: &Case, system: &percuss_dynamics::System, flat: &[f64]) -> Result<Strike, StrikeError> {
+#[test]
+fn a_workspace_of_loops_allocates_nothing_and_answers_as_a_pose_does() {
+    let mut same = Gauge::new("workspace = pose, loops");
+    for (number, linkage) in linkage::all().into_iter().enumerate() {
+        let rig = Rig::new(linkage);
+        let mut rng = StdRng::seed_from_u64(42 + number as u64);
+        let mut poses = vec![rig.closed()];
+        for i in 0..12 {
+            poses.push(rig.reach(&poses[i], &rig.at((i as f64 + 0.5) / 12.0)));
+        }
+        let configurations: Vec<Vec<f64>> = poses.iter().map(|pose| pose.positions().to_vec()).collect();
+        // Locks and held contacts bind by their velocities: the same closed positions serve.
+        for variant in 0..VARIANTS {
+            let given = Imposed::at_random(&mut rng, &rig.mechanism, variant);
+            let system = rig.with(&given.conditions);
+            let plain = variant == 0;
+            let name = format!("{}, {}", rig.name, given.name);
+            let (on, against, point, normal) = percuss_oracle::random::contact(&mut rng, &rig.mechanism);
+            let contact = Contact::new(on, point, normal).normal(Direction::Along(normal, Frame::World));
+            let contact = against.map_or(contact, |other| contact.against(other));
+            let all = answers(&name, &mut system.workspace(), &contact, &configurations);
+            for (pose, answer) in poses.iter().zip(all).filter(|_| plain) {
+                let by = RouteChoice::Only(Route::Articulated);
+                let response = pose.respond(&contact, by).expect("an answer");
+                match (answer.expect("an answer"), response.effective_mass) {
+                    (EffectiveMass::Finite(m), EffectiveMass::Finite(expected)) => {
+                        same.relative(&name, m, expected, NEAR);
+                    }
+                    (got, expected) => assert_eq!(got, expected, "{name}"),
+                }
+            }
+        }
+    }
+    same.report();
+}
+
+fn pose(case: &Case, system: &percuss_dynamics::System, flat: &[f64]) -> Pose {
     let mut positions = Vec::new();
     let mut rest = flat;
     for joint in case.mechanism.joints() {
@@ -133,6 +169,5 @@ fn strike(case: &Case, system: &percuss_dynamics::System, flat: &[f64]) -> Resul
         positions.push(own.to_vec());
         rest = others;
     }
-    let pose = Case { positions, ..case.clone() }.pose(system);
-    system.strike(&pose, &case.contact(), RouteChoice::Only(Route::Articulated))
+    Case { positions, ..case.clone() }.pose(system)
 }

@@ -7,7 +7,8 @@
 
 use nalgebra::{DMatrix, Quaternion, UnitQuaternion, Vector3};
 use percuss_dynamics::{
-    Base, Conditions, Contact, EffectiveMass, Pose, Route, RouteChoice, Strike, StrikeError, System,
+    Base, Conditions, Contact, ContactResponse, EffectiveMass, Pose, ResponseError, Route, RouteChoice,
+    System,
 };
 use percuss_formats::{DEFAULT_MAX_SIZE, Diagnostic, LoadOptions, Loaded, Source, load};
 use percuss_mechanism::{Accept, Mechanism};
@@ -98,13 +99,13 @@ struct ContactAnswer {
     normal_world: [f64; 3],
     /// By the route percuss chooses.
     #[serde(flatten)]
-    chosen: StrikeAnswer,
+    chosen: ResponseAnswer,
     /// By the dense route.
-    dense: StrikeAnswer,
+    dense: ResponseAnswer,
 }
 
 #[derive(Serialize)]
-struct StrikeAnswer {
+struct ResponseAnswer {
     /// `finite`, `immovable`, `massless`, or `refused` with the reason in `error`.
     status: &'static str,
     effective_mass: Option<f64>,
@@ -183,7 +184,7 @@ fn configuration(system: &System, wanted: &ConfigurationRequest) -> Result<Confi
     let one =
         |(i, wanted)| contact(system, &pose, wanted).map_err(|message| format!("contact {i}: {message}"));
     Ok(ConfigurationAnswer {
-        mass_matrix: rows(&system.mass_matrix(&pose)),
+        mass_matrix: rows(&pose.mass_matrix()),
         pose: positions(system.mechanism(), &pose),
         contacts: wanted.contacts.iter().enumerate().map(one).collect::<Result<_, _>>()?,
     })
@@ -216,21 +217,22 @@ fn contact(system: &System, pose: &Pose, wanted: &ContactRequest) -> Result<Cont
         Some(other) => contact.against(find(other)?),
         None => contact,
     };
-    let located = system.locate(pose, &contact).map_err(|e| e.to_string())?;
+    let located = pose.locate(&contact).map_err(|e| e.to_string())?;
+    let condition = pose.condition();
     Ok(ContactAnswer {
-        row: system.contact_row(pose, &located),
+        row: pose.contact_row(&located),
         point_world: located.point_world.into(),
         normal_world: located.normal_world.into(),
-        chosen: strike(system.strike(pose, &contact, RouteChoice::Auto)),
-        dense: strike(system.strike(pose, &contact, RouteChoice::Only(Route::Dense))),
+        chosen: response(pose.respond(&contact, RouteChoice::Auto), condition),
+        dense: response(pose.respond(&contact, RouteChoice::Only(Route::Dense)), condition),
     })
 }
 
-fn strike(strike: Result<Strike, StrikeError>) -> StrikeAnswer {
-    let strike = match strike {
-        Ok(strike) => strike,
+fn response(answer: Result<ContactResponse, ResponseError>, condition: Option<f64>) -> ResponseAnswer {
+    let response = match answer {
+        Ok(response) => response,
         Err(error) => {
-            return StrikeAnswer {
+            return ResponseAnswer {
                 status: "refused",
                 effective_mass: None,
                 effective_mass_error: None,
@@ -240,21 +242,21 @@ fn strike(strike: Result<Strike, StrikeError>) -> StrikeAnswer {
             };
         }
     };
-    let (status, effective_mass) = match strike.effective_mass {
+    let (status, effective_mass) = match response.effective_mass {
         EffectiveMass::Finite(mass) => ("finite", Some(mass)),
         EffectiveMass::Immovable => ("immovable", None),
         EffectiveMass::Massless => ("massless", None),
     };
-    let route = match strike.route {
+    let route = match response.route {
         Route::Dense => "dense",
         Route::Articulated => "articulated",
     };
-    StrikeAnswer {
+    ResponseAnswer {
         status,
         effective_mass,
-        effective_mass_error: strike.effective_mass_error,
+        effective_mass_error: response.effective_mass_error(),
         route: Some(route),
-        condition: strike.condition,
+        condition,
         error: None,
     }
 }

@@ -1,15 +1,19 @@
-//! A mechanism on the bench: posed by joint names, struck by link names, weighed by both routes.
+//! A mechanism with its configuration: posed by joint names, touched by link names, answered by both routes.
 
+use crate::judge::states_enough;
 use percuss_dynamics::{
     Conditions, Configuration, Contact, Direction, EffectiveMass, Frame, Route, RouteChoice,
 };
-use percuss_dynamics::{Strike, System};
+use percuss_dynamics::{ContactResponse, System};
 use percuss_mechanism::Mechanism;
 use percuss_spatial::Vector3;
 use std::sync::Arc;
 
 /// A few thousand roundings; the mechanisms of closed forms are well conditioned, or exact by structure.
 pub const TOL: f64 = 1e-12;
+
+/// What a closed form itself is rounded by, relative.
+pub const CLOSED_FORM: f64 = 8.0 * f64::EPSILON;
 
 /// A system with its configuration.
 pub struct Bench {
@@ -45,38 +49,45 @@ impl Bench {
         Contact::new(link, point, normal).normal(Direction::Along(normal, Frame::World))
     }
 
-    /// The strike by a route.
-    pub fn strike(&self, contact: &Contact, choice: RouteChoice) -> Strike {
+    /// The response by a route.
+    pub fn respond(&self, contact: &Contact, choice: RouteChoice) -> ContactResponse {
         let pose = self.system.pose(&self.configuration).expect("a tree poses");
-        self.system.strike(&pose, contact, choice).expect("an answer")
+        pose.respond(contact, choice).expect("an answer")
     }
 
     /// The outcome, which both routes must give.
     pub fn outcome(&self, contact: &Contact) -> EffectiveMass {
-        let by = |route| self.strike(contact, RouteChoice::Only(route)).effective_mass;
+        let by = |route| self.respond(contact, RouteChoice::Only(route)).effective_mass;
         assert_eq!(by(Route::Dense), by(Route::Articulated));
         by(Route::Dense)
     }
 
     /// Both routes give the mass (kg).
-    pub fn weighs(&self, contact: &Contact, expected: f64) {
-        self.weighs_by(contact, expected, &[Route::Dense, Route::Articulated]);
+    pub fn check_mass(&self, contact: &Contact, expected: f64) {
+        self.check_mass_by(contact, expected, &[Route::Dense, Route::Articulated]);
     }
 
     /// These routes give the mass (kg), and the automatic choice does.
-    pub fn weighs_by(&self, contact: &Contact, expected: f64, routes: &[Route]) {
+    pub fn check_mass_by(&self, contact: &Contact, expected: f64, routes: &[Route]) {
         for &route in routes {
-            let strike = self.strike(contact, RouteChoice::Only(route));
-            let m = mass(&strike);
+            let response = self.respond(contact, RouteChoice::Only(route));
+            let m = mass(&response);
             assert!((m / expected - 1.0).abs() <= TOL, "{route:?}: {m} kg, expected {expected} kg");
+            let enough = states_enough(&response, expected, CLOSED_FORM);
+            let error = response.error;
+            assert!(
+                enough,
+                "{route:?}: {m} kg, expected {expected} kg, off by {:e} kg, {error:?}",
+                m - expected
+            );
         }
-        assert_close(mass(&self.strike(contact, RouteChoice::Auto)), expected);
+        assert_close(mass(&self.respond(contact, RouteChoice::Auto)), expected);
     }
 }
 
-/// m̄ of a strike (kg), which must be finite.
-pub fn mass(strike: &Strike) -> f64 {
-    match strike.effective_mass {
+/// m̄ of a response (kg), which must be finite.
+pub fn mass(response: &ContactResponse) -> f64 {
+    match response.effective_mass {
         EffectiveMass::Finite(m) => m,
         other => panic!("{other:?}"),
     }

@@ -1,8 +1,9 @@
 //! Mechanisms at random positions, struck at random points, with and without locks, armatures and a floating base.
 
+use crate::judge::near_at;
 use nalgebra::Vector3;
 use percuss_dynamics::{
-    Base, Conditions, Configuration, Contact, Direction, Frame, Pose, RouteChoice, Strike, System,
+    Base, Conditions, Configuration, Contact, ContactResponse, Direction, Frame, Pose, RouteChoice, System,
 };
 use percuss_mechanism::{JointId, JointKind, LinkId, Mechanism};
 use percuss_oracle::{alter, maximal::Question, random, zoo};
@@ -39,7 +40,7 @@ impl Case {
     pub fn plain(rng: &mut StdRng, name: String, mechanism: Arc<Mechanism>, base: Base) -> Self {
         let positions = random::positions(rng, &mechanism);
         let (mut on, mut against, point, normal) = random::contact(rng, &mechanism);
-        // A flying base can be struck itself.
+        // A floating base can be struck itself.
         if base == Base::Floating && rng.random_bool(0.15) {
             (on, against) = (mechanism.root(), None);
         }
@@ -126,10 +127,15 @@ impl Case {
         }
     }
 
-    /// The strike by whichever route holds.
-    pub fn strike(&self) -> Strike {
+    /// How near two computations of its answer must be, relative: by the condition of M.
+    pub fn near(&self) -> f64 {
+        near_at(&self.pose(&self.system()))
+    }
+
+    /// The response by whichever route holds.
+    pub fn response(&self) -> ContactResponse {
         let system = self.system();
-        system.strike(&self.pose(&system), &self.contact(), RouteChoice::Auto).expect("an answer")
+        self.pose(&system).respond(&self.contact(), RouteChoice::Auto).expect("an answer")
     }
 
     /// The same, put to the oracle.
@@ -153,14 +159,14 @@ impl Case {
         }
     }
 
-    /// Whether a mimic moves: what the recursion does not take.
+    /// Whether a mimic moves.
     pub fn has_moving_mimics(&self, system: &System) -> bool {
         let moves = |id| self.mechanism.joint(id).mimic().is_some() && !system.is_locked(id);
         self.mechanism.joint_ids().any(moves)
     }
 }
 
-/// Every mechanism of the zoo, on the ground and flying; plain, with locks, with armatures, with both, with
+/// Every mechanism of the zoo, on the ground and floating; plain, with locks, with armatures, with both, with
 /// everything locked; `repeats` random positions and contacts each.
 pub fn of_the_zoo(seed: u64, repeats: usize) -> Vec<Case> {
     let mut rng = StdRng::seed_from_u64(seed);

@@ -2,7 +2,7 @@
 
 use crate::cases::Case;
 use crate::motion::Motion;
-use percuss_dynamics::{LocatedContact, Pose, System};
+use percuss_dynamics::{LocatedContact, Pose};
 use percuss_mechanism::LinkId;
 use percuss_spatial::{Twist, Vector3};
 
@@ -13,12 +13,19 @@ const STEP: f64 = 2e-3;
 /// Relative error of a velocity found by differences, with a factor of twenty for the arithmetic of a long chain.
 pub const DIFFERENCE: f64 = 1e-11;
 
-/// The derivative at zero of a smooth function of time: (4 D(h/2) − D(h)) / 3 of central differences D.
-pub fn derivative<V>(motion: &Motion, mut value: impl FnMut(f64) -> V) -> V
+/// The derivative at zero of a smooth function of time, in steps that suit a motion.
+pub fn derivative<V>(motion: &Motion, value: impl FnMut(f64) -> V) -> V
 where
     V: std::ops::Sub<Output = V> + std::ops::Mul<f64, Output = V>,
 {
-    let h = STEP / motion.size().max(1e-300);
+    derivative_by(STEP / motion.size().max(1e-300), value)
+}
+
+/// The derivative at zero of a smooth function: (4 D(h/2) − D(h)) / 3 of central differences D.
+pub fn derivative_by<V>(h: f64, mut value: impl FnMut(f64) -> V) -> V
+where
+    V: std::ops::Sub<Output = V> + std::ops::Mul<f64, Output = V>,
+{
     let coarse = (value(h) - value(-h)) * (0.5 / h);
     let fine = (value(h / 2.0) - value(-h / 2.0)) * (1.0 / h);
     fine * (4.0 / 3.0) - coarse * (1.0 / 3.0)
@@ -45,11 +52,11 @@ pub fn second_derivative(
 }
 
 /// Twist of a link in its own axes at its origin.
-pub fn link_twist(system: &System, pose: &Pose, motion: &Motion, link: LinkId) -> Twist<f64> {
-    let back = pose.link(system, link).inverse();
+pub fn link_twist(pose: &Pose, motion: &Motion, link: LinkId) -> Twist<f64> {
+    let back = pose.link(link).inverse();
     derivative(motion, |h| {
-        let later = system.advanced(pose, &motion.joints, &motion.base, h);
-        let x = back * later.link(system, link);
+        let later = pose.advanced(&motion.joints, &motion.base, h).expect("velocities that fit");
+        let x = back * later.link(link);
         let r = x.rotation;
         let turn = Vector3::new(r[(2, 1)] - r[(1, 2)], r[(0, 2)] - r[(2, 0)], r[(1, 0)] - r[(0, 1)]) / 2.0;
         Twist::new(turn, x.translation)
@@ -58,9 +65,9 @@ pub fn link_twist(system: &System, pose: &Pose, motion: &Motion, link: LinkId) -
 
 /// Twice the kinetic energy by hand: m v_c² + ω·I_c ω of every link from differences of poses, and a q̇² of every
 /// armature. Beside it, the size of its terms were nothing to cancel.
-pub fn twice_energy(case: &Case, system: &System, pose: &Pose, motion: &Motion) -> (f64, f64) {
+pub fn twice_energy(case: &Case, pose: &Pose, motion: &Motion) -> (f64, f64) {
     let (mut sum, mut size) = (0.0, 0.0);
-    for (i, twist) in link_twists(system, pose, motion).iter().enumerate() {
+    for (i, twist) in link_twists(pose, motion).iter().enumerate() {
         let Some(inertial) = case.mechanism.links()[i].inertial() else { continue };
         let (omega, v) = (twist.angular, twist.linear + twist.angular.cross(&inertial.com));
         sum += inertial.mass * v.norm_squared() + omega.dot(&(inertial.about_com * omega));
@@ -77,17 +84,16 @@ pub fn twice_energy(case: &Case, system: &System, pose: &Pose, motion: &Motion) 
 }
 
 /// [`link_twist`] of all links, in their order.
-pub fn link_twists(system: &System, pose: &Pose, motion: &Motion) -> Vec<Twist<f64>> {
-    let mechanism = system.mechanism();
-    mechanism.link_ids().map(|link| link_twist(system, pose, motion, link)).collect()
+pub fn link_twists(pose: &Pose, motion: &Motion) -> Vec<Twist<f64>> {
+    pose.mechanism().link_ids().map(|link| link_twist(pose, motion, link)).collect()
 }
 
 /// How fast the gap closes: n̂ · (velocity of the struck point − that of the other side's point there).
-pub fn closing_speed(system: &System, pose: &Pose, motion: &Motion, contact: &LocatedContact) -> f64 {
+pub fn closing_speed(pose: &Pose, motion: &Motion, contact: &LocatedContact) -> f64 {
     let velocity = |link: LinkId| {
-        let x_wl = pose.link(system, link);
+        let x_wl = pose.link(link);
         let at = x_wl.inverse_point(&contact.point_world);
-        x_wl.vector(&link_twist(system, pose, motion, link).velocity_at(&at))
+        x_wl.vector(&link_twist(pose, motion, link).velocity_at(&at))
     };
     let other = contact.against.map_or_else(Vector3::zeros, velocity);
     contact.normal_world.dot(&(velocity(contact.link) - other))

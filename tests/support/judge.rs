@@ -1,26 +1,41 @@
-//! How near two strikes must be, and which is heavier.
+//! How near two answers must be, and whether a stated error covers the truth.
 
-use percuss_dynamics::{EffectiveMass, Strike};
+use percuss_dynamics::{ContactResponse, EffectiveMass, Pose};
 
-/// How near two computations of a strike must be: 1e-12 for every unit of the condition of M (the roundings of some
-/// hundred terms), at most 1e-9, unless the strike itself says that fewer digits are left.
-pub fn rounding(strike: &Strike) -> f64 {
-    let bound = strike.condition.map_or(1e-9, |condition| (1e-12 * condition).min(1e-9));
-    match (strike.effective_mass, strike.effective_mass_error) {
-        (EffectiveMass::Finite(m), Some(error)) => bound.max(error / m),
-        _ => bound,
+/// How near two computations of an answer must be, relative: some thousand roundings of what is left when terms of
+/// M a thousand times as large cancel.
+pub const NEAR: f64 = 1e-9;
+
+/// Roundings per unit of the condition of M: a step of the elimination of each of some hundred coordinates.
+const PER_CONDITION: f64 = 1e-14;
+/// Nearer than this they need not be, however well conditioned.
+const NEAREST: f64 = 1e-11;
+/// Worse than this no two answers may be to one question, however badly conditioned.
+const WORST: f64 = 1e-7;
+
+/// The condition of M scaled to unit diagonal, where it is regular: below 1/ε by more than rounding.
+pub fn regular_condition(pose: &Pose) -> Option<f64> {
+    pose.condition().filter(|condition| *condition < 1e14)
+}
+
+/// How near two computations must be, relative, by the condition of M (scaled to unit diagonal) at the pose: a law
+/// of the problem, not of the answer. A singular M has no condition; what is left of it is as good as any other.
+pub fn near_at(pose: &Pose) -> f64 {
+    match regular_condition(pose) {
+        Some(condition) => (PER_CONDITION * condition).clamp(NEAREST, WORST),
+        None => NEAR,
     }
 }
 
-/// Whether the mass matrix is singular or so near it that the recursion may decline: 1e-11, the error it stands for,
-/// over ε and some fifty terms.
-pub fn hard(strike: &Strike) -> bool {
-    strike.condition.is_none_or(|condition| condition > 1e3)
+/// Whether |m̄ − truth| stays within the error that the answer states, given the truth's own relative error.
+pub fn states_enough(response: &ContactResponse, truth: f64, own: f64) -> bool {
+    let EffectiveMass::Finite(m) = response.effective_mass else { return false };
+    response.effective_mass_error().is_some_and(|stated| (m - truth).abs() <= stated + own * truth)
 }
 
-/// A number that says which is heavier.
-pub fn weight(strike: &Strike) -> f64 {
-    match strike.effective_mass {
+/// m̄ as a number: 0 where massless, infinite where immovable.
+pub fn mass_or_bound(response: &ContactResponse) -> f64 {
+    match response.effective_mass {
         EffectiveMass::Massless => 0.0,
         EffectiveMass::Finite(m) => m,
         EffectiveMass::Immovable => f64::INFINITY,

@@ -1,7 +1,7 @@
 //! Velocities that conditions admit.
 
 use nalgebra::{DVector, Vector3};
-use percuss_dynamics::{Base, Strike, System};
+use percuss_dynamics::{Base, ContactResponse, System};
 use percuss_spatial::Twist;
 use rand::{Rng, rngs::StdRng};
 
@@ -15,9 +15,9 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// v* of a strike.
-    pub fn of(strike: &Strike) -> Self {
-        Self { joints: strike.joint_velocities.clone(), base: strike.base_velocity }
+    /// v* of a response.
+    pub fn of(response: &ContactResponse) -> Self {
+        Self { joints: response.joint_velocities.clone(), base: response.base_velocity }
     }
 
     /// A random motion: locked joints and a fixed base stand still, mimics follow.
@@ -59,6 +59,30 @@ impl Motion {
             }
         }
         DVector::from_vec(u)
+    }
+
+    /// The motion with these coordinates; mimics follow.
+    pub fn from_coordinates(system: &System, u: &DVector<f64>) -> Self {
+        let mechanism = system.mechanism();
+        let kinds = mechanism.joints().iter().map(|joint| joint.kind().dofs());
+        let mut motion = Self { joints: kinds.map(|dofs| vec![0.0; dofs]).collect(), base: Twist::zero() };
+        for ((joint, component), value) in system.coordinate_joints().into_iter().zip(u.iter()) {
+            match joint {
+                Some(id) => motion.joints[id.index()][component] = *value,
+                None if component < 3 => motion.base.angular[component] = *value,
+                None => motion.base.linear[component - 3] = *value,
+            }
+        }
+        // A mimic's master may be a mimic itself, of a joint that comes later.
+        for _ in mechanism.joints() {
+            for id in mechanism.joint_ids() {
+                if let Some(mimic) = mechanism.joint(id).mimic() {
+                    motion.joints[id.index()] =
+                        vec![mimic.multiplier * motion.joints[mimic.master.index()][0]];
+                }
+            }
+        }
+        motion
     }
 
     /// The sum of all rates: no link turns faster.

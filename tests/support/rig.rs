@@ -2,8 +2,8 @@
 
 use nalgebra::{Vector2, Vector3};
 use percuss_dynamics::{
-    AssemblyError, Base, Conditions, Configuration, Contact, Direction, EffectiveMass, Frame, Pose,
-    RouteChoice, Strike, System,
+    AssemblyError, Base, Conditions, Configuration, Contact, ContactResponse, Direction, EffectiveMass,
+    Frame, Pose, RouteChoice, System,
 };
 use percuss_mechanism::{JointId, JointKind, Mechanism};
 use percuss_oracle::linkage::{self, Linkage};
@@ -112,9 +112,9 @@ impl Rig {
         Contact::new(link, point, normal).normal(Direction::Along(normal, Frame::World))
     }
 
-    /// The strike at a pose.
-    pub fn strike(&self, pose: &Pose, contact: &Contact) -> Strike {
-        self.system.strike(pose, contact, RouteChoice::Auto).expect("an answer")
+    /// The response at a pose.
+    pub fn respond(&self, pose: &Pose, contact: &Contact) -> ContactResponse {
+        pose.respond(contact, RouteChoice::Auto).expect("an answer")
     }
 
     /// By how much the oracle sees the loops open, as a part of the size.
@@ -136,7 +136,7 @@ pub fn question<'a>(
     pose: &Pose,
     contact: &Contact,
 ) -> maximal::Question<'a> {
-    let located = system.locate(pose, contact).expect("a contact");
+    let located = pose.locate(contact).expect("a contact");
     maximal::Question {
         floating_base: system.base() == Base::Floating,
         against: located.against,
@@ -157,8 +157,8 @@ pub fn in_plane(n: Vector2<f64>) -> Vector3<f64> {
 
 /// m̄ (kg), which must be finite.
 #[track_caller]
-pub fn mass(strike: &Strike) -> f64 {
-    match strike.effective_mass {
+pub fn mass(response: &ContactResponse) -> f64 {
+    match response.effective_mass {
         EffectiveMass::Finite(m) => m,
         other => panic!("{other:?}"),
     }

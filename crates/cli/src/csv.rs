@@ -1,8 +1,7 @@
 //! Answers as rows of a table (RFC 4180). A header always; an empty cell is a null.
 
 use crate::limits;
-use percuss_study::{MassReport, SweepReport};
-use std::collections::BTreeMap;
+use percuss_study::{MassReport, SweepHeading, SweepRow};
 
 /// Columns between the drivers and the joints.
 const FIXED: [&str; 7] = [
@@ -18,13 +17,19 @@ const FIXED: [&str; 7] = [
 /// One answer, as the row of a sweep over the joints that were set.
 pub fn of_mass(report: &MassReport, drivers: &[String]) -> String {
     let estimate = report.estimate.as_ref();
-    let mut table = Table::default();
-    table.header.push("row".into());
-    table.row.push("0".into());
+    let mut header = vec!["row".to_owned()];
+    let mut row = vec!["0".to_owned()];
+    let mut position = |header: &mut Vec<String>, joint: &str, values: &[f64]| {
+        columns(header, joint, values.len());
+        row.extend(values.iter().map(|value| number(*value)));
+    };
     for joint in drivers {
-        table.position(joint, &report.pose[joint]);
+        position(&mut header, joint, report.pose.get(joint).unwrap_or_default());
     }
-    table.fixed([
+    let fixed_at = header.len();
+    let others = report.pose.iter().filter(|(joint, _)| !drivers.iter().any(|driver| driver == joint));
+    others.for_each(|(joint, values)| position(&mut header, joint, values));
+    let fixed = [
         report.status.name().into(),
         cell(report.effective_mass),
         cell(report.closure_residual),
@@ -32,72 +37,49 @@ pub fn of_mass(report: &MassReport, drivers: &[String]) -> String {
         cell(estimate.and_then(|e| e.motion_ratio)),
         cell(estimate.and_then(|e| e.estimate)),
         cell(estimate.and_then(|e| e.error_percent)),
-    ]);
-    table.others(&report.pose, drivers);
-    line(&table.header) + &line(&table.row)
+    ];
+    header.splice(fixed_at..fixed_at, FIXED.map(str::to_owned));
+    row.splice(fixed_at..fixed_at, fixed);
+    line(&header) + &line(&row)
 }
 
-/// A sweep: a row for each value.
-pub fn of_sweep(report: &SweepReport) -> String {
-    let drivers = [report.varied.clone()];
-    // A row that was not reached has no pose; its joints' cells stay empty.
-    let joints = report.rows.iter().map(|row| &row.pose).find(|pose| !pose.is_empty());
-    let mut text = String::new();
-    for row in &report.rows {
-        let mut table = Table::default();
-        table.header.extend(["row".into(), report.varied.clone()]);
-        table.row.extend([row.row.to_string(), cell(Some(row.value))]);
-        table.fixed([
-            row.status.into(),
-            cell(row.effective_mass),
-            cell(row.closure_residual),
-            row.singular_pose.map_or_else(String::new, |s| s.to_string()),
-            cell(row.motion_ratio),
-            cell(row.estimate),
-            cell(row.estimate_error_percent),
-        ]);
-        match joints {
-            Some(names) if row.pose.is_empty() => {
-                table.others(names, &drivers);
-                let known = table.header.len()
-                    - names.iter().filter(|(j, _)| !drivers.contains(j)).map(|(_, v)| v.len()).sum::<usize>();
-                table.row[known..].fill(String::new());
-            }
-            _ => table.others(&row.pose, &drivers),
-        }
-        if text.is_empty() {
-            text += &line(&table.header);
-        }
-        text += &line(&table.row);
-    }
-    text
+/// The header of a sweep.
+pub fn sweep_header(heading: &SweepHeading) -> String {
+    let mut header = vec!["row".to_owned(), heading.varied.clone()];
+    header.extend(FIXED.map(str::to_owned));
+    let others = heading.joints.joints().filter(|(joint, _)| *joint != heading.varied);
+    others.for_each(|(joint, numbers)| columns(&mut header, joint, numbers));
+    line(&header)
 }
 
-#[derive(Default)]
-struct Table {
-    header: Vec<String>,
-    row: Vec<String>,
+/// A row of a sweep. One that was not reached has no pose; its joints' cells stay empty.
+pub fn sweep_row(heading: &SweepHeading, row: &SweepRow) -> String {
+    let mut cells = vec![
+        row.row.to_string(),
+        cell(Some(row.value)),
+        row.status.into(),
+        cell(row.effective_mass),
+        cell(row.closure_residual),
+        row.singular_pose.map_or_else(String::new, |s| s.to_string()),
+        cell(row.motion_ratio),
+        cell(row.estimate),
+        cell(row.estimate_error_percent),
+    ];
+    if row.pose.is_empty() {
+        let others = heading.joints.joints().filter(|(joint, _)| *joint != heading.varied);
+        cells.extend(std::iter::repeat_n(String::new(), others.map(|(_, numbers)| numbers).sum()));
+    } else {
+        let others = row.pose.iter().filter(|(joint, _)| *joint != heading.varied);
+        cells.extend(others.flat_map(|(_, values)| values).map(|value| number(*value)));
+    }
+    line(&cells)
 }
 
-impl Table {
-    fn fixed(&mut self, cells: [String; FIXED.len()]) {
-        self.header.extend(FIXED.map(str::to_owned));
-        self.row.extend(cells);
-    }
-
-    /// Joints that are no columns yet.
-    fn others(&mut self, pose: &BTreeMap<String, Vec<f64>>, drivers: &[String]) {
-        for (joint, values) in pose.iter().filter(|(joint, _)| !drivers.contains(joint)) {
-            self.position(joint, values);
-        }
-    }
-
-    /// A joint with several numbers takes a column for each: `name[0]`, `name[1]`, …
-    fn position(&mut self, joint: &str, values: &[f64]) {
-        for (i, value) in values.iter().enumerate() {
-            self.header.push(if values.len() == 1 { joint.to_owned() } else { format!("{joint}[{i}]") });
-            self.row.push(number(*value));
-        }
+/// A joint with several numbers takes a column for each: `name[0]`, `name[1]`, …
+fn columns(header: &mut Vec<String>, joint: &str, numbers: usize) {
+    match numbers {
+        1 => header.push(joint.to_owned()),
+        _ => header.extend((0..numbers).map(|i| format!("{joint}[{i}]"))),
     }
 }
 

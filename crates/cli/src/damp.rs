@@ -9,7 +9,7 @@ use percuss_render::{Figure, Mark, Panel, Series, Sheet, Style};
 use percuss_study::contact::exports::Tool;
 use percuss_study::contact::{Law, Sample};
 use percuss_study::{
-    DamperRecord, DampingQuestion, DampingReport, ExportRecord, blow_history, damp, damp_contact,
+    DamperRecord, DampingQuestion, DampingReport, ExportRecord, damp, damp_contact, impact_history,
 };
 use std::fmt::Write;
 use std::path::Path;
@@ -210,7 +210,7 @@ fn tools() -> String {
 fn draw(report: &DampingReport, question: &DampingQuestion, path: &str) -> Result<(), Failure> {
     let ending = Path::new(path).extension().and_then(|e| e.to_str()).unwrap_or("").to_ascii_lowercase();
     let samples = || {
-        blow_history(question, report.effective_mass, limits::HISTORY_SAMPLES)
+        impact_history(question, report.effective_mass, limits::HISTORY_SAMPLES)
             .map_err(percuss_study::StudyError::from)
     };
     let bytes = match ending.as_str() {

@@ -2,8 +2,8 @@
 
 use crate::diagnostics::lines;
 use percuss_formats::LoadError;
-use percuss_study::contact::ContactError;
-use percuss_study::contact::exports::{ExportError, Options};
+use percuss_study::contact::ContactLawError;
+use percuss_study::contact::exports::ExportError;
 use percuss_study::{DiagnosticRecord, StudyError, StudyFileError};
 use std::io::{self, Write};
 use std::process::ExitCode;
@@ -15,6 +15,8 @@ pub enum Failure {
     BadInput(Vec<String>),
     /// The question was fine and has no answer: exit 1.
     NoAnswer(String),
+    /// The question has no answer, or means nothing: the exit code is the error's.
+    Question(Box<StudyError>),
     /// The reader of the output has closed it: exit 0, silently.
     Unread,
 }
@@ -35,6 +37,12 @@ impl Failure {
                     .collect(),
             ),
             Failure::NoAnswer(message) => Failure::NoAnswer(format!("{path}: {message}")),
+            Failure::Question(error) if error.is_no_answer() => {
+                Failure::NoAnswer(format!("{path}: {}", error.in_study()))
+            }
+            Failure::Question(error) => {
+                Failure::BadInput(vec![format!("{path}: error: {}{}", error.in_study(), key_of(&error))])
+            }
             Failure::Unread => Failure::Unread,
         }
     }
@@ -44,6 +52,10 @@ impl Failure {
         let (lines, code) = match self {
             Failure::BadInput(lines) => (lines, 2),
             Failure::NoAnswer(message) => (vec![format!("error: {message}")], 1),
+            Failure::Question(error) => {
+                let code = if error.is_no_answer() { 1 } else { 2 };
+                (vec![format!("error: {error}{}", flag_of(&error))], code)
+            }
             Failure::Unread => return ExitCode::SUCCESS,
         };
         let mut stderr = io::stderr().lock();
@@ -64,21 +76,27 @@ impl From<LoadError> for Failure {
 
 impl From<StudyError> for Failure {
     fn from(error: StudyError) -> Self {
-        if error.is_no_answer() {
-            Failure::NoAnswer(error.to_string())
-        } else {
-            let flag = match &error {
-                StudyError::Damping(ContactError::SpeedNeeded { .. }) => " (--speed)",
-                StudyError::Export(error)
-                    if matches!(**error, ExportError::Missing { what: Options::OWN_MASS, .. }) =>
-                {
-                    " (--own-mass)"
-                }
-                _ => "",
-            };
-            Failure::bad_input(format!("{error}{flag}"))
-        }
+        Failure::Question(Box::new(error))
     }
+}
+
+/// The number that a law or a simulator lacks: its flag and its key.
+fn lacking(error: &StudyError) -> Option<(&'static str, &'static str)> {
+    match error {
+        StudyError::Damping(ContactLawError::SpeedNeeded { .. }) => Some(("--speed", "damping.speed")),
+        StudyError::Export(error) if matches!(**error, ExportError::Missing { .. }) => {
+            Some(("--own-mass", "damping.own_mass"))
+        }
+        _ => None,
+    }
+}
+
+fn flag_of(error: &StudyError) -> String {
+    lacking(error).map_or_else(String::new, |(flag, _)| format!(" ({flag})"))
+}
+
+fn key_of(error: &StudyError) -> String {
+    lacking(error).map_or_else(String::new, |(_, key)| format!(" ({key})"))
 }
 
 impl From<StudyFileError> for Failure {

@@ -16,6 +16,8 @@ mod report;
 mod run;
 mod safe_speed;
 mod sweep;
+mod sweep_figure;
+mod sweep_rows;
 mod text;
 
 use args::{Cli, Command};

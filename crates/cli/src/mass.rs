@@ -151,7 +151,7 @@ fn facts(report: &MassReport) -> Vec<(&'static str, String)> {
         (None, None) => "the ground".to_owned(),
     };
     let list = |names: &[String]| {
-        let position = |name: &String| match report.pose.get(name).map(Vec::as_slice) {
+        let position = |name: &String| match report.pose.get(name) {
             Some([value]) => format!("{name} = {}", number(*value)),
             Some(values) => {
                 format!("{name} = {}", values.iter().map(|v| number(*v)).collect::<Vec<_>>().join(","))

@@ -310,5 +310,5 @@ fn a_redundant_loop_off_by_a_tenth_of_a_micron_is_warned_of() {
     let report =
         json(&format!("mass {model} --link platform --point 0.3,0.1,0 --normal 1,0,0 --format json"));
     assert_eq!(report["status"], "immovable");
-    assert!(message(&report, "bound-by-a-hair").contains("a degree of freedom more than the 0 counted"));
+    assert!(message(&report, "weakly-constrained").contains("a degree of freedom more than the 0 counted"));
 }

@@ -241,7 +241,7 @@ fn flags_that_mean_nothing_are_refused() {
         ("--wheel-mass -3", ""),
         ("--wheel-mass 3m", "mass"),
         ("--wheel-inertia 1,1,1", "--wheel-mass"),
-        ("--wheel-mass 3 --wheel-inertia 1,1", "3 are wanted"),
+        ("--wheel-mass 3 --wheel-inertia 1,1", "expected 3"),
         ("--wheel-mass 3 --wheel-inertia 1,-1,1", ""),
         ("--wheel-radius 0.3", "--wheel-mass"),
         ("--wheel-mass 3 --wheel-radius 0", "above 0"),
@@ -262,5 +262,5 @@ fn flags_that_mean_nothing_are_refused() {
     let nowhere = percuss(&format!("import {file} -o {}", folder.path("none/model.urdf")));
     assert_eq!(nowhere.code, 2);
     assert!(nowhere.stderr.contains("cannot be written"), "{}", nowhere.stderr);
-    assert_eq!(percuss(&format!("import {file}")).code, 2, "an output is wanted");
+    assert_eq!(percuss(&format!("import {file}")).code, 2, "an output is required");
 }

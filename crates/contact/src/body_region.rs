@@ -1,6 +1,6 @@
 //! The regions of the human body: where a robot may hit a person.
 
-use crate::ContactError;
+use crate::ContactLawError;
 use crate::error::nearest;
 use serde::{Deserialize, Serialize};
 use std::sync::LazyLock;
@@ -44,14 +44,16 @@ impl BodyRegion {
         &TABLE
     }
 
-    /// The region of this name, upper and lower case alike. Errors: [`ContactError::UnknownRegion`].
-    pub fn from_name(name: &str) -> Result<&'static Self, ContactError> {
+    /// The region of this name, upper and lower case alike. Errors: [`ContactLawError::UnknownRegion`].
+    pub fn from_name(name: &str) -> Result<&'static Self, ContactLawError> {
         let wanted = name.trim().to_lowercase().replace(['_', ' '], "-");
         let names = || Self::all().iter().map(|region| region.name.as_str());
-        Self::all().iter().find(|region| region.name == wanted).ok_or_else(|| ContactError::UnknownRegion {
-            name: name.into(),
-            nearest: nearest(&wanted, names()),
-            known: names().collect::<Vec<_>>().join(", "),
+        Self::all().iter().find(|region| region.name == wanted).ok_or_else(|| {
+            ContactLawError::UnknownRegion {
+                name: name.into(),
+                nearest: nearest(&wanted, names()),
+                known: names().collect::<Vec<_>>().join(", "),
+            }
         })
     }
 }

@@ -1,17 +1,17 @@
 //! An effective mass and a contact spring.
 
-use crate::ContactError;
+use crate::ContactLawError;
 use crate::error::positive;
 
 /// The effective mass of a contact and the spring between the two surfaces: force k xᵖ at the penetration x.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Contact {
+pub struct CompliantContact {
     mass: f64,
     stiffness: f64,
     exponent: f64,
 }
 
-impl Contact {
+impl CompliantContact {
     /// The least and the greatest exponent of the spring.
     pub const EXPONENTS: std::ops::RangeInclusive<f64> = 1.0..=10.0;
 
@@ -19,7 +19,7 @@ impl Contact {
     ///
     /// `mass` is the effective mass m̄ along the normal, in kg; `stiffness` is k, in N/m. Errors: either is not a
     /// finite number above zero.
-    pub fn new(mass: f64, stiffness: f64) -> Result<Self, ContactError> {
+    pub fn new(mass: f64, stiffness: f64) -> Result<Self, ContactLawError> {
         let mass = positive("effective mass, kg", mass)?;
         let stiffness = positive("stiffness, N/m^p", stiffness)?;
         Ok(Self { mass, stiffness, exponent: 1.0 })
@@ -28,11 +28,11 @@ impl Contact {
     /// The same with the force k xᵖ, k in N/mᵖ: p = 1 for a linear spring, 3/2 for Hertz's spheres.
     ///
     /// Errors: p is not from 1 to 10.
-    pub fn with_exponent(self, exponent: f64) -> Result<Self, ContactError> {
+    pub fn with_exponent(self, exponent: f64) -> Result<Self, ContactLawError> {
         if Self::EXPONENTS.contains(&exponent) {
             return Ok(Self { exponent, ..self });
         }
-        Err(ContactError::OutOfRange {
+        Err(ContactLawError::OutOfRange {
             what: "exponent of the spring",
             got: exponent,
             valid: "a number from 1 to 10",

@@ -4,9 +4,9 @@ use crate::error::{not_negative, positive, representable};
 use crate::impact::{self, Impact, Sample};
 use crate::limits;
 use crate::trajectory::{Dissipative, Oscillator, Trajectory};
-use crate::{Contact, ContactError, Separation};
+use crate::{CompliantContact, ContactLawError, Separation};
 
-/// A damper: with a [`Contact`] and an approach speed it makes an impact.
+/// A damper: with a [`CompliantContact`] and an approach speed it makes an impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Damper {
     /// F = k xᵖ + c x^((p−1)/2) ẋ.
@@ -30,7 +30,11 @@ impl Damper {
     /// The Kelvin–Voigt damper with this damping ratio on this contact: c = 2ζ√((p+1)/2)√(k m̄).
     ///
     /// Errors: ζ is negative, NaN or infinite; c is beyond a 64-bit float.
-    pub fn kelvin_voigt(contact: Contact, ratio: f64, separation: Separation) -> Result<Self, ContactError> {
+    pub fn kelvin_voigt(
+        contact: CompliantContact,
+        ratio: f64,
+        separation: Separation,
+    ) -> Result<Self, ContactLawError> {
         let ratio = not_negative("damping ratio", ratio)?;
         let coefficient = match ratio * critical(contact) {
             _ if ratio == 0.0 => 0.0,
@@ -43,16 +47,16 @@ impl Damper {
     ///
     /// Errors: c is negative, NaN or infinite; ζ is beyond a 64-bit float.
     pub fn kelvin_voigt_from_coefficient(
-        contact: Contact,
+        contact: CompliantContact,
         coefficient: f64,
         separation: Separation,
-    ) -> Result<Self, ContactError> {
+    ) -> Result<Self, ContactLawError> {
         let ratio = ratio_on(contact, coefficient)?;
         Ok(Self::KelvinVoigt { ratio, coefficient, separation })
     }
 
     /// The Hunt–Crossley damper with this dissipation d, in s/m. Errors: d is negative, NaN or infinite.
-    pub fn hunt_crossley(dissipation: f64) -> Result<Self, ContactError> {
+    pub fn hunt_crossley(dissipation: f64) -> Result<Self, ContactLawError> {
         Ok(Self::HuntCrossley { dissipation: not_negative("dissipation, s/m", dissipation)? })
     }
 
@@ -60,17 +64,17 @@ impl Damper {
     /// damper came from. A Kelvin–Voigt damper gives the same at every speed.
     ///
     /// Errors: the speed is not a finite number above zero; a coefficient out of range; beyond a 64-bit float.
-    pub fn restitution(self, contact: Contact, speed: f64) -> Result<f64, ContactError> {
+    pub fn restitution(self, contact: CompliantContact, speed: f64) -> Result<f64, ContactLawError> {
         Ok(self.trajectory(contact, speed)?.restitution())
     }
 
     /// 1 − e, without loss of digits where the damping is light. Errors: as [`Damper::restitution`].
-    pub fn restitution_loss(self, contact: Contact, speed: f64) -> Result<f64, ContactError> {
+    pub fn restitution_loss(self, contact: CompliantContact, speed: f64) -> Result<f64, ContactLawError> {
         Ok(self.trajectory(contact, speed)?.loss())
     }
 
     /// The impact on this contact at this approach speed, in m/s. Errors: as [`Damper::restitution`].
-    pub fn impact(self, contact: Contact, speed: f64) -> Result<Impact, ContactError> {
+    pub fn impact(self, contact: CompliantContact, speed: f64) -> Result<Impact, ContactLawError> {
         impact::impact(&*self.trajectory(contact, speed)?, contact, speed)
     }
 
@@ -80,11 +84,20 @@ impl Damper {
     /// The last sample is the end itself, where the force is 0, or the pull of a Kelvin–Voigt damper that ends when
     /// the gap closes. A contact that takes forever to close is shown for eight time constants of its slow return.
     /// Errors: as [`Damper::restitution`]; fewer than 2 or more than 1 000 000 samples.
-    pub fn history(self, contact: Contact, speed: f64, samples: usize) -> Result<Vec<Sample>, ContactError> {
+    pub fn history(
+        self,
+        contact: CompliantContact,
+        speed: f64,
+        samples: usize,
+    ) -> Result<Vec<Sample>, ContactLawError> {
         impact::history(&*self.trajectory(contact, speed)?, contact, speed, samples)
     }
 
-    fn trajectory(self, contact: Contact, speed: f64) -> Result<Box<dyn Trajectory>, ContactError> {
+    fn trajectory(
+        self,
+        contact: CompliantContact,
+        speed: f64,
+    ) -> Result<Box<dyn Trajectory>, ContactLawError> {
         let speed = positive("approach speed, m/s", speed)?;
         match self {
             Self::KelvinVoigt { coefficient, separation, .. } => {
@@ -93,7 +106,9 @@ impl Damper {
             Self::HuntCrossley { dissipation } => {
                 let number = not_negative("dissipation, s/m", dissipation)? * speed;
                 if number > limits::GREATEST_DISSIPATION_NUMBER {
-                    return Err(ContactError::NotRepresentable { what: "dissipation times approach speed" });
+                    return Err(ContactLawError::NotRepresentable {
+                        what: "dissipation times approach speed",
+                    });
                 }
                 Ok(Box::new(Dissipative::new(number, contact.exponent())))
             }
@@ -102,11 +117,11 @@ impl Damper {
 }
 
 /// 2√((p+1)/2)√(k m̄): the coefficient of the damping ratio 1.
-fn critical(contact: Contact) -> f64 {
+fn critical(contact: CompliantContact) -> f64 {
     2.0 * (0.5 * (contact.exponent() + 1.0)).sqrt() * contact.stiffness().sqrt() * contact.mass().sqrt()
 }
 
-fn ratio_on(contact: Contact, coefficient: f64) -> Result<f64, ContactError> {
+fn ratio_on(contact: CompliantContact, coefficient: f64) -> Result<f64, ContactLawError> {
     let coefficient = not_negative("damping coefficient, N s/m^((p+1)/2)", coefficient)?;
     if coefficient == 0.0 {
         return Ok(0.0);

@@ -5,7 +5,7 @@ use thiserror::Error;
 /// Why there is no answer.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
-pub enum ContactError {
+pub enum ContactLawError {
     /// A number outside its range, NaN and infinity included.
     #[error("{what}: {got:?} is out of range; expected {valid}")]
     OutOfRange {
@@ -92,30 +92,30 @@ pub(crate) fn nearest(name: &str, known: impl Iterator<Item = &'static str>) -> 
 }
 
 /// A number above zero, neither infinite nor so small that it has lost digits.
-pub(crate) fn positive(what: &'static str, value: f64) -> Result<f64, ContactError> {
+pub(crate) fn positive(what: &'static str, value: f64) -> Result<f64, ContactLawError> {
     if value.is_normal() && value > 0.0 {
         return Ok(value);
     }
-    Err(ContactError::OutOfRange { what, got: value, valid: "a finite number above 0" })
+    Err(ContactLawError::OutOfRange { what, got: value, valid: "a finite number above 0" })
 }
 
 /// A finite number, zero or above.
-pub(crate) fn not_negative(what: &'static str, value: f64) -> Result<f64, ContactError> {
+pub(crate) fn not_negative(what: &'static str, value: f64) -> Result<f64, ContactLawError> {
     if value.is_finite() && value >= 0.0 {
         return Ok(value);
     }
-    Err(ContactError::OutOfRange { what, got: value, valid: "a finite number, 0 or above" })
+    Err(ContactLawError::OutOfRange { what, got: value, valid: "a finite number, 0 or above" })
 }
 
 /// A coefficient of restitution, or its complement to one.
-pub(crate) fn unit_interval(what: &'static str, value: f64) -> Result<f64, ContactError> {
+pub(crate) fn unit_interval(what: &'static str, value: f64) -> Result<f64, ContactLawError> {
     if (0.0..=1.0).contains(&value) {
         return Ok(value);
     }
-    Err(ContactError::OutOfRange { what, got: value, valid: "a number from 0 to 1" })
+    Err(ContactLawError::OutOfRange { what, got: value, valid: "a number from 0 to 1" })
 }
 
 /// A result that is above zero by its formula: it must not have overflowed or vanished.
-pub(crate) fn representable(what: &'static str, value: f64) -> Result<f64, ContactError> {
-    if value.is_normal() && value > 0.0 { Ok(value) } else { Err(ContactError::NotRepresentable { what }) }
+pub(crate) fn representable(what: &'static str, value: f64) -> Result<f64, ContactLawError> {
+    if value.is_normal() && value > 0.0 { Ok(value) } else { Err(ContactLawError::NotRepresentable { what }) }
 }

@@ -3,7 +3,7 @@
 use crate::error::{positive, representable};
 use crate::limits;
 use crate::trajectory::{State, Trajectory};
-use crate::{Contact, ContactError};
+use crate::{CompliantContact, ContactLawError};
 use serde::Serialize;
 
 /// The figures of one impact: a contact met at some approach speed, until it ends.
@@ -54,7 +54,7 @@ struct Units {
 }
 
 impl Units {
-    fn new(contact: Contact, speed: f64) -> Result<Self, ContactError> {
+    fn new(contact: CompliantContact, speed: f64) -> Result<Self, ContactLawError> {
         let p = contact.exponent();
         let speed = positive("approach speed, m/s", speed)?;
         // √(m̄/k) v first: no square overflows on the way.
@@ -80,9 +80,9 @@ impl Units {
 /// The figures of this trajectory.
 pub(crate) fn impact(
     trajectory: &dyn Trajectory,
-    contact: Contact,
+    contact: CompliantContact,
     speed: f64,
-) -> Result<Impact, ContactError> {
+) -> Result<Impact, ContactLawError> {
     let units = Units::new(contact, speed)?;
     let (at_peak, peak) = trajectory.peak();
     let compression = trajectory.time_after_touch(trajectory.compression());
@@ -115,13 +115,13 @@ pub(crate) fn impact(
 /// the trajectory's own parameter between.
 pub(crate) fn history(
     trajectory: &dyn Trajectory,
-    contact: Contact,
+    contact: CompliantContact,
     speed: f64,
     count: usize,
-) -> Result<Vec<Sample>, ContactError> {
+) -> Result<Vec<Sample>, ContactLawError> {
     if !limits::SAMPLES.contains(&count) {
         let valid = "a whole number from 2 to 1000000";
-        return Err(ContactError::OutOfRange { what: "number of samples", got: count as f64, valid });
+        return Err(ContactLawError::OutOfRange { what: "number of samples", got: count as f64, valid });
     }
     let units = Units::new(contact, speed)?;
     let compression = trajectory.time_after_touch(trajectory.compression());
@@ -146,7 +146,7 @@ pub(crate) fn history(
             if all.iter().all(|value| value.is_finite()) {
                 return Ok(sample);
             }
-            Err(ContactError::NotRepresentable { what: "history of the impact" })
+            Err(ContactLawError::NotRepresentable { what: "history of the impact" })
         })
         .collect()
 }

@@ -18,9 +18,9 @@
 //! comes out: what a 64-bit float cannot hold is an error.
 //!
 //! ```
-//! use percuss_contact::{Contact, Damper, Law, Separation};
+//! use percuss_contact::{CompliantContact, Damper, Law, Separation};
 //!
-//! let contact = Contact::new(2.281, 1e5)?;
+//! let contact = CompliantContact::new(2.281, 1e5)?;
 //! let damper = Law::KelvinVoigt.damper(contact, 0.5, None, Separation::ForceVanishes)?;
 //! let impact = damper.impact(contact, 0.4)?;
 //! assert!((impact.rebound_speed - 0.2).abs() < 1e-15);
@@ -29,7 +29,7 @@
 //! let Damper::KelvinVoigt { ratio, .. } = textbook else { unreachable!() };
 //! let damper = Damper::kelvin_voigt(contact, ratio, Separation::ForceVanishes)?;
 //! assert!((damper.restitution(contact, 0.4)? - 0.5503).abs() < 1e-4);
-//! # Ok::<(), percuss_contact::ContactError>(())
+//! # Ok::<(), percuss_contact::ContactLawError>(())
 //! ```
 
 mod body_region;
@@ -46,9 +46,9 @@ mod trajectory;
 mod transient_contact;
 
 pub use body_region::BodyRegion;
-pub use contact::Contact;
+pub use contact::CompliantContact;
 pub use damper::Damper;
-pub use error::ContactError;
+pub use error::ContactLawError;
 pub use impact::{Impact, Sample};
 pub use laws::{Alias, ApproximationError, Law, hunt_crossley, kelvin_voigt};
 pub use separation::Separation;

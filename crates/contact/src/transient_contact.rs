@@ -6,21 +6,21 @@
 //! m_R is the effective mass of the robot at the contact. The standard's is M/2 + m_L, half the moving mass and the load,
 //! whatever the pose and the direction; the effective mass along the direction of motion, (uᵀ J M⁻¹ Jᵀ u)⁻¹, is what
 //! F = m a gives, and may be several times smaller or larger. [`TransientContact`] takes either.
-//! Damping in the contact changes the force: [`Damper::impact`](crate::Damper::impact) on a [`Contact`](crate::Contact) of
+//! Damping in the contact changes the force: [`Damper::impact`](crate::Damper::impact) on a [`CompliantContact`](crate::CompliantContact) of
 //! the mass μ and the stiffness k gives the factor: 0.81 times at e = 0.49, the least, and more than 1 below e = 0.30.
 //!
 //! The equations are ISO/TS 15066:2016's (now in ISO 10218-2:2025), Annex A, as public secondary sources give them;
 //! the standard itself was not opened. The limits of force and pressure are input, to be taken from the standard.
 
 use crate::error::{not_negative, positive, representable};
-use crate::{BodyRegion, ContactError};
+use crate::{BodyRegion, ContactLawError};
 use serde::Serialize;
 
 /// The mass M/2 + m_L that the standard takes for a robot, in kg: half the mass of its moving parts, and the load
 /// with the tool.
 ///
 /// Errors: M not a finite number above zero, m_L negative, NaN or infinite.
-pub fn standard_robot_mass(moving_mass: f64, load: f64) -> Result<f64, ContactError> {
+pub fn standard_robot_mass(moving_mass: f64, load: f64) -> Result<f64, ContactLawError> {
     let half = 0.5 * positive("mass of the moving parts, kg", moving_mass)?;
     representable("mass of the robot, kg", half + not_negative("load, kg", load)?)
 }
@@ -45,7 +45,7 @@ pub struct SafeSpeed {
 
 impl TransientContact {
     /// A robot of the mass m_R, in kg, that hits this region. Errors: m_R is not a finite number above zero.
-    pub fn new(region: &BodyRegion, robot_mass: f64) -> Result<Self, ContactError> {
+    pub fn new(region: &BodyRegion, robot_mass: f64) -> Result<Self, ContactLawError> {
         Self::with_body(region.mass, region.stiffness, robot_mass)
     }
 
@@ -57,7 +57,7 @@ impl TransientContact {
     /// The same with a body's mass m_H, in kg, and stiffness k, in N/m, of the user's own.
     ///
     /// Errors: any of them is not a finite number above zero.
-    pub fn with_body(body_mass: f64, stiffness: f64, robot_mass: f64) -> Result<Self, ContactError> {
+    pub fn with_body(body_mass: f64, stiffness: f64, robot_mass: f64) -> Result<Self, ContactLawError> {
         let body = positive("mass of the body's region, kg", body_mass)?;
         let robot = positive("mass of the robot, kg", robot_mass)?;
         let stiffness = positive("stiffness of the body's region, N/m", stiffness)?;
@@ -84,7 +84,7 @@ impl TransientContact {
     /// F = v √(μ k), in N, at the relative speed v, in m/s.
     ///
     /// Errors: v is negative, NaN or infinite; F is beyond a 64-bit float.
-    pub fn force(self, speed: f64) -> Result<f64, ContactError> {
+    pub fn force(self, speed: f64) -> Result<f64, ContactLawError> {
         let speed = not_negative("relative speed, m/s", speed)?;
         if speed == 0.0 { Ok(0.0) } else { representable("force, N", speed * self.impedance()) }
     }
@@ -92,7 +92,7 @@ impl TransientContact {
     /// v = F/√(μ k) for the greatest force that the user allows, in N.
     ///
     /// Errors: F is not a finite number above zero; the result is beyond a 64-bit float.
-    pub fn speed_for_force(self, force: f64) -> Result<SafeSpeed, ContactError> {
+    pub fn speed_for_force(self, force: f64) -> Result<SafeSpeed, ContactLawError> {
         let force = positive("greatest force, N", force)?;
         let speed = representable("relative speed, m/s", force / self.impedance())?;
         let energy = representable("energy, J", 0.5 * force * (force / self.stiffness))?;
@@ -102,7 +102,7 @@ impl TransientContact {
     /// v = p A/√(μ k) for the greatest pressure that the user allows, in Pa, on the area of the contact, in m².
     ///
     /// Errors: either is not a finite number above zero; the result is beyond a 64-bit float.
-    pub fn speed_for_pressure(self, pressure: f64, area: f64) -> Result<SafeSpeed, ContactError> {
+    pub fn speed_for_pressure(self, pressure: f64, area: f64) -> Result<SafeSpeed, ContactLawError> {
         let force =
             positive("greatest pressure, Pa", pressure)? * positive("area of the contact, m^2", area)?;
         self.speed_for_force(representable("force, N", force)?)

@@ -4,7 +4,7 @@
 
 mod support;
 
-use percuss_contact::{Contact, Damper, Separation};
+use percuss_contact::{CompliantContact, Damper, Separation};
 use support::apart;
 
 /// p, ζ, the time of the greatest penetration and the duration where the force vanishes, in units of X/v, from the
@@ -58,8 +58,8 @@ const HUNT_CROSSLEY: [(f64, f64, f64, f64); 19] = [
 const TOLERANCE: f64 = 1e-12;
 
 /// X = 1 at the speed 1.
-fn unit(exponent: f64) -> Contact {
-    Contact::new(1.0, 0.5 * (exponent + 1.0)).unwrap().with_exponent(exponent).unwrap()
+fn unit(exponent: f64) -> CompliantContact {
+    CompliantContact::new(1.0, 0.5 * (exponent + 1.0)).unwrap().with_exponent(exponent).unwrap()
 }
 
 fn check(damper: Damper, exponent: f64, compression: f64, duration: f64) -> f64 {

@@ -1,21 +1,21 @@
 //! Every way to be refused, with its words.
 
 use percuss_contact::{
-    BodyRegion, Contact, ContactError, Damper, Law, Separation, TransientContact, hunt_crossley,
+    BodyRegion, CompliantContact, ContactLawError, Damper, Law, Separation, TransientContact, hunt_crossley,
     kelvin_voigt, standard_robot_mass,
 };
 use std::fmt::Debug;
 
 const NOT_NUMBERS: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 
-fn contact() -> Contact {
-    Contact::new(2.0, 1e5).unwrap()
+fn contact() -> CompliantContact {
+    CompliantContact::new(2.0, 1e5).unwrap()
 }
 
 /// That it is refused as out of range, naming the quantity and the value.
-fn refused<T: Debug>(answer: Result<T, ContactError>, quantity: &str, value: f64) {
+fn refused<T: Debug>(answer: Result<T, ContactLawError>, quantity: &str, value: f64) {
     let error = answer.expect_err(quantity);
-    let ContactError::OutOfRange { what, got, valid } = &error else { panic!("{quantity}: {error:?}") };
+    let ContactLawError::OutOfRange { what, got, valid } = &error else { panic!("{quantity}: {error:?}") };
     assert_eq!(*what, quantity);
     assert!(got.to_bits() == value.to_bits() || got.is_nan() && value.is_nan(), "{error}");
     assert_eq!(error.to_string(), format!("{quantity}: {value:?} is out of range; expected {valid}"));
@@ -24,14 +24,14 @@ fn refused<T: Debug>(answer: Result<T, ContactError>, quantity: &str, value: f64
 #[test]
 fn contacts() {
     for bad in NOT_NUMBERS.into_iter().chain([0.0, -1.0, 1e-310]) {
-        refused(Contact::new(bad, 1.0), "effective mass, kg", bad);
-        refused(Contact::new(1.0, bad), "stiffness, N/m^p", bad);
+        refused(CompliantContact::new(bad, 1.0), "effective mass, kg", bad);
+        refused(CompliantContact::new(1.0, bad), "stiffness, N/m^p", bad);
     }
     for bad in NOT_NUMBERS.into_iter().chain([0.999, 10.001, 0.0, -1.5]) {
         refused(contact().with_exponent(bad), "exponent of the spring", bad);
     }
     assert_eq!(
-        Contact::new(-1.0, 1.0).unwrap_err().to_string(),
+        CompliantContact::new(-1.0, 1.0).unwrap_err().to_string(),
         "effective mass, kg: -1.0 is out of range; expected a finite number above 0"
     );
 }
@@ -56,7 +56,7 @@ fn restitutions() {
 fn a_restitution_of_nothing() {
     let message = |law: Law| {
         let error = law.damper(contact(), 0.0, Some(1.0), Separation::ForceVanishes).unwrap_err();
-        assert!(matches!(error, ContactError::Unreachable { restitution: 0.0, .. }), "{error:?}");
+        assert!(matches!(error, ContactLawError::Unreachable { restitution: 0.0, .. }), "{error:?}");
         error.to_string()
     };
     assert_eq!(
@@ -89,7 +89,7 @@ fn a_restitution_of_nothing() {
 fn speeds() {
     for law in Law::ALL.into_iter().filter(|law| law.needs_speed()) {
         let error = law.damper(contact(), 0.5, None, Separation::default()).unwrap_err();
-        assert_eq!(error, ContactError::SpeedNeeded { law: law.name() });
+        assert_eq!(error, ContactLawError::SpeedNeeded { law: law.name() });
         let expected = "its damping is a number over the approach speed: give the speed, in m/s";
         assert_eq!(error.to_string(), format!("{}: {expected}", law.name()));
     }
@@ -142,20 +142,23 @@ fn numbers_of_samples() {
 
 #[test]
 fn beyond_a_float() {
-    let not_representable = |answer: Result<_, ContactError>, quantity: &str| {
+    let not_representable = |answer: Result<_, ContactLawError>, quantity: &str| {
         let error = answer.expect_err(quantity);
-        assert!(matches!(&error, ContactError::NotRepresentable { what } if *what == quantity), "{error:?}");
+        assert!(
+            matches!(&error, ContactLawError::NotRepresentable { what } if *what == quantity),
+            "{error:?}"
+        );
         let expected = "too large or too small for a 64-bit float (about 1e-308 to 1e308); check the units";
         assert_eq!(error.to_string(), format!("{quantity}: {expected}"));
     };
-    let extreme = Contact::new(1e300, 1e300).unwrap();
+    let extreme = CompliantContact::new(1e300, 1e300).unwrap();
     let gap = Separation::GapCloses;
     let ratio = Damper::kelvin_voigt(extreme, 1e10, gap).map(|_| ());
     not_representable(ratio, "damping coefficient, N s/m^((p+1)/2)");
     let damper = Damper::kelvin_voigt(contact(), 0.1, gap).unwrap();
     not_representable(damper.impact(contact(), 1e200).map(|_| ()), "energy lost, J");
     not_representable(
-        damper.impact(Contact::new(1e300, 1e-300).unwrap(), 1e200).map(|_| ()),
+        damper.impact(CompliantContact::new(1e300, 1e-300).unwrap(), 1e200).map(|_| ()),
         "penetration, m",
     );
     let stiff = Damper::hunt_crossley(1e200).unwrap();
@@ -172,7 +175,10 @@ fn regions_and_robots() {
         "\"cheast\" is no region of the body in the table, did you mean \"chest\"?; known: skull, face, neck, back, \
          chest, abdomen, pelvis, upper-arm, lower-arm, hand, thigh, lower-leg"
     );
-    assert!(matches!(BodyRegion::from_name("xyz"), Err(ContactError::UnknownRegion { nearest: None, .. })));
+    assert!(matches!(
+        BodyRegion::from_name("xyz"),
+        Err(ContactLawError::UnknownRegion { nearest: None, .. })
+    ));
     let chest = BodyRegion::from_name("chest").unwrap();
     let contact = TransientContact::new(chest, 10.0).unwrap();
     for bad in NOT_NUMBERS.into_iter().chain([0.0, -1.0]) {

@@ -1,7 +1,7 @@
 //! The exports: numbers, snippets, refusals; and that models of the engines' steps bounce as asked with them.
 
 use percuss_contact::exports::{Export, ExportError, ImpactFunction, Options, Request, Tool, Value};
-use percuss_contact::{Contact, ContactError, Separation, hunt_crossley, kelvin_voigt};
+use percuss_contact::{CompliantContact, ContactLawError, Separation, hunt_crossley, kelvin_voigt};
 
 const MASS: f64 = 2.28125;
 const STIFFNESS: f64 = 1e5;
@@ -9,7 +9,10 @@ const SPEED: f64 = 0.4;
 
 fn request(restitution: f64) -> Request {
     let options = Options { own_mass: Some(1.5), other_own_mass: Some(3.0), ..Options::default() };
-    Request { options, ..Request::new(Contact::new(MASS, STIFFNESS).unwrap(), restitution).at(SPEED) }
+    Request {
+        options,
+        ..Request::new(CompliantContact::new(MASS, STIFFNESS).unwrap(), restitution).at(SPEED)
+    }
 }
 
 fn numbers(export: &Export, name: &str) -> Vec<f64> {
@@ -237,13 +240,13 @@ fn chrono_takes_its_own_masses() {
 fn chrono_corrects_a_material_restitution() {
     // Published beside the law: 0.2, 0.5, 0.8 ask for these where m_eff = m̄.
     for (e, cr) in [(0.2, 0.034462), (0.5, 0.436288), (0.8, 0.791170)] {
-        let contact = Contact::new(1.0, STIFFNESS).unwrap().with_exponent(1.5).unwrap();
+        let contact = CompliantContact::new(1.0, STIFFNESS).unwrap().with_exponent(1.5).unwrap();
         let options = Options { own_mass: Some(2.0), other_own_mass: Some(2.0), ..Options::default() };
         let export = Tool::Chrono.export(&Request { options, ..Request::new(contact, e) }).unwrap();
         assert!((number(&export, "cr") - cr).abs() < 5e-7);
         close(number(&export, "E_eff·sqrt(R_eff)"), 0.75 * STIFFNESS, 1e-15);
     }
-    let contact = Contact::new(1.0, STIFFNESS).unwrap().with_exponent(1.5).unwrap();
+    let contact = CompliantContact::new(1.0, STIFFNESS).unwrap().with_exponent(1.5).unwrap();
     let options = Options { own_mass: Some(2.0), other_own_mass: Some(2.0), ..Options::default() };
     let error = Tool::Chrono.export(&Request { options, ..Request::new(contact, 0.1) }).unwrap_err();
     assert!(matches!(error, ExportError::Unreachable { .. }), "{error}");
@@ -280,7 +283,7 @@ fn adams_impact_agrees_with_an_independent_integration() {
 
 #[test]
 fn adams_gives_its_numbers_in_si() {
-    let contact = Contact::new(MASS, 3e8).unwrap().with_exponent(1.5).unwrap();
+    let contact = CompliantContact::new(MASS, 3e8).unwrap().with_exponent(1.5).unwrap();
     let export = Tool::Adams.export(&Request::new(contact, 0.5).at(0.7)).unwrap();
     let (cmax, d) = (number(&export, "cmax"), number(&export, "d"));
     // The motion in kg, m, s by a plain fourth-order Runge–Kutta of small steps.
@@ -380,7 +383,7 @@ fn tools_are_found_by_name_and_alias() {
 
 #[test]
 fn a_curved_spring_is_for_those_that_have_one() {
-    let curved = Contact::new(MASS, STIFFNESS).unwrap().with_exponent(2.0).unwrap();
+    let curved = CompliantContact::new(MASS, STIFFNESS).unwrap().with_exponent(2.0).unwrap();
     for tool in Tool::ALL {
         let answer = tool.export(&Request { contact: curved, ..request(0.5) });
         match tool {
@@ -406,14 +409,14 @@ fn what_is_out_of_range_is_refused_and_nothing_overflows() {
         for request in wrong {
             let error = tool.export(&request).unwrap_err();
             assert!(
-                matches!(error, ExportError::Contact(ContactError::OutOfRange { .. })),
+                matches!(error, ExportError::Contact(ContactLawError::OutOfRange { .. })),
                 "{tool}: {error}"
             );
         }
         for (mass, stiffness) in [(1e300, 1e-300), (1e-300, 1e300), (1e300, 1e300), (1e-300, 1e-300)] {
             for e in [1e-300, 1e-9, 0.5, 1.0 - 1e-16, 0.0, 1.0] {
                 for speed in [1e-300, 1.0, 1e300] {
-                    let contact = Contact::new(mass, stiffness).unwrap();
+                    let contact = CompliantContact::new(mass, stiffness).unwrap();
                     if let Ok(export) = tool.export(&Request { contact, ..request(e) }.at(speed)) {
                         for snippet in &export.snippets {
                             well_formed(snippet.language, &snippet.text);

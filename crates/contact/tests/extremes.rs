@@ -1,7 +1,7 @@
 //! Nothing panics, and no NaN or infinity comes out, whatever goes in.
 
 use percuss_contact::{
-    Contact, Damper, Law, Sample, Separation, TransientContact, hunt_crossley, kelvin_voigt,
+    CompliantContact, Damper, Law, Sample, Separation, TransientContact, hunt_crossley, kelvin_voigt,
 };
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
@@ -22,7 +22,7 @@ fn restitution(rng: &mut StdRng) -> f64 {
     }
 }
 
-fn contact(rng: &mut StdRng) -> Contact {
+fn contact(rng: &mut StdRng) -> CompliantContact {
     let exponent = match rng.random_range(0..5) {
         0 => 1.0,
         1 => 1.5,
@@ -30,7 +30,7 @@ fn contact(rng: &mut StdRng) -> Contact {
         3 => 10.0,
         _ => rng.random_range(1.0..10.0),
     };
-    Contact::new(number(rng), number(rng)).unwrap().with_exponent(exponent).unwrap()
+    CompliantContact::new(number(rng), number(rng)).unwrap().with_exponent(exponent).unwrap()
 }
 
 fn all_finite(samples: &[Sample]) -> bool {
@@ -38,7 +38,7 @@ fn all_finite(samples: &[Sample]) -> bool {
 }
 
 /// Whether there was an answer; an impact's figures must agree among themselves.
-fn strike(damper: Damper, contact: Contact, speed: f64, name: &str) -> bool {
+fn respond(damper: Damper, contact: CompliantContact, speed: f64, name: &str) -> bool {
     if let Ok(e) = damper.restitution(contact, speed) {
         assert!((0.0..=1.0).contains(&e), "{name}: {e}");
         let loss = damper.restitution_loss(contact, speed).unwrap();
@@ -86,7 +86,7 @@ fn impacts_of_every_law() {
         let separation = Separation::ALL[rng.random_range(0..2)];
         let name = format!("{law:?} {e:e} {contact:?} {speed:e} {separation:?}");
         if let Ok(damper) = law.damper(contact, e, Some(speed), separation) {
-            answered += usize::from(strike(damper, contact, speed, &name));
+            answered += usize::from(respond(damper, contact, speed, &name));
         }
     }
     // The products of such numbers overflow often, not always.
@@ -109,7 +109,7 @@ fn dampers_of_any_size() {
         };
         let name = format!("{damper:?} {contact:?} {speed:e}");
         if let Ok(damper) = damper {
-            answered += usize::from(strike(damper, contact, speed, &name));
+            answered += usize::from(respond(damper, contact, speed, &name));
         }
     }
     assert!(answered > rounds / 5, "{answered} of {rounds}");
@@ -144,7 +144,7 @@ fn the_relations() {
 }
 
 #[test]
-fn strikes_on_people() {
+fn impacts_on_people() {
     let mut rng = StdRng::seed_from_u64(7);
     for _ in 0..20_000 {
         let [body, stiffness, robot, force, area] = [(); 5].map(|()| number(&mut rng));

@@ -1,16 +1,16 @@
-//! The course of an impact: its ends, its turn, its loop.
+//! The history of an impact: its ends, its turn, its loop.
 
 mod support;
 
-use percuss_contact::{Contact, Damper, Law, Sample, Separation};
+use percuss_contact::{CompliantContact, Damper, Law, Sample, Separation};
 use support::apart;
 
 /// Every kind of trajectory: both laws, both ends, three exponents, light and heavy damping.
-fn cases() -> Vec<(Damper, Contact, f64)> {
+fn cases() -> Vec<(Damper, CompliantContact, f64)> {
     let mut cases = Vec::new();
     for exponent in [1.0, 1.5, 4.0] {
         for (mass, stiffness, speed) in [(0.3, 2e4, 1.5), (80.0, 7e6, 0.2)] {
-            let contact = Contact::new(mass, stiffness).unwrap().with_exponent(exponent).unwrap();
+            let contact = CompliantContact::new(mass, stiffness).unwrap().with_exponent(exponent).unwrap();
             for e in [0.05, 0.4, 0.9, 0.999] {
                 for law in [Law::KelvinVoigt, Law::HuntCrossley] {
                     for separation in Separation::ALL {
@@ -125,7 +125,7 @@ fn the_course_has_the_impacts_figures() {
 #[test]
 fn a_contact_that_never_ends_is_shown_settling() {
     for ratio in [1.0, 3.0] {
-        let contact = Contact::new(2.0, 5e4).unwrap();
+        let contact = CompliantContact::new(2.0, 5e4).unwrap();
         let damper = Damper::kelvin_voigt(contact, ratio, Separation::GapCloses).unwrap();
         let impact = damper.impact(contact, 1.0).unwrap();
         assert_eq!((impact.duration, impact.restitution, impact.rebound_speed), (None, 0.0, 0.0));

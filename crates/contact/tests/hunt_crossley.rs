@@ -4,7 +4,7 @@
 
 mod support;
 
-use percuss_contact::{Contact, Damper, Law, Separation, hunt_crossley};
+use percuss_contact::{CompliantContact, Damper, Law, Separation, hunt_crossley};
 use support::apart;
 
 /// a, e and 1 − e from the implicit relation in 60 digits; from a = 100 on e is 1/a to more digits than a float has.
@@ -124,7 +124,7 @@ fn the_restitution_depends_on_dissipation_times_speed_alone() {
     for (mass, stiffness, exponent, speed) in
         [(0.1, 1e3, 1.0, 0.01), (1.0, 1e5, 1.5, 1.0), (50.0, 1e7, 3.0, 5.0)]
     {
-        let contact = Contact::new(mass, stiffness).unwrap().with_exponent(exponent).unwrap();
+        let contact = CompliantContact::new(mass, stiffness).unwrap().with_exponent(exponent).unwrap();
         let damper = Damper::hunt_crossley(1.0 / speed).unwrap();
         let e = damper.restitution(contact, speed).unwrap();
         assert!(apart(e, 0.59362426004004009232) < 1e-15, "{contact:?}: {e:?}");
@@ -142,7 +142,7 @@ fn the_duration_without_damping() {
         (10.0, 2.2415340078377519519),
     ];
     for (p, expected) in durations {
-        let contact = Contact::new(1.0, 0.5 * (p + 1.0)).unwrap().with_exponent(p).unwrap();
+        let contact = CompliantContact::new(1.0, 0.5 * (p + 1.0)).unwrap().with_exponent(p).unwrap();
         for damper in [
             Damper::hunt_crossley(0.0).unwrap(),
             Damper::hunt_crossley(1e-15).unwrap(),
@@ -160,7 +160,7 @@ fn the_duration_without_damping() {
 
 #[test]
 fn light_damping_still_takes_its_energy() {
-    let contact = Contact::new(2.0, 1e4).unwrap().with_exponent(1.5).unwrap();
+    let contact = CompliantContact::new(2.0, 1e4).unwrap().with_exponent(1.5).unwrap();
     for dissipation in [1e-9, 1e-16, 1e-100] {
         let damper = Damper::hunt_crossley(dissipation).unwrap();
         // ½ m̄ v² (1 − e²) = ½ m̄ v² (4/3) d v for small d v.

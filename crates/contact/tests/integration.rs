@@ -2,7 +2,7 @@
 
 mod support;
 
-use percuss_contact::{Contact, Damper, Impact, Law, Separation};
+use percuss_contact::{CompliantContact, Damper, Impact, Law, Separation};
 use support::apart;
 use support::integrated::{IntegratedImpact, Measured};
 
@@ -21,7 +21,7 @@ struct Case {
     asked: f64,
 }
 
-fn run(law: Law, e: f64, contact: Contact, speed: f64, separation: Separation) -> Case {
+fn run(law: Law, e: f64, contact: CompliantContact, speed: f64, separation: Separation) -> Case {
     let damper = law.damper(contact, e, Some(speed), separation).unwrap();
     let (k, p) = (contact.stiffness(), contact.exponent());
     let force = |x: f64, rate: f64| match damper {
@@ -99,7 +99,7 @@ fn sweep(law: Law, separation: Separation, exponents: &[f64]) {
         for &p in exponents {
             for mass in MASSES {
                 for stiffness in STIFFNESSES {
-                    let contact = Contact::new(mass, stiffness).unwrap().with_exponent(p).unwrap();
+                    let contact = CompliantContact::new(mass, stiffness).unwrap().with_exponent(p).unwrap();
                     let speed = if count % 2 == 0 { 0.3 } else { 4.0 };
                     worst.compare(&run(law, e, contact, speed, separation));
                     count += 1;

@@ -4,7 +4,7 @@
 
 mod support;
 
-use percuss_contact::{Contact, Damper, Law, Separation, kelvin_voigt};
+use percuss_contact::{CompliantContact, Damper, Law, Separation, kelvin_voigt};
 use support::apart;
 
 const BOTH: [Separation; 2] = Separation::ALL;
@@ -71,7 +71,7 @@ const TABLE: [(f64, f64, f64, f64, f64, f64); 14] = [
 #[test]
 fn the_table_of_damping_ratios() {
     let (mass, stiffness, speed) = (2.5_f64, 4e4_f64, 0.7);
-    let contact = Contact::new(mass, stiffness).unwrap();
+    let contact = CompliantContact::new(mass, stiffness).unwrap();
     let frequency = (stiffness / mass).sqrt();
     let near = |got: f64, expected: f64| (got - expected).abs() < 6e-13 * expected.max(1.0);
     for (ratio, e_gap, e_force, duration, penetration, force) in TABLE {
@@ -195,7 +195,7 @@ fn the_ends_of_the_range() {
     assert_eq!(kelvin_voigt::restitution(7.0, Separation::GapCloses), Ok(0.0));
     assert!(kelvin_voigt::ratio(0.0, Separation::ForceVanishes).is_err());
     let elastic = Law::KelvinVoigt;
-    let contact = Contact::new(1.0, 1.0).unwrap();
+    let contact = CompliantContact::new(1.0, 1.0).unwrap();
     let damper = elastic.damper(contact, 1.0, None, Separation::ForceVanishes).unwrap();
     let impact = damper.impact(contact, 1.0).unwrap();
     assert_eq!((impact.energy_lost, impact.rebound_speed), (0.0, 1.0));
@@ -206,7 +206,7 @@ fn the_ends_of_the_range() {
 /// Damping first lowers, then raises, the peak force: least at ζ = 0.264932.
 #[test]
 fn the_least_peak_force() {
-    let contact = Contact::new(1.0, 1.0).unwrap();
+    let contact = CompliantContact::new(1.0, 1.0).unwrap();
     let peak = |ratio: f64| {
         let damper = Damper::kelvin_voigt(contact, ratio, Separation::ForceVanishes).unwrap();
         damper.impact(contact, 1.0).unwrap().peak_force
@@ -218,7 +218,7 @@ fn the_least_peak_force() {
 /// What it does on another contact follows from c, not from the ratio on the first.
 #[test]
 fn the_coefficient_is_the_damper() {
-    let [first, heavier] = [1.5, 6.0].map(|mass| Contact::new(mass, 1e5).unwrap());
+    let [first, heavier] = [1.5, 6.0].map(|mass| CompliantContact::new(mass, 1e5).unwrap());
     let damper = Law::KelvinVoigt.damper(first, 0.5, None, Separation::ForceVanishes).unwrap();
     let Damper::KelvinVoigt { ratio, coefficient, separation } = damper else { panic!("{damper:?}") };
     assert!(apart(coefficient, 2.0 * ratio * (1e5_f64 * 1.5).sqrt()) < 1e-15);

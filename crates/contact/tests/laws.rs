@@ -2,7 +2,7 @@
 
 mod support;
 
-use percuss_contact::{Contact, ContactError, Damper, Law, Separation};
+use percuss_contact::{CompliantContact, ContactLawError, Damper, Law, Separation};
 use std::collections::BTreeSet;
 use support::apart;
 use support::integrated::IntegratedImpact;
@@ -58,8 +58,8 @@ const ACHIEVED: [(Law, [f64; 10], f64); 12] = [
 
 const ASKED: [f64; 10] = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95];
 
-fn contact() -> Contact {
-    Contact::new(1.3, 4.1e4).unwrap().with_exponent(1.5).unwrap()
+fn contact() -> CompliantContact {
+    CompliantContact::new(1.3, 4.1e4).unwrap().with_exponent(1.5).unwrap()
 }
 
 #[test]
@@ -201,14 +201,14 @@ fn separations_have_names() {
 #[test]
 fn an_unknown_name_lists_the_known() {
     let error = Law::from_name("hunt-crosley").unwrap_err();
-    let ContactError::UnknownLaw { nearest, .. } = &error else { panic!("{error:?}") };
+    let ContactLawError::UnknownLaw { nearest, .. } = &error else { panic!("{error:?}") };
     assert_eq!(*nearest, Some("hunt-crossley"));
     let message = error.to_string();
     assert!(message.starts_with(
         "\"hunt-crosley\" is no contact law, did you mean \"hunt-crossley\"?; known: kelvin-voigt, "
     ));
     assert!(message.ends_with(", ye"), "{message}");
-    assert!(matches!(Law::from_name(""), Err(ContactError::UnknownLaw { nearest: None, .. })));
+    assert!(matches!(Law::from_name(""), Err(ContactLawError::UnknownLaw { nearest: None, .. })));
 }
 
 /// The law by Tsuji and others has √5 ζ √(k m̄) x^(1/4) for the exponent 3/2.

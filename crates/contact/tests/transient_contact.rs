@@ -1,8 +1,10 @@
-//! The speed at which a robot may strike, against the undamped impact and against figures.
+//! The speed at which a robot may touch a person, against the undamped impact and against figures.
 
 mod support;
 
-use percuss_contact::{BodyRegion, Contact, Damper, Separation, TransientContact, standard_robot_mass};
+use percuss_contact::{
+    BodyRegion, CompliantContact, Damper, Separation, TransientContact, standard_robot_mass,
+};
 use support::apart;
 
 /// The standard's force is the peak force of an undamped linear contact of the two masses.
@@ -15,7 +17,7 @@ fn it_is_the_undamped_impact() {
             let mass = region.mass * robot / (region.mass + robot);
             assert!(apart(contact.reduced_mass(), mass) < 4.0 * f64::EPSILON, "{region:?} {robot}");
             let safe = contact.speed_for_force(100.0).unwrap();
-            let linear = Contact::new(mass, region.stiffness).unwrap();
+            let linear = CompliantContact::new(mass, region.stiffness).unwrap();
             let damper = Damper::kelvin_voigt(linear, 0.0, Separation::ForceVanishes).unwrap();
             let impact = damper.impact(linear, safe.speed).unwrap();
             assert!(apart(impact.peak_force, 100.0) < 8.0 * f64::EPSILON, "{region:?} {robot}: {impact:?}");

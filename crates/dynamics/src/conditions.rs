@@ -1,8 +1,7 @@
 //! What an analysis imposes on a mechanism, without rebuilding it.
 
-use crate::loops::Held;
 use nalgebra::Vector3;
-use percuss_mechanism::{JointKind, Mechanism, UnknownName};
+use percuss_mechanism::{JointKind, LinkId, Mechanism, UnknownName};
 
 /// How the root link stands in the world.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -12,6 +11,27 @@ pub enum Base {
     Fixed,
     /// The root link moves freely.
     Floating,
+}
+
+/// A held contact: velocity rows only.
+#[derive(Clone, Debug)]
+pub(crate) struct CompiledHold {
+    pub link: LinkId,
+    /// In the link's frame, m.
+    pub point: Vector3<f64>,
+    /// Root axes; none holds three directions.
+    pub normal: Option<Vector3<f64>>,
+}
+
+impl CompiledHold {
+    pub fn rows(&self) -> usize {
+        if self.normal.is_some() { 1 } else { 3 }
+    }
+
+    /// Held directions in root axes: the first [`rows`](Self::rows) of them.
+    pub fn directions(&self) -> [Vector3<f64>; 3] {
+        self.normal.map_or_else(|| [Vector3::x(), Vector3::y(), Vector3::z()], |n| [n; 3])
+    }
 }
 
 /// Base, locks and armatures of one analysis. The default: fixed base, everything free, armatures as declared.
@@ -66,6 +86,16 @@ impl Conditions {
         self
     }
 
+    /// Whether it holds velocities that the pose does not know of.
+    pub(crate) fn holds_velocities(&self) -> bool {
+        !self.locked.is_empty() || !self.held.is_empty()
+    }
+
+    /// The same without locks and held contacts.
+    pub(crate) fn without_holds(self) -> Self {
+        Self { locked: Vec::new(), held: Vec::new(), ..self }
+    }
+
     /// Armature of every joint, one value a velocity, overrides applied.
     pub(crate) fn resolve_armatures(&self, mechanism: &Mechanism) -> Result<Vec<Vec<f64>>, ConditionsError> {
         let mut all: Vec<Vec<f64>> = mechanism.joints().iter().map(|j| j.armature().to_vec()).collect();
@@ -96,7 +126,7 @@ impl Conditions {
     }
 
     /// Held contacts, their links found and their normals made unit vectors.
-    pub(crate) fn resolve_holds(&self, mechanism: &Mechanism) -> Result<Vec<Held>, ConditionsError> {
+    pub(crate) fn resolve_holds(&self, mechanism: &Mechanism) -> Result<Vec<CompiledHold>, ConditionsError> {
         let resolve = |(name, point, normal): &(String, Vector3<f64>, Option<Vector3<f64>>)| {
             let link = mechanism.find_link(name)?;
             let numbers = point.iter().chain(normal.iter().flat_map(|n| n.iter()));
@@ -112,7 +142,7 @@ impl Conditions {
                     why: "its normal has no length".into(),
                 });
             }
-            Ok(Held { link, point: *point, normal: normal.map(|n| n.normalize()) })
+            Ok(CompiledHold { link, point: *point, normal: normal.map(|n| n.normalize()) })
         };
         self.held.iter().map(resolve).collect()
     }
@@ -154,7 +184,7 @@ pub enum ConditionsError {
         joint: String,
     },
     /// Not a number ≥ 0.
-    #[error("armature of joint \"{joint}\" is {value}; a finite number ≥ 0 is wanted (kg·m² or kg)")]
+    #[error("armature of joint \"{joint}\" is {value}; expected a finite number ≥ 0 (kg·m² or kg)")]
     BadArmature {
         /// The joint.
         joint: String,

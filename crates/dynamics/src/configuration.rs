@@ -1,7 +1,6 @@
 //! Where the joints stand, as the user gives it.
 
-use crate::loops::Group;
-use crate::{System, tangent};
+use crate::tangent;
 use percuss_mechanism::{Joint, JointId, JointKind, Mechanism, UnknownName};
 use percuss_spatial::Transform;
 use std::sync::Arc;
@@ -40,7 +39,7 @@ pub enum ConfigurationError {
         master: String,
     },
     /// The number of values does not fit the kind.
-    #[error("joint \"{joint}\" is {}: {got} values given, wanted {}", kind.name(), kind.layout())]
+    #[error("joint \"{joint}\" is {}: {got} values given, expected {}", kind.name(), kind.layout())]
     Count {
         /// The joint.
         joint: String,
@@ -49,8 +48,16 @@ pub enum ConfigurationError {
         /// How many were given.
         got: usize,
     },
+    /// A whole configuration of another length.
+    #[error("{got} positions are given, the mechanism has {wanted}: those of all joints, in joint order")]
+    PositionCount {
+        /// How many were given.
+        got: usize,
+        /// How many there are.
+        wanted: usize,
+    },
     /// NaN or infinite.
-    #[error("joint \"{joint}\" is set to {value:e}; a finite number of at most 1e100 is wanted")]
+    #[error("joint \"{joint}\" is set to {value:e}; expected a finite number of at most 1e100")]
     NotFinite {
         /// The joint.
         joint: String,
@@ -58,7 +65,7 @@ pub enum ConfigurationError {
         value: f64,
     },
     /// The quaternion is more than 1 % from unit norm.
-    #[error("joint \"{joint}\": the quaternion w,x,y,z has norm {norm}; a unit quaternion is wanted")]
+    #[error("joint \"{joint}\": the quaternion w,x,y,z has norm {norm}; expected a unit quaternion")]
     Quaternion {
         /// The joint.
         joint: String,
@@ -100,7 +107,7 @@ impl Configuration {
         Ok(self)
     }
 
-    /// Says where to look for a joint that follows from loops: which of the ways to put them together is meant.
+    /// Sets where to look for a joint that follows from loops: which assembly mode is meant.
     ///
     /// # Errors
     /// [`ConfigurationError`], as for [`set`](Self::set).
@@ -130,17 +137,50 @@ impl Configuration {
         &self.mechanism
     }
 
-    /// All positions with the guesses for a group in place, if there is any.
-    pub(crate) fn guess_for(&self, system: &System, group: &Group) -> Option<Vec<f64>> {
-        let mut any = false;
-        let mut q = self.values.concat();
-        for id in group.joints.iter().copied().flatten() {
+    /// All positions with the guesses for these joints in place, if there is any.
+    pub(crate) fn guess_for(
+        &self,
+        joint_q: &[std::ops::Range<usize>],
+        joints: &[Option<JointId>],
+    ) -> Option<Vec<f64>> {
+        let mut found: Option<Vec<f64>> = None;
+        for id in joints.iter().copied().flatten() {
             if let Some(guess) = &self.guesses[id.index()] {
-                any = true;
-                q[system.joint_q[id.index()].clone()].copy_from_slice(guess);
+                let q = found.get_or_insert_with(|| self.values.concat());
+                q[joint_q[id.index()].clone()].copy_from_slice(guess);
             }
         }
-        any.then_some(q)
+        found
+    }
+
+    /// Whether any joint is guessed.
+    pub(crate) fn has_guesses(&self) -> bool {
+        self.guesses.iter().any(Option::is_some)
+    }
+
+    /// A whole configuration: positions of all joints one after another, in joint order (layouts of [`JointKind`]); those
+    /// of mimics are not read. Loops are closed from there: driving joints stand where they are given, the others come out
+    /// next to where they are given.
+    ///
+    /// # Errors
+    /// [`ConfigurationError`]: a number of positions that is not the mechanism's, a value that is none.
+    pub fn from_positions(mechanism: &Arc<Mechanism>, positions: &[f64]) -> Result<Self, ConfigurationError> {
+        let wanted = mechanism.joints().iter().map(|j| j.kind().positions()).sum();
+        if positions.len() != wanted {
+            return Err(ConfigurationError::PositionCount { got: positions.len(), wanted });
+        }
+        let mut configuration = Self::zero(mechanism);
+        let mut rest = positions;
+        for (i, joint) in mechanism.joints().iter().enumerate() {
+            let (own, others) = rest.split_at(joint.kind().positions());
+            rest = others;
+            if joint.mimic().is_none() && !own.is_empty() {
+                let values = checked(joint, own)?;
+                configuration.guesses[i] = Some(values.clone());
+                configuration.values[i] = values;
+            }
+        }
+        Ok(configuration)
     }
 
     /// Sets where the root link stands in the world: X_wr. Moves nothing relative to the root.
@@ -183,11 +223,7 @@ fn checked(joint: &Joint, values: &[f64]) -> Result<Vec<f64>, ConfigurationError
 }
 
 fn zero_position(kind: JointKind) -> Vec<f64> {
-    match kind {
-        JointKind::Fixed => vec![],
-        JointKind::Revolute | JointKind::Continuous | JointKind::Prismatic => vec![0.0],
-        JointKind::Planar => vec![0.0; 3],
-        JointKind::Spherical => vec![1.0, 0.0, 0.0, 0.0],
-        JointKind::Floating => vec![0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0],
-    }
+    let mut q = vec![0.0; kind.positions()];
+    tangent::zero_position(kind, &mut q);
+    q
 }

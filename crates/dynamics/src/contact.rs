@@ -1,10 +1,10 @@
 //! Where the mechanism is struck, and how fast the gap closes.
 
 use crate::kinematics::Kinematics;
-use crate::{Pose, System};
+use crate::model::Model;
 use nalgebra::{DMatrix, Vector3};
 use percuss_mechanism::LinkId;
-use percuss_spatial::Transform;
+use percuss_spatial::{Scalar, Transform};
 
 /// In which frame a point or a normal is given.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -41,7 +41,7 @@ pub struct Contact {
 }
 
 impl Contact {
-    /// A point (m) of a link strikes the ground along a normal, both in the link's frame.
+    /// A point (m) of a link meets the ground along a normal, both in the link's frame.
     pub fn new(link: LinkId, point: impl Into<Vector3<f64>>, normal: impl Into<Vector3<f64>>) -> Self {
         Self {
             link,
@@ -51,7 +51,7 @@ impl Contact {
         }
     }
 
-    /// Lets it strike another link instead of the ground.
+    /// Puts another link on the other side, instead of the ground.
     pub fn against(mut self, link: LinkId) -> Self {
         self.against = Some(link);
         self
@@ -69,7 +69,7 @@ impl Contact {
 #[non_exhaustive]
 pub enum ContactError {
     /// NaN, infinite or absurdly large.
-    #[error("the contact {what} has a component {value:e}; a finite number of at most 1e100 is wanted")]
+    #[error("the contact {what} has a component {value:e}; expected a finite number of at most 1e100")]
     NotFinite {
         /// `point`, `normal` or `line`.
         what: &'static str,
@@ -77,7 +77,7 @@ pub enum ContactError {
         value: f64,
     },
     /// The normal is zero, or all but.
-    #[error("the normal has length {length:e}; at least 1e-9 is wanted, for a direction")]
+    #[error("the normal has length {length:e}; expected at least 1e-9, for a direction")]
     NoNormal {
         /// Its length.
         length: f64,
@@ -102,16 +102,8 @@ pub enum ContactError {
         /// How many links this mechanism has.
         links: usize,
     },
-    /// A pose of another system.
-    #[error("the pose has {got} positions, this mechanism {expected}: it was made by another system")]
-    ForeignPose {
-        /// Positions of the pose.
-        got: usize,
-        /// Positions of the mechanism.
-        expected: usize,
-    },
     /// A link struck by itself.
-    #[error("link \"{link}\" cannot strike itself; name another link, or none for the ground")]
+    #[error("link \"{link}\" cannot be in contact with itself; name another link, or none for the ground")]
     Itself {
         /// The link.
         link: String,
@@ -139,125 +131,192 @@ pub struct LocatedContact {
     pub(crate) normal_root: Vector3<f64>,
 }
 
-impl System {
-    /// A point (m) given in a frame, in the coordinates of `link`.
-    pub fn point_in_link(
+/// A contact's point and unit normal in the root link's frame.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ContactPoint<T: Scalar> {
+    pub point: Vector3<T>,
+    pub normal: Vector3<T>,
+}
+
+impl Model {
+    /// Refuses a contact that means nothing on this mechanism.
+    pub fn check_contact(&self, contact: &Contact) -> Result<(), ContactError> {
+        let line = match contact.normal {
+            Direction::Toward(link, _) => Some(link),
+            Direction::Along(..) => None,
+        };
+        let links = self.mechanism.links().len();
+        for link in [Some(contact.link), contact.against, line].into_iter().flatten() {
+            if link.index() >= links {
+                return Err(ContactError::ForeignLink { index: link.index(), links });
+            }
+        }
+        if contact.against == Some(contact.link) {
+            let link = self.mechanism.link(contact.link).name().to_owned();
+            return Err(ContactError::Itself { link });
+        }
+        finite("point", &contact.point)?;
+        match contact.normal {
+            Direction::Along(normal, _) => {
+                finite("normal", &normal)?;
+                let length = normal.norm();
+                if length < SHORTEST { Err(ContactError::NoNormal { length }) } else { Ok(()) }
+            }
+            Direction::Toward(_, point) => finite("line", &point),
+        }
+    }
+
+    /// The point and the normal of a checked contact. A line whose ends coincide has no normal: it comes out as zero.
+    pub fn contact_point<T: Scalar>(
         &self,
-        pose: &Pose,
+        kinematics: &Kinematics<T>,
+        base: &Transform<f64>,
+        contact: &Contact,
+    ) -> ContactPoint<T> {
+        let x_rl = kinematics.link_frame(self, contact.link);
+        let point = x_rl.point(&contact.point.map(T::from_f64));
+        let normal = match contact.normal {
+            Direction::Along(normal, frame) => {
+                let unit = normal.normalize();
+                let in_frame = unit.map(T::from_f64);
+                match (frame, contact.against) {
+                    (Frame::Link, _) => x_rl.vector(&in_frame),
+                    (Frame::Against, Some(other)) => kinematics.link_frame(self, other).vector(&in_frame),
+                    (Frame::World, _) | (Frame::Against, None) => base.inverse_vector(&unit).map(T::from_f64),
+                }
+            }
+            Direction::Toward(link, to) => {
+                let line = kinematics.link_frame(self, link).point(&to.map(T::from_f64)) - point;
+                let square = line.dot(&line) + T::from_f64(f64::MIN_POSITIVE);
+                line * (T::one() / square.sqrt())
+            }
+        };
+        ContactPoint { point, normal }
+    }
+
+    /// Finds the point and the normal of a contact.
+    pub fn locate(
+        &self,
+        kinematics: &Kinematics<f64>,
+        base: &Transform<f64>,
+        contact: &Contact,
+    ) -> Result<LocatedContact, ContactError> {
+        self.check_contact(contact)?;
+        let ContactPoint { point, normal } = self.contact_point(kinematics, base, contact);
+        let x_rl = kinematics.link_frame(self, contact.link);
+        if let Direction::Toward(link, to) = contact.normal {
+            let distance = (kinematics.link_frame(self, link).point(&to) - point).norm();
+            if distance < SHORTEST {
+                let link = self.mechanism.link(link).name().to_owned();
+                return Err(ContactError::NoLine { link, distance });
+            }
+        }
+        Ok(LocatedContact {
+            link: contact.link,
+            against: contact.against,
+            point_world: base.point(&point),
+            normal_world: base.vector(&normal),
+            point_link: contact.point,
+            normal_link: x_rl.inverse_vector(&normal),
+            point_root: point,
+            normal_root: normal,
+        })
+    }
+
+    /// The contact row over tree velocities, and the size of the terms whose sum each entry is. Velocities that carry both
+    /// sides cancel and are left out.
+    pub fn contact_row(&self, kinematics: &Kinematics<f64>, contact: &LocatedContact) -> ContactRow {
+        let mut row = ContactRow::default();
+        self.contact_row_into(kinematics, contact, &mut row);
+        row
+    }
+
+    /// [`contact_row`](Self::contact_row) in place.
+    pub fn contact_row_into(
+        &self,
+        kinematics: &Kinematics<f64>,
+        contact: &LocatedContact,
+        row: &mut ContactRow,
+    ) {
+        row.entries.clear();
+        row.length = 0.0;
+        let against = contact.against.and_then(|link| self.body_of(link));
+        self.for_each_support(self.body_of(contact.link), against, |i, sign| {
+            let arm = (contact.point_root - kinematics.frames[i].translation).norm();
+            for (component, velocity) in self.bodies[i].v.clone().enumerate() {
+                let turns = self.bodies[i].motion.turns(component);
+                let (point_velocity, size) =
+                    self.velocity_column(kinematics, i, component, &contact.point_root);
+                let value = sign * contact.normal_root.dot(&point_velocity);
+                row.entries.push(RowEntry { velocity, body: i, value, size, turns });
+                if turns {
+                    row.length = row.length.max(arm);
+                }
+            }
+        });
+        if row.length == 0.0 {
+            row.length = 1.0;
+        }
+    }
+
+    /// Velocity of the point `at` (root frame) at unit velocity `k` of body `i`, and the size of its terms.
+    fn velocity_column(
+        &self,
+        kinematics: &Kinematics<f64>,
+        i: usize,
+        k: usize,
+        at: &Vector3<f64>,
+    ) -> (Vector3<f64>, f64) {
+        let frame = &kinematics.frames[i];
+        let column = kinematics.column(self, i, k);
+        let (omega, slide) = (frame.vector(&column.angular), frame.vector(&column.linear));
+        let arm = at - frame.translation;
+        (slide + omega.cross(&arm), slide.norm() + omega.norm() * arm.norm())
+    }
+
+    /// Jacobian of a point (m, link's frame) of a link, 3×n over the coordinates, root axes.
+    pub fn point_jacobian(
+        &self,
+        kinematics: &Kinematics<f64>,
         link: LinkId,
-        against: Option<LinkId>,
-        frame: Frame,
-        point: Vector3<f64>,
-    ) -> Vector3<f64> {
-        let x_rl = pose.kinematics.link_frame(self, link);
-        match (frame, against) {
-            (Frame::Link, _) => point,
-            (Frame::Against, Some(other)) => {
-                x_rl.inverse_point(&pose.kinematics.link_frame(self, other).point(&point))
-            }
-            (Frame::World, _) | (Frame::Against, None) => {
-                x_rl.inverse_point(&pose.base.inverse_point(&point))
-            }
-        }
-    }
-
-    /// Finds the point and the normal of a contact at a pose.
-    ///
-    /// # Errors
-    /// [`ContactError`]: not finite, no direction, a link against itself.
-    pub fn locate(&self, pose: &Pose, contact: &Contact) -> Result<LocatedContact, ContactError> {
-        let own = self.joint_q.last().map_or(0, |range| range.end);
-        if pose.kinematics.q.len() != own || pose.kinematics.frames.len() != self.bodies.len() {
-            return Err(ContactError::ForeignPose { got: pose.kinematics.q.len(), expected: own });
-        }
-        locate(self, &pose.kinematics, &pose.base, contact)
-    }
-
-    /// The contact row j = n̂ᵀ(J_on − J_against) over the coordinates: the closing speed of the gap at unit rates,
-    /// 1×n (m for turns, 1 for slides). Joints that carry both sides cancel and are left out.
-    pub fn contact_row(&self, pose: &Pose, contact: &LocatedContact) -> Vec<f64> {
-        let (row, _) = row_over_tree(self, &pose.kinematics, contact);
-        self.reduce_vector(&row, |multiplier| multiplier)
-    }
-
-    /// Jacobian of a point of a link, 3×n over the coordinates: v_P = J u, in the root link's axes, relative to
-    /// the ground (m for turns, 1 for slides).
-    pub fn point_jacobian(&self, pose: &Pose, link: LinkId, point: &Vector3<f64>) -> DMatrix<f64> {
-        let at = pose.kinematics.link_frame(self, link).point(point);
-        let mut jacobian = DMatrix::zeros(3, self.coordinates);
-        let mut next = self.seats[link.index()].body;
-        while let Some(i) = next {
+        point: &Vector3<f64>,
+    ) -> DMatrix<f64> {
+        let at = kinematics.link_frame(self, link).point(point);
+        let mut jacobian = DMatrix::zeros(3, self.coordinates.len());
+        self.for_each_support(self.body_of(link), None, |i, _| {
             for (k, v) in self.bodies[i].v.clone().enumerate() {
                 if let Some(f) = self.follows[v] {
-                    let column = velocity_column(self, &pose.kinematics, i, k, &at).0 * f.multiplier;
+                    let column = self.velocity_column(kinematics, i, k, &at).0 * f.multiplier;
                     let mut target = jacobian.column_mut(f.index);
                     target += column;
                 }
             }
-            next = self.bodies[i].parent;
-        }
+        });
         jacobian
     }
 }
 
-/// [`System::locate`] on bare kinematics.
-pub(crate) fn locate(
-    system: &System,
-    kinematics: &Kinematics<f64>,
-    base: &Transform<f64>,
-    contact: &Contact,
-) -> Result<LocatedContact, ContactError> {
-    let line = match contact.normal {
-        Direction::Toward(link, _) => Some(link),
-        Direction::Along(..) => None,
-    };
-    let links = system.mechanism.links().len();
-    for link in [Some(contact.link), contact.against, line].into_iter().flatten() {
-        if link.index() >= links {
-            return Err(ContactError::ForeignLink { index: link.index(), links });
-        }
-    }
-    let name = |link: LinkId| system.mechanism.link(link).name().to_owned();
-    if contact.against == Some(contact.link) {
-        return Err(ContactError::Itself { link: name(contact.link) });
-    }
-    finite("point", &contact.point)?;
-    let x_rl = kinematics.link_frame(system, contact.link);
-    let point_root = x_rl.point(&contact.point);
-    let normal_root = match contact.normal {
-        Direction::Along(normal, frame) => {
-            finite("normal", &normal)?;
-            let length = normal.norm();
-            if length < 1e-9 {
-                return Err(ContactError::NoNormal { length });
-            }
-            let unit = normal / length;
-            match (frame, contact.against) {
-                (Frame::Link, _) => x_rl.vector(&unit),
-                (Frame::Against, Some(other)) => kinematics.link_frame(system, other).vector(&unit),
-                (Frame::World, _) | (Frame::Against, None) => base.inverse_vector(&unit),
-            }
-        }
-        Direction::Toward(link, point) => {
-            finite("line", &point)?;
-            let line = kinematics.link_frame(system, link).point(&point) - point_root;
-            let distance = line.norm();
-            if distance < 1e-9 {
-                return Err(ContactError::NoLine { link: name(link), distance });
-            }
-            line / distance
-        }
-    };
-    Ok(LocatedContact {
-        link: contact.link,
-        against: contact.against,
-        point_world: base.point(&point_root),
-        normal_world: base.vector(&normal_root),
-        point_link: contact.point,
-        normal_link: x_rl.inverse_vector(&normal_root),
-        point_root,
-        normal_root,
-    })
+/// A direction, or a line, shorter than this (m) is none.
+const SHORTEST: f64 = 1e-9;
+
+/// An entry of the contact row.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct RowEntry {
+    /// Among the tree's velocities.
+    pub velocity: usize,
+    pub body: usize,
+    pub value: f64,
+    /// Size of the terms whose sum it is.
+    pub size: f64,
+    pub turns: bool,
+}
+
+/// The contact row over tree velocities, its entries that are not structurally zero.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct ContactRow {
+    pub entries: Vec<RowEntry>,
+    /// The contact's own length, m: its greatest arm about a joint that turns.
+    pub length: f64,
 }
 
 fn finite(what: &'static str, v: &Vector3<f64>) -> Result<(), ContactError> {
@@ -265,52 +324,4 @@ fn finite(what: &'static str, v: &Vector3<f64>) -> Result<(), ContactError> {
         Some(&value) => Err(ContactError::NotFinite { what, value }),
         None => Ok(()),
     }
-}
-
-/// The contact row over tree velocities, and the size of the terms whose sum each entry is.
-pub(crate) fn row_over_tree(
-    system: &System,
-    kinematics: &Kinematics<f64>,
-    contact: &LocatedContact,
-) -> (Vec<f64>, Vec<f64>) {
-    let n = system.follows.len();
-    let (mut row, mut size) = (vec![0.0; n], vec![0.0; n]);
-    row_over_tree_into(system, kinematics, contact, &mut row, &mut size);
-    (row, size)
-}
-
-/// [`row_over_tree`] in place.
-pub(crate) fn row_over_tree_into(
-    system: &System,
-    kinematics: &Kinematics<f64>,
-    contact: &LocatedContact,
-    row: &mut [f64],
-    size: &mut [f64],
-) {
-    row.fill(0.0);
-    size.fill(0.0);
-    let on = system.seats[contact.link.index()].body;
-    let against = contact.against.and_then(|l| system.seats[l.index()].body);
-    system.for_each_support(on, against, |i, sign| {
-        for (k, v) in system.bodies[i].v.clone().enumerate() {
-            let (velocity, magnitude) = velocity_column(system, kinematics, i, k, &contact.point_root);
-            row[v] = sign * contact.normal_root.dot(&velocity);
-            size[v] = magnitude;
-        }
-    });
-}
-
-/// Velocity of the point `at` (root frame) at unit velocity `k` of body `i`, and the size of its terms.
-fn velocity_column(
-    system: &System,
-    kinematics: &Kinematics<f64>,
-    i: usize,
-    k: usize,
-    at: &Vector3<f64>,
-) -> (Vector3<f64>, f64) {
-    let frame = &kinematics.frames[i];
-    let column = kinematics.column(system, i, k);
-    let (omega, slide) = (frame.vector(&column.angular), frame.vector(&column.linear));
-    let arm = at - frame.translation;
-    (slide + omega.cross(&arm), slide.norm() + omega.norm() * arm.norm())
 }

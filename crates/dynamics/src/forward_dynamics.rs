@@ -1,7 +1,8 @@
 //! Accelerations under forces, by the articulated-body algorithm in body coordinates. Forms no matrix.
 
-use crate::strike::LEAST_PIVOT;
-use crate::{Pose, RouteError, System};
+use crate::model::Model;
+use crate::outcome::RouteError;
+use crate::pose::Pose;
 use nalgebra::Vector3;
 use percuss_mechanism::LinkId;
 use percuss_spatial::{ArticulatedInertia, Twist, Wrench};
@@ -37,7 +38,23 @@ struct Step {
     t: f64,
 }
 
-impl System {
+/// Pivots count as zero below this part of their terms: what should vanish keeps the rounding of all that was subtracted
+/// before, up to 1e-12 where joints nearly line up.
+const LEAST_PIVOT: f64 = 1e-10;
+
+fn refuse_bound(model: &Model) -> Result<(), RouteError> {
+    if model.groups.iter().any(|g| g.is_held) {
+        Err(RouteError::Bound { what: "held contacts" })
+    } else if !model.groups.is_empty() {
+        Err(RouteError::Bound { what: "loops" })
+    } else if model.has_active_mimics {
+        Err(RouteError::Bound { what: "mimics" })
+    } else {
+        Ok(())
+    }
+}
+
+impl Pose {
     /// Accelerations at a pose with joint velocities (joint order), the root link at rest in the world if it is fixed
     /// and starting from the twist `base` if it floats, under gravity (m/s², root link's axes) and point forces.
     ///
@@ -48,26 +65,26 @@ impl System {
     /// [`RouteError`]: mimics; a joint that moves no mass.
     pub fn accelerations(
         &self,
-        pose: &Pose,
         velocities: &[Vec<f64>],
         base: &Twist<f64>,
         gravity: &Vector3<f64>,
         forces: &[PointForce],
     ) -> Result<Accelerations, RouteError> {
-        self.articulated_support()?;
-        let kinematics = &pose.kinematics;
-        let n = self.bodies.len();
+        let model = self.assembly.model();
+        refuse_bound(model)?;
+        let kinematics = &self.kinematics;
+        let n = model.bodies.len();
         let mut motions = vec![Twist::zero(); n];
         let mut biases = vec![Twist::zero(); n];
         let mut inertias = Vec::with_capacity(n);
         let mut wrenches = Vec::with_capacity(n);
-        for (i, body) in self.bodies.iter().enumerate() {
+        for (i, body) in model.bodies.iter().enumerate() {
             let carried =
                 body.parent.map_or_else(Twist::zero, |p| kinematics.steps[i].inverse_twist(&motions[p]));
             let own = match body.joint {
                 None => *base,
                 Some(id) => body.v.clone().enumerate().fold(Twist::zero(), |sum, (k, _)| {
-                    sum + kinematics.column(self, i, k) * velocities[id.index()][k]
+                    sum + kinematics.column(model, i, k) * velocities[id.index()][k]
                 }),
             };
             motions[i] = carried + own;
@@ -79,33 +96,33 @@ impl System {
             wrenches.push(motions[i].cross_force(&body.inertia.momentum(&motions[i])));
         }
         for force in forces {
-            let seat = &self.seats[force.link.index()];
-            if let Some(b) = seat.body {
+            let on = &model.link_frames[force.link.index()];
+            if let Some(b) = on.body {
                 let in_body = kinematics.frames[b].inverse_vector(&force.force);
-                wrenches[b] -= Wrench::of_force(in_body, &seat.frame.point(&force.point));
+                wrenches[b] -= Wrench::of_force(in_body, &on.frame.point(&force.point));
             }
         }
-        let steps = self.tips_to_root(pose, &biases, &mut inertias, &mut wrenches)?;
-        Ok(self.root_to_tips(pose, &steps, motions, &biases, gravity))
+        let steps = self.tips_to_root(&biases, &mut inertias, &mut wrenches)?;
+        Ok(self.root_to_tips(&steps, motions, &biases, gravity))
     }
 
     fn tips_to_root(
         &self,
-        pose: &Pose,
         biases: &[Twist<f64>],
         inertias: &mut [ArticulatedInertia<f64>],
         wrenches: &mut [Wrench<f64>],
     ) -> Result<Vec<Step>, RouteError> {
+        let model = self.assembly.model();
         let mut steps =
-            vec![Step { s: Twist::zero(), u: Wrench::zero(), d: 0.0, t: 0.0 }; self.follows.len()];
+            vec![Step { s: Twist::zero(), u: Wrench::zero(), d: 0.0, t: 0.0 }; model.follows.len()];
         // Rigid inertia carried, about each body's origin: trace of the rotational part (or more), mass.
         let mut sizes: Vec<(f64, f64)> =
-            self.bodies.iter().map(|b| (b.inertia.rotational.trace().abs(), b.inertia.mass)).collect();
-        for (i, body) in self.bodies.iter().enumerate().rev() {
+            model.bodies.iter().map(|b| (b.inertia.rotational.trace().abs(), b.inertia.mass)).collect();
+        for (i, body) in model.bodies.iter().enumerate().rev() {
             // The bias acceleration c acts on the child's side of all the joint's velocities.
             wrenches[i] += inertias[i].apply(&biases[i]);
             for (k, v) in body.v.clone().enumerate() {
-                let s = pose.kinematics.column(self, i, k);
+                let s = self.kinematics.column(model, i, k);
                 let u = inertias[i].apply(&s);
                 let d = u.power(&s) + body.armature[k];
                 let (turn, mass) = sizes[i];
@@ -121,7 +138,7 @@ impl System {
                 steps[v] = Step { s, u, d, t };
             }
             if let Some(parent) = body.parent {
-                let step = &pose.kinematics.steps[i];
+                let step = &self.kinematics.steps[i];
                 let carried = transformed(step, &inertias[i]);
                 inertias[parent] += &carried;
                 let wrench = step.wrench(&wrenches[i]);
@@ -138,19 +155,19 @@ impl System {
 
     fn root_to_tips(
         &self,
-        pose: &Pose,
         steps: &[Step],
         motions: Vec<Twist<f64>>,
         biases: &[Twist<f64>],
         gravity: &Vector3<f64>,
     ) -> Accelerations {
+        let model = self.assembly.model();
         let mut joints: Vec<Vec<f64>> =
-            self.mechanism.joints().iter().map(|j| vec![0.0; j.kind().dofs()]).collect();
+            model.mechanism.joints().iter().map(|j| vec![0.0; j.kind().dofs()]).collect();
         let ground = Twist::new(Vector3::zeros(), -gravity);
-        let mut accelerations = vec![Twist::zero(); self.bodies.len()];
-        for (i, body) in self.bodies.iter().enumerate() {
+        let mut accelerations = vec![Twist::zero(); model.bodies.len()];
+        for (i, body) in model.bodies.iter().enumerate() {
             let from = body.parent.map_or(ground, |p| accelerations[p]);
-            let mut a = pose.kinematics.steps[i].inverse_twist(&from);
+            let mut a = self.kinematics.steps[i].inverse_twist(&from);
             for (k, v) in body.v.clone().enumerate().rev() {
                 let step = &steps[v];
                 let rate = (step.t - step.u.power(&a)) / step.d;
@@ -162,7 +179,7 @@ impl System {
             accelerations[i] = a + biases[i];
         }
         for (i, a) in accelerations.iter_mut().enumerate() {
-            a.linear += pose.kinematics.frames[i].inverse_vector(gravity);
+            a.linear += self.kinematics.frames[i].inverse_vector(gravity);
         }
         Accelerations { motions: motions.into_iter().zip(accelerations).collect(), joints }
     }
@@ -170,17 +187,16 @@ impl System {
     /// Acceleration (m/s², root link's axes) of a point (m, link's frame) of a link.
     pub fn point_acceleration(
         &self,
-        pose: &Pose,
         accelerations: &Accelerations,
         link: LinkId,
         point: &Vector3<f64>,
     ) -> Vector3<f64> {
-        let seat = &self.seats[link.index()];
-        let Some(b) = seat.body else { return Vector3::zeros() };
-        let r = seat.frame.point(point);
+        let on = &self.assembly.model().link_frames[link.index()];
+        let Some(b) = on.body else { return Vector3::zeros() };
+        let r = on.frame.point(point);
         let (v, a) = &accelerations.motions[b];
         let local = a.velocity_at(&r) + v.angular.cross(&v.velocity_at(&r));
-        pose.kinematics.frames[b].vector(&local)
+        self.kinematics.frames[b].vector(&local)
     }
 }
 

@@ -1,4 +1,4 @@
-//! How each kind of joint moves: the only place in this crate that tells them apart.
+//! How each kind of joint moves: the only place in this crate that distinguishes them.
 
 use nalgebra::Vector3;
 use percuss_mechanism::{Joint, JointKind};

@@ -1,6 +1,7 @@
 //! Forward kinematics: the frame of every body, seen from the root link.
 
-use crate::System;
+use crate::model::{LinkFrame, Model};
+use crate::tangent;
 use percuss_mechanism::LinkId;
 use percuss_spatial::{Scalar, Transform, Twist};
 
@@ -15,44 +16,49 @@ pub(crate) struct Kinematics<T: Scalar> {
     pub steps: Vec<Transform<T>>,
 }
 
+impl Kinematics<f64> {
+    /// Every joint at zero, quaternions at identity.
+    pub fn zero(model: &Model) -> Self {
+        let mut kinematics = Self::new(model);
+        for (joint, range) in model.mechanism.joints().iter().zip(&model.joint_q) {
+            tangent::zero_position(joint.kind(), &mut kinematics.q[range.clone()]);
+        }
+        kinematics.refill(model);
+        kinematics
+    }
+}
+
 impl<T: Scalar> Kinematics<T> {
-    pub fn new(system: &System) -> Self {
-        let bodies = system.bodies.len();
+    pub fn new(model: &Model) -> Self {
+        let bodies = model.bodies.len();
         Self {
-            q: vec![T::zero(); system.positions],
+            q: vec![T::zero(); model.positions],
             frames: vec![Transform::identity(); bodies],
             steps: vec![Transform::identity(); bodies],
         }
     }
 
     /// Frames at the positions already in `q`; a mimic's position is written over by what it follows.
-    pub fn refill(&mut self, system: &System) {
-        for (joint, range) in system.mechanism.joints().iter().zip(&system.joint_q) {
-            if let Some(mimic) = joint.mimic() {
-                let master = self.q[system.joint_q[mimic.master.index()].start];
-                self.q[range.start] = T::from_f64(mimic.multiplier) * master + T::from_f64(mimic.offset);
-            }
-        }
-        for i in 0..system.bodies.len() {
-            self.place(system, i);
+    pub fn refill(&mut self, model: &Model) {
+        for i in 0..model.bodies.len() {
+            self.place(model, i);
         }
     }
 
-    /// As [`refill`](Self::refill), but of these bodies alone (parents first, each with all those above it).
-    pub fn refill_bodies(&mut self, system: &System, bodies: &[usize]) {
+    /// As [`refill`](Self::refill), but of these bodies alone (parents first); those above them stay where they are.
+    pub fn refill_bodies(&mut self, model: &Model, bodies: &[usize]) {
         for &i in bodies {
-            let body = &system.bodies[i];
-            if let Some(mimic) = body.joint.and_then(|id| system.mechanism.joint(id).mimic()) {
-                let master = self.q[system.joint_q[mimic.master.index()].start];
-                self.q[body.q.start] = T::from_f64(mimic.multiplier) * master + T::from_f64(mimic.offset);
-            }
-            self.place(system, i);
+            self.place(model, i);
         }
     }
 
     #[inline]
-    fn place(&mut self, system: &System, i: usize) {
-        let body = &system.bodies[i];
+    fn place(&mut self, model: &Model, i: usize) {
+        let body = &model.bodies[i];
+        if let Some(mimic) = body.mimic {
+            self.q[body.q.start] =
+                T::from_f64(mimic.multiplier) * self.q[mimic.master] + T::from_f64(mimic.offset);
+        }
         if body.joint.is_some() {
             self.steps[i] = body.origin.cast() * body.motion.transform(&self.q[body.q.clone()]);
         }
@@ -64,17 +70,29 @@ impl<T: Scalar> Kinematics<T> {
 
     /// Motion column `k` of body `i`, in the body's axes at its origin.
     #[inline]
-    pub fn column(&self, system: &System, i: usize, k: usize) -> Twist<T> {
-        let body = &system.bodies[i];
+    pub fn column(&self, model: &Model, i: usize, k: usize) -> Twist<T> {
+        let body = &model.bodies[i];
         body.motion.column(k, &self.q[body.q.clone()])
     }
 
-    /// X_rl: a link in the root link's frame.
-    pub fn link_frame(&self, system: &System, link: LinkId) -> Transform<T> {
-        let seat = &system.seats[link.index()];
-        match seat.body {
-            Some(body) => self.frames[body] * seat.frame.cast(),
-            None => seat.frame.cast(),
+    /// Motion column `k` of body `i` in root axes, taken at `point` (root frame).
+    #[inline]
+    pub fn column_at(&self, model: &Model, i: usize, k: usize, point: &nalgebra::Vector3<T>) -> Twist<T> {
+        let frame = &self.frames[i];
+        Transform::new(frame.rotation, frame.translation - point).twist(&self.column(model, i, k))
+    }
+
+    /// X_rf: a frame on a body, or on the ground.
+    #[inline]
+    pub fn frame_of(&self, on: &LinkFrame) -> Transform<T> {
+        match on.body {
+            Some(body) => self.frames[body] * on.frame.cast(),
+            None => on.frame.cast(),
         }
+    }
+
+    /// X_rl: a link in the root link's frame.
+    pub fn link_frame(&self, model: &Model, link: LinkId) -> Transform<T> {
+        self.frame_of(&model.link_frames[link.index()])
     }
 }

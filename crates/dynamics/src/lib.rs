@@ -1,44 +1,61 @@
-//! What a mechanism does when it is struck.
+//! How heavy a mechanism is at a contact.
 //!
-//! [`Conditions`] (base, locks, armatures) compiled with a [`Mechanism`](percuss_mechanism::Mechanism) give a
-//! [`System`]; a [`System`] at a [`Configuration`] gives a [`Pose`]; a pose and a [`Contact`] give a [`Strike`]:
-//! the effective mass, the velocity field of the blow, and who carries the mass.
+//! [`Conditions`] (base, locks, held contacts, armatures) compiled with a [`Mechanism`](percuss_mechanism::Mechanism)
+//! give a [`System`]; its loops put together give an [`Assembly`]; at a [`Configuration`] that gives a [`Pose`]; a pose
+//! and a [`Contact`] give a [`ContactResponse`]: the effective mass, the motion of the mechanism at unit closing speed, and
+//! the contribution of each link. Each is a value: the same call gives the same answer whatever was asked before.
 //!
 //! All poses are taken in the frame of the root link, also where the base floats: nothing is lost when the whole
 //! mechanism stands ten kilometres from the world's origin. This crate knows no files and no contact laws.
 
-mod articulated;
+mod advance;
+mod assembling;
+mod assembly;
+mod careful;
+mod closing;
+mod closing_speed;
 mod conditions;
 mod configuration;
 mod contact;
+mod displacement;
+mod error_budget;
 mod forward_dynamics;
 mod joint_motion;
 mod kinematics;
-mod least_energy;
-mod loops;
-mod mass_matrix;
-mod motion;
+mod limits;
+mod linear;
+mod mobility;
+mod model;
 mod operational_inertia;
+mod outcome;
+mod point_velocity;
 mod pose;
-mod push;
+mod posing;
+mod recursion;
+mod response;
 mod rigid_body;
-mod strike;
-mod support;
+mod rows;
+mod singular;
 mod system;
 mod tangent;
+mod tolerances;
+mod union;
 mod workspace;
 
+pub use advance::VelocityError;
+pub use assembling::{AssemblyError, LoopState};
+pub use assembly::{Assembly, DrawnGap};
 pub use conditions::{Base, Conditions, ConditionsError};
 pub use configuration::{Configuration, ConfigurationError};
 pub use contact::{Contact, ContactError, Direction, Frame, LocatedContact};
+pub use error_budget::ErrorBudget;
 pub use forward_dynamics::{Accelerations, PointForce};
-pub use loops::assembly::AssemblyError;
-pub use loops::freedom::{PoseRank, Singularity};
-pub use loops::limits::BranchLimits;
-pub use loops::posing::LoopState;
-pub use motion::PointVelocity;
+pub use limits::BranchLimits;
+pub use mobility::Singularity;
 pub use operational_inertia::InverseOperationalInertia;
-pub use pose::Pose;
-pub use strike::{EffectiveMass, Remark, Route, RouteChoice, RouteError, Shares, Strike, StrikeError};
+pub use outcome::{EffectiveMass, Remark, ResponseError, Route, RouteChoice, RouteError};
+pub use point_velocity::PointVelocity;
+pub use pose::{Pose, PoseRank};
+pub use response::{ContactResponse, Contributions};
 pub use system::System;
-pub use workspace::Workspace;
+pub use workspace::{ScalarWorkspace, Workspace};

@@ -1,12 +1,13 @@
 //! Φ, the seam: what a pair of links answers to any wrench at a point.
 
-use crate::articulated::Articulated;
 use crate::contact::LocatedContact;
-use crate::{Pose, RouteError, System};
+use crate::outcome::RouteError;
+use crate::pose::Pose;
+use crate::recursion::{Deciding, Recursion};
 use nalgebra::{SMatrix, SVector, Vector3};
 use percuss_spatial::Wrench;
 
-/// Φ = J M⁻¹ Jᵀ of one link, or of a pair, at a point: 12×12, the struck link's six components first (moment, then
+/// Φ = J M_c⁻¹ Jᵀ (M_c⁻¹ the inverse under the constraints) of one link, or of a pair, at a point: 12×12, the struck link's six components first (moment, then
 /// force), then the other link's; in the root link's axes with the origin at the point.
 ///
 /// Every contact at the point is algebra on it: 1/m̄ = wᵀΦw with w = (0, n̂, 0, −n̂).
@@ -31,30 +32,36 @@ impl InverseOperationalInertia {
     }
 }
 
-impl System {
-    /// Φ of the two sides of a contact at its point, by route B with six unit wrenches a side. O(n).
+impl Pose {
+    /// Φ of the two sides of a contact at its point, by the recursion with six unit wrenches a side: loops, mimics and held
+    /// contacts included. O(n).
     ///
     /// # Errors
-    /// [`RouteError`]: mimics, or a mass matrix that is singular to rounding.
+    /// [`RouteError`]: a motion without mass that answers a wrench there; a motion of negative mass.
     pub fn inverse_operational_inertia(
         &self,
-        pose: &Pose,
         contact: &LocatedContact,
     ) -> Result<InverseOperationalInertia, RouteError> {
-        self.articulated_support()?;
-        let mut recursion = Articulated::<f64, 12>::new(self);
+        let model = self.assembly.model();
+        let mut recursion = Recursion::<f64, 12>::new(model);
+        let mut deciding = Deciding::<12>::new(model);
         let sides = [Some(contact.link), contact.against];
         for (side, link) in sides.into_iter().enumerate() {
-            let body = link.and_then(|l| self.seats[l.index()].body);
+            let body = link.and_then(|link| model.body_of(link));
             for axis in 0..3 {
                 let mut unit = Vector3::zeros();
                 unit[axis] = 1.0;
-                recursion.push(body, 6 * side + axis, Wrench::new(unit, Vector3::zeros()));
-                recursion.push(body, 6 * side + 3 + axis, Wrench::new(Vector3::zeros(), unit));
+                recursion.add_wrench(body, 6 * side + axis, Wrench::new(unit, Vector3::zeros()));
+                recursion.add_wrench(body, 6 * side + 3 + axis, Wrench::new(Vector3::zeros(), unit));
             }
         }
-        recursion.eliminate(self, &pose.kinematics, &contact.point_root);
-        self.trusted(&recursion.trust())?;
+        recursion.eliminate(model, &self.kinematics, &self.groups, &contact.point_root, &mut deciding);
+        if deciding.indefinite {
+            return Err(RouteError::Indefinite);
+        }
+        if deciding.massless.contains(&true) {
+            return Err(RouteError::MasslessMotion);
+        }
         let matrix = SMatrix::from_fn(|a, b| recursion.response(a, b));
         Ok(InverseOperationalInertia { matrix })
     }

@@ -1,52 +1,20 @@
-//! From velocities to rates of the positions, and a step along them.
+//! From velocities to rates of the positions, and a step along them; joint by joint.
 
-use crate::kinematics::Kinematics;
-use crate::{Pose, System};
 use nalgebra::Vector3;
 use percuss_mechanism::JointKind;
-use percuss_spatial::{Scalar, Transform, Twist, quaternion_product, rotation_from_quaternion};
+use percuss_spatial::{Scalar, quaternion_product, rotation_from_quaternion};
 
-impl System {
-    /// q̇ of all joints at the velocities `v`, one list a joint; both in joint order (layouts of [`JointKind`]).
-    ///
-    /// # Panics
-    /// Where the numbers of positions or velocities are not those of the mechanism.
-    pub fn position_rates<T: Scalar>(&self, positions: &[T], velocities: &[Vec<T>]) -> Vec<T> {
-        let mut rates = vec![T::zero(); self.positions];
-        for ((joint, range), v) in self.mechanism.joints().iter().zip(&self.joint_q).zip(velocities) {
-            position_rates(joint.kind(), &positions[range.clone()], v, &mut rates[range.clone()]);
-        }
-        rates
-    }
-
-    /// The pose a short time `h` (s) later at joint velocities `velocities` and base twist `base` (root link's axes,
-    /// at its origin), to second order in `h`. Quaternions stay normalised. Loops are not closed again: the pose's
-    /// residual says how far they have come apart.
-    ///
-    /// # Panics
-    /// Where the number of velocities is not that of the mechanism.
-    pub fn advanced(&self, pose: &Pose, velocities: &[Vec<f64>], base: &Twist<f64>, h: f64) -> Pose {
-        let mut kinematics = Kinematics::new(self);
-        for ((joint, range), v) in self.mechanism.joints().iter().zip(&self.joint_q).zip(velocities) {
-            let next = advanced(joint.kind(), pose.joint_of(range), v, h);
-            kinematics.q[range.clone()].copy_from_slice(&next);
-        }
-        kinematics.refill(self);
-        let (w, v) = (base.angular, base.linear);
-        let zero = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
-        let q = advanced(JointKind::Floating, &zero, &[w.x, w.y, w.z, v.x, v.y, v.z], h);
-        let step = Transform::new(
-            rotation_from_quaternion([q[3], q[4], q[5], q[6]]),
-            Vector3::new(q[0], q[1], q[2]),
-        );
-        let mut loops = pose.loops.clone();
-        if let Some(state) = &mut loops {
-            // Not closed again: what that leaves is said.
-            let poser = self.unlocked.as_deref().unwrap_or(self);
-            let residual = |group| poser.group_residual(&kinematics, group).0;
-            state.residual = poser.groups.iter().map(residual).fold(0.0, f64::max);
-        }
-        Pose { kinematics, joint_q: self.joint_q.clone(), base: pose.base * step, loops }
+/// Writes the zero position: quaternions at identity.
+pub(crate) fn zero_position(kind: JointKind, q: &mut [f64]) {
+    q.fill(0.0);
+    match kind {
+        JointKind::Spherical => q[0] = 1.0,
+        JointKind::Floating => q[3] = 1.0,
+        JointKind::Fixed
+        | JointKind::Revolute
+        | JointKind::Continuous
+        | JointKind::Prismatic
+        | JointKind::Planar => {}
     }
 }
 

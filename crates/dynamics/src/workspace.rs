@@ -1,60 +1,198 @@
 //! The hot path: many configurations, nothing allocated after the first.
 
-use crate::articulated::Articulated;
-use crate::contact::{self, row_over_tree_into};
+use crate::assembly::Assembly;
+use crate::closing_speed::{ClosingRoom, relative_closing_speed};
+use crate::contact::{Contact, ContactPoint, ContactRow};
 use crate::kinematics::Kinematics;
-use crate::strike::{StrikeError, relative_approach};
-use crate::{Contact, EffectiveMass, System};
-use percuss_spatial::Transform;
+use crate::mobility::{GroupMobility, MobilityRoom};
+use crate::outcome::{EffectiveMass, ResponseError, RouteError};
+use crate::pose::Pose;
+use crate::recursion::{Deciding, Decisions, Following, Recursion};
+use crate::system::System;
+use crate::tolerances::IMMOVABLE;
+use nalgebra::Vector3;
+use percuss_mechanism::LinkId;
+use percuss_spatial::{Scalar, SpatialInertia, Transform, Wrench};
+use std::sync::Arc;
 
-/// Room to pose a system again and again and to ask for m̄ by route B. Belongs to the system it was made for.
-#[derive(Clone, Debug)]
-pub struct Workspace<'a> {
-    system: &'a System,
+/// Room to pose a system again and again and to ask for m̄ by the recursion: trees, mimics, loops and held contacts.
+#[derive(Debug)]
+pub struct Workspace {
+    assembly: Arc<Assembly>,
     kinematics: Kinematics<f64>,
-    recursion: Articulated<f64, 1>,
-    row: Vec<f64>,
-    row_size: Vec<f64>,
+    groups: Vec<GroupMobility>,
+    room: MobilityRoom,
+    recursion: Recursion<f64, 1>,
+    deciding: Deciding<1>,
+    row: ContactRow,
+    closing: ClosingRoom,
 }
 
 impl System {
-    /// Room for many poses of this system.
-    pub fn workspace(&self) -> Workspace<'_> {
-        Workspace {
-            system: self,
-            kinematics: Kinematics::new(self),
-            recursion: Articulated::new(self),
-            row: vec![0.0; self.follows.len()],
-            row_size: vec![0.0; self.follows.len()],
-        }
+    /// Room for many poses of this system, in the assembly found from all joints at 0 (as drawn, where that does not
+    /// close).
+    pub fn workspace(&self) -> Workspace {
+        self.reference_or_open().workspace()
     }
 }
 
-impl Workspace<'_> {
+impl Assembly {
+    /// Room for many poses of this assembly.
+    pub fn workspace(self: &Arc<Self>) -> Workspace {
+        let model = self.model();
+        let mut workspace = Workspace {
+            assembly: Arc::clone(self),
+            kinematics: Kinematics::zero(model),
+            groups: vec![GroupMobility::default(); model.groups.len()],
+            room: MobilityRoom::default(),
+            recursion: Recursion::new(model),
+            deciding: Deciding::new(model),
+            row: ContactRow::default(),
+            closing: ClosingRoom::default(),
+        };
+        workspace.refill();
+        workspace
+    }
+}
+
+impl Workspace {
     /// Moves to other positions: those of all joints one after another, in joint order (layouts of
-    /// [`JointKind`](percuss_mechanism::JointKind)); unit quaternions; entries of mimics are not read.
+    /// [`JointKind`](percuss_mechanism::JointKind)); unit quaternions; entries of mimics are not read. Loops are taken as
+    /// closed there: positions of a [`Pose`] of the same assembly are.
     ///
     /// # Panics
     /// Where the number of positions is not that of the mechanism.
-    pub fn repose(&mut self, positions: &[f64]) {
+    pub fn set_positions(&mut self, positions: &[f64]) {
         self.kinematics.q.copy_from_slice(positions);
-        self.kinematics.refill(self.system);
+        self.refill();
     }
 
-    /// m̄ of a contact at the positions last given, by route B; points and normals in the world are taken with the
-    /// root link at the world's origin.
+    fn refill(&mut self) {
+        let model = self.assembly.model();
+        self.kinematics.refill(model);
+        for (number, group) in model.groups.iter().enumerate() {
+            let (floor, expected) = (self.assembly.floor(number), self.assembly.expected_rank(number));
+            let decided = &mut self.groups[number];
+            model.decide_mobility(&mut self.room, &self.kinematics, group, floor, Some(expected), decided);
+        }
+    }
+
+    /// m̄ of a contact at the positions last given, by the recursion; points and normals in the world are taken with the
+    /// root link at the world's origin. States no error: [`Pose::respond`] does.
     ///
     /// # Errors
-    /// [`StrikeError`]: a contact that means nothing, mimics, a joint that moves no mass.
-    pub fn effective_mass(&mut self, contact: &Contact) -> Result<EffectiveMass, StrikeError> {
-        let system = self.system;
-        system.articulated_support()?;
-        let located = contact::locate(system, &self.kinematics, &Transform::identity(), contact)?;
-        row_over_tree_into(system, &self.kinematics, &located, &mut self.row, &mut self.row_size);
-        self.recursion.load(system, &located);
-        self.recursion.eliminate(system, &self.kinematics, &located.point_root);
-        system.trusted(&self.recursion.trust())?;
-        let approach = relative_approach(system, &self.row, &self.row_size);
-        Ok(self.recursion.effective_mass(approach))
+    /// [`ResponseError`]: a contact that means nothing; a motion of negative mass.
+    pub fn effective_mass(&mut self, contact: &Contact) -> Result<EffectiveMass, ResponseError> {
+        let model = self.assembly.model();
+        let located = model.locate(&self.kinematics, &Transform::identity(), contact)?;
+        self.recursion.clear();
+        let unit = Wrench::new(Vector3::zeros(), located.normal_root);
+        self.recursion.add_wrench(model.body_of(located.link), 0, unit);
+        self.recursion.add_wrench(located.against.and_then(|link| model.body_of(link)), 0, -unit);
+        self.deciding.restart();
+        self.recursion.eliminate(
+            model,
+            &self.kinematics,
+            &self.groups,
+            &located.point_root,
+            &mut self.deciding,
+        );
+        if self.deciding.indefinite {
+            return Err(RouteError::Indefinite.into());
+        }
+        model.contact_row_into(&self.kinematics, &located, &mut self.row);
+        let closing_speed = relative_closing_speed(
+            &mut self.closing,
+            model,
+            &self.kinematics,
+            &self.groups,
+            &self.recursion,
+            &self.row,
+        );
+        let response = self.recursion.response(0, 0);
+        Ok(if closing_speed <= IMMOVABLE {
+            EffectiveMass::Immovable
+        } else if self.deciding.massless[0] || response.is_nan() || response <= 0.0 {
+            EffectiveMass::Massless
+        } else {
+            EffectiveMass::Finite(1.0 / response)
+        })
+    }
+}
+
+/// The whole answer over another scalar: dual numbers for derivatives, lanes for several configurations. Branches on no
+/// value: it follows what a pose decided (which coordinates depend, which motions have no mass).
+#[derive(Debug)]
+pub struct ScalarWorkspace<T: Scalar> {
+    assembly: Arc<Assembly>,
+    groups: Vec<GroupMobility>,
+    decisions: Decisions,
+    base: Transform<f64>,
+    contact: Contact,
+    kinematics: Kinematics<T>,
+    recursion: Recursion<T, 1>,
+}
+
+impl Pose {
+    /// Room to ask for m̄ of a contact over another scalar, with the decisions of this pose.
+    ///
+    /// # Errors
+    /// [`ResponseError`]: a contact that means nothing.
+    pub fn workspace_over<T: Scalar>(&self, contact: &Contact) -> Result<ScalarWorkspace<T>, ResponseError> {
+        let located = self.locate(contact)?;
+        let model = self.assembly.model();
+        let mut kinematics = Kinematics::new(model);
+        for (to, from) in kinematics.q.iter_mut().zip(self.positions()) {
+            *to = T::from_f64(*from);
+        }
+        kinematics.refill(model);
+        Ok(ScalarWorkspace {
+            assembly: Arc::clone(&self.assembly),
+            groups: self.groups.clone(),
+            decisions: self.decisions(&located, contact),
+            base: self.base,
+            contact: *contact,
+            kinematics,
+            recursion: Recursion::new(model),
+        })
+    }
+}
+
+impl<T: Scalar> ScalarWorkspace<T> {
+    /// Moves to other positions (layout of [`Workspace::set_positions`]).
+    ///
+    /// # Panics
+    /// Where the number of positions is not that of the mechanism.
+    pub fn set_positions(&mut self, positions: &[T]) {
+        self.kinematics.q.copy_from_slice(positions);
+        self.kinematics.refill(self.assembly.model());
+    }
+
+    /// Adds to the inertia of a link (about its own origin, in its axes): a derivative by a mass is asked that way. A link
+    /// of the ground carries none.
+    pub fn add_inertia(&mut self, link: LinkId, change: &SpatialInertia<T>) {
+        let on = &self.assembly.model().link_frames[link.index()];
+        if let Some(body) = on.body {
+            self.recursion.bodies[body] += on.frame.cast().inertia(change);
+        }
+    }
+
+    /// 1/m̄ at the positions last given, 1/kg.
+    pub fn inverse_effective_mass(&mut self) -> T {
+        let model = self.assembly.model();
+        let ContactPoint { point, normal } = model.contact_point(&self.kinematics, &self.base, &self.contact);
+        self.recursion.clear();
+        let unit = Wrench::new(Vector3::zeros(), normal);
+        self.recursion.add_wrench(model.body_of(self.contact.link), 0, unit);
+        let against = self.contact.against.and_then(|link| model.body_of(link));
+        self.recursion.add_wrench(against, 0, -unit);
+        let mut following = Following(&self.decisions);
+        self.recursion.eliminate(model, &self.kinematics, &self.groups, &point, &mut following);
+        self.recursion.response(0, 0)
+    }
+
+    /// M over the coordinates, n×n, at the positions last given.
+    pub fn mass_matrix(&self) -> nalgebra::DMatrix<T> {
+        self.assembly.model().mass_matrix(&self.kinematics)
     }
 }

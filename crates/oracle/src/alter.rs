@@ -4,7 +4,7 @@ use percuss_mechanism::{
     Accept, ClosureDescription, CouplingDescription, Geometry, Joint, JointDescription, JointId, JointKind,
     Limits, Link, LinkDescription, LinkId, LoopFrame, Mechanism, MechanismBuilder, Mimic, MimicDescription,
 };
-use percuss_spatial::Transform;
+use percuss_spatial::{Transform, Vector3, rotation_from_rpy, rpy_from_rotation};
 
 /// The descriptions a mechanism could have been built from, in its order of links and joints.
 pub fn describe(mechanism: &Mechanism) -> (Vec<LinkDescription>, Vec<JointDescription>) {
@@ -210,6 +210,100 @@ pub fn rebased(mechanism: &Mechanism, x_gr: Transform<f64>) -> Mechanism {
             closure.successor_frame = x_gr * closure.successor_frame;
         }
     }
+    build_with_loops(mechanism.name(), links, joints, closures, couplings)
+}
+
+/// The mechanism as a file with so many decimals gives it: every component of every origin, every roll, pitch and yaw
+/// and every axis printed with that many decimals and read back. Masses, centres of mass and inertias stay.
+///
+/// # Panics
+/// Where an axis is rounded away.
+pub fn written(mechanism: &Mechanism, decimals: usize) -> Mechanism {
+    let (links, mut joints) = describe(mechanism);
+    for joint in &mut joints {
+        joint.origin = written_frame(&joint.origin, decimals);
+        joint.axis = written_vector(&joint.axis, decimals);
+    }
+    let (mut closures, couplings) = describe_loops(mechanism);
+    for closure in &mut closures {
+        closure.predecessor_frame = written_frame(&closure.predecessor_frame, decimals);
+        closure.successor_frame = written_frame(&closure.successor_frame, decimals);
+        closure.axis = written_vector(&closure.axis, decimals);
+        closure.axis2 = written_vector(&closure.axis2, decimals);
+    }
+    build_with_loops(mechanism.name(), links, joints, closures, couplings)
+}
+
+fn written_frame(frame: &Transform<f64>, decimals: usize) -> Transform<f64> {
+    let rpy = rpy_from_rotation(&frame.rotation).map(|angle| written_number(angle, decimals));
+    Transform::new(rotation_from_rpy(rpy), written_vector(&frame.translation, decimals))
+}
+
+fn written_vector(vector: &Vector3<f64>, decimals: usize) -> Vector3<f64> {
+    vector.map(|x| written_number(x, decimals))
+}
+
+fn written_number(x: f64, decimals: usize) -> f64 {
+    format!("{x:.decimals$}").parse().expect("a number that was printed")
+}
+
+/// Mechanisms beside one another on the same ground, in this order: links, joints and closures of each with its prefix.
+///
+/// # Panics
+/// Where a root has mass: it would be the ground's.
+pub fn beside(parts: &[(&str, &Mechanism)]) -> Mechanism {
+    const GROUND: &str = "ground";
+    let mut links = vec![LinkDescription::massless(GROUND)];
+    let (mut joints, mut closures, mut couplings) = (Vec::new(), Vec::new(), Vec::new());
+    for (prefix, mechanism) in parts {
+        assert!(mechanism.link(mechanism.root()).inertia().mass == 0.0, "{prefix}: a heavy root");
+        let root = mechanism.link(mechanism.root()).name().to_owned();
+        let name = |own: &str| if own == root { GROUND.to_owned() } else { format!("{prefix}{own}") };
+        let (own_links, own_joints) = describe(mechanism);
+        let (own_closures, own_couplings) = describe_loops(mechanism);
+        links.extend(
+            own_links
+                .into_iter()
+                .filter(|l| l.name != root)
+                .map(|l| LinkDescription { name: name(&l.name), ..l }),
+        );
+        joints.extend(own_joints.into_iter().map(|joint| JointDescription {
+            name: format!("{prefix}{}", joint.name),
+            parent: name(&joint.parent),
+            child: name(&joint.child),
+            mimic:
+                joint.mimic.clone().map(|m| MimicDescription { joint: format!("{prefix}{}", m.joint), ..m }),
+            ..joint
+        }));
+        closures.extend(own_closures.into_iter().map(|closure| ClosureDescription {
+            name: format!("{prefix}{}", closure.name),
+            predecessor: name(&closure.predecessor),
+            successor: name(&closure.successor),
+            ..closure
+        }));
+        couplings.extend(own_couplings.into_iter().map(|coupling| CouplingDescription {
+            name: format!("{prefix}{}", coupling.name),
+            predecessor: name(&coupling.predecessor),
+            successor: name(&coupling.successor),
+            ..coupling
+        }));
+    }
+    build_with_loops("beside", links, joints, closures, couplings)
+}
+
+/// The mechanism with the successor's frame of a closure moved: by `shift` (m) and a turn about `turn` (rad), both in
+/// that frame. Where the closure is redundant, its rows then contradict one another.
+pub fn displaced(
+    mechanism: &Mechanism,
+    closure: usize,
+    shift: Vector3<f64>,
+    turn: Vector3<f64>,
+) -> Mechanism {
+    let (links, joints) = describe(mechanism);
+    let (mut closures, couplings) = describe_loops(mechanism);
+    let by = Transform::new(nalgebra::Rotation3::new(turn).into_inner(), shift);
+    let frame = &mut closures[closure].successor_frame;
+    *frame = *frame * by;
     build_with_loops(mechanism.name(), links, joints, closures, couplings)
 }
 

@@ -151,7 +151,7 @@ fn kind<R: Rng + ?Sized>(rng: &mut R) -> JointKind {
 
 /// A body of 0.03 to 30 kg whose principal moments come from radii of gyration about three axes, so that no moment
 /// exceeds the sum of the others.
-fn body<R: Rng + ?Sized>(rng: &mut R, index: usize) -> LinkDescription {
+pub(crate) fn body<R: Rng + ?Sized>(rng: &mut R, index: usize) -> LinkDescription {
     let mass = decades(rng, -1.5, 1.5);
     let [a, b, c] = [0; 3].map(|_| mass * rng.random_range(0.03f64..0.3).powi(2));
     let turn = Rotation3::new(direction(rng) * rng.random_range(0.0..PI)).into_inner();
@@ -162,22 +162,22 @@ fn body<R: Rng + ?Sized>(rng: &mut R, index: usize) -> LinkDescription {
 }
 
 /// 10 to the power of a uniform number.
-fn decades<R: Rng + ?Sized>(rng: &mut R, from: f64, to: f64) -> f64 {
+pub(crate) fn decades<R: Rng + ?Sized>(rng: &mut R, from: f64, to: f64) -> f64 {
     10f64.powf(rng.random_range(from..to))
 }
 
-fn frame<R: Rng + ?Sized>(rng: &mut R, reach: f64) -> Transform<f64> {
+pub(crate) fn frame<R: Rng + ?Sized>(rng: &mut R, reach: f64) -> Transform<f64> {
     let turn = Rotation3::new(direction(rng) * rng.random_range(0.0..PI)).into_inner();
     Transform::new(turn, vector(rng, reach))
 }
 
 /// Uniform in a cube.
-fn vector<R: Rng + ?Sized>(rng: &mut R, reach: f64) -> Vector3<f64> {
+pub(crate) fn vector<R: Rng + ?Sized>(rng: &mut R, reach: f64) -> Vector3<f64> {
     Vector3::from_fn(|_, _| rng.random_range(-reach..reach))
 }
 
 /// Uniform on the sphere (Archimedes).
-fn direction<R: Rng + ?Sized>(rng: &mut R) -> Vector3<f64> {
+pub(crate) fn direction<R: Rng + ?Sized>(rng: &mut R) -> Vector3<f64> {
     let z: f64 = rng.random_range(-1.0..1.0);
     let (sin, cos) = rng.random_range(0.0..TAU).sin_cos();
     let radius = (1.0 - z * z).sqrt();

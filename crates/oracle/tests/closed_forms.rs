@@ -11,7 +11,7 @@ use percuss_oracle::{random, zoo};
 
 const TOL: f64 = 1e-13;
 
-fn strike(mechanism: &Mechanism, q: &[f64], on: &str, point: [f64; 3], normal: Vector3<f64>) -> Outcome {
+fn respond(mechanism: &Mechanism, q: &[f64], on: &str, point: [f64; 3], normal: Vector3<f64>) -> Outcome {
     effective_mass(&question(mechanism, q, on, point, normal))
 }
 
@@ -40,7 +40,7 @@ fn point_mass_on_a_massless_rod() {
     let mechanism = zoo::point_mass_pendulum(1.5, 0.8);
     for (r_b, angle) in [(0.8, 0.0), (0.4, 0.7), (2.0, -2.2), (1e-3, 0.3)] {
         let normal = Vector3::new(-f64::sin(angle), f64::cos(angle), 0.0);
-        let got = strike(&mechanism, &[angle], "rod", [r_b, 0.0, 0.0], normal);
+        let got = respond(&mechanism, &[angle], "rod", [r_b, 0.0, 0.0], normal);
         // The closing speed of a point near the hinge is a small difference: |j| / |j Z| digits are lost.
         let tolerance = TOL * (0.8 / r_b).max(1.0);
         assert_mass(got, closed_form::point_mass_pendulum(1.5, 0.8, r_b), tolerance);
@@ -52,7 +52,7 @@ fn physical_pendulum_with_an_oblique_normal() {
     let mechanism = zoo::physical_pendulum(2.3, 0.35, 0.04);
     let inertia = 0.04 + 2.3 * 0.35 * 0.35;
     assert_mass(
-        strike(&mechanism, &[0.4], "body", [0.5, 0.0, 0.2], {
+        respond(&mechanism, &[0.4], "body", [0.5, 0.0, 0.2], {
             Vector3::new(-f64::sin(0.4), f64::cos(0.4), 0.0)
         }),
         1.287,
@@ -61,7 +61,7 @@ fn physical_pendulum_with_an_oblique_normal() {
     // Only the arm of the normal's line counts.
     let (point, tilt) = (Vector3::new(0.3, 0.2, -0.1), Vector3::new(0.48, 0.64, 0.6));
     let arm = point.cross(&tilt).z;
-    let got = strike(&mechanism, &[0.0], "body", point.into(), tilt);
+    let got = respond(&mechanism, &[0.0], "body", point.into(), tilt);
     assert_mass(got, closed_form::physical_pendulum(inertia, arm), TOL);
 }
 
@@ -109,11 +109,11 @@ fn double_pendulum_in_any_direction() {
     let angles = [-30f64.to_radians(), 25f64.to_radians()];
     let q = [angles[0], angles[1] - angles[0]];
     let n = Vector3::new(0.2, 0.98, 0.0).normalize();
-    assert_mass(strike(&mechanism, &q, "lower", [0.5, 0.0, 0.0], n), 0.45252397213682, TOL);
+    assert_mass(respond(&mechanism, &q, "lower", [0.5, 0.0, 0.0], n), 0.45252397213682, TOL);
     for i in 0..24 {
         let (sin, cos) = (0.1 + f64::from(i) * std::f64::consts::TAU / 24.0).sin_cos();
         let expected = closed_form::planar_2r(links, [0.0; 2], angles, 0.3, Vector2::new(cos, sin));
-        let got = strike(&mechanism, &q, "lower", [0.3, 0.0, 0.0], Vector3::new(cos, sin, 0.0));
+        let got = respond(&mechanism, &q, "lower", [0.3, 0.0, 0.0], Vector3::new(cos, sin, 0.0));
         assert_mass(got, expected, TOL);
     }
 }
@@ -133,7 +133,7 @@ fn general_two_link_arms_with_armature() {
             let reach = 1.3 * links[1].length;
             let expected = closed_form::planar_2r(links, armature, angles, reach, n);
             let q = [angles[0], angles[1] - angles[0]];
-            let got = strike(&mechanism, &q, "lower", [reach, 0.0, 0.0], n.push(0.0));
+            let got = respond(&mechanism, &q, "lower", [reach, 0.0, 0.0], n.push(0.0));
             assert_mass(got, expected, TOL);
         }
     }
@@ -142,11 +142,11 @@ fn general_two_link_arms_with_armature() {
 #[test]
 fn a_needle_keeps_its_digits_on_ten_tonnes() {
     let mechanism = zoo::needle_on_heavy_base();
-    let got = strike(&mechanism, &[0.2, 0.0], "needle", [0.04, 0.0, 0.0], Vector3::y());
+    let got = respond(&mechanism, &[0.2, 0.0], "needle", [0.04, 0.0, 0.0], Vector3::y());
     // Ten decades between the masses: the needle's share must not drown in the base's rounding.
     assert_mass(got, closed_form::rod_tip_on_sliding_base(1e-6, 1e4), TOL);
     let along =
-        strike(&mechanism, &[0.2, std::f64::consts::FRAC_PI_2], "needle", [0.04, 0.0, 0.0], Vector3::y());
+        respond(&mechanism, &[0.2, std::f64::consts::FRAC_PI_2], "needle", [0.04, 0.0, 0.0], Vector3::y());
     assert_mass(along, 1e4 + 1e-6, TOL);
 }
 
@@ -157,7 +157,7 @@ fn a_rod_on_a_sliding_base_at_all_mass_ratios() {
         let (mut links, joints) = percuss_oracle::alter::describe(&zoo::needle_on_heavy_base());
         links[1].inertial.as_mut().unwrap().mass = base;
         let mechanism = percuss_oracle::alter::build("sliding", links, joints);
-        let got = strike(&mechanism, &[0.0, 0.0], "needle", [0.04, 0.0, 0.0], Vector3::y());
+        let got = respond(&mechanism, &[0.0, 0.0], "needle", [0.04, 0.0, 0.0], Vector3::y());
         // The base's held velocities are zero to some ε; their energy is M (8 ε)² beside the needle's m/3.
         let tolerance = TOL + base / 1e-6 * (8.0 * f64::EPSILON).powi(2);
         assert_mass(got, closed_form::rod_tip_on_sliding_base(1e-6, base), tolerance);
@@ -205,10 +205,10 @@ fn three_hinges_with_massless_links_are_a_ball_joint() {
     let about = |axis, angle| UnitQuaternion::from_axis_angle(&axis, angle);
     let q = about(Vector3::x_axis(), a) * about(Vector3::y_axis(), b) * about(Vector3::z_axis(), c);
     let (point, normal) = ([0.2, 0.1, -0.3], Vector3::new(0.3, 0.5, -0.8).normalize());
-    let Outcome::Finite(expected) = strike(&ball, &[q.w, q.i, q.j, q.k], "body", point, normal) else {
+    let Outcome::Finite(expected) = respond(&ball, &[q.w, q.i, q.j, q.k], "body", point, normal) else {
         panic!("the ball joint moves")
     };
-    assert_mass(strike(&chain, &[a, b, c], "body", point, normal), expected, TOL);
+    assert_mass(respond(&chain, &[a, b, c], "body", point, normal), expected, TOL);
     // And by hand: 1/m̄ = (r × n)ᵀ I_O⁻¹ (r × n), in the body's axes.
     let body = ball.link(ball.find_link("body").unwrap()).inertia();
     let arm = Vector3::from(point).cross(&(q.inverse() * normal));

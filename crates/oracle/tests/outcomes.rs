@@ -13,7 +13,7 @@ fn at_zero<'a>(mechanism: &'a Mechanism, on: &str, point: [f64; 3], normal: Vect
 }
 
 #[test]
-fn a_blow_into_the_bearings_moves_nothing() {
+fn an_impact_into_the_bearings_moves_nothing() {
     let pendulum = zoo::physical_pendulum(2.3, 0.35, 0.04);
     for (point, normal) in [([0.5, 0.0, 0.0], Vector3::x()), ([0.5, 0.1, 0.0], Vector3::z())] {
         assert_eq!(effective_mass(&at_zero(&pendulum, "body", point, normal)), Outcome::Immovable);

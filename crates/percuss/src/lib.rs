@@ -1,23 +1,49 @@
 #![doc = include_str!("../../../README.md")]
 //!
 //! # The crate
-//! Everything a user of the library needs, re-exported from the crates that hold it.
+//! Everything a user of the library needs, re-exported from the crates that hold it; a type has one name, and no two
+//! types share one. Matrices and vectors are those of [`nalgebra`], re-exported.
+//!
+//! A model comes from a path or from text:
+//!
+//! ```
+//! use percuss::{DEFAULT_MAX_SIZE, LoadOptions, Source, load};
+//!
+//! let text = r#"<robot name="pendulum"><link name="ground"/><link name="rod"/>
+//!     <joint name="hinge" type="continuous"><parent link="ground"/><child link="rod"/></joint></robot>"#;
+//! let loaded = load(&Source::from_text("pendulum.urdf", text), &LoadOptions::default())?;
+//! assert_eq!(loaded.mechanism.joints().len(), 1);
+//!
+//! let missing = Source::read("there/is/no/such/file.urdf", DEFAULT_MAX_SIZE);
+//! assert_eq!(missing.unwrap_err().diagnostics[0].code, "no-such-file");
+//! # Ok::<(), percuss::LoadError>(())
+//! ```
+//!
+//! [`suspension::import`] reads hardpoints from the same [`Source`]. Then [`System`] → [`Assembly`] → [`Pose`] →
+//! [`ContactResponse`]: each a value, found from the one before. `examples/own_solver.rs` forms m̄ from the matrices of a
+//! pose with a solver of its own.
+//!
+//! [`study`] asks what the command line asks, and answers with its JSON; [`contact`] has the contact laws.
 
+pub use nalgebra;
 pub use percuss_contact as contact;
 pub use percuss_dynamics::{
-    Accelerations, AssemblyError, Base, BranchLimits, Conditions, ConditionsError, Configuration,
-    ConfigurationError, Contact, ContactError, Direction, EffectiveMass, Frame, InverseOperationalInertia,
-    LocatedContact, PointForce, Pose, Remark, Route, RouteChoice, RouteError, Shares, Strike, StrikeError,
-    System, Workspace,
+    Accelerations, Assembly, AssemblyError, Base, BranchLimits, Conditions, ConditionsError, Configuration,
+    ConfigurationError, Contact, ContactError, ContactResponse, Contributions, Direction, DrawnGap,
+    EffectiveMass, ErrorBudget, Frame, InverseOperationalInertia, LocatedContact, LoopState, PointForce,
+    PointVelocity, Pose, PoseRank, Remark, ResponseError, Route, RouteChoice, RouteError, ScalarWorkspace,
+    Singularity, System, VelocityError, Workspace,
 };
 pub use percuss_formats::{
-    DEFAULT_MAX_SIZE, Diagnostic, LoadError, LoadOptions, Loaded, Source, load, write_urdf,
+    Comments, DEFAULT_MAX_SIZE, Diagnostic, LoadError, LoadOptions, Loaded, Source, load, suspension,
+    write_urdf, write_urdf_with,
 };
 pub use percuss_mechanism as mechanism;
 pub use percuss_mechanism::{
-    Accept, BuildError, Built, Closure, ClosureDescription, ClosureKind, Coupling, CouplingDescription,
-    Geometry, Inertial, Joint, JointDescription, JointId, JointKind, Limits, Link, LinkDescription, LinkId,
-    Mechanism, MechanismBuilder, Mimic, MimicDescription, Problem, Severity, Subject, UnknownName,
+    Accept, BuildError, Built, Closure, ClosureDescription, ClosureId, ClosureKind, Coupling,
+    CouplingDescription, Geometry, Inertial, Joint, JointDescription, JointId, JointKind, Limits, Link,
+    LinkDescription, LinkId, LoopFrame, Mechanism, MechanismBuilder, Mimic, MimicDescription, NameKind,
+    Problem, Severity, Subject, UnknownName,
 };
 pub use percuss_spatial as spatial;
 pub use percuss_study as study;

@@ -12,4 +12,8 @@ impl Scalar for Dual64 {
     fn sin_cos(self) -> (Self, Self) {
         DualNum::sin_cos(&self)
     }
+
+    fn sqrt(self) -> Self {
+        DualNum::sqrt(&self)
+    }
 }

@@ -28,7 +28,10 @@ impl<T: Scalar> SpatialInertia<T> {
     /// From the mass (kg), the centre of mass (m) and the rotational inertia about the centre of mass
     /// (kg·m²), all in the axes of the frame.
     pub fn about_com(mass: T, com: Vector3<T>, rotational_about_com: Matrix3<T>) -> Self {
-        let steiner = Matrix3::from_diagonal_element(com.dot(&com)) - com * com.transpose();
+        let (xx, yy, zz) = (com.x * com.x, com.y * com.y, com.z * com.z);
+        // Not |c|² − c cᵀ: on the diagonal its large terms would cancel.
+        let steiner = Matrix3::from_diagonal(&Vector3::new(yy + zz, zz + xx, xx + yy))
+            + (Matrix3::from_diagonal(&Vector3::new(xx, yy, zz)) - com * com.transpose());
         Self { mass, first_moment: com * mass, rotational: rotational_about_com + steiner * mass }
     }
 

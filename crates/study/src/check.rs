@@ -1,11 +1,13 @@
 //! What is in a model.
 
-use crate::question::StudyError;
-use crate::{DiagnosticRecord, Model};
+use crate::error::{Field, StudyError};
+use crate::findings::about_pose;
+use crate::model::{Input, Model};
+use crate::positions::{PoseLayout, Positions};
+use crate::record::DiagnosticRecord;
 use percuss_dynamics::{Base, Conditions, System};
 use percuss_mechanism::{Geometry, Mechanism};
 use serde::Serialize;
-use std::collections::BTreeMap;
 
 /// `percuss check`, as JSON.
 #[derive(Clone, Debug, Serialize)]
@@ -15,7 +17,7 @@ pub struct CheckReport {
     /// Version of percuss.
     pub percuss: &'static str,
     /// The file.
-    pub inputs: Vec<crate::Input>,
+    pub inputs: Vec<Input>,
     /// Name of the mechanism.
     pub name: String,
     /// Name of the root link.
@@ -32,7 +34,7 @@ pub struct CheckReport {
     pub generic_degrees_of_freedom: usize,
     /// Constraint rows that add nothing.
     pub redundant_constraints: usize,
-    /// Loops and couplings on which they lie, those that cannot be told apart together.
+    /// Loops and couplings on which they lie, those that cannot be separated together.
     pub redundant_loops: Vec<Vec<String>>,
     /// Gap between the singular values of A that count and those that do not; null without loops.
     pub rank_gap: Option<f64>,
@@ -43,7 +45,7 @@ pub struct CheckReport {
     /// kg.
     pub total_mass: f64,
     /// Position of every movable joint, in the layout of `--set`.
-    pub pose: BTreeMap<String, Vec<f64>>,
+    pub pose: Positions,
     /// What was found while reading.
     pub diagnostics: Vec<DiagnosticRecord>,
 }
@@ -107,10 +109,12 @@ pub struct ClosureRecord {
 /// [`StudyError`]: loops that do not close.
 pub fn check(model: &Model) -> Result<CheckReport, StudyError> {
     let mechanism = &model.mechanism;
-    let system = System::new(std::sync::Arc::clone(mechanism), &Conditions::new().base(Base::Fixed))?;
+    let conditions = Conditions::new().base(Base::Fixed);
+    let system = System::new(std::sync::Arc::clone(mechanism), &conditions)
+        .map_err(|error| StudyError::input(Field::of_condition(&error), error))?;
     let pose = system.pose(&system.configuration())?;
     let mut diagnostics = model.diagnostics.clone();
-    diagnostics.extend(crate::findings::about_pose(&system, &pose));
+    diagnostics.extend(about_pose(&system, &pose).into_iter().map(DiagnosticRecord::from));
     Ok(CheckReport {
         schema: "percuss.check/1",
         percuss: env!("CARGO_PKG_VERSION"),
@@ -120,17 +124,17 @@ pub fn check(model: &Model) -> Result<CheckReport, StudyError> {
         links: links(mechanism),
         joints: joints(mechanism),
         closures: closures(mechanism),
-        degrees_of_freedom: system.degrees_of_freedom_at(&pose),
+        degrees_of_freedom: pose.degrees_of_freedom(),
         generic_degrees_of_freedom: system.degrees_of_freedom(),
-        redundant_constraints: system.redundant_constraints(),
-        redundant_loops: system.redundant_loops().to_vec(),
-        rank_gap: system.rank_gap(),
+        redundant_constraints: system.reference_or_open().redundant_constraints(),
+        redundant_loops: system.reference_or_open().redundant_loops().to_vec(),
+        rank_gap: system.reference_or_open().rank_gap(),
         drivers: pose.loops().map_or_else(Vec::new, |l| {
             l.drivers.iter().map(|id| mechanism.joint(*id).name().to_owned()).collect()
         }),
         closure_residual: pose.loops().map(|l| l.residual),
         total_mass: mechanism.total_mass(),
-        pose: crate::mass::pose_record(mechanism, &pose),
+        pose: Positions::of(&PoseLayout::new(mechanism), &pose),
         diagnostics,
     })
 }

@@ -1,52 +1,52 @@
 //! The damper of a model's contact: what the model knows beside the effective mass.
 
-use crate::damping::{DampingQuestion, DampingReport, Drift, about_exports, body_alone, damper, exports};
-use crate::mass::Answered;
-use crate::question::{MassQuestion, StudyError};
-use crate::{DiagnosticRecord, Model};
+use crate::answer::Answered;
+use crate::damping::{DampingReport, Drift, about_exports, body_alone, damper, exports};
+use crate::damping_question::DampingQuestion;
+use crate::error::StudyError;
+use crate::mass_report::Status;
+use crate::model::Model;
+use crate::question::MassQuestion;
+use crate::record::DiagnosticRecord;
+use crate::thresholds::{DIFFERENCE, DRIFTING};
 use percuss_contact::exports::Options;
-use percuss_dynamics::{Conditions, Contact, EffectiveMass, RouteChoice, System};
+use percuss_dynamics::{Conditions, Contact, EffectiveMass, System};
 use percuss_mechanism::{LinkId, Mechanism, Severity};
-
-/// Half the way of the differences that give dm̄/dδ, in parts of the characteristic length.
-const DIFFERENCE: f64 = 1e-5;
-/// From this change of m̄ over the penetration on, one number is not good enough without a word.
-const DRIFTING: f64 = 0.01;
 
 /// The damper of a model's contact.
 ///
 /// # Errors
-/// [`StudyError`], as for [`mass`](crate::mass()) and [`damp`](crate::damp); a contact without a finite mass.
+/// [`StudyError`], as for `mass` and `damp`; a contact without a finite mass.
 pub fn damp_contact(
     model: &Model,
     question: &MassQuestion,
     damping: &DampingQuestion,
 ) -> Result<DampingReport, StudyError> {
-    let answered = Answered::new(model, question)?;
-    damping_of(model, question, damping, &answered)
+    damping_of(&Answered::new(model, question)?, damping)
 }
 
 /// The damper of a contact that is answered.
 pub(crate) fn damping_of(
-    model: &Model,
-    question: &MassQuestion,
-    damping: &DampingQuestion,
     answered: &Answered,
+    damping: &DampingQuestion,
 ) -> Result<DampingReport, StudyError> {
-    let EffectiveMass::Finite(mass) = answered.strike.effective_mass else {
-        return Err(StudyError::NoDamper { status: answered.report.status.name() });
+    let Answered { prepared, answer, .. } = answered;
+    let EffectiveMass::Finite(mass) = answer.response.effective_mass else {
+        let (status, _) = Status::of(answer.response.effective_mass);
+        return Err(StudyError::NoDamper { status: status.name() });
     };
     let record = damper(damping, mass)?;
-    let drift = drift(question, answered, mass, record.max_penetration);
-    let options = options(damping.options, &model.mechanism, question, answered, mass);
-    let alone = damping.options.own_mass.or(answered.system.rigid_body_mass(answered.contact.link));
+    let drift = drift(answered, mass, record.max_penetration);
+    let options = options(damping.options, answered, mass);
+    let alone = damping.options.own_mass.or(prepared.system.rigid_body_mass(answered.contact.link));
     let body_alone = alone.filter(|m| *m > 0.0).map(|m| body_alone(damping, m, mass));
-    let mut diagnostics = answered.report.diagnostics.clone();
+    let mut diagnostics = prepared.model.diagnostics.clone();
+    diagnostics.extend(answer.findings.iter().cloned().map(DiagnosticRecord::from));
     diagnostics.extend(about_exports(damping));
     if let Some(over) = drift.over_penetration.filter(|over| over.abs() > DRIFTING) {
         let message = format!(
             "the effective mass changes by {:+.1} % over the penetration: one number is no better than that here; a \
-             stiffer contact or a slower blow changes it less",
+             stiffer contact or a slower impact changes it less",
             100.0 * over
         );
         diagnostics.push(DiagnosticRecord::about_answer(Severity::Warning, "mass-drifts", message));
@@ -54,7 +54,7 @@ pub(crate) fn damping_of(
     Ok(DampingReport {
         schema: "percuss.damp/1",
         percuss: env!("CARGO_PKG_VERSION"),
-        inputs: model.inputs.clone(),
+        inputs: prepared.model.inputs.clone(),
         effective_mass: mass,
         damper: record,
         drift: Some(drift),
@@ -64,18 +64,17 @@ pub(crate) fn damping_of(
     })
 }
 
-/// m̄ along the strike's own motion.
-fn drift(question: &MassQuestion, answered: &Answered, mass: f64, penetration: Option<f64>) -> Drift {
-    let Answered { system, pose, contact, strike, .. } = answered;
-    if !strike.gives_way() {
+/// m̄ along the motion of the contact response.
+fn drift(answered: &Answered, mass: f64, penetration: Option<f64>) -> Drift {
+    let Answered { prepared, pose, contact, answer } = answered;
+    let (system, response) = (&prepared.system, &answer.response);
+    if !response.gives_way() {
         // The other body's mass is all there is.
         return Drift { per_metre: Some(0.0), over_penetration: penetration.map(|_| 0.0) };
     }
     let at = |distance: f64| {
-        let pushed = system.pushed(pose, strike, distance)?;
-        let there = system.strike(&pushed, contact, RouteChoice::Auto).ok()?;
-        let there = question.against_mass.map_or(there.clone(), |other| there.against_mass(other));
-        match there.effective_mass {
+        let pushed = pose.advanced_along(response, distance)?;
+        match prepared.effective_mass(&pushed, contact).ok()? {
             EffectiveMass::Finite(m) => Some(m),
             EffectiveMass::Immovable | EffectiveMass::Massless => None,
         }
@@ -85,15 +84,11 @@ fn drift(question: &MassQuestion, answered: &Answered, mass: f64, penetration: O
     Drift { per_metre: slope, over_penetration: penetration.and_then(at).map(|there| there / mass - 1.0) }
 }
 
-/// What simulators want to know of the model, where the question does not say.
-fn options(
-    given: Options,
-    mechanism: &Mechanism,
-    question: &MassQuestion,
-    answered: &Answered,
-    mass: f64,
-) -> Options {
-    let own = |link: LinkId| answered.system.rigid_body_mass(link).filter(|m| *m > 0.0);
+/// What simulators need of the model, where the question does not have it.
+fn options(given: Options, answered: &Answered, mass: f64) -> Options {
+    let question = answered.prepared.question;
+    let mechanism: &Mechanism = &answered.prepared.model.mechanism;
+    let own = |link: LinkId| answered.prepared.system.rigid_body_mass(link).filter(|m| *m > 0.0);
     let Contact { link, against, .. } = answered.contact;
     let ratio = || {
         let ours = open_inverse_mass(mechanism, question, link)?;
@@ -127,5 +122,5 @@ fn open_inverse_mass(mechanism: &Mechanism, question: &MassQuestion, link: LinkI
     let link = tree.find_link(mechanism.link(link).name()).ok()?;
     let system = System::new(tree, &conditions).ok()?;
     let pose = system.pose(&system.configuration()).ok()?;
-    system.mean_inverse_mass(&pose, link).ok()
+    pose.mean_inverse_mass(link).ok()
 }

@@ -1,95 +1,18 @@
 //! From a restitution to a damper: a contact's effective mass, its spring, and what the laws and the simulators make of
 //! them.
 
-use crate::DiagnosticRecord;
+use crate::damping_question::DampingQuestion;
+use crate::error::StudyError;
 use crate::model::Input;
-use crate::question::StudyError;
+use crate::record::DiagnosticRecord;
 use crate::simulators::ExportRecord;
-use percuss_contact::exports::{Options, Request, Tool};
-use percuss_contact::{Contact, ContactError, Damper, Law, Sample, Separation};
+use percuss_contact::exports::{Options, Request};
+use percuss_contact::{CompliantContact, ContactLawError, Damper, Law, Sample, Separation};
 use percuss_mechanism::Severity;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// The restitution wanted, and what else a damper needs beside the mass.
-#[derive(Clone, Debug, PartialEq)]
-pub struct DampingQuestion {
-    /// e, from 0 to 1.
-    pub restitution: f64,
-    /// k, N/m^p.
-    pub stiffness: f64,
-    /// p of the spring's force k xᵖ.
-    pub exponent: f64,
-    /// Approach speed, m/s.
-    pub speed: Option<f64>,
-    /// The law of the damper.
-    pub law: Law,
-    /// The other name by which it was asked for.
-    pub alias: Option<&'static str>,
-    /// When a Kelvin–Voigt contact ends.
-    pub separation: Separation,
-    /// For which simulators parameters are written.
-    pub tools: Vec<Tool>,
-    /// What only some simulators need; what a model tells is filled in.
-    pub options: Options,
-}
-
-impl DampingQuestion {
-    /// A linear spring, no speed, the exact law that simulators integrate, for no tool.
-    pub fn new(restitution: f64, stiffness: f64) -> Self {
-        Self {
-            restitution,
-            stiffness,
-            exponent: 1.0,
-            speed: None,
-            law: Law::KelvinVoigt,
-            alias: None,
-            separation: Separation::ForceVanishes,
-            tools: Vec::new(),
-            options: Options::default(),
-        }
-    }
-}
-
-impl DampingQuestion {
-    /// Takes a law by its name. An alias stands for an exponent or an end of the contact too; what is given besides must
-    /// not contradict it.
-    ///
-    /// # Errors
-    /// [`ContactError`]: no such law, a contradiction.
-    pub fn choose(
-        &mut self,
-        name: &str,
-        exponent: Option<f64>,
-        separation: Option<Separation>,
-    ) -> Result<(), ContactError> {
-        self.law = Law::from_name(name)?;
-        let alias = Law::alias(name);
-        let (fixed_exponent, fixed_end) = alias.map_or((None, None), |a| (a.exponent, a.separation));
-        let contradicts = |what, fixed: String, got: String| ContactError::Contradicts {
-            name: alias.map_or("", |a| a.name),
-            what,
-            fixed,
-            got,
-        };
-        if let (Some(fixed), Some(got)) = (fixed_exponent, exponent)
-            && fixed != got
-        {
-            return Err(contradicts("exponent", fixed.to_string(), got.to_string()));
-        }
-        if let (Some(fixed), Some(got)) = (fixed_end, separation)
-            && fixed != got
-        {
-            return Err(contradicts("separation", fixed.name().into(), got.name().into()));
-        }
-        self.alias = alias.map(|a| a.name);
-        self.exponent = fixed_exponent.or(exponent).unwrap_or(self.exponent);
-        self.separation = fixed_end.or(separation).unwrap_or(self.separation);
-        Ok(())
-    }
-}
-
-/// The damper of a contact, and the blow it makes. Keys are always present, null where they do not apply.
+/// The damper of a contact, and the impact it makes. Keys are always present, null where they do not apply.
 #[derive(Clone, Debug, Serialize)]
 pub struct DamperRecord {
     /// The restitution asked for.
@@ -136,7 +59,7 @@ pub struct DamperRecord {
 /// How good one number is: m̄ over the penetration.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Drift {
-    /// dm̄/dδ over m̄, along the strike, 1/m.
+    /// dm̄/dδ over m̄, along the direction of impact, 1/m.
     pub per_metre: Option<f64>,
     /// m̄ at the greatest penetration over m̄ at the touch, less 1; null without a speed.
     pub over_penetration: Option<f64>,
@@ -177,25 +100,25 @@ pub struct DampingReport {
 }
 
 /// The contact of a question on a mass.
-pub(crate) fn contact(question: &DampingQuestion, mass: f64) -> Result<Contact, ContactError> {
-    Contact::new(mass, question.stiffness)?.with_exponent(question.exponent)
+pub(crate) fn contact(question: &DampingQuestion, mass: f64) -> Result<CompliantContact, ContactLawError> {
+    CompliantContact::new(mass, question.stiffness)?.with_exponent(question.exponent)
 }
 
 /// The damper of a question, on a mass.
-fn damper_of(question: &DampingQuestion, contact: Contact) -> Result<Damper, ContactError> {
+fn damper_of(question: &DampingQuestion, contact: CompliantContact) -> Result<Damper, ContactLawError> {
     question.law.damper(contact, question.restitution, question.speed, question.separation)
 }
 
-/// The damper that gives a mass a restitution, and the blow at the speed given.
+/// The damper that gives a mass a restitution, and the impact at the speed given.
 ///
 /// # Errors
-/// [`ContactError`]: numbers out of range, a restitution that the law does not reach, a speed that the law needs.
-pub fn damper(question: &DampingQuestion, mass: f64) -> Result<DamperRecord, ContactError> {
+/// [`ContactLawError`]: numbers out of range, a restitution that the law does not reach, a speed that the law needs.
+pub fn damper(question: &DampingQuestion, mass: f64) -> Result<DamperRecord, ContactLawError> {
     let contact = contact(question, mass)?;
     let damper = damper_of(question, contact)?;
     // Kelvin–Voigt rebounds alike at every speed, and a linear one takes as long.
-    let blow = damper.impact(contact, question.speed.unwrap_or(1.0))?;
-    let at_speed = question.speed.map(|_| blow);
+    let impact = damper.impact(contact, question.speed.unwrap_or(1.0))?;
+    let at_speed = question.speed.map(|_| impact);
     let exact_dissipation = || {
         let speed = question.speed?;
         match Law::HuntCrossley.damper(contact, question.restitution, Some(speed), question.separation) {
@@ -221,8 +144,8 @@ pub fn damper(question: &DampingQuestion, mass: f64) -> Result<DamperRecord, Con
         damping_ratio,
         damping,
         dissipation,
-        achieved_restitution: blow.restitution,
-        contact_duration: if question.exponent == 1.0 || at_speed.is_some() { blow.duration } else { None },
+        achieved_restitution: impact.restitution,
+        contact_duration: if question.exponent == 1.0 || at_speed.is_some() { impact.duration } else { None },
         max_penetration: at_speed.map(|b| b.max_penetration),
         time_of_max_penetration: at_speed.map(|b| b.time_of_max_penetration),
         peak_force: at_speed.map(|b| b.peak_force),
@@ -232,21 +155,21 @@ pub fn damper(question: &DampingQuestion, mass: f64) -> Result<DamperRecord, Con
     })
 }
 
-/// The course of the blow in so many moments: force over time, and over penetration.
+/// The history of the impact in so many moments: force over time, and over penetration.
 ///
 /// # Errors
-/// [`ContactError`], as for [`damper`]; no speed.
-pub fn blow_history(
+/// [`ContactLawError`], as for [`damper`]; no speed.
+pub fn impact_history(
     question: &DampingQuestion,
     mass: f64,
     samples: usize,
-) -> Result<Vec<Sample>, ContactError> {
+) -> Result<Vec<Sample>, ContactLawError> {
     let contact = contact(question, mass)?;
-    let speed = question.speed.ok_or(ContactError::SpeedNeeded { law: "the course of a blow" })?;
+    let speed = question.speed.ok_or(ContactLawError::SpeedNeeded { law: "the history of an impact" })?;
     damper_of(question, contact)?.history(contact, speed, samples)
 }
 
-/// Parameters for every simulator asked for. One that cannot have this contact says why in its place, unless it is
+/// Parameters for every simulator asked for. One that cannot have this contact has the reason in its place, unless it is
 /// the only one.
 pub(crate) fn exports(
     question: &DampingQuestion,

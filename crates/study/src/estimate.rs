@@ -1,8 +1,11 @@
 //! The classical estimate m_K / l̄², set beside the exact value.
 
-use crate::question::{EstimateQuestion, StudyError};
+use crate::error::{Fault, Field, StudyError};
+use crate::question::EstimateQuestion;
+use crate::thresholds::{LARGEST_COORDINATE, SHORTEST_DIRECTION};
 use nalgebra::Vector3;
-use percuss_dynamics::{EffectiveMass, PointVelocity, Pose, Strike, System};
+use percuss_dynamics::{ContactResponse, EffectiveMass, PointVelocity, Pose};
+use percuss_mechanism::{LinkId, Mechanism};
 use serde::Serialize;
 
 /// m_K |v_A|²: the mass of some links, as if all of it moved with point A; l̄ = 1/|v_A| is the seed's r_B/r_A.
@@ -23,54 +26,79 @@ pub struct EstimateRecord {
     pub estimate: Option<f64>,
     /// By how much it is off the exact value, per cent.
     pub error_percent: Option<f64>,
-    /// Share of the exact value that other links and rotors carry: what it leaves out.
+    /// Contribution of the other links and the rotors to the exact value: what the estimate leaves out.
     pub share_left_out: Option<f64>,
 }
 
-/// Computes the estimate beside a strike. `exact` is the mechanism's own m̄, without a free body on the other side.
-pub(crate) fn estimate(
-    system: &System,
-    pose: &Pose,
-    strike: &Strike,
-    question: &EstimateQuestion,
-) -> Result<EstimateRecord, StudyError> {
-    let mechanism = system.mechanism();
-    let links = question.links.iter().map(|l| mechanism.find_link(l)).collect::<Result<Vec<_>, _>>()?;
-    if let Some(i) = (1..links.len()).find(|&i| links[..i].contains(&links[i])) {
-        return Err(StudyError::EstimateTwice { link: question.links[i].clone() });
+/// An estimate with its names resolved and its numbers checked.
+#[derive(Clone, Debug)]
+pub(crate) struct Estimate {
+    names: Vec<String>,
+    links: Vec<LinkId>,
+    /// m_K, kg.
+    mass: f64,
+    /// Point A, m, in the first link's frame.
+    point: Vector3<f64>,
+    /// Unit vector, world axes.
+    direction: Option<Vector3<f64>>,
+}
+
+impl Estimate {
+    /// Resolves what is asked for.
+    pub fn new(mechanism: &Mechanism, question: &EstimateQuestion) -> Result<Self, StudyError> {
+        let refuse = |fault: Fault| StudyError::input(Field::Estimate, fault);
+        let find = |name: &String| mechanism.find_link(name).map_err(|e| refuse(e.into()));
+        let links = question.links.iter().map(find).collect::<Result<Vec<_>, _>>()?;
+        if let Some(i) = (1..links.len()).find(|&i| links[..i].contains(&links[i])) {
+            return Err(refuse(Fault::EstimateTwice { link: question.links[i].clone() }));
+        }
+        if let Some(&value) =
+            question.point.iter().find(|x| !(x.is_finite() && x.abs() <= LARGEST_COORDINATE))
+        {
+            return Err(refuse(Fault::EstimatePoint { value }));
+        }
+        let direction = question.direction.map(Vector3::from);
+        if let Some(length) =
+            direction.map(|d| d.norm()).filter(|n| !(*n >= SHORTEST_DIRECTION && n.is_finite()))
+        {
+            return Err(refuse(Fault::EstimateDirection { length }));
+        }
+        Ok(Self {
+            names: question.links.clone(),
+            mass: links.iter().map(|l| mechanism.link(*l).inertia().mass).sum(),
+            links,
+            point: question.point.into(),
+            direction: direction.map(|d| d.normalize()),
+        })
     }
-    if let Some(&value) = question.point.iter().find(|x| !(x.is_finite() && x.abs() <= 1e100)) {
-        return Err(StudyError::EstimatePoint { value });
+
+    /// The estimate beside a contact response: of the mechanism alone, without a free body on the other side.
+    pub fn beside(&self, pose: &Pose, response: &ContactResponse) -> EstimateRecord {
+        let velocity = self.links.first().and_then(|l| pose.point_velocity(response, *l, &self.point));
+        let motion_ratio = match velocity {
+            Some(PointVelocity::Known(v)) => Some(match &self.direction {
+                // The velocity is in the root link's axes, the direction in the world's.
+                Some(d) => pose.base().vector(&v).dot(d).abs(),
+                None => v.norm(),
+            }),
+            Some(PointVelocity::Undetermined) | None => None,
+        };
+        let estimate = motion_ratio.map(|r| self.mass * r * r);
+        let exact = match response.effective_mass {
+            EffectiveMass::Finite(m) => Some(m),
+            EffectiveMass::Immovable | EffectiveMass::Massless => None,
+        };
+        let shares = response.contributions.as_ref();
+        let taken = shares.map(|s| self.links.iter().map(|l| s.links[l.index()]).sum::<f64>());
+        EstimateRecord {
+            links: self.names.clone(),
+            mass: self.mass,
+            point_link: self.point.into(),
+            motion_ratio,
+            lever: motion_ratio.filter(|r| *r > 0.0).map(|r| 1.0 / r),
+            estimate,
+            error_percent: estimate.zip(exact).map(|(e, m)| 100.0 * (e / m - 1.0)),
+            share_left_out: taken.map(|t| 1.0 - t),
+        }
     }
-    let direction = question.direction.map(Vector3::from);
-    if let Some(length) = direction.map(|d| d.norm()).filter(|n| !(*n >= 1e-9 && n.is_finite())) {
-        return Err(StudyError::EstimateDirection { length });
-    }
-    let mass: f64 = links.iter().map(|l| mechanism.link(*l).inertia().mass).sum();
-    let velocity =
-        links.first().and_then(|l| system.point_velocity(pose, strike, *l, &Vector3::from(question.point)));
-    let motion_ratio = match velocity {
-        Some(PointVelocity::Known(v)) => Some(match direction {
-            // The velocity is in the root link's axes, the direction in the world's.
-            Some(d) => pose.base().vector(&v).dot(&d.normalize()).abs(),
-            None => v.norm(),
-        }),
-        Some(PointVelocity::Undetermined) | None => None,
-    };
-    let estimate = motion_ratio.map(|r| mass * r * r);
-    let exact = match strike.effective_mass {
-        EffectiveMass::Finite(m) => Some(m),
-        EffectiveMass::Immovable | EffectiveMass::Massless => None,
-    };
-    let carried = strike.shares.as_ref().map(|s| links.iter().map(|l| s.links[l.index()]).sum::<f64>());
-    Ok(EstimateRecord {
-        links: question.links.clone(),
-        mass,
-        point_link: question.point,
-        motion_ratio,
-        lever: motion_ratio.filter(|r| *r > 0.0).map(|r| 1.0 / r),
-        estimate,
-        error_percent: estimate.zip(exact).map(|(e, m)| 100.0 * (e / m - 1.0)),
-        share_left_out: carried.map(|c| 1.0 - c),
-    })
 }

@@ -1,23 +1,23 @@
-//! Is the contact point where the link is? A frame mistaken, or millimetres for metres, is the commonest slip.
+//! Is the contact point where the link is? A wrong frame, or millimetres for metres, is the commonest mistake.
 
-use crate::DiagnosticRecord;
+use crate::finding::{Finding, Subject};
+use crate::thresholds::{FAR_POINT, MILLIMETRES};
 use nalgebra::Vector3;
-use percuss_mechanism::{Geometry, LinkId, Mechanism, Severity};
+use percuss_mechanism::{Geometry, LinkId, Mechanism};
 
 /// A warning where the point lies beyond three times the reach of the link: of its declared shape, or, where that is
 /// unknown, of the largest link.
-pub(crate) fn doubt(mechanism: &Mechanism, link: LinkId, point: &Vector3<f64>) -> Option<DiagnosticRecord> {
-    const FAR: f64 = 3.0;
+pub(crate) fn doubt(mechanism: &Mechanism, link: LinkId, point: &Vector3<f64>) -> Option<Finding> {
     let body = mechanism.link(link);
     let reach = match body.geometry() {
         Geometry::Within(_) => body.extent(),
         Geometry::None | Geometry::Mesh => body.extent().max(mechanism.characteristic_length()),
     };
     let distance = point.norm();
-    if reach <= 0.0 || distance <= FAR * reach {
+    if reach <= 0.0 || distance <= FAR_POINT * reach {
         return None;
     }
-    let millimetres = distance / 1000.0 <= FAR * reach && distance / 1000.0 >= 0.01 * reach;
+    let millimetres = distance / 1000.0 <= FAR_POINT * reach && distance / 1000.0 >= MILLIMETRES * reach;
     let hint = if millimetres {
         "is it in millimetres (write 12mm), or in another frame (--frame)?"
     } else {
@@ -27,5 +27,5 @@ pub(crate) fn doubt(mechanism: &Mechanism, link: LinkId, point: &Vector3<f64>) -
         "the contact point is {distance:.4} m from the origin of link \"{}\", which reaches about {reach:.4} m: {hint}",
         body.name()
     );
-    Some(DiagnosticRecord::about_answer(Severity::Warning, "far-point", message))
+    Some(Finding::warning("far-point", Subject::Link(link), message))
 }

@@ -1,58 +1,50 @@
-//! What the reader of an answer should know, as diagnostics.
+//! What the reader of an answer should know: about the pose, its assembly, and the contact response.
 
-use crate::question::{MassQuestion, StudyError};
-use crate::{DiagnosticRecord, Model, far_point};
-use nalgebra::Vector3;
+use crate::far_point;
+use crate::finding::{Finding, Subject};
+use crate::thresholds::{FAR_FROM_GUESS, UNCERTAIN, WEAKLY_CONSTRAINED};
 use percuss_dynamics::{
-    BranchLimits, Configuration, Contact, EffectiveMass, PointVelocity, Pose, Remark, RouteChoice,
-    Singularity, Strike, System,
+    BranchLimits, Configuration, Contact, ContactResponse, DrawnGap, EffectiveMass, Pose, Remark,
+    Singularity, System,
 };
-use percuss_mechanism::{JointKind, Severity};
-
-/// A finite answer that is less certain than this comes with a warning.
-const DOUBTFUL: f64 = 1e-6;
-
-/// An assembly is far from its guess from this angle on (rad, or parts of the size).
-const FAR_FROM_GUESS: f64 = 0.5;
-
-/// Rows that bind more weakly than this part may owe it to rounded figures.
-const BY_A_HAIR: f64 = 1e-4;
+use percuss_mechanism::{JointKind, Mechanism};
 
 fn remainder(x: f64, period: f64) -> f64 {
     x - period * (x / period).round()
 }
 
-fn warning(code: &'static str, message: String) -> DiagnosticRecord {
-    DiagnosticRecord::about_answer(Severity::Warning, code, message)
-}
-
-fn note(code: &'static str, message: String) -> DiagnosticRecord {
-    DiagnosticRecord::about_answer(Severity::Note, code, message)
-}
-
 /// Limits, and how the loops came together.
-pub(crate) fn about_pose(system: &System, pose: &Pose) -> Vec<DiagnosticRecord> {
+pub(crate) fn about_pose(system: &System, pose: &Pose) -> Vec<Finding> {
     let mechanism = system.mechanism();
-    let name = |joint| mechanism.joint(joint).name();
-    let mut found: Vec<DiagnosticRecord> = pose
-        .outside_limits(system)
+    let mut found: Vec<Finding> = pose
+        .outside_limits()
         .map(|(joint, value, limits)| {
             let message = format!(
                 "joint \"{}\" stands at {value}, outside its limits {} to {}",
-                name(joint),
+                mechanism.joint(joint).name(),
                 limits.lower,
                 limits.upper
             );
-            warning("outside-limits", message)
+            Finding::warning("outside-limits", Subject::Joint(joint), message)
         })
         .collect();
-    let Some(loops) = pose.loops() else { return found };
+    if pose.loops().is_some() {
+        about_loops(system, pose, &mut found);
+        about_rank(system, &mut found);
+    }
+    found
+}
+
+/// How the loops fit, and who drives them.
+fn about_loops(system: &System, pose: &Pose, found: &mut Vec<Finding>) {
+    let mechanism = system.mechanism();
+    let Some(loops) = pose.loops() else { return };
     for name in system.reversed_axes() {
         let message = format!(
             "the axis of loop \"{name}\" points opposite ways in its two frames with all joints at 0; the successor's was \
              taken reversed"
         );
-        found.push(note("reversed-axis", message));
+        found.push(Finding::note("reversed-axis", Subject::Closure(name.to_string()), message));
     }
     if loops.inexactness > 0.0 {
         let part = loops.inexactness / mechanism.characteristic_length();
@@ -61,55 +53,102 @@ pub(crate) fn about_pose(system: &System, pose: &Pose) -> Vec<DiagnosticRecord> 
              are its angles rounded (1.5708)?",
             loops.inexactness
         );
-        found.push(warning("inexact-loops", message));
+        found.push(Finding::warning("inexact-loops", Subject::Answer, message));
     }
     for (joint, value) in &loops.off_zero {
         let message = format!(
-            "joint \"{}\" drives and was not set; 0 is out of reach, so it stands at {value:.9}; set it",
-            name(*joint)
+            "joint \"{}\" drives and was not set; 0 is out of reach, so it stands at {value:.9}; set it (--set)",
+            mechanism.joint(*joint).name()
         );
-        found.push(warning("driver-off-zero", message));
+        found.push(Finding::warning("driver-off-zero", Subject::Joint(*joint), message));
     }
-    if !loops.declared {
-        let drivers: Vec<String> = loops.drivers.iter().map(|j| format!("\"{}\"", name(*j))).collect();
-        if !drivers.is_empty() {
-            let message =
-                format!("the loops are driven by {}: chosen by rank, none is declared", drivers.join(", "));
-            found.push(note("drivers-chosen", message));
-        }
+    if let Some(starts) = loops.starts_tried {
+        let message = format!(
+            "the branch of the first closed pose does not reach the driving joints as set: this is another assembly mode, \
+             found from {starts} of the seeded starts; --guess chooses one"
+        );
+        found.push(Finding::warning("other-assembly", Subject::Answer, message));
     }
-    if !system.rank_is_clear() {
-        let gap = system.rank_gap().unwrap_or_default();
+    for gap in pose.assembly().drawn_gaps() {
+        found.push(about_gap(mechanism, &gap));
+    }
+    if !loops.declared && !loops.drivers.is_empty() {
+        let drivers: Vec<String> =
+            loops.drivers.iter().map(|j| format!("\"{}\"", mechanism.joint(*j).name())).collect();
+        let message = format!(
+            "the loops are driven by {}: chosen by rank and by what looks driven, none is declared",
+            drivers.join(", ")
+        );
+        found.push(Finding::note("drivers-chosen", Subject::Answer, message));
+    }
+}
+
+/// A loop that is open as drawn, by how much, and what moved to close it.
+fn about_gap(mechanism: &Mechanism, gap: &DrawnGap) -> Finding {
+    let closed = gap.moved.map_or_else(String::new, |(joint, by)| {
+        let joint = mechanism.joint(joint);
+        let by = match joint.kind() {
+            JointKind::Prismatic | JointKind::Planar | JointKind::Floating => format!("{:+.3} mm", 1e3 * by),
+            JointKind::Fixed | JointKind::Revolute | JointKind::Continuous | JointKind::Spherical => {
+                format!("{:+.3}°", by.to_degrees())
+            }
+        };
+        format!("; closed by {} {by}", joint.name())
+    });
+    let message =
+        format!("loop \"{}\" is {} open as drawn{closed}", gap.constraint, length_in_words(gap.gap));
+    let subject = Subject::Closure(gap.constraint.clone());
+    if gap.is_wide {
+        let part = 100.0 * gap.gap / gap.size;
+        let message = format!("{message}: {part:.1} % of its size; is a point mistyped?");
+        Finding::warning("drawn-open", subject, message)
+    } else {
+        Finding::note("drawn-open", subject, message)
+    }
+}
+
+/// A length in mm, or in m where it is long or tiny.
+fn length_in_words(length: f64) -> String {
+    if (1e-6..1.0).contains(&length) { format!("{:.4} mm", 1e3 * length) } else { format!("{length:.3e} m") }
+}
+
+/// How clear the rank of the constraints is.
+fn about_rank(system: &System, found: &mut Vec<Finding>) {
+    if !system.reference_or_open().rank_is_clear() {
+        let gap = system.reference_or_open().rank_gap().unwrap_or_default();
         let message =
             format!("the rank of the constraints is unclear (gap {gap:.1e}): mobility may be another");
-        found.push(warning("unclear-rank", message));
+        found.push(Finding::warning("unclear-rank", Subject::Answer, message));
     }
-    let least = system.least_singular_value();
-    if least < BY_A_HAIR {
+    let least = system.reference_or_open().least_singular_value();
+    if least < WEAKLY_CONSTRAINED {
         let message = format!(
-            "the loops bind by a hair: the least singular value of their rows that counts is {least:.1e} of the largest; if \
-             the file's figures are rounded by as much, there is a degree of freedom more than the {} counted",
+            "the mechanism is weakly constrained: the least singular value of the loops' rows that counts is {least:.1e} \
+             of the largest; if the file's figures are rounded by as much, there is a degree of freedom more than the {} \
+             counted",
             system.degrees_of_freedom()
         );
-        found.push(warning("bound-by-a-hair", message));
+        found.push(Finding::warning("weakly-constrained", Subject::Answer, message));
     }
-    found
 }
 
 /// Guesses that were of no use, and those that the assembly found is far from.
-pub(crate) fn about_guesses(system: &System, pose: &Pose, wanted: &Configuration) -> Vec<DiagnosticRecord> {
+pub(crate) fn about_guesses(system: &System, pose: &Pose, wanted: &Configuration) -> Vec<Finding> {
     let drives = |joint| pose.loops().is_some_and(|loops| loops.drivers.contains(&joint));
     let mut found = Vec::new();
     for (joint, guess) in wanted.guesses() {
         let name = system.mechanism().joint(joint).name();
+        let mut add = |code, message| found.push(Finding::warning(code, Subject::Joint(joint), message));
         if !system.is_bound(joint) {
-            let message =
-                format!("the guess for joint \"{name}\" is not used: no loop binds it; --set moves it");
-            found.push(warning("unused-guess", message));
+            let message = format!(
+                "the guess (--guess) for joint \"{name}\" is not used: it is in no loop; --set moves it"
+            );
+            add("unused-guess", message);
         } else if drives(joint) {
-            let message =
-                format!("the guess for joint \"{name}\" is not used: it drives its loops; --set moves it");
-            found.push(warning("unused-guess", message));
+            let message = format!(
+                "the guess (--guess) for joint \"{name}\" is not used: it drives its loops; --set moves it"
+            );
+            add("unused-guess", message);
         } else if let (&[at], &[guess]) = (pose.joint(joint), guess) {
             let size = system.mechanism().characteristic_length();
             let turns = system.mechanism().joint(joint).kind() != JointKind::Prismatic;
@@ -120,54 +159,60 @@ pub(crate) fn about_guesses(system: &System, pose: &Pose, wanted: &Configuration
             };
             if off > FAR_FROM_GUESS {
                 let message = format!(
-                    "joint \"{name}\" was guessed at {guess} and stands at {at:.9}: no nearer way to close its loops was \
-                     found"
+                    "joint \"{name}\" was guessed at {guess} (--guess) and stands at {at:.9}: no nearer way to close its \
+                     loops was found"
                 );
-                found.push(warning("far-from-guess", message));
+                add("far-from-guess", message);
             }
         }
     }
     found
 }
 
-/// The contact point, and the remarks of the strike.
-pub(crate) fn about_strike(system: &System, contact: &Contact, strike: &Strike) -> Vec<DiagnosticRecord> {
-    let mut found: Vec<DiagnosticRecord> =
+/// The contact point, and the remarks of the contact response.
+pub(crate) fn about_response(system: &System, contact: &Contact, response: &ContactResponse) -> Vec<Finding> {
+    let mut found: Vec<Finding> =
         far_point::doubt(system.mechanism(), contact.link, &contact.point).into_iter().collect();
-    let finite = matches!(strike.effective_mass, EffectiveMass::Finite(_));
-    // A massless answer says it already.
-    let told = |r: &&Remark| finite || !matches!(r, Remark::MasslessMotions { .. });
-    found.extend(strike.remarks.iter().filter(told).map(remark));
-    if let (EffectiveMass::Finite(m), Some(error)) = (strike.effective_mass, strike.effective_mass_error)
-        && error > DOUBTFUL * m
+    let finite = matches!(response.effective_mass, EffectiveMass::Finite(_));
+    // A massless answer has it already.
+    let reported = |r: &&Remark| finite || !matches!(r, Remark::MasslessMotions { .. });
+    found.extend(response.remarks.iter().filter(reported).map(remark));
+    if let (EffectiveMass::Finite(_), None) = (response.effective_mass, response.effective_mass_error()) {
+        let message = "what the effective mass may be off by is not known: beside this pose the contact is not finite; do not \
+                       trust its digits";
+        found.push(Finding::warning("unknown-error", Subject::Answer, message));
+    }
+    if let (EffectiveMass::Finite(m), Some(error)) =
+        (response.effective_mass, response.effective_mass_error())
+        && error > UNCERTAIN * m
     {
         let message = format!(
-            "the effective mass is uncertain by {:.1e} of itself: the pose is close to a singular one, or the mass matrix \
-             is; do not trust its digits beyond that",
+            "the effective mass has a relative error of up to {:.1e}: the pose is close to a singular one, or the mass \
+             matrix is; do not trust its digits beyond that",
             error / m
         );
-        found.push(warning("uncertain-mass", message));
+        found.push(Finding::warning("uncertain-mass", Subject::Answer, message));
     }
     found
 }
 
-/// Where branches cross, or something binds less than beside the pose.
+/// Where branches cross, or constraints have less rank than beside the pose.
 pub(crate) fn about_branches(
     system: &System,
     pose: &Pose,
-    strike: &Strike,
+    response: &ContactResponse,
     limits: &BranchLimits,
-) -> Option<DiagnosticRecord> {
-    if !strike.singular_pose {
+) -> Option<Finding> {
+    if !response.singular_pose {
         return None;
     }
-    let (here, generic) = (strike.degrees_of_freedom, system.degrees_of_freedom());
+    let (here, generic) = (response.degrees_of_freedom, system.degrees_of_freedom());
     let loops = pose.loops().is_some_and(|l| l.singularities.contains(&Singularity::ChangePoint));
     let kind = if loops { "singular pose (change point)" } else { "singular pose" };
     let mut message = format!("{kind}: {here} degrees of freedom here, {generic} at a generic pose; ");
     message += match (limits.limits.is_empty(), limits.continuous, limits.complete) {
         (true, ..) if !loops => {
-            "what is held or locked binds less here than beside it, and the value is a lower bound"
+            "what is held or locked constrains less here than beside it, and the value is a lower bound"
         }
         (true, ..) => {
             "no branch was found to lead away from it, and the value is a lower bound that no finite motion attains"
@@ -184,76 +229,35 @@ pub(crate) fn about_branches(
              were found; there may be more"
         }
     };
-    Some(warning("singular-pose", message))
+    Some(Finding::warning("singular-pose", Subject::Answer, message))
 }
 
-/// Held contacts that would have to pull: without them, the point leaves what it is held to.
-pub(crate) fn about_holds(
-    model: &Model,
-    question: &MassQuestion,
-    pose: &Pose,
-    contact: &Contact,
-) -> Result<Vec<DiagnosticRecord>, StudyError> {
-    let mut found = Vec::new();
-    for (i, hold) in question.hold.iter().enumerate() {
-        let Some(normal) = hold.normal else { continue };
-        let mut without = question.clone();
-        without.hold.remove(i);
-        let system = without.system(&model.mechanism)?;
-        let strike = system.strike(pose, contact, RouteChoice::Auto)?;
-        let link = model.mechanism.find_link(&hold.link)?;
-        let velocity = system.point_velocity_over_ground(pose, &strike, link, &Vector3::from(hold.point));
-        // The blow changes velocities by −v*: the point approaches what it is held to where −v*·n > 0.
-        let n = Vector3::from(normal).normalize();
-        let lifts = match velocity {
-            Some(PointVelocity::Known(v)) => pose.base().vector(&v).dot(&n) > 1e-9,
-            Some(PointVelocity::Undetermined) | None => false,
-        };
-        if lifts {
-            let without = match question.against_mass {
-                Some(other) => strike.against_mass(other).effective_mass,
-                None => strike.effective_mass,
-            };
-            let value = match without {
-                EffectiveMass::Finite(m) => format!("the effective mass is {m} kg"),
-                EffectiveMass::Immovable => "the contact is immovable".into(),
-                EffectiveMass::Massless => "the contact is massless".into(),
-            };
-            let message = format!(
-                "the held contact of link \"{}\" would have to pull: the blow lifts it off; without it {value}",
-                hold.link
-            );
-            found.push(warning("hold-pulls", message));
-        } else if !matches!(strike.effective_mass, EffectiveMass::Finite(_))
-            || velocity == Some(PointVelocity::Undetermined)
-        {
-            let message = format!(
-                "without the held contact of link \"{}\" the motion of the blow is not determined: whether it pulls cannot \
-                 be said",
-                hold.link
-            );
-            found.push(note("hold-undetermined", message));
-        }
-    }
-    Ok(found)
-}
-
-fn remark(remark: &Remark) -> DiagnosticRecord {
+fn remark(remark: &Remark) -> Finding {
+    let warning = |code, message: String| Finding::warning(code, Subject::Answer, message);
+    let note = |code, message: String| Finding::note(code, Subject::Answer, message);
     match remark {
-        Remark::NearlyImmovable { approach, uncertainty } => warning(
+        Remark::NearlyImmovable { closing_speed, uncertainty } => warning(
             "nearly-immovable",
             format!(
-                "the gap hardly closes (closing speed {approach:.1e} of its terms): the mass is uncertain by \
-                 {uncertainty:.1e} of itself"
+                "the gap hardly closes (closing speed {closing_speed:.1e} of its terms): the relative uncertainty of the \
+                 effective mass is {uncertainty:.1e}"
             ),
         ),
         Remark::MasslessMotions { directions } => note(
             "massless-motions",
-            format!("{directions} motion(s) of the mechanism carry no mass; they do not matter here"),
+            format!("{directions} motion(s) of the mechanism move no mass; they do not affect the answer"),
+        ),
+        Remark::MasslessToRounding { up_to } => warning(
+            "massless-to-rounding",
+            format!(
+                "massless to rounding only: the masses involved differ by so many decades that an effective mass of up to \
+                 {up_to:.1e} kg would not show"
+            ),
         ),
         Remark::UndeterminedMotion => note(
             "undetermined-motion",
-            "a motion without mass leaves some velocities of the blow open; the mass and the shares are not"
+            "a motion without mass leaves some velocities of the contact response undetermined; the mass and the \
+             contributions are not affected"
                 .into(),
         ),
         Remark::IndefiniteMassMatrix => warning(
@@ -263,8 +267,8 @@ fn remark(remark: &Remark) -> DiagnosticRecord {
         Remark::UnclearRank { gap } => warning(
             "unclear-rank-here",
             format!(
-                "the rank of the constraints is in doubt at this pose (gap {gap:.1e}): it is close to a change point, where \
-                 mobility is another"
+                "the rank of the constraints is unclear at this pose (gap {gap:.1e}): it is close to a change point, \
+                 where mobility is another"
             ),
         ),
         _ => note("remark", format!("{remark:?}")),

@@ -1,46 +1,70 @@
 //! A question about a model, and its answer: what the command line, and later the other faces, share.
 //!
-//! [`Model::load`] reads a file; [`mass`] answers one contact with a [`MassReport`]; [`check`] says what is in a
-//! model with a [`CheckReport`]. Reports serialise to the JSON that scripts rely on. Nothing here writes to a
-//! terminal.
+//! [`Model::load`] reads a file; [`mass()`] answers one contact with a [`MassReport`]; [`sweep()`] answers it over a range,
+//! row by row; [`check()`] says what is in a model with a [`CheckReport`]. Reports serialise to the JSON that scripts rely
+//! on. Nothing here writes to a terminal.
 
+mod answer;
+mod assumptions;
 mod check;
+mod closure_text;
 mod damped_contact;
 mod damping;
+mod damping_question;
+mod driver;
+mod driver_path;
+mod error;
 mod estimate;
 mod far_point;
+mod finding;
 mod findings;
+mod holds;
 mod mass;
+mod mass_report;
 mod measure;
 mod model;
+mod position;
+mod positions;
 mod quantity;
 mod question;
+mod reach;
 mod record;
+mod refusal;
 mod safe_speed;
 mod simulators;
 mod study_file;
+mod study_text;
 mod study_value;
 mod sweep;
+mod sweep_report;
+mod thresholds;
+mod travel;
+mod vary;
 
 /// Contact laws, simulators and safe speeds, for the faces that name them.
 pub use percuss_contact as contact;
 
+pub use assumptions::Assumptions;
 pub use check::{CheckReport, ClosureRecord, JointRecord, LinkRecord, check};
 pub use damped_contact::damp_contact;
-pub use damping::{
-    BodyAlone, DamperRecord, DampingQuestion, DampingReport, Drift, blow_history, damp, damper,
-};
+pub use damping::{BodyAlone, DamperRecord, DampingReport, Drift, damp, damper, impact_history};
+pub use damping_question::DampingQuestion;
+pub use error::{Fault, Field, StudyError};
 pub use estimate::EstimateRecord;
-pub use mass::{
-    Assumptions, BodyShare, ConditionsRecord, ContactRecord, HoldRecord, MassReport, RotorShare, Status,
-    mass, mass_with_damper,
+pub use mass::{mass, mass_with_damper};
+pub use mass_report::{
+    BodyShare, ConditionsRecord, ContactRecord, HoldRecord, MassReport, RotorShare, Status,
 };
 pub use measure::{Measure, Measured};
 pub use model::{Input, Model};
+pub use position::GivenPosition;
+pub use positions::{PoseLayout, Positions};
 pub use quantity::{Dimension, Quantity, QuantityError, parse_list, parse_triple};
-pub use question::{EstimateQuestion, Hold, MassQuestion, Normal, StudyError};
+pub use question::{EstimateQuestion, Hold, MassQuestion, Normal};
 pub use record::DiagnosticRecord;
 pub use safe_speed::{Limit, SafeSpeedQuestion, SafeSpeedReport, SpeedRecord, safe_speed};
 pub use simulators::ExportRecord;
 pub use study_file::{StudyFile, StudyFileError};
-pub use sweep::{SweepReport, SweepRow, Varied, Vary, sweep};
+pub use sweep::{Sweep, sweep, sweep_report};
+pub use sweep_report::{SweepEnd, SweepHeading, SweepReport, SweepRow};
+pub use vary::{Varied, Vary, VaryError};

@@ -1,6 +1,6 @@
 //! A model that was read: the mechanism, what was found, and which bytes it came from.
 
-use crate::DiagnosticRecord;
+use crate::record::DiagnosticRecord;
 use percuss_formats::{LoadError, LoadOptions, Source, load};
 use percuss_mechanism::Mechanism;
 use serde::Serialize;

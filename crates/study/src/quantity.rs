@@ -21,7 +21,7 @@ pub enum Dimension {
 pub struct Quantity {
     /// Its value in SI units.
     pub value: f64,
-    /// What the unit says it measures.
+    /// What the unit measures.
     pub dimension: Option<Dimension>,
 }
 
@@ -30,13 +30,15 @@ pub struct Quantity {
 #[non_exhaustive]
 pub enum QuantityError {
     /// Not a number with one of the units.
-    #[error("\"{text}\" is no number; wanted such as 0.5, 30deg, 12mm, 1e-3 (units: deg rad mm cm m g kg)")]
+    #[error(
+        "\"{text}\" is no number; expected one such as 0.5, 30deg, 12mm, 1e-3 (units: deg rad mm cm m g kg)"
+    )]
     NoNumber {
         /// What was given.
         text: String,
     },
     /// Not a number with one of the units of its kind.
-    #[error("\"{text}\" is no number here; wanted is a number{first}, or with one of the units {units}")]
+    #[error("\"{text}\" is no number here; expected a number{first}, or with one of the units {units}")]
     NoMeasure {
         /// What was given.
         text: String,
@@ -46,30 +48,30 @@ pub enum QuantityError {
         units: String,
     },
     /// NaN or infinite.
-    #[error("\"{text}\" is not finite; a finite number is wanted")]
+    #[error("\"{text}\" is not finite; expected a finite number")]
     NotFinite {
         /// What was given.
         text: String,
     },
     /// A unit of another dimension.
-    #[error("\"{text}\" is {got}, where {wanted} is wanted")]
+    #[error("\"{text}\" is {got}; expected {expected}")]
     WrongUnit {
         /// What was given.
         text: String,
         /// What its unit measures.
         got: Dimension,
         /// What should be given.
-        wanted: Dimension,
+        expected: Dimension,
     },
     /// A list of the wrong length.
-    #[error("\"{text}\" has {got} numbers; {wanted} are wanted, as in {example}")]
+    #[error("\"{text}\" has {got} numbers; expected {expected}, as in {example}")]
     Count {
         /// What was given.
         text: String,
         /// How many numbers it has.
         got: usize,
         /// How many it should have.
-        wanted: usize,
+        expected: usize,
         /// How it should look.
         example: &'static str,
     },
@@ -97,7 +99,32 @@ const UNITS: [(&str, f64, Dimension); 7] = [
     ("g", 1e-3, Dimension::Mass),
 ];
 
+impl fmt::Display for Quantity {
+    /// In SI units.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let unit = match self.dimension {
+            Some(Dimension::Length) => " m",
+            Some(Dimension::Angle) => " rad",
+            Some(Dimension::Mass) => " kg",
+            Some(Dimension::Plain) | None => "",
+        };
+        write!(f, "{}{unit}", self.value)
+    }
+}
+
 impl Quantity {
+    /// A number without a unit: SI.
+    ///
+    /// # Errors
+    /// [`QuantityError::NotFinite`].
+    pub fn number(value: f64) -> Result<Self, QuantityError> {
+        if value.is_finite() {
+            Ok(Self { value, dimension: None })
+        } else {
+            Err(QuantityError::NotFinite { text: value.to_string() })
+        }
+    }
+
     /// Reads `0.5`, `30deg`, `12mm`, `-1e-3`.
     ///
     /// # Errors
@@ -121,14 +148,14 @@ impl Quantity {
         Ok(Self { value, dimension: unit.map(|(.., dimension)| *dimension) })
     }
 
-    /// Its value in SI units, if its unit (where it has one) measures `wanted`.
+    /// Its value in SI units, if its unit (where it has one) measures `expected`.
     ///
     /// # Errors
     /// [`QuantityError::WrongUnit`].
-    pub fn of(self, wanted: Dimension, text: &str) -> Result<f64, QuantityError> {
+    pub fn of(self, expected: Dimension, text: &str) -> Result<f64, QuantityError> {
         match self.dimension {
-            Some(got) if got != wanted => {
-                Err(QuantityError::WrongUnit { text: text.trim().to_owned(), got, wanted })
+            Some(got) if got != expected => {
+                Err(QuantityError::WrongUnit { text: text.trim().to_owned(), got, expected })
             }
             _ => Ok(self.value),
         }
@@ -156,7 +183,7 @@ pub fn parse_triple(text: &str, dimension: Dimension) -> Result<[f64; 3], Quanti
     <[f64; 3]>::try_from(list.as_slice()).map_err(|_| QuantityError::Count {
         text: text.to_owned(),
         got: list.len(),
-        wanted: 3,
+        expected: 3,
         example,
     })
 }

@@ -1,11 +1,12 @@
-//! How fast a robot may move where it may strike a person: the effective mass in place of the standard's guess.
+//! How fast a robot may move where it may hit a person: the effective mass in place of the standard's M/2 + m_L.
 
-use crate::mass::Answered;
-use crate::model::Input;
-use crate::question::{MassQuestion, StudyError};
-use crate::{DiagnosticRecord, Model};
-use percuss_contact::{BodyRegion, ContactError, TransientContact, standard_robot_mass};
-use percuss_dynamics::EffectiveMass;
+use crate::answer::Answered;
+use crate::error::StudyError;
+use crate::model::{Input, Model};
+use crate::question::MassQuestion;
+use crate::record::DiagnosticRecord;
+use percuss_contact::{BodyRegion, ContactLawError, TransientContact, standard_robot_mass};
+use percuss_dynamics::{Base, EffectiveMass};
 use percuss_mechanism::{
     Inertial, JointDescription, JointKind, LinkDescription, LinkId, Mechanism, Severity,
 };
@@ -61,7 +62,7 @@ pub struct SafeSpeedReport {
     pub region_note: Option<String>,
     /// The greatest force, N.
     pub force: f64,
-    /// The energy of the blow, J.
+    /// The energy of the impact, J.
     pub energy: f64,
     /// With the effective mass at the contact.
     pub reflected: SpeedRecord,
@@ -78,7 +79,7 @@ pub struct SafeSpeedReport {
 /// How fast the contact of a robot may go.
 ///
 /// # Errors
-/// [`StudyError`], as for [`mass`](crate::mass()); limits out of range, a region that is not in the table, a contact
+/// [`StudyError`], as for `mass`; limits out of range, a region that is not in the table, a contact
 /// that carries no mass.
 pub fn safe_speed(
     model: &Model,
@@ -90,10 +91,10 @@ pub fn safe_speed(
         return Err(StudyError::PersonIsTheOther);
     }
     let bare = Answered::new(model, question)?;
-    let moving_mass = moving_mass(&model.mechanism, question, &bare);
-    let loaded = if asked.load > 0.0 { Some(loaded(model, &bare, asked.load)?) } else { None };
+    let moving_mass = moving_mass(&bare);
+    let loaded = if asked.load > 0.0 { Some(loaded(&bare, asked.load)?) } else { None };
     let answered = loaded.as_ref().map_or(Ok(bare), |model| Answered::new(model, question))?;
-    let speed = |robot_mass: Option<f64>| -> Result<_, ContactError> {
+    let speed = |robot_mass: Option<f64>| -> Result<_, ContactLawError> {
         let contact = match robot_mass {
             Some(mass) => TransientContact::new(region, mass)?,
             None => TransientContact::immovable(region),
@@ -105,13 +106,13 @@ pub fn safe_speed(
         Ok((SpeedRecord { robot_mass, reduced_mass: contact.reduced_mass(), speed: safe.speed }, safe))
     };
     let (standard, safe) = speed(Some(standard_robot_mass(moving_mass, asked.load)?))?;
-    let mut diagnostics = answered.report.diagnostics.clone();
-    let (reflected, _) = match answered.strike.effective_mass {
+    let mut diagnostics = model.diagnostics.clone();
+    diagnostics.extend(answered.answer.findings.iter().cloned().map(DiagnosticRecord::from));
+    let (reflected, _) = match answered.answer.response.effective_mass {
         EffectiveMass::Finite(m) => speed(Some(m))?,
         EffectiveMass::Immovable => {
-            let message = "the robot does not give way along this direction: only the person's mass is between it and the \
-                           force"
-                .to_owned();
+            let message =
+                "the robot is immovable along this direction: the person's mass alone decides".to_owned();
             diagnostics.push(DiagnosticRecord::about_answer(Severity::Warning, "immovable-robot", message));
             speed(None)?
         }
@@ -143,7 +144,8 @@ pub fn safe_speed(
 }
 
 /// The model with a load: a point mass at the contact, held by the struck link.
-fn loaded(model: &Model, bare: &Answered, load: f64) -> Result<Model, StudyError> {
+fn loaded(bare: &Answered, load: f64) -> Result<Model, StudyError> {
+    let model = bare.prepared.model;
     let mechanism = &model.mechanism;
     let at = bare.contact.point;
     let name = (0..).map(|i| format!("load{i}")).find(|name| mechanism.find_link(name).is_err());
@@ -153,7 +155,7 @@ fn loaded(model: &Model, bare: &Answered, load: f64) -> Result<Model, StudyError
         .to_builder()
         .link(LinkDescription::new(&name, Inertial::point(load, at.into())))
         .joint(JointDescription::new(format!("{name} on {struck}"), JointKind::Fixed, struck, &name));
-    let built = builder.build().map_err(|_| ContactError::OutOfRange {
+    let built = builder.build().map_err(|_| ContactLawError::OutOfRange {
         what: "load, kg",
         got: load,
         valid: "a finite number, 0 or above",
@@ -162,16 +164,18 @@ fn loaded(model: &Model, bare: &Answered, load: f64) -> Result<Model, StudyError
 }
 
 /// Mass of the links that can move: not the ground, and not behind locked joints alone.
-fn moving_mass(mechanism: &Mechanism, question: &MassQuestion, answered: &Answered) -> f64 {
+fn moving_mass(answered: &Answered) -> f64 {
+    let prepared = &answered.prepared;
+    let mechanism: &Mechanism = &prepared.model.mechanism;
     let moves = |link: &LinkId| {
         let above = std::iter::successors(mechanism.parent_joint(*link), |joint| {
             mechanism.parent_joint(mechanism.joint(*joint).parent())
         });
-        let floats = question.base == percuss_dynamics::Base::Floating;
+        let floats = prepared.question.base == Base::Floating;
         floats
             || above
                 .into_iter()
-                .any(|joint| mechanism.joint(joint).kind().dofs() > 0 && !answered.system.is_locked(joint))
+                .any(|joint| mechanism.joint(joint).kind().dofs() > 0 && !prepared.system.is_locked(joint))
     };
     let mass = |link: LinkId| mechanism.link(link).inertial().map_or(0.0, |i| i.mass);
     mechanism.link_ids().filter(moves).map(mass).sum()

@@ -1,9 +1,11 @@
 //! Numbers of a study file: plain (SI), or text with a unit (`"350 mm"`).
 
 use crate::measure::Measure;
+use crate::position::GivenPosition;
 use crate::quantity::{Dimension, Quantity};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer};
+use std::collections::BTreeMap;
 
 #[derive(Deserialize)]
 #[serde(untagged, expecting = "a number, or text with a unit such as \"350mm\"")]
@@ -23,13 +25,38 @@ impl NumberOrText {
     }
 }
 
+/// A position: a number, numbers, or text with units.
+#[derive(Deserialize)]
+#[serde(untagged, expecting = "a number, a list of numbers, or text with units")]
+enum PositionText {
+    Text(String),
+    One(f64),
+    Many(Vec<f64>),
+}
+
+/// Positions by joint.
+pub(crate) fn positions<'de, D: Deserializer<'de>>(
+    from: D,
+) -> Result<BTreeMap<String, GivenPosition>, D::Error> {
+    let given = |(joint, text): (String, PositionText)| {
+        let position = match text {
+            PositionText::Text(text) => GivenPosition::parse(&text),
+            PositionText::One(x) => GivenPosition::from_numbers(&[x]),
+            PositionText::Many(xs) => GivenPosition::from_numbers(&xs),
+        };
+        let position = position.map_err(|error| D::Error::custom(format!("joint \"{joint}\": {error}")))?;
+        Ok((joint, position))
+    };
+    BTreeMap::<String, PositionText>::deserialize(from)?.into_iter().map(given).collect()
+}
+
 fn triple<'de, D: Deserializer<'de>>(from: D, dimension: Dimension) -> Result<[f64; 3], D::Error> {
     let values: Vec<f64> = Vec::<NumberOrText>::deserialize(from)?
         .into_iter()
         .map(|v| v.of(dimension))
         .collect::<Result<_, _>>()?;
     <[f64; 3]>::try_from(values)
-        .map_err(|given| D::Error::custom(format!("{} numbers; wanted 3", given.len())))
+        .map_err(|given| D::Error::custom(format!("{} numbers; expected 3", given.len())))
 }
 
 /// Three numbers without a unit.

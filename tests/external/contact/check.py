@@ -17,7 +17,7 @@ from pathlib import Path
 import drake_scenes
 import mujoco_scenes
 import snippets
-from blows import Contact, answer, damp, linear_blow, parameters
+from impacts import Contact, answer, damp, linear_impact, parameters
 from tally import Tally
 
 RESTITUTIONS = (0.2, 0.5, 0.8)
@@ -31,7 +31,7 @@ DRIFT, DRIFT_AGREEMENT = 1e-3, 2e-6
 MASS, ALPHA = 1e-9, 1e-6
 # Of what percuss says that a damper for the wrong mass does.
 STATED = 1e-9
-# Of a blow with wrong numbers about what it should then do: the time step is not made for it.
+# Of an impact with wrong numbers about what it should then do: the time step is not made for it.
 WRONG = 0.01
 
 # In MuJoCo each contact is run in these other ways too. With closed loops implicitfast needs half the step.
@@ -99,7 +99,7 @@ class Check:
         self.percuss, self.tally, self.rows = percuss, Tally(), []
 
     def right(self, tool, scene, report, outcome, linear=True):
-        """A blow with percuss's parameters."""
+        """An impact with percuss's parameters."""
         e, where = report["restitution"], f"{scene}, e = {report['restitution']}"
         depth = outcome.depth / report["max_penetration"]
         self.tally.within(f"restitution: {tool}", where, outcome.error(e), RESTITUTION)
@@ -109,7 +109,7 @@ class Check:
         return self.rows[-1]
 
     def wrong(self, row, name, report, outcome, foreseen=None):
-        """A blow with wrong parameters; restitution and penetration as they follow from the law."""
+        """An impact with wrong parameters; restitution and penetration as they follow from the law."""
         row.wrong[name] = outcome.mean, outcome.depth / report["max_penetration"]
         if foreseen:
             where, (e, depth) = f"{row.tool}, {row.scene}, e = {row.restitution}", foreseen
@@ -119,14 +119,14 @@ class Check:
     def damp(self, contact, e, *more):
         return damp(self.percuss, contact, e, *more)
 
-    def mujoco(self, scene, report, blow):
-        """`blow(parameters)` gives the outcome."""
+    def mujoco(self, scene, report, impact):
+        """`impact(parameters)` gives the outcome."""
         given = parameters(report, "mujoco")
         for name, change in OTHERWISE.items():
-            self.right(f"MuJoCo {name}", scene, report, blow(given | change(given)))
-        return self.right("MuJoCo", scene, report, blow(given))
+            self.right(f"MuJoCo {name}", scene, report, impact(given | change(given)))
+        return self.right("MuJoCo", scene, report, impact(given))
 
-    def wrong_in_mujoco(self, row, contact, report, alone, blow):
+    def wrong_in_mujoco(self, row, contact, report, alone, impact):
         """Everything computed for the struck body's own mass; the contact's k and c over that mass; k and c as they are; and,
         where loops are closed, MuJoCo's own settings of the equality constraints."""
         given, own = parameters(report, "mujoco"), report["body_alone"]["mass"]
@@ -138,11 +138,11 @@ class Check:
         ):
             # As many steps to a period as with the right stiffness.
             step = given["timestep"] * (given["solref"][0] / solref[0]) ** 0.5
-            outcome = blow(given | {"solref": solref, "timestep": step})
-            self.wrong(row, name, report, outcome, linear_blow(-solref[0], -solref[1], contact.speed))
+            outcome = impact(given | {"solref": solref, "timestep": step})
+            self.wrong(row, name, report, outcome, linear_impact(-solref[0], -solref[1], contact.speed))
         if "equality_solref" in given:
             loose = {name: value for name, value in given.items() if not name.startswith("equality_")}
-            self.wrong(row, "loops at default", report, blow(loose))
+            self.wrong(row, "loops at default", report, impact(loose))
 
     def alone(self, contact, report):
         """What percuss would say of the struck body's own mass; None where that is the effective mass."""
@@ -150,7 +150,7 @@ class Check:
         if abs(own["mass"] / mass - 1) < MASS:
             return None
         alone = self.damp(contact.of_mass(own["mass"]), report["restitution"])
-        e, _ = linear_blow(contact.stiffness / mass, alone["damping"] / mass, contact.speed)
+        e, _ = linear_impact(contact.stiffness / mass, alone["damping"] / mass, contact.speed)
         where = f"m̄ = {mass:.6g} kg, own {own['mass']:.6g} kg, e = {report['restitution']}"
         self.tally.within("stated: what the own mass's damper does", where, abs(own["restitution"] - e), STATED)
         return alone
@@ -172,16 +172,16 @@ class Check:
         scene = f"pendulum, rotor {rotor}"
         for report, alone in self.mechanism(scene, contact):
 
-            def blow(of, mode):
+            def impact(of, mode):
                 return drake_scenes.pendulum(parameters(of, "drake"), mode, PENDULUM, LENGTH, rotor, contact.speed)
 
             for mode in drake_scenes.MODES:
-                row = self.right(f"Drake {mode}", scene, report, blow(report, mode), linear=mode == "sap")
+                row = self.right(f"Drake {mode}", scene, report, impact(report, mode), linear=mode == "sap")
                 if alone:
                     # SAP integrates k and c as they are; the other plants' numbers do not depend on a mass.
                     mass = report["effective_mass"]
-                    foreseen = linear_blow(contact.stiffness / mass, alone["damping"] / mass, contact.speed)
-                    self.wrong(row, "own mass", report, blow(alone, mode), foreseen if mode == "sap" else None)
+                    foreseen = linear_impact(contact.stiffness / mass, alone["damping"] / mass, contact.speed)
+                    self.wrong(row, "own mass", report, impact(alone, mode), foreseen if mode == "sap" else None)
 
     def mechanism(self, scene, contact):
         """A model's contact in MuJoCo. Gives percuss's report for each restitution, and what it says of the own mass."""
@@ -200,14 +200,14 @@ class Check:
             self.tally.within("α = Â m̄ by MuJoCo's body_invweight0", where, abs(alpha / their_alpha - 1), ALPHA)
 
             alone = self.alone(contact, report)
-            row = self.mujoco(scene, report, lambda p: theirs.blow(p, contact.speed)[0])
+            row = self.mujoco(scene, report, lambda p: theirs.impact(p, contact.speed)[0])
             if alone:
-                self.wrong_in_mujoco(row, contact, report, alone, lambda p: theirs.blow(p, contact.speed)[0])
+                self.wrong_in_mujoco(row, contact, report, alone, lambda p: theirs.impact(p, contact.speed)[0])
 
             # The plane's normal stays; that of the contact asked for may turn with the mechanism.
             drift = report["drift"]["over_penetration"]
             on_plane = self.damp(contact.along(theirs.normal), e)["drift"]["over_penetration"]
-            their_drift = theirs.effective_mass(theirs.blow(given, contact.speed)[1]) / mass - 1
+            their_drift = theirs.effective_mass(theirs.impact(given, contact.speed)[1]) / mass - 1
             self.tally.within("drift of the effective mass", where, max(abs(drift), abs(on_plane)), DRIFT)
             self.tally.within("drift by MuJoCo's matrices", where, abs(on_plane - their_drift), DRIFT_AGREEMENT)
             print(

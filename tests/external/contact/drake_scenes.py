@@ -1,4 +1,4 @@
-"""Blows in Drake. `parameters` in Drake's own names, as percuss writes them, the same for both geometries of the pair:
+"""Impacts in Drake. `parameters` in Drake's own names, as percuss writes them, the same for both geometries of the pair:
 "point_contact_stiffness", "hunt_crossley_dissipation", "relaxation_time"; and of the plant: "integration_scheme", "accuracy",
 "max_step_size" (continuous), "time_step_lagged", "time_step_sap". `mode` says which plant.
 
@@ -14,7 +14,7 @@ from pydrake.multibody.tree import PrismaticJoint, SpatialInertia
 from pydrake.systems.analysis import ApplySimulatorConfig, Simulator, SimulatorConfig
 from pydrake.systems.framework import DiagramBuilder, EventStatus
 
-from blows import RADIUS, Outcome
+from impacts import RADIUS, Outcome
 
 # It warns that half spaces do not touch deformable bodies.
 logging.getLogger("drake").setLevel(logging.ERROR)
@@ -24,7 +24,7 @@ MODES = {
     "lagged": (DiscreteContactApproximation.kLagged, "time_step_lagged"),
     "sap": (DiscreteContactApproximation.kSap, "time_step_sap"),
 }
-# The flight before a blow in a continuous plant, in steps of the integrator; and the longest blow that is waited for, likewise.
+# The flight before an impact in a continuous plant, in steps of the integrator; and the longest impact that is waited for, likewise.
 FLIGHT, LONGEST = 200, 20_000
 
 
@@ -36,7 +36,7 @@ def ball(parameters, mode, mass, speed):
         plant.AddJoint(PrismaticJoint("along", plant.world_frame(), body.body_frame(), [0, 0, 1]))
         return body, RigidTransform()
 
-    return blows(build, parameters, mode, 1.0, speed)
+    return impacts(build, parameters, mode, 1.0, speed)
 
 
 def pendulum(parameters, mode, urdf, length, rotor_inertia, speed):
@@ -48,15 +48,15 @@ def pendulum(parameters, mode, urdf, length, rotor_inertia, speed):
         actuator.set_default_rotor_inertia(rotor_inertia)
         return plant.GetBodyByName("rod"), RigidTransform([length, 0, 0])
 
-    return blows(build, parameters, mode, length, speed)
+    return impacts(build, parameters, mode, length, speed)
 
 
-def blows(build, parameters, mode, lever, speed):
+def impacts(build, parameters, mode, lever, speed):
     """In a continuous plant the phase is where in a step of the integrator the contact begins."""
-    return Outcome.of(lambda phase: blow(build, parameters, mode, lever, speed, phase))
+    return Outcome.of(lambda phase: impact(build, parameters, mode, lever, speed, phase))
 
 
-def blow(build, parameters, mode, lever, speed, phase):
+def impact(build, parameters, mode, lever, speed, phase):
     """A plant of one coordinate; `lever`: metres of gap for each unit of it."""
     discrete = MODES[mode]
     builder = DiagramBuilder()
@@ -82,7 +82,7 @@ def blow(build, parameters, mode, lever, speed, phase):
     simulator.Initialize()
     simulator.AdvanceTo((flight + LONGEST) * step)
     if watch.rebound is None:
-        raise RuntimeError("the blow did not end")
+        raise RuntimeError("the impact did not end")
     return watch.rebound / speed, watch.depth
 
 

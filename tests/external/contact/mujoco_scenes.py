@@ -1,4 +1,4 @@
-"""Blows in MuJoCo. `parameters` in MuJoCo's own names, as percuss writes them: "solref", "solimp", "timestep", for closed
+"""Impacts in MuJoCo. `parameters` in MuJoCo's own names, as percuss writes them: "solref", "solimp", "timestep", for closed
 loops "equality_solref" and "equality_solimp"; and where wanted "integrator".
 
 Nothing here knows a contact law: the parameters come from elsewhere. Everything else is MuJoCo's default, but that there is no
@@ -7,10 +7,10 @@ gravity and no friction."""
 import mujoco
 import numpy as np
 
-from blows import RADIUS, Outcome
+from impacts import RADIUS, Outcome
 from loops import least_energy, mjcf, quaternion
 
-# A blow that has not ended after this many steps is not one.
+# An impact that has not ended after this many steps is not one.
 STEPS = 2_000_000
 
 
@@ -37,7 +37,7 @@ def ball(parameters, mass, speed):
         f'<geom type="sphere" size="{RADIUS}" mass="{mass!r}"/></body></worldbody></mujoco>'
     )
     model = dress(spec, parameters)
-    return Blow(model, model.qpos0, np.ones(1), lambda data: data.qvel[0]).outcome(speed)
+    return Impact(model, model.qpos0, np.ones(1), lambda data: data.qvel[0]).outcome(speed)
 
 
 class Mechanism:
@@ -75,10 +75,10 @@ class Mechanism:
         self.model = self.spec.compile()
         self.probed = mujoco.MjData(self.model)
 
-    def blow(self, parameters, speed):
+    def impact(self, parameters, speed):
         """The outcome, and the pose of the deepest penetration."""
-        blow = Blow(dress(self.spec.copy(), parameters), self.pose, self.opening(), self.opening_speed)
-        return blow.outcome(speed), blow.deepest
+        impact = Impact(dress(self.spec.copy(), parameters), self.pose, self.opening(), self.opening_speed)
+        return impact.outcome(speed), impact.deepest
 
     def inverse_diagonal(self):
         """Â, what MuJoCo takes for the contact's inverse mass."""
@@ -104,7 +104,7 @@ class Mechanism:
         return self.normal @ jacobian
 
     def opening(self):
-        """The motion of least energy that the loops admit and that opens the gap at 1 m/s: the one a blow excites."""
+        """The motion of least energy that the loops admit and that opens the gap at 1 m/s: the one an impact excites."""
         mass, rows, row = self.matrices(self.pose)
         # Stationary energy under both kinds of constraint; least squares, for rows that do not count.
         held = np.vstack([rows, row])
@@ -128,8 +128,8 @@ def facing(normal):
     return [float(q) for q in quaternion(np.column_stack([x, np.cross(normal, x), normal])).split()]
 
 
-class Blow:
-    """A model about to strike: its touching pose, the rates by which its gap opens at 1 m/s, and how fast it opens."""
+class Impact:
+    """A model about to touch: its touching pose, the rates by which its gap opens at 1 m/s, and how fast it opens."""
 
     def __init__(self, model, pose, opening, opening_speed):
         self.model, self.pose, self.opening, self.opening_speed = model, pose, opening, opening_speed
@@ -153,4 +153,4 @@ class Blow:
                     self.depth, self.deepest = depth, data.qpos.copy()
             elif touched:
                 return self.opening_speed(data) / speed, depth
-        raise RuntimeError("the blow did not end")
+        raise RuntimeError("the impact did not end")

@@ -1,10 +1,10 @@
 //! The contact and its conditions.
 
-use super::words::{armature, assignment, estimate, hold, kilograms, line, normal, point};
+use super::words::{armature, estimate, hold, kilograms, line, normal, point, position};
 use crate::failure::Failure;
 use clap::{Args, ValueEnum};
 use percuss_dynamics::{Base, Frame};
-use percuss_study::{EstimateQuestion, Hold, MassQuestion, Normal};
+use percuss_study::{EstimateQuestion, GivenPosition, Hold, MassQuestion, Normal};
 
 /// The frame of point and normal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -58,7 +58,8 @@ pub struct ContactArgs {
     /// The normal points from the contact point towards this point (m) of a link, in that link's frame.
     #[arg(long, value_name = "LINK:X,Y,Z", value_parser = line)]
     pub along_line: Option<(String, [f64; 3])>,
-    /// The frame of the point and the normal.
+    /// In which frame the point and the normal are given, both. A point in another frame than the link's is converted
+    /// once, at the pose of --set with what is varied at 0, and moves with the link; a normal keeps its axes.
     #[arg(long, value_enum, default_value_t = FrameArg::Link)]
     pub frame: FrameArg,
     /// The frame of the normal, where it differs from that of the point.
@@ -71,11 +72,11 @@ pub struct ContactArgs {
     #[arg(long, value_name = "KG", allow_hyphen_values = true, value_parser = kilograms, conflicts_with = "against")]
     pub against_mass: Option<f64>,
     /// Sets a driving joint; the others stand at 0. Spherical: w,x,y,z; planar: x,y,angle; floating: x,y,z,w,x,y,z.
-    #[arg(long, value_name = "JOINT=VALUE", value_parser = assignment)]
-    pub set: Vec<(String, String)>,
-    /// First guess of a joint that follows from loops: selects the assembly mode.
-    #[arg(long, value_name = "JOINT=VALUE", value_parser = assignment)]
-    pub guess: Vec<(String, String)>,
+    #[arg(long, value_name = "JOINT=VALUE", value_parser = position)]
+    pub set: Vec<(String, GivenPosition)>,
+    /// First guess of a joint that depends on others through loops: selects the assembly mode.
+    #[arg(long, value_name = "JOINT=VALUE", value_parser = position)]
+    pub guess: Vec<(String, GivenPosition)>,
     /// Holds a joint where it stands.
     #[arg(long, value_name = "JOINT")]
     pub lock: Vec<String>,

@@ -2,7 +2,9 @@
 
 use percuss_study::contact::Law;
 use percuss_study::contact::exports::Tool;
-use percuss_study::{Dimension, EstimateQuestion, Hold, Measure, Measured, Quantity, parse_triple};
+use percuss_study::{
+    Dimension, EstimateQuestion, GivenPosition, Hold, Measure, Measured, Quantity, parse_triple,
+};
 
 /// What `--for` names: one tool, or all.
 pub type Tools = Vec<Tool>;
@@ -102,8 +104,14 @@ pub fn line(text: &str) -> Result<(String, [f64; 3]), String> {
     }
 }
 
+/// `JOINT=VALUE` with numbers, units allowed, for the position of a joint.
+pub fn position(text: &str) -> Result<(String, GivenPosition), String> {
+    let (joint, value) = assignment(text)?;
+    Ok((joint, GivenPosition::parse(&value).map_err(|e| e.to_string())?))
+}
+
 /// `JOINT=VALUE`, split at the last equals sign.
-pub fn assignment(text: &str) -> Result<(String, String), String> {
+fn assignment(text: &str) -> Result<(String, String), String> {
     match text.rsplit_once('=') {
         Some((joint, value)) if !joint.is_empty() && !value.is_empty() => {
             Ok((joint.to_owned(), value.to_owned()))

@@ -1,7 +1,7 @@
 //! Adams: the IMPACT function and contact; the same function in MotionSolve, RecurDyn and SolidWorks Motion.
 
 use super::{Export, ExportError, ImpactFunction, Request, Tool};
-use crate::ContactError;
+use crate::ContactLawError;
 use crate::limits;
 
 /// IMPACT(x, x', x1, k, e, cmax, d) = max(0, k(x1−x)^e − STEP(x, x1−d, cmax, x1, 0) x').
@@ -39,7 +39,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     // k x₀ᵖ/v = (p+1)/2 · m̄ v/x₀.
     let damping = number * (p + 1.0) / 2.0 * mass * speed / depth;
     if !damping.is_finite() {
-        return Err(ContactError::NotRepresentable { what: "cmax, N·s/m" }.into());
+        return Err(ContactLawError::NotRepresentable { what: "cmax, N·s/m" }.into());
     }
     export.set("cmax", damping, "N·s/m");
     export.set("d", ramp, "m");

@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 use super::Tool;
-use crate::ContactError;
+use crate::ContactLawError;
 use crate::error::suggestion;
 
 /// Why a tool has no parameters for a contact.
@@ -12,7 +12,7 @@ use crate::error::suggestion;
 pub enum ExportError {
     /// A number out of range, or a restitution that no damping gives.
     #[error(transparent)]
-    Contact(#[from] ContactError),
+    Contact(#[from] ContactLawError),
     /// The tool's spring has another exponent.
     #[error("{tool}: its contact spring cannot have the exponent {exponent:?}: {takes}; {remedy}")]
     Exponent {

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::{ExportError, Tool};
-use crate::ContactError;
+use crate::ContactLawError;
 
 /// A contact in the numbers of a tool.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -117,7 +117,7 @@ impl Export {
             Value::Word(_) => true,
         };
         if let Some(parameter) = self.parameters.iter().find(|p| !numbers(&p.value)) {
-            return Err(ContactError::NotRepresentable { what: parameter.name }.into());
+            return Err(ContactLawError::NotRepresentable { what: parameter.name }.into());
         }
         Ok(self)
     }
@@ -130,7 +130,7 @@ pub(super) fn single(what: &'static str, value: f64) -> Result<(), ExportError> 
         return Ok(());
     }
     let valid = "a size from 1.2e-38 to 3.4e38: the tool stores it in single precision";
-    Err(ContactError::OutOfRange { what, got: value, valid }.into())
+    Err(ContactLawError::OutOfRange { what, got: value, valid }.into())
 }
 
 impl From<f64> for Value {

@@ -1,6 +1,6 @@
 //! The IMPACT force of Adams, without dimensions: its restitution, and the damping that gives one.
 
-use crate::ContactError;
+use crate::ContactLawError;
 use crate::error::{not_negative, positive, representable, unit_interval};
 use crate::limits;
 
@@ -19,15 +19,15 @@ pub struct ImpactFunction {
 
 impl ImpactFunction {
     /// `exponent` p from 1 to 10; `ramp` D, from 1e-4 to 1e4. Errors: either is out of its range.
-    pub fn new(exponent: f64, ramp: f64) -> Result<Self, ContactError> {
-        if !crate::Contact::EXPONENTS.contains(&exponent) {
+    pub fn new(exponent: f64, ramp: f64) -> Result<Self, ContactLawError> {
+        if !crate::CompliantContact::EXPONENTS.contains(&exponent) {
             let (what, valid) = ("exponent of the spring", "a number from 1 to 10");
-            return Err(ContactError::OutOfRange { what, got: exponent, valid });
+            return Err(ContactLawError::OutOfRange { what, got: exponent, valid });
         }
         if !limits::RAMPS.contains(&ramp) {
             let (what, valid) =
                 ("IMPACT's ramp d over the undamped penetration", "a number from 1e-4 to 1e4");
-            return Err(ContactError::OutOfRange { what, got: ramp, valid });
+            return Err(ContactLawError::OutOfRange { what, got: ramp, valid });
         }
         Ok(Self { exponent, ramp })
     }
@@ -38,7 +38,7 @@ impl ImpactFunction {
         mass: f64,
         stiffness: f64,
         speed: f64,
-    ) -> Result<f64, ContactError> {
+    ) -> Result<f64, ContactLawError> {
         let speed = positive("approach speed, m/s", speed)?;
         // As a sum of logarithms: the terms may be large where the root is not.
         let sum = ((exponent + 1.0) / 2.0).ln() + mass.ln() + 2.0 * speed.ln() - stiffness.ln();
@@ -46,7 +46,7 @@ impl ImpactFunction {
     }
 
     /// The restitution of the damping ĉ. Errors: ĉ is negative or not finite; the contact does not end.
-    pub fn restitution(&self, damping: f64) -> Result<f64, ContactError> {
+    pub fn restitution(&self, damping: f64) -> Result<f64, ContactLawError> {
         let damping = not_negative("IMPACT's dimensionless damping", damping)?;
         if damping == 0.0 {
             return Ok(1.0);
@@ -95,7 +95,7 @@ impl ImpactFunction {
 
     /// The damping ĉ of the restitution e, 0 for e = 1. Errors: e is not from 0 to 1, or so small that the mass
     /// nearly comes to rest in the contact (e = 0 included).
-    pub fn damping(&self, restitution: f64) -> Result<f64, ContactError> {
+    pub fn damping(&self, restitution: f64) -> Result<f64, ContactLawError> {
         let e = unit_interval("restitution", restitution)?;
         if e == 1.0 {
             return Ok(0.0);
@@ -108,7 +108,7 @@ impl ImpactFunction {
             return Ok(self.damping(1.0 - limits::LEAST_LOSS)? * ((1.0 - e) / limits::LEAST_LOSS));
         }
         let miss =
-            |damping: f64| -> Result<f64, ContactError> { Ok(self.restitution(damping)?.ln() - e.ln()) };
+            |damping: f64| -> Result<f64, ContactLawError> { Ok(self.restitution(damping)?.ln() - e.ln()) };
         // A bracket is sought from 1 − e on, by factors.
         let mut low = 1.0 - e;
         let mut at_low = miss(low)?;
@@ -199,8 +199,8 @@ fn falsi(
     at_low: f64,
     high: f64,
     at_high: f64,
-    miss: impl Fn(f64) -> Result<f64, ContactError>,
-) -> Result<f64, ContactError> {
+    miss: impl Fn(f64) -> Result<f64, ContactLawError>,
+) -> Result<f64, ContactLawError> {
     let (mut a, mut f_a, mut b, mut f_b) = (low.ln(), at_low, high.ln(), at_high);
     let mut last_side = 0;
     for _ in 0..limits::MOST_SEARCH_STEPS {
@@ -224,8 +224,8 @@ fn falsi(
     Ok(((a + b) / 2.0).exp())
 }
 
-fn endless(restitution: f64) -> ContactError {
-    ContactError::Unreachable {
+fn endless(restitution: f64) -> ContactLawError {
+    ContactLawError::Unreachable {
         law: "adams-impact",
         restitution,
         why: "the mass nearly comes to rest in the contact",

@@ -3,13 +3,13 @@
 use super::ExportError;
 use crate::error::{positive, unit_interval};
 use crate::limits;
-use crate::{Contact, ContactError};
+use crate::{CompliantContact, ContactLawError};
 
 /// A contact, and the required restitution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Request {
     /// The effective mass and the spring.
-    pub contact: Contact,
+    pub contact: CompliantContact,
     /// The coefficient of restitution e, from 0 to 1.
     pub restitution: f64,
     /// The approach speed in m/s, above 0, for the tools whose numbers depend on it.
@@ -56,7 +56,7 @@ impl Default for Options {
 
 impl Request {
     /// A request with the default options and no speed.
-    pub fn new(contact: Contact, restitution: f64) -> Self {
+    pub fn new(contact: CompliantContact, restitution: f64) -> Self {
         Self { contact, restitution, speed: None, options: Options::default() }
     }
 
@@ -71,7 +71,7 @@ impl Request {
         let accuracy = self.options.accuracy;
         if !limits::ACCURACIES.contains(&accuracy) {
             let (what, valid) = ("accuracy of the restitution", "a number from 1e-9 to 0.1");
-            return Err(ContactError::OutOfRange { what, got: accuracy, valid }.into());
+            return Err(ContactLawError::OutOfRange { what, got: accuracy, valid }.into());
         }
         let optional = [
             ("approach speed, m/s", self.speed),

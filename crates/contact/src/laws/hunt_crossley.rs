@@ -16,7 +16,7 @@
 //! The law itself is Hunt and Crossley's (1975).
 
 use super::facts::Facts;
-use crate::ContactError;
+use crate::ContactLawError;
 use crate::error::{not_negative, unit_interval};
 use crate::limits;
 
@@ -29,19 +29,19 @@ pub(super) const FACTS: Facts = Facts {
 };
 
 /// The restitution of the dissipation number a = d v. Errors: a is negative, NaN or infinite.
-pub fn restitution(dissipation_number: f64) -> Result<f64, ContactError> {
+pub fn restitution(dissipation_number: f64) -> Result<f64, ContactLawError> {
     Ok(Solution::of_number(not_negative("dissipation number", dissipation_number)?).restitution())
 }
 
 /// 1 − e of the dissipation number a = d v, without loss of digits where a is small. Errors: as [`restitution`].
-pub fn restitution_loss(dissipation_number: f64) -> Result<f64, ContactError> {
+pub fn restitution_loss(dissipation_number: f64) -> Result<f64, ContactLawError> {
     Ok(Solution::of_number(not_negative("dissipation number", dissipation_number)?).loss())
 }
 
 /// The dissipation number a = d v that gives the restitution e.
 ///
 /// 0 for e = 1. Errors: e is not from 0 to 1; e = 0, which no dissipation reaches (a → 1/e).
-pub fn dissipation_number(restitution: f64) -> Result<f64, ContactError> {
+pub fn dissipation_number(restitution: f64) -> Result<f64, ContactLawError> {
     let e = unit_interval("restitution", restitution)?;
     number(1.0 - e, e)
 }
@@ -49,15 +49,15 @@ pub fn dissipation_number(restitution: f64) -> Result<f64, ContactError> {
 /// The dissipation number a = d v that gives the restitution e = 1 − loss, for a loss too small to be represented in e.
 ///
 /// Errors: the loss is not from 0 to 1; a loss of 1 as e = 0 of [`dissipation_number`].
-pub fn dissipation_number_of_loss(loss: f64) -> Result<f64, ContactError> {
+pub fn dissipation_number_of_loss(loss: f64) -> Result<f64, ContactLawError> {
     let loss = unit_interval("1 - restitution", loss)?;
     number(loss, 1.0 - loss)
 }
 
-fn number(loss: f64, e: f64) -> Result<f64, ContactError> {
+fn number(loss: f64, e: f64) -> Result<f64, ContactLawError> {
     // Below it 1/e overflows.
     if e < f64::MIN_POSITIVE {
-        return Err(ContactError::Unreachable {
+        return Err(ContactLawError::Unreachable {
             law: FACTS.name,
             restitution: e,
             why: "the rebound speed nears 1/d as the dissipation d grows, and 0 only without bound",

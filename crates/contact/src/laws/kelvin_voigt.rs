@@ -17,7 +17,7 @@
 use super::facts::Facts;
 use crate::error::{not_negative, unit_interval};
 use crate::limits;
-use crate::{ContactError, Separation};
+use crate::{ContactLawError, Separation};
 use std::f64::consts::PI;
 
 pub(super) const FACTS: Facts = Facts {
@@ -32,12 +32,12 @@ pub(super) const FACTS: Facts = Facts {
 /// The restitution of the damping ratio ζ, at every speed and forevery exponent.
 ///
 /// It falls below the smallest float, to 0, at ζ ≈ 1e162. Errors: ζ is negative, NaN or infinite.
-pub fn restitution(ratio: f64, separation: Separation) -> Result<f64, ContactError> {
+pub fn restitution(ratio: f64, separation: Separation) -> Result<f64, ContactLawError> {
     Ok((-decrement(not_negative("damping ratio", ratio)?, separation)).exp())
 }
 
 /// 1 − e of the damping ratio ζ, without loss of digits where ζ is small. Errors: as [`restitution`].
-pub fn restitution_loss(ratio: f64, separation: Separation) -> Result<f64, ContactError> {
+pub fn restitution_loss(ratio: f64, separation: Separation) -> Result<f64, ContactLawError> {
     Ok(-(-decrement(not_negative("damping ratio", ratio)?, separation)).exp_m1())
 }
 
@@ -46,7 +46,7 @@ pub fn restitution_loss(ratio: f64, separation: Separation) -> Result<f64, Conta
 /// 0 for e = 1. Where the contact ends when the gap closes, e = 0 is given by ζ = 1 (and by all above it), the
 /// critical damping: the gap then takes forever to close. Errors: e is not from 0 to 1; e = 0 where the contact
 /// ends when the force vanishes, which no ζ reaches (e ≈ 1/(4ζ²) for large ζ).
-pub fn ratio(restitution: f64, separation: Separation) -> Result<f64, ContactError> {
+pub fn ratio(restitution: f64, separation: Separation) -> Result<f64, ContactLawError> {
     let e = unit_interval("restitution", restitution)?;
     if e == 0.0 && separation == Separation::ForceVanishes {
         return Err(unreachable());
@@ -57,7 +57,7 @@ pub fn ratio(restitution: f64, separation: Separation) -> Result<f64, ContactErr
 /// The damping ratio ζ that gives the restitution e = 1 − loss, for a loss too small to be represented in e.
 ///
 /// Errors: the loss is not from 0 to 1; a loss of 1 as e = 0 of [`ratio`].
-pub fn ratio_of_loss(loss: f64, separation: Separation) -> Result<f64, ContactError> {
+pub fn ratio_of_loss(loss: f64, separation: Separation) -> Result<f64, ContactLawError> {
     let loss = unit_interval("1 - restitution", loss)?;
     if loss == 1.0 && separation == Separation::ForceVanishes {
         return Err(unreachable());
@@ -65,8 +65,8 @@ pub fn ratio_of_loss(loss: f64, separation: Separation) -> Result<f64, ContactEr
     Ok(ratio_of_decrement(0.0 - (-loss).ln_1p(), separation))
 }
 
-fn unreachable() -> ContactError {
-    ContactError::Unreachable {
+fn unreachable() -> ContactLawError {
+    ContactLawError::Unreachable {
         law: FACTS.name,
         restitution: 0.0,
         why: "a contact that cannot pull nears 0 only as the damping grows without bound (e = 1/(4 ratio^2))",
@@ -78,7 +78,7 @@ fn unreachable() -> ContactError {
 /// of a linear contact, in units of √(m̄/k).
 ///
 /// Errors: ζ is negative, NaN or infinite.
-pub fn compression_time(ratio: f64) -> Result<f64, ContactError> {
+pub fn compression_time(ratio: f64) -> Result<f64, ContactLawError> {
     Ok(compression(not_negative("damping ratio", ratio)?))
 }
 

@@ -17,7 +17,7 @@ mod safaeifar_farshidianfar;
 mod zhiying_qishao;
 
 use crate::error::{nearest, positive, unit_interval};
-use crate::{Contact, ContactError, Damper, Separation};
+use crate::{CompliantContact, ContactLawError, Damper, Separation};
 use facts::Facts;
 use serde::Serialize;
 
@@ -158,8 +158,8 @@ impl Law {
         ALIASES.iter().find(|alias| alias.name == wanted)
     }
 
-    /// The law of this name or alias, upper and lower case alike. Errors: [`ContactError::UnknownLaw`].
-    pub fn from_name(name: &str) -> Result<Self, ContactError> {
+    /// The law of this name or alias, upper and lower case alike. Errors: [`ContactLawError::UnknownLaw`].
+    pub fn from_name(name: &str) -> Result<Self, ContactLawError> {
         let wanted = canonical(name);
         let names =
             || Self::ALL.into_iter().map(Self::name).chain(Self::ALIASES.iter().map(|alias| alias.name));
@@ -167,7 +167,7 @@ impl Law {
             .into_iter()
             .find(|law| law.name() == wanted)
             .or_else(|| Self::alias(name).map(|alias| alias.law))
-            .ok_or_else(|| ContactError::UnknownLaw {
+            .ok_or_else(|| ContactLawError::UnknownLaw {
                 name: name.into(),
                 nearest: nearest(&wanted, names()),
                 known: names().collect::<Vec<_>>().join(", "),
@@ -211,11 +211,11 @@ impl Law {
     /// the law does not reach, a damping beyond a 64-bit float.
     pub fn damper(
         self,
-        contact: Contact,
+        contact: CompliantContact,
         restitution: f64,
         speed: Option<f64>,
         separation: Separation,
-    ) -> Result<Damper, ContactError> {
+    ) -> Result<Damper, ContactLawError> {
         let number = match self {
             Self::KelvinVoigt => {
                 return Damper::kelvin_voigt(
@@ -226,14 +226,14 @@ impl Law {
             }
             _ => self.number(restitution)?,
         };
-        let speed = speed.ok_or(ContactError::SpeedNeeded { law: self.name() })?;
+        let speed = speed.ok_or(ContactLawError::SpeedNeeded { law: self.name() })?;
         Damper::hunt_crossley(number / positive("approach speed, m/s", speed)?)
     }
 
     /// The restitution that the law's damping gives where e is asked for: e itself of an exact law.
     ///
     /// Errors: e is not from 0 to 1, or one that the law does not reach.
-    pub fn approximation_error(self, restitution: f64) -> Result<ApproximationError, ContactError> {
+    pub fn approximation_error(self, restitution: f64) -> Result<ApproximationError, ContactLawError> {
         let requested = unit_interval("restitution", restitution)?;
         let achieved =
             if self.is_exact() { requested } else { hunt_crossley::restitution(self.number(requested)?)? };
@@ -241,7 +241,7 @@ impl Law {
     }
 
     /// a = d v of the Hunt–Crossley family.
-    fn number(self, restitution: f64) -> Result<f64, ContactError> {
+    fn number(self, restitution: f64) -> Result<f64, ContactLawError> {
         let e = unit_interval("restitution", restitution)?;
         let Some(formula) = self.facts().approximation else {
             return hunt_crossley::dissipation_number(e);
@@ -250,7 +250,7 @@ impl Law {
         if number.is_finite() {
             return Ok(number);
         }
-        Err(ContactError::Unreachable {
+        Err(ContactLawError::Unreachable {
             law: self.name(),
             restitution: e,
             why: "its damping grows without bound towards 0",

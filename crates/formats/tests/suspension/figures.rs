@@ -1,6 +1,6 @@
 //! Effective masses of real cars, against figures computed independently (and the first in MuJoCo as well).
 
-use crate::mechanics::{place, strike};
+use crate::mechanics::{place, respond};
 use crate::models::{hmmwv, sedan};
 use crate::{imported, on};
 use nalgebra::Vector3;
@@ -18,7 +18,7 @@ fn a_spring_feels_the_mass_of_a_real_wishbone() {
     for (keys, mass, ratio) in [(hmmwv(), 207.342164, 2.21478924), (sedan(), 12.5797194, 1.92543335)] {
         for side in [Side::Left, Side::Right] {
             let mechanism = imported("DoubleWishbone", &keys, &on(side)).mechanism;
-            let found = strike(&mechanism, "spring_seat", spring_line(&mechanism), &[]);
+            let found = respond(&mechanism, "spring_seat", spring_line(&mechanism), &[]);
             assert!((found.mass / mass - 1.0).abs() < 5e-9, "{} and {mass}", found.mass);
             let spindle = mechanism.find_link("spindle").unwrap();
             let speed = found.speeds[spindle.index()];
@@ -30,7 +30,7 @@ fn a_spring_feels_the_mass_of_a_real_wishbone() {
 #[test]
 fn the_axle_counts_when_the_spin_is_locked() {
     let mechanism = imported("DoubleWishbone", &hmmwv(), &on(Side::Left)).mechanism;
-    let found = strike(&mechanism, "spring_seat", spring_line(&mechanism), &["spin"]);
+    let found = respond(&mechanism, "spring_seat", spring_line(&mechanism), &["spin"]);
     assert!((found.mass - 208.1525).abs() < 5e-5, "{}", found.mass);
     assert_eq!(found.mobility, 1);
 }
@@ -65,7 +65,7 @@ fn a_wishbone_of_rods_is_the_wishbone_without_its_arms() {
     );
     let mass = |template, keys: &[(&str, &str)]| {
         let mechanism = imported(template, keys, &on(Side::Left)).mechanism;
-        strike(&mechanism, "wheel_centre", Vector3::new(0.1, 0.2, 0.9).normalize(), &[]).mass
+        respond(&mechanism, "wheel_centre", Vector3::new(0.1, 0.2, 0.9).normalize(), &[]).mass
     };
     let (full, rods) = (mass("DoubleWishbone", &weightless), mass("DoubleWishboneReduced", &reduced));
     assert!((full / rods - 1.0).abs() < 1e-10, "{full} and {rods}");

@@ -5,7 +5,7 @@ mod mechanics;
 mod models;
 mod refusals;
 
-use mechanics::{place, poses, residuals, strike};
+use mechanics::{place, poses, residuals, respond};
 use models::{all, changed, double_wishbone, file, hmmwv};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use percuss_formats::suspension::{ImportOptions, Imported, Rack, Side, Wheel, import};
@@ -170,7 +170,7 @@ fn the_right_side_is_the_mirror_image_of_the_left() {
         let seat = |m: &Mechanism, suffix: &str| {
             let [seat, top] = ["shock_seat", "shock_chassis_seat"].map(|n| format!("{n}{suffix}"));
             let line = (place(m, &top) - place(m, &seat)).normalize();
-            strike(m, &seat, line, &[]).mass
+            respond(m, &seat, line, &[]).mass
         };
         let expected = seat(&left, "");
         for (mass, which) in
@@ -185,13 +185,13 @@ fn the_right_side_is_the_mirror_image_of_the_left() {
 fn every_template_can_travel_and_spin_and_no_more() {
     for (template, keys) in all() {
         let mechanism = imported(template, &keys, &on(Side::Left)).mechanism;
-        let free = strike(&mechanism, "wheel_centre", Vector3::z(), &[]);
+        let free = respond(&mechanism, "wheel_centre", Vector3::z(), &[]);
         assert_eq!(free.mobility, 2, "{template}");
         // A massive tie rod turns no joint loose.
         if !["DoubleWishboneReduced", "SemiTrailingArm", "ThreeLinkIRS"].contains(&template) {
             let keys = changed(&keys, &models::HEAVY_TIE_ROD);
             let heavy = imported(template, &keys, &on(Side::Left)).mechanism;
-            let found = strike(&heavy, "wheel_centre", Vector3::z(), &[]);
+            let found = respond(&heavy, "wheel_centre", Vector3::z(), &[]);
             assert_eq!(
                 (found.mobility, heavy.closures().len()),
                 (2, mechanism.closures().len()),
@@ -346,9 +346,9 @@ fn the_rack_is_fixed_unless_it_slides() {
         assert_eq!(joint(&fixed, "rack").kind(), JointKind::Fixed);
         let rack = joint(&sliding.mechanism, "rack");
         assert_eq!((rack.kind(), rack.axis()), (JointKind::Prismatic, &Vector3::y()));
-        let free = strike(&sliding.mechanism, "shock_seat", Vector3::z(), &[]);
-        let locked = strike(&sliding.mechanism, "shock_seat", Vector3::z(), &["rack"]);
-        let never = strike(&fixed, "shock_seat", Vector3::z(), &[]);
+        let free = respond(&sliding.mechanism, "shock_seat", Vector3::z(), &[]);
+        let locked = respond(&sliding.mechanism, "shock_seat", Vector3::z(), &["rack"]);
+        let never = respond(&fixed, "shock_seat", Vector3::z(), &[]);
         assert_eq!((free.mobility, locked.mobility), (3, 2), "{template}");
         assert!(free.mass < locked.mass && (locked.mass / never.mass - 1.0).abs() < 1e-12, "{template}");
     }
@@ -366,7 +366,7 @@ fn every_part_is_explained_and_survives_being_written() {
         assert!(moving.into_iter().all(|j| !comments.joints[j.name()].is_empty()), "{template}");
         let text = write_urdf_with(mechanism, comments);
         let back = load(&Source::from_text("back.urdf", text), &LoadOptions::default()).unwrap().mechanism;
-        let mass = |m: &Mechanism| strike(m, "shock_seat_left", Vector3::z(), &[]).mass;
+        let mass = |m: &Mechanism| respond(m, "shock_seat_left", Vector3::z(), &[]).mass;
         assert!((mass(&back) / mass(mechanism) - 1.0).abs() < 1e-12, "{template}");
         assert_eq!(poses(&back), poses(mechanism), "{template}");
     }

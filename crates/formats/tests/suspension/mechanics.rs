@@ -46,8 +46,8 @@ pub fn residuals(mechanism: &Mechanism) -> Vec<f64> {
     mechanism.closures().iter().map(open).collect()
 }
 
-/// What a strike finds.
-pub struct Strike {
+/// What a contact finds.
+pub struct ContactResponse {
     /// m̄, kg.
     pub mass: f64,
     /// Velocities less constraint rows, which must be independent.
@@ -59,9 +59,9 @@ pub struct Strike {
 /// A velocity: the link it moves with all below it, angular part, a point of its axis, linear part.
 type Motion = (LinkId, Vector3<f64>, Vector3<f64>, Vector3<f64>);
 
-/// The strike on a link's origin along a direction, the root held and some joints locked:
+/// The contact response at a link's origin along a direction, the root held and some joints locked:
 /// M v + Aᵀλ + jᵀμ = 0, A v = 0, j v = 1; m̄ = vᵀMv = −μ.
-pub fn strike(mechanism: &Mechanism, on: &str, along: Vector3<f64>, locked: &[&str]) -> Strike {
+pub fn respond(mechanism: &Mechanism, on: &str, along: Vector3<f64>, locked: &[&str]) -> ContactResponse {
     let poses = poses(mechanism);
     let places: Vec<Vector3<f64>> = poses.iter().map(|x| x.fixed_view::<3, 1>(0, 3).into_owned()).collect();
     let mut motions: Vec<Motion> = Vec::new();
@@ -148,5 +148,5 @@ pub fn strike(mechanism: &Mechanism, on: &str, along: Vector3<f64>, locked: &[&s
         .link_ids()
         .map(|id| (0..n).map(|v| moving(id, places[id.index()], v) * solution[v]).sum())
         .collect();
-    Strike { mass: -solution[n + m - 1], mobility, speeds }
+    ContactResponse { mass: -solution[n + m - 1], mobility, speeds }
 }

@@ -5,6 +5,8 @@
 
 mod driven;
 mod every_closure;
+mod extremes;
+pub mod family;
 mod large;
 mod planar;
 mod rounded;
@@ -14,6 +16,7 @@ mod trains;
 
 pub use driven::Linkage;
 pub use every_closure::{every_closure, foot_on_the_world};
+pub use extremes::{CrankRow, contradicting};
 pub use large::{ladder, separate};
 pub use planar::{
     FOUR_BAR, FOUR_BAR_BODIES, PARALLELOGRAM, SLIDER_CRANK, SLIDER_CRANK_BODIES, antiparallelogram, four_bar,

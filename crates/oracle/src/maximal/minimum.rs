@@ -41,9 +41,9 @@ pub(super) fn minimum(system: &System) -> Answer {
     let rhs = &system.energy * &particular;
     let heaviest = system.energy.row_iter().map(|row| row.norm()).fold(0.0, f64::max);
     let z = least_squares(&matrix, &rhs, limits::MASSLESS_COLUMN * heaviest);
-    let strike = particular - &free * z;
-    let momenta = &system.energy * &strike;
-    if momenta.norm() <= limits::MASSLESS * heaviest * strike.norm() {
+    let response = particular - &free * z;
+    let momenta = &system.energy * &response;
+    if momenta.norm() <= limits::MASSLESS * heaviest * response.norm() {
         return answer(Outcome::Massless);
     }
     let (links, joints) = system.counts;

@@ -1,0 +1,166 @@
+//! A contact point given in another frame than the struck link's: where it is converted, and what it does in a sweep.
+
+mod support;
+
+use support::{Scratch, Sweep, json, percuss, percuss_with_stdin, root};
+
+const FOUR_BAR: &str = "models/four_bar.urdf --link coupler --normal 0,1,0";
+const WISHBONE: &str =
+    "models/double_wishbone.urdf --link bump_stop_pad --along-line bump_stop:0,0,0 --against chassis";
+/// In the world, near the pad.
+const WISHBONE_POINT: &str = "--frame world --point=0.02,0.5,-0.01";
+const TRAVEL: &str = "travel:wheel_centre:0,0,0:0,0,1";
+
+fn swept(line: &str) -> Sweep {
+    let outcome = percuss(line);
+    assert_eq!(outcome.code, 0, "{line}\n{}", outcome.stderr);
+    Sweep::read(&outcome.stdout)
+}
+
+/// m̄ where the varied column has a value, of a sweep.
+fn at(line: &str, column: &str, value: f64) -> f64 {
+    let sweep = swept(line);
+    let row = (0..sweep.rows.len())
+        .find(|row| (sweep.number(*row, column).unwrap() - value).abs() < 1e-12)
+        .unwrap_or_else(|| panic!("{line} has no row at {value}"));
+    sweep.number(row, "effective_mass").expect("a finite mass")
+}
+
+/// The range of a sweep, its direction and its number of rows decide nothing about one of its poses.
+#[track_caller]
+fn assert_same(line: &str, what: &str, column: &str, ranges: &[&str], value: f64) {
+    let masses: Vec<f64> = ranges
+        .iter()
+        .map(|range| at(&format!("sweep {line} --vary {what}={range}"), column, value))
+        .collect();
+    for m in &masses {
+        assert!((m / masses[0] - 1.0).abs() < 1e-12, "{line} at {value}: {masses:?}");
+    }
+}
+
+#[test]
+fn a_point_in_the_world_is_the_same_for_every_range() {
+    let world = format!("{FOUR_BAR} --frame world --point 0.35,0.4,0");
+    let ranges = ["30deg:60deg:2", "-30deg:30deg:3", "0:30deg:7", "30deg:-300deg:12", "90deg:30deg:61"];
+    assert_same(&world, "crank_hinge", "crank_hinge", &ranges, 30f64.to_radians());
+    let world = format!("{WISHBONE} {WISHBONE_POINT}");
+    let ranges = ["0:80mm:3", "-80mm:80mm:5", "40mm:40mm:1", "80mm:-80mm:33", "-40mm:40mm:161"];
+    assert_same(&world, TRAVEL, "travel:wheel_centre", &ranges, 0.04);
+    let ranges = ["0:80mm:3", "-80mm:80mm:5", "0:0:1", "80mm:-80mm:33"];
+    assert_same(&world, TRAVEL, "travel:wheel_centre", &ranges, 0.0);
+    let ranges = ["0.2:0.3:2", "-0.2:0.2:5", "0.2:0:2"];
+    assert_same(&world, "lower_arm_hinge", "lower_arm_hinge", &ranges, 0.2);
+    // Against another link, whose frame moves too.
+    let against = format!("{FOUR_BAR} --against rocker --frame against --point=-0.2,0.5,0");
+    let ranges = ["30deg:60deg:2", "-30deg:30deg:3", "0:30deg:7"];
+    assert_same(&against, "crank_hinge", "crank_hinge", &ranges, 30f64.to_radians());
+}
+
+/// At zero the frames of the four-bar are parallel and the crank's pin is at (0, 0.3): the point is known by hand.
+#[test]
+fn the_point_moves_with_the_link_and_the_normal_keeps_its_axes() {
+    let world = format!("sweep {FOUR_BAR} --frame world --point 0.35,0.4,0 --vary crank_hinge=20deg:80deg:4");
+    let by_hand = FOUR_BAR.to_owned() + " --point 0.35,0.1,0";
+    let turned = swept(&format!("sweep {by_hand} --vary crank_hinge=20deg:80deg:4"));
+    let (kept, mut apart) = (swept(&world), 0.0);
+    for row in 0..4 {
+        let angle = kept.cell(row, "crank_hinge");
+        // One pose at a time: the normal in world axes, the point in the link.
+        let one =
+            json(&format!("mass {by_hand} --normal-frame world --set crank_hinge={angle} --format json"));
+        assert_eq!(one["contact"]["normal_world"], serde_json::json!([0.0, 1.0, 0.0]));
+        let (m, expected) =
+            (kept.number(row, "effective_mass").unwrap(), one["effective_mass"].as_f64().unwrap());
+        assert!((m / expected - 1.0).abs() < 1e-12, "row {row}: {m} {expected}");
+        apart = f64::max(apart, (m / turned.number(row, "effective_mass").unwrap() - 1.0).abs());
+    }
+    assert!(apart > 0.01, "a normal that turns with the link is another");
+}
+
+#[test]
+fn the_point_found_is_told() {
+    let line = format!("sweep {FOUR_BAR} --frame world --point 0.35,0.4,0 --vary crank_hinge=1:2:3");
+    let told = |stderr: &str, place: &str| {
+        let line = stderr.lines().find(|l| l.contains("--frame world")).unwrap_or_else(|| panic!("{stderr}"));
+        assert!(line.starts_with("note: ") && line.contains("link \"coupler\""), "{line}");
+        assert!(line.contains("0.35,0.1") && line.contains(place), "{line}");
+    };
+    told(&percuss(&line).stderr, "where \"crank_hinge\" is 0");
+    let mass = format!("mass {FOUR_BAR} --frame world --point 0.35,0.4,0");
+    told(&percuss(&mass).stderr, "at the pose of the answer");
+    let report = json(&format!("{mass} --format json"));
+    let codes: Vec<&str> =
+        report["diagnostics"].as_array().unwrap().iter().filter_map(|d| d["code"].as_str()).collect();
+    assert!(codes.contains(&"point-converted"), "{codes:?}");
+    let damper = mass.replace("mass ", "damp --mass-from ") + " --stiffness 1e5 --restitution 0.5";
+    told(&percuss(&damper).stderr, "at the pose of the answer");
+    assert!(!percuss(&line.replace("--frame world", "")).stderr.contains("--frame"));
+}
+
+/// A study asks as the flags do, and says its keys where they say theirs.
+#[test]
+fn a_study_converts_as_the_flags_do() {
+    let scratch = Scratch::new("frames-study");
+    let text = |vary: &str| {
+        let model = root().join("models/four_bar.urdf");
+        format!(
+            "[model]\npath = {:?}\n[contact]\nlink = \"coupler\"\npoint = [0.35, 0.4, 0]\nnormal = [0, 1, 0]\nframe = \"world\"\n\
+             [sweep]\nvary = \"{vary}\"\n",
+            model.display()
+        )
+    };
+    let study = percuss(&format!("run {}", scratch.write("a.toml", &text("crank_hinge=-1:2:7"))));
+    let flags =
+        percuss(&format!("sweep {FOUR_BAR} --frame world --point 0.35,0.4,0 --vary crank_hinge=-1:2:7"));
+    assert_eq!((study.code, study.stdout), (0, flags.stdout));
+}
+
+/// A rod of 1 m on a hinge, a second on its tip, and a slider along x that holds the end of the second: drawn 3 m away,
+/// where two metres do not reach.
+fn drawn_apart() -> String {
+    let rod = |name: &str| {
+        format!(
+            "<link name=\"{name}\"><inertial><origin xyz=\"0.5 0 0\"/><mass value=\"2\"/>\
+             <inertia ixx=\"0.1\" iyy=\"0.1\" izz=\"0.1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>"
+        )
+    };
+    let joint = |name: &str, kind: &str, parent: &str, child: &str, x: f64, axis: &str| {
+        format!(
+            "<joint name=\"{name}\" type=\"{kind}\" {}><parent link=\"{parent}\"/><child link=\"{child}\"/>\
+             <origin xyz=\"{x} 0 0\"/><axis xyz=\"{axis}\"/><limit lower=\"-9\" upper=\"9\" effort=\"1\" velocity=\"1\"/></joint>",
+            if kind == "prismatic" { "independent=\"true\"" } else { "" }
+        )
+    };
+    format!(
+        "<robot name=\"apart\"><link name=\"ground\"/>{}{}{}{}{}{}\
+         <loop name=\"pin\" type=\"revolute\"><predecessor link=\"b\"><origin xyz=\"1 0 0\"/></predecessor>\
+         <successor link=\"slider\"/><axis xyz=\"0 0 1\"/></loop></robot>",
+        rod("a"),
+        rod("b"),
+        rod("slider"),
+        joint("slide", "prismatic", "ground", "slider", 3.0, "1 0 0"),
+        joint("hinge", "continuous", "ground", "a", 0.0, "0 0 1"),
+        joint("tip", "continuous", "a", "b", 1.0, "0 0 1"),
+    )
+}
+
+#[test]
+fn a_drawn_pose_out_of_reach_asks_for_the_frame_of_the_link() {
+    let model = drawn_apart();
+    let sweep = |frame: &str| {
+        let line =
+            format!("sweep - --link a --point 1,0,0 --normal 0,1,0 --frame {frame} --vary slide=-2:-1.5:3");
+        percuss_with_stdin(&line, model.as_bytes())
+    };
+    let link = sweep("link");
+    assert_eq!(link.code, 0, "{}", link.stderr);
+    for frame in ["world", "against"] {
+        let refused = sweep(frame);
+        assert_eq!((refused.code, refused.stdout.as_str()), (2, ""), "{}", refused.stderr);
+        assert!(
+            refused.stderr.contains("--frame link") && refused.stderr.contains("slide"),
+            "{}",
+            refused.stderr
+        );
+    }
+}

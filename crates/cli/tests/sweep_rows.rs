@@ -1,0 +1,308 @@
+//! The rows of a sweep as they are written: at once, in bounded memory and bounded work; and what is said of their flags.
+
+mod support;
+
+use percuss_formats::DEFAULT_MAX_SIZE;
+use percuss_study::{GivenPosition, StudyFile, Vary, sweep_report};
+use std::io::{BufRead, BufReader};
+use std::process::Stdio;
+use std::time::{Duration, Instant};
+use support::{Scratch, Sweep, command, percuss, percuss_with_stdin, root};
+
+const COUPLER: &str = "sweep models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0";
+
+/// The study of the four-bar, for the library.
+fn study(scratch: &Scratch) -> StudyFile {
+    let model = root().join("models/four_bar.urdf");
+    let text = format!(
+        "[model]\npath = {:?}\n[contact]\nlink = \"coupler\"\npoint = [0.35, 0.1, 0]\nnormal = [0, 1, 0]\n",
+        model.display()
+    );
+    StudyFile::load(&scratch.write("four_bar.toml", &text), DEFAULT_MAX_SIZE).expect("a study")
+}
+
+/// JSON that is written row by row is the report with all its rows, to the last character.
+#[test]
+fn json_is_that_of_the_whole_report() {
+    let scratch = Scratch::new("rows-json");
+    let path = scratch.path("rows.json");
+    for range in ["0.1:2:5", "1:1e12:3"] {
+        let outcome = percuss(&format!("{COUPLER} --vary crank_hinge={range} --output {path}"));
+        assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+        let written = std::fs::read_to_string(&path).expect("it was written");
+        let whole: serde_json::Value = serde_json::from_str(&written).expect("JSON");
+        let StudyFile { mut model, question, .. } = study(&scratch);
+        // The command was given the model alone, by its path from the root.
+        model.inputs.truncate(1);
+        model.inputs[0].path = "models/four_bar.urdf".into();
+        let vary = Vary::parse(&format!("crank_hinge={range}")).expect("a range");
+        let report = sweep_report(&model, &question, &vary).expect("a sweep");
+        assert_eq!(written, serde_json::to_string_pretty(&report).expect("JSON"));
+        assert_eq!(whole["rows"].as_array().map(Vec::len), Some(report.rows.len()));
+        let keys: Vec<&String> = whole.as_object().unwrap().keys().collect();
+        assert_eq!(keys.len(), 8, "{keys:?}");
+    }
+}
+
+/// A reader has the first rows at once, and may leave: a million rows would take minutes.
+#[test]
+fn rows_are_written_as_they_are_computed() {
+    let line = format!("{COUPLER} --vary crank_hinge=0:360deg:1000000");
+    let start = Instant::now();
+    let mut child = command(line.split_whitespace())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("it starts");
+    let mut lines = BufReader::new(child.stdout.take().expect("stdout is piped")).lines();
+    let first: Vec<String> = lines.by_ref().take(3).map(|l| l.expect("text")).collect();
+    assert!(first[0].starts_with("row,crank_hinge,") && first[1].starts_with("0,0,finite,"), "{first:?}");
+    drop(lines);
+    let code = child.wait().expect("it ends").code();
+    assert_eq!(code, Some(0), "a reader that leaves early is no error");
+    assert!(start.elapsed() < Duration::from_secs(60), "{:?}", start.elapsed());
+}
+
+/// A hundred thousand rows in an address space that holds the program and little else.
+#[cfg(target_os = "linux")]
+#[test]
+fn rows_are_not_kept() {
+    let scratch = Scratch::new("rows-memory");
+    for ending in ["csv", "json"] {
+        let path = scratch.path(&format!("rows.{ending}"));
+        let script = format!(
+            "ulimit -v 120000; exec \"$0\" sweep models/point_mass_pendulum.urdf --link rod --point 0,0,-0.8 --normal 1,0,0 \
+             --vary hinge=0:1:100000 --output {path}"
+        );
+        let outcome = std::process::Command::new("/bin/sh")
+            .args(["-c", &script, env!("CARGO_BIN_EXE_percuss")])
+            .current_dir(root())
+            .output()
+            .expect("a shell");
+        assert!(outcome.status.success(), "{}", String::from_utf8_lossy(&outcome.stderr));
+        let text = std::fs::read_to_string(&path).expect("it was written");
+        let rows = if ending == "csv" { text.lines().count() - 1 } else { text.matches("\"row\":").count() };
+        assert_eq!(rows, 100_000);
+    }
+}
+
+/// A question that means nothing leaves the file of the last one as it is.
+#[test]
+fn a_file_is_replaced_when_there_is_a_row_for_it() {
+    let scratch = Scratch::new("rows-kept");
+    for (name, wrong) in [
+        ("rows.csv", "--normal 0,0,0"),
+        ("rows.json", "--normal 0,0,0"),
+        ("rows.csv", "--link copler"),
+        ("rows.json", "--vary crank_hinge=0:1kg:3"),
+    ] {
+        let path = scratch.write(name, "of last time, and longer than what comes now: ".repeat(99).as_str());
+        let line = format!("{COUPLER} --vary crank_hinge=0:1:3 --output {path}");
+        let (flag, value) = wrong.split_once(' ').expect("a flag and its value");
+        let mut words: Vec<&str> = line.split_whitespace().collect();
+        let at = words.iter().position(|w| *w == flag).expect("it is there");
+        words[at + 1] = value;
+        let outcome = percuss(&words.join(" "));
+        assert_eq!(outcome.code, 2, "{}", outcome.stderr);
+        assert!(outcome.stderr.contains(flag), "{}", outcome.stderr);
+        assert!(std::fs::read_to_string(&path).unwrap().starts_with("of last time"), "{wrong}");
+        assert_eq!(percuss(&line).code, 0);
+        let text = std::fs::read_to_string(&path).unwrap();
+        assert!(!text.contains("last time") && text.contains("finite"), "{text}");
+    }
+}
+
+/// A disk that is full ends a sweep with a message that names the file.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_file_that_cannot_take_the_rows_is_named() {
+    let scratch = Scratch::new("rows-full");
+    for name in ["full.csv", "full.json"] {
+        let path = scratch.path(name);
+        std::os::unix::fs::symlink("/dev/full", &path).expect("a link");
+        let outcome = percuss(&format!("{COUPLER} --vary crank_hinge=0:1:500 --output {path}"));
+        assert_eq!(outcome.code, 2, "{}", outcome.stderr);
+        assert!(outcome.stderr.contains(&format!("{path} cannot be written")), "{}", outcome.stderr);
+    }
+}
+
+/// A branch is followed once as far as it can be, not by every row again; rows in reach are answered all the same.
+#[test]
+fn rows_far_out_of_reach_are_not_tried_one_by_one() {
+    for (range, answered) in [
+        ("crank_hinge=0:1e12deg:73", vec![0]),
+        ("crank_hinge=1e12deg:0:73", vec![72]),
+        ("crank_hinge=-1e12deg:1e12deg:73", vec![36]),
+        ("travel:coupler:0,0,0:1,0,0=1e12:0:73", vec![72]),
+        ("travel:coupler:0,0,0:1,0,0=0.8:0:1001", (626..1001).collect()),
+    ] {
+        let start = Instant::now();
+        let outcome = percuss(&format!("{COUPLER} --vary {range}"));
+        // One walk takes about a second; without optimisation, ten or twenty. Each of 72 would take half an hour.
+        assert!(start.elapsed() < Duration::from_secs(90), "{range}: {:?}", start.elapsed());
+        assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+        let sweep = Sweep::read(&outcome.stdout);
+        let finite: Vec<usize> =
+            (0..sweep.rows.len()).filter(|row| sweep.cell(*row, "status") == "finite").collect();
+        assert_eq!(finite, answered, "{range}");
+        let note = outcome.stderr.lines().find(|l| l.contains("were not tried")).expect("a note");
+        let count = note.trim_start_matches("note: ").split(' ').next().unwrap().parse::<usize>();
+        let rows = sweep.rows.len() - answered.len();
+        let tried = rows - count.expect("how many");
+        assert!((1..=17).contains(&tried), "{range}: {note}");
+    }
+}
+
+/// Two rods of 1 m whose far ends are to meet 3 m apart do so in no row: that is found out once.
+#[test]
+fn what_does_not_depend_on_the_value_is_tried_once() {
+    let rod = |name: &str, joint: &str, parent: &str, x: f64| {
+        format!(
+            "<link name=\"{name}\"><inertial><mass value=\"1\"/>\
+             <inertia ixx=\"1\" iyy=\"1\" izz=\"1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>\
+             <joint name=\"{joint}\" type=\"continuous\"><parent link=\"{parent}\"/><child link=\"{name}\"/>\
+             <origin xyz=\"{x} 0 0\"/><axis xyz=\"0 0 1\"/></joint>"
+        )
+    };
+    let model = format!(
+        "<robot name=\"apart\"><link name=\"ground\"/>{}{}<loop name=\"pin\" type=\"revolute\"><predecessor link=\"b\">\
+         <origin xyz=\"1 0 0\"/></predecessor><successor link=\"ground\"><origin xyz=\"3 0 0\"/></successor>\
+         <axis xyz=\"0 0 1\"/></loop></robot>",
+        rod("a", "hinge", "ground", 0.0),
+        rod("b", "tip", "a", 1.0)
+    );
+    let line = "sweep - --link a --point 1,0,0 --normal 0,1,0 --vary hinge=0:1:1000";
+    let outcome = percuss_with_stdin(line, model.as_bytes());
+    assert_eq!(outcome.code, 1, "{}", outcome.stderr);
+    assert!(
+        outcome.stderr.contains("note: 999 row(s) were not tried, row 1 the first"),
+        "{}",
+        outcome.stderr
+    );
+    assert!(outcome.stderr.contains("1000 of 1000 rows have no answer; the first: the loops do not close"));
+}
+
+/// A number is read once, where it is typed, and its unit is compared with the joint's.
+#[test]
+fn numbers_are_read_once() {
+    assert_eq!(GivenPosition::parse("30 deg").unwrap().text(), "30 deg");
+    let masses: Vec<String> = ["30deg", "0.5235987755982988", "0.5235987755982988rad"]
+        .iter()
+        .map(|angle| {
+            let outcome = percuss(&format!("{COUPLER} --vary crank_hinge={angle}:{angle}:1"));
+            Sweep::read(&outcome.stdout).cell(0, "effective_mass").to_owned()
+        })
+        .collect();
+    assert!(masses.iter().all(|m| *m == masses[0] && !m.is_empty()), "{masses:?}");
+}
+
+/// Every part of a question that means nothing is named: its flag on the command line, its key in a study.
+#[test]
+fn messages_name_the_flag_or_the_key() {
+    let scratch = Scratch::new("rows-flags");
+    let contact = "link = \"coupler\"\npoint = [0.35, 0.1, 0]\n";
+    let normal = "normal = [0, 1, 0]\n";
+    for (flag, flags, key, keys) in [
+        (
+            "--link",
+            "--link x --point 0,0,0 --normal 0,1,0",
+            "contact.link",
+            format!("link = \"x\"\npoint = [0, 0, 0]\n{normal}"),
+        ),
+        (
+            "--normal",
+            "--link coupler --point 0,0,0 --normal 0,0,0",
+            "contact.normal",
+            format!("{contact}normal = [0, 0, 0]\n"),
+        ),
+        (
+            "--point",
+            "--link coupler --point 1e101,0,0 --normal 0,1,0",
+            "contact.point",
+            format!("link = \"coupler\"\npoint = [1e101, 0, 0]\n{normal}"),
+        ),
+        (
+            "--along-line",
+            "--link coupler --point 0,0,0 --along-line x:0,0,0",
+            "contact.along_line",
+            format!("{contact}along_line = {{ link = \"x\", point = [0, 0, 0] }}\n"),
+        ),
+        (
+            "--against",
+            "--link coupler --point 0,0,0 --normal 0,1,0 --against x",
+            "contact.against",
+            format!("{contact}{normal}against = \"x\"\n"),
+        ),
+        (
+            "--against",
+            "--link coupler --point 0,0,0 --normal 0,1,0 --against coupler",
+            "contact.against",
+            format!("{contact}{normal}against = \"coupler\"\n"),
+        ),
+        (
+            "--against-mass",
+            "--link coupler --point 0,0,0 --normal 0,1,0 --against-mass 1e-200",
+            "contact.against_mass",
+            format!("{contact}{normal}against_mass = 1e-200\n"),
+        ),
+        (
+            "--estimate",
+            "--link coupler --point 0,0,0 --normal 0,1,0 --estimate x",
+            "contact.estimate",
+            format!("{contact}{normal}estimate = {{ links = [\"x\"] }}\n"),
+        ),
+        (
+            "--set",
+            "--link coupler --point 0,0,0 --normal 0,1,0 --set x=1",
+            "pose.set",
+            format!("{contact}{normal}[pose]\nset = {{ x = 1 }}\n"),
+        ),
+        (
+            "--set",
+            "--link coupler --point 0,0,0 --normal 0,1,0 --set crank_hinge=1kg",
+            "pose.set",
+            format!("{contact}{normal}[pose]\nset = {{ crank_hinge = \"1kg\" }}\n"),
+        ),
+        (
+            "--guess",
+            "--link coupler --point 0,0,0 --normal 0,1,0 --guess x=1",
+            "pose.guess",
+            format!("{contact}{normal}[pose]\nguess = {{ x = 1 }}\n"),
+        ),
+        (
+            "--lock",
+            "--link coupler --point 0,0,0 --normal 0,1,0 --lock x",
+            "conditions.lock",
+            format!("{contact}{normal}[conditions]\nlock = [\"x\"]\n"),
+        ),
+        (
+            "--armature",
+            "--link coupler --point 0,0,0 --normal 0,1,0 --armature x=1",
+            "conditions.armature",
+            format!("{contact}{normal}[conditions]\narmature = {{ x = 1 }}\n"),
+        ),
+        (
+            "--hold",
+            "--link coupler --point 0,0,0 --normal 0,1,0 --hold x:0,0,0",
+            "hold",
+            format!("{contact}{normal}[[hold]]\nlink = \"x\"\npoint = [0, 0, 0]\n"),
+        ),
+        (
+            "--vary",
+            "--link coupler --point 0,0,0 --normal 0,1,0 --vary x=0:1:2",
+            "sweep.vary",
+            format!("{contact}{normal}[sweep]\nvary = \"x=0:1:2\"\n"),
+        ),
+    ] {
+        let command = if flag == "--vary" { "sweep" } else { "mass" };
+        let by_flags = percuss(&format!("{command} models/four_bar.urdf {flags}"));
+        assert_eq!(by_flags.code, 2, "{flags}: {}", by_flags.stderr);
+        assert!(by_flags.stderr.contains(&format!("error: {flag}: ")), "{flags}: {}", by_flags.stderr);
+        let model = root().join("models/four_bar.urdf");
+        let path =
+            scratch.write("s.toml", &format!("[model]\npath = {:?}\n[contact]\n{keys}", model.display()));
+        let by_keys = percuss(&format!("run {path}"));
+        assert_eq!(by_keys.code, 2, "{keys}: {}", by_keys.stderr);
+        assert!(by_keys.stderr.contains(&format!("{path}: error: {key}: ")), "{keys}: {}", by_keys.stderr);
+    }
+}

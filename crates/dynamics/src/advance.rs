@@ -1,0 +1,176 @@
+//! A little further in time or into the contact: the pose after joint velocities, or v*, have acted.
+
+use crate::closing::{Directions, Linearised};
+use crate::kinematics::Kinematics;
+use crate::model::Group;
+use crate::pose::Pose;
+use crate::response::ContactResponse;
+use crate::system::System;
+use crate::tangent;
+use nalgebra::Vector3;
+use percuss_mechanism::JointKind;
+use percuss_spatial::{Scalar, Transform, Twist, rotation_from_quaternion};
+
+/// Velocities that do not fit the mechanism.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum VelocityError {
+    /// Not one list a joint.
+    #[error(
+        "velocities of {got} joints are given, the mechanism has {wanted}: one list a joint, in joint order"
+    )]
+    Joints {
+        /// How many lists were given.
+        got: usize,
+        /// How many joints there are.
+        wanted: usize,
+    },
+    /// A list of the wrong length.
+    #[error("joint \"{joint}\" has {wanted} velocities; {got} are given")]
+    Count {
+        /// The joint.
+        joint: String,
+        /// How many were given.
+        got: usize,
+        /// How many it has.
+        wanted: usize,
+    },
+    /// Not the mechanism's number of positions.
+    #[error("{got} positions are given, the mechanism has {wanted}")]
+    Positions {
+        /// How many were given.
+        got: usize,
+        /// How many there are.
+        wanted: usize,
+    },
+}
+
+/// Most steps that close a group again.
+const STEPS: usize = 8;
+
+/// Refuses velocities that are not one list a joint, each of the joint's own length.
+pub(crate) fn check_velocities<T>(
+    mechanism: &percuss_mechanism::Mechanism,
+    velocities: &[Vec<T>],
+) -> Result<(), VelocityError> {
+    let (got, wanted) = (velocities.len(), mechanism.joints().len());
+    if got != wanted {
+        return Err(VelocityError::Joints { got, wanted });
+    }
+    for (joint, v) in mechanism.joints().iter().zip(velocities) {
+        let (got, wanted) = (v.len(), joint.kind().dofs());
+        if got != wanted {
+            return Err(VelocityError::Count { joint: joint.name().to_owned(), got, wanted });
+        }
+    }
+    Ok(())
+}
+
+impl System {
+    /// q̇ of all joints at the velocities `v`, one list a joint; both in joint order (layouts of [`JointKind`]).
+    ///
+    /// # Errors
+    /// [`VelocityError`]: numbers of positions or velocities that are not the mechanism's.
+    pub fn position_rates<T: Scalar>(
+        &self,
+        positions: &[T],
+        velocities: &[Vec<T>],
+    ) -> Result<Vec<T>, VelocityError> {
+        let model = self.model();
+        check_velocities(&model.mechanism, velocities)?;
+        if positions.len() != model.positions {
+            return Err(VelocityError::Positions { got: positions.len(), wanted: model.positions });
+        }
+        let mut rates = vec![T::zero(); model.positions];
+        for ((joint, range), v) in model.mechanism.joints().iter().zip(&model.joint_q).zip(velocities) {
+            tangent::position_rates(joint.kind(), &positions[range.clone()], v, &mut rates[range.clone()]);
+        }
+        Ok(rates)
+    }
+}
+
+impl Pose {
+    /// The pose a short time `h` (s) later at joint velocities `velocities` and base twist `base` (root link's axes,
+    /// at its origin), to second order in `h`. Quaternions stay normalised. Loops are not closed again: the pose's
+    /// residual is how far they have come apart.
+    ///
+    /// # Errors
+    /// [`VelocityError`]: velocities that are not the mechanism's.
+    pub fn advanced(
+        &self,
+        velocities: &[Vec<f64>],
+        base: &Twist<f64>,
+        h: f64,
+    ) -> Result<Pose, VelocityError> {
+        let model = self.assembly.posing();
+        check_velocities(&model.mechanism, velocities)?;
+        let mut kinematics = Kinematics::new(model);
+        for ((joint, range), v) in model.mechanism.joints().iter().zip(&model.joint_q).zip(velocities) {
+            let next = tangent::advanced(joint.kind(), &self.kinematics.q[range.clone()], v, h);
+            kinematics.q[range.clone()].copy_from_slice(&next);
+        }
+        kinematics.refill(model);
+        let (w, v) = (base.angular, base.linear);
+        let zero = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
+        let q = tangent::advanced(JointKind::Floating, &zero, &[w.x, w.y, w.z, v.x, v.y, v.z], h);
+        let step = Transform::new(
+            rotation_from_quaternion([q[3], q[4], q[5], q[6]]),
+            Vector3::new(q[0], q[1], q[2]),
+        );
+        let mut loops = self.loops.clone();
+        if let Some(state) = &mut loops {
+            let residual = |group| model.group_residual(&kinematics, group).0;
+            state.residual = model.groups.iter().map(residual).fold(0.0, f64::max);
+        }
+        Ok(self.assembly.pose_at(kinematics, self.base * step, loops))
+    }
+
+    /// The pose after the mechanism has gone along v* until the gap has closed by `distance` (m; negative: opened).
+    ///
+    /// Every joint goes at its rate of the response, then the loops are closed by the shortest motion: exact to second
+    /// order in the distance. None where they do not close there, or where nothing moves.
+    pub fn advanced_along(&self, response: &ContactResponse, distance: f64) -> Option<Pose> {
+        if !response.gives_way() {
+            return None;
+        }
+        let mut pose = self.advanced(&response.joint_velocities, &response.base_velocity, distance).ok()?;
+        let model = self.assembly.posing();
+        for (number, group) in model.groups.iter().enumerate() {
+            let tolerance = self.assembly.tolerance(&pose.kinematics, number);
+            if !closed_again(&mut pose.kinematics, self, group, tolerance, distance.abs()) {
+                return None;
+            }
+        }
+        let mut kinematics = pose.kinematics;
+        kinematics.refill(model);
+        Some(self.assembly.pose_at(kinematics, pose.base, pose.loops))
+    }
+}
+
+/// Closes a group by plain Gauss–Newton steps of least norm, as long as they help. What contradicts itself in a rounded
+/// file is left as it is: the damped steps that settle a group would follow it.
+fn closed_again(
+    kinematics: &mut Kinematics<f64>,
+    from: &Pose,
+    group: &Group,
+    tolerance: f64,
+    distance: f64,
+) -> bool {
+    let model = from.assembly.posing();
+    let all = Directions::of(&group.movable);
+    let floor = tolerance / group.size;
+    let mut moved = 0.0;
+    for _ in 0..STEPS {
+        let x = Linearised::at(model, kinematics, group).step(group, all, floor);
+        let length = x.iter().map(|x| x * x).sum::<f64>().sqrt();
+        moved += length;
+        if moved.is_nan() || moved > distance.max(group.size * distance) {
+            return false;
+        }
+        model.advance_group(kinematics, group, &all.expand(group, |k| x[k]));
+        if length <= 1e-9 * distance {
+            break;
+        }
+    }
+    model.group_residual(kinematics, group).0 <= tolerance
+}

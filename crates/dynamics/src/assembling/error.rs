@@ -1,0 +1,123 @@
+//! Loops that do not close, or not where the drivers are to go.
+
+/// Loops that do not close, or not where the drivers are to go.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum AssemblyError {
+    /// No closed pose was found at all.
+    #[error(
+        "the loops do not close: {} is {residual:.3e} m apart at best (a thousandth of the size, {allowed:.1e} m, \
+         would pass as rounding); check its frames and axes, or give a starting pose with --guess JOINT=VALUE",
+        quoted(loops)
+    )]
+    DoesNotClose {
+        /// The loops and couplings of the group, the worst first.
+        loops: Vec<String>,
+        /// Largest residual of the best pose, m.
+        residual: f64,
+        /// What would pass, m.
+        allowed: f64,
+    },
+    /// The drivers cannot reach the positions asked for.
+    #[error(
+        "{} cannot be reached: {} would not close; nearest reached: {}{}",
+        positions(wanted),
+        quoted(loops),
+        positions(nearest),
+        after(*starts)
+    )]
+    Unreachable {
+        /// Driving joints and the positions asked for.
+        wanted: Vec<(String, f64)>,
+        /// Where they came to on the same branch.
+        nearest: Vec<(String, f64)>,
+        /// The loops of the group.
+        loops: Vec<String>,
+        /// From how many other starts it was tried.
+        starts: usize,
+    },
+    /// The positions asked for are so far off that the branch cannot be followed there in one go.
+    #[error(
+        "{} is too far to follow the loops there in one go: they still closed at {}; whole turns can be left out if the \
+         mechanism repeats after them, or give a starting pose there with --guess",
+        positions(wanted),
+        positions(reached)
+    )]
+    TooFar {
+        /// Driving joints and the positions asked for.
+        wanted: Vec<(String, f64)>,
+        /// How far they came.
+        reached: Vec<(String, f64)>,
+    },
+    /// A pose of another system.
+    #[error("the pose was made by another system; ask it for a pose of its own")]
+    ForeignPose,
+    /// A configuration of another mechanism.
+    #[error("the configuration was made for another mechanism, \"{got}\"; this one is \"{expected}\"")]
+    ForeignConfiguration {
+        /// The mechanism of the configuration.
+        got: String,
+        /// The mechanism of the system.
+        expected: String,
+    },
+    /// A rod without a declared length whose ends coincide with all joints at 0: no direction to hold.
+    #[error(
+        "rod \"{name}\" has no distance, and its ends coincide with all joints at 0; give it a <distance>, or hold the points \
+         together with a spherical loop"
+    )]
+    NoDistance {
+        /// The closure.
+        name: String,
+    },
+    /// A joint was set that follows others.
+    #[error(
+        "joint \"{joint}\" depends on others through the loops; set {} instead, or start from another assembly with --guess",
+        quoted(drivers)
+    )]
+    Dependent {
+        /// The joint.
+        joint: String,
+        /// The joints that drive its group.
+        drivers: Vec<String>,
+    },
+}
+
+impl AssemblyError {
+    /// The same after so many other starts were tried.
+    pub(super) fn after_starts(mut self, tried: usize) -> Self {
+        if let AssemblyError::Unreachable { starts, .. } = &mut self {
+            *starts = tried;
+        }
+        self
+    }
+
+    /// Whether the input is at fault (and not merely the place asked for).
+    pub fn is_bad_input(&self) -> bool {
+        matches!(
+            self,
+            AssemblyError::Dependent { .. }
+                | AssemblyError::NoDistance { .. }
+                | AssemblyError::ForeignPose
+                | AssemblyError::ForeignConfiguration { .. }
+        )
+    }
+}
+
+fn after(starts: usize) -> String {
+    if starts == 0 {
+        String::new()
+    } else {
+        format!(" (other assembly modes were looked for from {starts} starts)")
+    }
+}
+
+fn quoted(names: &[String]) -> String {
+    if names.is_empty() {
+        return "nothing".into();
+    }
+    names.iter().take(6).map(|n| format!("\"{n}\"")).collect::<Vec<_>>().join(", ")
+}
+
+fn positions(places: &[(String, f64)]) -> String {
+    places.iter().take(6).map(|(n, v)| format!("{n} = {v:.12}")).collect::<Vec<_>>().join(", ")
+}

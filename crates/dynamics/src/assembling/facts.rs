@@ -1,0 +1,303 @@
+//! What is found once about the loops of a mechanism: a first closed pose, a generic one, the rank there, who drives.
+
+use super::error::AssemblyError;
+use crate::closing::{Correction, Directions, Linearised};
+use crate::kinematics::Kinematics;
+use crate::mobility::{Drivers, Rank, rank_of_rows};
+use crate::model::{Group, Model};
+use crate::rows::GroupRows;
+use crate::tolerances::{CLOSED, ROUNDING, SETTLED};
+use percuss_mechanism::{ClosureKind, JointId};
+
+/// What was found about one group.
+#[derive(Clone, Debug)]
+pub(crate) struct GroupFacts {
+    /// Positions of a closed pose off any singularity.
+    pub generic: Vec<f64>,
+    /// A there, over the group's coordinates.
+    pub rows: GroupRows<f64>,
+    pub rank: Rank,
+    /// How far the loops are from fitting, m, where they do not quite; else 0.
+    pub inexactness: f64,
+    /// What their residuals are where they are closed as well as can be, m: the inexactness, or what passes for closed.
+    pub misfit: f64,
+    /// Singular values of A below this part of the largest count as zero.
+    pub floor: f64,
+    /// Whether the first closed pose has the generic rank.
+    pub reference_is_regular: bool,
+    /// Who drives where nothing is set.
+    pub drivers: Drivers,
+    /// How far each of its constraints is from closed at the start, m.
+    pub drawn_gaps: Vec<f64>,
+    /// What moved most, and by how much (rad or m), to close it from there.
+    pub moved: Option<(JointId, f64)>,
+}
+
+impl GroupFacts {
+    /// The misfit, where it is more than the rounding of positions; else 0.
+    pub fn misfit_beyond(&self, group: &Group, kinematics: &Kinematics<f64>, model: &Model) -> f64 {
+        let rounding = 0.03 * model.closing_tolerance(kinematics, group);
+        if self.misfit > rounding { self.misfit } else { 0.0 }
+    }
+}
+
+/// The loops of a model put together.
+#[derive(Clone, Debug)]
+pub(crate) struct Facts {
+    /// Positions of a closed pose, as near to the start as was found.
+    pub reference: Vec<f64>,
+    pub groups: Vec<GroupFacts>,
+}
+
+/// A pose nearer to the first one than this part of the size is that pose again.
+const BACK: f64 = 1e-5;
+/// Seeded starts that are tried before a group is given up.
+const ATTEMPTS: u64 = 24;
+/// The sizes of these starts, rad or parts of the size.
+const ASIDE: [f64; 6] = [0.01, 0.1, 0.3, 1.0, 3.0, 2.0];
+/// Seeded poses around the first one at which the generic rank is looked for, and how many are enough.
+const AROUND: u64 = 12;
+const ENOUGH: usize = 3;
+/// Coordinates beyond which fewer are tried: the rank of a large group shows at one pose.
+const LARGE: usize = 160;
+
+impl Model {
+    /// Finds the first closed pose, starting at `start`, and what is generic about each group.
+    pub fn put_together(&self, mut start: Kinematics<f64>) -> Result<Facts, AssemblyError> {
+        let mut first = Vec::with_capacity(self.groups.len());
+        for group in &self.groups {
+            self.refuse_rod(group)?;
+            start.refill_bodies(self, &group.bodies);
+            let before = start.q.clone();
+            let drawn_gaps = self.gaps(&start, group);
+            let inexactness = self.close_first(&mut start, group)?;
+            let moved = self.most_moved(group, &before, &start.q);
+            first.push((inexactness, drawn_gaps, moved));
+        }
+        start.refill(self);
+        let mut groups = Vec::with_capacity(self.groups.len());
+        for (group, (inexactness, drawn_gaps, moved)) in self.groups.iter().zip(first) {
+            let facts = self.look_around(&start, group, inexactness);
+            groups.push(GroupFacts { drawn_gaps, moved, ..facts });
+        }
+        Ok(Facts { reference: start.q, groups })
+    }
+
+    /// What would be known with the loops left as they stand.
+    pub fn left_open(&self, start: Kinematics<f64>) -> Facts {
+        let open = |group: &Group| {
+            let mut rows = GroupRows::default();
+            rows.fill(self, group, &start);
+            let floor = group.floor_for(0.0);
+            let drivers = self.default_drivers(group, &rows, floor);
+            GroupFacts {
+                generic: start.q.clone(),
+                rank: rank_of_rows(&rows, group, floor),
+                rows,
+                inexactness: 0.0,
+                misfit: 0.0,
+                floor,
+                reference_is_regular: true,
+                drivers,
+                drawn_gaps: self.gaps(&start, group),
+                moved: None,
+            }
+        };
+        let groups = self.groups.iter().map(open).collect();
+        Facts { reference: start.q, groups }
+    }
+
+    /// Refuses a rod whose ends coincide and whose length is not declared, measured on its group's own size.
+    fn refuse_rod(&self, group: &Group) -> Result<(), AssemblyError> {
+        let rod = group.constraints.iter().find_map(|c| match c.constraint {
+            crate::model::Constraint::Closure(i) => {
+                let closure = &self.closures[i];
+                let none = closure.measured_distance && closure.distance <= CLOSED * group.size;
+                (closure.kind == ClosureKind::Distance && none).then_some(closure)
+            }
+            _ => None,
+        });
+        match rod {
+            Some(rod) => Err(AssemblyError::NoDistance { name: rod.name.clone() }),
+            None => Ok(()),
+        }
+    }
+
+    /// The largest residual of each constraint of a group, m.
+    fn gaps(&self, kinematics: &Kinematics<f64>, group: &Group) -> Vec<f64> {
+        let residuals = self.group_residuals(kinematics, group);
+        let gap = |c: &crate::model::ConstraintRows| {
+            residuals[c.first..c.first + c.count].iter().fold(0.0, |most: f64, r| most.max(r.abs()))
+        };
+        group.constraints.iter().map(gap).collect()
+    }
+
+    /// The joint of one freedom that moved most between two poses, on the group's own scale.
+    fn most_moved(&self, group: &Group, from: &[f64], to: &[f64]) -> Option<(JointId, f64)> {
+        let u = self.displacement(group, from, to);
+        let size = |at: usize| (u[at] * group.lengths[at]).abs();
+        let most = group.movable.iter().copied().max_by(|&a, &b| size(a).total_cmp(&size(b)))?;
+        group.joints[most].filter(|_| u[most] != 0.0).map(|joint| (joint, u[most]))
+    }
+
+    /// Closes a group near where it stands. Returns its inexactness.
+    fn close_first(&self, kinematics: &mut Kinematics<f64>, group: &Group) -> Result<f64, AssemblyError> {
+        let tolerance = self.closing_tolerance(kinematics, group);
+        let allowed = ROUNDING * group.size;
+        let all = &group.movable;
+        let declared = |at: &usize| self.coordinates[group.coordinates[*at]].independent == Some(true);
+        let advised: Vec<usize> = all.iter().copied().filter(|at| !declared(at)).collect();
+        let mut best: Option<(Vec<f64>, Correction)> = None;
+        let start = kinematics.q.clone();
+        for attempt in 0..ATTEMPTS {
+            kinematics.q.copy_from_slice(&start);
+            self.refill_group(kinematics, group);
+            if attempt > 1 {
+                // A start that is stuck (Aᵀr = 0 with r ≠ 0) is left by a fixed step aside, then a longer one.
+                self.perturb(kinematics, group, ASIDE[(attempt as usize / 2 - 1) % ASIDE.len()], attempt);
+            }
+            let unknown = if attempt == 0 { &advised } else { all };
+            let correction = self.correct(kinematics, group, Directions::of(unknown), tolerance);
+            if correction.closed {
+                return Ok(0.0);
+            }
+            if best.as_ref().is_none_or(|(_, b)| correction.residual < b.residual) {
+                best = Some((kinematics.q.clone(), correction));
+            }
+            // What is a file's rounding where it is drawn is not searched for elsewhere.
+            if attempt >= 1 && best.as_ref().is_some_and(|(_, b)| b.residual <= allowed) {
+                break;
+            }
+        }
+        let Some((q, correction)) = best else { return Ok(0.0) };
+        kinematics.q = q;
+        self.refill_group(kinematics, group);
+        if correction.residual <= allowed {
+            return Ok(correction.residual);
+        }
+        let mut loops = self.group_names(group);
+        if let Some(worst) = loops.iter().position(|n| *n == self.row_name(group, correction.worst)) {
+            loops.swap(0, worst);
+        }
+        Err(AssemblyError::DoesNotClose { loops, residual: correction.residual, allowed })
+    }
+
+    /// Looks for the generic rank of a group at closed poses around the first one.
+    fn look_around(&self, reference: &Kinematics<f64>, group: &Group, mut inexactness: f64) -> GroupFacts {
+        let tolerance = self.closing_tolerance(reference, group);
+        let all = Directions::of(&group.movable);
+        let rank_of = |kinematics: &Kinematics<f64>, inexactness: f64| {
+            let mut rows = GroupRows::default();
+            rows.fill(self, group, kinematics);
+            (rank_of_rows(&rows, group, group.floor_for(inexactness)), rows)
+        };
+        let (at_reference, reference_rows) = rank_of(reference, inexactness);
+        // Any other pose is better, since much vanishes where all joints are at 0; of those the best-conditioned.
+        let mut best = (reference.q.clone(), reference_rows, at_reference, 0.0);
+        let mut consider = |kinematics: Kinematics<f64>, inexactness: f64| {
+            let (rank, rows) = rank_of(&kinematics, inexactness);
+            if rank.rank > best.2.rank || (rank.rank == best.2.rank && rank.least > best.3) {
+                best = (kinematics.q, rows, rank, rank.least);
+            }
+        };
+        let enough = if group.coordinates.len() > LARGE { 1 } else { ENOUGH };
+        let (mut found, mut unsettled) = (0, None);
+        for attempt in 0..AROUND {
+            let mut kinematics = reference.clone();
+            self.perturb(&mut kinematics, group, [0.2, 0.1, 0.03][attempt as usize / 4], 1000 + attempt);
+            let correction = self.correct(&mut kinematics, group, all, tolerance);
+            let rounding = if inexactness > 0.0 { (2.0 * inexactness).max(1e-4 * group.size) } else { 0.0 };
+            if correction.residual > tolerance.max(rounding) {
+                continue;
+            }
+            let apart = self.displacement(group, &reference.q, &kinematics.q);
+            let gone = apart.iter().zip(&group.lengths).map(|(w, l)| (w * l).powi(2)).sum::<f64>().sqrt();
+            if gone < BACK * group.size || !self.is_settled(&kinematics, group, inexactness) {
+                unsettled.get_or_insert(kinematics);
+                continue;
+            }
+            if inexactness > 0.0 {
+                inexactness = inexactness.max(correction.residual);
+            }
+            consider(kinematics, inexactness);
+            found += 1;
+            if found == enough {
+                break;
+            }
+        }
+        if found == 0 {
+            // All corrections led back to where branches cross: along one of them, then.
+            let around = self.surroundings(reference, group, inexactness);
+            for branch in &around.branches {
+                for reach in [0.1, 0.03, 0.01, 1e-3] {
+                    let mut kinematics = reference.clone();
+                    if self
+                        .go_beside(&mut kinematics, &around, &branch.along, reach * around.group.size)
+                        .is_some()
+                    {
+                        consider(kinematics, inexactness);
+                        break;
+                    }
+                }
+            }
+            // Nothing leads off: what binds beside the pose counts, though nothing closes there.
+            if let Some(kinematics) = unsettled.filter(|_| around.branches.is_empty() && !around.regular) {
+                consider(kinematics, inexactness);
+            }
+        }
+        let (generic, rows, rank, _) = best;
+        let floor = group.floor_for(inexactness);
+        let drivers = self.default_drivers(group, &rows, floor);
+        let reference_is_regular = at_reference.rank == rank.rank;
+        let (drawn_gaps, moved) = (Vec::new(), None);
+        let misfit = inexactness.max(self.group_residual(reference, group).0);
+        GroupFacts {
+            generic,
+            rows,
+            rank,
+            inexactness,
+            misfit,
+            floor,
+            reference_is_regular,
+            drivers,
+            drawn_gaps,
+            moved,
+        }
+    }
+
+    /// Whether a closed pose is where Newton's method would stay: near a crossing, residuals are squares of what is
+    /// still to go, and pass for closed long before it is gone.
+    fn is_settled(&self, kinematics: &Kinematics<f64>, group: &Group, inexactness: f64) -> bool {
+        let here = Linearised::at(self, kinematics, group);
+        let floor = if inexactness > 0.0 { group.floor_for(inexactness) } else { 0.0 };
+        let step = here.step(group, Directions::of(&group.movable), floor);
+        step.iter().map(|x| x * x).sum::<f64>().sqrt() <= SETTLED * group.size
+    }
+
+    /// Moves a group's coordinates aside by fixed pseudo-random amounts up to `size` (rad, or times the group's size).
+    pub fn perturb(&self, kinematics: &mut Kinematics<f64>, group: &Group, size: f64, seed: u64) {
+        let mut random = Splitmix::new(seed);
+        let u: Vec<f64> =
+            group.lengths.iter().map(|length| size * random.symmetric() * group.size / length).collect();
+        self.advance_group(kinematics, group, &u);
+    }
+}
+
+/// A fixed sequence of pseudo-random numbers (splitmix64: Steele, Lea, Flood 2014).
+pub(crate) struct Splitmix(u64);
+
+impl Splitmix {
+    pub fn new(seed: u64) -> Self {
+        Self(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15))
+    }
+
+    /// In −1…1.
+    pub fn symmetric(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        z ^= z >> 31;
+        2.0 * ((z >> 11) as f64 / (1u64 << 53) as f64) - 1.0
+    }
+}

@@ -1,0 +1,436 @@
+//! Closing the groups of a model one after another: who drives each, and the path of the drivers to the positions asked for.
+
+use super::error::AssemblyError;
+use super::facts::{Facts, GroupFacts};
+use super::state::LoopState;
+use crate::closing::{Directions, DriverPath, Linearised};
+use crate::configuration::Configuration;
+use crate::kinematics::Kinematics;
+use crate::mobility::{Drivers, Generic, Singularity};
+use crate::model::{Group, Model};
+use percuss_mechanism::JointId;
+
+/// A driver with a position of one number.
+struct Driver {
+    /// Index into the group's coordinates.
+    at: usize,
+    joint: JointId,
+    /// Its place among the positions.
+    q: usize,
+    wanted: f64,
+    given: bool,
+}
+
+/// A closed pose from which a branch is followed.
+#[derive(Clone, Copy)]
+pub(crate) struct Start<'a> {
+    pub positions: &'a [f64],
+    /// For each group that stands (nearly) singular there, positions of a regular pose on the same branch.
+    pub anchors: &'a [Option<Vec<f64>>],
+}
+
+/// Closes the groups of a model one after another.
+pub(crate) struct Closer<'a> {
+    pub model: &'a Model,
+    pub facts: &'a Facts,
+    pub configuration: &'a Configuration,
+    pub start: Option<Start<'a>>,
+    pub kinematics: Kinematics<f64>,
+    pub state: LoopState,
+}
+
+/// Starts from which drivers are put at the positions asked for, when the branch does not reach there: a Cassie leg closes
+/// from one in seven.
+const STARTS: usize = 48;
+/// Sizes of these starts' motion aside, rad or parts of the size.
+const ASIDE: [f64; 4] = [0.3, 1.0, 2.0, 3.0];
+/// Most work of these starts, in cubes of a group's coordinates.
+const WORK: usize = 20_000_000;
+/// A joint with several positions that was set stands there when it is no further off than this part of the size: its
+/// values are given with eight decimals or fewer.
+const MATCHED: f64 = 1e-6;
+
+impl Closer<'_> {
+    /// Closes a group.
+    pub fn close(&mut self, number: usize) -> Result<(), AssemblyError> {
+        let (model, facts) = (self.model, &self.facts.groups[number]);
+        let group = &model.groups[number];
+        self.model.refill_group(&mut self.kinematics, group);
+        let divided = self.divide(group, facts)?;
+        let misfit = facts.misfit_beyond(group, &self.kinematics, model);
+        let tolerance = model.rounded_tolerance(&self.kinematics, group, misfit);
+        let drivers = self.drivers(group, &divided);
+        let anchor = match self.guess_for(group) {
+            Some(guess) => self.close_from_guess(group, &divided, &drivers, &guess, tolerance)?,
+            None => match self.close_along_branch(number, &divided, &drivers, tolerance) {
+                Err(failed @ AssemblyError::Unreachable { .. }) if self.start.is_none() => {
+                    self.close_from_elsewhere(group, &divided, &drivers, tolerance, failed)?
+                }
+                followed => followed?,
+            },
+        };
+        let generic = Generic { rows: &facts.rows, rank: facts.rank, floor: facts.floor };
+        let mode = model.mode_of(&self.kinematics, group, &generic, &divided);
+        let state = &mut self.state;
+        state.residual = state.residual.max(model.group_residual(&self.kinematics, group).0);
+        state.inexactness = state.inexactness.max(facts.inexactness);
+        state.declared &= divided.declared;
+        state.modes.push(mode.sign);
+        state.singularities.push(mode.singularity);
+        state.drivers.extend(divided.driving.iter().filter_map(|&at| group.joints[at]));
+        state.dependent.push(divided.dependent);
+        state.anchors.push(anchor);
+        Ok(())
+    }
+
+    fn is_given(&self, group: &Group, at: usize) -> bool {
+        group.joints[at].is_some_and(|id| self.configuration.given[id.index()])
+    }
+
+    /// Who drives: what was set, else what is declared, else what looks driven.
+    fn divide(&self, group: &Group, facts: &GroupFacts) -> Result<Drivers, AssemblyError> {
+        let given = |at: usize| self.is_given(group, at);
+        let mut divided = self.model.drivers_for(group, &facts.rows, &facts.drivers, facts.floor, given);
+        let single = |at: usize| {
+            group.joints[at].is_some_and(|id| self.model.mechanism.joint(id).kind().positions() == 1)
+        };
+        // Of a joint with several positions, as many as can do drive; the others must come out as they were set.
+        let refused =
+            |d: &Drivers| d.dependent.iter().copied().find(|&at| given(at) && (single(at) || d.declared));
+        if refused(&divided).is_some() && !divided.declared {
+            // Long trains may carry a driver at one pose and not, to rounding, at another: try where this one starts.
+            let here = Linearised::at(self.model, &self.near(group), group);
+            let there = self.model.drivers_for(group, &here.rows, &facts.drivers, facts.floor, given);
+            if refused(&there).is_none() {
+                divided = there;
+            }
+        }
+        if let Some(at) = refused(&divided) {
+            let name = |at: usize| group.joints[at].map(|id| self.model.joint_name(id).to_owned());
+            let mut drivers: Vec<String> = divided.driving.iter().filter_map(|&d| name(d)).collect();
+            drivers.dedup();
+            return Err(AssemblyError::Dependent { joint: name(at).unwrap_or_default(), drivers });
+        }
+        Ok(divided)
+    }
+
+    /// All positions with the guesses for a group in place, if there is any.
+    fn guess_for(&self, group: &Group) -> Option<Vec<f64>> {
+        self.configuration.guess_for(&self.model.joint_q, &group.joints)
+    }
+
+    /// Where the group's search begins.
+    fn near(&self, group: &Group) -> Kinematics<f64> {
+        let mut near = self.kinematics.clone();
+        let guess = self.guess_for(group);
+        let start = guess.as_deref().or(self.start.map(|s| s.positions)).unwrap_or(&self.facts.reference);
+        self.model.set_group(&mut near, group, start);
+        near
+    }
+
+    /// Puts the drivers at the positions asked for and closes the dependent coordinates from seeded starts, when the branch of
+    /// the first closed pose does not reach there.
+    fn close_from_elsewhere(
+        &mut self,
+        group: &Group,
+        divided: &Drivers,
+        drivers: &[Driver],
+        tolerance: f64,
+        failed: AssemblyError,
+    ) -> Result<Option<Vec<f64>>, AssemblyError> {
+        let before = self.kinematics.clone();
+        let starts = (WORK / group.coordinates.len().pow(3).max(1)).min(STARTS);
+        for attempt in 0..starts {
+            self.model.set_group(&mut self.kinematics, group, &self.facts.reference);
+            self.model.perturb(
+                &mut self.kinematics,
+                group,
+                ASIDE[attempt % ASIDE.len()],
+                5000 + attempt as u64,
+            );
+            self.put(group, drivers);
+            if self.correct(group, &divided.dependent, tolerance) && self.matches(group) {
+                self.state.starts_tried = Some(attempt + 1);
+                return Ok(None);
+            }
+        }
+        self.kinematics = before;
+        Err(failed.after_starts(starts))
+    }
+
+    fn drivers(&self, group: &Group, divided: &Drivers) -> Vec<Driver> {
+        let driver = |&at: &usize| {
+            let joint = group.joints[at]?;
+            let range = &self.model.joint_q[joint.index()];
+            let given = self.configuration.given[joint.index()];
+            let wanted = self.configuration.values[joint.index()][0];
+            (range.len() == 1).then_some(Driver { at, joint, q: range.start, wanted, given })
+        };
+        divided.driving.iter().filter_map(driver).collect()
+    }
+
+    fn correct(&mut self, group: &Group, unknown: &[usize], tolerance: f64) -> bool {
+        let directions = Directions::of(unknown);
+        self.model.correct(&mut self.kinematics, group, directions, tolerance).closed
+    }
+
+    /// Puts the group at the guess and the drivers at the positions asked for. What is not closed there is closed by
+    /// the shortest motion, drivers included, and then driven back along the branch; or else by the followers alone.
+    fn close_from_guess(
+        &mut self,
+        group: &Group,
+        divided: &Drivers,
+        drivers: &[Driver],
+        guess: &[f64],
+        tolerance: f64,
+    ) -> Result<Option<Vec<f64>>, AssemblyError> {
+        let model = self.model;
+        let begin = |closer: &mut Self| {
+            model.set_group(&mut closer.kinematics, group, guess);
+            closer.put(group, drivers);
+        };
+        begin(self);
+        if model.group_residual(&self.kinematics, group).0 <= tolerance {
+            self.correct(group, &divided.dependent, tolerance);
+            return Ok(None);
+        }
+        let all: Vec<&Driver> = drivers.iter().collect();
+        let closed = self.correct(group, &group.movable, tolerance);
+        // The shortest motion may have turned driving balls aside, which cannot be driven back.
+        if closed && drivers.len() == divided.driving.len() {
+            let driven = self.drive(group, divided, drivers, &all, tolerance);
+            if driven.is_ok() {
+                return driven;
+            }
+        }
+        begin(self);
+        if self.correct(group, &divided.dependent, tolerance) {
+            return Ok(None);
+        }
+        Err(self.unreachable(group, divided, drivers))
+    }
+
+    /// Follows the branch of a known closed pose until the drivers are at the positions asked for. Gives a regular pose on
+    /// the branch where the end is singular.
+    fn close_along_branch(
+        &mut self,
+        number: usize,
+        divided: &Drivers,
+        drivers: &[Driver],
+        tolerance: f64,
+    ) -> Result<Option<Vec<f64>>, AssemblyError> {
+        let (model, facts) = (self.model, &self.facts.groups[number]);
+        let group = &model.groups[number];
+        let home = &self.facts.reference;
+        let generic = Generic { rows: &facts.rows, rank: facts.rank, floor: facts.floor };
+        let regular = |closer: &Self| {
+            facts.reference_is_regular
+                && closer.model.mode_of(&closer.kinematics, group, &generic, divided).singularity
+                    == Singularity::None
+        };
+        let mut anchor = None;
+        match self.start {
+            Some(from) => {
+                let known = from.anchors.get(number).and_then(|anchor| anchor.as_ref());
+                let there = drivers.iter().all(|d| from.positions[d.q] == d.wanted);
+                anchor = known.cloned();
+                let start = known.filter(|_| !there).map_or(from.positions, Vec::as_slice);
+                model.set_group(&mut self.kinematics, group, start);
+            }
+            None => {
+                model.set_group(&mut self.kinematics, group, home);
+                // At a change point or a dead centre there is no branch to follow.
+                if !regular(self) {
+                    anchor = Some(facts.generic.clone());
+                    let there = drivers.iter().all(|d| home[d.q] == d.wanted);
+                    if !there {
+                        model.set_group(&mut self.kinematics, group, &facts.generic);
+                    }
+                }
+            }
+        }
+        self.set_directly(group, divided, drivers, tolerance)?;
+        // Drivers that nobody set go to 0, first and by themselves: together, or those that can.
+        let (given, idle): (Vec<&Driver>, Vec<&Driver>) = drivers.iter().partition(|d| d.given);
+        let before = self.kinematics.clone();
+        match self.drive(group, divided, drivers, &idle, tolerance) {
+            Ok(found) => {
+                anchor = found.or(anchor.filter(|_| self.stands(&idle) && before.q == self.kinematics.q))
+            }
+            Err(_) => {
+                self.kinematics = before;
+                for driver in &idle {
+                    let before = self.kinematics.clone();
+                    if self.drive(group, divided, drivers, &[driver], tolerance).is_err() {
+                        self.kinematics = before;
+                        self.state.off_zero.push((driver.joint, self.kinematics.q[driver.q]));
+                    }
+                }
+                anchor = None;
+            }
+        }
+        if !self.stands(&given) {
+            anchor = self.drive(group, divided, drivers, &given, tolerance)?;
+        }
+        let (residual, _) = model.group_residual(&self.kinematics, group);
+        if residual <= tolerance || self.correct(group, &divided.dependent, tolerance) {
+            Ok(anchor)
+        } else {
+            Err(self.unreachable(group, divided, drivers))
+        }
+    }
+
+    fn stands(&self, drivers: &[&Driver]) -> bool {
+        drivers.iter().all(|d| self.kinematics.q[d.q] == d.wanted)
+    }
+
+    fn put<'d>(&mut self, group: &Group, drivers: impl IntoIterator<Item = &'d Driver>) {
+        for driver in drivers {
+            self.kinematics.q[driver.q] = driver.wanted;
+        }
+        self.model.refill_group(&mut self.kinematics, group);
+    }
+
+    /// Moves some drivers to the positions asked for, in a straight line.
+    fn drive(
+        &mut self,
+        group: &Group,
+        divided: &Drivers,
+        drivers: &[Driver],
+        moving: &[&Driver],
+        tolerance: f64,
+    ) -> Result<Option<Vec<f64>>, AssemblyError> {
+        let mut way = vec![0.0; group.coordinates.len()];
+        moving.iter().for_each(|d| way[d.at] = d.wanted - self.kinematics.q[d.q]);
+        let Some(path) =
+            DriverPath::new(self.model, group, &divided.dependent, way, tolerance, divided.conditioning)
+        else {
+            return Ok(None);
+        };
+        let arrival = path.go(&mut self.kinematics);
+        if arrival.too_far {
+            return Err(self.too_far(drivers));
+        }
+        if !arrival.there {
+            return Err(self.unreachable(group, divided, drivers));
+        }
+        self.put(group, moving.iter().copied());
+        Ok(arrival.anchor)
+    }
+
+    /// Joints of a group with several positions that were set.
+    fn set_directly_joints(&self, group: &Group) -> Vec<JointId> {
+        let several = |id: &JointId| self.model.joint_q[id.index()].len() > 1;
+        let given = group.joints.iter().copied().flatten().filter(|id| self.configuration.given[id.index()]);
+        let mut joints: Vec<JointId> = given.filter(several).collect();
+        joints.dedup();
+        joints
+    }
+
+    /// What the joints with several positions that were set still have to go, over the group's coordinates.
+    fn still_to_go(&self, group: &Group, joints: &[JointId]) -> Vec<f64> {
+        let mut goal = self.kinematics.q.clone();
+        for id in joints {
+            let wanted = &self.configuration.values[id.index()];
+            goal[self.model.joint_q[id.index()].clone()].copy_from_slice(wanted);
+        }
+        let mut left = self.model.displacement(group, &self.kinematics.q, &goal);
+        for (left, joint) in left.iter_mut().zip(&group.joints) {
+            if !joint.is_some_and(|id| joints.contains(&id)) {
+                *left = 0.0;
+            }
+        }
+        left
+    }
+
+    /// Whether the joints with several positions that were set stand there.
+    fn matches(&self, group: &Group) -> bool {
+        let left = self.still_to_go(group, &self.set_directly_joints(group));
+        left.iter().zip(&group.lengths).all(|(l, length)| (l * length).abs() <= MATCHED * group.size)
+    }
+
+    /// Joints with positions of several numbers that were set go there in steps of a tenth, each closed from the last:
+    /// the loops and what is left to go together in least squares, since they may have fewer freedoms than numbers.
+    fn set_directly(
+        &mut self,
+        group: &Group,
+        divided: &Drivers,
+        drivers: &[Driver],
+        tolerance: f64,
+    ) -> Result<(), AssemblyError> {
+        const CORRECTIONS: usize = 30;
+        let model = self.model;
+        let joints = self.set_directly_joints(group);
+        if joints.is_empty() {
+            return Ok(());
+        }
+        let held = |at: &usize| drivers.iter().any(|d| d.at == *at);
+        let unknown: Vec<usize> = group.movable.iter().copied().filter(|at| !held(at)).collect();
+        let set: Vec<usize> = (0..unknown.len())
+            .filter(|k| group.joints[unknown[*k]].is_some_and(|id| joints.contains(&id)))
+            .collect();
+        let far = self.still_to_go(group, &joints);
+        let far = far.iter().zip(&group.lengths).map(|(l, length)| (l * length).abs()).fold(0.0, f64::max);
+        let steps = (10.0 * far / group.size).ceil().clamp(1.0, 1e4) as usize;
+        let directions = Directions::of(&unknown);
+        for step in 0..steps {
+            let part = 1.0 / (steps - step) as f64;
+            let mut left: Vec<f64> = self.still_to_go(group, &joints).iter().map(|l| l * part).collect();
+            for _ in 0..CORRECTIONS {
+                let here = Linearised::at(model, &self.kinematics, group);
+                let mut jacobian = directions.jacobian(group, &here.rows);
+                let mut target: Vec<f64> = here.residuals.iter().map(|r| -r).collect();
+                for &k in &set {
+                    jacobian.entries.push((jacobian.rows, k, 1.0));
+                    jacobian.rows += 1;
+                    target.push(left[unknown[k]] * group.lengths[unknown[k]]);
+                }
+                let x = jacobian.shortest(&target, 0.0);
+                let u = directions.expand(group, |k| x[k]);
+                model.advance_group(&mut self.kinematics, group, &u);
+                left.iter_mut().zip(&u).for_each(|(l, u)| *l -= u);
+                if x.iter().all(|x| x.abs() <= 1e-14 * group.size) {
+                    break;
+                }
+            }
+        }
+        // What drives stands where it was set; what depends comes out as near as the loops let it.
+        let drives = |id: &JointId| divided.driving.iter().all(|&d| group.joints[d] != Some(*id));
+        let whole =
+            |id: &&JointId| !divided.dependent.iter().any(|&d| group.joints[d] == Some(**id)) && !drives(id);
+        for id in joints.iter().filter(whole) {
+            let range = model.joint_q[id.index()].clone();
+            self.kinematics.q[range].copy_from_slice(&self.configuration.values[id.index()]);
+        }
+        model.refill_group(&mut self.kinematics, group);
+        if self.correct(group, &divided.dependent, tolerance) && self.matches(group) {
+            return Ok(());
+        }
+        Err(self.unreachable(group, divided, drivers))
+    }
+
+    fn too_far(&self, drivers: &[Driver]) -> AssemblyError {
+        let place = |d: &Driver, at: f64| (self.model.joint_name(d.joint).to_owned(), at);
+        AssemblyError::TooFar {
+            wanted: drivers.iter().map(|d| place(d, d.wanted)).collect(),
+            reached: drivers.iter().map(|d| place(d, self.kinematics.q[d.q])).collect(),
+        }
+    }
+
+    /// Drivers, then followers, where the group stands now.
+    fn unreachable(&self, group: &Group, divided: &Drivers, drivers: &[Driver]) -> AssemblyError {
+        let name = |id: JointId| self.model.joint_name(id).to_owned();
+        let follower = |&at: &usize| {
+            let id = group.joints[at]?;
+            let range = &self.model.joint_q[id.index()];
+            (range.len() == 1).then(|| (name(id), self.kinematics.q[range.start]))
+        };
+        let of_drivers = drivers.iter().map(|d| (name(d.joint), self.kinematics.q[d.q]));
+        AssemblyError::Unreachable {
+            wanted: drivers.iter().map(|d| (name(d.joint), d.wanted)).collect(),
+            nearest: of_drivers.chain(divided.dependent.iter().filter_map(follower)).collect(),
+            loops: self.model.group_names(group),
+            starts: 0,
+        }
+    }
+}

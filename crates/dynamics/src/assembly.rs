@@ -1,0 +1,289 @@
+//! The loops of a system put together once, from a given guess: a first closed pose, a generic one, who drives, the
+//! mobility. A value: nothing that is asked of it changes it.
+
+use crate::assembling::{Facts, GroupFacts};
+use crate::kinematics::Kinematics;
+use crate::mobility::{GroupMobility, MobilityRoom, Rank, Redundancy, rank_of_rows};
+use crate::model::{Constraint, Group, Model};
+use crate::rows::GroupRows;
+use crate::singular::Surroundings;
+use crate::tolerances::{DRAWN_OPEN, ROUNDED};
+use percuss_mechanism::JointId;
+use std::sync::{Arc, OnceLock};
+
+/// A system whose loops are put together.
+#[derive(Debug)]
+pub struct Assembly {
+    models: Models,
+    facts: Facts,
+    /// For each group of the model with its locks and holds: the rank at a generic pose.
+    generic: Vec<Rank>,
+    /// For each of these groups: singular values of A below this part of the largest count as zero.
+    floors: Vec<f64>,
+    /// For each of these groups: how far its loops are from fitting, as a part of its size.
+    misfits: Vec<f64>,
+    /// A closed generic pose, held contacts off the zero pose.
+    generic_kinematics: Kinematics<f64>,
+    /// Found when first asked for, a function of the rest.
+    redundant: OnceLock<Vec<Vec<String>>>,
+}
+
+/// The two sides of a system: what answers, and what is posed. A lock or a held contact holds velocities, not the pose:
+/// loops are closed with every joint free.
+#[derive(Clone, Debug)]
+pub(crate) struct Models {
+    pub answering: Arc<Model>,
+    pub posing: Arc<Model>,
+}
+
+/// How far a loop is from closed where it is drawn: with all joints at 0, or as guessed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrawnGap {
+    /// The closure or coupling.
+    pub constraint: String,
+    /// Its largest residual, m (angles times the size of its group).
+    pub gap: f64,
+    /// The size of its group, m.
+    pub size: f64,
+    /// The joint that moved most to close its group, and by how much (rad or m).
+    pub moved: Option<(JointId, f64)>,
+    /// Whether that is more than a hundredth of the size: no rounding, a mistyped point.
+    pub is_wide: bool,
+}
+
+/// The joints of a held mechanism stand so far (rad, or parts of the size) off zero at its generic pose.
+const HELD_ASIDE: f64 = 0.2;
+/// Coordinates up to which redundant rows are separated by loop.
+const TOLD_APART: usize = 400;
+
+impl Assembly {
+    pub(crate) fn new(models: Models, facts: Facts) -> Self {
+        let generic_kinematics = generic_kinematics(&models, &facts);
+        let model = &models.answering;
+        let of_groups = |of: fn(&GroupFacts) -> f64| {
+            model.groups.iter().map(|g| (g, greatest(&models, &facts, g, of))).collect::<Vec<(&Group, f64)>>()
+        };
+        let inexactness = of_groups(|facts| facts.inexactness);
+        let floors: Vec<f64> =
+            inexactness.into_iter().map(|(g, inexactness)| g.floor_for(inexactness)).collect();
+        let misfits: Vec<f64> =
+            of_groups(|facts| facts.misfit).into_iter().map(|(g, misfit)| misfit / g.size).collect();
+        let rank = |((group, floor), misfit): ((&Group, &f64), &f64)| {
+            let mut rows = GroupRows::default();
+            rows.fill(model, group, &generic_kinematics);
+            rank_of_rows(&rows, group, *floor).explained_by(ROUNDED * misfit)
+        };
+        let generic = model.groups.iter().zip(&floors).zip(&misfits).map(rank).collect();
+        Self { models, facts, generic, floors, misfits, generic_kinematics, redundant: OnceLock::new() }
+    }
+
+    /// The same loops under other conditions of the same mechanism.
+    pub(crate) fn under(&self, models: Models) -> Arc<Self> {
+        Arc::new(Self::new(models, self.facts.clone()))
+    }
+
+    pub(crate) fn model(&self) -> &Model {
+        &self.models.answering
+    }
+
+    pub(crate) fn posing(&self) -> &Model {
+        &self.models.posing
+    }
+
+    pub(crate) fn facts(&self) -> &Facts {
+        &self.facts
+    }
+
+    /// Whether two assemblies are of the same system.
+    pub(crate) fn is_like(&self, other: &Self) -> bool {
+        self.is_of(&other.models.answering)
+    }
+
+    pub(crate) fn is_of(&self, model: &Arc<Model>) -> bool {
+        Arc::ptr_eq(&self.models.answering, model)
+    }
+
+    /// Singular values of A below this part of the largest count as zero, of a group.
+    pub(crate) fn floor(&self, number: usize) -> f64 {
+        self.floors[number]
+    }
+
+    /// The rank of a group's rows at a generic pose.
+    pub(crate) fn expected_rank(&self, number: usize) -> usize {
+        self.generic[number].rank
+    }
+
+    pub(crate) fn generic_rank(&self) -> usize {
+        self.generic.iter().map(|g| g.rank).sum()
+    }
+
+    /// What is decided about each group at some frames.
+    pub(crate) fn decide(&self, kinematics: &Kinematics<f64>) -> Vec<GroupMobility> {
+        let model = self.model();
+        let mut room = MobilityRoom::default();
+        let decide = |(number, group): (usize, &Group)| {
+            let mut decided = GroupMobility::default();
+            let expected = Some(self.generic[number].rank);
+            model.decide_mobility(&mut room, kinematics, group, self.floors[number], expected, &mut decided);
+            decided
+        };
+        model.groups.iter().enumerate().map(decide).collect()
+    }
+
+    /// For each group, how far its loops are from fitting, as a part of its size.
+    pub(crate) fn misfits(&self) -> &[f64] {
+        &self.misfits
+    }
+
+    /// How many coordinates there are: independent velocities of the tree; a floating base counts 6.
+    pub fn coordinates(&self) -> usize {
+        self.model().coordinates.len()
+    }
+
+    /// Degrees of freedom at a generic pose; a floating base counts 6.
+    pub fn degrees_of_freedom(&self) -> usize {
+        self.coordinates() - self.generic_rank()
+    }
+
+    /// Constraint rows that add nothing at a generic pose: of loops, couplings, held contacts and locks.
+    pub fn redundant_constraints(&self) -> usize {
+        let rows: usize = self.model().groups.iter().map(|g| g.rows).sum();
+        self.model().redundant_locks + rows - self.generic_rank()
+    }
+
+    /// Sets of loops, couplings and held contacts on which redundant rows lie; those that cannot be separated together.
+    pub fn redundant_loops(&self) -> &[Vec<String>] {
+        self.redundant.get_or_init(|| {
+            let model = self.model();
+            let mut redundancy = Redundancy::default();
+            for (group, rank) in model.groups.iter().zip(&self.generic) {
+                if rank.rank >= group.rows || group.coordinates.len() > TOLD_APART {
+                    continue;
+                }
+                let names: Vec<String> = (0..group.rows).map(|row| model.row_name(group, row)).collect();
+                let rows = model.group_matrix(&self.generic_kinematics, group);
+                redundancy.look_at(&rows, &group.lengths, rank.rank, &names);
+            }
+            redundancy.sets
+        })
+    }
+
+    /// Names of the constraints of each group: those that bind the same coordinates, directly or through one another.
+    pub fn groups(&self) -> Vec<Vec<String>> {
+        self.model().groups.iter().map(|group| self.model().group_names(group)).collect()
+    }
+
+    /// The rank of each group's rows at a generic pose, in the order of [`groups`](Self::groups).
+    pub fn group_ranks(&self) -> Vec<usize> {
+        self.generic.iter().map(|g| g.rank).collect()
+    }
+
+    /// The joints that drive the loops where nothing is set, in joint order.
+    pub fn drivers(&self) -> Vec<JointId> {
+        let groups = self.facts.groups.iter().zip(&self.posing().groups);
+        let of_group = groups.flat_map(|(f, g)| f.drivers.driving.iter().filter_map(|&at| g.joints[at]));
+        let mut drivers: Vec<JointId> = of_group.collect();
+        drivers.sort_unstable();
+        drivers.dedup();
+        drivers
+    }
+
+    /// Least gap between singular values of A that count and those that do not; none without constraints.
+    pub fn rank_gap(&self) -> Option<f64> {
+        self.generic.iter().map(|g| g.gap).min_by(f64::total_cmp)
+    }
+
+    /// The least singular value of A that counts at the generic pose, as a part of the largest of its group. Where it is
+    /// small, the mechanism is weakly constrained: a little off in the figures of a file, and one more motion is free.
+    pub fn least_singular_value(&self) -> f64 {
+        self.generic.iter().map(|g| g.least).fold(1.0, f64::min)
+    }
+
+    /// Whether the generic rank is clear.
+    pub fn rank_is_clear(&self) -> bool {
+        self.generic.iter().all(|g| g.clear)
+    }
+
+    /// How far each loop is from closed where it is drawn, beyond rounding.
+    pub fn drawn_gaps(&self) -> Vec<DrawnGap> {
+        let model = self.posing();
+        let mut gaps = Vec::new();
+        for (group, facts) in model.groups.iter().zip(&self.facts.groups) {
+            let least = (CLOSED_AS_DRAWN * group.size).max(2.0 * facts.inexactness);
+            for (constraint, &gap) in group.constraints.iter().zip(&facts.drawn_gaps) {
+                if gap > least && !matches!(constraint.constraint, Constraint::Hold(_)) {
+                    gaps.push(DrawnGap {
+                        constraint: model.constraint_name(constraint.constraint),
+                        gap,
+                        size: group.size,
+                        moved: facts.moved,
+                        is_wide: gap > DRAWN_OPEN * group.size,
+                    });
+                }
+            }
+        }
+        gaps
+    }
+
+    /// Whether a group of loops has less than its generic rank at some frames.
+    pub(crate) fn has_lost_rank(&self, kinematics: &Kinematics<f64>, number: usize) -> bool {
+        let (model, facts) = (self.posing(), &self.facts.groups[number]);
+        let group = &model.groups[number];
+        let mut rows = GroupRows::default();
+        rows.fill(model, group, kinematics);
+        rank_of_rows(&rows, group, facts.floor).rank < facts.rank.rank
+    }
+
+    /// What lies around a pose of a group of loops.
+    pub(crate) fn around(&self, kinematics: &Kinematics<f64>, number: usize) -> Surroundings {
+        let model = self.posing();
+        model.surroundings(kinematics, &model.groups[number], self.facts.groups[number].inexactness)
+    }
+
+    /// Tolerance at which a group counts as closed, m.
+    pub(crate) fn tolerance(&self, kinematics: &Kinematics<f64>, number: usize) -> f64 {
+        let model = self.posing();
+        let group = &model.groups[number];
+        let misfit = self.facts.groups[number].misfit_beyond(group, kinematics, model);
+        model.rounded_tolerance(kinematics, group, misfit)
+    }
+}
+
+/// Residuals below this part of a group's size are rounding of the figures that a file is written with: 12 digits.
+const CLOSED_AS_DRAWN: f64 = 1e-9;
+
+/// The greatest of a fact of the groups of loops that a group of the answering model has constraints of.
+fn greatest(models: &Models, facts: &Facts, group: &Group, of: fn(&GroupFacts) -> f64) -> f64 {
+    let shares = |posed: &Group| {
+        posed.constraints.iter().any(|c| group.constraints.iter().any(|own| own.constraint == c.constraint))
+    };
+    let same = Arc::ptr_eq(&models.answering, &models.posing);
+    let meant = |posed: &Group| if same { std::ptr::eq(posed, group) } else { shares(posed) };
+    let meant = models.posing.groups.iter().zip(&facts.groups).filter(|(posed, _)| meant(posed));
+    meant.map(|(_, facts)| of(facts)).fold(0.0, f64::max)
+}
+
+/// Every group at its generic pose; where contacts are held, the joints outside loops aside from zero too.
+fn generic_kinematics(models: &Models, facts: &Facts) -> Kinematics<f64> {
+    let posing = &models.posing;
+    let mut kinematics = Kinematics::zero(posing);
+    if models.answering.groups.iter().any(|g| g.is_held) {
+        let bound = |c: &usize| posing.groups.iter().any(|g| g.column(*c).is_some());
+        let coordinates: Vec<usize> = (0..posing.coordinates.len()).filter(|c| !bound(c)).collect();
+        let size = posing.mechanism.characteristic_length();
+        let lengths = coordinates.iter().map(|&c| if posing.coordinates[c].turns { size } else { 1.0 });
+        let outside = Group {
+            lengths: lengths.collect(),
+            coordinates,
+            size,
+            bodies: (0..posing.bodies.len()).collect(),
+            ..Group::default()
+        };
+        posing.perturb(&mut kinematics, &outside, HELD_ASIDE, 77);
+    }
+    for (group, facts) in posing.groups.iter().zip(&facts.groups) {
+        posing.set_group(&mut kinematics, group, &facts.generic);
+    }
+    kinematics.refill(&models.answering);
+    kinematics
+}

@@ -1,0 +1,374 @@
+//! Route A's heart: the least kinetic energy at unit closing speed, for any semi-definite M and redundant A.
+
+use crate::tolerances::IMMOVABLE;
+use faer::{Mat, MatRef, Side};
+use nalgebra::DMatrix;
+
+/// m̄ = min { vᵀMv : Av = 0, jv = 1 }, as it stands.
+pub(crate) struct LeastEnergy<'a> {
+    /// M, n×n.
+    pub mass: &'a DMatrix<f64>,
+    /// For each coordinate, the size of the terms whose sum M's diagonal entry is.
+    pub mass_size: &'a [f64],
+    /// A, m×n; its rows in lengths (m/s at unit rate).
+    pub constraints: &'a DMatrix<f64>,
+    /// The rank of A, as it was decided group by group.
+    pub rank: usize,
+    /// j.
+    pub row: &'a [f64],
+    /// For each coordinate, the size of the terms whose sum j's entry is.
+    pub row_size: &'a [f64],
+    /// For each coordinate, the distance a unit rate moves a point at the characteristic length: L for turns, 1 for
+    /// slides.
+    pub lengths: &'a [f64],
+}
+
+/// The minimum, or why there is none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Minimum {
+    Finite(f64),
+    /// j vanishes on every admissible motion.
+    Immovable,
+    /// The minimum vanishes.
+    Massless,
+    /// M has a negative direction: there is no minimum; the stationary value.
+    Stationary(f64),
+}
+
+/// The solution of [`LeastEnergy`].
+#[derive(Clone, Debug)]
+pub(crate) struct Solution {
+    pub minimum: Minimum,
+    /// v* (zero where immovable).
+    pub velocity: Vec<f64>,
+    /// Whether a motion without mass that leaves the gap as it is leaves v* open.
+    pub is_open: bool,
+    /// |j on ker A| relative to the size of its terms.
+    pub approach: f64,
+    /// How many directions of motion carry no mass.
+    pub massless_directions: usize,
+}
+
+/// In coordinates where M has unit diagonal, a direction whose root energy is below this carries no mass: a real one
+/// has at least √ε = 1.5e-8, rounding leaves 1e-13.
+const ROOT_ENERGY: f64 = 1e-10;
+
+/// M = L Lᵀ with pivots; zero pivots end it.
+struct Factor {
+    /// Lᵀ, rank×n.
+    transpose: Mat<f64>,
+    negative: bool,
+}
+
+impl LeastEnergy<'_> {
+    /// Solves v = v₀ + Z z by least squares with M = L Lᵀ: no pseudo-inverse, nothing added.
+    pub fn solve(&self) -> Solution {
+        let n = self.row.len();
+        let scales = self.scales();
+        let kernel = self.kernel(&scales);
+        let mass = Mat::from_fn(n, n, |r, c| {
+            if self.has_mass(r) && self.has_mass(c) { self.mass[(r, c)] * scales[r] * scales[c] } else { 0.0 }
+        });
+        let factor = self.factor(&mass);
+        let rank = factor.transpose.nrows();
+        let mut solution = Solution {
+            minimum: Minimum::Immovable,
+            velocity: vec![0.0; n],
+            is_open: false,
+            approach: self.approach(&kernel, &scales),
+            massless_directions: n - rank,
+        };
+        if solution.approach <= IMMOVABLE {
+            return solution;
+        }
+        let row = Mat::from_fn(1, n, |_, c| self.row[c] * scales[c]);
+        let (minimum, scaled) = if factor.negative {
+            stationary(&mass, &kernel, &row)
+        } else if self.constraints.nrows() == 0 && rank == n {
+            formula(&mass, &row)
+        } else {
+            let found = least_squares(&factor.transpose, &kernel, &row);
+            solution.is_open = found.is_open && matches!(found.minimum, Minimum::Finite(_));
+            (found.minimum, found.velocity)
+        };
+        solution.minimum = minimum;
+        solution.velocity = (0..n).map(|k| scaled[(k, 0)] * scales[k]).collect();
+        solution
+    }
+
+    /// Whether coordinate `k` moves any mass, beyond the rounding of its diagonal entry.
+    fn has_mass(&self, k: usize) -> bool {
+        self.mass[(k, k)].abs() > 4.0 * f64::EPSILON * self.mass_size[k]
+    }
+
+    /// v_k = scale_k w_k: M gets a unit diagonal; massless coordinates are scaled by lengths and a typical mass.
+    fn scales(&self) -> Vec<f64> {
+        let typical = (0..self.row.len())
+            .filter(|&k| self.has_mass(k))
+            .map(|k| self.mass[(k, k)].abs() / (self.lengths[k] * self.lengths[k]))
+            .fold(0.0, f64::max);
+        let typical = if typical > 0.0 { typical.sqrt() } else { 1.0 };
+        let scale = |k: usize| {
+            if self.has_mass(k) {
+                1.0 / self.mass[(k, k)].abs().sqrt()
+            } else {
+                1.0 / (self.lengths[k] * typical)
+            }
+        };
+        (0..self.row.len()).map(scale).collect()
+    }
+
+    /// An orthonormal basis of ker A in the scaled coordinates. The rank is decided where
+    /// coordinates are scaled by lengths alone: mass has no influence on it.
+    fn kernel(&self, scales: &[f64]) -> Mat<f64> {
+        let (m, n) = self.constraints.shape();
+        // faer's pivoted QR of a zero matrix is NaN.
+        if self.rank == 0 || self.constraints.amax() == 0.0 {
+            return Mat::identity(n, n);
+        }
+        let rank = self.rank.min(m).min(n);
+        // The rows that count are chosen where coordinates are scaled by lengths alone; they span the same space in any.
+        let by_length = Mat::from_fn(n, m, |r, c| self.constraints[(c, r)] / self.lengths[r]);
+        let qr = by_length.col_piv_qr();
+        let chosen = &qr.P().arrays().0[..rank];
+        let transposed = Mat::from_fn(n, rank, |r, c| self.constraints[(chosen[c], r)] * scales[r]);
+        let q = transposed.col_piv_qr().compute_Q();
+        q.get(.., rank..).to_owned()
+    }
+
+    /// |j N| / |size of j's terms|, coordinates scaled by lengths.
+    fn approach(&self, kernel: &Mat<f64>, scales: &[f64]) -> f64 {
+        let n = self.row.len();
+        let size: f64 = (0..n).map(|k| (self.row_size[k] / self.lengths[k]).powi(2)).sum::<f64>().sqrt();
+        if kernel.ncols() == 0 || size == 0.0 {
+            return 0.0;
+        }
+        if self.constraints.nrows() == 0 {
+            return (0..n).map(|k| (self.row[k] / self.lengths[k]).powi(2)).sum::<f64>().sqrt() / size;
+        }
+        // The same directions, measured by lengths: columns of the kernel made orthonormal there.
+        let stretched = Mat::from_fn(n, kernel.ncols(), |r, c| kernel[(r, c)] * scales[r] * self.lengths[r]);
+        let q = stretched.qr().compute_thin_Q();
+        let row = Mat::from_fn(1, n, |_, c| self.row[c] / self.lengths[c]);
+        (&row * &q).norm_l2() / size
+    }
+
+    /// Cholesky with diagonal pivoting. A pivot counts as zero below the rounding of its own diagonal entry: n ε, and
+    /// more where that entry is a small difference of large terms.
+    fn factor(&self, mass: &Mat<f64>) -> Factor {
+        let n = mass.nrows();
+        let tolerance = |k: usize| {
+            let cancelled = if self.has_mass(k) { self.mass_size[k] / self.mass[(k, k)].abs() } else { 1.0 };
+            f64::EPSILON * 4.0 * (n as f64 + cancelled)
+        };
+        let mut remaining: Vec<f64> = (0..n).map(|k| mass[(k, k)]).collect();
+        let mut rows: Vec<Vec<f64>> = Vec::with_capacity(n);
+        let mut done = vec![false; n];
+        loop {
+            let open = (0..n).filter(|&k| !done[k] && remaining[k] > tolerance(k));
+            let Some(pivot) = open.max_by(|&a, &b| remaining[a].total_cmp(&remaining[b])) else { break };
+            let root = remaining[pivot].sqrt();
+            let mut row = vec![0.0; n];
+            for k in (0..n).filter(|&k| !done[k]) {
+                let known: f64 = rows.iter().map(|r| r[pivot] * r[k]).sum();
+                row[k] = (mass[(pivot, k)] - known) / root;
+            }
+            row[pivot] = root;
+            done[pivot] = true;
+            for k in (0..n).filter(|&k| !done[k]) {
+                remaining[k] -= row[k] * row[k];
+            }
+            rows.push(row);
+        }
+        let negative = (0..n).any(|k| !done[k] && remaining[k] < -1e3 * tolerance(k));
+        Factor { transpose: Mat::from_fn(rows.len(), n, |r, c| rows[r][c]), negative }
+    }
+}
+
+/// 1/(j M⁻¹ jᵀ) by Cholesky.
+fn formula(mass: &Mat<f64>, row: &Mat<f64>) -> (Minimum, Mat<f64>) {
+    use faer::linalg::solvers::Solve;
+    match mass.llt(Side::Lower) {
+        Ok(llt) => {
+            let mut response = llt.solve(row.transpose());
+            let inverse = (row * &response)[(0, 0)];
+            response *= faer::Scale(1.0 / inverse);
+            (Minimum::Finite(1.0 / inverse), response)
+        }
+        // The pivoted factor was complete, so this is a matter of the last bits.
+        Err(_) => stationary(mass, &Mat::identity(mass.nrows(), mass.nrows()), row),
+    }
+}
+
+/// The stationary value 1/(j_N (NᵀMN)⁻¹ j_Nᵀ) for an indefinite M.
+fn stationary(mass: &Mat<f64>, kernel: &Mat<f64>, row: &Mat<f64>) -> (Minimum, Mat<f64>) {
+    use faer::linalg::solvers::Solve;
+    let reduced = kernel.transpose() * mass * kernel;
+    let reduced_row = row * kernel;
+    let mut response = reduced.lblt(Side::Lower).solve(reduced_row.transpose());
+    let inverse = (&reduced_row * &response)[(0, 0)];
+    response *= faer::Scale(1.0 / inverse);
+    (Minimum::Stationary(1.0 / inverse), kernel * response)
+}
+
+/// What least squares finds, in scaled coordinates.
+struct Found {
+    minimum: Minimum,
+    velocity: Mat<f64>,
+    /// Whether some motion has no energy.
+    is_open: bool,
+}
+
+/// min ‖Lᵀ(v₀ + Z z)‖² with v₀ along j and Z the admissible motions that leave the gap as it is.
+fn least_squares(factor: &Mat<f64>, kernel: &Mat<f64>, row: &Mat<f64>) -> Found {
+    let along = (row * kernel).transpose().to_owned();
+    let norm = along.norm_l2();
+    let particular = kernel * &along * faer::Scale(1.0 / (norm * norm));
+    let motions = kernel * along.qr().compute_Q().get(.., 1..);
+    let rows = factor.nrows();
+    let target = factor * &particular;
+    let energies = factor * &motions;
+    // Nothing to choose from, or nothing that matters (faer's pivoted QR of a zero matrix is NaN).
+    if energies.norm_max() == 0.0 {
+        let minimum = minimum(target.squared_norm_l2(), norm, rows);
+        return Found { minimum, velocity: particular, is_open: motions.ncols() > 0 };
+    }
+    let qr = energies.col_piv_qr();
+    let r = qr.R();
+    let size = rows.min(motions.ncols());
+    let rank = (0..size).take_while(|&i| r[(i, i)].abs() > ROOT_ENERGY).count();
+    let rotated = qr.compute_Q().transpose() * &target;
+    let energy: f64 = (rank..rows).map(|i| rotated[(i, 0)].powi(2)).sum();
+    let order = qr.P().arrays().0;
+    let mut weights: Mat<f64> = Mat::zeros(motions.ncols(), 1);
+    for i in (0..rank).rev() {
+        let known: f64 = (i + 1..rank).map(|c| r[(i, c)] * weights[(order[c], 0)]).sum();
+        weights[(order[i], 0)] = (-rotated[(i, 0)] - known) / r[(i, i)];
+    }
+    let velocity = particular + &motions * weights;
+    Found { minimum: minimum(energy, norm, rows), velocity, is_open: rank < motions.ncols() }
+}
+
+/// `energy` at unit closing speed, where a motion along j of unit size closes at `norm`.
+fn minimum(energy: f64, norm: f64, rows: usize) -> Minimum {
+    let relative = energy * norm * norm;
+    if relative <= f64::EPSILON * rows.max(1) as f64 { Minimum::Massless } else { Minimum::Finite(energy) }
+}
+
+/// Condition of a mass matrix scaled to unit diagonal; none where it is singular.
+pub(crate) fn condition_of(mass: &DMatrix<f64>) -> Option<f64> {
+    let n = mass.nrows();
+    if n == 0 || (0..n).any(|k| mass[(k, k)] <= 0.0) {
+        return None;
+    }
+    let scale: Vec<f64> = (0..n).map(|k| 1.0 / mass[(k, k)].sqrt()).collect();
+    condition(Mat::from_fn(n, n, |r, c| mass[(r, c)] * scale[r] * scale[c]).as_ref())
+}
+
+/// λ_max/λ_min of a symmetric matrix with unit diagonal.
+fn condition(mass: MatRef<'_, f64>) -> Option<f64> {
+    let values = mass.self_adjoint_eigenvalues(Side::Lower).ok()?;
+    let (least, most) = (values.first()?, values.last()?);
+    // Beyond, the least is rounding.
+    (*least > f64::EPSILON * mass.nrows() as f64 * most).then_some(most / least)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn solve(mass: DMatrix<f64>, constraints: DMatrix<f64>, row: &[f64]) -> Solution {
+        let rank = match constraints.nrows() {
+            0 => 0,
+            _ => Mat::from_fn(constraints.nrows(), constraints.ncols(), |r, c| constraints[(r, c)])
+                .singular_values()
+                .expect("singular values")
+                .iter()
+                .filter(|s| **s > 1e-10)
+                .count(),
+        };
+        let mass_size: Vec<f64> = (0..row.len()).map(|k| mass[(k, k)].abs().max(1e-3)).collect();
+        let row_size: Vec<f64> = row.iter().map(|x: &f64| x.abs().max(1e-3)).collect();
+        let lengths = vec![1.0; row.len()];
+        LeastEnergy {
+            mass: &mass,
+            mass_size: &mass_size,
+            constraints: &constraints,
+            rank,
+            row,
+            row_size: &row_size,
+            lengths: &lengths,
+        }
+        .solve()
+    }
+
+    fn none(n: usize) -> DMatrix<f64> {
+        DMatrix::zeros(0, n)
+    }
+
+    /// A general 3×3 mass matrix.
+    fn general() -> DMatrix<f64> {
+        DMatrix::from_row_slice(3, 3, &[4.0, 1.0, -0.5, 1.0, 3.0, 0.7, -0.5, 0.7, 2.0])
+    }
+
+    fn finite(solution: &Solution) -> f64 {
+        match solution.minimum {
+            Minimum::Finite(m) => m,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn a_constraint_row_is_a_dropped_coordinate() {
+        let row = [1.0, -2.0, 0.5];
+        let locked = solve(general(), DMatrix::from_row_slice(1, 3, &[0.0, 0.0, 3.0]), &row);
+        let dropped = solve(general().view((0, 0), (2, 2)).into(), none(2), &row[..2]);
+        assert!((finite(&locked) / finite(&dropped) - 1.0).abs() < 1e-14);
+        // A row that is repeated is redundant and changes nothing.
+        let twice = DMatrix::from_row_slice(2, 3, &[0.0, 0.0, 3.0, 0.0, 0.0, -1.0]);
+        let twice = solve(general(), twice, &row);
+        assert!((finite(&twice) / finite(&dropped) - 1.0).abs() < 1e-14);
+    }
+
+    #[test]
+    fn least_squares_and_the_formula_agree() {
+        let row = [1.0, -2.0, 0.5];
+        let by_formula = solve(general(), none(3), &row);
+        // A row of zeros constrains nothing but takes the general path.
+        let general_way = solve(general(), DMatrix::zeros(1, 3), &row);
+        assert!((finite(&general_way) / finite(&by_formula) - 1.0).abs() < 1e-14);
+        for (a, b) in general_way.velocity.iter().zip(&by_formula.velocity) {
+            assert!((a - b).abs() < 1e-14);
+        }
+        assert!(!general_way.is_open);
+    }
+
+    #[test]
+    fn outcomes_are_told_apart() {
+        let point = DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.0, 0.0]);
+        assert_eq!(solve(point.clone(), none(2), &[0.0, 1.0]).minimum, Minimum::Massless);
+        let beside = solve(point.clone(), none(2), &[2.0, 0.0]);
+        assert!((finite(&beside) - 0.25).abs() < 1e-16 && beside.is_open);
+        assert_eq!(solve(point, none(2), &[0.0, 0.0]).minimum, Minimum::Immovable);
+        assert_eq!(solve(DMatrix::zeros(0, 0), none(0), &[]).minimum, Minimum::Immovable);
+        let held = solve(general(), DMatrix::identity(3, 3), &[1.0, 2.0, 3.0]);
+        assert_eq!(held.minimum, Minimum::Immovable);
+        assert_eq!(solve(DMatrix::zeros(2, 2), none(2), &[1.0, 0.0]).minimum, Minimum::Massless);
+    }
+
+    #[test]
+    fn a_massless_link_between_two_masses_is_exact() {
+        // Two slides in line: the first carries nothing itself, the second 3 kg. M = 3 [1 1; 1 1].
+        let mass = DMatrix::from_element(2, 2, 3.0);
+        let tip = solve(mass.clone(), none(2), &[1.0, 1.0]);
+        assert!((finite(&tip) - 3.0).abs() < 1e-14 && tip.is_open);
+        assert_eq!(solve(mass, none(2), &[1.0, 0.0]).minimum, Minimum::Massless);
+    }
+
+    #[test]
+    fn an_indefinite_mass_matrix_is_said_to_be_one() {
+        let mass = DMatrix::from_row_slice(2, 2, &[1.0, 2.0, 2.0, 1.0]);
+        let Minimum::Stationary(m) = solve(mass, none(2), &[1.0, 0.0]).minimum else { panic!() };
+        assert!((m - -3.0).abs() < 1e-13); // 1/(M⁻¹)₁₁ = det/M₂₂
+    }
+}

@@ -1,0 +1,67 @@
+//! The careful route: (D) solved as it stands, dense. The reference of the recursion, and the fallback for what that declines.
+
+mod least_energy;
+mod mass_matrix;
+
+pub(crate) use least_energy::{LeastEnergy, Minimum, Solution, condition_of};
+
+use crate::contact::LocatedContact;
+use crate::kinematics::Kinematics;
+use crate::mobility::GroupMobility;
+use crate::model::{Group, Model};
+use nalgebra::DMatrix;
+
+impl Model {
+    /// All rows of A over the coordinates: groups one after another, each scaled to an entry of at most 1 (so that its
+    /// rank does not hang on the others').
+    pub fn constraint_matrix(&self, kinematics: &Kinematics<f64>) -> DMatrix<f64> {
+        let count: usize = self.groups.iter().map(|g| g.rows).sum();
+        let mut matrix = DMatrix::zeros(count, self.coordinates.len());
+        let mut first = 0;
+        for group in &self.groups {
+            let rows = self.group_matrix(kinematics, group);
+            let scale = 1.0 / largest_scaled(&rows, group);
+            for (at, &c) in group.coordinates.iter().enumerate() {
+                matrix.view_mut((first, c), (rows.nrows(), 1)).copy_from(&(rows.column(at) * scale));
+            }
+            first += rows.nrows();
+        }
+        matrix
+    }
+
+    /// For every coordinate, how far a unit rate moves a point at `length` (m): that for turns, 1 for slides.
+    pub fn coordinate_lengths(&self, length: f64) -> Vec<f64> {
+        self.coordinates.iter().map(|c| if c.turns { length } else { 1.0 }).collect()
+    }
+
+    /// The least kinetic energy at unit closing speed.
+    pub fn least_energy(
+        &self,
+        kinematics: &Kinematics<f64>,
+        groups: &[GroupMobility],
+        contact: &LocatedContact,
+    ) -> Solution {
+        let row = self.contact_row(kinematics, contact);
+        let (mut values, mut sizes) = (vec![0.0; self.follows.len()], vec![0.0; self.follows.len()]);
+        for entry in &row.entries {
+            (values[entry.velocity], sizes[entry.velocity]) = (entry.value, entry.size);
+        }
+        LeastEnergy {
+            mass: &self.mass_matrix(kinematics),
+            mass_size: &self.mass_sizes(kinematics),
+            constraints: &self.constraint_matrix(kinematics),
+            rank: groups.iter().map(|g| g.rank.rank).sum(),
+            row: &self.reduce_vector(&values, |multiplier| multiplier),
+            row_size: &self.reduce_vector(&sizes, f64::abs),
+            lengths: &self.coordinate_lengths(row.length),
+        }
+        .solve()
+    }
+}
+
+/// The largest entry of a group's rows over its scaled coordinates; 1 where all are zero.
+fn largest_scaled(rows: &DMatrix<f64>, group: &Group) -> f64 {
+    let scaled = |at: usize| rows.column(at).amax() / group.lengths[at];
+    let largest = (0..group.lengths.len()).map(scaled).fold(0.0, f64::max);
+    if largest > 0.0 { largest } else { 1.0 }
+}

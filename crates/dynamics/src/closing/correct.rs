@@ -1,0 +1,226 @@
+//! Closing a group of loops: Gauss–Newton with least steps, damped where these do not help.
+
+use crate::kinematics::Kinematics;
+use crate::linear::jacobian::Jacobian;
+use crate::model::{Group, Model};
+use crate::rows::{GroupRows, largest};
+use crate::tolerances::{FOLLOWED, ROUNDING};
+
+/// The directions in which a group may be moved.
+#[derive(Clone, Copy)]
+pub(crate) struct Directions<'a> {
+    /// Coordinates (by index into the group's), each by itself.
+    pub unknown: &'a [usize],
+    /// And together, along a path of the drivers: rates over the group's coordinates, 1 m/s long.
+    pub path: Option<&'a [f64]>,
+}
+
+/// How a correction ended.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Correction {
+    /// Largest residual, m.
+    pub residual: f64,
+    /// Length of the motion from the start, in metres.
+    pub moved: f64,
+    /// Part of it along the path, m.
+    pub along: f64,
+    pub closed: bool,
+    /// Row with the largest residual.
+    pub worst: usize,
+}
+
+/// Most iterations of a correction.
+const ITERATIONS: usize = 60;
+/// A loop that fits is closed by a motion of at most this many times its residual as drawn; beyond, the motion follows a
+/// direction that owes its weight to the residual itself.
+const COMMENSURATE: f64 = 100.0;
+
+impl<'a> Directions<'a> {
+    /// These coordinates, each by itself.
+    pub fn of(unknown: &'a [usize]) -> Self {
+        Self { unknown, path: None }
+    }
+
+    pub fn count(&self) -> usize {
+        self.unknown.len() + usize::from(self.path.is_some())
+    }
+
+    /// A over the directions, each measured in metres.
+    pub fn jacobian(&self, group: &Group, rows: &GroupRows<f64>) -> Jacobian {
+        let mut place = vec![usize::MAX; group.coordinates.len()];
+        self.unknown.iter().enumerate().for_each(|(k, &at)| place[at] = k);
+        let mut entries = Vec::with_capacity(group.rows * 4);
+        rows.for_each(group, |r, c, a| {
+            if place[c] != usize::MAX {
+                entries.push((r, place[c], a / group.lengths[c]));
+            }
+            if let Some(path) = self.path
+                && path[c] != 0.0
+            {
+                entries.push((r, self.unknown.len(), a * path[c]));
+            }
+        });
+        Jacobian { rows: group.rows, columns: self.count(), entries }
+    }
+
+    /// The rates of the coordinates along directions of so many metres, over the group's coordinates.
+    pub fn expand(&self, group: &Group, x: impl Fn(usize) -> f64) -> Vec<f64> {
+        let mut u = vec![0.0; group.coordinates.len()];
+        for (k, &at) in self.unknown.iter().enumerate() {
+            u[at] = x(k) / group.lengths[at];
+        }
+        if let Some(path) = self.path {
+            let along = x(self.unknown.len());
+            u.iter_mut().zip(path).for_each(|(u, c)| *u += along * c);
+        }
+        u
+    }
+}
+
+/// Residuals and rows of a group where it stands.
+pub(crate) struct Linearised {
+    pub residuals: Vec<f64>,
+    pub rows: GroupRows<f64>,
+}
+
+impl Linearised {
+    pub fn at(model: &Model, kinematics: &Kinematics<f64>, group: &Group) -> Self {
+        let mut rows = GroupRows::default();
+        rows.fill(model, group, kinematics);
+        Self { residuals: model.group_residuals(kinematics, group), rows }
+    }
+
+    /// The shortest step that closes the group to first order.
+    pub fn step(&self, group: &Group, directions: Directions, floor: f64) -> Vec<f64> {
+        let target: Vec<f64> = self.residuals.iter().map(|r| -r).collect();
+        directions.jacobian(group, &self.rows).shortest(&target, floor)
+    }
+}
+
+/// How weak a direction a step may follow.
+#[derive(Clone, Copy, PartialEq)]
+enum Followed {
+    /// Not those that owe their weight to the residual itself.
+    Firm,
+    /// All but rounding.
+    All,
+}
+
+impl Model {
+    /// Closes a group by moving it as little as can be.
+    ///
+    /// A pose whose residual is within the rounding of a file is not moved along directions as weak as that: they are
+    /// the group's own freedom, bent by the rounding. Only where a closed pose lies as near as the residual is small are
+    /// they followed. Loops that do not quite fit end at the least squares of their residuals.
+    pub fn correct(
+        &self,
+        kinematics: &mut Kinematics<f64>,
+        group: &Group,
+        directions: Directions,
+        tolerance: f64,
+    ) -> Correction {
+        let firm = self.descend(kinematics, group, directions, tolerance, Followed::Firm);
+        if firm.closed || firm.residual > ROUNDING * group.size {
+            return firm;
+        }
+        let before = kinematics.q.clone();
+        let all = self.descend(kinematics, group, directions, tolerance, Followed::All);
+        if all.closed && all.moved <= COMMENSURATE * firm.residual {
+            return Correction { moved: firm.moved + all.moved, along: firm.along + all.along, ..all };
+        }
+        kinematics.q = before;
+        self.refill_group(kinematics, group);
+        firm
+    }
+
+    /// Gauss–Newton steps of least norm; where one does not help, Levenberg–Marquardt. Stops when nothing improves.
+    fn descend(
+        &self,
+        kinematics: &mut Kinematics<f64>,
+        group: &Group,
+        directions: Directions,
+        tolerance: f64,
+        followed: Followed,
+    ) -> Correction {
+        let size = group.size;
+        let (mut moved, mut along) = (0.0, 0.0);
+        let mut damping = 0.0;
+        let mut here = Linearised::at(self, kinematics, group);
+        for _ in 0..ITERATIONS {
+            let cost = norm(&here.residuals);
+            let worst = largest(&here.residuals).0;
+            if cost == 0.0 || worst <= 1e-3 * tolerance {
+                break;
+            }
+            let small = worst <= ROUNDING * size;
+            let firm = small && followed == Followed::Firm;
+            let floor = (tolerance / size).max(if firm { FOLLOWED * worst / size } else { 0.0 });
+            let jacobian = directions.jacobian(group, &here.rows);
+            let target: Vec<f64> = here.residuals.iter().map(|r| -r).collect();
+            let mut x = match damping > 0.0 {
+                true => jacobian.damped(&target, damping),
+                false => jacobian.shortest(&target, floor),
+            };
+            let mut length = norm(&x);
+            if !(length > 0.0 && length.is_finite()) {
+                break;
+            }
+            // So long a step is no first-order matter: a third of a radian, or of the gap, is the most. A damped one goes
+            // where more is won than a shortened one.
+            let longest = 0.3 * size.max(worst) * (directions.count() as f64).sqrt();
+            if length > longest && damping < 0.1 {
+                damping = f64::max(10.0 * damping, 1e-3);
+                continue;
+            }
+            let part = (longest / length).min(1.0);
+            x.iter_mut().for_each(|x| *x *= part);
+            length *= part;
+            let promised = norm_of_difference(&jacobian.times(&x), &target);
+            let before = kinematics.q.clone();
+            self.advance_group(kinematics, group, &directions.expand(group, |k| x[k]));
+            let next = Linearised::at(self, kinematics, group);
+            let left = norm(&next.residuals);
+            if left < cost {
+                let at_rounding = largest(&next.residuals).0 <= 0.01 * tolerance;
+                let stalled =
+                    left > 0.99 * cost && (length < 1e-9 * size || firm) || left > 0.3 * cost && at_rounding;
+                // As much as was promised: the promise may be bolder.
+                let kept = (cost * cost - left * left) / (cost * cost - promised * promised);
+                here = next;
+                moved += length;
+                along += directions.path.map_or(0.0, |_| x[directions.unknown.len()]);
+                damping *= if kept > 0.75 {
+                    0.1
+                } else if kept > 0.25 {
+                    0.5
+                } else {
+                    2.0
+                };
+                if damping < 1e-5 {
+                    damping = 0.0;
+                }
+                if stalled {
+                    break;
+                }
+            } else {
+                kinematics.q = before;
+                self.refill_group(kinematics, group);
+                let at_rounding = worst <= 0.01 * tolerance;
+                if firm || at_rounding || length <= 1e-15 * size || damping > 1e3 {
+                    break;
+                }
+                damping = if damping == 0.0 { 1e-3 } else { damping * 10.0 };
+            }
+        }
+        let (residual, worst) = largest(&here.residuals);
+        Correction { residual, moved, along, closed: residual <= tolerance, worst }
+    }
+}
+
+pub(super) fn norm(v: &[f64]) -> f64 {
+    v.iter().map(|r| r * r).sum::<f64>().sqrt()
+}
+
+fn norm_of_difference(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
+}

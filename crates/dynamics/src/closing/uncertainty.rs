@@ -1,0 +1,68 @@
+//! How far a pose may be from closed: a residual alone bounds nothing near a singular pose.
+
+use super::correct::{Directions, Linearised};
+use crate::kinematics::Kinematics;
+use crate::model::{Group, Model};
+
+/// Coordinates up to which the weakest direction is looked for.
+const LARGE: usize = 64;
+/// Singular values below this part of the largest are rounding.
+const FAINT: f64 = 1e-13;
+
+impl Model {
+    /// Rates over the group's coordinates by which its pose may be from closed.
+    ///
+    /// The dependent coordinates go where the residuals send them, and along the right singular vector of their Jacobian
+    /// with the least singular value σ that counts by ρ/σ: ρ the rounding of the residuals, or all of them where the file
+    /// is inexact and least squares leave them.
+    pub fn closing_doubt(
+        &self,
+        kinematics: &Kinematics<f64>,
+        group: &Group,
+        dependent: &[usize],
+        inexactness: f64,
+    ) -> Vec<f64> {
+        let here = Linearised::at(self, kinematics, group);
+        let directions = Directions::of(dependent);
+        let jacobian = directions.jacobian(group, &here.rows);
+        if dependent.is_empty() || jacobian.entries.iter().all(|(.., a)| *a == 0.0) {
+            return vec![0.0; group.coordinates.len()];
+        }
+        let target: Vec<f64> = here.residuals.iter().map(|r| -r).collect();
+        let far = group.bodies.iter().map(|b| kinematics.frames[*b].translation.amax()).fold(0.0, f64::max);
+        let rounding = 8.0 * f64::EPSILON * group.size.max(far);
+        let size = target.iter().map(|r| r * r).sum::<f64>().sqrt();
+        let open = if inexactness > 0.0 { size.max(rounding) } else { rounding };
+        let mut step = match dependent.len() <= LARGE {
+            true => weak_step(
+                &jacobian.dense(),
+                &target,
+                open,
+                if inexactness > 0.0 { group.floor_for(inexactness) } else { FAINT },
+            ),
+            false => jacobian.shortest(&target, FAINT),
+        };
+        // No pose is uncertain by more than a radian.
+        let long = step.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let shorten = if long > group.size { group.size / long } else { 1.0 };
+        step.iter_mut().for_each(|x| *x *= shorten);
+        directions.expand(group, |k| step[k])
+    }
+}
+
+/// The step that closes to first order, and `open` over the least singular value that counts along its vector.
+fn weak_step(jacobian: &faer::Mat<f64>, target: &[f64], open: f64, floor: f64) -> Vec<f64> {
+    let n = jacobian.ncols();
+    let Ok(svd) = jacobian.thin_svd() else { return vec![0.0; n] };
+    let values = svd.S().column_vector();
+    let count = (0..values.nrows()).take_while(|&i| values[i] > floor * values[0]).count();
+    let mut step = vec![0.0; count];
+    for (i, step) in step.iter_mut().enumerate() {
+        let along: f64 = target.iter().enumerate().map(|(r, x)| svd.U()[(r, i)] * x).sum();
+        *step = along / values[i];
+    }
+    if let Some(last) = step.last_mut() {
+        *last += (open / values[count - 1]).copysign(*last);
+    }
+    (0..n).map(|k| (0..count).map(|i| svd.V()[(k, i)] * step[i]).sum()).collect()
+}

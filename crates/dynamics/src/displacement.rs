@@ -1,0 +1,66 @@
+//! Motion of a group along velocities of its coordinates, and the velocities between two of its poses.
+
+use crate::kinematics::Kinematics;
+use crate::model::{Group, Model};
+use crate::tangent;
+
+impl Model {
+    /// Moves the positions in `kinematics` by velocities `u` of a group's coordinates over unit time.
+    pub fn advance_group(&self, kinematics: &mut Kinematics<f64>, group: &Group, u: &[f64]) {
+        for &body in &group.bodies {
+            let rate = |c: usize| group.column(c).map_or(0.0, |at| u[at]);
+            self.advance_body(kinematics, body, rate);
+        }
+        self.refill_group(kinematics, group);
+    }
+
+    fn advance_body(&self, kinematics: &mut Kinematics<f64>, body: usize, rate: impl Fn(usize) -> f64) {
+        let body = &self.bodies[body];
+        if body.v.is_empty() || body.joint.is_none() || body.mimic.is_some() {
+            return;
+        }
+        let q = &mut kinematics.q[body.q.clone()];
+        let of = |v: usize| self.follows[v].map_or(0.0, |f| f.multiplier * rate(f.index));
+        if q.len() == 1 {
+            q[0] += of(body.v.start);
+            return;
+        }
+        let velocity: Vec<f64> = body.v.clone().map(of).collect();
+        if velocity.iter().any(|v| *v != 0.0) {
+            let next = tangent::advanced(body.motion.kind, q, &velocity, 1.0);
+            q.copy_from_slice(&next);
+        }
+    }
+
+    /// The velocities over a group's coordinates that lead from one position to another in unit time.
+    pub fn displacement(&self, group: &Group, from: &[f64], to: &[f64]) -> Vec<f64> {
+        let mut u = vec![0.0; group.coordinates.len()];
+        for body in group.bodies.iter().map(|&b| &self.bodies[b]) {
+            if body.joint.is_none() || body.mimic.is_some() {
+                continue;
+            }
+            let way = tangent::displacement(body.motion.kind, &from[body.q.clone()], &to[body.q.clone()]);
+            for (v, rate) in body.v.clone().zip(way) {
+                let at = self.follows[v].and_then(|f| group.column(f.index));
+                if let Some(at) = at {
+                    u[at] = rate;
+                }
+            }
+        }
+        u
+    }
+
+    /// Frames of a group's bodies at the positions in `q`, mimics filled in.
+    pub fn refill_group(&self, kinematics: &mut Kinematics<f64>, group: &Group) {
+        kinematics.refill_bodies(self, &group.bodies);
+    }
+
+    /// Copies the positions of a group's joints.
+    pub fn set_group(&self, kinematics: &mut Kinematics<f64>, group: &Group, q: &[f64]) {
+        for id in group.joints.iter().copied().flatten() {
+            let range = self.joint_q[id.index()].clone();
+            kinematics.q[range.clone()].copy_from_slice(&q[range]);
+        }
+        self.refill_group(kinematics, group);
+    }
+}

@@ -1,0 +1,216 @@
+//! Sparse rows, eliminated where that fills in least (Markowitz 1957) among pivots that are not small in their rows
+//! (threshold pivoting: Duff, Erisman, Reid, Direct Methods for Sparse Matrices, 2017, §5.2; cited from memory).
+
+use crate::tolerances::STEP_RANK;
+use percuss_spatial::Scalar;
+use std::collections::BTreeSet;
+
+/// A pivot is at least this part of its row's largest entry.
+const THRESHOLD: f64 = 0.1;
+/// Rows with the fewest entries among which a pivot is looked for.
+const LOOKED_AT: usize = 4;
+
+/// Rows of a matrix, each its entries by ascending column.
+#[derive(Clone, Debug)]
+pub(crate) struct SparseRows<T: Scalar> {
+    rows: Vec<Vec<(usize, T)>>,
+    /// For each column, rows that hold it; some may hold it no longer, some come twice.
+    holders: Vec<Vec<usize>>,
+}
+
+impl<T: Scalar> Default for SparseRows<T> {
+    fn default() -> Self {
+        Self { rows: Vec::new(), holders: Vec::new() }
+    }
+}
+
+impl<T: Scalar> SparseRows<T> {
+    /// Takes a matrix by its entries (row, column, value), which `each` visits; several to a place add.
+    pub fn load(&mut self, rows: usize, columns: usize, each: impl FnOnce(&mut dyn FnMut(usize, usize, T))) {
+        self.rows.clear();
+        self.rows.resize(rows, Vec::new());
+        each(&mut |row, column, value| self.rows[row].push((column, value)));
+        self.holders.clear();
+        self.holders.resize(columns, Vec::new());
+        self.sum_up();
+    }
+
+    /// Sorts rows, adds what comes several to a place, and notes who holds which column.
+    fn sum_up(&mut self) {
+        for row in &mut self.rows {
+            row.sort_by_key(|(column, _)| *column);
+            // Mimics bring several to a place.
+            let mut sums: Vec<(usize, T)> = Vec::with_capacity(row.len());
+            for (column, value) in row.drain(..) {
+                match sums.last_mut() {
+                    Some(last) if last.0 == column => last.1 += value,
+                    _ => sums.push((column, value)),
+                }
+            }
+            *row = sums;
+        }
+        for (r, row) in self.rows.iter().enumerate() {
+            row.iter().for_each(|(c, _)| self.holders[*c].push(r));
+        }
+    }
+
+    fn entry(&self, row: usize, column: usize) -> Option<T> {
+        let entries = &self.rows[row];
+        entries.binary_search_by_key(&column, |(c, _)| *c).ok().map(|at| entries[at].1)
+    }
+
+    /// row ← row − entry/pivot · pivot row, the column left out.
+    fn subtract(&mut self, row: usize, pivot_row: usize, column: usize) {
+        let (Some(entry), Some(pivot)) = (self.entry(row, column), self.entry(pivot_row, column)) else {
+            return;
+        };
+        let factor = entry / pivot;
+        let mut sum = Vec::with_capacity(self.rows[row].len() + self.rows[pivot_row].len());
+        let mut own = self.rows[row].iter().peekable();
+        for (c, value) in &self.rows[pivot_row] {
+            while let Some(before) = own.next_if(|(o, _)| o < c) {
+                sum.push(*before);
+            }
+            let before = own.next_if(|(o, _)| o == c);
+            if *c == column {
+                continue;
+            }
+            match before {
+                Some((_, a)) => sum.push((*c, *a - factor * *value)),
+                None => {
+                    sum.push((*c, -(factor * *value)));
+                    self.holders[*c].push(row);
+                }
+            }
+        }
+        sum.extend(own);
+        self.rows[row] = sum;
+    }
+
+    /// Eliminates in the order given and writes −K⁻¹A[rows, independent] into `values` (coordinates × independent).
+    pub fn solve(&mut self, rows: &[usize], columns: &[usize], independent: &[usize], values: &mut [T]) {
+        let mut place = vec![usize::MAX; self.rows.len()];
+        rows.iter().enumerate().for_each(|(i, r)| place[*r] = i);
+        for (i, (&r, &c)) in rows.iter().zip(columns).enumerate() {
+            let mut holders = std::mem::take(&mut self.holders[c]);
+            holders.sort_unstable();
+            holders.dedup();
+            for other in holders {
+                if place[other] != usize::MAX && place[other] > i {
+                    self.subtract(other, r, c);
+                }
+            }
+        }
+        let count = independent.len();
+        for (&r, &c) in rows.iter().zip(columns).rev() {
+            let Some(pivot) = self.entry(r, c) else { continue };
+            for y in 0..count {
+                let others = self.rows[r].iter().filter(|(other, _)| *other != c);
+                let sum = others.fold(T::zero(), |sum, (o, a)| sum + *a * values[o * count + y]);
+                values[c * count + y] = -(sum / pivot);
+            }
+        }
+    }
+}
+
+/// What elimination met.
+pub(crate) struct Eliminated {
+    /// Rows and columns of the pivots, in order.
+    pub rows: Vec<usize>,
+    pub columns: Vec<usize>,
+    /// Largest entry at the start.
+    pub scale: f64,
+    /// Least pivot, and the largest entry that was left.
+    pub least: f64,
+    pub left: f64,
+}
+
+/// Least over largest pivot of a matrix given by entries; 0 where columns are left over.
+pub(crate) fn pivot_ratio(rows: usize, columns: usize, entries: &[(usize, usize, f64)]) -> f64 {
+    let mut sparse = SparseRows::default();
+    sparse.load(rows, columns, |add| entries.iter().for_each(|(r, c, a)| add(*r, *c, *a)));
+    let found = eliminate(&mut sparse, STEP_RANK);
+    if found.rows.len() < columns { 0.0 } else { found.least / found.scale }
+}
+
+/// Chooses pivots above `floor` times the largest entry and eliminates with them.
+pub(crate) fn eliminate(sparse: &mut SparseRows<f64>, floor: f64) -> Eliminated {
+    eliminate_by_class(sparse, floor, &vec![0; sparse.holders.len()])
+}
+
+/// The same, with pivots in columns of the lowest class first.
+pub(crate) fn eliminate_by_class(sparse: &mut SparseRows<f64>, floor: f64, class: &[u8]) -> Eliminated {
+    let scale = sparse.rows.iter().map(|row| largest(row)).fold(0.0, f64::max);
+    let (mut rows, mut columns) = (Vec::new(), Vec::new());
+    let (mut least, mut left) = (f64::INFINITY, 0.0_f64);
+    let mut is_open = vec![true; sparse.rows.len()];
+    let mut classes: Vec<u8> = class.to_vec();
+    classes.sort_unstable();
+    classes.dedup();
+    for current in classes {
+        let allowed = |c: usize| class[c] <= current;
+        let mut open: BTreeSet<(usize, usize)> =
+            (0..is_open.len()).filter(|r| is_open[*r]).map(|r| (sparse.rows[r].len(), r)).collect();
+        left = 0.0;
+        while let Some((r, c)) = next_pivot(sparse, &mut open, &allowed, floor * scale, &mut left) {
+            open.remove(&(sparse.rows[r].len(), r));
+            is_open[r] = false;
+            least = least.min(sparse.entry(r, c).map_or(0.0, f64::abs));
+            rows.push(r);
+            columns.push(c);
+            let mut holders = std::mem::take(&mut sparse.holders[c]);
+            holders.sort_unstable();
+            holders.dedup();
+            for other in holders.into_iter().filter(|o| is_open[*o]) {
+                let was_open = open.remove(&(sparse.rows[other].len(), other));
+                sparse.subtract(other, r, c);
+                if was_open {
+                    open.insert((sparse.rows[other].len(), other));
+                }
+            }
+        }
+    }
+    Eliminated { rows, columns, scale, least, left }
+}
+
+fn largest(row: &[(usize, f64)]) -> f64 {
+    row.iter().fold(0.0, |most: f64, (_, a)| most.max(a.abs()))
+}
+
+/// The pivot that fills in least among rows with the fewest entries; rows of rounding alone in the columns allowed are
+/// put aside, the largest of it noted.
+fn next_pivot(
+    sparse: &SparseRows<f64>,
+    open: &mut BTreeSet<(usize, usize)>,
+    allowed: &impl Fn(usize) -> bool,
+    zero: f64,
+    left: &mut f64,
+) -> Option<(usize, usize)> {
+    loop {
+        let mut best: Option<(usize, f64, usize, usize)> = None;
+        let mut aside = Vec::new();
+        for &(count, r) in open.iter().take(LOOKED_AT) {
+            let row = sparse.rows[r].iter().filter(|(c, _)| allowed(*c));
+            let largest = row.clone().fold(0.0, |most: f64, (_, a)| most.max(a.abs()));
+            if largest <= zero {
+                *left = left.max(largest);
+                aside.push((count, r));
+                continue;
+            }
+            for (c, a) in row.filter(|(_, a)| a.abs() >= THRESHOLD * largest) {
+                let fill = (count - 1) * (sparse.holders[*c].len().saturating_sub(1));
+                if best.is_none_or(|(least, size, ..)| fill < least || fill == least && a.abs() > size) {
+                    best = Some((fill, a.abs(), r, *c));
+                }
+            }
+        }
+        aside.iter().for_each(|known| {
+            open.remove(known);
+        });
+        match best {
+            Some((_, _, r, c)) => return Some((r, c)),
+            None if aside.is_empty() => return None,
+            None => {}
+        }
+    }
+}

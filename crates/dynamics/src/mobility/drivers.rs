@@ -1,0 +1,200 @@
+//! Which coordinates of a group drive it and which depend on them.
+
+use super::rank::{decide, singular_values};
+use crate::linear::jacobian::Jacobian;
+use crate::linear::sparse::{SparseRows, eliminate_by_class};
+use crate::model::{Group, Model};
+use crate::rows::GroupRows;
+use faer::Mat;
+use nalgebra::DMatrix;
+
+/// A group's coordinates, by index into it, divided. A floating base neither drives nor depends: everything is seen
+/// from it.
+#[derive(Clone, Debug)]
+pub(crate) struct Drivers {
+    pub dependent: Vec<usize>,
+    pub driving: Vec<usize>,
+    /// Whether the file declared exactly these as independent.
+    pub declared: bool,
+    /// Least over largest pivot of the dependent coordinates' Jacobian at the generic pose.
+    pub conditioning: f64,
+}
+
+/// Coordinates up to which the division is made by dense pivots.
+const DENSE: usize = 64;
+/// A column counts as independent of others where more than this part of the largest is left of it; the second, where
+/// that leaves too few.
+const INDEPENDENT: [f64; 2] = [1e-6, 1e-10];
+
+/// Priority of a coordinate as a driver: those of the lowest depend first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Priority {
+    /// The file declares it dependent.
+    Dependent,
+    /// One of several velocities of a joint: the spin of a rod drives nothing.
+    Component,
+    /// A joint of one degree of freedom.
+    Single,
+    /// A joint that looks driven: with limits or an effort.
+    Actuated,
+    /// The file declares it independent.
+    Declared,
+    /// It was set.
+    Given,
+}
+
+impl Model {
+    /// Who drives where nothing is set: what is declared, else what looks driven and is well-conditioned.
+    pub fn default_drivers(&self, group: &Group, rows: &GroupRows<f64>, floor: f64) -> Drivers {
+        let jacobian = of_movable(group, rows);
+        let count = if group.movable.len() <= DENSE {
+            decide(&singular_values(&dense(&jacobian), &vec![1.0; jacobian.columns]), floor).rank
+        } else {
+            usize::MAX
+        };
+        let mut drivers = self.divide(group, jacobian, count, floor, |_| false);
+        let declared = |at: &usize| self.priority(group, *at, |_| false) == Priority::Declared;
+        let all = group.movable.iter().filter(|at| declared(at)).count();
+        drivers.declared = drivers.driving.iter().all(declared) && all == drivers.driving.len();
+        drivers
+    }
+
+    /// Who drives where these are set: they do as far as they can, unless the file declares others. `rows` at the
+    /// generic pose; `default` the division where nothing is set.
+    pub fn drivers_for(
+        &self,
+        group: &Group,
+        rows: &GroupRows<f64>,
+        default: &Drivers,
+        floor: f64,
+        given: impl Fn(usize) -> bool,
+    ) -> Drivers {
+        if default.declared || !default.dependent.iter().any(|&at| given(at)) {
+            return default.clone();
+        }
+        self.divide(group, of_movable(group, rows), default.dependent.len(), floor, given)
+    }
+
+    fn priority(&self, group: &Group, at: usize, given: impl Fn(usize) -> bool) -> Priority {
+        let coordinate = &self.coordinates[group.coordinates[at]];
+        let single = coordinate.joint.is_some_and(|id| self.mechanism.joint(id).kind().dofs() == 1);
+        match coordinate.independent {
+            _ if given(at) => Priority::Given,
+            Some(false) => Priority::Dependent,
+            Some(true) => Priority::Declared,
+            None if coordinate.actuated => Priority::Actuated,
+            None if single => Priority::Single,
+            None => Priority::Component,
+        }
+    }
+
+    /// Divides a group's movable coordinates, `count` of which depend: those of the lowest priority first, of these the
+    /// best-conditioned, far from the root rather than near.
+    fn divide(
+        &self,
+        group: &Group,
+        jacobian: Jacobian,
+        count: usize,
+        floor: f64,
+        given: impl Fn(usize) -> bool,
+    ) -> Drivers {
+        let priorities: Vec<Priority> =
+            group.movable.iter().map(|&at| self.priority(group, at, &given)).collect();
+        let weights: Vec<f64> = group
+            .movable
+            .iter()
+            .map(|&at| 1.0 + self.coordinates[group.coordinates[at]].depth as f64)
+            .collect();
+        let mut chosen = if group.movable.len() <= DENSE {
+            choose(&dense(&jacobian), count, &priorities, &weights)
+        } else {
+            let mut sparse = SparseRows::default();
+            sparse.load(jacobian.rows, jacobian.columns, |add| {
+                jacobian.entries.iter().for_each(|(r, c, a)| add(*r, *c, *a));
+            });
+            let class: Vec<u8> = priorities.iter().map(|p| *p as u8).collect();
+            eliminate_by_class(&mut sparse, floor, &class).columns
+        };
+        chosen.sort_unstable();
+        let conditioning = restricted(&jacobian, &chosen).pivot_ratio();
+        let depends = |k: &usize| chosen.binary_search(k).is_ok();
+        let driving = (0..group.movable.len()).filter(|k| !depends(k)).map(|k| group.movable[k]).collect();
+        let dependent = chosen.iter().map(|&k| group.movable[k]).collect();
+        Drivers { dependent, driving, declared: false, conditioning }
+    }
+}
+
+/// A over the movable coordinates, scaled by the group's lengths.
+fn of_movable(group: &Group, rows: &GroupRows<f64>) -> Jacobian {
+    let mut place = vec![usize::MAX; group.coordinates.len()];
+    group.movable.iter().enumerate().for_each(|(k, &at)| place[at] = k);
+    let mut entries = Vec::new();
+    rows.for_each(group, |r, c, a| {
+        if place[c] != usize::MAX {
+            entries.push((r, place[c], a / group.lengths[c]));
+        }
+    });
+    Jacobian { rows: group.rows, columns: group.movable.len(), entries }
+}
+
+fn restricted(jacobian: &Jacobian, columns: &[usize]) -> Jacobian {
+    let place = |(r, c, a): &(usize, usize, f64)| Some((*r, columns.binary_search(c).ok()?, *a));
+    Jacobian {
+        rows: jacobian.rows,
+        columns: columns.len(),
+        entries: jacobian.entries.iter().filter_map(place).collect(),
+    }
+}
+
+fn dense(jacobian: &Jacobian) -> DMatrix<f64> {
+    let mut matrix = DMatrix::zeros(jacobian.rows, jacobian.columns);
+    jacobian.entries.iter().for_each(|(r, c, a)| matrix[(*r, *c)] += a);
+    matrix
+}
+
+/// `count` columns that are independent, those of the lowest priority first.
+fn choose(matrix: &DMatrix<f64>, count: usize, priorities: &[Priority], weights: &[f64]) -> Vec<usize> {
+    let rows = matrix.nrows();
+    let count = count.min(rows).min(matrix.ncols());
+    let mut chosen: Vec<usize> = Vec::new();
+    let largest = matrix.column_iter().map(|c| c.norm()).fold(0.0, f64::max);
+    let mut order: Vec<Priority> = priorities.to_vec();
+    order.sort_unstable();
+    order.dedup();
+    // Orthonormal columns that the chosen ones span.
+    let mut span = Mat::<f64>::zeros(rows, 0);
+    for threshold in INDEPENDENT {
+        for &priority in &order {
+            let open: Vec<usize> =
+                (0..matrix.ncols()).filter(|k| priorities[*k] == priority && !chosen.contains(k)).collect();
+            if open.is_empty() || chosen.len() == count {
+                continue;
+            }
+            let columns = Mat::from_fn(rows, open.len(), |r, k| matrix[(r, open[k])]);
+            // Twice is enough: what is left is normal to the span to rounding.
+            let once = &columns - &span * (span.transpose() * &columns);
+            let rest = &once - &span * (span.transpose() * &once);
+            if rest.norm_max() <= threshold * largest {
+                continue;
+            }
+            let weighted = Mat::from_fn(rows, open.len(), |r, k| rest[(r, k)] * weights[open[k]]);
+            let qr = weighted.col_piv_qr();
+            let (r, order) = (qr.R(), qr.P().arrays().0);
+            let size = r.nrows().min(open.len()).min(count - chosen.len());
+            let left = |i: usize| r[(i, i)].abs() / weights[open[order[i]]];
+            let more = (0..size).take_while(|&i| left(i) > threshold * largest).count();
+            chosen.extend(order[..more].iter().map(|&k| open[k]));
+            let q = qr.compute_thin_Q();
+            let before = span.ncols();
+            span =
+                Mat::from_fn(
+                    rows,
+                    before + more,
+                    |r, c| {
+                        if c < before { span[(r, c)] } else { q[(r, c - before)] }
+                    },
+                );
+        }
+    }
+    chosen
+}

@@ -1,0 +1,87 @@
+//! How many rows of A count, and how clear that is.
+
+use crate::tolerances::{RANK_MARGIN, RANK_ROUNDING, SINGULAR_VALUES_LIMIT};
+use faer::Mat;
+use nalgebra::DMatrix;
+
+/// A rank decision.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Rank {
+    pub rank: usize,
+    /// Least singular value that counts over the greatest that does not (taken as at least ε/1000 of the largest).
+    pub gap: f64,
+    /// Least singular value that counts, as a part of the largest.
+    pub least: f64,
+    /// Whether both sides of the gap lie more than [`RANK_MARGIN`] from the threshold.
+    pub clear: bool,
+}
+
+impl Default for Rank {
+    fn default() -> Self {
+        Self::NONE
+    }
+}
+
+impl Rank {
+    /// The same where singular values of up to `misfit` of the largest are expected of loops that do not quite fit: unclear
+    /// if one that does not count is more than that, and more than rounding.
+    pub fn explained_by(self, misfit: f64) -> Self {
+        let next = self.least / self.gap;
+        Self { clear: self.clear && next <= RANK_ROUNDING.max(misfit), ..self }
+    }
+
+    /// No rows.
+    pub const NONE: Rank = Rank { rank: 0, gap: 1.0 / f64::EPSILON, least: 1.0, clear: true };
+}
+
+/// Singular values of a matrix, descending; columns divided by `lengths`.
+pub(crate) fn singular_values(matrix: &DMatrix<f64>, lengths: &[f64]) -> Vec<f64> {
+    let (m, n) = matrix.shape();
+    let scaled = Mat::from_fn(m, n, |r, c| matrix[(r, c)] / lengths[c]);
+    if m == 0 || n == 0 || scaled.norm_max() == 0.0 {
+        return vec![0.0; m.min(n)];
+    }
+    // The pivots of a rank-revealing QR are within a small factor of them, and cost a tenth.
+    let pivots = |scaled: &Mat<f64>| {
+        let qr = scaled.col_piv_qr();
+        (0..m.min(n)).map(|i| qr.R()[(i, i)].abs()).collect()
+    };
+    if m.min(n) > SINGULAR_VALUES_LIMIT {
+        return pivots(&scaled);
+    }
+    scaled.singular_values().unwrap_or_else(|_| pivots(&scaled))
+}
+
+/// Decides the rank: values above `floor` times the largest count.
+pub(crate) fn decide(values: &[f64], floor: f64) -> Rank {
+    let largest = values.first().copied().unwrap_or(0.0);
+    if largest == 0.0 {
+        return Rank::NONE;
+    }
+    let threshold = floor * largest;
+    let rank = values.iter().take_while(|v| **v > threshold).count();
+    let (least, next) = (values[rank - 1], values.get(rank).copied().unwrap_or(0.0));
+    Rank {
+        rank,
+        gap: least / next.max(1e-3 * f64::EPSILON * largest),
+        least: least / largest,
+        clear: least > RANK_MARGIN * threshold && next < threshold / RANK_MARGIN,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_gap_is_clear_or_not() {
+        let clear = decide(&[2.0, 0.5, 1e-16], 1e-10);
+        assert_eq!((clear.rank, clear.clear), (2, true));
+        assert!(clear.gap > 1e15);
+        assert!(!decide(&[2.0, 1e-9, 1e-16], 1e-10).clear);
+        assert_eq!(decide(&[2.0, 1e-9], 1e-10).rank, 2);
+        assert!(!decide(&[2.0, 1e-11], 1e-10).clear);
+        assert_eq!(decide(&[0.0, 0.0], 1e-10).rank, 0);
+        assert_eq!(decide(&[], 1e-10).rank, 0);
+    }
+}

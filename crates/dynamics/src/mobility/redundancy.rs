@@ -1,0 +1,99 @@
+//! On which loops, couplings and held contacts the redundant rows of A lie.
+
+use faer::Mat;
+use faer::linalg::solvers::Solve;
+use nalgebra::DMatrix;
+
+/// A coefficient below this part of the largest means that a row has no part in a dependency.
+const FAINT: f64 = 1e-7;
+
+/// Sets of names whose rows depend on one another: those that cannot be separated together.
+#[derive(Debug, Default)]
+pub(crate) struct Redundancy {
+    pub sets: Vec<Vec<String>>,
+}
+
+impl Redundancy {
+    /// Finds the dependencies among rows of the given rank, each belonging to a name; columns are divided by `lengths`.
+    ///
+    /// Every row beyond a basis is a combination of basis rows; names that meet in such a combination are one set. These
+    /// are the connected components of the rows' matroid, whatever the basis (Oxley, Matroid Theory, 2011, §4.3), and
+    /// the components that share a name together.
+    pub fn look_at(&mut self, rows: &DMatrix<f64>, lengths: &[f64], rank: usize, names: &[String]) {
+        let (m, n) = rows.shape();
+        if rank >= m {
+            return;
+        }
+        let mut together: Vec<usize> = (0..m).collect();
+        let mut redundant = vec![false; m];
+        let transposed = Mat::from_fn(n, m, |c, r| rows[(r, c)] / lengths[c]);
+        let qr = transposed.col_piv_qr();
+        let (r, order) = (qr.R(), qr.P().arrays().0);
+        let basis = Mat::from_fn(rank, rank, |i, k| if k >= i { r[(i, k)] } else { 0.0 });
+        let dependent = Mat::from_fn(rank, m - rank, |i, k| r[(i, rank + k)]);
+        let coefficients = if rank > 0 { basis.full_piv_lu().solve(&dependent) } else { dependent };
+        for k in 0..m - rank {
+            let row = order[rank + k];
+            redundant[row] = true;
+            let largest = (0..rank).map(|i| coefficients[(i, k)].abs()).fold(0.0, f64::max);
+            for i in (0..rank).filter(|&i| coefficients[(i, k)].abs() > FAINT * largest.max(1.0)) {
+                redundant[order[i]] = true;
+                join(&mut together, row, order[i]);
+            }
+        }
+        for a in 1..m {
+            // Names come row by row: rows of one name that are redundant go together.
+            for b in (0..a).filter(|&b| redundant[a] && redundant[b] && names[a] == names[b]) {
+                join(&mut together, a, b);
+            }
+        }
+        for first in (0..m).filter(|&row| redundant[row] && root(&together, row) == row) {
+            let mut set: Vec<String> = (0..m)
+                .filter(|&row| redundant[row] && root(&together, row) == first)
+                .map(|row| names[row].to_owned())
+                .collect();
+            set.dedup();
+            self.sets.push(set);
+        }
+    }
+}
+
+fn root(together: &[usize], mut row: usize) -> usize {
+    while together[row] != row {
+        row = together[row];
+    }
+    row
+}
+
+/// The lower root stays.
+fn join(together: &mut [usize], a: usize, b: usize) {
+    let (a, b) = (root(together, a), root(together, b));
+    together[a.max(b)] = a.min(b);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sets(rows: &[[f64; 3]], rank: usize, names: &[&str]) -> Vec<Vec<String>> {
+        let mut redundancy = Redundancy::default();
+        let matrix = DMatrix::from_fn(rows.len(), 3, |r, c| rows[r][c]);
+        let names: Vec<String> = names.iter().map(|n| n.to_string()).collect();
+        redundancy.look_at(&matrix, &[1.0; 3], rank, &names);
+        redundancy.sets
+    }
+
+    #[test]
+    fn separable_dependencies_are_told_apart() {
+        let x = [1.0, 0.0, 0.0];
+        let y = [0.0, 1.0, 0.0];
+        let z = [0.0, 0.0, 1.0];
+        assert_eq!(sets(&[x, x, y, y, z], 3, &["a", "a", "b", "b", "c"]), [vec!["a"], vec!["b"]]);
+        assert_eq!(sets(&[x, y, [1.0, 1.0, 0.0], z], 3, &["a", "b", "c", "d"]), [vec!["a", "b", "c"]]);
+        // b repeats a in x, c repeats b in y: b holds them together.
+        assert_eq!(sets(&[x, x, y, y], 2, &["a", "b", "b", "c"]), [vec!["a", "b", "c"]]);
+        assert_eq!(sets(&[x, [0.0; 3]], 1, &["a", "empty"]), [vec!["empty"]]);
+        assert_eq!(sets(&[[0.0; 3], [0.0; 3]], 0, &["a", "b"]), [vec!["a"], vec!["b"]]);
+        assert!(sets(&[x, y], 2, &["a", "b"]).is_empty());
+    }
+}

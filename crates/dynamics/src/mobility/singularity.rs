@@ -1,0 +1,119 @@
+//! In which assembly mode a group stands, and whether it stands at a singularity.
+
+use super::drivers::Drivers;
+use super::rank::Rank;
+use super::{decide, singular_values};
+use crate::kinematics::Kinematics;
+use crate::linear::jacobian::Jacobian;
+use crate::model::{Group, Model};
+use crate::rows::GroupRows;
+use faer::Mat;
+
+/// How a group of loops stands.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Singularity {
+    /// Regularly: the drivers determine the followers.
+    #[default]
+    None,
+    /// At a limit of the chosen drivers, which hardly move the followers there; the mechanism has its usual mobility.
+    DeadCentre,
+    /// Where branches cross: the constraints have less than their generic rank.
+    ChangePoint,
+}
+
+/// In which assembly mode a group stands, and how.
+pub(crate) struct Mode {
+    pub sign: i8,
+    pub singularity: Singularity,
+}
+
+/// Dependent coordinates whose Jacobian's least pivot is below this part of its generic size stand at a dead centre.
+const DEAD: f64 = 1e-6;
+/// Where the least singular value that should count is below this part of the largest, a change point is near.
+const NEAR: f64 = 1e-4;
+/// Coordinates up to which a mode is named: of larger groups only that they are regular.
+const LARGE: usize = 160;
+
+/// What is known of a group at its generic pose.
+pub(crate) struct Generic<'a> {
+    pub rows: &'a GroupRows<f64>,
+    pub rank: Rank,
+    pub floor: f64,
+}
+
+impl Model {
+    /// In which assembly mode a group stands: the sign of the determinant of its dependent coordinates' Jacobian, on rows
+    /// that are independent at the generic pose; 0 where it is singular.
+    pub fn mode_of(
+        &self,
+        kinematics: &Kinematics<f64>,
+        group: &Group,
+        generic: &Generic,
+        drivers: &Drivers,
+    ) -> Mode {
+        let mut rows = GroupRows::default();
+        rows.fill(self, group, kinematics);
+        let dependent = &drivers.dependent;
+        let here = scaled(group, &rows, dependent);
+        // Only where the dependent coordinates' columns are weak can there be a singularity.
+        let weak = here.pivot_ratio() < DEAD * drivers.conditioning;
+        let singularity = if weak { singularity(group, &rows, generic) } else { Singularity::None };
+        let count = dependent.len();
+        if singularity != Singularity::None || count == 0 || count > LARGE {
+            return Mode { sign: 0, singularity };
+        }
+        let there = scaled(group, generic.rows, dependent).dense();
+        if there.norm_max() == 0.0 {
+            return Mode { sign: 0, singularity };
+        }
+        let order: Vec<usize> = there.transpose().to_owned().col_piv_qr().P().arrays().0[..count].to_vec();
+        let here = here.dense();
+        let square = Mat::from_fn(count, count, |r, c| here[(order[r], c)]);
+        Mode { sign: determinant_sign(&square), singularity }
+    }
+}
+
+/// A over some coordinates, scaled by the group's lengths.
+fn scaled(group: &Group, rows: &GroupRows<f64>, columns: &[usize]) -> Jacobian {
+    let mut entries = Vec::new();
+    rows.for_each(group, |r, c, a| {
+        if let Ok(k) = columns.binary_search(&c) {
+            entries.push((r, k, a / group.lengths[c]));
+        }
+    });
+    Jacobian { rows: group.rows, columns: columns.len(), entries }
+}
+
+/// Which singularity makes the dependent coordinates' columns weak. Beside a change point they are, but all of A counts:
+/// none.
+fn singularity(group: &Group, rows: &GroupRows<f64>, generic: &Generic) -> Singularity {
+    let mut matrix = nalgebra::DMatrix::zeros(group.rows, group.coordinates.len());
+    rows.for_each(group, |r, c, a| matrix[(r, c)] += a);
+    let values = singular_values(&matrix, &group.lengths);
+    let least = generic.rank.rank.checked_sub(1).map_or(f64::INFINITY, |last| values[last]);
+    if decide(&values, generic.floor).rank < generic.rank.rank {
+        Singularity::ChangePoint
+    } else if least > NEAR * values[0] {
+        Singularity::DeadCentre
+    } else {
+        Singularity::None
+    }
+}
+
+/// The sign of a determinant that may be too small, or too large, for a number.
+fn determinant_sign(square: &Mat<f64>) -> i8 {
+    let lu = square.partial_piv_lu();
+    let order = lu.P().arrays().0;
+    let mut seen = vec![false; order.len()];
+    let mut negative = false;
+    for first in 0..order.len() {
+        // A cycle of an even number is an odd permutation.
+        let mut next = first;
+        while !std::mem::replace(&mut seen[next], true) {
+            next = order[next];
+            negative ^= next != first;
+        }
+        negative ^= lu.U()[(first, first)] < 0.0;
+    }
+    if negative { -1 } else { 1 }
+}

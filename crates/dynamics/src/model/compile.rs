@@ -1,0 +1,202 @@
+//! From a mechanism and its conditions to the model: bodies, coordinates, then what binds them.
+
+use super::Model;
+use super::body::{Body, Coordinate, Follows, LinkFrame, MimicPosition};
+use crate::conditions::{Base, Conditions, ConditionsError};
+use crate::joint_motion::JointMotion;
+use crate::tangent;
+use percuss_mechanism::{LinkId, Mechanism};
+use percuss_spatial::Transform;
+use std::sync::Arc;
+
+impl Model {
+    /// Compiles a mechanism with the conditions of an analysis.
+    ///
+    /// # Errors
+    /// [`ConditionsError`]: an unknown joint or link, a condition given twice, a bad armature or hold.
+    pub fn compile(mechanism: &Arc<Mechanism>, conditions: &Conditions) -> Result<Self, ConditionsError> {
+        let armatures = conditions.resolve_armatures(mechanism)?;
+        let asked = conditions.resolve_locks(mechanism)?;
+        let (locked, redundant_locks) = effective_locks(mechanism, &asked);
+        let mut joint_q = Vec::with_capacity(mechanism.joints().len());
+        let mut positions = 0;
+        for joint in mechanism.joints() {
+            joint_q.push(positions..positions + joint.kind().positions());
+            positions += joint.kind().positions();
+        }
+        let ground = LinkFrame { body: None, frame: Transform::identity() };
+        let mut model = Self {
+            mechanism: Arc::clone(mechanism),
+            base: conditions.base,
+            bodies: Vec::new(),
+            link_frames: vec![ground; mechanism.links().len()],
+            follows: Vec::new(),
+            locked,
+            joint_q,
+            body_of_joint: vec![None; mechanism.joints().len()],
+            positions,
+            coordinates: Vec::new(),
+            redundant_locks,
+            has_active_mimics: false,
+            closures: Vec::new(),
+            couplings: Vec::new(),
+            holds: Vec::new(),
+            groups: Vec::new(),
+            clusters: Vec::new(),
+            cluster_of: Vec::new(),
+        };
+        for &link in mechanism.order() {
+            model.add_link(link, &armatures, conditions.keep_fixed_joints);
+        }
+        model.number_coordinates();
+        let holds = conditions.resolve_holds(mechanism)?;
+        model.compile_constraints(&holds);
+        model.compile_groups();
+        model.compile_clusters();
+        Ok(model)
+    }
+
+    /// Makes a body of the link, or adds it to the body that a fixed joint ties it to.
+    fn add_link(&mut self, link: LinkId, armatures: &[Vec<f64>], keep_fixed_joints: bool) {
+        let mechanism = Arc::clone(&self.mechanism);
+        let inertia = *mechanism.link(link).inertia();
+        let Some(id) = mechanism.parent_joint(link) else {
+            if self.base == Base::Floating {
+                // Its position is never stored: everything is seen from the root link.
+                self.link_frames[link.index()].body = Some(0);
+                self.bodies.push(Body {
+                    parent: None,
+                    joint: None,
+                    motion: JointMotion::floating(),
+                    origin: Transform::identity(),
+                    inertia,
+                    q: 0..0,
+                    v: 0..6,
+                    armature: vec![0.0; 6],
+                    mimic: None,
+                });
+                self.follows.extend([None; 6]);
+            }
+            return;
+        };
+        let joint = mechanism.joint(id);
+        let LinkFrame { body: parent, frame } = self.link_frames[joint.parent().index()].clone();
+        let origin = frame * *joint.origin();
+        if joint.kind().dofs() == 0 && !keep_fixed_joints {
+            if let Some(body) = parent {
+                self.bodies[body].inertia += origin.inertia(&inertia);
+            }
+            self.link_frames[link.index()] = LinkFrame { body: parent, frame: origin };
+            return;
+        }
+        let first = self.follows.len();
+        let dofs = if self.locked[id.index()] { 0 } else { joint.kind().dofs() };
+        self.follows.extend(std::iter::repeat_n(None, dofs));
+        self.link_frames[link.index()] =
+            LinkFrame { body: Some(self.bodies.len()), frame: Transform::identity() };
+        self.body_of_joint[id.index()] = Some(self.bodies.len());
+        let mimic = joint.mimic().map(|mimic| MimicPosition {
+            master: self.joint_q[mimic.master.index()].start,
+            multiplier: mimic.multiplier,
+            offset: mimic.offset,
+        });
+        self.bodies.push(Body {
+            parent,
+            joint: Some(id),
+            motion: JointMotion::of(joint),
+            origin,
+            inertia,
+            q: self.joint_q[id.index()].clone(),
+            v: first..first + dofs,
+            armature: armatures[id.index()].clone(),
+            mimic,
+        });
+    }
+
+    /// Numbers the coordinates: masters first, in tree order, then lets the mimics follow.
+    fn number_coordinates(&mut self) {
+        let mechanism = Arc::clone(&self.mechanism);
+        let mut first_of = vec![None; mechanism.joints().len()];
+        let mut depth = vec![0usize; self.bodies.len()];
+        for (i, body) in self.bodies.iter().enumerate() {
+            depth[i] = body.parent.map_or(0, |p| depth[p] + 1);
+            if body.mimic.is_some() {
+                continue;
+            }
+            if let Some(id) = body.joint {
+                first_of[id.index()] = Some(self.coordinates.len());
+            }
+            let joint = body.joint.map(|id| mechanism.joint(id));
+            for (component, v) in body.v.clone().enumerate() {
+                self.follows[v] = Some(Follows { index: self.coordinates.len(), multiplier: 1.0 });
+                self.coordinates.push(Coordinate {
+                    joint: body.joint,
+                    component,
+                    turns: body.motion.turns(component),
+                    independent: joint.and_then(|j| j.independent()),
+                    actuated: joint.is_some_and(|j| j.kind().dofs() == 1 && j.limits().is_some()),
+                    depth: depth[i],
+                });
+            }
+        }
+        for body in self.bodies.iter().filter(|b| b.mimic.is_some() && !b.v.is_empty()) {
+            let mimic = body.joint.and_then(|id| mechanism.joint(id).mimic());
+            let Some(mimic) = mimic else { continue };
+            self.has_active_mimics = true;
+            for v in body.v.clone() {
+                self.follows[v] = first_of[mimic.master.index()]
+                    .map(|index| Follows { index, multiplier: mimic.multiplier });
+            }
+        }
+    }
+}
+
+/// Frames of the bodies with all joints at 0, seen from the root link.
+pub(super) struct ZeroFrames {
+    pub frames: Vec<Transform<f64>>,
+}
+
+impl ZeroFrames {
+    pub fn of(model: &Model) -> Self {
+        let mut frames: Vec<Transform<f64>> = Vec::with_capacity(model.bodies.len());
+        for body in &model.bodies {
+            let mut q = vec![0.0; body.motion.kind.positions()];
+            tangent::zero_position(body.motion.kind, &mut q);
+            if let Some(mimic) = body.mimic {
+                q[0] = mimic.offset;
+            }
+            let step = body.origin * body.motion.transform(&q);
+            frames.push(body.parent.map_or(step, |p| frames[p] * step));
+        }
+        Self { frames }
+    }
+
+    /// X_rf: a frame on a body, or on the ground.
+    pub fn frame_of(&self, on: &LinkFrame) -> Transform<f64> {
+        on.body.map_or(on.frame, |body| self.frames[body] * on.frame)
+    }
+}
+
+/// A lock on a mimic holds its master and everything else that follows it. Gives which joints stand still, and how
+/// many of the rows that were asked for add nothing.
+fn effective_locks(mechanism: &Mechanism, asked: &[bool]) -> (Vec<bool>, usize) {
+    let mut master_locked = vec![false; asked.len()];
+    let (mut rows, mut rank) = (0, 0);
+    for (i, joint) in mechanism.joints().iter().enumerate().filter(|(i, _)| asked[*i]) {
+        rows += joint.kind().dofs();
+        let holds = match joint.mimic() {
+            None => Some(i),
+            Some(mimic) => (mimic.multiplier != 0.0).then(|| mimic.master.index()),
+        };
+        if let Some(master) = holds
+            && !std::mem::replace(&mut master_locked[master], true)
+        {
+            rank += joint.kind().dofs();
+        }
+    }
+    let still = |(i, joint): (usize, &percuss_mechanism::Joint)| match joint.mimic() {
+        None => master_locked[i],
+        Some(mimic) => master_locked[mimic.master.index()] || mimic.multiplier == 0.0,
+    };
+    (mechanism.joints().iter().enumerate().map(still).collect(), rows - rank)
+}

@@ -1,0 +1,68 @@
+//! Compiles closures, couplings and held contacts: their frames on bodies.
+
+use super::Model;
+use super::body::LinkFrame;
+use super::compile::ZeroFrames;
+use super::constraint::{CompiledClosure, CompiledCoupling};
+use crate::conditions::CompiledHold;
+use percuss_mechanism::{ClosureKind, JointKind, LoopFrame};
+use percuss_spatial::Transform;
+
+/// Axes with a cosine below this with all joints at 0 were written to point opposite ways: within 8°.
+const REVERSED: f64 = -0.99;
+
+impl Model {
+    /// Compiles the mechanism's closures and couplings and the held contacts, once its bodies are numbered.
+    pub(super) fn compile_constraints(&mut self, holds: &[CompiledHold]) {
+        let mechanism = std::sync::Arc::clone(&self.mechanism);
+        if mechanism.closures().is_empty() && mechanism.couplings().is_empty() {
+            self.holds = holds.to_vec();
+            return;
+        }
+        let zero = ZeroFrames::of(self);
+        for closure in mechanism.closures() {
+            let (axis, axis2) = (*closure.axis(), *closure.axis2());
+            let (e1, e2) = percuss_spatial::plane_basis(&axis);
+            let [predecessor, successor] =
+                [closure.predecessor(), closure.successor()].map(|end| self.loop_frame(end));
+            let [x_rp, x_rs] = [&predecessor, &successor].map(|end| zero.frame_of(end));
+            let distance = closure.distance();
+            let aligned = matches!(
+                closure.kind(),
+                ClosureKind::Revolute | ClosureKind::Cylindrical | ClosureKind::Planar
+            );
+            let opposite = x_rp.vector(&axis).dot(&x_rs.vector(&axis)) < REVERSED * axis.norm_squared();
+            self.closures.push(CompiledClosure {
+                name: closure.name().to_owned(),
+                kind: closure.kind(),
+                predecessor,
+                successor,
+                axis,
+                successor_axis: if aligned && opposite { -axis } else { axis },
+                normals: [e1, e2],
+                axis2,
+                distance: distance.unwrap_or_else(|| (x_rs.translation - x_rp.translation).norm()),
+                measured_distance: distance.is_none(),
+            });
+        }
+        for coupling in mechanism.couplings() {
+            let term = |&(joint, factor): &(percuss_mechanism::JointId, f64)| {
+                let body = self.body_of_joint[joint.index()]?;
+                Some((self.joint_q[joint.index()].start, body, factor))
+            };
+            let first = coupling.terms().first();
+            self.couplings.push(CompiledCoupling {
+                name: coupling.name().to_owned(),
+                terms: coupling.terms().iter().filter_map(term).collect(),
+                turns: first.is_some_and(|(j, _)| mechanism.joint(*j).kind() != JointKind::Prismatic),
+            });
+        }
+        self.holds = holds.to_vec();
+    }
+
+    fn loop_frame(&self, end: &LoopFrame) -> LinkFrame {
+        let ground = LinkFrame { body: None, frame: Transform::identity() };
+        let of_link = end.link.map_or(ground, |link| self.link_frames[link.index()].clone());
+        LinkFrame { body: of_link.body, frame: of_link.frame * end.frame }
+    }
+}

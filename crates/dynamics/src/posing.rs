@@ -1,0 +1,99 @@
+//! From an assembly to its poses.
+
+use crate::assembling::{AssemblyError, Closer, LoopState, Start};
+use crate::assembly::Assembly;
+use crate::configuration::Configuration;
+use crate::kinematics::Kinematics;
+use crate::pose::Pose;
+use percuss_spatial::Transform;
+use std::sync::Arc;
+
+impl Assembly {
+    /// The pose at a configuration: joints that were set drive, the others of the loops depend on them. The branch is that
+    /// of the first closed pose, or of the configuration's guesses.
+    ///
+    /// # Errors
+    /// [`AssemblyError`]: drivers that cannot get there, a dependent joint that was set, a configuration of another
+    /// mechanism.
+    pub fn pose(self: &Arc<Self>, configuration: &Configuration) -> Result<Pose, AssemblyError> {
+        self.pose_along(configuration, None)
+    }
+
+    /// The pose at a configuration on the branch of another pose of the same assembly, followed from there: through
+    /// crossings of branches too.
+    ///
+    /// # Errors
+    /// [`AssemblyError`], as for [`pose`](Self::pose); a pose of another assembly.
+    pub fn pose_from(
+        self: &Arc<Self>,
+        from: &Pose,
+        configuration: &Configuration,
+    ) -> Result<Pose, AssemblyError> {
+        if !self.is_like(&from.assembly) {
+            return Err(AssemblyError::ForeignPose);
+        }
+        self.pose_along(configuration, Some(from))
+    }
+
+    fn pose_along(
+        self: &Arc<Self>,
+        configuration: &Configuration,
+        from: Option<&Pose>,
+    ) -> Result<Pose, AssemblyError> {
+        let model = self.posing();
+        if !Arc::ptr_eq(configuration.mechanism(), &model.mechanism) {
+            return Err(AssemblyError::ForeignConfiguration {
+                got: configuration.mechanism().name().to_owned(),
+                expected: model.mechanism.name().to_owned(),
+            });
+        }
+        let mut kinematics = Kinematics::new(model);
+        for (values, range) in configuration.values.iter().zip(&model.joint_q) {
+            kinematics.q[range.clone()].copy_from_slice(values);
+        }
+        kinematics.refill(model);
+        let mut loops = None;
+        if !model.groups.is_empty() {
+            let anchors = |pose: &'_ Pose| pose.loops.as_ref().map_or(&[][..], |l| &l.anchors).to_vec();
+            let anchors = from.map(anchors).unwrap_or_default();
+            let start = from.map(|pose| Start { positions: pose.positions(), anchors: &anchors });
+            let state = LoopState { declared: true, ..LoopState::default() };
+            let facts = self.facts();
+            let mut closer = Closer { model, facts, configuration, start, kinematics, state };
+            for number in 0..model.groups.len() {
+                closer.close(number)?;
+            }
+            closer.state.drivers.sort_unstable();
+            closer.state.drivers.dedup();
+            kinematics = closer.kinematics;
+            kinematics.refill(model);
+            loops = Some(closer.state);
+        }
+        Ok(Pose::new(Arc::clone(self), kinematics, configuration.base, loops))
+    }
+
+    /// The pose at some frames, whatever brought them about.
+    pub(crate) fn pose_at(
+        self: &Arc<Self>,
+        kinematics: Kinematics<f64>,
+        base: Transform<f64>,
+        loops: Option<LoopState>,
+    ) -> Pose {
+        Pose::new(Arc::clone(self), kinematics, base, loops)
+    }
+
+    /// The frames of a pose moved by what its residuals leave open; none for a tree.
+    pub(crate) fn doubtful_pose(&self, pose: &Pose, sign: f64) -> Option<Kinematics<f64>> {
+        let model = self.posing();
+        let state = pose.loops.as_ref()?;
+        let mut moved = pose.kinematics.clone();
+        for (number, group) in model.groups.iter().enumerate() {
+            let inexactness = self.facts().groups[number].misfit_beyond(group, &pose.kinematics, model);
+            let mut u = model.closing_doubt(&pose.kinematics, group, &state.dependent[number], inexactness);
+            u.iter_mut().for_each(|u| *u *= sign);
+            model.advance_group(&mut moved, group, &u);
+        }
+        moved.refill(model);
+        Some(moved)
+    }
+}

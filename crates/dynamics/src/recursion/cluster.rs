@@ -1,0 +1,361 @@
+//! One bound cluster: its rates G over its independent coordinates, then its block elimination.
+
+use super::Recursion;
+use super::elimination::ClusterElimination;
+use super::pivoting::Pivoting;
+use crate::kinematics::Kinematics;
+use crate::mobility::{GroupMobility, Rates};
+use crate::model::{Cluster, Model};
+use nalgebra::Vector3;
+use percuss_spatial::{ArticulatedInertia, Scalar, Twist, Wrench};
+
+/// Independent coordinates of a cluster beyond which its blocks are formed from its mass matrix.
+const LARGE: usize = 48;
+
+impl<T: Scalar, const K: usize> Recursion<T, K> {
+    #[expect(clippy::too_many_arguments, reason = "one step of `eliminate`, which owns all of these")]
+    pub(super) fn eliminate_cluster(
+        &mut self,
+        model: &Model,
+        kinematics: &Kinematics<T>,
+        groups: &[GroupMobility],
+        number: usize,
+        place: usize,
+        point: &Vector3<T>,
+        pivoting: &mut impl Pivoting<T, K>,
+    ) {
+        let cluster = &model.clusters[number];
+        let mut room = std::mem::take(&mut self.clusters[place]);
+        room.fill_rates(model, kinematics, groups, cluster);
+        room.fill_motions(model, kinematics, cluster, point);
+        room.fill_blocks(self, cluster);
+        pivoting.cluster(model, number, groups, &room, &self.armature);
+        room.order.clear();
+        room.dropped.clear();
+        room.open.clear();
+        room.open.resize(room.d, true);
+        while let Some(pivot) = pivoting.next(place, &room) {
+            room.eliminate(pivot);
+        }
+        let d = room.d;
+        let ClusterElimination { open, dropped, .. } = &mut room;
+        dropped.extend((0..d).filter(|y| open[*y]));
+        pivoting.dropped(place, &room);
+        if let Some(parent) = cluster.parent {
+            for &b in &cluster.bodies {
+                let (lower, upper) = self.inertias.split_at_mut(b);
+                lower[parent] += &upper[0];
+                for k in 0..K {
+                    let f = self.wrenches[b][k];
+                    self.wrenches[parent][k] += f;
+                }
+                pivoting.carry(b, parent);
+            }
+            for &y in &room.order {
+                let over_d = room.u[y] * (T::one() / room.factor[y * d + y]);
+                self.inertias[parent].subtract_dyad(&over_d, &room.u[y]);
+                for k in 0..K {
+                    self.wrenches[parent][k] -= over_d * room.t[y][k];
+                }
+                pivoting.carry_change(parent, &room, y);
+            }
+        }
+        self.clusters[place] = room;
+    }
+}
+
+impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
+    /// G: constraints of each group eliminated; coordinates of no group are independent.
+    fn fill_rates(
+        &mut self,
+        model: &Model,
+        kinematics: &Kinematics<T>,
+        groups: &[GroupMobility],
+        cluster: &Cluster,
+    ) {
+        self.rates.resize_with(cluster.groups.len(), Rates::default);
+        let n = cluster.coordinates.len();
+        let bound: usize = cluster.groups.iter().map(|g| g.coordinates.len()).sum();
+        let free: usize = cluster.groups.iter().map(|g| groups[g.group].independent.len()).sum();
+        self.d = n - bound + free;
+        let d = self.d;
+        self.g.clear();
+        self.g.resize(n * d, T::zero());
+        self.independent.clear();
+        let mut next = 0;
+        for (rates, own) in self.rates.iter_mut().zip(&cluster.groups) {
+            rates.fill(model, &model.groups[own.group], kinematics, &groups[own.group]);
+            for (row, &c) in own.coordinates.iter().enumerate() {
+                for y in 0..rates.count {
+                    self.g[c * d + next + y] = rates.values[row * rates.count + y];
+                }
+            }
+            next += rates.count;
+            self.independent.extend(groups[own.group].independent.iter().map(|&y| own.coordinates[y]));
+        }
+        for c in (0..n).filter(|c| !cluster.groups.iter().any(|g| g.coordinates.binary_search(c).is_ok())) {
+            self.g[c * d + next] = T::one();
+            self.independent.push(c);
+            next += 1;
+        }
+    }
+
+    /// S of every velocity and Ψ of every body.
+    fn fill_motions(
+        &mut self,
+        model: &Model,
+        kinematics: &Kinematics<T>,
+        cluster: &Cluster,
+        point: &Vector3<T>,
+    ) {
+        let d = self.d;
+        self.s.clear();
+        self.psi.clear();
+        self.psi.resize(cluster.bodies.len() * d, Twist::zero());
+        let mut velocities = cluster.velocities.iter().peekable();
+        for (at, parent) in cluster.parents.iter().enumerate() {
+            if let Some(parent) = parent {
+                self.psi.copy_within(parent * d..(parent + 1) * d, at * d);
+            }
+            while let Some(v) = velocities.next_if(|v| v.body == at) {
+                let s = kinematics.column_at(model, cluster.bodies[at], v.component, point);
+                self.s.push(s);
+                let multiplier = T::from_f64(v.multiplier);
+                for y in 0..d {
+                    let rate = self.g[v.coordinate * d + y] * multiplier;
+                    self.psi[at * d + y] += s * rate;
+                }
+            }
+        }
+    }
+
+    /// D, U and t.
+    fn fill_blocks(&mut self, recursion: &Recursion<T, K>, cluster: &Cluster) {
+        let d = self.d;
+        if d > LARGE {
+            return self.fill_large_blocks(recursion, cluster);
+        }
+        self.u.clear();
+        self.u.resize(d, Wrench::zero());
+        self.t.clear();
+        self.t.resize(d, [T::zero(); K]);
+        self.factor.clear();
+        self.factor.resize(d * d, T::zero());
+        for (at, &b) in cluster.bodies.iter().enumerate() {
+            for y in 0..d {
+                let psi = self.psi[at * d + y];
+                let momentum = recursion.inertias[b].apply(&psi);
+                self.u[y] += momentum;
+                for x in 0..=y {
+                    self.factor[y * d + x] += momentum.power(&self.psi[at * d + x]);
+                }
+                for (t, f) in self.t[y].iter_mut().zip(&recursion.wrenches[b]) {
+                    *t += f.power(&psi);
+                }
+            }
+        }
+        for v in &cluster.velocities {
+            let armature = recursion.armature[v.index] * T::from_f64(v.multiplier * v.multiplier);
+            for y in 0..d {
+                let weighted = armature * self.g[v.coordinate * d + y];
+                for x in 0..=y {
+                    self.factor[y * d + x] += weighted * self.g[v.coordinate * d + x];
+                }
+            }
+        }
+        for y in 0..d {
+            for x in 0..y {
+                self.factor[x * d + y] = self.factor[y * d + x];
+            }
+        }
+    }
+
+    /// The same by way of the cluster's own mass matrix M, GᵀMG: O(n²) where the sums over bodies take O(n d²). Sums of
+    /// positive terms no more, which costs digits where masses differ by many decades.
+    fn fill_large_blocks(&mut self, recursion: &Recursion<T, K>, cluster: &Cluster) {
+        let (n, d) = (cluster.coordinates.len(), self.d);
+        let mut composites: Vec<ArticulatedInertia<T>> =
+            cluster.bodies.iter().map(|&b| recursion.inertias[b]).collect();
+        let mut wrenches: Vec<[Wrench<T>; K]> =
+            cluster.bodies.iter().map(|&b| recursion.wrenches[b]).collect();
+        for at in (0..cluster.bodies.len()).rev() {
+            if let Some(parent) = cluster.parents[at] {
+                let (upper, lower) = composites.split_at_mut(at);
+                upper[parent] += &lower[0];
+                let below = wrenches[at];
+                wrenches[parent].iter_mut().zip(below).for_each(|(sum, f)| *sum += f);
+            }
+        }
+        // Velocities of a body stand together, those of its carrier before.
+        let mut first = vec![0; cluster.bodies.len() + 1];
+        cluster.velocities.iter().for_each(|v| first[v.body + 1] += 1);
+        (0..cluster.bodies.len()).for_each(|at| first[at + 1] += first[at]);
+        let mut mass = vec![T::zero(); n * n];
+        let mut momenta = vec![Wrench::zero(); n];
+        let mut tests = vec![[T::zero(); K]; n];
+        for (i, v) in cluster.velocities.iter().enumerate() {
+            let multiplier = T::from_f64(v.multiplier);
+            let momentum = composites[v.body].apply(&self.s[i]) * multiplier;
+            momenta[v.coordinate] += momentum;
+            for (test, f) in tests[v.coordinate].iter_mut().zip(&wrenches[v.body]) {
+                *test += f.power(&self.s[i]) * multiplier;
+            }
+            let armature = recursion.armature[v.index] * multiplier * multiplier;
+            mass[v.coordinate * n + v.coordinate] += armature;
+            let mut at = Some(v.body);
+            let mut end = i + 1;
+            while let Some(body) = at {
+                for l in first[body]..end {
+                    let other = &cluster.velocities[l];
+                    let entry = momentum.power(&self.s[l]) * T::from_f64(other.multiplier);
+                    mass[other.coordinate * n + v.coordinate] += entry;
+                    if l != i {
+                        mass[v.coordinate * n + other.coordinate] += entry;
+                    }
+                }
+                at = cluster.parents[body];
+                end = at.map_or(0, |parent| first[parent + 1]);
+            }
+        }
+        self.reduce(n, &mass, &momenta, &tests);
+        debug_assert_eq!(self.factor.len(), d * d);
+    }
+
+    /// D = GᵀMG, U, t from those over all coordinates; most rows of G are unit vectors.
+    fn reduce(&mut self, n: usize, mass: &[T], momenta: &[Wrench<T>], tests: &[[T; K]]) {
+        let d = self.d;
+        let mut is_independent = vec![false; n];
+        self.independent.iter().for_each(|c| is_independent[*c] = true);
+        let dependent: Vec<usize> = (0..n).filter(|c| !is_independent[*c]).collect();
+        // M G, n × d.
+        let mut product = vec![T::zero(); n * d];
+        for row in 0..n {
+            for (y, &c) in self.independent.iter().enumerate() {
+                product[row * d + y] = mass[row * n + c];
+            }
+            for &c in &dependent {
+                let entry = mass[row * n + c];
+                for y in 0..d {
+                    product[row * d + y] += entry * self.g[c * d + y];
+                }
+            }
+        }
+        self.factor.clear();
+        self.factor.resize(d * d, T::zero());
+        self.u.clear();
+        self.t.clear();
+        for (x, &c) in self.independent.iter().enumerate() {
+            self.factor[x * d..(x + 1) * d].copy_from_slice(&product[c * d..(c + 1) * d]);
+            self.u.push(momenta[c]);
+            self.t.push(tests[c]);
+        }
+        for &c in &dependent {
+            for x in 0..d {
+                let rate = self.g[c * d + x];
+                for y in 0..d {
+                    self.factor[x * d + y] += rate * product[c * d + y];
+                }
+                self.u[x] += momenta[c] * rate;
+                for k in 0..K {
+                    self.t[x][k] += tests[c][k] * rate;
+                }
+            }
+        }
+    }
+
+    /// Eliminates one pivot from all that are still open: LDLᵀ, with U and t beside.
+    fn eliminate(&mut self, pivot: usize) {
+        let d = self.d;
+        self.order.push(pivot);
+        self.open[pivot] = false;
+        let over = T::one() / self.factor[pivot * d + pivot];
+        for y in 0..d {
+            if !self.open[y] {
+                continue;
+            }
+            let factor = self.factor[y * d + pivot] * over;
+            for x in 0..d {
+                if self.open[x] {
+                    let change = factor * self.factor[pivot * d + x];
+                    self.factor[y * d + x] -= change;
+                }
+            }
+            let change = self.u[pivot] * factor;
+            self.u[y] -= change;
+            for k in 0..K {
+                let change = self.t[pivot][k] * factor;
+                self.t[y][k] -= change;
+            }
+            // The column now holds L.
+            self.factor[y * d + pivot] = factor;
+        }
+    }
+
+    pub fn response(&self, a: usize, b: usize) -> T {
+        let part = |y: &usize| self.t[*y][a] * self.t[*y][b] / self.factor[y * self.d + y];
+        self.order.iter().fold(T::zero(), |sum, y| sum + part(y))
+    }
+
+    /// Rates of the independent coordinates while the body that carries the cluster moves with `twist`: D u = t − Uᵀ V;
+    /// of those dropped, as given in `free` (none: zero).
+    pub fn independent_rates(&self, twist: &Twist<T>, loaded: bool, free: Option<usize>) -> Vec<T> {
+        let d = self.d;
+        let mut u = vec![T::zero(); d];
+        if let Some(y) = free {
+            u[y] = T::one();
+        }
+        for (i, &y) in self.order.iter().enumerate().rev() {
+            let own = if loaded { self.t[y][0] } else { T::zero() };
+            let mut rate = (own - self.u[y].power(twist)) / self.factor[y * d + y];
+            let later = self.order[i + 1..].iter().chain(&self.dropped);
+            for &x in later {
+                rate -= self.factor[x * d + y] * u[x];
+            }
+            u[y] = rate;
+        }
+        u
+    }
+
+    /// Velocities and twists of the cluster; with `free`, those of a motion without mass instead of the response.
+    pub fn velocities(
+        &self,
+        cluster: &Cluster,
+        twists: &mut [Twist<T>],
+        velocities: &mut [T],
+        free: Option<usize>,
+    ) {
+        let carried = cluster.parent.map_or_else(Twist::zero, |p| twists[p]);
+        let u = self.independent_rates(&carried, free.is_none(), free);
+        self.spread(cluster, &carried, &u, twists, velocities);
+    }
+
+    /// The same without a load: the cluster follows the body that carries it.
+    pub fn follows(&self, cluster: &Cluster, twists: &mut [Twist<T>], velocities: &mut [T]) {
+        let carried = cluster.parent.map_or_else(Twist::zero, |p| twists[p]);
+        let u = self.independent_rates(&carried, false, None);
+        self.spread(cluster, &carried, &u, twists, velocities);
+    }
+
+    fn spread(
+        &self,
+        cluster: &Cluster,
+        carried: &Twist<T>,
+        u: &[T],
+        twists: &mut [Twist<T>],
+        velocities: &mut [T],
+    ) {
+        let d = self.d;
+        for v in &cluster.velocities {
+            let row = &self.g[v.coordinate * d..(v.coordinate + 1) * d];
+            let rate = row.iter().zip(u).fold(T::zero(), |sum, (g, u)| sum + *g * *u);
+            velocities[v.index] = rate * T::from_f64(v.multiplier);
+        }
+        for (at, &b) in cluster.bodies.iter().enumerate() {
+            let mut twist = *carried;
+            for (psi, u) in self.psi[at * d..(at + 1) * d].iter().zip(u) {
+                twist += *psi * *u;
+            }
+            twists[b] = twist;
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! One plain joint: its velocities are eliminated one after another, which is their block elimination; those whose pivots
+//! are small last. A floating base is such a joint.
+
+use super::Recursion;
+use super::elimination::JointElimination;
+use super::pivoting::Pivoting;
+use crate::kinematics::Kinematics;
+use crate::model::Model;
+use nalgebra::Vector3;
+use percuss_spatial::{Scalar, Twist};
+
+/// A joint's column of motion at the contact point. A free base moves in every way: its columns are taken as unit twists
+/// there, so that its own distance does not enter.
+#[inline]
+fn base_or_joint_column<T: Scalar>(
+    model: &Model,
+    kinematics: &Kinematics<T>,
+    i: usize,
+    k: usize,
+    point: &Vector3<T>,
+) -> Twist<T> {
+    if model.bodies[i].joint.is_some() {
+        return kinematics.column_at(model, i, k, point);
+    }
+    let mut unit = Twist::zero();
+    if k < 3 {
+        unit.angular[k] = T::one();
+    } else {
+        unit.linear[k - 3] = T::one();
+    }
+    unit
+}
+
+impl<T: Scalar, const K: usize> Recursion<T, K> {
+    /// U = Iᴬ s, D = sᵀU + armature, t = sᵀf; then Iᴬ ← Iᴬ − U D⁻¹ Uᵀ, f ← f − U D⁻¹ t, and both to the parent.
+    #[inline]
+    pub(super) fn eliminate_joint(
+        &mut self,
+        model: &Model,
+        kinematics: &Kinematics<T>,
+        i: usize,
+        point: &Vector3<T>,
+        pivoting: &mut impl Pivoting<T, K>,
+    ) {
+        let body = &model.bodies[i];
+        let (first, dofs) = (body.v.start, body.v.len());
+        for done in 0..dofs {
+            let mut chosen = None;
+            for candidate in done..dofs {
+                let v = self.order[first + candidate];
+                let s = base_or_joint_column(model, kinematics, i, v - first, point);
+                let u = self.inertias[i].apply(&s);
+                let d = u.power(&s) + self.armature[v];
+                let t = self.wrenches[i].map(|f| f.power(&s));
+                let step = JointElimination { s, u, d, t, counts: true };
+                if pivoting.takes(i, v, done, candidate, dofs, &step) {
+                    chosen = Some((candidate, step));
+                    break;
+                }
+            }
+            // The last candidate is always taken.
+            let Some((candidate, mut step)) = chosen else { break };
+            self.order.swap(first + done, first + candidate);
+            let v = self.order[first + done];
+            step.counts = pivoting.joint(i, v, &step);
+            if step.counts {
+                let over_d = step.u * (T::one() / step.d);
+                for (f, t) in self.wrenches[i].iter_mut().zip(step.t) {
+                    *f -= over_d * t;
+                }
+                self.inertias[i].subtract_dyad(&over_d, &step.u);
+            }
+            self.joints[v] = step;
+        }
+        if let Some(parent) = body.parent {
+            let (lower, upper) = self.inertias.split_at_mut(i);
+            lower[parent] += &upper[0];
+            let wrenches = self.wrenches[i];
+            for (sum, f) in self.wrenches[parent].iter_mut().zip(wrenches) {
+                *sum += f;
+            }
+            pivoting.carry(i, parent);
+        }
+    }
+
+    /// u̇ = D⁻¹ (t − Uᵀ V): what is eliminated first is found last.
+    #[inline]
+    pub(super) fn joint_velocities(
+        &self,
+        model: &Model,
+        i: usize,
+        twists: &mut [Twist<T>],
+        velocities: &mut [T],
+    ) {
+        let body = &model.bodies[i];
+        let mut twist = body.parent.map_or_else(Twist::zero, |p| twists[p]);
+        for &v in self.order[body.v.clone()].iter().rev() {
+            let e = &self.joints[v];
+            velocities[v] = T::zero();
+            if e.counts {
+                velocities[v] = (e.t[0] - e.u.power(&twist)) / e.d;
+                twist += e.s * velocities[v];
+            }
+        }
+        twists[i] = twist;
+    }
+
+    /// The same without a load: the joint follows the body that carries it.
+    pub(super) fn joint_follows(
+        &self,
+        model: &Model,
+        i: usize,
+        twists: &mut [Twist<T>],
+        velocities: &mut [T],
+    ) {
+        let body = &model.bodies[i];
+        let mut twist = body.parent.map_or_else(Twist::zero, |p| twists[p]);
+        for &v in self.order[body.v.clone()].iter().rev() {
+            let e = &self.joints[v];
+            velocities[v] = T::zero();
+            if e.counts {
+                velocities[v] = -(e.u.power(&twist) / e.d);
+                twist += e.s * velocities[v];
+            }
+        }
+        twists[i] = twist;
+    }
+}

@@ -1,0 +1,195 @@
+//! The articulated recursion over clusters: the route of every mechanism. No matrix of the whole, O(n) in clusters.
+//!
+//! A cluster is what constraints and mimics bind together, with everything between; a plain joint is a cluster of one.
+//! All in root axes with the origin at the contact point, so that articulated inertias and wrenches add without being
+//! transformed. With G the rates of a cluster's coordinates over its independent ones,
+//!
+//! ```text
+//! Ψ_b = Σ S_k G_k over the path to body b;  D = Σ_b Ψ_bᵀ I_bᴬ Ψ_b + Gᵀ diag(armature) G;  U = Σ_b I_bᴬ Ψ_b;  t = Σ_b Ψ_bᵀ f_b
+//! I_pᴬ += Σ_b I_bᴬ − U D⁻¹ Uᵀ;  f_p += Σ_b f_b − U D⁻¹ t;  response += tᵀ D⁻¹ t
+//! ```
+//!
+//! Featherstone 2008, §7.3; the test-force form: Wensing et al. 2012, eq. 12; over clusters: Chignoli et al. 2023 (cited
+//! as DESIGN cites them).
+
+mod cluster;
+mod elimination;
+mod joint;
+mod pivoting;
+
+pub(crate) use elimination::{ClusterElimination, JointElimination};
+pub(crate) use pivoting::{Deciding, Decisions, Following, FreeMotion, Pivoting};
+
+use crate::kinematics::Kinematics;
+use crate::mobility::GroupMobility;
+use crate::model::Model;
+use nalgebra::Vector3;
+use percuss_spatial::{ArticulatedInertia, Scalar, SpatialInertia, Transform, Twist, Wrench};
+
+/// Room for the recursion with `K` test wrenches at once; refilled in place.
+#[derive(Clone, Debug)]
+pub(crate) struct Recursion<T: Scalar, const K: usize> {
+    /// Rigid inertia of every body, about its own origin in its own axes.
+    pub bodies: Vec<SpatialInertia<T>>,
+    /// Armature of every tree velocity.
+    pub armature: Vec<T>,
+    /// Articulated inertia of every body, before its own joint is eliminated where a cluster is bound.
+    pub inertias: Vec<ArticulatedInertia<T>>,
+    /// Test wrenches that arrive at every body.
+    pub wrenches: Vec<[Wrench<T>; K]>,
+    /// For every tree velocity of a plain joint.
+    pub joints: Vec<JointElimination<T, K>>,
+    /// For every body, in its part of the tree's velocities: these in the order of their elimination.
+    pub order: Vec<usize>,
+    /// For every bound cluster.
+    pub clusters: Vec<ClusterElimination<T, K>>,
+    /// For every cluster: its place in `clusters`, if it is bound.
+    pub place: Vec<Option<usize>>,
+}
+
+impl<T: Scalar, const K: usize> Recursion<T, K> {
+    pub fn new(model: &Model) -> Self {
+        let bodies = model.bodies.len();
+        let mut armature = vec![T::zero(); model.follows.len()];
+        for body in &model.bodies {
+            for (v, a) in body.v.clone().zip(&body.armature) {
+                armature[v] = T::from_f64(*a);
+            }
+        }
+        let mut bound = 0;
+        let place = model.clusters.iter().map(|c| c.is_bound.then(|| (bound, bound += 1).0)).collect();
+        Self {
+            bodies: model.bodies.iter().map(|b| b.inertia.cast()).collect(),
+            armature,
+            inertias: vec![ArticulatedInertia::zero(); bodies],
+            wrenches: vec![[Wrench::zero(); K]; bodies],
+            joints: vec![JointElimination::blank(); model.follows.len()],
+            order: (0..model.follows.len()).collect(),
+            clusters: (0..bound).map(|_| ClusterElimination::default()).collect(),
+            place,
+        }
+    }
+
+    /// Takes all test wrenches off.
+    pub fn clear(&mut self) {
+        self.wrenches.fill([Wrench::zero(); K]);
+    }
+
+    /// Adds a wrench (root axes, about the contact point) on a body to one of the test wrenches; one on the ground moves
+    /// nothing.
+    pub fn add_wrench(&mut self, body: Option<usize>, test: usize, wrench: Wrench<T>) {
+        if let Some(body) = body {
+            self.wrenches[body][test] += wrench;
+        }
+    }
+
+    /// Eliminates every cluster, those carried before those that carry.
+    pub fn eliminate(
+        &mut self,
+        model: &Model,
+        kinematics: &Kinematics<T>,
+        groups: &[GroupMobility],
+        point: &Vector3<T>,
+        pivoting: &mut impl Pivoting<T, K>,
+    ) {
+        for (i, frame) in kinematics.frames.iter().enumerate() {
+            let x = Transform::new(frame.rotation, frame.translation - point);
+            pivoting.body(i, &x, &self.bodies[i], &self.wrenches[i]);
+            self.inertias[i] = ArticulatedInertia::from(&x.inertia(&self.bodies[i]));
+        }
+        for (number, cluster) in model.clusters.iter().enumerate() {
+            match self.place[number] {
+                None => self.eliminate_joint(model, kinematics, cluster.bodies[0], point, pivoting),
+                Some(place) => {
+                    self.eliminate_cluster(model, kinematics, groups, number, place, point, pivoting);
+                }
+            }
+        }
+    }
+
+    /// Σ tₐᵀ D⁻¹ t_b over all clusters: entry (a, b) of Φ for the test wrenches. With one along the normal, 1/m̄.
+    pub fn response(&self, a: usize, b: usize) -> T {
+        let joints = self.joints.iter().filter(|e| e.counts);
+        let sum = joints.fold(T::zero(), |sum, e| sum + e.t[a] * e.t[b] / e.d);
+        self.clusters.iter().fold(sum, |sum, cluster| sum + cluster.response(a, b))
+    }
+
+    /// Velocities of the tree and twists of the bodies (root axes, at the contact point) after a unit impulse of test
+    /// wrench 0: M⁻¹ jᵀ. Found from the root to the tips.
+    pub fn velocities(
+        &self,
+        model: &Model,
+        point: &Vector3<T>,
+        twists: &mut [Twist<T>],
+        velocities: &mut [T],
+    ) {
+        for number in (0..model.clusters.len()).rev() {
+            match self.place[number] {
+                None => self.joint_velocities(model, model.clusters[number].bodies[0], twists, velocities),
+                Some(place) => {
+                    self.clusters[place].velocities(&model.clusters[number], twists, velocities, None);
+                }
+            }
+        }
+        self.base_velocities(model, point, twists, velocities);
+    }
+
+    /// A free base's velocities are those at its own origin, the root's.
+    fn base_velocities(&self, model: &Model, point: &Vector3<T>, twists: &[Twist<T>], velocities: &mut [T]) {
+        let Some(body) = model.bodies.first().filter(|b| b.joint.is_none()) else { return };
+        if self.place[model.cluster_of[0]].is_none() {
+            let at_origin = twists[0].velocity_at(&-point);
+            velocities[body.v.clone()][..3].copy_from_slice(twists[0].angular.as_slice());
+            velocities[body.v.clone()][3..].copy_from_slice(at_origin.as_slice());
+        }
+    }
+
+    /// Velocities of the tree in a motion without mass: the bodies that carry stand still, those that are carried follow
+    /// without energy.
+    pub fn free_motion(&self, model: &Model, point: &Vector3<T>, free: FreeMotion) -> Vec<T> {
+        let mut twists = vec![Twist::zero(); model.bodies.len()];
+        let mut velocities = vec![T::zero(); model.follows.len()];
+        let number = match free {
+            FreeMotion::Joint(body, v) => {
+                // Velocities of the same joint that were eliminated before follow.
+                velocities[v] = T::one();
+                let mut twist = self.joints[v].s;
+                let order = &self.order[model.bodies[body].v.clone()];
+                for &earlier in order.iter().take_while(|o| **o != v).collect::<Vec<_>>().into_iter().rev() {
+                    let e = &self.joints[earlier];
+                    if e.counts {
+                        velocities[earlier] = -(e.u.power(&twist) / e.d);
+                        twist += e.s * velocities[earlier];
+                    }
+                }
+                twists[body] = twist;
+                model.cluster_of[body]
+            }
+            FreeMotion::Bound(place, y) => {
+                let number = self.place.iter().position(|p| *p == Some(place)).unwrap_or(0);
+                self.clusters[place].velocities(
+                    &model.clusters[number],
+                    &mut twists,
+                    &mut velocities,
+                    Some(y),
+                );
+                number
+            }
+        };
+        let mut moved = vec![false; model.bodies.len()];
+        model.clusters[number].bodies.iter().for_each(|&b| moved[b] = true);
+        for carried in (0..number).rev() {
+            let cluster = &model.clusters[carried];
+            if !cluster.parent.is_some_and(|p| moved[p]) {
+                continue;
+            }
+            cluster.bodies.iter().for_each(|&b| moved[b] = true);
+            match self.place[carried] {
+                None => self.joint_follows(model, cluster.bodies[0], &mut twists, &mut velocities),
+                Some(place) => self.clusters[place].follows(cluster, &mut twists, &mut velocities),
+            }
+        }
+        self.base_velocities(model, point, &twists, &mut velocities);
+        velocities
+    }
+}

@@ -1,0 +1,390 @@
+//! Which pivots count. The scalar path decides at every pose, by the size of the terms that each pivot is the sum of;
+//! duals and lanes follow its decisions.
+
+use super::elimination::{ClusterElimination, JointElimination};
+use crate::mobility::GroupMobility;
+use crate::model::Model;
+use crate::tolerances::{MASSLESS_CLOSING, PIVOT};
+use percuss_spatial::{Scalar, SpatialInertia, Transform, Twist, Wrench};
+
+/// Decides, or repeats decisions, while the recursion runs.
+pub(crate) trait Pivoting<T: Scalar, const K: usize> {
+    /// A body enters with its frame (root axes, at the contact point), its own rigid inertia and test wrenches.
+    fn body(&mut self, body: usize, x: &Transform<T>, own: &SpatialInertia<T>, wrenches: &[Wrench<T>; K]);
+    /// Whether a velocity of a plain joint is eliminated next: the `candidate`th of its order, when `done` of `dofs` are.
+    fn takes(
+        &mut self,
+        body: usize,
+        velocity: usize,
+        done: usize,
+        candidate: usize,
+        dofs: usize,
+        step: &JointElimination<T, K>,
+    ) -> bool;
+    /// Whether the pivot of a plain joint's velocity counts.
+    fn joint(&mut self, body: usize, velocity: usize, step: &JointElimination<T, K>) -> bool;
+    /// A cluster's blocks are ready.
+    fn cluster(
+        &mut self,
+        model: &Model,
+        number: usize,
+        groups: &[GroupMobility],
+        cluster: &ClusterElimination<T, K>,
+        armature: &[T],
+    );
+    /// The cluster's next pivot; none: what is left has no mass.
+    fn next(&mut self, place: usize, cluster: &ClusterElimination<T, K>) -> Option<usize>;
+    /// What is left when no pivot is.
+    fn dropped(&mut self, place: usize, cluster: &ClusterElimination<T, K>);
+    /// All that a body carries goes to another.
+    fn carry(&mut self, from: usize, to: usize);
+    /// A cluster's pivot changes what its carrier carries.
+    fn carry_change(&mut self, to: usize, cluster: &ClusterElimination<T, K>, pivot: usize);
+}
+
+/// A motion without mass: a pivot that does not count.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum FreeMotion {
+    /// A body with a plain joint, and which of the tree's velocities.
+    Joint(usize, usize),
+    /// A bound cluster, and which of its independent coordinates.
+    Bound(usize, usize),
+}
+
+/// What was decided, to be followed by another scalar.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Decisions {
+    /// For every tree velocity of a plain joint: whether its pivot counts, and when it is eliminated among the joint's.
+    joints: Vec<bool>,
+    place: Vec<usize>,
+    /// For every bound cluster: its pivots in their order.
+    clusters: Vec<Vec<usize>>,
+}
+
+/// Decides in f64.
+#[derive(Clone, Debug)]
+pub(crate) struct Deciding<const K: usize> {
+    /// For every body: the size of what its articulated inertia is the sum of, moment (kg·m²) and mass (kg).
+    inertia: Vec<(f64, f64)>,
+    /// For every body: how many of its velocities are eliminated.
+    eliminated: Vec<usize>,
+    /// For every body: how far its origin is from the contact point, m.
+    arm: Vec<f64>,
+    /// For every body: the size of what its test wrenches are sums of, moment and force.
+    wrench: Vec<[(f64, f64); K]>,
+    /// Of the cluster at hand: the size of each pivot's terms, and what may be rounding.
+    pivot_size: Vec<f64>,
+    pivot_zero: Vec<f64>,
+    /// The size of the terms of D's diagonal, were nothing in G to cancel.
+    pivot_terms: Vec<f64>,
+    test_size: Vec<[f64; K]>,
+    motion_size: Vec<(f64, f64)>,
+    rate_size: Vec<f64>,
+    /// Whether a motion without mass closes the gap, for each test wrench.
+    pub massless: [bool; K],
+    /// What the mass may be, kg, that was taken for zero with it, for each test wrench: energies below are rounding.
+    pub massless_to: [f64; K],
+    /// The motion without mass that closes the gap of test wrench 0 best: its cluster, and which pivot of it.
+    pub best_free: Option<FreeMotion>,
+    best_closing: f64,
+    /// Motions without mass.
+    pub dropped: usize,
+    /// Whether a motion has a mass below zero, beyond rounding.
+    pub indefinite: bool,
+    pub decisions: Decisions,
+}
+
+impl<const K: usize> Deciding<K> {
+    pub fn new(model: &Model) -> Self {
+        let bodies = model.bodies.len();
+        let bound = model.clusters.iter().filter(|c| c.is_bound).count();
+        Self {
+            inertia: vec![(0.0, 0.0); bodies],
+            arm: vec![0.0; bodies],
+            eliminated: vec![0; bodies],
+            wrench: vec![[(0.0, 0.0); K]; bodies],
+            pivot_size: Vec::new(),
+            pivot_zero: Vec::new(),
+            pivot_terms: Vec::new(),
+            test_size: Vec::new(),
+            motion_size: Vec::new(),
+            rate_size: Vec::new(),
+            massless: [false; K],
+            massless_to: [0.0; K],
+            best_free: None,
+            best_closing: 0.0,
+            dropped: 0,
+            indefinite: false,
+            decisions: Decisions {
+                joints: vec![false; model.follows.len()],
+                place: vec![0; model.follows.len()],
+                clusters: vec![Vec::new(); bound],
+            },
+        }
+    }
+
+    /// To be called before a new elimination.
+    pub fn restart(&mut self) {
+        self.massless = [false; K];
+        self.massless_to = [0.0; K];
+        self.best_free = None;
+        self.best_closing = 0.0;
+        self.dropped = 0;
+        self.indefinite = false;
+        self.decisions.clusters.iter_mut().for_each(Vec::clear);
+    }
+
+    /// Sizes of a column of motion: its lever at the contact point is the sum of terms as large as the arm.
+    fn sizes(&self, body: usize, s: &Twist<f64>) -> (f64, f64) {
+        let turn = s.angular.norm();
+        (turn, s.linear.norm() + turn * self.arm[body])
+    }
+
+    /// Sizes of G's entries of a cluster, coordinates × d.
+    fn fill_rate_sizes(&mut self, model: &Model, number: usize, groups: &[GroupMobility], d: usize) {
+        let cluster = &model.clusters[number];
+        let n = cluster.coordinates.len();
+        self.rate_size.clear();
+        self.rate_size.resize(n * d, 0.0);
+        let mut next = 0;
+        for own in &cluster.groups {
+            let (group, known) = (&model.groups[own.group], &groups[own.group]);
+            let count = known.independent.len();
+            for (y, &free) in known.independent.iter().enumerate() {
+                self.rate_size[own.coordinates[free] * d + next + y] = 1.0;
+                for (i, &c) in known.pivots.columns.iter().enumerate() {
+                    let size = known.sizes[i * count + y] * group.lengths[free] / group.lengths[c];
+                    self.rate_size[own.coordinates[c] * d + next + y] = size;
+                }
+            }
+            next += count;
+        }
+        for c in (0..n).filter(|c| !cluster.groups.iter().any(|g| g.coordinates.binary_search(c).is_ok())) {
+            self.rate_size[c * d + next] = 1.0;
+            next += 1;
+        }
+    }
+}
+
+/// A pivot of a joint with several velocities below this part of its terms is left for last.
+const SMALL: f64 = 1e-3;
+/// A pivot below minus this part of its terms is no rounding: an indefinite inertia.
+const NEGATIVE: f64 = 1e-9;
+/// Rounding of G enters D squared.
+const SQUARED: f64 = PIVOT * PIVOT;
+
+impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
+    fn body(
+        &mut self,
+        body: usize,
+        x: &Transform<f64>,
+        own: &SpatialInertia<f64>,
+        wrenches: &[Wrench<f64>; K],
+    ) {
+        // The terms that the inertia about the contact point is the sum of, which may cancel there.
+        let arm = x.translation.norm();
+        let mass = own.mass.abs();
+        let moment = own.rotational.trace().abs() + 2.0 * arm * (2.0 * own.first_moment.norm() + arm * mass);
+        self.arm[body] = arm;
+        self.eliminated[body] = 0;
+        self.inertia[body] = (moment, mass);
+        self.wrench[body] = wrenches.map(|f| (f.moment.norm(), f.force.norm()));
+    }
+
+    fn takes(
+        &mut self,
+        body: usize,
+        _: usize,
+        _: usize,
+        candidate: usize,
+        dofs: usize,
+        step: &JointElimination<f64, K>,
+    ) -> bool {
+        if dofs == 1 {
+            return true;
+        }
+        let (turn, slide) = self.sizes(body, &step.s);
+        let (moment, mass) = self.inertia[body];
+        let part = step.d / (turn * turn * moment + slide * slide * mass);
+        // A small one may be rounding of what others leave: these come before.
+        part >= SMALL || candidate + 1 == dofs
+    }
+
+    fn joint(&mut self, body: usize, velocity: usize, step: &JointElimination<f64, K>) -> bool {
+        let (turn, slide) = self.sizes(body, &step.s);
+        let (moment, mass) = self.inertia[body];
+        // sᵀIs lies below this for every rigid body, and so does what joints below leave of it; an armature is exact.
+        let size = turn * turn * moment + slide * slide * mass;
+        let counts = step.d > PIVOT * size;
+        for k in 0..K {
+            let (about, along) = &mut self.wrench[body][k];
+            let t = step.t[k].abs();
+            if counts {
+                *about += step.u.moment.norm() * t / step.d;
+                *along += step.u.force.norm() * t / step.d;
+            } else {
+                let test_size = turn * *about + slide * *along;
+                if t > MASSLESS_CLOSING * test_size {
+                    self.massless[k] = true;
+                    self.massless_to[k] = self.massless_to[k].max(PIVOT * size / (t * t));
+                }
+                let size = test_size;
+                if k == 0 && t > self.best_closing * size {
+                    (self.best_closing, self.best_free) = (t / size, Some(FreeMotion::Joint(body, velocity)));
+                }
+            }
+        }
+        self.indefinite |= step.d < -NEGATIVE * size;
+        self.dropped += usize::from(!counts);
+        self.decisions.joints[velocity] = counts;
+        self.decisions.place[velocity] = self.eliminated[body];
+        self.eliminated[body] += 1;
+        counts
+    }
+
+    fn cluster(
+        &mut self,
+        model: &Model,
+        number: usize,
+        groups: &[GroupMobility],
+        room: &ClusterElimination<f64, K>,
+        armature: &[f64],
+    ) {
+        let (cluster, d) = (&model.clusters[number], room.d);
+        self.fill_rate_sizes(model, number, groups, d);
+        self.pivot_size.clear();
+        self.pivot_size.resize(d, 0.0);
+        self.pivot_zero.clear();
+        self.pivot_zero.resize(d, 0.0);
+        self.pivot_terms.clear();
+        self.pivot_terms.resize(d, 0.0);
+        self.test_size.clear();
+        self.test_size.resize(d, [0.0; K]);
+        self.motion_size.clear();
+        self.motion_size.resize(cluster.bodies.len() * d, (0.0, 0.0));
+        let mut velocities = cluster.velocities.iter().zip(&room.s).peekable();
+        for (at, &b) in cluster.bodies.iter().enumerate() {
+            if let Some(parent) = cluster.parents[at] {
+                self.motion_size.copy_within(parent * d..(parent + 1) * d, at * d);
+            }
+            while let Some((v, s)) = velocities.next_if(|(v, _)| v.body == at) {
+                let (turn, slide) = self.sizes(b, s);
+                for y in 0..d {
+                    let rate = self.rate_size[v.coordinate * d + y] * v.multiplier.abs();
+                    let size = &mut self.motion_size[at * d + y];
+                    *size = (size.0 + turn * rate, size.1 + slide * rate);
+                    let own = room.g[v.coordinate * d + y] * v.multiplier;
+                    self.pivot_size[y] += armature[v.index] * own * own;
+                    self.pivot_terms[y] += armature[v.index] * rate * rate;
+                }
+            }
+            let (moment, mass) = self.inertia[b];
+            for y in 0..d {
+                let psi = &room.psi[at * d + y];
+                let (turn, slide) = self.motion_size[at * d + y];
+                let actual = psi.angular.norm_squared() * moment + psi.linear.norm_squared() * mass;
+                self.pivot_size[y] += actual;
+                self.pivot_zero[y] += PIVOT * actual;
+                self.pivot_terms[y] += turn * turn * moment + slide * slide * mass;
+                for k in 0..K {
+                    let (about, along) = self.wrench[b][k];
+                    self.test_size[y][k] += turn * about + slide * along;
+                }
+            }
+        }
+    }
+
+    fn next(&mut self, place: usize, room: &ClusterElimination<f64, K>) -> Option<usize> {
+        let d = room.d;
+        if room.order.is_empty() {
+            self.pivot_zero.iter_mut().zip(&self.pivot_terms).for_each(|(z, terms)| *z += SQUARED * terms);
+        }
+        let left = |y: usize| room.factor[y * d + y];
+        let part = |y: usize| left(y) / self.pivot_size[y];
+        let open = (0..d).filter(|y| room.open[*y] && left(*y) > self.pivot_zero[*y]);
+        let pivot = open.max_by(|&a, &b| part(a).total_cmp(&part(b)));
+        if let Some(pivot) = pivot {
+            self.decisions.clusters[place].push(pivot);
+        }
+        pivot
+    }
+
+    fn dropped(&mut self, place: usize, room: &ClusterElimination<f64, K>) {
+        for &y in &room.dropped {
+            self.indefinite |=
+                room.factor[y * room.d + y] < -NEGATIVE * self.pivot_size[y] - self.pivot_zero[y];
+            for k in 0..K {
+                // What pivots pass on through entries of D that are rounding.
+                let passed = |p: &usize| {
+                    let terms = (self.pivot_terms[y] * self.pivot_terms[*p]).sqrt();
+                    room.t[*p][k].abs() / room.factor[p * room.d + p] * terms
+                };
+                let rounding: f64 = room.order.iter().map(passed).sum();
+                let (t, size) = (room.t[y][k].abs(), self.test_size[y][k] + rounding);
+                if t > MASSLESS_CLOSING * size {
+                    self.massless[k] = true;
+                    self.massless_to[k] = self.massless_to[k].max(self.pivot_zero[y] / (t * t));
+                }
+                if k == 0 && t > self.best_closing * size {
+                    (self.best_closing, self.best_free) = (t / size, Some(FreeMotion::Bound(place, y)));
+                }
+            }
+        }
+        self.dropped += room.dropped.len();
+    }
+
+    fn carry(&mut self, from: usize, to: usize) {
+        let (moment, mass) = self.inertia[from];
+        self.inertia[to].0 += moment;
+        self.inertia[to].1 += mass;
+        for k in 0..K {
+            let (about, along) = self.wrench[from][k];
+            self.wrench[to][k].0 += about;
+            self.wrench[to][k].1 += along;
+        }
+    }
+
+    fn carry_change(&mut self, to: usize, room: &ClusterElimination<f64, K>, pivot: usize) {
+        let d = room.factor[pivot * room.d + pivot];
+        for k in 0..K {
+            let part = room.t[pivot][k].abs() / d;
+            self.wrench[to][k].0 += room.u[pivot].moment.norm() * part;
+            self.wrench[to][k].1 += room.u[pivot].force.norm() * part;
+        }
+    }
+}
+
+/// Follows decisions made in f64, branching on no value.
+pub(crate) struct Following<'a>(pub &'a Decisions);
+
+impl<T: Scalar, const K: usize> Pivoting<T, K> for Following<'_> {
+    fn body(&mut self, _: usize, _: &Transform<T>, _: &SpatialInertia<T>, _: &[Wrench<T>; K]) {}
+
+    fn takes(
+        &mut self,
+        _: usize,
+        velocity: usize,
+        done: usize,
+        _: usize,
+        _: usize,
+        _: &JointElimination<T, K>,
+    ) -> bool {
+        self.0.place[velocity] == done
+    }
+
+    fn joint(&mut self, _: usize, velocity: usize, _: &JointElimination<T, K>) -> bool {
+        self.0.joints[velocity]
+    }
+
+    fn cluster(&mut self, _: &Model, _: usize, _: &[GroupMobility], _: &ClusterElimination<T, K>, _: &[T]) {}
+
+    fn next(&mut self, place: usize, cluster: &ClusterElimination<T, K>) -> Option<usize> {
+        self.0.clusters[place].get(cluster.order.len()).copied()
+    }
+
+    fn dropped(&mut self, _: usize, _: &ClusterElimination<T, K>) {}
+
+    fn carry(&mut self, _: usize, _: usize) {}
+
+    fn carry_change(&mut self, _: usize, _: &ClusterElimination<T, K>, _: usize) {}
+}

@@ -1,0 +1,270 @@
+//! What lies around a pose where a group of loops has less than its generic rank: branches that cross, or one regular branch.
+
+use crate::closing::{Directions, Linearised};
+use crate::kinematics::Kinematics;
+use crate::linear::jacobian::Jacobian;
+use crate::mobility::{decide, singular_values};
+use crate::model::{Group, Model};
+use faer::Mat;
+
+/// How far from the pose branches are looked for, as a part of the group's size.
+const REACH: f64 = 1e-3;
+/// Directions tried where two motions are admissible; in more dimensions at least and at most.
+const IN_A_PLANE: usize = 96;
+const FEWEST: usize = 256;
+const MOST: usize = 2048;
+/// Most corrections on the way to a branch.
+const CORRECTIONS: usize = 40;
+/// Branches between branches that make a cone.
+const HALVINGS: usize = 4;
+/// Work, in cubes of a group's coordinates, after which no more directions are tried: about a second.
+const WORK: usize = 2_500_000;
+/// Tangents of curves that differ by less than this (rad) belong to one branch; and tangent spaces of branches with more
+/// freedoms, which are known beside the crossing only.
+const SAME: f64 = 2e-3;
+const SAME_SPACE: f64 = 0.02;
+/// Singular values beside a crossing count from this part of the largest on.
+const COUNTS: f64 = 1e-8;
+
+/// A branch through a pose.
+#[derive(Clone, Debug)]
+pub(crate) struct Branch {
+    /// Unit vector along it, over the group's scaled coordinates.
+    pub along: Vec<f64>,
+    /// Orthonormal basis of its tangent space near by.
+    tangents: Vec<Vec<f64>>,
+}
+
+/// What lies around a pose.
+#[derive(Clone, Debug)]
+pub(crate) struct Surroundings {
+    /// The group.
+    pub group: Group,
+    /// Residual at which it counts as closed, m.
+    pub tolerance: f64,
+    /// Singular values below this part of the largest count as zero.
+    floor: f64,
+    /// The branches that were found.
+    pub branches: Vec<Branch>,
+    /// Whether all closed poses near by lie on one smooth branch, with the rank that the pose has.
+    pub regular: bool,
+    /// Whether the branches are samples of a continuum (a cone of directions).
+    pub continuous: bool,
+    /// Whether the last directions tried had nothing new.
+    pub complete: bool,
+}
+
+impl Model {
+    /// Looks around a closed pose. In the kernel of A, directions are tried; those by which a closed pose is reached
+    /// lead to branches, distinguished by their tangent spaces.
+    pub fn surroundings(
+        &self,
+        kinematics: &Kinematics<f64>,
+        group: &Group,
+        inexactness: f64,
+    ) -> Surroundings {
+        let mut around = Surroundings {
+            group: group.clone(),
+            tolerance: self.rounded_tolerance(kinematics, group, inexactness),
+            floor: group.floor_for(inexactness),
+            branches: Vec::new(),
+            regular: false,
+            continuous: false,
+            complete: true,
+        };
+        let tangents = tangent_space(self, kinematics, group, around.floor);
+        self.find_branches(kinematics, &tangents, &mut around);
+        if around.branches.len() > 2 {
+            around.continuous = self.lies_between(kinematics, &around);
+        }
+        around
+    }
+
+    fn find_branches(&self, kinematics: &Kinematics<f64>, kernel: &[Vec<f64>], around: &mut Surroundings) {
+        let mut newest = 0;
+        for (tried, direction) in directions(kernel).enumerate() {
+            if kernel.len() > 2 && tried >= FEWEST.max(4 * newest).max(24 * around.branches.len()) {
+                return;
+            }
+            if tried > WORK / around.group.coordinates.len().max(1).pow(3) && kernel.len() > 2 {
+                break;
+            }
+            let Some(branch) = self.branch_beside(kinematics, around, &direction) else { continue };
+            if branch.tangents.len() >= kernel.len() {
+                // As many motions beside the pose as at it: no branches cross here, if they lead in all directions.
+                around.regular = kernel.iter().all(|e| self.leads_along(kinematics, around, e));
+                if around.regular {
+                    return;
+                }
+                continue;
+            }
+            let same = if branch.tangents.len() > 1 { SAME_SPACE } else { SAME };
+            if around.branches.iter().all(|known| apart(&known.tangents, &branch.tangents) > same) {
+                around.branches.push(branch);
+                newest = tried;
+            }
+        }
+        around.complete = kernel.len() <= 2;
+    }
+
+    /// Whether a closed pose is found in this very direction.
+    fn leads_along(&self, kinematics: &Kinematics<f64>, around: &Surroundings, direction: &[f64]) -> bool {
+        self.branch_beside(kinematics, around, direction)
+            .is_some_and(|branch| dot(&branch.along, direction) > 0.99)
+    }
+
+    fn branch_beside(
+        &self,
+        kinematics: &Kinematics<f64>,
+        around: &Surroundings,
+        direction: &[f64],
+    ) -> Option<Branch> {
+        // Branches of inexact loops are distinct only some distance off.
+        let reach = around.group.size * REACH.max(3.0 * (around.tolerance / around.group.size).sqrt());
+        let mut beside = kinematics.clone();
+        let way = self.go_beside(&mut beside, around, direction, reach)?;
+        let tangents = tangent_space(self, &beside, &around.group, around.floor.max(COUNTS));
+        Some(Branch { along: unit(&way), tangents })
+    }
+
+    /// Moves a group to a closed pose at this distance (m; negative: the other way) from where it stands, starting
+    /// along a direction of its scaled coordinates, and gives how that lies from there; none where no branch is found.
+    ///
+    /// Corrections keep the distance: at a crossing the residuals are quadratic forms, and where these are more than
+    /// the freedoms, Newton's free step leads straight back to where all of them vanish.
+    pub fn go_beside(
+        &self,
+        kinematics: &mut Kinematics<f64>,
+        around: &Surroundings,
+        direction: &[f64],
+        reach: f64,
+    ) -> Option<Vec<f64>> {
+        let group = &around.group;
+        let (lengths, distance) = (&group.lengths, reach.abs());
+        let before = kinematics.q.clone();
+        let u: Vec<f64> = direction.iter().zip(lengths).map(|(d, l)| reach * d / l).collect();
+        self.advance_group(kinematics, group, &u);
+        let all = Directions::of(&group.movable);
+        for _ in 0..CORRECTIONS {
+            let here = Linearised::at(self, kinematics, group);
+            let way = self.displacement(group, &before, &kinematics.q);
+            let way: Vec<f64> = way.iter().zip(lengths).map(|(w, l)| w * l).collect();
+            let gone = dot(&way, &way).sqrt();
+            if !(0.1 * distance..10.0 * distance).contains(&gone) {
+                return None;
+            }
+            let mut bordered: Jacobian = all.jacobian(group, &here.rows);
+            let last = bordered.rows;
+            bordered.rows += 1;
+            bordered.entries.extend((0..all.count()).map(|k| (last, k, way[group.movable[k]] / gone)));
+            let closing = here.residuals.iter().map(|r| -r);
+            let target: Vec<f64> = closing.chain(std::iter::once(distance - gone)).collect();
+            let x = bordered.shortest(&target, around.tolerance / group.size);
+            let residuals = &here.residuals;
+            let step = dot(&x, &x).sqrt();
+            let there = step <= 1e-6 * distance && residuals.iter().all(|r| r.abs() <= around.tolerance);
+            let part = (0.5 * distance / step).min(1.0);
+            self.advance_group(kinematics, group, &all.expand(group, |k| part * x[k]));
+            if there {
+                kinematics.refill(self);
+                return Some(way.iter().map(|w| w * reach.signum()).collect());
+            }
+        }
+        None
+    }
+
+    /// Whether between the two nearest branches lies another, and between that and the first another, and so on: then
+    /// they are samples of a cone.
+    fn lies_between(&self, kinematics: &Kinematics<f64>, around: &Surroundings) -> bool {
+        let branches = &around.branches;
+        let pairs = (0..branches.len()).flat_map(|a| (0..a).map(move |b| (a, b)));
+        let cosine = |&(a, b): &(usize, usize)| dot(&branches[a].along, &branches[b].along);
+        let Some((a, b)) = pairs.max_by(|p, q| cosine(p).abs().total_cmp(&cosine(q).abs())) else {
+            return false;
+        };
+        let first = &branches[a];
+        let between = |second: &Branch| {
+            let sign = dot(&first.along, &second.along).signum();
+            let middle: Vec<f64> = first.along.iter().zip(&second.along).map(|(x, y)| x + sign * y).collect();
+            let found = self.branch_beside(kinematics, around, &unit(&middle))?;
+            let limit = 0.25 * apart(&first.tangents, &second.tangents);
+            let new = [first, second].iter().all(|known| apart(&known.tangents, &found.tangents) > limit);
+            new.then_some(found)
+        };
+        let mut second = between(&branches[b]);
+        for _ in 1..HALVINGS {
+            second = second.as_ref().and_then(&between);
+        }
+        second.is_some()
+    }
+}
+
+/// An orthonormal basis of the admissible motions within a group, over its scaled coordinates.
+fn tangent_space(model: &Model, kinematics: &Kinematics<f64>, group: &Group, floor: f64) -> Vec<Vec<f64>> {
+    let rows = model.group_matrix(kinematics, group);
+    let lengths = &group.lengths;
+    let rank = decide(&singular_values(&rows, &group.lengths), floor).rank;
+    let n = group.movable.len();
+    let transposed =
+        Mat::from_fn(n, rows.nrows(), |k, r| rows[(r, group.movable[k])] / lengths[group.movable[k]]);
+    let q = transposed.col_piv_qr().compute_Q();
+    let mut basis = vec![vec![0.0; lengths.len()]; n.saturating_sub(rank)];
+    for (k, vector) in basis.iter_mut().enumerate() {
+        for (i, &at) in group.movable.iter().enumerate() {
+            vector[at] = if rank == 0 { f64::from(u8::from(i == k)) } else { q[(i, rank + k)] };
+        }
+    }
+    basis
+}
+
+/// Sine of the largest angle between two spaces, given by orthonormal bases; 1 where they differ in dimension.
+fn apart(a: &[Vec<f64>], b: &[Vec<f64>]) -> f64 {
+    if a.len() != b.len() {
+        return 1.0;
+    }
+    let outside = |v: &Vec<f64>| {
+        let mut rest = v.clone();
+        for e in a {
+            let along = dot(e, v);
+            rest.iter_mut().zip(e).for_each(|(r, e)| *r -= along * e);
+        }
+        dot(&rest, &rest).sqrt()
+    };
+    b.iter().map(outside).fold(0.0, f64::max)
+}
+
+/// Directions in a kernel: evenly around in a plane, from a fixed low-discrepancy walk in more dimensions.
+fn directions(kernel: &[Vec<f64>]) -> impl Iterator<Item = Vec<f64>> {
+    let dimension = kernel.len();
+    let n = kernel.first().map_or(0, Vec::len);
+    // Kronecker's sequence on the powers of the root of x^(d+1) = x + 1.
+    let root = (0..50).fold(1.5_f64, |x, _| (1.0 + x).powf(1.0 / (dimension as f64 + 1.0)));
+    let count = match dimension {
+        0 => 0,
+        1 => 1,
+        2 => IN_A_PLANE,
+        _ => MOST,
+    };
+    (0..count).map(move |k| {
+        let mut sum = vec![0.0; n];
+        for (i, basis) in kernel.iter().enumerate() {
+            let weight = if dimension == 2 {
+                let turn = std::f64::consts::PI * (k as f64 + 0.5) / count as f64;
+                (turn - std::f64::consts::FRAC_PI_2 * i as f64).cos()
+            } else {
+                2.0 * ((k as f64 + 1.0) * root.powi(-(i as i32 + 1))).fract() - 1.0
+            };
+            sum.iter_mut().zip(basis).for_each(|(s, b)| *s += weight * b);
+        }
+        unit(&sum)
+    })
+}
+
+fn unit(v: &[f64]) -> Vec<f64> {
+    let norm = dot(v, v).sqrt();
+    v.iter().map(|x| x / norm).collect()
+}
+
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}

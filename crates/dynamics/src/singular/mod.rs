@@ -1,0 +1,5 @@
+//! Poses where branches of a group cross.
+
+mod branches;
+
+pub(crate) use branches::{Surroundings, dot};

@@ -1,0 +1,28 @@
+//! A partition of indices into sets that are joined.
+
+/// Sets of the indices 0..n.
+pub(crate) struct Partition {
+    parent: Vec<usize>,
+}
+
+impl Partition {
+    /// Every index a set of its own.
+    pub fn new(n: usize) -> Self {
+        Self { parent: (0..n).collect() }
+    }
+
+    /// The index that stands for the set of `i`: its least.
+    pub fn root(&mut self, mut i: usize) -> usize {
+        while self.parent[i] != i {
+            self.parent[i] = self.parent[self.parent[i]];
+            i = self.parent[i];
+        }
+        i
+    }
+
+    /// Makes one set of two.
+    pub fn join(&mut self, a: usize, b: usize) {
+        let (a, b) = (self.root(a), self.root(b));
+        self.parent[a.max(b)] = a.min(b);
+    }
+}

@@ -1,0 +1,174 @@
+//! The linkages of the family, drawn at random.
+
+use super::drawing::{Drawing, Motion, Pin, across, dyad};
+use nalgebra::Vector2;
+use rand::Rng;
+use rand::seq::SliceRandom;
+use std::f64::consts::TAU;
+
+/// What is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Kind {
+    /// Four bars.
+    FourBar,
+    /// So many equal parallel cranks under one platform: from three on, more than plane geometry needs.
+    Cranks(usize),
+    /// A rod between a crank and a slider on the ground.
+    SliderCrank,
+    /// A rod that hangs on a crank and slides in a block that turns on the ground.
+    Inverted,
+    /// A six-bar whose second loop stands on two bodies that are pinned together.
+    Watt,
+    /// A six-bar whose second loop stands on two bodies that are not.
+    Stephenson,
+}
+
+impl Kind {
+    /// All that the family has.
+    pub const ALL: [Kind; 8] = [
+        Kind::FourBar,
+        Kind::Cranks(2),
+        Kind::Cranks(3),
+        Kind::Cranks(4),
+        Kind::SliderCrank,
+        Kind::Inverted,
+        Kind::Watt,
+        Kind::Stephenson,
+    ];
+
+    /// Whether its loops contradict one another in the plane where its lengths are a little off.
+    pub fn is_overconstrained(self) -> bool {
+        matches!(self, Kind::Cranks(count) if count > 2)
+    }
+}
+
+fn hinge(name: &'static str, bodies: [usize; 2], at: Vector2<f64>) -> Pin {
+    Pin { name, bodies, at, slide: None }
+}
+
+fn point<R: Rng + ?Sized>(rng: &mut R) -> Vector2<f64> {
+    Vector2::from_fn(|_, _| rng.random_range(-0.7..0.7))
+}
+
+fn along(angle: f64) -> Vector2<f64> {
+    Vector2::new(angle.cos(), angle.sin())
+}
+
+/// Draws a linkage of order 1 m; pins in random order but for slides, which come first.
+pub(super) fn draw<R: Rng + ?Sized>(rng: &mut R, kind: Kind) -> Drawing {
+    let mut drawing = match kind {
+        Kind::FourBar => four_bar(rng),
+        Kind::Cranks(count) => cranks(rng, count),
+        Kind::SliderCrank => slider_crank(rng),
+        Kind::Inverted => inverted(rng),
+        Kind::Watt => {
+            let ends = [[2, 3], [3, 0]][rng.random_range(0..2)];
+            six_bar(rng, ends)
+        }
+        Kind::Stephenson => {
+            let ends = [[2, 0], [1, 3]][rng.random_range(0..2)];
+            six_bar(rng, ends)
+        }
+    };
+    drawing.pins.shuffle(rng);
+    drawing.pins.sort_by_key(|pin| pin.slide.is_none());
+    drawing
+}
+
+fn four_bar<R: Rng + ?Sized>(rng: &mut R) -> Drawing {
+    let [o, a, b, c] = [0; 4].map(|_| point(rng));
+    let crank = Motion::about(o, 1.0);
+    let [coupler, rocker] = dyad((a, crank), (c, Motion::STILL), b);
+    Drawing {
+        bodies: vec!["ground", "crank", "coupler", "rocker"],
+        pins: vec![
+            hinge("crank_hinge", [0, 1], o),
+            hinge("crank_pin", [1, 2], a),
+            hinge("rocker_pin", [2, 3], b),
+            hinge("rocker_hinge", [0, 3], c),
+        ],
+        motions: vec![Motion::STILL, crank, coupler, rocker],
+        coupler: 2,
+    }
+}
+
+/// [`four_bar`], and two more bars from these two of its bodies to a pin of their own.
+fn six_bar<R: Rng + ?Sized>(rng: &mut R, ends: [usize; 2]) -> Drawing {
+    let mut drawing = four_bar(rng);
+    let [d, e, f] = [0; 3].map(|_| point(rng));
+    let motions = dyad((d, drawing.motions[ends[0]]), (e, drawing.motions[ends[1]]), f);
+    drawing.bodies.extend(["bar_5", "bar_6"]);
+    drawing.pins.extend([
+        hinge("pin_5", [ends[0], 4], d),
+        hinge("pin_6", [ends[1], 5], e),
+        hinge("pin_56", [4, 5], f),
+    ]);
+    drawing.motions.extend(motions);
+    drawing
+}
+
+fn cranks<R: Rng + ?Sized>(rng: &mut R, count: usize) -> Drawing {
+    const NAMES: [[&str; 3]; 4] = [
+        ["crank_1", "hinge_1", "pin_1"],
+        ["crank_2", "hinge_2", "pin_2"],
+        ["crank_3", "hinge_3", "pin_3"],
+        ["crank_4", "hinge_4", "pin_4"],
+    ];
+    let arm = along(rng.random_range(0.0..TAU)) * rng.random_range(0.3..0.6);
+    let mut drawing = Drawing {
+        bodies: vec!["ground", "platform"],
+        pins: vec![],
+        motions: vec![Motion::STILL, Motion { velocity: across(arm), ..Motion::STILL }],
+        coupler: 1,
+    };
+    for [crank, hinged, pinned] in NAMES.into_iter().take(count) {
+        let (foot, body) = (point(rng), drawing.bodies.len());
+        drawing.bodies.push(crank);
+        drawing.pins.push(hinge(hinged, [0, body], foot));
+        drawing.pins.push(hinge(pinned, [body, 1], foot + arm));
+        drawing.motions.push(Motion::about(foot, 1.0));
+    }
+    drawing
+}
+
+fn slider_crank<R: Rng + ?Sized>(rng: &mut R) -> Drawing {
+    let [o, a, b] = [0; 3].map(|_| point(rng));
+    let guide = along(rng.random_range(0.0..TAU));
+    let crank = Motion::about(o, 1.0);
+    // v_a + ω k×(b − a) has no part across the guide.
+    let (va, arm, side) = (crank.velocity_of(a), across(b - a), across(guide));
+    let rate = -va.dot(&side) / arm.dot(&side);
+    let rod = Motion { rate, at: a, velocity: va };
+    let slider = Motion { rate: 0.0, at: b, velocity: rod.velocity_of(b) };
+    Drawing {
+        bodies: vec!["ground", "crank", "rod", "slider"],
+        pins: vec![
+            hinge("crank_hinge", [0, 1], o),
+            hinge("crank_pin", [1, 2], a),
+            hinge("wrist_pin", [2, 3], b),
+            Pin { slide: Some(guide), ..hinge("guide", [0, 3], b) },
+        ],
+        motions: vec![Motion::STILL, crank, rod, slider],
+        coupler: 2,
+    }
+}
+
+fn inverted<R: Rng + ?Sized>(rng: &mut R) -> Drawing {
+    let [o, a, c] = [0; 3].map(|_| point(rng));
+    let guide = along(rng.random_range(0.0..TAU));
+    let crank = Motion::about(o, 1.0);
+    // The rod's point at the block's pivot moves along the guide.
+    let (va, arm, side) = (crank.velocity_of(a), across(c - a), across(guide));
+    let rate = -va.dot(&side) / arm.dot(&side);
+    Drawing {
+        bodies: vec!["ground", "crank", "rod", "block"],
+        pins: vec![
+            hinge("crank_hinge", [0, 1], o),
+            hinge("crank_pin", [1, 2], a),
+            hinge("block_hinge", [0, 3], c),
+            Pin { slide: Some(guide), ..hinge("guide", [3, 2], c) },
+        ],
+        motions: vec![Motion::STILL, crank, Motion { rate, at: a, velocity: va }, Motion::about(c, rate)],
+        coupler: 2,
+    }
+}

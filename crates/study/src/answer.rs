@@ -1,0 +1,257 @@
+//! From a question to its answer, one path for every command: the question is prepared once (names resolved, units
+//! checked, conditions compiled), then answered at as many poses as are asked for.
+
+use crate::error::{Fault, Field, StudyError};
+use crate::estimate::{Estimate, EstimateRecord};
+use crate::finding::{Finding, Subject};
+use crate::findings::{about_branches, about_guesses, about_pose, about_response};
+use crate::holds::HeldContact;
+use crate::model::Model;
+use crate::position::GivenPosition;
+use crate::question::{MassQuestion, Normal};
+use crate::thresholds::LEAST_OTHER_MASS;
+use nalgebra::Vector3;
+use percuss_dynamics::{
+    BranchLimits, Conditions, Configuration, Contact, ContactResponse, Direction, EffectiveMass, Frame, Pose,
+    RouteChoice, System,
+};
+use percuss_mechanism::{JointId, LinkId, Mechanism, UnknownName};
+use std::sync::Arc;
+
+/// A question about a model with its names resolved, its numbers in SI units, and its conditions compiled.
+#[derive(Debug)]
+pub(crate) struct Prepared<'a> {
+    pub model: &'a Model,
+    pub question: &'a MassQuestion,
+    pub system: System,
+    /// Positions asked for, by `--set` and `--guess`.
+    pub configuration: Configuration,
+    link: LinkId,
+    against: Option<LinkId>,
+    normal: Direction,
+    estimate: Option<Estimate>,
+    held: Vec<HeldContact>,
+}
+
+/// What a contact's answer is at a pose.
+#[derive(Debug)]
+pub(crate) struct Answer {
+    /// The contact response, a free body on the other side included.
+    pub response: ContactResponse,
+    /// That of the mechanism alone, where there is such a body.
+    alone: Option<ContactResponse>,
+    /// At a singular pose, the limits of m̄ along the branches: of the mechanism alone.
+    pub limits: BranchLimits,
+    /// The classical estimate, where it is asked for.
+    pub estimate: Option<EstimateRecord>,
+    /// What the reader should know.
+    pub findings: Vec<Finding>,
+}
+
+impl Answer {
+    /// The contact response of the mechanism alone, without a free body on the other side.
+    pub fn of_mechanism(&self) -> &ContactResponse {
+        self.alone.as_ref().unwrap_or(&self.response)
+    }
+}
+
+impl<'a> Prepared<'a> {
+    /// Prepares a question.
+    pub fn new(model: &'a Model, question: &'a MassQuestion) -> Result<Self, StudyError> {
+        let mechanism = &model.mechanism;
+        let find = |field: Field, name: &str| {
+            mechanism.find_link(name).map_err(|error| StudyError::input(field, error))
+        };
+        let link = find(Field::Link, &question.link)?;
+        let against = match &question.against {
+            Some(name) => {
+                other_side(mechanism, name).map_err(|error| StudyError::input(Field::Against, error))?
+            }
+            None => None,
+        };
+        let normal = match &question.normal {
+            Normal::Along(normal) => Direction::Along(Vector3::from(*normal), question.normal_frame),
+            Normal::Toward(name, point) => {
+                Direction::Toward(find(Field::AlongLine, name)?, Vector3::from(*point))
+            }
+        };
+        if let Some(mass) = question.against_mass.filter(|m| !(m.is_finite() && *m > LEAST_OTHER_MASS)) {
+            return Err(StudyError::input(Field::AgainstMass, Fault::OtherMass { mass }));
+        }
+        let compile = |skipped| compile(mechanism, question, skipped);
+        let system = compile(None)?;
+        let estimate = question.estimate.as_ref().map(|e| Estimate::new(mechanism, e)).transpose()?;
+        let mut held = Vec::new();
+        for (number, hold) in question.hold.iter().enumerate() {
+            if let Some(normal) = hold.normal {
+                held.push(HeldContact {
+                    number,
+                    link: find(Field::Hold, &hold.link)?,
+                    point: hold.point.into(),
+                    normal: Vector3::from(normal).normalize(),
+                    without: compile(Some(number))?,
+                });
+            }
+        }
+        let configuration = configuration(mechanism, question)?;
+        Ok(Self { model, question, system, configuration, link, against, normal, estimate, held })
+    }
+
+    /// Mass of a free body on the other side, kg.
+    pub fn other_mass(&self) -> Option<f64> {
+        self.question.against_mass
+    }
+
+    /// Whether the point is given in the frame of the struck link, and needs no pose to be converted.
+    pub fn point_is_in_link(&self) -> bool {
+        self.question.frame == Frame::Link
+    }
+
+    /// The contact. A point given in another frame is converted to the struck link at this pose, and moves with it.
+    pub fn contact_at(&self, pose: &Pose) -> Contact {
+        let given = Vector3::from(self.question.point);
+        let point = pose.point_in_link(self.link, self.against, self.question.frame, given);
+        Contact { link: self.link, against: self.against, point, normal: self.normal }
+    }
+
+    /// The contact where its point is given in the frame of the struck link.
+    pub fn contact_in_link(&self) -> Option<Contact> {
+        let point = Vector3::from(self.question.point);
+        self.point_is_in_link().then_some(Contact {
+            link: self.link,
+            against: self.against,
+            point,
+            normal: self.normal,
+        })
+    }
+
+    /// Where a point given in another frame was found.
+    pub fn about_point(&self, contact: &Contact, place: &str) -> Option<Finding> {
+        let frame = match self.question.frame {
+            Frame::Link => return None,
+            Frame::World => "world",
+            Frame::Against => "against",
+        };
+        let [x, y, z]: [f64; 3] = contact.point.into();
+        let link = self.system.mechanism().link(contact.link).name();
+        let message = format!(
+            "the contact point given in another frame (--frame {frame}) is {x},{y},{z} m in the frame of link \"{link}\", \
+             converted {place}; it moves with the link"
+        );
+        Some(Finding::note("point-converted", Subject::Link(contact.link), message))
+    }
+
+    /// What became of the guesses.
+    pub fn about_guesses(&self, pose: &Pose) -> Vec<Finding> {
+        about_guesses(&self.system, pose, &self.configuration)
+    }
+
+    /// The answer at a pose.
+    pub fn answer(&self, pose: &Pose, contact: &Contact) -> Result<Answer, StudyError> {
+        let system = &self.system;
+        let response = pose.respond(contact, RouteChoice::Auto)?;
+        let mut findings = about_pose(system, pose);
+        findings.extend(about_response(system, contact, &response));
+        let limits =
+            if response.singular_pose { pose.branch_limits(contact) } else { BranchLimits::default() };
+        findings.extend(about_branches(system, pose, &response, &limits));
+        for held in &self.held {
+            findings.extend(held.find(pose, contact, self.other_mass())?);
+        }
+        let estimate = self.estimate.as_ref().map(|e| e.beside(pose, &response));
+        let Some(other) = self.other_mass() else {
+            return Ok(Answer { response, alone: None, limits, estimate, findings });
+        };
+        if response.effective_mass == EffectiveMass::Immovable {
+            let message = "the mechanism itself is immovable at this contact: only the other body's mass counts (--against-mass)";
+            findings.push(Finding::note("immovable-mechanism", Subject::Answer, message));
+        }
+        let with_other = response.clone().against_mass(other);
+        Ok(Answer { response: with_other, alone: Some(response), limits, estimate, findings })
+    }
+
+    /// The effective mass at a pose and nothing beside it, a free body on the other side included.
+    pub fn effective_mass(&self, pose: &Pose, contact: &Contact) -> Result<EffectiveMass, StudyError> {
+        let response = pose.respond(contact, RouteChoice::Auto)?;
+        Ok(match self.other_mass() {
+            Some(other) => response.against_mass(other).effective_mass,
+            None => response.effective_mass,
+        })
+    }
+}
+
+/// A question that is answered at the pose of `--set`.
+#[derive(Debug)]
+pub(crate) struct Answered<'a> {
+    pub prepared: Prepared<'a>,
+    pub pose: Pose,
+    pub contact: Contact,
+    pub answer: Answer,
+}
+
+impl<'a> Answered<'a> {
+    /// Answers a question.
+    pub fn new(model: &'a Model, question: &'a MassQuestion) -> Result<Self, StudyError> {
+        let prepared = Prepared::new(model, question)?;
+        let pose = prepared.system.pose(&prepared.configuration)?;
+        let contact = prepared.contact_at(&pose);
+        let mut answer = prepared.answer(&pose, &contact)?;
+        answer.findings.extend(prepared.about_point(&contact, "at the pose of the answer"));
+        answer.findings.extend(prepared.about_guesses(&pose));
+        Ok(Self { prepared, pose, contact, answer })
+    }
+}
+
+/// The mechanism under the conditions of the question, but for one held contact.
+fn compile(
+    mechanism: &Arc<Mechanism>,
+    question: &MassQuestion,
+    skipped: Option<usize>,
+) -> Result<System, StudyError> {
+    let joint = |field: Field, name: &str| -> Result<JointId, StudyError> {
+        mechanism.find_joint(name).map_err(|error| StudyError::input(field, error))
+    };
+    let mut conditions = Conditions::new().base(question.base);
+    for name in &question.lock {
+        joint(Field::Lock, name)?;
+        conditions = conditions.lock(name);
+    }
+    for (name, values) in &question.armature {
+        joint(Field::Armature, name)?;
+        conditions = conditions.armature(name, values.clone());
+    }
+    for (_, hold) in question.hold.iter().enumerate().filter(|(i, _)| Some(*i) != skipped) {
+        mechanism.find_link(&hold.link).map_err(|error| StudyError::input(Field::Hold, error))?;
+        conditions = conditions.hold(&hold.link, hold.point, hold.normal.map(Vector3::from));
+    }
+    System::new(Arc::clone(mechanism), &conditions)
+        .map_err(|error| StudyError::input(Field::of_condition(&error), error))
+}
+
+/// Positions asked for.
+fn configuration(mechanism: &Arc<Mechanism>, question: &MassQuestion) -> Result<Configuration, StudyError> {
+    let mut configuration = Configuration::zero(mechanism);
+    let values = |field: Field, joint: &String, given: &GivenPosition| {
+        let id = mechanism.find_joint(joint).map_err(|error| StudyError::input(field, error))?;
+        let wrong = |source| StudyError::input(field, Fault::Position { joint: joint.clone(), source });
+        given.of_joint(mechanism.joint(id).kind()).map_err(wrong)
+    };
+    for (joint, given) in &question.set {
+        let values = values(Field::Set, joint, given)?;
+        configuration.set(joint, &values).map_err(|error| StudyError::input(Field::Set, error))?;
+    }
+    for (joint, given) in &question.guess {
+        let values = values(Field::Guess, joint, given)?;
+        configuration.guess(joint, &values).map_err(|error| StudyError::input(Field::Guess, error))?;
+    }
+    Ok(configuration)
+}
+
+/// The link of this name; `world` is the ground where no link is called so.
+fn other_side(mechanism: &Mechanism, name: &str) -> Result<Option<LinkId>, UnknownName> {
+    match mechanism.find_link(name) {
+        Ok(link) => Ok(Some(link)),
+        Err(_) if name == "world" => Ok(None),
+        Err(unknown) => Err(unknown),
+    }
+}

@@ -1,0 +1,100 @@
+//! A finding about an answer: what, about what, and where it is the same as another.
+
+use crate::record::DiagnosticRecord;
+use percuss_mechanism::{JointId, LinkId, Severity};
+use std::collections::BTreeMap;
+
+/// What a finding is about. Findings of one code about one subject are one finding, whatever their numbers are.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Subject {
+    /// The answer as a whole.
+    Answer,
+    /// A link.
+    Link(LinkId),
+    /// A joint.
+    Joint(JointId),
+    /// A loop or coupling, by name.
+    Closure(String),
+    /// A held contact, by its number in the question.
+    Hold(usize),
+}
+
+/// What the reader of an answer should know.
+#[derive(Clone, Debug)]
+pub(crate) struct Finding {
+    severity: Severity,
+    code: &'static str,
+    subject: Subject,
+    message: String,
+}
+
+impl Finding {
+    pub fn warning(code: &'static str, subject: Subject, message: impl Into<String>) -> Self {
+        Self { severity: Severity::Warning, code, subject, message: message.into() }
+    }
+
+    pub fn note(code: &'static str, subject: Subject, message: impl Into<String>) -> Self {
+        Self { severity: Severity::Note, code, subject, message: message.into() }
+    }
+}
+
+impl From<Finding> for DiagnosticRecord {
+    fn from(finding: Finding) -> Self {
+        Self::about_answer(finding.severity, finding.code, finding.message)
+    }
+}
+
+/// What was found in the rows of a sweep: each thing once, with where and how often.
+#[derive(Debug, Default)]
+pub(crate) struct Tally {
+    kinds: BTreeMap<(&'static str, Subject), Counted>,
+}
+
+#[derive(Debug)]
+struct Counted {
+    /// As it was found first.
+    finding: Finding,
+    first_row: usize,
+    rows: usize,
+}
+
+impl Tally {
+    /// Adds what was found in a row.
+    pub fn add(&mut self, row: usize, findings: impl IntoIterator<Item = Finding>) {
+        for finding in findings {
+            let kind = (finding.code, finding.subject.clone());
+            self.kinds.entry(kind).or_insert(Counted { finding, first_row: row, rows: 0 }).rows += 1;
+        }
+    }
+
+    /// Everything that was found, of so many rows; what is not in all of them has the rows.
+    pub fn into_records(self, rows: usize) -> impl Iterator<Item = DiagnosticRecord> {
+        self.kinds.into_values().map(move |counted| {
+            let mut record = DiagnosticRecord::from(counted.finding);
+            if counted.rows < rows {
+                record.message += &match counted.rows {
+                    1 => format!(" (row {})", counted.first_row),
+                    more => format!(" (row {}, and {} more)", counted.first_row, more - 1),
+                };
+            }
+            record
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Findings are distinguished by their subject, whatever their messages quote.
+    #[test]
+    fn a_message_is_not_read() {
+        let mut tally = Tally::default();
+        let rod = || Subject::Closure("rod".into());
+        tally.add(0, [Finding::note("n", rod(), "\"a\" 1")]);
+        tally.add(1, [Finding::note("n", rod(), "\"b\" 2"), Finding::note("n", Subject::Hold(0), "\"a\" 1")]);
+        tally.add(2, [Finding::note("n", rod(), "\"c\" 3")]);
+        let messages: Vec<String> = tally.into_records(3).map(|record| record.message).collect();
+        assert_eq!(messages, ["\"a\" 1", "\"a\" 1 (row 1)"]);
+    }
+}

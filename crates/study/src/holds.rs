@@ -1,0 +1,70 @@
+//! Held contacts that would have to pull: without them, the point leaves what it is held to.
+
+use crate::error::StudyError;
+use crate::finding::{Finding, Subject};
+use crate::thresholds::LEAVES;
+use nalgebra::Vector3;
+use percuss_dynamics::{Contact, ContactResponse, EffectiveMass, PointVelocity, Pose, RouteChoice, System};
+use percuss_mechanism::LinkId;
+
+/// A contact that is held along a normal, and the mechanism without it.
+#[derive(Debug)]
+pub(crate) struct HeldContact {
+    /// Its number in the question.
+    pub number: usize,
+    pub link: LinkId,
+    /// m, link's frame.
+    pub point: Vector3<f64>,
+    /// Unit vector, world axes, out of the link.
+    pub normal: Vector3<f64>,
+    pub without: System,
+}
+
+impl HeldContact {
+    /// Whether the held contact would have to pull at a pose. `other`: mass of a free body on the other side, kg.
+    pub fn find(
+        &self,
+        pose: &Pose,
+        contact: &Contact,
+        other: Option<f64>,
+    ) -> Result<Option<Finding>, StudyError> {
+        let free = self.without.pose_like(pose)?;
+        let response = free.respond(contact, RouteChoice::Auto)?;
+        let velocity = free.point_velocity_over_ground(&response, self.link, &self.point);
+        // The impact changes velocities by −v*: the point approaches what it is held to where −v*·n > 0.
+        let lifts = match velocity {
+            Some(PointVelocity::Known(v)) => pose.base().vector(&v).dot(&self.normal) > LEAVES,
+            Some(PointVelocity::Undetermined) | None => false,
+        };
+        let name = self.without.mechanism().link(self.link).name();
+        let subject = Subject::Hold(self.number);
+        if lifts {
+            let message = format!(
+                "the held contact of link \"{name}\" (--hold) would have to pull: the impact lifts it off; without it {}",
+                described(response, other)
+            );
+            return Ok(Some(Finding::warning("hold-pulls", subject, message)));
+        }
+        let finite = matches!(response.effective_mass, EffectiveMass::Finite(_));
+        Ok((!finite || velocity == Some(PointVelocity::Undetermined)).then(|| {
+            let message = format!(
+                "without the held contact of link \"{name}\" (--hold) the contact response is not determined: whether it \
+                 pulls cannot be decided"
+            );
+            Finding::note("hold-undetermined", subject, message)
+        }))
+    }
+}
+
+/// The effective mass in words.
+fn described(response: ContactResponse, other: Option<f64>) -> String {
+    let with_other = match other {
+        Some(other) => response.against_mass(other).effective_mass,
+        None => response.effective_mass,
+    };
+    match with_other {
+        EffectiveMass::Finite(m) => format!("the effective mass is {m} kg"),
+        EffectiveMass::Immovable => "the contact is immovable".into(),
+        EffectiveMass::Massless => "the contact is massless".into(),
+    }
+}

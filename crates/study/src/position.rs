@@ -1,0 +1,66 @@
+//! The position of a joint as it is given: numbers, each with the dimension of its unit, until the joint is known.
+
+use crate::quantity::{Quantity, QuantityError, position_dimension};
+use percuss_mechanism::JointKind;
+
+/// Numbers for the position of a joint, in the layout of its kind.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GivenPosition {
+    values: Vec<Quantity>,
+    /// For reports that repeat it; nothing is read from it.
+    text: String,
+}
+
+impl GivenPosition {
+    /// Reads numbers between commas, units allowed: `30deg`, `1,0,0,0`.
+    ///
+    /// # Errors
+    /// [`QuantityError`] of the first that is wrong.
+    pub fn parse(text: &str) -> Result<Self, QuantityError> {
+        let values = text.split(',').map(Quantity::parse).collect::<Result<_, _>>()?;
+        Ok(Self { values, text: text.to_owned() })
+    }
+
+    /// Takes numbers in SI units.
+    ///
+    /// # Errors
+    /// [`QuantityError::NotFinite`].
+    pub fn from_numbers(numbers: &[f64]) -> Result<Self, QuantityError> {
+        let values = numbers.iter().map(|x| Quantity::number(*x)).collect::<Result<_, _>>()?;
+        let text = numbers.iter().map(f64::to_string).collect::<Vec<_>>().join(",");
+        Ok(Self { values, text })
+    }
+
+    /// As it was typed.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The values in SI units, where their units are those of the joint.
+    ///
+    /// # Errors
+    /// [`QuantityError::WrongUnit`].
+    pub(crate) fn of_joint(&self, kind: JointKind) -> Result<Vec<f64>, QuantityError> {
+        let value = |(i, quantity): (usize, &Quantity)| {
+            quantity.of(position_dimension(kind, i), &quantity.to_string())
+        };
+        self.values.iter().enumerate().map(value).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_are_checked_against_the_kind_of_the_joint() {
+        let planar = GivenPosition::parse("12mm,1,90deg").unwrap();
+        assert_eq!(planar.of_joint(JointKind::Planar).unwrap(), [0.012, 1.0, std::f64::consts::FRAC_PI_2]);
+        assert!(matches!(planar.of_joint(JointKind::Revolute), Err(QuantityError::WrongUnit { .. })));
+        assert_eq!(
+            GivenPosition::from_numbers(&[0.5]).unwrap().of_joint(JointKind::Prismatic).unwrap(),
+            [0.5]
+        );
+        assert!(matches!(GivenPosition::from_numbers(&[f64::NAN]), Err(QuantityError::NotFinite { .. })));
+    }
+}

@@ -1,0 +1,92 @@
+//! Where the joints of a pose stand, by name: the names once, the numbers for every pose.
+
+use percuss_dynamics::Pose;
+use percuss_mechanism::{JointId, Mechanism};
+use serde::ser::{Serialize, SerializeMap, Serializer};
+use std::ops::Range;
+use std::sync::Arc;
+
+/// The joints that can move, by name, and where each stands among the numbers of a pose.
+#[derive(Debug, PartialEq)]
+pub struct PoseLayout {
+    joints: Vec<Place>,
+}
+
+#[derive(Debug, PartialEq)]
+struct Place {
+    name: String,
+    joint: JointId,
+    numbers: Range<usize>,
+}
+
+impl PoseLayout {
+    /// The layout of a mechanism's poses.
+    pub(crate) fn new(mechanism: &Mechanism) -> Arc<Self> {
+        let mut movable: Vec<JointId> =
+            mechanism.joint_ids().filter(|id| mechanism.joint(*id).kind().dofs() > 0).collect();
+        movable.sort_by_key(|id| mechanism.joint(*id).name());
+        let mut first = 0;
+        let place = |joint: JointId| {
+            let numbers = first..first + mechanism.joint(joint).kind().positions();
+            first = numbers.end;
+            Place { name: mechanism.joint(joint).name().to_owned(), joint, numbers }
+        };
+        Arc::new(Self { joints: movable.into_iter().map(place).collect() })
+    }
+
+    /// The joints, and how many numbers each position has.
+    pub fn joints(&self) -> impl Iterator<Item = (&str, usize)> {
+        self.joints.iter().map(|place| (place.name.as_str(), place.numbers.len()))
+    }
+}
+
+/// Position of every movable joint, in the layout of `--set`; empty where a pose was not reached. In JSON a list for
+/// each name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Positions {
+    layout: Arc<PoseLayout>,
+    values: Vec<f64>,
+}
+
+impl Positions {
+    pub(crate) fn of(layout: &Arc<PoseLayout>, pose: &Pose) -> Self {
+        let values = layout.joints.iter().flat_map(|place| pose.joint(place.joint)).copied().collect();
+        Self { layout: Arc::clone(layout), values }
+    }
+
+    pub(crate) fn none(layout: &Arc<PoseLayout>) -> Self {
+        Self { layout: Arc::clone(layout), values: Vec::new() }
+    }
+
+    /// The positions by name; nothing where there is no pose.
+    pub fn iter(&self) -> impl Iterator<Item = (&str, &[f64])> {
+        let known = self.layout.joints.iter().filter(|place| place.numbers.end <= self.values.len());
+        known.map(|place| (place.name.as_str(), &self.values[place.numbers.clone()]))
+    }
+
+    /// The position of a joint.
+    pub fn get(&self, joint: &str) -> Option<&[f64]> {
+        let at = self.layout.joints.binary_search_by(|place| place.name.as_str().cmp(joint)).ok()?;
+        self.values.get(self.layout.joints[at].numbers.clone())
+    }
+
+    /// How many joints can move.
+    pub fn len(&self) -> usize {
+        self.iter().count()
+    }
+
+    /// Whether none can, or there is no pose.
+    pub fn is_empty(&self) -> bool {
+        self.values.is_empty()
+    }
+}
+
+impl Serialize for Positions {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        for (joint, values) in self.iter() {
+            map.serialize_entry(joint, values)?;
+        }
+        map.end()
+    }
+}

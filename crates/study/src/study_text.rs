@@ -1,0 +1,247 @@
+//! The text of a study file: its keys, and what they mean.
+
+use crate::closure_text::ClosureText;
+use crate::damping_question::DampingQuestion;
+use crate::position::GivenPosition;
+use crate::question::{EstimateQuestion, Hold, MassQuestion, Normal};
+use crate::refusal::Refusal;
+use crate::study_value;
+use percuss_contact::exports::Tool;
+use percuss_contact::{Law, Separation};
+use percuss_dynamics::{Base, Frame};
+use serde::Deserialize;
+use std::collections::BTreeMap;
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct StudyText {
+    pub model: ModelText,
+    #[serde(default)]
+    pub conditions: ConditionsText,
+    #[serde(default)]
+    pub pose: PoseText,
+    pub contact: ContactText,
+    #[serde(default)]
+    pub closure: Vec<ClosureText>,
+    #[serde(default)]
+    pub hold: Vec<HoldText>,
+    pub damping: Option<DampingText>,
+    pub sweep: Option<SweepText>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct ModelText {
+    pub path: String,
+    #[serde(default)]
+    pub accept: Vec<String>,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct ConditionsText {
+    pub base: Option<String>,
+    #[serde(default)]
+    pub lock: Vec<String>,
+    #[serde(default)]
+    pub armature: BTreeMap<String, OneOrMany>,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct PoseText {
+    #[serde(default, deserialize_with = "study_value::positions")]
+    pub set: BTreeMap<String, GivenPosition>,
+    #[serde(default, deserialize_with = "study_value::positions")]
+    pub guess: BTreeMap<String, GivenPosition>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct ContactText {
+    pub link: String,
+    #[serde(deserialize_with = "study_value::lengths")]
+    pub point: [f64; 3],
+    #[serde(default, deserialize_with = "study_value::plain")]
+    pub normal: Option<[f64; 3]>,
+    pub along_line: Option<LineText>,
+    pub frame: Option<String>,
+    pub normal_frame: Option<String>,
+    pub against: Option<String>,
+    #[serde(default, deserialize_with = "study_value::mass")]
+    pub against_mass: Option<f64>,
+    pub estimate: Option<EstimateText>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct LineText {
+    pub link: String,
+    #[serde(deserialize_with = "study_value::lengths")]
+    pub point: [f64; 3],
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct EstimateText {
+    pub links: Vec<String>,
+    #[serde(default, deserialize_with = "study_value::lengths")]
+    pub point: [f64; 3],
+    #[serde(default, deserialize_with = "study_value::plain")]
+    pub direction: Option<[f64; 3]>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct DampingText {
+    #[serde(deserialize_with = "study_value::ratio")]
+    pub restitution: f64,
+    #[serde(deserialize_with = "study_value::stiffness")]
+    pub stiffness: f64,
+    pub exponent: Option<f64>,
+    #[serde(default, deserialize_with = "study_value::speed")]
+    pub speed: Option<f64>,
+    #[serde(default = "kelvin_voigt")]
+    pub law: String,
+    pub separation: Option<String>,
+    #[serde(default, rename = "for", deserialize_with = "study_value::words")]
+    pub tools: Vec<String>,
+    pub accuracy: Option<f64>,
+    #[serde(default, deserialize_with = "study_value::time")]
+    pub time_step: Option<f64>,
+    #[serde(default, deserialize_with = "study_value::mass")]
+    pub own_mass: Option<f64>,
+}
+
+fn kelvin_voigt() -> String {
+    Law::KelvinVoigt.name().to_owned()
+}
+
+impl DampingText {
+    /// As a question.
+    pub fn question(&self) -> Result<DampingQuestion, Refusal> {
+        let mut question = DampingQuestion::new(self.restitution, self.stiffness);
+        let end = |word: &String| {
+            let known = Separation::ALL.into_iter().find(|s| s.name() == word);
+            known.ok_or_else(|| {
+                Refusal::new("damping.separation", format!("\"{word}\"; expected force or gap"))
+            })
+        };
+        let separation = self.separation.as_ref().map(end).transpose()?;
+        question
+            .choose(&self.law, self.exponent, separation)
+            .map_err(|e| Refusal::new("damping.law", e.to_string()))?;
+        question.speed = self.speed;
+        question.options.accuracy = self.accuracy.unwrap_or(question.options.accuracy);
+        question.options.time_step = self.time_step;
+        question.options.own_mass = self.own_mass;
+        for tool in &self.tools {
+            match tool.as_str() {
+                "all" => question.tools.extend(Tool::ALL),
+                name => question
+                    .tools
+                    .push(Tool::from_name(name).map_err(|e| Refusal::new("damping.for", e.to_string()))?),
+            }
+        }
+        Ok(question)
+    }
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct HoldText {
+    pub link: String,
+    #[serde(deserialize_with = "study_value::lengths")]
+    pub point: [f64; 3],
+    #[serde(default, deserialize_with = "study_value::plain")]
+    pub normal: Option<[f64; 3]>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct SweepText {
+    pub vary: String,
+    pub output: Option<String>,
+}
+
+#[derive(Deserialize)]
+#[serde(untagged, expecting = "a number, or a list of numbers")]
+pub(crate) enum OneOrMany {
+    One(f64),
+    Many(Vec<f64>),
+}
+
+impl StudyText {
+    pub fn question(&self) -> Result<MassQuestion, Refusal> {
+        let contact = &self.contact;
+        let normal = match (&contact.along_line, contact.normal) {
+            (Some(line), None) => Normal::Toward(line.link.clone(), line.point),
+            (None, Some(normal)) => Normal::Along(normal),
+            _ => return Err(Refusal::new("contact", "give either normal or along_line")),
+        };
+        let frame_of = |key: &'static str, name: &Option<String>, default: Frame| match name.as_deref() {
+            None => Ok(default),
+            Some("link") => Ok(Frame::Link),
+            Some("world") => Ok(Frame::World),
+            Some("against") => Ok(Frame::Against),
+            Some(other) => Err(Refusal::new(key, format!("\"{other}\"; expected link, world or against"))),
+        };
+        let frame = frame_of("contact.frame", &contact.frame, Frame::Link)?;
+        let normal_frame = frame_of("contact.normal_frame", &contact.normal_frame, frame)?;
+        let base = match self.conditions.base.as_deref() {
+            None | Some("fixed") => Base::Fixed,
+            Some("floating") => Base::Floating,
+            Some(other) => {
+                return Err(Refusal::new(
+                    "conditions.base",
+                    format!("\"{other}\"; expected fixed or floating"),
+                ));
+            }
+        };
+        if contact.against.is_some() && contact.against_mass.is_some() {
+            return Err(Refusal::new("contact", "give either against or against_mass"));
+        }
+        let given = |map: &BTreeMap<String, GivenPosition>| {
+            map.iter().map(|(joint, position)| (joint.clone(), position.clone())).collect()
+        };
+        Ok(MassQuestion {
+            link: contact.link.clone(),
+            point: contact.point,
+            normal,
+            frame,
+            normal_frame,
+            against: contact.against.clone(),
+            against_mass: contact.against_mass,
+            set: given(&self.pose.set),
+            guess: given(&self.pose.guess),
+            lock: self.conditions.lock.clone(),
+            hold: self
+                .hold
+                .iter()
+                .map(|h| Hold { link: h.link.clone(), point: h.point, normal: h.normal })
+                .collect(),
+            armature: self
+                .conditions
+                .armature
+                .iter()
+                .map(|(joint, values)| match values {
+                    OneOrMany::One(x) => (joint.clone(), vec![*x]),
+                    OneOrMany::Many(xs) => (joint.clone(), xs.clone()),
+                })
+                .collect(),
+            base,
+            estimate: match &contact.estimate {
+                Some(e) if e.links.is_empty() => {
+                    return Err(Refusal::new(
+                        "contact.estimate.links",
+                        "it is empty; name at least one link",
+                    ));
+                }
+                Some(e) => {
+                    Some(EstimateQuestion { links: e.links.clone(), point: e.point, direction: e.direction })
+                }
+                None => None,
+            },
+        })
+    }
+}

@@ -1,0 +1,66 @@
+//! Where numbers decide: every threshold of this crate, with its unit and its reason.
+
+use std::ops::RangeInclusive;
+
+// What a question may ask.
+
+/// A shorter vector has no direction: one typed with a few digits is longer, the difference of equal points shorter.
+/// Any unit.
+pub(crate) const SHORTEST_DIRECTION: f64 = 1e-9;
+/// Largest coordinate, m: its square is still a number, with room for sums.
+pub(crate) const LARGEST_COORDINATE: f64 = 1e100;
+/// Least mass of a free body on the other side, kg: its inverse is still a number, with room for sums.
+pub(crate) const LEAST_OTHER_MASS: f64 = 1e-100;
+/// Rows of a sweep: an hour's work at 1 ms each, and more than any plot shows.
+pub(crate) const ROWS: RangeInclusive<usize> = 1..=1_000_000;
+
+// What is reported with an answer.
+
+/// Distance of a contact point from its link's origin, in reaches of the link, from which on it is doubted: parts fixed
+/// to a link by hand stand out of it by its own size at most.
+pub(crate) const FAR_POINT: f64 = 3.0;
+/// A distance that divided by 1000 is at least this part of the reach may have been given in millimetres.
+pub(crate) const MILLIMETRES: f64 = 0.01;
+/// A relative error of m̄ above this comes with a warning: the digits that engineers compare, and what rounded files
+/// leave.
+pub(crate) const UNCERTAIN: f64 = 1e-6;
+/// An assembly is far from its guess from this angle on (rad), or from this part of the size: assembly modes are
+/// further apart, a guess read off a drawing is nearer.
+pub(crate) const FAR_FROM_GUESS: f64 = 0.5;
+/// Where the least singular value of the loops' rows that counts is below this part of the largest, figures rounded to
+/// four digits may make the difference.
+pub(crate) const WEAKLY_CONSTRAINED: f64 = 1e-4;
+/// Velocity per unit closing speed from which a held point counts as leaving: the rounding of unit velocities is far
+/// below.
+pub(crate) const LEAVES: f64 = 1e-9;
+/// Half the distance of the differences that give dm̄/dδ, in parts of the characteristic length: the cube root of
+/// rounding, where truncation and rounding are alike.
+pub(crate) const DIFFERENCE: f64 = 1e-5;
+/// Relative change of m̄ over the penetration from which one number comes with a warning: restitutions are measured to
+/// some per cent.
+pub(crate) const DRIFTING: f64 = 0.01;
+
+// How the travel of a point is reached. Steps of the driving joint are in rad, or in parts of the size.
+
+/// First step: long against rounding, short against what a mechanism bends.
+pub(crate) const FIRST_STEP: f64 = 1e-4;
+/// Longest step: about 11°, where a secant still leads to the same solution.
+pub(crate) const LONGEST_STEP: f64 = 0.2;
+/// Steps to a displacement: ranges of 12 rad, and some for the last digits.
+pub(crate) const STEPS: usize = 60;
+/// A displacement is met to this part of the size: the tolerance to which loops close.
+pub(crate) const MET: f64 = 1e-12;
+/// And this part is rounding of the pose, not a miss, where a point far from the joint moves fast.
+pub(crate) const ROUNDED: f64 = 1e-9;
+/// A joint that moves the point by less (sizes per rad, or m per m) does not drive it.
+pub(crate) const UNMOVED: f64 = 1e-6;
+
+// How often rows out of reach are tried.
+
+/// Rows tried from one start between where the first search ended and where it was to go: the end of a travel is found
+/// to a few per cent at the first, and closer at each.
+pub(crate) const PROBABLE: usize = 16;
+/// Rows tried one after another without an answer where each starts otherwise: some ten seconds of a small linkage.
+pub(crate) const UNRELATED: usize = 10_000;
+/// A value this close to an end (relative, and absolutely below 1) may be the end itself, found to rounding.
+pub(crate) const AT_END: f64 = 1e-9;

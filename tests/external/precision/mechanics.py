@@ -1,0 +1,489 @@
+"""Effective masses in many digits, from nothing but the numbers of a mechanism.
+
+m = min { v'Mv : A v = 0, j v = 1 }, three ways that share only the positions of the bodies:
+
+- `by_recursion`: open trees, from the leaves to the root, O(n).
+- `by_joints`: mass matrix over the joints, kernel of the closures' rows, one linear solve.
+- `by_bodies`: six velocities for every body, every joint a constraint, the KKT equations.
+
+Numbers come as decimal strings and count as the doubles nearest to them, exactly. Everything after that is done in
+`mp.dps` digits. All vectors are in the root link's axes; twists are (turning, velocity at the root's origin).
+"""
+
+from mpmath import mp, mpf
+
+mp.dps = 90
+
+# Lengths decide a rank; they are of order one to 1e4, and the noise is 1e-80.
+RANK = mpf(10) ** -40
+
+
+def numbers(text):
+    """The doubles of a string of decimals."""
+    return [mpf(float(word)) for word in text.split()]
+
+
+# Three-vectors and 3x3 matrices as lists.
+
+def dot(a, b):
+    return sum((x * y for x, y in zip(a, b)), mpf(0))
+
+
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+def add(a, b):
+    return [x + y for x, y in zip(a, b)]
+
+
+def sub(a, b):
+    return [x - y for x, y in zip(a, b)]
+
+
+def times(s, a):
+    return [s * x for x in a]
+
+
+def unit(a):
+    return times(1 / mp.sqrt(dot(a, a)), a)
+
+
+def apply(r, a):
+    return [dot(row, a) for row in r]
+
+
+def product(r, s):
+    columns = list(zip(*s))
+    return [[dot(row, c) for c in columns] for row in r]
+
+
+def transpose(r):
+    return [list(row) for row in zip(*r)]
+
+
+def about(axis, angle):
+    """The rotation about a unit vector (Rodrigues)."""
+    s, c = mp.sin(angle), mp.cos(angle)
+    x, y, z = axis
+    t = 1 - c
+    return [
+        [t * x * x + c, t * x * y - s * z, t * x * z + s * y],
+        [t * x * y + s * z, t * y * y + c, t * y * z - s * x],
+        [t * x * z - s * y, t * y * z + s * x, t * z * z + c],
+    ]
+
+
+def of_rpy(rpy):
+    """Rz(yaw) Ry(pitch) Rx(roll), URDF's."""
+    one, zero = mpf(1), mpf(0)
+    x, y, z = [one, zero, zero], [zero, one, zero], [zero, zero, one]
+    return product(about(z, rpy[2]), product(about(y, rpy[1]), about(x, rpy[0])))
+
+
+def perpendiculars(a):
+    """Two unit vectors normal to a and to one another."""
+    least = min(range(3), key=lambda i: abs(a[i]))
+    e = [mpf(int(i == least)) for i in range(3)]
+    t = unit(cross(a, e))
+    return t, cross(a, t)
+
+
+class Joint:
+    def __init__(self, kind, parent, xyz, axis, rpy=""):
+        self.kind, self.parent = kind, parent
+        self.xyz, self.turn = numbers(xyz), of_rpy(numbers(rpy or "0 0 0"))
+        self.axis = unit(numbers(axis))
+
+
+class Body:
+    """Nothing, or mass, centre, moments about the centre in the link's axes."""
+
+    def __init__(self, row):
+        self.mass = mpf(0)
+        if row:
+            self.mass = numbers(row[0])[0]
+            self.centre = numbers(row[1])
+            xx, xy, xz, yy, yz, zz = numbers(row[2])
+            self.moments = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
+            if len(row) > 3:
+                r = of_rpy(numbers(row[3]))
+                self.moments = product(product(r, self.moments), transpose(r))
+
+
+class Loop:
+    """A revolute closure: frames are parallel to their links' axes."""
+
+    def __init__(self, row):
+        self.predecessor, before, self.successor, after, axis = row
+        self.before, self.after, self.axis = numbers(before), numbers(after), unit(numbers(axis))
+
+
+class Mechanism:
+    """Read from a fixture's rows (README.md); `count` links besides the root, all by default."""
+
+    def __init__(self, rows, count=None):
+        links = rows["links"]
+        count = len(links) - 1 if count is None else count
+        full = [links[row] if isinstance(row, int) else row for row in links[: count + 1]]
+        self.bodies = [Body(row) for row in full]
+        # The joint i carries the link i; the root has none.
+        self.joints = [None] + [Joint(*row[:5]) for row in rows["joints"][:count]]
+        self.loops = [Loop(row) for row in rows.get("loops", [])]
+        assert len(self.joints) == len(self.bodies)
+
+    def moving(self):
+        return [i for i, j in enumerate(self.joints) if j and j.kind != "f"]
+
+
+class Position:
+    """Where the bodies stand; q maps joint to value."""
+
+    def __init__(self, mechanism, q, floating=False):
+        self.mechanism, self.q, self.floating = mechanism, q, floating
+        one, zero = mpf(1), mpf(0)
+        self.r = [[[one, zero, zero], [zero, one, zero], [zero, zero, one]]]
+        self.p = [[zero, zero, zero]]
+        self.axis = [None]
+        for i, joint in enumerate(mechanism.joints[1:], 1):
+            r0, p0 = self.r[joint.parent], self.p[joint.parent]
+            p = add(p0, apply(r0, joint.xyz))
+            r = product(r0, joint.turn)
+            axis = apply(r, joint.axis)
+            if joint.kind == "c":
+                r = product(r, about(joint.axis, q[i]))
+            elif joint.kind == "p":
+                p = add(p, times(q[i], axis))
+            self.r.append(r)
+            self.p.append(p)
+            self.axis.append(axis)
+
+    def point(self, body, p):
+        return add(self.p[body], apply(self.r[body], p))
+
+    def column(self, i):
+        """The twist of a unit rate of joint i."""
+        if self.mechanism.joints[i].kind == "c":
+            return self.axis[i] + cross(self.p[i], self.axis[i])
+        return [mpf(0)] * 3 + self.axis[i]
+
+    def inertia(self, i):
+        """6x6 about the root's origin: [[I, m c~], [-m c~, m]]."""
+        body = self.mechanism.bodies[i]
+        zero = mpf(0)
+        out = [[zero] * 6 for _ in range(6)]
+        if body.mass == 0:
+            return out
+        m = body.mass
+        c = self.point(i, body.centre)
+        about_centre = product(product(self.r[i], body.moments), transpose(self.r[i]))
+        cc = dot(c, c)
+        for a in range(3):
+            for b in range(3):
+                out[a][b] = about_centre[a][b] + m * ((cc if a == b else 0) - c[a] * c[b])
+            out[3 + a][3 + a] = m
+        h = times(m, c)
+        for a, b, value in [(0, 1, -h[2]), (0, 2, h[1]), (1, 2, -h[0])]:
+            out[a][3 + b] = out[3 + b][a] = value
+            out[b][3 + a] = out[3 + a][b] = -value
+        return out
+
+    def touched(self, contact):
+        """Point and normal in the root's axes."""
+        point = self.point(contact["on"], numbers(contact["point"]))
+        normal = unit(numbers(contact["normal"]))
+        return point, normal if contact["world"] else apply(self.r[contact["on"]], normal)
+
+
+def dot6(a, b):
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3] + a[4] * b[4] + a[5] * b[5]
+
+
+def by_recursion(position, contacts):
+    """Masses of an open tree; None where a contact does not move."""
+    mechanism = position.mechanism
+    assert not mechanism.loops
+    n = len(mechanism.bodies)
+    inertia = [position.inertia(i) for i in range(n)]
+    zero6 = [mpf(0)] * 6
+    force = [[None] * n for _ in contacts]
+    for f, contact in zip(force, contacts):
+        p, normal = position.touched(contact)
+        w = cross(p, normal) + normal
+        f[contact["on"]] = w
+        against = contact["against"]
+        if against is not None:
+            f[against] = sub(f[against] or zero6, w)
+    inverse = [mpf(0)] * len(contacts)
+    for i in range(n - 1, 0, -1):
+        joint, own = mechanism.joints[i], inertia[i]
+        parent = inertia[joint.parent]
+        if joint.kind == "f":
+            for a in range(6):
+                for b in range(6):
+                    parent[a][b] += own[a][b]
+            for f in force:
+                if f[i] is not None:
+                    f[joint.parent] = add(f[joint.parent] or zero6, f[i])
+            continue
+        s = position.column(i)
+        u = [dot6(row, s) for row in own]
+        d = dot6(s, u)
+        for a in range(6):
+            scaled = u[a] / d
+            for b in range(a, 6):
+                parent[a][b] += own[a][b] - scaled * u[b]
+                parent[b][a] = parent[a][b]
+        for k, f in enumerate(force):
+            if f[i] is not None:
+                t = dot6(s, f[i])
+                inverse[k] += t * t / d
+                passed = [x - y * t / d for x, y in zip(f[i], u)]
+                f[joint.parent] = add(f[joint.parent] or zero6, passed)
+        inertia[i] = None
+    if position.floating:
+        for k, f in enumerate(force):
+            if f[0] is not None:
+                inverse[k] += dot6(f[0], solve(inertia[0], [[x] for x in f[0]], column=0))
+    return [1 / x if x > RANK else None for x in inverse]
+
+
+def solve(matrix, right, column=None):
+    """Gauss with partial pivots of scaled rows."""
+    n = len(matrix)
+    work = []
+    for row, r in zip(matrix, right):
+        scale = 1 / max(abs(x) for x in row)
+        work.append([x * scale for x in list(row) + list(r)])
+    for k in range(n):
+        best = max(range(k, n), key=lambda i: abs(work[i][k]))
+        work[k], work[best] = work[best], work[k]
+        pivot = work[k]
+        assert pivot[k] != 0
+        for i in range(k + 1, n):
+            row = work[i]
+            if row[k]:
+                factor = row[k] / pivot[k]
+                work[i] = [mpf(0)] * (k + 1) + [x - factor * y for x, y in zip(row[k + 1:], pivot[k + 1:])]
+    width = len(work[0]) - n
+    out = [[mpf(0)] * width for _ in range(n)]
+    for k in range(n - 1, -1, -1):
+        for c in range(width):
+            known = sum((work[k][i] * out[i][c] for i in range(k + 1, n)), mpf(0))
+            out[k][c] = (work[k][n + c] - known) / work[k][k]
+    return out if column is None else [row[column] for row in out]
+
+
+def eliminate(rows):
+    """Gauss-Jordan with complete pivoting: [(row, column)] of the pivots and the reduced rows. A pivot is clear of
+    zero by 1e-40, and what is left is below that by 1e20 at least: no rank is a matter of taste here."""
+    work = [list(row) for row in rows]
+    free = set(range(len(work)))
+    columns = set(range(len(work[0]))) if work else set()
+    pivots = []
+    while free and columns:
+        size, i, k = max((abs(work[i][k]), i, k) for i in free for k in columns)
+        if size < RANK:
+            assert size < RANK * mpf(10) ** -20, f"rank in doubt: {mp.nstr(size)}"
+            break
+        free.discard(i)
+        columns.discard(k)
+        pivots.append((i, k))
+        inverse = 1 / work[i][k]
+        work[i] = [x * inverse for x in work[i]]
+        for other in range(len(work)):
+            factor = work[other][k]
+            if other != i and factor:
+                work[other] = [x - factor * y for x, y in zip(work[other], work[i])]
+    return pivots, work
+
+
+def paths(position):
+    """For every body the coordinates that move it."""
+    mechanism = position.mechanism
+    base = list(range(6)) if position.floating else []
+    place = {i: len(base) + k for k, i in enumerate(mechanism.moving())}
+    out = [base]
+    for i, joint in enumerate(mechanism.joints[1:], 1):
+        out.append(out[joint.parent] + ([place[i]] if i in place else []))
+    columns = [[mpf(int(a == b)) for a in range(6)] for b in base]
+    columns += [position.column(i) for i in mechanism.moving()]
+    return out, columns
+
+
+def velocity_rows(position, path, columns, p):
+    """Rows of turning and of velocity at the point p, for a body moved by `path`."""
+    rows = [[mpf(0)] * len(columns) for _ in range(6)]
+    for k in path:
+        turning, at_origin = columns[k][:3], columns[k][3:]
+        v = add(at_origin, cross(turning, p))
+        for a in range(3):
+            rows[a][k], rows[3 + a][k] = turning[a], v[a]
+    return rows
+
+
+def closure_rows(position, path, columns):
+    """A and the residuals of the loops."""
+    rows, residual = [], []
+    for loop in position.mechanism.loops:
+        before, after = loop.predecessor, loop.successor
+        p, s = position.point(before, loop.before), position.point(after, loop.after)
+        one = velocity_rows(position, path[before], columns, p)
+        two = velocity_rows(position, path[after], columns, s)
+        difference = [sub(b, a) for a, b in zip(one, two)]
+        rows += difference[3:]
+        residual += sub(s, p)
+        axis, other = apply(position.r[before], loop.axis), apply(position.r[after], loop.axis)
+        for t in perpendiculars(axis):
+            # d(t . other) = (turning of the successor - of the predecessor) . (other x t)
+            weights = cross(other, t)
+            rows.append([dot(weights, column) for column in zip(*difference[:3])])
+            residual.append(dot(t, other))
+    return rows, residual
+
+
+def closed(mechanism, drivers, guess, floating=False):
+    """The position at which loops close, by Newton's method from the guess."""
+    dependent = sorted(guess)
+    moving = mechanism.moving()
+    q = {**drivers, **{i: mpf(x) for i, x in guess.items()}}
+    for _ in range(60):
+        position = Position(mechanism, q)
+        path, columns = paths(position)
+        rows, residual = closure_rows(position, path, columns)
+        if max(map(abs, residual)) < mpf(10) ** (8 - mp.dps):
+            return Position(mechanism, q, floating)
+        chosen = [[row[moving.index(i)] for i in dependent] + [-r] for row, r in zip(rows, residual)]
+        # Pivots among the unknowns only; dropped rows follow from the others.
+        pivots, _ = eliminate([row[:-1] for row in chosen])
+        assert len(pivots) == len(dependent), "the dependent joints are not determined"
+        square = [chosen[i] for i, _ in pivots]
+        step = solve([row[:-1] for row in square], [[row[-1]] for row in square], column=0)
+        for i, x in zip(dependent, step):
+            q[i] += x
+    raise ArithmeticError(f"the loops do not close: {mp.nstr(max(map(abs, residual)))}")
+
+
+def kernel(rows, n):
+    """A basis of the vectors that the rows send to zero, as columns' lists."""
+    pivots, work = eliminate(rows)
+    bound = {k for _, k in pivots}
+    basis = []
+    for f in range(n):
+        if f not in bound:
+            v = [mpf(0)] * n
+            v[f] = mpf(1)
+            for i, k in pivots:
+                v[k] = -work[i][f]
+            basis.append(v)
+    return basis
+
+
+def by_joints(position, contacts):
+    """Masses over the joints' rates; None where a contact does not move. Loops must be closed."""
+    mechanism = position.mechanism
+    path, columns = paths(position)
+    n = len(columns)
+    mass = [[mpf(0)] * n for _ in range(n)]
+    for i, body in enumerate(mechanism.bodies):
+        if body.mass == 0:
+            continue
+        inertia = position.inertia(i)
+        momenta = {k: apply(inertia, columns[k]) for k in path[i]}
+        for a in path[i]:
+            for b in path[i]:
+                mass[a][b] += dot(columns[a], momenta[b])
+    rows, residual = closure_rows(position, path, columns)
+    assert not residual or max(map(abs, residual)) < mpf(10) ** (10 - mp.dps)
+    basis = kernel(rows, n) if rows else [[mpf(int(a == b)) for a in range(n)] for b in range(n)]
+    images = [apply(mass, v) for v in basis]
+    reduced = [[dot(v, image) for image in images] for v in basis]
+    out = []
+    for contact in contacts:
+        p, normal = position.touched(contact)
+        j = [mpf(0)] * n
+        for body, sign in [(contact["on"], 1), (contact["against"], -1)]:
+            if body is not None:
+                velocity = velocity_rows(position, path[body], columns, p)[3:]
+                j = add(j, [sign * dot(normal, column) for column in zip(*velocity)])
+        row = [dot(j, v) for v in basis]
+        if not row or max(map(abs, row)) < RANK:
+            out.append(None)
+            continue
+        inverse = dot(row, solve(reduced, [[x] for x in row], column=0))
+        out.append(1 / inverse)
+    return out
+
+
+def by_bodies(position, contacts):
+    """Masses over six velocities of every body: (turning, velocity of the centre), every joint a constraint."""
+    mechanism = position.mechanism
+    n = len(mechanism.bodies)
+    centres = [position.point(i, b.centre) if b.mass else position.p[i] for i, b in enumerate(mechanism.bodies)]
+
+    def row(parts):
+        out = [mpf(0)] * (6 * n)
+        for body, turning, velocity in parts:
+            for a in range(3):
+                out[6 * body + a] += turning[a]
+                out[6 * body + 3 + a] += velocity[a]
+        return out
+
+    def point(body, p, direction, sign=1):
+        """sign direction . velocity at p."""
+        return body, times(sign, cross(sub(p, centres[body]), direction)), times(sign, direction)
+
+    zero = [mpf(0)] * 3
+    axes = [[mpf(int(a == b)) for a in range(3)] for b in range(3)]
+    rows = []
+
+    def alike(one, two, p, axis, turns, slides):
+        """Two bodies that move alike at p, but for turning about, or sliding along, the axis."""
+        across = perpendiculars(axis)
+        for direction in across if turns else axes:
+            rows.append(row([(one, direction, zero), (two, times(-1, direction), zero)]))
+        for direction in across if slides else axes:
+            rows.append(row([point(one, p, direction), point(two, p, direction, -1)]))
+
+    if not position.floating:
+        rows += [row([(0, e, zero)]) for e in axes] + [row([(0, zero, e)]) for e in axes]
+    for i, joint in enumerate(mechanism.joints[1:], 1):
+        alike(joint.parent, i, position.p[i], position.axis[i], joint.kind == "c", joint.kind == "p")
+    for loop in mechanism.loops:
+        p = position.point(loop.predecessor, loop.before)
+        alike(loop.predecessor, loop.successor, p, apply(position.r[loop.predecessor], loop.axis), True, False)
+    pivots, _ = eliminate(rows)
+    rows = [rows[i] for i, _ in pivots]
+    size, m = 6 * n, len(rows)
+    kkt = [[mpf(0)] * (size + m) for _ in range(size + m)]
+    for i, body in enumerate(mechanism.bodies):
+        if body.mass:
+            moments = product(product(position.r[i], body.moments), transpose(position.r[i]))
+            for a in range(3):
+                for b in range(3):
+                    kkt[6 * i + a][6 * i + b] = moments[a][b]
+                kkt[6 * i + 3 + a][6 * i + 3 + a] = body.mass
+    for k, r in enumerate(rows):
+        for a, x in enumerate(r):
+            kkt[a][size + k] = kkt[size + k][a] = x
+    right = [[] for _ in range(size + m)]
+    forces = []
+    for contact in contacts:
+        p, normal = position.touched(contact)
+        parts = [point(contact["on"], p, normal)]
+        if contact["against"] is not None:
+            parts.append(point(contact["against"], p, normal, -1))
+        forces.append(row(parts))
+        for a in range(size + m):
+            right[a].append(forces[-1][a] if a < size else mpf(0))
+    velocities = solve(kkt, right)
+    out = []
+    for k, force in enumerate(forces):
+        inverse = sum((f * velocities[a][k] for a, f in enumerate(force)), mpf(0))
+        out.append(1 / inverse if abs(inverse) > RANK else None)
+    return out
+
+
+def masses(position, contacts):
+    """By the formulation that suits."""
+    return by_joints(position, contacts) if position.mechanism.loops else by_recursion(position, contacts)

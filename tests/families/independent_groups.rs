@@ -1,0 +1,246 @@
+//! Mechanisms beside one another on the same ground have nothing to do with one another: what is asked of one is answered
+//! to the last bit as without the other, whatever its size and however inexact its loops are.
+
+use percuss_mechanism::{JointId, LinkId, Mechanism};
+use percuss_oracle::alter::{beside, scaled};
+use percuss_oracle::linkage::contradicting;
+use percuss_oracle::linkage::family::{Drawn, Kind, drawn_as};
+use percuss_oracle::zoo;
+use percuss_spatial::Vector3;
+use percuss_tests::answer::{Answer, Answered, Model};
+use percuss_tests::tally::{Tally, over};
+use std::sync::LazyLock;
+
+const SIZES: [f64; 5] = [1e-4, 1e-2, 1.0, 1e2, 1e4];
+const FRACTIONS: [f64; 4] = [0.0, 1e-7, 1e-5, 1e-4];
+
+const ANSWERED: &str = "answered beside the other as alone";
+const POSITIONS: &str = "positions";
+const MASS: &str = "mass";
+const ERROR: &str = "stated error";
+const STATUS: &str = "status";
+const SINGULAR: &str = "singular pose";
+const FREEDOMS: &str = "freedoms add up";
+const GENERIC: &str = "generic freedoms and redundant rows add up";
+const TRUE_MASS: &str = "mass of route C, alone";
+const TRUE_MASS_BESIDE: &str = "mass of route C, beside the other";
+
+/// A part of a mechanism, and its contacts: link, point, normal and m̄ by route C of the exact twin.
+struct Part {
+    what: String,
+    mechanism: Mechanism,
+    contacts: Vec<(String, Vector3<f64>, Vector3<f64>, f64)>,
+    /// How far from route C m̄ may be.
+    bound: f64,
+}
+
+impl Part {
+    fn of_family(seed: u64, kind: Kind, size: f64, fraction: f64) -> Self {
+        let exact: Drawn = drawn_as(seed, kind);
+        let name = |link: LinkId| exact.mechanism.link(link).name().to_owned();
+        let contacts = exact.contacts.iter();
+        Self {
+            what: format!("{kind:?} of {size:e} m, off by {fraction:e}"),
+            mechanism: contradicting(seed, kind, size, fraction),
+            contacts: contacts
+                .map(|touch| (name(touch.link), touch.point * (size / exact.size), touch.normal, touch.mass))
+                .collect(),
+            bound: f64::max(1e-9, 1e3 * fraction),
+        }
+    }
+
+    /// An open chain of a size.
+    fn chain(size: f64) -> Self {
+        let mechanism = scaled(&zoo::double_pendulum(), size, 1.0);
+        Self { what: format!("chain of {size:e} m"), mechanism, contacts: Vec::new(), bound: 0.0 }
+    }
+}
+
+/// All that is answered about a part.
+struct Seen {
+    generic: (usize, usize),
+    freedoms: usize,
+    positions: Vec<Vec<u64>>,
+    answers: Vec<Answer>,
+}
+
+/// Looks at a part of a mechanism, its names bearing a prefix there; what belongs to the whole is of the whole.
+fn look(model: &Model, mechanism: &Mechanism, part: &Part, prefix: &str) -> Answered<Seen> {
+    let zero = model.at(&[])?;
+    let joints: Vec<JointId> = part
+        .mechanism
+        .joints()
+        .iter()
+        .map(|joint| mechanism.find_joint(&format!("{prefix}{}", joint.name())).expect("a joint"))
+        .collect();
+    let respond = |(link, point, normal, _): &(String, Vector3<f64>, Vector3<f64>, f64)| {
+        let link = mechanism.find_link(&format!("{prefix}{link}")).expect("a link");
+        zero.respond(link, *point, *normal)
+    };
+    let answers: Vec<Answer> = part.contacts.iter().map(respond).collect::<Answered<_>>()?;
+    // A part that is never struck moves with all its joints: it is a chain.
+    let freedoms = answers.first().map_or(joints.len(), |answer| answer.degrees_of_freedom);
+    let bits = |id: &JointId| zero.joint(*id).iter().map(|q| q.to_bits()).collect();
+    Ok(Seen { generic: model.generic()?, freedoms, positions: joints.iter().map(bits).collect(), answers })
+}
+
+fn alone(part: &Part) -> Answered<Seen> {
+    let mechanism = beside(&[("", &part.mechanism)]);
+    look(&Model::new(beside(&[("", &part.mechanism)]))?, &mechanism, part, "")
+}
+
+/// A pair that is asked about `y`.
+struct Case {
+    x: Part,
+    y: Part,
+    column: String,
+    x_first: bool,
+}
+
+fn same(a: f64, b: f64) -> bool {
+    a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan())
+}
+
+fn judge(case: &Case, tally: &mut Tally) {
+    let Case { x, y, column, x_first } = case;
+    let label = format!("{} beside {} (x first: {x_first})", y.what, x.what);
+    let parts = [("x_", &x.mechanism), ("y_", &y.mechanism)];
+    let parts = if *x_first { parts } else { [parts[1], parts[0]] };
+    let together = beside(&parts);
+    let pair = Model::new(beside(&parts)).and_then(|model| look(&model, &together, y, "y_"));
+    let (own, other) = (alone(y), alone(x));
+    let (pair, own, other) = match (pair, own, other) {
+        (Ok(pair), Ok(own), Ok(other)) => (pair, own, other),
+        (pair, own, other) => {
+            // Together they may be refused where one of them is.
+            let holds = pair.is_ok() == (own.is_ok() && other.is_ok());
+            let words = [pair, own, other].map(|seen| seen.map_or_else(|error| error, |_| "answered".into()));
+            tally
+                .check(ANSWERED, column, holds, || format!("{label}: together, alone, the other: {words:?}"));
+            return;
+        }
+    };
+    tally.check(ANSWERED, column, true, String::new);
+    let generic = (own.generic.0 + other.generic.0, own.generic.1 + other.generic.1);
+    tally.check(GENERIC, column, pair.generic == generic, || {
+        format!("{label}: {:?}, expected {:?} + {:?}", pair.generic, own.generic, other.generic)
+    });
+    let freedoms = own.freedoms + other.freedoms;
+    tally.check(FREEDOMS, column, pair.freedoms == freedoms, || {
+        format!("{label}: {}, expected {} + {}", pair.freedoms, own.freedoms, other.freedoms)
+    });
+    tally.check(POSITIONS, column, pair.positions == own.positions, || {
+        let floats = |seen: &Seen| -> Vec<f64> {
+            seen.positions.iter().flatten().map(|bits| f64::from_bits(*bits)).collect()
+        };
+        format!("{label}: {:?}, alone {:?}", floats(&pair), floats(&own))
+    });
+    for (number, ((a, b), contact)) in pair.answers.iter().zip(&own.answers).zip(&y.contacts).enumerate() {
+        let line = || format!("{label}, contact {number}: {a:?}, alone {b:?}");
+        tally.check(STATUS, column, a.status == b.status, line);
+        tally.check(SINGULAR, column, a.singular == b.singular, line);
+        tally.check(MASS, column, same(a.mass, b.mass), line);
+        tally.check(ERROR, column, same(a.error, b.error), line);
+        for (asked, answer) in [(TRUE_MASS, b), (TRUE_MASS_BESIDE, a)] {
+            let off = (answer.mass / contact.3 - 1.0).abs();
+            tally.check(asked, column, off <= y.bound, || format!("{}; route C {} kg", line(), contact.3));
+        }
+    }
+}
+
+/// Every size and inexactness beside every other size and inexactness, and beside open chains.
+fn cases() -> Vec<Case> {
+    const KINDS: [(u64, Kind); 3] = [(5, Kind::FourBar), (11, Kind::Cranks(3)), (4, Kind::SliderCrank)];
+    let mut cases = Vec::new();
+    for y_size in SIZES {
+        for y_fraction in FRACTIONS {
+            for x_size in SIZES.into_iter().filter(|size| *size != y_size) {
+                for x_fraction in FRACTIONS.map(Some).into_iter().chain([None]) {
+                    let count = cases.len();
+                    let (seed, kind) = KINDS[count % 3];
+                    let y = Part::of_family(seed, kind, y_size, y_fraction);
+                    let (seed, kind) = KINDS[count / 3 % 2];
+                    let x = match x_fraction {
+                        Some(fraction) => Part::of_family(seed, kind, x_size, fraction),
+                        None => Part::chain(x_size),
+                    };
+                    let column = x_fraction
+                        .map_or("beside a chain".into(), |fraction| format!("beside off by {fraction:e}"));
+                    cases.push(Case { x, y, column, x_first: count % 2 == 0 });
+                }
+            }
+        }
+    }
+    cases
+}
+
+static ALL: LazyLock<Tally> = LazyLock::new(|| over(&cases(), judge));
+
+#[test]
+fn a_pair_is_answered_where_both_are() {
+    ALL.report(ANSWERED, 80);
+}
+
+#[test]
+fn positions_are_the_same() {
+    ALL.report(POSITIONS, 1);
+}
+
+#[test]
+fn masses_are_the_same() {
+    ALL.report(MASS, 1);
+}
+
+#[test]
+fn stated_errors_are_the_same() {
+    ALL.report(ERROR, 1);
+}
+
+#[test]
+fn statuses_are_the_same() {
+    ALL.report(STATUS, 1);
+}
+
+#[test]
+fn singular_poses_are_the_same() {
+    ALL.report(SINGULAR, 1);
+}
+
+#[test]
+fn freedoms_add_up() {
+    ALL.report(FREEDOMS, 1);
+}
+
+#[test]
+fn generic_freedoms_add_up() {
+    ALL.report(GENERIC, 1);
+}
+
+#[test]
+fn masses_alone_are_route_cs() {
+    ALL.report(TRUE_MASS, 1);
+}
+
+#[test]
+fn masses_beside_the_other_are_route_cs() {
+    ALL.report(TRUE_MASS_BESIDE, 1);
+}
+
+/// A loop of 1 mm that fits exactly beside a metre that is off by 0.1 mm: a twentieth of a percent of the one is all of
+/// the other's rank if they share a threshold.
+#[test]
+fn a_millimetre_beside_a_metre() {
+    let mut tally = Tally::default();
+    for seed in 0..24 {
+        let kind = Kind::ALL[seed as usize % Kind::ALL.len()];
+        let y = Part::of_family(seed, kind, 1e-3, 0.0);
+        let x = Part::of_family(5, Kind::FourBar, 1.0, 1e-4);
+        judge(&Case { x, y, column: "1 mm".into(), x_first: seed % 2 == 0 }, &mut tally);
+    }
+    for asked in [ANSWERED, GENERIC, FREEDOMS, POSITIONS, STATUS, SINGULAR, TRUE_MASS, TRUE_MASS_BESIDE] {
+        let result = std::panic::catch_unwind(|| tally.report(asked, 1));
+        println!("{asked}: {}", if result.is_ok() { "all hold" } else { "FAILS" });
+    }
+    let wrong = tally.wrong();
+    assert!(wrong.is_empty(), "{wrong:?}");
+}

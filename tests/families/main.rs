@@ -1,0 +1,7 @@
+//! Families of mechanisms with known answers: rounded files, unlike mechanisms beside one another, loops drawn open,
+//! sizes from far too small to far too large.
+
+mod drawn_open;
+mod independent_groups;
+mod rounded_files;
+mod tiny_and_huge;

@@ -1,0 +1,83 @@
+//! How often the automatic choice leaves the recursion for the careful route, and why.
+//!
+//! `cargo test -p percuss-tests --test identities -- --ignored --nocapture fallbacks` prints the table.
+
+use percuss_dynamics::{EffectiveMass, ResponseError, Route, RouteChoice, RouteError};
+use percuss_tests::subjects::{Subject, of_linkages, of_trees};
+use std::collections::BTreeMap;
+
+/// A suite's counts.
+#[derive(Default)]
+struct Row {
+    asked: usize,
+    careful: usize,
+    /// Why, by reason; for a stated error, by its decade.
+    reasons: BTreeMap<String, usize>,
+    /// Cases that the careful route was asked for and its answer not taken: its own error is no smaller.
+    kept: usize,
+    /// Largest deviation of the recursion's answer where it was left.
+    worst: f64,
+    examples: Vec<String>,
+}
+
+fn count(row: &mut Row, subject: &Subject) {
+    let by = |choice| subject.pose.respond(&subject.contact, choice);
+    let auto = by(RouteChoice::Auto).unwrap_or_else(|error| panic!("{}: {error}", subject.name));
+    let recursive = by(RouteChoice::Only(Route::Articulated));
+    row.asked += 1;
+    let part = |response: &percuss_dynamics::ContactResponse| match response.effective_mass {
+        EffectiveMass::Finite(m) => response.error.and_then(|e| e.rounding).map(|e| e / m),
+        EffectiveMass::Immovable | EffectiveMass::Massless => None,
+    };
+    if auto.route == Route::Articulated {
+        if part(&auto).is_some_and(|stated| stated > 1e-11) {
+            row.kept += 1;
+            row.examples.push(format!("{}: vague and kept, {:?}", subject.name, auto.error));
+        }
+        return;
+    }
+    row.careful += 1;
+    let reason = match &recursive {
+        Err(ResponseError::Route(RouteError::Indefinite)) => "a pivot below zero".into(),
+        Err(error) => error.to_string(),
+        Ok(response) => match (response.effective_mass, part(response)) {
+            (EffectiveMass::Finite(m), Some(stated)) => {
+                if let EffectiveMass::Finite(careful) = auto.effective_mass {
+                    row.worst = row.worst.max((m / careful - 1.0).abs());
+                }
+                format!("states an error of 1e{:.0}", stated.log10().floor())
+            }
+            (mass, _) => format!("{mass:?} by recursion, {:?}", auto.effective_mass),
+        },
+    };
+    row.examples.push(format!("{}: {reason}", subject.name));
+    *row.reasons.entry(reason).or_default() += 1;
+}
+
+#[test]
+#[ignore = "prints a table"]
+fn fallbacks() {
+    let suites = [
+        ("zoo and random trees", of_trees(14, 8, 400)),
+        ("linkages under all conditions", of_linkages(600, 48)),
+    ];
+    for (name, subjects) in suites {
+        let mut row = Row::default();
+        subjects.iter().for_each(|subject| count(&mut row, subject));
+        let Row { asked, careful, reasons, kept, worst, examples } = row;
+        println!("{name}: {asked} asked, {careful} by the careful route, {kept} vague and kept");
+        println!("    the recursion was off by {worst:.1e} at most where it was left");
+        reasons.iter().for_each(|(reason, count)| println!("    {count:5} {reason}"));
+        examples.iter().take(10).for_each(|line| println!("        {line}"));
+    }
+}
+
+/// The recursion is the route of every mechanism: few are left to the careful one.
+#[test]
+fn the_recursion_is_seldom_left() {
+    let subjects = of_trees(15, 2, 120).into_iter().chain(of_linkages(700, 8));
+    let mut row = Row::default();
+    subjects.for_each(|subject| count(&mut row, &subject));
+    println!("{} of {} by the careful route: {:?}", row.careful, row.asked, row.reasons);
+    assert!(row.asked > 400 && 10 * row.careful < row.asked, "{} of {}", row.careful, row.asked);
+}

@@ -1,0 +1,262 @@
+//! What m̄ does not depend on (the sign of the normal, the names of the sides, the place of the world, units, frames,
+//! merged links).
+
+use nalgebra::Vector3;
+use percuss_dynamics::Route;
+use percuss_dynamics::{
+    Base, Conditions, Contact, ContactResponse, Direction, EffectiveMass, Frame, Pose, RouteChoice, System,
+};
+use percuss_oracle::alter;
+use percuss_spatial::{Transform, rotation_from_rpy};
+use percuss_tests::cases::{self, Case};
+use percuss_tests::gauge::Gauge;
+use percuss_tests::judge::{near_at, regular_condition, states_enough};
+use percuss_tests::motion::Motion;
+use std::sync::Arc;
+
+const FAR: f64 = 1e4;
+/// What a floating base far from its bodies costs, by the condition of M about it: ε times the coordinates; at most so much.
+const FAR_BASE: (f64, f64) = (1e-14, 1e-2);
+
+/// Every case: of the zoo and at random.
+fn all_cases() -> Vec<Case> {
+    [cases::of_the_zoo(5, 2), cases::at_random(5000, 120, 40)].concat()
+}
+
+fn respond(pose: &Pose, contact: &Contact, route: Route) -> ContactResponse {
+    pose.respond(contact, RouteChoice::Only(route)).expect("an answer")
+}
+
+/// Notes the relative deviation of two finite answers; other outcomes must be the same.
+fn same(gauge: &mut Gauge, name: &str, got: &ContactResponse, expected: &ContactResponse, bound: f64) {
+    match (got.effective_mass, expected.effective_mass) {
+        (EffectiveMass::Finite(a), EffectiveMass::Finite(b)) => gauge.relative(name, a, b, bound),
+        (a, b) => assert_eq!(a, b, "{name}"),
+    }
+}
+
+/// A contact with its normal in the struck link's axes, so that it moves with it.
+fn in_link(case: &Case, pose: &Pose) -> Contact {
+    let located = pose.locate(&case.contact()).expect("a contact");
+    case.contact().normal(Direction::Along(located.normal_link, Frame::Link))
+}
+
+#[test]
+fn the_sign_of_the_normal() {
+    let mut gauge = Gauge::new("n̂ → −n̂");
+    for case in all_cases() {
+        let system = case.system();
+        let pose = case.pose(&system);
+        for route in [Route::Dense, Route::Articulated] {
+            let one = respond(&pose, &case.contact(), route);
+            let back = case.contact().normal(Direction::Along(-case.normal, Frame::World));
+            let other = respond(&pose, &back, route);
+            // Bit by bit by the recursion; reflections of the least squares take another sign.
+            let bound = if route == Route::Articulated { f64::EPSILON } else { near_at(&pose) };
+            same(&mut gauge, &case.name, &other, &one, bound);
+        }
+    }
+    gauge.report();
+}
+
+#[test]
+fn which_side_is_called_struck() {
+    let mut gauge = Gauge::new("sides swapped");
+    for case in all_cases() {
+        let Some(other) = case.against else { continue };
+        let system = case.system();
+        let pose = case.pose(&system);
+        let point = pose.link(other).inverse_point(&pose.link(case.on).point(&case.point));
+        let swapped = Case { on: other, against: Some(case.on), point, normal: -case.normal, ..case.clone() };
+        for route in [Route::Dense, Route::Articulated] {
+            let one = respond(&pose, &case.contact(), route);
+            let back = respond(&pose, &swapped.contact(), route);
+            // The point goes through the other link's frame: an error of ε times the reach, that the response turns.
+            let turned = 8.0 * f64::EPSILON * reach(&case) * Motion::of(&one).size();
+            same(&mut gauge, &case.name, &back, &one, near_at(&pose) + turned);
+        }
+    }
+    gauge.report();
+}
+
+/// All links in a line, and the contact point, m.
+fn reach(case: &Case) -> f64 {
+    let links: f64 = case.mechanism.links().iter().map(percuss_mechanism::Link::extent).sum();
+    links + case.point.norm()
+}
+
+#[test]
+fn a_base_far_away() {
+    let x_wr = Transform::new(rotation_from_rpy([0.7, -0.4, 2.1]), Vector3::new(0.6, -0.64, 0.48) * FAR);
+    let mut gauge = Gauge::new("point given 10 km away");
+    for case in all_cases() {
+        let system = case.system();
+        let here = case.pose(&system);
+        let there = system.pose(case.configuration(&system).set_base(x_wr)).expect("a tree poses");
+        let contact = in_link(&case, &here);
+        let point_world = there.link(case.on).point(&case.point);
+        let point = there.point_in_link(case.on, case.against, Frame::World, point_world);
+        let normal_world = x_wr.vector(&case.normal);
+        let far = Contact { point, ..case.contact() }.normal(Direction::Along(normal_world, Frame::World));
+        for route in [Route::Dense, Route::Articulated] {
+            let one = respond(&here, &contact, route);
+            // Given in the link, not a bit changes: all is seen from the root link.
+            let same_bits = respond(&there, &contact, route);
+            assert_eq!(one.effective_mass, same_bits.effective_mass, "{}", case.name);
+            // Given in the world, the point is known to a few ε of 10 km; dm̄/m̄ = 2 |ω*| times that, with ω* the turn
+            // of the response at unit closing speed.
+            let blurred = respond(&there, &far, route);
+            let turn = 2.0 * Motion::of(&one).size() * 4.0 * f64::EPSILON * (FAR + reach(&case));
+            same(&mut gauge, &case.name, &blurred, &one, near_at(&here) + turn);
+        }
+    }
+    gauge.report();
+}
+
+#[test]
+fn a_root_far_away() {
+    let x_gr = Transform::new(rotation_from_rpy([-0.3, 1.1, 0.5]), Vector3::new(0.48, 0.6, -0.64) * FAR);
+    let mut held = Gauge::new("root frame 10 km away, fixed");
+    let mut floating = Gauge::new("root frame 10 km away, floating");
+    for case in all_cases() {
+        let system = case.system();
+        let pose = case.pose(&system);
+        let mut far = case.clone();
+        far.mechanism = Arc::new(alter::rebased(&case.mechanism, x_gr));
+        far.positions.push(Vec::new());
+        far.normal = x_gr.vector(&case.normal);
+        let far_system = far.system();
+        let far_pose = far.pose(&far_system);
+        for route in [Route::Dense, Route::Articulated] {
+            let one = respond(&pose, &case.contact(), route);
+            let other = respond(&far_pose, &far.contact(), route);
+            let (EffectiveMass::Finite(m), EffectiveMass::Finite(n)) =
+                (one.effective_mass, other.effective_mass)
+            else {
+                if case.base == Base::Fixed {
+                    assert_eq!(one.effective_mass, other.effective_mass, "{}", case.name);
+                }
+                continue;
+            };
+            // Every frame is known to a few ε of 10 km, e: j changes by |ω*| e, links move by |ω*| e too fast, and
+            // dm̄/m̄ ≤ 2 |ω*| e (1 + √(mass/m̄)).
+            let e = 4.0 * f64::EPSILON * FAR;
+            let mass = case.mechanism.total_mass();
+            let blur = 2.0 * Motion::of(&one).size() * e * (1.0 + (mass / m).sqrt()) + near_at(&pose);
+            match case.base {
+                Base::Fixed => held.relative(&case.name, n, m, blur),
+                Base::Floating => {
+                    // M about a point 10 km off has entries of mass · FAR², of which ε is kept.
+                    let (each, most) = FAR_BASE;
+                    let far =
+                        regular_condition(&far_pose).map_or(most, |condition| most.min(each * condition));
+                    let name = format!("{}, {route:?}", case.name);
+                    floating.relative(&name, n, m, blur + near_at(&pose) + far);
+                    assert!(states_enough(&other, m, blur), "{name}: {n} kg, {m} kg");
+                }
+            }
+        }
+    }
+    held.report();
+    floating.report();
+}
+
+#[test]
+fn the_units() {
+    let mut gauge = Gauge::new("millimetres and grams");
+    // m̄ in grams is a thousand times m̄ in kilograms; the unit of length does not matter to it.
+    for (length, mass) in [(1e3, 1.0), (1.0, 1e3), (0.0254, 0.4536)] {
+        for case in all_cases().into_iter().filter(|case| case.armatures.is_empty()) {
+            let mut other = case.clone();
+            other.mechanism = Arc::new(alter::scaled(&case.mechanism, length, mass));
+            other.positions = alter::scaled_positions(&case.mechanism, &case.positions, length);
+            other.point *= length;
+            let (system, other_system) = (case.system(), other.system());
+            let (pose, other_pose) = (case.pose(&system), other.pose(&other_system));
+            for route in [Route::Dense, Route::Articulated] {
+                let one = respond(&pose, &case.contact(), route);
+                let mut two = respond(&other_pose, &other.contact(), route);
+                if let EffectiveMass::Finite(m) = &mut two.effective_mass {
+                    *m /= mass;
+                }
+                // The point and the frames are rounded anew.
+                let blur = 8.0 * f64::EPSILON * reach(&case) * Motion::of(&one).size();
+                same(&mut gauge, &case.name, &two, &one, near_at(&pose) + blur);
+            }
+        }
+    }
+    gauge.report();
+}
+
+#[test]
+fn links_held_together_are_one_or_many_bodies() {
+    let mut gauge = Gauge::new("merged = unmerged");
+    let mut fixed = 0;
+    for case in all_cases() {
+        let system = case.system();
+        let apart = System::new(Arc::clone(&case.mechanism), &case.conditions().keep_fixed_joints()).unwrap();
+        let (pose, apart_pose) = (case.pose(&system), case.pose(&apart));
+        fixed += case.mechanism.joints().iter().filter(|j| j.kind().dofs() == 0).count();
+        for route in [Route::Dense, Route::Articulated] {
+            let one = respond(&pose, &case.contact(), route);
+            let two = respond(&apart_pose, &case.contact(), route);
+            same(&mut gauge, &case.name, &two, &one, near_at(&pose));
+            assert_eq!(one.degrees_of_freedom, two.degrees_of_freedom, "{}", case.name);
+            if let (Some(one), Some(two)) = (&one.contributions, &two.contributions) {
+                for (a, b) in one.links.iter().zip(&two.links) {
+                    gauge.note(&case.name, (a - b).abs(), near_at(&pose));
+                }
+            }
+        }
+    }
+    gauge.report();
+    assert!(fixed > 0, "no fixed joint came");
+}
+
+#[test]
+fn the_frame_a_contact_is_given_in() {
+    let x_wr = Transform::new(rotation_from_rpy([0.2, 0.9, -1.3]), Vector3::new(1.0, -2.0, 0.5));
+    let mut gauge = Gauge::new("frames of a contact");
+    let mut points = Gauge::new("frames of a point");
+    for case in all_cases() {
+        let system = case.system();
+        let pose = system.pose(case.configuration(&system).set_base(x_wr)).expect("a tree poses");
+        let contact = in_link(&case, &case.pose(&system));
+        let located = pose.locate(&contact).expect("a contact");
+        let one = pose.respond(&contact, RouteChoice::Auto).expect("an answer");
+        let x_wa = case.against.map_or_else(Transform::identity, |link| pose.link(link));
+        let in_against =
+            (x_wa.inverse_point(&located.point_world), x_wa.inverse_vector(&located.normal_world));
+        let ways = [
+            (Frame::Link, located.point_link, located.normal_link),
+            (Frame::World, located.point_world, located.normal_world),
+            (Frame::Against, in_against.0, in_against.1),
+        ];
+        let blur = 16.0 * f64::EPSILON * (3.0 + reach(&case));
+        let bound = near_at(&pose) + 2.0 * blur * (1.0 + Motion::of(&one).size());
+        for (frame, point, normal) in ways {
+            let point = pose.point_in_link(case.on, case.against, frame, point);
+            points.note(&case.name, (point - case.point).norm(), blur);
+            let again = Contact { point, ..contact }.normal(Direction::Along(normal * 3.0, frame));
+            let two = pose.respond(&again, RouteChoice::Auto).expect("an answer");
+            same(&mut gauge, &case.name, &two, &one, bound);
+        }
+        // Along a line to a point of the root link, two metres off.
+        let target = pose.base().inverse_point(&(located.point_world + located.normal_world * 2.0));
+        let toward = contact.normal(Direction::Toward(case.mechanism.root(), target));
+        let two = pose.respond(&toward, RouteChoice::Auto).expect("an answer");
+        same(&mut gauge, &case.name, &two, &one, bound);
+    }
+    gauge.report();
+    points.report();
+}
+
+#[test]
+fn conditions_are_those_of_the_analysis_only() {
+    // The same mechanism under other conditions, and back: nothing sticks to it.
+    for case in all_cases().into_iter().step_by(7) {
+        let before = case.response().effective_mass;
+        let _ = System::new(Arc::clone(&case.mechanism), &Conditions::new().base(Base::Floating)).unwrap();
+        assert_eq!(case.response().effective_mass, before, "{}", case.name);
+    }
+}

@@ -1,0 +1,143 @@
+//! When there is no finite effective mass, or hardly one: contacts into the bearings, massless feelers, everything
+//! locked; and massless links that must not matter.
+
+use nalgebra::{Vector2, Vector3};
+use percuss_dynamics::{
+    AssemblyError, Conditions, Contact, ContactError, Direction, EffectiveMass, Frame, Remark, ResponseError,
+    Route, RouteChoice, System,
+};
+use percuss_oracle::closed_form::{self, PlanarLink};
+use percuss_oracle::zoo;
+use percuss_tests::bench::{Bench, TOL, along, mass};
+use std::sync::Arc;
+
+#[test]
+fn nothing_moves() {
+    let pendulum = Bench::new(zoo::physical_pendulum(2.3, 0.35, 0.04)).set("hinge", &[0.6]);
+    // Into the bearing: along the arm, along the axis, and anywhere on the axis.
+    for (point, normal) in
+        [([0.5, 0.0, 0.2], along(0.6)), ([0.5, 0.1, 0.0], Vector3::z()), ([0.0, 0.0, 0.7], along(1.9))]
+    {
+        assert_eq!(pendulum.outcome(&pendulum.contact("body", point, normal)), EffectiveMass::Immovable);
+    }
+    // The ground itself; links that are one body.
+    assert_eq!(
+        pendulum.outcome(&pendulum.contact("ground", [0.1; 3], Vector3::x())),
+        EffectiveMass::Immovable
+    );
+    let frames = Bench::new(zoo::fixed_frames());
+    let ballast = frames.system.mechanism().find_link("ballast").unwrap();
+    let one_body = frames.contact("sensor", [0.1, 0.2, 0.3], Vector3::y()).against(ballast);
+    assert_eq!(frames.outcome(&one_body), EffectiveMass::Immovable);
+    // Everything locked.
+    for (name, mechanism) in zoo::all() {
+        let all = mechanism.joints().iter().fold(Conditions::new(), |c, joint| c.lock(joint.name()));
+        let leaf = mechanism.order().last().unwrap();
+        let leaf = mechanism.link(*leaf).name().to_owned();
+        let still = Bench::under(mechanism, &all);
+        let contact = still.contact(&leaf, [0.3, 0.2, 0.1], Vector3::new(1.0, 2.0, 3.0));
+        assert_eq!(still.outcome(&contact), EffectiveMass::Immovable, "{name}");
+        let response = still.respond(&contact, RouteChoice::Auto);
+        assert_eq!((response.degrees_of_freedom, response.contributions), (0, None), "{name}");
+    }
+    // Struck against a number, an immovable wall leaves the number.
+    let wall = pendulum.respond(&pendulum.contact("body", [0.5, 0.0, 0.0], along(0.6)), RouteChoice::Auto);
+    assert_eq!(wall.against_mass(0.3).effective_mass, EffectiveMass::Finite(0.3));
+}
+
+#[test]
+fn hardly_anything_moves() {
+    // From 1e-10 to 1e-6 of a right angle the answer is finite, with a remark; below, immovable.
+    let (m, h, i_c) = (2.3, 0.35, 0.04);
+    let pendulum = Bench::new(zoo::physical_pendulum(m, h, i_c));
+    for (slope, finite, remarked) in
+        [(1e-5f64, true, false), (1e-7, true, true), (1e-9, true, true), (1e-11, false, false)]
+    {
+        let contact = pendulum.contact("body", [0.5, 0.0, 0.0], Vector3::new(1.0, slope, 0.0));
+        for route in [Route::Dense, Route::Articulated] {
+            let response = pendulum.respond(&contact, RouteChoice::Only(route));
+            let nearly = response.remarks.iter().any(|r| matches!(r, Remark::NearlyImmovable { .. }));
+            assert_eq!(nearly, remarked, "{slope}");
+            if finite {
+                let expected = closed_form::physical_pendulum(i_c + m * h * h, 0.5 * slope.atan().sin());
+                // The arm is a difference of ones: it keeps slope/ε digits.
+                let stated = response.effective_mass_error().expect("finite");
+                let off = (mass(&response) / expected - 1.0).abs();
+                assert!(off <= 16.0 * f64::EPSILON / slope + TOL, "{route:?}, {slope}: {off:e}");
+                assert!(
+                    off * expected <= stated,
+                    "{route:?}, {slope}: off by {off:e}, {stated:e} kg is stated"
+                );
+                assert!(
+                    stated <= 5e-14 / slope * expected,
+                    "{route:?}, {slope}: {stated:e} of {expected} kg"
+                );
+            } else {
+                assert_eq!(response.effective_mass, EffectiveMass::Immovable, "{slope}");
+            }
+        }
+    }
+}
+
+#[test]
+fn nothing_opposes() {
+    let arm = Bench::new(zoo::massless_tip());
+    let across = arm.contact("feeler", [0.2, 0.0, 0.0], Vector3::y());
+    let dense = arm.respond(&across, RouteChoice::Only(Route::Dense));
+    assert_eq!(dense.effective_mass, EffectiveMass::Massless);
+    assert_eq!((dense.contributions.clone(), dense.effective_mass_error()), (None, None));
+    assert_eq!(arm.respond(&across, RouteChoice::Auto).effective_mass, EffectiveMass::Massless);
+    assert_eq!(dense.against_mass(5.0).effective_mass, EffectiveMass::Massless);
+    // Along itself it pushes into the shoulder; its hinge locked, it is a part of the arm.
+    let lengthwise = arm.contact("feeler", [0.2, 0.0, 0.0], Vector3::x());
+    assert_eq!(arm.respond(&lengthwise, RouteChoice::Auto).effective_mass, EffectiveMass::Immovable);
+    let locked = Bench::under(Arc::clone(arm.system.mechanism()), &Conditions::new().lock("feeler_hinge"));
+    let link = arm.system.mechanism().find_link("arm").unwrap();
+    let j_o = arm.system.mechanism().link(link).inertia().rotational[(2, 2)];
+    locked.check_mass(&across, closed_form::physical_pendulum(j_o, 0.8));
+    // A rotor at its hinge gives it mass: the arm and the rotor in the rates of the absolute angles.
+    let rotor =
+        Bench::under(Arc::clone(arm.system.mechanism()), &Conditions::new().armature("feeler_hinge", [0.01]));
+    let j_arm = PlanarLink { mass: 0.0, length: 0.6, com: 0.0, inertia: j_o };
+    let feeler = PlanarLink { mass: 0.0, length: 0.2, com: 0.0, inertia: 0.0 };
+    let expected = closed_form::planar_2r([j_arm, feeler], [0.0, 0.01], [0.0; 2], 0.2, Vector2::y());
+    rotor.check_mass(&across, expected);
+}
+
+#[test]
+fn massless_links_within_are_exact() {
+    // Three hinges with massless links between are a ball joint, though M is singular where two axes line up.
+    for (about_x, about_y, about_z) in [(0.0, 0.0, 0.0), (0.4, -0.9, 1.7), (0.3, 1.5, 0.2)] {
+        let chain = Bench::new(zoo::massless_chain())
+            .set("about_x", &[about_x])
+            .set("about_y", &[about_y])
+            .set("about_z", &[about_z]);
+        let ball = Bench::new(zoo::ball_joint());
+        let normal = Vector3::new(0.2, 0.5, -0.8).normalize();
+        // The same contact in the body: struck in its own axes, both bodies are alike.
+        let point = [0.3, -0.2, 0.4];
+        let of = |bench: &Bench| {
+            bench.contact("body", point, normal).normal(Direction::Along(normal, Frame::Link))
+        };
+        let expected = mass(&ball.respond(&of(&ball), RouteChoice::Auto));
+        chain.check_mass(&of(&chain), expected);
+    }
+}
+
+#[test]
+fn handles_of_another_mechanism_are_refused() {
+    let system = |mechanism| System::new(mechanism, &Conditions::new()).expect("default conditions fit");
+    let (arm, pendulum) = (system(zoo::six_r_arm()), system(zoo::double_pendulum()));
+    let last = arm.mechanism().link_ids().last().expect("links");
+    let pose = pendulum.pose(&pendulum.configuration()).expect("a tree poses");
+    let foreign = pose.respond(&Contact::new(last, [0.0; 3], [1.0, 0.0, 0.0]), RouteChoice::Auto);
+    assert!(
+        matches!(foreign, Err(ResponseError::Contact(ContactError::ForeignLink { index, links })) if index >= links),
+        "{foreign:?}"
+    );
+    // A configuration or a pose of another system is no start of a way.
+    let foreign = arm.pose(&pendulum.configuration());
+    assert!(matches!(foreign, Err(AssemblyError::ForeignConfiguration { .. })), "{foreign:?}");
+    let foreign = arm.pose_from(&pose, &arm.configuration());
+    assert!(matches!(foreign, Err(AssemblyError::ForeignPose)), "{foreign:?}");
+}

@@ -1,0 +1,242 @@
+//! The recursions hold over any scalar: dual numbers give ∂M (∂m̄ has `derivatives.rs`), and lanes give each its own
+//! answer to the last bit, loops included.
+
+use nalgebra::DMatrix;
+use num_traits::{One, Zero};
+use percuss_dynamics::EffectiveMass;
+use percuss_mechanism::JointKind;
+use percuss_spatial::{Scalar, dual::Dual64};
+use percuss_tests::cases::{self, Case};
+use percuss_tests::differences::{DIFFERENCE, derivative};
+use percuss_tests::gauge::Gauge;
+use percuss_tests::judge::{self, regular_condition};
+use percuss_tests::motion::Motion;
+use percuss_tests::subjects::{Subject, of_linkages, of_trees};
+use rand::{SeedableRng, rngs::StdRng};
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+/// Four numbers side by side.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Lanes([f64; 4]);
+
+macro_rules! lane_by_lane {
+    ($($op:ident $method:ident $assign:ident $assign_method:ident),*) => {$(
+        impl $op for Lanes {
+            type Output = Self;
+            fn $method(self, other: Self) -> Self {
+                Lanes(std::array::from_fn(|i| self.0[i].$method(other.0[i])))
+            }
+        }
+
+        impl $assign for Lanes {
+            fn $assign_method(&mut self, other: Self) {
+                *self = self.$method(other);
+            }
+        }
+    )*};
+}
+
+lane_by_lane!(Add add AddAssign add_assign, Sub sub SubAssign sub_assign);
+lane_by_lane!(Mul mul MulAssign mul_assign, Div div DivAssign div_assign);
+
+impl Neg for Lanes {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Lanes(self.0.map(Neg::neg))
+    }
+}
+
+impl Zero for Lanes {
+    fn zero() -> Self {
+        Lanes([0.0; 4])
+    }
+
+    fn is_zero(&self) -> bool {
+        *self == Self::zero()
+    }
+}
+
+impl One for Lanes {
+    fn one() -> Self {
+        Lanes([1.0; 4])
+    }
+}
+
+impl Scalar for Lanes {
+    fn from_f64(x: f64) -> Self {
+        Lanes([x; 4])
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        let both = self.0.map(f64::sin_cos);
+        (Lanes(both.map(|x| x.0)), Lanes(both.map(|x| x.1)))
+    }
+
+    fn sqrt(self) -> Self {
+        Lanes(self.0.map(f64::sqrt))
+    }
+}
+
+/// Every case: of the zoo and at random.
+fn all_cases() -> Vec<Case> {
+    [cases::of_the_zoo(3, 2), cases::at_random(3000, 80, 30)].concat()
+}
+
+#[test]
+fn dual_numbers_differentiate_the_mass_matrix() {
+    let mut rng = StdRng::seed_from_u64(31);
+    let mut value = Gauge::new("M over dual numbers");
+    let mut slope = Gauge::new("∂M");
+    let mut moved = Vec::new();
+    for case in all_cases() {
+        let system = case.system();
+        let pose = case.pose(&system);
+        // One joint after another would name the culprit; all at once also sees how they mix.
+        let motion = Motion::random(&mut rng, &system);
+        let rates = system.position_rates(pose.positions(), &motion.joints).expect("velocities that fit");
+        let seeded: Vec<Dual64> =
+            pose.positions().iter().zip(&rates).map(|(&q, &rate)| Dual64::new(q, rate)).collect();
+        let mut workspace = pose.workspace_over::<Dual64>(&case.contact()).expect("a contact");
+        workspace.set_positions(&seeded);
+        let dual = workspace.mass_matrix();
+        let plain = pose.mass_matrix();
+        if plain.is_empty() {
+            continue;
+        }
+        let size = plain.amax();
+        // The dual product may round otherwise than the plain one: the same sum in another order.
+        value.note(&case.name, (dual.map(|x| x.re) - &plain).amax() / size.max(1e-300), 1e-13);
+        let expected: DMatrix<f64> = derivative(&motion, |h| {
+            pose.advanced(&motion.joints, &motion.base, h).expect("velocities that fit").mass_matrix()
+        });
+        // M is quadratic in positions that the whole chain turns: its derivative is as large as M times the rates.
+        let bound = 2.0 * DIFFERENCE * size * motion.size();
+        let deviation = (dual.map(|x| x.eps) - expected).amax();
+        if bound > 0.0 {
+            slope.note(&case.name, deviation / (size * motion.size()), bound / (size * motion.size()));
+            let kinds = case.mechanism.joint_ids().filter(|&id| !system.is_locked(id));
+            moved.extend(kinds.map(|id| case.mechanism.joint(id).kind()));
+        }
+    }
+    value.report();
+    slope.report();
+    for kind in JointKind::ALL {
+        assert!(moved.contains(&kind), "{kind:?} never moved");
+    }
+}
+
+fn together(four: &[Vec<f64>; 4]) -> Vec<Lanes> {
+    (0..four[0].len()).map(|k| Lanes(std::array::from_fn(|lane| four[lane][k]))).collect()
+}
+
+/// Four configurations of a subject: its own, and beside it along an admissible motion, where its decisions hold.
+fn beside(subject: &Subject, motion: &Motion) -> [Vec<f64>; 4] {
+    let step = |lane: usize| match lane {
+        0 => subject.pose.positions().to_vec(),
+        _ => subject.positions_after(motion, [1e-3, -2e-3, 5e-3][lane - 1] / motion.size()),
+    };
+    std::array::from_fn(step)
+}
+
+#[test]
+fn every_lane_is_the_plain_answer_to_the_last_bit() {
+    let (mut entries, mut answers, mut decided_otherwise) = (0, 0, Vec::new());
+    let subjects = of_trees(3, 2, 80).into_iter().chain(of_linkages(320, 16));
+    for (i, subject) in subjects.enumerate() {
+        let Subject { name, pose, contact, .. } = &subject;
+        let mut rng = StdRng::seed_from_u64(32 + i as u64);
+        let Some(motion) = subject.motion(&mut rng) else { continue };
+        let four = beside(&subject, &motion);
+        let mut lanes = pose.workspace_over::<Lanes>(contact).expect("a contact");
+        lanes.set_positions(&together(&four));
+        let (matrices, inverses) = (lanes.mass_matrix(), lanes.inverse_effective_mass());
+        let mut scalar = pose.workspace_over::<f64>(contact).expect("a contact");
+        let mut workspace = pose.assembly().workspace();
+        for (lane, positions) in four.iter().enumerate() {
+            scalar.set_positions(positions);
+            let plain = scalar.mass_matrix();
+            for (a, b) in matrices.iter().zip(&plain) {
+                assert_eq!(a.0[lane].to_bits(), b.to_bits(), "{name}, lane {lane}");
+                entries += 1;
+            }
+            let inverse = scalar.inverse_effective_mass();
+            assert_eq!(inverses.0[lane].to_bits(), inverse.to_bits(), "{name}, lane {lane}");
+            workspace.set_positions(positions);
+            let Ok(EffectiveMass::Finite(m)) = workspace.effective_mass(contact) else { continue };
+            if (1.0 / inverse).to_bits() == m.to_bits() {
+                answers += 1;
+                continue;
+            }
+            // Another coordinate was taken to depend: no other answer, but another way to it.
+            let near = (inverse * m - 1.0).abs();
+            assert!(lane > 0 && near < 1e-9, "{name}, lane {lane}: {} and {m} kg", 1.0 / inverse);
+            decided_otherwise.push(name.clone());
+        }
+    }
+    println!("{entries} entries of M, {answers} answers; decided otherwise: {}", decided_otherwise.len());
+    decided_otherwise.iter().for_each(|name| println!("    {name}"));
+    assert!(entries > 0 && answers > 1000, "{entries} and {answers}");
+    assert!(20 * decided_otherwise.len() < answers, "{} of {answers}", decided_otherwise.len());
+}
+
+/// Trees without mimics decide by their configuration at most which of a joint's velocities goes first: lanes may stand
+/// anywhere.
+#[test]
+fn lanes_of_trees_may_stand_anywhere() {
+    let mut answers = 0;
+    for (i, case) in all_cases().into_iter().enumerate() {
+        let system = case.system();
+        let pose = case.pose(&system);
+        if case.has_moving_mimics(&system) || regular_condition(&pose).is_none() {
+            continue;
+        }
+        let mut rng = StdRng::seed_from_u64(34 + i as u64);
+        let four: [Vec<f64>; 4] =
+            std::array::from_fn(|_| percuss_oracle::random::positions(&mut rng, &case.mechanism).concat());
+        let mut lanes = pose.workspace_over::<Lanes>(&case.contact()).expect("a contact");
+        lanes.set_positions(&together(&four));
+        let inverses = lanes.inverse_effective_mass();
+        let mut plain = pose.workspace_over::<f64>(&case.contact()).expect("a contact");
+        let mut workspace = system.workspace();
+        for (lane, positions) in four.iter().enumerate() {
+            plain.set_positions(positions);
+            let inverse = plain.inverse_effective_mass();
+            assert_eq!(inverses.0[lane].to_bits(), inverse.to_bits(), "{}, lane {lane}", case.name);
+            workspace.set_positions(positions);
+            if let Ok(EffectiveMass::Finite(m)) = workspace.effective_mass(&case.contact()) {
+                // Of a joint with several velocities, the workspace may eliminate another one first.
+                let off = (m * inverse - 1.0).abs();
+                assert!(off < judge::NEAR, "{}, lane {lane}: {off:e}", case.name);
+                answers += 1;
+            }
+        }
+    }
+    assert!(answers > 500, "{answers}");
+}
+
+#[test]
+fn positions_one_after_another_are_those_of_the_pose() {
+    let mut rng = StdRng::seed_from_u64(33);
+    let mut different = 0;
+    for case in all_cases() {
+        let system = case.system();
+        let pose = case.pose(&system);
+        let mut workspace = pose.workspace_over::<f64>(&case.contact()).expect("a contact");
+        assert_eq!(workspace.mass_matrix(), pose.mass_matrix(), "{}", case.name);
+        let here = workspace.inverse_effective_mass();
+        // Entries of mimics are not read.
+        let mut positions = pose.positions().to_vec();
+        let mut first = 0;
+        for joint in case.mechanism.joints() {
+            if joint.mimic().is_some() {
+                positions[first] = rand::Rng::random_range(&mut rng, -9.0..9.0);
+                different += 1;
+            }
+            first += joint.kind().positions();
+        }
+        workspace.set_positions(&positions);
+        assert_eq!(workspace.mass_matrix(), pose.mass_matrix(), "{}", case.name);
+        assert_eq!(workspace.inverse_effective_mass().to_bits(), here.to_bits(), "{}", case.name);
+    }
+    assert!(different > 0, "no mimic came");
+}

@@ -1,0 +1,309 @@
+//! Putting loops together: from a rough guess, hundreds of them, rounded files, loops that contradict themselves, and
+//! who may be set.
+
+use percuss_dynamics::{AssemblyError, Conditions, ContactResponse, EffectiveMass, System};
+use percuss_mechanism::{
+    ClosureDescription, ClosureKind, Inertial, JointDescription, JointKind, LinkDescription, Mechanism,
+    MechanismBuilder,
+};
+use percuss_oracle::linkage::{self, Linkage};
+use percuss_oracle::maximal;
+use percuss_spatial::{Transform, Vector3, rotation_from_rpy};
+use percuss_tests::gauge::Gauge;
+use percuss_tests::judge::states_enough;
+use percuss_tests::motion::Motion;
+use percuss_tests::rig::{Rig, mass, question};
+use rand::{Rng, SeedableRng, rngs::StdRng};
+use std::time::Instant;
+
+#[test]
+fn guesses_a_third_of_a_radian_off() {
+    let (mut closed, mut same) = (0, 0);
+    for linkage in linkage::all() {
+        let mut rng = StdRng::seed_from_u64(9);
+        let rig = Rig::new(linkage);
+        let right = rig.closed();
+        for _ in 0..8 {
+            let mut off = rig.start.clone();
+            for (joint, q) in rig.mechanism.joints().iter().zip(&mut off) {
+                match joint.kind() {
+                    JointKind::Revolute | JointKind::Continuous => q[0] += rng.random_range(-0.3..0.3),
+                    JointKind::Prismatic => q[0] += rng.random_range(-0.05..0.05),
+                    JointKind::Spherical => {
+                        q.iter_mut().for_each(|x| *x += rng.random_range(-0.12..0.12));
+                        let norm = q.iter().map(|x| x * x).sum::<f64>().sqrt();
+                        q.iter_mut().for_each(|x| *x /= norm);
+                    }
+                    JointKind::Fixed | JointKind::Planar | JointKind::Floating => {}
+                }
+            }
+            let pose = rig.system.pose(&rig.guessed(&rig.start_drivers(), &off));
+            let pose = pose.unwrap_or_else(|error| panic!("{}: {error}", rig.name));
+            assert!(rig.open(&pose) < 1e-12, "{}", rig.name);
+            closed += 1;
+            let far = pose.positions().iter().zip(right.positions()).map(|(a, b)| (a - b).abs());
+            same += usize::from(far.fold(0.0, f64::max) < 1e-9);
+        }
+    }
+    println!("{closed} closed, {same} in the same assembly");
+    assert!(closed == 160 && same > 120, "{closed} {same}");
+}
+
+/// Seconds that something takes.
+fn timed<T>(what: &str, run: impl FnOnce() -> T) -> T {
+    let begun = Instant::now();
+    let value = run();
+    let seconds = begun.elapsed().as_secs_f64();
+    println!("{what}: {seconds:.2} s");
+    // A multiple of what an unoptimised build takes; quadratic slips take minutes.
+    assert!(seconds < 20.0, "{what}: {seconds} s");
+    value
+}
+
+#[test]
+fn hundreds_of_loops() {
+    for (linkage, degrees, redundant) in [(linkage::separate(200), 200, 600), (linkage::ladder(200), 1, 600)]
+    {
+        let rig = Rig::new(linkage);
+        let pose = timed(&format!("{} from zero", rig.name), || {
+            rig.system.pose(&rig.system.configuration()).unwrap()
+        });
+        assert!(rig.open(&pose) < 1e-12);
+        assert_eq!(
+            (rig.system.degrees_of_freedom(), rig.system.reference_or_open().redundant_constraints()),
+            (degrees, redundant)
+        );
+        let mut off = rig.start.clone();
+        let mut rng = StdRng::seed_from_u64(31);
+        off.iter_mut().flatten().for_each(|q| *q += rng.random_range(-0.3..0.3));
+        let pose = timed(&format!("{} from a guess", rig.name), || {
+            rig.system.pose(&rig.guessed(&rig.start_drivers(), &off)).unwrap()
+        });
+        assert!(rig.open(&pose) < 1e-12);
+        let pose = timed(&format!("{} at its start", rig.name), || rig.closed());
+        let pose = timed(&format!("{} along its branch", rig.name), || rig.reach(&pose, &rig.at(0.4)));
+        assert!(rig.open(&pose) < 1e-12);
+        if degrees == 1 {
+            let theta = rig.at(0.4)[0];
+            let n = linkage::plane().vector(&Vector3::new(-theta.sin(), theta.cos(), 0.0));
+            let contact = rig.contact("link_0", [0.2, 0.0, 0.0], n);
+            let response = timed("its response", || rig.respond(&pose, &contact));
+            let expected = (201.0 * 0.07 + 0.16 * 200.0 * 0.8) / 0.04;
+            assert!((mass(&response) / expected - 1.0).abs() < 1e-10, "{}", mass(&response) / expected - 1.0);
+        }
+    }
+}
+
+#[test]
+fn a_rounded_file_is_its_exact_twin() {
+    let mut gauge = Gauge::new("rounded and exact");
+    let (exact, rounded) = linkage::rounded_four_bar();
+    let (exact, rounded) = (Rig::new(exact), Rig::new(rounded));
+    for rig in [&exact, &rounded] {
+        assert_eq!(
+            (rig.system.degrees_of_freedom(), rig.system.reference_or_open().redundant_constraints()),
+            (1, 3)
+        );
+    }
+    let (mut a, mut b) = (exact.closed(), rounded.closed());
+    for i in 0..=100 {
+        let drivers = exact.at(f64::from(i) / 100.0);
+        (a, b) = (exact.reach(&a, &drivers), rounded.reach(&b, &drivers));
+        let state = b.loops().expect("loops");
+        assert!((1e-7..1e-5).contains(&state.inexactness) && state.residual < 1e-5, "{state:?}");
+        assert_eq!(a.loops().expect("loops").inexactness, 0.0);
+        for link in ["crank", "coupler", "rocker"] {
+            let n = Vector3::new(0.5, 0.2, 0.8).normalize();
+            let at = |rig: &Rig, pose: &_| -> ContactResponse {
+                rig.respond(pose, &rig.contact(link, [0.3, 0.1, 0.0], n))
+            };
+            let (right, near) = (at(&exact, &a), at(&rounded, &b));
+            assert_eq!((near.degrees_of_freedom, near.singular_pose), (1, false));
+            let stated = near.effective_mass_error().expect("finite") / mass(&near);
+            let case = format!("{link} at {drivers:?}");
+            // Some micrometres on a metre; more where the point hardly moves along the normal and the rest moves fast.
+            let fast = 1.0 + exact.mechanism.characteristic_length() * Motion::of(&right).size();
+            gauge.relative(&case, mass(&near), mass(&right), 1e-6 * fast);
+            assert!(
+                states_enough(&near, mass(&right), 0.0),
+                "{case}: {} ± {stated:e}, {}",
+                mass(&near),
+                mass(&right)
+            );
+            assert!(stated < 1e-3 * fast, "{case}: {stated:e}");
+        }
+    }
+    // In one go, and moved on into the contact: contradictory rows lead astray where they are followed.
+    for part in [0.02, 0.35, 0.65, 0.98] {
+        let drivers = exact.at(part);
+        let [(right, there), (near, beside)] = [&exact, &rounded].map(|rig| {
+            let pose = rig.reach(&rig.closed(), &drivers);
+            let contact = rig.contact("coupler", [0.3, 0.1, 0.0], Vector3::new(0.5, 0.2, 0.8).normalize());
+            let response = rig.respond(&pose, &contact);
+            let pushed = pose.advanced_along(&response, 1e-3).expect("it gives way");
+            (mass(&response), mass(&rig.respond(&pushed, &contact)) / mass(&response))
+        });
+        assert!((near / right - 1.0).abs() < 1e-4, "{part}: {near} {right}");
+        assert!((beside - there).abs() < 1e-4, "{part}: {beside} {there}");
+    }
+    gauge.report();
+}
+
+/// A crank on the ground, 0.5 m long, mass at its tip, held by closures.
+fn crank(closures: Vec<ClosureDescription>) -> Mechanism {
+    let bar =
+        |name: &str| LinkDescription::new(name, Inertial::diagonal(1.0, [0.4, 0.0, 0.0], [0.01, 0.02, 0.03]));
+    let plate = JointDescription::new("weld", JointKind::Fixed, "crank", "plate").at([0.5, 0.0, 0.0]);
+    let hinge = JointDescription::new("hinge", JointKind::Revolute, "ground", "crank").axis([0.0, 0.0, 1.0]);
+    let builder = MechanismBuilder::new("crank")
+        .link(LinkDescription::massless("ground"))
+        .link(bar("crank"))
+        .link(bar("plate"))
+        .joint(hinge)
+        .joint(plate);
+    closures.into_iter().fold(builder, MechanismBuilder::closure).build().expect("a crank").mechanism
+}
+
+fn unclosed(mechanism: Mechanism) -> Vec<String> {
+    let system = System::new(mechanism, &Conditions::new()).expect("free");
+    let error = timed("giving up", || system.pose(&system.configuration()).expect_err("it cannot close"));
+    let message = error.to_string();
+    match error {
+        AssemblyError::DoesNotClose { loops, residual, allowed } => {
+            assert!(residual > allowed, "{residual} {allowed}");
+            assert!(message.contains(&format!("\"{}\"", loops[0])), "{message}");
+            loops
+        }
+        other => panic!("{other}"),
+    }
+}
+
+#[test]
+fn loops_that_contradict_themselves() {
+    let rod = |name: &str, at: [f64; 3], length: f64| {
+        ClosureDescription::new(name, ClosureKind::Distance, "ground", "crank")
+            .at(at, [0.5, 0.0, 0.0])
+            .distance(length)
+    };
+    // One rod asks for a quarter turn, the other for none; one alone closes.
+    let system = System::new(crank(vec![rod("up", [0.0, 1.0, 0.0], 0.6)]), &Conditions::new()).unwrap();
+    let pose = system.pose(&system.configuration()).expect("one rod closes");
+    assert!(pose.loops().is_some_and(|l| l.residual < 1e-12));
+    let loops = unclosed(crank(vec![rod("up", [0.0, 1.0, 0.0], 0.55), rod("down", [0.0, -1.0, 0.0], 0.55)]));
+    assert_eq!(loops.len(), 2);
+    // Out of every reach.
+    assert_eq!(unclosed(crank(vec![rod("far", [3.0, 0.0, 0.0], 1.0)])), ["far"]);
+    // The hinge and its closure have different axes.
+    let tilted = ClosureDescription {
+        successor_frame: Transform::new(rotation_from_rpy([0.3, 0.0, 0.0]), Vector3::zeros()),
+        ..ClosureDescription::new("tilted", ClosureKind::Revolute, "ground", "crank").axis([0.0, 0.0, 1.0])
+    };
+    assert_eq!(unclosed(crank(vec![tilted])), ["tilted"]);
+    // Between links that are one body, and do not fit; and that do.
+    let weld = |x: f64| {
+        ClosureDescription::new("again", ClosureKind::Fixed, "crank", "plate").at([x, 0.0, 0.0], [0.0; 3])
+    };
+    assert_eq!(unclosed(crank(vec![weld(0.6)])), ["again"]);
+    let system = System::new(crank(vec![weld(0.5)]), &Conditions::new()).unwrap();
+    let pose = system.pose(&system.configuration()).expect("it fits");
+    assert_eq!((system.degrees_of_freedom(), system.reference_or_open().redundant_constraints()), (1, 6));
+    assert_eq!(system.reference_or_open().redundant_loops(), [vec!["again".to_owned()]]);
+    assert_eq!(pose.loops().unwrap().residual, 0.0);
+}
+
+#[test]
+fn a_joint_that_follows_is_not_set() {
+    let rig = Rig::new(linkage::four_bar());
+    let mut both = rig.configuration(&[0.7]);
+    both.set("rocker_hinge", &[1.0]).unwrap();
+    let error = rig.system.pose(&both).unwrap_err();
+    assert!(error.is_bad_input());
+    assert!(error.to_string().contains("\" depends on others through the loops; set \""), "{error}");
+    assert!(matches!(error, AssemblyError::Dependent { .. }));
+    // Any one alone may drive.
+    for joint in ["crank_hinge", "crank_pin", "rocker_hinge"] {
+        let mut one = rig.system.configuration();
+        let at = rig.closed().joint(rig.joint(joint))[0];
+        one.set(joint, &[at + 0.05]).unwrap();
+        let pose = rig.system.pose_from(&rig.closed(), &one).unwrap();
+        assert_eq!(pose.loops().unwrap().drivers, [rig.joint(joint)]);
+        assert!(rig.open(&pose) < 1e-12 && pose.joint(rig.joint(joint)) == [at + 0.05]);
+    }
+}
+
+#[test]
+fn locks_within_loops() {
+    // Every joint of a loop, one of them, and a coupling over locked shafts: as route C has it.
+    let whole = ["crank_hinge", "crank_pin", "rocker_hinge"];
+    type Case<'a> = (fn() -> Linkage, &'a [&'a str], &'a str);
+    let cases: [Case; 5] = [
+        (linkage::four_bar, &whole, "coupler"),
+        (linkage::four_bar, &whole[1..2], "coupler"),
+        (linkage::geared_pair, &["slow"], "fast"),
+        (linkage::geared_pair, &["slow", "fast"], "fast"),
+        (linkage::planetary_gear, &["planet"], "sun"),
+    ];
+    for (make, locks, link) in cases {
+        let conditions = locks.iter().fold(Conditions::new(), |c, joint| c.lock(*joint));
+        let rig = Rig::under(make(), &conditions);
+        let pose = rig.closed();
+        let contact = rig.contact(link, [0.1, 0.2, 0.0], Vector3::new(0.3, 0.5, 0.1));
+        let mut asked = question(&rig.system, &rig.mechanism, &pose, &contact);
+        asked.locked = locks.iter().map(|name| rig.joint(name)).collect();
+        let answer = maximal::solve(&asked);
+        let case = format!("{} {locks:?}", rig.name);
+        assert_eq!(answer.degrees_of_freedom, 0, "{case}");
+        assert_eq!(rig.system.degrees_of_freedom(), 0, "{case}");
+        assert_eq!(
+            rig.system.reference_or_open().redundant_constraints(),
+            answer.redundant_constraints,
+            "{case}"
+        );
+        assert_eq!(rig.respond(&pose, &contact).effective_mass, EffectiveMass::Immovable, "{case}");
+    }
+}
+
+#[test]
+fn a_sphere_drives_a_loop() {
+    // A plate on a ball carries a slider on a guide by a rod: the ball's three turns drive, the slider follows.
+    let body = |name: &str, mass: f64| {
+        LinkDescription::new(name, Inertial::diagonal(mass, [0.2, 0.1, 0.0], [0.05, 0.06, 0.08]))
+    };
+    let rod = ClosureDescription::new("rod", ClosureKind::Distance, "slider", "plate")
+        .at([0.0; 3], [0.4, 0.1, 0.0])
+        .distance(0.5);
+    let mechanism = MechanismBuilder::new("plate")
+        .link(LinkDescription::massless("ground"))
+        .link(body("plate", 2.0))
+        .link(body("slider", 1.0))
+        .joint(JointDescription::new("ball", JointKind::Spherical, "ground", "plate"))
+        .joint(JointDescription::new("slide", JointKind::Prismatic, "ground", "slider").axis([0.0, 0.0, 1.0]))
+        .closure(rod)
+        .build()
+        .expect("a plate")
+        .mechanism;
+    let system = System::new(mechanism, &Conditions::new()).expect("free");
+    assert_eq!(system.degrees_of_freedom(), 3);
+    let slide = system.mechanism().find_joint("slide").unwrap();
+    let at_zero = system.pose(&system.configuration()).expect("it closes");
+    // On the side where it begins, at any turn: z = p_z ± √(l² − p_x² − p_y²).
+    let side = at_zero.joint(slide)[0].signum();
+    let mut pose = at_zero;
+    for [roll, pitch, yaw] in
+        [[0.3, 0.1, 0.0], [-0.4, 0.5, 1.0], [0.2, -0.9, 2.9], [0.0, 0.4, -2.0], [0.7, 0.0, 0.3]]
+    {
+        let turn = rotation_from_rpy([roll, pitch, yaw]);
+        let q = nalgebra::UnitQuaternion::from_matrix(&turn);
+        let mut configuration = system.configuration();
+        configuration.set("ball", &[q.w, q.i, q.j, q.k]).unwrap();
+        for from in [None, Some(&pose)] {
+            let here = from
+                .map_or_else(|| system.pose(&configuration), |from| system.pose_from(from, &configuration));
+            let p = turn * Vector3::new(0.4, 0.1, 0.0);
+            let expected = p.z + side * (0.25 - p.x * p.x - p.y * p.y).sqrt();
+            let got = here.as_ref().expect("in reach").joint(slide)[0];
+            assert!((got - expected).abs() < 1e-12, "{roll} {pitch} {yaw}: {got} {expected}");
+        }
+        pose = system.pose(&configuration).unwrap();
+    }
+}

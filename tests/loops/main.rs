@@ -1,0 +1,9 @@
+//! Closed loops: putting them together, following them, and what is answered on them.
+
+mod against_the_oracle;
+mod assembly;
+mod closed_forms;
+mod kinds;
+mod many_freedoms;
+mod rank;
+mod sweeps;

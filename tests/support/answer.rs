@@ -1,0 +1,141 @@
+//! What the library answers, in plain values: the one place where the suites about families call it.
+
+use percuss_dynamics::{
+    Conditions, Contact, ContactResponse, EffectiveMass, Pose, Remark, RouteChoice, System,
+};
+use percuss_mechanism::{JointId, LinkId, Mechanism};
+use percuss_spatial::Vector3;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+
+/// A mechanism on the ground, everything free.
+pub struct Model {
+    system: System,
+}
+
+/// A mechanism at a configuration.
+pub struct PosedModel {
+    pose: Pose,
+}
+
+/// What is answered to a contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Answer {
+    /// Whether and how it gives way.
+    pub status: Status,
+    /// m̄, kg; NaN unless finite.
+    pub mass: f64,
+    /// The error that is stated with it, kg; NaN where none is.
+    pub error: f64,
+    /// Degrees of freedom here.
+    pub degrees_of_freedom: usize,
+    /// Whether branches cross here.
+    pub singular: bool,
+    /// Whether its reader is warned that digits, or the number of freedoms, are uncertain.
+    pub warned: bool,
+}
+
+/// The kind of an answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// m̄ is a number.
+    Finite,
+    /// Nothing closes the gap.
+    Immovable,
+    /// Nothing has to be moved.
+    Massless,
+}
+
+/// The value, or in a line why there is none: an error, or a panic.
+pub type Answered<T> = Result<T, String>;
+
+fn caught<T, E: std::fmt::Display>(ask: impl FnOnce() -> Result<T, E>) -> Answered<T> {
+    match catch_unwind(AssertUnwindSafe(ask)) {
+        Ok(answer) => answer.map_err(|error| error.to_string().replace('\n', " ")),
+        Err(_) => Err("panicked".into()),
+    }
+}
+
+impl Model {
+    /// Compiles the mechanism.
+    ///
+    /// # Errors
+    /// The error of the library, in a line.
+    pub fn new(mechanism: impl Into<Arc<Mechanism>>) -> Answered<Self> {
+        let mechanism = mechanism.into();
+        caught(|| System::new(mechanism, &Conditions::new())).map(|system| Self { system })
+    }
+
+    /// Whether the rank at a generic pose is clear.
+    pub fn rank_is_clear(&self) -> bool {
+        self.system.reference_or_open().rank_is_clear()
+    }
+
+    /// Degrees of freedom and redundant rows at a generic pose.
+    ///
+    /// # Errors
+    /// Where the library panics.
+    pub fn generic(&self) -> Answered<(usize, usize)> {
+        caught(|| {
+            let system = &self.system;
+            Ok::<_, String>((system.degrees_of_freedom(), system.reference_or_open().redundant_constraints()))
+        })
+    }
+
+    /// With some joints set, all others at 0 or following.
+    ///
+    /// # Errors
+    /// The error of the library, in a line.
+    pub fn at(&self, set: &[(JointId, f64)]) -> Answered<PosedModel> {
+        let mut configuration = self.system.configuration();
+        for (joint, value) in set {
+            let name = self.system.mechanism().joint(*joint).name();
+            caught(|| configuration.set(name, &[*value]).map(|_| ()))?;
+        }
+        caught(|| self.system.pose(&configuration)).map(|pose| PosedModel { pose })
+    }
+}
+
+impl PosedModel {
+    fn is_warned(&self, response: &ContactResponse) -> bool {
+        let uncertain = match (response.effective_mass, response.effective_mass_error()) {
+            (EffectiveMass::Finite(mass), Some(error)) => error > 1e-6 * mass,
+            (EffectiveMass::Finite(_), None) => true,
+            (EffectiveMass::Immovable | EffectiveMass::Massless, _) => false,
+        };
+        let remark = |r: &Remark| matches!(r, Remark::MasslessToRounding { .. } | Remark::UnclearRank { .. });
+        uncertain || response.remarks.iter().any(remark) || !self.pose.assembly().rank_is_clear()
+    }
+
+    /// The position of a joint.
+    pub fn joint(&self, joint: JointId) -> &[f64] {
+        self.pose.joint(joint)
+    }
+
+    /// The joints that drive loops.
+    pub fn drivers(&self) -> Vec<JointId> {
+        self.pose.loops().map(|loops| loops.drivers.clone()).unwrap_or_default()
+    }
+
+    /// A point (m) of a link against the ground, the normal in the link's axes.
+    ///
+    /// # Errors
+    /// The error of the library, in a line.
+    pub fn respond(&self, link: LinkId, point: Vector3<f64>, normal: Vector3<f64>) -> Answered<Answer> {
+        let contact = Contact::new(link, point, normal);
+        let response = caught(|| self.pose.respond(&contact, RouteChoice::Auto))?;
+        let (status, mass) = match response.effective_mass {
+            EffectiveMass::Finite(mass) => (Status::Finite, mass),
+            EffectiveMass::Immovable => (Status::Immovable, f64::NAN),
+            EffectiveMass::Massless => (Status::Massless, f64::NAN),
+        };
+        Ok(Answer {
+            status,
+            mass,
+            error: response.effective_mass_error().unwrap_or(f64::NAN),
+            degrees_of_freedom: response.degrees_of_freedom,
+            singular: response.singular_pose,
+            warned: self.is_warned(&response),
+        })
+    }
+}
