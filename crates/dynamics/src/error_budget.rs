@@ -108,6 +108,8 @@ pub(crate) struct RelativeErrors {
     pub file: f64,
     /// The greatest misfit of a group that moves.
     pub misfit: f64,
+    /// Whether a group that moves has redundant rows, which measure the misfit.
+    pub is_measured: bool,
 }
 
 impl UnitImpulse<'_> {
@@ -127,6 +129,7 @@ impl UnitImpulse<'_> {
         RelativeErrors {
             rounding: f64::EPSILON * sum.rounding / response,
             file: sum.file / response,
+            is_measured: sum.is_measured,
             misfit: sum.misfit,
         }
     }
@@ -214,6 +217,7 @@ impl UnitImpulse<'_> {
                     continue;
                 }
                 sum.misfit = sum.misfit.max(self.misfits[own.group]);
+                sum.is_measured |= group.rows > known.pivots.rows.len();
                 // δ(1/m̄) = 2 λᵀδA u: the multipliers balance what the tree leaves on the coordinates that depend.
                 let force = |c: usize| forces[own.coordinates[c]] / group.lengths[c];
                 let mut rows = GroupRows::default();
@@ -291,12 +295,15 @@ impl UnitImpulse<'_> {
         let carried = components(&carrier);
         let mut sum = 0.0;
         for (at, &b) in cluster.bodies.iter().enumerate() {
-            let mut terms = carried;
+            // Roundings of many terms add as a random walk.
+            let mut squares = carried.component_mul(&carried);
             for (psi, u) in room.psi[at * d..(at + 1) * d].iter().zip(&u) {
-                terms += components(psi) * u.abs();
+                let part = components(psi) * *u;
+                squares += part.component_mul(&part);
             }
+            let terms = squares.map(f64::sqrt);
             let root = energy_root(&roots(&recursion.inertias[b]), &terms);
-            sum += (SUM + d as f64) * root * root;
+            sum += (SUM + (d as f64).sqrt()) * root * root;
             sum += 2.0 * SUM * dot_abs(&recursion.wrenches[b][0], &terms);
         }
         for &y in &room.order {

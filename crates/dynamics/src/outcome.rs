@@ -36,15 +36,6 @@ pub enum RouteChoice {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RouteError {
-    /// Pivots of the recursion are small differences of large terms.
-    #[error(
-        "the articulated route is accurate to {error:.1e} only here: pivots are small differences of large terms; \
-         the dense route takes it"
-    )]
-    Inaccurate {
-        /// Relative error of m̄ that it may have.
-        error: f64,
-    },
     /// Some motion has a negative mass.
     #[error(
         "the articulated route meets a motion of negative mass (accepted indefinite inertias); the dense route takes it"

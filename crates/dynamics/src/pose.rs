@@ -167,7 +167,8 @@ impl Pose {
 
     /// Condition λ_max/λ_min of M scaled to unit diagonal; none where M is singular or has more than 300 coordinates.
     pub fn condition(&self) -> Option<f64> {
-        let small = self.assembly.model().coordinates.len() <= CONDITION_LIMIT;
+        // M is formed over the tree's velocities, mimics folded afterwards.
+        let small = self.assembly.model().follows.len() <= CONDITION_LIMIT;
         small.then(|| condition_of(&self.mass_matrix())).flatten()
     }
 

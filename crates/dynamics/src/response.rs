@@ -388,7 +388,7 @@ impl Question<'_> {
         // The rows of an inexact file are off by as much as its frames are; so is the closing speed that m̄ goes by.
         let file = FILE * (errors.file + errors.misfit / closing_speed);
         let closing = self.closing_error(m).map(|c| m * c);
-        ErrorBudget { rounding: Some(m * own), closing, file: Some(m * file) }
+        ErrorBudget { rounding: Some(m * own), closing, file: errors.is_measured.then_some(m * file) }
     }
 
     /// Relative change of m̄ between the pose and where it may be, as far as its loops are from closed; none where that
