@@ -7,3 +7,4 @@ mod kinds;
 mod many_freedoms;
 mod rank;
 mod sweeps;
+mod travel;

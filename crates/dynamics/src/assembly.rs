@@ -99,6 +99,11 @@ impl Assembly {
         self.is_of(&other.models.answering)
     }
 
+    /// What was found about a group of loops.
+    pub(crate) fn group_facts(&self, number: usize) -> &GroupFacts {
+        &self.facts.groups[number]
+    }
+
     pub(crate) fn is_of(&self, model: &Arc<Model>) -> bool {
         Arc::ptr_eq(&self.models.answering, model)
     }

@@ -39,6 +39,8 @@ mod singular;
 mod system;
 mod tangent;
 mod tolerances;
+mod travel;
+mod travel_search;
 mod union;
 mod workspace;
 
@@ -58,4 +60,5 @@ pub use point_velocity::PointVelocity;
 pub use pose::{Pose, PoseRank};
 pub use response::{ContactResponse, Contributions};
 pub use system::System;
+pub use travel::{Travel, TravelError};
 pub use workspace::{ScalarWorkspace, Workspace};

@@ -44,3 +44,32 @@ pub(crate) const STEP_RANK: f64 = 1e-9;
 pub(crate) const SETTLED: f64 = 1e-8;
 /// A loop that is open by more than this part of its size as drawn is a warning: no rounding, a mistyped point.
 pub(crate) const DRAWN_OPEN: f64 = 0.01;
+
+// How the travel of a point is reached. Steps of the driving joint are in rad, or in parts of the size; rates are in
+// sizes a unit of these.
+
+/// A shorter vector has no direction. Any unit.
+pub(crate) const SHORTEST_DIRECTION: f64 = 1e-9;
+/// First step where the rate is not determined, or none: long against rounding, short against what a mechanism bends.
+pub(crate) const FIRST_STEP: f64 = 1e-4;
+/// Longest step: about 11°, where the tangent still leads to the same solution.
+pub(crate) const LONGEST_STEP: f64 = 0.2;
+/// Longest steps to a displacement: ranges of 12 rad.
+pub(crate) const TRAVEL_STEPS: usize = 60;
+/// Steps between two values of the driver that enclose what is looked for: halvings from the longest step to rounding.
+pub(crate) const ENCLOSED_STEPS: usize = 60;
+/// A displacement is met to this part of the size: the tolerance to which loops close.
+pub(crate) const MET: f64 = 1e-12;
+/// A miss beyond this part is not yet rounding: one step of the tangent more takes it away.
+pub(crate) const POLISHED: f64 = 1e-14;
+/// And this part is rounding of the pose, not a miss, where a point far from the joint moves fast.
+pub(crate) const MET_TO_ROUNDING: f64 = 1e-9;
+/// A joint that moves the point more slowly does not drive it: digits that files have lost would decide.
+pub(crate) const UNMOVED: f64 = 1e-6;
+/// A rate below this has no sign: loops closed to 1e-12 of the size leave so much of it.
+pub(crate) const STATIONARY: f64 = 1e-11;
+/// A rate that exceeds another by less than this part of it is the same rate: of joints alike, the first drives.
+pub(crate) const SAME_RATE: f64 = 1e-9;
+/// A joint drives weakly where the least pivot of the dependent coordinates' Jacobian is below this part of its generic
+/// size: near its dead centre everything is fast, and it is at its end soon.
+pub(crate) const WEAK_DRIVER: f64 = 1e-2;

@@ -32,7 +32,7 @@ pub use percuss_dynamics::{
     ConfigurationError, Contact, ContactError, ContactResponse, Contributions, Direction, DrawnGap,
     EffectiveMass, ErrorBudget, Frame, InverseOperationalInertia, LocatedContact, LoopState, PointForce,
     PointVelocity, Pose, PoseRank, Remark, ResponseError, Route, RouteChoice, RouteError, ScalarWorkspace,
-    Singularity, System, VelocityError, Workspace,
+    Singularity, System, Travel, TravelError, VelocityError, Workspace,
 };
 pub use percuss_formats::{
     Comments, DEFAULT_MAX_SIZE, Diagnostic, LoadError, LoadOptions, Loaded, Source, load, suspension,

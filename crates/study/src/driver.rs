@@ -20,11 +20,6 @@ impl Driver {
         self.base.mechanism().joint(self.joint).name()
     }
 
-    /// Where it stands.
-    pub fn value(&self, pose: &Pose) -> f64 {
-        pose.joint(self.joint)[0]
-    }
-
     /// The pose with this joint at a value, followed from another pose where there is one.
     pub fn pose(&self, system: &System, from: Option<&Pose>, value: f64) -> Result<Pose, StudyError> {
         let mut configuration = self.base.clone();

@@ -90,7 +90,7 @@ impl DriverPath {
         value: f64,
     ) -> Result<Result<Pose, Missed>, StudyError> {
         match (&self.travel, last.or(self.start())) {
-            (Some(travel), Some(last)) => travel.reach(system, &self.driver, last, value),
+            (Some(travel), Some(last)) => travel.reach(&self.driver, last, value),
             (_, last) => match self.driver.pose(system, last, value) {
                 Ok(pose) => Ok(Ok(pose)),
                 Err(StudyError::Assembly(error)) if !error.is_bad_input() => {

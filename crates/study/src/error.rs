@@ -5,7 +5,7 @@ use crate::thresholds::{LARGEST_COORDINATE, LEAST_OTHER_MASS, SHORTEST_DIRECTION
 use percuss_contact::ContactLawError;
 use percuss_contact::exports::ExportError;
 use percuss_dynamics::{
-    AssemblyError, ConditionsError, ConfigurationError, ContactError, ResponseError, RouteError,
+    AssemblyError, ConditionsError, ConfigurationError, ContactError, ResponseError, RouteError, TravelError,
 };
 use percuss_mechanism::{JointKind, UnknownName};
 
@@ -172,20 +172,9 @@ pub enum Fault {
         /// The joint.
         joint: String,
     },
-    /// A direction of travel without length.
-    #[error("the direction of travel has no length ({length:e}; expected at least {SHORTEST_DIRECTION:e})")]
-    TravelDirection {
-        /// Its length.
-        length: f64,
-    },
-    /// Nothing moves the point that travels.
-    #[error(
-        "no joint that is free to drive moves this point of link \"{link}\" along the direction of travel"
-    )]
-    NothingMoves {
-        /// The point's link.
-        link: String,
-    },
+    /// A travel that means nothing, or that nothing drives.
+    #[error(transparent)]
+    Travel(#[from] TravelError),
     /// A point is given in a frame that is looked up at a pose out of reach.
     #[error(
         "a point in this frame is converted to the struck link where the varied joint stands at 0, and that pose cannot \

@@ -40,21 +40,6 @@ pub(crate) const DIFFERENCE: f64 = 1e-5;
 /// some per cent.
 pub(crate) const DRIFTING: f64 = 0.01;
 
-// How the travel of a point is reached. Steps of the driving joint are in rad, or in parts of the size.
-
-/// First step: long against rounding, short against what a mechanism bends.
-pub(crate) const FIRST_STEP: f64 = 1e-4;
-/// Longest step: about 11°, where a secant still leads to the same solution.
-pub(crate) const LONGEST_STEP: f64 = 0.2;
-/// Steps to a displacement: ranges of 12 rad, and some for the last digits.
-pub(crate) const STEPS: usize = 60;
-/// A displacement is met to this part of the size: the tolerance to which loops close.
-pub(crate) const MET: f64 = 1e-12;
-/// And this part is rounding of the pose, not a miss, where a point far from the joint moves fast.
-pub(crate) const ROUNDED: f64 = 1e-9;
-/// A joint that moves the point by less (sizes per rad, or m per m) does not drive it.
-pub(crate) const UNMOVED: f64 = 1e-6;
-
 // How often rows out of reach are tried.
 
 /// Rows tried from one start between where the first search ended and where it was to go: the end of a travel is found

@@ -33,7 +33,46 @@ pub(crate) struct GroupFacts {
     pub moved: Option<(JointId, f64)>,
 }
 
+/// A coordinate (by index into a group's) that was set and yet depends, and who drives instead.
+pub(crate) struct Refused {
+    pub at: usize,
+    pub drivers: Drivers,
+}
+
 impl GroupFacts {
+    /// Who drives where these coordinates are given: they do as far as they can, else what is declared, else what looks
+    /// driven. `near`: the frames where the search begins.
+    ///
+    /// # Errors
+    /// A coordinate that is given and cannot drive.
+    pub fn divide(
+        &self,
+        model: &Model,
+        group: &Group,
+        near: impl FnOnce() -> Kinematics<f64>,
+        given: impl Fn(usize) -> bool,
+    ) -> Result<Drivers, Refused> {
+        let mut divided = model.drivers_for(group, &self.rows, &self.drivers, self.floor, &given);
+        let single =
+            |at: usize| group.joints[at].is_some_and(|id| model.mechanism.joint(id).kind().positions() == 1);
+        // Of a joint with several positions, as many as can do drive; the others must come out as they were set.
+        let refused =
+            |d: &Drivers| d.dependent.iter().copied().find(|&at| given(at) && (single(at) || d.declared));
+        if refused(&divided).is_some() && !divided.declared {
+            // Long trains may carry a driver at one pose and not, to rounding, at another: try where this one starts.
+            let mut here = GroupRows::default();
+            here.fill(model, group, &near());
+            let there = model.drivers_for(group, &here, &self.drivers, self.floor, &given);
+            if refused(&there).is_none() {
+                divided = there;
+            }
+        }
+        match refused(&divided) {
+            Some(at) => Err(Refused { at, drivers: divided }),
+            None => Ok(divided),
+        }
+    }
+
     /// The misfit, where it is more than the rounding of positions; else 0.
     pub fn misfit_beyond(&self, group: &Group, kinematics: &Kinematics<f64>, model: &Model) -> f64 {
         let rounding = 0.03 * model.closing_tolerance(kinematics, group);

@@ -1,7 +1,7 @@
 //! Closing the groups of a model one after another: who drives each, and the path of the drivers to the positions asked for.
 
 use super::error::AssemblyError;
-use super::facts::{Facts, GroupFacts};
+use super::facts::{Facts, GroupFacts, Refused};
 use super::state::LoopState;
 use crate::closing::{Directions, DriverPath, Linearised};
 use crate::configuration::Configuration;
@@ -90,28 +90,12 @@ impl Closer<'_> {
     /// Who drives: what was set, else what is declared, else what looks driven.
     fn divide(&self, group: &Group, facts: &GroupFacts) -> Result<Drivers, AssemblyError> {
         let given = |at: usize| self.is_given(group, at);
-        let mut divided = self.model.drivers_for(group, &facts.rows, &facts.drivers, facts.floor, given);
-        let single = |at: usize| {
-            group.joints[at].is_some_and(|id| self.model.mechanism.joint(id).kind().positions() == 1)
-        };
-        // Of a joint with several positions, as many as can do drive; the others must come out as they were set.
-        let refused =
-            |d: &Drivers| d.dependent.iter().copied().find(|&at| given(at) && (single(at) || d.declared));
-        if refused(&divided).is_some() && !divided.declared {
-            // Long trains may carry a driver at one pose and not, to rounding, at another: try where this one starts.
-            let here = Linearised::at(self.model, &self.near(group), group);
-            let there = self.model.drivers_for(group, &here.rows, &facts.drivers, facts.floor, given);
-            if refused(&there).is_none() {
-                divided = there;
-            }
-        }
-        if let Some(at) = refused(&divided) {
+        facts.divide(self.model, group, || self.near(group), given).map_err(|Refused { at, drivers }| {
             let name = |at: usize| group.joints[at].map(|id| self.model.joint_name(id).to_owned());
-            let mut drivers: Vec<String> = divided.driving.iter().filter_map(|&d| name(d)).collect();
+            let mut drivers: Vec<String> = drivers.driving.iter().filter_map(|&d| name(d)).collect();
             drivers.dedup();
-            return Err(AssemblyError::Dependent { joint: name(at).unwrap_or_default(), drivers });
-        }
-        Ok(divided)
+            AssemblyError::Dependent { joint: name(at).unwrap_or_default(), drivers }
+        })
     }
 
     /// All positions with the guesses for a group in place, if there is any.

@@ -1,0 +1,417 @@
+//! The travel of a point: how far it is displaced, how fast a joint moves it, and the pose where it is displaced as wanted.
+
+use crate::assembling::AssemblyError;
+use crate::closing::Directions;
+use crate::configuration::Configuration;
+use crate::mobility::Singularity;
+use crate::model::Model;
+use crate::pose::Pose;
+use crate::rows::GroupRows;
+use crate::tolerances::{FIRST_STEP, MET, SAME_RATE, SHORTEST_DIRECTION, UNMOVED, WEAK_DRIVER};
+use crate::travel_search::{Missed, Place, Scale, Search, Stop};
+use nalgebra::Vector3;
+use percuss_mechanism::{JointId, JointKind, LinkId, Mechanism};
+use percuss_spatial::Transform;
+use std::sync::Arc;
+
+/// The displacement of a point of a link along a direction, from where it is at a given pose.
+///
+/// s = n · (p_w − p_w at that pose), m; ds/dq = n · J_P u with A u = 0, u of the driver 1 and of the other drivers 0.
+#[derive(Clone, Debug)]
+pub struct Travel {
+    link: LinkId,
+    point: Vector3<f64>,
+    direction: Vector3<f64>,
+    /// X_wr where it starts.
+    base: Transform<f64>,
+    /// Where it starts, m, in the root link's frame: the world's origin may be far.
+    origin: Vector3<f64>,
+}
+
+/// A travel that means nothing, or that is not reached.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum TravelError {
+    /// NaN, infinite or absurdly large.
+    #[error("the {what} of travel has a component {value:e}; a finite number of at most 1e100 is wanted")]
+    NotFinite {
+        /// `point`, `direction` or `displacement`.
+        what: &'static str,
+        /// The component.
+        value: f64,
+    },
+    /// A direction of travel without length.
+    #[error("the direction of travel has no length ({length:e}; at least {SHORTEST_DIRECTION:e} is wanted)")]
+    NoDirection {
+        /// Its length.
+        length: f64,
+    },
+    /// A handle of another mechanism.
+    #[error(
+        "link number {index} is not of this mechanism, which has {links} links; ask it for the link by name"
+    )]
+    ForeignLink {
+        /// The handle's number.
+        index: usize,
+        /// How many links this mechanism has.
+        links: usize,
+    },
+    /// No joint drives the point.
+    #[error(
+        "no joint that is free to drive moves this point of link \"{link}\" along the direction of travel"
+    )]
+    NothingMoves {
+        /// The point's link.
+        link: String,
+    },
+    /// A joint that is no driver of one number.
+    #[error("joint \"{joint}\" has no single position of its own to drive by")]
+    NoDriver {
+        /// The joint.
+        joint: String,
+    },
+    /// The driver came to its end, or the point turned back, before.
+    #[error("a travel of {wanted} m cannot be reached; nearest reached: {nearest:.6} m")]
+    Unreachable {
+        /// The displacement that was wanted, m.
+        wanted: f64,
+        /// The nearest one between the ends of the range where the displacement goes one way, m.
+        nearest: f64,
+    },
+    /// So many steps of the driver are not made for one pose.
+    #[error(
+        "a travel of {wanted} m is too far to follow in one go; reached: {reached:.6} m; go there by way of poses between"
+    )]
+    TooFar {
+        /// The displacement that was wanted, m.
+        wanted: f64,
+        /// How far the point came, m.
+        reached: f64,
+    },
+    /// Loops that do not close, or a configuration that does not fit.
+    #[error(transparent)]
+    Assembly(#[from] AssemblyError),
+}
+
+/// How a joint moves the point.
+enum Drive {
+    /// It cannot be set: it depends on others that are declared or set.
+    None,
+    /// The loops do not determine it to first order: at a change point, or at a dead centre of the joint.
+    Open { weak: bool },
+    /// At this rate; `weak`: near a dead centre of the joint.
+    At { rate: f64, weak: bool },
+}
+
+impl Travel {
+    /// The travel of a point (m, link's frame) along a direction (world axes; its length does not matter), from where the
+    /// point is at a pose.
+    ///
+    /// # Errors
+    /// [`TravelError`]: not finite, no direction, a link of another mechanism.
+    pub fn new(
+        pose: &Pose,
+        link: LinkId,
+        point: Vector3<f64>,
+        direction: Vector3<f64>,
+    ) -> Result<Self, TravelError> {
+        let links = pose.mechanism().links().len();
+        if link.index() >= links {
+            return Err(TravelError::ForeignLink { index: link.index(), links });
+        }
+        for (what, vector) in [("point", &point), ("direction", &direction)] {
+            if let Some(&value) = vector.iter().find(|x| !x.is_finite() || x.abs() > 1e100) {
+                return Err(TravelError::NotFinite { what, value });
+            }
+        }
+        let length = direction.norm();
+        if length < SHORTEST_DIRECTION {
+            return Err(TravelError::NoDirection { length });
+        }
+        let origin = pose.kinematics.link_frame(pose.assembly.posing(), link).point(&point);
+        Ok(Self { link, point, direction: direction / length, base: pose.base, origin })
+    }
+
+    /// The link.
+    pub fn link(&self) -> LinkId {
+        self.link
+    }
+
+    /// The point, m, link's frame.
+    pub fn point(&self) -> &Vector3<f64> {
+        &self.point
+    }
+
+    /// Unit vector, world axes.
+    pub fn direction(&self) -> &Vector3<f64> {
+        &self.direction
+    }
+
+    /// Displacement of the point at a pose of the same mechanism, m.
+    pub fn displacement(&self, pose: &Pose) -> f64 {
+        let at = pose.kinematics.link_frame(pose.assembly.posing(), self.link).point(&self.point);
+        let mut moved = pose.base.vector(&(at - self.origin));
+        if pose.base != self.base {
+            moved += pose.base.point(&self.origin) - self.base.point(&self.origin);
+        }
+        self.direction.dot(&moved)
+    }
+
+    /// ds/dq: the displacement per unit motion of a joint (m/rad, or m/m), while the dependent coordinates of its loops
+    /// follow and the other drivers of the pose stand still. A joint that depends at the pose drives as where it alone is
+    /// set.
+    ///
+    /// None where it is not determined, at a change point or at a dead centre of the joint, and for a joint that cannot
+    /// drive: of several positions or none, a mimic, one that depends on declared drivers. Exact to rounding; cost: a
+    /// factorisation of the dependent coordinates' Jacobian of its loops.
+    pub fn rate(&self, pose: &Pose, driver: JointId) -> Option<f64> {
+        if !is_driver(pose.mechanism(), driver) {
+            return None;
+        }
+        let drive = match (drives_at(pose, driver), group_of(pose, driver), &pose.loops) {
+            (true, Some(number), Some(loops)) => {
+                self.through(pose, driver, number, &loops.dependent[number], 0.0)
+            }
+            _ => self.beside(pose, driver, &|_| false),
+        };
+        match drive {
+            Drive::At { rate, .. } => Some(rate),
+            Drive::None | Drive::Open { .. } => None,
+        }
+    }
+
+    /// The joint that moves the point most among those that can drive it, a radian against the size of the mechanism:
+    /// joints of one position that are not set, follow no other by a mimic, and drive their loops beside those that are
+    /// set. `is_set`: the joints that are set at the pose.
+    ///
+    /// By their rates; where these are not determined, or all zero (a change point, the end of a travel), by a small
+    /// step. A joint near its dead centre, where everything is fast, drives only where no other does.
+    ///
+    /// # Errors
+    /// [`TravelError::NothingMoves`].
+    pub fn driver(&self, pose: &Pose, is_set: &dyn Fn(JointId) -> bool) -> Result<JointId, TravelError> {
+        let mechanism = pose.mechanism();
+        let (mut known, mut resting) = (Vec::new(), Vec::new());
+        for joint in mechanism.joint_ids().filter(|id| is_driver(mechanism, *id) && !is_set(*id)) {
+            match self.beside(pose, joint, is_set) {
+                Drive::None => {}
+                Drive::Open { weak } => {
+                    known.extend(self.rate_of_step(pose, joint, is_set).map(|rate| (joint, rate, weak)));
+                }
+                Drive::At { rate, weak } => {
+                    known.push((joint, rate, weak));
+                    resting.push((joint, weak));
+                }
+            }
+        }
+        let stepped = || {
+            let rate = |(joint, weak)| Some((joint, self.rate_of_step(pose, joint, is_set)?, weak));
+            fastest(mechanism, resting.into_iter().filter_map(rate))
+        };
+        fastest(mechanism, known)
+            .or_else(stepped)
+            .ok_or_else(|| TravelError::NothingMoves { link: mechanism.link(self.link).name().to_owned() })
+    }
+
+    /// The pose where the point is displaced as wanted, followed from another pose along the branch: by Newton's method on
+    /// the driver, to 1e-12 of the mechanism's size, over the range where the displacement goes one way. The other joints
+    /// are where `configuration` wants them; what it says of the driver is not read.
+    ///
+    /// # Errors
+    /// [`TravelError`]: beyond the ends of that range, with the nearest displacement; a joint that cannot drive; loops
+    /// that do not close.
+    pub fn pose(
+        &self,
+        from: &Pose,
+        configuration: &Configuration,
+        driver: JointId,
+        wanted: f64,
+    ) -> Result<Pose, TravelError> {
+        let mechanism = from.mechanism();
+        let name = mechanism.joints().get(driver.index()).map_or("", |joint| joint.name());
+        if !is_driver(mechanism, driver) {
+            return Err(TravelError::NoDriver { joint: name.to_owned() });
+        }
+        if !wanted.is_finite() {
+            return Err(TravelError::NotFinite { what: "displacement", value: wanted });
+        }
+        if !Arc::ptr_eq(configuration.mechanism(), mechanism) {
+            let [got, expected] = [configuration.mechanism(), mechanism].map(|m| m.name().to_owned());
+            return Err(AssemblyError::ForeignConfiguration { got, expected }.into());
+        }
+        let mut configuration = configuration.clone().without_guesses();
+        configuration.given[driver.index()] = true;
+        let mut visit = |from: &Pose, value: f64| {
+            configuration.values[driver.index()] = vec![value];
+            match from.assembly.pose_from(from, &configuration) {
+                Ok(pose) => Ok(self.place(pose, driver)),
+                Err(error) if error.is_bad_input() => Err(Stop::Fault(error)),
+                Err(error) => Err(Stop::NoPose { end: end_of(&error, name), error }),
+            }
+        };
+        let scale = Scale { size: mechanism.characteristic_length(), unit: unit(mechanism, driver) };
+        let mut start = self.place(from.clone(), driver);
+        // The pose it starts from may be of another configuration, with other drivers.
+        if !drives_at(from, driver) || (wanted - start.gone).abs() <= MET * scale.size {
+            start = visit(from, start.driver).map_err(|stop| match stop {
+                Stop::Fault(error) | Stop::NoPose { error, .. } => error,
+            })?;
+        }
+        let found = Search { scale, wanted, visit: &mut visit }.go(start);
+        found.map(|place| place.pose).map_err(|missed| match missed {
+            Missed::Unreachable { nearest } => TravelError::Unreachable { wanted, nearest },
+            Missed::TooFar { reached } => TravelError::TooFar { wanted, reached },
+            Missed::Assembly(error) => TravelError::Assembly(error),
+        })
+    }
+
+    fn place(&self, pose: Pose, driver: JointId) -> Place<Pose> {
+        let (gone, rate) = (self.displacement(&pose), self.rate(&pose, driver));
+        Place { driver: pose.joint(driver)[0], gone, rate, pose }
+    }
+
+    /// How a joint moves the point where it is set beside others.
+    fn beside(&self, pose: &Pose, joint: JointId, is_set: &dyn Fn(JointId) -> bool) -> Drive {
+        let Some(number) = group_of(pose, joint) else {
+            let model = pose.assembly.posing();
+            let mut u = vec![0.0; model.coordinates.len()];
+            return match coordinate(model, joint) {
+                None => Drive::None,
+                Some(c) => {
+                    u[c] = 1.0;
+                    Drive::At { rate: self.speed(pose, &u), weak: false }
+                }
+            };
+        };
+        let (model, facts) = (pose.assembly.posing(), pose.assembly.group_facts(number));
+        let group = &model.groups[number];
+        let given = |at: usize| group.joints[at].is_some_and(|id| id == joint || is_set(id));
+        match facts.divide(model, group, || pose.kinematics.clone(), given) {
+            Ok(divided) => self.through(pose, joint, number, &divided.dependent, divided.conditioning),
+            Err(_) => Drive::None,
+        }
+    }
+
+    /// How a joint moves the point through its group of loops: u_d = −K⁻¹ a, with K the columns of A of the dependent
+    /// coordinates and a that of the joint. `conditioning`: least over largest pivot of K at the generic pose.
+    fn through(
+        &self,
+        pose: &Pose,
+        joint: JointId,
+        number: usize,
+        dependent: &[usize],
+        conditioning: f64,
+    ) -> Drive {
+        let (model, floor) = (pose.assembly.posing(), pose.assembly.group_facts(number).floor);
+        let group = &model.groups[number];
+        let Some(at) = coordinate(model, joint).and_then(|c| group.column(c)) else { return Drive::None };
+        let mut rows = GroupRows::default();
+        rows.fill(model, group, &pose.kinematics);
+        let directions = Directions::of(dependent);
+        let jacobian = directions.jacobian(group, &rows);
+        let pivots = jacobian.pivot_ratio();
+        let singularity = pose.loops.as_ref().map(|loops| loops.singularities[number]);
+        let weak = pivots < WEAK_DRIVER * conditioning && singularity != Some(Singularity::ChangePoint);
+        if pivots <= floor {
+            return Drive::Open { weak };
+        }
+        let mut target = vec![0.0; group.rows];
+        rows.for_each(group, |row, column, value| {
+            if column == at {
+                target[row] -= value;
+            }
+        });
+        let follow = jacobian.shortest(&target, floor);
+        let mut u = vec![0.0; model.coordinates.len()];
+        for (c, rate) in group.coordinates.iter().zip(directions.expand(group, |k| follow[k])) {
+            u[*c] = rate;
+        }
+        u[group.coordinates[at]] = 1.0;
+        Drive::At { rate: self.speed(pose, &u), weak }
+    }
+
+    /// Speed of the point along the direction at rates of the coordinates, m/s.
+    fn speed(&self, pose: &Pose, u: &[f64]) -> f64 {
+        let jacobian = pose.assembly.posing().point_jacobian(&pose.kinematics, self.link, &self.point);
+        let along = pose.base.inverse_vector(&self.direction);
+        jacobian
+            .column_iter()
+            .zip(u)
+            .filter(|(_, u)| **u != 0.0)
+            .map(|(column, u)| along.dot(&column) * u)
+            .sum()
+    }
+
+    /// Displacement per motion of a joint in a small step, all other drivers where they are; none where there is no pose.
+    fn rate_of_step(&self, pose: &Pose, joint: JointId, is_set: &dyn Fn(JointId) -> bool) -> Option<f64> {
+        let mechanism = pose.mechanism();
+        let mut configuration = Configuration::zero(mechanism);
+        configuration.base = pose.base;
+        for id in mechanism.joint_ids() {
+            configuration.values[id.index()] = pose.joint(id).to_vec();
+            configuration.given[id.index()] = is_set(id) || id == joint;
+        }
+        let step = FIRST_STEP * unit(mechanism, joint);
+        [step, -step].into_iter().find_map(|step| {
+            configuration.values[joint.index()] = vec![pose.joint(joint)[0] + step];
+            let moved = pose.assembly.pose_from(pose, &configuration).ok()?;
+            Some((self.displacement(&moved) - self.displacement(pose)) / step)
+        })
+    }
+}
+
+/// Whether a joint has one position, and one of its own.
+fn is_driver(mechanism: &Mechanism, joint: JointId) -> bool {
+    let found = mechanism.joints().get(joint.index());
+    found.is_some_and(|joint| joint.kind().positions() == 1 && joint.mimic().is_none())
+}
+
+/// Steps of a joint are in radians, or in sizes of the mechanism.
+fn unit(mechanism: &Mechanism, joint: JointId) -> f64 {
+    if mechanism.joint(joint).kind() == JointKind::Prismatic {
+        mechanism.characteristic_length()
+    } else {
+        1.0
+    }
+}
+
+/// The group of loops that a joint is bound by.
+fn group_of(pose: &Pose, joint: JointId) -> Option<usize> {
+    pose.assembly.posing().groups.iter().position(|group| group.joints.contains(&Some(joint)))
+}
+
+/// Whether a joint depends on no other at a pose.
+fn drives_at(pose: &Pose, joint: JointId) -> bool {
+    let Some((number, loops)) = group_of(pose, joint).zip(pose.loops.as_ref()) else { return true };
+    let group = &pose.assembly.posing().groups[number];
+    loops.dependent[number].iter().all(|&at| group.joints[at] != Some(joint))
+}
+
+/// The coordinate of a joint with one velocity of its own.
+fn coordinate(model: &Model, joint: JointId) -> Option<usize> {
+    let body = &model.bodies[model.body_of_joint[joint.index()]?];
+    model.follows[body.v.clone().next()?].map(|follows| follows.index)
+}
+
+/// The joint that moves the point most, and fast enough to drive it.
+fn fastest(mechanism: &Mechanism, rates: impl IntoIterator<Item = (JointId, f64, bool)>) -> Option<JointId> {
+    let least = UNMOVED * mechanism.characteristic_length();
+    let mut best: Option<(JointId, f64, bool)> = None;
+    for (joint, rate, weak) in rates {
+        let speed = (rate * unit(mechanism, joint)).abs();
+        let is_better = best.is_none_or(|(_, most, other_is_weak)| match weak == other_is_weak {
+            true => speed > most * (1.0 + SAME_RATE),
+            false => other_is_weak,
+        });
+        if speed > least && is_better {
+            best = Some((joint, speed, weak));
+        }
+    }
+    best.map(|(joint, ..)| joint)
+}
+
+/// Where the driver came to its end.
+fn end_of(error: &AssemblyError, driver: &str) -> Option<f64> {
+    let AssemblyError::Unreachable { nearest, .. } = error else { return None };
+    nearest.iter().find(|(name, _)| name == driver).map(|(_, value)| *value)
+}
