@@ -3,7 +3,7 @@
 use super::error::AssemblyError;
 use crate::closing::{Correction, Directions, Linearised};
 use crate::kinematics::Kinematics;
-use crate::mobility::{Drivers, Rank, rank_of_rows};
+use crate::mobility::{Drivers, Generic, Rank, independent_rows, rank_of_rows};
 use crate::model::{Group, Model};
 use crate::rows::GroupRows;
 use crate::tolerances::{CLOSED, ROUNDING, SETTLED};
@@ -27,6 +27,8 @@ pub(crate) struct GroupFacts {
     pub reference_is_regular: bool,
     /// Who drives where nothing is set.
     pub drivers: Drivers,
+    /// The rows that tell the mode of the coordinates that depend where nothing is set.
+    pub mode_rows: Vec<usize>,
     /// How far each of its constraints is from closed at the start, m.
     pub drawn_gaps: Vec<f64>,
     /// What moved most, and by how much (rad or m), to close it from there.
@@ -40,6 +42,16 @@ pub(crate) struct Refused {
 }
 
 impl GroupFacts {
+    /// What is known of the group at its generic pose.
+    pub fn generic(&self) -> Generic<'_> {
+        Generic {
+            rows: &self.rows,
+            rank: self.rank,
+            floor: self.floor,
+            default_rows: Some((&self.drivers.dependent, &self.mode_rows)),
+        }
+    }
+
     /// Who drives where these coordinates are given: they do as far as they can, else what is declared, else what looks
     /// driven. `near`: the frames where the search begins.
     ///
@@ -137,6 +149,7 @@ impl Model {
                 misfit: 0.0,
                 floor,
                 reference_is_regular: true,
+                mode_rows: Vec::new(),
                 drivers,
                 drawn_gaps: self.gaps(&start, group),
                 moved: None,
@@ -290,6 +303,7 @@ impl Model {
         let reference_is_regular = at_reference.rank == rank.rank;
         let (drawn_gaps, moved) = (Vec::new(), None);
         let misfit = inexactness.max(self.group_residual(reference, group).0);
+        let mode_rows = independent_rows(group, &rows, &drivers.dependent);
         GroupFacts {
             generic,
             rows,
@@ -299,6 +313,7 @@ impl Model {
             floor,
             reference_is_regular,
             drivers,
+            mode_rows,
             drawn_gaps,
             moved,
         }

@@ -6,7 +6,7 @@ use super::state::LoopState;
 use crate::closing::{Directions, DriverPath, Linearised};
 use crate::configuration::Configuration;
 use crate::kinematics::Kinematics;
-use crate::mobility::{Drivers, Generic, Singularity};
+use crate::mobility::{Drivers, Singularity};
 use crate::model::{Group, Model};
 use percuss_mechanism::JointId;
 
@@ -69,7 +69,7 @@ impl Closer<'_> {
                 followed => followed?,
             },
         };
-        let generic = Generic { rows: &facts.rows, rank: facts.rank, floor: facts.floor };
+        let generic = facts.generic();
         let mode = model.mode_of(&self.kinematics, group, &generic, &divided);
         let state = &mut self.state;
         state.residual = state.residual.max(model.group_residual(&self.kinematics, group).0);
@@ -206,7 +206,7 @@ impl Closer<'_> {
         let (model, facts) = (self.model, &self.facts.groups[number]);
         let group = &model.groups[number];
         let home = &self.facts.reference;
-        let generic = Generic { rows: &facts.rows, rank: facts.rank, floor: facts.floor };
+        let generic = facts.generic();
         let regular = |closer: &Self| {
             facts.reference_is_regular
                 && closer.model.mode_of(&closer.kinematics, group, &generic, divided).singularity

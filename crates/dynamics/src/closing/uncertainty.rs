@@ -1,7 +1,9 @@
 //! How far a pose may be from closed: a residual alone bounds nothing near a singular pose.
 
-use super::correct::{Directions, Linearised};
+use super::correct::{Directions, Linearised, norm};
 use crate::kinematics::Kinematics;
+use crate::linear::dense::{cholesky, cholesky_solve};
+use crate::linear::jacobian::Jacobian;
 use crate::model::{Group, Model};
 
 /// Coordinates up to which the weakest direction is looked for.
@@ -33,14 +35,13 @@ impl Model {
         let rounding = 8.0 * f64::EPSILON * group.size.max(far);
         let size = target.iter().map(|r| r * r).sum::<f64>().sqrt();
         let open = if inexactness > 0.0 { size.max(rounding) } else { rounding };
-        let mut step = match dependent.len() <= LARGE {
-            true => weak_step(
-                &jacobian.dense(),
-                &target,
-                open,
-                if inexactness > 0.0 { group.floor_for(inexactness) } else { FAINT },
-            ),
-            false => jacobian.shortest(&target, FAINT),
+        let floor = if inexactness > 0.0 { group.floor_for(inexactness) } else { FAINT };
+        let small = dependent.len() <= LARGE;
+        let regular = (small && inexactness == 0.0).then(|| regular_step(&jacobian, &target, open)).flatten();
+        let mut step = match regular {
+            Some(step) => step,
+            None if small => weak_step(&jacobian.dense(), &target, open, floor),
+            None => jacobian.shortest(&target, FAINT),
         };
         // No pose is uncertain by more than a radian.
         let long = step.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -48,6 +49,45 @@ impl Model {
         step.iter_mut().for_each(|x| *x *= shorten);
         directions.expand(group, |k| step[k])
     }
+}
+
+/// Squares of singular values below this part of the largest are no longer told from rounding in JᵀJ.
+const REGULAR: f64 = 1e-10;
+/// Each brings the weakest direction forward by the square of the ratio of singular values.
+const INVERSE_ITERATIONS: usize = 3;
+
+/// The step that closes to first order, and `open` over the least singular value along its vector, where all are well
+/// above the root of rounding: by JᵀJ and inverse iterations.
+fn regular_step(jacobian: &Jacobian, target: &[f64], open: f64) -> Option<Vec<f64>> {
+    let n = jacobian.columns;
+    let mut dense = vec![0.0; jacobian.rows * n];
+    jacobian.entries.iter().for_each(|(r, c, a)| dense[r * n + c] += a);
+    let mut normal = vec![0.0; n * n];
+    let mut step = vec![0.0; n];
+    for (row, b) in dense.chunks_exact(n).zip(target) {
+        for i in 0..n {
+            step[i] += row[i] * b;
+            for k in 0..=i {
+                normal[i * n + k] += row[i] * row[k];
+            }
+        }
+    }
+    if !cholesky(&mut normal, n, REGULAR) {
+        return None;
+    }
+    cholesky_solve(&normal, &mut step);
+    // A vector with a part along every singular one; ‖(JᵀJ)⁻¹v‖ comes to 1/σ².
+    let mut weakest: Vec<f64> = (0..n).map(|k| 1.0 + 0.1 * k as f64).collect();
+    let mut growth = norm(&weakest);
+    for _ in 0..INVERSE_ITERATIONS {
+        weakest.iter_mut().for_each(|x| *x /= growth);
+        cholesky_solve(&normal, &mut weakest);
+        growth = norm(&weakest);
+    }
+    let along: f64 = step.iter().zip(&weakest).map(|(s, w)| s * w).sum();
+    let size = (open / growth.sqrt()).copysign(along);
+    step.iter_mut().zip(&weakest).for_each(|(s, w)| *s += size * w);
+    Some(step)
 }
 
 /// The step that closes to first order, and `open` over the least singular value that counts along its vector.

@@ -26,6 +26,61 @@ pub(crate) fn solve_square(a: &mut [f64], b: &mut [f64]) {
     }
 }
 
+/// The sign of a determinant, n×n row by row, that may be too small or too large for a number; by elimination in place.
+pub(crate) fn determinant_sign(a: &mut [f64], n: usize) -> i8 {
+    let mut negative = false;
+    for k in 0..n {
+        let size = |r: usize| a[r * n + k].abs();
+        let Some(pivot) = (k..n).max_by(|&p, &q| size(p).total_cmp(&size(q))) else { break };
+        if pivot != k {
+            for c in k..n {
+                a.swap(k * n + c, pivot * n + c);
+            }
+            negative = !negative;
+        }
+        negative ^= a[k * n + k] < 0.0;
+        for r in k + 1..n {
+            let factor = a[r * n + k] / a[k * n + k];
+            for c in k + 1..n {
+                a[r * n + c] -= factor * a[k * n + c];
+            }
+        }
+    }
+    if negative { -1 } else { 1 }
+}
+
+/// Cholesky factor in place (lower, n×n row by row); false where a pivot falls below `floor` times the largest.
+pub(crate) fn cholesky(a: &mut [f64], n: usize, floor: f64) -> bool {
+    let largest = (0..n).map(|k| a[k * n + k]).fold(0.0, f64::max);
+    for k in 0..n {
+        for c in 0..=k {
+            let known: f64 = (0..c).map(|i| a[k * n + i] * a[c * n + i]).sum();
+            let rest = a[k * n + c] - known;
+            if c < k {
+                a[k * n + c] = rest / a[c * n + c];
+            } else if rest > floor * largest {
+                a[k * n + k] = rest.sqrt();
+            } else {
+                return false;
+            }
+        }
+    }
+    true
+}
+
+/// Solves L Lᵀ x = b in place.
+pub(crate) fn cholesky_solve(l: &[f64], b: &mut [f64]) {
+    let n = b.len();
+    for k in 0..n {
+        let known: f64 = (0..k).map(|i| l[k * n + i] * b[i]).sum();
+        b[k] = (b[k] - known) / l[k * n + k];
+    }
+    for k in (0..n).rev() {
+        let known: f64 = (k + 1..n).map(|i| l[i * n + k] * b[i]).sum();
+        b[k] = (b[k] - known) / l[k * n + k];
+    }
+}
+
 /// Singular values, descending, of a matrix given row by row (m×n), by one-sided Jacobi rotations; allocates nothing once
 /// `values` is large enough. Leaves the matrix rotated. Source: Hestenes 1958; Golub, Van Loan, Matrix Computations, 2013,
 /// §8.6.3 (cited from memory).
@@ -68,7 +123,24 @@ pub(crate) fn singular_values(a: &mut [f64], n: usize, values: &mut Vec<f64>) {
 
 #[cfg(test)]
 mod tests {
-    use super::{singular_values, solve_square};
+    use super::{cholesky, cholesky_solve, determinant_sign, singular_values, solve_square};
+
+    #[test]
+    fn signs_of_determinants() {
+        assert_eq!(determinant_sign(&mut [0.0, 1.0, 1.0, 0.0], 2), -1);
+        assert_eq!(determinant_sign(&mut [1e-200, 0.0, 0.0, 1e-200], 2), 1);
+        assert_eq!(determinant_sign(&mut [2.0, 1.0, 0.0, 1.0, -3.0, 1.0, 0.0, 1.0, 4.0], 3), -1);
+    }
+
+    #[test]
+    fn a_positive_system() {
+        let mut a = [4.0, 2.0, 2.0, 3.0];
+        assert!(cholesky(&mut a, 2, 1e-10));
+        let mut b = [8.0, 8.0];
+        cholesky_solve(&a, &mut b);
+        assert!((b[0] - 1.0).abs() < 1e-15 && (b[1] - 2.0).abs() < 1e-15, "{b:?}");
+        assert!(!cholesky(&mut [1.0, 1.0, 1.0, 1.0], 2, 1e-10));
+    }
 
     #[test]
     fn singular_values_of_a_deficient_matrix() {

@@ -10,5 +10,5 @@ pub(crate) use drivers::Drivers;
 pub(crate) use elimination::{GroupMobility, MobilityRoom, Rates, rank_of_rows};
 pub(crate) use rank::{Rank, decide, singular_values};
 pub(crate) use redundancy::Redundancy;
-pub(crate) use singularity::Generic;
 pub use singularity::Singularity;
+pub(crate) use singularity::{Generic, independent_rows};

@@ -4,10 +4,10 @@ use super::drivers::Drivers;
 use super::rank::Rank;
 use super::{decide, singular_values};
 use crate::kinematics::Kinematics;
+use crate::linear::dense::determinant_sign;
 use crate::linear::jacobian::Jacobian;
 use crate::model::{Group, Model};
 use crate::rows::GroupRows;
-use faer::Mat;
 
 /// How a group of loops stands.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -39,6 +39,8 @@ pub(crate) struct Generic<'a> {
     pub rows: &'a GroupRows<f64>,
     pub rank: Rank,
     pub floor: f64,
+    /// The coordinates that depend where nothing is set, and the rows that tell their mode.
+    pub default_rows: Option<(&'a [usize], &'a [usize])>,
 }
 
 impl Model {
@@ -62,15 +64,30 @@ impl Model {
         if singularity != Singularity::None || count == 0 || count > LARGE {
             return Mode { sign: 0, singularity };
         }
-        let there = scaled(group, generic.rows, dependent).dense();
-        if there.norm_max() == 0.0 {
+        let order = match generic.default_rows {
+            Some((known, order)) if known == dependent => order.to_vec(),
+            _ => independent_rows(group, generic.rows, dependent),
+        };
+        if order.len() < count {
             return Mode { sign: 0, singularity };
         }
-        let order: Vec<usize> = there.transpose().to_owned().col_piv_qr().P().arrays().0[..count].to_vec();
-        let here = here.dense();
-        let square = Mat::from_fn(count, count, |r, c| here[(order[r], c)]);
-        Mode { sign: determinant_sign(&square), singularity }
+        let mut place = vec![usize::MAX; group.rows];
+        order.iter().enumerate().for_each(|(i, r)| place[*r] = i);
+        let mut square = vec![0.0; count * count];
+        for (r, c, a) in here.entries.iter().filter(|(r, ..)| place[*r] != usize::MAX) {
+            square[place[*r] * count + c] += a;
+        }
+        Mode { sign: determinant_sign(&mut square, count), singularity }
     }
+}
+
+/// As many rows as coordinates depend, independent at the generic pose.
+pub(crate) fn independent_rows(group: &Group, rows: &GroupRows<f64>, dependent: &[usize]) -> Vec<usize> {
+    let there = scaled(group, rows, dependent).dense();
+    if dependent.len() > LARGE || group.rows < dependent.len() || there.norm_max() == 0.0 {
+        return Vec::new();
+    }
+    there.transpose().to_owned().col_piv_qr().P().arrays().0[..dependent.len()].to_vec()
 }
 
 /// A over some coordinates, scaled by the group's lengths.
@@ -98,22 +115,4 @@ fn singularity(group: &Group, rows: &GroupRows<f64>, generic: &Generic) -> Singu
     } else {
         Singularity::None
     }
-}
-
-/// The sign of a determinant that may be too small, or too large, for a number.
-fn determinant_sign(square: &Mat<f64>) -> i8 {
-    let lu = square.partial_piv_lu();
-    let order = lu.P().arrays().0;
-    let mut seen = vec![false; order.len()];
-    let mut negative = false;
-    for first in 0..order.len() {
-        // A cycle of an even number is an odd permutation.
-        let mut next = first;
-        while !std::mem::replace(&mut seen[next], true) {
-            next = order[next];
-            negative ^= next != first;
-        }
-        negative ^= lu.U()[(first, first)] < 0.0;
-    }
-    if negative { -1 } else { 1 }
 }
