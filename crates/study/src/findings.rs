@@ -62,6 +62,14 @@ fn about_loops(system: &System, pose: &Pose, found: &mut Vec<Finding>) {
         );
         found.push(Finding::warning("driver-off-zero", Subject::Joint(*joint), message));
     }
+    for (joint, far) in &loops.off_target {
+        let message = format!(
+            "joint \"{}\" was set (--set) to more numbers than its loops leave degrees of freedom: it stands as near as they \
+             let it, {far:.6} off (rad or m)",
+            mechanism.joint(*joint).name()
+        );
+        found.push(Finding::warning("off-target", Subject::Joint(*joint), message));
+    }
     if let Some(starts) = loops.starts_tried {
         let message = format!(
             "the branch of the first closed pose does not reach the driving joints as set: this is another assembly mode, \

@@ -387,10 +387,25 @@ impl Closer<'_> {
             self.kinematics.q[range].copy_from_slice(&self.configuration.values[id.index()]);
         }
         model.refill_group(&mut self.kinematics, group);
-        if self.correct(group, &divided.dependent, tolerance) && self.matches(group) {
+        let closed = self.correct(group, &divided.dependent, tolerance);
+        let depends = |id: &JointId| divided.dependent.iter().any(|&at| group.joints[at] == Some(*id));
+        if closed && (self.matches(group) || joints.iter().all(depends)) {
+            self.note_what_is_left(group, &joints);
             return Ok(());
         }
         Err(self.unreachable(group, divided, drivers))
+    }
+
+    /// Notes the joints that have more numbers than their loops leave freedoms, and how far off they stand.
+    fn note_what_is_left(&mut self, group: &Group, joints: &[JointId]) {
+        let left = self.still_to_go(group, joints);
+        for id in joints {
+            let own = left.iter().zip(&group.joints).filter(|(_, joint)| **joint == Some(*id));
+            let far = own.map(|(l, _)| l * l).sum::<f64>().sqrt();
+            if far > MATCHED {
+                self.state.off_target.push((*id, far));
+            }
+        }
     }
 
     fn too_far(&self, drivers: &[Driver]) -> AssemblyError {

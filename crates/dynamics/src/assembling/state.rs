@@ -16,6 +16,9 @@ pub struct LoopState {
     pub declared: bool,
     /// Drivers that were not set and could not be brought to 0, with where they are.
     pub off_zero: Vec<(JointId, f64)>,
+    /// Joints with several positions that were set and have more numbers than their loops leave freedoms: how far from there
+    /// they stand (rad or m, all velocities together).
+    pub off_target: Vec<(JointId, f64)>,
     /// From how many seeded starts another assembly mode was found, where the branch of the first did not reach.
     pub starts_tried: Option<usize>,
     /// For each group of loops, its assembly mode: the sign of the determinant of the dependent coordinates' Jacobian. 0
