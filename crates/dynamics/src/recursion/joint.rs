@@ -83,12 +83,13 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
         }
     }
 
-    /// u̇ = D⁻¹ (t − Uᵀ V): what is eliminated first is found last.
+    /// u̇ = D⁻¹ (t − Uᵀ V): what is eliminated first is found last. Not `loaded`, the joint follows the body that carries it.
     #[inline]
     pub(super) fn joint_velocities(
         &self,
         model: &Model,
         i: usize,
+        loaded: bool,
         twists: &mut [Twist<T>],
         velocities: &mut [T],
     ) {
@@ -98,28 +99,8 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
             let e = &self.joints[v];
             velocities[v] = T::zero();
             if e.counts {
-                velocities[v] = (e.t[0] - e.u.power(&twist)) / e.d;
-                twist += e.s * velocities[v];
-            }
-        }
-        twists[i] = twist;
-    }
-
-    /// The same without a load: the joint follows the body that carries it.
-    pub(super) fn joint_follows(
-        &self,
-        model: &Model,
-        i: usize,
-        twists: &mut [Twist<T>],
-        velocities: &mut [T],
-    ) {
-        let body = &model.bodies[i];
-        let mut twist = body.parent.map_or_else(Twist::zero, |p| twists[p]);
-        for &v in self.order[body.v.clone()].iter().rev() {
-            let e = &self.joints[v];
-            velocities[v] = T::zero();
-            if e.counts {
-                velocities[v] = -(e.u.power(&twist) / e.d);
+                let load = if loaded { e.t[0] } else { T::zero() };
+                velocities[v] = (load - e.u.power(&twist)) / e.d;
                 twist += e.s * velocities[v];
             }
         }

@@ -125,7 +125,9 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
     ) {
         for number in (0..model.clusters.len()).rev() {
             match self.place[number] {
-                None => self.joint_velocities(model, model.clusters[number].bodies[0], twists, velocities),
+                None => {
+                    self.joint_velocities(model, model.clusters[number].bodies[0], true, twists, velocities)
+                }
                 Some(place) => {
                     self.clusters[place].velocities(&model.clusters[number], twists, velocities, None);
                 }
@@ -185,7 +187,7 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
             }
             cluster.bodies.iter().for_each(|&b| moved[b] = true);
             match self.place[carried] {
-                None => self.joint_follows(model, cluster.bodies[0], &mut twists, &mut velocities),
+                None => self.joint_velocities(model, cluster.bodies[0], false, &mut twists, &mut velocities),
                 Some(place) => self.clusters[place].follows(cluster, &mut twists, &mut velocities),
             }
         }
