@@ -41,11 +41,12 @@ fn linkage(criterion: &mut Criterion) {
         });
     });
     let mut pose = poses[0].clone();
-    let mut step = 0;
+    let configurations: Vec<_> = (0..2 * STEPS).map(at).collect();
+    let mut next = configurations.iter().cycle().skip(1);
     criterion.bench_function("double_wishbone/step", |bencher| {
         bencher.iter(|| {
-            step += 1;
-            pose = system.pose_from(&pose, black_box(&at(step))).expect("the range is in reach");
+            let configuration = next.next().expect("a cycle has no end");
+            pose = system.pose_from(&pose, black_box(configuration)).expect("the range is in reach");
         });
     });
 }

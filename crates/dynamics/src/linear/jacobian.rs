@@ -1,5 +1,6 @@
 //! The shortest step that does most: min ‖x‖ among those with least ‖Jx − b‖, for groups of every size.
 
+use super::dense::{cholesky, cholesky_solve};
 use super::sparse::{SparseRows, eliminate, pivot_ratio};
 use crate::tolerances::STEP_RANK;
 use faer::linalg::solvers::{Solve, SolveLstsq};
@@ -8,6 +9,8 @@ use faer::{Mat, Side};
 
 /// Columns, or rows, up to which J is factorised densely with pivots.
 const DENSE: usize = 64;
+/// Least over largest pivot from which JᵀJ is formed instead of factorising J.
+const WELL_CONDITIONED: f64 = 1e-4;
 /// Entries of JJᵀ, counted with repetition, up to which it is formed: 100 MB.
 const FILL: usize = 4_000_000;
 
@@ -47,7 +50,50 @@ impl Jacobian {
         if self.columns > DENSE && self.rows > DENSE {
             return self.shortest_sparse(target, floor.max(STEP_RANK));
         }
+        if floor < WELL_CONDITIONED
+            && let Some(x) = self.by_normal_equations(target)
+        {
+            return x;
+        }
         least_norm(&self.dense(), target, floor.max(STEP_RANK))
+    }
+
+    /// The same by JᵀJ, or JJᵀ where J is wide: where all singular values are so alike that their squares keep eight
+    /// digits. Newton's next step takes the rest.
+    fn by_normal_equations(&self, target: &[f64]) -> Option<Vec<f64>> {
+        let (m, n) = (self.rows, self.columns);
+        let wide = n > m;
+        // Vectors whose products are wanted, one after another: columns of J, or its rows.
+        let (count, length) = if wide { (m, n) } else { (n, m) };
+        let mut vectors = vec![0.0; count * length];
+        for &(r, c, a) in &self.entries {
+            let (vector, at) = if wide { (r, c) } else { (c, r) };
+            vectors[vector * length + at] += a;
+        }
+        let of = |k: usize| &vectors[k * length..(k + 1) * length];
+        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let mut gram = vec![0.0; count * count];
+        for i in 0..count {
+            for k in 0..=i {
+                gram[i * count + k] = dot(of(i), of(k));
+            }
+        }
+        if !cholesky(&mut gram, count, WELL_CONDITIONED * WELL_CONDITIONED) {
+            return None;
+        }
+        if wide {
+            let mut z = target.to_vec();
+            cholesky_solve(&gram, &mut z);
+            let mut x = vec![0.0; n];
+            for (k, z) in z.iter().enumerate() {
+                x.iter_mut().zip(of(k)).for_each(|(x, a)| *x += a * z);
+            }
+            Some(x)
+        } else {
+            let mut x: Vec<f64> = (0..n).map(|k| dot(of(k), target)).collect();
+            cholesky_solve(&gram, &mut x);
+            Some(x)
+        }
     }
 
     /// min ‖Jx − b‖² + λ² σ² ‖x‖², σ the size of J.
