@@ -6,7 +6,7 @@ use crate::limits;
 use crate::report::{write_diagnostics, write_file, write_json, write_out};
 use crate::text::{Table, number};
 use percuss_render::{Figure, Mark, Panel, Series, Sheet, Style};
-use percuss_study::contact::exports::Tool;
+use percuss_study::contact::exports::{Measured, Tool};
 use percuss_study::contact::{Law, Sample};
 use percuss_study::{
     DamperRecord, DampingQuestion, DampingReport, ExportRecord, damp, damp_contact, impact_history,
@@ -153,7 +153,7 @@ fn exported(name: &str, export: &ExportRecord) -> String {
     let mut line = |what: &str, text: &str| {
         let _ = writeln!(out, "  {what:<18} {text}");
     };
-    line("integrates", export.law.unwrap_or_default());
+    line("integrates", export.law);
     for (name, value) in &export.parameters {
         let unit = export.units.get(name).copied().unwrap_or_default();
         let value = serde_json::to_string(value).unwrap_or_default();
@@ -163,6 +163,14 @@ fn exported(name: &str, export: &ExportRecord) -> String {
         let bound = export.error_bound.map_or_else(String::new, |b| format!(", restitution within {b:.0e}"));
         line("time step", &format!("{} s{bound}", number(step)));
     }
+    line("two sides", export.combines);
+    if export.measured.is_empty() {
+        line("measured", "not measured: read in source or manual, and run in a model of the law");
+    }
+    for measured in export.measured {
+        line("measured", &measurement(measured));
+    }
+    line("watch for", export.caution);
     for missing in &export.missing {
         line("missing", missing);
     }
@@ -182,6 +190,16 @@ fn exported(name: &str, export: &ExportRecord) -> String {
         let _ = writeln!(out, "  sources: {}", export.sources.join("; "));
     }
     out
+}
+
+/// Where it was measured, and how far off it was.
+fn measurement(measured: &Measured) -> String {
+    let solver = if measured.solver.is_empty() { String::new() } else { format!(", {}", measured.solver) };
+    let worst = measured.worst.map(|worst| worst.map_or_else(|| "refused".into(), |w| format!("{w:.1e}")));
+    let [low, middle, high] = worst;
+    let by_hand = measured.by_hand.map_or_else(String::new, |day| format!(", by hand on {day}"));
+    let (engine, scenes) = (measured.engine, measured.scenes);
+    format!("{engine}{solver}: {scenes}; off by {low}, {middle}, {high} for e = 0.2, 0.5, 0.8{by_hand}")
 }
 
 fn laws() -> String {

@@ -75,7 +75,7 @@ fn mujoco_bounces_as_asked_whatever_its_diagonal() {
                 let mut request = request(e);
                 request.options.accuracy = accuracy;
                 request.options.diagonal_ratio = alpha;
-                let export = Tool::Mujoco.export(&request).unwrap();
+                let export = Tool::MUJOCO.export(&request).unwrap();
                 let (h, solref) = (export.time_step.unwrap(), numbers(&export, "solref"));
                 let d = numbers(&export, "solimp")[0];
                 let f = d + (1.0 - d) * alpha.unwrap_or(1.0);
@@ -99,9 +99,9 @@ fn mujoco_bounces_as_asked_whatever_its_diagonal() {
 #[test]
 fn mujoco_settles_the_equalities_of_loops() {
     let mut request = request(0.5);
-    assert!(Tool::Mujoco.export(&request).unwrap().parameter("equality_solref").is_none());
+    assert!(Tool::MUJOCO.export(&request).unwrap().parameter("equality_solref").is_none());
     request.options.constrained = true;
-    let export = Tool::Mujoco.export(&request).unwrap();
+    let export = Tool::MUJOCO.export(&request).unwrap();
     assert_eq!(numbers(&export, "equality_solref"), [2.0 * export.time_step.unwrap(), 1.0]);
     assert_eq!(numbers(&export, "equality_solimp"), [0.9999, 0.9999, 1.0]);
     assert!(export.snippets[0].text.contains("<equality solref="));
@@ -111,19 +111,19 @@ fn mujoco_settles_the_equalities_of_loops() {
 fn implicit_engines_bounce_as_asked() {
     for e in RESTITUTIONS {
         let request = request(e);
-        for tool in [Tool::Ode, Tool::Bullet, Tool::Gazebo, Tool::Physx, Tool::Drake] {
+        for tool in [Tool::ODE, Tool::BULLET, Tool::GAZEBO, Tool::PHYSX, Tool::DRAKE] {
             let export = tool.export(&request).unwrap();
             let h = export.time_step.unwrap();
-            let (k, c) = match tool {
-                Tool::Ode => {
+            let (k, c) = match tool.name() {
+                "ode" => {
                     let (erp, cfm) = (number(&export, "soft_erp"), number(&export, "soft_cfm"));
                     (erp / (h * cfm), (1.0 - erp) / cfm)
                 }
-                Tool::Bullet => {
+                "bullet" => {
                     (number(&export, "contactStiffness") / 2.0, number(&export, "contactDamping") * 2.0)
                 }
-                Tool::Gazebo => (number(&export, "kp") / 2.0, number(&export, "kd") * 2.0),
-                Tool::Physx => {
+                "gazebo" => (number(&export, "kp") / 2.0, number(&export, "kd") * 2.0),
+                "physx" => {
                     close(number(&export, "acceleration_stiffness") * MASS, STIFFNESS, 1e-14);
                     let damping = number(&export, "compliant_contact_damping");
                     close(number(&export, "acceleration_damping") * MASS, damping, 1e-14);
@@ -149,7 +149,7 @@ fn a_step_too_long_for_an_implicit_engine_names_the_longest() {
     let mut request = request(0.8);
     let frequency = (STIFFNESS / MASS).sqrt();
     let largest = 2.0 * kelvin_voigt::ratio(0.8, Separation::ForceVanishes).unwrap() / frequency;
-    for tool in [Tool::Ode, Tool::Bullet, Tool::Gazebo, Tool::Physx, Tool::Drake] {
+    for tool in [Tool::ODE, Tool::BULLET, Tool::GAZEBO, Tool::PHYSX, Tool::DRAKE] {
         request.options.time_step = Some(1.01 * largest);
         let error = tool.export(&request).unwrap_err();
         let ExportError::StepTooLong { reached, largest: named, .. } = error else {
@@ -163,7 +163,7 @@ fn a_step_too_long_for_an_implicit_engine_names_the_longest() {
         let rigid = Request { restitution: 1.0, ..request };
         match tool.export(&rigid) {
             Ok(export) => {
-                assert!(tool == Tool::Drake && export.parameter("relaxation_time").is_none(), "{export:?}");
+                assert!(tool == Tool::DRAKE && export.parameter("relaxation_time").is_none(), "{export:?}");
             }
             Err(error) => assert!(matches!(error, ExportError::Unreachable { .. }), "{tool}: {error}"),
         }
@@ -187,7 +187,7 @@ fn drake_lagged(k: f64, d: f64, mass: f64, h: f64) -> impl Fn(f64, f64) -> f64 {
 #[test]
 fn drake_bounces_as_asked_continuous_and_lagged() {
     for e in [0.05, 0.1, 0.2, 0.5, 0.8, 0.95] {
-        let export = Tool::Drake.export(&request(e)).unwrap();
+        let export = Tool::DRAKE.export(&request(e)).unwrap();
         let d = number(&export, "hunt_crossley_dissipation");
         close(hunt_crossley::restitution(d * SPEED).unwrap(), e, 1e-12);
         let h = number(&export, "time_step_lagged");
@@ -200,11 +200,11 @@ fn drake_bounces_as_asked_continuous_and_lagged() {
 
 #[test]
 fn drake_without_a_speed_still_gives_the_rest() {
-    let export = Tool::Drake.export(&Request { speed: None, ..request(0.5) }).unwrap();
+    let export = Tool::DRAKE.export(&Request { speed: None, ..request(0.5) }).unwrap();
     assert!(export.parameter("hunt_crossley_dissipation").is_none());
     assert_eq!(export.missing.len(), 1);
     assert!(export.parameter("relaxation_time").is_some());
-    for tool in [Tool::Adams, Tool::Simscape] {
+    for tool in [Tool::ADAMS, Tool::SIMSCAPE] {
         let export = tool.export(&Request { speed: None, ..request(0.5) }).unwrap();
         assert_eq!(export.missing.len(), 1, "{tool}");
     }
@@ -219,7 +219,7 @@ fn chrono_ratio(cr: f64) -> f64 {
 fn chrono_takes_its_own_masses() {
     let own = 1.5 * 3.0 / 4.5;
     for e in RESTITUTIONS {
-        let export = Tool::Chrono.export(&request(e)).unwrap();
+        let export = Tool::CHRONO.export(&request(e)).unwrap();
         close(number(&export, "m_eff"), own, 1e-15);
         let (k, c) = (number(&export, "kn"), number(&export, "gn") * own);
         let h = export.time_step.unwrap();
@@ -233,7 +233,7 @@ fn chrono_takes_its_own_masses() {
         close(kelvin_voigt::restitution(ratio, Separation::ForceVanishes).unwrap(), e, 1e-12);
     }
     let without = Request { options: Options::default(), ..request(0.5) };
-    assert!(matches!(Tool::Chrono.export(&without), Err(ExportError::Missing { .. })));
+    assert!(matches!(Tool::CHRONO.export(&without), Err(ExportError::Missing { .. })));
 }
 
 #[test]
@@ -242,13 +242,13 @@ fn chrono_corrects_a_material_restitution() {
     for (e, cr) in [(0.2, 0.034462), (0.5, 0.436288), (0.8, 0.791170)] {
         let contact = CompliantContact::new(1.0, STIFFNESS).unwrap().with_exponent(1.5).unwrap();
         let options = Options { own_mass: Some(2.0), other_own_mass: Some(2.0), ..Options::default() };
-        let export = Tool::Chrono.export(&Request { options, ..Request::new(contact, e) }).unwrap();
+        let export = Tool::CHRONO.export(&Request { options, ..Request::new(contact, e) }).unwrap();
         assert!((number(&export, "cr") - cr).abs() < 5e-7);
         close(number(&export, "E_eff·sqrt(R_eff)"), 0.75 * STIFFNESS, 1e-15);
     }
     let contact = CompliantContact::new(1.0, STIFFNESS).unwrap().with_exponent(1.5).unwrap();
     let options = Options { own_mass: Some(2.0), other_own_mass: Some(2.0), ..Options::default() };
-    let error = Tool::Chrono.export(&Request { options, ..Request::new(contact, 0.1) }).unwrap_err();
+    let error = Tool::CHRONO.export(&Request { options, ..Request::new(contact, 0.1) }).unwrap_err();
     assert!(matches!(error, ExportError::Unreachable { .. }), "{error}");
 }
 
@@ -284,7 +284,7 @@ fn adams_impact_agrees_with_an_independent_integration() {
 #[test]
 fn adams_gives_its_numbers_in_si() {
     let contact = CompliantContact::new(MASS, 3e8).unwrap().with_exponent(1.5).unwrap();
-    let export = Tool::Adams.export(&Request::new(contact, 0.5).at(0.7)).unwrap();
+    let export = Tool::ADAMS.export(&Request::new(contact, 0.5).at(0.7)).unwrap();
     let (cmax, d) = (number(&export, "cmax"), number(&export, "d"));
     // The motion in kg, m, s by a plain fourth-order Runge–Kutta of small steps.
     let rates = |[x, v]: [f64; 2]| {
@@ -308,12 +308,12 @@ fn adams_gives_its_numbers_in_si() {
 
 #[test]
 fn simscape_and_rapier_say_what_they_are_told() {
-    let export = Tool::Simscape.export(&request(0.5)).unwrap();
+    let export = Tool::SIMSCAPE.export(&request(0.5)).unwrap();
     let ratio = kelvin_voigt::ratio(0.5, Separation::ForceVanishes).unwrap();
     close(number(&export, "Damping"), 2.0 * ratio * (STIFFNESS * MASS).sqrt(), 1e-14);
     let width = number(&export, "Transition Region Width");
     assert!(width < 0.01 * SPEED / (STIFFNESS / MASS).sqrt());
-    let export = Tool::Rapier.export(&request(0.5)).unwrap();
+    let export = Tool::RAPIER.export(&request(0.5)).unwrap();
     assert_eq!(number(&export, "restitution"), 0.5);
     assert!(!export.cannot.is_empty());
 }
@@ -329,7 +329,7 @@ fn every_snippet_is_well_formed_and_holds_the_numbers_in_full() {
                 let export = tool.export(&request).unwrap();
                 assert!(
                     !export.snippets.is_empty()
-                        && !export.sources.is_empty()
+                        && !tool.facts().sources.is_empty()
                         && !export.assumptions.is_empty()
                 );
                 for snippet in &export.snippets {
@@ -376,7 +376,7 @@ fn tools_are_found_by_name_and_alias() {
             assert_eq!(Tool::from_name(&alias.to_uppercase()), Ok(tool));
         }
     }
-    assert_eq!(Tool::from_name("Isaac Lab"), Ok(Tool::Physx));
+    assert_eq!(Tool::from_name("Isaac Lab"), Ok(Tool::PHYSX));
     let error = Tool::from_name("mujocko").unwrap_err().to_string();
     assert!(error.contains("did you mean \"mujoco\"") && error.contains("simscape"), "{error}");
 }
@@ -386,8 +386,8 @@ fn a_curved_spring_is_for_those_that_have_one() {
     let curved = CompliantContact::new(MASS, STIFFNESS).unwrap().with_exponent(2.0).unwrap();
     for tool in Tool::ALL {
         let answer = tool.export(&Request { contact: curved, ..request(0.5) });
-        match tool {
-            Tool::Adams | Tool::Rapier => assert!(answer.is_ok(), "{tool}"),
+        match tool.name() {
+            "adams" | "rapier" => assert!(answer.is_ok(), "{tool}"),
             _ => assert!(matches!(answer, Err(ExportError::Exponent { .. })), "{tool}: {answer:?}"),
         }
     }

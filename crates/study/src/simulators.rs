@@ -1,6 +1,6 @@
 //! Parameters for simulators, as they stand in reports.
 
-use percuss_contact::exports::{Export, ExportError, Snippet, Tool, Value};
+use percuss_contact::exports::{Export, ExportError, Measured, Snippet, Tool, Value};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -11,7 +11,13 @@ pub struct ExportRecord {
     /// As the tool's makers write it.
     pub title: &'static str,
     /// What the tool integrates.
-    pub law: Option<&'static str>,
+    pub law: &'static str,
+    /// What came out where the tool was run with exported parameters; empty: not measured.
+    pub measured: &'static [Measured],
+    /// How the tool makes one value of those of the two sides.
+    pub combines: &'static str,
+    /// What to watch for.
+    pub caution: &'static str,
     /// By the tool's own names.
     pub parameters: BTreeMap<&'static str, Value>,
     /// Units of the parameters that have one.
@@ -31,17 +37,21 @@ pub struct ExportRecord {
     /// What the tool cannot do.
     pub cannot: Vec<&'static str>,
     /// Documentation and source files this stands on.
-    pub sources: Vec<&'static str>,
+    pub sources: &'static [&'static str],
     /// Why there are no parameters; null where there are.
     pub error: Option<String>,
 }
 
 impl ExportRecord {
     pub(crate) fn of(export: &Export) -> Self {
+        let facts = export.tool.facts();
         let with_unit = export.parameters.iter().filter(|p| !p.unit.is_empty());
         Self {
-            title: export.tool.title(),
-            law: Some(export.law),
+            title: facts.title,
+            law: facts.law,
+            measured: facts.measured,
+            combines: facts.combines,
+            caution: facts.caution,
             parameters: export.parameters.iter().map(|p| (p.name, p.value.clone())).collect(),
             units: with_unit.map(|p| (p.name, p.unit)).collect(),
             snippet: export.snippets.first().map(|s| s.text.clone()),
@@ -51,15 +61,19 @@ impl ExportRecord {
             missing: export.missing.clone(),
             assumptions: export.assumptions.clone(),
             cannot: export.cannot.clone(),
-            sources: export.sources.to_vec(),
+            sources: facts.sources,
             error: None,
         }
     }
 
     pub(crate) fn refused(tool: Tool, error: &ExportError) -> Self {
+        let facts = tool.facts();
         Self {
-            title: tool.title(),
-            law: None,
+            title: facts.title,
+            law: facts.law,
+            measured: facts.measured,
+            combines: facts.combines,
+            caution: facts.caution,
             parameters: BTreeMap::new(),
             units: BTreeMap::new(),
             snippet: None,
@@ -69,7 +83,7 @@ impl ExportRecord {
             missing: Vec::new(),
             assumptions: Vec::new(),
             cannot: Vec::new(),
-            sources: Vec::new(),
+            sources: facts.sources,
             error: Some(error.to_string()),
         }
     }

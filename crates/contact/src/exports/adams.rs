@@ -1,8 +1,24 @@
 //! Adams: the IMPACT function and contact; the same function in MotionSolve, RecurDyn and SolidWorks Motion.
 
-use super::{Export, ExportError, ImpactFunction, Request, Tool};
+use super::{Export, ExportError, Facts, ImpactFunction, Request, Tool};
 use crate::ContactLawError;
 use crate::limits;
+
+const TOOL: Tool = Tool::of(&FACTS);
+
+pub(super) const FACTS: Facts = Facts {
+    name: "adams",
+    title: "Adams (IMPACT)",
+    aliases: &["impact", "motionsolve", "recurdyn", "solidworks-motion"],
+    law: "k xᵖ plus a damping that grows over a depth d, never pulling",
+    combines: "nothing: the values are the pair's",
+    measured: &[],
+    caution: "",
+    sources: &[
+            "Adams Solver, \"IMPACT\" (help.solidworks.com, r_function_impact; adams.thisaray.com, func_impact)",
+            "MotionSolve, \"IMPACT\" (help.altair.com, impact_function)",
+        ],
+};
 
 /// IMPACT(x, x', x1, k, e, cmax, d) = max(0, k(x1−x)^e − STEP(x, x1−d, cmax, x1, 0) x').
 ///
@@ -12,14 +28,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let (mass, stiffness, p) =
         (request.contact.mass(), request.contact.stiffness(), request.contact.exponent());
     let e = request.restitution;
-    let mut export = Export::new(
-        Tool::Adams,
-        "k xᵖ plus a damping that grows over a depth d, never pulling",
-        &[
-            "Adams Solver, \"IMPACT\" (help.solidworks.com, r_function_impact; adams.thisaray.com, func_impact)",
-            "MotionSolve, \"IMPACT\" (help.altair.com, impact_function)",
-        ],
-    );
+    let mut export = Export::new(TOOL);
     export.set("stiffness", stiffness, "N/m^p");
     export.set("exponent", p, "");
     export.assume("The model's units are kg, m, s and N; Adams/View starts with mm: there k·1000^(−p), cmax/1000, d·1000.");

@@ -1,7 +1,24 @@
 //! Bullet and PyBullet: contact stiffness and contact damping.
 
 use super::linear::Linear;
-use super::{Export, ExportError, Request, Tool};
+use super::{Export, ExportError, Facts, Request, Tool};
+
+const TOOL: Tool = Tool::of(&FACTS);
+
+pub(super) const FACTS: Facts = Facts {
+    name: "bullet",
+    title: "Bullet",
+    aliases: &["pybullet", "bullet3"],
+    law: "linear spring and damper, never pulling, by implicit Euler",
+    combines: "stiffnesses in series, dampings added, restitutions multiplied",
+    measured: &[],
+    caution: "",
+    sources: &[
+            "Bullet 3, src/BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.cpp: setupContactConstraint",
+            "Bullet 3, src/BulletDynamics/Featherstone/btMultiBodyConstraintSolver.cpp",
+            "Bullet 3, src/BulletCollision/CollisionDispatch/btManifoldResult.cpp",
+        ],
+};
 
 /// For each of two bodies contactStiffness = 2k, contactDamping = c'/2.
 ///
@@ -12,19 +29,11 @@ use super::{Export, ExportError, Request, Tool};
 /// Measured in PyBullet 3.2.7 at the recommended step, e = 0.2, 0.5, 0.8, the worst of nine phases: 1.4e-4, 2.4e-4, 3.0e-4,
 /// ball and pendulum alike; with the struck body's own 1.5 kg for m̄ = 2.28 kg: 0.252, 0.562, 0.833.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
-    let linear = Linear::of(request, Tool::Bullet)?;
+    let linear = Linear::of(request, TOOL)?;
     let step = linear.implicit_step();
     let damping = linear.damping(linear.implicit_ratio(step)?) / 2.0;
     let stiffness = 2.0 * linear.stiffness;
-    let mut export = Export::new(
-        Tool::Bullet,
-        "linear spring and damper, never pulling, by implicit Euler",
-        &[
-            "Bullet 3, src/BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.cpp: setupContactConstraint",
-            "Bullet 3, src/BulletDynamics/Featherstone/btMultiBodyConstraintSolver.cpp",
-            "Bullet 3, src/BulletCollision/CollisionDispatch/btManifoldResult.cpp",
-        ],
-    );
+    let mut export = Export::new(TOOL);
     export.time_step = Some(step);
     export.error_bound = Some(linear.implicit_error_bound(step));
     export.set("contactStiffness", stiffness, "N/m");

@@ -2,12 +2,27 @@
 
 use super::export::single;
 use super::linear::Linear;
-use super::{Export, ExportError, Options, Request, Tool};
+use super::{Export, ExportError, Facts, Options, Request, Tool};
 use crate::{Separation, kelvin_voigt};
 
 /// The mass that Chrono gives a body without a mass, in kg; also a fixed one.
 const DEFAULT_MASS: f64 = 1.0;
-const TOOL: Tool = Tool::Chrono;
+
+const TOOL: Tool = Tool::of(&FACTS);
+
+pub(super) const FACTS: Facts = Facts {
+    name: "chrono",
+    title: "Project Chrono (SMC)",
+    aliases: &["project-chrono", "pychrono", "smc"],
+    law: "Hooke: linear spring and damper, never pulling; Hertz: the same with x^(3/2) and x^(1/4) ẋ",
+    combines: "the lesser coefficient of restitution; the mean of kn and of gn",
+    measured: &[],
+    caution: "",
+    sources: &[
+            "Project Chrono, src/chrono/physics/ChContactSMC.cpp and ChSystemSMC.h",
+            "Project Chrono, src/chrono/physics/ChContactMaterialSMC.h",
+        ],
+};
 
 /// Hooke (p = 1): kn = k, gn = c/m_eff. Hooke and Hertz (p = 3/2): cr' = e_a(ζ√(m̄/m_eff)).
 ///
@@ -24,14 +39,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     })?;
     let other = request.options.other_own_mass.unwrap_or(DEFAULT_MASS);
     let effective = own * (other / (own + other));
-    let mut export = Export::new(
-        TOOL,
-        "Hooke: linear spring and damper, never pulling; Hertz: the same with x^(3/2) and x^(1/4) ẋ",
-        &[
-            "Project Chrono, src/chrono/physics/ChContactSMC.cpp and ChSystemSMC.h",
-            "Project Chrono, src/chrono/physics/ChContactMaterialSMC.h",
-        ],
-    );
+    let mut export = Export::new(TOOL);
     export.set("m_eff", effective, "kg");
     if request.contact.exponent() == 1.5 {
         hertz(&mut export, request, effective)?;

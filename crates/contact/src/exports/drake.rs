@@ -4,8 +4,25 @@ use crate::limits;
 use std::f64::consts::PI;
 
 use super::linear::Linear;
-use super::{Export, ExportError, Request, Tool};
+use super::{Export, ExportError, Facts, Request, Tool};
 use crate::hunt_crossley;
+
+const TOOL: Tool = Tool::of(&FACTS);
+
+pub(super) const FACTS: Facts = Facts {
+    name: "drake",
+    title: "Drake",
+    aliases: &["sap"],
+    law: "continuous and lagged: Hunt–Crossley k x (1 + d ẋ), never pulling; SAP: linear spring and damper",
+    combines: "stiffnesses in series, dissipations by the share of the deformation, relaxation times added",
+    measured: &[],
+    caution: "",
+    sources: &[
+            "Drake 1.51.1, multibody/plant/contact_model_doxygen.h, \"Modeling point contact\"",
+            "Drake 1.51.1, multibody/plant/contact_properties.cc",
+            "Drake 1.51.1, multibody/contact_solvers/sap/sap_friction_cone_constraint.cc",
+        ],
+};
 
 /// For each of two equal geometries: point stiffness 2k, Hunt–Crossley dissipation d = a(e)/v, and for SAP the
 /// relaxation time ζ'/ω, half of the pair's τ = c/k.
@@ -23,16 +40,8 @@ use crate::hunt_crossley;
 /// Lagged and similar lose 0.001, 0.04, 0.48, 1.10, 1.45 ωh for e = 0.1, 0.2, 0.5, 0.8, 0.95: below (π/2)e ωh.
 /// SAP's step: [`Linear::implicit_error_bound`].
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
-    let linear = Linear::of(request, Tool::Drake)?;
-    let mut export = Export::new(
-        Tool::Drake,
-        "continuous and lagged: Hunt–Crossley k x (1 + d ẋ), never pulling; SAP: linear spring and damper",
-        &[
-            "Drake 1.51.1, multibody/plant/contact_model_doxygen.h, \"Modeling point contact\"",
-            "Drake 1.51.1, multibody/plant/contact_properties.cc",
-            "Drake 1.51.1, multibody/contact_solvers/sap/sap_friction_cone_constraint.cc",
-        ],
-    );
+    let linear = Linear::of(request, TOOL)?;
+    let mut export = Export::new(TOOL);
     let stiffness = 2.0 * linear.stiffness;
     export.set("point_contact_stiffness", stiffness, "N/m");
     let number = hunt_crossley::dissipation_number(request.restitution)?;

@@ -11,8 +11,6 @@ use crate::ContactLawError;
 pub struct Export {
     /// The tool.
     pub tool: Tool,
-    /// What the tool integrates, in plain words.
-    pub law: &'static str,
     /// The tool's parameters, under the tool's names.
     pub parameters: Vec<Parameter>,
     /// Text for the tool's files, the first being the one to take by default.
@@ -29,8 +27,6 @@ pub struct Export {
     pub assumptions: Vec<String>,
     /// What the tool cannot do.
     pub cannot: Vec<&'static str>,
-    /// The documentation and source files on which this is based.
-    pub sources: &'static [&'static str],
 }
 
 /// A parameter of a tool.
@@ -69,10 +65,9 @@ pub struct Snippet {
 
 impl Export {
     /// An answer with nothing in it yet.
-    pub(super) fn new(tool: Tool, law: &'static str, sources: &'static [&'static str]) -> Self {
+    pub(super) fn new(tool: Tool) -> Self {
         Self {
             tool,
-            law,
             parameters: Vec::new(),
             snippets: Vec::new(),
             time_step: None,
@@ -80,7 +75,6 @@ impl Export {
             missing: Vec::new(),
             assumptions: Vec::new(),
             cannot: Vec::new(),
-            sources,
         }
     }
 

@@ -1,30 +1,39 @@
 //! Gazebo: the `<surface>` of an SDF collision, for Gazebo Classic; and what the new Gazebo reads of it.
 
 use super::linear::Linear;
-use super::{Export, ExportError, Request, Tool};
+use super::{Export, ExportError, Facts, Request, Tool};
 use crate::limits;
+
+const TOOL: Tool = Tool::of(&FACTS);
+
+pub(super) const FACTS: Facts = Facts {
+    name: "gazebo",
+    title: "Gazebo",
+    aliases: &["sdf", "sdformat", "gz", "gazebo-classic", "ignition"],
+    law: "Gazebo Classic with ODE: linear spring and damper, never pulling, by implicit Euler",
+    combines: "Classic: kp in series, kd added, the lesser restitution_coefficient and threshold",
+    measured: &[],
+    caution: "",
+    sources: &[
+            "Gazebo Classic, gazebo/physics/ode/ODEPhysics.cc: Collide",
+            "SDFormat 1.9, surface.sdf",
+            "gz-physics, bullet-featherstone/src/SDFFeatures.cc and dartsim/src/SDFFeatures.cc",
+        ],
+};
 
 /// For each of two equal collisions kp = 2k, kd = c'/2: ODE gets the springs in series and the sum of the dampers.
 ///
 /// c' as for ODE: 2(ζ − ωh/2)√(k m̄). The rigid alternative is `restitution_coefficient` = e with its threshold
 /// lowered, all that the new Gazebo reads.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
-    let linear = Linear::of(request, Tool::Gazebo)?;
+    let linear = Linear::of(request, TOOL)?;
     let step = linear.implicit_step();
     let damping = linear.damping(linear.implicit_ratio(step)?);
     let (kp, kd) = (2.0 * linear.stiffness, damping / 2.0);
     let fastest = request.speed.map_or(limits::GAZEBO_FASTEST, |speed| 10.0 * speed);
     let threshold =
         request.speed.map_or(limits::GAZEBO_THRESHOLD, |speed| limits::GAZEBO_THRESHOLD.min(speed / 10.0));
-    let mut export = Export::new(
-        Tool::Gazebo,
-        "Gazebo Classic with ODE: linear spring and damper, never pulling, by implicit Euler",
-        &[
-            "Gazebo Classic, gazebo/physics/ode/ODEPhysics.cc: Collide",
-            "SDFormat 1.9, surface.sdf",
-            "gz-physics, bullet-featherstone/src/SDFFeatures.cc and dartsim/src/SDFFeatures.cc",
-        ],
-    );
+    let mut export = Export::new(TOOL);
     export.time_step = Some(step);
     export.error_bound = Some(linear.implicit_error_bound(step));
     export.set("kp", kp, "N/m");

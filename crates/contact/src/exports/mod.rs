@@ -7,30 +7,52 @@
 //!
 //! One file per tool. Nothing here reads a simulator's files or runs one.
 
-mod adams;
-mod bullet;
-mod chrono;
-mod drake;
 mod error;
 mod export;
-mod gazebo;
 mod impact_function;
 mod linear;
-mod mujoco;
-mod ode;
-mod physx;
-mod rapier;
 mod request;
-mod simscape;
 mod tool;
 
 pub use error::ExportError;
 pub use export::{Export, Parameter, Snippet, Value};
 pub use impact_function::ImpactFunction;
 pub use request::{Options, Request};
-pub use tool::Tool;
+pub use tool::{Facts, Measured, Tool};
 
 use crate::error::nearest;
+
+/// One line a tool: the constant and its file, which has its `FACTS` and its `export`.
+macro_rules! tools {
+    ($($constant:ident: $module:ident,)*) => {
+        $(mod $module;)*
+
+        impl Tool {
+            $(
+                #[doc = concat!("The tool of [`name`](Tool::name) ", stringify!($module), ".")]
+                pub const $constant: Self = Self::of(&$module::FACTS);
+            )*
+            /// All of them.
+            pub const ALL: [Self; [$(stringify!($module)),*].len()] = [$(Self::$constant),*];
+        }
+
+        /// In the order of [`Tool::ALL`].
+        const EXPORTS: [fn(&Request) -> Result<Export, ExportError>; Tool::ALL.len()] = [$($module::export),*];
+    };
+}
+
+tools! {
+    MUJOCO: mujoco,
+    DRAKE: drake,
+    GAZEBO: gazebo,
+    ODE: ode,
+    BULLET: bullet,
+    PHYSX: physx,
+    RAPIER: rapier,
+    CHRONO: chrono,
+    ADAMS: adams,
+    SIMSCAPE: simscape,
+}
 
 impl Tool {
     /// The tool of this name or alias, in either case.
@@ -56,19 +78,10 @@ impl Tool {
     /// step; a number it cannot do without is missing; a parameter does not fit in a 64-bit float.
     pub fn export(self, request: &Request) -> Result<Export, ExportError> {
         request.check()?;
-        let mut export = match self {
-            Self::Mujoco => mujoco::export(request),
-            Self::Drake => drake::export(request),
-            Self::Gazebo => gazebo::export(request),
-            Self::Ode => ode::export(request),
-            Self::Bullet => bullet::export(request),
-            Self::Physx => physx::export(request),
-            Self::Rapier => rapier::export(request),
-            Self::Chrono => chrono::export(request),
-            Self::Adams => adams::export(request),
-            Self::Simscape => simscape::export(request),
-        }?;
-        if request.options.constrained && !matches!(self, Self::Mujoco | Self::Drake) {
+        let (_, export) =
+            Self::ALL.into_iter().zip(EXPORTS).find(|(tool, _)| *tool == self).expect("a tool is one of all");
+        let mut export = export(request)?;
+        if request.options.constrained && ![Self::MUJOCO, Self::DRAKE].contains(&self) {
             export.assume(
                 "Loops, mimics, locks: the compliance of this tool's constraints during the impact was not examined; \
                  compliant constraints change the restitution.",

@@ -1,8 +1,25 @@
 //! MuJoCo: `solref` and `solimp` of a geom, in the direct format and in the standard one.
 
 use super::linear::Linear;
-use super::{Export, ExportError, Request, Tool};
+use super::{Export, ExportError, Facts, Request, Tool};
 use crate::limits;
+
+const TOOL: Tool = Tool::of(&FACTS);
+
+pub(super) const FACTS: Facts = Facts {
+    name: "mujoco",
+    title: "MuJoCo",
+    aliases: &["mjcf"],
+    law: "linear spring and damper per unit of effective mass, never pulling; semi-implicit Euler",
+    combines: "of two direct solrefs the lesser of each number, of two standard ones the mean by solmix; the geom of higher priority, or a <pair>, alone",
+    measured: &[],
+    caution: "",
+    sources: &[
+            "MuJoCo 4.0.0, doc/modeling.rst, \"Solver parameters\"",
+            "MuJoCo 4.0.0, doc/computation/index.rst, \"Parameters\"",
+            "MuJoCo 4.0.0, src/engine/engine_core_constraint.c: mj_diagApprox, mj_makeImpedance, mj_referenceConstraint",
+        ],
+};
 
 /// The direct `solref` = (−ω² f, −2ζω f) at a constant impedance d, f = d + (1−d)α.
 ///
@@ -18,7 +35,7 @@ use crate::limits;
 /// the four-bar shows 0.084, 0.444, 0.789. With a wrong m̄ the restitution stays and the penetration does not: 0.27 of what
 /// it should be with the coupler's own 4.8 kg.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
-    let linear = Linear::of(request, Tool::Mujoco)?;
+    let linear = Linear::of(request, TOOL)?;
     let alpha = request.options.diagonal_ratio;
     let scale = limits::MUJOCO_IMPEDANCE + (1.0 - limits::MUJOCO_IMPEDANCE) * alpha.unwrap_or(1.0);
     let (zeta, omega) = (linear.ratio, linear.frequency);
@@ -27,15 +44,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let solimp = [limits::MUJOCO_IMPEDANCE, limits::MUJOCO_IMPEDANCE, 1.0];
     let step = linear.explicit_step()?;
 
-    let mut export = Export::new(
-        Tool::Mujoco,
-        "linear spring and damper per unit of effective mass, never pulling; semi-implicit Euler",
-        &[
-            "MuJoCo 4.0.0, doc/modeling.rst, \"Solver parameters\"",
-            "MuJoCo 4.0.0, doc/computation/index.rst, \"Parameters\"",
-            "MuJoCo 4.0.0, src/engine/engine_core_constraint.c: mj_diagApprox, mj_makeImpedance, mj_referenceConstraint",
-        ],
-    );
+    let mut export = Export::new(TOOL);
     export.time_step = Some(step);
     export.error_bound = Some(linear.error_bound(step));
     export.set("solref", solref, "1/s², 1/s");

@@ -1,25 +1,34 @@
 //! Open Dynamics Engine: soft contacts by ERP and CFM.
 
 use super::linear::Linear;
-use super::{Export, ExportError, Request, Tool};
+use super::{Export, ExportError, Facts, Request, Tool};
+
+const TOOL: Tool = Tool::of(&FACTS);
+
+pub(super) const FACTS: Facts = Facts {
+    name: "ode",
+    title: "Open Dynamics Engine",
+    aliases: &["open-dynamics-engine"],
+    law: "linear spring and damper, never pulling, by implicit Euler",
+    combines: "nothing: the near callback sets the pair's values",
+    measured: &[],
+    caution: "",
+    sources: &[
+            "Gazebo Classic, gazebo/physics/ode/ODEPhysics.cc: Collide",
+            "ODE manual, \"How To Use ERP and CFM\" (from memory, not opened)",
+        ],
+};
 
 /// ERP = h k/(h k + c'), CFM = 1/(h k + c').
 ///
 /// ODE's contact row, multiplied out with these, is max(0, k (x − h v⁺) − c' v⁺): implicit Euler of the linear spring
 /// and damper, with v⁺ the speed of separation after the step. c' = 2ζ'√(k m̄), ζ' = ζ − ωh/2.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
-    let linear = Linear::of(request, Tool::Ode)?;
+    let linear = Linear::of(request, TOOL)?;
     let step = linear.implicit_step();
     let damping = linear.damping(linear.implicit_ratio(step)?);
     let (erp, cfm) = erp_and_cfm(linear.stiffness, damping, step);
-    let mut export = Export::new(
-        Tool::Ode,
-        "linear spring and damper, never pulling, by implicit Euler",
-        &[
-            "Gazebo Classic, gazebo/physics/ode/ODEPhysics.cc: Collide",
-            "ODE manual, \"How To Use ERP and CFM\" (from memory, not opened)",
-        ],
-    );
+    let mut export = Export::new(TOOL);
     export.time_step = Some(step);
     export.error_bound = Some(linear.implicit_error_bound(step));
     export.set("soft_erp", erp, "");

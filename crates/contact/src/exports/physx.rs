@@ -2,14 +2,31 @@
 
 use super::export::single;
 use super::linear::Linear;
-use super::{Export, ExportError, Request, Tool};
+use super::{Export, ExportError, Facts, Request, Tool};
+
+const TOOL: Tool = Tool::of(&FACTS);
+
+pub(super) const FACTS: Facts = Facts {
+    name: "physx",
+    title: "PhysX and Isaac",
+    aliases: &["isaac", "isaac-sim", "isaac-lab", "isaaclab"],
+    law: "linear spring and damper, never pulling, by implicit Euler",
+    combines: "by the combine mode, average where none is set; of a rigid and a compliant material the compliant one",
+    measured: &[],
+    caution: "",
+    sources: &[
+            "PhysX 5, physx/include/PxMaterial.h",
+            "PhysX 5, physx/source/lowleveldynamics/src/DyContactPrepShared.h: computeCompliantContactCoefficients",
+            "Isaac Lab, isaaclab.sim.spawners.materials: RigidBodyMaterialCfg",
+        ],
+};
 
 /// Force mode: stiffness k, damping c'. Acceleration mode: ω² and 2ζ'ω, per unit of the solver's effective mass.
 ///
 /// PhysX's compliant contact is a = h(c + h k), impulse scale 1/(1 + a/m̄): implicit Euler of the linear spring and
 /// damper, so ζ' = ζ − ωh/2. A negative restitution of the material is its stiffness.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
-    let linear = Linear::of(request, Tool::Physx)?;
+    let linear = Linear::of(request, TOOL)?;
     let step = linear.implicit_step();
     let ratio = linear.implicit_ratio(step)?;
     let (stiffness, damping) = (linear.stiffness, linear.damping(ratio));
@@ -24,15 +41,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     ] {
         single(what, value)?;
     }
-    let mut export = Export::new(
-        Tool::Physx,
-        "linear spring and damper, never pulling, by implicit Euler",
-        &[
-            "PhysX 5, physx/include/PxMaterial.h",
-            "PhysX 5, physx/source/lowleveldynamics/src/DyContactPrepShared.h: computeCompliantContactCoefficients",
-            "Isaac Lab, isaaclab.sim.spawners.materials: RigidBodyMaterialCfg",
-        ],
-    );
+    let mut export = Export::new(TOOL);
     export.time_step = Some(step);
     export.error_bound = Some(linear.implicit_error_bound(step));
     export.set("compliant_contact_stiffness", stiffness, "N/m");

@@ -1,6 +1,22 @@
 //! Rapier: a coefficient of restitution.
 
-use super::{Export, ExportError, Request, Tool};
+use super::{Export, ExportError, Facts, Request, Tool};
+
+const TOOL: Tool = Tool::of(&FACTS);
+
+pub(super) const FACTS: Facts = Facts {
+    name: "rapier",
+    title: "Rapier",
+    aliases: &["rapier3d"],
+    law: "Newton's restitution: the speed of separation is e times that of approach",
+    combines: "by the combine rule: average, minimum, maximum or product",
+    measured: &[],
+    caution: "",
+    sources: &[
+            "Rapier 0.36, src/dynamics/integration_parameters.rs",
+            "Rapier 0.36, src/dynamics/coefficient_combine_rule.rs",
+        ],
+};
 
 /// `restitution` = e: Rapier turns the approach speed v into −e v in a pass at the end of the step.
 ///
@@ -9,14 +25,7 @@ use super::{Export, ExportError, Request, Tool};
 /// softness: at most 1.5e-3.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let e = request.restitution;
-    let mut export = Export::new(
-        Tool::Rapier,
-        "Newton's restitution: the speed of separation is e times that of approach",
-        &[
-            "Rapier 0.36, src/dynamics/integration_parameters.rs",
-            "Rapier 0.36, src/dynamics/coefficient_combine_rule.rs",
-        ],
-    );
+    let mut export = Export::new(TOOL);
     export.time_step = request.options.time_step;
     export.set("restitution", e, "");
     export.set("restitution_combine_rule", "Average", "");

@@ -1,8 +1,23 @@
 //! Simscape Multibody: the Spatial Contact Force block.
 
 use super::linear::Linear;
-use super::{Export, ExportError, Request, Tool};
+use super::{Export, ExportError, Facts, Request, Tool};
 use crate::limits;
+
+const TOOL: Tool = Tool::of(&FACTS);
+
+pub(super) const FACTS: Facts = Facts {
+    name: "simscape",
+    title: "Simscape Multibody",
+    aliases: &["simscape-multibody", "matlab", "simulink"],
+    law: "linear spring and damper, never pulling, faded in over a transition region",
+    combines: "nothing: the values are the pair's",
+    measured: &[],
+    caution: "",
+    sources: &[
+            "Simscape Multibody, reference page \"Spatial Contact Force\" (mathworks.com/help/sm/ref/spatialcontactforce.html)",
+        ],
+};
 
 /// Stiffness k, damping c = 2ζ√(k m̄), transition region width w = accuracy/0.32 · v/ω.
 ///
@@ -10,15 +25,9 @@ use crate::limits;
 /// s; with 3u²−2u³, integrated, the restitution comes out high by (0.12, 0.15, 0.15, 0.13, 0.06) w ω/v for e = 0.1, 0.2,
 /// 0.3, 0.5, 0.8, up to w = 0.1 v/ω. The width is half of what the accuracy allows.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
-    let linear = Linear::of(request, Tool::Simscape)?;
+    let linear = Linear::of(request, TOOL)?;
     let damping = linear.damping(linear.ratio);
-    let mut export = Export::new(
-        Tool::Simscape,
-        "linear spring and damper, never pulling, faded in over a transition region",
-        &[
-            "Simscape Multibody, reference page \"Spatial Contact Force\" (mathworks.com/help/sm/ref/spatialcontactforce.html)",
-        ],
-    );
+    let mut export = Export::new(TOOL);
     export.set("Stiffness", linear.stiffness, "N/m");
     export.set("Damping", damping, "N·s/m");
     let mut text = format!(
