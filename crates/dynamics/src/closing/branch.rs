@@ -204,7 +204,7 @@ impl<'a> DriverPath<'a> {
         if !correction.closed || correction.moved > 0.25 * step + self.tolerance {
             return None;
         }
-        let tangent = self.tangent(kinematics, &here.tangent);
+        let tangent = self.tangent_at(&correction.here, &here.tangent);
         let gone = here.gone + step * here.tangent[self.unknown.len()] + correction.along;
         let point = Point { q: kinematics.q.clone(), gone, tangent };
         (dot(&point.tangent, &here.tangent) > STRAIGHT).then_some(point)
@@ -228,21 +228,23 @@ impl<'a> DriverPath<'a> {
         if !correction.closed || correction.moved > 0.25 * step.abs() + blurred {
             return None;
         }
-        let singular = self.is_narrow(kinematics);
-        let straight = || dot(&self.tangent(kinematics, &here.tangent), &here.tangent) > STRAIGHT;
+        let singular = self.is_narrow(&correction.here);
+        let straight = || dot(&self.tangent_at(&correction.here, &here.tangent), &here.tangent) > STRAIGHT;
         (singular || straight()).then_some(singular)
     }
 
     /// Whether the followers' Jacobian is nearly singular here.
-    pub(super) fn is_narrow(&self, kinematics: &Kinematics<f64>) -> bool {
-        let here = Linearised::at(self.model, kinematics, self.group);
+    fn is_narrow(&self, here: &Linearised) -> bool {
         self.followers().jacobian(self.group, &here.rows).pivot_ratio() < NARROW * self.conditioning
     }
 
     /// The unit tangent of the curve that is nearest to `before`: J t = 0, `before`·t > 0. Where branches cross, the part
     /// of `before` in the plane of their tangents.
     pub(super) fn tangent(&self, kinematics: &Kinematics<f64>, before: &[f64]) -> Vec<f64> {
-        let here = Linearised::at(self.model, kinematics, self.group);
+        self.tangent_at(&Linearised::at(self.model, kinematics, self.group), before)
+    }
+
+    fn tangent_at(&self, here: &Linearised, before: &[f64]) -> Vec<f64> {
         let jacobian = self.directions().jacobian(self.group, &here.rows);
         let t = jacobian.projected(before, self.tolerance / self.size());
         let norm = t.iter().map(|t| t * t).sum::<f64>().sqrt();

@@ -16,7 +16,6 @@ pub(crate) struct Directions<'a> {
 }
 
 /// How a correction ended.
-#[derive(Clone, Copy, Debug)]
 pub(crate) struct Correction {
     /// Largest residual, m.
     pub residual: f64,
@@ -27,6 +26,8 @@ pub(crate) struct Correction {
     pub closed: bool,
     /// Row with the largest residual.
     pub worst: usize,
+    /// The group where it ended.
+    pub here: Linearised,
 }
 
 /// Most iterations of a correction.
@@ -213,7 +214,7 @@ impl Model {
             }
         }
         let (residual, worst) = largest(&here.residuals);
-        Correction { residual, moved, along, closed: residual <= tolerance, worst }
+        Correction { residual, moved, along, closed: residual <= tolerance, worst, here }
     }
 }
 

@@ -81,6 +81,41 @@ pub(crate) fn cholesky_solve(l: &[f64], b: &mut [f64]) {
     }
 }
 
+/// Least over largest pivot of a Gram–Schmidt orthogonalisation with the longest remaining column first; `columns` one after
+/// another, each `length` long and no more than that of them, are overwritten. Of each column only what a ratio needs
+/// is kept right: its leading digits, down to ratios of 1e-8.
+pub(crate) fn orthogonal_pivot_ratio(columns: &mut [f64], length: usize) -> f64 {
+    let count = columns.len() / length;
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let mut first = 0.0;
+    let mut pivot = 0.0;
+    for k in 0..count {
+        let rest = &mut columns[k * length..];
+        let (longest, square) = rest
+            .chunks_exact(length)
+            .map(|column| dot(column, column))
+            .enumerate()
+            .fold((0, 0.0), |best, (i, square)| if square > best.1 { (i, square) } else { best });
+        pivot = square;
+        if k == 0 {
+            first = square;
+        }
+        if square == 0.0 {
+            return 0.0;
+        }
+        if longest > 0 {
+            let (head, tail) = rest.split_at_mut(longest * length);
+            head[..length].swap_with_slice(&mut tail[..length]);
+        }
+        let (done, others) = rest.split_at_mut(length);
+        for other in others.chunks_exact_mut(length) {
+            let part = dot(done, other) / square;
+            other.iter_mut().zip(&*done).for_each(|(x, a)| *x -= part * a);
+        }
+    }
+    (pivot / first).sqrt()
+}
+
 /// Singular values, descending, of a matrix given row by row (m×n), by one-sided Jacobi rotations; allocates nothing once
 /// `values` is large enough. Leaves the matrix rotated. Source: Hestenes 1958; Golub, Van Loan, Matrix Computations, 2013,
 /// §8.6.3 (cited from memory).
@@ -123,7 +158,9 @@ pub(crate) fn singular_values(a: &mut [f64], n: usize, values: &mut Vec<f64>) {
 
 #[cfg(test)]
 mod tests {
-    use super::{cholesky, cholesky_solve, determinant_sign, singular_values, solve_square};
+    use super::{
+        cholesky, cholesky_solve, determinant_sign, orthogonal_pivot_ratio, singular_values, solve_square,
+    };
 
     #[test]
     fn signs_of_determinants() {
@@ -152,6 +189,25 @@ mod tests {
         let expected: Vec<f64> = matrix.singular_values().expect("singular values");
         assert!(values.iter().zip(&expected).all(|(a, b)| (a - b).abs() < 1e-14), "{values:?} {expected:?}");
         assert!(values[2] < 1e-15 && values[3] == 0.0, "{values:?}");
+    }
+
+    #[test]
+    fn pivots_of_columns() {
+        // Columns (3, 0, 4) and (3, 0, 4) + δ(4, 0, −3): pivots 5 and 5δ, to the rounding of the first, ε/δ.
+        for delta in [0.5, 1e-3, 1e-8] {
+            let ratio =
+                orthogonal_pivot_ratio(&mut [3.0, 0.0, 4.0, 3.0 + 4.0 * delta, 0.0, 4.0 - 3.0 * delta], 3);
+            let exact = delta / (1.0_f64 + delta * delta);
+            assert!((ratio / exact - 1.0).abs() < 1e-15 / delta + 1e-14, "{ratio} {exact}");
+        }
+        assert_eq!(orthogonal_pivot_ratio(&mut [1.0, 2.0, 0.0, 0.0], 2), 0.0);
+        // As the factorisation with column pivots has it.
+        let entry = |r: usize, c: usize| ((3 * r + 7 * c) as f64).sin() + f64::from(u8::from(r == c));
+        let matrix = faer::Mat::from_fn(9, 6, entry);
+        let qr = matrix.col_piv_qr();
+        let exact = (qr.R()[(5, 5)] / qr.R()[(0, 0)]).abs();
+        let mut columns: Vec<f64> = (0..54).map(|i| entry(i % 9, i / 9)).collect();
+        assert!((orthogonal_pivot_ratio(&mut columns, 9) / exact - 1.0).abs() < 1e-12);
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! The shortest step that does most: min ‖x‖ among those with least ‖Jx − b‖, for groups of every size.
 
-use super::dense::{cholesky, cholesky_solve};
+use super::dense::{cholesky, cholesky_solve, orthogonal_pivot_ratio};
 use super::sparse::{SparseRows, eliminate, pivot_ratio};
 use crate::tolerances::STEP_RANK;
 use faer::linalg::solvers::{Solve, SolveLstsq};
@@ -208,9 +208,9 @@ impl Jacobian {
         if self.columns > DENSE {
             return pivot_ratio(self.rows, self.columns, &self.entries);
         }
-        let qr = self.dense().col_piv_qr();
-        let last = self.columns - 1;
-        (qr.R()[(last, last)] / qr.R()[(0, 0)]).abs()
+        let mut columns = vec![0.0; self.rows * self.columns];
+        self.entries.iter().for_each(|(r, c, a)| columns[c * self.rows + r] += a);
+        orthogonal_pivot_ratio(&mut columns, self.rows)
     }
 
     /// The part of `before` on which J vanishes.
