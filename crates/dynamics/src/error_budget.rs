@@ -14,12 +14,11 @@
 
 use crate::contact::LocatedContact;
 use crate::kinematics::Kinematics;
-use crate::linear::dense::solve_square;
-use crate::linear::jacobian::Jacobian;
 use crate::mobility::GroupMobility;
-use crate::model::{Cluster, Group, Model};
+use crate::model::{Cluster, Model};
 use crate::recursion::{ClusterElimination, Recursion};
 use crate::rows::GroupRows;
+use crate::stationary::{Pivoted, Stationary};
 use nalgebra::{Vector3, Vector6};
 use percuss_spatial::{ArticulatedInertia, Transform, Twist, Wrench};
 
@@ -56,6 +55,11 @@ const SUM: f64 = 5.0;
 /// Roundings of a row of A and its elimination, each of its terms' size.
 const ROW: f64 = 8.0;
 
+/// A relative error of 1/m̄ beyond which the pivots that it stands on are rounding, and may be zero.
+pub(crate) const NOTHING_LEFT: f64 = 1.0;
+/// A relative error from which on the response is held to its stationary value.
+const VAGUE: f64 = 1e-12;
+
 /// How far the frames of bodies may be off, in units of ε.
 #[derive(Clone, Debug, Default)]
 struct FrameErrors {
@@ -86,6 +90,15 @@ impl FrameErrors {
     }
 }
 
+/// How errors of the frames' places are counted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Places {
+    /// Added up from the root to each body.
+    Added,
+    /// Each joint's own, by what it transmits: those of a long chain do not add up.
+    ByJoint,
+}
+
 /// What an error budget is asked about: a route's answer to a unit impulse along the normal.
 pub(crate) struct UnitImpulse<'a> {
     pub model: &'a Model,
@@ -110,19 +123,49 @@ pub(crate) struct RelativeErrors {
     pub misfit: f64,
     /// Whether a group that moves has redundant rows, which measure the misfit.
     pub is_measured: bool,
+    /// The response (1/kg) by its energy, where the recursion's own is vague; `rounding` is its then.
+    pub stationary: Option<f64>,
 }
 
 impl UnitImpulse<'_> {
     /// The error of the recursion's answer.
     pub fn of_recursion(&self, recursion: &Recursion<f64, 1>) -> RelativeErrors {
-        let mut sum = self.of_data(&self.transmitted(recursion));
+        let (mut route, mut stationary) = (0.0, None);
         for (number, cluster) in self.model.clusters.iter().enumerate() {
-            sum.rounding += match recursion.place[number] {
+            route += match recursion.place[number] {
                 None => self.of_joint(recursion, cluster.bodies[0]),
                 Some(place) => self.of_cluster(recursion, cluster, &recursion.clusters[place]),
             };
         }
-        self.relative(sum, recursion.response(0, 0))
+        let response = recursion.response(0, 0);
+        // A tree's pivots are sums over what is left below each joint only.
+        if !recursion.clusters.is_empty() && f64::EPSILON * route > VAGUE * response {
+            let found = self.stationary(recursion).value().filter(|(value, error)| {
+                *value > 0.0 && *error < NOTHING_LEFT * value && *error < f64::EPSILON * route
+            });
+            if let Some((value, error)) = found {
+                route = error / f64::EPSILON;
+                stationary = Some(value);
+            }
+        }
+        let places = if stationary.is_some() { Places::ByJoint } else { Places::Added };
+        let mut sum = self.of_data(&self.transmitted(recursion), places);
+        sum.rounding += route;
+        sum.stationary = stationary;
+        self.relative(sum, response)
+    }
+
+    /// The same answer by its energy.
+    pub fn stationary<'b>(&'b self, recursion: &'b Recursion<f64, 1>) -> Stationary<'b> {
+        Stationary {
+            model: self.model,
+            kinematics: self.kinematics,
+            groups: self.groups,
+            contact: self.contact,
+            recursion,
+            twists: self.twists,
+            velocities: self.velocities,
+        }
     }
 
     fn relative(&self, sum: RelativeErrors, response: f64) -> RelativeErrors {
@@ -131,6 +174,7 @@ impl UnitImpulse<'_> {
             file: sum.file / response,
             is_measured: sum.is_measured,
             misfit: sum.misfit,
+            stationary: sum.stationary,
         }
     }
 
@@ -150,7 +194,7 @@ impl UnitImpulse<'_> {
     }
 
     /// What every route shares: frames, bodies' inertias, joints' columns, the contact, rows of A.
-    fn of_data(&self, transmitted: &[Wrench<f64>]) -> RelativeErrors {
+    fn of_data(&self, transmitted: &[Wrench<f64>], places: Places) -> RelativeErrors {
         let (model, kinematics) = (self.model, self.kinematics);
         let mut frames = FrameErrors::default();
         frames.fill(model, kinematics);
@@ -158,15 +202,24 @@ impl UnitImpulse<'_> {
         let against = frames.at(self.contact.against.and_then(|l| model.body_of(l)));
         let point = &self.contact.point_root;
         let reach = point.norm();
-        let struck =
-            (on.0.max(against.0), on.1 + 2.0 * reach + (on.0 + SUM) * self.contact.point_link.norm());
+        let own_struck = 2.0 * reach + (on.0 + SUM) * self.contact.point_link.norm();
+        let struck = (on.0.max(against.0), on.1 + own_struck);
         let mut sum = RelativeErrors::default();
         // The normal turns with a link; the relative velocity there is what it is multiplied with.
         sum.rounding += 2.0 * (TURN + struck.0) * self.relative_velocity().norm();
+        let by_joint = places == Places::ByJoint;
+        if let Some(other) = self.contact.against.and_then(|l| model.body_of(l)).filter(|_| by_joint) {
+            // The point is the struck link's: it is off on the other one.
+            sum.rounding += 2.0 * (struck.1 + against.1) * self.twists[other].angular.norm();
+        }
         for (i, body) in model.bodies.iter().enumerate() {
             let (turn, place) = frames.of[i];
             let arm = kinematics.frames[i].translation - point;
-            let off = place + struck.1 + arm.norm();
+            let off = if by_joint {
+                own_struck + 2.0 * kinematics.frames[i].translation.norm() + arm.norm()
+            } else {
+                place + struck.1 + arm.norm()
+            };
             let twist = &self.twists[i];
             let x = Transform::new(kinematics.frames[i].rotation, arm);
             let own = x.inertia(&body.inertia);
@@ -178,6 +231,10 @@ impl UnitImpulse<'_> {
                 + body.inertia.mass.abs().sqrt() * at_origin.norm();
             sum.rounding += 2.0 * (turn + TURN) * own_root * own_root;
             sum.rounding += 2.0 * omega * off * own.momentum(twist).force.norm();
+            if by_joint {
+                sum.rounding += self.of_place(i, turn, off, &transmitted[i]);
+                continue;
+            }
             // A free base is seen from itself.
             for (k, v) in body.v.clone().enumerate().filter(|_| body.joint.is_some()) {
                 let rate = self.velocities[v].abs();
@@ -191,6 +248,32 @@ impl UnitImpulse<'_> {
         }
         self.add_rows(&frames, transmitted, &mut sum);
         sum
+    }
+
+    /// What a joint turns and shifts wrongly it carries along as it is: only what it transmits knows of it.
+    fn of_place(&self, i: usize, turn: f64, off: f64, transmitted: &Wrench<f64>) -> f64 {
+        let (model, kinematics, point) = (self.model, self.kinematics, &self.contact.point_root);
+        let body = &model.bodies[i];
+        // A free base is seen from itself.
+        if body.joint.is_none() {
+            return 0.0;
+        }
+        let arm = kinematics.frames[i].translation - point;
+        let force = transmitted.force.norm();
+        let moment = (transmitted.moment - arm.cross(&transmitted.force)).norm();
+        let (own, carrier) = (&self.twists[i], body.parent.map_or_else(Twist::zero, |p| self.twists[p]));
+        let turning = own.angular.norm() + carrier.angular.norm();
+        let moving = own.velocity_at(&arm).norm() + carrier.velocity_at(&arm).norm();
+        let shift = (SUM + turn) * kinematics.steps[i].translation.norm()
+            + 2.0 * kinematics.frames[i].translation.norm();
+        let mut sum = TURN * (turning * moment + moving * force) + shift * turning * force;
+        for (k, v) in body.v.clone().enumerate() {
+            let s = kinematics.column_at(model, i, k, point);
+            let (axis, lever) = (s.angular.norm(), s.velocity_at(&arm).norm());
+            sum += self.velocities[v].abs()
+                * ((turn + TURN) * (axis * moment + lever * force) + 2.0 * axis * off * force);
+        }
+        2.0 * sum
     }
 
     /// Velocity of the struck link at the contact point against the other side.
@@ -222,7 +305,8 @@ impl UnitImpulse<'_> {
                 let force = |c: usize| forces[own.coordinates[c]] / group.lengths[c];
                 let mut rows = GroupRows::default();
                 rows.fill(self.model, group, self.kinematics);
-                let multipliers = multipliers(&rows, group, known, &force);
+                let wanted: Vec<f64> = known.pivots.columns.iter().map(|&c| force(c)).collect();
+                let multipliers = Pivoted::new(&rows, group, known).multipliers(&wanted);
                 let mut terms = vec![0.0; group.rows];
                 let mut largest = vec![0.0_f64; group.rows];
                 rows.for_each(group, |r, c, a| {
@@ -322,42 +406,11 @@ impl UnitImpulse<'_> {
         coordinates: &[f64],
         response: f64,
     ) -> RelativeErrors {
-        let mut sum = self.of_data(&self.transmitted(recursion));
+        let mut sum = self.of_data(&self.transmitted(recursion), Places::Added);
         let root: f64 = mass_size.iter().zip(coordinates).map(|(m, v)| m.abs().sqrt() * v.abs()).sum();
         sum.rounding += SUM * coordinates.len() as f64 * root * root;
         self.relative(sum, response)
     }
-}
-
-/// Rows up to which multipliers are found densely.
-const DENSE: usize = 64;
-
-/// λ with K ᵀ λ = force on the coordinates that depend; one a pivot row, over coordinates scaled by lengths.
-fn multipliers(
-    rows: &GroupRows<f64>,
-    group: &Group,
-    known: &GroupMobility,
-    force: &dyn Fn(usize) -> f64,
-) -> Vec<f64> {
-    let count = known.pivots.rows.len();
-    let (mut row_of, mut column_of) =
-        (vec![usize::MAX; group.rows], vec![usize::MAX; group.coordinates.len()]);
-    known.pivots.rows.iter().enumerate().for_each(|(i, r)| row_of[*r] = i);
-    known.pivots.columns.iter().enumerate().for_each(|(i, c)| column_of[*c] = i);
-    let mut right: Vec<f64> = known.pivots.columns.iter().map(|&c| force(c)).collect();
-    let mut entries = Vec::new();
-    rows.for_each(group, |r, c, a| {
-        if row_of[r] != usize::MAX && column_of[c] != usize::MAX {
-            entries.push((column_of[c], row_of[r], a / group.lengths[c]));
-        }
-    });
-    if count > DENSE {
-        return Jacobian { rows: count, columns: count, entries }.shortest(&right, f64::EPSILON);
-    }
-    let mut square = vec![0.0; count * count];
-    entries.into_iter().for_each(|(i, k, a)| square[i * count + k] += a);
-    solve_square(&mut square, &mut right);
-    right
 }
 
 /// Square roots of the diagonal of an inertia: entries of a positive one are at most products of two of them.

@@ -36,6 +36,7 @@ mod response;
 mod rigid_body;
 mod rows;
 mod singular;
+mod stationary;
 mod system;
 mod tangent;
 mod tolerances;

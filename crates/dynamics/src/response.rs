@@ -4,7 +4,7 @@ use crate::assembly::Assembly;
 use crate::careful::{Minimum, Solution};
 use crate::closing_speed::{ClosingRoom, relative_closing_speed};
 use crate::contact::{Contact, LocatedContact};
-use crate::error_budget::{ErrorBudget, RelativeErrors, UnitImpulse};
+use crate::error_budget::{ErrorBudget, NOTHING_LEFT, RelativeErrors, UnitImpulse};
 use crate::kinematics::Kinematics;
 use crate::mobility::GroupMobility;
 use crate::model::Model;
@@ -185,7 +185,10 @@ impl Question<'_> {
     fn better(&self, ran: &Ran) -> Found {
         let recursive = self.recursive(ran);
         let accurate = match recursive.mass {
-            EffectiveMass::Finite(_) => recursive.errors.rounding <= TRUSTED_ERROR,
+            // What is left of the error where the energy decides is the data's, and every route's.
+            EffectiveMass::Finite(_) => {
+                recursive.errors.rounding <= TRUSTED_ERROR || recursive.errors.stationary.is_some()
+            }
             EffectiveMass::Immovable => true,
             // Zero is claimed against terms that may be large: a second opinion.
             EffectiveMass::Massless => false,
@@ -223,9 +226,11 @@ impl Question<'_> {
         let mut twists = vec![Twist::zero(); model.bodies.len()];
         let mut errors = RelativeErrors::default();
         match mass {
-            EffectiveMass::Finite(m) => {
+            EffectiveMass::Finite(own) => {
                 recursion.velocities(model, &self.located.point_root, &mut twists, &mut velocities);
                 errors = self.impulse(&twists, &velocities).of_recursion(recursion);
+                let m = errors.stationary.map_or(own, |response| 1.0 / response);
+                mass = EffectiveMass::Finite(m);
                 velocities.iter_mut().for_each(|v| *v *= m);
                 if errors.rounding > NOTHING_LEFT {
                     // The energy that is left is rounding.
@@ -256,6 +261,20 @@ impl Question<'_> {
             velocities,
             remarks,
         }
+    }
+
+    /// The response by its energy, at some frames.
+    fn stationary(
+        &self,
+        recursion: &Recursion<f64, 1>,
+        kinematics: &Kinematics<f64>,
+        groups: &[GroupMobility],
+    ) -> Option<f64> {
+        let mut velocities = vec![0.0; self.model.follows.len()];
+        let mut twists = vec![Twist::zero(); self.model.bodies.len()];
+        recursion.velocities(self.model, &self.located.point_root, &mut twists, &mut velocities);
+        let there = UnitImpulse { kinematics, groups, ..self.impulse(&twists, &velocities) };
+        there.stationary(recursion).value().map(|(response, _)| response).filter(|response| *response > 0.0)
     }
 
     /// A motion at unit closing speed; none where it does not close the gap.
@@ -387,22 +406,25 @@ impl Question<'_> {
         }
         // The rows of an inexact file are off by as much as its frames are; so is the closing speed that m̄ goes by.
         let file = FILE * (errors.file + errors.misfit / closing_speed);
-        let closing = self.closing_error(m).map(|c| m * c);
+        let closing = self.closing_error(m, errors.stationary.is_some()).map(|c| m * c);
         ErrorBudget { rounding: Some(m * own), closing, file: errors.is_measured.then_some(m * file) }
     }
 
     /// Relative change of m̄ between the pose and where it may be, as far as its loops are from closed; none where that
-    /// cannot be found.
-    fn closing_error(&self, m: f64) -> Option<f64> {
+    /// cannot be found. `by_energy`: m̄ was found so.
+    fn closing_error(&self, m: f64, by_energy: bool) -> Option<f64> {
         let assembly: &Assembly = &self.pose.assembly;
         let mut most = 0.0_f64;
         for sign in [1.0, -1.0] {
             let moved = assembly.doubtful_pose(self.pose, sign)?;
             let groups = self.pose.groups_at(&moved);
             let located = self.model.locate(&moved, self.pose.base(), self.contact).ok()?;
-            let EffectiveMass::Finite(other) = self.run(&moved, &groups, &located).mass() else {
-                return None;
-            };
+            let there = Question { located: &located, ..*self };
+            let ran = there.run(&moved, &groups, &located);
+            let EffectiveMass::Finite(mut other) = ran.mass() else { return None };
+            if by_energy && let Some(response) = there.stationary(&ran.recursion, &moved, &groups) {
+                other = 1.0 / response;
+            }
             let change = (other / m - 1.0).abs();
             most = most.max(change);
             if change < SMOOTH {
@@ -449,8 +471,6 @@ impl Question<'_> {
 const FILE: f64 = 128.0;
 /// A part of the mechanism's mass that nobody misses.
 const NEGLIGIBLE: f64 = 1e-9;
-/// A relative error of 1/m̄ beyond which the pivots that it stands on are rounding, and may be zero.
-const NOTHING_LEFT: f64 = 1.0;
 /// A relative change of m̄ by what leaves a pose open that is the same both ways.
 const SMOOTH: f64 = 1e-9;
 

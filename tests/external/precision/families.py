@@ -438,6 +438,71 @@ def far():
     return family
 
 
+def rpy_of(r):
+    return mp.atan2(r[2][1], r[2][2]), mp.asin(-r[2][0]), mp.atan2(r[1][0], r[0][0])
+
+
+def ring(draw, n, spatial, is_round):
+    """One loop of n links, the root among them; (rows, case). Planar in exact arithmetic, or with axes of all directions."""
+    from mechanics import Mechanism, Position, about, closure_rows, eliminate, numbers, paths, product, transpose, unit
+    last = n - 1
+    kinds = min(last, 20)
+    links = [[]] + [draw.inertia(draw.number(0.1, 10), 0.3, turned=draw.index(3) == 0) for _ in range(kinds)]
+    links += [1 + draw.index(kinds) for _ in range(last - kinds)]
+    side = 2 if is_round else 8
+    joints, values = [], {}
+    for i in range(1, n):
+        height = plain(draw.height()) if not spatial else draw.number(-0.3, 0.3)
+        place = f"{draw.number(0.2, 1)} {draw.number(-0.1, 0.1)} {height if i > 1 else '0'}"
+        axis = draw.direction() if spatial else UPRIGHT
+        joints.append(["c", i - 1, place, axis, ""])
+        values[i] = f"{2 * math.pi / n + draw.real(-1, 1) / side:.3f}" if is_round else draw.number(-2.5, 2.5)
+    rows = {"links": links, "joints": joints, "loops": []}
+    doubles = {i: mpf(float(q)) for i, q in values.items()}
+    tip = ["0.5", "0.05", "0"]
+    if spatial:
+        # The last link comes out parallel to the root.
+        before = Position(Mechanism(rows), doubles).r[last - 1]
+        turn = about(unit(numbers(joints[-1][3])), doubles[last])
+        joints[-1][4] = " ".join(exact(x) for x in rpy_of(transpose(product(turn, before))))
+    at = Position(Mechanism(rows), doubles)
+    end = at.point(last, [mpf(float(x)) for x in tip])
+    if not spatial:
+        end[2] = sum(mpf(float(j[2].split()[2])) for j in joints)
+    rows["loops"] = [[0, " ".join(exact(x) for x in end), last, " ".join(tip), draw.direction() if spatial else UPRIGHT]]
+    at = Position(Mechanism(rows), doubles)
+    path, columns = paths(at)
+    # Heights and turns out of the plane come to zero but for rounding of the last link's turn.
+    clear = [[x if abs(x) > mpf(10) ** -12 else mpf(0) for x in row] for row in closure_rows(at, path, columns)[0]]
+    pivots, _ = eliminate(clear)
+    follows = sorted(k + 1 for _, k in pivots)
+    for i in values:
+        if i not in follows:
+            joints[i - 1].append(1)
+    case = {"drivers": {i: q for i, q in values.items() if i not in follows},
+            "guess": {i: float(values[i]) for i in follows}}
+    on = [1 + draw.index(last) for _ in range(3)]
+    other = draw.pick([i for i in range(1, n) if i != on[2]])
+    case["contacts"] = [
+        contact(on[0], draw.three(0.3, 2), draw.direction(), world=True),
+        contact(on[1], draw.three(0.3, 2), draw.direction()),
+        contact(on[2], draw.three(0.3, 2), draw.direction(), against=other),
+    ]
+    return rows, case
+
+
+def rings():
+    family = Family()
+    for spatial in [False, True]:
+        for is_round in [True, False]:
+            for n, seeds in [(10, 4), (40, 4), (90, 2), (300, 1)]:
+                group = f"ring, {'any axes' if spatial else 'planar'}, {'round' if is_round else 'crumpled'}, {n:4}"
+                for seed in range(seeds):
+                    rows, case = ring(Draw(group, seed), n, spatial, is_round)
+                    family.case(group, seed, family.mechanism(rows), case)
+    return family
+
+
 FAMILIES = {
     "slider_cranks": slider_cranks,
     "decades": decades,
@@ -445,4 +510,5 @@ FAMILIES = {
     "dead_centres": dead_centres,
     "hubs": hubs,
     "far": far,
+    "rings": rings,
 }

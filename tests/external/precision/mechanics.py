@@ -1,8 +1,9 @@
 """Effective masses in many digits, from nothing but the numbers of a mechanism.
 
-m = min { v'Mv : A v = 0, j v = 1 }, three ways that share only the positions of the bodies:
+m = min { v'Mv : A v = 0, j v = 1 }, four ways that share only the positions of the bodies:
 
 - `by_recursion`: open trees, from the leaves to the root, O(n).
+- `by_closing`: loops, from the responses of their tree to wrenches that close them, O(n).
 - `by_joints`: mass matrix over the joints, kernel of the closures' rows, one linear solve.
 - `by_bodies`: six velocities for every body, every joint a constraint, the KKT equations.
 
@@ -16,6 +17,8 @@ mp.dps = 90
 
 # Lengths decide a rank; they are of order one to 1e4, and the noise is 1e-80.
 RANK = mpf(10) ** -40
+# Bodies up to which equations over all joints of loops are solved.
+SMALL = 13
 
 
 def numbers(text):
@@ -201,20 +204,38 @@ def dot6(a, b):
 
 def by_recursion(position, contacts):
     """Masses of an open tree; None where a contact does not move."""
+    assert not position.mechanism.loops
+    inverse = responses(position, [wrench_on(position, c) for c in contacts], crossed=False)
+    return [1 / x if x > RANK else None for x in inverse]
+
+
+def wrench_on(position, contact):
+    """By body: a unit force along the normal, and its opposite."""
+    p, normal = position.touched(contact)
+    w = cross(p, normal) + normal
+    out = {contact["on"]: w}
+    against = contact["against"]
+    if against is not None:
+        out[against] = sub(out.get(against, [mpf(0)] * 6), w)
+    return out
+
+
+def responses(position, wrenches, crossed):
+    """w' M^-1 w of the tree for every wrench; with `crossed`, for every two of them."""
     mechanism = position.mechanism
-    assert not mechanism.loops
-    n = len(mechanism.bodies)
+    n, count = len(mechanism.bodies), len(wrenches)
     inertia = [position.inertia(i) for i in range(n)]
     zero6 = [mpf(0)] * 6
-    force = [[None] * n for _ in contacts]
-    for f, contact in zip(force, contacts):
-        p, normal = position.touched(contact)
-        w = cross(p, normal) + normal
-        f[contact["on"]] = w
-        against = contact["against"]
-        if against is not None:
-            f[against] = sub(f[against] or zero6, w)
-    inverse = [mpf(0)] * len(contacts)
+    force = [[w.get(i) for i in range(n)] for w in wrenches]
+    out = [[mpf(0)] * count for _ in range(count)]
+
+    def count_in(parts, weights):
+        for a in range(count):
+            if parts[a]:
+                for b in range(count) if crossed else [a]:
+                    if parts[b]:
+                        out[a][b] += parts[a] * weights[b]
+
     for i in range(n - 1, 0, -1):
         joint, own = mechanism.joints[i], inertia[i]
         parent = inertia[joint.parent]
@@ -234,18 +255,48 @@ def by_recursion(position, contacts):
             for b in range(a, 6):
                 parent[a][b] += own[a][b] - scaled * u[b]
                 parent[b][a] = parent[a][b]
-        for k, f in enumerate(force):
+        parts = [None if f[i] is None else dot6(s, f[i]) for f in force]
+        weights = [None if t is None else t / d for t in parts]
+        count_in(parts, weights)
+        for f, weight in zip(force, weights):
             if f[i] is not None:
-                t = dot6(s, f[i])
-                inverse[k] += t * t / d
-                passed = [x - y * t / d for x, y in zip(f[i], u)]
+                passed = [x - y * weight for x, y in zip(f[i], u)]
                 f[joint.parent] = add(f[joint.parent] or zero6, passed)
         inertia[i] = None
     if position.floating:
-        for k, f in enumerate(force):
-            if f[0] is not None:
-                inverse[k] += dot6(f[0], solve(inertia[0], [[x] for x in f[0]], column=0))
-    return [1 / x if x > RANK else None for x in inverse]
+        on_root = [f[0] for f in force]
+        moved = [None if f is None else solve(inertia[0], [[x] for x in f], column=0) for f in on_root]
+        for a in range(count):
+            for b in range(count) if crossed else [a]:
+                if on_root[a] is not None and on_root[b] is not None:
+                    out[a][b] += dot6(on_root[a], moved[b])
+    return out if crossed else [out[a][a] for a in range(count)]
+
+
+def by_closing(position, contacts):
+    """Masses where few loops bind many joints: responses of the tree to the contacts and to what closes the loops."""
+    closing = []
+    for loop in position.mechanism.loops:
+        before, after = loop.predecessor, loop.successor
+        p = position.point(before, loop.before)
+        assert max(map(abs, sub(position.point(after, loop.after), p))) < mpf(10) ** (10 - mp.dps)
+        pushes = [[mpf(int(a == b)) for a in range(3)] for b in range(3)]
+        wrenches = [cross(p, push) + push for push in pushes]
+        turns = perpendiculars(apply(position.r[before], loop.axis))
+        wrenches += [list(turn) + [mpf(0)] * 3 for turn in turns]
+        closing += [{after: w, before: times(-1, w)} for w in wrenches]
+    k = len(contacts)
+    all_of_it = responses(position, [wrench_on(position, c) for c in contacts] + closing, crossed=True)
+    bound = [row[k:] for row in all_of_it[k:]]
+    pivots, _ = eliminate(bound)
+    rows, columns = [i for i, _ in pivots], [c for _, c in pivots]
+    square = [[bound[i][c] for c in columns] for i in rows]
+    out = []
+    for a in range(k):
+        held = solve(square, [[all_of_it[k + i][a]] for i in rows], column=0)
+        inverse = all_of_it[a][a] - sum((all_of_it[a][k + c] * x for c, x in zip(columns, held)), mpf(0))
+        out.append(1 / inverse if inverse > RANK else None)
+    return out
 
 
 def solve(matrix, right, column=None):
@@ -486,4 +537,6 @@ def by_bodies(position, contacts):
 
 def masses(position, contacts):
     """By the formulation that suits."""
-    return by_joints(position, contacts) if position.mechanism.loops else by_recursion(position, contacts)
+    if not position.mechanism.loops:
+        return by_recursion(position, contacts)
+    return (by_joints if len(position.mechanism.bodies) <= SMALL else by_closing)(position, contacts)

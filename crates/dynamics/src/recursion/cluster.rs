@@ -296,6 +296,30 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
         self.order.iter().fold(T::zero(), |sum, y| sum + part(y))
     }
 
+    /// Adds tᵀ D⁻¹ t for wrenches on the bodies and forces on the coordinates; gives what is passed on.
+    pub fn push(&self, cluster: &Cluster, wrenches: &[Wrench<T>], forces: &[T], sum: &mut T) -> Wrench<T> {
+        let d = self.d;
+        let mut t = vec![T::zero(); d];
+        let mut passed = Wrench::zero();
+        for (at, &b) in cluster.bodies.iter().enumerate() {
+            passed += wrenches[b];
+            t.iter_mut().zip(&self.psi[at * d..]).for_each(|(t, psi)| *t += wrenches[b].power(psi));
+        }
+        for (c, force) in forces.iter().enumerate() {
+            t.iter_mut().zip(&self.g[c * d..]).for_each(|(t, g)| *t += *g * *force);
+        }
+        for (i, &y) in self.order.iter().enumerate() {
+            let part = t[y] / self.factor[y * d + y];
+            *sum += t[y] * part;
+            passed -= self.u[y] * part;
+            for &x in &self.order[i + 1..] {
+                let change = self.factor[x * d + y] * t[y];
+                t[x] -= change;
+            }
+        }
+        passed
+    }
+
     /// Rates of the independent coordinates while the body that carries the cluster moves with `twist`: D u = t − Uᵀ V;
     /// of those dropped, as given in `free` (none: zero).
     pub fn independent_rates(&self, twist: &Twist<T>, loaded: bool, free: Option<usize>) -> Vec<T> {

@@ -69,3 +69,16 @@ impl<T: Scalar, const K: usize> Default for ClusterElimination<T, K> {
         }
     }
 }
+
+impl<const K: usize> JointElimination<f64, K> {
+    pub fn is_positive(&self) -> bool {
+        self.counts && self.d > 0.0
+    }
+}
+
+impl<const K: usize> ClusterElimination<f64, K> {
+    /// Whether all pivots count, and none is below zero.
+    pub fn is_positive(&self) -> bool {
+        self.dropped.is_empty() && self.order.iter().all(|y| self.factor[y * self.d + y] > 0.0)
+    }
+}

@@ -114,6 +114,33 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
         self.clusters.iter().fold(sum, |sum, cluster| sum + cluster.response(a, b))
     }
 
+    /// θᵀKθ for forces θ on the tree's velocities of plain joints and on the coordinates of bound clusters, K the response of
+    /// the velocities to forces: tᵀ D⁻¹ t once more.
+    pub fn compliance(&self, model: &Model, joints: &[T], clusters: &[Vec<T>]) -> T {
+        let mut wrenches = vec![Wrench::zero(); model.bodies.len()];
+        let mut sum = T::zero();
+        for (number, cluster) in model.clusters.iter().enumerate() {
+            let passed = match self.place[number] {
+                None => {
+                    let i = cluster.bodies[0];
+                    let mut f = wrenches[i];
+                    for &v in &self.order[model.bodies[i].v.clone()] {
+                        let e = &self.joints[v];
+                        let t = joints[v] + f.power(&e.s);
+                        sum += t * t / e.d;
+                        f -= e.u * (t / e.d);
+                    }
+                    f
+                }
+                Some(place) => self.clusters[place].push(cluster, &wrenches, &clusters[place], &mut sum),
+            };
+            if let Some(parent) = cluster.parent {
+                wrenches[parent] += passed;
+            }
+        }
+        sum
+    }
+
     /// Velocities of the tree and twists of the bodies (root axes, at the contact point) after a unit impulse of test
     /// wrench 0: M⁻¹ jᵀ. Found from the root to the tips.
     pub fn velocities(
