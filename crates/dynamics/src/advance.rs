@@ -17,31 +17,31 @@ use percuss_spatial::{Scalar, Transform, Twist, rotation_from_quaternion};
 pub enum VelocityError {
     /// Not one list a joint.
     #[error(
-        "velocities of {got} joints are given, the mechanism has {wanted}: one list a joint, in joint order"
+        "velocities of {got} joints are given, the mechanism has {expected}: one list a joint, in joint order"
     )]
     Joints {
         /// How many lists were given.
         got: usize,
         /// How many joints there are.
-        wanted: usize,
+        expected: usize,
     },
     /// A list of the wrong length.
-    #[error("joint \"{joint}\" has {wanted} velocities; {got} are given")]
+    #[error("joint \"{joint}\" has {expected} velocities; {got} are given")]
     Count {
         /// The joint.
         joint: String,
         /// How many were given.
         got: usize,
         /// How many it has.
-        wanted: usize,
+        expected: usize,
     },
     /// Not the mechanism's number of positions.
-    #[error("{got} positions are given, the mechanism has {wanted}")]
+    #[error("{got} positions are given, the mechanism has {expected}")]
     Positions {
         /// How many were given.
         got: usize,
         /// How many there are.
-        wanted: usize,
+        expected: usize,
     },
 }
 
@@ -53,14 +53,14 @@ pub(crate) fn check_velocities<T>(
     mechanism: &percuss_mechanism::Mechanism,
     velocities: &[Vec<T>],
 ) -> Result<(), VelocityError> {
-    let (got, wanted) = (velocities.len(), mechanism.joints().len());
-    if got != wanted {
-        return Err(VelocityError::Joints { got, wanted });
+    let (got, expected) = (velocities.len(), mechanism.joints().len());
+    if got != expected {
+        return Err(VelocityError::Joints { got, expected });
     }
     for (joint, v) in mechanism.joints().iter().zip(velocities) {
-        let (got, wanted) = (v.len(), joint.kind().dofs());
-        if got != wanted {
-            return Err(VelocityError::Count { joint: joint.name().to_owned(), got, wanted });
+        let (got, expected) = (v.len(), joint.kind().dofs());
+        if got != expected {
+            return Err(VelocityError::Count { joint: joint.name().to_owned(), got, expected });
         }
     }
     Ok(())
@@ -79,7 +79,7 @@ impl System {
         let model = self.model();
         check_velocities(&model.mechanism, velocities)?;
         if positions.len() != model.positions {
-            return Err(VelocityError::Positions { got: positions.len(), wanted: model.positions });
+            return Err(VelocityError::Positions { got: positions.len(), expected: model.positions });
         }
         let mut rates = vec![T::zero(); model.positions];
         for ((joint, range), v) in model.mechanism.joints().iter().zip(&model.joint_q).zip(velocities) {

@@ -193,7 +193,7 @@ pub enum ConditionsError {
     },
     /// The count fits neither one nor the joint's velocities.
     #[error(
-        "armature of joint \"{joint}\" has {got} values; a {} joint takes {}", kind.name(), wanted(*kind)
+        "armature of joint \"{joint}\" has {got} values; a {} joint takes {}", kind.name(), expected(*kind)
     )]
     ArmatureCount {
         /// The joint.
@@ -205,7 +205,7 @@ pub enum ConditionsError {
     },
 }
 
-fn wanted(kind: JointKind) -> String {
+fn expected(kind: JointKind) -> String {
     match (kind.dofs(), kind.is_homogeneous()) {
         (0, _) => "none: it does not move".into(),
         (1, _) => "one".into(),

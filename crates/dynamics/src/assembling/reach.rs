@@ -17,7 +17,7 @@ struct Driver {
     joint: JointId,
     /// Its place among the positions.
     q: usize,
-    wanted: f64,
+    requested: f64,
     given: bool,
 }
 
@@ -147,8 +147,8 @@ impl Closer<'_> {
             let joint = group.joints[at]?;
             let range = &self.model.joint_q[joint.index()];
             let given = self.configuration.given[joint.index()];
-            let wanted = self.configuration.values[joint.index()][0];
-            (range.len() == 1).then_some(Driver { at, joint, q: range.start, wanted, given })
+            let requested = self.configuration.values[joint.index()][0];
+            (range.len() == 1).then_some(Driver { at, joint, q: range.start, requested, given })
         };
         divided.driving.iter().filter_map(driver).collect()
     }
@@ -216,7 +216,7 @@ impl Closer<'_> {
         match self.start {
             Some(from) => {
                 let known = from.anchors.get(number).and_then(|anchor| anchor.as_ref());
-                let there = drivers.iter().all(|d| from.positions[d.q] == d.wanted);
+                let there = drivers.iter().all(|d| from.positions[d.q] == d.requested);
                 anchor = known.cloned();
                 let start = known.filter(|_| !there).map_or(from.positions, Vec::as_slice);
                 model.set_group(&mut self.kinematics, group, start);
@@ -226,7 +226,7 @@ impl Closer<'_> {
                 // At a change point or a dead centre there is no branch to follow.
                 if !regular(self) {
                     anchor = Some(facts.generic.clone());
-                    let there = drivers.iter().all(|d| home[d.q] == d.wanted);
+                    let there = drivers.iter().all(|d| home[d.q] == d.requested);
                     if !there {
                         model.set_group(&mut self.kinematics, group, &facts.generic);
                     }
@@ -265,12 +265,12 @@ impl Closer<'_> {
     }
 
     fn stands(&self, drivers: &[&Driver]) -> bool {
-        drivers.iter().all(|d| self.kinematics.q[d.q] == d.wanted)
+        drivers.iter().all(|d| self.kinematics.q[d.q] == d.requested)
     }
 
     fn put<'d>(&mut self, group: &Group, drivers: impl IntoIterator<Item = &'d Driver>) {
         for driver in drivers {
-            self.kinematics.q[driver.q] = driver.wanted;
+            self.kinematics.q[driver.q] = driver.requested;
         }
         self.model.refill_group(&mut self.kinematics, group);
     }
@@ -285,7 +285,7 @@ impl Closer<'_> {
         tolerance: f64,
     ) -> Result<Option<Vec<f64>>, AssemblyError> {
         let mut way = vec![0.0; group.coordinates.len()];
-        moving.iter().for_each(|d| way[d.at] = d.wanted - self.kinematics.q[d.q]);
+        moving.iter().for_each(|d| way[d.at] = d.requested - self.kinematics.q[d.q]);
         let Some(path) =
             DriverPath::new(self.model, group, &divided.dependent, way, tolerance, divided.conditioning)
         else {
@@ -315,8 +315,8 @@ impl Closer<'_> {
     fn still_to_go(&self, group: &Group, joints: &[JointId]) -> Vec<f64> {
         let mut goal = self.kinematics.q.clone();
         for id in joints {
-            let wanted = &self.configuration.values[id.index()];
-            goal[self.model.joint_q[id.index()].clone()].copy_from_slice(wanted);
+            let requested = &self.configuration.values[id.index()];
+            goal[self.model.joint_q[id.index()].clone()].copy_from_slice(requested);
         }
         let mut left = self.model.displacement(group, &self.kinematics.q, &goal);
         for (left, joint) in left.iter_mut().zip(&group.joints) {
@@ -411,7 +411,7 @@ impl Closer<'_> {
     fn too_far(&self, drivers: &[Driver]) -> AssemblyError {
         let place = |d: &Driver, at: f64| (self.model.joint_name(d.joint).to_owned(), at);
         AssemblyError::TooFar {
-            wanted: drivers.iter().map(|d| place(d, d.wanted)).collect(),
+            requested: drivers.iter().map(|d| place(d, d.requested)).collect(),
             reached: drivers.iter().map(|d| place(d, self.kinematics.q[d.q])).collect(),
         }
     }
@@ -426,7 +426,7 @@ impl Closer<'_> {
         };
         let of_drivers = drivers.iter().map(|d| (name(d.joint), self.kinematics.q[d.q]));
         AssemblyError::Unreachable {
-            wanted: drivers.iter().map(|d| (name(d.joint), d.wanted)).collect(),
+            requested: drivers.iter().map(|d| (name(d.joint), d.requested)).collect(),
             nearest: of_drivers.chain(divided.dependent.iter().filter_map(follower)).collect(),
             loops: self.model.group_names(group),
             starts: 0,
