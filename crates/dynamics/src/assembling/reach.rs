@@ -361,6 +361,10 @@ impl Closer<'_> {
             let part = 1.0 / (steps - step) as f64;
             let mut left: Vec<f64> = self.still_to_go(group, &joints).iter().map(|l| l * part).collect();
             for _ in 0..CORRECTIONS {
+                if step + 1 == steps {
+                    // Rotations do not add: at the end what is left is measured, not counted down.
+                    left = self.still_to_go(group, &joints);
+                }
                 let here = Linearised::at(model, &self.kinematics, group);
                 let mut jacobian = directions.jacobian(group, &here.rows);
                 let mut target: Vec<f64> = here.residuals.iter().map(|r| -r).collect();
