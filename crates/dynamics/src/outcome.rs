@@ -89,7 +89,6 @@ pub enum ResponseError {
 
 /// Something about an answer that its reader should know.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum Remark {
     /// The gap hardly closes: the answer is large and uncertain.
     NearlyImmovable {
