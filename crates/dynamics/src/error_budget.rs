@@ -61,15 +61,16 @@ const ROW: f64 = 8.0;
 struct FrameErrors {
     /// For every body: orientation (rad) and position (m).
     of: Vec<(f64, f64)>,
+    /// For every body: the squares of its random walks, and how many joints carry it.
+    walks: Vec<(f64, f64, f64)>,
 }
 
 impl FrameErrors {
     fn fill(&mut self, model: &Model, kinematics: &Kinematics<f64>) {
-        // Squares of the random walks, and how many joints carry each body.
-        let mut walks: Vec<(f64, f64, f64)> = Vec::with_capacity(model.bodies.len());
         self.of.clear();
+        self.walks.clear();
         for (i, body) in model.bodies.iter().enumerate() {
-            let (turn, place, depth) = body.parent.map_or((0.0, 0.0, 0.0), |p| walks[p]);
+            let (turn, place, depth) = body.parent.map_or((0.0, 0.0, 0.0), |p| self.walks[p]);
             let (carried, from) =
                 body.parent.map_or((0.0, 0.0), |p| (self.of[p].0, self.of[p].1 - place.sqrt()));
             let step = kinematics.steps[i].translation.norm();
@@ -77,13 +78,31 @@ impl FrameErrors {
             let own = SUM * step + 2.0 * position;
             let walk = (turn + TURN * TURN, place + own * own, depth + 1.0);
             self.of.push((walk.0.sqrt() + REPEATED * walk.2, from + carried * step + walk.1.sqrt()));
-            walks.push(walk);
+            self.walks.push(walk);
         }
     }
 
     fn at(&self, body: Option<usize>) -> (f64, f64) {
         body.map_or((0.0, 0.0), |b| self.of[b])
     }
+}
+
+/// Room for the terms of an error budget; refilled in place.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct BudgetRoom {
+    frames: FrameErrors,
+    /// The wrench that each body's joint transmits; within a bound cluster without those of its constraints.
+    transmitted: Vec<Wrench<f64>>,
+    /// Of the cluster at hand, over its coordinates: the forces that the tree leaves, and the rates.
+    forces: Vec<f64>,
+    rates: Vec<f64>,
+    /// Of the cluster at hand: the rates of its independent coordinates.
+    independent: Vec<f64>,
+    /// Of the group at hand: its rows, and of each the size of its terms and its largest entry.
+    rows: GroupRows<f64>,
+    terms: Vec<f64>,
+    largest: Vec<f64>,
+    multipliers: MultiplierRoom,
 }
 
 /// What an error budget is asked about: a route's answer to a unit impulse along the normal.
@@ -114,12 +133,12 @@ pub(crate) struct RelativeErrors {
 
 impl UnitImpulse<'_> {
     /// The error of the recursion's answer.
-    pub fn of_recursion(&self, recursion: &Recursion<f64, 1>) -> RelativeErrors {
-        let mut sum = self.of_data(&self.transmitted(recursion));
+    pub fn of_recursion(&self, room: &mut BudgetRoom, recursion: &Recursion<f64, 1>) -> RelativeErrors {
+        let mut sum = self.of_data(room, recursion);
         for (number, cluster) in self.model.clusters.iter().enumerate() {
             sum.rounding += match recursion.place[number] {
                 None => self.of_joint(recursion, cluster.bodies[0]),
-                Some(place) => self.of_cluster(recursion, cluster, &recursion.clusters[place]),
+                Some(place) => self.of_cluster(room, recursion, cluster, &recursion.clusters[place]),
             };
         }
         self.relative(sum, recursion.response(0, 0))
@@ -134,10 +153,10 @@ impl UnitImpulse<'_> {
         }
     }
 
-    /// The wrench that each body's joint transmits; within a bound cluster without those of its constraints.
-    fn transmitted(&self, recursion: &Recursion<f64, 1>) -> Vec<Wrench<f64>> {
+    fn fill_transmitted(&self, transmitted: &mut Vec<Wrench<f64>>, recursion: &Recursion<f64, 1>) {
         let own = |i: usize| recursion.wrenches[i][0] - self.carried(recursion, i).apply(&self.twists[i]);
-        let mut transmitted: Vec<Wrench<f64>> = (0..self.model.bodies.len()).map(own).collect();
+        transmitted.clear();
+        transmitted.extend((0..self.model.bodies.len()).map(own));
         for cluster in self.model.clusters.iter().filter(|c| c.is_bound) {
             for at in (0..cluster.bodies.len()).rev() {
                 if let Some(parent) = cluster.parents[at] {
@@ -146,14 +165,14 @@ impl UnitImpulse<'_> {
                 }
             }
         }
-        transmitted
     }
 
     /// What every route shares: frames, bodies' inertias, joints' columns, the contact, rows of A.
-    fn of_data(&self, transmitted: &[Wrench<f64>]) -> RelativeErrors {
+    fn of_data(&self, room: &mut BudgetRoom, recursion: &Recursion<f64, 1>) -> RelativeErrors {
         let (model, kinematics) = (self.model, self.kinematics);
-        let mut frames = FrameErrors::default();
-        frames.fill(model, kinematics);
+        self.fill_transmitted(&mut room.transmitted, recursion);
+        room.frames.fill(model, kinematics);
+        let BudgetRoom { frames, transmitted, .. } = &*room;
         let on = frames.at(model.body_of(self.contact.link));
         let against = frames.at(self.contact.against.and_then(|l| model.body_of(l)));
         let point = &self.contact.point_root;
@@ -189,7 +208,7 @@ impl UnitImpulse<'_> {
                         + (axis * off + (turn + TURN) * lever) * transmitted[i].force.norm());
             }
         }
-        self.add_rows(&frames, transmitted, &mut sum);
+        self.add_rows(room, &mut sum);
         sum
     }
 
@@ -201,10 +220,12 @@ impl UnitImpulse<'_> {
     }
 
     /// Rows of A that are off change the rates of what depends.
-    fn add_rows(&self, frames: &FrameErrors, transmitted: &[Wrench<f64>], sum: &mut RelativeErrors) {
+    fn add_rows(&self, room: &mut BudgetRoom, sum: &mut RelativeErrors) {
         for cluster in self.model.clusters.iter().filter(|c| !c.groups.is_empty()) {
-            let forces = self.tree_forces(cluster, transmitted);
-            let mut rates = vec![0.0; cluster.coordinates.len()];
+            self.fill_tree_forces(&mut room.forces, cluster, &room.transmitted);
+            let BudgetRoom { frames, forces, rates, rows, terms, largest, multipliers, .. } = room;
+            rates.clear();
+            rates.resize(cluster.coordinates.len(), 0.0);
             for v in cluster.velocities.iter().filter(|v| v.multiplier != 0.0) {
                 rates[v.coordinate] = self.velocities[v.index] / v.multiplier;
             }
@@ -220,20 +241,21 @@ impl UnitImpulse<'_> {
                 sum.is_measured |= group.rows > known.pivots.rows.len();
                 // δ(1/m̄) = 2 λᵀδA u: the multipliers balance what the tree leaves on the coordinates that depend.
                 let force = |c: usize| forces[own.coordinates[c]] / group.lengths[c];
-                let mut rows = GroupRows::default();
                 rows.fill(self.model, group, self.kinematics);
-                let multipliers = multipliers(&rows, group, known, &force);
-                let mut terms = vec![0.0; group.rows];
-                let mut largest = vec![0.0_f64; group.rows];
+                multipliers.solve(rows, group, known, &force);
+                terms.clear();
+                terms.resize(group.rows, 0.0);
+                largest.clear();
+                largest.resize(group.rows, 0.0);
                 rows.for_each(group, |r, c, a| {
                     terms[r] += (a / group.lengths[c]).abs() * scaled(c);
                     largest[r] = largest[r].max((a / group.lengths[c]).abs());
                 });
                 let speed = (0..group.coordinates.len()).map(scaled).fold(0.0, f64::max);
                 let row = ROW + turn + place / group.size;
-                for (i, &r) in known.pivots.rows.iter().enumerate() {
+                for (&r, multiplier) in known.pivots.rows.iter().zip(&multipliers.values) {
                     // Entries that vanish are sums of terms as large as the row's largest.
-                    let change = multipliers[i].abs() * terms[r].max(largest[r] * speed);
+                    let change = multiplier.abs() * terms[r].max(largest[r] * speed);
                     sum.file += 2.0 * self.misfits[own.group] * change;
                     sum.rounding += 2.0 * row * change;
                 }
@@ -242,15 +264,15 @@ impl UnitImpulse<'_> {
     }
 
     /// The force that the tree leaves on each coordinate of a cluster: τ = Σ Sᵀh, h without the constraints' own.
-    fn tree_forces(&self, cluster: &Cluster, transmitted: &[Wrench<f64>]) -> Vec<f64> {
-        let mut forces = vec![0.0; cluster.coordinates.len()];
+    fn fill_tree_forces(&self, forces: &mut Vec<f64>, cluster: &Cluster, transmitted: &[Wrench<f64>]) {
+        forces.clear();
+        forces.resize(cluster.coordinates.len(), 0.0);
         for v in &cluster.velocities {
             let body = cluster.bodies[v.body];
             let s = self.kinematics.column_at(self.model, body, v.component, &self.contact.point_root);
             let inertial = v.armature * self.velocities[v.index];
             forces[v.coordinate] += v.multiplier * (transmitted[body].power(&s) - inertial);
         }
-        forces
     }
 
     /// Iᴬ as it arrives at a body, before its own joint is eliminated.
@@ -285,19 +307,21 @@ impl UnitImpulse<'_> {
     /// The elimination of a bound cluster.
     fn of_cluster(
         &self,
+        room: &mut BudgetRoom,
         recursion: &Recursion<f64, 1>,
         cluster: &Cluster,
-        room: &ClusterElimination<f64, 1>,
+        eliminated: &ClusterElimination<f64, 1>,
     ) -> f64 {
-        let d = room.d;
+        let d = eliminated.d;
         let carrier = cluster.parent.map_or_else(Twist::zero, |p| self.twists[p]);
-        let u = room.independent_rates(&carrier, true, None);
+        let u = &mut room.independent;
+        eliminated.fill_independent_rates(&carrier, true, None, u);
         let carried = components(&carrier);
         let mut sum = 0.0;
         for (at, &b) in cluster.bodies.iter().enumerate() {
             // Roundings of many terms add as a random walk.
             let mut squares = carried.component_mul(&carried);
-            for (psi, u) in room.psi[at * d..(at + 1) * d].iter().zip(&u) {
+            for (psi, u) in eliminated.psi[at * d..(at + 1) * d].iter().zip(&*u) {
                 let part = components(psi) * *u;
                 squares += part.component_mul(&part);
             }
@@ -306,9 +330,9 @@ impl UnitImpulse<'_> {
             sum += (SUM + (d as f64).sqrt()) * root * root;
             sum += 2.0 * SUM * dot_abs(&recursion.wrenches[b][0], &terms);
         }
-        for &y in &room.order {
-            let part = room.t[y][0] / room.factor[y * d + y];
-            sum += SUM * (room.t[y][0] * part + 2.0 * dot_abs(&room.u[y], &carried) * part.abs());
+        for &y in &eliminated.order {
+            let part = eliminated.t[y][0] / eliminated.factor[y * d + y];
+            sum += SUM * (eliminated.t[y][0] * part + 2.0 * dot_abs(&eliminated.u[y], &carried) * part.abs());
         }
         sum
     }
@@ -317,12 +341,13 @@ impl UnitImpulse<'_> {
     /// entries and the sizes of their terms.
     pub fn of_least_energy(
         &self,
+        room: &mut BudgetRoom,
         recursion: &Recursion<f64, 1>,
         mass_size: &[f64],
         coordinates: &[f64],
         response: f64,
     ) -> RelativeErrors {
-        let mut sum = self.of_data(&self.transmitted(recursion));
+        let mut sum = self.of_data(room, recursion);
         let root: f64 = mass_size.iter().zip(coordinates).map(|(m, v)| m.abs().sqrt() * v.abs()).sum();
         sum.rounding += SUM * coordinates.len() as f64 * root * root;
         self.relative(sum, response)
@@ -332,32 +357,54 @@ impl UnitImpulse<'_> {
 /// Rows up to which multipliers are found densely.
 const DENSE: usize = 64;
 
-/// λ with K ᵀ λ = force on the coordinates that depend; one a pivot row, over coordinates scaled by lengths.
-fn multipliers(
-    rows: &GroupRows<f64>,
-    group: &Group,
-    known: &GroupMobility,
-    force: &dyn Fn(usize) -> f64,
-) -> Vec<f64> {
-    let count = known.pivots.rows.len();
-    let (mut row_of, mut column_of) =
-        (vec![usize::MAX; group.rows], vec![usize::MAX; group.coordinates.len()]);
-    known.pivots.rows.iter().enumerate().for_each(|(i, r)| row_of[*r] = i);
-    known.pivots.columns.iter().enumerate().for_each(|(i, c)| column_of[*c] = i);
-    let mut right: Vec<f64> = known.pivots.columns.iter().map(|&c| force(c)).collect();
-    let mut entries = Vec::new();
-    rows.for_each(group, |r, c, a| {
-        if row_of[r] != usize::MAX && column_of[c] != usize::MAX {
-            entries.push((column_of[c], row_of[r], a / group.lengths[c]));
+/// Room for the multipliers of a group; refilled in place.
+#[derive(Clone, Debug, Default)]
+struct MultiplierRoom {
+    /// λ, one a pivot row.
+    values: Vec<f64>,
+    row_of: Vec<usize>,
+    column_of: Vec<usize>,
+    square: Vec<f64>,
+}
+
+impl MultiplierRoom {
+    /// λ with K ᵀ λ = force on the coordinates that depend; one a pivot row, over coordinates scaled by lengths.
+    fn solve(
+        &mut self,
+        rows: &GroupRows<f64>,
+        group: &Group,
+        known: &GroupMobility,
+        force: &dyn Fn(usize) -> f64,
+    ) {
+        let Self { values, row_of, column_of, square } = self;
+        let count = known.pivots.rows.len();
+        row_of.clear();
+        row_of.resize(group.rows, usize::MAX);
+        column_of.clear();
+        column_of.resize(group.coordinates.len(), usize::MAX);
+        known.pivots.rows.iter().enumerate().for_each(|(i, r)| row_of[*r] = i);
+        known.pivots.columns.iter().enumerate().for_each(|(i, c)| column_of[*c] = i);
+        values.clear();
+        values.extend(known.pivots.columns.iter().map(|&c| force(c)));
+        let entry = |r: usize, c: usize, a: f64| {
+            let kept = row_of[r] != usize::MAX && column_of[c] != usize::MAX;
+            kept.then(|| (column_of[c], row_of[r], a / group.lengths[c]))
+        };
+        if count > DENSE {
+            let mut entries = Vec::new();
+            rows.for_each(group, |r, c, a| entries.extend(entry(r, c, a)));
+            *values = Jacobian { rows: count, columns: count, entries }.shortest(values, f64::EPSILON);
+            return;
         }
-    });
-    if count > DENSE {
-        return Jacobian { rows: count, columns: count, entries }.shortest(&right, f64::EPSILON);
+        square.clear();
+        square.resize(count * count, 0.0);
+        rows.for_each(group, |r, c, a| {
+            if let Some((i, k, a)) = entry(r, c, a) {
+                square[i * count + k] += a;
+            }
+        });
+        solve_square(square, values);
     }
-    let mut square = vec![0.0; count * count];
-    entries.into_iter().for_each(|(i, k, a)| square[i * count + k] += a);
-    solve_square(&mut square, &mut right);
-    right
 }
 
 /// Square roots of the diagonal of an inertia: entries of a positive one are at most products of two of them.
