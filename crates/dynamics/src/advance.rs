@@ -7,6 +7,7 @@ use crate::pose::Pose;
 use crate::response::ContactResponse;
 use crate::system::System;
 use crate::tangent;
+use crate::tolerances::ADVANCE_CORRECTIONS;
 use nalgebra::Vector3;
 use percuss_mechanism::JointKind;
 use percuss_spatial::{Scalar, Transform, Twist, rotation_from_quaternion};
@@ -44,9 +45,6 @@ pub enum VelocityError {
         expected: usize,
     },
 }
-
-/// Most steps that close a group again.
-const STEPS: usize = 8;
 
 /// Refuses velocities that are not one list a joint, each of the joint's own length.
 pub(crate) fn check_velocities<T>(
@@ -160,7 +158,7 @@ fn closed_again(
     let all = Directions::of(&group.movable);
     let floor = tolerance / group.size;
     let mut moved = 0.0;
-    for _ in 0..STEPS {
+    for _ in 0..ADVANCE_CORRECTIONS {
         let x = Linearised::at(model, kinematics, group).step(group, all, floor);
         let length = x.iter().map(|x| x * x).sum::<f64>().sqrt();
         moved += length;

@@ -1,5 +1,6 @@
 //! What an analysis imposes on a mechanism, without rebuilding it.
 
+use crate::tolerances::SHORTEST_DIRECTION;
 use nalgebra::Vector3;
 use percuss_mechanism::{JointKind, LinkId, Mechanism, UnknownName};
 
@@ -136,7 +137,7 @@ impl Conditions {
                     why: format!("{value} is no coordinate"),
                 });
             }
-            if normal.is_some_and(|n| n.norm() < 1e-9) {
+            if normal.is_some_and(|n| n.norm() < SHORTEST_DIRECTION) {
                 return Err(ConditionsError::BadHold {
                     link: name.clone(),
                     why: "its normal has no length".into(),

@@ -20,6 +20,7 @@ use crate::mobility::GroupMobility;
 use crate::model::{Cluster, Group, Model};
 use crate::recursion::{ClusterElimination, Recursion};
 use crate::rows::GroupRows;
+use crate::tolerances::{DENSE_LIMIT, REPEATED_ROUNDINGS, ROW_ROUNDINGS, SUM_ROUNDINGS, TURN_ROUNDINGS};
 use nalgebra::{Vector3, Vector6};
 use percuss_spatial::{ArticulatedInertia, Transform, Twist, Wrench};
 
@@ -47,15 +48,6 @@ impl ErrorBudget {
     }
 }
 
-/// Roundings that a product of rotations adds to a frame's orientation; down a chain they add as a random walk.
-const TURN: f64 = 3.0;
-/// Rounding of a joint's own sine, cosine and origin: alike at every link of a repetitive chain, it adds up.
-const REPEATED: f64 = 1.0;
-/// Roundings of a sum of a few products: of an entry of an inertia, a wrench, a pivot.
-const SUM: f64 = 5.0;
-/// Roundings of a row of A and its elimination, each of its terms' size.
-const ROW: f64 = 8.0;
-
 /// How far the frames of bodies may be off, in units of ε.
 #[derive(Clone, Debug, Default)]
 struct FrameErrors {
@@ -75,9 +67,10 @@ impl FrameErrors {
                 body.parent.map_or((0.0, 0.0), |p| (self.of[p].0, self.of[p].1 - place.sqrt()));
             let step = kinematics.steps[i].translation.norm();
             let position = kinematics.frames[i].translation.norm();
-            let own = SUM * step + 2.0 * position;
-            let walk = (turn + TURN * TURN, place + own * own, depth + 1.0);
-            self.of.push((walk.0.sqrt() + REPEATED * walk.2, from + carried * step + walk.1.sqrt()));
+            let own = SUM_ROUNDINGS * step + 2.0 * position;
+            let walk = (turn + TURN_ROUNDINGS * TURN_ROUNDINGS, place + own * own, depth + 1.0);
+            self.of
+                .push((walk.0.sqrt() + REPEATED_ROUNDINGS * walk.2, from + carried * step + walk.1.sqrt()));
             self.walks.push(walk);
         }
     }
@@ -177,11 +170,13 @@ impl UnitImpulse<'_> {
         let against = frames.at(self.contact.against.and_then(|l| model.body_of(l)));
         let point = &self.contact.point_root;
         let reach = point.norm();
-        let struck =
-            (on.0.max(against.0), on.1 + 2.0 * reach + (on.0 + SUM) * self.contact.point_link.norm());
+        let struck = (
+            on.0.max(against.0),
+            on.1 + 2.0 * reach + (on.0 + SUM_ROUNDINGS) * self.contact.point_link.norm(),
+        );
         let mut sum = RelativeErrors::default();
         // The normal turns with a link; the relative velocity there is what it is multiplied with.
-        sum.rounding += 2.0 * (TURN + struck.0) * self.relative_velocity().norm();
+        sum.rounding += 2.0 * (TURN_ROUNDINGS + struck.0) * self.relative_velocity().norm();
         for (i, body) in model.bodies.iter().enumerate() {
             let (turn, place) = frames.of[i];
             let arm = kinematics.frames[i].translation - point;
@@ -191,11 +186,11 @@ impl UnitImpulse<'_> {
             let own = x.inertia(&body.inertia);
             let (omega, speed) = (twist.angular.norm(), twist.linear.norm());
             let root = own.rotational.trace().abs().sqrt() * omega + own.mass.abs().sqrt() * speed;
-            sum.rounding += SUM * root * root;
+            sum.rounding += SUM_ROUNDINGS * root * root;
             let at_origin = twist.velocity_at(&arm);
             let own_root = body.inertia.rotational.trace().abs().sqrt() * omega
                 + body.inertia.mass.abs().sqrt() * at_origin.norm();
-            sum.rounding += 2.0 * (turn + TURN) * own_root * own_root;
+            sum.rounding += 2.0 * (turn + TURN_ROUNDINGS) * own_root * own_root;
             sum.rounding += 2.0 * omega * off * own.momentum(twist).force.norm();
             // A free base is seen from itself.
             for (k, v) in body.v.clone().enumerate().filter(|_| body.joint.is_some()) {
@@ -204,8 +199,8 @@ impl UnitImpulse<'_> {
                 let (axis, lever) = (s.angular.norm(), s.linear.norm());
                 sum.rounding += 2.0
                     * rate
-                    * ((turn + TURN) * axis * transmitted[i].moment.norm()
-                        + (axis * off + (turn + TURN) * lever) * transmitted[i].force.norm());
+                    * ((turn + TURN_ROUNDINGS) * axis * transmitted[i].moment.norm()
+                        + (axis * off + (turn + TURN_ROUNDINGS) * lever) * transmitted[i].force.norm());
             }
         }
         self.add_rows(room, &mut sum);
@@ -252,7 +247,7 @@ impl UnitImpulse<'_> {
                     largest[r] = largest[r].max((a / group.lengths[c]).abs());
                 });
                 let speed = (0..group.coordinates.len()).map(scaled).fold(0.0, f64::max);
-                let row = ROW + turn + place / group.size;
+                let row = ROW_ROUNDINGS + turn + place / group.size;
                 for (&r, multiplier) in known.pivots.rows.iter().zip(&multipliers.values) {
                     // Entries that vanish are sums of terms as large as the row's largest.
                     let change = multiplier.abs() * terms[r].max(largest[r] * speed);
@@ -292,16 +287,16 @@ impl UnitImpulse<'_> {
         let roots = roots(&self.carried(recursion, i));
         let own = energy_root(&roots, &components(&self.twists[i]));
         let parent = body.parent.map_or_else(Twist::zero, |p| self.twists[p]);
-        let mut sum = SUM * own * own;
+        let mut sum = SUM_ROUNDINGS * own * own;
         for e in body.v.clone().map(|v| (&recursion.joints[v], self.velocities[v])).filter(|(e, _)| e.counts)
         {
             let (e, rate) = e;
-            sum += SUM * (e.d * rate * rate + (e.t[0] * rate).abs());
+            sum += SUM_ROUNDINGS * (e.d * rate * rate + (e.t[0] * rate).abs());
             let passed = dot_abs(&e.u, &components(&parent)) * (e.t[0] / e.d).abs();
             let left = energy_root(&roots, &components(&parent));
-            sum += SUM * (left * left + passed);
+            sum += SUM_ROUNDINGS * (left * left + passed);
         }
-        sum + 2.0 * SUM * dot_abs(&recursion.wrenches[i][0], &components(&self.twists[i]))
+        sum + 2.0 * SUM_ROUNDINGS * dot_abs(&recursion.wrenches[i][0], &components(&self.twists[i]))
     }
 
     /// The elimination of a bound cluster.
@@ -327,12 +322,13 @@ impl UnitImpulse<'_> {
             }
             let terms = squares.map(f64::sqrt);
             let root = energy_root(&roots(&recursion.inertias[b]), &terms);
-            sum += (SUM + (d as f64).sqrt()) * root * root;
-            sum += 2.0 * SUM * dot_abs(&recursion.wrenches[b][0], &terms);
+            sum += (SUM_ROUNDINGS + (d as f64).sqrt()) * root * root;
+            sum += 2.0 * SUM_ROUNDINGS * dot_abs(&recursion.wrenches[b][0], &terms);
         }
         for &y in &eliminated.order {
             let part = eliminated.t[y][0] / eliminated.factor[y * d + y];
-            sum += SUM * (eliminated.t[y][0] * part + 2.0 * dot_abs(&eliminated.u[y], &carried) * part.abs());
+            sum += SUM_ROUNDINGS
+                * (eliminated.t[y][0] * part + 2.0 * dot_abs(&eliminated.u[y], &carried) * part.abs());
         }
         sum
     }
@@ -349,13 +345,10 @@ impl UnitImpulse<'_> {
     ) -> RelativeErrors {
         let mut sum = self.of_data(room, recursion);
         let root: f64 = mass_size.iter().zip(coordinates).map(|(m, v)| m.abs().sqrt() * v.abs()).sum();
-        sum.rounding += SUM * coordinates.len() as f64 * root * root;
+        sum.rounding += SUM_ROUNDINGS * coordinates.len() as f64 * root * root;
         self.relative(sum, response)
     }
 }
-
-/// Rows up to which multipliers are found densely.
-const DENSE: usize = 64;
 
 /// Room for the multipliers of a group; refilled in place.
 #[derive(Clone, Debug, Default)]
@@ -390,7 +383,7 @@ impl MultiplierRoom {
             let kept = row_of[r] != usize::MAX && column_of[c] != usize::MAX;
             kept.then(|| (column_of[c], row_of[r], a / group.lengths[c]))
         };
-        if count > DENSE {
+        if count > DENSE_LIMIT {
             let mut entries = Vec::new();
             rows.for_each(group, |r, c, a| entries.extend(entry(r, c, a)));
             *values = Jacobian { rows: count, columns: count, entries }.shortest(values, f64::EPSILON);

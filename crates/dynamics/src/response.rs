@@ -7,7 +7,7 @@ use crate::outcome::{CarefulReason, EffectiveMass, Remark, ResponseError, Route,
 use crate::pose::Pose;
 use crate::recursion::Decisions;
 use crate::routes::{Found, Question, RecursionRoom};
-use crate::tolerances::NEARLY_IMMOVABLE;
+use crate::tolerances::{FILE_MISFITS, NEARLY_IMMOVABLE, NEGLIGIBLE_MASS, SAME_BOTH_WAYS};
 use nalgebra::Vector3;
 use percuss_mechanism::{JointId, LinkId};
 use percuss_spatial::Twist;
@@ -145,7 +145,7 @@ impl Asked<'_> {
         let up_to = self.room.deciding.massless_to[0];
         let all: f64 = question.model.bodies.iter().map(|b| b.inertia.mass.abs()).sum();
         let mut response = self.finish(found);
-        if response.effective_mass == EffectiveMass::Massless && up_to > NEGLIGIBLE * all {
+        if response.effective_mass == EffectiveMass::Massless && up_to > NEGLIGIBLE_MASS * all {
             response.remarks.push(Remark::MasslessToRounding { up_to });
         }
         Ok(response)
@@ -203,7 +203,7 @@ impl Asked<'_> {
             return ErrorBudget { rounding: Some(m * own), closing: Some(0.0), file: None };
         }
         // The rows of an inexact file are off by as much as its frames are; so is the closing speed that m̄ goes by.
-        let file = FILE * (errors.file + errors.misfit / closing_speed);
+        let file = FILE_MISFITS * (errors.file + errors.misfit / closing_speed);
         let closing = self.closing_error(m).map(|c| m * c);
         ErrorBudget { rounding: Some(m * own), closing, file: errors.is_measured.then_some(m * file) }
     }
@@ -229,7 +229,7 @@ impl Asked<'_> {
             let EffectiveMass::Finite(other) = self.room.mass() else { return None };
             let change = (other / m - 1.0).abs();
             most = most.max(change);
-            if change < SMOOTH {
+            if change < SAME_BOTH_WAYS {
                 // Far from a singularity both ways are alike.
                 break;
             }
@@ -267,14 +267,6 @@ impl Asked<'_> {
         Contributions { links: model.mechanism.link_ids().map(energy).collect(), rotors, other_mass: None }
     }
 }
-
-/// How much of a misfit enters a row: several of a file's figures, each rounded by itself, of which the misfit shows a
-/// part. Over 17,000 answers of linkages written with 4 to 12 decimals, 110 would do.
-const FILE: f64 = 128.0;
-/// A part of the mechanism's mass that nobody misses.
-const NEGLIGIBLE: f64 = 1e-9;
-/// A relative change of m̄ by what leaves a pose open that is the same both ways.
-const SMOOTH: f64 = 1e-9;
 
 impl Pose {
     /// What the recursion decides at this pose for a contact: pivots that duals and lanes follow.

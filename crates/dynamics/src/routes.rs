@@ -9,7 +9,7 @@ use crate::mobility::GroupMobility;
 use crate::model::Model;
 use crate::outcome::{CarefulReason, EffectiveMass, Remark, Route, RouteChoice, RouteError};
 use crate::recursion::{Deciding, Motion, Recursion};
-use crate::tolerances::{CAREFUL_LIMIT, IMMOVABLE, TRUSTED_ERROR};
+use crate::tolerances::{CAREFUL_LIMIT, IMMOVABLE, NOTHING_LEFT, TRUSTED_ERROR};
 use nalgebra::Vector3;
 use percuss_spatial::{Twist, Wrench};
 
@@ -281,6 +281,3 @@ fn at_unit_speed(row: &ContactRow, mut velocities: Vec<f64>) -> Option<Vec<f64>>
     velocities.iter_mut().for_each(|v| *v /= speed);
     (speed != 0.0).then_some(velocities)
 }
-
-/// A relative error of 1/m̄ beyond which the pivots that it stands on are rounding, and may be zero.
-const NOTHING_LEFT: f64 = 1.0;

@@ -8,6 +8,7 @@ use crate::configuration::Configuration;
 use crate::kinematics::Kinematics;
 use crate::mobility::{Drivers, Singularity};
 use crate::model::{Group, Model};
+use crate::tolerances::{MATCHED, MODE_STARTS, MODE_STARTS_ASIDE, MODE_STARTS_WORK, SET_CORRECTIONS};
 use percuss_mechanism::JointId;
 
 /// A driver with a position of one number.
@@ -38,17 +39,6 @@ pub(crate) struct Closer<'a> {
     pub kinematics: Kinematics<f64>,
     pub state: LoopState,
 }
-
-/// Starts from which drivers are put at the positions asked for, when the branch does not reach there: a Cassie leg closes
-/// from one in seven.
-const STARTS: usize = 48;
-/// Sizes of these starts' motion aside, rad or parts of the size.
-const ASIDE: [f64; 4] = [0.3, 1.0, 2.0, 3.0];
-/// Most work of these starts, in cubes of a group's coordinates.
-const WORK: usize = 20_000_000;
-/// A joint with several positions that was set stands there when it is no further off than this part of the size: its
-/// values are given with eight decimals or fewer.
-const MATCHED: f64 = 1e-6;
 
 impl Closer<'_> {
     /// Closes a group.
@@ -123,13 +113,13 @@ impl Closer<'_> {
         failed: AssemblyError,
     ) -> Result<Option<Vec<f64>>, AssemblyError> {
         let before = self.kinematics.clone();
-        let starts = (WORK / group.coordinates.len().pow(3).max(1)).min(STARTS);
+        let starts = (MODE_STARTS_WORK / group.coordinates.len().pow(3).max(1)).min(MODE_STARTS);
         for attempt in 0..starts {
             self.model.set_group(&mut self.kinematics, group, &self.facts.reference);
             self.model.perturb(
                 &mut self.kinematics,
                 group,
-                ASIDE[attempt % ASIDE.len()],
+                MODE_STARTS_ASIDE[attempt % MODE_STARTS_ASIDE.len()],
                 5000 + attempt as u64,
             );
             self.put(group, drivers);
@@ -342,7 +332,6 @@ impl Closer<'_> {
         drivers: &[Driver],
         tolerance: f64,
     ) -> Result<(), AssemblyError> {
-        const CORRECTIONS: usize = 30;
         let model = self.model;
         let joints = self.set_directly_joints(group);
         if joints.is_empty() {
@@ -360,7 +349,7 @@ impl Closer<'_> {
         for step in 0..steps {
             let part = 1.0 / (steps - step) as f64;
             let mut left: Vec<f64> = self.still_to_go(group, &joints).iter().map(|l| l * part).collect();
-            for _ in 0..CORRECTIONS {
+            for _ in 0..SET_CORRECTIONS {
                 if step + 1 == steps {
                     // Rotations do not add: at the end what is left is measured, not counted down.
                     left = self.still_to_go(group, &joints);

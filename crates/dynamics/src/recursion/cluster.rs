@@ -6,11 +6,9 @@ use super::pivoting::Pivoting;
 use crate::kinematics::Kinematics;
 use crate::mobility::{GroupMobility, Rates};
 use crate::model::{Cluster, Model};
+use crate::tolerances::LARGE_CLUSTER;
 use nalgebra::Vector3;
 use percuss_spatial::{ArticulatedInertia, Scalar, Twist, Wrench};
-
-/// Independent coordinates of a cluster beyond which its blocks are formed from its mass matrix.
-const LARGE: usize = 48;
 
 impl<T: Scalar, const K: usize> Recursion<T, K> {
     #[expect(clippy::too_many_arguments, reason = "one step of `eliminate`, which owns all of these")]
@@ -132,7 +130,7 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
     /// D, U and t.
     fn fill_blocks(&mut self, recursion: &Recursion<T, K>, cluster: &Cluster) {
         let d = self.d;
-        if d > LARGE {
+        if d > LARGE_CLUSTER {
             return self.fill_large_blocks(recursion, cluster);
         }
         self.u.clear();
