@@ -121,7 +121,7 @@ struct Case {
     floating: bool,
     near: Option<f64>,
     values: String,
-    #[serde(rename = "blows")]
+    #[serde(rename = "masses")]
     contacts: Vec<(usize, String)>,
 }
 

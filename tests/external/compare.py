@@ -83,6 +83,8 @@ def one_file(name, path, options, ledger, tally):
             where = f"{name}, {base}, configuration {k}"
             positions = robot.positions(wanted["joints"])
             one_pose(positions, got["pose"], where, tally)
+            for contact in got["contacts"]:
+                tally.answered(f"robots, {base} base", contact)
             for peer in peers:
                 peer.pose(coordinates, positions, wanted["base"])
                 one_configuration(peer, base, wanted["contacts"], got, where, tally)

@@ -13,6 +13,7 @@ use percuss_dynamics::{
 use percuss_formats::{DEFAULT_MAX_SIZE, Diagnostic, LoadOptions, Loaded, Source, load};
 use percuss_mechanism::{Accept, Mechanism};
 use percuss_spatial::Transform;
+use percuss_tests::routes::reason;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::io::{Read, Write};
@@ -111,6 +112,8 @@ struct ResponseAnswer {
     effective_mass: Option<f64>,
     effective_mass_error: Option<f64>,
     route: Option<&'static str>,
+    /// Why the careful route was asked beside the recursion.
+    careful_reason: Option<String>,
     condition: Option<f64>,
     error: Option<String>,
 }
@@ -237,6 +240,7 @@ fn response(answer: Result<ContactResponse, ResponseError>, condition: Option<f6
                 effective_mass: None,
                 effective_mass_error: None,
                 route: None,
+                careful_reason: None,
                 condition: None,
                 error: Some(error.to_string()),
             };
@@ -256,6 +260,7 @@ fn response(answer: Result<ContactResponse, ResponseError>, condition: Option<f6
         effective_mass,
         effective_mass_error: response.effective_mass_error(),
         route: Some(route),
+        careful_reason: response.careful_reason.as_ref().map(reason),
         condition,
         error: None,
     }

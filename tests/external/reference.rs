@@ -1,6 +1,7 @@
 //! Reference files of closed linkages, read where they lie: percuss against the oracle's route C at random poses.
 //!
-//! `percuss-reference FILE.urdf …` prints a line a file, then `N passed, N failed`; it fails where nothing ran.
+//! `percuss-reference SUITE FILE.urdf …` prints a line a file, how many finite contacts of the suite the recursion answered,
+//! then `N passed, N failed`; it fails where nothing ran.
 
 use percuss_dynamics::{Conditions, Contact, Direction, EffectiveMass, Frame, Pose, RouteChoice, System};
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions, Source, load};
@@ -8,6 +9,7 @@ use percuss_mechanism::{JointId, Mechanism};
 use percuss_oracle::maximal::{Outcome, Question, solve};
 use percuss_oracle::random;
 use percuss_tests::motion::Motion;
+use percuss_tests::routes::Routes;
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
 use std::process::ExitCode;
@@ -30,12 +32,15 @@ struct Tally {
     passed: usize,
     failed: usize,
     worst: f64,
+    routes: Routes,
 }
 
 fn main() -> ExitCode {
     let mut total = Tally::default();
-    for path in std::env::args().skip(1) {
-        match compare(&path) {
+    let mut arguments = std::env::args().skip(1);
+    let suite = arguments.next().unwrap_or_default();
+    for path in arguments {
+        match compare(&path, &mut total.routes) {
             Ok(tally) => {
                 println!(
                     "{path}: {} agree, {} do not, worst {:.1e}",
@@ -50,11 +55,12 @@ fn main() -> ExitCode {
             }
         }
     }
+    println!("\n{}\n{}\n", Routes::HEADER, total.routes.line(&suite));
     println!("{} passed, {} failed", total.passed, total.failed);
     if total.failed == 0 && total.passed > 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
-fn compare(path: &str) -> Result<Tally, String> {
+fn compare(path: &str, routes: &mut Routes) -> Result<Tally, String> {
     let source = Source::read(path, DEFAULT_MAX_SIZE).map_err(|e| e.to_string())?;
     let mechanism = load(&source, &LoadOptions::default()).map_err(|e| e.to_string())?.mechanism;
     let mechanism = Arc::new(mechanism);
@@ -82,6 +88,7 @@ fn compare(path: &str) -> Result<Tally, String> {
         }
         posed += usize::from(regular);
     }
+    routes.add(&tally.routes);
     if posed < CONFIGURATIONS {
         return Err(format!("only {posed} of {CONFIGURATIONS} configurations were reached"));
     }
@@ -119,6 +126,7 @@ fn contact(mechanism: &Arc<Mechanism>, pose: &Pose, rng: &mut StdRng, tally: &mu
             return true;
         }
     };
+    tally.routes.count(&response);
     let deviation = match (response.effective_mass, answer.outcome) {
         (EffectiveMass::Finite(a), Outcome::Finite(c)) => (a / c - 1.0).abs(),
         (EffectiveMass::Immovable, Outcome::Immovable) | (EffectiveMass::Massless, Outcome::Massless) => 0.0,

@@ -21,11 +21,11 @@ failed=0
 "$venv/bin/python" "$here/loops.py" --percuss "$target/release/percuss" || failed=1
 PYTHONPATH=$here "$venv/bin/python" "$here/contact/check.py" --percuss "$target/release/percuss" || failed=1
 # The shipped models: route A against the oracle's route C.
-"$target/release/percuss-reference" models/*.urdf || failed=1
+"$target/release/percuss-reference" "shipped models" models/*.urdf || failed=1
 # Reference files of the loop dialect, where they are at hand: beside the repository, or where PERCUSS_REFERENCE says.
 reference=${PERCUSS_REFERENCE:-../shared/data}
 if [ -d "$reference" ]; then
-  "$target/release/percuss-reference" "$reference"/urdf-plus/*.urdf "$reference"/rounded/*.urdf || failed=1
+  "$target/release/percuss-reference" "reference files" "$reference"/urdf-plus/*.urdf "$reference"/rounded/*.urdf || failed=1
 else
   echo "reference files: not at hand ($reference), not compared"
 fi

@@ -13,6 +13,9 @@ class Tally:
         self.answers = collections.Counter()
         self.undecided = collections.Counter()
         self.conditions = {}
+        # By suite: who answered finite contacts, and why the careful route was asked.
+        self.routes = collections.defaultdict(collections.Counter)
+        self.reasons = collections.defaultdict(collections.Counter)
 
     def check(self, check, where, ok, message=""):
         (self.passed if ok else self.failed)[check] += 1
@@ -27,6 +30,16 @@ class Tally:
 
     def condition(self, label, value):
         self.conditions[label] = max(self.conditions.get(label, 0.0), value)
+
+    def answered(self, suite, contact):
+        """Counts who answered, where that is finite: as percuss_tests::routes does."""
+        if contact["status"] != "finite":
+            return
+        why = contact["careful_reason"]
+        by = "careful" if contact["route"] == "dense" else "kept" if why else "recursion"
+        self.routes[suite][by] += 1
+        if why:
+            self.reasons[suite][why] += 1
 
     def report(self, seconds):
         """Prints everything; the exit code."""
@@ -46,6 +59,12 @@ class Tally:
             print(f"{peer:20}{base:9}" + "".join(f"{count:8}    " for count in counts).rstrip())
         for (peer, status), count in sorted(self.undecided.items()):
             print(f"{peer}: {count} more answered {status} where rounding decides")
+        if self.routes:
+            print("\nfinite contacts         recursion  careful     kept  why the careful route was asked")
+        for suite, counts in self.routes.items():
+            why = ", ".join(f"{reason}: {count}" for reason, count in self.reasons[suite].most_common())
+            line = f"{suite:22}{counts['recursion']:11}{counts['careful']:9}{counts['kept']:9}  {why}"
+            print(line.rstrip())
         if self.conditions:
             print("\nworst conditions of M scaled to unit diagonal")
         for label, value in sorted(self.conditions.items(), key=lambda item: -item[1])[:6]:

@@ -10,3 +10,4 @@ mod orderings;
 mod outcomes;
 mod routes;
 mod scalars;
+mod workspaces;

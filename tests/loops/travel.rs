@@ -223,10 +223,11 @@ fn the_wishbone_travels_to_its_ends() {
     gauge.report();
     // The wheel's centre is lowest where its rate vanishes, before the arm comes to its own end; from near and from far.
     let ends = [&start, &last].map(|from| {
-        let Err(TravelError::Unreachable { wanted, nearest }) = travel.pose(from, &base, driver, -0.2) else {
+        let Err(TravelError::Unreachable { requested, nearest }) = travel.pose(from, &base, driver, -0.2)
+        else {
             panic!("beyond the end")
         };
-        assert_eq!(wanted, -0.2);
+        assert_eq!(requested, -0.2);
         nearest
     });
     assert!((ends[0] - ends[1]).abs() < 1e-11 && (ends[0] + 0.1834).abs() < 1e-4, "{ends:?}");

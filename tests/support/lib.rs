@@ -10,5 +10,6 @@ pub mod imposed;
 pub mod judge;
 pub mod motion;
 pub mod rig;
+pub mod routes;
 pub mod subjects;
 pub mod tally;

@@ -2,7 +2,7 @@
 
 mod support;
 
-use support::{json, percuss, root};
+use support::{Scratch, json, percuss, root};
 
 const COUPLER: &str = "mass models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0";
 const ROCKER: &str = "mass models/four_bar.urdf --link rocker --point -0.25,0.6,0 --normal 12,5,0";
@@ -279,4 +279,72 @@ fn a_guess_that_is_of_no_use_is_said() {
             report["diagnostics"].as_array().unwrap().iter().map(|d| d["code"].clone()).collect();
         assert!(codes.contains(&code.into()), "{line}: {codes:?}");
     }
+}
+
+/// Severity and message of each finding of a code.
+fn findings(line: &str, code: &str) -> Vec<(String, String)> {
+    let report = json(&format!("{line} --format json"));
+    let word = |value: &serde_json::Value| value.as_str().expect("a word").to_owned();
+    let all = report["diagnostics"].as_array().expect("a list").iter();
+    all.filter(|d| d["code"] == code).map(|d| (word(&d["severity"]), word(&d["message"]))).collect()
+}
+
+/// The four-bar driven by its rocker, which has two separate ranges: the rocker's pin above the line of the hinges, and
+/// below it. The drawing stands above.
+#[test]
+fn another_assembly_mode_is_said() {
+    let scratch = Scratch::new("loops-other-assembly");
+    let text = std::fs::read_to_string(root().join("models/four_bar.urdf")).expect("the model");
+    let undeclared = text.replace(" independent=\"true\"", "");
+    assert_ne!(text, undeclared);
+    let model = scratch.write("undeclared.urdf", &undeclared);
+    let asked = |more: &str| format!("mass {model} --link coupler --point 0.35,0.1,0 --normal 0,1,0 {more}");
+    // The drawing mirrored in the line of the hinges: the rocker turns by 2 atan2(-0.25, -0.6) on from (-0.25, 0.6).
+    let mirrored = f64::atan2(-0.6, -0.25) - f64::atan2(0.6, -0.25) + std::f64::consts::TAU;
+    let found = findings(&asked(&format!("--set rocker_hinge={mirrored}")), "other-assembly");
+    let [(severity, message)] = &found[..] else { panic!("{found:?}") };
+    assert_eq!(severity, "warning");
+    for words in ["does not reach", "another assembly mode", "seeded starts", "--guess chooses one"] {
+        assert!(message.contains(words), "{words} is missing in {message}");
+    }
+    // On the branch of the drawing, or with a guess that chooses the mode, nothing is said.
+    assert_eq!(findings(&asked("--set rocker_hinge=0.2"), "other-assembly"), []);
+    let guess = f64::atan2(-0.3, 0.0) - f64::atan2(0.3, 0.0);
+    let chosen = asked(&format!("--set rocker_hinge={mirrored} --guess crank_hinge={guess}"));
+    assert_eq!(findings(&chosen, "other-assembly"), []);
+    // No mode reaches the rocker's pin beyond both cranks' reach.
+    let beyond = percuss(&asked("--set rocker_hinge=-1.9656"));
+    assert_eq!((beyond.code, beyond.stdout.as_str()), (1, ""), "{}", beyond.stderr);
+    assert!(beyond.stderr.contains("other assembly modes were looked for"), "{}", beyond.stderr);
+}
+
+/// A rod of 1 m on a ball joint, its tip tied to a point 1 m above the ball by a rod of √2 m: the tip stays level, and of
+/// the ball's three rotations two are left, about the vertical and about the rod itself.
+const TIED: &str = r#"<robot name="tied"><link name="ground"/>
+  <link name="bar"><inertial><origin xyz="0.5 0 0"/><mass value="2"/>
+    <inertia ixx="0.01" iyy="0.2" izz="0.2" ixy="0" ixz="0" iyz="0"/></inertial></link>
+  <joint name="ball" type="spherical"><parent link="ground"/><child link="bar"/></joint>
+  <loop name="rod" type="distance"><predecessor link="ground"><origin xyz="0 0 1"/></predecessor>
+    <successor link="bar"><origin xyz="1 0 0"/></successor><distance value="1.4142135623730951"/></loop>
+</robot>"#;
+
+#[test]
+fn a_joint_set_to_more_than_its_loops_leave_is_said() {
+    let scratch = Scratch::new("loops-off-target");
+    let model = scratch.write("tied.urdf", TIED);
+    let asked = |axis: [f64; 3], angle: f64| {
+        let (sine, cosine) = (0.5 * angle).sin_cos();
+        let [x, y, z] = axis.map(|a| a * sine);
+        format!("mass {model} --link bar --point 1,0,0 --normal 0,1,0 --set ball={cosine},{x},{y},{z}")
+    };
+    // Pitched by 0.2 rad, the tip would leave the level: the nearest is not pitched.
+    let found = findings(&asked([0.0, 1.0, 0.0], 0.2), "off-target");
+    let [(severity, message)] = &found[..] else { panic!("{found:?}") };
+    assert_eq!(severity, "warning");
+    for words in ["\"ball\"", "--set", "more numbers than its loops leave", "0.200000 off"] {
+        assert!(message.contains(words), "{words} is missing in {message}");
+    }
+    // Yawed, or rolled, it stays level.
+    assert_eq!(findings(&asked([0.0, 0.0, 1.0], 0.2), "off-target"), []);
+    assert_eq!(findings(&asked([1.0, 0.0, 0.0], 0.2), "off-target"), []);
 }

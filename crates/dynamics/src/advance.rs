@@ -7,6 +7,7 @@ use crate::pose::Pose;
 use crate::response::ContactResponse;
 use crate::system::System;
 use crate::tangent;
+use crate::tolerances::ADVANCE_CORRECTIONS;
 use nalgebra::Vector3;
 use percuss_mechanism::JointKind;
 use percuss_spatial::{Scalar, Transform, Twist, rotation_from_quaternion};
@@ -17,50 +18,47 @@ use percuss_spatial::{Scalar, Transform, Twist, rotation_from_quaternion};
 pub enum VelocityError {
     /// Not one list a joint.
     #[error(
-        "velocities of {got} joints are given, the mechanism has {wanted}: one list a joint, in joint order"
+        "velocities of {got} joints are given, the mechanism has {expected}: one list a joint, in joint order"
     )]
     Joints {
         /// How many lists were given.
         got: usize,
         /// How many joints there are.
-        wanted: usize,
+        expected: usize,
     },
     /// A list of the wrong length.
-    #[error("joint \"{joint}\" has {wanted} velocities; {got} are given")]
+    #[error("joint \"{joint}\" has {expected} velocities; {got} are given")]
     Count {
         /// The joint.
         joint: String,
         /// How many were given.
         got: usize,
         /// How many it has.
-        wanted: usize,
+        expected: usize,
     },
     /// Not the mechanism's number of positions.
-    #[error("{got} positions are given, the mechanism has {wanted}")]
+    #[error("{got} positions are given, the mechanism has {expected}")]
     Positions {
         /// How many were given.
         got: usize,
         /// How many there are.
-        wanted: usize,
+        expected: usize,
     },
 }
-
-/// Most steps that close a group again.
-const STEPS: usize = 8;
 
 /// Refuses velocities that are not one list a joint, each of the joint's own length.
 pub(crate) fn check_velocities<T>(
     mechanism: &percuss_mechanism::Mechanism,
     velocities: &[Vec<T>],
 ) -> Result<(), VelocityError> {
-    let (got, wanted) = (velocities.len(), mechanism.joints().len());
-    if got != wanted {
-        return Err(VelocityError::Joints { got, wanted });
+    let (got, expected) = (velocities.len(), mechanism.joints().len());
+    if got != expected {
+        return Err(VelocityError::Joints { got, expected });
     }
     for (joint, v) in mechanism.joints().iter().zip(velocities) {
-        let (got, wanted) = (v.len(), joint.kind().dofs());
-        if got != wanted {
-            return Err(VelocityError::Count { joint: joint.name().to_owned(), got, wanted });
+        let (got, expected) = (v.len(), joint.kind().dofs());
+        if got != expected {
+            return Err(VelocityError::Count { joint: joint.name().to_owned(), got, expected });
         }
     }
     Ok(())
@@ -79,7 +77,7 @@ impl System {
         let model = self.model();
         check_velocities(&model.mechanism, velocities)?;
         if positions.len() != model.positions {
-            return Err(VelocityError::Positions { got: positions.len(), wanted: model.positions });
+            return Err(VelocityError::Positions { got: positions.len(), expected: model.positions });
         }
         let mut rates = vec![T::zero(); model.positions];
         for ((joint, range), v) in model.mechanism.joints().iter().zip(&model.joint_q).zip(velocities) {
@@ -160,7 +158,7 @@ fn closed_again(
     let all = Directions::of(&group.movable);
     let floor = tolerance / group.size;
     let mut moved = 0.0;
-    for _ in 0..STEPS {
+    for _ in 0..ADVANCE_CORRECTIONS {
         let x = Linearised::at(model, kinematics, group).step(group, all, floor);
         let length = x.iter().map(|x| x * x).sum::<f64>().sqrt();
         moved += length;

@@ -7,7 +7,7 @@ use crate::mobility::{GroupMobility, MobilityRoom, Rank, Redundancy, rank_of_row
 use crate::model::{Constraint, Group, Model};
 use crate::rows::GroupRows;
 use crate::singular::Surroundings;
-use crate::tolerances::{DRAWN_OPEN, ROUNDED};
+use crate::tolerances::{CLOSED_AS_DRAWN, DRAWN_OPEN, HELD_ASIDE, REDUNDANCY_LIMIT, ROUNDED};
 use percuss_mechanism::JointId;
 use std::sync::{Arc, OnceLock};
 
@@ -50,11 +50,6 @@ pub struct DrawnGap {
     /// Whether that is more than a hundredth of the size: no rounding, a mistyped point.
     pub is_wide: bool,
 }
-
-/// The joints of a held mechanism stand so far (rad, or parts of the size) off zero at its generic pose.
-const HELD_ASIDE: f64 = 0.2;
-/// Coordinates up to which redundant rows are separated by loop.
-const TOLD_APART: usize = 400;
 
 impl Assembly {
     pub(crate) fn new(models: Models, facts: Facts) -> Self {
@@ -162,7 +157,7 @@ impl Assembly {
             let model = self.model();
             let mut redundancy = Redundancy::default();
             for (group, rank) in model.groups.iter().zip(&self.generic) {
-                if rank.rank >= group.rows || group.coordinates.len() > TOLD_APART {
+                if rank.rank >= group.rows || group.coordinates.len() > REDUNDANCY_LIMIT {
                     continue;
                 }
                 let names: Vec<String> = (0..group.rows).map(|row| model.row_name(group, row)).collect();
@@ -253,9 +248,6 @@ impl Assembly {
         model.rounded_tolerance(kinematics, group, misfit)
     }
 }
-
-/// Residuals below this part of a group's size are rounding of the figures that a file is written with: 12 digits.
-const CLOSED_AS_DRAWN: f64 = 1e-9;
 
 /// The greatest of a fact of the groups of loops that a group of the answering model has constraints of.
 fn greatest(models: &Models, facts: &Facts, group: &Group, of: fn(&GroupFacts) -> f64) -> f64 {

@@ -7,6 +7,7 @@ use crate::mobility::GroupMobility;
 use crate::model::{Cluster, Model};
 use crate::recursion::Recursion;
 use crate::rows::GroupRows;
+use crate::tolerances::RATE_ROUNDINGS;
 
 /// |j on ker A| / |size of j's terms|, over coordinates scaled by the contact's own length.
 ///
@@ -112,7 +113,7 @@ fn on_kernel(
         let value = dot(&room.j, column);
         let terms = room.j.iter().zip(column.iter()).map(|(a, b)| (a * b).abs()).fold(0.0, f64::max);
         // What is left of terms that cancel, or of G's own rounding, is nothing.
-        let rounding = ROUNDINGS * f64::EPSILON * (terms + growth * largest * norm / left);
+        let rounding = RATE_ROUNDINGS * f64::EPSILON * (terms + growth * largest * norm / left);
         if value.abs() > rounding {
             sum += value * value;
         }
@@ -168,7 +169,8 @@ fn off_rows(
         part.extend(own.coordinates.iter().map(|&c| j[c]));
         let before = dot(part, part).sqrt();
         orthogonalise(basis, part);
-        let rounding = ROUNDINGS * f64::EPSILON * before * (count as f64 + 1.0) / known.rank.least.max(1e-6);
+        let rounding =
+            RATE_ROUNDINGS * f64::EPSILON * before * (count as f64 + 1.0) / known.rank.least.max(1e-6);
         let nothing = dot(part, part).sqrt() <= rounding;
         for (&c, value) in own.coordinates.iter().zip(part.iter()) {
             j[c] = if nothing { 0.0 } else { *value };
@@ -176,9 +178,6 @@ fn off_rows(
     }
     dot(&room.j, &room.j)
 }
-
-/// How many roundings an entry of G has gone through, each of its terms' size.
-const ROUNDINGS: f64 = 16.0;
 
 /// The largest of |K⁻¹||A| over the groups of a cluster.
 fn growth_of(groups: &[GroupMobility], cluster: &Cluster) -> f64 {

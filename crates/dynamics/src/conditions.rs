@@ -1,5 +1,6 @@
 //! What an analysis imposes on a mechanism, without rebuilding it.
 
+use crate::tolerances::SHORTEST_DIRECTION;
 use nalgebra::Vector3;
 use percuss_mechanism::{JointKind, LinkId, Mechanism, UnknownName};
 
@@ -136,7 +137,7 @@ impl Conditions {
                     why: format!("{value} is no coordinate"),
                 });
             }
-            if normal.is_some_and(|n| n.norm() < 1e-9) {
+            if normal.is_some_and(|n| n.norm() < SHORTEST_DIRECTION) {
                 return Err(ConditionsError::BadHold {
                     link: name.clone(),
                     why: "its normal has no length".into(),
@@ -193,7 +194,7 @@ pub enum ConditionsError {
     },
     /// The count fits neither one nor the joint's velocities.
     #[error(
-        "armature of joint \"{joint}\" has {got} values; a {} joint takes {}", kind.name(), wanted(*kind)
+        "armature of joint \"{joint}\" has {got} values; a {} joint takes {}", kind.name(), expected(*kind)
     )]
     ArmatureCount {
         /// The joint.
@@ -205,7 +206,7 @@ pub enum ConditionsError {
     },
 }
 
-fn wanted(kind: JointKind) -> String {
+fn expected(kind: JointKind) -> String {
     match (kind.dofs(), kind.is_homogeneous()) {
         (0, _) => "none: it does not move".into(),
         (1, _) => "one".into(),

@@ -49,12 +49,12 @@ pub enum ConfigurationError {
         got: usize,
     },
     /// A whole configuration of another length.
-    #[error("{got} positions are given, the mechanism has {wanted}: those of all joints, in joint order")]
+    #[error("{got} positions are given, the mechanism has {expected}: those of all joints, in joint order")]
     PositionCount {
         /// How many were given.
         got: usize,
         /// How many there are.
-        wanted: usize,
+        expected: usize,
     },
     /// NaN or infinite.
     #[error("joint \"{joint}\" is set to {value:e}; expected a finite number of at most 1e100")]
@@ -165,9 +165,9 @@ impl Configuration {
     /// # Errors
     /// [`ConfigurationError`]: a number of positions that is not the mechanism's, a value that is none.
     pub fn from_positions(mechanism: &Arc<Mechanism>, positions: &[f64]) -> Result<Self, ConfigurationError> {
-        let wanted = mechanism.joints().iter().map(|j| j.kind().positions()).sum();
-        if positions.len() != wanted {
-            return Err(ConfigurationError::PositionCount { got: positions.len(), wanted });
+        let expected = mechanism.joints().iter().map(|j| j.kind().positions()).sum();
+        if positions.len() != expected {
+            return Err(ConfigurationError::PositionCount { got: positions.len(), expected });
         }
         let mut configuration = Self::zero(mechanism);
         let mut rest = positions;

@@ -2,6 +2,7 @@
 
 use crate::kinematics::Kinematics;
 use crate::model::Model;
+use crate::tolerances::SHORTEST_DIRECTION;
 use nalgebra::{DMatrix, Vector3};
 use percuss_mechanism::LinkId;
 use percuss_spatial::{Scalar, Transform};
@@ -160,7 +161,7 @@ impl Model {
             Direction::Along(normal, _) => {
                 finite("normal", &normal)?;
                 let length = normal.norm();
-                if length < SHORTEST { Err(ContactError::NoNormal { length }) } else { Ok(()) }
+                if length < SHORTEST_DIRECTION { Err(ContactError::NoNormal { length }) } else { Ok(()) }
             }
             Direction::Toward(_, point) => finite("line", &point),
         }
@@ -206,7 +207,7 @@ impl Model {
         let x_rl = kinematics.link_frame(self, contact.link);
         if let Direction::Toward(link, to) = contact.normal {
             let distance = (kinematics.link_frame(self, link).point(&to) - point).norm();
-            if distance < SHORTEST {
+            if distance < SHORTEST_DIRECTION {
                 let link = self.mechanism.link(link).name().to_owned();
                 return Err(ContactError::NoLine { link, distance });
             }
@@ -295,9 +296,6 @@ impl Model {
         jacobian
     }
 }
-
-/// A direction, or a line, shorter than this (m) is none.
-const SHORTEST: f64 = 1e-9;
 
 /// An entry of the contact row.
 #[derive(Clone, Copy, Debug)]

@@ -14,11 +14,17 @@
 
 use crate::contact::LocatedContact;
 use crate::kinematics::Kinematics;
+use crate::linear::dense::solve_square;
+use crate::linear::jacobian::Jacobian;
 use crate::mobility::GroupMobility;
-use crate::model::{Cluster, Model};
+use crate::model::{Cluster, Group, Model};
 use crate::recursion::{ClusterElimination, Recursion};
 use crate::rows::GroupRows;
-use crate::stationary::{Pivoted, Stationary};
+use crate::stationary::Stationary;
+use crate::tolerances::{
+    DENSE_LIMIT, NOTHING_LEFT, REPEATED_ROUNDINGS, ROW_ROUNDINGS, SUM_ROUNDINGS, TURN_ROUNDINGS,
+    VAGUE_RESPONSE,
+};
 use nalgebra::{Vector3, Vector6};
 use percuss_spatial::{ArticulatedInertia, Transform, Twist, Wrench};
 
@@ -46,42 +52,30 @@ impl ErrorBudget {
     }
 }
 
-/// Roundings that a product of rotations adds to a frame's orientation; down a chain they add as a random walk.
-const TURN: f64 = 3.0;
-/// Rounding of a joint's own sine, cosine and origin: alike at every link of a repetitive chain, it adds up.
-const REPEATED: f64 = 1.0;
-/// Roundings of a sum of a few products: of an entry of an inertia, a wrench, a pivot.
-const SUM: f64 = 5.0;
-/// Roundings of a row of A and its elimination, each of its terms' size.
-const ROW: f64 = 8.0;
-
-/// A relative error of 1/m̄ beyond which the pivots that it stands on are rounding, and may be zero.
-pub(crate) const NOTHING_LEFT: f64 = 1.0;
-/// A relative error from which on the response is held to its stationary value.
-const VAGUE: f64 = 1e-12;
-
 /// How far the frames of bodies may be off, in units of ε.
 #[derive(Clone, Debug, Default)]
 struct FrameErrors {
     /// For every body: orientation (rad) and position (m).
     of: Vec<(f64, f64)>,
+    /// For every body: the squares of its random walks, and how many joints carry it.
+    walks: Vec<(f64, f64, f64)>,
 }
 
 impl FrameErrors {
     fn fill(&mut self, model: &Model, kinematics: &Kinematics<f64>) {
-        // Squares of the random walks, and how many joints carry each body.
-        let mut walks: Vec<(f64, f64, f64)> = Vec::with_capacity(model.bodies.len());
         self.of.clear();
+        self.walks.clear();
         for (i, body) in model.bodies.iter().enumerate() {
-            let (turn, place, depth) = body.parent.map_or((0.0, 0.0, 0.0), |p| walks[p]);
+            let (turn, place, depth) = body.parent.map_or((0.0, 0.0, 0.0), |p| self.walks[p]);
             let (carried, from) =
                 body.parent.map_or((0.0, 0.0), |p| (self.of[p].0, self.of[p].1 - place.sqrt()));
             let step = kinematics.steps[i].translation.norm();
             let position = kinematics.frames[i].translation.norm();
-            let own = SUM * step + 2.0 * position;
-            let walk = (turn + TURN * TURN, place + own * own, depth + 1.0);
-            self.of.push((walk.0.sqrt() + REPEATED * walk.2, from + carried * step + walk.1.sqrt()));
-            walks.push(walk);
+            let own = SUM_ROUNDINGS * step + 2.0 * position;
+            let walk = (turn + TURN_ROUNDINGS * TURN_ROUNDINGS, place + own * own, depth + 1.0);
+            self.of
+                .push((walk.0.sqrt() + REPEATED_ROUNDINGS * walk.2, from + carried * step + walk.1.sqrt()));
+            self.walks.push(walk);
         }
     }
 
@@ -97,6 +91,24 @@ enum Places {
     Added,
     /// Each joint's own, by what it transmits: those of a long chain do not add up.
     ByJoint,
+}
+
+/// Room for the terms of an error budget; refilled in place.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct BudgetRoom {
+    frames: FrameErrors,
+    /// The wrench that each body's joint transmits; within a bound cluster without those of its constraints.
+    transmitted: Vec<Wrench<f64>>,
+    /// Of the cluster at hand, over its coordinates: the forces that the tree leaves, and the rates.
+    forces: Vec<f64>,
+    rates: Vec<f64>,
+    /// Of the cluster at hand: the rates of its independent coordinates.
+    independent: Vec<f64>,
+    /// Of the group at hand: its rows, and of each the size of its terms and its largest entry.
+    rows: GroupRows<f64>,
+    terms: Vec<f64>,
+    largest: Vec<f64>,
+    multipliers: MultiplierRoom,
 }
 
 /// What an error budget is asked about: a route's answer to a unit impulse along the normal.
@@ -129,17 +141,17 @@ pub(crate) struct RelativeErrors {
 
 impl UnitImpulse<'_> {
     /// The error of the recursion's answer.
-    pub fn of_recursion(&self, recursion: &Recursion<f64, 1>) -> RelativeErrors {
+    pub fn of_recursion(&self, room: &mut BudgetRoom, recursion: &Recursion<f64, 1>) -> RelativeErrors {
         let (mut route, mut stationary) = (0.0, None);
         for (number, cluster) in self.model.clusters.iter().enumerate() {
             route += match recursion.place[number] {
                 None => self.of_joint(recursion, cluster.bodies[0]),
-                Some(place) => self.of_cluster(recursion, cluster, &recursion.clusters[place]),
+                Some(place) => self.of_cluster(room, recursion, cluster, &recursion.clusters[place]),
             };
         }
         let response = recursion.response(0, 0);
         // A tree's pivots are sums over what is left below each joint only.
-        if !recursion.clusters.is_empty() && f64::EPSILON * route > VAGUE * response {
+        if !recursion.clusters.is_empty() && f64::EPSILON * route > VAGUE_RESPONSE * response {
             let found = self.stationary(recursion).value().filter(|(value, error)| {
                 *value > 0.0 && *error < NOTHING_LEFT * value && *error < f64::EPSILON * route
             });
@@ -149,7 +161,7 @@ impl UnitImpulse<'_> {
             }
         }
         let places = if stationary.is_some() { Places::ByJoint } else { Places::Added };
-        let mut sum = self.of_data(&self.transmitted(recursion), places);
+        let mut sum = self.of_data(room, recursion, places);
         sum.rounding += route;
         sum.stationary = stationary;
         self.relative(sum, response)
@@ -178,10 +190,10 @@ impl UnitImpulse<'_> {
         }
     }
 
-    /// The wrench that each body's joint transmits; within a bound cluster without those of its constraints.
-    fn transmitted(&self, recursion: &Recursion<f64, 1>) -> Vec<Wrench<f64>> {
+    fn fill_transmitted(&self, transmitted: &mut Vec<Wrench<f64>>, recursion: &Recursion<f64, 1>) {
         let own = |i: usize| recursion.wrenches[i][0] - self.carried(recursion, i).apply(&self.twists[i]);
-        let mut transmitted: Vec<Wrench<f64>> = (0..self.model.bodies.len()).map(own).collect();
+        transmitted.clear();
+        transmitted.extend((0..self.model.bodies.len()).map(own));
         for cluster in self.model.clusters.iter().filter(|c| c.is_bound) {
             for at in (0..cluster.bodies.len()).rev() {
                 if let Some(parent) = cluster.parents[at] {
@@ -190,23 +202,28 @@ impl UnitImpulse<'_> {
                 }
             }
         }
-        transmitted
     }
 
     /// What every route shares: frames, bodies' inertias, joints' columns, the contact, rows of A.
-    fn of_data(&self, transmitted: &[Wrench<f64>], places: Places) -> RelativeErrors {
+    fn of_data(
+        &self,
+        room: &mut BudgetRoom,
+        recursion: &Recursion<f64, 1>,
+        places: Places,
+    ) -> RelativeErrors {
         let (model, kinematics) = (self.model, self.kinematics);
-        let mut frames = FrameErrors::default();
-        frames.fill(model, kinematics);
+        self.fill_transmitted(&mut room.transmitted, recursion);
+        room.frames.fill(model, kinematics);
+        let BudgetRoom { frames, transmitted, .. } = &*room;
         let on = frames.at(model.body_of(self.contact.link));
         let against = frames.at(self.contact.against.and_then(|l| model.body_of(l)));
         let point = &self.contact.point_root;
         let reach = point.norm();
-        let own_struck = 2.0 * reach + (on.0 + SUM) * self.contact.point_link.norm();
+        let own_struck = 2.0 * reach + (on.0 + SUM_ROUNDINGS) * self.contact.point_link.norm();
         let struck = (on.0.max(against.0), on.1 + own_struck);
         let mut sum = RelativeErrors::default();
         // The normal turns with a link; the relative velocity there is what it is multiplied with.
-        sum.rounding += 2.0 * (TURN + struck.0) * self.relative_velocity().norm();
+        sum.rounding += 2.0 * (TURN_ROUNDINGS + struck.0) * self.relative_velocity().norm();
         let by_joint = places == Places::ByJoint;
         if let Some(other) = self.contact.against.and_then(|l| model.body_of(l)).filter(|_| by_joint) {
             // The point is the struck link's: it is off on the other one.
@@ -225,11 +242,11 @@ impl UnitImpulse<'_> {
             let own = x.inertia(&body.inertia);
             let (omega, speed) = (twist.angular.norm(), twist.linear.norm());
             let root = own.rotational.trace().abs().sqrt() * omega + own.mass.abs().sqrt() * speed;
-            sum.rounding += SUM * root * root;
+            sum.rounding += SUM_ROUNDINGS * root * root;
             let at_origin = twist.velocity_at(&arm);
             let own_root = body.inertia.rotational.trace().abs().sqrt() * omega
                 + body.inertia.mass.abs().sqrt() * at_origin.norm();
-            sum.rounding += 2.0 * (turn + TURN) * own_root * own_root;
+            sum.rounding += 2.0 * (turn + TURN_ROUNDINGS) * own_root * own_root;
             sum.rounding += 2.0 * omega * off * own.momentum(twist).force.norm();
             if by_joint {
                 sum.rounding += self.of_place(i, turn, off, &transmitted[i]);
@@ -242,11 +259,11 @@ impl UnitImpulse<'_> {
                 let (axis, lever) = (s.angular.norm(), s.linear.norm());
                 sum.rounding += 2.0
                     * rate
-                    * ((turn + TURN) * axis * transmitted[i].moment.norm()
-                        + (axis * off + (turn + TURN) * lever) * transmitted[i].force.norm());
+                    * ((turn + TURN_ROUNDINGS) * axis * transmitted[i].moment.norm()
+                        + (axis * off + (turn + TURN_ROUNDINGS) * lever) * transmitted[i].force.norm());
             }
         }
-        self.add_rows(&frames, transmitted, &mut sum);
+        self.add_rows(room, &mut sum);
         sum
     }
 
@@ -264,14 +281,14 @@ impl UnitImpulse<'_> {
         let (own, carrier) = (&self.twists[i], body.parent.map_or_else(Twist::zero, |p| self.twists[p]));
         let turning = own.angular.norm() + carrier.angular.norm();
         let moving = own.velocity_at(&arm).norm() + carrier.velocity_at(&arm).norm();
-        let shift = (SUM + turn) * kinematics.steps[i].translation.norm()
+        let shift = (SUM_ROUNDINGS + turn) * kinematics.steps[i].translation.norm()
             + 2.0 * kinematics.frames[i].translation.norm();
-        let mut sum = TURN * (turning * moment + moving * force) + shift * turning * force;
+        let mut sum = TURN_ROUNDINGS * (turning * moment + moving * force) + shift * turning * force;
         for (k, v) in body.v.clone().enumerate() {
             let s = kinematics.column_at(model, i, k, point);
             let (axis, lever) = (s.angular.norm(), s.velocity_at(&arm).norm());
             sum += self.velocities[v].abs()
-                * ((turn + TURN) * (axis * moment + lever * force) + 2.0 * axis * off * force);
+                * ((turn + TURN_ROUNDINGS) * (axis * moment + lever * force) + 2.0 * axis * off * force);
         }
         2.0 * sum
     }
@@ -284,10 +301,12 @@ impl UnitImpulse<'_> {
     }
 
     /// Rows of A that are off change the rates of what depends.
-    fn add_rows(&self, frames: &FrameErrors, transmitted: &[Wrench<f64>], sum: &mut RelativeErrors) {
+    fn add_rows(&self, room: &mut BudgetRoom, sum: &mut RelativeErrors) {
         for cluster in self.model.clusters.iter().filter(|c| !c.groups.is_empty()) {
-            let forces = self.tree_forces(cluster, transmitted);
-            let mut rates = vec![0.0; cluster.coordinates.len()];
+            self.fill_tree_forces(&mut room.forces, cluster, &room.transmitted);
+            let BudgetRoom { frames, forces, rates, rows, terms, largest, multipliers, .. } = room;
+            rates.clear();
+            rates.resize(cluster.coordinates.len(), 0.0);
             for v in cluster.velocities.iter().filter(|v| v.multiplier != 0.0) {
                 rates[v.coordinate] = self.velocities[v.index] / v.multiplier;
             }
@@ -303,21 +322,21 @@ impl UnitImpulse<'_> {
                 sum.is_measured |= group.rows > known.pivots.rows.len();
                 // δ(1/m̄) = 2 λᵀδA u: the multipliers balance what the tree leaves on the coordinates that depend.
                 let force = |c: usize| forces[own.coordinates[c]] / group.lengths[c];
-                let mut rows = GroupRows::default();
                 rows.fill(self.model, group, self.kinematics);
-                let wanted: Vec<f64> = known.pivots.columns.iter().map(|&c| force(c)).collect();
-                let multipliers = Pivoted::new(&rows, group, known).multipliers(&wanted);
-                let mut terms = vec![0.0; group.rows];
-                let mut largest = vec![0.0_f64; group.rows];
+                multipliers.solve(rows, group, known, &force);
+                terms.clear();
+                terms.resize(group.rows, 0.0);
+                largest.clear();
+                largest.resize(group.rows, 0.0);
                 rows.for_each(group, |r, c, a| {
                     terms[r] += (a / group.lengths[c]).abs() * scaled(c);
                     largest[r] = largest[r].max((a / group.lengths[c]).abs());
                 });
                 let speed = (0..group.coordinates.len()).map(scaled).fold(0.0, f64::max);
-                let row = ROW + turn + place / group.size;
-                for (i, &r) in known.pivots.rows.iter().enumerate() {
+                let row = ROW_ROUNDINGS + turn + place / group.size;
+                for (&r, multiplier) in known.pivots.rows.iter().zip(&multipliers.values) {
                     // Entries that vanish are sums of terms as large as the row's largest.
-                    let change = multipliers[i].abs() * terms[r].max(largest[r] * speed);
+                    let change = multiplier.abs() * terms[r].max(largest[r] * speed);
                     sum.file += 2.0 * self.misfits[own.group] * change;
                     sum.rounding += 2.0 * row * change;
                 }
@@ -326,15 +345,15 @@ impl UnitImpulse<'_> {
     }
 
     /// The force that the tree leaves on each coordinate of a cluster: τ = Σ Sᵀh, h without the constraints' own.
-    fn tree_forces(&self, cluster: &Cluster, transmitted: &[Wrench<f64>]) -> Vec<f64> {
-        let mut forces = vec![0.0; cluster.coordinates.len()];
+    fn fill_tree_forces(&self, forces: &mut Vec<f64>, cluster: &Cluster, transmitted: &[Wrench<f64>]) {
+        forces.clear();
+        forces.resize(cluster.coordinates.len(), 0.0);
         for v in &cluster.velocities {
             let body = cluster.bodies[v.body];
             let s = self.kinematics.column_at(self.model, body, v.component, &self.contact.point_root);
             let inertial = v.armature * self.velocities[v.index];
             forces[v.coordinate] += v.multiplier * (transmitted[body].power(&s) - inertial);
         }
-        forces
     }
 
     /// Iᴬ as it arrives at a body, before its own joint is eliminated.
@@ -354,45 +373,48 @@ impl UnitImpulse<'_> {
         let roots = roots(&self.carried(recursion, i));
         let own = energy_root(&roots, &components(&self.twists[i]));
         let parent = body.parent.map_or_else(Twist::zero, |p| self.twists[p]);
-        let mut sum = SUM * own * own;
+        let mut sum = SUM_ROUNDINGS * own * own;
         for e in body.v.clone().map(|v| (&recursion.joints[v], self.velocities[v])).filter(|(e, _)| e.counts)
         {
             let (e, rate) = e;
-            sum += SUM * (e.d * rate * rate + (e.t[0] * rate).abs());
+            sum += SUM_ROUNDINGS * (e.d * rate * rate + (e.t[0] * rate).abs());
             let passed = dot_abs(&e.u, &components(&parent)) * (e.t[0] / e.d).abs();
             let left = energy_root(&roots, &components(&parent));
-            sum += SUM * (left * left + passed);
+            sum += SUM_ROUNDINGS * (left * left + passed);
         }
-        sum + 2.0 * SUM * dot_abs(&recursion.wrenches[i][0], &components(&self.twists[i]))
+        sum + 2.0 * SUM_ROUNDINGS * dot_abs(&recursion.wrenches[i][0], &components(&self.twists[i]))
     }
 
     /// The elimination of a bound cluster.
     fn of_cluster(
         &self,
+        room: &mut BudgetRoom,
         recursion: &Recursion<f64, 1>,
         cluster: &Cluster,
-        room: &ClusterElimination<f64, 1>,
+        eliminated: &ClusterElimination<f64, 1>,
     ) -> f64 {
-        let d = room.d;
+        let d = eliminated.d;
         let carrier = cluster.parent.map_or_else(Twist::zero, |p| self.twists[p]);
-        let u = room.independent_rates(&carrier, true, None);
+        let u = &mut room.independent;
+        eliminated.fill_independent_rates(&carrier, true, None, u);
         let carried = components(&carrier);
         let mut sum = 0.0;
         for (at, &b) in cluster.bodies.iter().enumerate() {
             // Roundings of many terms add as a random walk.
             let mut squares = carried.component_mul(&carried);
-            for (psi, u) in room.psi[at * d..(at + 1) * d].iter().zip(&u) {
+            for (psi, u) in eliminated.psi[at * d..(at + 1) * d].iter().zip(&*u) {
                 let part = components(psi) * *u;
                 squares += part.component_mul(&part);
             }
             let terms = squares.map(f64::sqrt);
             let root = energy_root(&roots(&recursion.inertias[b]), &terms);
-            sum += (SUM + (d as f64).sqrt()) * root * root;
-            sum += 2.0 * SUM * dot_abs(&recursion.wrenches[b][0], &terms);
+            sum += (SUM_ROUNDINGS + (d as f64).sqrt()) * root * root;
+            sum += 2.0 * SUM_ROUNDINGS * dot_abs(&recursion.wrenches[b][0], &terms);
         }
-        for &y in &room.order {
-            let part = room.t[y][0] / room.factor[y * d + y];
-            sum += SUM * (room.t[y][0] * part + 2.0 * dot_abs(&room.u[y], &carried) * part.abs());
+        for &y in &eliminated.order {
+            let part = eliminated.t[y][0] / eliminated.factor[y * d + y];
+            sum += SUM_ROUNDINGS
+                * (eliminated.t[y][0] * part + 2.0 * dot_abs(&eliminated.u[y], &carried) * part.abs());
         }
         sum
     }
@@ -401,15 +423,66 @@ impl UnitImpulse<'_> {
     /// entries and the sizes of their terms.
     pub fn of_least_energy(
         &self,
+        room: &mut BudgetRoom,
         recursion: &Recursion<f64, 1>,
         mass_size: &[f64],
         coordinates: &[f64],
         response: f64,
     ) -> RelativeErrors {
-        let mut sum = self.of_data(&self.transmitted(recursion), Places::Added);
+        let mut sum = self.of_data(room, recursion, Places::Added);
         let root: f64 = mass_size.iter().zip(coordinates).map(|(m, v)| m.abs().sqrt() * v.abs()).sum();
-        sum.rounding += SUM * coordinates.len() as f64 * root * root;
+        sum.rounding += SUM_ROUNDINGS * coordinates.len() as f64 * root * root;
         self.relative(sum, response)
+    }
+}
+
+/// Room for the multipliers of a group; refilled in place.
+#[derive(Clone, Debug, Default)]
+struct MultiplierRoom {
+    /// λ, one a pivot row.
+    values: Vec<f64>,
+    row_of: Vec<usize>,
+    column_of: Vec<usize>,
+    square: Vec<f64>,
+}
+
+impl MultiplierRoom {
+    /// λ with K ᵀ λ = force on the coordinates that depend; one a pivot row, over coordinates scaled by lengths.
+    fn solve(
+        &mut self,
+        rows: &GroupRows<f64>,
+        group: &Group,
+        known: &GroupMobility,
+        force: &dyn Fn(usize) -> f64,
+    ) {
+        let Self { values, row_of, column_of, square } = self;
+        let count = known.pivots.rows.len();
+        row_of.clear();
+        row_of.resize(group.rows, usize::MAX);
+        column_of.clear();
+        column_of.resize(group.coordinates.len(), usize::MAX);
+        known.pivots.rows.iter().enumerate().for_each(|(i, r)| row_of[*r] = i);
+        known.pivots.columns.iter().enumerate().for_each(|(i, c)| column_of[*c] = i);
+        values.clear();
+        values.extend(known.pivots.columns.iter().map(|&c| force(c)));
+        let entry = |r: usize, c: usize, a: f64| {
+            let kept = row_of[r] != usize::MAX && column_of[c] != usize::MAX;
+            kept.then(|| (column_of[c], row_of[r], a / group.lengths[c]))
+        };
+        if count > DENSE_LIMIT {
+            let mut entries = Vec::new();
+            rows.for_each(group, |r, c, a| entries.extend(entry(r, c, a)));
+            *values = Jacobian { rows: count, columns: count, entries }.shortest(values, f64::EPSILON);
+            return;
+        }
+        square.clear();
+        square.resize(count * count, 0.0);
+        rows.for_each(group, |r, c, a| {
+            if let Some((i, k, a)) = entry(r, c, a) {
+                square[i * count + k] += a;
+            }
+        });
+        solve_square(square, values);
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::model::Model;
 use crate::outcome::RouteError;
 use crate::pose::Pose;
+use crate::tolerances::ACCELERATION_PIVOT;
 use nalgebra::Vector3;
 use percuss_mechanism::LinkId;
 use percuss_spatial::{ArticulatedInertia, Twist, Wrench};
@@ -37,10 +38,6 @@ struct Step {
     /// Generalised force left for this velocity.
     t: f64,
 }
-
-/// Pivots count as zero below this part of their terms: what should vanish keeps the rounding of all that was subtracted
-/// before, up to 1e-12 where joints nearly line up.
-const LEAST_PIVOT: f64 = 1e-10;
 
 fn refuse_bound(model: &Model) -> Result<(), RouteError> {
     if model.groups.iter().any(|g| g.is_held) {
@@ -128,7 +125,7 @@ impl Pose {
                 let (turn, mass) = sizes[i];
                 let d_size =
                     s.angular.norm_squared() * turn + s.linear.norm_squared() * mass + body.armature[k];
-                if d <= LEAST_PIVOT * d_size {
+                if d <= ACCELERATION_PIVOT * d_size {
                     let least_pivot = if d_size > 0.0 { d / d_size } else { 0.0 };
                     return Err(RouteError::SingularPivot { least_pivot });
                 }

@@ -8,18 +8,7 @@ use crate::model::Model;
 use crate::outcome::EffectiveMass;
 use crate::pose::Pose;
 use crate::singular::{Surroundings, dot};
-
-/// How far apart are the places from which m̄ is carried on to the crossing, in parts of the groups' sizes; the next is
-/// tried where the values vary too much.
-const APART: [f64; 4] = [0.01, 2.5e-3, 6e-4, 1.5e-4];
-/// Two orders of the interpolation that agree to this are good: the higher one is much better than that.
-const AGREE: f64 = 1e-7;
-/// Most combinations of branches of several groups that are looked at.
-const COMBINATIONS: usize = 256;
-/// A limit below this part of the values it is carried on from is zero.
-const VANISHING: f64 = 1e-7;
-/// Cosine between a branch and where it is at the places.
-const BENT: f64 = 0.9;
+use crate::tolerances::{BENT, BRANCH_COMBINATIONS, LIMIT_STEPS, LIMITS_AGREE, VANISHING_LIMIT};
 
 /// Limits of m̄ where branches cross.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -46,7 +35,8 @@ impl Pose {
         let combinations = crossings.iter().fold(1, count);
         let limit = |number: usize| limit_along(assembly, self, contact, &crossings, number);
         let continuous = crossings.iter().any(|c| c.continuous);
-        let mut limits: Vec<EffectiveMass> = (0..combinations.min(COMBINATIONS)).filter_map(limit).collect();
+        let mut limits: Vec<EffectiveMass> =
+            (0..combinations.min(BRANCH_COMBINATIONS)).filter_map(limit).collect();
         let answered = limits.len() == combinations;
         if continuous {
             limits.sort_by(|a, b| value(a).total_cmp(&value(b)));
@@ -128,12 +118,12 @@ fn limit_along(
         Some(model.least_energy(&kinematics, &groups, &located).minimum)
     };
     let mut best: Option<(f64, EffectiveMass)> = None;
-    for apart in APART {
+    for apart in LIMIT_STEPS {
         let Some((doubt, limit)) = carried_on(&|places| at(places, apart)) else { continue };
         if best.is_none_or(|(least, _)| doubt < least) {
             best = Some((doubt, limit));
         }
-        if doubt < AGREE {
+        if doubt < LIMITS_AGREE {
             break;
         }
     }
@@ -172,9 +162,9 @@ fn carried_on(at: &dyn Fn(i32) -> Option<Minimum>) -> Option<(f64, EffectiveMass
         }
     }
     let doubt = (mobility - coarse).abs() / most_mobile;
-    Some(if mobility <= VANISHING * most_mobile {
+    Some(if mobility <= VANISHING_LIMIT * most_mobile {
         (doubt, EffectiveMass::Immovable)
-    } else if mass <= VANISHING * heaviest {
+    } else if mass <= VANISHING_LIMIT * heaviest {
         ((mass - coarse_mass).abs() / heaviest, EffectiveMass::Massless)
     } else {
         (doubt * most_mobile / mobility, EffectiveMass::Finite(1.0 / mobility))

@@ -32,6 +32,20 @@ pub enum RouteChoice {
     Only(Route),
 }
 
+/// Why the careful route was asked beside the recursion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum CarefulReason {
+    /// The recursion meets a motion of negative mass (accepted indefinite inertias).
+    NegativeMass,
+    /// The recursion finds the contact massless: a sum is taken for zero against terms that may be large.
+    Massless,
+    /// The recursion's answer may be off by more than 1e-11 by rounding.
+    Error {
+        /// What its rounding may amount to, relative to m̄.
+        relative: f64,
+    },
+}
+
 /// Why a route does not take a mechanism.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -89,7 +103,6 @@ pub enum ResponseError {
 
 /// Something about an answer that its reader should know.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum Remark {
     /// The gap hardly closes: the answer is large and uncertain.
     NearlyImmovable {

@@ -1,20 +1,16 @@
 //! The contact response: effective mass, the motion at unit closing speed, and the contribution of each link.
 
 use crate::assembly::Assembly;
-use crate::careful::{Minimum, Solution};
-use crate::closing_speed::{ClosingRoom, relative_closing_speed};
 use crate::contact::{Contact, LocatedContact};
-use crate::error_budget::{ErrorBudget, NOTHING_LEFT, RelativeErrors, UnitImpulse};
-use crate::kinematics::Kinematics;
-use crate::mobility::GroupMobility;
-use crate::model::Model;
-use crate::outcome::{EffectiveMass, Remark, ResponseError, Route, RouteChoice, RouteError};
+use crate::error_budget::{ErrorBudget, RelativeErrors};
+use crate::outcome::{CarefulReason, EffectiveMass, Remark, ResponseError, Route, RouteChoice, RouteError};
 use crate::pose::Pose;
-use crate::recursion::{Deciding, Decisions, Recursion};
-use crate::tolerances::{CAREFUL_LIMIT, IMMOVABLE, NEARLY_IMMOVABLE, TRUSTED_ERROR};
+use crate::recursion::Decisions;
+use crate::routes::{Found, Question, RecursionRoom};
+use crate::tolerances::{FILE_MISFITS, NEARLY_IMMOVABLE, NEGLIGIBLE_MASS, SAME_BOTH_WAYS};
 use nalgebra::Vector3;
 use percuss_mechanism::{JointId, LinkId};
-use percuss_spatial::{Twist, Wrench};
+use percuss_spatial::Twist;
 
 /// The answer to a contact at a pose.
 #[derive(Clone, Debug)]
@@ -23,6 +19,9 @@ pub struct ContactResponse {
     pub effective_mass: EffectiveMass,
     /// How it was computed.
     pub route: Route,
+    /// Why the careful route was asked beside the recursion; none where it was not, or a route was asked for. The answer
+    /// is the recursion's all the same where the careful route had none better.
+    pub careful_reason: Option<CarefulReason>,
     /// What m̄ may be off by, kg; none unless finite.
     pub error: Option<ErrorBudget>,
     /// dim ker A at the pose; a floating base's 6 included.
@@ -115,248 +114,46 @@ impl Pose {
     /// [`ResponseError`]: a contact that means nothing; a route that was asked for and does not take the mechanism.
     pub fn respond(&self, contact: &Contact, choice: RouteChoice) -> Result<ContactResponse, ResponseError> {
         let located = self.locate(contact)?;
-        let question = Question { pose: self, model: self.assembly.model(), contact, located: &located };
-        Ok(question.answer(choice)?)
+        let room = RecursionRoom::new(self.assembly.model());
+        Ok(Asked { pose: self, contact, located: &located, room }.answer(choice)?)
     }
-}
 
-/// A contact at a pose.
-struct Question<'a> {
-    pose: &'a Pose,
-    model: &'a Model,
-    contact: &'a Contact,
-    located: &'a LocatedContact,
-}
-
-/// What a route found.
-struct Found {
-    mass: EffectiveMass,
-    route: Route,
-    closing_speed: f64,
-    /// Relative.
-    errors: RelativeErrors,
-    /// v* over the tree's velocities.
-    velocities: Vec<f64>,
-    remarks: Vec<Remark>,
-}
-
-/// The recursion after it ran at some frames.
-struct Ran {
-    recursion: Recursion<f64, 1>,
-    deciding: Deciding<1>,
-    closing_speed: f64,
-}
-
-impl Ran {
-    fn mass(&self) -> EffectiveMass {
-        let response = self.recursion.response(0, 0);
-        if self.closing_speed <= IMMOVABLE {
-            EffectiveMass::Immovable
-        } else if self.deciding.massless[0] || response.is_nan() || response <= 0.0 {
-            EffectiveMass::Massless
-        } else {
-            EffectiveMass::Finite(1.0 / response)
+    fn question<'a>(&'a self, located: &'a LocatedContact) -> Question<'a> {
+        Question {
+            model: self.assembly.model(),
+            kinematics: &self.kinematics,
+            groups: &self.groups,
+            misfits: self.assembly.misfits(),
+            located,
         }
     }
 }
 
-impl Question<'_> {
-    fn answer(&self, choice: RouteChoice) -> Result<ContactResponse, RouteError> {
-        let ran = self.run(&self.pose.kinematics, &self.pose.groups, self.located);
-        let found = match choice {
-            RouteChoice::Only(Route::Dense) => self.careful(&ran)?,
-            RouteChoice::Only(Route::Articulated) if ran.deciding.indefinite => {
-                return Err(RouteError::Indefinite);
-            }
-            RouteChoice::Only(Route::Articulated) => self.recursive(&ran),
-            RouteChoice::Auto if ran.deciding.indefinite => self.careful(&ran)?,
-            RouteChoice::Auto => self.better(&ran),
-        };
-        let up_to = ran.deciding.massless_to[0];
-        let all: f64 = self.model.bodies.iter().map(|b| b.inertia.mass.abs()).sum();
+/// A contact at a pose, and the room that its routes ran in.
+struct Asked<'a> {
+    pose: &'a Pose,
+    contact: &'a Contact,
+    located: &'a LocatedContact,
+    room: RecursionRoom,
+}
+
+impl Asked<'_> {
+    fn answer(&mut self, choice: RouteChoice) -> Result<ContactResponse, RouteError> {
+        let question = self.pose.question(self.located);
+        question.run(&mut self.room);
+        let found = question.answer(&mut self.room, choice)?;
+        let up_to = self.room.deciding.massless_to[0];
+        let all: f64 = question.model.bodies.iter().map(|b| b.inertia.mass.abs()).sum();
         let mut response = self.finish(found);
-        if response.effective_mass == EffectiveMass::Massless && up_to > NEGLIGIBLE * all {
+        if response.effective_mass == EffectiveMass::Massless && up_to > NEGLIGIBLE_MASS * all {
             response.remarks.push(Remark::MasslessToRounding { up_to });
         }
         Ok(response)
     }
 
-    /// The recursion's answer where it is accurate; else the careful route's, if that is better.
-    fn better(&self, ran: &Ran) -> Found {
-        let recursive = self.recursive(ran);
-        let accurate = match recursive.mass {
-            // What is left of the error where the energy decides is the data's, and every route's.
-            EffectiveMass::Finite(_) => {
-                recursive.errors.rounding <= TRUSTED_ERROR || recursive.errors.stationary.is_some()
-            }
-            EffectiveMass::Immovable => true,
-            // Zero is claimed against terms that may be large: a second opinion.
-            EffectiveMass::Massless => false,
-        };
-        if accurate {
-            return recursive;
-        }
-        match self.careful(ran) {
-            Ok(careful) if recursive.mass == EffectiveMass::Massless => careful,
-            // An error that is NaN is beaten by any.
-            Ok(careful) if careful.errors.rounding.total_cmp(&recursive.errors.rounding).is_lt() => careful,
-            _ => recursive,
-        }
-    }
-
-    fn run(&self, kinematics: &Kinematics<f64>, groups: &[GroupMobility], located: &LocatedContact) -> Ran {
-        let model = self.model;
-        let mut recursion = Recursion::new(model);
-        let mut deciding = Deciding::new(model);
-        let unit = Wrench::new(Vector3::zeros(), located.normal_root);
-        recursion.add_wrench(model.body_of(located.link), 0, unit);
-        recursion.add_wrench(located.against.and_then(|link| model.body_of(link)), 0, -unit);
-        recursion.eliminate(model, kinematics, groups, &located.point_root, &mut deciding);
-        let row = model.contact_row(kinematics, located);
-        let closing_speed =
-            relative_closing_speed(&mut ClosingRoom::default(), model, kinematics, groups, &recursion, &row);
-        Ran { recursion, deciding, closing_speed }
-    }
-
-    fn recursive(&self, ran: &Ran) -> Found {
-        let model = self.model;
-        let recursion = &ran.recursion;
-        let mut mass = ran.mass();
-        let mut velocities = vec![0.0; model.follows.len()];
-        let mut twists = vec![Twist::zero(); model.bodies.len()];
-        let mut errors = RelativeErrors::default();
-        match mass {
-            EffectiveMass::Finite(own) => {
-                recursion.velocities(model, &self.located.point_root, &mut twists, &mut velocities);
-                errors = self.impulse(&twists, &velocities).of_recursion(recursion);
-                let m = errors.stationary.map_or(own, |response| 1.0 / response);
-                mass = EffectiveMass::Finite(m);
-                velocities.iter_mut().for_each(|v| *v *= m);
-                if errors.rounding > NOTHING_LEFT {
-                    // The energy that is left is rounding.
-                    mass = EffectiveMass::Massless;
-                }
-            }
-            EffectiveMass::Massless => {
-                let free = ran
-                    .deciding
-                    .best_free
-                    .map(|free| recursion.free_motion(model, &self.located.point_root, free));
-                velocities = free.and_then(|free| self.at_unit_speed(free)).unwrap_or(velocities);
-            }
-            EffectiveMass::Immovable => {}
-        }
-        let mut remarks = Vec::new();
-        if ran.deciding.dropped > 0 {
-            remarks.push(Remark::MasslessMotions { directions: ran.deciding.dropped });
-            if matches!(mass, EffectiveMass::Finite(_)) {
-                remarks.push(Remark::UndeterminedMotion);
-            }
-        }
-        Found {
-            mass,
-            route: Route::Articulated,
-            closing_speed: ran.closing_speed,
-            errors,
-            velocities,
-            remarks,
-        }
-    }
-
-    /// The response by its energy, at some frames.
-    fn stationary(
-        &self,
-        recursion: &Recursion<f64, 1>,
-        kinematics: &Kinematics<f64>,
-        groups: &[GroupMobility],
-    ) -> Option<f64> {
-        let mut velocities = vec![0.0; self.model.follows.len()];
-        let mut twists = vec![Twist::zero(); self.model.bodies.len()];
-        recursion.velocities(self.model, &self.located.point_root, &mut twists, &mut velocities);
-        let there = UnitImpulse { kinematics, groups, ..self.impulse(&twists, &velocities) };
-        there.stationary(recursion).value().map(|(response, _)| response).filter(|response| *response > 0.0)
-    }
-
-    /// A motion at unit closing speed; none where it does not close the gap.
-    fn at_unit_speed(&self, mut velocities: Vec<f64>) -> Option<Vec<f64>> {
-        let row = self.model.contact_row(&self.pose.kinematics, self.located);
-        let speed: f64 = row.entries.iter().map(|e| e.value * velocities[e.velocity]).sum();
-        velocities.iter_mut().for_each(|v| *v /= speed);
-        (speed != 0.0).then_some(velocities)
-    }
-
-    fn impulse<'b>(&'b self, twists: &'b [Twist<f64>], velocities: &'b [f64]) -> UnitImpulse<'b> {
-        UnitImpulse {
-            model: self.model,
-            kinematics: &self.pose.kinematics,
-            groups: &self.pose.groups,
-            misfits: self.pose.assembly.misfits(),
-            contact: self.located,
-            twists,
-            velocities,
-        }
-    }
-
-    fn careful(&self, ran: &Ran) -> Result<Found, RouteError> {
-        let model = self.model;
-        // M is formed over the tree's velocities, mimics folded afterwards.
-        let coordinates = model.follows.len();
-        if coordinates > CAREFUL_LIMIT {
-            return Err(RouteError::TooLarge { coordinates, limit: CAREFUL_LIMIT });
-        }
-        let kinematics = &self.pose.kinematics;
-        let solution = model.least_energy(kinematics, &self.pose.groups, self.located);
-        let mut remarks = Vec::new();
-        if solution.massless_directions > 0 {
-            remarks.push(Remark::MasslessMotions { directions: solution.massless_directions });
-        }
-        let mass = match solution.minimum {
-            Minimum::Finite(m) => EffectiveMass::Finite(m),
-            Minimum::Immovable => EffectiveMass::Immovable,
-            Minimum::Massless => EffectiveMass::Massless,
-            Minimum::Stationary(m) if m > 0.0 && m.is_finite() => {
-                remarks.push(Remark::IndefiniteMassMatrix);
-                EffectiveMass::Finite(m)
-            }
-            Minimum::Stationary(value) => return Err(RouteError::IndefiniteMass { value }),
-        };
-        if solution.is_open && matches!(mass, EffectiveMass::Finite(_)) {
-            remarks.push(Remark::UndeterminedMotion);
-        }
-        let velocities = model.expand(&solution.velocity);
-        let errors = match mass {
-            EffectiveMass::Finite(m) => self.errors_of(ran, &solution, m),
-            EffectiveMass::Immovable | EffectiveMass::Massless => RelativeErrors::default(),
-        };
-        Ok(Found { mass, route: Route::Dense, closing_speed: solution.approach, errors, velocities, remarks })
-    }
-
-    /// The careful route's own error, by its motion scaled to a unit impulse.
-    fn errors_of(&self, ran: &Ran, solution: &Solution, m: f64) -> RelativeErrors {
-        let model = self.model;
-        let u: Vec<f64> = solution.velocity.iter().map(|v| v / m).collect();
-        let velocities = model.expand(&u);
-        let twists = self.twists(&velocities);
-        let sizes = model.mass_sizes(&self.pose.kinematics);
-        self.impulse(&twists, &velocities).of_least_energy(&ran.recursion, &sizes, &u, 1.0 / m)
-    }
-
-    /// Twists of the bodies, root axes at the contact point.
-    fn twists(&self, velocities: &[f64]) -> Vec<Twist<f64>> {
-        let (model, point) = (self.model, &self.located.point_root);
-        let mut twists: Vec<Twist<f64>> = Vec::with_capacity(model.bodies.len());
-        for (i, body) in model.bodies.iter().enumerate() {
-            let mut twist = body.parent.map_or_else(Twist::zero, |p| twists[p]);
-            for (k, v) in body.v.clone().enumerate() {
-                twist += self.pose.kinematics.column_at(model, i, k, point) * velocities[v];
-            }
-            twists.push(twist);
-        }
-        twists
-    }
-
-    fn finish(&self, found: Found) -> ContactResponse {
-        let (model, pose) = (self.model, self.pose);
+    fn finish(&mut self, found: Found) -> ContactResponse {
+        let pose = self.pose;
+        let model = pose.assembly.model();
         let rank = pose.rank();
         let mut remarks = found.remarks;
         let mut error = None;
@@ -388,6 +185,7 @@ impl Question<'_> {
         ContactResponse {
             effective_mass: found.mass,
             route: found.route,
+            careful_reason: found.careful_reason,
             error,
             degrees_of_freedom: model.coordinates.len() - rank.rank,
             singular_pose: rank.singular,
@@ -399,35 +197,42 @@ impl Question<'_> {
         }
     }
 
-    fn budget(&self, m: f64, closing_speed: f64, errors: &RelativeErrors) -> ErrorBudget {
+    fn budget(&mut self, m: f64, closing_speed: f64, errors: &RelativeErrors) -> ErrorBudget {
         let own = errors.rounding + 2.0 * f64::EPSILON / closing_speed;
         if self.pose.loops().is_none() {
             return ErrorBudget { rounding: Some(m * own), closing: Some(0.0), file: None };
         }
         // The rows of an inexact file are off by as much as its frames are; so is the closing speed that m̄ goes by.
-        let file = FILE * (errors.file + errors.misfit / closing_speed);
+        let file = FILE_MISFITS * (errors.file + errors.misfit / closing_speed);
         let closing = self.closing_error(m, errors.stationary.is_some()).map(|c| m * c);
         ErrorBudget { rounding: Some(m * own), closing, file: errors.is_measured.then_some(m * file) }
     }
 
     /// Relative change of m̄ between the pose and where it may be, as far as its loops are from closed; none where that
     /// cannot be found. `by_energy`: m̄ was found so.
-    fn closing_error(&self, m: f64, by_energy: bool) -> Option<f64> {
+    fn closing_error(&mut self, m: f64, by_energy: bool) -> Option<f64> {
         let assembly: &Assembly = &self.pose.assembly;
         let mut most = 0.0_f64;
         for sign in [1.0, -1.0] {
             let moved = assembly.doubtful_pose(self.pose, sign)?;
             let groups = self.pose.groups_at(&moved);
-            let located = self.model.locate(&moved, self.pose.base(), self.contact).ok()?;
-            let there = Question { located: &located, ..*self };
-            let ran = there.run(&moved, &groups, &located);
-            let EffectiveMass::Finite(mut other) = ran.mass() else { return None };
-            if by_energy && let Some(response) = there.stationary(&ran.recursion, &moved, &groups) {
+            let model = assembly.model();
+            let located = model.locate(&moved, self.pose.base(), self.contact).ok()?;
+            let beside = Question {
+                model,
+                kinematics: &moved,
+                groups: &groups,
+                misfits: assembly.misfits(),
+                located: &located,
+            };
+            beside.run(&mut self.room);
+            let EffectiveMass::Finite(mut other) = self.room.mass() else { return None };
+            if by_energy && let Some(response) = beside.response_by_energy(&mut self.room) {
                 other = 1.0 / response;
             }
             let change = (other / m - 1.0).abs();
             most = most.max(change);
-            if change < SMOOTH {
+            if change < SAME_BOTH_WAYS {
                 // Far from a singularity both ways are alike.
                 break;
             }
@@ -438,7 +243,7 @@ impl Question<'_> {
     /// Parts of twice the energy of the tree velocities `v`, divided by `m` (the formula's, so that their sum is a
     /// check).
     fn contributions(&self, v: &[f64], m: f64) -> Contributions {
-        let (model, kinematics) = (self.model, &self.pose.kinematics);
+        let (model, kinematics) = (self.pose.assembly.model(), &self.pose.kinematics);
         let mut motions = vec![Twist::zero(); model.bodies.len()];
         let mut rotors = Vec::new();
         for (i, body) in model.bodies.iter().enumerate() {
@@ -466,18 +271,11 @@ impl Question<'_> {
     }
 }
 
-/// How much of a misfit enters a row: several of a file's figures, each rounded by itself, of which the misfit shows a
-/// part. Over 17,000 answers of linkages written with 4 to 12 decimals, 110 would do.
-const FILE: f64 = 128.0;
-/// A part of the mechanism's mass that nobody misses.
-const NEGLIGIBLE: f64 = 1e-9;
-/// A relative change of m̄ by what leaves a pose open that is the same both ways.
-const SMOOTH: f64 = 1e-9;
-
 impl Pose {
     /// What the recursion decides at this pose for a contact: pivots that duals and lanes follow.
-    pub(crate) fn decisions(&self, located: &LocatedContact, contact: &Contact) -> Decisions {
-        let question = Question { pose: self, model: self.assembly.model(), contact, located };
-        question.run(&self.kinematics, &self.groups, located).deciding.decisions
+    pub(crate) fn decisions(&self, located: &LocatedContact) -> Decisions {
+        let mut room = RecursionRoom::new(self.assembly.model());
+        self.question(located).run(&mut room);
+        room.deciding.decisions
     }
 }

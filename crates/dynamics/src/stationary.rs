@@ -18,6 +18,7 @@ use crate::mobility::GroupMobility;
 use crate::model::{Cluster, Group, Model};
 use crate::recursion::Recursion;
 use crate::rows::GroupRows;
+use crate::tolerances::{DENSE_LIMIT, SUM_ROUNDINGS};
 use percuss_spatial::{SpatialInertia, Transform, Twist, Wrench};
 
 /// The recursion's answer to a unit impulse along the normal.
@@ -46,9 +47,6 @@ struct Residuals {
     work: f64,
 }
 
-/// Roundings of a wrench, a twist, and of their product, where they are summed up.
-const SUM: f64 = 5.0;
-
 impl Stationary<'_> {
     /// L (1/kg) at the recursion's rates, and how far it may be off by its own rounding; none where motions have no mass,
     /// or one below zero.
@@ -72,15 +70,15 @@ impl Stationary<'_> {
         for (i, body) in model.bodies.iter().enumerate() {
             let momentum = inertias[i].momentum(&twists[i]);
             value.add(-momentum.power(&twists[i]));
-            rounding += SUM * sizes(&momentum, &magnitude(&twists[i]));
-            rounding += SUM * sizes(&transmitted[i], &slack[i]);
+            rounding += SUM_ROUNDINGS * sizes(&momentum, &magnitude(&twists[i]));
+            rounding += SUM_ROUNDINGS * sizes(&transmitted[i], &slack[i]);
             for (v, armature) in body.v.clone().zip(&body.armature) {
                 let energy = armature * self.velocities[v] * self.velocities[v];
                 value.add(-energy);
-                rounding += SUM * energy;
+                rounding += SUM_ROUNDINGS * energy;
             }
         }
-        rounding += SUM * value.total().abs();
+        rounding += SUM_ROUNDINGS * value.total().abs();
         let second = 2.0 * recursion.compliance(model, &left.joints, &left.clusters)
             + 2.0 * left.work
             + 3.0 * self.energy(&inertias, &left.change);
@@ -220,9 +218,6 @@ impl Stationary<'_> {
     }
 }
 
-/// Rows up to which pivots are eliminated densely.
-const DENSE: usize = 64;
-
 /// A group's K = A[rows, columns], over coordinates scaled by lengths.
 pub(crate) struct Pivoted {
     /// For each row of A, which pivot it is.
@@ -259,7 +254,7 @@ impl Pivoted {
 
     fn solve(&self, entries: Vec<(usize, usize, f64)>, right: &[f64]) -> Vec<f64> {
         let count = self.count;
-        if count > DENSE {
+        if count > DENSE_LIMIT {
             return Jacobian { rows: count, columns: count, entries }.shortest(right, f64::EPSILON);
         }
         let (mut square, mut right) = (vec![0.0; count * count], right.to_vec());

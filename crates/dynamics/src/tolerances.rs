@@ -1,4 +1,4 @@
-//! Every threshold of this crate, with its unit and its reason.
+//! Every threshold and every budget of work of this crate, with its unit and its reason.
 
 /// Below this, |j restricted to ker A| / |j| is immovable: rounding of j and of ker A leaves 1e-13 at most on the
 /// reference files. Relative.
@@ -73,3 +73,177 @@ pub(crate) const SAME_RATE: f64 = 1e-9;
 /// A joint drives weakly where the least pivot of the dependent coordinates' Jacobian is below this part of its generic
 /// size: near its dead centre everything is fast, and it is at its end soon.
 pub(crate) const WEAK_DRIVER: f64 = 1e-2;
+
+// Bodies, and what is compiled.
+
+/// Axes with a cosine below this with all joints at 0 were written to point opposite ways: within 8°.
+pub(crate) const REVERSED_AXES: f64 = -0.99;
+/// Independent coordinates of a cluster beyond which its blocks are formed from its mass matrix: O(n²) where sums over its
+/// bodies take O(n d²).
+pub(crate) const LARGE_CLUSTER: usize = 48;
+/// A pivot of a joint with several velocities below this part of its terms is left for last.
+pub(crate) const LATE_PIVOT: f64 = 1e-3;
+/// A pivot below minus this part of its terms is no rounding: an indefinite inertia.
+pub(crate) const NEGATIVE_PIVOT: f64 = 1e-9;
+/// Rounding of G enters D squared.
+pub(crate) const PIVOT_SQUARED: f64 = PIVOT * PIVOT;
+/// In coordinates where M has unit diagonal, a direction whose root energy is below this carries no mass: a real one
+/// has at least √ε = 1.5e-8, rounding leaves 1e-13.
+pub(crate) const ROOT_ENERGY: f64 = 1e-10;
+/// Forward dynamics count pivots as zero below this part of their terms: what should vanish keeps the rounding of all that was subtracted
+/// before, up to 1e-12 where joints nearly line up.
+pub(crate) const ACCELERATION_PIVOT: f64 = 1e-10;
+/// How many roundings an entry of G has gone through, each of its terms' size.
+pub(crate) const RATE_ROUNDINGS: f64 = 16.0;
+/// A relative error of 1/m̄ beyond which the pivots that it stands on are rounding, and may be zero.
+pub(crate) const NOTHING_LEFT: f64 = 1.0;
+/// Relative error of a bound cluster's response from which on it is held to its stationary value: a tenth of what is trusted.
+pub(crate) const VAGUE_RESPONSE: f64 = 1e-12;
+/// A part of the mechanism's mass that does not matter.
+pub(crate) const NEGLIGIBLE_MASS: f64 = 1e-9;
+/// A relative change of m̄ by what leaves a pose open that is the same both ways.
+pub(crate) const SAME_BOTH_WAYS: f64 = 1e-9;
+
+// The error budget; the first four in roundings.
+
+/// Roundings that a product of rotations adds to a frame's orientation; down a chain they add as a random walk.
+pub(crate) const TURN_ROUNDINGS: f64 = 3.0;
+/// Rounding of a joint's own sine, cosine and origin: alike at every link of a repetitive chain, it adds up.
+pub(crate) const REPEATED_ROUNDINGS: f64 = 1.0;
+/// Roundings of a sum of a few products: of an entry of an inertia, a wrench, a pivot.
+pub(crate) const SUM_ROUNDINGS: f64 = 5.0;
+/// Roundings of a row of A and its elimination, each of its terms' size.
+pub(crate) const ROW_ROUNDINGS: f64 = 8.0;
+/// How much of a misfit enters a row: several of a file's figures, each rounded by itself, of which the misfit shows a
+/// part. Over 17,000 answers of linkages written with 4 to 12 decimals, 110 would do.
+pub(crate) const FILE_MISFITS: f64 = 128.0;
+
+// Matrices.
+
+/// A pivot is at least this part of its row's largest entry.
+pub(crate) const SPARSE_PIVOT: f64 = 0.1;
+/// Rows with the fewest entries among which a pivot is looked for.
+pub(crate) const SPARSE_CANDIDATES: usize = 4;
+/// Least over largest pivot from which JᵀJ is formed instead of factorising J.
+pub(crate) const WELL_CONDITIONED: f64 = 1e-4;
+/// Entries of JJᵀ, counted with repetition, up to which it is formed: 100 MB.
+pub(crate) const NORMAL_EQUATIONS_FILL: usize = 4_000_000;
+/// Most sweeps of the one-sided Jacobi method: it converges in about ten.
+pub(crate) const JACOBI_SWEEPS: usize = 40;
+/// Rows or columns of a group up to which its matrices are dense; beyond, sparse ones take less time.
+pub(crate) const DENSE_LIMIT: usize = 64;
+
+// Mobility.
+
+/// Dependent coordinates whose Jacobian's least pivot is below this part of its generic size stand at a dead centre.
+pub(crate) const DEAD_CENTRE: f64 = 1e-6;
+/// Where the least singular value that should count is below this part of the largest, a change point is near.
+pub(crate) const NEAR_CHANGE_POINT: f64 = 1e-4;
+/// Coordinates up to which a mode is named: of larger groups only that they are regular.
+pub(crate) const MODE_LIMIT: usize = 160;
+/// A coefficient below this part of the largest means that a row has no part in a dependency.
+pub(crate) const FAINT_COEFFICIENT: f64 = 1e-7;
+/// A column counts as independent of others where more than this part of the largest is left of it; the second, where
+/// that leaves too few.
+pub(crate) const INDEPENDENT_COLUMNS: [f64; 2] = [1e-6, 1e-10];
+/// Coordinates up to which redundant rows are separated by loop.
+pub(crate) const REDUNDANCY_LIMIT: usize = 400;
+
+// Closing loops.
+
+/// Residuals below this part of a group's size are rounding of the figures that a file is written with: 12 digits.
+pub(crate) const CLOSED_AS_DRAWN: f64 = 1e-9;
+/// Most iterations of a correction: Newton's method takes a handful, a damped one some tens.
+pub(crate) const CORRECTION_ITERATIONS: usize = 60;
+/// A loop that fits is closed by a motion of at most this many times its residual as drawn; beyond, the motion follows a
+/// direction that owes its weight to the residual itself.
+pub(crate) const COMMENSURATE: f64 = 100.0;
+/// Longest step along a branch, as a part of the characteristic length that no coordinate moves beyond.
+pub(crate) const LONGEST_BRANCH_STEP: f64 = 0.15;
+/// A shorter step than this part of the length is not worth going on with.
+pub(crate) const SHORTEST_BRANCH_STEP: f64 = 1e-9;
+/// Most steps: some thousand turns of a small group; of a large one fewer, which take as long.
+pub(crate) const BRANCH_STEPS: usize = 100_000;
+/// Fewest of these steps, however large the group is.
+pub(crate) const FEWEST_BRANCH_STEPS: usize = 500;
+/// The tangent turns by less than about 25° in a step.
+pub(crate) const STRAIGHT: f64 = 0.9;
+/// Followers' Jacobians whose least pivot is below this part of its size at the generic pose are near-singular.
+pub(crate) const NEARLY_SINGULAR: f64 = 1e-2;
+/// Places on each side of a crossing from which a pose there is interpolated.
+pub(crate) const CROSSING_PLACES: usize = 4;
+/// Distance of the places on the curve, as a part of the characteristic length: η⁸/35 of the eighth derivative remains.
+pub(crate) const CROSSING_STEP: f64 = 0.015;
+/// Coordinates up to which the weakest direction is looked for.
+pub(crate) const WEAKEST_DIRECTION_LIMIT: usize = 64;
+/// Singular values below this part of the largest are rounding.
+pub(crate) const FAINT_SINGULAR_VALUE: f64 = 1e-13;
+/// Squares of singular values below this part of the largest are no longer told from rounding in JᵀJ.
+pub(crate) const REGULAR_SQUARE: f64 = 1e-10;
+/// Inverse iterations: each brings the weakest direction forward by the square of the ratio of singular values.
+pub(crate) const INVERSE_ITERATIONS: usize = 3;
+/// Most corrections that close a group again after it has advanced.
+pub(crate) const ADVANCE_CORRECTIONS: usize = 8;
+
+// Putting loops together.
+
+/// A pose nearer to the first one than this part of the size is that pose again.
+pub(crate) const SAME_POSE: f64 = 1e-5;
+/// Seeded starts that are tried before a group is given up.
+pub(crate) const FIRST_STARTS: u64 = 24;
+/// The sizes of these starts, rad or parts of the size.
+pub(crate) const FIRST_STARTS_ASIDE: [f64; 6] = [0.01, 0.1, 0.3, 1.0, 3.0, 2.0];
+/// Seeded poses around the first one at which the generic rank is looked for.
+pub(crate) const GENERIC_POSES: u64 = 12;
+/// How many of these poses are enough.
+pub(crate) const GENERIC_POSES_ENOUGH: usize = 3;
+/// Coordinates of a group beyond which fewer of these poses are tried: the rank of a large group shows at one pose.
+pub(crate) const LARGE_GROUP: usize = 160;
+/// Starts from which drivers are put at the positions asked for, when the branch does not reach there: a Cassie leg closes
+/// from one in seven.
+pub(crate) const MODE_STARTS: usize = 48;
+/// Sizes of these starts' motion aside, rad or parts of the size.
+pub(crate) const MODE_STARTS_ASIDE: [f64; 4] = [0.3, 1.0, 2.0, 3.0];
+/// Most work of these starts, in cubes of a group's coordinates.
+pub(crate) const MODE_STARTS_WORK: usize = 20_000_000;
+/// A joint with several positions that was set stands there when it is no further off than this part of the size: its
+/// values are given with eight decimals or fewer.
+pub(crate) const MATCHED: f64 = 1e-6;
+/// Most corrections of a step of the joints that were set: Newton's method takes a few where the loops let them.
+pub(crate) const SET_CORRECTIONS: usize = 30;
+/// The joints of a held mechanism stand so far (rad, or parts of the size) off zero at its generic pose.
+pub(crate) const HELD_ASIDE: f64 = 0.2;
+
+// Branches at a crossing, and the limits along them.
+
+/// How far from the pose branches are looked for, as a part of the group's size.
+pub(crate) const BRANCH_DISTANCE: f64 = 1e-3;
+/// Directions tried where two motions are admissible.
+pub(crate) const DIRECTIONS_IN_A_PLANE: usize = 96;
+/// Fewest directions tried where more motions are admissible.
+pub(crate) const FEWEST_DIRECTIONS: usize = 256;
+/// Most of these directions.
+pub(crate) const MOST_DIRECTIONS: usize = 2048;
+/// Most corrections on the way to a branch.
+pub(crate) const BRANCH_CORRECTIONS: usize = 40;
+/// Branches between branches that make a cone.
+pub(crate) const CONE_HALVINGS: usize = 4;
+/// Work, in cubes of a group's coordinates, after which no more directions are tried: about a second.
+pub(crate) const DIRECTIONS_WORK: usize = 2_500_000;
+/// Tangents of curves that differ by less than this (rad) belong to one branch.
+pub(crate) const SAME_TANGENT: f64 = 2e-3;
+/// The same of tangent spaces of branches with more freedoms, which are known beside the crossing only. rad.
+pub(crate) const SAME_TANGENT_SPACE: f64 = 0.02;
+/// Singular values beside a crossing count from this part of the largest on.
+pub(crate) const BESIDE_A_CROSSING: f64 = 1e-8;
+/// How far apart are the places from which m̄ is carried on to the crossing, in parts of the groups' sizes; the next is
+/// tried where the values vary too much.
+pub(crate) const LIMIT_STEPS: [f64; 4] = [0.01, 2.5e-3, 6e-4, 1.5e-4];
+/// Two orders of the interpolation that agree to this are good: the higher one is much better than that.
+pub(crate) const LIMITS_AGREE: f64 = 1e-7;
+/// Most combinations of branches of several groups that are looked at.
+pub(crate) const BRANCH_COMBINATIONS: usize = 256;
+/// A limit below this part of the values it is carried on from is zero.
+pub(crate) const VANISHING_LIMIT: f64 = 1e-7;
+/// A branch is too bent where the cosine between it and where it is at these places is less.
+pub(crate) const BENT: f64 = 0.9;

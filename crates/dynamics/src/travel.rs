@@ -1,4 +1,4 @@
-//! The travel of a point: how far it is displaced, how fast a joint moves it, and the pose where it is displaced as wanted.
+//! The travel of a point: how far it is displaced, how fast a joint moves it, and the pose where it is displaced as requested.
 
 use crate::assembling::AssemblyError;
 use crate::closing::Directions;
@@ -33,7 +33,7 @@ pub struct Travel {
 #[non_exhaustive]
 pub enum TravelError {
     /// NaN, infinite or absurdly large.
-    #[error("the {what} of travel has a component {value:e}; a finite number of at most 1e100 is wanted")]
+    #[error("the {what} of travel has a component {value:e}; a finite number of at most 1e100 is expected")]
     NotFinite {
         /// `point`, `direction` or `displacement`.
         what: &'static str,
@@ -41,7 +41,9 @@ pub enum TravelError {
         value: f64,
     },
     /// A direction of travel without length.
-    #[error("the direction of travel has no length ({length:e}; at least {SHORTEST_DIRECTION:e} is wanted)")]
+    #[error(
+        "the direction of travel has no length ({length:e}; at least {SHORTEST_DIRECTION:e} is expected)"
+    )]
     NoDirection {
         /// Its length.
         length: f64,
@@ -71,20 +73,20 @@ pub enum TravelError {
         joint: String,
     },
     /// The driver came to its end, or the point turned back, before.
-    #[error("a travel of {wanted} m cannot be reached; nearest reached: {nearest:.6} m")]
+    #[error("a travel of {requested} m cannot be reached; nearest reached: {nearest:.6} m")]
     Unreachable {
-        /// The displacement that was wanted, m.
-        wanted: f64,
+        /// The displacement asked for, m.
+        requested: f64,
         /// The nearest one between the ends of the range where the displacement goes one way, m.
         nearest: f64,
     },
     /// So many steps of the driver are not made for one pose.
     #[error(
-        "a travel of {wanted} m is too far to follow in one go; reached: {reached:.6} m; go there by way of poses between"
+        "a travel of {requested} m is too far to follow in one go; reached: {reached:.6} m; go there by way of poses between"
     )]
     TooFar {
-        /// The displacement that was wanted, m.
-        wanted: f64,
+        /// The displacement asked for, m.
+        requested: f64,
         /// How far the point came, m.
         reached: f64,
     },
@@ -213,7 +215,7 @@ impl Travel {
             .ok_or_else(|| TravelError::NothingMoves { link: mechanism.link(self.link).name().to_owned() })
     }
 
-    /// The pose where the point is displaced as wanted, followed from another pose along the branch: by Newton's method on
+    /// The pose where the point is displaced as requested, followed from another pose along the branch: by Newton's method on
     /// the driver, to 1e-12 of the mechanism's size, over the range where the displacement goes one way. The other joints
     /// are where `configuration` wants them; what it says of the driver is not read.
     ///
@@ -225,15 +227,15 @@ impl Travel {
         from: &Pose,
         configuration: &Configuration,
         driver: JointId,
-        wanted: f64,
+        requested: f64,
     ) -> Result<Pose, TravelError> {
         let mechanism = from.mechanism();
         let name = mechanism.joints().get(driver.index()).map_or("", |joint| joint.name());
         if !is_driver(mechanism, driver) {
             return Err(TravelError::NoDriver { joint: name.to_owned() });
         }
-        if !wanted.is_finite() {
-            return Err(TravelError::NotFinite { what: "displacement", value: wanted });
+        if !requested.is_finite() {
+            return Err(TravelError::NotFinite { what: "displacement", value: requested });
         }
         if !Arc::ptr_eq(configuration.mechanism(), mechanism) {
             let [got, expected] = [configuration.mechanism(), mechanism].map(|m| m.name().to_owned());
@@ -252,15 +254,15 @@ impl Travel {
         let scale = Scale { size: mechanism.characteristic_length(), unit: unit(mechanism, driver) };
         let mut start = self.place(from.clone(), driver);
         // The pose it starts from may be of another configuration, with other drivers.
-        if !drives_at(from, driver) || (wanted - start.gone).abs() <= MET * scale.size {
+        if !drives_at(from, driver) || (requested - start.gone).abs() <= MET * scale.size {
             start = visit(from, start.driver).map_err(|stop| match stop {
                 Stop::Fault(error) | Stop::NoPose { error, .. } => error,
             })?;
         }
-        let found = Search { scale, wanted, visit: &mut visit }.go(start);
+        let found = Search { scale, requested, visit: &mut visit }.go(start);
         found.map(|place| place.pose).map_err(|missed| match missed {
-            Missed::Unreachable { nearest } => TravelError::Unreachable { wanted, nearest },
-            Missed::TooFar { reached } => TravelError::TooFar { wanted, reached },
+            Missed::Unreachable { nearest } => TravelError::Unreachable { requested, nearest },
+            Missed::TooFar { reached } => TravelError::TooFar { requested, reached },
             Missed::Assembly(error) => TravelError::Assembly(error),
         })
     }

@@ -1,4 +1,4 @@
-//! From a place with a displacement and its rate to the place where the displacement is as wanted: Newton's method along
+//! From a place with a displacement and its rate to the place where the displacement is as requested: Newton's method along
 //! one driver, over the range where the displacement goes one way.
 //!
 //! What limits a travel is enclosed like a solution: the driver's own end, beyond which there is no pose, and the place
@@ -33,7 +33,7 @@ pub(crate) enum Stop {
 /// Why a displacement was not reached.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Missed {
-    /// The driver came to its end, or the point turned back: the displacement nearest to the wanted one, m.
+    /// The driver came to its end, or the point turned back: the displacement nearest to the requested one, m.
     Unreachable { nearest: f64 },
     /// There were no more steps: how far the point came, m.
     TooFar { reached: f64 },
@@ -78,14 +78,14 @@ type Visited<P> = Result<Place<P>, Stop>;
 pub(crate) struct Search<'a, P> {
     pub scale: Scale,
     /// m.
-    pub wanted: f64,
+    pub requested: f64,
     /// The place at a value of the driver, followed from another pose.
     pub visit: &'a mut (dyn FnMut(&P, f64) -> Visited<P> + 'a),
 }
 
 impl<P> Search<'_, P> {
     fn miss(&self, place: &Place<P>) -> f64 {
-        self.wanted - place.gone
+        self.requested - place.gone
     }
 
     fn is_met(&self, place: &Place<P>) -> bool {
@@ -98,7 +98,7 @@ impl<P> Search<'_, P> {
         place.rate.filter(|rate| rate.is_finite() && (rate * unit).abs() > STATIONARY * size)
     }
 
-    /// Goes to the displacement that is wanted, from a place that was visited.
+    /// Goes to the displacement that is requested, from a place that was visited.
     pub fn go(mut self, start: Place<P>) -> Result<Place<P>, Missed> {
         if self.is_met(&start) {
             return Ok(start);
@@ -110,7 +110,7 @@ impl<P> Search<'_, P> {
         let Some(rate) = self.rate(&start) else {
             return Err(Missed::Unreachable { nearest: start.gone });
         };
-        // Of the driver, towards the displacement that is wanted.
+        // Of the driver, towards the displacement that is requested.
         let ahead = self.miss(&start).signum() * rate.signum();
         let found = self.march(start, ahead)?;
         Ok(self.polished(found))
@@ -320,7 +320,7 @@ mod tests {
         }
 
         /// The answer, and how many places were visited.
-        fn go(&self, start: f64, wanted: f64) -> (Result<Place<()>, Missed>, usize) {
+        fn go(&self, start: f64, requested: f64) -> (Result<Place<()>, Missed>, usize) {
             let mut visits = 0;
             let mut visit = |_: &(), driver: f64| {
                 visits += 1;
@@ -331,7 +331,7 @@ mod tests {
                 let end = if driver > high { high } else { low };
                 Err(Stop::NoPose { error: AssemblyError::ForeignPose, end: self.says_ends.then_some(end) })
             };
-            let found = Search { scale: SCALE, wanted, visit: &mut visit }.go(self.place(start));
+            let found = Search { scale: SCALE, requested, visit: &mut visit }.go(self.place(start));
             (found, visits)
         }
     }
@@ -342,14 +342,14 @@ mod tests {
     #[test]
     fn displacements_between_the_turns_are_met() {
         for k in -99..=99 {
-            let wanted = f64::from(k) / 100.0;
-            let (found, visits) = CRANK.go(0.3, wanted);
+            let requested = f64::from(k) / 100.0;
+            let (found, visits) = CRANK.go(0.3, requested);
             let place = found.expect("in reach");
             assert!(
-                (place.gone - wanted).abs() <= MET && (place.driver - wanted.asin()).abs() < 1e-10,
-                "{wanted}"
+                (place.gone - requested).abs() <= MET && (place.driver - requested.asin()).abs() < 1e-10,
+                "{requested}"
             );
-            assert!(visits <= 20, "{wanted}: {visits}");
+            assert!(visits <= 20, "{requested}: {visits}");
         }
         // Beside the last row two places are enough.
         let (found, visits) = CRANK.go(0.3, 0.3f64.sin() + 1e-4);
@@ -371,10 +371,10 @@ mod tests {
 
     #[test]
     fn beyond_the_turns_the_nearest_is_told() {
-        for (start, wanted, nearest) in [(0.3, 1.2, 1.0), (0.3, -1e12, -1.0), (2.0, 1.0 + 1e-6, 1.0)] {
-            let (found, visits) = CRANK.go(start, wanted);
+        for (start, requested, nearest) in [(0.3, 1.2, 1.0), (0.3, -1e12, -1.0), (2.0, 1.0 + 1e-6, 1.0)] {
+            let (found, visits) = CRANK.go(start, requested);
             let Err(Missed::Unreachable { nearest: got }) = found else { panic!("{found:?}") };
-            assert!((got - nearest).abs() < 1e-11 && visits <= 40, "{wanted}: {got} {visits}");
+            assert!((got - nearest).abs() < 1e-11 && visits <= 40, "{requested}: {got} {visits}");
         }
         // From the turn itself, to one side.
         let (found, _) = CRANK.go(FRAC_PI_2, 0.5);
@@ -389,9 +389,9 @@ mod tests {
         let of = |t: f64| (-(1.0 - t).max(0.0).sqrt(), 0.5 / (1.0 - t).max(0.0).sqrt());
         for says_ends in [true, false] {
             let motion = Motion { of, ends: [-9.0, 1.0], says_ends };
-            for (wanted, within) in [(-0.5, 1e-12), (-1e-3, 1e-12), (-1e-7, 1e-9), (0.0, 1e-9)] {
-                let place = motion.go(0.0, wanted).0.expect("in reach");
-                assert!((place.gone - wanted).abs() <= within, "{wanted}: {}", place.gone);
+            for (requested, within) in [(-0.5, 1e-12), (-1e-3, 1e-12), (-1e-7, 1e-9), (0.0, 1e-9)] {
+                let place = motion.go(0.0, requested).0.expect("in reach");
+                assert!((place.gone - requested).abs() <= within, "{requested}: {}", place.gone);
             }
             let Err(Missed::Unreachable { nearest }) = motion.go(0.0, 0.1).0 else { panic!() };
             assert!(nearest.abs() < 2e-8, "{nearest}");
@@ -408,9 +408,12 @@ mod tests {
         };
         for says_ends in [true, false] {
             let motion = Motion { of, ends: [-9.0, 1.0], says_ends };
-            for wanted in [0.5, 0.74, 0.9, 0.999, 1.0] {
-                let place = motion.go(0.0, wanted).0.expect("in reach");
-                assert!((place.gone - wanted).abs() <= MET && place.driver < 0.75, "{wanted}: {place:?}");
+            for requested in [0.5, 0.74, 0.9, 0.999, 1.0] {
+                let place = motion.go(0.0, requested).0.expect("in reach");
+                assert!(
+                    (place.gone - requested).abs() <= MET && place.driver < 0.75,
+                    "{requested}: {place:?}"
+                );
             }
             let Err(Missed::Unreachable { nearest }) = motion.go(0.0, 1.1).0 else { panic!() };
             assert!((nearest - 1.0).abs() < 1e-11, "{nearest}");

@@ -1,31 +1,28 @@
 //! The hot path: many configurations, nothing allocated after the first.
 
 use crate::assembly::Assembly;
-use crate::closing_speed::{ClosingRoom, relative_closing_speed};
-use crate::contact::{Contact, ContactPoint, ContactRow};
+use crate::contact::{Contact, ContactPoint};
 use crate::kinematics::Kinematics;
 use crate::mobility::{GroupMobility, MobilityRoom};
-use crate::outcome::{EffectiveMass, ResponseError, RouteError};
+use crate::outcome::{EffectiveMass, ResponseError};
 use crate::pose::Pose;
-use crate::recursion::{Deciding, Decisions, Following, Recursion};
+use crate::recursion::{Decisions, Following, Recursion};
+use crate::routes::{Question, RecursionRoom};
 use crate::system::System;
-use crate::tolerances::IMMOVABLE;
 use nalgebra::Vector3;
 use percuss_mechanism::LinkId;
 use percuss_spatial::{Scalar, SpatialInertia, Transform, Wrench};
 use std::sync::Arc;
 
-/// Room to pose a system again and again and to ask for m̄ by the recursion: trees, mimics, loops and held contacts.
+/// Room to pose a system again and again and to ask for m̄: trees, mimics, loops and held contacts. Nothing is allocated
+/// where the recursion answers.
 #[derive(Debug)]
 pub struct Workspace {
     assembly: Arc<Assembly>,
     kinematics: Kinematics<f64>,
     groups: Vec<GroupMobility>,
     room: MobilityRoom,
-    recursion: Recursion<f64, 1>,
-    deciding: Deciding<1>,
-    row: ContactRow,
-    closing: ClosingRoom,
+    recursion: RecursionRoom,
 }
 
 impl System {
@@ -45,10 +42,7 @@ impl Assembly {
             kinematics: Kinematics::zero(model),
             groups: vec![GroupMobility::default(); model.groups.len()],
             room: MobilityRoom::default(),
-            recursion: Recursion::new(model),
-            deciding: Deciding::new(model),
-            row: ContactRow::default(),
-            closing: ClosingRoom::default(),
+            recursion: RecursionRoom::new(model),
         };
         workspace.refill();
         workspace
@@ -77,46 +71,24 @@ impl Workspace {
         }
     }
 
-    /// m̄ of a contact at the positions last given, by the recursion; points and normals in the world are taken with the
-    /// root link at the world's origin. States no error: [`Pose::respond`] does.
+    /// m̄ of a contact at the positions last given, the same as of [`Pose::respond`] by the automatic choice: where the
+    /// recursion is not accurate the careful route is asked, which allocates. Points and normals in the world are taken
+    /// with the root link at the world's origin. States no error: [`Pose::respond`] does.
     ///
     /// # Errors
-    /// [`ResponseError`]: a contact that means nothing; a motion of negative mass.
+    /// [`ResponseError`]: a contact that means nothing; motions of negative mass that leave none that is positive.
     pub fn effective_mass(&mut self, contact: &Contact) -> Result<EffectiveMass, ResponseError> {
         let model = self.assembly.model();
         let located = model.locate(&self.kinematics, &Transform::identity(), contact)?;
-        self.recursion.clear();
-        let unit = Wrench::new(Vector3::zeros(), located.normal_root);
-        self.recursion.add_wrench(model.body_of(located.link), 0, unit);
-        self.recursion.add_wrench(located.against.and_then(|link| model.body_of(link)), 0, -unit);
-        self.deciding.restart();
-        self.recursion.eliminate(
+        let question = Question {
             model,
-            &self.kinematics,
-            &self.groups,
-            &located.point_root,
-            &mut self.deciding,
-        );
-        if self.deciding.indefinite {
-            return Err(RouteError::Indefinite.into());
-        }
-        model.contact_row_into(&self.kinematics, &located, &mut self.row);
-        let closing_speed = relative_closing_speed(
-            &mut self.closing,
-            model,
-            &self.kinematics,
-            &self.groups,
-            &self.recursion,
-            &self.row,
-        );
-        let response = self.recursion.response(0, 0);
-        Ok(if closing_speed <= IMMOVABLE {
-            EffectiveMass::Immovable
-        } else if self.deciding.massless[0] || response.is_nan() || response <= 0.0 {
-            EffectiveMass::Massless
-        } else {
-            EffectiveMass::Finite(1.0 / response)
-        })
+            kinematics: &self.kinematics,
+            groups: &self.groups,
+            misfits: self.assembly.misfits(),
+            located: &located,
+        };
+        question.run(&mut self.recursion);
+        Ok(question.effective_mass(&mut self.recursion)?)
     }
 }
 
@@ -149,7 +121,7 @@ impl Pose {
         Ok(ScalarWorkspace {
             assembly: Arc::clone(&self.assembly),
             groups: self.groups.clone(),
-            decisions: self.decisions(&located, contact),
+            decisions: self.decisions(&located),
             base: self.base,
             contact: *contact,
             kinematics,

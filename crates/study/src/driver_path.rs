@@ -111,8 +111,8 @@ impl DriverPath {
             AssemblyError::TooFar { reached, .. } => {
                 of_driver(reached).map_or(Extent::Everywhere, Extent::TooFar)
             }
-            AssemblyError::Unreachable { wanted, nearest, .. } => {
-                match (of_driver(wanted), of_driver(nearest)) {
+            AssemblyError::Unreachable { requested, nearest, .. } => {
+                match (of_driver(requested), of_driver(nearest)) {
                     (Some(_), Some(end)) if followed || self.driver_alone => Extent::Beyond(end),
                     (Some(_), _) => Extent::Nothing,
                     (None, _) => Extent::Everywhere,

@@ -279,6 +279,5 @@ fn remark(remark: &Remark) -> Finding {
                  where mobility is another"
             ),
         ),
-        _ => note("remark", format!("{remark:?}")),
     }
 }

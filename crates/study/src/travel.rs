@@ -35,14 +35,14 @@ impl Travel {
         Ok((Self { travel, start }, Driver { joint, base: base.clone() }))
     }
 
-    /// The pose where the point is displaced as wanted, on the branch of the last one.
+    /// The pose where the point is displaced as requested, on the branch of the last one.
     pub fn reach(
         &self,
         driver: &Driver,
         last: &Pose,
-        wanted: f64,
+        requested: f64,
     ) -> Result<Result<Pose, Missed>, StudyError> {
-        let error = match self.travel.pose(last, &driver.base, driver.joint, wanted) {
+        let error = match self.travel.pose(last, &driver.base, driver.joint, requested) {
             Ok(pose) => return Ok(Ok(pose)),
             Err(error) => error,
         };

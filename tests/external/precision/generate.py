@@ -41,12 +41,12 @@ def fixture(family):
     for case in family.cases:
         found = position(family.mechanisms[case["mechanism"]], case)
         check(case, found)
-        blows = []
+        answers = []
         for c, m in zip(case["contacts"], masses(found, case["contacts"])):
             if m is not None:
                 against = -1 if c["against"] is None else c["against"]
                 key = (c["on"], against, c["point"], c["normal"], int(c["world"]))
-                blows.append([contacts.setdefault(key, len(contacts)), written(m)])
+                answers.append([contacts.setdefault(key, len(contacts)), written(m)])
         row = {"seed": case["seed"], "of": case["mechanism"]}
         if case["count"] is not None:
             row["count"] = case["count"]
@@ -55,7 +55,7 @@ def fixture(family):
         if "near" in case:
             row["near"] = float(f"{float(case['near']):.3e}")
         values = [case["drivers"].get(i) or families.exact(found.q[i]) for i in found.mechanism.moving()]
-        groups.setdefault(case["group"], []).append({**row, "values": " ".join(values), "blows": blows})
+        groups.setdefault(case["group"], []).append({**row, "values": " ".join(values), "masses": answers})
     for rows in family.mechanisms:
         rows["joints"] = [row[:-1] if row[-1] == "" else row for row in rows["joints"]]
     return family.mechanisms, list(contacts), groups
@@ -82,8 +82,8 @@ def main():
         path.write_text(f'{{"mechanisms":[\n{listed(mechanisms)}],\n"contacts":[\n{listed(contacts)}],\n'
                         f'"groups":{{\n{inside}}}}}\n')
         cases = [case for some in groups.values() for case in some]
-        blows = sum(len(case["blows"]) for case in cases)
-        print(f"{name}: {len(cases)} cases, {blows} contacts, {path.stat().st_size} bytes, "
+        count = sum(len(case["masses"]) for case in cases)
+        print(f"{name}: {len(cases)} cases, {count} contacts, {path.stat().st_size} bytes, "
               f"{time.time() - began:.0f} s", flush=True)
 
 

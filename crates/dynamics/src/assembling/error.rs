@@ -21,14 +21,14 @@ pub enum AssemblyError {
     /// The drivers cannot reach the positions asked for.
     #[error(
         "{} cannot be reached: {} would not close; nearest reached: {}{}",
-        positions(wanted),
+        positions(requested),
         quoted(loops),
         positions(nearest),
         after(*starts)
     )]
     Unreachable {
         /// Driving joints and the positions asked for.
-        wanted: Vec<(String, f64)>,
+        requested: Vec<(String, f64)>,
         /// Where they came to on the same branch.
         nearest: Vec<(String, f64)>,
         /// The loops of the group.
@@ -40,12 +40,12 @@ pub enum AssemblyError {
     #[error(
         "{} is too far to follow the loops there in one go: they still closed at {}; whole turns can be left out if the \
          mechanism repeats after them, or give a starting pose there with --guess",
-        positions(wanted),
+        positions(requested),
         positions(reached)
     )]
     TooFar {
         /// Driving joints and the positions asked for.
-        wanted: Vec<(String, f64)>,
+        requested: Vec<(String, f64)>,
         /// How far they came.
         reached: Vec<(String, f64)>,
     },

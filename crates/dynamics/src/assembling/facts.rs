@@ -6,7 +6,10 @@ use crate::kinematics::Kinematics;
 use crate::mobility::{Drivers, Generic, Rank, independent_rows, rank_of_rows};
 use crate::model::{Group, Model};
 use crate::rows::GroupRows;
-use crate::tolerances::{CLOSED, ROUNDING, SETTLED};
+use crate::tolerances::{
+    CLOSED, FIRST_STARTS, FIRST_STARTS_ASIDE, GENERIC_POSES, GENERIC_POSES_ENOUGH, LARGE_GROUP, ROUNDING,
+    SAME_POSE, SETTLED,
+};
 use percuss_mechanism::{ClosureKind, JointId};
 
 /// What was found about one group.
@@ -100,18 +103,6 @@ pub(crate) struct Facts {
     pub groups: Vec<GroupFacts>,
 }
 
-/// A pose nearer to the first one than this part of the size is that pose again.
-const BACK: f64 = 1e-5;
-/// Seeded starts that are tried before a group is given up.
-const ATTEMPTS: u64 = 24;
-/// The sizes of these starts, rad or parts of the size.
-const ASIDE: [f64; 6] = [0.01, 0.1, 0.3, 1.0, 3.0, 2.0];
-/// Seeded poses around the first one at which the generic rank is looked for, and how many are enough.
-const AROUND: u64 = 12;
-const ENOUGH: usize = 3;
-/// Coordinates beyond which fewer are tried: the rank of a large group shows at one pose.
-const LARGE: usize = 160;
-
 impl Model {
     /// Finds the first closed pose, starting at `start`, and what is generic about each group.
     pub fn put_together(&self, mut start: Kinematics<f64>) -> Result<Facts, AssemblyError> {
@@ -201,12 +192,17 @@ impl Model {
         let advised: Vec<usize> = all.iter().copied().filter(|at| !declared(at)).collect();
         let mut best: Option<(Vec<f64>, Correction)> = None;
         let start = kinematics.q.clone();
-        for attempt in 0..ATTEMPTS {
+        for attempt in 0..FIRST_STARTS {
             kinematics.q.copy_from_slice(&start);
             self.refill_group(kinematics, group);
             if attempt > 1 {
                 // A start that is stuck (Aᵀr = 0 with r ≠ 0) is left by a fixed step aside, then a longer one.
-                self.perturb(kinematics, group, ASIDE[(attempt as usize / 2 - 1) % ASIDE.len()], attempt);
+                self.perturb(
+                    kinematics,
+                    group,
+                    FIRST_STARTS_ASIDE[(attempt as usize / 2 - 1) % FIRST_STARTS_ASIDE.len()],
+                    attempt,
+                );
             }
             let unknown = if attempt == 0 { &advised } else { all };
             let correction = self.correct(kinematics, group, Directions::of(unknown), tolerance);
@@ -252,9 +248,9 @@ impl Model {
                 best = (kinematics.q, rows, rank, rank.least);
             }
         };
-        let enough = if group.coordinates.len() > LARGE { 1 } else { ENOUGH };
+        let enough = if group.coordinates.len() > LARGE_GROUP { 1 } else { GENERIC_POSES_ENOUGH };
         let (mut found, mut unsettled) = (0, None);
-        for attempt in 0..AROUND {
+        for attempt in 0..GENERIC_POSES {
             let mut kinematics = reference.clone();
             self.perturb(&mut kinematics, group, [0.2, 0.1, 0.03][attempt as usize / 4], 1000 + attempt);
             let correction = self.correct(&mut kinematics, group, all, tolerance);
@@ -264,7 +260,7 @@ impl Model {
             }
             let apart = self.displacement(group, &reference.q, &kinematics.q);
             let gone = apart.iter().zip(&group.lengths).map(|(w, l)| (w * l).powi(2)).sum::<f64>().sqrt();
-            if gone < BACK * group.size || !self.is_settled(&kinematics, group, inexactness) {
+            if gone < SAME_POSE * group.size || !self.is_settled(&kinematics, group, inexactness) {
                 unsettled.get_or_insert(kinematics);
                 continue;
             }

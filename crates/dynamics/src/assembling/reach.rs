@@ -8,6 +8,7 @@ use crate::configuration::Configuration;
 use crate::kinematics::Kinematics;
 use crate::mobility::{Drivers, Singularity};
 use crate::model::{Group, Model};
+use crate::tolerances::{MATCHED, MODE_STARTS, MODE_STARTS_ASIDE, MODE_STARTS_WORK, SET_CORRECTIONS};
 use percuss_mechanism::JointId;
 
 /// A driver with a position of one number.
@@ -17,7 +18,7 @@ struct Driver {
     joint: JointId,
     /// Its place among the positions.
     q: usize,
-    wanted: f64,
+    requested: f64,
     given: bool,
 }
 
@@ -38,17 +39,6 @@ pub(crate) struct Closer<'a> {
     pub kinematics: Kinematics<f64>,
     pub state: LoopState,
 }
-
-/// Starts from which drivers are put at the positions asked for, when the branch does not reach there: a Cassie leg closes
-/// from one in seven.
-const STARTS: usize = 48;
-/// Sizes of these starts' motion aside, rad or parts of the size.
-const ASIDE: [f64; 4] = [0.3, 1.0, 2.0, 3.0];
-/// Most work of these starts, in cubes of a group's coordinates.
-const WORK: usize = 20_000_000;
-/// A joint with several positions that was set stands there when it is no further off than this part of the size: its
-/// values are given with eight decimals or fewer.
-const MATCHED: f64 = 1e-6;
 
 impl Closer<'_> {
     /// Closes a group.
@@ -123,13 +113,13 @@ impl Closer<'_> {
         failed: AssemblyError,
     ) -> Result<Option<Vec<f64>>, AssemblyError> {
         let before = self.kinematics.clone();
-        let starts = (WORK / group.coordinates.len().pow(3).max(1)).min(STARTS);
+        let starts = (MODE_STARTS_WORK / group.coordinates.len().pow(3).max(1)).min(MODE_STARTS);
         for attempt in 0..starts {
             self.model.set_group(&mut self.kinematics, group, &self.facts.reference);
             self.model.perturb(
                 &mut self.kinematics,
                 group,
-                ASIDE[attempt % ASIDE.len()],
+                MODE_STARTS_ASIDE[attempt % MODE_STARTS_ASIDE.len()],
                 5000 + attempt as u64,
             );
             self.put(group, drivers);
@@ -147,8 +137,8 @@ impl Closer<'_> {
             let joint = group.joints[at]?;
             let range = &self.model.joint_q[joint.index()];
             let given = self.configuration.given[joint.index()];
-            let wanted = self.configuration.values[joint.index()][0];
-            (range.len() == 1).then_some(Driver { at, joint, q: range.start, wanted, given })
+            let requested = self.configuration.values[joint.index()][0];
+            (range.len() == 1).then_some(Driver { at, joint, q: range.start, requested, given })
         };
         divided.driving.iter().filter_map(driver).collect()
     }
@@ -216,7 +206,7 @@ impl Closer<'_> {
         match self.start {
             Some(from) => {
                 let known = from.anchors.get(number).and_then(|anchor| anchor.as_ref());
-                let there = drivers.iter().all(|d| from.positions[d.q] == d.wanted);
+                let there = drivers.iter().all(|d| from.positions[d.q] == d.requested);
                 anchor = known.cloned();
                 let start = known.filter(|_| !there).map_or(from.positions, Vec::as_slice);
                 model.set_group(&mut self.kinematics, group, start);
@@ -226,7 +216,7 @@ impl Closer<'_> {
                 // At a change point or a dead centre there is no branch to follow.
                 if !regular(self) {
                     anchor = Some(facts.generic.clone());
-                    let there = drivers.iter().all(|d| home[d.q] == d.wanted);
+                    let there = drivers.iter().all(|d| home[d.q] == d.requested);
                     if !there {
                         model.set_group(&mut self.kinematics, group, &facts.generic);
                     }
@@ -265,12 +255,12 @@ impl Closer<'_> {
     }
 
     fn stands(&self, drivers: &[&Driver]) -> bool {
-        drivers.iter().all(|d| self.kinematics.q[d.q] == d.wanted)
+        drivers.iter().all(|d| self.kinematics.q[d.q] == d.requested)
     }
 
     fn put<'d>(&mut self, group: &Group, drivers: impl IntoIterator<Item = &'d Driver>) {
         for driver in drivers {
-            self.kinematics.q[driver.q] = driver.wanted;
+            self.kinematics.q[driver.q] = driver.requested;
         }
         self.model.refill_group(&mut self.kinematics, group);
     }
@@ -285,7 +275,7 @@ impl Closer<'_> {
         tolerance: f64,
     ) -> Result<Option<Vec<f64>>, AssemblyError> {
         let mut way = vec![0.0; group.coordinates.len()];
-        moving.iter().for_each(|d| way[d.at] = d.wanted - self.kinematics.q[d.q]);
+        moving.iter().for_each(|d| way[d.at] = d.requested - self.kinematics.q[d.q]);
         let Some(path) =
             DriverPath::new(self.model, group, &divided.dependent, way, tolerance, divided.conditioning)
         else {
@@ -315,8 +305,8 @@ impl Closer<'_> {
     fn still_to_go(&self, group: &Group, joints: &[JointId]) -> Vec<f64> {
         let mut goal = self.kinematics.q.clone();
         for id in joints {
-            let wanted = &self.configuration.values[id.index()];
-            goal[self.model.joint_q[id.index()].clone()].copy_from_slice(wanted);
+            let requested = &self.configuration.values[id.index()];
+            goal[self.model.joint_q[id.index()].clone()].copy_from_slice(requested);
         }
         let mut left = self.model.displacement(group, &self.kinematics.q, &goal);
         for (left, joint) in left.iter_mut().zip(&group.joints) {
@@ -342,7 +332,6 @@ impl Closer<'_> {
         drivers: &[Driver],
         tolerance: f64,
     ) -> Result<(), AssemblyError> {
-        const CORRECTIONS: usize = 30;
         let model = self.model;
         let joints = self.set_directly_joints(group);
         if joints.is_empty() {
@@ -360,7 +349,11 @@ impl Closer<'_> {
         for step in 0..steps {
             let part = 1.0 / (steps - step) as f64;
             let mut left: Vec<f64> = self.still_to_go(group, &joints).iter().map(|l| l * part).collect();
-            for _ in 0..CORRECTIONS {
+            for _ in 0..SET_CORRECTIONS {
+                if step + 1 == steps {
+                    // Rotations do not add: at the end what is left is measured, not counted down.
+                    left = self.still_to_go(group, &joints);
+                }
                 let here = Linearised::at(model, &self.kinematics, group);
                 let mut jacobian = directions.jacobian(group, &here.rows);
                 let mut target: Vec<f64> = here.residuals.iter().map(|r| -r).collect();
@@ -411,7 +404,7 @@ impl Closer<'_> {
     fn too_far(&self, drivers: &[Driver]) -> AssemblyError {
         let place = |d: &Driver, at: f64| (self.model.joint_name(d.joint).to_owned(), at);
         AssemblyError::TooFar {
-            wanted: drivers.iter().map(|d| place(d, d.wanted)).collect(),
+            requested: drivers.iter().map(|d| place(d, d.requested)).collect(),
             reached: drivers.iter().map(|d| place(d, self.kinematics.q[d.q])).collect(),
         }
     }
@@ -426,7 +419,7 @@ impl Closer<'_> {
         };
         let of_drivers = drivers.iter().map(|d| (name(d.joint), self.kinematics.q[d.q]));
         AssemblyError::Unreachable {
-            wanted: drivers.iter().map(|d| (name(d.joint), d.wanted)).collect(),
+            requested: drivers.iter().map(|d| (name(d.joint), d.requested)).collect(),
             nearest: of_drivers.chain(divided.dependent.iter().filter_map(follower)).collect(),
             loops: self.model.group_names(group),
             starts: 0,

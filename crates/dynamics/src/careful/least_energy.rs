@@ -1,6 +1,6 @@
 //! Route A's heart: the least kinetic energy at unit closing speed, for any semi-definite M and redundant A.
 
-use crate::tolerances::IMMOVABLE;
+use crate::tolerances::{IMMOVABLE, ROOT_ENERGY};
 use faer::{Mat, MatRef, Side};
 use nalgebra::DMatrix;
 
@@ -48,10 +48,6 @@ pub(crate) struct Solution {
     /// How many directions of motion carry no mass.
     pub massless_directions: usize,
 }
-
-/// In coordinates where M has unit diagonal, a direction whose root energy is below this carries no mass: a real one
-/// has at least √ε = 1.5e-8, rounding leaves 1e-13.
-const ROOT_ENERGY: f64 = 1e-10;
 
 /// M = L Lᵀ with pivots; zero pivots end it.
 struct Factor {

@@ -7,18 +7,9 @@
 use super::correct::{Directions, Linearised};
 use crate::kinematics::Kinematics;
 use crate::model::{Group, Model};
-
-/// Longest step, as a part of the characteristic length that no coordinate moves beyond.
-const LONGEST: f64 = 0.15;
-/// A shorter step than this part of the length is not worth going on with.
-const SHORTEST: f64 = 1e-9;
-/// Most steps: some thousand turns of a small group; of a large one fewer, which take as long.
-const STEPS: usize = 100_000;
-const FEWEST_STEPS: usize = 500;
-/// The tangent turns by less than about 25° in a step.
-const STRAIGHT: f64 = 0.9;
-/// Followers' Jacobians whose least pivot is below this part of its size at the generic pose are near-singular.
-const NARROW: f64 = 1e-2;
+use crate::tolerances::{
+    BRANCH_STEPS, FEWEST_BRANCH_STEPS, LONGEST_BRANCH_STEP, NEARLY_SINGULAR, SHORTEST_BRANCH_STEP, STRAIGHT,
+};
 
 /// A straight path of a group's drivers.
 pub(crate) struct DriverPath<'a> {
@@ -135,7 +126,7 @@ impl<'a> DriverPath<'a> {
         }
         let mut step = self.longest(&here.tangent);
         let columns = self.unknown.len() + 1;
-        let steps = (10_000_000 / columns.pow(3)).clamp(FEWEST_STEPS, STEPS);
+        let steps = (10_000_000 / columns.pow(3)).clamp(FEWEST_BRANCH_STEPS, BRANCH_STEPS);
         let mut too_far = true;
         for _ in 0..steps {
             let left = (target - here.gone).abs();
@@ -178,7 +169,7 @@ impl<'a> DriverPath<'a> {
                 }
                 None => step /= 2.0,
             }
-            if step < SHORTEST * self.size() {
+            if step < SHORTEST_BRANCH_STEP * self.size() {
                 too_far = false;
                 break;
             }
@@ -188,7 +179,7 @@ impl<'a> DriverPath<'a> {
     }
 
     fn longest(&self, tangent: &[f64]) -> f64 {
-        LONGEST * self.size() / tangent.iter().fold(0.0, |most: f64, t| most.max(t.abs()))
+        LONGEST_BRANCH_STEP * self.size() / tangent.iter().fold(0.0, |most: f64, t| most.max(t.abs()))
     }
 
     /// A step along the tangent, corrected by the shortest motion; none where it would leave the branch.
@@ -235,7 +226,7 @@ impl<'a> DriverPath<'a> {
 
     /// Whether the followers' Jacobian is nearly singular here.
     fn is_narrow(&self, here: &Linearised) -> bool {
-        self.followers().jacobian(self.group, &here.rows).pivot_ratio() < NARROW * self.conditioning
+        self.followers().jacobian(self.group, &here.rows).pivot_ratio() < NEARLY_SINGULAR * self.conditioning
     }
 
     /// The unit tangent of the curve that is nearest to `before`: J t = 0, `before`·t > 0. Where branches cross, the part

@@ -4,7 +4,7 @@ use crate::kinematics::Kinematics;
 use crate::linear::jacobian::Jacobian;
 use crate::model::{Group, Model};
 use crate::rows::{GroupRows, largest};
-use crate::tolerances::{FOLLOWED, ROUNDING};
+use crate::tolerances::{COMMENSURATE, CORRECTION_ITERATIONS, FOLLOWED, ROUNDING};
 
 /// The directions in which a group may be moved.
 #[derive(Clone, Copy)]
@@ -29,12 +29,6 @@ pub(crate) struct Correction {
     /// The group where it ended.
     pub here: Linearised,
 }
-
-/// Most iterations of a correction.
-const ITERATIONS: usize = 60;
-/// A loop that fits is closed by a motion of at most this many times its residual as drawn; beyond, the motion follows a
-/// direction that owes its weight to the residual itself.
-const COMMENSURATE: f64 = 100.0;
 
 impl<'a> Directions<'a> {
     /// These coordinates, each by itself.
@@ -147,7 +141,7 @@ impl Model {
         let (mut moved, mut along) = (0.0, 0.0);
         let mut damping = 0.0;
         let mut here = Linearised::at(self, kinematics, group);
-        for _ in 0..ITERATIONS {
+        for _ in 0..CORRECTION_ITERATIONS {
             let cost = norm(&here.residuals);
             let worst = largest(&here.residuals).0;
             if cost == 0.0 || worst <= 1e-3 * tolerance {

@@ -5,12 +5,8 @@
 
 use super::branch::{DriverPath, Point};
 use crate::kinematics::Kinematics;
+use crate::tolerances::{CROSSING_PLACES, CROSSING_STEP};
 use percuss_mechanism::JointKind;
-
-/// Places on each side.
-const PLACES: usize = 4;
-/// Distance of the places on the curve, as a part of the characteristic length: η⁸/35 of the eighth derivative remains.
-const APART: f64 = 0.015;
 
 impl DriverPath<'_> {
     /// Puts the group at the target on the branch of a regular point `here`. Gives a regular pose beside it; none, and
@@ -24,7 +20,7 @@ impl DriverPath<'_> {
         let plain = kinematics.q.clone();
         let slope = here.tangent[self.unknown.len()].abs();
         let found = [1.0, 1.6, 2.5].iter().find_map(|factor| {
-            let apart = factor * APART * self.group.size * slope;
+            let apart = factor * CROSSING_STEP * self.group.size * slope;
             self.interpolated(kinematics, here, target, apart * (target - here.gone).signum())
         });
         if found.is_none() {
@@ -41,8 +37,9 @@ impl DriverPath<'_> {
         target: f64,
         apart: f64,
     ) -> Option<Vec<f64>> {
-        let offsets = (1..=PLACES as i32).rev().map(|k| -k).chain(1..=PLACES as i32).map(f64::from);
-        let mut known: Vec<(f64, Vec<f64>)> = Vec::with_capacity(2 * PLACES);
+        let offsets =
+            (1..=CROSSING_PLACES as i32).rev().map(|k| -k).chain(1..=CROSSING_PLACES as i32).map(f64::from);
+        let mut known: Vec<(f64, Vec<f64>)> = Vec::with_capacity(2 * CROSSING_PLACES);
         let mut from = here.clone();
         for offset in offsets {
             let gone = target + offset * apart;

@@ -5,11 +5,7 @@ use crate::kinematics::Kinematics;
 use crate::linear::dense::{cholesky, cholesky_solve};
 use crate::linear::jacobian::Jacobian;
 use crate::model::{Group, Model};
-
-/// Coordinates up to which the weakest direction is looked for.
-const LARGE: usize = 64;
-/// Singular values below this part of the largest are rounding.
-const FAINT: f64 = 1e-13;
+use crate::tolerances::{FAINT_SINGULAR_VALUE, INVERSE_ITERATIONS, REGULAR_SQUARE, WEAKEST_DIRECTION_LIMIT};
 
 impl Model {
     /// Rates over the group's coordinates by which its pose may be from closed.
@@ -35,13 +31,13 @@ impl Model {
         let rounding = 8.0 * f64::EPSILON * group.size.max(far);
         let size = target.iter().map(|r| r * r).sum::<f64>().sqrt();
         let open = if inexactness > 0.0 { size.max(rounding) } else { rounding };
-        let floor = if inexactness > 0.0 { group.floor_for(inexactness) } else { FAINT };
-        let small = dependent.len() <= LARGE;
+        let floor = if inexactness > 0.0 { group.floor_for(inexactness) } else { FAINT_SINGULAR_VALUE };
+        let small = dependent.len() <= WEAKEST_DIRECTION_LIMIT;
         let regular = (small && inexactness == 0.0).then(|| regular_step(&jacobian, &target, open)).flatten();
         let mut step = match regular {
             Some(step) => step,
             None if small => weak_step(&jacobian.dense(), &target, open, floor),
-            None => jacobian.shortest(&target, FAINT),
+            None => jacobian.shortest(&target, FAINT_SINGULAR_VALUE),
         };
         // No pose is uncertain by more than a radian.
         let long = step.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -50,11 +46,6 @@ impl Model {
         directions.expand(group, |k| step[k])
     }
 }
-
-/// Squares of singular values below this part of the largest are no longer told from rounding in JᵀJ.
-const REGULAR: f64 = 1e-10;
-/// Each brings the weakest direction forward by the square of the ratio of singular values.
-const INVERSE_ITERATIONS: usize = 3;
 
 /// The step that closes to first order, and `open` over the least singular value along its vector, where all are well
 /// above the root of rounding: by JᵀJ and inverse iterations.
@@ -72,7 +63,7 @@ fn regular_step(jacobian: &Jacobian, target: &[f64], open: f64) -> Option<Vec<f6
             }
         }
     }
-    if !cholesky(&mut normal, n, REGULAR) {
+    if !cholesky(&mut normal, n, REGULAR_SQUARE) {
         return None;
     }
     cholesky_solve(&normal, &mut step);

@@ -1,5 +1,7 @@
 //! Small square systems.
 
+use crate::tolerances::JACOBI_SWEEPS;
+
 /// Solves A x = b in place by elimination with partial pivoting; A n×n, row by row. A zero pivot leaves infinities.
 pub(crate) fn solve_square(a: &mut [f64], b: &mut [f64]) {
     let n = b.len();
@@ -120,12 +122,11 @@ pub(crate) fn orthogonal_pivot_ratio(columns: &mut [f64], length: usize) -> f64 
 /// `values` is large enough. Leaves the matrix rotated. Source: Hestenes 1958; Golub, Van Loan, Matrix Computations, 2013,
 /// §8.6.3 (cited from memory).
 pub(crate) fn singular_values(a: &mut [f64], n: usize, values: &mut Vec<f64>) {
-    const SWEEPS: usize = 40;
     values.clear();
     if n == 0 {
         return;
     }
-    for _ in 0..SWEEPS {
+    for _ in 0..JACOBI_SWEEPS {
         let mut rotated = false;
         for p in 0..n {
             for q in p + 1..n {

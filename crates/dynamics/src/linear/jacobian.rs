@@ -2,17 +2,10 @@
 
 use super::dense::{cholesky, cholesky_solve, orthogonal_pivot_ratio};
 use super::sparse::{SparseRows, eliminate, pivot_ratio};
-use crate::tolerances::STEP_RANK;
+use crate::tolerances::{DENSE_LIMIT, NORMAL_EQUATIONS_FILL, STEP_RANK, WELL_CONDITIONED};
 use faer::linalg::solvers::{Solve, SolveLstsq};
 use faer::sparse::{SparseColMat, Triplet};
 use faer::{Mat, Side};
-
-/// Columns, or rows, up to which J is factorised densely with pivots.
-const DENSE: usize = 64;
-/// Least over largest pivot from which JᵀJ is formed instead of factorising J.
-const WELL_CONDITIONED: f64 = 1e-4;
-/// Entries of JJᵀ, counted with repetition, up to which it is formed: 100 MB.
-const FILL: usize = 4_000_000;
 
 /// A over the directions in which a group may be moved, each measured in metres.
 #[derive(Clone, Debug)]
@@ -47,7 +40,7 @@ impl Jacobian {
         if self.columns == 0 || self.rows == 0 || self.largest() == 0.0 {
             return vec![0.0; self.columns];
         }
-        if self.columns > DENSE && self.rows > DENSE {
+        if self.columns > DENSE_LIMIT && self.rows > DENSE_LIMIT {
             return self.shortest_sparse(target, floor.max(STEP_RANK));
         }
         if floor < WELL_CONDITIONED
@@ -103,7 +96,7 @@ impl Jacobian {
         if n == 0 || m == 0 || weight == 0.0 {
             return vec![0.0; n];
         }
-        if n <= DENSE {
+        if n <= DENSE_LIMIT {
             let mut stacked = Mat::zeros(m + n, n);
             self.entries.iter().for_each(|(r, c, a)| stacked[(*r, *c)] += a);
             (0..n).for_each(|c| stacked[(m + c, c)] = weight);
@@ -111,7 +104,7 @@ impl Jacobian {
             let x = stacked.qr().solve_lstsq(right);
             return (0..n).map(|c| x[(c, 0)]).collect();
         }
-        if m <= DENSE {
+        if m <= DENSE_LIMIT {
             return self.damped_by_rows(target, weight);
         }
         let all: Vec<usize> = (0..m).collect();
@@ -161,7 +154,7 @@ impl Jacobian {
         for (r, c, a) in self.entries.iter().filter(|(r, ..)| place[*r] != usize::MAX) {
             columns[*c].push((place[*r], *a));
         }
-        if columns.iter().map(|c| c.len() * c.len()).sum::<usize>() > FILL {
+        if columns.iter().map(|c| c.len() * c.len()).sum::<usize>() > NORMAL_EQUATIONS_FILL {
             return None;
         }
         let m = right.len();
@@ -205,7 +198,7 @@ impl Jacobian {
         if self.rows < self.columns {
             return 0.0;
         }
-        if self.columns > DENSE {
+        if self.columns > DENSE_LIMIT {
             return pivot_ratio(self.rows, self.columns, &self.entries);
         }
         let mut columns = vec![0.0; self.rows * self.columns];

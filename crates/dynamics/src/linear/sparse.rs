@@ -1,14 +1,9 @@
 //! Sparse rows, eliminated where that fills in least (Markowitz 1957) among pivots that are not small in their rows
 //! (threshold pivoting: Duff, Erisman, Reid, Direct Methods for Sparse Matrices, 2017, §5.2; cited from memory).
 
-use crate::tolerances::STEP_RANK;
+use crate::tolerances::{SPARSE_CANDIDATES, SPARSE_PIVOT, STEP_RANK};
 use percuss_spatial::Scalar;
 use std::collections::BTreeSet;
-
-/// A pivot is at least this part of its row's largest entry.
-const THRESHOLD: f64 = 0.1;
-/// Rows with the fewest entries among which a pivot is looked for.
-const LOOKED_AT: usize = 4;
 
 /// Rows of a matrix, each its entries by ascending column.
 #[derive(Clone, Debug)]
@@ -189,7 +184,7 @@ fn next_pivot(
     loop {
         let mut best: Option<(usize, f64, usize, usize)> = None;
         let mut aside = Vec::new();
-        for &(count, r) in open.iter().take(LOOKED_AT) {
+        for &(count, r) in open.iter().take(SPARSE_CANDIDATES) {
             let row = sparse.rows[r].iter().filter(|(c, _)| allowed(*c));
             let largest = row.clone().fold(0.0, |most: f64, (_, a)| most.max(a.abs()));
             if largest <= zero {
@@ -197,7 +192,7 @@ fn next_pivot(
                 aside.push((count, r));
                 continue;
             }
-            for (c, a) in row.filter(|(_, a)| a.abs() >= THRESHOLD * largest) {
+            for (c, a) in row.filter(|(_, a)| a.abs() >= SPARSE_PIVOT * largest) {
                 let fill = (count - 1) * (sparse.holders[*c].len().saturating_sub(1));
                 if best.is_none_or(|(least, size, ..)| fill < least || fill == least && a.abs() > size) {
                     best = Some((fill, a.abs(), r, *c));

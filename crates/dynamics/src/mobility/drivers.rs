@@ -5,6 +5,7 @@ use crate::linear::jacobian::Jacobian;
 use crate::linear::sparse::{SparseRows, eliminate_by_class};
 use crate::model::{Group, Model};
 use crate::rows::GroupRows;
+use crate::tolerances::{DENSE_LIMIT, INDEPENDENT_COLUMNS};
 use faer::Mat;
 use nalgebra::DMatrix;
 
@@ -19,12 +20,6 @@ pub(crate) struct Drivers {
     /// Least over largest pivot of the dependent coordinates' Jacobian at the generic pose.
     pub conditioning: f64,
 }
-
-/// Coordinates up to which the division is made by dense pivots.
-const DENSE: usize = 64;
-/// A column counts as independent of others where more than this part of the largest is left of it; the second, where
-/// that leaves too few.
-const INDEPENDENT: [f64; 2] = [1e-6, 1e-10];
 
 /// Priority of a coordinate as a driver: those of the lowest depend first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -47,7 +42,7 @@ impl Model {
     /// Who drives where nothing is set: what is declared, else what looks driven and is well-conditioned.
     pub fn default_drivers(&self, group: &Group, rows: &GroupRows<f64>, floor: f64) -> Drivers {
         let jacobian = of_movable(group, rows);
-        let count = if group.movable.len() <= DENSE {
+        let count = if group.movable.len() <= DENSE_LIMIT {
             decide(&singular_values(&dense(&jacobian), &vec![1.0; jacobian.columns]), floor).rank
         } else {
             usize::MAX
@@ -105,7 +100,7 @@ impl Model {
             .iter()
             .map(|&at| 1.0 + self.coordinates[group.coordinates[at]].depth as f64)
             .collect();
-        let mut chosen = if group.movable.len() <= DENSE {
+        let mut chosen = if group.movable.len() <= DENSE_LIMIT {
             choose(&dense(&jacobian), count, &priorities, &weights)
         } else {
             let mut sparse = SparseRows::default();
@@ -163,7 +158,7 @@ fn choose(matrix: &DMatrix<f64>, count: usize, priorities: &[Priority], weights:
     order.dedup();
     // Orthonormal columns that the chosen ones span.
     let mut span = Mat::<f64>::zeros(rows, 0);
-    for threshold in INDEPENDENT {
+    for threshold in INDEPENDENT_COLUMNS {
         for &priority in &order {
             let open: Vec<usize> =
                 (0..matrix.ncols()).filter(|k| priorities[*k] == priority && !chosen.contains(k)).collect();

@@ -6,11 +6,8 @@ use crate::linear::dense;
 use crate::linear::sparse::{self, SparseRows};
 use crate::model::{Group, Model};
 use crate::rows::GroupRows;
-use crate::tolerances::{RANK_MARGIN, SINGULAR_VALUES_LIMIT, SURE_PIVOT};
+use crate::tolerances::{DENSE_LIMIT, RANK_MARGIN, SINGULAR_VALUES_LIMIT, SURE_PIVOT};
 use percuss_spatial::Scalar;
-
-/// Coordinates of a group up to which its rows are eliminated densely.
-pub(super) const DENSE: usize = 64;
 
 /// Which rows and columns of a group's A are eliminated, in this order: K = A[rows, columns] is regular, and the
 /// coordinates in `columns` depend on the others.
@@ -57,7 +54,7 @@ impl Model {
     ) {
         let n = group.coordinates.len();
         room.rows.fill(self, group, kinematics);
-        if n > DENSE {
+        if n > DENSE_LIMIT {
             *decided = decide_large(&room.rows, group, floor);
             return;
         }
@@ -249,7 +246,7 @@ impl<T: Scalar> Rates<T> {
             self.values[c * self.count + y] = T::one();
         }
         self.rows.fill(model, group, kinematics);
-        if n > DENSE {
+        if n > DENSE_LIMIT {
             self.sparse.load(group.rows, n, |add| self.rows.for_each(group, add));
             let Pivots { rows, columns } = &known.pivots;
             self.sparse.solve(rows, columns, &known.independent, &mut self.values);

@@ -1,11 +1,9 @@
 //! On which loops, couplings and held contacts the redundant rows of A lie.
 
+use crate::tolerances::FAINT_COEFFICIENT;
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 use nalgebra::DMatrix;
-
-/// A coefficient below this part of the largest means that a row has no part in a dependency.
-const FAINT: f64 = 1e-7;
 
 /// Sets of names whose rows depend on one another: those that cannot be separated together.
 #[derive(Debug, Default)]
@@ -36,7 +34,8 @@ impl Redundancy {
             let row = order[rank + k];
             redundant[row] = true;
             let largest = (0..rank).map(|i| coefficients[(i, k)].abs()).fold(0.0, f64::max);
-            for i in (0..rank).filter(|&i| coefficients[(i, k)].abs() > FAINT * largest.max(1.0)) {
+            for i in (0..rank).filter(|&i| coefficients[(i, k)].abs() > FAINT_COEFFICIENT * largest.max(1.0))
+            {
                 redundant[order[i]] = true;
                 join(&mut together, row, order[i]);
             }

@@ -8,6 +8,7 @@ use crate::linear::dense::determinant_sign;
 use crate::linear::jacobian::Jacobian;
 use crate::model::{Group, Model};
 use crate::rows::GroupRows;
+use crate::tolerances::{DEAD_CENTRE, MODE_LIMIT, NEAR_CHANGE_POINT};
 
 /// How a group of loops stands.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -26,13 +27,6 @@ pub(crate) struct Mode {
     pub sign: i8,
     pub singularity: Singularity,
 }
-
-/// Dependent coordinates whose Jacobian's least pivot is below this part of its generic size stand at a dead centre.
-const DEAD: f64 = 1e-6;
-/// Where the least singular value that should count is below this part of the largest, a change point is near.
-const NEAR: f64 = 1e-4;
-/// Coordinates up to which a mode is named: of larger groups only that they are regular.
-const LARGE: usize = 160;
 
 /// What is known of a group at its generic pose.
 pub(crate) struct Generic<'a> {
@@ -58,10 +52,10 @@ impl Model {
         let dependent = &drivers.dependent;
         let here = scaled(group, &rows, dependent);
         // Only where the dependent coordinates' columns are weak can there be a singularity.
-        let weak = here.pivot_ratio() < DEAD * drivers.conditioning;
+        let weak = here.pivot_ratio() < DEAD_CENTRE * drivers.conditioning;
         let singularity = if weak { singularity(group, &rows, generic) } else { Singularity::None };
         let count = dependent.len();
-        if singularity != Singularity::None || count == 0 || count > LARGE {
+        if singularity != Singularity::None || count == 0 || count > MODE_LIMIT {
             return Mode { sign: 0, singularity };
         }
         let order = match generic.default_rows {
@@ -84,7 +78,7 @@ impl Model {
 /// As many rows as coordinates depend, independent at the generic pose.
 pub(crate) fn independent_rows(group: &Group, rows: &GroupRows<f64>, dependent: &[usize]) -> Vec<usize> {
     let there = scaled(group, rows, dependent).dense();
-    if dependent.len() > LARGE || group.rows < dependent.len() || there.norm_max() == 0.0 {
+    if dependent.len() > MODE_LIMIT || group.rows < dependent.len() || there.norm_max() == 0.0 {
         return Vec::new();
     }
     there.transpose().to_owned().col_piv_qr().P().arrays().0[..dependent.len()].to_vec()
@@ -110,7 +104,7 @@ fn singularity(group: &Group, rows: &GroupRows<f64>, generic: &Generic) -> Singu
     let least = generic.rank.rank.checked_sub(1).map_or(f64::INFINITY, |last| values[last]);
     if decide(&values, generic.floor).rank < generic.rank.rank {
         Singularity::ChangePoint
-    } else if least > NEAR * values[0] {
+    } else if least > NEAR_CHANGE_POINT * values[0] {
         Singularity::DeadCentre
     } else {
         Singularity::None

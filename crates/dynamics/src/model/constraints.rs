@@ -5,11 +5,9 @@ use super::body::LinkFrame;
 use super::compile::ZeroFrames;
 use super::constraint::{CompiledClosure, CompiledCoupling};
 use crate::conditions::CompiledHold;
+use crate::tolerances::REVERSED_AXES;
 use percuss_mechanism::{ClosureKind, JointKind, LoopFrame};
 use percuss_spatial::Transform;
-
-/// Axes with a cosine below this with all joints at 0 were written to point opposite ways: within 8°.
-const REVERSED: f64 = -0.99;
 
 impl Model {
     /// Compiles the mechanism's closures and couplings and the held contacts, once its bodies are numbered.
@@ -31,7 +29,7 @@ impl Model {
                 closure.kind(),
                 ClosureKind::Revolute | ClosureKind::Cylindrical | ClosureKind::Planar
             );
-            let opposite = x_rp.vector(&axis).dot(&x_rs.vector(&axis)) < REVERSED * axis.norm_squared();
+            let opposite = x_rp.vector(&axis).dot(&x_rs.vector(&axis)) < REVERSED_AXES * axis.norm_squared();
             self.closures.push(CompiledClosure {
                 name: closure.name().to_owned(),
                 kind: closure.kind(),

@@ -1,16 +1,14 @@
 //! One bound cluster: its rates G over its independent coordinates, then its block elimination.
 
 use super::Recursion;
-use super::elimination::ClusterElimination;
+use super::elimination::{ClusterElimination, Motion};
 use super::pivoting::Pivoting;
 use crate::kinematics::Kinematics;
 use crate::mobility::{GroupMobility, Rates};
 use crate::model::{Cluster, Model};
+use crate::tolerances::LARGE_CLUSTER;
 use nalgebra::Vector3;
 use percuss_spatial::{ArticulatedInertia, Scalar, Twist, Wrench};
-
-/// Independent coordinates of a cluster beyond which its blocks are formed from its mass matrix.
-const LARGE: usize = 48;
 
 impl<T: Scalar, const K: usize> Recursion<T, K> {
     #[expect(clippy::too_many_arguments, reason = "one step of `eliminate`, which owns all of these")]
@@ -132,7 +130,7 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
     /// D, U and t.
     fn fill_blocks(&mut self, recursion: &Recursion<T, K>, cluster: &Cluster) {
         let d = self.d;
-        if d > LARGE {
+        if d > LARGE_CLUSTER {
             return self.fill_large_blocks(recursion, cluster);
         }
         self.u.clear();
@@ -321,10 +319,17 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
     }
 
     /// Rates of the independent coordinates while the body that carries the cluster moves with `twist`: D u = t − Uᵀ V;
-    /// of those dropped, as given in `free` (none: zero).
-    pub fn independent_rates(&self, twist: &Twist<T>, loaded: bool, free: Option<usize>) -> Vec<T> {
+    /// of those dropped, as given in `free` (none: zero). Written over `u`.
+    pub fn fill_independent_rates(
+        &self,
+        twist: &Twist<T>,
+        loaded: bool,
+        free: Option<usize>,
+        u: &mut Vec<T>,
+    ) {
         let d = self.d;
-        let mut u = vec![T::zero(); d];
+        u.clear();
+        u.resize(d, T::zero());
         if let Some(y) = free {
             u[y] = T::one();
         }
@@ -337,46 +342,31 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
             }
             u[y] = rate;
         }
-        u
     }
 
     /// Velocities and twists of the cluster; with `free`, those of a motion without mass instead of the response.
-    pub fn velocities(
-        &self,
-        cluster: &Cluster,
-        twists: &mut [Twist<T>],
-        velocities: &mut [T],
-        free: Option<usize>,
-    ) {
-        let carried = cluster.parent.map_or_else(Twist::zero, |p| twists[p]);
-        let u = self.independent_rates(&carried, free.is_none(), free);
-        self.spread(cluster, &carried, &u, twists, velocities);
+    pub fn velocities(&self, cluster: &Cluster, motion: &mut Motion<T>, free: Option<usize>) {
+        self.spread(cluster, motion, free.is_none(), free);
     }
 
     /// The same without a load: the cluster follows the body that carries it.
-    pub fn follows(&self, cluster: &Cluster, twists: &mut [Twist<T>], velocities: &mut [T]) {
-        let carried = cluster.parent.map_or_else(Twist::zero, |p| twists[p]);
-        let u = self.independent_rates(&carried, false, None);
-        self.spread(cluster, &carried, &u, twists, velocities);
+    pub fn follows(&self, cluster: &Cluster, motion: &mut Motion<T>) {
+        self.spread(cluster, motion, false, None);
     }
 
-    fn spread(
-        &self,
-        cluster: &Cluster,
-        carried: &Twist<T>,
-        u: &[T],
-        twists: &mut [Twist<T>],
-        velocities: &mut [T],
-    ) {
+    fn spread(&self, cluster: &Cluster, motion: &mut Motion<T>, loaded: bool, free: Option<usize>) {
+        let Motion { velocities, twists, rates } = motion;
+        let carried = cluster.parent.map_or_else(Twist::zero, |p| twists[p]);
+        self.fill_independent_rates(&carried, loaded, free, rates);
         let d = self.d;
         for v in &cluster.velocities {
             let row = &self.g[v.coordinate * d..(v.coordinate + 1) * d];
-            let rate = row.iter().zip(u).fold(T::zero(), |sum, (g, u)| sum + *g * *u);
+            let rate = row.iter().zip(&*rates).fold(T::zero(), |sum, (g, u)| sum + *g * *u);
             velocities[v.index] = rate * T::from_f64(v.multiplier);
         }
         for (at, &b) in cluster.bodies.iter().enumerate() {
-            let mut twist = *carried;
-            for (psi, u) in self.psi[at * d..(at + 1) * d].iter().zip(u) {
+            let mut twist = carried;
+            for (psi, u) in self.psi[at * d..(at + 1) * d].iter().zip(&*rates) {
                 twist += *psi * *u;
             }
             twists[b] = twist;

@@ -1,7 +1,29 @@
 //! What the recursion keeps of the eliminations that it made.
 
 use crate::mobility::Rates;
+use crate::model::Model;
 use percuss_spatial::{Scalar, Twist, Wrench};
+
+/// Room for the motion that the recursion leads to; refilled in place.
+#[derive(Clone, Debug)]
+pub(crate) struct Motion<T: Scalar> {
+    /// Velocities of the tree.
+    pub velocities: Vec<T>,
+    /// Twists of the bodies, root axes at the contact point.
+    pub twists: Vec<Twist<T>>,
+    /// Of the cluster at hand: rates of its independent coordinates.
+    pub(super) rates: Vec<T>,
+}
+
+impl<T: Scalar> Motion<T> {
+    pub fn new(model: &Model) -> Self {
+        Self {
+            velocities: vec![T::zero(); model.follows.len()],
+            twists: vec![Twist::zero(); model.bodies.len()],
+            rates: Vec::new(),
+        }
+    }
+}
 
 /// What the recursion keeps for one velocity.
 #[derive(Clone, Debug)]

@@ -2,7 +2,7 @@
 //! are small last. A floating base is such a joint.
 
 use super::Recursion;
-use super::elimination::JointElimination;
+use super::elimination::{JointElimination, Motion};
 use super::pivoting::Pivoting;
 use crate::kinematics::Kinematics;
 use crate::model::Model;
@@ -85,14 +85,8 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
 
     /// u̇ = D⁻¹ (t − Uᵀ V): what is eliminated first is found last. Not `loaded`, the joint follows the body that carries it.
     #[inline]
-    pub(super) fn joint_velocities(
-        &self,
-        model: &Model,
-        i: usize,
-        loaded: bool,
-        twists: &mut [Twist<T>],
-        velocities: &mut [T],
-    ) {
+    pub(super) fn joint_velocities(&self, model: &Model, i: usize, loaded: bool, motion: &mut Motion<T>) {
+        let Motion { velocities, twists, .. } = motion;
         let body = &model.bodies[i];
         let mut twist = body.parent.map_or_else(Twist::zero, |p| twists[p]);
         for &v in self.order[body.v.clone()].iter().rev() {

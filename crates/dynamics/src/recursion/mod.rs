@@ -17,14 +17,14 @@ mod elimination;
 mod joint;
 mod pivoting;
 
-pub(crate) use elimination::{ClusterElimination, JointElimination};
+pub(crate) use elimination::{ClusterElimination, JointElimination, Motion};
 pub(crate) use pivoting::{Deciding, Decisions, Following, FreeMotion, Pivoting};
 
 use crate::kinematics::Kinematics;
 use crate::mobility::GroupMobility;
 use crate::model::Model;
 use nalgebra::Vector3;
-use percuss_spatial::{ArticulatedInertia, Scalar, SpatialInertia, Transform, Twist, Wrench};
+use percuss_spatial::{ArticulatedInertia, Scalar, SpatialInertia, Transform, Wrench};
 
 /// Room for the recursion with `K` test wrenches at once; refilled in place.
 #[derive(Clone, Debug)]
@@ -143,28 +143,19 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
 
     /// Velocities of the tree and twists of the bodies (root axes, at the contact point) after a unit impulse of test
     /// wrench 0: M⁻¹ jᵀ. Found from the root to the tips.
-    pub fn velocities(
-        &self,
-        model: &Model,
-        point: &Vector3<T>,
-        twists: &mut [Twist<T>],
-        velocities: &mut [T],
-    ) {
-        for number in (0..model.clusters.len()).rev() {
+    pub fn velocities(&self, model: &Model, point: &Vector3<T>, motion: &mut Motion<T>) {
+        for (number, cluster) in model.clusters.iter().enumerate().rev() {
             match self.place[number] {
-                None => {
-                    self.joint_velocities(model, model.clusters[number].bodies[0], true, twists, velocities)
-                }
-                Some(place) => {
-                    self.clusters[place].velocities(&model.clusters[number], twists, velocities, None);
-                }
+                None => self.joint_velocities(model, cluster.bodies[0], true, motion),
+                Some(place) => self.clusters[place].velocities(cluster, motion, None),
             }
         }
-        self.base_velocities(model, point, twists, velocities);
+        self.base_velocities(model, point, motion);
     }
 
     /// A free base's velocities are those at its own origin, the root's.
-    fn base_velocities(&self, model: &Model, point: &Vector3<T>, twists: &[Twist<T>], velocities: &mut [T]) {
+    fn base_velocities(&self, model: &Model, point: &Vector3<T>, motion: &mut Motion<T>) {
+        let Motion { velocities, twists, .. } = motion;
         let Some(body) = model.bodies.first().filter(|b| b.joint.is_none()) else { return };
         if self.place[model.cluster_of[0]].is_none() {
             let at_origin = twists[0].velocity_at(&-point);
@@ -176,10 +167,10 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
     /// Velocities of the tree in a motion without mass: the bodies that carry stand still, those that are carried follow
     /// without energy.
     pub fn free_motion(&self, model: &Model, point: &Vector3<T>, free: FreeMotion) -> Vec<T> {
-        let mut twists = vec![Twist::zero(); model.bodies.len()];
-        let mut velocities = vec![T::zero(); model.follows.len()];
+        let mut motion = Motion::new(model);
         let number = match free {
             FreeMotion::Joint(body, v) => {
+                let Motion { velocities, twists, .. } = &mut motion;
                 // Velocities of the same joint that were eliminated before follow.
                 velocities[v] = T::one();
                 let mut twist = self.joints[v].s;
@@ -196,12 +187,7 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
             }
             FreeMotion::Bound(place, y) => {
                 let number = self.place.iter().position(|p| *p == Some(place)).unwrap_or(0);
-                self.clusters[place].velocities(
-                    &model.clusters[number],
-                    &mut twists,
-                    &mut velocities,
-                    Some(y),
-                );
+                self.clusters[place].velocities(&model.clusters[number], &mut motion, Some(y));
                 number
             }
         };
@@ -214,11 +200,11 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
             }
             cluster.bodies.iter().for_each(|&b| moved[b] = true);
             match self.place[carried] {
-                None => self.joint_velocities(model, cluster.bodies[0], false, &mut twists, &mut velocities),
-                Some(place) => self.clusters[place].follows(cluster, &mut twists, &mut velocities),
+                None => self.joint_velocities(model, cluster.bodies[0], false, &mut motion),
+                Some(place) => self.clusters[place].follows(cluster, &mut motion),
             }
         }
-        self.base_velocities(model, point, &twists, &mut velocities);
-        velocities
+        self.base_velocities(model, point, &mut motion);
+        motion.velocities
     }
 }

@@ -4,7 +4,7 @@
 use super::elimination::{ClusterElimination, JointElimination};
 use crate::mobility::GroupMobility;
 use crate::model::Model;
-use crate::tolerances::{MASSLESS_CLOSING, PIVOT};
+use crate::tolerances::{LATE_PIVOT, MASSLESS_CLOSING, NEGATIVE_PIVOT, PIVOT, PIVOT_SQUARED};
 use percuss_spatial::{Scalar, SpatialInertia, Transform, Twist, Wrench};
 
 /// Decides, or repeats decisions, while the recursion runs.
@@ -166,13 +166,6 @@ impl<const K: usize> Deciding<K> {
     }
 }
 
-/// A pivot of a joint with several velocities below this part of its terms is left for last.
-const SMALL: f64 = 1e-3;
-/// A pivot below minus this part of its terms is no rounding: an indefinite inertia.
-const NEGATIVE: f64 = 1e-9;
-/// Rounding of G enters D squared.
-const SQUARED: f64 = PIVOT * PIVOT;
-
 impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
     fn body(
         &mut self,
@@ -207,7 +200,7 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
         let (moment, mass) = self.inertia[body];
         let part = step.d / (turn * turn * moment + slide * slide * mass);
         // A small one may be rounding of what others leave: these come before.
-        part >= SMALL || candidate + 1 == dofs
+        part >= LATE_PIVOT || candidate + 1 == dofs
     }
 
     fn joint(&mut self, body: usize, velocity: usize, step: &JointElimination<f64, K>) -> bool {
@@ -234,7 +227,7 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
                 }
             }
         }
-        self.indefinite |= step.d < -NEGATIVE * size;
+        self.indefinite |= step.d < -NEGATIVE_PIVOT * size;
         self.dropped += usize::from(!counts);
         self.decisions.joints[velocity] = counts;
         self.decisions.place[velocity] = self.eliminated[body];
@@ -297,7 +290,10 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
     fn next(&mut self, place: usize, room: &ClusterElimination<f64, K>) -> Option<usize> {
         let d = room.d;
         if room.order.is_empty() {
-            self.pivot_zero.iter_mut().zip(&self.pivot_terms).for_each(|(z, terms)| *z += SQUARED * terms);
+            self.pivot_zero
+                .iter_mut()
+                .zip(&self.pivot_terms)
+                .for_each(|(z, terms)| *z += PIVOT_SQUARED * terms);
         }
         let left = |y: usize| room.factor[y * d + y];
         let part = |y: usize| left(y) / self.pivot_size[y];
@@ -312,7 +308,7 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
     fn dropped(&mut self, place: usize, room: &ClusterElimination<f64, K>) {
         for &y in &room.dropped {
             self.indefinite |=
-                room.factor[y * room.d + y] < -NEGATIVE * self.pivot_size[y] - self.pivot_zero[y];
+                room.factor[y * room.d + y] < -NEGATIVE_PIVOT * self.pivot_size[y] - self.pivot_zero[y];
             for k in 0..K {
                 // What pivots pass on through entries of D that are rounding.
                 let passed = |p: &usize| {

@@ -5,26 +5,11 @@ use crate::kinematics::Kinematics;
 use crate::linear::jacobian::Jacobian;
 use crate::mobility::{decide, singular_values};
 use crate::model::{Group, Model};
+use crate::tolerances::{
+    BESIDE_A_CROSSING, BRANCH_CORRECTIONS, BRANCH_DISTANCE, CONE_HALVINGS, DIRECTIONS_IN_A_PLANE,
+    DIRECTIONS_WORK, FEWEST_DIRECTIONS, MOST_DIRECTIONS, SAME_TANGENT, SAME_TANGENT_SPACE,
+};
 use faer::Mat;
-
-/// How far from the pose branches are looked for, as a part of the group's size.
-const REACH: f64 = 1e-3;
-/// Directions tried where two motions are admissible; in more dimensions at least and at most.
-const IN_A_PLANE: usize = 96;
-const FEWEST: usize = 256;
-const MOST: usize = 2048;
-/// Most corrections on the way to a branch.
-const CORRECTIONS: usize = 40;
-/// Branches between branches that make a cone.
-const HALVINGS: usize = 4;
-/// Work, in cubes of a group's coordinates, after which no more directions are tried: about a second.
-const WORK: usize = 2_500_000;
-/// Tangents of curves that differ by less than this (rad) belong to one branch; and tangent spaces of branches with more
-/// freedoms, which are known beside the crossing only.
-const SAME: f64 = 2e-3;
-const SAME_SPACE: f64 = 0.02;
-/// Singular values beside a crossing count from this part of the largest on.
-const COUNTS: f64 = 1e-8;
 
 /// A branch through a pose.
 #[derive(Clone, Debug)]
@@ -83,10 +68,11 @@ impl Model {
     fn find_branches(&self, kinematics: &Kinematics<f64>, kernel: &[Vec<f64>], around: &mut Surroundings) {
         let mut newest = 0;
         for (tried, direction) in directions(kernel).enumerate() {
-            if kernel.len() > 2 && tried >= FEWEST.max(4 * newest).max(24 * around.branches.len()) {
+            if kernel.len() > 2 && tried >= FEWEST_DIRECTIONS.max(4 * newest).max(24 * around.branches.len())
+            {
                 return;
             }
-            if tried > WORK / around.group.coordinates.len().max(1).pow(3) && kernel.len() > 2 {
+            if tried > DIRECTIONS_WORK / around.group.coordinates.len().max(1).pow(3) && kernel.len() > 2 {
                 break;
             }
             let Some(branch) = self.branch_beside(kinematics, around, &direction) else { continue };
@@ -98,7 +84,7 @@ impl Model {
                 }
                 continue;
             }
-            let same = if branch.tangents.len() > 1 { SAME_SPACE } else { SAME };
+            let same = if branch.tangents.len() > 1 { SAME_TANGENT_SPACE } else { SAME_TANGENT };
             if around.branches.iter().all(|known| apart(&known.tangents, &branch.tangents) > same) {
                 around.branches.push(branch);
                 newest = tried;
@@ -120,10 +106,11 @@ impl Model {
         direction: &[f64],
     ) -> Option<Branch> {
         // Branches of inexact loops are distinct only some distance off.
-        let reach = around.group.size * REACH.max(3.0 * (around.tolerance / around.group.size).sqrt());
+        let reach =
+            around.group.size * BRANCH_DISTANCE.max(3.0 * (around.tolerance / around.group.size).sqrt());
         let mut beside = kinematics.clone();
         let way = self.go_beside(&mut beside, around, direction, reach)?;
-        let tangents = tangent_space(self, &beside, &around.group, around.floor.max(COUNTS));
+        let tangents = tangent_space(self, &beside, &around.group, around.floor.max(BESIDE_A_CROSSING));
         Some(Branch { along: unit(&way), tangents })
     }
 
@@ -145,7 +132,7 @@ impl Model {
         let u: Vec<f64> = direction.iter().zip(lengths).map(|(d, l)| reach * d / l).collect();
         self.advance_group(kinematics, group, &u);
         let all = Directions::of(&group.movable);
-        for _ in 0..CORRECTIONS {
+        for _ in 0..BRANCH_CORRECTIONS {
             let here = Linearised::at(self, kinematics, group);
             let way = self.displacement(group, &before, &kinematics.q);
             let way: Vec<f64> = way.iter().zip(lengths).map(|(w, l)| w * l).collect();
@@ -192,7 +179,7 @@ impl Model {
             new.then_some(found)
         };
         let mut second = between(&branches[b]);
-        for _ in 1..HALVINGS {
+        for _ in 1..CONE_HALVINGS {
             second = second.as_ref().and_then(&between);
         }
         second.is_some()
@@ -242,8 +229,8 @@ fn directions(kernel: &[Vec<f64>]) -> impl Iterator<Item = Vec<f64>> {
     let count = match dimension {
         0 => 0,
         1 => 1,
-        2 => IN_A_PLANE,
-        _ => MOST,
+        2 => DIRECTIONS_IN_A_PLANE,
+        _ => MOST_DIRECTIONS,
     };
     (0..count).map(move |k| {
         let mut sum = vec![0.0; n];

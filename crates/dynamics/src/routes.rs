@@ -1,0 +1,300 @@
+//! The two routes to m̄, and which of them answers: what a pose and a workspace share.
+
+use crate::careful::{Minimum, Solution};
+use crate::closing_speed::{ClosingRoom, relative_closing_speed};
+use crate::contact::{ContactRow, LocatedContact};
+use crate::error_budget::{BudgetRoom, RelativeErrors, UnitImpulse};
+use crate::kinematics::Kinematics;
+use crate::mobility::GroupMobility;
+use crate::model::Model;
+use crate::outcome::{CarefulReason, EffectiveMass, Remark, Route, RouteChoice, RouteError};
+use crate::recursion::{Deciding, Motion, Recursion};
+use crate::tolerances::{CAREFUL_LIMIT, IMMOVABLE, NOTHING_LEFT, TRUSTED_ERROR};
+use nalgebra::Vector3;
+use percuss_spatial::{Twist, Wrench};
+
+/// A contact at some frames.
+pub(crate) struct Question<'a> {
+    pub model: &'a Model,
+    pub kinematics: &'a Kinematics<f64>,
+    pub groups: &'a [GroupMobility],
+    /// For each group, how far its loops are from fitting, as a part of its size.
+    pub misfits: &'a [f64],
+    pub located: &'a LocatedContact,
+}
+
+/// What a route found.
+pub(crate) struct Found {
+    pub mass: EffectiveMass,
+    pub route: Route,
+    /// Why the careful route was asked.
+    pub careful_reason: Option<CarefulReason>,
+    pub closing_speed: f64,
+    /// Relative.
+    pub errors: RelativeErrors,
+    /// v* over the tree's velocities.
+    pub velocities: Vec<f64>,
+    pub remarks: Vec<Remark>,
+}
+
+/// Room for the recursion, and what it found at the frames of the last question; refilled in place.
+#[derive(Clone, Debug)]
+pub(crate) struct RecursionRoom {
+    pub recursion: Recursion<f64, 1>,
+    pub deciding: Deciding<1>,
+    pub closing_speed: f64,
+    row: ContactRow,
+    closing: ClosingRoom,
+    motion: Motion<f64>,
+    budget: BudgetRoom,
+}
+
+impl RecursionRoom {
+    pub fn new(model: &Model) -> Self {
+        Self {
+            recursion: Recursion::new(model),
+            deciding: Deciding::new(model),
+            closing_speed: 0.0,
+            row: ContactRow::default(),
+            closing: ClosingRoom::default(),
+            motion: Motion::new(model),
+            budget: BudgetRoom::default(),
+        }
+    }
+
+    /// m̄ by the pivots alone.
+    pub fn mass(&self) -> EffectiveMass {
+        let response = self.recursion.response(0, 0);
+        if self.closing_speed <= IMMOVABLE {
+            EffectiveMass::Immovable
+        } else if self.deciding.massless[0] || response.is_nan() || response <= 0.0 {
+            EffectiveMass::Massless
+        } else {
+            EffectiveMass::Finite(1.0 / response)
+        }
+    }
+
+    /// Why the recursion's answer, with these errors, does not stand alone; none where it does.
+    fn careful_reason(&self, errors: &RelativeErrors) -> Option<CarefulReason> {
+        if self.deciding.indefinite {
+            return Some(CarefulReason::NegativeMass);
+        }
+        let relative = errors.rounding;
+        match self.mass() {
+            // What is left of the error where the energy decides is the data's, and every route's.
+            EffectiveMass::Finite(_) if relative <= TRUSTED_ERROR || errors.stationary.is_some() => None,
+            // An error that is NaN is not small.
+            EffectiveMass::Finite(_) => Some(CarefulReason::Error { relative }),
+            EffectiveMass::Immovable => None,
+            // Zero is claimed against terms that may be large: a second opinion.
+            EffectiveMass::Massless => Some(CarefulReason::Massless),
+        }
+    }
+}
+
+impl Question<'_> {
+    /// Lets the recursion run.
+    pub fn run(&self, room: &mut RecursionRoom) {
+        let (model, located) = (self.model, self.located);
+        let RecursionRoom { recursion, deciding, closing_speed, row, closing, .. } = room;
+        recursion.clear();
+        let unit = Wrench::new(Vector3::zeros(), located.normal_root);
+        recursion.add_wrench(model.body_of(located.link), 0, unit);
+        recursion.add_wrench(located.against.and_then(|link| model.body_of(link)), 0, -unit);
+        deciding.restart();
+        recursion.eliminate(model, self.kinematics, self.groups, &located.point_root, deciding);
+        model.contact_row_into(self.kinematics, located, row);
+        *closing_speed = relative_closing_speed(closing, model, self.kinematics, self.groups, recursion, row);
+    }
+
+    /// The answer after the recursion ran.
+    pub fn answer(&self, room: &mut RecursionRoom, choice: RouteChoice) -> Result<Found, RouteError> {
+        let errors = self.recursion_errors(room);
+        match choice {
+            RouteChoice::Only(Route::Dense) => self.careful(room),
+            RouteChoice::Only(Route::Articulated) if room.deciding.indefinite => Err(RouteError::Indefinite),
+            RouteChoice::Only(Route::Articulated) => Ok(self.recursive(room, errors)),
+            RouteChoice::Auto => match room.careful_reason(&errors) {
+                None => Ok(self.recursive(room, errors)),
+                Some(reason) => {
+                    let found = self.better(room, errors)?;
+                    Ok(Found { careful_reason: Some(reason), ..found })
+                }
+            },
+        }
+    }
+
+    /// m̄ after the recursion ran, as [`Self::answer`] by the automatic choice has it; allocates nothing where the
+    /// recursion answers.
+    pub fn effective_mass(&self, room: &mut RecursionRoom) -> Result<EffectiveMass, RouteError> {
+        let errors = self.recursion_errors(room);
+        match room.careful_reason(&errors) {
+            None => Ok(held(room.mass(), &errors)),
+            Some(_) => Ok(self.better(room, errors)?.mass),
+        }
+    }
+
+    /// The careful route's answer where it is better than the recursion's, which there is a reason not to trust.
+    fn better(&self, room: &mut RecursionRoom, errors: RelativeErrors) -> Result<Found, RouteError> {
+        if room.deciding.indefinite {
+            return self.careful(room);
+        }
+        let recursive = self.recursive(room, errors);
+        Ok(match self.careful(room) {
+            Ok(careful) if recursive.mass == EffectiveMass::Massless => careful,
+            // An error that is NaN is beaten by any.
+            Ok(careful) if careful.errors.rounding.total_cmp(&recursive.errors.rounding).is_lt() => careful,
+            _ => recursive,
+        })
+    }
+
+    /// The errors of the recursion's answer, where it is finite; leaves its motion in the room.
+    fn recursion_errors(&self, room: &mut RecursionRoom) -> RelativeErrors {
+        if room.deciding.indefinite || !matches!(room.mass(), EffectiveMass::Finite(_)) {
+            return RelativeErrors::default();
+        }
+        let RecursionRoom { recursion, motion, budget, .. } = room;
+        recursion.velocities(self.model, &self.located.point_root, motion);
+        self.impulse(&motion.twists, &motion.velocities).of_recursion(budget, recursion)
+    }
+
+    /// The response by its energy, after the recursion ran; none where motions have no mass.
+    pub fn response_by_energy(&self, room: &mut RecursionRoom) -> Option<f64> {
+        let RecursionRoom { recursion, motion, .. } = room;
+        recursion.velocities(self.model, &self.located.point_root, motion);
+        let value = self.impulse(&motion.twists, &motion.velocities).stationary(recursion).value();
+        value.map(|(response, _)| response).filter(|response| *response > 0.0)
+    }
+
+    /// The recursion's answer, by its errors.
+    fn recursive(&self, room: &RecursionRoom, errors: RelativeErrors) -> Found {
+        let mut mass = held(room.mass(), &errors);
+        let mut velocities = vec![0.0; self.model.follows.len()];
+        match mass {
+            EffectiveMass::Finite(m) => {
+                velocities.iter_mut().zip(&room.motion.velocities).for_each(|(to, v)| *to = v * m);
+                if errors.rounding > NOTHING_LEFT {
+                    // The energy that is left is rounding.
+                    mass = EffectiveMass::Massless;
+                }
+            }
+            EffectiveMass::Massless => {
+                let free = room
+                    .deciding
+                    .best_free
+                    .map(|free| room.recursion.free_motion(self.model, &self.located.point_root, free));
+                velocities = free.and_then(|free| at_unit_speed(&room.row, free)).unwrap_or(velocities);
+            }
+            EffectiveMass::Immovable => {}
+        }
+        let mut remarks = Vec::new();
+        if room.deciding.dropped > 0 {
+            remarks.push(Remark::MasslessMotions { directions: room.deciding.dropped });
+            if matches!(mass, EffectiveMass::Finite(_)) {
+                remarks.push(Remark::UndeterminedMotion);
+            }
+        }
+        Found {
+            mass,
+            route: Route::Articulated,
+            careful_reason: None,
+            closing_speed: room.closing_speed,
+            errors,
+            velocities,
+            remarks,
+        }
+    }
+
+    fn impulse<'b>(&'b self, twists: &'b [Twist<f64>], velocities: &'b [f64]) -> UnitImpulse<'b> {
+        UnitImpulse {
+            model: self.model,
+            kinematics: self.kinematics,
+            groups: self.groups,
+            misfits: self.misfits,
+            contact: self.located,
+            twists,
+            velocities,
+        }
+    }
+
+    fn careful(&self, room: &mut RecursionRoom) -> Result<Found, RouteError> {
+        let model = self.model;
+        // M is formed over the tree's velocities, mimics folded afterwards.
+        let coordinates = model.follows.len();
+        if coordinates > CAREFUL_LIMIT {
+            return Err(RouteError::TooLarge { coordinates, limit: CAREFUL_LIMIT });
+        }
+        let solution = model.least_energy(self.kinematics, self.groups, self.located);
+        let mut remarks = Vec::new();
+        if solution.massless_directions > 0 {
+            remarks.push(Remark::MasslessMotions { directions: solution.massless_directions });
+        }
+        let mass = match solution.minimum {
+            Minimum::Finite(m) => EffectiveMass::Finite(m),
+            Minimum::Immovable => EffectiveMass::Immovable,
+            Minimum::Massless => EffectiveMass::Massless,
+            Minimum::Stationary(m) if m > 0.0 && m.is_finite() => {
+                remarks.push(Remark::IndefiniteMassMatrix);
+                EffectiveMass::Finite(m)
+            }
+            Minimum::Stationary(value) => return Err(RouteError::IndefiniteMass { value }),
+        };
+        if solution.is_open && matches!(mass, EffectiveMass::Finite(_)) {
+            remarks.push(Remark::UndeterminedMotion);
+        }
+        let velocities = model.expand(&solution.velocity);
+        let errors = match mass {
+            EffectiveMass::Finite(m) => self.careful_errors(room, &solution, m),
+            EffectiveMass::Immovable | EffectiveMass::Massless => RelativeErrors::default(),
+        };
+        Ok(Found {
+            mass,
+            route: Route::Dense,
+            careful_reason: None,
+            closing_speed: solution.approach,
+            errors,
+            velocities,
+            remarks,
+        })
+    }
+
+    /// The careful route's own error, by its motion scaled to a unit impulse.
+    fn careful_errors(&self, room: &mut RecursionRoom, solution: &Solution, m: f64) -> RelativeErrors {
+        let model = self.model;
+        let u: Vec<f64> = solution.velocity.iter().map(|v| v / m).collect();
+        let velocities = model.expand(&u);
+        let twists = self.twists(&velocities);
+        let sizes = model.mass_sizes(self.kinematics);
+        let RecursionRoom { recursion, budget, .. } = room;
+        self.impulse(&twists, &velocities).of_least_energy(budget, recursion, &sizes, &u, 1.0 / m)
+    }
+
+    /// Twists of the bodies, root axes at the contact point.
+    fn twists(&self, velocities: &[f64]) -> Vec<Twist<f64>> {
+        let (model, point) = (self.model, &self.located.point_root);
+        let mut twists: Vec<Twist<f64>> = Vec::with_capacity(model.bodies.len());
+        for (i, body) in model.bodies.iter().enumerate() {
+            let mut twist = body.parent.map_or_else(Twist::zero, |p| twists[p]);
+            for (k, v) in body.v.clone().enumerate() {
+                twist += self.kinematics.column_at(model, i, k, point) * velocities[v];
+            }
+            twists.push(twist);
+        }
+        twists
+    }
+}
+
+/// A finite m̄ by its energy, where that was asked.
+fn held(mass: EffectiveMass, errors: &RelativeErrors) -> EffectiveMass {
+    match (mass, errors.stationary) {
+        (EffectiveMass::Finite(_), Some(response)) => EffectiveMass::Finite(1.0 / response),
+        _ => mass,
+    }
+}
+
+/// A motion at unit closing speed; none where it does not close the gap.
+fn at_unit_speed(row: &ContactRow, mut velocities: Vec<f64>) -> Option<Vec<f64>> {
+    let speed: f64 = row.entries.iter().map(|e| e.value * velocities[e.velocity]).sum();
+    velocities.iter_mut().for_each(|v| *v /= speed);
+    (speed != 0.0).then_some(velocities)
+}

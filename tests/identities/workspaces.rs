@@ -1,0 +1,137 @@
+//! A workspace answers as a pose does: the same status, and the same number to the last bit, also where the recursion is
+//! not accurate or claims that nothing opposes.
+
+use nalgebra::{UnitQuaternion, Vector3};
+use percuss_dynamics::{
+    CarefulReason, Conditions, Contact, Direction, EffectiveMass, Frame, Pose, ResponseError, RouteChoice,
+    System,
+};
+use percuss_mechanism::{
+    ClosureDescription, ClosureKind, Inertial, JointDescription, JointKind, LinkDescription, Mechanism,
+    MechanismBuilder,
+};
+use percuss_spatial::{Matrix3, Transform};
+use percuss_tests::subjects::{of_linkages, of_trees};
+use std::collections::BTreeMap;
+
+/// How often each status occurred, and by what reason for the careful route.
+type Counts = BTreeMap<String, usize>;
+
+fn compare(name: &str, pose: &Pose, contact: &Contact, counts: &mut Counts) {
+    let mut workspace = pose.assembly().workspace();
+    workspace.set_positions(pose.positions());
+    let there = workspace.effective_mass(contact);
+    let response = pose.respond(contact, RouteChoice::Auto);
+    let mass = response.as_ref().map(|r| r.effective_mass).map_err(ResponseError::clone);
+    assert_eq!(there, mass, "{name}");
+    let Ok(response) = response else { return };
+    let status = match response.effective_mass {
+        EffectiveMass::Finite(_) => "finite",
+        EffectiveMass::Immovable => "immovable",
+        EffectiveMass::Massless => "massless",
+    };
+    let reason = match response.careful_reason {
+        None => "",
+        Some(CarefulReason::NegativeMass) => ", a negative mass",
+        Some(CarefulReason::Massless) => ", massless",
+        Some(CarefulReason::Error { relative }) if relative > 1.0 => ", rounding alone",
+        Some(CarefulReason::Error { .. }) => ", an error",
+    };
+    *counts.entry(format!("{status}{reason}")).or_default() += 1;
+}
+
+#[track_caller]
+fn assert_occurred(counts: &Counts, kinds: &[&str]) {
+    println!("{counts:?}");
+    for kind in kinds {
+        assert!(counts.contains_key(*kind), "{kind} never occurred: {counts:?}");
+    }
+}
+
+#[test]
+fn on_trees_and_linkages() {
+    let mut counts = Counts::new();
+    for subject in of_trees(16, 3, 120).into_iter().chain(of_linkages(800, 8)) {
+        compare(&subject.name, &subject.pose, &subject.contact, &mut counts);
+    }
+    assert_occurred(&counts, &["finite", "immovable", "massless, massless"]);
+}
+
+/// A bar of 2 kg on a ball joint, with so much moment of inertia about its own axis (kg·m²); `tied`, its tip is held level by
+/// a rod, and the roll stays free.
+fn bar(roll: f64, tied: bool) -> Mechanism {
+    let inertial = Inertial {
+        mass: 2.0,
+        com: Vector3::new(0.5, 0.0, 0.0),
+        about_com: Matrix3::from_diagonal(&Vector3::new(roll, 0.2, 0.2)),
+    };
+    let builder = MechanismBuilder::new("bar")
+        .link(LinkDescription::massless("ground"))
+        .link(LinkDescription::new("bar", inertial))
+        .joint(JointDescription::new("ball", JointKind::Spherical, "ground", "bar"));
+    let at = |x, z| Transform::new(Matrix3::identity(), Vector3::new(x, 0.0, z));
+    let rod = ClosureDescription {
+        predecessor_frame: at(0.0, 1.0),
+        successor_frame: at(1.0, 0.0),
+        ..ClosureDescription::new("rod", ClosureKind::Distance, "ground", "bar")
+    };
+    let builder = if tied { builder.closure(rod) } else { builder };
+    builder.build().expect("a mechanism").mechanism
+}
+
+/// An arm of 5 kg with a feeler of so much mass on a hinge at its tip.
+fn feeler(mass: f64) -> Mechanism {
+    let hinge = |name: &str, parent: &str, child: &str| {
+        JointDescription::new(name, JointKind::Continuous, parent, child).axis([0.0, 0.0, 1.0])
+    };
+    MechanismBuilder::new("feeler")
+        .link(LinkDescription::massless("ground"))
+        .link(LinkDescription::new("arm", Inertial::point(5.0, [0.6, 0.0, 0.0])))
+        .link(LinkDescription::new("feeler", Inertial::point(mass, [0.1, 0.0, 0.0])))
+        .joint(hinge("shoulder", "ground", "arm"))
+        .joint(hinge("knuckle", "arm", "feeler").at([0.6, 0.0, 0.0]))
+        .build()
+        .expect("a mechanism")
+        .mechanism
+}
+
+fn system(mechanism: Mechanism) -> System {
+    System::new(mechanism, &Conditions::new()).expect("a system")
+}
+
+#[test]
+fn on_contacts_that_little_or_nothing_opposes() {
+    let mut counts = Counts::new();
+    let parts = (0..=96).map(|k| 10f64.powf(-0.25 * f64::from(k))).chain([0.0]);
+    for (k, part) in parts.enumerate() {
+        let angle = 0.3 * k as f64;
+        let turned = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), angle)
+            * UnitQuaternion::from_axis_angle(&Vector3::x_axis(), 0.7 * angle);
+        for tied in [false, true] {
+            let system = system(bar(part, tied));
+            let mut configuration = system.configuration();
+            let ball = [turned.w, turned.i, turned.j, turned.k];
+            configuration.set("ball", &ball).expect("a quaternion");
+            let pose = system.pose(&configuration).expect("closed");
+            let link = system.mechanism().find_link("bar").expect("there");
+            // Tangential to the roll, which alone hardly has mass; with the tip's way; into the axis.
+            for normal in [[0.0, 0.0, 1.0], [0.0, 0.3, 1.0], [1.0, 0.0, 0.0]] {
+                for point in [[0.0, 0.1, 0.0], [0.4, 0.1, 0.0], [0.4, 1e-4, 0.0], [0.4, 0.0, 0.0]] {
+                    let along = Direction::Along(Vector3::from(normal), Frame::Link);
+                    let contact = Contact::new(link, point, normal).normal(along);
+                    let name = format!("bar, {part:.1e}, tied {tied}, {point:?} {normal:?}");
+                    compare(&name, &pose, &contact, &mut counts);
+                }
+            }
+        }
+        let system = system(feeler(part));
+        let mut configuration = system.configuration();
+        configuration.set("knuckle", &[angle]).expect("an angle");
+        let pose = system.pose(&configuration).expect("a tree");
+        let link = system.mechanism().find_link("feeler").expect("there");
+        let contact = Contact::new(link, [0.2, 0.0, 0.0], [0.3, 1.0, 0.0]);
+        compare(&format!("feeler, {part:.1e}"), &pose, &contact, &mut counts);
+    }
+    let kinds = ["finite", "finite, an error", "finite, massless", "massless, massless", "immovable"];
+    assert_occurred(&counts, &kinds);
+}

@@ -1,0 +1,67 @@
+//! Who answered: the recursion itself, or the careful route, and why that was asked.
+
+use percuss_dynamics::{CarefulReason, ContactResponse, EffectiveMass, Route};
+use std::cmp::Reverse;
+use std::collections::BTreeMap;
+
+/// Finite contacts by who answered.
+#[derive(Clone, Debug, Default)]
+pub struct Routes {
+    /// By the recursion alone.
+    pub recursion: usize,
+    /// By the recursion, though the careful route was asked: that had no better answer.
+    pub kept: usize,
+    /// By the careful route.
+    pub careful: usize,
+    /// Why the careful route was asked, by [`reason`].
+    pub reasons: BTreeMap<String, usize>,
+}
+
+/// Why the careful route was asked, in words; errors by their decade.
+pub fn reason(reason: &CarefulReason) -> String {
+    match reason {
+        CarefulReason::NegativeMass => "negative mass".into(),
+        CarefulReason::Massless => "massless".into(),
+        CarefulReason::Error { relative } => format!("error 1e{:.0}", relative.log10().floor()),
+    }
+}
+
+impl Routes {
+    /// Counts an answer by the automatic choice, where it is finite.
+    pub fn count(&mut self, response: &ContactResponse) {
+        if !matches!(response.effective_mass, EffectiveMass::Finite(_)) {
+            return;
+        }
+        match (response.route, response.careful_reason) {
+            (Route::Dense, _) => self.careful += 1,
+            (Route::Articulated, Some(_)) => self.kept += 1,
+            (Route::Articulated, None) => self.recursion += 1,
+        }
+        if let Some(why) = &response.careful_reason {
+            *self.reasons.entry(reason(why)).or_default() += 1;
+        }
+    }
+
+    /// Adds the counts of others.
+    pub fn add(&mut self, other: &Self) {
+        self.recursion += other.recursion;
+        self.kept += other.kept;
+        self.careful += other.careful;
+        for (why, n) in &other.reasons {
+            *self.reasons.entry(why.clone()).or_default() += n;
+        }
+    }
+
+    /// What [`Self::line`] has, by column.
+    pub const HEADER: &str =
+        "finite contacts         recursion  careful     kept  why the careful route was asked";
+
+    /// A line of the table.
+    pub fn line(&self, suite: &str) -> String {
+        let mut reasons: Vec<_> = self.reasons.iter().collect();
+        reasons.sort_by_key(|(_, n)| Reverse(**n));
+        let reasons: Vec<String> = reasons.into_iter().map(|(why, n)| format!("{why}: {n}")).collect();
+        let Self { recursion, careful, kept, .. } = self;
+        format!("{suite:22}{recursion:11}{careful:9}{kept:9}  {}", reasons.join(", ")).trim_end().to_owned()
+    }
+}
