@@ -140,8 +140,13 @@ pub(crate) struct RelativeErrors {
 }
 
 impl UnitImpulse<'_> {
-    /// The error of the recursion's answer.
-    pub fn of_recursion(&self, room: &mut BudgetRoom, recursion: &Recursion<f64, 1>) -> RelativeErrors {
+    /// The error of the recursion's answer; `is_clear`: whose own rounding is beyond doubt.
+    pub fn of_recursion(
+        &self,
+        room: &mut BudgetRoom,
+        recursion: &Recursion<f64, 1>,
+        is_clear: bool,
+    ) -> RelativeErrors {
         let (mut route, mut stationary) = (0.0, None);
         for (number, cluster) in self.model.clusters.iter().enumerate() {
             route += match recursion.place[number] {
@@ -151,7 +156,7 @@ impl UnitImpulse<'_> {
         }
         let response = recursion.response(0, 0);
         // A tree's pivots are sums over what is left below each joint only.
-        if !recursion.clusters.is_empty() && f64::EPSILON * route > VAGUE_RESPONSE * response {
+        if !is_clear && !recursion.clusters.is_empty() && f64::EPSILON * route > VAGUE_RESPONSE * response {
             let found = self.stationary(recursion).value().filter(|(value, error)| {
                 *value > 0.0 && *error < NOTHING_LEFT * value && *error < f64::EPSILON * route
             });

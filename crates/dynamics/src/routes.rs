@@ -9,7 +9,7 @@ use crate::mobility::GroupMobility;
 use crate::model::Model;
 use crate::outcome::{CarefulReason, EffectiveMass, Remark, Route, RouteChoice, RouteError};
 use crate::recursion::{Deciding, Motion, Recursion};
-use crate::tolerances::{CAREFUL_LIMIT, IMMOVABLE, NOTHING_LEFT, TRUSTED_ERROR};
+use crate::tolerances::{CAREFUL_LIMIT, IMMOVABLE, NEARLY_IMMOVABLE, NOTHING_LEFT, ROUTE_ROUNDINGS, TRUSTED_ERROR, VAGUE_RESPONSE};
 use nalgebra::Vector3;
 use percuss_spatial::{Twist, Wrench};
 
@@ -74,10 +74,23 @@ impl RecursionRoom {
         }
     }
 
+    /// Whether the recursion's rounding is beyond doubt, before its errors are counted: what is left is the data's, and every
+    /// route's.
+    fn is_clear(&self) -> bool {
+        let most = f64::EPSILON * ROUTE_ROUNDINGS * self.deciding.terms;
+        !self.deciding.indefinite
+            && matches!(self.mass(), EffectiveMass::Finite(_))
+            && self.closing_speed > NEARLY_IMMOVABLE
+            && most <= VAGUE_RESPONSE * self.recursion.response(0, 0)
+    }
+
     /// Why the recursion's answer, with these errors, does not stand alone; none where it does.
     fn careful_reason(&self, errors: &RelativeErrors) -> Option<CarefulReason> {
         if self.deciding.indefinite {
             return Some(CarefulReason::NegativeMass);
+        }
+        if self.is_clear() {
+            return None;
         }
         let relative = errors.rounding;
         match self.mass() {
@@ -127,6 +140,9 @@ impl Question<'_> {
     /// m̄ after the recursion ran, as [`Self::answer`] by the automatic choice has it; allocates nothing where the
     /// recursion answers.
     pub fn effective_mass(&self, room: &mut RecursionRoom) -> Result<EffectiveMass, RouteError> {
+        if room.is_clear() {
+            return Ok(room.mass());
+        }
         let errors = self.recursion_errors(room);
         match room.careful_reason(&errors) {
             None => Ok(held(room.mass(), &errors)),
@@ -153,9 +169,10 @@ impl Question<'_> {
         if room.deciding.indefinite || !matches!(room.mass(), EffectiveMass::Finite(_)) {
             return RelativeErrors::default();
         }
+        let is_clear = room.is_clear();
         let RecursionRoom { recursion, motion, budget, .. } = room;
         recursion.velocities(self.model, &self.located.point_root, motion);
-        self.impulse(&motion.twists, &motion.velocities).of_recursion(budget, recursion)
+        self.impulse(&motion.twists, &motion.velocities).of_recursion(budget, recursion, is_clear)
     }
 
     /// The response by its energy, after the recursion ran; none where motions have no mass.
@@ -173,7 +190,7 @@ impl Question<'_> {
         match mass {
             EffectiveMass::Finite(m) => {
                 velocities.iter_mut().zip(&room.motion.velocities).for_each(|(to, v)| *to = v * m);
-                if errors.rounding > NOTHING_LEFT {
+                if errors.rounding > NOTHING_LEFT && !room.is_clear() {
                     // The energy that is left is rounding.
                     mass = EffectiveMass::Massless;
                 }

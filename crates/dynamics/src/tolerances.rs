@@ -97,6 +97,9 @@ pub(crate) const ACCELERATION_PIVOT: f64 = 1e-10;
 pub(crate) const RATE_ROUNDINGS: f64 = 16.0;
 /// A relative error of 1/m̄ beyond which the pivots that it stands on are rounding, and may be zero.
 pub(crate) const NOTHING_LEFT: f64 = 1.0;
+/// Roundings of a pivot and a test force, each of its terms' size, by which the recursion's own rounding is bounded before its
+/// errors are counted: those of a sum of a few products, three times over.
+pub(crate) const ROUTE_ROUNDINGS: f64 = 16.0;
 /// Relative error of a bound cluster's response from which on it is held to its stationary value: a tenth of what is trusted.
 pub(crate) const VAGUE_RESPONSE: f64 = 1e-12;
 /// A part of the mechanism's mass that does not matter.

@@ -91,6 +91,10 @@ pub(crate) struct Deciding<const K: usize> {
     pub dropped: usize,
     /// Whether a motion has a mass below zero, beyond rounding.
     pub indefinite: bool,
+    /// What the response to test wrench 0 would be off by, were all that its pivots and tests are sums of off by as much as
+    /// themselves, 1/kg: Σ (2|t| τ + t² δ/d)/d, τ and δ the sizes of the terms of t and d. Times a few ε it bounds what the
+    /// recursion loses.
+    pub terms: f64,
     pub decisions: Decisions,
 }
 
@@ -115,6 +119,7 @@ impl<const K: usize> Deciding<K> {
             best_closing: 0.0,
             dropped: 0,
             indefinite: false,
+            terms: 0.0,
             decisions: Decisions {
                 joints: vec![false; model.follows.len()],
                 place: vec![0; model.follows.len()],
@@ -131,6 +136,7 @@ impl<const K: usize> Deciding<K> {
         self.best_closing = 0.0;
         self.dropped = 0;
         self.indefinite = false;
+        self.terms = 0.0;
         self.decisions.clusters.iter_mut().for_each(Vec::clear);
     }
 
@@ -213,6 +219,10 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
             let (about, along) = &mut self.wrench[body][k];
             let t = step.t[k].abs();
             if counts {
+                if k == 0 {
+                    let part = t / step.d;
+                    self.terms += part * (2.0 * (turn * *about + slide * *along) + part * size);
+                }
                 *about += step.u.moment.norm() * t / step.d;
                 *along += step.u.force.norm() * t / step.d;
             } else {
@@ -300,6 +310,9 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
         let open = (0..d).filter(|y| room.open[*y] && left(*y) > self.pivot_zero[*y]);
         let pivot = open.max_by(|&a, &b| part(a).total_cmp(&part(b)));
         if let Some(pivot) = pivot {
+            let t = room.t[pivot][0].abs();
+            let ratio = t / left(pivot);
+            self.terms += ratio * (2.0 * self.test_size[pivot][0] + ratio * self.pivot_terms[pivot]);
             self.decisions.clusters[place].push(pivot);
         }
         pivot
