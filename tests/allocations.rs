@@ -76,11 +76,11 @@ fn answers(
     configurations: &[Vec<f64>],
 ) -> Vec<Result<EffectiveMass, ResponseError>> {
     let mut answers = Vec::with_capacity(configurations.len());
-    workspace.set_positions(&configurations[0]);
+    workspace.set_positions(&configurations[0]).expect("positions that fit");
     let _ = workspace.effective_mass(contact);
     let before = allocations();
     for configuration in configurations {
-        workspace.set_positions(configuration);
+        workspace.set_positions(configuration).expect("positions that fit");
         answers.push(workspace.effective_mass(contact));
     }
     assert_eq!(allocations() - before, 0, "{name}");

@@ -7,64 +7,16 @@ use crate::pose::Pose;
 use crate::response::ContactResponse;
 use crate::system::System;
 use crate::tangent;
+use crate::velocities::{VelocityError, check_positions, check_velocities};
 use nalgebra::Vector3;
 use percuss_mechanism::JointKind;
 use percuss_spatial::{Scalar, Transform, Twist, rotation_from_quaternion};
 
-/// Velocities that do not fit the mechanism.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum VelocityError {
-    /// Not one list a joint.
-    #[error(
-        "velocities of {got} joints are given, the mechanism has {wanted}: one list a joint, in joint order"
-    )]
-    Joints {
-        /// How many lists were given.
-        got: usize,
-        /// How many joints there are.
-        wanted: usize,
-    },
-    /// A list of the wrong length.
-    #[error("joint \"{joint}\" has {wanted} velocities; {got} are given")]
-    Count {
-        /// The joint.
-        joint: String,
-        /// How many were given.
-        got: usize,
-        /// How many it has.
-        wanted: usize,
-    },
-    /// Not the mechanism's number of positions.
-    #[error("{got} positions are given, the mechanism has {wanted}")]
-    Positions {
-        /// How many were given.
-        got: usize,
-        /// How many there are.
-        wanted: usize,
-    },
-}
-
 /// Most steps that close a group again.
 const STEPS: usize = 8;
-
-/// Refuses velocities that are not one list a joint, each of the joint's own length.
-pub(crate) fn check_velocities<T>(
-    mechanism: &percuss_mechanism::Mechanism,
-    velocities: &[Vec<T>],
-) -> Result<(), VelocityError> {
-    let (got, wanted) = (velocities.len(), mechanism.joints().len());
-    if got != wanted {
-        return Err(VelocityError::Joints { got, wanted });
-    }
-    for (joint, v) in mechanism.joints().iter().zip(velocities) {
-        let (got, wanted) = (v.len(), joint.kind().dofs());
-        if got != wanted {
-            return Err(VelocityError::Count { joint: joint.name().to_owned(), got, wanted });
-        }
-    }
-    Ok(())
-}
+/// These steps together are at most this many times the distance: of second order in it, they are far shorter unless the
+/// branch is lost.
+const MOST_CLOSING: f64 = 1.0;
 
 impl System {
     /// q̇ of all joints at the velocities `v`, one list a joint; both in joint order (layouts of [`JointKind`]).
@@ -78,9 +30,7 @@ impl System {
     ) -> Result<Vec<T>, VelocityError> {
         let model = self.model();
         check_velocities(&model.mechanism, velocities)?;
-        if positions.len() != model.positions {
-            return Err(VelocityError::Positions { got: positions.len(), wanted: model.positions });
-        }
+        check_positions(positions.len(), model.positions)?;
         let mut rates = vec![T::zero(); model.positions];
         for ((joint, range), v) in model.mechanism.joints().iter().zip(&model.joint_q).zip(velocities) {
             tangent::position_rates(joint.kind(), &positions[range.clone()], v, &mut rates[range.clone()]);
@@ -164,7 +114,7 @@ fn closed_again(
         let x = Linearised::at(model, kinematics, group).step(group, all, floor);
         let length = x.iter().map(|x| x * x).sum::<f64>().sqrt();
         moved += length;
-        if moved.is_nan() || moved > distance.max(group.size * distance) {
+        if moved.is_nan() || moved > MOST_CLOSING * distance {
             return false;
         }
         model.advance_group(kinematics, group, &all.expand(group, |k| x[k]));

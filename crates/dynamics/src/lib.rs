@@ -42,9 +42,9 @@ mod tolerances;
 mod travel;
 mod travel_search;
 mod union;
+mod velocities;
 mod workspace;
 
-pub use advance::VelocityError;
 pub use assembling::{AssemblyError, LoopState};
 pub use assembly::{Assembly, DrawnGap};
 pub use conditions::{Base, Conditions, ConditionsError};
@@ -61,4 +61,5 @@ pub use pose::{Pose, PoseRank};
 pub use response::{ContactResponse, Contributions};
 pub use system::System;
 pub use travel::{Travel, TravelError};
+pub use velocities::VelocityError;
 pub use workspace::{ScalarWorkspace, Workspace};

@@ -2,11 +2,12 @@
 
 use crate::assembly::Assembly;
 use crate::careful::Minimum;
-use crate::contact::Contact;
+use crate::contact::{Contact, LocatedContact};
 use crate::kinematics::Kinematics;
 use crate::model::Model;
 use crate::outcome::EffectiveMass;
 use crate::pose::Pose;
+use crate::response::Ran;
 use crate::singular::{Surroundings, dot};
 
 /// How far apart are the places from which m̄ is carried on to the crossing, in parts of the groups' sizes; the next is
@@ -16,6 +17,14 @@ const APART: [f64; 4] = [0.01, 2.5e-3, 6e-4, 1.5e-4];
 const AGREE: f64 = 1e-7;
 /// Most combinations of branches of several groups that are looked at.
 const COMBINATIONS: usize = 256;
+/// Most places in all, for each combination: four on either side, at every distance.
+const PLACES: usize = 8 * APART.len();
+/// Work of the careful route at these places, in cubes of the coordinates; beyond, the recursion is asked: two branches of
+/// a mechanism of 160 coordinates, some seconds.
+const CAREFUL_WORK: usize = 300_000_000;
+/// Work of the recursion at these places, in bodies; fewer combinations are looked at where it would be more: 256 of a
+/// mechanism of 1,000 bodies, some ten seconds.
+const RECURSION_WORK: usize = 10_000_000;
 /// A limit below this part of the values it is carried on from is zero.
 const VANISHING: f64 = 1e-7;
 /// Cosine between a branch and where it is at the places.
@@ -38,15 +47,17 @@ impl Pose {
     /// branch leads away.
     pub fn branch_limits(&self, contact: &Contact) -> BranchLimits {
         let assembly = self.assembly();
-        let crossings = crossings_of(self, contact);
+        let Crossings { crossings, complete } = crossings_of(self, contact);
         if crossings.is_empty() {
-            return BranchLimits { complete: true, ..BranchLimits::default() };
+            return BranchLimits { complete, ..BranchLimits::default() };
         }
         let count = |n: usize, c: &&Surroundings| n.saturating_mul(c.branches.len());
         let combinations = crossings.iter().fold(1, count);
-        let limit = |number: usize| limit_along(assembly, self, contact, &crossings, number);
+        let route = LimitRoute::of(assembly.model(), combinations.min(COMBINATIONS));
+        let limit = |number: usize| limit_along(self, contact, &crossings, route, number);
         let continuous = crossings.iter().any(|c| c.continuous);
-        let mut limits: Vec<EffectiveMass> = (0..combinations.min(COMBINATIONS)).filter_map(limit).collect();
+        let looked_at = combinations.min(COMBINATIONS).min(route.most_combinations(assembly.model()));
+        let mut limits: Vec<EffectiveMass> = (0..looked_at).filter_map(limit).collect();
         let answered = limits.len() == combinations;
         if continuous {
             limits.sort_by(|a, b| value(a).total_cmp(&value(b)));
@@ -58,16 +69,71 @@ impl Pose {
                 .map(|(_, l)| l)
                 .collect();
         }
-        BranchLimits { limits, continuous, complete: answered && crossings.iter().all(|c| c.complete) }
+        BranchLimits { limits, continuous, complete: answered && complete }
     }
 }
 
-/// The groups at crossings that affect the contact, those that it moves itself first.
-fn crossings_of<'a>(pose: &'a Pose, contact: &Contact) -> Vec<&'a Surroundings> {
+/// How m̄ is found beside a crossing.
+#[derive(Clone, Copy, PartialEq)]
+enum LimitRoute {
+    /// By the careful route, while the mechanism is small.
+    Careful,
+    /// By the recursion, with what the assembly decides there.
+    Recursion,
+}
+
+impl LimitRoute {
+    fn of(model: &Model, combinations: usize) -> Self {
+        let work = model.follows.len().saturating_pow(3).saturating_mul(PLACES * combinations);
+        if work <= CAREFUL_WORK { LimitRoute::Careful } else { LimitRoute::Recursion }
+    }
+
+    fn most_combinations(self, model: &Model) -> usize {
+        match self {
+            LimitRoute::Careful => COMBINATIONS,
+            LimitRoute::Recursion => (RECURSION_WORK / (PLACES * model.bodies.len().max(1))).max(1),
+        }
+    }
+
+    /// m̄ at some frames; none where it is no minimum, or its matrices are too large.
+    fn mass(
+        self,
+        assembly: &Assembly,
+        kinematics: &Kinematics<f64>,
+        located: &LocatedContact,
+    ) -> Option<EffectiveMass> {
+        let model = assembly.model();
+        let groups = assembly.decide(kinematics);
+        match self {
+            LimitRoute::Careful => match model.least_energy(kinematics, &groups, located).minimum {
+                Minimum::Finite(m) => Some(EffectiveMass::Finite(m)),
+                Minimum::Immovable => Some(EffectiveMass::Immovable),
+                Minimum::Massless => Some(EffectiveMass::Massless),
+                Minimum::Stationary(_) => None,
+            },
+            LimitRoute::Recursion => {
+                model.refuse_large_clusters::<f64>(&groups).ok()?;
+                Ran::new(model, kinematics, &groups, located).positive_mass()
+            }
+        }
+    }
+}
+
+/// The groups at crossings that affect the contact.
+struct Crossings<'a> {
+    /// Those with branches, those that the contact moves itself first.
+    crossings: Vec<&'a Surroundings>,
+    /// Whether all was found of each.
+    complete: bool,
+}
+
+fn crossings_of<'a>(pose: &'a Pose, contact: &Contact) -> Crossings<'a> {
     let known = pose.crossings();
     let of_group = |number| known.iter().find(|(n, _)| *n == number).map(|(_, around)| around);
     let coupled = coupled_groups(pose.assembly().posing(), contact).into_iter();
-    coupled.filter_map(of_group).filter(|a| !a.branches.is_empty() && !a.regular).collect()
+    let all: Vec<&Surroundings> = coupled.filter_map(of_group).filter(|a| !a.regular).collect();
+    let complete = all.iter().all(|a| a.complete);
+    Crossings { crossings: all.into_iter().filter(|a| !a.branches.is_empty()).collect(), complete }
 }
 
 /// Groups on the trees, or tied to the trees, that the contact's sides stand on; those that move the sides first.
@@ -100,12 +166,13 @@ fn coupled_groups(model: &Model, contact: &Contact) -> Vec<usize> {
 /// The limit along a combination of branches: at four places on either side, Lagrange's formula for 1/m̄ carries it
 /// on; the order below must agree.
 fn limit_along(
-    assembly: &Assembly,
     pose: &Pose,
     contact: &Contact,
     crossings: &[&Surroundings],
+    route: LimitRoute,
     number: usize,
 ) -> Option<EffectiveMass> {
+    let assembly: &Assembly = pose.assembly();
     let at = |places: i32, apart: f64| {
         let mut kinematics: Kinematics<f64> = pose.kinematics.clone();
         let mut number = number;
@@ -122,10 +189,8 @@ fn limit_along(
                 return None;
             }
         }
-        let model = assembly.model();
-        let located = model.locate(&kinematics, &pose.base, contact).ok()?;
-        let groups = assembly.decide(&kinematics);
-        Some(model.least_energy(&kinematics, &groups, &located).minimum)
+        let located = assembly.model().locate(&kinematics, &pose.base, contact).ok()?;
+        route.mass(assembly, &kinematics, &located)
     };
     let mut best: Option<(f64, EffectiveMass)> = None;
     for apart in APART {
@@ -150,7 +215,7 @@ fn value(limit: &EffectiveMass) -> f64 {
 }
 
 /// The limit from values at one to four places on either side, and how far two orders of the interpolation differ.
-fn carried_on(at: &dyn Fn(i32) -> Option<Minimum>) -> Option<(f64, EffectiveMass)> {
+fn carried_on(at: &dyn Fn(i32) -> Option<EffectiveMass>) -> Option<(f64, EffectiveMass)> {
     const EIGHT: [f64; 4] = [4.0 / 5.0, -2.0 / 5.0, 4.0 / 35.0, -1.0 / 70.0];
     const SIX: [f64; 4] = [3.0 / 4.0, -3.0 / 10.0, 1.0 / 20.0, 0.0];
     let (mut mobility, mut coarse, mut most_mobile) = (0.0, 0.0, 0.0_f64);
@@ -158,10 +223,8 @@ fn carried_on(at: &dyn Fn(i32) -> Option<Minimum>) -> Option<(f64, EffectiveMass
     for place in 0..4 {
         for side in [1, -1] {
             let m = match at(side * (place as i32 + 1))? {
-                Minimum::Finite(m) => m,
-                Minimum::Immovable => return Some((0.0, EffectiveMass::Immovable)),
-                Minimum::Massless => return Some((0.0, EffectiveMass::Massless)),
-                Minimum::Stationary(_) => return None,
+                EffectiveMass::Finite(m) => m,
+                other @ (EffectiveMass::Immovable | EffectiveMass::Massless) => return Some((0.0, other)),
             };
             mobility += EIGHT[place] / m;
             coarse += SIX[place] / m;

@@ -3,7 +3,7 @@
 use crate::assembly::Assembly;
 use crate::careful::{Minimum, Solution};
 use crate::closing_speed::{ClosingRoom, relative_closing_speed};
-use crate::contact::{Contact, LocatedContact};
+use crate::contact::{Contact, ContactError, LocatedContact};
 use crate::error_budget::{ErrorBudget, RelativeErrors, UnitImpulse};
 use crate::kinematics::Kinematics;
 use crate::mobility::GroupMobility;
@@ -11,7 +11,7 @@ use crate::model::Model;
 use crate::outcome::{EffectiveMass, Remark, ResponseError, Route, RouteChoice, RouteError};
 use crate::pose::Pose;
 use crate::recursion::{Deciding, Decisions, Recursion};
-use crate::tolerances::{CAREFUL_LIMIT, IMMOVABLE, NEARLY_IMMOVABLE, TRUSTED_ERROR};
+use crate::tolerances::{CAREFUL_LIMIT, IMMOVABLE, LEAST_OTHER_MASS, NEARLY_IMMOVABLE, TRUSTED_ERROR};
 use nalgebra::Vector3;
 use percuss_mechanism::{JointId, LinkId};
 use percuss_spatial::{Twist, Wrench};
@@ -68,15 +68,21 @@ impl ContactResponse {
 
     /// The same where the other side is a free mass (kg) of its own: 1/m̄ = 1/m̄₁ + 1/m₂.
     ///
-    /// An immovable mechanism leaves m̄ = m₂; a massless one stays massless. `other` must be finite and > 0.
-    pub fn against_mass(mut self, other: f64) -> Self {
+    /// An immovable mechanism leaves m̄ = m₂; a massless one stays massless.
+    ///
+    /// # Errors
+    /// [`ContactError::OtherMass`]: not finite, or not above 1e-100 kg.
+    pub fn against_mass(mut self, other: f64) -> Result<Self, ContactError> {
+        if !(other.is_finite() && other > LEAST_OTHER_MASS) {
+            return Err(ContactError::OtherMass { mass: other, least: LEAST_OTHER_MASS });
+        }
         let (m, factor) = match self.effective_mass {
             EffectiveMass::Finite(own) => {
                 let m = own / (1.0 + own / other);
                 (m, m / own)
             }
             EffectiveMass::Immovable => (other, 0.0),
-            EffectiveMass::Massless => return self,
+            EffectiveMass::Massless => return Ok(self),
         };
         self.effective_mass = EffectiveMass::Finite(m);
         // dm̄ = (m̄/m̄₁)² dm̄₁; the other mass is taken as exact, but for one rounding.
@@ -91,7 +97,7 @@ impl ContactResponse {
         contributions.rotors.iter_mut().for_each(|(_, s)| *s *= factor);
         contributions.other_mass = Some(m / other);
         self.contributions = Some(contributions);
-        self
+        Ok(self)
     }
 }
 
@@ -141,13 +147,37 @@ struct Found {
 }
 
 /// The recursion after it ran at some frames.
-struct Ran {
+pub(crate) struct Ran {
     recursion: Recursion<f64, 1>,
     deciding: Deciding<1>,
     closing_speed: f64,
 }
 
 impl Ran {
+    /// Runs it for a contact, with what is decided about the groups there.
+    pub fn new(
+        model: &Model,
+        kinematics: &Kinematics<f64>,
+        groups: &[GroupMobility],
+        located: &LocatedContact,
+    ) -> Self {
+        let mut recursion = Recursion::new(model);
+        let mut deciding = Deciding::new(model);
+        let unit = Wrench::new(Vector3::zeros(), located.normal_root);
+        recursion.add_wrench(model.body_of(located.link), 0, unit);
+        recursion.add_wrench(located.against.and_then(|link| model.body_of(link)), 0, -unit);
+        recursion.eliminate(model, kinematics, groups, &located.point_root, &mut deciding);
+        let row = model.contact_row(kinematics, located);
+        let closing_speed =
+            relative_closing_speed(&mut ClosingRoom::default(), model, kinematics, groups, &recursion, &row);
+        Self { recursion, deciding, closing_speed }
+    }
+
+    /// m̄; none where a motion has a negative mass.
+    pub fn positive_mass(&self) -> Option<EffectiveMass> {
+        (!self.deciding.indefinite).then(|| self.mass())
+    }
+
     fn mass(&self) -> EffectiveMass {
         let response = self.recursion.response(0, 0);
         if self.closing_speed <= IMMOVABLE {
@@ -162,6 +192,7 @@ impl Ran {
 
 impl Question<'_> {
     fn answer(&self, choice: RouteChoice) -> Result<ContactResponse, RouteError> {
+        self.model.refuse_large_clusters::<f64>(&self.pose.groups)?;
         let ran = self.run(&self.pose.kinematics, &self.pose.groups, self.located);
         let found = match choice {
             RouteChoice::Only(Route::Dense) => self.careful(&ran)?,
@@ -202,17 +233,7 @@ impl Question<'_> {
     }
 
     fn run(&self, kinematics: &Kinematics<f64>, groups: &[GroupMobility], located: &LocatedContact) -> Ran {
-        let model = self.model;
-        let mut recursion = Recursion::new(model);
-        let mut deciding = Deciding::new(model);
-        let unit = Wrench::new(Vector3::zeros(), located.normal_root);
-        recursion.add_wrench(model.body_of(located.link), 0, unit);
-        recursion.add_wrench(located.against.and_then(|link| model.body_of(link)), 0, -unit);
-        recursion.eliminate(model, kinematics, groups, &located.point_root, &mut deciding);
-        let row = model.contact_row(kinematics, located);
-        let closing_speed =
-            relative_closing_speed(&mut ClosingRoom::default(), model, kinematics, groups, &recursion, &row);
-        Ran { recursion, deciding, closing_speed }
+        Ran::new(self.model, kinematics, groups, located)
     }
 
     fn recursive(&self, ran: &Ran) -> Found {

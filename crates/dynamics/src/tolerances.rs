@@ -12,13 +12,25 @@ pub(crate) const MASSLESS_CLOSING: f64 = 1e-10;
 pub(crate) const PIVOT: f64 = 256.0 * f64::EPSILON;
 /// The recursion's answer stands alone up to this relative error; beyond, the careful route is asked too.
 pub(crate) const TRUSTED_ERROR: f64 = 1e-11;
+/// Least mass of a free body on the other side, kg: its inverse is still a number, with room for sums.
+pub(crate) const LEAST_OTHER_MASS: f64 = 1e-100;
 /// Coordinates up to which the careful route is taken: it is dense, O(n³) in time and 8n² bytes a matrix.
 pub(crate) const CAREFUL_LIMIT: usize = 1000;
+/// Bytes that the matrices of all clusters of bodies may take in one run of the recursion: two runs stand side by side
+/// where an error is stated, within 1.5 GB with the model itself. A loop of 1,800 free links.
+pub(crate) const CLUSTER_BYTES: usize = 400 << 20;
+/// Multiplications that these may take: half a minute.
+pub(crate) const CLUSTER_WORK: f64 = 3e10;
 /// Coordinates up to which the condition of the mass matrix is asked: O(n³).
 pub(crate) const CONDITION_LIMIT: usize = 300;
 
 /// Singular values of A below this part of the largest count as zero, where the file is exact: rounding leaves 1e-14.
 pub(crate) const RANK_FLOOR: f64 = 1e-10;
+/// The floor of a rank is at most this part of the largest singular value: that one always counts.
+pub(crate) const MOST_FLOOR: f64 = 0.1;
+/// A group of loops is refused that stands further from the root link than this many times its size: its positions are
+/// known to 6e-6 of the size, and ranks would be decided at a thousandth of the largest singular value.
+pub(crate) const FARTHEST: f64 = 2.8e10;
 /// Singular values of A below this part of the largest are rounding alone: it leaves 1e-14.
 pub(crate) const RANK_ROUNDING: f64 = 3e-13;
 /// Both sides of the gap lie more than this factor from the threshold where the rank is clear.

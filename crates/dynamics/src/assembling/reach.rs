@@ -8,6 +8,7 @@ use crate::configuration::Configuration;
 use crate::kinematics::Kinematics;
 use crate::mobility::{Drivers, Singularity};
 use crate::model::{Group, Model};
+use crate::tolerances::SETTLED;
 use percuss_mechanism::JointId;
 
 /// A driver with a position of one number.
@@ -46,6 +47,14 @@ const STARTS: usize = 48;
 const ASIDE: [f64; 4] = [0.3, 1.0, 2.0, 3.0];
 /// Most work of these starts, in cubes of a group's coordinates.
 const WORK: usize = 20_000_000;
+/// Most work of setting joints with several positions, in cubes of a group's coordinates; of a large group so many
+/// corrections at least.
+const SETTING: usize = 200_000_000;
+const FEWEST_CORRECTIONS: usize = 1_000;
+/// Corrections of one step at most.
+const CORRECTIONS: usize = 30;
+/// Corrections that no longer come to this part of the one before are rounding, once they have settled.
+const SHRINKING: f64 = 0.5;
 /// A joint with several positions that was set stands there when it is no further off than this part of the size: its
 /// values are given with eight decimals or fewer.
 const MATCHED: f64 = 1e-6;
@@ -176,6 +185,7 @@ impl Closer<'_> {
         begin(self);
         if model.group_residual(&self.kinematics, group).0 <= tolerance {
             self.correct(group, &divided.dependent, tolerance);
+            self.set_beside_guess(group, divided, drivers, tolerance)?;
             return Ok(None);
         }
         let all: Vec<&Driver> = drivers.iter().collect();
@@ -184,14 +194,27 @@ impl Closer<'_> {
         if closed && drivers.len() == divided.driving.len() {
             let driven = self.drive(group, divided, drivers, &all, tolerance);
             if driven.is_ok() {
+                self.set_beside_guess(group, divided, drivers, tolerance)?;
                 return driven;
             }
         }
         begin(self);
         if self.correct(group, &divided.dependent, tolerance) {
+            self.set_beside_guess(group, divided, drivers, tolerance)?;
             return Ok(None);
         }
         Err(self.unreachable(group, divided, drivers))
+    }
+
+    /// Brings joints with several positions that were set back there, where closing from a guess has moved them.
+    fn set_beside_guess(
+        &mut self,
+        group: &Group,
+        divided: &Drivers,
+        drivers: &[Driver],
+        tolerance: f64,
+    ) -> Result<(), AssemblyError> {
+        if self.matches(group) { Ok(()) } else { self.set_directly(group, divided, drivers, tolerance) }
     }
 
     /// Follows the branch of a known closed pose until the drivers are at the positions asked for. Gives a regular pose on
@@ -293,7 +316,7 @@ impl Closer<'_> {
         };
         let arrival = path.go(&mut self.kinematics);
         if arrival.too_far {
-            return Err(self.too_far(drivers));
+            return Err(self.too_far(group, drivers));
         }
         if !arrival.there {
             return Err(self.unreachable(group, divided, drivers));
@@ -342,7 +365,6 @@ impl Closer<'_> {
         drivers: &[Driver],
         tolerance: f64,
     ) -> Result<(), AssemblyError> {
-        const CORRECTIONS: usize = 30;
         let model = self.model;
         let joints = self.set_directly_joints(group);
         if joints.is_empty() {
@@ -357,10 +379,17 @@ impl Closer<'_> {
         let far = far.iter().zip(&group.lengths).map(|(l, length)| (l * length).abs()).fold(0.0, f64::max);
         let steps = (10.0 * far / group.size).ceil().clamp(1.0, 1e4) as usize;
         let directions = Directions::of(&unknown);
+        let cubes = SETTING / group.coordinates.len().pow(3).max(1);
+        let mut budget = cubes.clamp(FEWEST_CORRECTIONS, SETTING);
         for step in 0..steps {
             let part = 1.0 / (steps - step) as f64;
             let mut left: Vec<f64> = self.still_to_go(group, &joints).iter().map(|l| l * part).collect();
+            let mut before = f64::INFINITY;
             for _ in 0..CORRECTIONS {
+                if budget == 0 {
+                    return Err(self.too_far(group, drivers));
+                }
+                budget -= 1;
                 let here = Linearised::at(model, &self.kinematics, group);
                 let mut jacobian = directions.jacobian(group, &here.rows);
                 let mut target: Vec<f64> = here.residuals.iter().map(|r| -r).collect();
@@ -373,9 +402,12 @@ impl Closer<'_> {
                 let u = directions.expand(group, |k| x[k]);
                 model.advance_group(&mut self.kinematics, group, &u);
                 left.iter_mut().zip(&u).for_each(|(l, u)| *l -= u);
-                if x.iter().all(|x| x.abs() <= 1e-14 * group.size) {
+                let gone = x.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+                let rounding = gone <= SETTLED * group.size && gone >= SHRINKING * before;
+                if gone <= 1e-14 * group.size || rounding {
                     break;
                 }
+                before = gone;
             }
         }
         // What drives stands where it was set; what depends comes out as near as the loops let it.
@@ -408,11 +440,22 @@ impl Closer<'_> {
         }
     }
 
-    fn too_far(&self, drivers: &[Driver]) -> AssemblyError {
-        let place = |d: &Driver, at: f64| (self.model.joint_name(d.joint).to_owned(), at);
+    /// Drivers, then the numbers of joints with several positions that were set.
+    fn too_far(&self, group: &Group, drivers: &[Driver]) -> AssemblyError {
+        let name = |id: JointId| self.model.joint_name(id).to_owned();
+        let numbers = |id: &JointId, values: &[f64]| -> Vec<(String, f64)> {
+            values.iter().enumerate().map(|(k, value)| (format!("{}[{k}]", name(*id)), *value)).collect()
+        };
+        let several = self.set_directly_joints(group);
+        let wanted = several.iter().flat_map(|id| numbers(id, &self.configuration.values[id.index()]));
+        let reached = |id: &JointId| numbers(id, &self.kinematics.q[self.model.joint_q[id.index()].clone()]);
         AssemblyError::TooFar {
-            wanted: drivers.iter().map(|d| place(d, d.wanted)).collect(),
-            reached: drivers.iter().map(|d| place(d, self.kinematics.q[d.q])).collect(),
+            wanted: drivers.iter().map(|d| (name(d.joint), d.wanted)).chain(wanted).collect(),
+            reached: drivers
+                .iter()
+                .map(|d| (name(d.joint), self.kinematics.q[d.q]))
+                .chain(several.iter().flat_map(reached))
+                .collect(),
         }
     }
 

@@ -10,7 +10,7 @@ use nalgebra::Vector3;
 use percuss_spatial::{ArticulatedInertia, Scalar, Twist, Wrench};
 
 /// Independent coordinates of a cluster beyond which its blocks are formed from its mass matrix.
-const LARGE: usize = 48;
+pub(super) const LARGE: usize = 48;
 
 impl<T: Scalar, const K: usize> Recursion<T, K> {
     #[expect(clippy::too_many_arguments, reason = "one step of `eliminate`, which owns all of these")]

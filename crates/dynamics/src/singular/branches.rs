@@ -19,6 +19,9 @@ const CORRECTIONS: usize = 40;
 const HALVINGS: usize = 4;
 /// Work, in cubes of a group's coordinates, after which no more directions are tried: about a second.
 const WORK: usize = 2_500_000;
+/// The same where two motions are admissible or fewer, and for the proof that a pose is regular: every direction of a
+/// plane of 160 coordinates, or every motion of 64.
+const WORK_IN_ALL: usize = 400_000_000;
 /// Tangents of curves that differ by less than this (rad) belong to one branch; and tangent spaces of branches with more
 /// freedoms, which are known beside the crossing only.
 const SAME: f64 = 2e-3;
@@ -72,6 +75,10 @@ impl Model {
             continuous: false,
             complete: true,
         };
+        if cube_of(group) > WORK_IN_ALL / 2 {
+            around.complete = false;
+            return around;
+        }
         let tangents = tangent_space(self, kinematics, group, around.floor);
         self.find_branches(kinematics, &tangents, &mut around);
         if around.branches.len() > 2 {
@@ -81,7 +88,8 @@ impl Model {
     }
 
     fn find_branches(&self, kinematics: &Kinematics<f64>, kernel: &[Vec<f64>], around: &mut Surroundings) {
-        let mut newest = 0;
+        let cube = cube_of(&around.group);
+        let (mut newest, mut regular) = (0, None);
         for (tried, direction) in directions(kernel).enumerate() {
             if kernel.len() > 2 && tried >= FEWEST.max(4 * newest).max(24 * around.branches.len()) {
                 return;
@@ -89,11 +97,20 @@ impl Model {
             if tried > WORK / around.group.coordinates.len().max(1).pow(3) && kernel.len() > 2 {
                 break;
             }
+            if tried > WORK_IN_ALL / cube {
+                around.complete = false;
+                return;
+            }
             let Some(branch) = self.branch_beside(kinematics, around, &direction) else { continue };
             if branch.tangents.len() >= kernel.len() {
                 // As many motions beside the pose as at it: no branches cross here, if they lead in all directions.
-                around.regular = kernel.iter().all(|e| self.leads_along(kinematics, around, e));
-                if around.regular {
+                let known = *regular.get_or_insert_with(|| {
+                    (kernel.len() <= WORK_IN_ALL / cube)
+                        .then(|| kernel.iter().all(|e| self.leads_along(kinematics, around, e)))
+                });
+                let Some(known) = known else { break };
+                around.regular = known;
+                if known {
                     return;
                 }
                 continue;
@@ -197,6 +214,12 @@ impl Model {
         }
         second.is_some()
     }
+}
+
+/// What the factors of a group's A take, in multiplications: the cube of its coordinates, more where there are more rows.
+fn cube_of(group: &Group) -> usize {
+    let n = group.coordinates.len().max(1);
+    n.saturating_mul(n).saturating_mul(n.max(group.rows))
 }
 
 /// An orthonormal basis of the admissible motions within a group, over its scaled coordinates.
