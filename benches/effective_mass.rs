@@ -10,12 +10,14 @@ fn routes(criterion: &mut Criterion) {
         let (system, contact) = (&subject.system, &subject.contact);
         let mut workspace = system.workspace();
         // The value is asserted once: both answer the same question.
-        workspace.set_positions(&subject.positions[0]);
+        workspace.set_positions(&subject.positions[0]).expect("positions that fit");
         assert!(matches!(workspace.effective_mass(contact), Ok(EffectiveMass::Finite(m)) if m > 0.0));
         let mut next = subject.positions.iter().cycle();
         criterion.bench_function(&format!("{}/recursion", subject.name), |bencher| {
             bencher.iter(|| {
-                workspace.set_positions(black_box(next.next().expect("a cycle has no end")));
+                workspace
+                    .set_positions(black_box(next.next().expect("a cycle has no end")))
+                    .expect("positions that fit");
                 black_box(workspace.effective_mass(black_box(contact)))
             });
         });

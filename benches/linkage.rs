@@ -36,7 +36,9 @@ fn linkage(criterion: &mut Criterion) {
     let mut next = poses.iter().cycle();
     criterion.bench_function("double_wishbone/workspace", |bencher| {
         bencher.iter(|| {
-            workspace.set_positions(black_box(next.next().expect("a cycle has no end").positions()));
+            workspace
+                .set_positions(black_box(next.next().expect("a cycle has no end").positions()))
+                .expect("positions that fit");
             black_box(workspace.effective_mass(&contact))
         });
     });

@@ -75,11 +75,11 @@ fn answers(
     configurations: &[Vec<f64>],
 ) -> Vec<(Result<EffectiveMass, ResponseError>, usize)> {
     let mut answers = Vec::with_capacity(configurations.len());
-    workspace.set_positions(&configurations[0]);
+    workspace.set_positions(&configurations[0]).expect("positions that fit");
     let _ = workspace.effective_mass(contact);
     for configuration in configurations {
         let before = allocations();
-        workspace.set_positions(configuration);
+        workspace.set_positions(configuration).expect("positions that fit");
         let answer = workspace.effective_mass(contact);
         answers.push((answer, allocations() - before));
     }

@@ -31,10 +31,10 @@ fn force_over_acceleration() {
             let a = pose.accelerations(&motion.joints, &motion.base, &gravity, forces)?;
             let x_ro = pose.link(case.on);
             let at = x_ro.point(&case.point);
-            let on = pose.point_acceleration(&a, case.on, &case.point);
+            let on = pose.point_acceleration(&a, case.on, &case.point).expect("a link of the pose");
             let other = case.against.map_or_else(Vector3::zeros, |link| {
                 let point = pose.link(link).inverse_point(&at);
-                pose.point_acceleration(&a, link, &point)
+                pose.point_acceleration(&a, link, &point).expect("a link of the pose")
             });
             Ok(case.normal.dot(&(on - other)))
         };
@@ -94,7 +94,7 @@ fn link_acceleration(
     a: &Accelerations,
     link: LinkId,
 ) -> (Vector3<f64>, Vector3<f64>) {
-    let at = |p: Vector3<f64>| pose.point_acceleration(a, link, &p);
+    let at = |p: Vector3<f64>| pose.point_acceleration(a, link, &p).expect("a link of the pose");
     let rotation = pose.link(link).rotation;
     let origin = at(Vector3::zeros());
     let angular = (0..3).map(|i| {
@@ -184,7 +184,7 @@ fn accelerations_are_those_of_the_poses() {
             let later = pose.advanced(velocities, &motion.base, h).expect("velocities that fit");
             later.link(case.on).point(&case.point)
         });
-        let got = pose.point_acceleration(&a, case.on, &case.point);
+        let got = pose.point_acceleration(&a, case.on, &case.point).expect("a link of the pose");
         let reach = case.mechanism.links().iter().map(percuss_mechanism::Link::extent).sum::<f64>();
         let rates = a.joints.iter().flatten().map(|rate| rate.abs()).sum::<f64>();
         let size = (motion.size().powi(2) + rates) * (1.0 + reach);

@@ -83,7 +83,7 @@ fn central_impact() {
         // Each alone, and one against a number.
         let alone = balls.contact("one", [0.5, 0.0, 0.0], Vector3::x());
         balls.check_mass(&alone, m_1);
-        let against = balls.respond(&alone, RouteChoice::Auto).against_mass(m_2);
+        let against = balls.respond(&alone, RouteChoice::Auto).against_mass(m_2).expect("a mass");
         assert_close(mass(&against), expected);
         let contributions = against.contributions.expect("finite");
         // At unit closing speed, the lighter does the moving: m₁ v₁ = m₂ v₂.
@@ -122,8 +122,10 @@ fn eccentric_impact() {
             bench.check_mass(&bench.contact("body", point, normal), expected);
         }
         // Against a body of its own: the classical eccentric impact.
-        let against =
-            jointed.respond(&jointed.contact("body", point, normal), RouteChoice::Auto).against_mass(0.8);
+        let against = jointed
+            .respond(&jointed.contact("body", point, normal), RouteChoice::Auto)
+            .against_mass(0.8)
+            .expect("a mass");
         assert_close(mass(&against), closed_form::series(expected, 0.8));
     }
     // A uniform rod, free: a quarter of it at the tip; hinged: a third; on a sliding base between.
@@ -179,7 +181,7 @@ fn independent_mechanisms_add_as_springs_in_series() {
     both.check_mass(&other, second);
     both.check_mass(&contact.against(body), closed_form::series(first, second));
     both.check_mass(&other.against(lower), closed_form::series(first, second));
-    let by_number = both.respond(&contact, RouteChoice::Auto).against_mass(second);
+    let by_number = both.respond(&contact, RouteChoice::Auto).against_mass(second).expect("a mass");
     assert_close(mass(&by_number), closed_form::series(first, second));
 }
 

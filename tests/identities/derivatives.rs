@@ -53,14 +53,14 @@ fn along_motions(subjects: &[Subject], what: &'static str, near: f64) -> usize {
         let rates = system.position_rates(pose.positions(), &motion.joints).expect("velocities that fit");
         let seeded = pose.positions().iter().zip(&rates).map(|(q, rate)| Dual64::new(*q, *rate));
         let mut dual = pose.workspace_over::<Dual64>(&subject.contact).expect("a contact");
-        dual.set_positions(&seeded.collect::<Vec<_>>());
+        dual.set_positions(&seeded.collect::<Vec<_>>()).expect("positions that fit");
         let got = dual.inverse_effective_mass();
         value.relative(name, got.re, 1.0 / m, 1e-10);
         let mut workspace = pose.assembly().workspace();
         let mut all_finite = true;
         let size = motion.size() * fast;
         let expected = derivative_by(STEP / size, |h| {
-            workspace.set_positions(&subject.positions_after(&motion, h));
+            workspace.set_positions(&subject.positions_after(&motion, h)).expect("positions that fit");
             match workspace.effective_mass(&subject.contact) {
                 Ok(EffectiveMass::Finite(m)) => 1.0 / m,
                 _ => {
@@ -100,7 +100,7 @@ fn with_mass(subject: &Subject, link: LinkId, at: Vector3<f64>, mass: f64) -> f6
     let altered = alter::build_with_loops(mechanism.name(), links, joints, closures, couplings);
     let system = System::new(altered, &subject.conditions()).expect("conditions that fit");
     let mut workspace = system.workspace();
-    workspace.set_positions(subject.pose.positions());
+    workspace.set_positions(subject.pose.positions()).expect("positions that fit");
     match workspace.effective_mass(&subject.contact) {
         Ok(EffectiveMass::Finite(m)) => m,
         other => panic!("{}: {other:?} with a mass more", subject.name),
@@ -128,7 +128,7 @@ fn by_masses(subjects: &[Subject]) -> (usize, usize) {
             let expected = v.norm_squared();
             let unit = SpatialInertia::point_mass(Dual64::new(0.0, 1.0), at.map(Dual64::from_f64));
             let mut dual = pose.workspace_over::<Dual64>(&subject.contact).expect("a contact");
-            dual.add_inertia(link, &unit);
+            dual.add_inertia(link, &unit).expect("a link of the pose");
             let inverse = dual.inverse_effective_mass();
             let got = -inverse.eps * m * m;
             // Parts of v* that cancel at the point: the rates, over the size.

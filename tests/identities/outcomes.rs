@@ -42,7 +42,7 @@ fn nothing_moves() {
     }
     // Struck against a number, an immovable wall leaves the number.
     let wall = pendulum.respond(&pendulum.contact("body", [0.5, 0.0, 0.0], along(0.6)), RouteChoice::Auto);
-    assert_eq!(wall.against_mass(0.3).effective_mass, EffectiveMass::Finite(0.3));
+    assert_eq!(wall.against_mass(0.3).expect("a mass").effective_mass, EffectiveMass::Finite(0.3));
 }
 
 #[test]
@@ -87,7 +87,7 @@ fn nothing_opposes() {
     assert_eq!(dense.effective_mass, EffectiveMass::Massless);
     assert_eq!((dense.contributions.clone(), dense.effective_mass_error()), (None, None));
     assert_eq!(arm.respond(&across, RouteChoice::Auto).effective_mass, EffectiveMass::Massless);
-    assert_eq!(dense.against_mass(5.0).effective_mass, EffectiveMass::Massless);
+    assert_eq!(dense.against_mass(5.0).expect("a mass").effective_mass, EffectiveMass::Massless);
     // Along itself it pushes into the shoulder; its hinge locked, it is a part of the arm.
     let lengthwise = arm.contact("feeler", [0.2, 0.0, 0.0], Vector3::x());
     assert_eq!(arm.respond(&lengthwise, RouteChoice::Auto).effective_mass, EffectiveMass::Immovable);

@@ -97,7 +97,7 @@ fn dual_numbers_differentiate_the_mass_matrix() {
         let seeded: Vec<Dual64> =
             pose.positions().iter().zip(&rates).map(|(&q, &rate)| Dual64::new(q, rate)).collect();
         let mut workspace = pose.workspace_over::<Dual64>(&case.contact()).expect("a contact");
-        workspace.set_positions(&seeded);
+        workspace.set_positions(&seeded).expect("positions that fit");
         let dual = workspace.mass_matrix();
         let plain = pose.mass_matrix();
         if plain.is_empty() {
@@ -148,14 +148,14 @@ fn every_lane_is_the_plain_answer_to_the_last_bit() {
         let Some(motion) = subject.motion(&mut rng) else { continue };
         let four = beside(&subject, &motion);
         let mut lanes = pose.workspace_over::<Lanes>(contact).expect("a contact");
-        lanes.set_positions(&together(&four));
+        lanes.set_positions(&together(&four)).expect("positions that fit");
         let (matrices, inverses) = (lanes.mass_matrix(), lanes.inverse_effective_mass());
         let mut scalar = pose.workspace_over::<f64>(contact).expect("a contact");
         let mut workspace = pose.assembly().workspace();
         // The lanes follow the recursion, also where the workspace asks the careful route.
         let by_recursion = pose.respond(contact, RouteChoice::Auto).is_ok_and(|r| r.careful_reason.is_none());
         for (lane, positions) in four.iter().enumerate() {
-            scalar.set_positions(positions);
+            scalar.set_positions(positions).expect("positions that fit");
             let plain = scalar.mass_matrix();
             for (a, b) in matrices.iter().zip(&plain) {
                 assert_eq!(a.0[lane].to_bits(), b.to_bits(), "{name}, lane {lane}");
@@ -166,7 +166,7 @@ fn every_lane_is_the_plain_answer_to_the_last_bit() {
             if !by_recursion {
                 continue;
             }
-            workspace.set_positions(positions);
+            workspace.set_positions(positions).expect("positions that fit");
             let Ok(EffectiveMass::Finite(m)) = workspace.effective_mass(contact) else { continue };
             if (1.0 / inverse).to_bits() == m.to_bits() {
                 answers += 1;
@@ -199,15 +199,15 @@ fn lanes_of_trees_may_stand_anywhere() {
         let four: [Vec<f64>; 4] =
             std::array::from_fn(|_| percuss_oracle::random::positions(&mut rng, &case.mechanism).concat());
         let mut lanes = pose.workspace_over::<Lanes>(&case.contact()).expect("a contact");
-        lanes.set_positions(&together(&four));
+        lanes.set_positions(&together(&four)).expect("positions that fit");
         let inverses = lanes.inverse_effective_mass();
         let mut plain = pose.workspace_over::<f64>(&case.contact()).expect("a contact");
         let mut workspace = system.workspace();
         for (lane, positions) in four.iter().enumerate() {
-            plain.set_positions(positions);
+            plain.set_positions(positions).expect("positions that fit");
             let inverse = plain.inverse_effective_mass();
             assert_eq!(inverses.0[lane].to_bits(), inverse.to_bits(), "{}, lane {lane}", case.name);
-            workspace.set_positions(positions);
+            workspace.set_positions(positions).expect("positions that fit");
             if let Ok(EffectiveMass::Finite(m)) = workspace.effective_mass(&case.contact()) {
                 // Of a joint with several velocities, the workspace may eliminate another one first.
                 let off = (m * inverse - 1.0).abs();
@@ -239,7 +239,7 @@ fn positions_one_after_another_are_those_of_the_pose() {
             }
             first += joint.kind().positions();
         }
-        workspace.set_positions(&positions);
+        workspace.set_positions(&positions).expect("positions that fit");
         assert_eq!(workspace.mass_matrix(), pose.mass_matrix(), "{}", case.name);
         assert_eq!(workspace.inverse_effective_mass().to_bits(), here.to_bits(), "{}", case.name);
     }

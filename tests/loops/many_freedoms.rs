@@ -1,6 +1,9 @@
 //! A loop of many links, most of which stay free: one cluster whose mass matrix is formed whole.
 
-use percuss_dynamics::{Conditions, Contact, ContactResponse, EffectiveMass, Route, RouteChoice, System};
+use percuss_dynamics::{
+    Conditions, Contact, ContactResponse, EffectiveMass, ResponseError, Route, RouteChoice, RouteError,
+    System,
+};
 use percuss_mechanism::{
     ClosureDescription, ClosureKind, Inertial, JointDescription, JointKind, LinkDescription, Mechanism,
     MechanismBuilder,
@@ -67,4 +70,25 @@ fn a_cluster_of_many_freedoms_is_the_careful_routes() {
             "{n}: {a} {b} stated {stated:.1e}"
         );
     }
+}
+
+#[test]
+fn a_cluster_of_too_many_freedoms_is_refused() {
+    let mechanism = tethered(2500);
+    let link = mechanism.find_link("link_7").unwrap();
+    let system = System::new(mechanism, &Conditions::new()).unwrap();
+    let pose = system.pose(&system.configuration()).unwrap();
+    let contact = Contact::new(link, [0.05, 0.02, 0.0], [0.2, 0.7, -0.4]);
+    let refused = |error: ResponseError| match error {
+        ResponseError::Route(RouteError::ClusterTooLarge { loops, freedoms, bytes, most_bytes, .. }) => {
+            assert_eq!((loops, freedoms), (vec!["rod".to_owned()], 2499));
+            assert!(bytes > most_bytes);
+        }
+        other => panic!("{other}"),
+    };
+    refused(pose.respond(&contact, RouteChoice::Auto).expect_err("gigabytes"));
+    refused(pose.assembly().workspace().effective_mass(&contact).expect_err("gigabytes"));
+    refused(pose.workspace_over::<f64>(&contact).expect_err("gigabytes"));
+    let located = pose.locate(&contact).unwrap();
+    refused(pose.inverse_operational_inertia(&located).expect_err("gigabytes").into());
 }

@@ -84,6 +84,28 @@ fn groups_at_crossings_of_their_own_are_taken_together() {
 }
 
 #[test]
+fn limits_are_found_beside_a_long_chain() {
+    let scratch = Scratch::new("crossings-chain");
+    let mut chain = String::new();
+    for i in 0..3000 {
+        let parent = if i == 0 { "ground".to_owned() } else { format!("c{}", i - 1) };
+        chain += &(link(&format!("c{i}"), 1.0, 0.05, 0.01)
+            + &hinge(&format!("to_c{i}"), &parent, &format!("c{i}"), 0.1));
+    }
+    let [alone, beside] = [String::new(), chain].map(|chain| {
+        let model = robot(&scratch, "model.urdf", &[parallelogram("ground", "a", STRAIGHT), chain]);
+        json(&format!("mass {model} --link a_coupler --point 0.1,0,0 --normal 0,1,0 --format json"))
+    });
+    let (alone, beside) = (limits(&alone), limits(&beside));
+    assert_eq!((alone.len(), beside.len()), (2, 2));
+    for (a, b) in alone.iter().zip(&beside) {
+        let (a, b) = (a.expect("a limit"), b.expect("a limit"));
+        assert!((a / b - 1.0).abs() < 1e-9, "{a} {b}");
+    }
+    assert_one_is(&beside, 2.32);
+}
+
+#[test]
 fn a_branch_with_more_freedoms_is_one_branch() {
     let scratch = Scratch::new("crossings-spin");
     // The loop is closed by a ball: the coupler's pin to the crank is a ball too, so that it can roll about its length.

@@ -104,6 +104,32 @@ fn hostile_files_are_refused_in_bounded_memory() {
 }
 
 #[test]
+fn loops_that_positions_cannot_resolve_are_refused() {
+    let arm = |name: &str, x: f64, y: f64| {
+        format!(
+            "<link name=\"{name}\"><inertial><mass value=\"1\"/>\
+             <inertia ixx=\"1\" iyy=\"1\" izz=\"1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>\
+             <joint name=\"to_{name}\" type=\"continuous\"><parent link=\"base\"/><child link=\"{name}\"/>\
+             <origin xyz=\"{x} {y} 0\"/><axis xyz=\"0 0 1\"/></joint>"
+        )
+    };
+    for x in [1e13, 1e20, 1e90] {
+        let text = format!(
+            "<robot name=\"r\"><link name=\"base\"/>{}{}<loop name=\"pin\" type=\"revolute\">\
+             <predecessor link=\"a\"><origin xyz=\"1 0 0\"/></predecessor>\
+             <successor link=\"b\"><origin xyz=\"1 0 0\"/></successor><axis xyz=\"0 0 1\"/></loop></robot>",
+            arm("a", x, 0.0),
+            arm("b", x, 1.0)
+        );
+        let outcome = check_bytes("far-out", text.as_bytes());
+        assert_eq!((outcome.code, outcome.stdout.as_str()), (2, ""), "{x}: {}", outcome.stderr);
+        for said in ["\"pin\"", "from the root link", "expected: at most", "move the root link"] {
+            assert!(outcome.stderr.contains(said), "{x}: {}", outcome.stderr);
+        }
+    }
+}
+
+#[test]
 fn a_file_cut_short_is_refused_wherever_it_is_cut() {
     let whole = std::fs::read(root().join("models/double_pendulum.urdf")).unwrap();
     let end = whole.iter().rposition(|b| *b == b'>').unwrap();

@@ -7,62 +7,11 @@ use crate::pose::Pose;
 use crate::response::ContactResponse;
 use crate::system::System;
 use crate::tangent;
-use crate::tolerances::ADVANCE_CORRECTIONS;
+use crate::tolerances::{ADVANCE_CORRECTIONS, MOST_CLOSING};
+use crate::velocities::{VelocityError, check_positions, check_velocities};
 use nalgebra::Vector3;
 use percuss_mechanism::JointKind;
 use percuss_spatial::{Scalar, Transform, Twist, rotation_from_quaternion};
-
-/// Velocities that do not fit the mechanism.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum VelocityError {
-    /// Not one list a joint.
-    #[error(
-        "velocities of {got} joints are given, the mechanism has {expected}: one list a joint, in joint order"
-    )]
-    Joints {
-        /// How many lists were given.
-        got: usize,
-        /// How many joints there are.
-        expected: usize,
-    },
-    /// A list of the wrong length.
-    #[error("joint \"{joint}\" has {expected} velocities; {got} are given")]
-    Count {
-        /// The joint.
-        joint: String,
-        /// How many were given.
-        got: usize,
-        /// How many it has.
-        expected: usize,
-    },
-    /// Not the mechanism's number of positions.
-    #[error("{got} positions are given, the mechanism has {expected}")]
-    Positions {
-        /// How many were given.
-        got: usize,
-        /// How many there are.
-        expected: usize,
-    },
-}
-
-/// Refuses velocities that are not one list a joint, each of the joint's own length.
-pub(crate) fn check_velocities<T>(
-    mechanism: &percuss_mechanism::Mechanism,
-    velocities: &[Vec<T>],
-) -> Result<(), VelocityError> {
-    let (got, expected) = (velocities.len(), mechanism.joints().len());
-    if got != expected {
-        return Err(VelocityError::Joints { got, expected });
-    }
-    for (joint, v) in mechanism.joints().iter().zip(velocities) {
-        let (got, expected) = (v.len(), joint.kind().dofs());
-        if got != expected {
-            return Err(VelocityError::Count { joint: joint.name().to_owned(), got, expected });
-        }
-    }
-    Ok(())
-}
 
 impl System {
     /// q̇ of all joints at the velocities `v`, one list a joint; both in joint order (layouts of [`JointKind`]).
@@ -76,9 +25,7 @@ impl System {
     ) -> Result<Vec<T>, VelocityError> {
         let model = self.model();
         check_velocities(&model.mechanism, velocities)?;
-        if positions.len() != model.positions {
-            return Err(VelocityError::Positions { got: positions.len(), expected: model.positions });
-        }
+        check_positions(positions.len(), model.positions)?;
         let mut rates = vec![T::zero(); model.positions];
         for ((joint, range), v) in model.mechanism.joints().iter().zip(&model.joint_q).zip(velocities) {
             tangent::position_rates(joint.kind(), &positions[range.clone()], v, &mut rates[range.clone()]);
@@ -162,7 +109,7 @@ fn closed_again(
         let x = Linearised::at(model, kinematics, group).step(group, all, floor);
         let length = x.iter().map(|x| x * x).sum::<f64>().sqrt();
         moved += length;
-        if moved.is_nan() || moved > distance.max(group.size * distance) {
+        if moved.is_nan() || moved > MOST_CLOSING * distance {
             return false;
         }
         model.advance_group(kinematics, group, &all.expand(group, |k| x[k]));

@@ -181,8 +181,11 @@ fn off_rows(
 
 /// The largest of |K⁻¹||A| over the groups of a cluster.
 fn growth_of(groups: &[GroupMobility], cluster: &Cluster) -> f64 {
-    let sizes = cluster.groups.iter().flat_map(|own| &groups[own.group].sizes);
-    sizes.fold(0.0, |most: f64, s| most.max(*s)).min(1e6)
+    let of_group = |known: &GroupMobility| match known.pivots.rows.is_empty() {
+        true => 0.0,
+        false => known.sizes.iter().fold(known.size(0, 0), |most, s| most.max(*s)),
+    };
+    cluster.groups.iter().map(|own| of_group(&groups[own.group])).fold(0.0, f64::max).min(1e6)
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {

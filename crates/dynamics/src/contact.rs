@@ -103,6 +103,14 @@ pub enum ContactError {
         /// How many links this mechanism has.
         links: usize,
     },
+    /// A free body on the other side without a mass, or with one that is none.
+    #[error("the other side's mass is {mass} kg; expected a finite number above {least:e}")]
+    OtherMass {
+        /// What was given, kg.
+        mass: f64,
+        /// What it must exceed, kg.
+        least: f64,
+    },
     /// A link struck by itself.
     #[error("link \"{link}\" cannot be in contact with itself; name another link, or none for the ground")]
     Itself {

@@ -4,6 +4,7 @@ use crate::model::Model;
 use crate::outcome::RouteError;
 use crate::pose::Pose;
 use crate::tolerances::ACCELERATION_PIVOT;
+use crate::velocities::check_velocities;
 use nalgebra::Vector3;
 use percuss_mechanism::LinkId;
 use percuss_spatial::{ArticulatedInertia, Twist, Wrench};
@@ -51,6 +52,11 @@ fn refuse_bound(model: &Model) -> Result<(), RouteError> {
     }
 }
 
+fn refuse_foreign(model: &Model, link: LinkId) -> Result<(), RouteError> {
+    let (index, links) = (link.index(), model.link_frames.len());
+    if index < links { Ok(()) } else { Err(RouteError::ForeignLink { index, links }) }
+}
+
 impl Pose {
     /// Accelerations at a pose with joint velocities (joint order), the root link at rest in the world if it is fixed
     /// and starting from the twist `base` if it floats, under gravity (m/s², root link's axes) and point forces.
@@ -59,7 +65,8 @@ impl Pose {
     /// Featherstone 2008, table 7.1; joints with several velocities are eliminated one after another.
     ///
     /// # Errors
-    /// [`RouteError`]: mimics; a joint that moves no mass.
+    /// [`RouteError`]: loops, mimics or held contacts; a joint that moves no mass; velocities or a link of another
+    /// mechanism.
     pub fn accelerations(
         &self,
         velocities: &[Vec<f64>],
@@ -69,6 +76,8 @@ impl Pose {
     ) -> Result<Accelerations, RouteError> {
         let model = self.assembly.model();
         refuse_bound(model)?;
+        check_velocities(&model.mechanism, velocities)?;
+        forces.iter().try_for_each(|force| refuse_foreign(model, force.link))?;
         let kinematics = &self.kinematics;
         let n = model.bodies.len();
         let mut motions = vec![Twist::zero(); n];
@@ -182,18 +191,27 @@ impl Pose {
     }
 
     /// Acceleration (m/s², root link's axes) of a point (m, link's frame) of a link.
+    ///
+    /// # Errors
+    /// [`RouteError`]: a link or accelerations of another mechanism.
     pub fn point_acceleration(
         &self,
         accelerations: &Accelerations,
         link: LinkId,
         point: &Vector3<f64>,
-    ) -> Vector3<f64> {
-        let on = &self.assembly.model().link_frames[link.index()];
-        let Some(b) = on.body else { return Vector3::zeros() };
+    ) -> Result<Vector3<f64>, RouteError> {
+        let model = self.assembly.model();
+        refuse_foreign(model, link)?;
+        let (got, expected) = (accelerations.motions.len(), model.bodies.len());
+        if got != expected {
+            return Err(RouteError::ForeignAccelerations { got, expected });
+        }
+        let on = &model.link_frames[link.index()];
+        let Some(b) = on.body else { return Ok(Vector3::zeros()) };
         let r = on.frame.point(point);
         let (v, a) = &accelerations.motions[b];
         let local = a.velocity_at(&r) + v.angular.cross(&v.velocity_at(&r));
-        self.kinematics.frames[b].vector(&local)
+        Ok(self.kinematics.frames[b].vector(&local))
     }
 }
 

@@ -44,9 +44,9 @@ mod tolerances;
 mod travel;
 mod travel_search;
 mod union;
+mod velocities;
 mod workspace;
 
-pub use advance::VelocityError;
 pub use assembling::{AssemblyError, LoopState};
 pub use assembly::{Assembly, DrawnGap};
 pub use conditions::{Base, Conditions, ConditionsError};
@@ -63,4 +63,5 @@ pub use pose::{Pose, PoseRank};
 pub use response::{ContactResponse, Contributions};
 pub use system::System;
 pub use travel::{Travel, TravelError};
+pub use velocities::VelocityError;
 pub use workspace::{ScalarWorkspace, Workspace};

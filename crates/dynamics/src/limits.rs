@@ -2,13 +2,17 @@
 
 use crate::assembly::Assembly;
 use crate::careful::Minimum;
-use crate::contact::Contact;
+use crate::contact::{Contact, LocatedContact};
 use crate::kinematics::Kinematics;
 use crate::model::Model;
 use crate::outcome::EffectiveMass;
 use crate::pose::Pose;
+use crate::routes::{Question, RecursionRoom};
 use crate::singular::{Surroundings, dot};
-use crate::tolerances::{BENT, BRANCH_COMBINATIONS, LIMIT_STEPS, LIMITS_AGREE, VANISHING_LIMIT};
+use crate::tolerances::{
+    BENT, BRANCH_COMBINATIONS, LIMIT_PLACES, LIMIT_STEPS, LIMITS_AGREE, LIMITS_BY_CAREFUL_ROUTE,
+    LIMITS_BY_RECURSION, VANISHING_LIMIT,
+};
 
 /// Limits of m̄ where branches cross.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -27,16 +31,17 @@ impl Pose {
     /// branch leads away.
     pub fn branch_limits(&self, contact: &Contact) -> BranchLimits {
         let assembly = self.assembly();
-        let crossings = crossings_of(self, contact);
+        let Crossings { crossings, complete } = crossings_of(self, contact);
         if crossings.is_empty() {
-            return BranchLimits { complete: true, ..BranchLimits::default() };
+            return BranchLimits { complete, ..BranchLimits::default() };
         }
         let count = |n: usize, c: &&Surroundings| n.saturating_mul(c.branches.len());
         let combinations = crossings.iter().fold(1, count);
-        let limit = |number: usize| limit_along(assembly, self, contact, &crossings, number);
+        let route = LimitRoute::of(assembly.model(), combinations.min(BRANCH_COMBINATIONS));
+        let limit = |number: usize| limit_along(self, contact, &crossings, route, number);
         let continuous = crossings.iter().any(|c| c.continuous);
-        let mut limits: Vec<EffectiveMass> =
-            (0..combinations.min(BRANCH_COMBINATIONS)).filter_map(limit).collect();
+        let looked_at = combinations.min(BRANCH_COMBINATIONS).min(route.most_combinations(assembly.model()));
+        let mut limits: Vec<EffectiveMass> = (0..looked_at).filter_map(limit).collect();
         let answered = limits.len() == combinations;
         if continuous {
             limits.sort_by(|a, b| value(a).total_cmp(&value(b)));
@@ -48,16 +53,77 @@ impl Pose {
                 .map(|(_, l)| l)
                 .collect();
         }
-        BranchLimits { limits, continuous, complete: answered && crossings.iter().all(|c| c.complete) }
+        BranchLimits { limits, continuous, complete: answered && complete }
     }
 }
 
-/// The groups at crossings that affect the contact, those that it moves itself first.
-fn crossings_of<'a>(pose: &'a Pose, contact: &Contact) -> Vec<&'a Surroundings> {
+/// How m̄ is found beside a crossing.
+#[derive(Clone, Copy, PartialEq)]
+enum LimitRoute {
+    /// By the careful route, while the mechanism is small.
+    Careful,
+    /// By the recursion, with what the assembly decides there.
+    Recursion,
+}
+
+impl LimitRoute {
+    fn of(model: &Model, combinations: usize) -> Self {
+        let work = model.follows.len().saturating_pow(3).saturating_mul(LIMIT_PLACES * combinations);
+        if work <= LIMITS_BY_CAREFUL_ROUTE { LimitRoute::Careful } else { LimitRoute::Recursion }
+    }
+
+    fn most_combinations(self, model: &Model) -> usize {
+        match self {
+            LimitRoute::Careful => BRANCH_COMBINATIONS,
+            LimitRoute::Recursion => {
+                (LIMITS_BY_RECURSION / (LIMIT_PLACES * model.bodies.len().max(1))).max(1)
+            }
+        }
+    }
+
+    /// m̄ at some frames; none where it is no minimum, or its matrices are too large.
+    fn mass(
+        self,
+        assembly: &Assembly,
+        kinematics: &Kinematics<f64>,
+        located: &LocatedContact,
+    ) -> Option<EffectiveMass> {
+        let model = assembly.model();
+        let groups = assembly.decide(kinematics);
+        match self {
+            LimitRoute::Careful => match model.least_energy(kinematics, &groups, located).minimum {
+                Minimum::Finite(m) => Some(EffectiveMass::Finite(m)),
+                Minimum::Immovable => Some(EffectiveMass::Immovable),
+                Minimum::Massless => Some(EffectiveMass::Massless),
+                Minimum::Stationary(_) => None,
+            },
+            LimitRoute::Recursion => {
+                model.refuse_large_clusters::<f64>(&groups).ok()?;
+                let question =
+                    Question { model, kinematics, groups: &groups, misfits: assembly.misfits(), located };
+                let mut room = RecursionRoom::new(model);
+                question.run(&mut room);
+                (!room.deciding.indefinite).then(|| room.mass())
+            }
+        }
+    }
+}
+
+/// The groups at crossings that affect the contact.
+struct Crossings<'a> {
+    /// Those with branches, those that the contact moves itself first.
+    crossings: Vec<&'a Surroundings>,
+    /// Whether all was found of each.
+    complete: bool,
+}
+
+fn crossings_of<'a>(pose: &'a Pose, contact: &Contact) -> Crossings<'a> {
     let known = pose.crossings();
     let of_group = |number| known.iter().find(|(n, _)| *n == number).map(|(_, around)| around);
     let coupled = coupled_groups(pose.assembly().posing(), contact).into_iter();
-    coupled.filter_map(of_group).filter(|a| !a.branches.is_empty() && !a.regular).collect()
+    let all: Vec<&Surroundings> = coupled.filter_map(of_group).filter(|a| !a.regular).collect();
+    let complete = all.iter().all(|a| a.complete);
+    Crossings { crossings: all.into_iter().filter(|a| !a.branches.is_empty()).collect(), complete }
 }
 
 /// Groups on the trees, or tied to the trees, that the contact's sides stand on; those that move the sides first.
@@ -90,12 +156,13 @@ fn coupled_groups(model: &Model, contact: &Contact) -> Vec<usize> {
 /// The limit along a combination of branches: at four places on either side, Lagrange's formula for 1/m̄ carries it
 /// on; the order below must agree.
 fn limit_along(
-    assembly: &Assembly,
     pose: &Pose,
     contact: &Contact,
     crossings: &[&Surroundings],
+    route: LimitRoute,
     number: usize,
 ) -> Option<EffectiveMass> {
+    let assembly: &Assembly = pose.assembly();
     let at = |places: i32, apart: f64| {
         let mut kinematics: Kinematics<f64> = pose.kinematics.clone();
         let mut number = number;
@@ -112,10 +179,8 @@ fn limit_along(
                 return None;
             }
         }
-        let model = assembly.model();
-        let located = model.locate(&kinematics, &pose.base, contact).ok()?;
-        let groups = assembly.decide(&kinematics);
-        Some(model.least_energy(&kinematics, &groups, &located).minimum)
+        let located = assembly.model().locate(&kinematics, &pose.base, contact).ok()?;
+        route.mass(assembly, &kinematics, &located)
     };
     let mut best: Option<(f64, EffectiveMass)> = None;
     for apart in LIMIT_STEPS {
@@ -140,7 +205,7 @@ fn value(limit: &EffectiveMass) -> f64 {
 }
 
 /// The limit from values at one to four places on either side, and how far two orders of the interpolation differ.
-fn carried_on(at: &dyn Fn(i32) -> Option<Minimum>) -> Option<(f64, EffectiveMass)> {
+fn carried_on(at: &dyn Fn(i32) -> Option<EffectiveMass>) -> Option<(f64, EffectiveMass)> {
     const EIGHT: [f64; 4] = [4.0 / 5.0, -2.0 / 5.0, 4.0 / 35.0, -1.0 / 70.0];
     const SIX: [f64; 4] = [3.0 / 4.0, -3.0 / 10.0, 1.0 / 20.0, 0.0];
     let (mut mobility, mut coarse, mut most_mobile) = (0.0, 0.0, 0.0_f64);
@@ -148,10 +213,8 @@ fn carried_on(at: &dyn Fn(i32) -> Option<Minimum>) -> Option<(f64, EffectiveMass
     for place in 0..4 {
         for side in [1, -1] {
             let m = match at(side * (place as i32 + 1))? {
-                Minimum::Finite(m) => m,
-                Minimum::Immovable => return Some((0.0, EffectiveMass::Immovable)),
-                Minimum::Massless => return Some((0.0, EffectiveMass::Massless)),
-                Minimum::Stationary(_) => return None,
+                EffectiveMass::Finite(m) => m,
+                other @ (EffectiveMass::Immovable | EffectiveMass::Massless) => return Some((0.0, other)),
             };
             mobility += EIGHT[place] / m;
             coarse += SIX[place] / m;

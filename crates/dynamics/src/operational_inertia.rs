@@ -37,12 +37,13 @@ impl Pose {
     /// contacts included. O(n).
     ///
     /// # Errors
-    /// [`RouteError`]: a motion without mass that answers a wrench there; a motion of negative mass.
+    /// [`RouteError`]: a motion without mass that answers a wrench there; a motion of negative mass; too large a cluster of bodies.
     pub fn inverse_operational_inertia(
         &self,
         contact: &LocatedContact,
     ) -> Result<InverseOperationalInertia, RouteError> {
         let model = self.assembly.model();
+        model.refuse_large_clusters::<f64>(&self.groups)?;
         let mut recursion = Recursion::<f64, 12>::new(model);
         let mut deciding = Deciding::<12>::new(model);
         let sides = [Some(contact.link), contact.against];

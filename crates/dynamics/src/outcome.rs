@@ -1,6 +1,7 @@
 //! What is answered to a contact, and why something is not.
 
 use crate::contact::ContactError;
+use crate::velocities::VelocityError;
 
 /// What the mechanism opposes to the contact along its normal.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,6 +64,29 @@ pub enum RouteError {
         /// How many it takes.
         limit: usize,
     },
+    /// Bodies bound together by loops have so many freedoms that their matrices would not fit into memory.
+    #[error(
+        "the bodies bound together by {} have {freedoms} freedoms over {coordinates} coordinates: the recursion's matrices \
+         would take {:.0} MB and {work:.0e} multiplications in all, of at most {:.0} MB and {most_work:.0e}; lock joints \
+         that hardly move (--lock), or model a long chain inside a loop with fewer links",
+        quoted(loops), bytes / 1e6, most_bytes / 1e6
+    )]
+    ClusterTooLarge {
+        /// The loops, couplings and held contacts of the largest cluster of bodies; none where mimics bind it.
+        loops: Vec<String>,
+        /// How many coordinates it has.
+        coordinates: usize,
+        /// How many of them are independent.
+        freedoms: usize,
+        /// What the matrices of all clusters would take, bytes.
+        bytes: f64,
+        /// What they may take, bytes.
+        most_bytes: f64,
+        /// Multiplications that they would take.
+        work: f64,
+        /// Multiplications that they may take.
+        most_work: f64,
+    },
     /// Accepted indefinite inertias leave no positive mass at the contact.
     #[error(
         "the mass matrix is indefinite and the contact's effective mass comes out as {value} kg: \
@@ -83,6 +107,29 @@ pub enum RouteError {
     SingularPivot {
         /// Smallest pivot relative to the size of its terms.
         least_pivot: f64,
+    },
+    /// Velocities that are not the mechanism's.
+    #[error(transparent)]
+    Velocities(#[from] VelocityError),
+    /// A handle of another mechanism.
+    #[error(
+        "link number {index} is not of this mechanism, which has {links} links; ask it for the link by name"
+    )]
+    ForeignLink {
+        /// The handle's number.
+        index: usize,
+        /// How many links this mechanism has.
+        links: usize,
+    },
+    /// Accelerations of another mechanism.
+    #[error(
+        "the accelerations are of {got} bodies, this mechanism has {expected}; ask a pose of its own for them"
+    )]
+    ForeignAccelerations {
+        /// Of how many bodies they are.
+        got: usize,
+        /// How many this mechanism has.
+        expected: usize,
     },
     /// Φ is not defined where a motion without mass answers a wrench.
     #[error("a motion without mass answers a wrench on this link: J M⁻¹ Jᵀ is infinite")]
@@ -130,4 +177,12 @@ pub enum Remark {
     },
     /// M has negative directions (accepted indefinite inertias): m̄ is a stationary value, no minimum.
     IndefiniteMassMatrix,
+}
+
+fn quoted(names: &[String]) -> String {
+    if names.is_empty() {
+        return "mimics".into();
+    }
+    let shown = names.iter().take(6).map(|n| format!("\"{n}\"")).collect::<Vec<_>>().join(", ");
+    if names.len() > 6 { format!("{shown} and {} more", names.len() - 6) } else { shown }
 }

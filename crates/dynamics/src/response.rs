@@ -1,13 +1,13 @@
 //! The contact response: effective mass, the motion at unit closing speed, and the contribution of each link.
 
 use crate::assembly::Assembly;
-use crate::contact::{Contact, LocatedContact};
+use crate::contact::{Contact, ContactError, LocatedContact};
 use crate::error_budget::{ErrorBudget, RelativeErrors};
 use crate::outcome::{CarefulReason, EffectiveMass, Remark, ResponseError, Route, RouteChoice, RouteError};
 use crate::pose::Pose;
 use crate::recursion::Decisions;
 use crate::routes::{Found, Question, RecursionRoom};
-use crate::tolerances::{FILE_MISFITS, NEARLY_IMMOVABLE, NEGLIGIBLE_MASS, SAME_BOTH_WAYS};
+use crate::tolerances::{FILE_MISFITS, LEAST_OTHER_MASS, NEARLY_IMMOVABLE, NEGLIGIBLE_MASS, SAME_BOTH_WAYS};
 use nalgebra::Vector3;
 use percuss_mechanism::{JointId, LinkId};
 use percuss_spatial::Twist;
@@ -67,15 +67,21 @@ impl ContactResponse {
 
     /// The same where the other side is a free mass (kg) of its own: 1/m̄ = 1/m̄₁ + 1/m₂.
     ///
-    /// An immovable mechanism leaves m̄ = m₂; a massless one stays massless. `other` must be finite and > 0.
-    pub fn against_mass(mut self, other: f64) -> Self {
+    /// An immovable mechanism leaves m̄ = m₂; a massless one stays massless.
+    ///
+    /// # Errors
+    /// [`ContactError::OtherMass`]: not finite, or not above 1e-100 kg.
+    pub fn against_mass(mut self, other: f64) -> Result<Self, ContactError> {
+        if !(other.is_finite() && other > LEAST_OTHER_MASS) {
+            return Err(ContactError::OtherMass { mass: other, least: LEAST_OTHER_MASS });
+        }
         let (m, factor) = match self.effective_mass {
             EffectiveMass::Finite(own) => {
                 let m = own / (1.0 + own / other);
                 (m, m / own)
             }
             EffectiveMass::Immovable => (other, 0.0),
-            EffectiveMass::Massless => return self,
+            EffectiveMass::Massless => return Ok(self),
         };
         self.effective_mass = EffectiveMass::Finite(m);
         // dm̄ = (m̄/m̄₁)² dm̄₁; the other mass is taken as exact, but for one rounding.
@@ -90,7 +96,7 @@ impl ContactResponse {
         contributions.rotors.iter_mut().for_each(|(_, s)| *s *= factor);
         contributions.other_mass = Some(m / other);
         self.contributions = Some(contributions);
-        self
+        Ok(self)
     }
 }
 
@@ -140,6 +146,7 @@ struct Asked<'a> {
 impl Asked<'_> {
     fn answer(&mut self, choice: RouteChoice) -> Result<ContactResponse, RouteError> {
         let question = self.pose.question(self.located);
+        question.model.refuse_large_clusters::<f64>(&self.pose.groups)?;
         question.run(&mut self.room);
         let found = question.answer(&mut self.room, choice)?;
         let up_to = self.room.deciding.massless_to[0];

@@ -9,7 +9,9 @@ use crate::mobility::GroupMobility;
 use crate::model::Model;
 use crate::outcome::{CarefulReason, EffectiveMass, Remark, Route, RouteChoice, RouteError};
 use crate::recursion::{Deciding, Motion, Recursion};
-use crate::tolerances::{CAREFUL_LIMIT, IMMOVABLE, NEARLY_IMMOVABLE, NOTHING_LEFT, ROUTE_ROUNDINGS, TRUSTED_ERROR, VAGUE_RESPONSE};
+use crate::tolerances::{
+    CAREFUL_LIMIT, IMMOVABLE, NEARLY_IMMOVABLE, NOTHING_LEFT, ROUTE_ROUNDINGS, TRUSTED_ERROR, VAGUE_RESPONSE,
+};
 use nalgebra::Vector3;
 use percuss_spatial::{Twist, Wrench};
 

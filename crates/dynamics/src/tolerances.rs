@@ -12,13 +12,25 @@ pub(crate) const MASSLESS_CLOSING: f64 = 1e-10;
 pub(crate) const PIVOT: f64 = 256.0 * f64::EPSILON;
 /// The recursion's answer stands alone up to this relative error; beyond, the careful route is asked too.
 pub(crate) const TRUSTED_ERROR: f64 = 1e-11;
+/// Least mass of a free body on the other side, kg: its inverse is still a number, with room for sums.
+pub(crate) const LEAST_OTHER_MASS: f64 = 1e-100;
 /// Coordinates up to which the careful route is taken: it is dense, O(n³) in time and 8n² bytes a matrix.
 pub(crate) const CAREFUL_LIMIT: usize = 1000;
+/// Bytes that the matrices of all clusters of bodies may take in one run of the recursion: two runs stand side by side
+/// where an error is stated, within 1.5 GB with the model itself. A loop of 1,800 free links.
+pub(crate) const CLUSTER_BYTES: usize = 400 << 20;
+/// Multiplications that these may take: half a minute.
+pub(crate) const CLUSTER_WORK: f64 = 3e10;
 /// Coordinates up to which the condition of the mass matrix is asked: O(n³).
 pub(crate) const CONDITION_LIMIT: usize = 300;
 
 /// Singular values of A below this part of the largest count as zero, where the file is exact: rounding leaves 1e-14.
 pub(crate) const RANK_FLOOR: f64 = 1e-10;
+/// The floor of a rank is at most this part of the largest singular value: that one always counts.
+pub(crate) const MOST_FLOOR: f64 = 0.1;
+/// A group of loops is refused that stands further from the root link than this many times its size: its positions are
+/// known to 6e-6 of the size, and ranks would be decided at a thousandth of the largest singular value.
+pub(crate) const FARTHEST: f64 = 2.8e10;
 /// Singular values of A below this part of the largest are rounding alone: it leaves 1e-14.
 pub(crate) const RANK_ROUNDING: f64 = 3e-13;
 /// Both sides of the gap lie more than this factor from the threshold where the rank is clear.
@@ -250,3 +262,24 @@ pub(crate) const BRANCH_COMBINATIONS: usize = 256;
 pub(crate) const VANISHING_LIMIT: f64 = 1e-7;
 /// A branch is too bent where the cosine between it and where it is at these places is less.
 pub(crate) const BENT: f64 = 0.9;
+
+/// Corrections that close a group again after a step aside are together at most this many times the step: of second order in
+/// it, they are far shorter unless the branch is lost.
+pub(crate) const MOST_CLOSING: f64 = 1.0;
+/// Places from which a limit is carried on, at most: four on either side, at every distance.
+pub(crate) const LIMIT_PLACES: usize = 8 * LIMIT_STEPS.len();
+/// Work of the careful route at the places from which limits are carried on, in cubes of the coordinates; beyond, the recursion
+/// is asked: two branches of a mechanism of 160 coordinates, some seconds.
+pub(crate) const LIMITS_BY_CAREFUL_ROUTE: usize = 300_000_000;
+/// Work of the recursion at these places, in bodies; fewer combinations are looked at where it would be more: 256 of a
+/// mechanism of 1,000 bodies, some ten seconds.
+pub(crate) const LIMITS_BY_RECURSION: usize = 10_000_000;
+/// Work, in cubes of a group's coordinates, of looking for branches where two motions are admissible or fewer, and of the proof
+/// that a pose is regular: every direction of a plane of 160 coordinates, or every motion of 64.
+pub(crate) const DIRECTIONS_WORK_IN_ALL: usize = 400_000_000;
+/// Most work of setting joints with several positions, in cubes of a group's coordinates; of a large group so many corrections
+/// at least.
+pub(crate) const SET_WORK: usize = 200_000_000;
+pub(crate) const FEWEST_SET_CORRECTIONS: usize = 1_000;
+/// Corrections that no longer come to this part of the one before are rounding, once they have settled.
+pub(crate) const CORRECTIONS_SHRINK: f64 = 0.5;

@@ -1,7 +1,7 @@
 //! The hot path: many configurations, nothing allocated after the first.
 
 use crate::assembly::Assembly;
-use crate::contact::{Contact, ContactPoint};
+use crate::contact::{Contact, ContactError, ContactPoint};
 use crate::kinematics::Kinematics;
 use crate::mobility::{GroupMobility, MobilityRoom};
 use crate::outcome::{EffectiveMass, ResponseError};
@@ -9,6 +9,7 @@ use crate::pose::Pose;
 use crate::recursion::{Decisions, Following, Recursion};
 use crate::routes::{Question, RecursionRoom};
 use crate::system::System;
+use crate::velocities::{VelocityError, check_positions};
 use nalgebra::Vector3;
 use percuss_mechanism::LinkId;
 use percuss_spatial::{Scalar, SpatialInertia, Transform, Wrench};
@@ -54,11 +55,13 @@ impl Workspace {
     /// [`JointKind`](percuss_mechanism::JointKind)); unit quaternions; entries of mimics are not read. Loops are taken as
     /// closed there: positions of a [`Pose`] of the same assembly are.
     ///
-    /// # Panics
-    /// Where the number of positions is not that of the mechanism.
-    pub fn set_positions(&mut self, positions: &[f64]) {
+    /// # Errors
+    /// [`VelocityError::Positions`]: not as many as the mechanism has. The workspace stays where it was.
+    pub fn set_positions(&mut self, positions: &[f64]) -> Result<(), VelocityError> {
+        check_positions(positions.len(), self.kinematics.q.len())?;
         self.kinematics.q.copy_from_slice(positions);
         self.refill();
+        Ok(())
     }
 
     fn refill(&mut self) {
@@ -76,10 +79,12 @@ impl Workspace {
     /// with the root link at the world's origin. States no error: [`Pose::respond`] does.
     ///
     /// # Errors
-    /// [`ResponseError`]: a contact that means nothing; motions of negative mass that leave none that is positive.
+    /// [`ResponseError`]: a contact that means nothing; motions of negative mass that leave none that is positive; too large
+    /// a cluster of bodies.
     pub fn effective_mass(&mut self, contact: &Contact) -> Result<EffectiveMass, ResponseError> {
         let model = self.assembly.model();
         let located = model.locate(&self.kinematics, &Transform::identity(), contact)?;
+        model.refuse_large_clusters::<f64>(&self.groups)?;
         let question = Question {
             model,
             kinematics: &self.kinematics,
@@ -109,10 +114,11 @@ impl Pose {
     /// Room to ask for m̄ of a contact over another scalar, with the decisions of this pose.
     ///
     /// # Errors
-    /// [`ResponseError`]: a contact that means nothing.
+    /// [`ResponseError`]: a contact that means nothing; too large a cluster of bodies.
     pub fn workspace_over<T: Scalar>(&self, contact: &Contact) -> Result<ScalarWorkspace<T>, ResponseError> {
         let located = self.locate(contact)?;
         let model = self.assembly.model();
+        model.refuse_large_clusters::<T>(&self.groups)?;
         let mut kinematics = Kinematics::new(model);
         for (to, from) in kinematics.q.iter_mut().zip(self.positions()) {
             *to = T::from_f64(*from);
@@ -133,20 +139,28 @@ impl Pose {
 impl<T: Scalar> ScalarWorkspace<T> {
     /// Moves to other positions (layout of [`Workspace::set_positions`]).
     ///
-    /// # Panics
-    /// Where the number of positions is not that of the mechanism.
-    pub fn set_positions(&mut self, positions: &[T]) {
+    /// # Errors
+    /// [`VelocityError::Positions`]: not as many as the mechanism has. The workspace stays where it was.
+    pub fn set_positions(&mut self, positions: &[T]) -> Result<(), VelocityError> {
+        check_positions(positions.len(), self.kinematics.q.len())?;
         self.kinematics.q.copy_from_slice(positions);
         self.kinematics.refill(self.assembly.model());
+        Ok(())
     }
 
     /// Adds to the inertia of a link (about its own origin, in its axes): a derivative by a mass is asked that way. A link
     /// of the ground carries none.
-    pub fn add_inertia(&mut self, link: LinkId, change: &SpatialInertia<T>) {
-        let on = &self.assembly.model().link_frames[link.index()];
+    ///
+    /// # Errors
+    /// [`ContactError::ForeignLink`]: a link of another mechanism.
+    pub fn add_inertia(&mut self, link: LinkId, change: &SpatialInertia<T>) -> Result<(), ContactError> {
+        let frames = &self.assembly.model().link_frames;
+        let (index, links) = (link.index(), frames.len());
+        let on = frames.get(index).ok_or(ContactError::ForeignLink { index, links })?;
         if let Some(body) = on.body {
             self.recursion.bodies[body] += on.frame.cast().inertia(change);
         }
+        Ok(())
     }
 
     /// 1/m̄ at the positions last given, 1/kg.

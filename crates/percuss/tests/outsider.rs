@@ -109,7 +109,7 @@ fn everything_at_a_pose() {
     assert!((moved.dot(&located.normal_world) - 1e-3).abs() < 1e-5);
 
     let mut workspace: Workspace = assembly.workspace();
-    workspace.set_positions(pose.positions());
+    workspace.set_positions(pose.positions()).expect("positions that fit");
     assert_eq!(workspace.effective_mass(&contact).unwrap(), response.effective_mass);
     let scalars: Result<ScalarWorkspace<f64>, ResponseError> = pose.workspace_over(&contact);
     assert!((scalars.unwrap().inverse_effective_mass() * m - 1.0).abs() < 1e-12);

@@ -13,7 +13,7 @@ use crate::thresholds::LEAST_OTHER_MASS;
 use nalgebra::Vector3;
 use percuss_dynamics::{
     BranchLimits, Conditions, Configuration, Contact, ContactResponse, Direction, EffectiveMass, Frame, Pose,
-    RouteChoice, System,
+    ResponseError, RouteChoice, System,
 };
 use percuss_mechanism::{JointId, LinkId, Mechanism, UnknownName};
 use std::sync::Arc;
@@ -166,7 +166,7 @@ impl<'a> Prepared<'a> {
             let message = "the mechanism itself is immovable at this contact: only the other body's mass counts (--against-mass)";
             findings.push(Finding::note("immovable-mechanism", Subject::Answer, message));
         }
-        let with_other = response.clone().against_mass(other);
+        let with_other = response.clone().against_mass(other).map_err(ResponseError::from)?;
         Ok(Answer { response: with_other, alone: Some(response), limits, estimate, findings })
     }
 
@@ -174,7 +174,7 @@ impl<'a> Prepared<'a> {
     pub fn effective_mass(&self, pose: &Pose, contact: &Contact) -> Result<EffectiveMass, StudyError> {
         let response = pose.respond(contact, RouteChoice::Auto)?;
         Ok(match self.other_mass() {
-            Some(other) => response.against_mass(other).effective_mass,
+            Some(other) => response.against_mass(other).map_err(ResponseError::from)?.effective_mass,
             None => response.effective_mass,
         })
     }

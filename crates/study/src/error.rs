@@ -79,6 +79,7 @@ impl Field {
             ContactError::NotFinite { what: "normal", .. } | ContactError::NoNormal { .. } => Field::Normal,
             ContactError::NotFinite { what: "line", .. } | ContactError::NoLine { .. } => Field::AlongLine,
             ContactError::Itself { .. } => Field::Against,
+            ContactError::OtherMass { .. } => Field::AgainstMass,
             ContactError::NotFinite { .. } => Field::Point,
             // Handles of other mechanisms, which a question by names does not have.
             _ => Field::Link,

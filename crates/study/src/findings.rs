@@ -222,6 +222,10 @@ pub(crate) fn about_branches(
         (true, ..) if !loops => {
             "what is held or locked constrains less here than beside it, and the value is a lower bound"
         }
+        (true, _, false) => {
+            "its branches were not followed, since there are too many or its loops are too large, and the value is a lower \
+             bound"
+        }
         (true, ..) => {
             "no branch was found to lead away from it, and the value is a lower bound that no finite motion attains"
         }

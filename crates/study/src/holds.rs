@@ -4,7 +4,9 @@ use crate::error::StudyError;
 use crate::finding::{Finding, Subject};
 use crate::thresholds::LEAVES;
 use nalgebra::Vector3;
-use percuss_dynamics::{Contact, ContactResponse, EffectiveMass, PointVelocity, Pose, RouteChoice, System};
+use percuss_dynamics::{
+    Contact, ContactResponse, EffectiveMass, PointVelocity, Pose, ResponseError, RouteChoice, System,
+};
 use percuss_mechanism::LinkId;
 
 /// A contact that is held along a normal, and the mechanism without it.
@@ -41,7 +43,7 @@ impl HeldContact {
         if lifts {
             let message = format!(
                 "the held contact of link \"{name}\" (--hold) would have to pull: the impact lifts it off; without it {}",
-                described(response, other)
+                described(response, other)?
             );
             return Ok(Some(Finding::warning("hold-pulls", subject, message)));
         }
@@ -57,14 +59,14 @@ impl HeldContact {
 }
 
 /// The effective mass in words.
-fn described(response: ContactResponse, other: Option<f64>) -> String {
+fn described(response: ContactResponse, other: Option<f64>) -> Result<String, StudyError> {
     let with_other = match other {
-        Some(other) => response.against_mass(other).effective_mass,
+        Some(other) => response.against_mass(other).map_err(ResponseError::from)?.effective_mass,
         None => response.effective_mass,
     };
-    match with_other {
+    Ok(match with_other {
         EffectiveMass::Finite(m) => format!("the effective mass is {m} kg"),
         EffectiveMass::Immovable => "the contact is immovable".into(),
         EffectiveMass::Massless => "the contact is massless".into(),
-    }
+    })
 }

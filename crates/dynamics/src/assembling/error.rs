@@ -69,6 +69,25 @@ pub enum AssemblyError {
         /// The closure.
         name: String,
     },
+    /// Loops so far from the root link that their positions cannot be told apart.
+    #[error(
+        "the loops {} are {size:.3e} m in size and stand {far:.3e} m from the root link, where positions are known to \
+         {known:.1e} m; expected: at most {farthest:.3e} m; correct the origins of their joints, or move the root link \
+         to them",
+        quoted(loops)
+    )]
+    TooFarOut {
+        /// The loops and couplings of the group.
+        loops: Vec<String>,
+        /// The size of the group, m.
+        size: f64,
+        /// How far from the root link it is with all joints at 0, m.
+        far: f64,
+        /// How far it may be, m.
+        farthest: f64,
+        /// What positions there are known to, m.
+        known: f64,
+    },
     /// A joint was set that follows others.
     #[error(
         "joint \"{joint}\" depends on others through the loops; set {} instead, or start from another assembly with --guess",
@@ -97,6 +116,7 @@ impl AssemblyError {
             self,
             AssemblyError::Dependent { .. }
                 | AssemblyError::NoDistance { .. }
+                | AssemblyError::TooFarOut { .. }
                 | AssemblyError::ForeignPose
                 | AssemblyError::ForeignConfiguration { .. }
         )

@@ -7,8 +7,8 @@ use crate::mobility::{Drivers, Generic, Rank, independent_rows, rank_of_rows};
 use crate::model::{Group, Model};
 use crate::rows::GroupRows;
 use crate::tolerances::{
-    CLOSED, FIRST_STARTS, FIRST_STARTS_ASIDE, GENERIC_POSES, GENERIC_POSES_ENOUGH, LARGE_GROUP, ROUNDING,
-    SAME_POSE, SETTLED,
+    CLOSED, FARTHEST, FIRST_STARTS, FIRST_STARTS_ASIDE, GENERIC_POSES, GENERIC_POSES_ENOUGH, LARGE_GROUP,
+    ROUNDING, SAME_POSE, SETTLED,
 };
 use percuss_mechanism::{ClosureKind, JointId};
 
@@ -108,6 +108,7 @@ impl Model {
     pub fn put_together(&self, mut start: Kinematics<f64>) -> Result<Facts, AssemblyError> {
         let mut first = Vec::with_capacity(self.groups.len());
         for group in &self.groups {
+            self.refuse_far(group)?;
             self.refuse_rod(group)?;
             start.refill_bodies(self, &group.bodies);
             let before = start.q.clone();
@@ -148,6 +149,16 @@ impl Model {
         };
         let groups = self.groups.iter().map(open).collect();
         Facts { reference: start.q, groups }
+    }
+
+    /// Refuses a group whose positions cannot resolve its size.
+    fn refuse_far(&self, group: &Group) -> Result<(), AssemblyError> {
+        let (size, far, farthest) = (group.size, group.far, FARTHEST * group.size);
+        if far <= farthest {
+            return Ok(());
+        }
+        let known = f64::EPSILON * far;
+        Err(AssemblyError::TooFarOut { loops: self.group_names(group), size, far, farthest, known })
     }
 
     /// Refuses a rod whose ends coincide and whose length is not declared, measured on its group's own size.

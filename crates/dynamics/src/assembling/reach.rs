@@ -8,7 +8,10 @@ use crate::configuration::Configuration;
 use crate::kinematics::Kinematics;
 use crate::mobility::{Drivers, Singularity};
 use crate::model::{Group, Model};
-use crate::tolerances::{MATCHED, MODE_STARTS, MODE_STARTS_ASIDE, MODE_STARTS_WORK, SET_CORRECTIONS};
+use crate::tolerances::{
+    CORRECTIONS_SHRINK, FEWEST_SET_CORRECTIONS, MATCHED, MODE_STARTS, MODE_STARTS_ASIDE, MODE_STARTS_WORK,
+    SET_CORRECTIONS, SET_WORK, SETTLED,
+};
 use percuss_mechanism::JointId;
 
 /// A driver with a position of one number.
@@ -166,6 +169,7 @@ impl Closer<'_> {
         begin(self);
         if model.group_residual(&self.kinematics, group).0 <= tolerance {
             self.correct(group, &divided.dependent, tolerance);
+            self.set_beside_guess(group, divided, drivers, tolerance)?;
             return Ok(None);
         }
         let all: Vec<&Driver> = drivers.iter().collect();
@@ -174,14 +178,27 @@ impl Closer<'_> {
         if closed && drivers.len() == divided.driving.len() {
             let driven = self.drive(group, divided, drivers, &all, tolerance);
             if driven.is_ok() {
+                self.set_beside_guess(group, divided, drivers, tolerance)?;
                 return driven;
             }
         }
         begin(self);
         if self.correct(group, &divided.dependent, tolerance) {
+            self.set_beside_guess(group, divided, drivers, tolerance)?;
             return Ok(None);
         }
         Err(self.unreachable(group, divided, drivers))
+    }
+
+    /// Brings joints with several positions that were set back there, where closing from a guess has moved them.
+    fn set_beside_guess(
+        &mut self,
+        group: &Group,
+        divided: &Drivers,
+        drivers: &[Driver],
+        tolerance: f64,
+    ) -> Result<(), AssemblyError> {
+        if self.matches(group) { Ok(()) } else { self.set_directly(group, divided, drivers, tolerance) }
     }
 
     /// Follows the branch of a known closed pose until the drivers are at the positions asked for. Gives a regular pose on
@@ -283,7 +300,7 @@ impl Closer<'_> {
         };
         let arrival = path.go(&mut self.kinematics);
         if arrival.too_far {
-            return Err(self.too_far(drivers));
+            return Err(self.too_far(group, drivers));
         }
         if !arrival.there {
             return Err(self.unreachable(group, divided, drivers));
@@ -346,10 +363,17 @@ impl Closer<'_> {
         let far = far.iter().zip(&group.lengths).map(|(l, length)| (l * length).abs()).fold(0.0, f64::max);
         let steps = (10.0 * far / group.size).ceil().clamp(1.0, 1e4) as usize;
         let directions = Directions::of(&unknown);
+        let cubes = SET_WORK / group.coordinates.len().pow(3).max(1);
+        let mut budget = cubes.clamp(FEWEST_SET_CORRECTIONS, SET_WORK);
         for step in 0..steps {
             let part = 1.0 / (steps - step) as f64;
             let mut left: Vec<f64> = self.still_to_go(group, &joints).iter().map(|l| l * part).collect();
+            let mut before = f64::INFINITY;
             for _ in 0..SET_CORRECTIONS {
+                if budget == 0 {
+                    return Err(self.too_far(group, drivers));
+                }
+                budget -= 1;
                 if step + 1 == steps {
                     // Rotations do not add: at the end what is left is measured, not counted down.
                     left = self.still_to_go(group, &joints);
@@ -366,9 +390,12 @@ impl Closer<'_> {
                 let u = directions.expand(group, |k| x[k]);
                 model.advance_group(&mut self.kinematics, group, &u);
                 left.iter_mut().zip(&u).for_each(|(l, u)| *l -= u);
-                if x.iter().all(|x| x.abs() <= 1e-14 * group.size) {
+                let gone = x.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+                let rounding = gone <= SETTLED * group.size && gone >= CORRECTIONS_SHRINK * before;
+                if gone <= 1e-14 * group.size || rounding {
                     break;
                 }
+                before = gone;
             }
         }
         // What drives stands where it was set; what depends comes out as near as the loops let it.
@@ -401,11 +428,22 @@ impl Closer<'_> {
         }
     }
 
-    fn too_far(&self, drivers: &[Driver]) -> AssemblyError {
-        let place = |d: &Driver, at: f64| (self.model.joint_name(d.joint).to_owned(), at);
+    /// Drivers, then the numbers of joints with several positions that were set.
+    fn too_far(&self, group: &Group, drivers: &[Driver]) -> AssemblyError {
+        let name = |id: JointId| self.model.joint_name(id).to_owned();
+        let numbers = |id: &JointId, values: &[f64]| -> Vec<(String, f64)> {
+            values.iter().enumerate().map(|(k, value)| (format!("{}[{k}]", name(*id)), *value)).collect()
+        };
+        let several = self.set_directly_joints(group);
+        let requested = several.iter().flat_map(|id| numbers(id, &self.configuration.values[id.index()]));
+        let reached = |id: &JointId| numbers(id, &self.kinematics.q[self.model.joint_q[id.index()].clone()]);
         AssemblyError::TooFar {
-            requested: drivers.iter().map(|d| place(d, d.requested)).collect(),
-            reached: drivers.iter().map(|d| place(d, self.kinematics.q[d.q])).collect(),
+            requested: drivers.iter().map(|d| (name(d.joint), d.requested)).chain(requested).collect(),
+            reached: drivers
+                .iter()
+                .map(|d| (name(d.joint), self.kinematics.q[d.q]))
+                .chain(several.iter().flat_map(reached))
+                .collect(),
         }
     }
 

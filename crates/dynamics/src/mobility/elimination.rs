@@ -25,8 +25,16 @@ pub(crate) struct GroupMobility {
     /// Coordinates (by index into the group's) that do not depend, ascending.
     pub independent: Vec<usize>,
     /// |K⁻¹||A|: for each dependent coordinate, for each independent one, the size of the terms that its rate is the
-    /// sum of; over coordinates scaled by the group's lengths.
+    /// sum of; over coordinates scaled by the group's lengths. Empty of a group that is decided by sparse pivots: not known,
+    /// and taken as 1.
     pub sizes: Vec<f64>,
+}
+
+impl GroupMobility {
+    /// The entry of |K⁻¹||A| for a dependent and an independent coordinate, by their numbers.
+    pub fn size(&self, dependent: usize, independent: usize) -> f64 {
+        self.sizes.get(dependent * self.independent.len() + independent).copied().unwrap_or(1.0)
+    }
 }
 
 /// Room to decide about groups; refilled in place.
@@ -119,8 +127,7 @@ fn decide_large(rows: &GroupRows<f64>, group: &Group, floor: f64) -> GroupMobili
             clear: least > RANK_MARGIN * floor * scale && left < floor * scale / RANK_MARGIN,
         }
     };
-    let sizes = vec![1.0; pivots.rows.len() * independent.len()];
-    GroupMobility { rank, pivots, independent, sizes }
+    GroupMobility { rank, pivots, independent, sizes: Vec::new() }
 }
 
 /// What complete pivoting met.

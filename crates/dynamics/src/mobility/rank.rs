@@ -60,7 +60,10 @@ pub(crate) fn decide(values: &[f64], floor: f64) -> Rank {
     }
     let threshold = floor * largest;
     let rank = values.iter().take_while(|v| **v > threshold).count();
-    let (least, next) = (values[rank - 1], values.get(rank).copied().unwrap_or(0.0));
+    let Some(least) = rank.checked_sub(1).map(|last| values[last]) else {
+        return Rank { clear: false, ..Rank::NONE };
+    };
+    let next = values.get(rank).copied().unwrap_or(0.0);
     Rank {
         rank,
         gap: least / next.max(1e-3 * f64::EPSILON * largest),
@@ -83,5 +86,10 @@ mod tests {
         assert!(!decide(&[2.0, 1e-11], 1e-10).clear);
         assert_eq!(decide(&[0.0, 0.0], 1e-10).rank, 0);
         assert_eq!(decide(&[], 1e-10).rank, 0);
+        // A floor that leaves nothing, and values that are none.
+        for (values, floor) in [([2.0, 0.5], 1.0), ([2.0, 0.5], f64::INFINITY), ([f64::NAN; 2], 1e-10)] {
+            let nothing = decide(&values, floor);
+            assert_eq!((nothing.rank, nothing.clear), (0, false));
+        }
     }
 }

@@ -1,6 +1,7 @@
 //! In which assembly mode a group stands, and whether it stands at a singularity.
 
 use super::drivers::Drivers;
+use super::elimination::rank_of_rows;
 use super::rank::Rank;
 use super::{decide, singular_values};
 use crate::kinematics::Kinematics;
@@ -8,7 +9,7 @@ use crate::linear::dense::determinant_sign;
 use crate::linear::jacobian::Jacobian;
 use crate::model::{Group, Model};
 use crate::rows::GroupRows;
-use crate::tolerances::{DEAD_CENTRE, MODE_LIMIT, NEAR_CHANGE_POINT};
+use crate::tolerances::{DEAD_CENTRE, MODE_LIMIT, NEAR_CHANGE_POINT, SINGULAR_VALUES_LIMIT};
 
 /// How a group of loops stands.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -77,8 +78,11 @@ impl Model {
 
 /// As many rows as coordinates depend, independent at the generic pose.
 pub(crate) fn independent_rows(group: &Group, rows: &GroupRows<f64>, dependent: &[usize]) -> Vec<usize> {
+    if dependent.len() > MODE_LIMIT || group.rows < dependent.len() {
+        return Vec::new();
+    }
     let there = scaled(group, rows, dependent).dense();
-    if dependent.len() > MODE_LIMIT || group.rows < dependent.len() || there.norm_max() == 0.0 {
+    if there.norm_max() == 0.0 {
         return Vec::new();
     }
     there.transpose().to_owned().col_piv_qr().P().arrays().0[..dependent.len()].to_vec()
@@ -98,15 +102,27 @@ fn scaled(group: &Group, rows: &GroupRows<f64>, columns: &[usize]) -> Jacobian {
 /// Which singularity makes the dependent coordinates' columns weak. Beside a change point they are, but all of A counts:
 /// none.
 fn singularity(group: &Group, rows: &GroupRows<f64>, generic: &Generic) -> Singularity {
-    let mut matrix = nalgebra::DMatrix::zeros(group.rows, group.coordinates.len());
-    rows.for_each(group, |r, c, a| matrix[(r, c)] += a);
-    let values = singular_values(&matrix, &group.lengths);
-    let least = generic.rank.rank.checked_sub(1).map_or(f64::INFINITY, |last| values[last]);
-    if decide(&values, generic.floor).rank < generic.rank.rank {
+    let (here, least) = rank_beside(rows, group, generic);
+    if here < generic.rank.rank {
         Singularity::ChangePoint
-    } else if least > NEAR_CHANGE_POINT * values[0] {
+    } else if least > NEAR_CHANGE_POINT {
         Singularity::DeadCentre
     } else {
         Singularity::None
     }
+}
+
+/// The rank of a group's rows, and the singular value that is the last to count at the generic pose, as a part of the
+/// largest; of large groups by sparse pivots.
+fn rank_beside(rows: &GroupRows<f64>, group: &Group, generic: &Generic) -> (usize, f64) {
+    if group.coordinates.len() > SINGULAR_VALUES_LIMIT {
+        let rank = rank_of_rows(rows, group, generic.floor);
+        return (rank.rank, rank.least);
+    }
+    let mut matrix = nalgebra::DMatrix::zeros(group.rows, group.coordinates.len());
+    rows.for_each(group, |r, c, a| matrix[(r, c)] += a);
+    let values = singular_values(&matrix, &group.lengths);
+    let last = generic.rank.rank.checked_sub(1).and_then(|last| values.get(last));
+    let largest = values.first().copied().unwrap_or(0.0);
+    (decide(&values, generic.floor).rank, last.map_or(f64::INFINITY, |last| last / largest))
 }

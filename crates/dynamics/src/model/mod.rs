@@ -10,7 +10,7 @@ mod group;
 mod groups;
 
 pub(crate) use body::{Body, Coordinate, Follows, LinkFrame};
-pub(crate) use cluster::Cluster;
+pub(crate) use cluster::{Cluster, ClusterGroup};
 pub(crate) use constraint::{CompiledClosure, CompiledCoupling};
 pub(crate) use group::{Constraint, ConstraintRows, Group, Term};
 

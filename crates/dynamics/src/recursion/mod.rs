@@ -12,6 +12,7 @@
 //! Featherstone 2008, §7.3; the test-force form: Wensing et al. 2012, eq. 12; over clusters: Chignoli et al. 2023 (cited
 //! as DESIGN cites them).
 
+mod budget;
 mod cluster;
 mod elimination;
 mod joint;

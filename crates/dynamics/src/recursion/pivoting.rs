@@ -159,7 +159,7 @@ impl<const K: usize> Deciding<K> {
             for (y, &free) in known.independent.iter().enumerate() {
                 self.rate_size[own.coordinates[free] * d + next + y] = 1.0;
                 for (i, &c) in known.pivots.columns.iter().enumerate() {
-                    let size = known.sizes[i * count + y] * group.lengths[free] / group.lengths[c];
+                    let size = known.size(i, y) * group.lengths[free] / group.lengths[c];
                     self.rate_size[own.coordinates[c] * d + next + y] = size;
                 }
             }

@@ -7,7 +7,8 @@ use crate::mobility::{decide, singular_values};
 use crate::model::{Group, Model};
 use crate::tolerances::{
     BESIDE_A_CROSSING, BRANCH_CORRECTIONS, BRANCH_DISTANCE, CONE_HALVINGS, DIRECTIONS_IN_A_PLANE,
-    DIRECTIONS_WORK, FEWEST_DIRECTIONS, MOST_DIRECTIONS, SAME_TANGENT, SAME_TANGENT_SPACE,
+    DIRECTIONS_WORK, DIRECTIONS_WORK_IN_ALL, FEWEST_DIRECTIONS, MOST_DIRECTIONS, SAME_TANGENT,
+    SAME_TANGENT_SPACE,
 };
 use faer::Mat;
 
@@ -57,6 +58,10 @@ impl Model {
             continuous: false,
             complete: true,
         };
+        if cube_of(group) > DIRECTIONS_WORK_IN_ALL / 2 {
+            around.complete = false;
+            return around;
+        }
         let tangents = tangent_space(self, kinematics, group, around.floor);
         self.find_branches(kinematics, &tangents, &mut around);
         if around.branches.len() > 2 {
@@ -66,7 +71,8 @@ impl Model {
     }
 
     fn find_branches(&self, kinematics: &Kinematics<f64>, kernel: &[Vec<f64>], around: &mut Surroundings) {
-        let mut newest = 0;
+        let cube = cube_of(&around.group);
+        let (mut newest, mut regular) = (0, None);
         for (tried, direction) in directions(kernel).enumerate() {
             if kernel.len() > 2 && tried >= FEWEST_DIRECTIONS.max(4 * newest).max(24 * around.branches.len())
             {
@@ -75,11 +81,20 @@ impl Model {
             if tried > DIRECTIONS_WORK / around.group.coordinates.len().max(1).pow(3) && kernel.len() > 2 {
                 break;
             }
+            if tried > DIRECTIONS_WORK_IN_ALL / cube {
+                around.complete = false;
+                return;
+            }
             let Some(branch) = self.branch_beside(kinematics, around, &direction) else { continue };
             if branch.tangents.len() >= kernel.len() {
                 // As many motions beside the pose as at it: no branches cross here, if they lead in all directions.
-                around.regular = kernel.iter().all(|e| self.leads_along(kinematics, around, e));
-                if around.regular {
+                let known = *regular.get_or_insert_with(|| {
+                    (kernel.len() <= DIRECTIONS_WORK_IN_ALL / cube)
+                        .then(|| kernel.iter().all(|e| self.leads_along(kinematics, around, e)))
+                });
+                let Some(known) = known else { break };
+                around.regular = known;
+                if known {
                     return;
                 }
                 continue;
@@ -184,6 +199,12 @@ impl Model {
         }
         second.is_some()
     }
+}
+
+/// What the factors of a group's A take, in multiplications: the cube of its coordinates, more where there are more rows.
+fn cube_of(group: &Group) -> usize {
+    let n = group.coordinates.len().max(1);
+    n.saturating_mul(n).saturating_mul(n.max(group.rows))
 }
 
 /// An orthonormal basis of the admissible motions within a group, over its scaled coordinates.

@@ -1,0 +1,71 @@
+//! What the matrices of clusters take, counted before any is formed.
+
+use crate::mobility::GroupMobility;
+use crate::model::{Cluster, ClusterGroup, Model};
+use crate::outcome::RouteError;
+use crate::tolerances::{CLUSTER_BYTES, CLUSTER_WORK, LARGE_CLUSTER};
+use percuss_spatial::Scalar;
+
+/// What a cluster takes.
+#[derive(Clone, Copy, Default)]
+struct Cost {
+    /// Independent coordinates.
+    freedoms: usize,
+    bytes: f64,
+    /// Multiplications.
+    work: f64,
+}
+
+impl Model {
+    /// Refuses clusters whose matrices over a scalar would not fit into memory, or take too long. Allocates nothing.
+    pub fn refuse_large_clusters<T: Scalar>(&self, groups: &[GroupMobility]) -> Result<(), RouteError> {
+        let (mut bytes, mut work) = (0.0, 0.0);
+        let mut most: Option<(&Cluster, Cost)> = None;
+        for cluster in self.clusters.iter().filter(|cluster| cluster.is_bound) {
+            let cost = cost_of::<T>(cluster, groups);
+            bytes += cost.bytes;
+            work += cost.work;
+            if most.is_none_or(|(_, known)| cost.bytes > known.bytes) {
+                most = Some((cluster, cost));
+            }
+        }
+        match most {
+            Some((cluster, cost)) if bytes > CLUSTER_BYTES as f64 || work > CLUSTER_WORK => {
+                let names = |own: &ClusterGroup| self.group_names(&self.groups[own.group]);
+                Err(RouteError::ClusterTooLarge {
+                    loops: cluster.groups.iter().flat_map(names).collect(),
+                    coordinates: cluster.coordinates.len(),
+                    freedoms: cost.freedoms,
+                    bytes,
+                    most_bytes: CLUSTER_BYTES as f64,
+                    work,
+                    most_work: CLUSTER_WORK,
+                })
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// What `eliminate_cluster`, its decisions and the closing speed form of one cluster.
+fn cost_of<T: Scalar>(cluster: &Cluster, groups: &[GroupMobility]) -> Cost {
+    let bodies = cluster.bodies.len() as f64;
+    let n = cluster.coordinates.len() as f64;
+    let bound: usize = cluster.groups.iter().map(|own| own.coordinates.len()).sum();
+    let free: usize = cluster.groups.iter().map(|own| groups[own.group].independent.len()).sum();
+    let freedoms = cluster.coordinates.len() - bound + free;
+    let d = freedoms as f64;
+    let rank = bound as f64 - free as f64;
+    // G twice (the group's and the cluster's), Ψ and D; by way of the mass matrix that and its product with G.
+    let large = freedoms > LARGE_CLUSTER;
+    let by_mass = if large { n * n + n * d } else { 0.0 };
+    let entries = 2.0 * n * d + 6.0 * bodies * d + d * d + by_mass;
+    // Sizes of the terms of G and of Ψ; the basis of the closing speed.
+    let sizes = n * d + 2.0 * bodies * d + rank.min(d) * n;
+    let blocks = if large { 6.0 * n * n + (n * d + d * d) * rank } else { 32.0 * bodies * d * d };
+    Cost {
+        freedoms,
+        bytes: entries * size_of::<T>() as f64 + sizes * size_of::<f64>() as f64,
+        work: blocks + d * d * d + 4.0 * rank.min(d).powi(2) * n,
+    }
+}
