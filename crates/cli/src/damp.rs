@@ -6,7 +6,7 @@ use crate::limits;
 use crate::report::{write_diagnostics, write_file, write_json, write_out};
 use crate::text::{Table, number};
 use percuss_render::{Figure, Mark, Panel, Series, Sheet, Style};
-use percuss_study::contact::exports::{Measured, Tool};
+use percuss_study::contact::exports::{Measurement, Tool};
 use percuss_study::contact::{Law, Sample};
 use percuss_study::{
     DamperRecord, DampingQuestion, DampingReport, ExportRecord, damp, damp_contact, impact_history,
@@ -193,7 +193,7 @@ fn exported(name: &str, export: &ExportRecord) -> String {
 }
 
 /// Where it was measured, and how far off it was.
-fn measurement(measured: &Measured) -> String {
+fn measurement(measured: &Measurement) -> String {
     let solver = if measured.solver.is_empty() { String::new() } else { format!(", {}", measured.solver) };
     let worst = measured.worst.map(|worst| worst.map_or_else(|| "refused".into(), |w| format!("{w:.1e}")));
     let [low, middle, high] = worst;

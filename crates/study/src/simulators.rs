@@ -1,6 +1,6 @@
 //! Parameters for simulators, as they stand in reports.
 
-use percuss_contact::exports::{Export, ExportError, Measured, Snippet, Tool, Value};
+use percuss_contact::exports::{Export, ExportError, Measurement, Snippet, Tool, Value};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -13,7 +13,7 @@ pub struct ExportRecord {
     /// What the tool integrates.
     pub law: &'static str,
     /// What came out where the tool was run with exported parameters; empty: not measured.
-    pub measured: &'static [Measured],
+    pub measured: &'static [Measurement],
     /// How the tool makes one value of those of the two sides.
     pub combines: &'static str,
     /// What to watch for.

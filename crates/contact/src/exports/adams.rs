@@ -15,9 +15,9 @@ pub(super) const FACTS: Facts = Facts {
     measured: &[],
     caution: "",
     sources: &[
-            "Adams Solver, \"IMPACT\" (help.solidworks.com, r_function_impact; adams.thisaray.com, func_impact)",
-            "MotionSolve, \"IMPACT\" (help.altair.com, impact_function)",
-        ],
+        "Adams Solver, \"IMPACT\" (help.solidworks.com, r_function_impact; adams.thisaray.com, func_impact)",
+        "MotionSolve, \"IMPACT\" (help.altair.com, impact_function)",
+    ],
 };
 
 /// IMPACT(x, x', x1, k, e, cmax, d) = max(0, k(x1−x)^e − STEP(x, x1−d, cmax, x1, 0) x').

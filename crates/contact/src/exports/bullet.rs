@@ -14,10 +14,10 @@ pub(super) const FACTS: Facts = Facts {
     measured: &[],
     caution: "",
     sources: &[
-            "Bullet 3, src/BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.cpp: setupContactConstraint",
-            "Bullet 3, src/BulletDynamics/Featherstone/btMultiBodyConstraintSolver.cpp",
-            "Bullet 3, src/BulletCollision/CollisionDispatch/btManifoldResult.cpp",
-        ],
+        "Bullet 3, src/BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.cpp: setupContactConstraint",
+        "Bullet 3, src/BulletDynamics/Featherstone/btMultiBodyConstraintSolver.cpp",
+        "Bullet 3, src/BulletCollision/CollisionDispatch/btManifoldResult.cpp",
+    ],
 };
 
 /// For each of two bodies contactStiffness = 2k, contactDamping = c'/2.

@@ -19,9 +19,9 @@ pub(super) const FACTS: Facts = Facts {
     measured: &[],
     caution: "",
     sources: &[
-            "Project Chrono, src/chrono/physics/ChContactSMC.cpp and ChSystemSMC.h",
-            "Project Chrono, src/chrono/physics/ChContactMaterialSMC.h",
-        ],
+        "Project Chrono, src/chrono/physics/ChContactSMC.cpp and ChSystemSMC.h",
+        "Project Chrono, src/chrono/physics/ChContactMaterialSMC.h",
+    ],
 };
 
 /// Hooke (p = 1): kn = k, gn = c/m_eff. Hooke and Hertz (p = 3/2): cr' = e_a(ζ√(m̄/m_eff)).

@@ -18,10 +18,10 @@ pub(super) const FACTS: Facts = Facts {
     measured: &[],
     caution: "",
     sources: &[
-            "Drake 1.51.1, multibody/plant/contact_model_doxygen.h, \"Modeling point contact\"",
-            "Drake 1.51.1, multibody/plant/contact_properties.cc",
-            "Drake 1.51.1, multibody/contact_solvers/sap/sap_friction_cone_constraint.cc",
-        ],
+        "Drake 1.51.1, multibody/plant/contact_model_doxygen.h, \"Modeling point contact\"",
+        "Drake 1.51.1, multibody/plant/contact_properties.cc",
+        "Drake 1.51.1, multibody/contact_solvers/sap/sap_friction_cone_constraint.cc",
+    ],
 };
 
 /// For each of two equal geometries: point stiffness 2k, Hunt–Crossley dissipation d = a(e)/v, and for SAP the

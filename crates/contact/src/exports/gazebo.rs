@@ -15,10 +15,10 @@ pub(super) const FACTS: Facts = Facts {
     measured: &[],
     caution: "",
     sources: &[
-            "Gazebo Classic, gazebo/physics/ode/ODEPhysics.cc: Collide",
-            "SDFormat 1.9, surface.sdf",
-            "gz-physics, bullet-featherstone/src/SDFFeatures.cc and dartsim/src/SDFFeatures.cc",
-        ],
+        "Gazebo Classic, gazebo/physics/ode/ODEPhysics.cc: Collide",
+        "SDFormat 1.9, surface.sdf",
+        "gz-physics, bullet-featherstone/src/SDFFeatures.cc and dartsim/src/SDFFeatures.cc",
+    ],
 };
 
 /// For each of two equal collisions kp = 2k, kd = c'/2: ODE gets the springs in series and the sum of the dampers.

@@ -7,26 +7,34 @@
 //!
 //! One file per tool. Nothing here reads a simulator's files or runs one.
 
+mod adams;
+mod bullet;
+mod chrono;
+mod drake;
 mod error;
 mod export;
+mod gazebo;
 mod impact_function;
 mod linear;
+mod mujoco;
+mod ode;
+mod physx;
+mod rapier;
 mod request;
+mod simscape;
 mod tool;
 
 pub use error::ExportError;
 pub use export::{Export, Parameter, Snippet, Value};
 pub use impact_function::ImpactFunction;
 pub use request::{Options, Request};
-pub use tool::{Facts, Measured, Tool};
+pub use tool::{Facts, Measurement, Tool};
 
 use crate::error::nearest;
 
-/// One line a tool: the constant and its file, which has its `FACTS` and its `export`.
+/// One line a tool: the constant and its module, which has its `FACTS` and its `export`.
 macro_rules! tools {
     ($($constant:ident: $module:ident,)*) => {
-        $(mod $module;)*
-
         impl Tool {
             $(
                 #[doc = concat!("The tool of [`name`](Tool::name) ", stringify!($module), ".")]

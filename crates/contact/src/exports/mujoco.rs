@@ -15,10 +15,10 @@ pub(super) const FACTS: Facts = Facts {
     measured: &[],
     caution: "",
     sources: &[
-            "MuJoCo 4.0.0, doc/modeling.rst, \"Solver parameters\"",
-            "MuJoCo 4.0.0, doc/computation/index.rst, \"Parameters\"",
-            "MuJoCo 4.0.0, src/engine/engine_core_constraint.c: mj_diagApprox, mj_makeImpedance, mj_referenceConstraint",
-        ],
+        "MuJoCo 4.0.0, doc/modeling.rst, \"Solver parameters\"",
+        "MuJoCo 4.0.0, doc/computation/index.rst, \"Parameters\"",
+        "MuJoCo 4.0.0, src/engine/engine_core_constraint.c: mj_diagApprox, mj_makeImpedance, mj_referenceConstraint",
+    ],
 };
 
 /// The direct `solref` = (−ω² f, −2ζω f) at a constant impedance d, f = d + (1−d)α.

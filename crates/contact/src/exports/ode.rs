@@ -14,9 +14,9 @@ pub(super) const FACTS: Facts = Facts {
     measured: &[],
     caution: "",
     sources: &[
-            "Gazebo Classic, gazebo/physics/ode/ODEPhysics.cc: Collide",
-            "ODE manual, \"How To Use ERP and CFM\" (from memory, not opened)",
-        ],
+        "Gazebo Classic, gazebo/physics/ode/ODEPhysics.cc: Collide",
+        "ODE manual, \"How To Use ERP and CFM\" (from memory, not opened)",
+    ],
 };
 
 /// ERP = h k/(h k + c'), CFM = 1/(h k + c').

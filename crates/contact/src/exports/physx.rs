@@ -15,10 +15,10 @@ pub(super) const FACTS: Facts = Facts {
     measured: &[],
     caution: "",
     sources: &[
-            "PhysX 5, physx/include/PxMaterial.h",
-            "PhysX 5, physx/source/lowleveldynamics/src/DyContactPrepShared.h: computeCompliantContactCoefficients",
-            "Isaac Lab, isaaclab.sim.spawners.materials: RigidBodyMaterialCfg",
-        ],
+        "PhysX 5, physx/include/PxMaterial.h",
+        "PhysX 5, physx/source/lowleveldynamics/src/DyContactPrepShared.h: computeCompliantContactCoefficients",
+        "Isaac Lab, isaaclab.sim.spawners.materials: RigidBodyMaterialCfg",
+    ],
 };
 
 /// Force mode: stiffness k, damping c'. Acceleration mode: ω² and 2ζ'ω, per unit of the solver's effective mass.

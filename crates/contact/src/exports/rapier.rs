@@ -13,9 +13,9 @@ pub(super) const FACTS: Facts = Facts {
     measured: &[],
     caution: "",
     sources: &[
-            "Rapier 0.36, src/dynamics/integration_parameters.rs",
-            "Rapier 0.36, src/dynamics/coefficient_combine_rule.rs",
-        ],
+        "Rapier 0.36, src/dynamics/integration_parameters.rs",
+        "Rapier 0.36, src/dynamics/coefficient_combine_rule.rs",
+    ],
 };
 
 /// `restitution` = e: Rapier turns the approach speed v into −e v in a pass at the end of the step.

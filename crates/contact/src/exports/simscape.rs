@@ -15,8 +15,8 @@ pub(super) const FACTS: Facts = Facts {
     measured: &[],
     caution: "",
     sources: &[
-            "Simscape Multibody, reference page \"Spatial Contact Force\" (mathworks.com/help/sm/ref/spatialcontactforce.html)",
-        ],
+        "Simscape Multibody, reference page \"Spatial Contact Force\" (mathworks.com/help/sm/ref/spatialcontactforce.html)",
+    ],
 };
 
 /// Stiffness k, damping c = 2ζ√(k m̄), transition region width w = accuracy/0.32 · v/ω.

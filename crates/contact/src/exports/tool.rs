@@ -18,7 +18,7 @@ pub struct Facts {
     /// How it makes one value of those of the two sides of a contact.
     pub combines: &'static str,
     /// What came out where the tool was run with exported parameters. Empty: it was not measured.
-    pub measured: &'static [Measured],
+    pub measured: &'static [Measurement],
     /// What a user has to watch for, in one line.
     pub caution: &'static str,
     /// The documentation and source files on which this is based.
@@ -27,7 +27,7 @@ pub struct Facts {
 
 /// A tool run with the parameters that were exported for it, at the exported step and accuracy 1e-3.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
-pub struct Measured {
+pub struct Measurement {
     /// Program and version.
     pub engine: &'static str,
     /// Solver or mode, empty where there is but one.
