@@ -6,10 +6,10 @@ use crate::limits;
 use crate::report::{write_diagnostics, write_file, write_json, write_out};
 use crate::text::{Table, number};
 use percuss_render::{Figure, Mark, Panel, Series, Sheet, Style};
-use percuss_study::contact::exports::{Measurement, Tool};
+use percuss_study::contact::exports::{Measurement, StopMotion, Tool};
 use percuss_study::contact::{Law, Sample};
 use percuss_study::{
-    DamperRecord, DampingQuestion, DampingReport, ExportRecord, damp, damp_contact, impact_history,
+    DampingQuestion, DampingReport, ExportRecord, MassQuestion, damp, damp_contact, damp_stop, impact_history,
 };
 use std::fmt::Write;
 use std::path::Path;
@@ -30,12 +30,24 @@ pub fn run(args: &DampArgs) -> Result<(), Failure> {
     if args.format == CheckFormat::Json && question.tools.is_empty() {
         question.tools = Tool::ALL.to_vec();
     }
+    if args.limit.is_none() {
+        args.damping.check_units(false)?;
+    }
     let report = match (args.mass, &args.mass_from, &args.contact) {
         (Some(mass), None, None) => damp(&question, mass)?,
-        (None, Some(path), contact) => {
-            let contact = ContactArgs::needed(contact.as_ref())?;
-            damp_contact(&args.reading.load(path)?, &contact.question(), &question)?
-        }
+        (None, Some(path), contact) => match &args.limit {
+            Some(stop) => {
+                let model = args.reading.load(path)?;
+                args.damping.check_units(stop.motion(&model)? == StopMotion::Turn)?;
+                let conditions =
+                    contact.as_ref().map_or_else(MassQuestion::anywhere, ContactArgs::conditions);
+                damp_stop(&model, stop, conditions, &question)?
+            }
+            None => {
+                let contact = ContactArgs::needed(contact.as_ref())?;
+                damp_contact(&args.reading.load(path)?, &contact.question()?, &question)?
+            }
+        },
         (Some(_), ..) => {
             return Err(Failure::bad_input(
                 "--link, --point and the like belong to --mass-from MODEL, not to --mass",
@@ -54,10 +66,31 @@ pub fn run(args: &DampArgs) -> Result<(), Failure> {
     match args.format {
         CheckFormat::Json => write_json(&report),
         CheckFormat::Text => {
-            let mut out = format!("{:<20} {} kg\n", "effective mass", number(report.effective_mass));
+            let units = Units::of(&report);
+            let mut out = format!("{:<20} {} {}\n", units.name, number(report.effective_mass), units.mass);
             out += &damper(&report);
             write_out(&out)
         }
+    }
+}
+
+/// What the numbers of a report are measured in.
+struct Units {
+    name: &'static str,
+    mass: &'static str,
+    /// Of a length or an angle, in SI and as penetrations are shown, with the factor between them.
+    length: &'static str,
+    shown: (&'static str, f64),
+    force: &'static str,
+}
+
+impl Units {
+    fn of(report: &DampingReport) -> Self {
+        if report.stop.as_ref().is_some_and(|stop| stop.motion == StopMotion::Turn) {
+            let shown = ("mrad", 1e3);
+            return Self { name: "effective inertia", mass: "kg·m²", length: "rad", shown, force: "N·m" };
+        }
+        Self { name: "effective mass", mass: "kg", length: "m", shown: ("mm", 1e3), force: "N" }
     }
 }
 
@@ -75,6 +108,7 @@ pub fn damper(report: &DampingReport) -> String {
 
 fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
     let damper = &report.damper;
+    let Units { length, shown: (shown, factor), force, .. } = Units::of(report);
     let e = damper.restitution;
     let mut facts = Vec::new();
     let law = match damper.separation {
@@ -84,22 +118,21 @@ fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
     };
     let law = damper.law_alias.map_or(law.clone(), |alias| format!("{law} (asked for as {alias})"));
     facts.push(("law", law));
-    facts.push(("stiffness", stiffness(damper)));
+    facts.push(("stiffness", stiffness(report)));
     match (damper.damping_ratio, damper.damping) {
         (Some(ratio), Some(c)) => {
-            let unit = match damper.exponent {
-                1.0 => "N·s/m".to_owned(),
-                p => format!("N·s/m^{}", number(0.5 * (p + 1.0))),
-            };
-            facts.push(("damping", format!("{} {unit}   (ratio {})", number(c), number(ratio))));
+            let power = power(0.5 * (damper.exponent + 1.0));
+            let value = format!("{} {force}·s/{length}{power}   (ratio {})", number(c), number(ratio));
+            facts.push(("damping", value));
             if let Some(d) = damper.dissipation {
                 facts.push((
                     "or Hunt–Crossley",
-                    format!("{} s/m at this speed, instead of the damping", number(d)),
+                    format!("{} s/{length} at this speed, instead of the damping", number(d)),
                 ));
             }
         }
-        _ => facts.push(("dissipation", format!("{} s/m", number(damper.dissipation.unwrap_or_default())))),
+        _ => facts
+            .push(("dissipation", format!("{} s/{length}", number(damper.dissipation.unwrap_or_default())))),
     }
     let achieved = damper.achieved_restitution;
     let off = if damper.law_is_exact {
@@ -116,17 +149,20 @@ fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
             facts.push((name, text));
         }
     };
-    add("approach speed", metric(damper.speed, 1.0, "m/s"));
-    add("rebound speed", metric(damper.rebound_speed, 1.0, "m/s"));
+    add("approach speed", metric(damper.speed, 1.0, &format!("{length}/s")));
+    add("rebound speed", metric(damper.rebound_speed, 1.0, &format!("{length}/s")));
     add("contact lasts", metric(damper.contact_duration, 1e3, "ms"));
-    add("penetration", metric(damper.max_penetration, 1e3, "mm"));
+    add("penetration", metric(damper.max_penetration, factor, shown));
     let when = damper.time_of_peak_force.unwrap_or_default();
-    add("peak force", damper.peak_force.map(|f| format!("{} N, at {} ms", number(f), number(1e3 * when))));
+    add(
+        "peak force",
+        damper.peak_force.map(|f| format!("{} {force}, at {} ms", number(f), number(1e3 * when))),
+    );
     add("energy lost", metric(damper.energy_lost, 1.0, "J"));
     if let Some(drift) = report.drift {
         // A value that rounds to zero is shown without a sign.
         let percent = |p: f64| format!("{:+.3} %", if p.abs() < limits::DRIFT_ROUNDING { 0.0 } else { p });
-        let slope = drift.per_metre.map(|s| percent(0.1 * s) + " per mm of penetration");
+        let slope = drift.per_metre.map(|s| percent(0.1 * s) + &format!(" per {shown} of penetration"));
         let over = drift.over_penetration.map(|o| percent(100.0 * o) + " over the penetration");
         let text: Vec<String> = [over, slope].into_iter().flatten().collect();
         facts.push(("mass drifts by", if text.is_empty() { "unknown".into() } else { text.join(", ") }));
@@ -140,9 +176,14 @@ fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
     facts
 }
 
-fn stiffness(damper: &DamperRecord) -> String {
-    let power = if damper.exponent == 1.0 { String::new() } else { format!("^{}", number(damper.exponent)) };
-    format!("{} N/m{power}", number(damper.stiffness))
+fn stiffness(report: &DampingReport) -> String {
+    let (damper, Units { length, force, .. }) = (&report.damper, Units::of(report));
+    format!("{} {force}/{length}{}", number(damper.stiffness), power(damper.exponent))
+}
+
+/// The exponent of a unit, where it has one.
+fn power(exponent: f64) -> String {
+    if exponent == 1.0 { String::new() } else { format!("^{}", number(exponent)) }
 }
 
 fn exported(name: &str, export: &ExportRecord) -> String {
@@ -255,8 +296,10 @@ fn csv(samples: &[Sample]) -> String {
 /// Force over time, and over penetration, whose loop encloses the energy lost.
 fn sheet(report: &DampingReport, samples: &[Sample]) -> Sheet {
     let damper = &report.damper;
+    let units = Units::of(report);
+    let (shown, factor) = units.shown;
     let panel = |x: &dyn Fn(&Sample) -> f64| Panel {
-        y_label: "force (N)".into(),
+        y_label: format!("force ({})", units.force),
         series: vec![Series {
             name: damper.law.into(),
             style: Style::Line,
@@ -266,19 +309,21 @@ fn sheet(report: &DampingReport, samples: &[Sample]) -> Sheet {
     let deepest = damper.time_of_max_penetration.map(|t| Mark { x: 1e3 * t, label: "deepest".into() });
     let over_time = Figure {
         title: format!(
-            "Impact of {} kg at {} m/s: restitution {}",
+            "Impact of {} {} at {} {}/s: restitution {}",
             number(report.effective_mass),
+            units.mass,
             number(damper.speed.unwrap_or_default()),
+            units.length,
             number(damper.achieved_restitution)
         ),
-        subtitle: format!("{}, stiffness {}", damper.law, stiffness(damper)),
+        subtitle: format!("{}, stiffness {}", damper.law, stiffness(report)),
         x_label: "time (ms)".into(),
         panels: vec![panel(&|s| 1e3 * s.time)],
         marks: deepest.into_iter().collect(),
     };
     let over_penetration = Figure {
-        x_label: "penetration (mm)".into(),
-        panels: vec![panel(&|s| 1e3 * s.penetration)],
+        x_label: format!("penetration ({shown})"),
+        panels: vec![panel(&|s| factor * s.penetration)],
         ..Figure::default()
     };
     Sheet { figures: vec![over_time, over_penetration] }

@@ -16,7 +16,14 @@ pub fn run(args: &MassArgs) -> Result<(), Failure> {
     let model = args.model.load()?;
     let expected = args.expect.map(|mass| Expected { mass, tolerance: args.tolerance });
     let damping = args.damping.question()?;
-    show(&model, &args.contact.question(), damping.as_ref(), args.format, expected, args.model.reading.strict)
+    show(
+        &model,
+        &args.contact.question()?,
+        damping.as_ref(),
+        args.format,
+        expected,
+        args.model.reading.strict,
+    )
 }
 
 /// What the answer is compared with.

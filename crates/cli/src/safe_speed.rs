@@ -30,7 +30,7 @@ pub fn run(args: &SafeSpeedArgs) -> Result<(), Failure> {
         }
     };
     let asked = SafeSpeedQuestion { region: region.clone(), limit, load: args.load };
-    let report = safe_speed(&args.reading.load(path)?, &contact.question(), &asked)?;
+    let report = safe_speed(&args.reading.load(path)?, &contact.question()?, &asked)?;
     write_diagnostics(&report.diagnostics, args.reading.strict)?;
     match args.format {
         CheckFormat::Json => write_json(&report),

@@ -14,7 +14,7 @@ pub fn run(args: &SweepArgs) -> Result<(), Failure> {
     let model = args.model.load()?;
     go_through(
         &model,
-        &args.contact.question(),
+        &args.contact.question()?,
         &args.vary,
         args.output.as_deref(),
         args.model.reading.strict,

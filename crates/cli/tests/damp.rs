@@ -357,3 +357,55 @@ fn the_drift_of_a_body_that_only_turns_is_known() {
     );
     assert_eq!((&wall["effective_mass"], &wall["drift"]["over_penetration"]), (&3.0.into(), &0.0.into()));
 }
+
+/// A stop feels 1/(e M⁻¹ eᵀ): at the elbow of the two rods M₂₂ − M₁₂²/M₁₁, with the M of planar_2r.urdf.
+#[test]
+fn the_stop_of_a_joint_feels_what_hangs_on_both_sides() {
+    let report = json(
+        "damp --mass-from models/planar_2r.urdf --limit elbow --set elbow=1 --armature elbow=0.4 \
+         --stiffness 200Nm/rad --restitution 0.5 --speed 0.1 --for mujoco --format json",
+    );
+    let (m1, l1, m2, l2): (f64, f64, f64, f64) = (4.0, 0.5, 2.0, 0.4);
+    let (a, b, c) =
+        (m1 * l1 * l1 / 3.0 + m2 * l1 * l1, m2 * l2 * l2 / 3.0, m2 * l1 * l2 / 2.0 * 1.0_f64.cos());
+    let (m11, m12, m22) = (a + b + 2.0 * c + 0.3, b + c, b + 0.4);
+    assert_close(&report["effective_mass"], m22 - m12 * m12 / m11, 1e-13);
+    assert_eq!(report["stop"], serde_json::json!({"joint": "elbow", "motion": "turn"}));
+    assert!(report["body_alone"].is_null());
+    // κ = ω² f, f = d + (1 − d) α, and α is the inertia over that at zero, with the other joint free.
+    let (at_0, c) = (0.0_f64.cos(), m2 * l1 * l2 / 2.0);
+    let open = m22 - (b + c * at_0).powi(2) / (a + b + 2.0 * c * at_0 + 0.3);
+    let inertia = m22 - m12 * m12 / m11;
+    let scale = 0.9999 + 1e-4 * inertia / open;
+    let solref = &report["exports"]["mujoco"]["parameters"]["solreflimit"];
+    assert_close(&solref[0], -200.0 / inertia * scale, 1e-12);
+
+    let out = percuss(
+        "damp --mass-from models/planar_2r.urdf --limit elbow --stiffness 2Nm/deg --restitution 0.5 --speed 10deg/s",
+    )
+    .stdout;
+    for shown in ["effective inertia", "kg·m²", "N·m/rad", " rad/s", " mrad", "N·m, at"] {
+        assert!(out.contains(shown), "{shown}: {out}");
+    }
+    let slide = json(
+        "damp --mass-from models/slider_crank.urdf --limit guide --set crank_hinge=1 --stiffness 1e6 --restitution 0.5 \
+         --format json",
+    );
+    // A slide's stop is a contact along its axis.
+    let contact = json(
+        "mass models/slider_crank.urdf --link slider --point 0,0,0 --normal 1,0,0 --set crank_hinge=1 --format json",
+    );
+    assert_eq!(slide["effective_mass"], contact["effective_mass"]);
+    assert_eq!(slide["stop"]["motion"], "slide");
+    for (line, told) in [
+        ("--limit nope --stiffness 1 --restitution 0.5", "no joint is named \"nope\""),
+        ("--limit elbow --stiffness 1N/mm --restitution 0.5", "expected N·m/rad"),
+        ("--limit elbow:upper --stiffness 1 --restitution 0.5", "has no <limit>"),
+        ("--limit elbow --link outer --stiffness 1 --restitution 0.5", "cannot be used with"),
+        ("--limit elbow --stiffness 1 --restitution 0.5 --for rapier", "take no spring"),
+    ] {
+        let outcome = percuss(&format!("damp --mass-from models/planar_2r.urdf {line}"));
+        assert_eq!(outcome.code, 2, "{line}");
+        assert!(outcome.stderr.contains(told), "{line}: {}", outcome.stderr);
+    }
+}

@@ -4,13 +4,14 @@ use crate::answer::Answered;
 use crate::damping::{DampingReport, Drift, about_exports, body_alone, damper, exports};
 use crate::damping_question::DampingQuestion;
 use crate::error::StudyError;
+use crate::joint_stop::JointStop;
 use crate::mass_report::Status;
 use crate::model::Model;
 use crate::question::MassQuestion;
 use crate::record::DiagnosticRecord;
 use crate::thresholds::{DIFFERENCE, DRIFTING};
 use percuss_contact::exports::Options;
-use percuss_dynamics::{Conditions, Contact, EffectiveMass, System};
+use percuss_dynamics::{Conditions, Contact, EffectiveMass, RouteChoice, System};
 use percuss_mechanism::{LinkId, Mechanism, Severity};
 
 /// The damper of a model's contact.
@@ -23,6 +24,26 @@ pub fn damp_contact(
     damping: &DampingQuestion,
 ) -> Result<DampingReport, StudyError> {
     damping_of(&Answered::new(model, question)?, damping)
+}
+
+/// The damper of a joint's stop: the conditions of the question are taken from it, its contact is not.
+///
+/// # Errors
+/// [`StudyError`], as for [`damp_contact`]; a joint without a stop.
+pub fn damp_stop(
+    model: &Model,
+    stop: &JointStop,
+    conditions: MassQuestion,
+    damping: &DampingQuestion,
+) -> Result<DampingReport, StudyError> {
+    let (question, record) = stop.question(model, conditions)?;
+    let mut damping = damping.clone();
+    damping.options.stop = Some(record.motion);
+    let mut report = damp_contact(model, &question, &damping)?;
+    report.stop = Some(record);
+    // What the child link would weigh by itself says nothing about a stop.
+    report.body_alone = None;
+    Ok(report)
 }
 
 /// The damper of a contact that is answered.
@@ -56,6 +77,7 @@ pub(crate) fn damping_of(
         percuss: env!("CARGO_PKG_VERSION"),
         inputs: prepared.model.inputs.clone(),
         effective_mass: mass,
+        stop: None,
         damper: record,
         drift: Some(drift),
         body_alone,
@@ -91,6 +113,9 @@ fn options(given: Options, answered: &Answered, mass: f64) -> Options {
     let own = |link: LinkId| answered.prepared.system.rigid_body_mass(link).filter(|m| *m > 0.0);
     let Contact { link, against, .. } = answered.contact;
     let ratio = || {
+        if given.stop.is_some() {
+            return Some(mass / open_inertia(mechanism, question, &answered.contact)?);
+        }
         let ours = open_inverse_mass(mechanism, question, link)?;
         let other = against.map_or(Some(0.0), |other| open_inverse_mass(mechanism, question, other))?;
         let free = question.against_mass.map_or(0.0, |other| 1.0 / other);
@@ -112,15 +137,33 @@ fn options(given: Options, answered: &Answered, mass: f64) -> Options {
     }
 }
 
+/// The inertia that a joint's stop feels on the spanning tree alone, with all joints at zero: 1 over MuJoCo's
+/// `dof_invweight0`.
+fn open_inertia(mechanism: &Mechanism, question: &MassQuestion, contact: &Contact) -> Option<f64> {
+    let system = open_system(mechanism, question)?;
+    let pose = system.pose(&system.configuration()).ok()?;
+    let link = |id: LinkId| system.mechanism().find_link(mechanism.link(id).name()).ok();
+    let contact = Contact { link: link(contact.link)?, against: Some(link(contact.against?)?), ..*contact };
+    match pose.respond(&contact, RouteChoice::Auto).ok()?.effective_mass {
+        EffectiveMass::Finite(inertia) => Some(inertia),
+        EffectiveMass::Immovable | EffectiveMass::Massless => None,
+    }
+}
+
 /// MuJoCo's `body_invweight0`: of the spanning tree alone, with all joints at zero.
 fn open_inverse_mass(mechanism: &Mechanism, question: &MassQuestion, link: LinkId) -> Option<f64> {
+    let system = open_system(mechanism, question)?;
+    let link = system.mechanism().find_link(mechanism.link(link).name()).ok()?;
+    let pose = system.pose(&system.configuration()).ok()?;
+    pose.mean_inverse_mass(link).ok()
+}
+
+/// The spanning tree without its constraints.
+fn open_system(mechanism: &Mechanism, question: &MassQuestion) -> Option<System> {
     let tree = mechanism.to_open_tree().build().ok()?.mechanism;
     let mut conditions = Conditions::new().base(question.base);
     for (joint, values) in &question.armature {
         conditions = conditions.armature(joint.clone(), values.clone());
     }
-    let link = tree.find_link(mechanism.link(link).name()).ok()?;
-    let system = System::new(tree, &conditions).ok()?;
-    let pose = system.pose(&system.configuration()).ok()?;
-    pose.mean_inverse_mass(link).ok()
+    System::new(tree, &conditions).ok()
 }

@@ -3,6 +3,7 @@
 
 use crate::damping_question::DampingQuestion;
 use crate::error::StudyError;
+use crate::joint_stop::StopRecord;
 use crate::model::Input;
 use crate::record::DiagnosticRecord;
 use crate::simulators::ExportRecord;
@@ -86,6 +87,8 @@ pub struct DampingReport {
     pub inputs: Vec<Input>,
     /// m̄, kg.
     pub effective_mass: f64,
+    /// The joint whose stop it is, which says what the units of all of this are; null for a contact between bodies.
+    pub stop: Option<StopRecord>,
     /// The damper.
     #[serde(flatten)]
     pub damper: DamperRecord,
@@ -229,6 +232,7 @@ pub fn damp(question: &DampingQuestion, mass: f64) -> Result<DampingReport, Stud
         percuss: env!("CARGO_PKG_VERSION"),
         inputs: Vec::new(),
         effective_mass: mass,
+        stop: None,
         damper: damper(question, mass)?,
         drift: None,
         body_alone,

@@ -40,6 +40,8 @@ pub enum Field {
     Estimate,
     /// What a sweep varies.
     Vary,
+    /// A joint's stop.
+    Limit,
 }
 
 impl Field {
@@ -60,6 +62,7 @@ impl Field {
             Field::Armature => ("--armature", "conditions.armature"),
             Field::Estimate => ("--estimate", "contact.estimate"),
             Field::Vary => ("--vary", "sweep.vary"),
+            Field::Limit => ("--limit", "damping.limit"),
         }
     }
 
@@ -147,6 +150,20 @@ pub enum Fault {
     EstimateDirection {
         /// Its length.
         length: f64,
+    },
+    /// A joint whose stop is not that of one number.
+    #[error("joint \"{joint}\" is {}; expected a joint that turns or slides: only these have a stop", kind.name())]
+    NoStop {
+        /// The joint.
+        joint: String,
+        /// Its kind.
+        kind: JointKind,
+    },
+    /// A joint without limits.
+    #[error("joint \"{joint}\" has no <limit>; leave the end away and set where it is stopped")]
+    NoLimit {
+        /// The joint.
+        joint: String,
     },
     /// A range in the wrong unit.
     #[error(transparent)]

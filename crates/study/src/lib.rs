@@ -19,6 +19,7 @@ mod far_point;
 mod finding;
 mod findings;
 mod holds;
+mod joint_stop;
 mod mass;
 mod mass_report;
 mod measure;
@@ -46,11 +47,12 @@ pub use percuss_contact as contact;
 
 pub use assumptions::Assumptions;
 pub use check::{CheckReport, ClosureRecord, JointRecord, LinkRecord, check};
-pub use damped_contact::damp_contact;
+pub use damped_contact::{damp_contact, damp_stop};
 pub use damping::{BodyAlone, DamperRecord, DampingReport, Drift, damp, damper, impact_history};
 pub use damping_question::DampingQuestion;
 pub use error::{Fault, Field, StudyError};
 pub use estimate::EstimateRecord;
+pub use joint_stop::{JointStop, StopEnd, StopRecord};
 pub use mass::{mass, mass_with_damper};
 pub use mass_report::{
     BodyShare, ConditionsRecord, ContactRecord, HoldRecord, MassReport, RotorShare, Status,

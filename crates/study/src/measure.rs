@@ -7,8 +7,12 @@ use crate::quantity::QuantityError;
 pub enum Measure {
     /// N/m.
     Stiffness,
+    /// N·m/rad.
+    TurnStiffness,
     /// m/s.
     Speed,
+    /// rad/s.
+    TurnSpeed,
     /// N.
     Force,
     /// N/cm² where no unit is given; the value is in Pa.
@@ -26,8 +30,8 @@ pub enum Measure {
 pub struct Measured {
     /// In SI units.
     pub value: f64,
-    /// Whether a unit stood behind it.
-    pub unit: bool,
+    /// What the unit behind it measures; none where there was none.
+    pub unit: Option<Measure>,
 }
 
 impl Measure {
@@ -42,6 +46,13 @@ impl Measure {
                 ("kN/m", 1e3, 1.0),
                 ("N/mm", 1e3, 1.0),
             ],
+            Measure::TurnStiffness => &[
+                ("N·m/rad", 1.0, 1.0),
+                ("Nm/rad", 1.0, 1.0),
+                ("N·m/deg", 180.0, std::f64::consts::PI),
+                ("Nm/deg", 180.0, std::f64::consts::PI),
+            ],
+            Measure::TurnSpeed => &[("rad/s", 1.0, 1.0), ("deg/s", std::f64::consts::PI, 180.0)],
             Measure::Speed => {
                 &[("m/s", 1.0, 1.0), ("mm/s", 1.0, 1e3), ("cm/s", 1.0, 100.0), ("km/h", 1.0, 3.6)]
             }
@@ -85,7 +96,7 @@ impl Measure {
         if !value.is_finite() {
             return Err(QuantityError::NotFinite { text: text.to_owned() });
         }
-        Ok(Measured { value, unit: unit.is_some() })
+        Ok(Measured { value, unit: unit.map(|_| self) })
     }
 }
 
@@ -101,6 +112,9 @@ mod tests {
             (Measure::Stiffness, "0.4 kN/mm", 4e5),
             (Measure::Stiffness, "400 kN/m", 4e5),
             (Measure::Stiffness, "4e5N/m", 4e5),
+            (Measure::TurnStiffness, "2 N·m/deg", 360.0 / std::f64::consts::PI),
+            (Measure::TurnStiffness, "2e3Nm/rad", 2e3),
+            (Measure::TurnSpeed, "180deg/s", std::f64::consts::PI),
             (Measure::Speed, "500mm/s", 0.5),
             (Measure::Speed, "3.6km/h", 1.0),
             (Measure::Speed, "0.5m/s", 0.5),

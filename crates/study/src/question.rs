@@ -35,6 +35,28 @@ pub struct EstimateQuestion {
     pub direction: Option<[f64; 3]>,
 }
 
+impl MassQuestion {
+    /// A question without a contact, for whom the contact follows from something else: every joint at 0, nothing held.
+    pub fn anywhere() -> Self {
+        Self {
+            link: String::new(),
+            point: [0.0; 3],
+            normal: Normal::Along([0.0; 3]),
+            frame: Frame::Link,
+            normal_frame: Frame::Link,
+            against: None,
+            against_mass: None,
+            set: Vec::new(),
+            guess: Vec::new(),
+            lock: Vec::new(),
+            hold: Vec::new(),
+            armature: Vec::new(),
+            base: Base::Fixed,
+            estimate: None,
+        }
+    }
+}
+
 /// A contact of a model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MassQuestion {

@@ -74,6 +74,16 @@ BUMP_STOP = Contact(
 )
 
 
+# Joints that run into their limits: scene, model, any link, joint, stiffness (N·m/rad or N/m), speed, position, conditions. The linkages so slow that
+# the inertia hardly changes.
+STOPS = (
+    ("stop of an elbow", "models/planar_2r.urdf", "outer", "elbow", 1e4, 1e-2, "elbow=1.0", "--armature", "elbow=0.4", "--armature", "shoulder=0"),
+    ("stop of a crank", "models/four_bar.urdf", "coupler", "crank_hinge", 1e4, 2e-3, "crank_hinge=1.0"),
+    ("stop of a slide", "models/slider_crank.urdf", "slider", "guide", 1e6, 1e-3, "crank_hinge=1.0"),
+    ("stop of an arm", "models/double_wishbone.urdf", "bump_stop_pad", "lower_arm_hinge", 1e5, 5e-3, "lower_arm_hinge=0.1"),
+)
+
+
 @dataclasses.dataclass
 class Row:
     """A line of the printed table: restitution and penetration as measured, the latter over what percuss states; likewise
@@ -218,6 +228,26 @@ class Check:
             )
             yield report, alone
 
+    def stops(self):
+        """Joints that run into their limits."""
+        for scene, path, link, joint, stiffness, speed, *conditions in STOPS:
+            with_pose = ("--set", *conditions)
+            # Any contact gives the pose.
+            pose = answer(self.percuss, "mass", path, "--link", link, "--point", "0,0,0", "--normal", "1,0,0", *with_pose)
+            theirs = mujoco_scenes.LimitedJoint(path, pose, joint)
+            contact = Contact(("--mass-from", path, "--limit", joint, *with_pose), stiffness, speed)
+            for e in RESTITUTIONS:
+                where = f"{scene}, e = {e}"
+                report = self.damp(contact, e, "--for", "mujoco")
+                ours, their = report["effective_mass"], theirs.effective_mass(theirs.pose)
+                self.tally.within("a stop's inertia by MuJoCo's matrices", where, abs(ours / their - 1), MASS)
+                given = parameters(report, "mujoco")
+                d = given["solimplimit"][0]
+                alpha = (-given["solreflimit"][0] * ours / stiffness - d) / (1 - d)
+                their_alpha = theirs.inverse_diagonal() * their
+                self.tally.within("α by MuJoCo's dof_invweight0", where, abs(alpha / their_alpha - 1), ALPHA)
+                self.right("MuJoCo", scene, report, theirs.impact(given, speed)[0])
+
     def snippets(self):
         contacts = {
             "ball": dataclasses.replace(BALL, flags=(*BALL.flags, "--own-mass", "1.5")),
@@ -247,6 +277,7 @@ def main():
     check.snippets()
     list(check.mechanism("four-bar", FOUR_BAR))
     list(check.mechanism("double wishbone", BUMP_STOP))
+    check.stops()
     check.ball()
     with tempfile.TemporaryDirectory() as folder:
         for rotor in ROTORS:

@@ -19,9 +19,13 @@ def dress(spec, parameters):
     spec.option.timestep = parameters["timestep"]
     spec.option.integrator = getattr(mujoco.mjtIntegrator, f"mjINT_{parameters.get('integrator', 'Euler').upper()}")
     for geom in spec.geoms:
-        geom.solref = parameters["solref"]
-        geom.solimp[:3] = parameters["solimp"]
         geom.condim = 1
+        if "solref" in parameters:
+            geom.solref = parameters["solref"]
+            geom.solimp[:3] = parameters["solimp"]
+    for joint in spec.joints if "solreflimit" in parameters else []:
+        joint.solref_limit = parameters["solreflimit"]
+        joint.solimp_limit[:3] = parameters["solimplimit"]
     if "equality_solref" in parameters:
         for equality in spec.equalities:
             equality.solref = parameters["equality_solref"]
@@ -37,7 +41,8 @@ def ball(parameters, mass, speed):
         f'<geom type="sphere" size="{RADIUS}" mass="{mass!r}"/></body></worldbody></mujoco>'
     )
     model = dress(spec, parameters)
-    return Impact(model, model.qpos0, np.ones(1), lambda data: data.qvel[0]).outcome(speed)
+    depth = lambda data: -data.contact[0].dist if data.ncon else None
+    return Impact(model, model.qpos0, np.ones(1), lambda data: data.qvel[0], depth).outcome(speed)
 
 
 class Mechanism:
@@ -51,13 +56,19 @@ class Mechanism:
         self.spec = mujoco.MjSpec.from_string(text)
         for joint, values in report["conditions"]["armature"].items():
             self.spec.joint(joint).armature = values[0] if isinstance(values, list) else values
-        contact = report["contact"]
-        self.normal = np.array(contact["normal_world"])
         bare = self.spec.compile()
         self.pose = bare.qpos0.copy()
         for joint, values in report["pose"].items():
             address = bare.joint(joint).qposadr[0]
             self.pose[address : address + len(values)] = values
+        self.stop(bare, report)
+        self.model = self.spec.compile()
+        self.probed = mujoco.MjData(self.model)
+
+    def stop(self, bare, report):
+        """Puts the stop before the contact."""
+        contact = report["contact"]
+        self.normal = np.array(contact["normal_world"])
         data = mujoco.MjData(bare)
         data.qpos[:] = self.pose
         mujoco.mj_kinematics(bare, data)
@@ -72,12 +83,14 @@ class Mechanism:
             pos=point + RADIUS * self.normal,
             quat=facing(-self.normal),
         )
-        self.model = self.spec.compile()
-        self.probed = mujoco.MjData(self.model)
+
+    def depth(self, data):
+        """How deep the contact is; none where there is none."""
+        return -data.contact[0].dist if data.ncon else None
 
     def impact(self, parameters, speed):
         """The outcome, and the pose of the deepest penetration."""
-        impact = Impact(dress(self.spec.copy(), parameters), self.pose, self.opening(), self.opening_speed)
+        impact = Impact(dress(self.spec.copy(), parameters), self.pose, self.opening(), self.opening_speed, self.depth)
         return impact.outcome(speed), impact.deepest
 
     def inverse_diagonal(self):
@@ -121,6 +134,33 @@ class Mechanism:
         return -self.row(model, data) @ data.qvel
 
 
+class LimitedJoint(Mechanism):
+    """One of percuss's models with the upper end of a joint's range where a report of `percuss mass` has the joint."""
+
+    def __init__(self, path, report, joint):
+        self.joint = joint
+        super().__init__(path, report)
+
+    def stop(self, bare, report):
+        (at,) = report["pose"][self.joint]
+        limited = self.spec.joint(self.joint)
+        limited.limited = mujoco.mjtLimited.mjLIMITED_TRUE
+        limited.range = [at - 100, at]
+        self.dof = bare.joint(self.joint).dofadr[0]
+
+    def inverse_diagonal(self):
+        return self.model.dof_invweight0[self.dof]
+
+    def row(self, model, data):
+        row = np.zeros(model.nv)
+        row[self.dof] = 1
+        return row
+
+    def depth(self, data):
+        limits = data.efc_pos[data.efc_type == mujoco.mjtConstraint.mjCNSTR_LIMIT_JOINT]
+        return -limits[0] if len(limits) else None
+
+
 def facing(normal):
     """The quaternion that turns z to a direction."""
     x = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
@@ -131,8 +171,9 @@ def facing(normal):
 class Impact:
     """A model about to touch: its touching pose, the rates by which its gap opens at 1 m/s, and how fast it opens."""
 
-    def __init__(self, model, pose, opening, opening_speed):
-        self.model, self.pose, self.opening, self.opening_speed = model, pose, opening, opening_speed
+    def __init__(self, model, pose, opening, opening_speed, depth):
+        self.model, self.pose, self.opening = model, pose, opening
+        self.opening_speed, self.depth_of = opening_speed, depth
         self.depth, self.deepest = 0.0, pose
 
     def outcome(self, speed):
@@ -146,9 +187,9 @@ class Impact:
         depth, touched = 0.0, False
         for _ in range(STEPS):
             mujoco.mj_step(model, data)
-            if data.ncon:
+            if (now := self.depth_of(data)) is not None:
                 touched = True
-                depth = max(depth, -data.contact[0].dist)
+                depth = max(depth, now)
                 if depth > self.depth:
                     self.depth, self.deepest = depth, data.qpos.copy()
             elif touched:

@@ -40,10 +40,10 @@ pub enum BaseArg {
 #[derive(Debug, Args)]
 pub struct ContactArgs {
     /// The struck link.
-    #[arg(long, value_name = "LINK", required = true)]
+    #[arg(long, value_name = "LINK")]
     pub link: Option<String>,
     /// The contact point (m).
-    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = point, required = true)]
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = point)]
     pub point: Option<[f64; 3]>,
     /// The normal, out of the struck link into the other side.
     #[arg(
@@ -51,7 +51,6 @@ pub struct ContactArgs {
         value_name = "X,Y,Z",
         allow_hyphen_values = true,
         value_parser = normal,
-        required_unless_present = "along_line",
         conflicts_with = "along_line"
     )]
     pub normal: Option<[f64; 3]>,
@@ -110,14 +109,19 @@ impl ContactArgs {
     }
 
     /// As a question.
-    pub fn question(&self) -> MassQuestion {
+    pub fn question(&self) -> Result<MassQuestion, Failure> {
+        Ok(Self::needed(Some(self))?.conditions())
+    }
+
+    /// As a question whose contact may be missing.
+    pub fn conditions(&self) -> MassQuestion {
         let normal = match (&self.along_line, self.normal) {
             (Some((link, point)), _) => Normal::Toward(link.clone(), *point),
-            // clap requires one of them.
+            // `question` requires one of them.
             (None, normal) => Normal::Along(normal.unwrap_or_default()),
         };
         MassQuestion {
-            // clap, or `needed`, requires link and point.
+            // `question` requires link and point.
             link: self.link.clone().unwrap_or_default(),
             point: self.point.unwrap_or_default(),
             normal,

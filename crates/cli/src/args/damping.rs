@@ -4,14 +4,14 @@ use super::contact::ContactArgs;
 use super::format::CheckFormat;
 use super::model::ReadingArgs;
 use super::words::{
-    Tools, area, force, kilograms, law, plain, plain_kilograms, pressure, ratio, speed, stiffness, time,
-    tools,
+    Tools, area, force, joint_stop, kilograms, law, plain, plain_kilograms, pressure, ratio, speed,
+    stiffness, time, tools,
 };
 use crate::failure::Failure;
 use clap::{Args, ValueEnum};
 use percuss_study::contact::Separation;
 use percuss_study::contact::exports::Options;
-use percuss_study::{DampingQuestion, Measured, StudyError};
+use percuss_study::{DampingQuestion, JointStop, Measure, Measured, StudyError};
 
 /// The damper of the contact: what `percuss damp` and `percuss mass` share.
 #[derive(Debug, Args)]
@@ -19,15 +19,16 @@ pub struct DampingArgs {
     /// Required coefficient of restitution, from 0 to 1.
     #[arg(long, value_name = "E", allow_hyphen_values = true, value_parser = ratio, requires = "stiffness")]
     pub restitution: Option<f64>,
-    /// Stiffness of the contact (N/m; N/mm, kN/m, kN/mm may follow); with --exponent p in N/m^p.
+    /// Stiffness of the contact (N/m; N/mm, kN/m, kN/mm may follow); with --exponent p in N/m^p; of the stop of a joint that
+    /// turns in N·m/rad (Nm/rad, Nm/deg may follow).
     #[arg(long, value_name = "K", allow_hyphen_values = true, value_parser = stiffness, requires = "restitution")]
     pub stiffness: Option<Measured>,
     /// Exponent p of the spring's force k x^p: 1 linear (the default), 1.5 Hertz.
     #[arg(long, value_name = "P", allow_hyphen_values = true, value_parser = plain, requires = "restitution")]
     pub exponent: Option<f64>,
-    /// Approach speed (m/s; mm/s, km/h may follow): for penetration, force and energy, and for laws that depend on it.
+    /// Approach speed (m/s; mm/s, km/h may follow; of a joint that turns rad/s, deg/s): for penetration, force and energy, and for laws that depend on it.
     #[arg(long, value_name = "V", allow_hyphen_values = true, value_parser = speed, requires = "restitution")]
-    pub speed: Option<f64>,
+    pub speed: Option<Measured>,
     /// Law of the damper; see `percuss damp --list-laws`.
     #[arg(long, default_value = "kelvin-voigt", value_name = "NAME", value_parser = law, requires = "restitution")]
     pub law: String,
@@ -82,7 +83,7 @@ impl DampingArgs {
             SeparationArg::Gap => Separation::GapCloses,
         });
         question.choose(&self.law, self.exponent, separation).map_err(StudyError::from)?;
-        if stiffness.unit && question.exponent != 1.0 {
+        if stiffness.unit.is_some() && question.exponent != 1.0 {
             return Err(Failure::bad_input(format!(
                 "--stiffness: its unit is that of a linear spring; with the exponent {0} a plain number in N/m^{0} is \
                  expected (1 N/mm^{0} is {1:e} N/m^{0})",
@@ -90,7 +91,7 @@ impl DampingArgs {
                 1e3_f64.powf(question.exponent)
             )));
         }
-        question.speed = self.speed;
+        question.speed = self.speed.map(|speed| speed.value);
         for tool in self.tools.iter().flatten() {
             if !question.tools.contains(tool) {
                 question.tools.push(*tool);
@@ -105,6 +106,29 @@ impl DampingArgs {
             ..Options::default()
         };
         Ok(Some(question))
+    }
+}
+
+impl DampingArgs {
+    /// Refuses units of a turn for what does not turn, and the other way round.
+    pub fn check_units(&self, turns: bool) -> Result<(), Failure> {
+        let expected =
+            |linear, turn, at_turn, at_linear| if turns { (turn, at_turn) } else { (linear, at_linear) };
+        let (stiffness, in_stiffness) =
+            expected(Measure::Stiffness, Measure::TurnStiffness, "N·m/rad", "N/m");
+        let (speed, in_speed) = expected(Measure::Speed, Measure::TurnSpeed, "rad/s", "m/s");
+        let of = if turns { "a joint that turns" } else { "what does not turn" };
+        for (flag, given, measure, unit) in [
+            ("--stiffness", self.stiffness, stiffness, in_stiffness),
+            ("--speed", self.speed, speed, in_speed),
+        ] {
+            if given.and_then(|g| g.unit).is_some_and(|unit| unit != measure) {
+                return Err(Failure::bad_input(format!(
+                    "{flag}: its unit is not that of {of}; expected {unit}"
+                )));
+            }
+        }
+        Ok(())
     }
 }
 
@@ -123,6 +147,16 @@ pub struct DampArgs {
     /// Takes the effective mass from a contact of this model, with the flags of `percuss mass`.
     #[arg(long, value_name = "MODEL")]
     pub mass_from: Option<String>,
+    /// The stop of a joint in place of a contact, with the inertia that the joint feels through the loops: the joint where
+    /// --set has it, or at an end of its range.
+    #[arg(
+        long,
+        value_name = "JOINT[:lower|:upper]",
+        value_parser = joint_stop,
+        requires = "mass_from",
+        conflicts_with_all = ["link", "point", "normal", "along_line", "against", "against_mass"]
+    )]
+    pub limit: Option<JointStop>,
     #[command(flatten)]
     pub reading: ReadingArgs,
     #[command(flatten)]

@@ -3,7 +3,8 @@
 use percuss_study::contact::Law;
 use percuss_study::contact::exports::Tool;
 use percuss_study::{
-    Dimension, EstimateQuestion, GivenPosition, Hold, Measure, Measured, Quantity, parse_triple,
+    Dimension, EstimateQuestion, GivenPosition, Hold, JointStop, Measure, Measured, Quantity, StopEnd,
+    parse_triple,
 };
 
 /// What `--for` names: one tool, or all.
@@ -40,16 +41,32 @@ fn measured(measure: Measure, text: &str) -> Result<Measured, String> {
     measure.parse(text).map_err(|e| e.to_string())
 }
 
+/// Of a contact, or of a joint that turns: what it belongs to is known later.
 pub fn stiffness(text: &str) -> Result<Measured, String> {
     measured(Measure::Stiffness, text)
+        .or_else(|error| measured(Measure::TurnStiffness, text).map_err(|_| error))
 }
 
 pub fn ratio(text: &str) -> Result<f64, String> {
     measured(Measure::Ratio, text).map(|m| m.value)
 }
 
-pub fn speed(text: &str) -> Result<f64, String> {
-    measured(Measure::Speed, text).map(|m| m.value)
+/// As [`stiffness`].
+pub fn speed(text: &str) -> Result<Measured, String> {
+    measured(Measure::Speed, text).or_else(|error| measured(Measure::TurnSpeed, text).map_err(|_| error))
+}
+
+/// `JOINT`, `JOINT:lower` or `JOINT:upper`.
+pub fn joint_stop(text: &str) -> Result<JointStop, String> {
+    let (joint, end) = match text.rsplit_once(':') {
+        Some((joint, "lower")) => (joint, Some(StopEnd::Lower)),
+        Some((joint, "upper")) => (joint, Some(StopEnd::Upper)),
+        _ => (text, None),
+    };
+    match joint {
+        "" => Err("expected JOINT, JOINT:lower or JOINT:upper, such as elbow:upper".into()),
+        _ => Ok(JointStop { joint: joint.to_owned(), end }),
+    }
 }
 
 pub fn time(text: &str) -> Result<f64, String> {

@@ -77,6 +77,14 @@ pub enum ExportError {
         /// What to do.
         remedy: &'static str,
     },
+    /// A tool for which the stops of joints are not written.
+    #[error("{tool}: its joints' limits take no spring and damper that percuss knows; known of: {known}")]
+    NoStop {
+        /// The tool.
+        tool: Tool,
+        /// The tools that have them.
+        known: String,
+    },
     /// No tool of this name.
     #[error("\"{name}\" is not a tool that percuss supports{}; known: {known}", suggestion(.nearest))]
     UnknownTool {

@@ -27,7 +27,7 @@ mod tool;
 pub use error::ExportError;
 pub use export::{Export, Parameter, Snippet, Value};
 pub use impact_function::ImpactFunction;
-pub use request::{Options, Request};
+pub use request::{Options, Request, StopMotion};
 pub use tool::{Facts, Measurement, Tool};
 
 use crate::error::nearest;
@@ -48,6 +48,12 @@ macro_rules! tools {
         const EXPORTS: [fn(&Request) -> Result<Export, ExportError>; Tool::ALL.len()] = [$($module::export),*];
     };
 }
+
+/// What writes the stop of a joint for a tool.
+type StopExport = fn(&Request, StopMotion) -> Result<Export, ExportError>;
+
+/// The tools that stop a joint by a spring and a damper of its own.
+const STOPS: [(Tool, StopExport); 1] = [(Tool::MUJOCO, mujoco::stop)];
 
 tools! {
     MUJOCO: mujoco,
@@ -86,6 +92,13 @@ impl Tool {
     /// step; a number it cannot do without is missing; a parameter does not fit in a 64-bit float.
     pub fn export(self, request: &Request) -> Result<Export, ExportError> {
         request.check()?;
+        if let Some(motion) = request.options.stop {
+            let Some((_, stop)) = STOPS.iter().find(|(tool, _)| *tool == self) else {
+                let known = STOPS.map(|(tool, _)| tool.name()).join(", ");
+                return Err(ExportError::NoStop { tool: self, known });
+            };
+            return stop(request, motion)?.finite();
+        }
         let (_, export) =
             Self::ALL.into_iter().zip(EXPORTS).find(|(tool, _)| *tool == self).expect("a tool is one of all");
         let mut export = export(request)?;

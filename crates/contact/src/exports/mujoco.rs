@@ -1,7 +1,7 @@
 //! MuJoCo: `solref` and `solimp` of a geom, in the direct format and in the standard one.
 
 use super::linear::Linear;
-use super::{Export, ExportError, Facts, Request, Tool};
+use super::{Export, ExportError, Facts, Request, StopMotion, Tool};
 use crate::limits;
 
 const TOOL: Tool = Tool::of(&FACTS);
@@ -36,11 +36,7 @@ pub(super) const FACTS: Facts = Facts {
 /// it should be with the coupler's own 4.8 kg.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let linear = Linear::of(request, TOOL)?;
-    let alpha = request.options.diagonal_ratio;
-    let scale = limits::MUJOCO_IMPEDANCE + (1.0 - limits::MUJOCO_IMPEDANCE) * alpha.unwrap_or(1.0);
-    let (zeta, omega) = (linear.ratio, linear.frequency);
-    // 0 − x: without damping a zero, not a negative one.
-    let solref = [0.0 - omega * omega * scale, 0.0 - 2.0 * zeta * omega * scale];
+    let (solref, scale) = direct_format(&linear, request);
     let solimp = [limits::MUJOCO_IMPEDANCE, limits::MUJOCO_IMPEDANCE, 1.0];
     let step = linear.explicit_step()?;
 
@@ -66,20 +62,72 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     Ok(export)
 }
 
+/// The direct `solref`, and the f in it.
+fn direct_format(linear: &Linear, request: &Request) -> ([f64; 2], f64) {
+    let alpha = request.options.diagonal_ratio.unwrap_or(1.0);
+    let scale = limits::MUJOCO_IMPEDANCE + (1.0 - limits::MUJOCO_IMPEDANCE) * alpha;
+    let (zeta, omega) = (linear.ratio, linear.frequency);
+    // 0 − x: without damping a zero, not a negative one.
+    ([0.0 - omega * omega * scale, 0.0 - 2.0 * zeta * omega * scale], scale)
+}
+
+/// A joint's stop: `solreflimit` and `solimplimit`, whose row is the contact's with the joint's own inertia in place of m̄,
+/// and with Â = `dof_invweight0`.
+pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, ExportError> {
+    let linear = Linear::of(request, TOOL)?;
+    let (solref, _) = direct_format(&linear, request);
+    let step = linear.explicit_step()?;
+    let d = limits::MUJOCO_IMPEDANCE;
+    let mut export = Export::new(TOOL);
+    export.time_step = Some(step);
+    export.error_bound = Some(linear.error_bound(step));
+    export.set("solreflimit", solref, "1/s², 1/s");
+    export.set("solimplimit", [d, d, 1.0], if motion == StopMotion::Turn { "-, -, rad" } else { "-, -, m" });
+    export.set("timestep", step, "s");
+    let mut equality = String::new();
+    if request.options.constrained {
+        export.set("equality_solref", [2.0 * step, 1.0], "s, -");
+        export.set("equality_solimp", [d, d, 1.0], "-, -, m");
+        equality = equality_default(step);
+    }
+    let [k, b] = solref;
+    export.write(
+        "direct format",
+        "xml",
+        format!(
+            "<mujoco>\n  <option timestep=\"{step:?}\"/>\n  <default>\n    \
+             <joint solreflimit=\"{k:?} {b:?}\" solimplimit=\"{d:?} {d:?} 1.0\"/>{equality}\n  </default>\n</mujoco>\n"
+        ),
+    );
+    export.assume("For this joint alone: as a default it is for all joints; margin is 0.");
+    match request.options.diagonal_ratio {
+        Some(alpha) => export.assume(format!("α = Â times the inertia = {alpha:?}, Â the joint's dof_invweight0.")),
+        None => export.assume(
+            "α = Â times the inertia is taken as 1 (Â: the joint's dof_invweight0): so it is for a joint by itself.",
+        ),
+    }
+    if request.options.constrained {
+        export.assume("The equality constraints need their own solref and solimp as given: the defaults are compliant.");
+    }
+    Ok(export)
+}
+
 /// (timeconst, dampratio); none without damping, where the time constant is infinite.
 fn standard_format(linear: &Linear, scale: f64) -> Option<[f64; 2]> {
     let timeconst = 1.0 / (linear.ratio * linear.frequency * scale);
     timeconst.is_normal().then(|| [timeconst, linear.ratio * scale.sqrt()])
 }
 
+/// For loops: as stiff as the time step allows.
+fn equality_default(step: f64) -> String {
+    let d = limits::MUJOCO_IMPEDANCE;
+    format!("\n    <equality solref=\"{:?} 1.0\" solimp=\"{d:?} {d:?} 1.0\"/>", 2.0 * step)
+}
+
 fn document(solref: [f64; 2], solimp: [f64; 3], step: f64, loops: bool) -> String {
     let [k, b] = solref;
     let [d0, dw, width] = solimp;
-    let equality = if loops {
-        format!("\n    <equality solref=\"{:?} 1.0\" solimp=\"{d0:?} {dw:?} {width:?}\"/>", 2.0 * step)
-    } else {
-        String::new()
-    };
+    let equality = if loops { equality_default(step) } else { String::new() };
     format!(
         "<mujoco>\n  <option timestep=\"{step:?}\"/>\n  <default>\n    \
          <geom solref=\"{k:?} {b:?}\" solimp=\"{d0:?} {dw:?} {width:?}\"/>{equality}\n  </default>\n</mujoco>\n"

@@ -32,8 +32,21 @@ pub struct Options {
     /// MuJoCo's Â m̄, how much its estimate of the contact's inverse mass is off: Â is the sum of `body_invweight0[0]`
     /// of the two bodies.
     pub diagonal_ratio: Option<f64>,
+    /// The stop of a joint, and not a contact between bodies. Of a joint that turns, the contact's mass is an inertia in
+    /// kg·m², its stiffness in N·m/rad, and the speed in rad/s.
+    pub stop: Option<StopMotion>,
     /// The mechanism has what simulators hold by constraints: closed loops, mimics, locks, held points.
     pub constrained: bool,
+}
+
+/// How a joint moves into its stop.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum StopMotion {
+    /// It turns.
+    Turn,
+    /// It slides.
+    Slide,
 }
 
 impl Options {
@@ -49,6 +62,7 @@ impl Default for Options {
             own_mass: None,
             other_own_mass: None,
             diagonal_ratio: None,
+            stop: None,
             constrained: false,
         }
     }
