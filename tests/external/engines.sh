@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs the exports in ODE, Bullet, Rapier and new Gazebo (contact/engines_check.py). Options go to it.
+# Runs the exports in ODE, PyBullet, Bullet, Rapier and new Gazebo (contact/engines_check.py). Options go to it.
 #   engines.sh PERCUSS [--with-gazebo] [--only MODULE] [--without MODULE]
 # As root it installs what is missing: libode-dev and libbullet-dev; and with --with-gazebo Debian's ign-physics (over 300
 # packages, 150 MB). Without that, new Gazebo is run where it is installed already. Rapier is built by cargo (two minutes of

@@ -23,9 +23,9 @@ def output(*command, **options):
     return run.stdout
 
 
-def c(name, flags, compiler=("cc", "-O2")):
-    """The program of a source file."""
-    source, program = HERE / name, BUILT / Path(name).stem
+def c(name, flags, compiler=("cc", "-O2"), variant=None):
+    """The program of a source file; `variant`: where there are several of one file."""
+    source, program = HERE / name, BUILT / "-".join(filter(None, (Path(name).stem, variant)))
     if not program.exists() or program.stat().st_mtime < source.stat().st_mtime:
         BUILT.mkdir(parents=True, exist_ok=True)
         output(*compiler, "-o", program, source, *flags)
