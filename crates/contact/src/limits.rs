@@ -98,11 +98,20 @@ pub(crate) const ADAMS_ERROR: f64 = 1e-6;
 pub(crate) const ADAMS_RAMP: f64 = 0.1;
 /// The accuracy setting of Drake's integrator, at most.
 pub(crate) const DRAKE_ACCURACY: f64 = 1e-3;
-/// Approach speed, m/s, below which Gazebo's `restitution_coefficient` has no effect; SDF's default of 100000 disables
-/// it.
-pub(crate) const GAZEBO_THRESHOLD: f64 = 0.01;
-/// Gazebo's `max_velocity` where no speed is given, m/s: above the speed of any impact.
+/// Gazebo Classic's `max_vel` where no speed is given, m/s: above the speed of any impact.
 pub(crate) const GAZEBO_FASTEST: f64 = 100.0;
+/// `max_vel` over the approach speed: the spring pushes with up to ωx/(2ζ) of it, and must not be capped.
+pub(crate) const GAZEBO_PUSH_RATIO: f64 = 10.0;
+/// The least `max_vel`, m/s; the default 0.01 caps the spring.
+pub(crate) const GAZEBO_SLOWEST_PUSH: f64 = 3.0;
+/// DART's DART_BOUNCING_VELOCITY_THRESHOLD, m/s: contacts that would rebound with less do not.
+pub(crate) const DART_SLOWEST_REBOUND: f64 = 0.1;
+/// DART's DART_MAX_BOUNCING_VELOCITY, m/s.
+pub(crate) const DART_FASTEST_REBOUND: f64 = 100.0;
+/// What a bounce in DART loses, over 1 + e: its DART_CFM of 1e-5, and half as much for the turn of a lever in a step.
+pub(crate) const DART_BOUNCE_ERROR: f64 = 1.5e-5;
+/// Error of a bounce in Rapier: measured below 1e-9, ball and multibody; the rest is for other masses and levers.
+pub(crate) const RAPIER_ERROR: f64 = 1e-6;
 /// The greatest impedance that MuJoCo takes (mjMAXIMP); a wrong diagonal has the least effect with it.
 pub(crate) const MUJOCO_IMPEDANCE: f64 = 0.9999;
 /// Upper bound of the change of e for each v/ω of Simscape's transition width.

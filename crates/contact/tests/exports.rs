@@ -111,7 +111,7 @@ fn mujoco_settles_the_equalities_of_loops() {
 fn implicit_engines_bounce_as_asked() {
     for e in RESTITUTIONS {
         let request = request(e);
-        for tool in [Tool::ODE, Tool::BULLET, Tool::GAZEBO, Tool::PHYSX, Tool::DRAKE] {
+        for tool in [Tool::ODE, Tool::BULLET, Tool::GAZEBO_CLASSIC, Tool::PHYSX, Tool::DRAKE] {
             let export = tool.export(&request).unwrap();
             let h = export.time_step.unwrap();
             let (k, c) = match tool.name() {
@@ -122,7 +122,7 @@ fn implicit_engines_bounce_as_asked() {
                 "bullet" => {
                     (number(&export, "contactStiffness") / 2.0, number(&export, "contactDamping") * 2.0)
                 }
-                "gazebo" => (number(&export, "kp") / 2.0, number(&export, "kd") * 2.0),
+                "gazebo-classic" => (number(&export, "kp") / 2.0, number(&export, "kd") * 2.0),
                 "physx" => {
                     close(number(&export, "acceleration_stiffness") * MASS, STIFFNESS, 1e-14);
                     let damping = number(&export, "compliant_contact_damping");
@@ -149,7 +149,7 @@ fn a_step_too_long_for_an_implicit_engine_names_the_longest() {
     let mut request = request(0.8);
     let frequency = (STIFFNESS / MASS).sqrt();
     let largest = 2.0 * kelvin_voigt::ratio(0.8, Separation::ForceVanishes).unwrap() / frequency;
-    for tool in [Tool::ODE, Tool::BULLET, Tool::GAZEBO, Tool::PHYSX, Tool::DRAKE] {
+    for tool in [Tool::ODE, Tool::BULLET, Tool::GAZEBO_CLASSIC, Tool::PHYSX, Tool::DRAKE] {
         request.options.time_step = Some(1.01 * largest);
         let error = tool.export(&request).unwrap_err();
         let ExportError::StepTooLong { reached, largest: named, .. } = error else {
@@ -319,12 +319,80 @@ fn simscape_and_rapier_say_what_they_are_told() {
 }
 
 #[test]
+fn gazebo_gives_e_to_one_side_and_refuses_rebounds_that_die() {
+    let export = Tool::GAZEBO.export(&request(0.5)).unwrap();
+    assert_eq!(number(&export, "restitution_coefficient"), 0.5);
+    // DART multiplies the two.
+    assert_eq!(number(&export, "other_restitution_coefficient"), 1.0);
+    let text = &export.snippets[0].text;
+    assert!(text.contains("<restitution_coefficient>0.5<") && text.contains("<restitution_coefficient>1.0<"));
+    for (e, speed, answered) in [
+        (0.2, 0.3, false),
+        (0.2, 0.5, false),
+        (0.2, 0.51, true),
+        (0.0, 0.3, true),
+        (1.0, 99.0, true),
+        (1.0, 101.0, false),
+    ] {
+        match Tool::GAZEBO.export(&request(e).at(speed)) {
+            Ok(_) => assert!(answered, "{e} at {speed}"),
+            Err(error) => {
+                assert!(
+                    !answered && matches!(error, ExportError::Unreachable { .. }),
+                    "{e} at {speed}: {error}"
+                );
+            }
+        }
+    }
+    let export = Tool::GAZEBO.export(&Request { speed: None, ..request(0.5) }).unwrap();
+    assert!(export.error_bound.is_none() && export.missing.len() == 1);
+}
+
+#[test]
+fn what_defaults_would_spoil_is_written() {
+    let export = Tool::GAZEBO_CLASSIC.export(&request(0.5)).unwrap();
+    assert!(number(&export, "max_vel") >= 3.0);
+    for text in ["<type>world</type>", "<mu>0.0</mu>", "<max_vel>"] {
+        assert!(export.snippets[0].text.contains(text), "{text}");
+    }
+    assert!(export.parameter("restitution_coefficient").is_none());
+    let export = Tool::BULLET.export(&request(0.5)).unwrap();
+    let python = &export.snippets[0].text;
+    for text in ["lateralFriction=0.0", "rollingFriction=0.0", "spinningFriction=0.0", "contactSlop=0.0"] {
+        assert!(python.contains(text), "{text}");
+    }
+    let cpp = &export.snippets[1].text;
+    for text in ["setFriction(0.0)", "setRollingFriction(0.0)", "setSpinningFriction(0.0)"] {
+        assert!(cpp.contains(text), "{text}");
+    }
+    assert!(Tool::ODE.export(&request(0.5)).unwrap().snippets[0].text.contains("mu = 0.0"));
+    let rapier = Tool::RAPIER.export(&request(0.5)).unwrap();
+    assert!(rapier.snippets[0].text.contains("damping_mut().fill(0.0)"));
+}
+
+#[test]
+fn what_was_measured_is_within_the_stated_bound() {
+    for tool in Tool::ALL {
+        for (at, e) in [0.2, 0.5, 0.8].into_iter().enumerate() {
+            for measured in tool.facts().measured {
+                let Some(worst) = measured.worst[at] else { continue };
+                let contact = CompliantContact::new(2.0, STIFFNESS).unwrap();
+                let request = Request { contact, ..request(e).at(0.3) };
+                let bound = tool.export(&request).unwrap().error_bound.unwrap_or(1e-3);
+                assert!(worst <= bound * 1.001, "{tool} {e}: {worst:e}, bound {bound:e}");
+            }
+        }
+    }
+}
+
+#[test]
 fn every_snippet_is_well_formed_and_holds_the_numbers_in_full() {
     let mut seen = 0;
     for tool in Tool::ALL {
         for e in [0.2, 0.5, 0.8] {
             for loops in [false, true] {
-                let mut request = request(e);
+                // At 0.4 m/s new Gazebo has no rebound of 0.2.
+                let mut request = request(e).at(0.6);
                 request.options.constrained = loops;
                 let export = tool.export(&request).unwrap();
                 assert!(
@@ -387,7 +455,7 @@ fn a_curved_spring_is_for_those_that_have_one() {
     for tool in Tool::ALL {
         let answer = tool.export(&Request { contact: curved, ..request(0.5) });
         match tool.name() {
-            "adams" | "rapier" => assert!(answer.is_ok(), "{tool}"),
+            "adams" | "rapier" | "gazebo" => assert!(answer.is_ok(), "{tool}"),
             _ => assert!(matches!(answer, Err(ExportError::Exponent { .. })), "{tool}: {answer:?}"),
         }
     }

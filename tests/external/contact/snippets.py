@@ -20,7 +20,7 @@ EXPECTED = {
     ("mujoco", "xml"),
     ("drake", "xml"),
     ("drake", "python"),
-    ("gazebo", "xml"),
+    ("gazebo-classic", "xml"),
     ("bullet", "python"),
     ("physx", "python"),
 }
@@ -104,4 +104,5 @@ LOADERS = {
     ("drake", "python"): in_pydrake,
     ("drake", "xml"): in_drake_file,
     ("gazebo", "xml"): lambda text, _: read_by_drake(text, "sdf"),
+    ("gazebo-classic", "xml"): lambda text, _: read_by_drake(text, "sdf"),
 }

@@ -14,6 +14,7 @@ mod drake;
 mod error;
 mod export;
 mod gazebo;
+mod gazebo_classic;
 mod impact_function;
 mod linear;
 mod mujoco;
@@ -59,6 +60,7 @@ tools! {
     MUJOCO: mujoco,
     DRAKE: drake,
     GAZEBO: gazebo,
+    GAZEBO_CLASSIC: gazebo_classic,
     ODE: ode,
     BULLET: bullet,
     PHYSX: physx,
@@ -102,7 +104,7 @@ impl Tool {
         let (_, export) =
             Self::ALL.into_iter().zip(EXPORTS).find(|(tool, _)| *tool == self).expect("a tool is one of all");
         let mut export = export(request)?;
-        if request.options.constrained && ![Self::MUJOCO, Self::DRAKE].contains(&self) {
+        if request.options.constrained && ![Self::MUJOCO, Self::DRAKE, Self::ODE].contains(&self) {
             export.assume(
                 "Loops, mimics, locks: the compliance of this tool's constraints during the impact was not examined; \
                  compliant constraints change the restitution.",

@@ -1,7 +1,7 @@
 //! Open Dynamics Engine: soft contacts by ERP and CFM.
 
 use super::linear::Linear;
-use super::{Export, ExportError, Facts, Request, Tool};
+use super::{Export, ExportError, Facts, Measurement, Request, Tool};
 
 const TOOL: Tool = Tool::of(&FACTS);
 
@@ -10,12 +10,27 @@ pub(super) const FACTS: Facts = Facts {
     title: "Open Dynamics Engine",
     aliases: &["open-dynamics-engine"],
     law: "linear spring and damper, never pulling, by implicit Euler",
-    combines: "nothing: the near callback sets the pair's values",
-    measured: &[],
-    caution: "",
+    combines: "nothing is combined: the near callback sets the pair's values",
+    measured: &[
+        Measurement {
+            engine: "ODE 0.16.2",
+            solver: "Step",
+            scenes: "ball; pendulums, m̄ = 1.5 and 3.75 kg of a 2 kg body; four-bar of hinges, m̄ = 68.1 kg",
+            worst: [Some(5.0e-4), Some(4.1e-4), Some(3.5e-4)],
+            by_hand: None,
+        },
+        Measurement {
+            engine: "ODE 0.16.2",
+            solver: "QuickStep",
+            scenes: "ball; pendulums, m̄ = 1.5 and 3.75 kg of a 2 kg body; four-bar of hinges, m̄ = 68.1 kg",
+            worst: [Some(5.0e-4), Some(4.1e-4), Some(3.5e-4)],
+            by_hand: None,
+        },
+    ],
+    caution: "soft_erp and soft_cfm are for one time step: computed again for another",
     sources: &[
+        "ODE 0.16.2, libode-dev of Debian 12: ode/contact.h",
         "Gazebo Classic, gazebo/physics/ode/ODEPhysics.cc: Collide",
-        "ODE manual, \"How To Use ERP and CFM\" (from memory, not opened)",
     ],
 };
 
@@ -23,6 +38,10 @@ pub(super) const FACTS: Facts = Facts {
 ///
 /// ODE's contact row, multiplied out with these, is max(0, k (x − h v⁺) − c' v⁺): implicit Euler of the linear spring
 /// and damper, with v⁺ the speed of separation after the step. c' = 2ζ'√(k m̄), ζ' = ζ − ωh/2.
+///
+/// Measurement in ODE 0.16.2, e = 0.2, 0.5, 0.8, the worst of five phases, Step and QuickStep (20 iterations) alike: 4.9e-4, 4.0e-4,
+/// 3.4e-4, ball, pendulums and four-bar; at twice the step 9.9e-4, 8.0e-4, 6.7e-4. With the struck body's own mass: 0.280, 0.592, 0.848
+/// (2 kg for m̄ = 3.75 kg); 0.580, 0.815, 0.941 (four-bar, 4.8 kg for 68.1 kg).
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let linear = Linear::of(request, TOOL)?;
     let step = linear.implicit_step();
@@ -44,7 +63,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
              contact.surface.soft_cfm = {cfm:?};\n\
              contact.surface.mu = 0.0;\n\n\
              // In the loop:\n\
-             dWorldStep(world, {step:?});\n"
+             dWorldStep(world, {step:?}); // dWorldQuickStep: the same\n"
         ),
     );
     export.assume(linear.implicit_words(step));
@@ -54,7 +73,12 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     export.assume(
         "The world's contact settings are ODE's own: no cap on the correcting speed, no surface layer.",
     );
-    export.assume("Not measured in ODE itself: the formulas are those that Gazebo Classic hands to it, run in a model of its row.");
+    if request.options.constrained {
+        export.assume(
+            "Loops, mimics, locks: joints of bodies in maximal coordinates, with ODE's own ERP and CFM (1e-10 in double precision), \
+             kept the restitution of a four-bar as that of a ball.",
+        );
+    }
     Ok(export)
 }
 

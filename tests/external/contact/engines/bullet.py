@@ -1,0 +1,141 @@
+"""PyBullet: one body, or a multibody in reduced coordinates (btMultiBodyDynamicsWorld). No loops: it closes them by constraints of
+finite force. PyPI has wheels up to Python 3.11."""
+
+import importlib.metadata
+import tempfile
+from pathlib import Path
+
+from engines import _built
+from impacts import Outcome
+from scenes import Absent
+
+try:
+    import pybullet
+except ImportError:
+    pybullet = None
+
+TOOL = "bullet"
+SOLVERS = {"": None}
+# As long an impact as is waited for, in steps.
+LONGEST = 200_000
+INERT = {"linearDamping": 0.0, "angularDamping": 0.0, "jointDamping": 0.0}
+BODY = ("contactStiffness", "contactDamping", "restitution", "lateralFriction", "rollingFriction", "spinningFriction")
+
+
+def engine():
+    if not pybullet:
+        raise Absent("pybullet 3.2.7, with Python 3.11 (later ones have no wheel)")
+    return f"PyBullet {importlib.metadata.version('pybullet')}"
+
+
+def world(parameters):
+    if not pybullet.isConnected():
+        pybullet.connect(pybullet.DIRECT)
+    pybullet.resetSimulation()
+    pybullet.setGravity(0, 0, 0)
+    pybullet.setPhysicsEngineParameter(
+        fixedTimeStep=parameters["fixedTimeStep"],
+        contactSlop=parameters["contactSlop"],
+        numSubSteps=0,
+        enableFileCaching=0,
+    )
+
+
+def surface(body, link, parameters):
+    pybullet.changeDynamics(body, link, **INERT, **{name: parameters[name] for name in BODY})
+
+
+def plane(below, parameters):
+    shape = pybullet.createCollisionShape(pybullet.GEOM_PLANE)
+    surface(pybullet.createMultiBody(0, shape, basePosition=[0, 0, below]), -1, parameters)
+
+
+def impacts(build, parameters, speed):
+    """`build(gap)` gives what reads the height over the place of touching and its rate."""
+    travel = speed * parameters["fixedTimeStep"]
+
+    def run(phase):
+        world(parameters)
+        state = build(phase * travel)
+        depth, touched = 0.0, False
+        for _ in range(LONGEST):
+            pybullet.stepSimulation()
+            height, rate = state()
+            depth, touched = max(depth, -height), touched or height < 0
+            if touched and height > 2 * travel and rate > 0:
+                break
+        return rate / speed, depth
+
+    return Outcome.of(run)
+
+
+def ball(parameters, solver, ball, speed):
+    def build(gap):
+        plane(-ball.radius, parameters)
+        shape = pybullet.createCollisionShape(pybullet.GEOM_SPHERE, radius=ball.radius)
+        body = pybullet.createMultiBody(ball.mass, shape, basePosition=[0, 0, gap])
+        surface(body, -1, parameters)
+        pybullet.resetBaseVelocity(body, [0, 0, -speed])
+        return lambda: (pybullet.getBasePositionAndOrientation(body)[0][2], pybullet.getBaseVelocity(body)[0][2])
+
+    return impacts(build, parameters, speed)
+
+
+def pendulum(parameters, solver, pendulum, speed):
+    p = pendulum
+    about_centre = p.effective_mass * p.lever**2 - p.mass * p.centre**2
+    hidden = '<inertial><mass value="0"/><inertia ixx="0" iyy="0" izz="0" ixy="0" ixz="0" iyz="0"/></inertial>'
+    urdf = f"""<robot name="pendulum">
+  <link name="world">{hidden}</link>
+  <link name="rod">
+    <inertial>
+      <origin xyz="{p.centre} 0 0"/>
+      <mass value="{p.mass}"/>
+      <inertia ixx="{about_centre!r}" iyy="{about_centre!r}" izz="{about_centre!r}" ixy="0" ixz="0" iyz="0"/>
+    </inertial>
+    <collision><origin xyz="{p.lever} 0 0"/><geometry><sphere radius="{p.radius}"/></geometry></collision>
+  </link>
+  <joint name="hinge" type="continuous"><parent link="world"/><child link="rod"/><axis xyz="0 -1 0"/></joint>
+</robot>
+"""
+
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "pendulum.urdf"
+        path.write_text(urdf)
+
+        def build(gap):
+            plane(-p.radius, parameters)
+            body = pybullet.loadURDF(str(path), useFixedBase=True, flags=pybullet.URDF_USE_INERTIA_FROM_FILE)
+            pybullet.setJointMotorControl2(body, 0, pybullet.VELOCITY_CONTROL, force=0)
+            surface(body, 0, parameters)
+            pybullet.resetJointState(body, 0, gap / p.lever, -speed / p.lever)
+            return lambda: [p.lever * x for x in pybullet.getJointState(body, 0)[:2]]
+
+        return impacts(build, parameters, speed)
+
+
+def pasted(text, parameters):
+    names = {}
+    world(parameters)
+    shape = pybullet.createCollisionShape(pybullet.GEOM_SPHERE, radius=1)
+    body = pybullet.createMultiBody(1, shape)
+    exec(text, names)
+    names["set_contact"](body, -1)
+    names["set_step"]()
+    info = pybullet.getDynamicsInfo(body, -1)
+    found = {"lateralFriction": info[1], "restitution": info[5], "rollingFriction": info[6], "spinningFriction": info[7]}
+    found |= {"contactDamping": info[8], "contactStiffness": info[9]}
+    found["fixedTimeStep"] = pybullet.getPhysicsEngineParameters()["fixedTimeStep"]
+    # PyBullet does not give it back.
+    assert f"contactSlop={parameters['contactSlop']!r}" in text
+    for name, value in found.items():
+        assert value == parameters[name], f"{name}: {value}, exported {parameters[name]}"
+
+
+def compiles(text, parameters):
+    _built.needs("libbullet-dev", "c++")
+    source = "#include <btBulletDynamicsCommon.h>\nvoid paste(btRigidBody *body, btDiscreteDynamicsWorld *world) {\n" + text + "}\n"
+    _built.compiles(source, "-I/usr/include/bullet")
+
+
+SNIPPETS = {"python": pasted, "cpp": compiles}

@@ -1,0 +1,55 @@
+"""Open Dynamics Engine: `ode.c`, compiled by cc on Debian's libode-dev. Step and QuickStep, maximal coordinates."""
+
+import re
+
+from engines import _built
+from scenes import velocities
+
+TOOL = "ode"
+# The program's word, and QuickStep's iterations.
+SOLVERS = {"Step": ("step", 0), "QuickStep": ("quick", 20)}
+LIBRARIES = ("-lode", "-lstdc++", "-lm", "-lpthread")
+
+
+def engine():
+    _built.needs("libode-dev", "cc", "ode-config")
+    return f"ODE {_built.output('ode-config', '--version').strip()}"
+
+
+def run(parameters, solver, speed, *scene):
+    program = _built.c("ode.c", LIBRARIES)
+    p = parameters
+    numbers = (p["soft_erp"], p["soft_cfm"], p["time_step"], speed)
+    return _built.outcome(program, (*solver, *numbers, *scene), speed * p["time_step"])
+
+
+def ball(parameters, solver, ball, speed):
+    return run(parameters, solver, speed, "ball", ball.mass, ball.radius)
+
+
+def pendulum(parameters, solver, pendulum, speed):
+    inertia = pendulum.effective_mass * pendulum.lever**2
+    p = pendulum
+    return run(parameters, solver, speed, "pendulum", p.mass, p.centre, inertia, p.lever, p.radius)
+
+
+def four_bar(parameters, solver, four_bar, speed):
+    numbers, names = [], [*four_bar.bodies]
+    for name, (velocity, rate) in velocities(four_bar, speed).items():
+        mass, inertia, centre, _ = four_bar.bodies[name]
+        numbers += (mass, inertia, *centre, *velocity, rate)
+    for a, b, at in four_bar.hinges:
+        numbers += (names.index(a), names.index(b) if b else -1, *at)
+    return run(parameters, solver, speed, "four-bar", four_bar.radius, *four_bar.point, *numbers)
+
+
+def compiles(text, parameters):
+    """In a near callback and a loop of a user's."""
+    source = "#include <ode/ode.h>\nvoid paste(dContact &contact, dWorldID world) {\n" + text + "}\n"
+    _built.compiles(source, "-fsyntax-only")
+    for name, number in re.findall(r"(soft_erp|soft_cfm) = ([^;]+);", text):
+        assert float(number) == parameters[name], name
+    assert float(re.search(r"dWorldStep\(world, (.*)\);", text)[1]) == parameters["time_step"]
+
+
+SNIPPETS = {"cpp": compiles}

@@ -1,0 +1,86 @@
+//! Impacts in Rapier: one JSON request on the standard input, `[[rebound over speed, penetration], …]` on the output.
+//!
+//! `{"restitution": e, "dt": s, "speed": v, "gaps": […], "mass": m, "radius": r, "inertia": about the centre,
+//!   "centre": x, "lever": l, "rotor": I, "joint": null | "multibody" | "impulse", "damping": of the multibody}`
+//!
+//! `centre` and `lever` are 0 where nothing holds the body; else they are on x, from a hinge along −y. With "multibody" the
+//! rotor is an armature, else it is added to the inertia.
+
+use rapier3d_f64::prelude::*;
+use serde_json::{Value, json};
+
+/// The longest impact that is waited for, in steps.
+const LONGEST: usize = 100_000;
+
+fn main() {
+    let request: Value = serde_json::from_reader(std::io::stdin()).expect("JSON");
+    let gaps = request["gaps"].as_array().expect("gaps");
+    let shown: Vec<[f64; 2]> = gaps.iter().map(|gap| impact(&request, gap.as_f64().expect("a gap"))).collect();
+    println!("{}", json!(shown));
+}
+
+fn impact(request: &Value, gap: f64) -> [f64; 2] {
+    let number = |name: &str| request[name].as_f64().unwrap_or_else(|| panic!("{name}"));
+    let (lever, radius, speed, dt) = (number("lever"), number("radius"), number("speed"), number("dt"));
+    let joint = request["joint"].as_str();
+    let multibody = joint == Some("multibody");
+
+    let mut world = PhysicsWorld::new();
+    world.gravity = Vector::ZERO;
+    world.integration_parameters.dt = dt;
+    let surface = |collider: ColliderBuilder| {
+        collider
+            .density(0.0)
+            .friction(0.0)
+            .restitution(number("restitution"))
+            .restitution_combine_rule(CoefficientCombineRule::Average)
+    };
+    let below = Vector::new(0.0, 0.0, -radius - gap - 1.0);
+    let floor = RigidBodyBuilder::fixed().translation(below);
+    world.insert(floor, surface(ColliderBuilder::cuboid(9.0, 9.0, 1.0)));
+
+    let inertia = number("inertia") + if multibody { 0.0 } else { number("rotor") };
+    let centre = Vector::new(number("centre"), 0.0, 0.0);
+    let rate = if joint.is_some() { speed / lever } else { 0.0 };
+    let mass = MassProperties::new(centre, number("mass"), Vector::new(inertia, inertia, inertia));
+    let velocity = if joint.is_some() { -rate * number("centre") } else { -speed };
+    let body = RigidBodyBuilder::dynamic()
+        .additional_mass_properties(mass)
+        .can_sleep(false)
+        .linvel(Vector::new(0.0, 0.0, velocity))
+        .angvel(Vector::new(0.0, rate, 0.0));
+    let sphere = ColliderBuilder::ball(radius).translation(Vector::new(lever, 0.0, 0.0));
+    let (struck, _) = world.insert(body, surface(sphere));
+    let hinge = RevoluteJointBuilder::new(-Vector::Y);
+    match joint {
+        Some("multibody") => {
+            let ground = world.insert_body(RigidBodyBuilder::fixed());
+            let handle = world.insert_multibody_joint(ground, struck, hinge).expect("a tree");
+            // The first step finds out that the ground does not move.
+            world.step();
+            let (multibody, _) = world.multibody_joints.get_mut(handle).expect("just made");
+            multibody.generalized_velocity_mut()[0] = -rate;
+            multibody.armature_mut()[0] = number("rotor");
+            multibody.damping_mut().fill(number("damping"));
+        }
+        Some(_) => {
+            let ground = world.insert_body(RigidBodyBuilder::fixed());
+            world.insert_impulse_joint(ground, struck, hinge);
+        }
+        None => {}
+    }
+
+    let (mut depth, mut rebound, mut back): (f64, f64, usize) = (0.0, 0.0, 0);
+    for _ in 0..LONGEST {
+        world.step();
+        let body = &world.bodies[struck];
+        let at = body.position().transform_point(Vector::new(lever, 0.0, 0.0));
+        depth = depth.max(-at.z - gap);
+        rebound = if joint.is_some() { -body.angvel().y * lever } else { body.linvel().z };
+        back = if rebound > 0.0 { back + 1 } else { 0 };
+        if back > 10 || rebound.abs() < 1e-9 {
+            break;
+        }
+    }
+    [rebound / speed, depth]
+}
