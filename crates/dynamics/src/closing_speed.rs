@@ -3,6 +3,7 @@
 
 use crate::contact::ContactRow;
 use crate::kinematics::Kinematics;
+use crate::linear::dense::dot;
 use crate::mobility::GroupMobility;
 use crate::model::{Cluster, Model};
 use crate::recursion::Recursion;
@@ -184,8 +185,4 @@ const ROUNDINGS: f64 = 16.0;
 fn growth_of(groups: &[GroupMobility], cluster: &Cluster) -> f64 {
     let sizes = cluster.groups.iter().flat_map(|own| &groups[own.group].sizes);
     sizes.fold(0.0, |most: f64, s| most.max(*s)).min(1e6)
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

@@ -62,7 +62,7 @@ impl Pose {
     /// Featherstone 2008, table 7.1; joints with several velocities are eliminated one after another.
     ///
     /// # Errors
-    /// [`RouteError`]: mimics; a joint that moves no mass.
+    /// [`RouteError`]: loops, held contacts or mimics that bind the joints; a joint that moves no mass.
     pub fn accelerations(
         &self,
         velocities: &[Vec<f64>],

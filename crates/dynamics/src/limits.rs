@@ -4,10 +4,11 @@ use crate::assembly::Assembly;
 use crate::careful::Minimum;
 use crate::contact::Contact;
 use crate::kinematics::Kinematics;
+use crate::linear::dense::dot;
 use crate::model::Model;
 use crate::outcome::EffectiveMass;
 use crate::pose::Pose;
-use crate::singular::{Surroundings, dot};
+use crate::singular::Surroundings;
 
 /// How far apart are the places from which m̄ is carried on to the crossing, in parts of the groups' sizes; the next is
 /// tried where the values vary too much.
@@ -112,13 +113,13 @@ fn limit_along(
         for around in crossings {
             let along = &around.branches[number % around.branches.len()].along;
             number /= around.branches.len();
-            let way = assembly.posing().go_beside(
+            let displaced = assembly.posing().go_beside(
                 &mut kinematics,
                 around,
                 along,
                 f64::from(places) * apart * around.group.size,
             )?;
-            if dot(&way, along) < BENT * dot(&way, &way).sqrt() {
+            if dot(&displaced, along) < BENT * dot(&displaced, &displaced).sqrt() {
                 return None;
             }
         }

@@ -70,15 +70,13 @@ impl ContactResponse {
     ///
     /// An immovable mechanism leaves m̄ = m₂; a massless one stays massless. `other` must be finite and > 0.
     pub fn against_mass(mut self, other: f64) -> Self {
-        let (m, factor) = match self.effective_mass {
-            EffectiveMass::Finite(own) => {
-                let m = own / (1.0 + own / other);
-                (m, m / own)
-            }
-            EffectiveMass::Immovable => (other, 0.0),
-            EffectiveMass::Massless => return self,
+        let together = self.effective_mass.against_mass(Some(other));
+        let (m, factor) = match (self.effective_mass, together) {
+            (EffectiveMass::Finite(own), EffectiveMass::Finite(m)) => (m, m / own),
+            (EffectiveMass::Immovable, EffectiveMass::Finite(m)) => (m, 0.0),
+            _ => return self,
         };
-        self.effective_mass = EffectiveMass::Finite(m);
+        self.effective_mass = together;
         // dm̄ = (m̄/m̄₁)² dm̄₁; the other mass is taken as exact, but for one rounding.
         let rounding = ErrorBudget { rounding: Some(0.0), closing: Some(0.0), file: None };
         let own = self.error.unwrap_or(rounding).scaled(factor * factor);
@@ -309,7 +307,14 @@ impl Question<'_> {
             EffectiveMass::Finite(m) => self.errors_of(ran, &solution, m),
             EffectiveMass::Immovable | EffectiveMass::Massless => RelativeErrors::default(),
         };
-        Ok(Found { mass, route: Route::Dense, closing_speed: solution.approach, errors, velocities, remarks })
+        Ok(Found {
+            mass,
+            route: Route::Dense,
+            closing_speed: solution.closing_speed,
+            errors,
+            velocities,
+            remarks,
+        })
     }
 
     /// The careful route's own error, by its motion scaled to a unit impulse.

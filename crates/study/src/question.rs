@@ -1,5 +1,6 @@
 //! The question: a contact of a model, by names. The same words as the flags of `percuss mass`.
 
+use crate::field::Names;
 use crate::position::GivenPosition;
 use percuss_dynamics::{Base, Frame};
 
@@ -66,4 +67,6 @@ pub struct MassQuestion {
     pub base: Base,
     /// The estimate to set beside the answer.
     pub estimate: Option<EstimateQuestion>,
+    /// By what names messages call the parts of the question.
+    pub names: Names,
 }

@@ -6,6 +6,7 @@
 
 use super::correct::{Directions, Linearised};
 use crate::kinematics::Kinematics;
+use crate::linear::dense::dot;
 use crate::model::{Group, Model};
 
 /// Longest step, as a part of the characteristic length that no coordinate moves beyond.
@@ -284,8 +285,4 @@ impl<'a> DriverPath<'a> {
         self.stand(kinematics, &best.q);
         Some(best)
     }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

@@ -5,7 +5,6 @@
 
 use super::branch::{DriverPath, Point};
 use crate::kinematics::Kinematics;
-use percuss_mechanism::JointKind;
 
 /// Places on each side.
 const PLACES: usize = 4;
@@ -75,9 +74,7 @@ impl DriverPath<'_> {
             }
         }
         for (joint, range) in self.model.mechanism.joints().iter().zip(&self.model.joint_q) {
-            if matches!(joint.kind(), JointKind::Spherical | JointKind::Floating) {
-                crate::tangent::normalise(joint.kind(), &mut q[range.clone()]);
-            }
+            crate::tangent::normalise(joint.kind(), &mut q[range.clone()]);
         }
         q
     }

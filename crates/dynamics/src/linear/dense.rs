@@ -1,4 +1,9 @@
-//! Small square systems.
+//! Small square systems, and products of vectors.
+
+/// aᵀb.
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
 
 /// Solves A x = b in place by elimination with partial pivoting; A n×n, row by row. A zero pivot leaves infinities.
 pub(crate) fn solve_square(a: &mut [f64], b: &mut [f64]) {

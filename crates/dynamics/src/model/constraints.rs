@@ -5,7 +5,8 @@ use super::body::LinkFrame;
 use super::compile::ZeroFrames;
 use super::constraint::{CompiledClosure, CompiledCoupling};
 use crate::conditions::CompiledHold;
-use percuss_mechanism::{ClosureKind, JointKind, LoopFrame};
+use crate::joint_motion::turns;
+use percuss_mechanism::{ClosureKind, LoopFrame};
 use percuss_spatial::Transform;
 
 /// Axes with a cosine below this with all joints at 0 were written to point opposite ways: within 8°.
@@ -54,7 +55,7 @@ impl Model {
             self.couplings.push(CompiledCoupling {
                 name: coupling.name().to_owned(),
                 terms: coupling.terms().iter().filter_map(term).collect(),
-                turns: first.is_some_and(|(j, _)| mechanism.joint(*j).kind() != JointKind::Prismatic),
+                turns: first.is_some_and(|(j, _)| turns(mechanism.joint(*j).kind(), 0)),
             });
         }
         self.holds = holds.to_vec();
