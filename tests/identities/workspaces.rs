@@ -19,7 +19,7 @@ type Counts = BTreeMap<String, usize>;
 
 fn compare(name: &str, pose: &Pose, contact: &Contact, counts: &mut Counts) {
     let mut workspace = pose.assembly().workspace();
-    workspace.set_positions(pose.positions());
+    workspace.set_positions(pose.positions()).expect("positions that fit");
     let there = workspace.effective_mass(contact);
     let response = pose.respond(contact, RouteChoice::Auto);
     let mass = response.as_ref().map(|r| r.effective_mass).map_err(ResponseError::clone);

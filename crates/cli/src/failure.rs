@@ -4,7 +4,7 @@ use crate::diagnostics::lines;
 use percuss_formats::LoadError;
 use percuss_study::contact::ContactLawError;
 use percuss_study::contact::exports::ExportError;
-use percuss_study::{DiagnosticRecord, StudyError, StudyFileError};
+use percuss_study::{DiagnosticRecord, Names, StudyError, StudyFileError};
 use std::io::{self, Write};
 use std::process::ExitCode;
 
@@ -38,11 +38,13 @@ impl Failure {
             ),
             Failure::NoAnswer(message) => Failure::NoAnswer(format!("{path}: {message}")),
             Failure::Question(error) if error.is_no_answer() => {
-                Failure::NoAnswer(format!("{path}: {}", error.in_study()))
+                Failure::NoAnswer(format!("{path}: {}", error.message(Names::Keys)))
             }
-            Failure::Question(error) => {
-                Failure::BadInput(vec![format!("{path}: error: {}{}", error.in_study(), key_of(&error))])
-            }
+            Failure::Question(error) => Failure::BadInput(vec![format!(
+                "{path}: error: {}{}",
+                error.message(Names::Keys),
+                key_of(&error)
+            )]),
             Failure::Unread => Failure::Unread,
         }
     }
@@ -54,7 +56,7 @@ impl Failure {
             Failure::NoAnswer(message) => (vec![format!("error: {message}")], 1),
             Failure::Question(error) => {
                 let code = if error.is_no_answer() { 1 } else { 2 };
-                (vec![format!("error: {error}{}", flag_of(&error))], code)
+                (vec![format!("error: {}{}", error.message(Names::Flags), flag_of(&error))], code)
             }
             Failure::Unread => return ExitCode::SUCCESS,
         };

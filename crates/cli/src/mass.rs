@@ -234,7 +234,7 @@ fn freedom(report: &MassReport) -> String {
 fn uncertainty(report: &MassReport) -> String {
     match (report.effective_mass_error, report.effective_mass) {
         (Some(error), Some(m)) => {
-            format!(", rounding below {:.0e} of the value", (error / m).max(f64::EPSILON))
+            format!(", relative error below {:.0e}", (error / m).max(f64::EPSILON))
         }
         _ => String::new(),
     }

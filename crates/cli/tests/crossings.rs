@@ -334,3 +334,84 @@ fn a_redundant_loop_off_by_a_tenth_of_a_micron_is_warned_of() {
     assert_eq!(report["status"], "immovable");
     assert!(message(&report, "weakly-constrained").contains("a degree of freedom more than the 0 counted"));
 }
+
+/// Where branches cross, the value of (D) is a lower bound: what needs one mass takes the branches' own, or says why not.
+#[test]
+fn a_speed_and_a_damper_are_for_masses_that_branches_have() {
+    let platform = "models/parallelogram.urdf --link platform --point 0.3,0.1,0 --set first_hinge=-90deg";
+    let speed = |contact: &str| {
+        let report = json(&format!("safe-speed {contact} --region chest --force 280 --format json"));
+        (report["reflected"]["robot_mass"].as_f64(), report["reflected"]["speed"].as_f64().expect("a speed"))
+    };
+    // Chest: 40 kg on 25 N/mm. The bound of 5.41 kg would allow 0.81 m/s.
+    let by_hand = |robot: f64| 280.0 / (25e3 / (1.0 / 40.0 + 1.0 / robot)).sqrt();
+    let (mass, at_most) = speed(&format!("{platform} --normal 0,1,0"));
+    assert_one_is(&[mass], 7.5);
+    assert!((at_most / by_hand(7.5) - 1.0).abs() < 1e-8, "{at_most}");
+    let (none, at_most) = speed(&format!("{platform} --normal 1,0,0"));
+    assert!(none.is_none() && (at_most / (280.0 / (40.0f64 * 25e3).sqrt()) - 1.0).abs() < 1e-12, "{at_most}");
+    // One branch, one damper; nothing is said of how it changes along the motion of the bound.
+    let damp = "--restitution 0.5 --stiffness 1e5 --speed 1 --format json";
+    let of_one = json(&format!("damp --mass-from {platform} --normal 0,1,0 {damp}"));
+    assert_one_is(&[of_one["effective_mass"].as_f64()], 7.5);
+    assert!(of_one["drift"]["per_metre"].is_null() && of_one["drift"]["over_penetration"].is_null());
+    let refused = |line: &str, words: &[&str]| {
+        let outcome = percuss(line);
+        assert_eq!(outcome.code, 1, "{line}\n{}", outcome.stderr);
+        assert!(words.iter().all(|word| outcome.stderr.contains(word)), "{line}\n{}", outcome.stderr);
+    };
+    // Two branches: the heavier one for the speed, none for the damper, which a mass still goes without.
+    let scratch = Scratch::new("crossings-one-mass");
+    let folded = robot(&scratch, "folded.urdf", &[parallelogram("ground", "a", STRAIGHT)]);
+    let contact = format!("{folded} --link a_coupler --point 0.1,0.05,0 --normal 0,1,0");
+    let whole = json(&format!("mass {contact} {damp}"));
+    let branches: Vec<f64> = limits(&whole).into_iter().flatten().collect();
+    let [least, most] = [f64::min, f64::max].map(|of| branches.iter().copied().reduce(of).expect("a limit"));
+    assert!(branches.len() == 2 && whole["effective_mass"].as_f64().expect("a mass") < least && least < most);
+    assert!(whole["damper"].is_null() && message(&whole, "no-damper").contains(&format!("{most} kg")));
+    assert_eq!(speed(&contact).0, Some(most));
+    refused(
+        &format!("damp --mass-from {contact} {damp}"),
+        &["singular", &format!("{least} kg"), "beside it"],
+    );
+    // No branch, and branches without a number: nothing bounds the mass.
+    let held = "models/planar_2r.urdf --link outer --point 0.4,0,0 --normal 0,1,0 --hold outer:0.4,0,0:1,0,0";
+    refused(&format!("safe-speed {held} --region chest --force 280"), &["singular", "no greatest mass"]);
+    refused(&format!("damp --mass-from {held} {damp}"), &["singular", "no branch"]);
+}
+
+/// Loops that close only from a guess: their figures are those of the closed pose, not of the drawing.
+#[test]
+fn figures_are_of_the_assembly_of_the_pose() {
+    let scratch = Scratch::new("crossings-guess");
+    // A shaft, and one geared 50 times as fast, each held by a rod where both are turned by 1.1 rad and 55 rad: from
+    // elsewhere one rod or the other misfits at every turn. A folded parallelogram beside them is singular as drawn.
+    let rod = |name: &str, from: f64, at: f64| {
+        let gap: f64 = (5.0 - 4.0 * (at - from).cos()).sqrt();
+        format!(
+            "<loop name=\"{name}_rod\" type=\"distance\"><predecessor link=\"ground\"><origin xyz=\"{} {} 0\"/>\
+             </predecessor><successor link=\"{name}\"><origin xyz=\"1 0 0\"/></successor><distance value=\"{gap}\"/></loop>",
+            2.0 * from.cos(),
+            2.0 * from.sin()
+        )
+    };
+    let gears = link("slow", 1.0, 0.1, 0.01)
+        + &link("fast", 1.0, 0.1, 0.01)
+        + &hinge("slow_hinge", "ground", "slow", 0.0)
+        + &hinge("fast_hinge", "ground", "fast", 0.0)
+        + "<coupling name=\"gear\"><predecessor link=\"slow\"/><successor link=\"fast\"/><ratio value=\"50\"/></coupling>"
+        + &rod("slow", 0.3, 1.1)
+        + &rod("fast", 0.7, 55.0);
+    let model = robot(&scratch, "geared.urdf", &[parallelogram("ground", "a", STRAIGHT), gears]);
+    let line =
+        format!("mass {model} --link a_coupler --point 0.1,0,0 --normal 0,1,0 --set a1=0.7 --format json");
+    let drawn = percuss(&line);
+    assert!(drawn.code == 1 && drawn.stderr.contains("the loops do not close"), "{}", drawn.stderr);
+    let report = json(&format!("{line} --guess slow_hinge=1.1 --guess fast_hinge=55"));
+    for (key, expected) in
+        [("degrees_of_freedom", 1), ("generic_degrees_of_freedom", 1), ("redundant_constraints", 4)]
+    {
+        assert_eq!(report[key], expected, "{key}");
+    }
+    assert_eq!(report["redundant_loops"], serde_json::json!([["a_pin"], ["slow_rod", "fast_rod", "gear"]]));
+}

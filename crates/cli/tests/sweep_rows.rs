@@ -3,7 +3,7 @@
 mod support;
 
 use percuss_formats::DEFAULT_MAX_SIZE;
-use percuss_study::{GivenPosition, StudyFile, Vary, sweep_report};
+use percuss_study::{Fault, GivenPosition, Names, StudyError, StudyFile, Vary, sweep_report};
 use std::io::{BufRead, BufReader};
 use std::process::Stdio;
 use support::{Scratch, Sweep, command, percuss, percuss_with_stdin, root};
@@ -30,7 +30,8 @@ fn json_is_that_of_the_whole_report() {
         assert_eq!(outcome.code, 0, "{}", outcome.stderr);
         let written = std::fs::read_to_string(&path).expect("it was written");
         let whole: serde_json::Value = serde_json::from_str(&written).expect("JSON");
-        let StudyFile { mut model, question, .. } = study(&scratch);
+        let StudyFile { mut model, mut question, .. } = study(&scratch);
+        question.names = Names::Flags;
         // The command was given the model alone, by its path from the root.
         model.inputs.truncate(1);
         model.inputs[0].path = "models/four_bar.urdf".into();
@@ -174,6 +175,100 @@ fn what_does_not_depend_on_the_value_is_tried_once() {
         outcome.stderr
     );
     assert!(outcome.stderr.contains("1000 of 1000 rows have no answer; the first: the loops do not close"));
+}
+
+/// A crank that turns to 0.59 rad either side of 0: rows from 2 rad on are out of reach, and 6 rad is within it again.
+#[test]
+fn a_first_row_out_of_reach_says_nothing_of_the_others() {
+    let link = |name: &str, joint: &str, parent: &str, x: f64| {
+        format!(
+            "<link name=\"{name}\"><inertial><mass value=\"1\"/>\
+             <inertia ixx=\"1\" iyy=\"1\" izz=\"1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>\
+             <joint name=\"{joint}\" type=\"continuous\"><parent link=\"{parent}\"/><child link=\"{name}\"/>\
+             <origin xyz=\"{x} 0 0\"/><axis xyz=\"0 0 1\"/></joint>"
+        )
+    };
+    let model = format!(
+        "<robot name=\"rockers\"><link name=\"ground\"/>{}{}{}<loop name=\"pin\" type=\"revolute\"><predecessor \
+         link=\"coupler\"><origin xyz=\"0.3 0 0\"/></predecessor><successor link=\"rocker\"><origin xyz=\"0.3 0 0\"/>\
+         </successor><axis xyz=\"0 0 1\"/></loop></robot>",
+        link("crank", "crank_hinge", "ground", 0.0),
+        link("coupler", "crank_pin", "crank", 0.6),
+        link("rocker", "rocker_hinge", "ground", 1.0)
+    );
+    for (range, answered) in [("2:7:11", vec![8, 9]), ("-2:-7:11", vec![8, 9])] {
+        let line =
+            format!("sweep - --link coupler --point 0.1,0.1,0 --normal 0,1,0 --vary crank_hinge={range}");
+        let outcome = percuss_with_stdin(&line, model.as_bytes());
+        assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+        let sweep = Sweep::read(&outcome.stdout);
+        let finite: Vec<usize> =
+            (0..sweep.rows.len()).filter(|row| sweep.cell(*row, "status") == "finite").collect();
+        assert_eq!(finite, answered, "{range}: {}", outcome.stderr);
+    }
+}
+
+/// A range made in code is checked like one that is typed.
+#[test]
+fn a_number_of_rows_that_cannot_be_is_refused() {
+    let scratch = Scratch::new("rows-count");
+    let StudyFile { model, question, .. } = study(&scratch);
+    for count in [0, usize::MAX] {
+        let vary = Vary { count, ..Vary::parse("crank_hinge=0:1:2").expect("a range") };
+        match sweep_report(&model, &question, &vary) {
+            Err(StudyError::Input { fault, .. }) => assert_eq!(*fault, Fault::Rows { count }),
+            other => panic!("{other:?}"),
+        }
+    }
+}
+
+/// What helps is named as it is where the question was asked: a flag, a key, or neither in code.
+#[test]
+fn remedies_are_those_of_where_the_question_was_asked() {
+    let scratch = Scratch::new("rows-remedies");
+    let model = root().join("models/four_bar.urdf");
+    let contact = "[contact]\nlink = \"coupler\"\npoint = [0.35, 0.1, 0]\nnormal = [0, 1, 0]\n";
+    for (flags, keys, by_flag, by_key) in [
+        ("--set crank_pin=1", "[pose]\nset = { crank_pin = 1 }\n", "with --guess", "with pose.guess"),
+        ("--guess crank_hinge=1", "[pose]\nguess = { crank_hinge = 1 }\n", "(--guess)", "(pose.guess)"),
+        (
+            "--against-mass 1 --lock crank_hinge",
+            "[conditions]\nlock = [\"crank_hinge\"]\n",
+            "(--against-mass)",
+            "(contact.against_mass)",
+        ),
+        (
+            "--hold coupler:0.2,0,0:0,1,0",
+            "[[hold]]\nlink = \"coupler\"\npoint = [0.2, 0, 0]\nnormal = [0, 1, 0]\n",
+            "(--hold)",
+            "(hold)",
+        ),
+    ] {
+        let typed = percuss(&format!(
+            "mass models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0 {flags}"
+        ));
+        assert!(typed.stderr.contains(by_flag), "{flags}: {}", typed.stderr);
+        let against = if by_key.contains("against") { "against_mass = 1\n" } else { "" };
+        let text = format!("{contact}{against}[model]\npath = {:?}\n{keys}", model.display());
+        let path = scratch.write("remedy.toml", &text);
+        let kept = percuss(&format!("run {path}"));
+        assert_eq!(kept.code, typed.code, "{keys}: {}", kept.stderr);
+        assert!(
+            kept.stderr.contains(by_key) && !kept.stderr.contains(" --") && !kept.stderr.contains("(--"),
+            "{}",
+            kept.stderr
+        );
+        let StudyFile { model, mut question, .. } =
+            StudyFile::load(&path, DEFAULT_MAX_SIZE).expect("a study");
+        question.names = Names::Fields;
+        let said = match percuss_study::mass(&model, &question) {
+            Err(error) => error.to_string(),
+            Ok(report) => {
+                report.diagnostics.iter().map(|d| d.message.as_str()).collect::<Vec<_>>().join("\n")
+            }
+        };
+        assert!(!said.contains("--") && !said.contains(by_key), "{said}");
+    }
 }
 
 /// A number is read once, where it is typed, and its unit is compared with the joint's.

@@ -4,7 +4,7 @@ mod support;
 
 use percuss_contact::{CompliantContact, Damper, Impact, Law, Separation};
 use support::apart;
-use support::integrated::{IntegratedImpact, Measurement};
+use support::integrated::{IntegratedImpact, Measured};
 
 /// From nearly dead to nearly elastic, finer than the tenths.
 const RESTITUTIONS: [f64; 11] = [0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.65, 0.8, 0.95, 0.99];
@@ -16,7 +16,7 @@ const EXPONENTS: [f64; 3] = [1.0, 1.5, 3.0];
 struct Case {
     name: String,
     impact: Impact,
-    measured: Measurement,
+    measured: Measured,
     energy: f64,
     asked: f64,
 }

@@ -3,6 +3,7 @@
 
 use crate::contact::ContactRow;
 use crate::kinematics::Kinematics;
+use crate::linear::dense::dot;
 use crate::mobility::GroupMobility;
 use crate::model::{Cluster, Model};
 use crate::recursion::Recursion;
@@ -186,8 +187,4 @@ fn growth_of(groups: &[GroupMobility], cluster: &Cluster) -> f64 {
         false => known.sizes.iter().fold(known.size(0, 0), |most, s| most.max(*s)),
     };
     cluster.groups.iter().map(|own| of_group(&groups[own.group])).fold(0.0, f64::max).min(1e6)
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

@@ -105,7 +105,10 @@ impl Conditions {
             let id = mechanism.find_joint(name)?;
             let joint = mechanism.joint(id);
             if std::mem::replace(&mut seen[id.index()], true) {
-                return Err(ConditionsError::Twice { what: "armature", joint: name.clone() });
+                return Err(ConditionsError::Twice {
+                    condition: ConditionOfJoint::Armature,
+                    joint: name.clone(),
+                });
             }
             if let Some(&value) = values.iter().find(|v| !(v.is_finite() && **v >= 0.0)) {
                 return Err(ConditionsError::BadArmature { joint: name.clone(), value });
@@ -154,10 +157,32 @@ impl Conditions {
         for name in &self.locked {
             let id = mechanism.find_joint(name)?;
             if std::mem::replace(&mut locked[id.index()], true) {
-                return Err(ConditionsError::Twice { what: "lock", joint: name.clone() });
+                return Err(ConditionsError::Twice {
+                    condition: ConditionOfJoint::Lock,
+                    joint: name.clone(),
+                });
             }
         }
         Ok(locked)
+    }
+}
+
+/// A condition that is given for a joint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ConditionOfJoint {
+    /// Its rotor's inertia.
+    Armature,
+    /// It cannot move.
+    Lock,
+}
+
+impl ConditionOfJoint {
+    /// In words.
+    pub fn name(self) -> &'static str {
+        match self {
+            ConditionOfJoint::Armature => "armature",
+            ConditionOfJoint::Lock => "lock",
+        }
     }
 }
 
@@ -177,10 +202,10 @@ pub enum ConditionsError {
         why: String,
     },
     /// The same condition given twice for a joint.
-    #[error("{what} of joint \"{joint}\" is given twice")]
+    #[error("{} of joint \"{joint}\" is given twice", condition.name())]
     Twice {
-        /// `armature` or `lock`.
-        what: &'static str,
+        /// Which.
+        condition: ConditionOfJoint,
         /// The joint.
         joint: String,
     },

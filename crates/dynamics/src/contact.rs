@@ -65,15 +65,37 @@ impl Contact {
     }
 }
 
+/// A vector that a contact is given by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ContactPart {
+    /// The contact point.
+    Point,
+    /// The normal.
+    Normal,
+    /// The point that the normal points towards.
+    Line,
+}
+
+impl ContactPart {
+    /// In words.
+    pub fn name(self) -> &'static str {
+        match self {
+            ContactPart::Point => "point",
+            ContactPart::Normal => "normal",
+            ContactPart::Line => "line",
+        }
+    }
+}
+
 /// A contact that means nothing.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ContactError {
     /// NaN, infinite or absurdly large.
-    #[error("the contact {what} has a component {value:e}; expected a finite number of at most 1e100")]
+    #[error("the contact {} has a component {value:e}; expected a finite number of at most 1e100", part.name())]
     NotFinite {
-        /// `point`, `normal` or `line`.
-        what: &'static str,
+        /// Of what.
+        part: ContactPart,
         /// The component.
         value: f64,
     },
@@ -164,14 +186,14 @@ impl Model {
             let link = self.mechanism.link(contact.link).name().to_owned();
             return Err(ContactError::Itself { link });
         }
-        finite("point", &contact.point)?;
+        finite(ContactPart::Point, &contact.point)?;
         match contact.normal {
             Direction::Along(normal, _) => {
-                finite("normal", &normal)?;
+                finite(ContactPart::Normal, &normal)?;
                 let length = normal.norm();
                 if length < SHORTEST_DIRECTION { Err(ContactError::NoNormal { length }) } else { Ok(()) }
             }
-            Direction::Toward(_, point) => finite("line", &point),
+            Direction::Toward(_, point) => finite(ContactPart::Line, &point),
         }
     }
 
@@ -325,9 +347,9 @@ pub(crate) struct ContactRow {
     pub length: f64,
 }
 
-fn finite(what: &'static str, v: &Vector3<f64>) -> Result<(), ContactError> {
+fn finite(part: ContactPart, v: &Vector3<f64>) -> Result<(), ContactError> {
     match v.iter().find(|x| !x.is_finite() || x.abs() > 1e100) {
-        Some(&value) => Err(ContactError::NotFinite { what, value }),
+        Some(&value) => Err(ContactError::NotFinite { part, value }),
         None => Ok(()),
     }
 }

@@ -39,8 +39,8 @@ impl Model {
             if body.joint.is_none() || body.mimic.is_some() {
                 continue;
             }
-            let way = tangent::displacement(body.motion.kind, &from[body.q.clone()], &to[body.q.clone()]);
-            for (v, rate) in body.v.clone().zip(way) {
+            let rates = tangent::displacement(body.motion.kind, &from[body.q.clone()], &to[body.q.clone()]);
+            for (v, rate) in body.v.clone().zip(rates) {
                 let at = self.follows[v].and_then(|f| group.column(f.index));
                 if let Some(at) = at {
                     u[at] = rate;

@@ -88,12 +88,17 @@ impl JointMotion {
 
     /// Whether velocity `k` is a turn (rad/s) and not a slide (m/s).
     pub fn turns(&self, k: usize) -> bool {
-        match self.kind {
-            JointKind::Revolute | JointKind::Continuous | JointKind::Spherical => true,
-            JointKind::Prismatic | JointKind::Fixed => false,
-            JointKind::Planar => k == 2,
-            JointKind::Floating => k < 3,
-        }
+        turns(self.kind, k)
+    }
+}
+
+/// Whether velocity `k` of a kind of joint is a turn (rad/s) and not a slide (m/s).
+pub(crate) fn turns(kind: JointKind, k: usize) -> bool {
+    match kind {
+        JointKind::Revolute | JointKind::Continuous | JointKind::Spherical => true,
+        JointKind::Prismatic | JointKind::Fixed => false,
+        JointKind::Planar => k == 2,
+        JointKind::Floating => k < 3,
     }
 }
 

@@ -49,9 +49,9 @@ mod workspace;
 
 pub use assembling::{AssemblyError, LoopState};
 pub use assembly::{Assembly, DrawnGap};
-pub use conditions::{Base, Conditions, ConditionsError};
+pub use conditions::{Base, ConditionOfJoint, Conditions, ConditionsError};
 pub use configuration::{Configuration, ConfigurationError};
-pub use contact::{Contact, ContactError, Direction, Frame, LocatedContact};
+pub use contact::{Contact, ContactError, ContactPart, Direction, Frame, LocatedContact};
 pub use error_budget::ErrorBudget;
 pub use forward_dynamics::{Accelerations, PointForce};
 pub use limits::BranchLimits;

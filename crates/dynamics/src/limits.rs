@@ -4,11 +4,12 @@ use crate::assembly::Assembly;
 use crate::careful::Minimum;
 use crate::contact::{Contact, LocatedContact};
 use crate::kinematics::Kinematics;
+use crate::linear::dense::dot;
 use crate::model::Model;
 use crate::outcome::EffectiveMass;
 use crate::pose::Pose;
 use crate::routes::{Question, RecursionRoom};
-use crate::singular::{Surroundings, dot};
+use crate::singular::Surroundings;
 use crate::tolerances::{
     BENT, BRANCH_COMBINATIONS, LIMIT_PLACES, LIMIT_STEPS, LIMITS_AGREE, LIMITS_BY_CAREFUL_ROUTE,
     LIMITS_BY_RECURSION, VANISHING_LIMIT,
@@ -169,13 +170,13 @@ fn limit_along(
         for around in crossings {
             let along = &around.branches[number % around.branches.len()].along;
             number /= around.branches.len();
-            let way = assembly.posing().go_beside(
+            let displaced = assembly.posing().go_beside(
                 &mut kinematics,
                 around,
                 along,
                 f64::from(places) * apart * around.group.size,
             )?;
-            if dot(&way, along) < BENT * dot(&way, &way).sqrt() {
+            if dot(&displaced, along) < BENT * dot(&displaced, &displaced).sqrt() {
                 return None;
             }
         }

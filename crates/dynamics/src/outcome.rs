@@ -14,6 +14,19 @@ pub enum EffectiveMass {
     Massless,
 }
 
+impl EffectiveMass {
+    /// The same where the other side is a free mass (kg) of its own, if it is: 1/m̄ = 1/m̄₁ + 1/m₂.
+    ///
+    /// An immovable mechanism leaves m̄ = m₂; a massless one stays massless. `other` must be finite and > 0.
+    pub fn against_mass(self, other: Option<f64>) -> Self {
+        match (self, other) {
+            (EffectiveMass::Finite(own), Some(other)) => EffectiveMass::Finite(own / (1.0 + own / other)),
+            (EffectiveMass::Immovable, Some(other)) => EffectiveMass::Finite(other),
+            (mass, _) => mass,
+        }
+    }
+}
+
 /// How m̄ was computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Route {

@@ -75,15 +75,13 @@ impl ContactResponse {
         if !(other.is_finite() && other > LEAST_OTHER_MASS) {
             return Err(ContactError::OtherMass { mass: other, least: LEAST_OTHER_MASS });
         }
-        let (m, factor) = match self.effective_mass {
-            EffectiveMass::Finite(own) => {
-                let m = own / (1.0 + own / other);
-                (m, m / own)
-            }
-            EffectiveMass::Immovable => (other, 0.0),
-            EffectiveMass::Massless => return Ok(self),
+        let together = self.effective_mass.against_mass(Some(other));
+        let (m, factor) = match (self.effective_mass, together) {
+            (EffectiveMass::Finite(own), EffectiveMass::Finite(m)) => (m, m / own),
+            (EffectiveMass::Immovable, EffectiveMass::Finite(m)) => (m, 0.0),
+            _ => return Ok(self),
         };
-        self.effective_mass = EffectiveMass::Finite(m);
+        self.effective_mass = together;
         // dm̄ = (m̄/m̄₁)² dm̄₁; the other mass is taken as exact, but for one rounding.
         let rounding = ErrorBudget { rounding: Some(0.0), closing: Some(0.0), file: None };
         let own = self.error.unwrap_or(rounding).scaled(factor * factor);

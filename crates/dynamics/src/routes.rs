@@ -270,7 +270,7 @@ impl Question<'_> {
             mass,
             route: Route::Dense,
             careful_reason: None,
-            closing_speed: solution.approach,
+            closing_speed: solution.closing_speed,
             errors,
             velocities,
             remarks,

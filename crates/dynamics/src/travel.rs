@@ -3,6 +3,7 @@
 use crate::assembling::AssemblyError;
 use crate::closing::Directions;
 use crate::configuration::Configuration;
+use crate::joint_motion::turns;
 use crate::mobility::Singularity;
 use crate::model::Model;
 use crate::pose::Pose;
@@ -10,7 +11,7 @@ use crate::rows::GroupRows;
 use crate::tolerances::{FIRST_STEP, MET, SAME_RATE, SHORTEST_DIRECTION, UNMOVED, WEAK_DRIVER};
 use crate::travel_search::{Missed, Place, Scale, Search, Stop};
 use nalgebra::Vector3;
-use percuss_mechanism::{JointId, JointKind, LinkId, Mechanism};
+use percuss_mechanism::{JointId, LinkId, Mechanism};
 use percuss_spatial::Transform;
 use std::sync::Arc;
 
@@ -370,11 +371,7 @@ fn is_driver(mechanism: &Mechanism, joint: JointId) -> bool {
 
 /// Steps of a joint are in radians, or in sizes of the mechanism.
 fn unit(mechanism: &Mechanism, joint: JointId) -> f64 {
-    if mechanism.joint(joint).kind() == JointKind::Prismatic {
-        mechanism.characteristic_length()
-    } else {
-        1.0
-    }
+    if turns(mechanism.joint(joint).kind(), 0) { 1.0 } else { mechanism.characteristic_length() }
 }
 
 /// The group of loops that a joint is bound by.

@@ -210,7 +210,7 @@ fn a_joint_set_far_out_of_a_long_loop_is_given_up() {
     let mut configuration = system.configuration();
     configuration.set("slide", &[1e6, 0.0, 0.0]).unwrap();
     let error = system.pose(&configuration).expect_err("40 m do not reach there");
-    let AssemblyError::TooFar { wanted, reached } = &error else { panic!("{error}") };
+    let AssemblyError::TooFar { requested: wanted, reached } = &error else { panic!("{error}") };
     assert_eq!(wanted[wanted.len() - 3].0, "slide[0]");
     assert_eq!(wanted[wanted.len() - 3].1, 1e6);
     assert_eq!(reached.len(), wanted.len());
@@ -284,8 +284,8 @@ fn what_does_not_fit_a_mechanism_is_refused() {
     for (velocities, joints) in [(vec![], true), (vec![vec![]], false), (vec![vec![0.0, 0.0]], false)] {
         let error = accelerations(&velocities, &[]).expect_err("not the mechanism's");
         match error {
-            RouteError::Velocities(VelocityError::Joints { got: 0, wanted: 1 }) => assert!(joints),
-            RouteError::Velocities(VelocityError::Count { wanted: 1, .. }) => assert!(!joints),
+            RouteError::Velocities(VelocityError::Joints { got: 0, expected: 1 }) => assert!(joints),
+            RouteError::Velocities(VelocityError::Count { expected: 1, .. }) => assert!(!joints),
             other => panic!("{other}"),
         }
     }
@@ -303,11 +303,11 @@ fn what_does_not_fit_a_mechanism_is_refused() {
     let beside = other.pose(&other.configuration()).unwrap();
     assert!(matches!(
         beside.point_acceleration(&known, foreign, &Vector3::zeros()),
-        Err(RouteError::ForeignAccelerations { got: 1, wanted: 3 })
+        Err(RouteError::ForeignAccelerations { got: 1, expected: 3 })
     ));
 
     let contact = Contact::new(link, [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
-    let count = |got| Err(VelocityError::Positions { got, wanted: 1 });
+    let count = |got| Err(VelocityError::Positions { got, expected: 1 });
     let mut workspace = system.workspace();
     assert_eq!(workspace.set_positions(&[]), count(0));
     assert_eq!(workspace.set_positions(&[0.0; 7]), count(7));

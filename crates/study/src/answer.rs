@@ -1,8 +1,9 @@
 //! From a question to its answer, one path for every command: the question is prepared once (names resolved, units
 //! checked, conditions compiled), then answered at as many poses as are asked for.
 
-use crate::error::{Fault, Field, StudyError};
+use crate::error::{Fault, StudyError};
 use crate::estimate::{Estimate, EstimateRecord};
+use crate::field::{Field, Names};
 use crate::finding::{Finding, Subject};
 use crate::findings::{about_branches, about_guesses, about_pose, about_response};
 use crate::holds::HeldContact;
@@ -52,6 +53,12 @@ impl Answer {
     /// The contact response of the mechanism alone, without a free body on the other side.
     pub fn of_mechanism(&self) -> &ContactResponse {
         self.alone.as_ref().unwrap_or(&self.response)
+    }
+
+    /// What bounds the masses that motions from the pose meet: all branches, a finite number of them.
+    pub fn all_branches(&self) -> Option<&[EffectiveMass]> {
+        let limits = &self.limits;
+        (limits.complete && !limits.continuous && !limits.limits.is_empty()).then_some(&limits.limits)
     }
 }
 
@@ -132,38 +139,46 @@ impl<'a> Prepared<'a> {
             Frame::World => "world",
             Frame::Against => "against",
         };
+        let given = match self.question.names {
+            Names::Fields => frame.to_owned(),
+            Names::Flags => format!("--frame {frame}"),
+            Names::Keys => format!("contact.frame = \"{frame}\""),
+        };
         let [x, y, z]: [f64; 3] = contact.point.into();
         let link = self.system.mechanism().link(contact.link).name();
         let message = format!(
-            "the contact point given in another frame (--frame {frame}) is {x},{y},{z} m in the frame of link \"{link}\", \
-             converted {place}; it moves with the link"
+            "the contact point given in another frame ({given}) is {x},{y},{z} m in the frame of link \"{link}\", converted \
+             {place}; it moves with the link"
         );
         Some(Finding::note("point-converted", Subject::Link(contact.link), message))
     }
 
     /// What became of the guesses.
     pub fn about_guesses(&self, pose: &Pose) -> Vec<Finding> {
-        about_guesses(&self.system, pose, &self.configuration)
+        about_guesses(&self.system, pose, &self.configuration, self.question.names)
     }
 
     /// The answer at a pose.
     pub fn answer(&self, pose: &Pose, contact: &Contact) -> Result<Answer, StudyError> {
-        let system = &self.system;
+        let (system, names) = (&self.system, self.question.names);
         let response = pose.respond(contact, RouteChoice::Auto)?;
-        let mut findings = about_pose(system, pose);
-        findings.extend(about_response(system, contact, &response));
+        let mut findings = about_pose(system, pose, names);
+        findings.extend(about_response(system, contact, &response, names));
         let limits =
             if response.singular_pose { pose.branch_limits(contact) } else { BranchLimits::default() };
-        findings.extend(about_branches(system, pose, &response, &limits));
+        findings.extend(about_branches(pose, &response, &limits));
         for held in &self.held {
-            findings.extend(held.find(pose, contact, self.other_mass())?);
+            findings.extend(held.find(pose, contact, self.other_mass(), names)?);
         }
         let estimate = self.estimate.as_ref().map(|e| e.beside(pose, &response));
         let Some(other) = self.other_mass() else {
             return Ok(Answer { response, alone: None, limits, estimate, findings });
         };
         if response.effective_mass == EffectiveMass::Immovable {
-            let message = "the mechanism itself is immovable at this contact: only the other body's mass counts (--against-mass)";
+            let message = format!(
+                "the mechanism itself is immovable at this contact: only the other body's mass counts{}",
+                Field::AgainstMass.hint(names)
+            );
             findings.push(Finding::note("immovable-mechanism", Subject::Answer, message));
         }
         let with_other = response.clone().against_mass(other).map_err(ResponseError::from)?;

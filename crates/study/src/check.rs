@@ -1,6 +1,7 @@
 //! What is in a model.
 
-use crate::error::{Field, StudyError};
+use crate::error::StudyError;
+use crate::field::{Field, Names};
 use crate::findings::about_pose;
 use crate::model::{Input, Model};
 use crate::positions::{PoseLayout, Positions};
@@ -113,8 +114,9 @@ pub fn check(model: &Model) -> Result<CheckReport, StudyError> {
     let system = System::new(std::sync::Arc::clone(mechanism), &conditions)
         .map_err(|error| StudyError::input(Field::of_condition(&error), error))?;
     let pose = system.pose(&system.configuration())?;
+    let assembly = pose.assembly();
     let mut diagnostics = model.diagnostics.clone();
-    diagnostics.extend(about_pose(&system, &pose).into_iter().map(DiagnosticRecord::from));
+    diagnostics.extend(about_pose(&system, &pose, Names::Fields).into_iter().map(DiagnosticRecord::from));
     Ok(CheckReport {
         schema: "percuss.check/1",
         percuss: env!("CARGO_PKG_VERSION"),
@@ -125,10 +127,10 @@ pub fn check(model: &Model) -> Result<CheckReport, StudyError> {
         joints: joints(mechanism),
         closures: closures(mechanism),
         degrees_of_freedom: pose.degrees_of_freedom(),
-        generic_degrees_of_freedom: system.degrees_of_freedom(),
-        redundant_constraints: system.reference_or_open().redundant_constraints(),
-        redundant_loops: system.reference_or_open().redundant_loops().to_vec(),
-        rank_gap: system.reference_or_open().rank_gap(),
+        generic_degrees_of_freedom: assembly.degrees_of_freedom(),
+        redundant_constraints: assembly.redundant_constraints(),
+        redundant_loops: assembly.redundant_loops().to_vec(),
+        rank_gap: assembly.rank_gap(),
         drivers: pose.loops().map_or_else(Vec::new, |l| {
             l.drivers.iter().map(|id| mechanism.joint(*id).name().to_owned()).collect()
         }),

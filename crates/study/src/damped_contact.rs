@@ -1,6 +1,6 @@
 //! The damper of a model's contact: what the model knows beside the effective mass.
 
-use crate::answer::Answered;
+use crate::answer::{Answer, Answered};
 use crate::damping::{DampingReport, Drift, about_exports, body_alone, damper, exports};
 use crate::damping_question::DampingQuestion;
 use crate::error::StudyError;
@@ -9,7 +9,7 @@ use crate::mass_report::Status;
 use crate::model::Model;
 use crate::question::MassQuestion;
 use crate::record::DiagnosticRecord;
-use crate::thresholds::{DIFFERENCE, DRIFTING};
+use crate::thresholds::{DIFFERENCE, DRIFTING, SAME_LIMIT};
 use percuss_contact::exports::Options;
 use percuss_dynamics::{Conditions, Contact, EffectiveMass, RouteChoice, System};
 use percuss_mechanism::{LinkId, Mechanism, Severity};
@@ -17,7 +17,8 @@ use percuss_mechanism::{LinkId, Mechanism, Severity};
 /// The damper of a model's contact.
 ///
 /// # Errors
-/// [`StudyError`], as for `mass` and `damp`; a contact without a finite mass.
+/// [`StudyError`], as for `mass` and `damp`; a contact without a finite mass, or with
+/// another on each branch.
 pub fn damp_contact(
     model: &Model,
     question: &MassQuestion,
@@ -52,8 +53,9 @@ pub(crate) fn damping_of(
     damping: &DampingQuestion,
 ) -> Result<DampingReport, StudyError> {
     let Answered { prepared, answer, .. } = answered;
-    let EffectiveMass::Finite(mass) = answer.response.effective_mass else {
-        let (status, _) = Status::of(answer.response.effective_mass);
+    let effective_mass = one_mass(answer, prepared.other_mass())?;
+    let EffectiveMass::Finite(mass) = effective_mass else {
+        let (status, _) = Status::of(effective_mass);
         return Err(StudyError::NoDamper { status: status.name() });
     };
     let record = damper(damping, mass)?;
@@ -86,10 +88,36 @@ pub(crate) fn damping_of(
     })
 }
 
+/// The mass that the contact has whatever the motion is. At a singular pose the value of the answer is a bound that no
+/// branch attains: it is the limit along them, if that is the same for all.
+fn one_mass(answer: &Answer, other: Option<f64>) -> Result<EffectiveMass, StudyError> {
+    if !answer.response.singular_pose {
+        return Ok(answer.response.effective_mass);
+    }
+    let limits = || answer.limits.limits.iter().map(|limit| limit.against_mass(other));
+    let same = |a: EffectiveMass, b: EffectiveMass| match (a, b) {
+        (EffectiveMass::Finite(a), EffectiveMass::Finite(b)) => (a / b - 1.0).abs() <= SAME_LIMIT,
+        _ => a == b,
+    };
+    match limits().next() {
+        Some(first) if answer.all_branches().is_some() && limits().all(|limit| same(limit, first)) => {
+            Ok(first)
+        }
+        _ => Err(StudyError::NoDamperOfAll {
+            limits: limits().collect(),
+            complete: answer.limits.complete && !answer.limits.continuous,
+        }),
+    }
+}
+
 /// m̄ along the motion of the contact response.
 fn drift(answered: &Answered, mass: f64, penetration: Option<f64>) -> Drift {
     let Answered { prepared, pose, contact, answer } = answered;
     let (system, response) = (&prepared.system, &answer.response);
+    if response.singular_pose {
+        // The motion of the answer is along no branch.
+        return Drift { per_metre: None, over_penetration: None };
+    }
     if !response.gives_way() {
         // The other body's mass is all there is.
         return Drift { per_metre: Some(0.0), over_penetration: penetration.map(|_| 0.0) };

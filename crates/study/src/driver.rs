@@ -1,6 +1,7 @@
 //! The joint that a sweep moves.
 
-use crate::error::{Field, StudyError};
+use crate::error::StudyError;
+use crate::field::Field;
 use percuss_dynamics::{Configuration, Pose, System};
 use percuss_mechanism::{JointId, JointKind};
 

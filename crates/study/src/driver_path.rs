@@ -2,7 +2,8 @@
 
 use crate::answer::Prepared;
 use crate::driver::Driver;
-use crate::error::{Fault, Field, StudyError};
+use crate::error::{Fault, StudyError};
+use crate::field::{Field, Names, about_assembly};
 use crate::quantity::{Dimension, position_dimension};
 use crate::reach::{Extent, Missed};
 use crate::travel::Travel;
@@ -16,18 +17,18 @@ use percuss_mechanism::JointId;
 pub(crate) struct DriverPath {
     driver: Driver,
     travel: Option<Travel>,
-    /// Whether nothing but the driver is set: every way to a first row is then the same but for its length.
-    driver_alone: bool,
+    /// By what names messages call the parts of the question.
+    names: Names,
 }
 
 impl DriverPath {
     pub fn new(prepared: &Prepared, vary: &Vary) -> Result<Self, StudyError> {
         let question = prepared.question;
-        let driver_alone = question.set.is_empty() && question.guess.is_empty();
+        let names = question.names;
         match &vary.what {
             Varied::Joint(name) => {
                 let driver = Driver { joint: joint(prepared, name)?, base: prepared.configuration.clone() };
-                Ok(Self { driver, travel: None, driver_alone })
+                Ok(Self { driver, travel: None, names })
             }
             Varied::Travel { link, point, direction } => {
                 let mechanism = prepared.system.mechanism();
@@ -43,7 +44,7 @@ impl DriverPath {
                     Vector3::from(*direction),
                     &is_set,
                 )?;
-                Ok(Self { driver, travel: Some(travel), driver_alone })
+                Ok(Self { driver, travel: Some(travel), names })
             }
         }
     }
@@ -90,12 +91,12 @@ impl DriverPath {
         value: f64,
     ) -> Result<Result<Pose, Missed>, StudyError> {
         match (&self.travel, last.or(self.start())) {
-            (Some(travel), Some(last)) => travel.reach(&self.driver, last, value),
+            (Some(travel), Some(last)) => travel.reach(&self.driver, last, value, self.names),
             (_, last) => match self.driver.pose(system, last, value) {
                 Ok(pose) => Ok(Ok(pose)),
                 Err(StudyError::Assembly(error)) if !error.is_bad_input() => {
                     let extent = self.extent(&error, last.is_some());
-                    Ok(Err(Missed { why: error.to_string(), extent }))
+                    Ok(Err(Missed { why: about_assembly(&error, self.names), extent }))
                 }
                 Err(error) => Err(error),
             },
@@ -113,7 +114,8 @@ impl DriverPath {
             }
             AssemblyError::Unreachable { requested, nearest, .. } => {
                 match (of_driver(requested), of_driver(nearest)) {
-                    (Some(_), Some(end)) if followed || self.driver_alone => Extent::Beyond(end),
+                    (Some(_), Some(end)) if followed => Extent::Beyond(end),
+                    // A first row is looked for from many starts, and another may be reached from one of them.
                     (Some(_), _) => Extent::Nothing,
                     (None, _) => Extent::Everywhere,
                 }

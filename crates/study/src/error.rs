@@ -1,103 +1,15 @@
 //! Why a question has no answer, and which flag or key is at fault.
 
+use crate::field::{Field, Names, about_assembly};
 use crate::quantity::QuantityError;
-use crate::thresholds::{LARGEST_COORDINATE, LEAST_OTHER_MASS, SHORTEST_DIRECTION};
+use crate::thresholds::{LARGEST_COORDINATE, LEAST_OTHER_MASS, ROWS, SHORTEST_DIRECTION};
 use percuss_contact::ContactLawError;
 use percuss_contact::exports::ExportError;
 use percuss_dynamics::{
-    AssemblyError, ConditionsError, ConfigurationError, ContactError, ResponseError, RouteError, TravelError,
+    AssemblyError, ConditionsError, ConfigurationError, ContactError, EffectiveMass, ResponseError,
+    RouteError, TravelError,
 };
 use percuss_mechanism::{JointKind, UnknownName};
-
-/// A part of a question: a flag on the command line, a key in a study file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Field {
-    /// The struck link.
-    Link,
-    /// The contact point.
-    Point,
-    /// The normal.
-    Normal,
-    /// The line that the normal lies on.
-    AlongLine,
-    /// The frame of point and normal.
-    Frame,
-    /// The other link.
-    Against,
-    /// Mass of a free body on the other side.
-    AgainstMass,
-    /// A driving joint.
-    Set,
-    /// Where a joint is looked for.
-    Guess,
-    /// A joint that is held.
-    Lock,
-    /// A point that is held.
-    Hold,
-    /// A rotor's inertia.
-    Armature,
-    /// The classical estimate.
-    Estimate,
-    /// What a sweep varies.
-    Vary,
-    /// A joint's stop.
-    Limit,
-}
-
-impl Field {
-    /// Its flag and its key.
-    fn names(self) -> (&'static str, &'static str) {
-        match self {
-            Field::Link => ("--link", "contact.link"),
-            Field::Point => ("--point", "contact.point"),
-            Field::Normal => ("--normal", "contact.normal"),
-            Field::AlongLine => ("--along-line", "contact.along_line"),
-            Field::Frame => ("--frame", "contact.frame"),
-            Field::Against => ("--against", "contact.against"),
-            Field::AgainstMass => ("--against-mass", "contact.against_mass"),
-            Field::Set => ("--set", "pose.set"),
-            Field::Guess => ("--guess", "pose.guess"),
-            Field::Lock => ("--lock", "conditions.lock"),
-            Field::Hold => ("--hold", "hold"),
-            Field::Armature => ("--armature", "conditions.armature"),
-            Field::Estimate => ("--estimate", "contact.estimate"),
-            Field::Vary => ("--vary", "sweep.vary"),
-            Field::Limit => ("--limit", "damping.limit"),
-        }
-    }
-
-    /// Its flag on the command line.
-    pub fn flag(self) -> &'static str {
-        self.names().0
-    }
-
-    /// Its key in a study file.
-    pub fn key(self) -> &'static str {
-        self.names().1
-    }
-
-    /// Which part of the question a contact's error is about.
-    fn of_contact(error: &ContactError) -> Self {
-        match error {
-            ContactError::NotFinite { what: "normal", .. } | ContactError::NoNormal { .. } => Field::Normal,
-            ContactError::NotFinite { what: "line", .. } | ContactError::NoLine { .. } => Field::AlongLine,
-            ContactError::Itself { .. } => Field::Against,
-            ContactError::OtherMass { .. } => Field::AgainstMass,
-            ContactError::NotFinite { .. } => Field::Point,
-            // Handles of other mechanisms, which a question by names does not have.
-            _ => Field::Link,
-        }
-    }
-
-    /// Which part of the question a condition's error is about, where its name was known.
-    pub(crate) fn of_condition(error: &ConditionsError) -> Self {
-        match error {
-            ConditionsError::BadHold { .. } => Field::Hold,
-            ConditionsError::Twice { what: "lock", .. } => Field::Lock,
-            _ => Field::Armature,
-        }
-    }
-}
 
 /// What is wrong with a part of a question.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -168,6 +80,12 @@ pub enum Fault {
     /// A range in the wrong unit.
     #[error(transparent)]
     Range(QuantityError),
+    /// Too few rows, or too many.
+    #[error("{count} rows; {} to {} are possible", ROWS.start(), ROWS.end())]
+    Rows {
+        /// What was given.
+        count: usize,
+    },
     /// A joint that has not one position.
     #[error("\"{joint}\": a {} joint has no single position to vary", kind.name())]
     NoSinglePosition {
@@ -185,7 +103,7 @@ pub enum Fault {
         master: String,
     },
     /// A joint that is set is varied.
-    #[error("\"{joint}\": it is set already (--set); give it one or the other")]
+    #[error("{}", varied_is_set(joint, Names::Fields))]
     VariedIsSet {
         /// The joint.
         joint: String,
@@ -194,22 +112,48 @@ pub enum Fault {
     #[error(transparent)]
     Travel(#[from] TravelError),
     /// A point is given in a frame that is looked up at a pose out of reach.
-    #[error(
-        "a point in this frame is converted to the struck link where the varied joint stands at 0, and that pose cannot \
-         be reached ({source}); give the point in the frame of the struck link (--frame link)"
-    )]
+    #[error("{}", no_reference_pose(source, Names::Fields))]
     NoReferencePose {
         /// Why.
         source: AssemblyError,
     },
 }
 
-/// Why a question has no answer.
+impl Fault {
+    /// The message, with the names of where the question was asked.
+    fn message(&self, names: Names) -> String {
+        match self {
+            Fault::VariedIsSet { joint } => varied_is_set(joint, names),
+            Fault::NoReferencePose { source } => no_reference_pose(source, names),
+            Fault::Travel(TravelError::Assembly(error)) => about_assembly(error, names),
+            other => other.to_string(),
+        }
+    }
+}
+
+fn varied_is_set(joint: &str, names: Names) -> String {
+    format!("\"{joint}\": it is set already{}; give it one or the other", Field::Set.hint(names))
+}
+
+fn no_reference_pose(source: &AssemblyError, names: Names) -> String {
+    let how = match names {
+        Names::Fields => "",
+        Names::Flags => " (--frame link)",
+        Names::Keys => " (contact.frame = \"link\")",
+    };
+    let why = about_assembly(source, names);
+    format!(
+        "a point in this frame is converted to the struck link where the varied joint stands at 0, and that pose cannot \
+         be reached ({why}); give the point in the frame of the struck link{how}"
+    )
+}
+
+/// Why a question has no answer. Where it came from flags or from a study file, [`message`](Self::message) has their names.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum StudyError {
     /// A part of the question that means nothing.
-    #[error("{}: {fault}", field.flag())]
+    #[error("{}: {fault}", field.named(Names::Fields))]
     Input {
         /// Which part.
         field: Field,
@@ -232,13 +176,41 @@ pub enum StudyError {
     #[error(transparent)]
     Export(Box<ExportError>),
     /// A safe speed against something else than a person.
-    #[error("the other side is the person: leave --against and --against-mass out")]
+    #[error("{}", person_is_the_other(Names::Fields))]
     PersonIsTheOther,
     /// A robot without mass at the contact.
-    #[error(
-        "the contact is massless: no speed is too high for it; the load, if there is one, is given by --load"
-    )]
+    #[error("{}", no_mass(Names::Fields))]
     NoMass,
+    /// A safe speed where the robot's mass may be any.
+    #[error(
+        "what the effective mass may be off by is not known: beside this pose the contact is not finite; no speed can be \
+         called safe there"
+    )]
+    MassUnknown,
+    /// A safe speed at a singular pose, where not every branch is known.
+    #[error(
+        "the pose is singular and no greatest mass of the robot is known there: {}; the effective mass is a lower bound, which \
+         allows too high a speed; ask for poses beside it",
+        of_branches(limits, *complete)
+    )]
+    NoGreatestMass {
+        /// The limits of m̄ along the branches that were found.
+        limits: Vec<EffectiveMass>,
+        /// Whether no sign of more branches was found.
+        complete: bool,
+    },
+    /// A damper at a singular pose, where the mass depends on the branch.
+    #[error(
+        "the pose is singular: no damper gives the contact a restitution on every branch: {}; ask for a pose a little beside it, \
+         on the branch that is meant, or for the damper of its mass",
+        of_branches(limits, *complete)
+    )]
+    NoDamperOfAll {
+        /// The limits of m̄ along the branches that were found, with the other body.
+        limits: Vec<EffectiveMass>,
+        /// Whether no sign of more branches was found.
+        complete: bool,
+    },
     /// A contact that nothing damps.
     #[error("the contact is {status}: no damper gives it a restitution")]
     NoDamper {
@@ -256,19 +228,57 @@ impl StudyError {
     /// Whether the question was fine and yet has no answer (exit code 1, not 2).
     pub fn is_no_answer(&self) -> bool {
         match self {
-            StudyError::NoDamper { .. } | StudyError::NoMass | StudyError::Route(_) => true,
+            StudyError::NoDamper { .. }
+            | StudyError::NoDamperOfAll { .. }
+            | StudyError::NoGreatestMass { .. }
+            | StudyError::MassUnknown
+            | StudyError::NoMass
+            | StudyError::Route(_) => true,
             StudyError::Assembly(error) => !error.is_bad_input(),
             _ => false,
         }
     }
 
-    /// The message with the keys of a study file in place of flags.
-    pub fn in_study(&self) -> String {
+    /// The message, with the names of where the question was asked.
+    pub fn message(&self, names: Names) -> String {
         match self {
-            StudyError::Input { field, fault } => format!("{}: {fault}", field.key()),
+            StudyError::Input { field, fault } => format!("{}: {}", field.named(names), fault.message(names)),
+            StudyError::Assembly(error) => about_assembly(error, names),
+            StudyError::PersonIsTheOther => person_is_the_other(names),
+            StudyError::NoMass => no_mass(names),
             other => other.to_string(),
         }
     }
+}
+
+fn person_is_the_other(names: Names) -> String {
+    let [against, mass] = [Field::Against, Field::AgainstMass].map(|field| field.named(names));
+    format!("the other side is the person: leave {against} and {mass} out")
+}
+
+fn no_mass(names: Names) -> String {
+    let load = match names {
+        Names::Flags => "--load",
+        Names::Fields | Names::Keys => "load",
+    };
+    format!(
+        "the contact is massless: no speed is too high for it; the load, if there is one, is given by {load}"
+    )
+}
+
+/// The limits of m̄ along branches, in words.
+fn of_branches(limits: &[EffectiveMass], complete: bool) -> String {
+    let limit = |limit: &EffectiveMass| match limit {
+        EffectiveMass::Finite(m) => format!("{m} kg"),
+        EffectiveMass::Immovable => "immovable".into(),
+        EffectiveMass::Massless => "massless".into(),
+    };
+    if limits.is_empty() {
+        return "no branch with a mass was found".into();
+    }
+    let all = limits.iter().map(limit).collect::<Vec<_>>().join(", ");
+    let more = if complete { "" } else { ", and there may be more" };
+    format!("along its branches it is {all}{more}")
 }
 
 impl From<ResponseError> for StudyError {

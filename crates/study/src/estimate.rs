@@ -1,6 +1,7 @@
 //! The classical estimate m_K / l̄², set beside the exact value.
 
-use crate::error::{Fault, Field, StudyError};
+use crate::error::{Fault, StudyError};
+use crate::field::Field;
 use crate::question::EstimateQuestion;
 use crate::thresholds::{LARGEST_COORDINATE, SHORTEST_DIRECTION};
 use nalgebra::Vector3;
@@ -8,7 +9,8 @@ use percuss_dynamics::{ContactResponse, EffectiveMass, PointVelocity, Pose};
 use percuss_mechanism::{LinkId, Mechanism};
 use serde::Serialize;
 
-/// m_K |v_A|²: the mass of some links, as if all of it moved with point A; l̄ = 1/|v_A| is the seed's r_B/r_A.
+/// m_K |v_A|²: the mass of some links, as if all of it moved with point A; l̄ = 1/|v_A| is r_B/r_A of Euler's note
+/// (Fayzullin 2018).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct EstimateRecord {
     /// The links whose mass it takes.

@@ -1,5 +1,6 @@
 //! Is the contact point where the link is? A wrong frame, or millimetres for metres, is the commonest mistake.
 
+use crate::field::{Field, Names};
 use crate::finding::{Finding, Subject};
 use crate::thresholds::{FAR_POINT, MILLIMETRES};
 use nalgebra::Vector3;
@@ -7,7 +8,12 @@ use percuss_mechanism::{Geometry, LinkId, Mechanism};
 
 /// A warning where the point lies beyond three times the reach of the link: of its declared shape, or, where that is
 /// unknown, of the largest link.
-pub(crate) fn doubt(mechanism: &Mechanism, link: LinkId, point: &Vector3<f64>) -> Option<Finding> {
+pub(crate) fn doubt(
+    mechanism: &Mechanism,
+    link: LinkId,
+    point: &Vector3<f64>,
+    names: Names,
+) -> Option<Finding> {
     let body = mechanism.link(link);
     let reach = match body.geometry() {
         Geometry::Within(_) => body.extent(),
@@ -18,10 +24,11 @@ pub(crate) fn doubt(mechanism: &Mechanism, link: LinkId, point: &Vector3<f64>) -
         return None;
     }
     let millimetres = distance / 1000.0 <= FAR_POINT * reach && distance / 1000.0 >= MILLIMETRES * reach;
+    let frame = Field::Frame.hint(names);
     let hint = if millimetres {
-        "is it in millimetres (write 12mm), or in another frame (--frame)?"
+        format!("is it in millimetres (write 12mm), or in another frame{frame}?")
     } else {
-        "is it in another frame (--frame), or another unit?"
+        format!("is it in another frame{frame}, or another unit?")
     };
     let message = format!(
         "the contact point is {distance:.4} m from the origin of link \"{}\", which reaches about {reach:.4} m: {hint}",

@@ -1,10 +1,12 @@
 //! What the reader of an answer should know: about the pose, its assembly, and the contact response.
 
 use crate::far_point;
+use crate::field::{Field, Names};
 use crate::finding::{Finding, Subject};
+use crate::quantity::{Dimension, position_dimension};
 use crate::thresholds::{FAR_FROM_GUESS, UNCERTAIN, WEAKLY_CONSTRAINED};
 use percuss_dynamics::{
-    BranchLimits, Configuration, Contact, ContactResponse, DrawnGap, EffectiveMass, Pose, Remark,
+    Assembly, BranchLimits, Configuration, Contact, ContactResponse, DrawnGap, EffectiveMass, Pose, Remark,
     Singularity, System,
 };
 use percuss_mechanism::{JointKind, Mechanism};
@@ -14,7 +16,7 @@ fn remainder(x: f64, period: f64) -> f64 {
 }
 
 /// Limits, and how the loops came together.
-pub(crate) fn about_pose(system: &System, pose: &Pose) -> Vec<Finding> {
+pub(crate) fn about_pose(system: &System, pose: &Pose, names: Names) -> Vec<Finding> {
     let mechanism = system.mechanism();
     let mut found: Vec<Finding> = pose
         .outside_limits()
@@ -29,16 +31,17 @@ pub(crate) fn about_pose(system: &System, pose: &Pose) -> Vec<Finding> {
         })
         .collect();
     if pose.loops().is_some() {
-        about_loops(system, pose, &mut found);
-        about_rank(system, &mut found);
+        about_loops(system, pose, names, &mut found);
+        about_rank(pose.assembly(), &mut found);
     }
     found
 }
 
 /// How the loops fit, and who drives them.
-fn about_loops(system: &System, pose: &Pose, found: &mut Vec<Finding>) {
+fn about_loops(system: &System, pose: &Pose, names: Names, found: &mut Vec<Finding>) {
     let mechanism = system.mechanism();
     let Some(loops) = pose.loops() else { return };
+    let (set, guess) = (Field::Set.hint(names), Field::Guess.named(names));
     for name in system.reversed_axes() {
         let message = format!(
             "the axis of loop \"{name}\" points opposite ways in its two frames with all joints at 0; the successor's was \
@@ -57,14 +60,14 @@ fn about_loops(system: &System, pose: &Pose, found: &mut Vec<Finding>) {
     }
     for (joint, value) in &loops.off_zero {
         let message = format!(
-            "joint \"{}\" drives and was not set; 0 is out of reach, so it stands at {value:.9}; set it (--set)",
+            "joint \"{}\" drives and was not set; 0 is out of reach, so it stands at {value:.9}; set it{set}",
             mechanism.joint(*joint).name()
         );
         found.push(Finding::warning("driver-off-zero", Subject::Joint(*joint), message));
     }
     for (joint, far) in &loops.off_target {
         let message = format!(
-            "joint \"{}\" was set (--set) to more numbers than its loops leave degrees of freedom: it stands as near as they \
+            "joint \"{}\" was set{set} to more numbers than its loops leave degrees of freedom: it stands as near as they \
              let it, {far:.6} off (rad or m)",
             mechanism.joint(*joint).name()
         );
@@ -73,7 +76,7 @@ fn about_loops(system: &System, pose: &Pose, found: &mut Vec<Finding>) {
     if let Some(starts) = loops.starts_tried {
         let message = format!(
             "the branch of the first closed pose does not reach the driving joints as set: this is another assembly mode, \
-             found from {starts} of the seeded starts; --guess chooses one"
+             found from {starts} of the seeded starts; {guess} chooses one"
         );
         found.push(Finding::warning("other-assembly", Subject::Answer, message));
     }
@@ -121,27 +124,33 @@ fn length_in_words(length: f64) -> String {
 }
 
 /// How clear the rank of the constraints is.
-fn about_rank(system: &System, found: &mut Vec<Finding>) {
-    if !system.reference_or_open().rank_is_clear() {
-        let gap = system.reference_or_open().rank_gap().unwrap_or_default();
+fn about_rank(assembly: &Assembly, found: &mut Vec<Finding>) {
+    if !assembly.rank_is_clear() {
+        let gap = assembly.rank_gap().unwrap_or_default();
         let message =
             format!("the rank of the constraints is unclear (gap {gap:.1e}): mobility may be another");
         found.push(Finding::warning("unclear-rank", Subject::Answer, message));
     }
-    let least = system.reference_or_open().least_singular_value();
+    let least = assembly.least_singular_value();
     if least < WEAKLY_CONSTRAINED {
         let message = format!(
             "the mechanism is weakly constrained: the least singular value of the loops' rows that counts is {least:.1e} \
              of the largest; if the file's figures are rounded by as much, there is a degree of freedom more than the {} \
              counted",
-            system.degrees_of_freedom()
+            assembly.degrees_of_freedom()
         );
         found.push(Finding::warning("weakly-constrained", Subject::Answer, message));
     }
 }
 
 /// Guesses that were of no use, and those that the assembly found is far from.
-pub(crate) fn about_guesses(system: &System, pose: &Pose, wanted: &Configuration) -> Vec<Finding> {
+pub(crate) fn about_guesses(
+    system: &System,
+    pose: &Pose,
+    wanted: &Configuration,
+    names: Names,
+) -> Vec<Finding> {
+    let (set, given) = (Field::Set.named(names), Field::Guess.hint(names));
     let drives = |joint| pose.loops().is_some_and(|loops| loops.drivers.contains(&joint));
     let mut found = Vec::new();
     for (joint, guess) in wanted.guesses() {
@@ -149,25 +158,25 @@ pub(crate) fn about_guesses(system: &System, pose: &Pose, wanted: &Configuration
         let mut add = |code, message| found.push(Finding::warning(code, Subject::Joint(joint), message));
         if !system.is_bound(joint) {
             let message = format!(
-                "the guess (--guess) for joint \"{name}\" is not used: it is in no loop; --set moves it"
+                "the guess{given} for joint \"{name}\" is not used: it is in no loop; {set} moves it"
             );
             add("unused-guess", message);
         } else if drives(joint) {
             let message = format!(
-                "the guess (--guess) for joint \"{name}\" is not used: it drives its loops; --set moves it"
+                "the guess{given} for joint \"{name}\" is not used: it drives its loops; {set} moves it"
             );
             add("unused-guess", message);
         } else if let (&[at], &[guess]) = (pose.joint(joint), guess) {
             let size = system.mechanism().characteristic_length();
-            let turns = system.mechanism().joint(joint).kind() != JointKind::Prismatic;
-            let off = if turns {
+            let kind = system.mechanism().joint(joint).kind();
+            let off = if position_dimension(kind, 0) == Dimension::Angle {
                 remainder(at - guess, std::f64::consts::TAU).abs()
             } else {
                 (at - guess).abs() / size
             };
             if off > FAR_FROM_GUESS {
                 let message = format!(
-                    "joint \"{name}\" was guessed at {guess} (--guess) and stands at {at:.9}: no nearer way to close its \
+                    "joint \"{name}\" was guessed at {guess}{given} and stands at {at:.9}: no nearer way to close its \
                      loops was found"
                 );
                 add("far-from-guess", message);
@@ -178,9 +187,14 @@ pub(crate) fn about_guesses(system: &System, pose: &Pose, wanted: &Configuration
 }
 
 /// The contact point, and the remarks of the contact response.
-pub(crate) fn about_response(system: &System, contact: &Contact, response: &ContactResponse) -> Vec<Finding> {
+pub(crate) fn about_response(
+    system: &System,
+    contact: &Contact,
+    response: &ContactResponse,
+    names: Names,
+) -> Vec<Finding> {
     let mut found: Vec<Finding> =
-        far_point::doubt(system.mechanism(), contact.link, &contact.point).into_iter().collect();
+        far_point::doubt(system.mechanism(), contact.link, &contact.point, names).into_iter().collect();
     let finite = matches!(response.effective_mass, EffectiveMass::Finite(_));
     // A massless answer has it already.
     let reported = |r: &&Remark| finite || !matches!(r, Remark::MasslessMotions { .. });
@@ -206,7 +220,6 @@ pub(crate) fn about_response(system: &System, contact: &Contact, response: &Cont
 
 /// Where branches cross, or constraints have less rank than beside the pose.
 pub(crate) fn about_branches(
-    system: &System,
     pose: &Pose,
     response: &ContactResponse,
     limits: &BranchLimits,
@@ -214,7 +227,7 @@ pub(crate) fn about_branches(
     if !response.singular_pose {
         return None;
     }
-    let (here, generic) = (response.degrees_of_freedom, system.degrees_of_freedom());
+    let (here, generic) = (response.degrees_of_freedom, pose.assembly().degrees_of_freedom());
     let loops = pose.loops().is_some_and(|l| l.singularities.contains(&Singularity::ChangePoint));
     let kind = if loops { "singular pose (change point)" } else { "singular pose" };
     let mut message = format!("{kind}: {here} degrees of freedom here, {generic} at a generic pose; ");

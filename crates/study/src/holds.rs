@@ -1,6 +1,7 @@
 //! Held contacts that would have to pull: without them, the point leaves what it is held to.
 
 use crate::error::StudyError;
+use crate::field::{Field, Names};
 use crate::finding::{Finding, Subject};
 use crate::thresholds::LEAVES;
 use nalgebra::Vector3;
@@ -29,6 +30,7 @@ impl HeldContact {
         pose: &Pose,
         contact: &Contact,
         other: Option<f64>,
+        names: Names,
     ) -> Result<Option<Finding>, StudyError> {
         let free = self.without.pose_like(pose)?;
         let response = free.respond(contact, RouteChoice::Auto)?;
@@ -40,9 +42,10 @@ impl HeldContact {
         };
         let name = self.without.mechanism().link(self.link).name();
         let subject = Subject::Hold(self.number);
+        let hold = Field::Hold.hint(names);
         if lifts {
             let message = format!(
-                "the held contact of link \"{name}\" (--hold) would have to pull: the impact lifts it off; without it {}",
+                "the held contact of link \"{name}\"{hold} would have to pull: the impact lifts it off; without it {}",
                 described(response, other)?
             );
             return Ok(Some(Finding::warning("hold-pulls", subject, message)));
@@ -50,7 +53,7 @@ impl HeldContact {
         let finite = matches!(response.effective_mass, EffectiveMass::Finite(_));
         Ok((!finite || velocity == Some(PointVelocity::Undetermined)).then(|| {
             let message = format!(
-                "without the held contact of link \"{name}\" (--hold) the contact response is not determined: whether it \
+                "without the held contact of link \"{name}\"{hold} the contact response is not determined: whether it \
                  pulls cannot be decided"
             );
             Finding::note("hold-undetermined", subject, message)

@@ -1,6 +1,7 @@
 //! The stop of a joint, as a contact between its two links.
 
-use crate::error::{Fault, Field, StudyError};
+use crate::error::{Fault, StudyError};
+use crate::field::Field;
 use crate::model::Model;
 use crate::position::GivenPosition;
 use crate::question::{MassQuestion, Normal};

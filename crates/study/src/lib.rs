@@ -16,6 +16,7 @@ mod driver_path;
 mod error;
 mod estimate;
 mod far_point;
+mod field;
 mod finding;
 mod findings;
 mod holds;
@@ -50,8 +51,9 @@ pub use check::{CheckReport, ClosureRecord, JointRecord, LinkRecord, check};
 pub use damped_contact::{damp_contact, damp_stop};
 pub use damping::{BodyAlone, DamperRecord, DampingReport, Drift, damp, damper, impact_history};
 pub use damping_question::DampingQuestion;
-pub use error::{Fault, Field, StudyError};
+pub use error::{Fault, StudyError};
 pub use estimate::EstimateRecord;
+pub use field::{Field, Names};
 pub use joint_stop::{JointStop, StopEnd, StopRecord};
 pub use mass::{mass, mass_with_damper};
 pub use mass_report::{

@@ -18,7 +18,8 @@ pub fn mass(model: &Model, question: &MassQuestion) -> Result<MassReport, StudyE
     Ok(MassReport::of(&Answered::new(model, question)?))
 }
 
-/// Answers one contact of a model, with the damper that gives it a restitution; none where its mass is not finite.
+/// Answers one contact of a model, with the damper that gives it a restitution; none where its mass is not finite
+/// or depends on the branch.
 ///
 /// # Errors
 /// [`StudyError`], as for [`mass()`]; a restitution or a stiffness out of range.
@@ -34,7 +35,7 @@ pub fn mass_with_damper(
             report.diagnostics = std::mem::take(&mut damper.diagnostics);
             report.damper = Some(damper);
         }
-        Err(error @ StudyError::NoDamper { .. }) => {
+        Err(error @ (StudyError::NoDamper { .. } | StudyError::NoDamperOfAll { .. })) => {
             let note = DiagnosticRecord::about_answer(Severity::Warning, "no-damper", error.to_string());
             report.diagnostics.push(note);
         }

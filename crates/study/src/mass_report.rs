@@ -150,7 +150,8 @@ pub struct MassReport {
     pub rank_gap: Option<f64>,
     /// `dense` or `articulated`.
     pub route: &'static str,
-    /// Condition of the mass matrix scaled to unit diagonal; null where it is singular.
+    /// Condition of the mass matrix scaled to unit diagonal; null where it is singular, or
+    /// where there are more than 300 coordinates.
     pub condition: Option<f64>,
     /// What m̄ may be off by, kg: the sum of the budget's known parts; null where rounding or closing is unknown.
     pub effective_mass_error: Option<f64>,
@@ -217,7 +218,7 @@ impl MassReport {
     /// The report of an answer.
     pub(crate) fn of(answered: &Answered) -> Self {
         let Answered { prepared, pose, answer, .. } = answered;
-        let (model, system) = (prepared.model, &prepared.system);
+        let (model, assembly) = (prepared.model, pose.assembly());
         let (mechanism, response) = (&model.mechanism, &answer.response);
         let link_name = |link: LinkId| mechanism.link(link).name().to_owned();
         let joint_name = |joint: JointId| mechanism.joint(joint).name().to_owned();
@@ -227,7 +228,7 @@ impl MassReport {
         let rotors = shares.map_or(&[][..], |s| &s.rotors[..]);
         let assumptions = Assumptions::of(prepared, pose);
         let of_answer = answer.findings.iter().cloned().map(DiagnosticRecord::from);
-        let limit_of = |l: &EffectiveMass| limit(*l, prepared.other_mass());
+        let limit_of = |l: &EffectiveMass| limit(l.against_mass(prepared.other_mass()));
         MassReport {
             schema: "percuss.mass/1",
             percuss: env!("CARGO_PKG_VERSION"),
@@ -236,9 +237,9 @@ impl MassReport {
             status,
             singular_pose: response.singular_pose,
             degrees_of_freedom: response.degrees_of_freedom,
-            generic_degrees_of_freedom: system.degrees_of_freedom(),
-            redundant_constraints: system.reference_or_open().redundant_constraints(),
-            rank_gap: system.reference_or_open().rank_gap(),
+            generic_degrees_of_freedom: assembly.degrees_of_freedom(),
+            redundant_constraints: assembly.redundant_constraints(),
+            rank_gap: assembly.rank_gap(),
             route: match response.route {
                 Route::Dense => "dense",
                 Route::Articulated => "articulated",
@@ -270,7 +271,7 @@ impl MassReport {
             conditions: ConditionsRecord::of(prepared.question),
             drivers: assumptions.drivers.clone(),
             assembly_modes: pose.loops().map_or_else(Vec::new, |l| l.modes.clone()),
-            redundant_loops: system.reference_or_open().redundant_loops().to_vec(),
+            redundant_loops: assembly.redundant_loops().to_vec(),
             branch_limits: answer.limits.limits.iter().map(limit_of).collect(),
             estimate: answer.estimate.clone(),
             damper: None,
@@ -281,11 +282,10 @@ impl MassReport {
 }
 
 /// A limit of m̄, kg; none for one along which the gap does not close.
-fn limit(limit: EffectiveMass, against: Option<f64>) -> Option<f64> {
-    match (limit, against) {
-        (EffectiveMass::Finite(m), Some(other)) => Some(m / (1.0 + m / other)),
-        (EffectiveMass::Immovable, other) => other,
-        (EffectiveMass::Finite(m), None) => Some(m),
-        (EffectiveMass::Massless, _) => Some(0.0),
+fn limit(limit: EffectiveMass) -> Option<f64> {
+    match limit {
+        EffectiveMass::Finite(m) => Some(m),
+        EffectiveMass::Immovable => None,
+        EffectiveMass::Massless => Some(0.0),
     }
 }

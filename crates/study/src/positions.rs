@@ -9,11 +9,11 @@ use std::sync::Arc;
 /// The joints that can move, by name, and where each stands among the numbers of a pose.
 #[derive(Debug, PartialEq)]
 pub struct PoseLayout {
-    joints: Vec<Place>,
+    joints: Vec<JointNumbers>,
 }
 
 #[derive(Debug, PartialEq)]
-struct Place {
+struct JointNumbers {
     name: String,
     joint: JointId,
     numbers: Range<usize>,
@@ -26,17 +26,17 @@ impl PoseLayout {
             mechanism.joint_ids().filter(|id| mechanism.joint(*id).kind().dofs() > 0).collect();
         movable.sort_by_key(|id| mechanism.joint(*id).name());
         let mut first = 0;
-        let place = |joint: JointId| {
+        let numbered = |joint: JointId| {
             let numbers = first..first + mechanism.joint(joint).kind().positions();
             first = numbers.end;
-            Place { name: mechanism.joint(joint).name().to_owned(), joint, numbers }
+            JointNumbers { name: mechanism.joint(joint).name().to_owned(), joint, numbers }
         };
-        Arc::new(Self { joints: movable.into_iter().map(place).collect() })
+        Arc::new(Self { joints: movable.into_iter().map(numbered).collect() })
     }
 
     /// The joints, and how many numbers each position has.
     pub fn joints(&self) -> impl Iterator<Item = (&str, usize)> {
-        self.joints.iter().map(|place| (place.name.as_str(), place.numbers.len()))
+        self.joints.iter().map(|joint| (joint.name.as_str(), joint.numbers.len()))
     }
 }
 
@@ -50,7 +50,7 @@ pub struct Positions {
 
 impl Positions {
     pub(crate) fn of(layout: &Arc<PoseLayout>, pose: &Pose) -> Self {
-        let values = layout.joints.iter().flat_map(|place| pose.joint(place.joint)).copied().collect();
+        let values = layout.joints.iter().flat_map(|joint| pose.joint(joint.joint)).copied().collect();
         Self { layout: Arc::clone(layout), values }
     }
 
@@ -60,13 +60,13 @@ impl Positions {
 
     /// The positions by name; nothing where there is no pose.
     pub fn iter(&self) -> impl Iterator<Item = (&str, &[f64])> {
-        let known = self.layout.joints.iter().filter(|place| place.numbers.end <= self.values.len());
-        known.map(|place| (place.name.as_str(), &self.values[place.numbers.clone()]))
+        let known = self.layout.joints.iter().filter(|joint| joint.numbers.end <= self.values.len());
+        known.map(|joint| (joint.name.as_str(), &self.values[joint.numbers.clone()]))
     }
 
     /// The position of a joint.
-    pub fn get(&self, joint: &str) -> Option<&[f64]> {
-        let at = self.layout.joints.binary_search_by(|place| place.name.as_str().cmp(joint)).ok()?;
+    pub fn get(&self, name: &str) -> Option<&[f64]> {
+        let at = self.layout.joints.binary_search_by(|joint| joint.name.as_str().cmp(name)).ok()?;
         self.values.get(self.layout.joints[at].numbers.clone())
     }
 

@@ -1,5 +1,6 @@
 //! The question: a contact of a model, by names. The same words as the flags of `percuss mass`.
 
+use crate::field::Names;
 use crate::position::GivenPosition;
 use percuss_dynamics::{Base, Frame};
 
@@ -39,6 +40,7 @@ impl MassQuestion {
     /// A question without a contact, for whom the contact follows from something else: every joint at 0, nothing held.
     pub fn anywhere() -> Self {
         Self {
+            names: Names::default(),
             link: String::new(),
             point: [0.0; 3],
             normal: Normal::Along([0.0; 3]),
@@ -88,4 +90,6 @@ pub struct MassQuestion {
     pub base: Base,
     /// The estimate to set beside the answer.
     pub estimate: Option<EstimateQuestion>,
+    /// By what names messages call the parts of the question.
+    pub names: Names,
 }

@@ -1,6 +1,6 @@
 //! How fast a robot may move where it may hit a person: the effective mass in place of the standard's M/2 + m_L.
 
-use crate::answer::Answered;
+use crate::answer::{Answer, Answered};
 use crate::error::StudyError;
 use crate::model::{Input, Model};
 use crate::question::MassQuestion;
@@ -35,7 +35,8 @@ pub struct SafeSpeedQuestion {
 /// The speed for one mass of the robot.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct SpeedRecord {
-    /// m_R, kg; null where the robot does not give way.
+    /// m_R, kg; null where the robot does not give way. The effective mass with what it may be off by; at a singular pose
+    /// the greatest of its limits along the branches.
     pub robot_mass: Option<f64>,
     /// μ = 1/(1/m_H + 1/m_R), kg.
     pub reduced_mass: f64,
@@ -80,7 +81,7 @@ pub struct SafeSpeedReport {
 ///
 /// # Errors
 /// [`StudyError`], as for `mass`; limits out of range, a region that is not in the table, a contact
-/// that carries no mass.
+/// that carries no mass, a mass that nothing bounds from above.
 pub fn safe_speed(
     model: &Model,
     question: &MassQuestion,
@@ -108,7 +109,7 @@ pub fn safe_speed(
     let (standard, safe) = speed(Some(standard_robot_mass(moving_mass, asked.load)?))?;
     let mut diagnostics = model.diagnostics.clone();
     diagnostics.extend(answered.answer.findings.iter().cloned().map(DiagnosticRecord::from));
-    let (reflected, _) = match answered.answer.response.effective_mass {
+    let (reflected, _) = match greatest_mass(&answered.answer)? {
         EffectiveMass::Finite(m) => speed(Some(m))?,
         EffectiveMass::Immovable => {
             let message =
@@ -141,6 +142,31 @@ pub fn safe_speed(
         load: asked.load,
         diagnostics,
     })
+}
+
+/// The greatest mass that a motion from the pose meets: too light a robot would be allowed too high a speed. At a singular
+/// pose the value of the answer is a lower bound, and the greatest limit along the branches counts.
+fn greatest_mass(answer: &Answer) -> Result<EffectiveMass, StudyError> {
+    let response = &answer.response;
+    if response.singular_pose {
+        let limits = &answer.limits;
+        let weight = |mass: &EffectiveMass| match mass {
+            EffectiveMass::Finite(m) => *m,
+            EffectiveMass::Immovable => f64::INFINITY,
+            EffectiveMass::Massless => 0.0,
+        };
+        let greatest =
+            answer.all_branches().and_then(|all| all.iter().max_by(|a, b| weight(a).total_cmp(&weight(b))));
+        return greatest.copied().ok_or_else(|| StudyError::NoGreatestMass {
+            limits: limits.limits.clone(),
+            complete: limits.complete && !limits.continuous,
+        });
+    }
+    match (response.effective_mass, response.effective_mass_error()) {
+        (EffectiveMass::Finite(m), Some(error)) => Ok(EffectiveMass::Finite(m + error)),
+        (EffectiveMass::Finite(_), None) => Err(StudyError::MassUnknown),
+        (mass @ (EffectiveMass::Immovable | EffectiveMass::Massless), _) => Ok(mass),
+    }
 }
 
 /// The model with a load: a point mass at the contact, held by the struck link.

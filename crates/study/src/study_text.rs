@@ -2,6 +2,7 @@
 
 use crate::closure_text::ClosureText;
 use crate::damping_question::DampingQuestion;
+use crate::field::Names;
 use crate::position::GivenPosition;
 use crate::question::{EstimateQuestion, Hold, MassQuestion, Normal};
 use crate::refusal::Refusal;
@@ -242,6 +243,7 @@ impl StudyText {
                 }
                 None => None,
             },
+            names: Names::Keys,
         })
     }
 }

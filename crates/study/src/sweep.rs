@@ -3,7 +3,8 @@
 
 use crate::answer::{Answer, Prepared};
 use crate::driver_path::DriverPath;
-use crate::error::{Fault, Field, StudyError};
+use crate::error::{Fault, StudyError};
+use crate::field::Field;
 use crate::finding::{Finding, Subject, Tally};
 use crate::mass_report::Status;
 use crate::model::Model;
@@ -13,6 +14,7 @@ use crate::question::MassQuestion;
 use crate::reach::Reach;
 use crate::record::DiagnosticRecord;
 use crate::sweep_report::{SweepEnd, SweepHeading, SweepReport, SweepRow};
+use crate::thresholds::ROWS;
 use crate::vary::{Values, Vary};
 use percuss_dynamics::{Contact, Pose};
 use std::ops::ControlFlow;
@@ -53,7 +55,7 @@ pub fn sweep(
 pub fn sweep_report(model: &Model, question: &MassQuestion, vary: &Vary) -> Result<SweepReport, StudyError> {
     let sweep = Sweep::new(model, question, vary)?;
     let heading = sweep.heading().clone();
-    let mut rows = Vec::with_capacity(vary.count);
+    let mut rows = Vec::new();
     let end = sweep.run(&mut |row| {
         rows.push(row);
         ControlFlow::Continue(())
@@ -69,6 +71,9 @@ impl<'a> Sweep<'a> {
     /// [`StudyError`], as for [`sweep()`], where no row needs to be computed to find out.
     pub fn new(model: &'a Model, question: &'a MassQuestion, vary: &Vary) -> Result<Self, StudyError> {
         let prepared = Prepared::new(model, question)?;
+        if !ROWS.contains(&vary.count) {
+            return Err(StudyError::input(Field::Vary, Fault::Rows { count: vary.count }));
+        }
         let path = DriverPath::new(&prepared, vary)?;
         let wrong_unit = |error| StudyError::input(Field::Vary, Fault::Range(error));
         let values = vary.values(path.dimension()).map_err(wrong_unit)?;
@@ -139,7 +144,7 @@ impl<'a> Sweep<'a> {
         match answer {
             // What is wrong from the start is wrong with the question; later it is wrong with a row.
             Err(error) if progress.answered || error.is_no_answer() => {
-                Ok(self.unanswered(row, value, NO_ANSWER, error.to_string()))
+                Ok(self.unanswered(row, value, NO_ANSWER, error.message(self.prepared.question.names)))
             }
             answer => answer,
         }

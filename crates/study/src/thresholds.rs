@@ -24,6 +24,8 @@ pub(crate) const MILLIMETRES: f64 = 0.01;
 /// A relative error of m̄ above this comes with a warning: the digits that engineers compare, and what rounded files
 /// leave.
 pub(crate) const UNCERTAIN: f64 = 1e-6;
+/// Limits of m̄ along branches that agree to this (relative) are one mass: they are carried on to some 1e-7 at worst.
+pub(crate) const SAME_LIMIT: f64 = 1e-6;
 /// An assembly is far from its guess from this angle on (rad), or from this part of the size: assembly modes are
 /// further apart, a guess read off a drawing is nearer.
 pub(crate) const FAR_FROM_GUESS: f64 = 0.5;

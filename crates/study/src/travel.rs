@@ -1,7 +1,8 @@
 //! The travel of a point as what a sweep varies: the joint that drives it, and what a row that is not reached says.
 
 use crate::driver::Driver;
-use crate::error::{Fault, Field, StudyError};
+use crate::error::{Fault, StudyError};
+use crate::field::{Field, Names, about_assembly};
 use crate::reach::{Extent, Missed};
 use nalgebra::Vector3;
 use percuss_dynamics::{Configuration, ContactResponse, PointVelocity, Pose, System, TravelError};
@@ -41,6 +42,7 @@ impl Travel {
         driver: &Driver,
         last: &Pose,
         requested: f64,
+        names: Names,
     ) -> Result<Result<Pose, Missed>, StudyError> {
         let error = match self.travel.pose(last, &driver.base, driver.joint, requested) {
             Ok(pose) => return Ok(Ok(pose)),
@@ -55,7 +57,11 @@ impl Travel {
             TravelError::Assembly(error) => return Err(error.clone().into()),
             _ => return Err(StudyError::input(Field::Vary, Fault::Travel(error))),
         };
-        Ok(Err(Missed { why: error.to_string(), extent }))
+        let why = match &error {
+            TravelError::Assembly(error) => about_assembly(error, names),
+            other => other.to_string(),
+        };
+        Ok(Err(Missed { why, extent }))
     }
 
     /// Speed of the point along its direction per unit closing speed of the contact.

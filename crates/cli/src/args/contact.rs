@@ -4,7 +4,7 @@ use super::words::{armature, estimate, hold, kilograms, line, normal, point, pos
 use crate::failure::Failure;
 use clap::{Args, ValueEnum};
 use percuss_dynamics::{Base, Frame};
-use percuss_study::{EstimateQuestion, GivenPosition, Hold, MassQuestion, Normal};
+use percuss_study::{EstimateQuestion, GivenPosition, Hold, MassQuestion, Names, Normal};
 
 /// The frame of point and normal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -139,6 +139,7 @@ impl ContactArgs {
                 BaseArg::Floating => Base::Floating,
             },
             estimate: self.estimate.clone(),
+            names: Names::Flags,
         }
     }
 }

@@ -7,7 +7,7 @@ pub enum AssemblyError {
     /// No closed pose was found at all.
     #[error(
         "the loops do not close: {} is {residual:.3e} m apart at best (a thousandth of the size, {allowed:.1e} m, \
-         would pass as rounding); check its frames and axes, or give a starting pose with --guess JOINT=VALUE",
+         would pass as rounding); check its frames and axes, or give a starting pose",
         quoted(loops)
     )]
     DoesNotClose {
@@ -39,7 +39,7 @@ pub enum AssemblyError {
     /// The positions asked for are so far off that the branch cannot be followed there in one go.
     #[error(
         "{} is too far to follow the loops there in one go: they still closed at {}; whole turns can be left out if the \
-         mechanism repeats after them, or give a starting pose there with --guess",
+         mechanism repeats after them, or give a starting pose there",
         positions(requested),
         positions(reached)
     )]
@@ -90,7 +90,7 @@ pub enum AssemblyError {
     },
     /// A joint was set that follows others.
     #[error(
-        "joint \"{joint}\" depends on others through the loops; set {} instead, or start from another assembly with --guess",
+        "joint \"{joint}\" depends on others through the loops; set {} instead, or start from another assembly",
         quoted(drivers)
     )]
     Dependent {
@@ -108,6 +108,20 @@ impl AssemblyError {
             *starts = tried;
         }
         self
+    }
+
+    /// Whether a guess may help: the message ends in that, and whoever asks may add how a guess is given.
+    pub fn ends_in_another_start(&self) -> bool {
+        match self {
+            AssemblyError::DoesNotClose { .. }
+            | AssemblyError::TooFar { .. }
+            | AssemblyError::Dependent { .. } => true,
+            AssemblyError::Unreachable { .. }
+            | AssemblyError::ForeignPose
+            | AssemblyError::ForeignConfiguration { .. }
+            | AssemblyError::TooFarOut { .. }
+            | AssemblyError::NoDistance { .. } => false,
+        }
     }
 
     /// Whether the input is at fault (and not merely the place asked for).

@@ -291,11 +291,16 @@ impl Closer<'_> {
         moving: &[&Driver],
         tolerance: f64,
     ) -> Result<Option<Vec<f64>>, AssemblyError> {
-        let mut way = vec![0.0; group.coordinates.len()];
-        moving.iter().for_each(|d| way[d.at] = d.requested - self.kinematics.q[d.q]);
-        let Some(path) =
-            DriverPath::new(self.model, group, &divided.dependent, way, tolerance, divided.conditioning)
-        else {
+        let mut direction = vec![0.0; group.coordinates.len()];
+        moving.iter().for_each(|d| direction[d.at] = d.requested - self.kinematics.q[d.q]);
+        let Some(path) = DriverPath::new(
+            self.model,
+            group,
+            &divided.dependent,
+            direction,
+            tolerance,
+            divided.conditioning,
+        ) else {
             return Ok(None);
         };
         let arrival = path.go(&mut self.kinematics);

@@ -44,7 +44,7 @@ pub(crate) struct Solution {
     /// Whether a motion without mass that leaves the gap as it is leaves v* open.
     pub is_open: bool,
     /// |j on ker A| relative to the size of its terms.
-    pub approach: f64,
+    pub closing_speed: f64,
     /// How many directions of motion carry no mass.
     pub massless_directions: usize,
 }
@@ -71,10 +71,10 @@ impl LeastEnergy<'_> {
             minimum: Minimum::Immovable,
             velocity: vec![0.0; n],
             is_open: false,
-            approach: self.approach(&kernel, &scales),
+            closing_speed: self.closing_speed(&kernel, &scales),
             massless_directions: n - rank,
         };
-        if solution.approach <= IMMOVABLE {
+        if solution.closing_speed <= IMMOVABLE {
             return solution;
         }
         let row = Mat::from_fn(1, n, |_, c| self.row[c] * scales[c]);
@@ -133,7 +133,7 @@ impl LeastEnergy<'_> {
     }
 
     /// |j N| / |size of j's terms|, coordinates scaled by lengths.
-    fn approach(&self, kernel: &Mat<f64>, scales: &[f64]) -> f64 {
+    fn closing_speed(&self, kernel: &Mat<f64>, scales: &[f64]) -> f64 {
         let n = self.row.len();
         let size: f64 = (0..n).map(|k| (self.row_size[k] / self.lengths[k]).powi(2)).sum::<f64>().sqrt();
         if kernel.ncols() == 0 || size == 0.0 {

@@ -6,6 +6,7 @@
 
 use super::correct::{Directions, Linearised};
 use crate::kinematics::Kinematics;
+use crate::linear::dense::dot;
 use crate::model::{Group, Model};
 use crate::tolerances::{
     BRANCH_STEPS, FEWEST_BRANCH_STEPS, LONGEST_BRANCH_STEP, NEARLY_SINGULAR, SHORTEST_BRANCH_STEP, STRAIGHT,
@@ -277,8 +278,4 @@ impl<'a> DriverPath<'a> {
         self.stand(kinematics, &best.q);
         Some(best)
     }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

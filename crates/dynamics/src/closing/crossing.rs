@@ -6,7 +6,6 @@
 use super::branch::{DriverPath, Point};
 use crate::kinematics::Kinematics;
 use crate::tolerances::{CROSSING_PLACES, CROSSING_STEP};
-use percuss_mechanism::JointKind;
 
 impl DriverPath<'_> {
     /// Puts the group at the target on the branch of a regular point `here`. Gives a regular pose beside it; none, and
@@ -72,9 +71,7 @@ impl DriverPath<'_> {
             }
         }
         for (joint, range) in self.model.mechanism.joints().iter().zip(&self.model.joint_q) {
-            if matches!(joint.kind(), JointKind::Spherical | JointKind::Floating) {
-                crate::tangent::normalise(joint.kind(), &mut q[range.clone()]);
-            }
+            crate::tangent::normalise(joint.kind(), &mut q[range.clone()]);
         }
         q
     }

@@ -1,4 +1,9 @@
-//! Small square systems.
+//! Small square systems, and products of vectors.
+
+/// aᵀb.
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
 
 use crate::tolerances::JACOBI_SWEEPS;
 

@@ -5,8 +5,9 @@ use super::body::LinkFrame;
 use super::compile::ZeroFrames;
 use super::constraint::{CompiledClosure, CompiledCoupling};
 use crate::conditions::CompiledHold;
+use crate::joint_motion::turns;
 use crate::tolerances::REVERSED_AXES;
-use percuss_mechanism::{ClosureKind, JointKind, LoopFrame};
+use percuss_mechanism::{ClosureKind, LoopFrame};
 use percuss_spatial::Transform;
 
 impl Model {
@@ -52,7 +53,7 @@ impl Model {
             self.couplings.push(CompiledCoupling {
                 name: coupling.name().to_owned(),
                 terms: coupling.terms().iter().filter_map(term).collect(),
-                turns: first.is_some_and(|(j, _)| mechanism.joint(*j).kind() != JointKind::Prismatic),
+                turns: first.is_some_and(|(j, _)| turns(mechanism.joint(*j).kind(), 0)),
             });
         }
         self.holds = holds.to_vec();

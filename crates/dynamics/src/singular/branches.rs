@@ -2,6 +2,7 @@
 
 use crate::closing::{Directions, Linearised};
 use crate::kinematics::Kinematics;
+use crate::linear::dense::dot;
 use crate::linear::jacobian::Jacobian;
 use crate::mobility::{decide, singular_values};
 use crate::model::{Group, Model};
@@ -124,9 +125,9 @@ impl Model {
         let reach =
             around.group.size * BRANCH_DISTANCE.max(3.0 * (around.tolerance / around.group.size).sqrt());
         let mut beside = kinematics.clone();
-        let way = self.go_beside(&mut beside, around, direction, reach)?;
+        let displaced = self.go_beside(&mut beside, around, direction, reach)?;
         let tangents = tangent_space(self, &beside, &around.group, around.floor.max(BESIDE_A_CROSSING));
-        Some(Branch { along: unit(&way), tangents })
+        Some(Branch { along: unit(&displaced), tangents })
     }
 
     /// Moves a group to a closed pose at this distance (m; negative: the other way) from where it stands, starting
@@ -149,16 +150,16 @@ impl Model {
         let all = Directions::of(&group.movable);
         for _ in 0..BRANCH_CORRECTIONS {
             let here = Linearised::at(self, kinematics, group);
-            let way = self.displacement(group, &before, &kinematics.q);
-            let way: Vec<f64> = way.iter().zip(lengths).map(|(w, l)| w * l).collect();
-            let gone = dot(&way, &way).sqrt();
+            let displaced = self.displacement(group, &before, &kinematics.q);
+            let displaced: Vec<f64> = displaced.iter().zip(lengths).map(|(w, l)| w * l).collect();
+            let gone = dot(&displaced, &displaced).sqrt();
             if !(0.1 * distance..10.0 * distance).contains(&gone) {
                 return None;
             }
             let mut bordered: Jacobian = all.jacobian(group, &here.rows);
             let last = bordered.rows;
             bordered.rows += 1;
-            bordered.entries.extend((0..all.count()).map(|k| (last, k, way[group.movable[k]] / gone)));
+            bordered.entries.extend((0..all.count()).map(|k| (last, k, displaced[group.movable[k]] / gone)));
             let closing = here.residuals.iter().map(|r| -r);
             let target: Vec<f64> = closing.chain(std::iter::once(distance - gone)).collect();
             let x = bordered.shortest(&target, around.tolerance / group.size);
@@ -169,7 +170,7 @@ impl Model {
             self.advance_group(kinematics, group, &all.expand(group, |k| part * x[k]));
             if there {
                 kinematics.refill(self);
-                return Some(way.iter().map(|w| w * reach.signum()).collect());
+                return Some(displaced.iter().map(|w| w * reach.signum()).collect());
             }
         }
         None
@@ -271,8 +272,4 @@ fn directions(kernel: &[Vec<f64>]) -> impl Iterator<Item = Vec<f64>> {
 fn unit(v: &[f64]) -> Vec<f64> {
     let norm = dot(v, v).sqrt();
     v.iter().map(|x| x / norm).collect()
-}
-
-pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

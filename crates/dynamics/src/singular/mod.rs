@@ -2,4 +2,4 @@
 
 mod branches;
 
-pub(crate) use branches::{Surroundings, dot};
+pub(crate) use branches::Surroundings;

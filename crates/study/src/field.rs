@@ -1,0 +1,137 @@
+//! The parts of a question, and what they are called where it is asked: flags, keys of a study file, fields in code.
+
+use percuss_dynamics::{AssemblyError, ConditionOfJoint, ConditionsError, ContactError, ContactPart};
+
+/// By what names messages call the parts of a question.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Names {
+    /// As in code: where a fix needs no flag and no key, messages leave both out.
+    #[default]
+    Fields,
+    /// The flags of the command line.
+    Flags,
+    /// The keys of a study file.
+    Keys,
+}
+
+/// A part of a question: a flag on the command line, a key in a study file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Field {
+    /// The struck link.
+    Link,
+    /// The contact point.
+    Point,
+    /// The normal.
+    Normal,
+    /// The line that the normal lies on.
+    AlongLine,
+    /// The frame of point and normal.
+    Frame,
+    /// The other link.
+    Against,
+    /// Mass of a free body on the other side.
+    AgainstMass,
+    /// A driving joint.
+    Set,
+    /// Where a joint is looked for.
+    Guess,
+    /// A joint that is held.
+    Lock,
+    /// A point that is held.
+    Hold,
+    /// A rotor's inertia.
+    Armature,
+    /// The classical estimate.
+    Estimate,
+    /// What a sweep varies.
+    Vary,
+    /// A joint's stop.
+    Limit,
+}
+
+impl Field {
+    /// Its flag and its key.
+    fn names(self) -> (&'static str, &'static str) {
+        match self {
+            Field::Link => ("--link", "contact.link"),
+            Field::Point => ("--point", "contact.point"),
+            Field::Normal => ("--normal", "contact.normal"),
+            Field::AlongLine => ("--along-line", "contact.along_line"),
+            Field::Frame => ("--frame", "contact.frame"),
+            Field::Against => ("--against", "contact.against"),
+            Field::AgainstMass => ("--against-mass", "contact.against_mass"),
+            Field::Set => ("--set", "pose.set"),
+            Field::Guess => ("--guess", "pose.guess"),
+            Field::Lock => ("--lock", "conditions.lock"),
+            Field::Hold => ("--hold", "hold"),
+            Field::Armature => ("--armature", "conditions.armature"),
+            Field::Estimate => ("--estimate", "contact.estimate"),
+            Field::Vary => ("--vary", "sweep.vary"),
+            Field::Limit => ("--limit", "damping.limit"),
+        }
+    }
+
+    /// Its flag on the command line.
+    pub fn flag(self) -> &'static str {
+        self.names().0
+    }
+
+    /// Its key in a study file.
+    pub fn key(self) -> &'static str {
+        self.names().1
+    }
+
+    /// What it is called where the question is asked.
+    pub fn named(self, names: Names) -> &'static str {
+        match names {
+            Names::Flags => self.flag(),
+            Names::Keys => self.key(),
+            Names::Fields => self.key().rsplit('.').next().unwrap_or_default(),
+        }
+    }
+
+    /// ` (--flag)` or ` (key)` after what a message says of it; nothing in code.
+    pub(crate) fn hint(self, names: Names) -> String {
+        match names {
+            Names::Fields => String::new(),
+            Names::Flags | Names::Keys => format!(" ({})", self.named(names)),
+        }
+    }
+
+    /// Which part of the question a contact's error is about.
+    pub(crate) fn of_contact(error: &ContactError) -> Self {
+        match error {
+            ContactError::NotFinite { part, .. } => match part {
+                ContactPart::Point => Field::Point,
+                ContactPart::Normal => Field::Normal,
+                ContactPart::Line => Field::AlongLine,
+            },
+            ContactError::NoNormal { .. } => Field::Normal,
+            ContactError::NoLine { .. } => Field::AlongLine,
+            ContactError::Itself { .. } => Field::Against,
+            ContactError::OtherMass { .. } => Field::AgainstMass,
+            // Handles of other mechanisms, which a question by names does not have.
+            _ => Field::Link,
+        }
+    }
+
+    /// Which part of the question a condition's error is about, where its name was known.
+    pub(crate) fn of_condition(error: &ConditionsError) -> Self {
+        match error {
+            ConditionsError::BadHold { .. } => Field::Hold,
+            ConditionsError::Twice { condition: ConditionOfJoint::Lock, .. } => Field::Lock,
+            _ => Field::Armature,
+        }
+    }
+}
+
+/// Why loops do not close, with the name of what gives them another start.
+pub(crate) fn about_assembly(error: &AssemblyError, names: Names) -> String {
+    let given_with = match (names, error) {
+        (Names::Fields, _) => String::new(),
+        (Names::Flags, AssemblyError::DoesNotClose { .. }) => " with --guess JOINT=VALUE".into(),
+        (Names::Flags | Names::Keys, _) => format!(" with {}", Field::Guess.named(names)),
+    };
+    let given_with = if error.ends_in_another_start() { given_with } else { String::new() };
+    format!("{error}{given_with}")
+}
