@@ -14,6 +14,9 @@ use crate::singular::{Surroundings, dot};
 const APART: [f64; 4] = [0.01, 2.5e-3, 6e-4, 1.5e-4];
 /// Two orders of the interpolation that agree to this are good: the higher one is much better than that.
 const AGREE: f64 = 1e-7;
+/// Two orders that differ by more than this part leave no limit to speak of: it would have three digits, where the places
+/// are as near as rounding lets them be.
+const DOUBTFUL: f64 = 1e-3;
 /// Most combinations of branches of several groups that are looked at.
 const COMBINATIONS: usize = 256;
 /// A limit below this part of the values it is carried on from is zero.
@@ -29,7 +32,7 @@ pub struct BranchLimits {
     pub limits: Vec<EffectiveMass>,
     /// Whether the branches are a continuum: the limit depends on the direction of approach.
     pub continuous: bool,
-    /// Whether no sign of more branches than these was found.
+    /// Whether no sign of more branches than these was found, and m̄ could be carried on along each.
     pub complete: bool,
 }
 
@@ -137,7 +140,7 @@ fn limit_along(
             break;
         }
     }
-    best.map(|(_, limit)| limit)
+    best.filter(|(doubt, _)| *doubt <= DOUBTFUL).map(|(_, limit)| limit)
 }
 
 /// For sorting.
@@ -149,20 +152,22 @@ fn value(limit: &EffectiveMass) -> f64 {
     }
 }
 
-/// The limit from values at one to four places on either side, and how far two orders of the interpolation differ.
+/// The limit from values at one to four places on either side, and how far two orders of the interpolation differ. A branch
+/// is immovable or massless where it is at all of them.
 fn carried_on(at: &dyn Fn(i32) -> Option<Minimum>) -> Option<(f64, EffectiveMass)> {
     const EIGHT: [f64; 4] = [4.0 / 5.0, -2.0 / 5.0, 4.0 / 35.0, -1.0 / 70.0];
     const SIX: [f64; 4] = [3.0 / 4.0, -3.0 / 10.0, 1.0 / 20.0, 0.0];
     let (mut mobility, mut coarse, mut most_mobile) = (0.0, 0.0, 0.0_f64);
     let (mut mass, mut coarse_mass, mut heaviest) = (0.0, 0.0, 0.0_f64);
+    let mut state = None;
     for place in 0..4 {
         for side in [1, -1] {
-            let m = match at(side * (place as i32 + 1))? {
-                Minimum::Finite(m) => m,
-                Minimum::Immovable => return Some((0.0, EffectiveMass::Immovable)),
-                Minimum::Massless => return Some((0.0, EffectiveMass::Massless)),
-                Minimum::Stationary(_) => return None,
-            };
+            let here = at(side * (place as i32 + 1))?;
+            let same = |known: &Minimum| std::mem::discriminant(known) == std::mem::discriminant(&here);
+            if !same(state.get_or_insert(here)) {
+                return None;
+            }
+            let Minimum::Finite(m) = here else { continue };
             mobility += EIGHT[place] / m;
             coarse += SIX[place] / m;
             mass += EIGHT[place] * m;
@@ -170,6 +175,12 @@ fn carried_on(at: &dyn Fn(i32) -> Option<Minimum>) -> Option<(f64, EffectiveMass
             most_mobile = most_mobile.max(1.0 / m);
             heaviest = heaviest.max(m);
         }
+    }
+    match state? {
+        Minimum::Finite(_) => {}
+        Minimum::Immovable => return Some((0.0, EffectiveMass::Immovable)),
+        Minimum::Massless => return Some((0.0, EffectiveMass::Massless)),
+        Minimum::Stationary(_) => return None,
     }
     let doubt = (mobility - coarse).abs() / most_mobile;
     Some(if mobility <= VANISHING * most_mobile {
@@ -179,4 +190,38 @@ fn carried_on(at: &dyn Fn(i32) -> Option<Minimum>) -> Option<(f64, EffectiveMass
     } else {
         (doubt * most_mobile / mobility, EffectiveMass::Finite(1.0 / mobility))
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_smooth_branch_is_carried_on() {
+        let Some((doubt, EffectiveMass::Finite(m))) =
+            carried_on(&|place| Some(Minimum::Finite(2.0 + 0.01 * f64::from(place))))
+        else {
+            panic!("a limit")
+        };
+        assert!(doubt < AGREE && (m - 2.0).abs() < 1e-7, "{m} ± {doubt:e}");
+    }
+
+    #[test]
+    fn a_state_is_one_of_all_places() {
+        let all = carried_on(&|_| Some(Minimum::Immovable));
+        assert_eq!(all, Some((0.0, EffectiveMass::Immovable)));
+        for odd in [-4, -1, 1, 4] {
+            let but_one = |place| Some(if place == odd { Minimum::Massless } else { Minimum::Finite(2.0) });
+            assert_eq!(carried_on(&but_one), None, "{odd}");
+            let but_one = |place| Some(if place == odd { Minimum::Finite(2.0) } else { Minimum::Immovable });
+            assert_eq!(carried_on(&but_one), None, "{odd}");
+        }
+    }
+
+    #[test]
+    fn values_that_jump_have_no_limit() {
+        let jumps = |place: i32| Some(Minimum::Finite(if place % 2 == 0 { 1.0 } else { 7.0 }));
+        let (doubt, _) = carried_on(&jumps).expect("numbers");
+        assert!(doubt > DOUBTFUL, "{doubt:e}");
+    }
 }
