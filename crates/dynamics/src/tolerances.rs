@@ -35,6 +35,9 @@ pub(crate) const CLOSED: f64 = 1e-12;
 pub(crate) const ROUNDING: f64 = 1e-3;
 /// A rounded file's loops fit to within this many times their inexactness at poses other than where it was measured.
 pub(crate) const ROUNDED: f64 = 10.0;
+/// A pose around the first one, at which the generic rank is looked for, is as closed as a rounded file lets it be within
+/// this many times the inexactness at the first.
+pub(crate) const ELSEWHERE: f64 = 2.0;
 /// Steps follow directions down to this many times the residual, as a part of the size: below, a direction owes its
 /// singular value to the residual itself.
 pub(crate) const FOLLOWED: f64 = 10.0;
