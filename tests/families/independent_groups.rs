@@ -4,8 +4,8 @@
 use percuss_dynamics::{Contact, EffectiveMass, Route, RouteChoice};
 use percuss_mechanism::{JointId, LinkId, Mechanism};
 use percuss_oracle::alter::{beside, scaled};
-use percuss_oracle::linkage::{self, contradicting};
 use percuss_oracle::linkage::family::{Drawn, Kind, drawn_as};
+use percuss_oracle::linkage::{self, contradicting};
 use percuss_oracle::zoo;
 use percuss_spatial::Vector3;
 use percuss_tests::answer::{Answer, Answered, Model};
@@ -91,7 +91,13 @@ fn look(model: &Model, mechanism: &Mechanism, part: &Part, prefix: &str) -> Answ
     // A part that is never struck moves with all its joints: it is a chain.
     let freedoms = answers.first().map_or(joints.len(), |answer| answer.degrees_of_freedom);
     let bits = |id: &JointId| zero.joint(*id).iter().map(|q| q.to_bits()).collect();
-    Ok(Seen { generic: model.generic()?, freedoms, positions: joints.iter().map(bits).collect(), answers, careful })
+    Ok(Seen {
+        generic: model.generic()?,
+        freedoms,
+        positions: joints.iter().map(bits).collect(),
+        answers,
+        careful,
+    })
 }
 
 fn alone(part: &Part) -> Answered<Seen> {

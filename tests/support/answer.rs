@@ -33,6 +33,8 @@ pub struct Answer {
     pub singular: bool,
     /// Whether its reader is warned that digits, or the number of freedoms, are uncertain.
     pub warned: bool,
+    /// Whether its reader is warned that the gap hardly closes, and may not at all.
+    pub nearly_immovable: bool,
 }
 
 /// The kind of an answer.
@@ -143,6 +145,10 @@ impl PosedModel {
             degrees_of_freedom: response.degrees_of_freedom,
             singular: response.singular_pose,
             warned: self.is_warned(&response),
+            nearly_immovable: response
+                .remarks
+                .iter()
+                .any(|r| matches!(r, Remark::NearlyImmovable { uncertainty, .. } if *uncertainty >= 1.0)),
         })
     }
 

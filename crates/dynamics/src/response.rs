@@ -2,7 +2,7 @@
 
 use crate::assembly::Assembly;
 use crate::careful::{Minimum, Solution};
-use crate::closing_speed::{ClosingRoom, relative_closing_speed};
+use crate::closing_speed::{ClosingRoom, closing_floor, relative_closing_speed};
 use crate::contact::{Contact, LocatedContact};
 use crate::error_budget::{ErrorBudget, RelativeErrors, UnitImpulse};
 use crate::kinematics::Kinematics;
@@ -61,9 +61,10 @@ impl ContactResponse {
             || self.base_velocity.angular.norm() > 0.0
     }
 
-    /// What m̄ may be off by in all, kg: the sum of its [`ErrorBudget`].
+    /// What m̄ may be off by as far as that is known, kg: [`ErrorBudget::known`]. What a file's figures are off by is in it
+    /// only where redundant rows show it.
     pub fn effective_mass_error(&self) -> Option<f64> {
-        self.error.and_then(|error| error.total())
+        self.error.and_then(|error| error.known())
     }
 
     /// The same where the other side is a free mass (kg) of its own: 1/m̄ = 1/m̄₁ + 1/m₂.
@@ -336,17 +337,21 @@ impl Question<'_> {
         twists
     }
 
-    fn finish(&self, found: Found) -> ContactResponse {
+    fn finish(&self, mut found: Found) -> ContactResponse {
         let (model, pose) = (self.model, self.pose);
         let rank = pose.rank();
-        let mut remarks = found.remarks;
+        let mut remarks = std::mem::take(&mut found.remarks);
         let mut error = None;
         let mut contributions = None;
         if let EffectiveMass::Finite(m) = found.mass {
             contributions = Some(self.contributions(&found.velocities, m));
-            error = Some(self.budget(m, found.closing_speed, &found.errors));
-            if found.closing_speed < NEARLY_IMMOVABLE {
-                let uncertainty = 2.0 * f64::EPSILON / found.closing_speed;
+            error = Some(self.budget(m, &found));
+            // What loops that do not quite fit leave of a closing speed may be all of it.
+            let floor =
+                closing_floor(model, &pose.groups, &model.contact_row(&pose.kinematics, self.located));
+            if found.closing_speed < NEARLY_IMMOVABLE.max(floor) {
+                let open = if floor > IMMOVABLE { floor } else { 2.0 * f64::EPSILON };
+                let uncertainty = open / found.closing_speed;
                 remarks.push(Remark::NearlyImmovable { closing_speed: found.closing_speed, uncertainty });
             }
         }
@@ -380,28 +385,36 @@ impl Question<'_> {
         }
     }
 
-    fn budget(&self, m: f64, closing_speed: f64, errors: &RelativeErrors) -> ErrorBudget {
+    fn budget(&self, m: f64, found: &Found) -> ErrorBudget {
+        let (closing_speed, errors) = (found.closing_speed, &found.errors);
         let own = errors.rounding + 2.0 * f64::EPSILON / closing_speed;
         if self.pose.loops().is_none() {
             return ErrorBudget { rounding: Some(m * own), closing: Some(0.0), file: None };
         }
         // The rows of an inexact file are off by as much as its frames are; so is the closing speed that m̄ goes by.
         let file = FILE * (errors.file + errors.misfit / closing_speed);
-        let closing = self.closing_error(m).map(|c| m * c);
+        let closing = self.closing_error(m, found.route).map(|c| m * c);
         ErrorBudget { rounding: Some(m * own), closing, file: errors.is_measured.then_some(m * file) }
     }
 
     /// Relative change of m̄ between the pose and where it may be, as far as its loops are from closed; none where that
-    /// cannot be found.
-    fn closing_error(&self, m: f64) -> Option<f64> {
+    /// cannot be found. Asked by the route that answered.
+    fn closing_error(&self, m: f64, route: Route) -> Option<f64> {
         let assembly: &Assembly = &self.pose.assembly;
         let mut most = 0.0_f64;
         for sign in [1.0, -1.0] {
             let moved = assembly.doubtful_pose(self.pose, sign)?;
             let groups = self.pose.groups_at(&moved);
             let located = self.model.locate(&moved, self.pose.base(), self.contact).ok()?;
-            let EffectiveMass::Finite(other) = self.run(&moved, &groups, &located).mass() else {
-                return None;
+            let other = match route {
+                Route::Articulated => match self.run(&moved, &groups, &located).mass() {
+                    EffectiveMass::Finite(other) => other,
+                    EffectiveMass::Immovable | EffectiveMass::Massless => return None,
+                },
+                Route::Dense => match self.model.least_energy(&moved, &groups, &located).minimum {
+                    Minimum::Finite(other) | Minimum::Stationary(other) => other,
+                    Minimum::Immovable | Minimum::Massless => return None,
+                },
             };
             let change = (other / m - 1.0).abs();
             most = most.max(change);

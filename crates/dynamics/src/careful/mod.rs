@@ -39,7 +39,8 @@ impl Model {
             let rows = self.group_matrix(kinematics, group);
             for &r in &known.pivots.rows {
                 let row = rows.row(r);
-                let largest = (0..row.len()).map(|at| (row[at] / group.lengths[at]).abs()).fold(0.0, f64::max);
+                let largest =
+                    (0..row.len()).map(|at| (row[at] / group.lengths[at]).abs()).fold(0.0, f64::max);
                 for (at, &c) in group.coordinates.iter().enumerate() {
                     matrix[(next, c)] = row[at] / largest;
                 }

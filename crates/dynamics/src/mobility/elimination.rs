@@ -24,6 +24,8 @@ pub(crate) struct Pivots {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct GroupMobility {
     pub rank: Rank,
+    /// What counts as zero here, as a part of the largest: rows, and a motion that they leave, are not known better.
+    pub floor: f64,
     pub pivots: Pivots,
     /// Coordinates (by index into the group's) that do not depend, ascending.
     pub independent: Vec<usize>,
@@ -61,6 +63,7 @@ impl Model {
             *decided = decide_large(&room.rows, group, floor);
             return;
         }
+        decided.floor = floor;
         let seen = room.eliminate(group, floor, group.rows.min(n), &mut decided.pivots);
         let count = decided.pivots.rows.len();
         let sure = expected == Some(count)
@@ -123,7 +126,7 @@ fn decide_large(rows: &GroupRows<f64>, group: &Group, floor: f64) -> GroupMobili
         }
     };
     let sizes = vec![1.0; pivots.rows.len() * independent.len()];
-    GroupMobility { rank, pivots, independent, sizes }
+    GroupMobility { rank, floor, pivots, independent, sizes }
 }
 
 /// What complete pivoting met.
