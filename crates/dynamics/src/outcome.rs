@@ -70,7 +70,7 @@ pub enum RouteError {
         /// Smallest pivot relative to the size of its terms.
         least_pivot: f64,
     },
-    /// Φ is not defined where a motion without mass answers a wrench.
+    /// Φ, or 1/m̄, is not defined where a motion without mass answers a wrench.
     #[error("a motion without mass answers a wrench on this link: J M⁻¹ Jᵀ is infinite")]
     MasslessMotion,
 }

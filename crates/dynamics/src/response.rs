@@ -469,8 +469,22 @@ const SMOOTH: f64 = 1e-9;
 
 impl Pose {
     /// What the recursion decides at this pose for a contact: pivots that duals and lanes follow.
-    pub(crate) fn decisions(&self, located: &LocatedContact, contact: &Contact) -> Decisions {
+    ///
+    /// # Errors
+    /// Where it has no 1/m̄: a motion of negative mass, or one without mass that closes the gap.
+    pub(crate) fn decisions(
+        &self,
+        located: &LocatedContact,
+        contact: &Contact,
+    ) -> Result<Decisions, RouteError> {
         let question = Question { pose: self, model: self.assembly.model(), contact, located };
-        question.run(&self.kinematics, &self.groups, located).deciding.decisions
+        let ran = question.run(&self.kinematics, &self.groups, located);
+        if ran.deciding.indefinite {
+            return Err(RouteError::Indefinite);
+        }
+        match question.recursive(&ran).mass {
+            EffectiveMass::Massless => Err(RouteError::MasslessMotion),
+            EffectiveMass::Finite(_) | EffectiveMass::Immovable => Ok(ran.deciding.decisions),
+        }
     }
 }

@@ -227,6 +227,8 @@ pub(crate) struct Rates<T: Scalar> {
     pub values: Vec<T>,
     /// How many are independent.
     pub count: usize,
+    /// The pivots in their order, where they are eliminated densely.
+    pivots: Vec<T>,
 }
 
 impl<T: Scalar> Default for Rates<T> {
@@ -237,6 +239,7 @@ impl<T: Scalar> Default for Rates<T> {
             sparse: SparseRows::default(),
             values: Vec::new(),
             count: 0,
+            pivots: Vec::new(),
         }
     }
 }
@@ -252,6 +255,7 @@ impl<T: Scalar> Rates<T> {
             self.values[c * self.count + y] = T::one();
         }
         self.rows.fill(model, group, kinematics);
+        self.pivots.clear();
         if n > DENSE {
             self.sparse.load(group.rows, n, |add| self.rows.for_each(group, add));
             let Pivots { rows, columns } = &known.pivots;
@@ -260,6 +264,7 @@ impl<T: Scalar> Rates<T> {
         }
         self.rows.dense_into(group, &mut self.dense);
         for (&r, &c) in known.pivots.rows.iter().zip(&known.pivots.columns) {
+            self.pivots.push(self.dense[r * n + c]);
             let over = T::one() / self.dense[r * n + c];
             for k in 0..n {
                 self.dense[r * n + k] *= over;
@@ -277,5 +282,21 @@ impl<T: Scalar> Rates<T> {
                 self.values[c * self.count + y] = -self.dense[r * n + free];
             }
         }
+    }
+
+    /// The sum of (zero/pivot)² over the pivots that were last eliminated, over coordinates scaled by lengths; zero is the
+    /// group's floor of the size of A.
+    pub fn pivot_loss(&self, group: &Group, known: &GroupMobility) -> T {
+        let over = |c: usize| T::from_f64(1.0 / group.lengths[c]);
+        let mut square = T::zero();
+        self.rows.for_each(group, |_, c, a| square += a * a * over(c) * over(c));
+        let zero = T::from_f64(known.floor * known.floor) * square;
+        let mut loss = T::zero();
+        for (i, (&r, &c)) in known.pivots.rows.iter().zip(&known.pivots.columns).enumerate() {
+            let dense = || self.pivots.get(i).copied();
+            let pivot = dense().or_else(|| self.sparse.entry(r, c)).unwrap_or_else(T::zero) * over(c);
+            loss += zero / (pivot * pivot);
+        }
+        loss
     }
 }

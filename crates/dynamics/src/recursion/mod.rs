@@ -15,6 +15,7 @@
 mod cluster;
 mod elimination;
 mod joint;
+mod loss;
 mod pivoting;
 
 pub(crate) use elimination::{ClusterElimination, JointElimination};
