@@ -1,10 +1,11 @@
 //! Mechanisms beside one another on the same ground have nothing to do with one another: what is asked of one is answered
 //! to the last bit as without the other, whatever its size and however inexact its loops are.
 
+use percuss_dynamics::{Contact, EffectiveMass, Route, RouteChoice};
 use percuss_mechanism::{JointId, LinkId, Mechanism};
 use percuss_oracle::alter::{beside, scaled};
-use percuss_oracle::linkage::contradicting;
 use percuss_oracle::linkage::family::{Drawn, Kind, drawn_as};
+use percuss_oracle::linkage::{self, contradicting};
 use percuss_oracle::zoo;
 use percuss_spatial::Vector3;
 use percuss_tests::answer::{Answer, Answered, Model};
@@ -22,8 +23,11 @@ const STATUS: &str = "status";
 const SINGULAR: &str = "singular pose";
 const FREEDOMS: &str = "freedoms add up";
 const GENERIC: &str = "generic freedoms and redundant rows add up";
+const CAREFUL: &str = "mass and status by the careful route";
 const TRUE_MASS: &str = "mass of route C, alone";
 const TRUE_MASS_BESIDE: &str = "mass of route C, beside the other";
+/// How far the careful route's mass beside another mechanism may be from that alone: sums in another order.
+const REORDERED: f64 = 1e-9;
 
 /// A part of a mechanism, and its contacts: link, point, normal and m̄ by route C of the exact twin.
 struct Part {
@@ -62,6 +66,8 @@ struct Seen {
     freedoms: usize,
     positions: Vec<Vec<u64>>,
     answers: Vec<Answer>,
+    /// By the careful route.
+    careful: Vec<Answer>,
 }
 
 /// Looks at a part of a mechanism, its names bearing a prefix there; what belongs to the whole is of the whole.
@@ -73,15 +79,25 @@ fn look(model: &Model, mechanism: &Mechanism, part: &Part, prefix: &str) -> Answ
         .iter()
         .map(|joint| mechanism.find_joint(&format!("{prefix}{}", joint.name())).expect("a joint"))
         .collect();
-    let respond = |(link, point, normal, _): &(String, Vector3<f64>, Vector3<f64>, f64)| {
-        let link = mechanism.find_link(&format!("{prefix}{link}")).expect("a link");
-        zero.respond(link, *point, *normal)
+    let respond = |choice: RouteChoice| {
+        let contacts = part.contacts.iter().map(move |(link, point, normal, _)| {
+            let link = mechanism.find_link(&format!("{prefix}{link}")).expect("a link");
+            (choice, Contact::new(link, *point, *normal))
+        });
+        contacts.map(|(choice, contact)| zero.respond_by(choice, &contact)).collect::<Answered<Vec<Answer>>>()
     };
-    let answers: Vec<Answer> = part.contacts.iter().map(respond).collect::<Answered<_>>()?;
+    let answers = respond(RouteChoice::Auto)?;
+    let careful = respond(RouteChoice::Only(Route::Dense))?;
     // A part that is never struck moves with all its joints: it is a chain.
     let freedoms = answers.first().map_or(joints.len(), |answer| answer.degrees_of_freedom);
     let bits = |id: &JointId| zero.joint(*id).iter().map(|q| q.to_bits()).collect();
-    Ok(Seen { generic: model.generic()?, freedoms, positions: joints.iter().map(bits).collect(), answers })
+    Ok(Seen {
+        generic: model.generic()?,
+        freedoms,
+        positions: joints.iter().map(bits).collect(),
+        answers,
+        careful,
+    })
 }
 
 fn alone(part: &Part) -> Answered<Seen> {
@@ -135,6 +151,10 @@ fn judge(case: &Case, tally: &mut Tally) {
         };
         format!("{label}: {:?}, alone {:?}", floats(&pair), floats(&own))
     });
+    for (number, (a, b)) in pair.careful.iter().zip(&own.careful).enumerate() {
+        let holds = a.status == b.status && (a.mass.is_nan() || (a.mass / b.mass - 1.0).abs() <= REORDERED);
+        tally.check(CAREFUL, column, holds, || format!("{label}, contact {number}: {a:?}, alone {b:?}"));
+    }
     for (number, ((a, b), contact)) in pair.answers.iter().zip(&own.answers).zip(&y.contacts).enumerate() {
         let line = || format!("{label}, contact {number}: {a:?}, alone {b:?}");
         tally.check(STATUS, column, a.status == b.status, line);
@@ -194,6 +214,45 @@ fn masses_are_the_same() {
 #[test]
 fn stated_errors_are_the_same() {
     ALL.report(ERROR, 1);
+}
+
+#[test]
+fn masses_by_the_careful_route_are_the_same() {
+    ALL.report(CAREFUL, 1);
+}
+
+/// A parallelogram stands where its branches cross; the limits along them are its own, whatever stands beside it.
+#[test]
+fn limits_at_a_crossing_are_the_same() {
+    let limits = |parts: &[(&str, &Mechanism)], link: &str, size: f64| {
+        let mechanism = beside(parts);
+        let link = mechanism.find_link(link).expect("a link");
+        let contact = Contact::new(link, [0.31 * size, -0.12 * size, 0.0], [0.2, 0.9, 0.0]);
+        let (limits, complete) = Model::new(mechanism)?.at(&[])?.limits(&contact)?;
+        let value = |limit: EffectiveMass| match limit {
+            EffectiveMass::Finite(m) => m,
+            EffectiveMass::Immovable | EffectiveMass::Massless => f64::NAN,
+        };
+        Ok::<_, String>((limits.into_iter().map(value).collect::<Vec<f64>>(), complete))
+    };
+    for size in SIZES {
+        let y = scaled(&linkage::parallelogram().mechanism, size, 1.0);
+        let (own, complete) = limits(&[("y_", &y)], "y_coupler", size).expect("limits");
+        assert!(own.len() == 2 && complete, "{size:e} m: {own:?}");
+        for other in SIZES {
+            for (x_first, fraction) in [(true, 1e-5), (false, 1e-4)] {
+                let x = contradicting(11, Kind::Cranks(3), other, fraction);
+                let parts = [("x_", &x), ("y_", &y)];
+                let parts = if x_first { parts } else { [parts[1], parts[0]] };
+                let label = format!("{size:e} m beside {other:e} m, off by {fraction:e}");
+                let (got, complete) = limits(&parts, "y_coupler", size).expect("limits");
+                assert!(got.len() == 2 && complete, "{label}: {got:?}, alone {own:?}");
+                for (a, b) in got.iter().zip(&own) {
+                    assert!((a / b - 1.0).abs() <= 1e-6, "{label}: {got:?}, alone {own:?}");
+                }
+            }
+        }
+    }
 }
 
 #[test]

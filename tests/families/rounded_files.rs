@@ -5,8 +5,9 @@
 //! the same files shows (`crates/oracle/tests/families.rs::rounded_twins_can_be_answered`). `PERCUSS_ALL=1` prints every
 //! failure.
 
-use percuss_mechanism::{JointId, JointKind, Mechanism};
+use percuss_mechanism::{JointId, JointKind, LinkId, Mechanism};
 use percuss_oracle::linkage::family::{DECIMALS, Drawn, drawn};
+use percuss_spatial::Vector3;
 use percuss_tests::answer::{Answer, Answered, Model, PosedModel, Status};
 use percuss_tests::tally::{Tally, over};
 use std::collections::BTreeMap;
@@ -27,6 +28,7 @@ const STANDS_THERE: &str = "stands where drawn";
 const FREEDOMS: &str = "generic freedoms and redundant rows";
 const FREEDOMS_HERE: &str = "freedoms at the pose";
 const STATUS: &str = "status";
+const STILL: &str = "immovable along the hinges where the exact twin is, or known to be uncertain";
 const MASS: &str = "mass";
 const ERROR: &str = "stated error is not exceeded";
 const SET_ZERO: &str = "driver set to 0";
@@ -116,6 +118,20 @@ fn judge_everything(twin: &mut Twin, model: Answered<Model>, column: &str, bound
             });
         }
     }
+    for (number, touch) in twin.drawn.contacts.iter().enumerate() {
+        let Some(axis) = hinge_of(&twin.drawn.mechanism, touch.link) else { continue };
+        let exact = twin.exact.as_ref().ok().and_then(|exact| exact.at(&[]).ok());
+        let expected = exact.and_then(|exact| exact.respond(touch.link, touch.point, axis).ok());
+        if expected.is_some_and(|answer| answer.status == Status::Immovable) {
+            let answer = zero.respond(touch.link, touch.point, axis);
+            let holds = answer
+                .as_ref()
+                .is_ok_and(|answer| answer.status == Status::Immovable || answer.nearly_immovable);
+            tally.check(STILL, column, holds, || {
+                format!("{label} contact {number} along its axis: {answer:?}")
+            });
+        }
+    }
     for driver in zero.drivers() {
         for value in [0.0, 0.1, -0.1] {
             let what = if value == 0.0 { SET_ZERO } else { SET };
@@ -142,6 +158,13 @@ fn judge_everything(twin: &mut Twin, model: Answered<Model>, column: &str, bound
             }
         }
     }
+}
+
+/// The axis of the hinge that carries a link, in the link.
+fn hinge_of(mechanism: &Mechanism, link: LinkId) -> Option<Vector3<f64>> {
+    let turns = [JointKind::Revolute, JointKind::Continuous];
+    let joint = mechanism.joints().iter().find(|joint| joint.child() == link)?;
+    turns.contains(&joint.kind()).then(|| *joint.axis())
 }
 
 /// The joint that is furthest from 0, and how far: rad, or slides by the size.
@@ -210,6 +233,11 @@ fn every_file_has_them_where_it_stands() {
 #[test]
 fn every_contact_is_answered_by_a_number() {
     ALL.report(STATUS, 1);
+}
+
+#[test]
+fn what_nothing_moves_is_immovable_or_uncertain() {
+    ALL.report(STILL, 1);
 }
 
 #[test]

@@ -6,6 +6,7 @@ use percuss_dynamics::Route;
 use percuss_dynamics::{
     Base, Conditions, Contact, ContactResponse, Direction, EffectiveMass, Frame, Pose, RouteChoice, System,
 };
+use percuss_formats::{LoadOptions, Source, load};
 use percuss_oracle::alter;
 use percuss_spatial::{Transform, rotation_from_rpy};
 use percuss_tests::cases::{self, Case};
@@ -39,6 +40,70 @@ fn same(gauge: &mut Gauge, name: &str, got: &ContactResponse, expected: &Contact
 fn in_link(case: &Case, pose: &Pose) -> Contact {
     let located = pose.locate(&case.contact()).expect("a contact");
     case.contact().normal(Direction::Along(located.normal_link, Frame::Link))
+}
+
+/// A line of a micrometre between links of a metre: its ends are off by rounding of their places, and its direction by that
+/// over its length. The same chains at other places, all their figures exact, round otherwise.
+#[test]
+fn short_lines_state_what_their_ends_are_off() {
+    let model = |x: f64| {
+        let link = |name: &str, com: f64| {
+            format!(
+                "<link name='{name}'><inertial><origin xyz='{com} 0.125 0'/><mass value='2'/>\
+                 <inertia ixx='.25' iyy='.25' izz='.25' ixy='0' ixz='0' iyz='0'/></inertial></link>"
+            )
+        };
+        let hinge = |name: &str, on: &str, child: &str, at: f64, y: f64| {
+            format!(
+                "<joint name='{name}' type='continuous'><parent link='{on}'/><child link='{child}'/>\
+                 <origin xyz='{at} {y} 0'/><axis xyz='0 0 1'/></joint>"
+            )
+        };
+        let urdf = [
+            "<robot name='lines'><link name='ground'/>".to_owned(),
+            link("a", 0.25) + &link("b", 0.5) + &link("c", 0.375),
+            hinge("first", "ground", "a", x, 0.5) + &hinge("second", "a", "b", 0.75, 0.0),
+            hinge("third", "ground", "c", x + 1.5, -0.25) + "</robot>",
+        ];
+        let source = Source::from_text("lines", urdf.concat());
+        let mechanism = load(&source, &LoadOptions::default()).expect("a model").mechanism;
+        let system = System::new(mechanism, &Conditions::new()).expect("conditions that fit");
+        let mut there = system.configuration();
+        for (joint, angle) in [("first", 0.7), ("second", -0.4), ("third", 1.1)] {
+            there.set(joint, &[angle]).expect("a joint");
+        }
+        system.pose(&there).expect("a tree poses")
+    };
+    let home = model(0.0);
+    let named = |name: &str| home.mechanism().find_link(name).expect("a link");
+    let (struck, end) = (named("b"), named("c"));
+    let point = Vector3::new(0.5, 0.125, 0.0);
+    let (mut apart, mut most) = (0.0_f64, 0.0_f64);
+    for length in [1e-6, 1e-4, 1e-2, 1.0] {
+        for turn in 0..8 {
+            let (sin, cos) = (0.4 + f64::from(turn)).sin_cos();
+            let beside = home.link(struck).point(&point) + Vector3::new(cos, sin, 0.0) * length;
+            let at = home.link(end).inverse_point(&beside);
+            let contact = Contact::new(struck, point, Vector3::x()).normal(Direction::Toward(end, at));
+            let answer = |x: f64| {
+                let response = model(x).respond(&contact, RouteChoice::Auto).expect("an answer");
+                let EffectiveMass::Finite(m) = response.effective_mass else { panic!("{response:?}") };
+                (m, response.effective_mass_error().expect("known"))
+            };
+            let (m, stated) = answer(0.0);
+            for x in [0.5, -1.25, 3.0, 7.75] {
+                let (other, also) = answer(x);
+                let off = (other - m).abs();
+                assert!(
+                    off <= stated + also,
+                    "{length:e} m, {turn}, {x}: {m} ± {stated:e}, {other} ± {also:e}"
+                );
+                (apart, most) = (apart.max(off / m), most.max(stated * length / m));
+            }
+        }
+    }
+    println!("apart by {apart:.1e}; stated at most {most:.1e} over the length");
+    assert!(apart > 1e-11 && most < 1e-11, "{apart:e}, {most:e}");
 }
 
 #[test]

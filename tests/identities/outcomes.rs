@@ -6,9 +6,12 @@ use percuss_dynamics::{
     AssemblyError, Conditions, Contact, ContactError, Direction, EffectiveMass, Frame, Remark, ResponseError,
     Route, RouteChoice, System,
 };
+use percuss_mechanism::{Inertial, JointDescription, LinkDescription};
 use percuss_oracle::closed_form::{self, PlanarLink};
-use percuss_oracle::zoo;
+use percuss_oracle::linkage::{self, Linkage};
+use percuss_oracle::{alter, zoo};
 use percuss_tests::bench::{Bench, TOL, along, mass};
+use percuss_tests::rig::Rig;
 use std::sync::Arc;
 
 #[test]
@@ -102,6 +105,26 @@ fn nothing_opposes() {
     let feeler = PlanarLink { mass: 0.0, length: 0.2, com: 0.0, inertia: 0.0 };
     let expected = closed_form::planar_2r([j_arm, feeler], [0.0, 0.01], [0.0; 2], 0.2, Vector2::y());
     rotor.check_mass(&across, expected);
+}
+
+/// A four-bar with a tail of negative inertia: the recursion has no answer, and the careful route states its own closing
+/// error.
+#[test]
+fn the_route_that_answers_states_the_closing_error() {
+    let four_bar = linkage::four_bar();
+    let (mut links, mut joints) = alter::describe(&four_bar.mechanism);
+    let (closures, couplings) = alter::describe_loops(&four_bar.mechanism);
+    links.push(LinkDescription::new("tail", Inertial::diagonal(0.0, [0.0; 3], [-1e-3; 3])));
+    let (parent, child) = ("coupler".to_owned(), "tail".to_owned());
+    joints.push(JointDescription { name: "tail_hinge".into(), parent, child, ..joints[1].clone() });
+    let mechanism = alter::build_with_loops("tailed", links, joints, closures, couplings);
+    let rig = Rig::new(Linkage { mechanism, ..four_bar });
+    let tail = rig.mechanism.find_link("tail").expect("a link");
+    let response = rig.respond(&rig.closed(), &Contact::new(tail, [0.01, 0.0, 0.0], [0.3, 1.0, 0.0]));
+    assert_eq!(response.route, Route::Dense);
+    assert!(response.remarks.contains(&Remark::IndefiniteMassMatrix), "{response:?}");
+    let closing = response.error.expect("finite").closing.expect("known");
+    assert!(closing < 1e-9 * mass(&response), "{closing:e} of {} kg", mass(&response));
 }
 
 #[test]

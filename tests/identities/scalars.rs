@@ -3,8 +3,11 @@
 
 use nalgebra::DMatrix;
 use num_traits::{One, Zero};
-use percuss_dynamics::{EffectiveMass, RouteChoice};
-use percuss_mechanism::JointKind;
+use percuss_dynamics::{
+    Conditions, Contact, EffectiveMass, Pose, ResponseError, RouteChoice, RouteError, ScalarWorkspace, System,
+};
+use percuss_mechanism::{Inertial, JointKind, LinkDescription, LinkId, Mechanism};
+use percuss_oracle::{alter, linkage, zoo};
 use percuss_spatial::{Scalar, dual::Dual64};
 use percuss_tests::cases::{self, Case};
 use percuss_tests::differences::{DIFFERENCE, derivative};
@@ -77,6 +80,15 @@ impl Scalar for Lanes {
     }
 }
 
+/// Room over another scalar; none where a contact is massless.
+fn over<T: Scalar>(pose: &Pose, contact: &Contact) -> Option<ScalarWorkspace<T>> {
+    match pose.workspace_over(contact) {
+        Ok(workspace) => Some(workspace),
+        Err(ResponseError::Route(RouteError::MasslessMotion)) => None,
+        Err(error) => panic!("{error}"),
+    }
+}
+
 /// Every case: of the zoo and at random.
 fn all_cases() -> Vec<Case> {
     [cases::of_the_zoo(3, 2), cases::at_random(3000, 80, 30)].concat()
@@ -96,7 +108,7 @@ fn dual_numbers_differentiate_the_mass_matrix() {
         let rates = system.position_rates(pose.positions(), &motion.joints).expect("velocities that fit");
         let seeded: Vec<Dual64> =
             pose.positions().iter().zip(&rates).map(|(&q, &rate)| Dual64::new(q, rate)).collect();
-        let mut workspace = pose.workspace_over::<Dual64>(&case.contact()).expect("a contact");
+        let Some(mut workspace) = over::<Dual64>(&pose, &case.contact()) else { continue };
         workspace.set_positions(&seeded).expect("positions that fit");
         let dual = workspace.mass_matrix();
         let plain = pose.mass_matrix();
@@ -147,7 +159,7 @@ fn every_lane_is_the_plain_answer_to_the_last_bit() {
         let mut rng = StdRng::seed_from_u64(32 + i as u64);
         let Some(motion) = subject.motion(&mut rng) else { continue };
         let four = beside(&subject, &motion);
-        let mut lanes = pose.workspace_over::<Lanes>(contact).expect("a contact");
+        let Some(mut lanes) = over::<Lanes>(pose, contact) else { continue };
         lanes.set_positions(&together(&four)).expect("positions that fit");
         let (matrices, inverses) = (lanes.mass_matrix(), lanes.inverse_effective_mass());
         let mut scalar = pose.workspace_over::<f64>(contact).expect("a contact");
@@ -198,7 +210,7 @@ fn lanes_of_trees_may_stand_anywhere() {
         let mut rng = StdRng::seed_from_u64(34 + i as u64);
         let four: [Vec<f64>; 4] =
             std::array::from_fn(|_| percuss_oracle::random::positions(&mut rng, &case.mechanism).concat());
-        let mut lanes = pose.workspace_over::<Lanes>(&case.contact()).expect("a contact");
+        let Some(mut lanes) = over::<Lanes>(&pose, &case.contact()) else { continue };
         lanes.set_positions(&together(&four)).expect("positions that fit");
         let inverses = lanes.inverse_effective_mass();
         let mut plain = pose.workspace_over::<f64>(&case.contact()).expect("a contact");
@@ -219,6 +231,94 @@ fn lanes_of_trees_may_stand_anywhere() {
     assert!(answers > 500, "{answers}");
 }
 
+/// Four values of one joint of a mechanism whose other joints stay at these positions.
+fn four_at(positions: &[f64], joint: usize, values: [f64; 4]) -> Vec<Lanes> {
+    let at = |k: usize, value: f64| if k == joint { value } else { positions[k] };
+    (0..positions.len()).map(|k| Lanes(values.map(|value| at(k, value)))).collect()
+}
+
+fn link(mechanism: &Mechanism, name: &str) -> LinkId {
+    mechanism.find_link(name).expect("a link")
+}
+
+/// A lane tells where its pose's decisions do not hold: where a pivot of the mass is none, or one of the constraints.
+#[test]
+fn lanes_tell_where_a_pivot_has_fallen() {
+    // A point mass on a massless arm: folded back, it lies on the shoulder.
+    let (_, mut joints) = alter::describe(&zoo::double_pendulum());
+    let names: Vec<String> = ["ground", "arm", "tip"].map(String::from).into();
+    for (i, joint) in joints.iter_mut().enumerate() {
+        (joint.parent, joint.child) = (names[i].clone(), names[i + 1].clone());
+        joint.armature.clear();
+        joint.origin.translation = percuss_spatial::Vector3::new(0.5 * i as f64, 0.0, 0.0);
+    }
+    let links = vec![
+        LinkDescription::massless("ground"),
+        LinkDescription::massless("arm"),
+        LinkDescription::new("tip", Inertial::point(2.0, [0.5, 0.0, 0.0])),
+    ];
+    let folded = alter::build("folded", links, joints);
+    let contact = Contact::new(
+        link(&folded, "arm"),
+        [0.5, 0.1, 0.0],
+        folded.joints()[1].axis().cross(&percuss_spatial::Vector3::x()),
+    );
+    let system = System::new(folded, &Conditions::new()).expect("a chain");
+    let pose = system
+        .pose(system.configuration().set(system.mechanism().joints()[1].name(), &[0.8]).expect("a joint"));
+    let pose = pose.expect("a tree poses");
+    let mut lanes = pose.workspace_over::<Lanes>(&contact).expect("an answer");
+    lanes.set_positions(&four_at(pose.positions(), 1, [0.8, 1.9, std::f64::consts::PI, 2.5])).expect("positions that fit");
+    let inverses = lanes.inverse_effective_mass().0;
+    let losses = lanes.pivot_loss().0;
+    assert!(losses[0].max(losses[1]).max(losses[3]) < 1e-12, "{losses:?}, {inverses:?}");
+    assert!(losses[2].is_nan() || losses[2] >= 1.0, "{losses:?}, {inverses:?}");
+
+    // A parallelogram: flat, its branches cross.
+    let (mechanism, start) = {
+        let l = linkage::parallelogram();
+        (l.mechanism, l.start)
+    };
+    let crank = link(&mechanism, "coupler");
+    let contact = Contact::new(crank, [0.31, -0.12, 0.0], [0.2, 0.9, 0.0]);
+    let system = System::new(mechanism, &Conditions::new()).expect("loops that close");
+    let mut near = system.configuration();
+    for (joint, value) in &start {
+        near.guess(joint, value).expect("a joint");
+    }
+    near.set("crank_hinge", &[1.2]).expect("a driver");
+    let pose = system.pose(&near).expect("closed");
+    let from = |angle: f64| {
+        let mut there = system.configuration();
+        there.set("crank_hinge", &[angle]).expect("a driver");
+        system.pose_from(&pose, &there).expect("along the branch").positions().to_vec()
+    };
+    let four = [1.2, 0.6, 0.0, 1e-3].map(from);
+    let mut lanes = pose.workspace_over::<Lanes>(&contact).expect("an answer");
+    lanes.set_positions(&together(&four)).expect("positions that fit");
+    let inverses = lanes.inverse_effective_mass().0;
+    let losses = lanes.pivot_loss().0;
+    assert!(losses[0].max(losses[1]).max(losses[3]) < 1e-6, "{losses:?}, {inverses:?}");
+    assert!(losses[2].is_nan() || losses[2] >= 1.0, "{losses:?}, {inverses:?}");
+}
+
+#[test]
+fn what_has_no_inverse_mass_is_refused() {
+    let refused = |mechanism: Mechanism, name: &str, point: [f64; 3], normal: [f64; 3]| {
+        let contact = Contact::new(link(&mechanism, name), point, normal);
+        let system = System::new(mechanism, &Conditions::new()).expect("conditions that fit");
+        let pose = system.pose(&system.configuration()).expect("a tree poses");
+        pose.workspace_over::<Dual64>(&contact).expect_err("refused")
+    };
+    let massless = refused(zoo::massless_tip(), "feeler", [0.2, 0.0, 0.0], [0.0, 1.0, 0.0]);
+    assert_eq!(massless, ResponseError::Route(RouteError::MasslessMotion));
+    let (mut links, joints) = alter::describe(&zoo::massless_tip());
+    links[2].inertial = Some(Inertial::diagonal(0.0, [0.0; 3], [-0.1; 3]));
+    let negative = alter::build("negative", links, joints);
+    let negative = refused(negative, "arm", [0.3, 0.0, 0.0], [0.0, 1.0, 0.0]);
+    assert_eq!(negative, ResponseError::Route(RouteError::Indefinite));
+}
+
 #[test]
 fn positions_one_after_another_are_those_of_the_pose() {
     let mut rng = StdRng::seed_from_u64(33);
@@ -226,7 +326,7 @@ fn positions_one_after_another_are_those_of_the_pose() {
     for case in all_cases() {
         let system = case.system();
         let pose = case.pose(&system);
-        let mut workspace = pose.workspace_over::<f64>(&case.contact()).expect("a contact");
+        let Some(mut workspace) = over::<f64>(&pose, &case.contact()) else { continue };
         assert_eq!(workspace.mass_matrix(), pose.mass_matrix(), "{}", case.name);
         let here = workspace.inverse_effective_mass();
         // Entries of mimics are not read.

@@ -33,6 +33,8 @@ pub struct Answer {
     pub singular: bool,
     /// Whether its reader is warned that digits, or the number of freedoms, are uncertain.
     pub warned: bool,
+    /// Whether its reader is warned that the gap hardly closes, and may not at all.
+    pub nearly_immovable: bool,
 }
 
 /// The kind of an answer.
@@ -122,8 +124,15 @@ impl PosedModel {
     /// # Errors
     /// The error of the library, in a line.
     pub fn respond(&self, link: LinkId, point: Vector3<f64>, normal: Vector3<f64>) -> Answered<Answer> {
-        let contact = Contact::new(link, point, normal);
-        let response = caught(|| self.pose.respond(&contact, RouteChoice::Auto))?;
+        self.respond_by(RouteChoice::Auto, &Contact::new(link, point, normal))
+    }
+
+    /// The same by a route.
+    ///
+    /// # Errors
+    /// The error of the library, in a line.
+    pub fn respond_by(&self, choice: RouteChoice, contact: &Contact) -> Answered<Answer> {
+        let response = caught(|| self.pose.respond(contact, choice))?;
         let (status, mass) = match response.effective_mass {
             EffectiveMass::Finite(mass) => (Status::Finite, mass),
             EffectiveMass::Immovable => (Status::Immovable, f64::NAN),
@@ -136,6 +145,19 @@ impl PosedModel {
             degrees_of_freedom: response.degrees_of_freedom,
             singular: response.singular_pose,
             warned: self.is_warned(&response),
+            nearly_immovable: response
+                .remarks
+                .iter()
+                .any(|r| matches!(r, Remark::NearlyImmovable { uncertainty, .. } if *uncertainty >= 1.0)),
         })
+    }
+
+    /// The limits along the branches that cross here, kg, and whether they are all.
+    ///
+    /// # Errors
+    /// Where the library panics.
+    pub fn limits(&self, contact: &Contact) -> Answered<(Vec<EffectiveMass>, bool)> {
+        let limits = caught(|| Ok::<_, String>(self.pose.branch_limits(contact)))?;
+        Ok((limits.limits, limits.complete))
     }
 }

@@ -5,10 +5,10 @@ use crate::contact::ContactRow;
 use crate::kinematics::Kinematics;
 use crate::linear::dense::dot;
 use crate::mobility::GroupMobility;
-use crate::model::{Cluster, Model};
+use crate::model::{Cluster, Follows, Model};
 use crate::recursion::Recursion;
 use crate::rows::GroupRows;
-use crate::tolerances::RATE_ROUNDINGS;
+use crate::tolerances::{IMMOVABLE, RATE_ROUNDINGS};
 
 /// |j on ker A| / |size of j's terms|, over coordinates scaled by the contact's own length.
 ///
@@ -39,6 +39,22 @@ pub(crate) fn relative_closing_speed<const K: usize>(
         }
     }
     if size > 0.0 { (along / size).sqrt() } else { 0.0 }
+}
+
+/// Below this, a relative closing speed may be rounding alone, or the misfit of loops that the contact moves: by the floor
+/// that their rank was decided with. It need not be: a contact may be as slow on the exact twin.
+pub(crate) fn closing_floor(model: &Model, groups: &[GroupMobility], row: &ContactRow) -> f64 {
+    let mut floor = IMMOVABLE;
+    for entry in &row.entries {
+        for own in &model.clusters[model.cluster_of[entry.body]].groups {
+            let higher = groups[own.group].floor > floor;
+            let moves = |f: &Follows| model.groups[own.group].column(f.index).is_some();
+            if higher && model.follows[entry.velocity].as_ref().is_some_and(moves) {
+                floor = groups[own.group].floor;
+            }
+        }
+    }
+    floor
 }
 
 /// Whether an entry before this one lies in the same cluster.

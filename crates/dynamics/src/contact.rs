@@ -160,6 +160,8 @@ pub struct LocatedContact {
     pub(crate) point_root: Vector3<f64>,
     /// n̂ in the root link's frame.
     pub(crate) normal_root: Vector3<f64>,
+    /// The far end of the line that n̂ is taken along, if it is: a link and a point (m) in its frame.
+    pub(crate) line: Option<(LinkId, Vector3<f64>)>,
 }
 
 /// A contact's point and unit normal in the root link's frame.
@@ -251,6 +253,10 @@ impl Model {
             normal_link: x_rl.inverse_vector(&normal),
             point_root: point,
             normal_root: normal,
+            line: match contact.normal {
+                Direction::Toward(end, at) => Some((end, at)),
+                Direction::Along(..) => None,
+            },
         })
     }
 

@@ -26,6 +26,7 @@ use crate::tolerances::{
     VAGUE_RESPONSE,
 };
 use nalgebra::{Vector3, Vector6};
+use percuss_mechanism::LinkId;
 use percuss_spatial::{ArticulatedInertia, Transform, Twist, Wrench};
 
 /// What m̄ may be off by, kg, to first order. A part that nothing measures is none.
@@ -35,14 +36,14 @@ pub struct ErrorBudget {
     pub rounding: Option<f64>,
     /// What the loops' residual leaves open; 0 where nothing closes.
     pub closing: Option<f64>,
-    /// How far the file's loops are from fitting; none without loops. Only redundant rows show it: where there are none, it
-    /// is the residual's.
+    /// How far the file's loops are from fitting. Only redundant rows measure it: none, unknown, where there are none.
     pub file: Option<f64>,
 }
 
 impl ErrorBudget {
-    /// The sum of its parts, kg; none where rounding or closing is unknown.
-    pub fn total(&self) -> Option<f64> {
+    /// The sum of what is known, kg: rounding, closing, and the file's part where redundant rows measure it. None where
+    /// rounding or closing is unknown: these always have a measure.
+    pub fn known(&self) -> Option<f64> {
         Some(self.rounding? + self.closing? + self.file.unwrap_or(0.0))
     }
 
@@ -228,7 +229,17 @@ impl UnitImpulse<'_> {
         let struck = (on.0.max(against.0), on.1 + own_struck);
         let mut sum = RelativeErrors::default();
         // The normal turns with a link; the relative velocity there is what it is multiplied with.
-        sum.rounding += 2.0 * (TURN_ROUNDINGS + struck.0) * self.relative_velocity().norm();
+        let relative = self.relative_velocity().norm();
+        sum.rounding += 2.0 * (TURN_ROUNDINGS + struck.0) * relative;
+        if let Some((end, at)) = self.contact.line {
+            // A line turns by what its ends are off, over its length.
+            let far = frames.at(model.body_of(end));
+            let position = kinematics.link_frame(model, end).point(&at);
+            let off = far.1 + 2.0 * position.norm() + (far.0 + SUM_ROUNDINGS) * at.norm();
+            let length = (position - point).norm();
+            sum.rounding += 2.0 * (struck.1 + off) / length * relative;
+            sum.file += 2.0 * self.misfit_of([self.contact.link, end]) / length * relative;
+        }
         let by_joint = places == Places::ByJoint;
         if let Some(other) = self.contact.against.and_then(|l| model.body_of(l)).filter(|_| by_joint) {
             // The point is the struck link's: it is off on the other one.
@@ -303,6 +314,18 @@ impl UnitImpulse<'_> {
         let twist = |body: Option<usize>| body.map_or_else(Vector3::zeros, |b| self.twists[b].linear);
         twist(self.model.body_of(self.contact.link))
             - twist(self.contact.against.and_then(|l| self.model.body_of(l)))
+    }
+
+    /// How far loops that carry any of these links are from fitting, m.
+    fn misfit_of(&self, links: [LinkId; 2]) -> f64 {
+        let mut carriers = vec![false; self.model.bodies.len()];
+        for body in links.into_iter().filter_map(|link| self.model.body_of(link)) {
+            std::iter::successors(Some(body), |&b| self.model.bodies[b].parent)
+                .for_each(|b| carriers[b] = true);
+        }
+        let groups = self.model.groups.iter().zip(self.misfits);
+        let carrying = groups.filter(|(group, _)| group.bodies.iter().any(|&b| carriers[b]));
+        carrying.map(|(group, misfit)| misfit * group.size).fold(0.0, f64::max)
     }
 
     /// Rows of A that are off change the rates of what depends.

@@ -11,8 +11,8 @@ use crate::pose::Pose;
 use crate::routes::{Question, RecursionRoom};
 use crate::singular::Surroundings;
 use crate::tolerances::{
-    BENT, BRANCH_COMBINATIONS, LIMIT_PLACES, LIMIT_STEPS, LIMITS_AGREE, LIMITS_BY_CAREFUL_ROUTE,
-    LIMITS_BY_RECURSION, VANISHING_LIMIT,
+    BENT, BRANCH_COMBINATIONS, DOUBTFUL_LIMIT, LIMIT_PLACES, LIMIT_STEPS, LIMITS_AGREE,
+    LIMITS_BY_CAREFUL_ROUTE, LIMITS_BY_RECURSION, VANISHING_LIMIT,
 };
 
 /// Limits of m̄ where branches cross.
@@ -23,7 +23,7 @@ pub struct BranchLimits {
     pub limits: Vec<EffectiveMass>,
     /// Whether the branches are a continuum: the limit depends on the direction of approach.
     pub continuous: bool,
-    /// Whether no sign of more branches than these was found.
+    /// Whether no sign of more branches than these was found, and m̄ could be carried on along each.
     pub complete: bool,
 }
 
@@ -193,7 +193,7 @@ fn limit_along(
             break;
         }
     }
-    best.map(|(_, limit)| limit)
+    best.filter(|(doubt, _)| *doubt <= DOUBTFUL_LIMIT).map(|(_, limit)| limit)
 }
 
 /// For sorting.
@@ -205,18 +205,22 @@ fn value(limit: &EffectiveMass) -> f64 {
     }
 }
 
-/// The limit from values at one to four places on either side, and how far two orders of the interpolation differ.
+/// The limit from values at one to four places on either side, and how far two orders of the interpolation differ. A branch
+/// is immovable or massless where it is at all of them.
 fn carried_on(at: &dyn Fn(i32) -> Option<EffectiveMass>) -> Option<(f64, EffectiveMass)> {
     const EIGHT: [f64; 4] = [4.0 / 5.0, -2.0 / 5.0, 4.0 / 35.0, -1.0 / 70.0];
     const SIX: [f64; 4] = [3.0 / 4.0, -3.0 / 10.0, 1.0 / 20.0, 0.0];
     let (mut mobility, mut coarse, mut most_mobile) = (0.0, 0.0, 0.0_f64);
     let (mut mass, mut coarse_mass, mut heaviest) = (0.0, 0.0, 0.0_f64);
+    let mut state = None;
     for place in 0..4 {
         for side in [1, -1] {
-            let m = match at(side * (place as i32 + 1))? {
-                EffectiveMass::Finite(m) => m,
-                other @ (EffectiveMass::Immovable | EffectiveMass::Massless) => return Some((0.0, other)),
-            };
+            let here = at(side * (place as i32 + 1))?;
+            let same = |known: &EffectiveMass| std::mem::discriminant(known) == std::mem::discriminant(&here);
+            if !same(state.get_or_insert(here)) {
+                return None;
+            }
+            let EffectiveMass::Finite(m) = here else { continue };
             mobility += EIGHT[place] / m;
             coarse += SIX[place] / m;
             mass += EIGHT[place] * m;
@@ -224,6 +228,10 @@ fn carried_on(at: &dyn Fn(i32) -> Option<EffectiveMass>) -> Option<(f64, Effecti
             most_mobile = most_mobile.max(1.0 / m);
             heaviest = heaviest.max(m);
         }
+    }
+    match state? {
+        EffectiveMass::Finite(_) => {}
+        same @ (EffectiveMass::Immovable | EffectiveMass::Massless) => return Some((0.0, same)),
     }
     let doubt = (mobility - coarse).abs() / most_mobile;
     Some(if mobility <= VANISHING_LIMIT * most_mobile {
@@ -233,4 +241,41 @@ fn carried_on(at: &dyn Fn(i32) -> Option<EffectiveMass>) -> Option<(f64, Effecti
     } else {
         (doubt * most_mobile / mobility, EffectiveMass::Finite(1.0 / mobility))
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_smooth_branch_is_carried_on() {
+        let Some((doubt, EffectiveMass::Finite(m))) =
+            carried_on(&|place| Some(EffectiveMass::Finite(2.0 + 0.01 * f64::from(place))))
+        else {
+            panic!("a limit")
+        };
+        assert!(doubt < LIMITS_AGREE && (m - 2.0).abs() < 1e-7, "{m} ± {doubt:e}");
+    }
+
+    #[test]
+    fn a_state_is_one_of_all_places() {
+        let all = carried_on(&|_| Some(EffectiveMass::Immovable));
+        assert_eq!(all, Some((0.0, EffectiveMass::Immovable)));
+        for odd in [-4, -1, 1, 4] {
+            let but_one =
+                |place| Some(if place == odd { EffectiveMass::Massless } else { EffectiveMass::Finite(2.0) });
+            assert_eq!(carried_on(&but_one), None, "{odd}");
+            let but_one = |place| {
+                Some(if place == odd { EffectiveMass::Finite(2.0) } else { EffectiveMass::Immovable })
+            };
+            assert_eq!(carried_on(&but_one), None, "{odd}");
+        }
+    }
+
+    #[test]
+    fn values_that_jump_have_no_limit() {
+        let jumps = |place: i32| Some(EffectiveMass::Finite(if place % 2 == 0 { 1.0 } else { 7.0 }));
+        let (doubt, _) = carried_on(&jumps).expect("numbers");
+        assert!(doubt > DOUBTFUL_LIMIT, "{doubt:e}");
+    }
 }

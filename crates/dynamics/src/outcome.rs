@@ -144,7 +144,7 @@ pub enum RouteError {
         /// How many this mechanism has.
         expected: usize,
     },
-    /// Φ is not defined where a motion without mass answers a wrench.
+    /// Φ, or 1/m̄, is not defined where a motion without mass answers a wrench.
     #[error("a motion without mass answers a wrench on this link: J M⁻¹ Jᵀ is infinite")]
     MasslessMotion,
 }

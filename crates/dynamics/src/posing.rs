@@ -82,14 +82,16 @@ impl Assembly {
         Pose::new(Arc::clone(self), kinematics, base, loops)
     }
 
-    /// The frames of a pose moved by what its residuals leave open; none for a tree.
+    /// The frames of a pose moved by what its residuals leave open; none for a tree, or where that
+    /// is not found.
     pub(crate) fn doubtful_pose(&self, pose: &Pose, sign: f64) -> Option<Kinematics<f64>> {
         let model = self.posing();
         let state = pose.loops.as_ref()?;
         let mut moved = pose.kinematics.clone();
         for (number, group) in model.groups.iter().enumerate() {
             let inexactness = self.facts().groups[number].misfit_beyond(group, &pose.kinematics, model);
-            let mut u = model.closing_doubt(&pose.kinematics, group, &state.dependent[number], inexactness);
+            let mut u =
+                model.closing_doubt(&pose.kinematics, group, &state.dependent[number], inexactness)?;
             u.iter_mut().for_each(|u| *u *= sign);
             model.advance_group(&mut moved, group, &u);
         }

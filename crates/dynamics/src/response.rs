@@ -1,13 +1,17 @@
 //! The contact response: effective mass, the motion at unit closing speed, and the contribution of each link.
 
 use crate::assembly::Assembly;
+use crate::careful::Minimum;
+use crate::closing_speed::closing_floor;
 use crate::contact::{Contact, ContactError, LocatedContact};
-use crate::error_budget::{ErrorBudget, RelativeErrors};
+use crate::error_budget::ErrorBudget;
 use crate::outcome::{CarefulReason, EffectiveMass, Remark, ResponseError, Route, RouteChoice, RouteError};
 use crate::pose::Pose;
 use crate::recursion::Decisions;
 use crate::routes::{Found, Question, RecursionRoom};
-use crate::tolerances::{FILE_MISFITS, LEAST_OTHER_MASS, NEARLY_IMMOVABLE, NEGLIGIBLE_MASS, SAME_BOTH_WAYS};
+use crate::tolerances::{
+    FILE_MISFITS, IMMOVABLE, LEAST_OTHER_MASS, NEARLY_IMMOVABLE, NEGLIGIBLE_MASS, SAME_BOTH_WAYS,
+};
 use nalgebra::Vector3;
 use percuss_mechanism::{JointId, LinkId};
 use percuss_spatial::Twist;
@@ -60,9 +64,10 @@ impl ContactResponse {
             || self.base_velocity.angular.norm() > 0.0
     }
 
-    /// What m̄ may be off by in all, kg: the sum of its [`ErrorBudget`].
+    /// What m̄ may be off by as far as that is known, kg: [`ErrorBudget::known`]. What a file's figures are off by is in it
+    /// only where redundant rows show it.
     pub fn effective_mass_error(&self) -> Option<f64> {
-        self.error.and_then(|error| error.total())
+        self.error.and_then(|error| error.known())
     }
 
     /// The same where the other side is a free mass (kg) of its own: 1/m̄ = 1/m̄₁ + 1/m₂.
@@ -156,18 +161,22 @@ impl Asked<'_> {
         Ok(response)
     }
 
-    fn finish(&mut self, found: Found) -> ContactResponse {
+    fn finish(&mut self, mut found: Found) -> ContactResponse {
         let pose = self.pose;
         let model = pose.assembly.model();
         let rank = pose.rank();
-        let mut remarks = found.remarks;
+        let mut remarks = std::mem::take(&mut found.remarks);
         let mut error = None;
         let mut contributions = None;
         if let EffectiveMass::Finite(m) = found.mass {
             contributions = Some(self.contributions(&found.velocities, m));
-            error = Some(self.budget(m, found.closing_speed, &found.errors));
-            if found.closing_speed < NEARLY_IMMOVABLE {
-                let uncertainty = 2.0 * f64::EPSILON / found.closing_speed;
+            error = Some(self.budget(m, &found));
+            // What loops that do not quite fit leave of a closing speed may be all of it.
+            let floor =
+                closing_floor(model, &pose.groups, &model.contact_row(&pose.kinematics, self.located));
+            if found.closing_speed < NEARLY_IMMOVABLE.max(floor) {
+                let open = if floor > IMMOVABLE { floor } else { 2.0 * f64::EPSILON };
+                let uncertainty = open / found.closing_speed;
                 remarks.push(Remark::NearlyImmovable { closing_speed: found.closing_speed, uncertainty });
             }
         }
@@ -202,20 +211,21 @@ impl Asked<'_> {
         }
     }
 
-    fn budget(&mut self, m: f64, closing_speed: f64, errors: &RelativeErrors) -> ErrorBudget {
+    fn budget(&mut self, m: f64, found: &Found) -> ErrorBudget {
+        let (closing_speed, errors) = (found.closing_speed, &found.errors);
         let own = errors.rounding + 2.0 * f64::EPSILON / closing_speed;
         if self.pose.loops().is_none() {
             return ErrorBudget { rounding: Some(m * own), closing: Some(0.0), file: None };
         }
         // The rows of an inexact file are off by as much as its frames are; so is the closing speed that m̄ goes by.
         let file = FILE_MISFITS * (errors.file + errors.misfit / closing_speed);
-        let closing = self.closing_error(m, errors.stationary.is_some()).map(|c| m * c);
+        let closing = self.closing_error(m, found).map(|c| m * c);
         ErrorBudget { rounding: Some(m * own), closing, file: errors.is_measured.then_some(m * file) }
     }
 
     /// Relative change of m̄ between the pose and where it may be, as far as its loops are from closed; none where that
-    /// cannot be found. `by_energy`: m̄ was found so.
-    fn closing_error(&mut self, m: f64, by_energy: bool) -> Option<f64> {
+    /// cannot be found. Asked by what answered: a route, or the energy.
+    fn closing_error(&mut self, m: f64, found: &Found) -> Option<f64> {
         let assembly: &Assembly = &self.pose.assembly;
         let mut most = 0.0_f64;
         for sign in [1.0, -1.0] {
@@ -230,11 +240,19 @@ impl Asked<'_> {
                 misfits: assembly.misfits(),
                 located: &located,
             };
-            beside.run(&mut self.room);
-            let EffectiveMass::Finite(mut other) = self.room.mass() else { return None };
-            if by_energy && let Some(response) = beside.response_by_energy(&mut self.room) {
-                other = 1.0 / response;
-            }
+            let other = match found.route {
+                Route::Articulated => {
+                    beside.run(&mut self.room);
+                    let EffectiveMass::Finite(own) = self.room.mass() else { return None };
+                    let by_energy =
+                        found.errors.stationary.and_then(|_| beside.response_by_energy(&mut self.room));
+                    by_energy.map_or(own, |response| 1.0 / response)
+                }
+                Route::Dense => match model.least_energy(&moved, &groups, &located).minimum {
+                    Minimum::Finite(other) | Minimum::Stationary(other) => other,
+                    Minimum::Immovable | Minimum::Massless => return None,
+                },
+            };
             let change = (other / m - 1.0).abs();
             most = most.max(change);
             if change < SAME_BOTH_WAYS {
@@ -278,9 +296,19 @@ impl Asked<'_> {
 
 impl Pose {
     /// What the recursion decides at this pose for a contact: pivots that duals and lanes follow.
-    pub(crate) fn decisions(&self, located: &LocatedContact) -> Decisions {
+    ///
+    /// # Errors
+    /// Where it has no 1/m̄: a motion of negative mass, or one without mass that closes the gap.
+    pub(crate) fn decisions(&self, located: &LocatedContact) -> Result<Decisions, RouteError> {
         let mut room = RecursionRoom::new(self.assembly.model());
-        self.question(located).run(&mut room);
-        room.deciding.decisions
+        let question = self.question(located);
+        question.run(&mut room);
+        if room.deciding.indefinite {
+            return Err(RouteError::Indefinite);
+        }
+        match question.recursive_mass(&mut room) {
+            EffectiveMass::Massless => Err(RouteError::MasslessMotion),
+            EffectiveMass::Finite(_) | EffectiveMass::Immovable => Ok(room.deciding.decisions),
+        }
     }
 }

@@ -139,6 +139,12 @@ impl Question<'_> {
         }
     }
 
+    /// What the recursion alone says after it ran.
+    pub fn recursive_mass(&self, room: &mut RecursionRoom) -> EffectiveMass {
+        let errors = self.recursion_errors(room);
+        self.recursive(room, errors).mass
+    }
+
     /// m̄ after the recursion ran, as [`Self::answer`] by the automatic choice has it; allocates nothing where the
     /// recursion answers.
     pub fn effective_mass(&self, room: &mut RecursionRoom) -> Result<EffectiveMass, RouteError> {

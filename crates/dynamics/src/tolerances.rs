@@ -47,6 +47,9 @@ pub(crate) const CLOSED: f64 = 1e-12;
 pub(crate) const ROUNDING: f64 = 1e-3;
 /// A rounded file's loops fit to within this many times their inexactness at poses other than where it was measured.
 pub(crate) const ROUNDED: f64 = 10.0;
+/// A pose around the first one, at which the generic rank is looked for, is as closed as a rounded file lets it be within
+/// this many times the inexactness at the first.
+pub(crate) const ELSEWHERE: f64 = 2.0;
 /// Steps follow directions down to this many times the residual, as a part of the size: below, a direction owes its
 /// singular value to the residual itself.
 pub(crate) const FOLLOWED: f64 = 10.0;
@@ -283,3 +286,6 @@ pub(crate) const SET_WORK: usize = 200_000_000;
 pub(crate) const FEWEST_SET_CORRECTIONS: usize = 1_000;
 /// Corrections that no longer come to this part of the one before are rounding, once they have settled.
 pub(crate) const CORRECTIONS_SHRINK: f64 = 0.5;
+/// Two orders of the interpolation that differ by more than this part leave no limit to speak of: it would have three digits,
+/// where the places are as near as rounding lets them be.
+pub(crate) const DOUBTFUL_LIMIT: f64 = 1e-3;

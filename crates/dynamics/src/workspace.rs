@@ -112,10 +112,13 @@ pub struct ScalarWorkspace<T: Scalar> {
 }
 
 impl Pose {
-    /// Room to ask for m̄ of a contact over another scalar, with the decisions of this pose.
+    /// Room to ask for m̄ of a contact over another scalar, with the decisions of this pose. Of an immovable contact 1/m̄ is
+    /// 0 to rounding.
     ///
     /// # Errors
-    /// [`ResponseError`]: a contact that means nothing; too large a cluster of bodies.
+    /// [`ResponseError`]: a contact that means nothing; one that is massless here
+    /// ([`MasslessMotion`](RouteError::MasslessMotion)); a motion of negative mass
+    /// ([`Indefinite`](RouteError::Indefinite)); too large a cluster of bodies.
     pub fn workspace_over<T: Scalar>(&self, contact: &Contact) -> Result<ScalarWorkspace<T>, ResponseError> {
         let located = self.locate(contact)?;
         let model = self.assembly.model();
@@ -128,7 +131,7 @@ impl Pose {
         Ok(ScalarWorkspace {
             assembly: Arc::clone(&self.assembly),
             groups: self.groups.clone(),
-            decisions: self.decisions(&located),
+            decisions: self.decisions(&located)?,
             base: self.base,
             contact: *contact,
             kinematics,
@@ -176,6 +179,19 @@ impl<T: Scalar> ScalarWorkspace<T> {
         let mut following = Following(&self.decisions);
         self.recursion.eliminate(model, &self.kinematics, &self.groups, &point, &mut following);
         self.recursion.response(0, 0)
+    }
+
+    /// How near the pivots of the last [`inverse_effective_mass`](Self::inverse_effective_mass) are to what a pose takes for
+    /// zero: the sum of (zero/pivot)² over those that it followed, of D and of the constraints' K, and of (pivot/zero)² over
+    /// those of plain joints that it left out.
+    ///
+    /// Decisions hold for the pose that they were made at. A lane where this is not below 1 (NaN is not) stands where
+    /// another decision is due: ask there again with [`Workspace`] or [`Pose::respond`]. Where its root is x, rounding is up
+    /// to x/256 of the nearest pivot of D: 1e-6 leaves eight digits. It costs O(n) operations and no elimination.
+    pub fn pivot_loss(&self) -> T {
+        let model = self.assembly.model();
+        let point = model.contact_point(&self.kinematics, &self.base, &self.contact).point;
+        self.recursion.pivot_loss(model, &self.kinematics, &self.groups, &point)
     }
 
     /// M over the coordinates, n×n, at the positions last given.

@@ -7,8 +7,8 @@ use crate::mobility::{Drivers, Generic, Rank, independent_rows, rank_of_rows};
 use crate::model::{Group, Model};
 use crate::rows::GroupRows;
 use crate::tolerances::{
-    CLOSED, FARTHEST, FIRST_STARTS, FIRST_STARTS_ASIDE, GENERIC_POSES, GENERIC_POSES_ENOUGH, LARGE_GROUP,
-    ROUNDING, SAME_POSE, SETTLED,
+    CLOSED, ELSEWHERE, FARTHEST, FIRST_STARTS, FIRST_STARTS_ASIDE, GENERIC_POSES, GENERIC_POSES_ENOUGH,
+    LARGE_GROUP, ROUNDING, SAME_POSE, SETTLED,
 };
 use percuss_mechanism::{ClosureKind, JointId};
 
@@ -241,71 +241,65 @@ impl Model {
         Err(AssemblyError::DoesNotClose { loops, residual: correction.residual, allowed })
     }
 
-    /// Looks for the generic rank of a group at closed poses around the first one.
-    fn look_around(&self, reference: &Kinematics<f64>, group: &Group, mut inexactness: f64) -> GroupFacts {
+    /// Looks for the generic rank of a group at closed poses around the first one: poses first, then the inexactness over
+    /// all of them, then their ranks, all by the same floor.
+    fn look_around(&self, reference: &Kinematics<f64>, group: &Group, at_first: f64) -> GroupFacts {
         let tolerance = self.closing_tolerance(reference, group);
         let all = Directions::of(&group.movable);
-        let rank_of = |kinematics: &Kinematics<f64>, inexactness: f64| {
-            let mut rows = GroupRows::default();
-            rows.fill(self, group, kinematics);
-            (rank_of_rows(&rows, group, group.floor_for(inexactness)), rows)
-        };
-        let (at_reference, reference_rows) = rank_of(reference, inexactness);
-        // Any other pose is better, since much vanishes where all joints are at 0; of those the best-conditioned.
-        let mut best = (reference.q.clone(), reference_rows, at_reference, 0.0);
-        let mut consider = |kinematics: Kinematics<f64>, inexactness: f64| {
-            let (rank, rows) = rank_of(&kinematics, inexactness);
-            if rank.rank > best.2.rank || (rank.rank == best.2.rank && rank.least > best.3) {
-                best = (kinematics.q, rows, rank, rank.least);
-            }
-        };
+        let fits = if at_first > 0.0 { (ELSEWHERE * at_first).max(tolerance) } else { tolerance };
         let enough = if group.coordinates.len() > LARGE_GROUP { 1 } else { GENERIC_POSES_ENOUGH };
-        let (mut found, mut unsettled) = (0, None);
+        let (mut found, mut unsettled, mut inexactness) = (Vec::new(), None, at_first);
         for attempt in 0..GENERIC_POSES {
             let mut kinematics = reference.clone();
             self.perturb(&mut kinematics, group, [0.2, 0.1, 0.03][attempt as usize / 4], 1000 + attempt);
             let correction = self.correct(&mut kinematics, group, all, tolerance);
-            let rounding = if inexactness > 0.0 { (2.0 * inexactness).max(1e-4 * group.size) } else { 0.0 };
-            if correction.residual > tolerance.max(rounding) {
+            if correction.residual > fits {
                 continue;
             }
             let apart = self.displacement(group, &reference.q, &kinematics.q);
             let gone = apart.iter().zip(&group.lengths).map(|(w, l)| (w * l).powi(2)).sum::<f64>().sqrt();
-            if gone < SAME_POSE * group.size || !self.is_settled(&kinematics, group, inexactness) {
+            if gone < SAME_POSE * group.size || !self.is_settled(&kinematics, group, at_first) {
                 unsettled.get_or_insert(kinematics);
                 continue;
             }
-            if inexactness > 0.0 {
+            if at_first > 0.0 {
                 inexactness = inexactness.max(correction.residual);
             }
-            consider(kinematics, inexactness);
-            found += 1;
-            if found == enough {
+            found.push(kinematics);
+            if found.len() == enough {
                 break;
             }
         }
-        if found == 0 {
+        if found.is_empty() {
             // All corrections led back to where branches cross: along one of them, then.
             let around = self.surroundings(reference, group, inexactness);
             for branch in &around.branches {
-                for reach in [0.1, 0.03, 0.01, 1e-3] {
+                let beside = [0.1, 0.03, 0.01, 1e-3].into_iter().find_map(|reach| {
                     let mut kinematics = reference.clone();
-                    if self
-                        .go_beside(&mut kinematics, &around, &branch.along, reach * around.group.size)
-                        .is_some()
-                    {
-                        consider(kinematics, inexactness);
-                        break;
-                    }
-                }
+                    let size = reach * around.group.size;
+                    self.go_beside(&mut kinematics, &around, &branch.along, size).map(|_| kinematics)
+                });
+                found.extend(beside);
             }
             // Nothing leads off: what binds beside the pose counts, though nothing closes there.
-            if let Some(kinematics) = unsettled.filter(|_| around.branches.is_empty() && !around.regular) {
-                consider(kinematics, inexactness);
+            found.extend(unsettled.filter(|_| around.branches.is_empty() && !around.regular));
+        }
+        let floor = group.floor_for(inexactness);
+        let rank_of = |kinematics: &Kinematics<f64>| {
+            let mut rows = GroupRows::default();
+            rows.fill(self, group, kinematics);
+            (rank_of_rows(&rows, group, floor), rows)
+        };
+        let (at_reference, reference_rows) = rank_of(reference);
+        // Any other pose is better, since much vanishes where all joints are at 0; of those the best-conditioned.
+        let mut best = (reference.q.clone(), reference_rows, at_reference, 0.0);
+        for kinematics in found {
+            let (rank, rows) = rank_of(&kinematics);
+            if rank.rank > best.2.rank || (rank.rank == best.2.rank && rank.least > best.3) {
+                best = (kinematics.q, rows, rank, rank.least);
             }
         }
         let (generic, rows, rank, _) = best;
-        let floor = group.floor_for(inexactness);
         let drivers = self.default_drivers(group, &rows, floor);
         let reference_is_regular = at_reference.rank == rank.rank;
         let (drawn_gaps, moved) = (Vec::new(), None);

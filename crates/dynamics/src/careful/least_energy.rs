@@ -1,4 +1,4 @@
-//! Route A's heart: the least kinetic energy at unit closing speed, for any semi-definite M and redundant A.
+//! Route A's heart: the least kinetic energy at unit closing speed, for any semi-definite M.
 
 use crate::tolerances::{IMMOVABLE, ROOT_ENERGY};
 use faer::{Mat, MatRef, Side};
@@ -10,10 +10,8 @@ pub(crate) struct LeastEnergy<'a> {
     pub mass: &'a DMatrix<f64>,
     /// For each coordinate, the size of the terms whose sum M's diagonal entry is.
     pub mass_size: &'a [f64],
-    /// A, m×n; its rows in lengths (m/s at unit rate).
+    /// The rows of A that count, as was decided group by group; m×n, of rank m.
     pub constraints: &'a DMatrix<f64>,
-    /// The rank of A, as it was decided group by group.
-    pub rank: usize,
     /// j.
     pub row: &'a [f64],
     /// For each coordinate, the size of the terms whose sum j's entry is.
@@ -114,22 +112,16 @@ impl LeastEnergy<'_> {
         (0..self.row.len()).map(scale).collect()
     }
 
-    /// An orthonormal basis of ker A in the scaled coordinates. The rank is decided where
-    /// coordinates are scaled by lengths alone: mass has no influence on it.
+    /// An orthonormal basis of ker A in the scaled coordinates.
     fn kernel(&self, scales: &[f64]) -> Mat<f64> {
         let (m, n) = self.constraints.shape();
         // faer's pivoted QR of a zero matrix is NaN.
-        if self.rank == 0 || self.constraints.amax() == 0.0 {
+        if m == 0 || self.constraints.amax() == 0.0 {
             return Mat::identity(n, n);
         }
-        let rank = self.rank.min(m).min(n);
-        // The rows that count are chosen where coordinates are scaled by lengths alone; they span the same space in any.
-        let by_length = Mat::from_fn(n, m, |r, c| self.constraints[(c, r)] / self.lengths[r]);
-        let qr = by_length.col_piv_qr();
-        let chosen = &qr.P().arrays().0[..rank];
-        let transposed = Mat::from_fn(n, rank, |r, c| self.constraints[(chosen[c], r)] * scales[r]);
+        let transposed = Mat::from_fn(n, m, |r, c| self.constraints[(c, r)] * scales[r]);
         let q = transposed.col_piv_qr().compute_Q();
-        q.get(.., rank..).to_owned()
+        q.get(.., m.min(n)..).to_owned()
     }
 
     /// |j N| / |size of j's terms|, coordinates scaled by lengths.
@@ -274,15 +266,7 @@ mod tests {
     use super::*;
 
     fn solve(mass: DMatrix<f64>, constraints: DMatrix<f64>, row: &[f64]) -> Solution {
-        let rank = match constraints.nrows() {
-            0 => 0,
-            _ => Mat::from_fn(constraints.nrows(), constraints.ncols(), |r, c| constraints[(r, c)])
-                .singular_values()
-                .expect("singular values")
-                .iter()
-                .filter(|s| **s > 1e-10)
-                .count(),
-        };
+        let constraints = independent(&constraints);
         let mass_size: Vec<f64> = (0..row.len()).map(|k| mass[(k, k)].abs().max(1e-3)).collect();
         let row_size: Vec<f64> = row.iter().map(|x: &f64| x.abs().max(1e-3)).collect();
         let lengths = vec![1.0; row.len()];
@@ -290,12 +274,22 @@ mod tests {
             mass: &mass,
             mass_size: &mass_size,
             constraints: &constraints,
-            rank,
             row,
             row_size: &row_size,
             lengths: &lengths,
         }
         .solve()
+    }
+
+    /// Independent rows, as many as there are; zeros as they stand.
+    fn independent(constraints: &DMatrix<f64>) -> DMatrix<f64> {
+        let (m, n) = constraints.shape();
+        if m == 0 || constraints.amax() == 0.0 {
+            return constraints.clone();
+        }
+        let qr = Mat::from_fn(n, m, |r, c| constraints[(c, r)]).col_piv_qr();
+        let rank = (0..m.min(n)).take_while(|&i| qr.R()[(i, i)].abs() > 1e-10).count();
+        constraints.select_rows(&qr.P().arrays().0[..rank])
     }
 
     fn none(n: usize) -> DMatrix<f64> {

@@ -29,6 +29,27 @@ impl Model {
         matrix
     }
 
+    /// The rows of A that were decided to count, group by group, each row scaled to an entry of at most 1 over the group's
+    /// scaled coordinates. Groups share no coordinate, so the rows of all are as independent as each group's own.
+    fn counting_rows(&self, kinematics: &Kinematics<f64>, groups: &[GroupMobility]) -> DMatrix<f64> {
+        let count = groups.iter().map(|known| known.pivots.rows.len()).sum();
+        let mut matrix = DMatrix::zeros(count, self.coordinates.len());
+        let mut next = 0;
+        for (group, known) in self.groups.iter().zip(groups) {
+            let rows = self.group_matrix(kinematics, group);
+            for &r in &known.pivots.rows {
+                let row = rows.row(r);
+                let largest =
+                    (0..row.len()).map(|at| (row[at] / group.lengths[at]).abs()).fold(0.0, f64::max);
+                for (at, &c) in group.coordinates.iter().enumerate() {
+                    matrix[(next, c)] = row[at] / largest;
+                }
+                next += 1;
+            }
+        }
+        matrix
+    }
+
     /// For every coordinate, how far a unit rate moves a point at `length` (m): that for turns, 1 for slides.
     pub fn coordinate_lengths(&self, length: f64) -> Vec<f64> {
         self.coordinates.iter().map(|c| if c.turns { length } else { 1.0 }).collect()
@@ -49,8 +70,7 @@ impl Model {
         LeastEnergy {
             mass: &self.mass_matrix(kinematics),
             mass_size: &self.mass_sizes(kinematics),
-            constraints: &self.constraint_matrix(kinematics),
-            rank: groups.iter().map(|g| g.rank.rank).sum(),
+            constraints: &self.counting_rows(kinematics, groups),
             row: &self.reduce_vector(&values, |multiplier| multiplier),
             row_size: &self.reduce_vector(&sizes, f64::abs),
             lengths: &self.coordinate_lengths(row.length),

@@ -12,19 +12,19 @@ impl Model {
     ///
     /// The dependent coordinates go where the residuals send them, and along the right singular vector of their Jacobian
     /// with the least singular value σ that counts by ρ/σ: ρ the rounding of the residuals, or all of them where the file
-    /// is inexact and least squares leave them.
+    /// is inexact and least squares leave them. None where that direction cannot be found.
     pub fn closing_doubt(
         &self,
         kinematics: &Kinematics<f64>,
         group: &Group,
         dependent: &[usize],
         inexactness: f64,
-    ) -> Vec<f64> {
+    ) -> Option<Vec<f64>> {
         let here = Linearised::at(self, kinematics, group);
         let directions = Directions::of(dependent);
         let jacobian = directions.jacobian(group, &here.rows);
         if dependent.is_empty() || jacobian.entries.iter().all(|(.., a)| *a == 0.0) {
-            return vec![0.0; group.coordinates.len()];
+            return Some(vec![0.0; group.coordinates.len()]);
         }
         let target: Vec<f64> = here.residuals.iter().map(|r| -r).collect();
         let far = group.bodies.iter().map(|b| kinematics.frames[*b].translation.amax()).fold(0.0, f64::max);
@@ -37,13 +37,13 @@ impl Model {
         let mut step = match regular {
             Some(step) => step,
             None if small => weak_step(&jacobian.dense(), &target, open, floor),
-            None => jacobian.shortest(&target, FAINT_SINGULAR_VALUE),
+            None => weak_step_of_many(&jacobian, &target, open, floor)?,
         };
         // No pose is uncertain by more than a radian.
         let long = step.iter().map(|x| x * x).sum::<f64>().sqrt();
         let shorten = if long > group.size { group.size / long } else { 1.0 };
         step.iter_mut().for_each(|x| *x *= shorten);
-        directions.expand(group, |k| step[k])
+        Some(directions.expand(group, |k| step[k]))
     }
 }
 
@@ -81,6 +81,33 @@ fn regular_step(jacobian: &Jacobian, target: &[f64], open: f64) -> Option<Vec<f6
     Some(step)
 }
 
+/// The same for many coordinates, by inverse iterations with sparse factors.
+fn weak_step_of_many(jacobian: &Jacobian, target: &[f64], open: f64, floor: f64) -> Option<Vec<f64>> {
+    let mut step = jacobian.shortest(target, floor);
+    let (weakest, least) = weakest_of_many(jacobian, floor)?;
+    let along: f64 = step.iter().zip(&weakest).map(|(s, w)| s * w).sum();
+    let size = (open / least).copysign(along);
+    step.iter_mut().zip(&weakest).for_each(|(s, w)| *s += size * w);
+    step.iter().all(|s| s.is_finite()).then_some(step)
+}
+
+/// The right singular vector with the least singular value that counts, and that value: J⁺J⁺ᵀ again and again.
+fn weakest_of_many(jacobian: &Jacobian, floor: f64) -> Option<(Vec<f64>, f64)> {
+    let transposed = jacobian.transposed();
+    let mut weakest: Vec<f64> = (0..jacobian.columns).map(|k| 1.0 + 0.1 * (k % 64) as f64).collect();
+    let mut growth = norm(&weakest);
+    for _ in 0..INVERSE_ITERATIONS {
+        weakest.iter_mut().for_each(|x| *x /= growth);
+        weakest = jacobian.shortest(&transposed.shortest(&weakest, floor), floor);
+        growth = norm(&weakest);
+        if !(growth.is_finite() && growth > 0.0) {
+            return None;
+        }
+    }
+    weakest.iter_mut().for_each(|x| *x /= growth);
+    Some((weakest, 1.0 / growth.sqrt()))
+}
+
 /// The step that closes to first order, and `open` over the least singular value that counts along its vector.
 fn weak_step(jacobian: &faer::Mat<f64>, target: &[f64], open: f64, floor: f64) -> Vec<f64> {
     let n = jacobian.ncols();
@@ -96,4 +123,34 @@ fn weak_step(jacobian: &faer::Mat<f64>, target: &[f64], open: f64, floor: f64) -
         *last += (open / values[count - 1]).copysign(*last);
     }
     (0..n).map(|k| (0..count).map(|i| svd.V()[(k, i)] * step[i]).sum()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_weakest_direction_of_many_is_that_of_the_singular_values() {
+        // A band, one column of which all but repeats its neighbour; and some rows twice.
+        let (n, twice) = (90, 12);
+        let entry = |r: usize, c: usize| match r.abs_diff(c) {
+            0 => 2.0 + (r as f64).sin(),
+            1 => 0.4,
+            _ => 0.0,
+        };
+        for weak in [1e-1, 1e-3, 1e-5] {
+            let column = |r: usize, c: usize| match c {
+                40 => entry(r, 41) + weak * entry(r, 40),
+                _ => entry(r, c),
+            };
+            let rows = (0..n + twice).map(|r| if r < n { r } else { 3 * (r - n) });
+            let entries = rows.enumerate().flat_map(|(row, r)| (0..n).map(move |c| (row, c, column(r, c))));
+            let jacobian =
+                Jacobian { rows: n + twice, columns: n, entries: entries.filter(|e| e.2 != 0.0).collect() };
+            let values = jacobian.dense().singular_values().expect("singular values");
+            let (weakest, least) = weakest_of_many(&jacobian, FAINT_SINGULAR_VALUE).expect("a direction");
+            assert!((least / values[n - 1] - 1.0).abs() < 0.05, "{weak:e}: {least:e}, {:e}", values[n - 1]);
+            assert!(norm(&jacobian.times(&weakest)) < 1.1 * values[n - 1], "{weak:e}");
+        }
+    }
 }

@@ -17,6 +17,12 @@ pub(crate) struct Jacobian {
 }
 
 impl Jacobian {
+    /// Jᵀ.
+    pub fn transposed(&self) -> Self {
+        let entries = self.entries.iter().map(|&(r, c, a)| (c, r, a)).collect();
+        Self { rows: self.columns, columns: self.rows, entries }
+    }
+
     /// J x.
     pub fn times(&self, x: &[f64]) -> Vec<f64> {
         let mut product = vec![0.0; self.rows];

@@ -49,7 +49,7 @@ impl<T: Scalar> SparseRows<T> {
         }
     }
 
-    fn entry(&self, row: usize, column: usize) -> Option<T> {
+    pub fn entry(&self, row: usize, column: usize) -> Option<T> {
         let entries = &self.rows[row];
         entries.binary_search_by_key(&column, |(c, _)| *c).ok().map(|at| entries[at].1)
     }

@@ -21,6 +21,8 @@ pub(crate) struct Pivots {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct GroupMobility {
     pub rank: Rank,
+    /// What counts as zero here, as a part of the largest: rows, and a motion that they leave, are not known better.
+    pub floor: f64,
     pub pivots: Pivots,
     /// Coordinates (by index into the group's) that do not depend, ascending.
     pub independent: Vec<usize>,
@@ -66,6 +68,7 @@ impl Model {
             *decided = decide_large(&room.rows, group, floor);
             return;
         }
+        decided.floor = floor;
         let seen = room.eliminate(group, floor, group.rows.min(n), &mut decided.pivots);
         let count = decided.pivots.rows.len();
         let sure = expected == Some(count)
@@ -127,7 +130,7 @@ fn decide_large(rows: &GroupRows<f64>, group: &Group, floor: f64) -> GroupMobili
             clear: least > RANK_MARGIN * floor * scale && left < floor * scale / RANK_MARGIN,
         }
     };
-    GroupMobility { rank, pivots, independent, sizes: Vec::new() }
+    GroupMobility { rank, floor, pivots, independent, sizes: Vec::new() }
 }
 
 /// What complete pivoting met.
@@ -228,6 +231,8 @@ pub(crate) struct Rates<T: Scalar> {
     pub values: Vec<T>,
     /// How many are independent.
     pub count: usize,
+    /// The pivots in their order, where they are eliminated densely.
+    pivots: Vec<T>,
 }
 
 impl<T: Scalar> Default for Rates<T> {
@@ -238,6 +243,7 @@ impl<T: Scalar> Default for Rates<T> {
             sparse: SparseRows::default(),
             values: Vec::new(),
             count: 0,
+            pivots: Vec::new(),
         }
     }
 }
@@ -253,6 +259,7 @@ impl<T: Scalar> Rates<T> {
             self.values[c * self.count + y] = T::one();
         }
         self.rows.fill(model, group, kinematics);
+        self.pivots.clear();
         if n > DENSE_LIMIT {
             self.sparse.load(group.rows, n, |add| self.rows.for_each(group, add));
             let Pivots { rows, columns } = &known.pivots;
@@ -261,6 +268,7 @@ impl<T: Scalar> Rates<T> {
         }
         self.rows.dense_into(group, &mut self.dense);
         for (&r, &c) in known.pivots.rows.iter().zip(&known.pivots.columns) {
+            self.pivots.push(self.dense[r * n + c]);
             let over = T::one() / self.dense[r * n + c];
             for k in 0..n {
                 self.dense[r * n + k] *= over;
@@ -278,5 +286,21 @@ impl<T: Scalar> Rates<T> {
                 self.values[c * self.count + y] = -self.dense[r * n + free];
             }
         }
+    }
+
+    /// The sum of (zero/pivot)² over the pivots that were last eliminated, over coordinates scaled by lengths; zero is the
+    /// group's floor of the size of A.
+    pub fn pivot_loss(&self, group: &Group, known: &GroupMobility) -> T {
+        let over = |c: usize| T::from_f64(1.0 / group.lengths[c]);
+        let mut square = T::zero();
+        self.rows.for_each(group, |_, c, a| square += a * a * over(c) * over(c));
+        let zero = T::from_f64(known.floor * known.floor) * square;
+        let mut loss = T::zero();
+        for (i, (&r, &c)) in known.pivots.rows.iter().zip(&known.pivots.columns).enumerate() {
+            let dense = || self.pivots.get(i).copied();
+            let pivot = dense().or_else(|| self.sparse.entry(r, c)).unwrap_or_else(T::zero) * over(c);
+            loss += zero / (pivot * pivot);
+        }
+        loss
     }
 }

@@ -16,6 +16,7 @@ mod budget;
 mod cluster;
 mod elimination;
 mod joint;
+mod loss;
 mod pivoting;
 
 pub(crate) use elimination::{ClusterElimination, JointElimination, Motion};
