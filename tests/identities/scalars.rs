@@ -268,7 +268,9 @@ fn lanes_tell_where_a_pivot_has_fallen() {
         .pose(system.configuration().set(system.mechanism().joints()[1].name(), &[0.8]).expect("a joint"));
     let pose = pose.expect("a tree poses");
     let mut lanes = pose.workspace_over::<Lanes>(&contact).expect("an answer");
-    lanes.set_positions(&four_at(pose.positions(), 1, [0.8, 1.9, std::f64::consts::PI, 2.5])).expect("positions that fit");
+    lanes
+        .set_positions(&four_at(pose.positions(), 1, [0.8, 1.9, std::f64::consts::PI, 2.5]))
+        .expect("positions that fit");
     let inverses = lanes.inverse_effective_mass().0;
     let losses = lanes.pivot_loss().0;
     assert!(losses[0].max(losses[1]).max(losses[3]) < 1e-12, "{losses:?}, {inverses:?}");

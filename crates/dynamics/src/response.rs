@@ -26,6 +26,8 @@ pub struct ContactResponse {
     /// Why the careful route was asked beside the recursion; none where it was not, or a route was asked for. The answer
     /// is the recursion's all the same where the careful route had none better.
     pub careful_reason: Option<CarefulReason>,
+    /// Whether the recursion's m̄ was held to the stationary value of its energy, where its pivots add up too much.
+    pub held_to_energy: bool,
     /// What m̄ may be off by, kg; none unless finite.
     pub error: Option<ErrorBudget>,
     /// dim ker A at the pose; a floating base's 6 included.
@@ -200,6 +202,7 @@ impl Asked<'_> {
             effective_mass: found.mass,
             route: found.route,
             careful_reason: found.careful_reason,
+            held_to_energy: found.route == Route::Articulated && found.errors.stationary.is_some(),
             error,
             degrees_of_freedom: model.coordinates.len() - rank.rank,
             singular_pose: rank.singular,

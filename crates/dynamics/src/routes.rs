@@ -10,7 +10,7 @@ use crate::model::Model;
 use crate::outcome::{CarefulReason, EffectiveMass, Remark, Route, RouteChoice, RouteError};
 use crate::recursion::{Deciding, Motion, Recursion};
 use crate::tolerances::{
-    CAREFUL_LIMIT, IMMOVABLE, NEARLY_IMMOVABLE, NOTHING_LEFT, ROUTE_ROUNDINGS, TRUSTED_ERROR, VAGUE_RESPONSE,
+    CAREFUL_LIMIT, IMMOVABLE, NEARLY_IMMOVABLE, NOTHING_LEFT, ROUTE_ROUNDINGS, TRUSTED_ERROR,
 };
 use nalgebra::Vector3;
 use percuss_spatial::{Twist, Wrench};
@@ -83,7 +83,7 @@ impl RecursionRoom {
         !self.deciding.indefinite
             && matches!(self.mass(), EffectiveMass::Finite(_))
             && self.closing_speed > NEARLY_IMMOVABLE
-            && most <= VAGUE_RESPONSE * self.recursion.response(0, 0)
+            && most <= TRUSTED_ERROR * self.recursion.response(0, 0)
     }
 
     /// Why the recursion's answer, with these errors, does not stand alone; none where it does.

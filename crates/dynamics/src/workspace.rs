@@ -17,7 +17,7 @@ use percuss_spatial::{Scalar, SpatialInertia, Transform, Wrench};
 use std::sync::Arc;
 
 /// Room to pose a system again and again and to ask for m̄: trees, mimics, loops and held contacts. Nothing is allocated
-/// where the recursion answers.
+/// where the recursion answers by itself.
 #[derive(Debug)]
 pub struct Workspace {
     assembly: Arc<Assembly>,
