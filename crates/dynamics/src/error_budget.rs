@@ -112,6 +112,13 @@ pub(crate) struct BudgetRoom {
     multipliers: MultiplierRoom,
 }
 
+impl BudgetRoom {
+    /// Whether errors were counted before, so that there is room for them.
+    pub fn is_filled(&self) -> bool {
+        !self.frames.of.is_empty()
+    }
+}
+
 /// What an error budget is asked about: a route's answer to a unit impulse along the normal.
 pub(crate) struct UnitImpulse<'a> {
     pub model: &'a Model,

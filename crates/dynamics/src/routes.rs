@@ -148,7 +148,8 @@ impl Question<'_> {
     /// m̄ after the recursion ran, as [`Self::answer`] by the automatic choice has it; allocates nothing where the
     /// recursion answers.
     pub fn effective_mass(&self, room: &mut RecursionRoom) -> Result<EffectiveMass, RouteError> {
-        if room.is_clear() {
+        // Errors are counted once, for the room that they take to be there when they are needed.
+        if room.is_clear() && room.budget.is_filled() {
             return Ok(room.mass());
         }
         let errors = self.recursion_errors(room);
