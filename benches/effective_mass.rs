@@ -2,10 +2,11 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use percuss_benches::subjects;
+use percuss_benches::{CpuTime, criterion};
 use percuss_dynamics::{EffectiveMass, Route, RouteChoice};
 use std::hint::black_box;
 
-fn routes(criterion: &mut Criterion) {
+fn routes(criterion: &mut Criterion<CpuTime>) {
     for subject in subjects() {
         let (system, contact) = (&subject.system, &subject.contact);
         let mut workspace = system.workspace();
@@ -28,5 +29,5 @@ fn routes(criterion: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, routes);
+criterion_group!(name = benches; config = criterion(); targets = routes);
 criterion_main!(benches);

@@ -2,13 +2,14 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use percuss_benches::double_wishbone;
+use percuss_benches::{CpuTime, criterion};
 use percuss_dynamics::{EffectiveMass, RouteChoice};
 use std::hint::black_box;
 
 /// Steps of the sweep, there and back: 1 mrad each.
 const STEPS: usize = 200;
 
-fn linkage(criterion: &mut Criterion) {
+fn linkage(criterion: &mut Criterion<CpuTime>) {
     let (system, contact, driver) = double_wishbone();
     let at = |step: usize| {
         let step = (step % (2 * STEPS)) as f64;
@@ -53,5 +54,5 @@ fn linkage(criterion: &mut Criterion) {
     });
 }
 
-criterion_group!(benches, linkage);
+criterion_group!(name = benches; config = criterion(); targets = linkage);
 criterion_main!(benches);

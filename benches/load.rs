@@ -1,10 +1,11 @@
 //! A URDF of 1,000 links: our loader with all its checks, beside urdf-rs alone.
 
 use criterion::{Criterion, criterion_group, criterion_main};
+use percuss_benches::{CpuTime, criterion};
 use percuss_benches::{chain_urdf, loaded};
 use std::hint::black_box;
 
-fn load(criterion: &mut Criterion) {
+fn load(criterion: &mut Criterion<CpuTime>) {
     let text = chain_urdf(1000);
     assert_eq!(loaded(&text).links().len(), 1000);
     criterion.bench_function("load/percuss", |b| b.iter(|| black_box(loaded(black_box(&text)))));
@@ -13,5 +14,5 @@ fn load(criterion: &mut Criterion) {
     });
 }
 
-criterion_group!(benches, load);
+criterion_group!(name = benches; config = criterion(); targets = load);
 criterion_main!(benches);

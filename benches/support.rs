@@ -1,5 +1,9 @@
 //! What the benchmarks share: a system with configurations to go through.
 
+mod cpu_time;
+
+pub use cpu_time::{CpuTime, criterion};
+
 use percuss_dynamics::{Conditions, Contact, Direction, System};
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions, Source, load};
 use percuss_mechanism::Mechanism;
