@@ -1,11 +1,13 @@
 """Whether the other engines bounce as asked with the parameters that `percuss damp` writes for them.
 
-    engines_check.py --percuss PATH [--only TOOL]…     prints a table and `N passed, N failed`
+    engines_check.py --percuss PATH [--only MODULE]… [--without MODULE]…     prints a table and `N passed, N failed`
 
-Each module of `engines` whose program is installed is run: a ball and pendulums, e = 0.2, 0.5, 0.8, five phases, at the step that
-percuss exports, at twice and at half of it; and with the struck body's own mass in place of the effective mass."""
+Each module of `engines` is run (one whose program is not installed fails): a ball, pendulums, and a four-bar where the tool
+closes loops; e = 0.2, 0.5, 0.8, five phases, at the step that percuss exports, at twice and at half of it; and with the struck
+body's own mass in place of the effective mass. Snippets are given to the tool. Run from the repository's root."""
 
 import argparse
+import dataclasses
 import importlib
 import pkgutil
 import sys
@@ -15,15 +17,21 @@ from pathlib import Path
 
 import engines
 from impacts import answer, damp
-from scenes import BALL, PENDULUMS, Refused
+from scenes import BALL, FOUR_BAR, PENDULUMS, Absent, Refused
 from tally import Tally
 
 RESTITUTIONS = (0.2, 0.5, 0.8)
 STEPS = (1.0, 2.0, 0.5)
 # Of the effective mass by closed form.
 MASS = 1e-12
+# The stiffness where the exponent of the spring is not 1, N/m^1.5.
+HERTZ = 1e8
 # A scene's name: the module's function and what it is given.
-SCENES = {"ball": ("ball", BALL)} | {f"pendulum, rotor {p.rotor}": ("pendulum", p) for p in PENDULUMS}
+SCENES = (
+    {"ball": ("ball", BALL)}
+    | {f"pendulum, rotor {p.rotor}": ("pendulum", p) for p in PENDULUMS}
+    | {"four-bar": ("four_bar", FOUR_BAR)}
+)
 
 
 def export(report, tool):
@@ -36,17 +44,49 @@ class Check:
         self.tally, self.lines = Tally(), []
 
     def engine(self, module):
-        tool, engine = module.TOOL, module.engine()
+        tool = module.TOOL
+        try:
+            engine = module.engine()
+        except Absent as absent:
+            if getattr(module, "BY_HAND", False):
+                print(f"{tool}: not run; install {absent}")
+                return
+            self.tally.check("the engine is installed", module.__name__, False, f"install {absent}")
+            return
         for scene, (function, what) in SCENES.items():
-            run = getattr(module, function)
+            run = getattr(module, function, None)
+            if not run:
+                continue
             contact = what.contact(self.folder)
+            if exponent := getattr(module, "EXPONENT", None):
+                flags = (*contact.flags, "--exponent", repr(exponent))
+                contact = dataclasses.replace(contact, flags=flags, stiffness=HERTZ)
             for e in RESTITUTIONS:
-                report = damp(self.percuss, contact, e, "--for", tool)
-                if function == "pendulum":
+                report = damp(self.percuss, contact, e, "--for", "all")
+                if function == "ball":
+                    self.snippets(module, f"{engine}, e = {e}", export(report, tool))
+                else:
                     deviation = abs(report["effective_mass"] / what.effective_mass - 1)
                     self.tally.within("effective mass by closed form", f"{scene}, e = {e}", deviation, MASS)
                 for name, solver in module.SOLVERS.items():
                     self.runs(tool, engine, name, scene, report, contact, lambda p: run(p, solver, what, contact.speed))
+
+    def snippets(self, module, where, given):
+        """What is to paste, given to the tool."""
+        seen = set()
+        for snippet in given["snippets"]:
+            language = snippet["language"]
+            if reader := getattr(module, "SNIPPETS", {}).get(language):
+                seen.add(language)
+                wrong = ""
+                try:
+                    reader(snippet["text"], given["parameters"])
+                except Exception as error:  # whatever a foreign reader raises is the answer looked for
+                    wrong = f"{type(error).__name__}: {error}"
+                self.tally.check(f"snippets: {module.TOOL}, {language}", f"{where}, {snippet['title']}", not wrong, wrong)
+        if not given["error"]:
+            missing = set(getattr(module, "SNIPPETS", {})) - seen
+            self.tally.check("snippets: none is missing", where, not missing, f"{missing}")
 
     def runs(self, tool, engine, solver, scene, report, contact, run):
         """A scene at three steps, each within the bound that percuss states there, and within what the export says was measured."""
@@ -62,7 +102,7 @@ class Check:
             here = given
             if factor != 1.0 and given["time_step"]:
                 step = repr(factor * given["time_step"])
-                here = export(damp(self.percuss, contact, e, "--for", tool, "--time-step", step), tool)
+                here = export(damp(self.percuss, contact, e, "--for", "all", "--time-step", step), tool)
             if here["error"]:
                 line += f"  {'refused':>8}"
                 continue
@@ -76,13 +116,15 @@ class Check:
             if here["error_bound"]:
                 self.tally.within(f"within the stated bound: {tool} {solver}", f"{where}, step × {factor}", error / here["error_bound"], 1.0)
             if factor == 1.0 and measured:
-                known = measured[0]["worst"][RESTITUTIONS.index(e)]
-                self.tally.within(f"as measured before: {tool} {solver}", where, error / known, 1.0)
+                # None: refused in another scene, or not run.
+                if known := measured[0]["worst"][RESTITUTIONS.index(e)]:
+                    self.tally.within(f"as measured before: {tool} {solver}", where, error / known, 1.0)
             if not given["time_step"]:
                 break
         own = answer(
             self.percuss, "damp", "--mass", repr(SCENES[scene][1].own_mass), "--own-mass", repr(SCENES[scene][1].own_mass),
-            "--restitution", repr(e), "--stiffness", repr(contact.stiffness), "--speed", repr(contact.speed), "--for", tool,
+            "--restitution", repr(e), "--stiffness", repr(contact.stiffness), "--speed", repr(contact.speed), "--for", "all",
+            *(contact.flags[-2:] if "--exponent" in contact.flags else ()),
         )
         own = export(own, tool)
         if not own["error"]:
@@ -98,12 +140,14 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--percuss", required=True)
     parser.add_argument("--only", action="append", default=[])
+    parser.add_argument("--without", action="append", default=[])
     arguments = parser.parse_args()
     started = time.monotonic()
     with tempfile.TemporaryDirectory() as folder:
         check = Check(arguments.percuss, Path(folder))
         for found in pkgutil.iter_modules(engines.__path__):
-            if not arguments.only or found.name in arguments.only:
+            wanted = not arguments.only or found.name in arguments.only
+            if wanted and found.name not in arguments.without and not found.name.startswith("_"):
                 check.engine(importlib.import_module(f"engines.{found.name}"))
     return check.tally.report(time.monotonic() - started)
 

@@ -12,6 +12,10 @@ class Refused(Exception):
     """The tool cannot have this scene."""
 
 
+class Absent(Exception):
+    """The engine is not on this machine; says what to install."""
+
+
 @dataclasses.dataclass(frozen=True)
 class Ball:
     """Flies along z against a wall that stands still; no gravity, no friction, no spin."""
@@ -80,6 +84,53 @@ class Pendulum:
         )
 
 
+@dataclasses.dataclass(frozen=True)
+class FourBar:
+    """models/four_bar.urdf as it is drawn, in the x-y plane: a sphere of `radius` about the coupler's point strikes a wall below it
+    (surface normal +y). `bodies` has mass, inertia about the centre of mass along z (the same may be taken for all axes), the
+    centre of mass, and the rate over the crank's; `hinges`, all along z, two bodies (None: the ground) and where. No gravity."""
+
+    radius: float = 0.02
+    point: tuple = (0.35, 0.4)
+    struck: str = "coupler"
+    own_mass: float = 4.8
+    effective_mass: float = 417304 / 6125
+    # The crank's rate per approach speed of the point, rad/m.
+    crank_rate: float = 12.0
+    bodies = {
+        "crank": (2.0, 0.015, (0.0, 0.15), 1.0),
+        "coupler": (4.8, 0.1, (0.2, 0.45), -5 / 21),
+        "rocker": (3.0, 0.105625, (0.525, 0.3), 8 / 21),
+    }
+    hinges = (
+        ("crank", None, (0.0, 0.0)),
+        ("coupler", "crank", (0.0, 0.3)),
+        ("coupler", "rocker", (0.4, 0.6)),
+        ("rocker", None, (0.65, 0.0)),
+    )
+
+    def contact(self, folder):
+        """Stiff and slow, so that the effective mass hardly changes while it lasts."""
+        where = ("--link", "coupler", "--point", "0.35,0.1,0", "--normal", "0,1,0", "--own-mass", repr(self.own_mass))
+        return Contact(("--mass-from", "models/four_bar.urdf", *where), 1e6, 2e-3)
+
+
 BALL = Ball(2.0, 0.05)
+FOUR_BAR = FourBar()
 # m̄ = 1.5 and 3.75 kg, of a body of 2 kg.
 PENDULUMS = [Pendulum(2.0, 0.3, 0.06, 0.4, 0.02, rotor) for rotor in (0.0, 0.36)]
+
+
+def velocities(four_bar, speed):
+    """(x and y of the centre of mass's velocity, rate) of each body when the point approaches the wall at `speed`."""
+    crank = four_bar.crank_rate * speed
+    anchors = {"crank": (0.0, 0.0), "rocker": (0.65, 0.0)}
+    moving = {}
+    for name, (_, _, (x, y), ratio) in four_bar.bodies.items():
+        rate = ratio * crank
+        if name in anchors:
+            u, w = x - anchors[name][0], y - anchors[name][1]
+            moving[name] = ((-w * rate, u * rate), rate)
+        else:  # about the crank's pin at (0, 0.3), which moves with the crank
+            moving[name] = ((-0.3 * crank - (y - 0.3) * rate, x * rate), rate)
+    return moving
