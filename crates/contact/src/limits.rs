@@ -109,3 +109,13 @@ pub(crate) const MUJOCO_IMPEDANCE: f64 = 0.9999;
 pub(crate) const SIMSCAPE_ERROR_PER_WIDTH: f64 = 0.16;
 /// The greatest transition width, in units of v/ω, for which that bound holds.
 pub(crate) const SIMSCAPE_WIDEST: f64 = 0.1;
+/// The rebound, m/s, below which DART lets a contact not bounce (DART_BOUNCING_VELOCITY_THRESHOLD).
+pub(crate) const DART_SLOWEST: f64 = 0.1;
+/// The product of the restitutions up to which it does not either (DART_RESTITUTION_COEFF_THRESHOLD).
+pub(crate) const DART_LEAST: f64 = 1.1e-3;
+/// The fastest rebound, m/s (DART_MAX_BOUNCING_VELOCITY).
+pub(crate) const DART_FASTEST: f64 = 100.0;
+/// The speed, m/s, at which DART removes overlap (DART_MAX_ERV): what is left of a contact that does not bounce.
+pub(crate) const DART_CORRECTION: f64 = 1e-3;
+/// What DART's constraint force mixing (DART_CFM, 1e-5) takes from e for each 1 + e, and a tenth for rounding.
+pub(crate) const DART_SOFTENING: f64 = 1.1e-5;

@@ -15,6 +15,16 @@ fn request(restitution: f64) -> Request {
     }
 }
 
+/// One that the tool has an answer for: OpenSim's spring is Hertz's, and DART has no slow rebounds.
+fn request_for(tool: Tool, restitution: f64) -> Request {
+    let request = request(restitution);
+    match tool.name() {
+        "opensim" => Request { contact: request.contact.with_exponent(1.5).unwrap(), ..request },
+        "dart" => request.at(1.0),
+        _ => request,
+    }
+}
+
 fn numbers(export: &Export, name: &str) -> Vec<f64> {
     match export.parameter(name).unwrap_or_else(|| panic!("{}: no {name}", export.tool)) {
         Value::Number(number) => vec![*number],
@@ -319,12 +329,28 @@ fn simscape_and_rapier_say_what_they_are_told() {
 }
 
 #[test]
+fn dart_multiplies_and_refuses_what_it_lets_die() {
+    let export = Tool::DART.export(&request(0.5)).unwrap();
+    assert_eq!(number(&export, "RestitutionCoeff") * number(&export, "RestitutionCoeff_other"), 0.5);
+    // Its softening takes (1 + e)·1e-5.
+    assert!((1.5e-5..2e-5).contains(&export.error_bound.unwrap()));
+    for (e, speed) in [(0.5, 0.19), (0.2, 0.4), (1e-3, 200.0), (0.5, 201.0)] {
+        let error = Tool::DART.export(&request(e).at(speed)).unwrap_err();
+        assert!(matches!(error, ExportError::Unreachable { .. }), "{e} at {speed}: {error}");
+    }
+    let dead = Tool::DART.export(&request(0.0)).unwrap();
+    close(dead.error_bound.unwrap(), 1e-3 / SPEED, 1e-15);
+    let unknown = Tool::DART.export(&Request { speed: None, ..request(0.5) }).unwrap();
+    assert!(unknown.error_bound.is_none() && unknown.missing.len() == 1);
+}
+
+#[test]
 fn every_snippet_is_well_formed_and_holds_the_numbers_in_full() {
     let mut seen = 0;
     for tool in Tool::ALL {
         for e in [0.2, 0.5, 0.8] {
             for loops in [false, true] {
-                let mut request = request(e);
+                let mut request = request_for(tool, e);
                 request.options.constrained = loops;
                 let export = tool.export(&request).unwrap();
                 assert!(
@@ -356,7 +382,7 @@ fn well_formed(language: &str, text: &str) {
         "xml" => {
             roxmltree::Document::parse(text).unwrap_or_else(|error| panic!("{error}: {text}"));
         }
-        "python" | "cpp" | "rust" => {
+        "python" | "cpp" | "rust" | "javascript" => {
             for (open, shut) in [('(', ')'), ('{', '}'), ('[', ']')] {
                 assert_eq!(text.matches(open).count(), text.matches(shut).count(), "{text}");
             }
@@ -387,7 +413,7 @@ fn a_curved_spring_is_for_those_that_have_one() {
     for tool in Tool::ALL {
         let answer = tool.export(&Request { contact: curved, ..request(0.5) });
         match tool.name() {
-            "adams" | "rapier" => assert!(answer.is_ok(), "{tool}"),
+            "adams" | "rapier" | "dart" => assert!(answer.is_ok(), "{tool}"),
             _ => assert!(matches!(answer, Err(ExportError::Exponent { .. })), "{tool}: {answer:?}"),
         }
     }

@@ -52,6 +52,7 @@ tools! {
     CHRONO: chrono,
     ADAMS: adams,
     SIMSCAPE: simscape,
+    DART: dart,
 }
 
 impl Tool {
