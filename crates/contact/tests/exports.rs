@@ -345,6 +345,20 @@ fn dart_multiplies_and_refuses_what_it_lets_die() {
 }
 
 #[test]
+fn opensim_takes_the_dissipation_number_and_hertz() {
+    for e in [0.05, 0.2, 0.5, 0.8, 0.95] {
+        let export = Tool::OPENSIM.export(&request_for(Tool::OPENSIM, e)).unwrap();
+        let number_of = 1.5 * number(&export, "dissipation") * SPEED;
+        close(hunt_crossley::restitution(number_of).unwrap(), e, 1e-12);
+        // Simbody's 4/3 E √(R E) of two moduli stiffness^(2/3) in series, here with R = 1 m.
+        let modulus = number(&export, "stiffness·sqrt(R)").powf(2.0 / 3.0) / 2.0;
+        close(4.0 / 3.0 * modulus * modulus.sqrt(), STIFFNESS, 1e-14);
+    }
+    let error = Tool::OPENSIM.export(&request(0.5)).unwrap_err().to_string();
+    assert!(error.contains("1.5"), "{error}");
+}
+
+#[test]
 fn every_snippet_is_well_formed_and_holds_the_numbers_in_full() {
     let mut seen = 0;
     for tool in Tool::ALL {

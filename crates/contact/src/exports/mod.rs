@@ -53,6 +53,7 @@ tools! {
     ADAMS: adams,
     SIMSCAPE: simscape,
     DART: dart,
+    OPENSIM: opensim,
 }
 
 impl Tool {
