@@ -123,3 +123,9 @@ pub(crate) const DART_SOFTENING: f64 = 1.1e-5;
 pub(crate) const OPENSIM_ACCURACY: f64 = 1e-5;
 /// Error bound of the restitution stated for OpenSim, of the accuracy asked for: measured 0.02.
 pub(crate) const OPENSIM_ERROR: f64 = 0.1;
+/// The greatest ωh up to which Exudyn's error bound was measured: twice [`LONGEST_STEP`].
+pub(crate) const EXUDYN_LONGEST_STEP: f64 = 2.0 * LONGEST_STEP;
+/// Exudyn's iteration tolerance of contacts over k v h: a hundredth of a step's travel.
+pub(crate) const EXUDYN_TOLERANCE: f64 = 0.01;
+/// Its iterations of contacts, at most.
+pub(crate) const EXUDYN_TURNS: f64 = 10.0;

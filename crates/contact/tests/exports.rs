@@ -358,6 +358,48 @@ fn opensim_takes_the_dissipation_number_and_hertz() {
     assert!(error.contains("1.5"), "{error}");
 }
 
+/// kx + cv while x > 0 by the trapezoidal rule, as Exudyn's: the contact is there where a step ends inside. Gives v⁺.
+fn trapezoidal(k: f64, c: f64, mass: f64, h: f64) -> impl Fn(f64, f64) -> f64 {
+    move |x, v| {
+        let (now, half) = (if x > 0.0 { k * x + c * v } else { 0.0 }, h / 2.0 / mass);
+        // Inside at the end: v⁺ = v − half (now + k x⁺ + c v⁺), x⁺ = x + h (v + v⁺)/2.
+        let inside = (v - half * (now + k * (x + h * v / 2.0))) / (1.0 + half * (c + k * h / 2.0));
+        if x + h * (v + inside) / 2.0 > 0.0 { inside } else { v - half * now }
+    }
+}
+
+#[test]
+fn exudyn_bounces_as_asked_with_the_half_period() {
+    for e in RESTITUTIONS {
+        for accuracy in [1e-2, 1e-3, 1e-4] {
+            let mut request = request(e);
+            request.options.accuracy = accuracy;
+            let export = Tool::EXUDYN.export(&request).unwrap();
+            let (k, c) = (number(&export, "contactStiffness"), number(&export, "contactDamping"));
+            let ratio = c / (2.0 * (k * MASS).sqrt());
+            close(kelvin_voigt::restitution(ratio, Separation::GapCloses).unwrap(), e, 1e-12);
+            let (h, bound) = (export.time_step.unwrap(), export.error_bound.unwrap());
+            assert!(bound <= accuracy * (1.0 + 1e-12), "{e}: {bound:e}");
+            let next = trapezoidal(k, c, MASS, h);
+            let mut found: f64 = 0.0;
+            for phase in 0..40 {
+                let (mut x, mut v) = (-(f64::from(phase) + 0.5) / 40.0 * h, 1.0);
+                while x >= 0.0 || v > 0.0 {
+                    let after = next(x, v);
+                    x += h * (v + after) / 2.0;
+                    v = after;
+                }
+                found = found.max((-v - e).abs());
+            }
+            assert!(found <= bound, "{e} {accuracy}: {found:e}, bound {bound:e}");
+        }
+    }
+    let mut request = request(0.5);
+    request.options.time_step = Some(0.21 / (STIFFNESS / MASS).sqrt());
+    let error = Tool::EXUDYN.export(&request).unwrap_err();
+    assert!(matches!(error, ExportError::StepTooCoarse { .. }), "{error}");
+}
+
 #[test]
 fn every_snippet_is_well_formed_and_holds_the_numbers_in_full() {
     let mut seen = 0;

@@ -54,6 +54,7 @@ tools! {
     SIMSCAPE: simscape,
     DART: dart,
     OPENSIM: opensim,
+    EXUDYN: exudyn,
 }
 
 impl Tool {
