@@ -418,6 +418,27 @@ fn exudyn_bounces_as_asked_with_the_half_period() {
 }
 
 #[test]
+fn newton_bounces_as_asked_with_a_damper_on_approach() {
+    for e in RESTITUTIONS {
+        for accuracy in [1e-2, 1e-3, 1e-4] {
+            let mut request = request(e);
+            request.options.accuracy = accuracy;
+            let export = Tool::NEWTON.export(&request).unwrap();
+            let (k, c) = (number(&export, "ke"), number(&export, "kd"));
+            let (h, bound) = (export.time_step.unwrap(), export.error_bound.unwrap());
+            let engine =
+                move |x: f64, v: f64| if x > 0.0 { v - h / MASS * (k * x + c * v.max(0.0)) } else { v };
+            let found = worst(e, h, engine);
+            assert!(
+                found <= bound && bound <= accuracy * (1.0 + 1e-12),
+                "{e} {accuracy}: {found:e}, bound {bound:e}"
+            );
+            assert_eq!(number(&export, "restitution"), e);
+        }
+    }
+}
+
+#[test]
 fn every_snippet_is_well_formed_and_holds_the_numbers_in_full() {
     let mut seen = 0;
     for tool in Tool::ALL {
@@ -446,7 +467,7 @@ fn every_snippet_is_well_formed_and_holds_the_numbers_in_full() {
             }
         }
     }
-    assert!(seen > 110, "{seen}");
+    assert!(seen > 120, "{seen}");
 }
 
 fn well_formed(language: &str, text: &str) {

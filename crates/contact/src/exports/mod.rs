@@ -55,6 +55,7 @@ tools! {
     DART: dart,
     OPENSIM: opensim,
     EXUDYN: exudyn,
+    NEWTON: newton,
     JOLT: jolt,
 }
 
