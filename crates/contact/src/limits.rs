@@ -138,3 +138,5 @@ pub(crate) const EXUDYN_LONGEST_STEP: f64 = 2.0 * LONGEST_STEP;
 pub(crate) const EXUDYN_TOLERANCE: f64 = 0.01;
 /// Its iterations of contacts, at most.
 pub(crate) const EXUDYN_TURNS: f64 = 10.0;
+/// The position iterations for which TGS's damping is exported: Isaac Lab's assets mostly have 4.
+pub(crate) const TGS_POSITION_ITERATIONS: f64 = 4.0;

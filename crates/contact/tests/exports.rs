@@ -134,10 +134,13 @@ fn implicit_engines_bounce_as_asked() {
                 }
                 "gazebo" => (number(&export, "kp") / 2.0, number(&export, "kd") * 2.0),
                 "physx" => {
-                    close(number(&export, "acceleration_stiffness") * MASS, STIFFNESS, 1e-14);
-                    let damping = number(&export, "compliant_contact_damping");
-                    close(number(&export, "acceleration_damping") * MASS, damping, 1e-14);
-                    (number(&export, "compliant_contact_stiffness"), damping)
+                    // TGS is PGS of as many shorter steps.
+                    let shorter = h / number(&export, "tgs_position_iterations");
+                    let k = number(&export, "compliant_contact_stiffness");
+                    let tgs = number(&export, "compliant_contact_damping_tgs");
+                    let found = worst(e, shorter, implicit(k, tgs, MASS, shorter, true));
+                    assert!(found <= export.error_bound.unwrap(), "TGS {e}: {found:e}");
+                    (k, number(&export, "compliant_contact_damping"))
                 }
                 _ => {
                     let k = number(&export, "point_contact_stiffness") / 2.0;
