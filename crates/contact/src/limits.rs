@@ -90,9 +90,12 @@ pub(crate) const ACCURACIES: RangeInclusive<f64> = 1e-9..=0.1;
 pub(crate) const LONGEST_STEP: f64 = 0.1;
 /// The greatest 2ζωh, so that the damping stays well inside the stability limit 2 of an explicit step.
 pub(crate) const STIFFEST_STEP: f64 = 0.1;
-/// Error bound of the restitution stated for Adams: the parameters are right to 1e-9, the rest is for the error of its
-/// integrator.
-pub(crate) const ADAMS_ERROR: f64 = 1e-6;
+/// Error bound of the restitution stated for Adams: three times what a BDF integrator showed at the exported settings.
+pub(crate) const ADAMS_ERROR: f64 = 3e-4;
+/// Adams' greatest step (HMAX), in times that the approach takes for the ramp.
+pub(crate) const ADAMS_STEP: f64 = 0.3;
+/// Adams' ERROR, over the penetration that the spring alone would reach.
+pub(crate) const ADAMS_TOLERANCE: f64 = 1e-3;
 /// The depth of full damping over the penetration that the spring alone would reach, for Adams: a compromise between a
 /// force that jumps (0) and a damper with little effect (1).
 pub(crate) const ADAMS_RAMP: f64 = 0.1;
@@ -107,6 +110,8 @@ pub(crate) const GAZEBO_FASTEST: f64 = 100.0;
 pub(crate) const MUJOCO_IMPEDANCE: f64 = 0.9999;
 /// Upper bound of the change of e for each v/ω of Simscape's transition width.
 pub(crate) const SIMSCAPE_ERROR_PER_WIDTH: f64 = 0.16;
+/// Simscape's relative tolerance over the accuracy: 1e-6 for the default.
+pub(crate) const SIMSCAPE_TOLERANCE: f64 = 1e-3;
 /// The greatest transition width, in units of v/ω, for which that bound holds.
 pub(crate) const SIMSCAPE_WIDEST: f64 = 0.1;
 /// The rebound, m/s, below which DART lets a contact not bounce (DART_BOUNCING_VELOCITY_THRESHOLD).
