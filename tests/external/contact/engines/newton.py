@@ -80,7 +80,7 @@ def pendulum(parameters, solver, pendulum, speed):
 
 def impacts(build, parameters, solver, top, mass, speed, opening):
     """Against the plane z = top; mass: for the duration only."""
-    step = parameters["dt"]
+    step = parameters["dt_xpbd" if solver is SOLVERS["XPBD"] else "dt"]
     builder = newton.ModelBuilder(gravity=(0.0, 0.0, 0.0))
     builder.rigid_gap = 1e-3
     for i, phase in enumerate(PHASES):
