@@ -1,7 +1,7 @@
 //! MuJoCo: `solref` and `solimp` of a geom, in the direct format and in the standard one.
 
 use super::linear::Linear;
-use super::{Export, ExportError, Facts, Request, Tool};
+use super::{Export, ExportError, Facts, Measured, Request, Tool};
 use crate::limits;
 
 const TOOL: Tool = Tool::of(&FACTS);
@@ -9,10 +9,16 @@ const TOOL: Tool = Tool::of(&FACTS);
 pub(super) const FACTS: Facts = Facts {
     name: "mujoco",
     title: "MuJoCo",
-    aliases: &["mjcf"],
+    aliases: &["mjcf", "mjx"],
     law: "linear spring and damper per unit of effective mass, never pulling; semi-implicit Euler",
     combines: "of two direct solrefs the lesser of each number, of two standard ones the mean by solmix; the geom of higher priority, or a <pair>, alone",
-    measured: &[],
+    measured: &[Measured {
+        engine: "MJX 3.17.0",
+        solver: "",
+        scenes: "ball of 2 kg; pendulums of m̄ = 1.5 and 3.75 kg; in double precision",
+        worst: [Some(7e-4), Some(6e-4), Some(5e-4)],
+        by_hand: Some("2026-11-22"),
+    }],
     caution: "",
     sources: &[
             "MuJoCo 4.0.0, doc/modeling.rst, \"Solver parameters\"",
