@@ -16,6 +16,8 @@ from scenes import Absent
 
 TOOL = "jolt"
 SOLVERS = {"": None}
+# Where there is no node.
+BY_HAND = True
 HERE = Path(__file__).parent
 PACKAGE = Path(os.environ.get("PERCUSS_JOLT", HERE.parents[3] / "target/external/node_modules/jolt-physics"))
 
