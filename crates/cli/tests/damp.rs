@@ -36,7 +36,7 @@ fn the_default_is_the_linear_law_without_tension() {
     for absent in ["drift", "body_alone"] {
         assert!(report[absent].is_null(), "{absent}");
     }
-    assert_eq!(report["exports"].as_object().map(serde_json::Map::len), Some(10), "all tools, in JSON");
+    assert_eq!(report["exports"].as_object().map(serde_json::Map::len), Some(15), "all tools, in JSON");
 }
 
 #[test]
