@@ -34,7 +34,7 @@ pub(super) const FACTS: Facts = Facts {
 ///
 /// The step is integrated by the trapezoidal rule; in those in which the gap closes and opens the damper's force is there or is
 /// not, though the step is divided where the gap is estimated to close. Each is half a step of 2ζω e v: together 2ζe ωh. The
-/// bound is 2.5ζe ωh + (ωh)²/2, the latter for what is left without damping. Measurement in 1.13.6, the worst |Δe|/(2ζe ωh) of
+/// bound is 2.5ζe ωh + (ωh)²/2, the latter for what is left without damping. Measured in 1.13.6, the worst |Δe|/(2ζe ωh) of
 /// fifteen phases at ωh = 0.03 and 0.004: 0.88, 0.92; 1.02, 1.03; 0.99, 0.76; 1.07, 0.99; 1.09, 0.90 for e = 0.1, 0.3, 0.5, 0.7,
 /// 0.9. With the default iteration tolerance of 1 N, 1 N/k of gap is taken for none: 1.4 for e = 0.2.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {

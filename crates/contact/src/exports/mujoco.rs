@@ -50,7 +50,7 @@ pub(super) const FACTS: Facts = Facts {
 /// the damping m̄ bd/f, so that f takes the estimate's error out again. The standard format gives the same with
 /// timeconst 1/(ζωf) and dampratio ζ√f.
 ///
-/// Measurement in MuJoCo 4.0.0 at the recommended step ([`Linear::explicit_step`]) and accuracy 1e-3, the worst of 25 phases
+/// Measured in MuJoCo 4.0.0 at the recommended step ([`Linear::explicit_step`]) and accuracy 1e-3, the worst of 25 phases
 /// for e = 0.05, 0.2, 0.5, 0.8, 0.95, 0.99: 8.9e-4, 7.8e-4, 6.4e-4, 5.3e-4, 5.1e-4, 7.0e-4, ball and pendulum with armature
 /// alike, Euler and implicitfast alike; RK4 3.3e-4 … 3.9e-4. A four-bar (m̄ = 68.1 kg, α = 7.2) and a double wishbone on its
 /// bump stop (392.8 kg, α = 0.35), loops closed, e = 0.2, 0.5, 0.8: at most 6.5e-4. With the default equality settings
