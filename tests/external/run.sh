@@ -12,6 +12,10 @@ if ! cmp -s "$here/requirements.txt" "$venv/requirements.txt"; then
   # PyBullet has no wheel for later ones.
   "$(command -v python3.11 || command -v python3)" -m venv "$venv"
   "$venv/bin/pip" install --quiet --disable-pip-version-check --requirement "$here/requirements.txt"
+  # Jolt is run by node, where there is one.
+  if command -v npm > /dev/null; then
+    npm install --silent --no-save --prefix "$PWD/target/external" jolt-physics@1.1.0
+  fi
   # Last, so that a venv that was only half made is made again.
   cp "$here/requirements.txt" "$venv/requirements.txt"
 fi
@@ -22,6 +26,7 @@ failed=0
 "$venv/bin/python" "$here/loops.py" --percuss "$target/release/percuss" || failed=1
 PYTHONPATH=$here "$venv/bin/python" "$here/contact/check.py" --percuss "$target/release/percuss" || failed=1
 "$here/engines.sh" "$target/release/percuss" || failed=1
+PYTHONPATH=$here "$venv/bin/python" "$here/contact/integrators.py" --percuss "$target/release/percuss" || failed=1
 # The shipped models: route A against the oracle's route C.
 "$target/release/percuss-reference" "shipped models" models/*.urdf || failed=1
 # Reference files of the loop dialect, where they are at hand: beside the repository, or where PERCUSS_REFERENCE says.

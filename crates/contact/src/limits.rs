@@ -90,9 +90,12 @@ pub(crate) const ACCURACIES: RangeInclusive<f64> = 1e-9..=0.1;
 pub(crate) const LONGEST_STEP: f64 = 0.1;
 /// The greatest 2ζωh, so that the damping stays well inside the stability limit 2 of an explicit step.
 pub(crate) const STIFFEST_STEP: f64 = 0.1;
-/// Error bound of the restitution stated for Adams: the parameters are right to 1e-9, the rest is for the error of its
-/// integrator.
-pub(crate) const ADAMS_ERROR: f64 = 1e-6;
+/// Error bound of the restitution stated for Adams: three times what a BDF integrator showed at the exported settings.
+pub(crate) const ADAMS_ERROR: f64 = 3e-4;
+/// Adams' greatest step (HMAX), in times that the approach takes for the ramp.
+pub(crate) const ADAMS_STEP: f64 = 0.3;
+/// Adams' ERROR, over the penetration that the spring alone would reach.
+pub(crate) const ADAMS_TOLERANCE: f64 = 1e-3;
 /// The depth of full damping over the penetration that the spring alone would reach, for Adams: a compromise between a
 /// force that jumps (0) and a damper with little effect (1).
 pub(crate) const ADAMS_RAMP: f64 = 0.1;
@@ -116,5 +119,38 @@ pub(crate) const RAPIER_ERROR: f64 = 1e-6;
 pub(crate) const MUJOCO_IMPEDANCE: f64 = 0.9999;
 /// Upper bound of the change of e for each v/ω of Simscape's transition width.
 pub(crate) const SIMSCAPE_ERROR_PER_WIDTH: f64 = 0.16;
+/// Simscape's relative tolerance over the accuracy: 1e-6 for the default.
+pub(crate) const SIMSCAPE_TOLERANCE: f64 = 1e-3;
 /// The greatest transition width, in units of v/ω, for which that bound holds.
 pub(crate) const SIMSCAPE_WIDEST: f64 = 0.1;
+/// The rebound, m/s, below which DART lets a contact not bounce (DART_BOUNCING_VELOCITY_THRESHOLD).
+pub(crate) const DART_SLOWEST: f64 = 0.1;
+/// The product of the restitutions up to which it does not either (DART_RESTITUTION_COEFF_THRESHOLD).
+pub(crate) const DART_LEAST: f64 = 1.1e-3;
+/// The fastest rebound, m/s (DART_MAX_BOUNCING_VELOCITY).
+pub(crate) const DART_FASTEST: f64 = 100.0;
+/// The speed, m/s, at which DART removes overlap (DART_MAX_ERV): what is left of a contact that does not bounce.
+pub(crate) const DART_CORRECTION: f64 = 1e-3;
+/// What DART's constraint force mixing (DART_CFM, 1e-5) takes from e for each 1 + e, and a tenth for rounding.
+pub(crate) const DART_SOFTENING: f64 = 1.1e-5;
+/// How far, m, a body travels in a recommended step of a rigid contact whose solver turns bodies by maximal coordinates: on
+/// a lever of 0.4 m, where it was measured, 1e-3 of a radian at most.
+pub(crate) const RIGID_TRAVEL: f64 = 3e-4;
+/// Up to which travel, m, the error stated there was measured: twice the recommended.
+pub(crate) const RIGID_LONGEST_TRAVEL: f64 = 2.0001 * RIGID_TRAVEL;
+/// How often Jolt is to go through its rows: at 10, its default, a hinged body with a rotor lacks (1 + e)·8e-4; at 50 nothing.
+pub(crate) const JOLT_TURNS: f64 = 50.0;
+/// Error bound of the restitution stated for Jolt: measured 3e-5 at the longest travel.
+pub(crate) const JOLT_ERROR: f64 = 1e-4;
+/// The accuracy setting of OpenSim's integrator at the default accuracy.
+pub(crate) const OPENSIM_ACCURACY: f64 = 1e-5;
+/// Error bound of the restitution stated for OpenSim, of the accuracy asked for: measured 0.02.
+pub(crate) const OPENSIM_ERROR: f64 = 0.1;
+/// The greatest ωh up to which Exudyn's error bound was measured: twice [`LONGEST_STEP`].
+pub(crate) const EXUDYN_LONGEST_STEP: f64 = 2.0 * LONGEST_STEP;
+/// Exudyn's iteration tolerance of contacts over k v h: a hundredth of a step's travel.
+pub(crate) const EXUDYN_TOLERANCE: f64 = 0.01;
+/// Its iterations of contacts, at most.
+pub(crate) const EXUDYN_TURNS: f64 = 10.0;
+/// The position iterations for which TGS's damping is exported: Isaac Lab's assets mostly have 4.
+pub(crate) const TGS_POSITION_ITERATIONS: f64 = 4.0;

@@ -1,4 +1,4 @@
-//! At a change point (D) is a lower bound that no branch attains. The limits of m̄ along each.
+//! At a change point (D) is a lower bound that no branch need attain. The limits of m̄ along each.
 
 use crate::assembly::Assembly;
 use crate::careful::Minimum;

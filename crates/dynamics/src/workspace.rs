@@ -36,12 +36,17 @@ impl System {
 }
 
 impl Assembly {
-    /// Room for many poses of this assembly.
+    /// Room for many poses of this assembly; it stands at its first closed pose.
     pub fn workspace(self: &Arc<Self>) -> Workspace {
         let model = self.model();
+        let mut kinematics = Kinematics::zero(model);
+        if !model.groups.is_empty() {
+            kinematics.q.copy_from_slice(&self.facts().reference);
+            kinematics.refill(model);
+        }
         let mut workspace = Workspace {
             assembly: Arc::clone(self),
-            kinematics: Kinematics::zero(model),
+            kinematics,
             groups: vec![GroupMobility::default(); model.groups.len()],
             room: MobilityRoom::default(),
             recursion: RecursionRoom::new(model),
@@ -117,8 +122,8 @@ impl Pose {
     ///
     /// # Errors
     /// [`ResponseError`]: a contact that means nothing; one that is massless here
-    /// ([`MasslessMotion`](RouteError::MasslessMotion)); a motion of negative mass
-    /// ([`Indefinite`](RouteError::Indefinite)); too large a cluster of bodies.
+    /// ([`MasslessMotion`](crate::RouteError::MasslessMotion)); a motion of negative mass
+    /// ([`Indefinite`](crate::RouteError::Indefinite)); too large a cluster of bodies.
     pub fn workspace_over<T: Scalar>(&self, contact: &Contact) -> Result<ScalarWorkspace<T>, ResponseError> {
         let located = self.locate(contact)?;
         let model = self.assembly.model();

@@ -240,17 +240,17 @@ pub(crate) fn about_branches(
              bound"
         }
         (true, ..) => {
-            "no branch was found to lead away from it, and the value is a lower bound that no finite motion attains"
+            "no branch was found to lead away from it, and the value is a lower bound that a finite motion need not attain"
         }
         (false, true, _) => {
             "a continuum of branches meets here, the limit depends on the direction of approach, and the value is a lower \
              bound: see the least and the greatest of the limits that were found"
         }
         (false, false, true) => {
-            "branches cross, and the value is a lower bound that none of them attains: see the limits along the branches"
+            "branches cross, and the value is a lower bound that none of them need attain: see the limits along the branches"
         }
         (false, false, false) => {
-            "many branches cross, and the value is a lower bound that none of them attains: see the limits along those that \
+            "many branches cross, and the value is a lower bound that none of them need attain: see the limits along those that \
              were found; there may be more"
         }
     };

@@ -113,6 +113,12 @@ class Check:
         e, where = report["restitution"], f"{scene}, e = {report['restitution']}"
         depth = outcome.depth / report["max_penetration"]
         self.tally.within(f"restitution: {tool}", where, outcome.error(e), RESTITUTION)
+        # What the export says was measured, where it names this solver.
+        program, solver = (tool.split(" ", 1) + ["Euler"])[:2]
+        for known in report["exports"][program.lower()]["measured"]:
+            if known["solver"] == solver and known["engine"].startswith(program):
+                limit = known["worst"][RESTITUTIONS.index(e)]
+                self.tally.within(f"as measured before: {tool}", where, outcome.error(e) / limit, 1.0)
         if linear:  # percuss states the penetration of the law it was asked for
             self.tally.within(f"penetration: {tool}", where, abs(depth - 1), DEPTH)
         self.rows.append(Row(tool, scene, e, outcome.mean, outcome.error(e), depth))

@@ -7,6 +7,7 @@ closes loops; e = 0.2, 0.5, 0.8, five phases, at the step that percuss exports, 
 body's own mass in place of the effective mass. Snippets are given to the tool. Run from the repository's root."""
 
 import argparse
+import dataclasses
 import importlib
 import pkgutil
 import sys
@@ -23,6 +24,8 @@ RESTITUTIONS = (0.2, 0.5, 0.8)
 STEPS = (1.0, 2.0, 0.5)
 # Of the effective mass by closed form.
 MASS = 1e-12
+# The stiffness where the exponent of the spring is not 1, N/m^1.5.
+HERTZ = 1e8
 # A scene's name: the module's function and what it is given.
 SCENES = (
     {"ball": ("ball", BALL)}
@@ -55,6 +58,9 @@ class Check:
             if not run:
                 continue
             contact = what.contact(self.folder)
+            if exponent := getattr(module, "EXPONENT", None):
+                flags = (*contact.flags, "--exponent", repr(exponent))
+                contact = dataclasses.replace(contact, flags=flags, stiffness=HERTZ)
             for e in RESTITUTIONS:
                 report = damp(self.percuss, contact, e, "--for", "all")
                 if function == "ball":
@@ -118,6 +124,7 @@ class Check:
         own = answer(
             self.percuss, "damp", "--mass", repr(SCENES[scene][1].own_mass), "--own-mass", repr(SCENES[scene][1].own_mass),
             "--restitution", repr(e), "--stiffness", repr(contact.stiffness), "--speed", repr(contact.speed), "--for", "all",
+            *(contact.flags[-2:] if "--exponent" in contact.flags else ()),
         )
         own = export(own, tool)
         if not own["error"]:

@@ -35,7 +35,8 @@ pub struct DampingArgs {
     /// When the contact ends: as the force vanishes (the default), or as the gap closes (then the damper pulls at the end).
     #[arg(long, value_enum, requires = "restitution")]
     pub separation: Option<SeparationArg>,
-    /// Parameters for a simulator, or `all`: mujoco, drake, gazebo, gazebo-classic, ode, bullet, physx, rapier, chrono, adams, simscape.
+    /// Parameters for a simulator, or `all`: mujoco, drake, gazebo, gazebo-classic, ode, bullet, physx, rapier, chrono, adams,
+    /// simscape, dart, opensim, exudyn, newton, jolt.
     #[arg(long = "for", value_name = "TOOL", value_parser = tools, value_delimiter = ',', requires = "restitution")]
     pub tools: Vec<Tools>,
     /// How far the simulator's restitution may be off; chooses the time step.

@@ -48,7 +48,7 @@ pub(super) const FACTS: Facts = Facts {
 /// integrates max(0, k (x − h v⁺) − c' v⁺) by implicit Euler, on the mass of the whole multibody. c' = 2ζ'√(k m̄),
 /// ζ' = ζ − ωh/2.
 ///
-/// Measurement in PyBullet 3.2.7 at the recommended step, e = 0.2, 0.5, 0.8, the worst of five phases: 1.4e-4, 2.3e-4, 3.0e-4,
+/// Measured in PyBullet 3.2.7 at the recommended step, e = 0.2, 0.5, 0.8, the worst of five phases: 1.4e-4, 2.3e-4, 3.0e-4,
 /// ball and pendulum alike; with the struck body's own 2 kg for m̄ = 3.75 kg: 0.280, 0.591, 0.848. Bullet 3.24 in C++, rigid bodies and
 /// a hinge constraint, single and double precision: the same to 1e-5. With lateralFriction 0.5 on both sides the pendulum shows
 /// 0.276, 0.584, 0.837. With 4k/3 and 4k, c'/4 and 3c'/4 on the two sides a ball rebounds as with equal ones.

@@ -17,7 +17,7 @@ pub(super) const FACTS: Facts = Facts {
     law: "Hooke: linear spring and damper, never pulling; Hertz: the same with x^(3/2) and x^(1/4) ẋ",
     combines: "the lesser coefficient of restitution; the mean of kn and of gn",
     measured: &[],
-    caution: "",
+    caution: "it damps by the two bodies' own masses, a fixed one counting 1 kg unless told; single precision",
     sources: &[
         "Project Chrono, src/chrono/physics/ChContactSMC.cpp and ChSystemSMC.h",
         "Project Chrono, src/chrono/physics/ChContactMaterialSMC.h",

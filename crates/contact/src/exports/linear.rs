@@ -65,7 +65,7 @@ impl Linear {
     /// 2ζe ωh + (ωh)²/8.
     ///
     /// The damper's first force comes up to one step late, which is the first term; the second is what is left of it
-    /// without damping. Measurement in MuJoCo 4.0.0 (Euler and implicitfast alike; ball and pendulum, m̄ = 1.5 … 6.2 kg)
+    /// without damping. Measured in MuJoCo 4.0.0 (Euler and implicitfast alike; ball and pendulum, m̄ = 1.5 … 6.2 kg)
     /// as the worst |Δe|/(ωh) over fifteen phases: 0.207, 0.222, 0.158, 0.062, 0.015 for e = 0.1, 0.2, 0.5, 0.8,
     /// 0.95, where 2ζe is 0.249, 0.292, 0.255, 0.119, 0.031; RK4 0.083, 0.098, 0.085, 0.040, 0.011, of first order
     /// too; e = 1 at ωh = 0.1: 0.0011.
@@ -75,7 +75,7 @@ impl Linear {
 
     /// The same for implicit Euler whose ratio is corrected as in [`Self::implicit_ratio`]: 3ζe ωh + (ωh)²/8.
     ///
-    /// Measurement in Drake 1.51.1 with SAP as the worst |Δe|/(ωh): 0.206, 0.222, 0.158, 0.063, 0.017 for e = 0.1, 0.2,
+    /// Measured in Drake 1.51.1 with SAP as the worst |Δe|/(ωh): 0.206, 0.222, 0.158, 0.063, 0.017 for e = 0.1, 0.2,
     /// 0.5, 0.8, 0.95. An engine that acts on a contact a step before it touches is off by 0.28, 0.35, 0.34, 0.16, 0.03
     /// (computed).
     pub(super) fn implicit_error_bound(&self, time_step: f64) -> f64 {

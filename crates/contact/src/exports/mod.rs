@@ -10,15 +10,20 @@
 mod adams;
 mod bullet;
 mod chrono;
+mod dart;
 mod drake;
 mod error;
 mod export;
+mod exudyn;
 mod gazebo;
 mod gazebo_classic;
 mod impact_function;
+mod jolt;
 mod linear;
 mod mujoco;
+mod newton;
 mod ode;
+mod opensim;
 mod physx;
 mod rapier;
 mod request;
@@ -68,6 +73,11 @@ tools! {
     CHRONO: chrono,
     ADAMS: adams,
     SIMSCAPE: simscape,
+    DART: dart,
+    OPENSIM: opensim,
+    EXUDYN: exudyn,
+    NEWTON: newton,
+    JOLT: jolt,
 }
 
 impl Tool {

@@ -1,7 +1,7 @@
 //! MuJoCo: `solref` and `solimp` of a geom, in the direct format and in the standard one.
 
 use super::linear::Linear;
-use super::{Export, ExportError, Facts, Request, StopMotion, Tool};
+use super::{Export, ExportError, Facts, Measurement, Request, StopMotion, Tool};
 use crate::limits;
 
 const TOOL: Tool = Tool::of(&FACTS);
@@ -9,11 +9,33 @@ const TOOL: Tool = Tool::of(&FACTS);
 pub(super) const FACTS: Facts = Facts {
     name: "mujoco",
     title: "MuJoCo",
-    aliases: &["mjcf"],
+    aliases: &["mjcf", "mjx"],
     law: "linear spring and damper per unit of effective mass, never pulling; semi-implicit Euler",
     combines: "of two direct solrefs the lesser of each number, of two standard ones the mean by solmix; the geom of higher priority, or a <pair>, alone",
-    measured: &[],
-    caution: "",
+    measured: &[
+        Measurement {
+            engine: "MuJoCo 4.0.0",
+            solver: "Euler",
+            scenes: "ball; pendulums with rotors; four-bar; double wishbone on its bump stop; stops of joints",
+            worst: [Some(6.6e-4), Some(5.3e-4), Some(4.3e-4)],
+            by_hand: None,
+        },
+        Measurement {
+            engine: "MuJoCo 4.0.0",
+            solver: "RK4",
+            scenes: "ball; pendulums with rotors; four-bar; double wishbone on its bump stop",
+            worst: [Some(3.0e-4), Some(3.2e-4), Some(3.2e-4)],
+            by_hand: None,
+        },
+        Measurement {
+            engine: "MJX 3.17.0",
+            solver: "",
+            scenes: "ball of 2 kg; pendulums of m̄ = 1.5 and 3.75 kg; in double precision",
+            worst: [Some(7e-4), Some(6e-4), Some(5e-4)],
+            by_hand: Some("2026-11-22"),
+        },
+    ],
+    caution: "no friction (condim 1); closed loops need the exported equality_solref too, and half the step with implicitfast",
     sources: &[
         "MuJoCo 4.0.0, doc/modeling.rst, \"Solver parameters\"",
         "MuJoCo 4.0.0, doc/computation/index.rst, \"Parameters\"",
@@ -28,7 +50,7 @@ pub(super) const FACTS: Facts = Facts {
 /// the damping m̄ bd/f, so that f takes the estimate's error out again. The standard format gives the same with
 /// timeconst 1/(ζωf) and dampratio ζ√f.
 ///
-/// Measurement in MuJoCo 4.0.0 at the recommended step ([`Linear::explicit_step`]) and accuracy 1e-3, the worst of 25 phases
+/// Measured in MuJoCo 4.0.0 at the recommended step ([`Linear::explicit_step`]) and accuracy 1e-3, the worst of 25 phases
 /// for e = 0.05, 0.2, 0.5, 0.8, 0.95, 0.99: 8.9e-4, 7.8e-4, 6.4e-4, 5.3e-4, 5.1e-4, 7.0e-4, ball and pendulum with armature
 /// alike, Euler and implicitfast alike; RK4 3.3e-4 … 3.9e-4. A four-bar (m̄ = 68.1 kg, α = 7.2) and a double wishbone on its
 /// bump stop (392.8 kg, α = 0.35), loops closed, e = 0.2, 0.5, 0.8: at most 6.5e-4. With the default equality settings

@@ -39,7 +39,7 @@ pub(super) const FACTS: Facts = Facts {
 /// ODE's contact row, multiplied out with these, is max(0, k (x − h v⁺) − c' v⁺): implicit Euler of the linear spring
 /// and damper, with v⁺ the speed of separation after the step. c' = 2ζ'√(k m̄), ζ' = ζ − ωh/2.
 ///
-/// Measurement in ODE 0.16.2, e = 0.2, 0.5, 0.8, the worst of five phases, Step and QuickStep (20 iterations) alike: 4.9e-4, 4.0e-4,
+/// Measured in ODE 0.16.2, e = 0.2, 0.5, 0.8, the worst of five phases, Step and QuickStep (20 iterations) alike: 4.9e-4, 4.0e-4,
 /// 3.4e-4, ball, pendulums and four-bar; at twice the step 9.9e-4, 8.0e-4, 6.7e-4. With the struck body's own mass: 0.280, 0.592, 0.848
 /// (2 kg for m̄ = 3.75 kg); 0.580, 0.815, 0.941 (four-bar, 4.8 kg for 68.1 kg).
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {

@@ -1,0 +1,74 @@
+//! DART: a coefficient of restitution.
+
+use super::{Export, ExportError, Facts, Measurement, Request, Tool};
+use crate::limits;
+
+const TOOL: Tool = Tool::of(&FACTS);
+
+pub(super) const FACTS: Facts = Facts {
+    name: "dart",
+    title: "DART",
+    aliases: &["dartpy"],
+    law: "Newton's restitution: the speed of separation is e times that of approach",
+    combines: "restitutions multiplied, of frictions the lesser",
+    measured: &[Measurement {
+        engine: "dartpy 6.20.0",
+        solver: "",
+        scenes: "ball of 2 kg; pendulums of m̄ = 1.5 and 3.75 kg",
+        worst: [None, Some(1.6e-5), Some(1.9e-5)],
+        by_hand: None,
+    }],
+    caution: "of the two sides one has e and the other 1; a rebound slower than 0.1 m/s is none",
+    sources: &[
+        "DART 6.13, dart/constraint/ContactConstraint.cpp",
+        "dartpy 6.20.0, run with the same and with different restitutions of the two sides",
+    ],
+};
+
+/// The struck body's `RestitutionCoeff` = e, the other's 1.
+///
+/// DART's contact row asks for the speed e₁e₂v, unless that is below 0.1 m/s (DART_BOUNCING_VELOCITY_THRESHOLD) or e₁e₂ below
+/// 1e-3: then the contact does not bounce, and only the overlap is removed at up to 1e-3 m/s (DART_MAX_ERV). Its diagonal is
+/// enlarged by 1e-5 (DART_CFM), which takes (1 + e)·1e-5 from the change of speed, hence from e. The mass is that of the whole
+/// skeleton: the velocities are those of the joints.
+pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
+    let e = request.restitution;
+    if let Some(speed) = request.speed {
+        let unreachable = |why, remedy| ExportError::Unreachable { tool: TOOL, restitution: e, why, remedy };
+        if e > 0.0 && (e * speed < limits::DART_SLOWEST || e < limits::DART_LEAST) {
+            return Err(unreachable(
+                "it lets contacts bounce only where the rebound is faster than 0.1 m/s and e above 0.001",
+                "ask at a higher speed",
+            ));
+        }
+        if e * speed > limits::DART_FASTEST {
+            return Err(unreachable("it caps the rebound at 100 m/s", "ask at a lower speed"));
+        }
+    }
+    let mut export = Export::new(TOOL);
+    export.time_step = request.options.time_step;
+    export.set("RestitutionCoeff", e, "");
+    export.set("RestitutionCoeff_other", 1.0, "");
+    export.set("FrictionCoeff", 0.0, "");
+    let mut text = format!(
+        "def set_contact(struck, other):\n    \"\"\"The shape nodes of the two sides.\"\"\"\n    \
+         for node, restitution in ((struck, {e:?}), (other, 1.0)):\n        \
+         node.createCollisionAspect()\n        node.createDynamicsAspect()\n        \
+         node.getDynamicsAspect().setRestitutionCoeff(restitution)\n        \
+         node.getDynamicsAspect().setFrictionCoeff(0.0)\n"
+    );
+    if let Some(step) = request.options.time_step {
+        export.set("TimeStep", step, "s");
+        text += &format!("\n\ndef set_step(world):\n    world.setTimeStep({step:?})\n");
+    }
+    export.write("dartpy", "python", text);
+    match request.speed {
+        Some(speed) if e == 0.0 => export.error_bound = Some(limits::DART_CORRECTION / speed),
+        Some(_) => export.error_bound = Some((1.0 + e) * limits::DART_SOFTENING),
+        None => export.missing.push("approach speed, m/s: a rebound slower than 0.1 m/s is none"),
+    }
+    export.assume("One side has the restitution, the other 1: DART multiplies the two. The default is 0.");
+    export.assume("The joints have no damping, springs or friction of their own, as by default.");
+    export.cannot.push("stiffness, penetration, duration, peak force: the contact is rigid");
+    Ok(export)
+}

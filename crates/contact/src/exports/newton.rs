@@ -1,0 +1,115 @@
+//! Newton (newton-physics, on Warp): the penalty contacts of SemiImplicit and Featherstone, and XPBD's restitution.
+
+use super::export::single;
+use super::linear::Linear;
+use super::{Export, ExportError, Facts, Measurement, Request, Tool};
+use crate::limits;
+use crate::{Separation, kelvin_voigt};
+
+const TOOL: Tool = Tool::of(&FACTS);
+
+pub(super) const FACTS: Facts = Facts {
+    name: "newton",
+    title: "Newton (SemiImplicit, Featherstone, XPBD)",
+    aliases: &["newton-physics", "warp"],
+    law: "SemiImplicit, Featherstone: linear spring, and a damper that acts on approach only; XPBD: Newton's restitution",
+    combines: "the mean of the two sides, of stiffness, damping and restitution",
+    measured: &[
+        Measurement {
+            engine: "Newton 1.8.0",
+            solver: "SemiImplicit",
+            scenes: "ball of 2 kg",
+            worst: [Some(9e-4), Some(8e-4), Some(7e-4)],
+            by_hand: Some("2026-11-22"),
+        },
+        Measurement {
+            engine: "Newton 1.8.0",
+            solver: "Featherstone",
+            scenes: "ball of 2 kg; pendulums of m̄ = 1.5 and 3.75 kg",
+            worst: [Some(9e-4), Some(8e-4), Some(7e-4)],
+            by_hand: Some("2026-11-22"),
+        },
+        Measurement {
+            engine: "Newton 1.8.0",
+            solver: "XPBD",
+            scenes: "ball of 2 kg; pendulums of m̄ = 1.5 and 3.75 kg",
+            worst: [Some(4e-5), Some(4e-5), Some(4e-5)],
+            by_hand: Some("2026-11-22"),
+        },
+    ],
+    caution: "single precision: have the contact near the origin; SemiImplicit for free bodies only; XPBD with enable_restitution=True",
+    sources: &[
+        "Newton 1.8.0, newton/_src/solvers/semi_implicit/kernels_contact.py: _eval_body_contact",
+        "Newton 1.8.0, newton/_src/solvers/xpbd/restitution_kernels.py: build_restitution_manifolds",
+        "Newton 1.8.0, newton/_src/sim/builder.py: ShapeConfig",
+    ],
+};
+
+/// For both shapes ke = k, kd = 2ζ√(k m̄) with the ζ of e², restitution = e.
+///
+/// The force of SemiImplicit and Featherstone is k x + c max(0, ẋ) while x > 0: on the way in a spring and damper, which
+/// reaches the depth x_m = (v/ω)√e_b(ζ) of the clamped contact, e_b its restitution; on the way out a spring alone, which
+/// gives the speed ω x_m. So e = √e_b(ζ). The mean of two equal sides is the value itself.
+///
+/// Semi-implicit Euler: the damper comes up to one step late, as in [`Linear::error_bound`] with this ζ.
+///
+/// XPBD sets the speed of separation to e v, whatever the mass and the step. With joints it takes the speed from differences of
+/// positions in single precision: a pendulum was off by 3e-5 at 1e-3 s, but by 6e-4 at 2e-6 s. So it has a step of its own.
+/// SemiImplicit's joints are springs: a pendulum there showed 0.38 for 0.5.
+pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
+    let mut linear = Linear::of(request, TOOL)?;
+    let e = linear.restitution;
+    if e < 1.0 {
+        linear.ratio = kelvin_voigt::ratio(e * e, Separation::ForceVanishes)?;
+    }
+    let step = linear.explicit_step()?;
+    let damping = linear.damping(linear.ratio);
+    for (what, value) in [
+        ("Newton's ke, N/m", linear.stiffness),
+        ("Newton's kd, N·s/m", damping),
+        ("Newton's restitution", e),
+        ("Newton's time step, s", step),
+    ] {
+        single(what, value)?;
+    }
+    let mut export = Export::new(TOOL);
+    export.time_step = Some(step);
+    export.error_bound = Some(linear.error_bound(step));
+    export.set("ke", linear.stiffness, "N/m");
+    export.set("kd", damping, "N·s/m");
+    export.set("kf", 0.0, "N·s/m");
+    export.set("mu", 0.0, "");
+    export.set("restitution", e, "");
+    export.set("dt", step, "s");
+    if let Some(speed) = request.speed {
+        export.set("dt_xpbd", limits::RIGID_TRAVEL / speed, "s");
+    }
+    export.write(
+        "Newton",
+        "python",
+        format!(
+            "import newton\n\n\
+             # For the shapes of both sides.\n\
+             shape = newton.ModelBuilder.ShapeConfig(ke={:?}, kd={damping:?}, kf=0.0, ka=0.0, mu=0.0, restitution={e:?})\n\
+             dt = {step:?}\n\n\n\
+             def solver(model):\n    return newton.solvers.SolverFeatherstone(model, angular_damping=0.0)\n\n\n\
+             def solver_of_free_bodies(model):\n    return newton.solvers.SolverSemiImplicit(model, angular_damping=0.0)\n\n\n\
+             def rigid_solver(model):\n    \
+             return newton.solvers.SolverXPBD(model, enable_restitution=True, angular_damping=0.0)  # step: dt_xpbd\n",
+            linear.stiffness
+        ),
+    );
+    export.assume("The shapes of both sides have these values: the mean counts.");
+    export.assume("Contacts are found anew at every step (model.collide), and no friction acts.");
+    export.assume("Mechanisms in Featherstone, whose joints are exact, or in XPBD, which has no armature.");
+    export.assume(
+        "XPBD: the stiffness and the damping count for nothing; restitution does, with enable_restitution=True. Its step is dt_xpbd: at \
+         much shorter ones, with joints, single precision shows.",
+    );
+    export.assume(
+        "Single precision: a contact at a coordinate of 1 m along the normal is known to 6e-8 m, and the error bound is for \
+         penetrations 1e4 times that; move the contact to the origin.",
+    );
+    export.cannot.push("mechanisms in SemiImplicit: its joints are springs; XPBD: stiffness, penetration, duration, peak force");
+    Ok(export)
+}

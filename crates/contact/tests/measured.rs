@@ -1,0 +1,104 @@
+//! What the exports say was measured: within their stated bounds, and as the documentation has it; and what follows from it.
+
+use percuss_contact::CompliantContact;
+use percuss_contact::exports::{Export, ExportError, Options, Request, Tool};
+
+const STIFFNESS: f64 = 1e5;
+
+fn asked(restitution: f64) -> Request {
+    Request::new(CompliantContact::new(2.0, STIFFNESS).unwrap(), restitution).at(0.4)
+}
+
+fn number_of(export: &Export, name: &str) -> f64 {
+    export.number(name).unwrap_or_else(|| panic!("{}: no {name}", export.tool))
+}
+
+#[test]
+fn what_was_measured_is_within_the_stated_bound() {
+    for tool in Tool::ALL {
+        for (at, e) in [0.2, 0.5, 0.8].into_iter().enumerate() {
+            for measured in tool.facts().measured {
+                let Some(worst) = measured.worst[at] else { continue };
+                let contact = CompliantContact::new(2.0, STIFFNESS).unwrap();
+                let exponent = if tool == Tool::OPENSIM { 1.5 } else { 1.0 };
+                let contact = contact.with_exponent(exponent).unwrap();
+                let options =
+                    Options { own_mass: Some(1.5), other_own_mass: Some(3.0), ..Options::default() };
+                let request = Request { options, ..Request::new(contact, e).at(0.3) };
+                let bound = tool.export(&request).unwrap().error_bound.unwrap_or(1e-3);
+                assert!(worst <= bound * 1.001, "{tool} {e}: {worst:e}, bound {bound:e}");
+            }
+        }
+    }
+}
+
+/// The table at the head of docs/SIMULATORS.md, from what the exports say of themselves.
+#[test]
+fn the_table_of_simulators_is_what_the_exports_say() {
+    let mut table = String::from(
+        "| simulator (`--for`) | run in | restitution within (e = 0.2, 0.5, 0.8) | of | watch for |\n|---|---|---|---|---|\n",
+    );
+    for tool in Tool::ALL {
+        let facts = tool.facts();
+        let name = format!("{} (`{}`)", facts.title, facts.name);
+        if facts.measured.is_empty() {
+            table += &format!("| {name} | not measured | | | {} |\n", facts.caution);
+        }
+        for (i, measured) in facts.measured.iter().enumerate() {
+            let name = if i == 0 { name.as_str() } else { "" };
+            let caution = if i == 0 { facts.caution } else { "" };
+            let solver =
+                if measured.solver.is_empty() { String::new() } else { format!(", {}", measured.solver) };
+            let day = measured.by_hand.map_or_else(String::new, |day| format!(" (by hand, {day})"));
+            let worst = measured.worst.map(|w| w.map_or_else(|| "refused".into(), |w| format!("{w:.1e}")));
+            table += &format!(
+                "| {name} | {}{solver}{day} | {} | {} | {caution} |\n",
+                measured.engine,
+                worst.join(", "),
+                measured.scenes
+            );
+        }
+    }
+    let mut two_sides = String::from("| simulator | of the two sides' values it makes |\n|---|---|\n");
+    for tool in Tool::ALL {
+        two_sides += &format!("| {} | {} |\n", tool.facts().title, tool.facts().combines);
+    }
+    let page = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/SIMULATORS.md");
+    let text = std::fs::read_to_string(page).expect("the page");
+    for table in [table, two_sides] {
+        assert!(text.contains(&table), "docs/SIMULATORS.md should have this table:\n{table}");
+    }
+    for tool in Tool::ALL {
+        assert!(!tool.facts().caution.is_empty() && !tool.facts().combines.is_empty(), "{tool}");
+    }
+}
+
+#[test]
+fn gazebo_gives_e_to_one_side_and_refuses_rebounds_that_die() {
+    let export = Tool::GAZEBO.export(&asked(0.5)).unwrap();
+    assert_eq!(number_of(&export, "restitution_coefficient"), 0.5);
+    // DART multiplies the two.
+    assert_eq!(number_of(&export, "other_restitution_coefficient"), 1.0);
+    let text = &export.snippets[0].text;
+    assert!(text.contains("<restitution_coefficient>0.5<") && text.contains("<restitution_coefficient>1.0<"));
+    for (e, speed, answered) in [
+        (0.2, 0.3, false),
+        (0.2, 0.5, false),
+        (0.2, 0.51, true),
+        (0.0, 0.3, true),
+        (1.0, 99.0, true),
+        (1.0, 101.0, false),
+    ] {
+        match Tool::GAZEBO.export(&asked(e).at(speed)) {
+            Ok(_) => assert!(answered, "{e} at {speed}"),
+            Err(error) => {
+                assert!(
+                    !answered && matches!(error, ExportError::Unreachable { .. }),
+                    "{e} at {speed}: {error}"
+                );
+            }
+        }
+    }
+    let export = Tool::GAZEBO.export(&Request { speed: None, ..asked(0.5) }).unwrap();
+    assert!(export.error_bound.is_none() && export.missing.len() == 1);
+}

@@ -1,0 +1,131 @@
+"""Impacts in Newton, on the processor. The phases are run at once, as bodies beside one another."""
+
+import math
+
+from impacts import PHASES, Outcome
+from scenes import Absent, Refused
+
+try:
+    import newton
+    import warp
+except ImportError:
+    newton = warp = None
+
+TOOL = "newton"
+SOLVERS = {
+    "SemiImplicit": lambda model: newton.solvers.SolverSemiImplicit(model, angular_damping=0.0),
+    "Featherstone": lambda model: newton.solvers.SolverFeatherstone(model, angular_damping=0.0),
+    "XPBD": lambda model: newton.solvers.SolverXPBD(model, enable_restitution=True, angular_damping=0.0),
+}
+# Steps of free flight before the contact, and how long its end is waited for, in undamped half periods.
+FLIGHT, LONGEST = 2, 1.2
+# Between the bodies, m.
+APART = 1.0
+# The kernels take a minute to compile, and are kept in the user's cache.
+BY_HAND = True
+
+
+def engine():
+    if not newton:
+        raise Absent("newton==1.8.0 and warp-lang==1.19.0")
+    warp.config.quiet = True
+    return f"Newton {newton.__version__}"
+
+
+def ball(parameters, solver, ball, speed):
+    """As free bodies."""
+
+    def build(builder, i, height):
+        about = 0.4 * ball.mass * ball.radius**2
+        place = warp.transform((0.0, i * APART, ball.radius + height), warp.quat_identity())
+        body = builder.add_body(xform=place, mass=ball.mass, inertia=inertia(about, about, about), lock_inertia=True)
+        builder.add_shape_sphere(body, radius=ball.radius, cfg=material(parameters))
+        builder.joint_qd[-6:] = [0.0, 0.0, -speed, 0.0, 0.0, 0.0]
+
+    return impacts(build, parameters, solver, 0.0, ball.mass, speed, lambda state: state.body_qd.numpy()[:, 2])
+
+
+def pendulum(parameters, solver, pendulum, speed):
+    """The rotor is the joint's armature; XPBD has none."""
+    if solver is SOLVERS["SemiImplicit"]:
+        raise Refused("joints")  # springs: 0.38 for 0.5
+
+    def build(builder, i, height):
+        about = pendulum.inertia
+        body = builder.add_link(
+            mass=pendulum.mass,
+            com=(pendulum.centre, 0.0, 0.0),
+            inertia=inertia(about, about, about),
+            lock_inertia=True,
+        )
+        place = warp.transform((pendulum.lever, 0.0, 0.0), warp.quat_identity())
+        builder.add_shape_sphere(body, xform=place, radius=pendulum.radius, cfg=material(parameters))
+        joint = builder.add_joint_revolute(
+            parent=-1,
+            child=body,
+            axis=(0.0, -1.0, 0.0),
+            parent_xform=warp.transform((0.0, i * APART, 0.0), warp.quat_identity()),
+            armature=pendulum.rotor,
+        )
+        builder.add_articulation([joint])
+        builder.joint_q[-1] = math.asin(height / pendulum.lever)
+        builder.joint_qd[-1] = -speed / pendulum.lever
+
+    def opening(state):
+        # Of all that turns, linear first.
+        return -state.body_qd.numpy()[:, 4] * pendulum.lever
+
+    return impacts(build, parameters, solver, -pendulum.radius, pendulum.effective_mass, speed, opening)
+
+
+def impacts(build, parameters, solver, top, mass, speed, opening):
+    """Against the plane z = top; mass: for the duration only."""
+    step = parameters["dt_xpbd" if solver is SOLVERS["XPBD"] else "dt"]
+    builder = newton.ModelBuilder(gravity=(0.0, 0.0, 0.0))
+    builder.rigid_gap = 1e-3
+    for i, phase in enumerate(PHASES):
+        build(builder, i, (FLIGHT + phase) * step * speed)
+    builder.add_shape_plane(plane=(0.0, 0.0, 1.0, -top), width=0.0, length=0.0, cfg=material(parameters))
+    model = builder.finalize(device="cpu")
+    solve = solver(model)
+    before, after = model.state(), model.state()
+    newton.eval_fk(model, model.joint_q, model.joint_qd, before)
+    contacts = model.contacts()
+    half = math.pi * math.sqrt(mass / parameters["ke"])
+    for _ in range(FLIGHT + math.ceil(LONGEST * half / step)):
+        before.clear_forces()
+        model.collide(before, contacts)
+        solve.step(before, after, None, contacts, step)
+        before, after = after, before
+    return Outcome(opening(before) / speed, 0.0)
+
+
+def inertia(x, y, z):
+    return warp.mat33(x, 0.0, 0.0, 0.0, y, 0.0, 0.0, 0.0, z)
+
+
+def material(parameters):
+    return newton.ModelBuilder.ShapeConfig(
+        density=0.0,
+        ke=parameters["ke"],
+        kd=parameters["kd"],
+        kf=parameters["kf"],
+        mu=parameters["mu"],
+        restitution=parameters["restitution"],
+    )
+
+
+def pasted(text, parameters):
+    names = {}
+    exec(text, names)
+    shape = names["shape"]
+    for name in ("ke", "kd", "kf", "mu", "restitution"):
+        assert getattr(shape, name) == parameters[name], name
+    builder = newton.ModelBuilder()
+    builder.add_shape_sphere(builder.add_body(mass=1.0), radius=0.1, cfg=shape)
+    model = builder.finalize(device="cpu")
+    for name in ("solver", "solver_of_free_bodies", "rigid_solver"):
+        names[name](model)
+
+
+SNIPPETS = {"python": pasted}
