@@ -45,6 +45,8 @@ pub(crate) struct RecursionRoom {
     pub recursion: Recursion<f64, 1>,
     pub deciding: Deciding<1>,
     pub closing_speed: f64,
+    /// 1/m̄ by the pivots alone, 1/kg.
+    response: f64,
     row: ContactRow,
     closing: ClosingRoom,
     motion: Motion<f64>,
@@ -57,6 +59,7 @@ impl RecursionRoom {
             recursion: Recursion::new(model),
             deciding: Deciding::new(model),
             closing_speed: 0.0,
+            response: 0.0,
             row: ContactRow::default(),
             closing: ClosingRoom::default(),
             motion: Motion::new(model),
@@ -66,7 +69,7 @@ impl RecursionRoom {
 
     /// m̄ by the pivots alone.
     pub fn mass(&self) -> EffectiveMass {
-        let response = self.recursion.response(0, 0);
+        let response = self.response;
         if self.closing_speed <= IMMOVABLE {
             EffectiveMass::Immovable
         } else if self.deciding.massless[0] || response.is_nan() || response <= 0.0 {
@@ -83,7 +86,7 @@ impl RecursionRoom {
         !self.deciding.indefinite
             && matches!(self.mass(), EffectiveMass::Finite(_))
             && self.closing_speed > NEARLY_IMMOVABLE
-            && most <= TRUSTED_ERROR * self.recursion.response(0, 0)
+            && most <= TRUSTED_ERROR * self.response
     }
 
     /// Why the recursion's answer, with these errors, does not stand alone; none where it does.
@@ -111,13 +114,14 @@ impl Question<'_> {
     /// Lets the recursion run.
     pub fn run(&self, room: &mut RecursionRoom) {
         let (model, located) = (self.model, self.located);
-        let RecursionRoom { recursion, deciding, closing_speed, row, closing, .. } = room;
+        let RecursionRoom { recursion, deciding, closing_speed, response, row, closing, .. } = room;
         recursion.clear();
         let unit = Wrench::new(Vector3::zeros(), located.normal_root);
         recursion.add_wrench(model.body_of(located.link), 0, unit);
         recursion.add_wrench(located.against.and_then(|link| model.body_of(link)), 0, -unit);
         deciding.restart();
         recursion.eliminate(model, self.kinematics, self.groups, &located.point_root, deciding);
+        *response = recursion.response(0, 0);
         model.contact_row_into(self.kinematics, located, row);
         *closing_speed = relative_closing_speed(closing, model, self.kinematics, self.groups, recursion, row);
     }

@@ -173,6 +173,7 @@ impl<const K: usize> Deciding<K> {
 }
 
 impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
+    #[inline]
     fn body(
         &mut self,
         body: usize,
@@ -190,6 +191,7 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
         self.wrench[body] = wrenches.map(|f| (f.moment.norm(), f.force.norm()));
     }
 
+    #[inline]
     fn takes(
         &mut self,
         body: usize,
@@ -209,6 +211,7 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
         part >= LATE_PIVOT || candidate + 1 == dofs
     }
 
+    #[inline]
     fn joint(&mut self, body: usize, velocity: usize, step: &JointElimination<f64, K>) -> bool {
         let (turn, slide) = self.sizes(body, &step.s);
         let (moment, mass) = self.inertia[body];
