@@ -17,7 +17,8 @@ from pathlib import Path
 import drake_scenes
 import mujoco_scenes
 import snippets
-from impacts import Contact, answer, damp, linear_impact, parameters
+from impacts import RADIUS, Contact, answer, damp, linear_impact, parameters
+from scenes import Pendulum
 from tally import Tally
 
 RESTITUTIONS = (0.2, 0.5, 0.8)
@@ -47,22 +48,7 @@ WRONG_NAMES = ("own mass", "k, c over own mass", "k, c undivided", "loops at def
 
 BALL = Contact(("--mass", "1.5"), 1e5, 0.4)
 LENGTH, ROTORS = 0.8, (0.0, 0.5, 3.0)
-PENDULUM = f"""<robot name="pendulum">
-  <link name="world"/>
-  <link name="rod">
-    <inertial>
-      <origin xyz="{LENGTH} 0 0"/>
-      <mass value="1.5"/>
-      <inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/>
-    </inertial>
-  </link>
-  <joint name="hinge" type="continuous">
-    <parent link="world"/>
-    <child link="rod"/>
-    <axis xyz="0 -1 0"/>
-  </joint>
-</robot>
-"""
+PENDULUM = Pendulum(1.5, LENGTH, 0.0, LENGTH, RADIUS, 0.0).urdf
 FOUR_BAR = Contact(
     ("--mass-from", "models/four_bar.urdf", "--link", "coupler", "--point", "0.35,0.1,0", "--normal", "0,1,0"), 1e6, 2e-3
 )
