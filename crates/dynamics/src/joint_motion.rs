@@ -22,6 +22,11 @@ impl JointMotion {
         Self { kind: JointKind::Floating, axis: Vector3::z(), plane: (Vector3::x(), Vector3::y()) }
     }
 
+    /// The axis, a unit vector in the joint frame; of no meaning for joints without one.
+    pub fn axis(&self) -> Vector3<f64> {
+        self.axis
+    }
+
     /// X_jc: the child's frame in the joint frame at position `q` (layout of [`JointKind`]).
     #[inline]
     pub fn transform<T: Scalar>(&self, q: &[T]) -> Transform<T> {

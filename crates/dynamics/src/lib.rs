@@ -11,6 +11,7 @@
 mod advance;
 mod assembling;
 mod assembly;
+mod batch;
 mod careful;
 mod closing;
 mod closing_speed;
@@ -49,6 +50,7 @@ mod workspace;
 
 pub use assembling::{AssemblyError, LoopState};
 pub use assembly::{Assembly, DrawnGap};
+pub use batch::{Batch, BatchAnswer, BatchError, BatchPositions};
 pub use conditions::{Base, ConditionOfJoint, Conditions, ConditionsError};
 pub use configuration::{Configuration, ConfigurationError};
 pub use contact::{Contact, ContactError, ContactPart, Direction, Frame, LocatedContact};

@@ -91,6 +91,13 @@ pub(crate) const WEAK_DRIVER: f64 = 1e-2;
 
 // Bodies, and what is compiled.
 
+/// The sine of an angle between axes below which they are parallel to rounding.
+pub(crate) const NO_TURN: f64 = 2.0 * f64::EPSILON;
+/// The sine of an angle between axes below which their common normal is too far away to be of use.
+pub(crate) const PARALLEL_AXES: f64 = 0.05;
+/// How far a slide may go, in lengths of the mechanism, where sizes are bounded once for all; beyond that and its limits each
+/// configuration is asked by itself.
+pub(crate) const SLIDE_REACH: f64 = 8.0;
 /// Axes with a cosine below this with all joints at 0 were written to point opposite ways: within 8°.
 pub(crate) const REVERSED_AXES: f64 = -0.99;
 /// Independent coordinates of a cluster beyond which its blocks are formed from its mass matrix: O(n²) where sums over its

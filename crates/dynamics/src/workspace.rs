@@ -18,7 +18,7 @@ use std::sync::Arc;
 
 /// Room to pose a system again and again and to ask for m̄: trees, mimics, loops and held contacts. Nothing is allocated
 /// where the recursion answers by itself.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Workspace {
     assembly: Arc<Assembly>,
     kinematics: Kinematics<f64>,

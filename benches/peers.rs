@@ -1,0 +1,174 @@
+//! m̄ on the robots, poses and questions that other programs were timed with: `NAME.json` with the URDF, the struck link, the
+//! normal in the world, names of joints, poses and the expected m̄.
+//!
+//! Prints `percuss NAME scalar|lanes|workspace NS` (nanoseconds of thread CPU time for one m̄ at a new configuration, the least
+//! of many runs), after all m̄ were compared to 1e-9.
+
+use cpu_time::ThreadTime;
+use percuss_dynamics::{
+    Base, Batch, BatchAnswer, BatchPositions, Conditions, Contact, Direction, EffectiveMass, Frame, System,
+};
+use percuss_mechanism::Mechanism;
+use percuss_spatial::lanes::Instructions;
+use std::hint::black_box;
+use std::path::Path;
+
+/// Runs of a loop over all poses, of which the least counts.
+const RUNS: usize = 200;
+
+/// A robot's question.
+struct Question {
+    name: String,
+    system: System,
+    contact: Contact,
+    /// For each pose, the positions of all joints.
+    rows: Vec<Vec<f64>>,
+    expected: Vec<f64>,
+}
+
+fn main() {
+    let folder = std::env::args().nth(1).expect("the folder of the questions");
+    let mut names: Vec<_> = std::fs::read_dir(&folder)
+        .expect("a folder")
+        .filter_map(|entry| Some(entry.ok()?.path()))
+        .filter(|path| path.extension().is_some_and(|e| e == "json"))
+        .collect();
+    names.sort();
+    for path in names {
+        time(&Question::read(&path));
+    }
+}
+
+impl Question {
+    fn read(path: &Path) -> Self {
+        let text = std::fs::read_to_string(path).expect("a question");
+        let value: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+        let numbers = |v: &serde_json::Value| -> Vec<f64> {
+            v.as_array().expect("a list").iter().map(|x| x.as_f64().expect("a number")).collect()
+        };
+        let word = |key: &str| value[key].as_str().expect("a word").to_owned();
+        let urdf = std::fs::read_to_string(word("urdf")).expect("the URDF");
+        let mechanism = percuss_benches::loaded(&without_mimics(&urdf));
+        let normal: [f64; 3] = numbers(&value["normal_world"]).try_into().expect("three numbers");
+        let point: [f64; 3] = numbers(&value["point"]).try_into().expect("three numbers");
+        let link = mechanism.find_link(&word("link")).expect("the link");
+        let contact = Contact::new(link, point, normal).normal(Direction::Along(normal.into(), Frame::World));
+        let names = value["joints"].as_array().expect("names");
+        let places: Vec<usize> =
+            names.iter().map(|name| place(&mechanism, name.as_str().expect("a name"))).collect();
+        let positions: usize = mechanism.joints().iter().map(|j| j.kind().positions()).sum();
+        let rows = value["poses"].as_array().expect("poses").iter().map(|pose| {
+            let mut row = vec![0.0; positions];
+            places.iter().zip(numbers(pose)).for_each(|(place, q)| row[*place] = q);
+            row
+        });
+        let mut conditions = Conditions::new();
+        if value["base"] == "floating" {
+            conditions = conditions.base(Base::Floating);
+        }
+        let rows = rows.collect();
+        Self {
+            name: path.file_stem().expect("a name").to_string_lossy().into_owned(),
+            rows,
+            expected: numbers(&value["effective_mass"]),
+            contact,
+            system: System::new(mechanism, &conditions).expect("conditions that fit"),
+        }
+    }
+}
+
+/// Others leave mimics out, so that the question must.
+fn without_mimics(urdf: &str) -> String {
+    let mut text = String::with_capacity(urdf.len());
+    let mut rest = urdf;
+    while let Some(start) = rest.find("<mimic ") {
+        let end = start + rest[start..].find('>').expect("a tag that ends") + 1;
+        text.push_str(&rest[..start]);
+        rest = &rest[end..];
+    }
+    text + rest
+}
+
+/// Where a joint's position stands among all.
+fn place(mechanism: &Mechanism, name: &str) -> usize {
+    let joint = mechanism.find_joint(name).expect("the joint");
+    mechanism.joints()[..joint.index()].iter().map(|j| j.kind().positions()).sum()
+}
+
+fn time(question: &Question) {
+    let assembly = question.system.reference_or_open();
+    let mut batch: Batch = assembly.batch(&question.contact).expect("a contact that fits");
+    let count = question.rows.len();
+    let width = question.rows[0].len();
+    let mut columns = vec![0.0; width * count];
+    for (c, row) in question.rows.iter().enumerate() {
+        row.iter().enumerate().for_each(|(q, value)| columns[q * count + c] = *value);
+    }
+    let positions = BatchPositions::Columns { values: &columns, stride: count };
+    let rows: Vec<f64> = question.rows.concat();
+    let by_rows = BatchPositions::Rows { values: &rows, stride: width };
+    let mut answers = vec![BatchAnswer::NONE; count];
+    let line = |what: &str, ns: f64| println!("percuss {} {what} {ns:.1}", question.name);
+
+    let mut workspace = assembly.workspace();
+    let mut ask = |row: &[f64]| {
+        workspace.set_positions(row).expect("positions that fit");
+        workspace.effective_mass(&question.contact).expect("an answer")
+    };
+    compare(question, "workspace", question.rows.iter().map(|row| Some(ask(row))));
+    line(
+        "workspace",
+        least(count, || question.rows.iter().for_each(|row| _ = black_box(ask(black_box(row))))),
+    );
+
+    compare(
+        question,
+        "scalar",
+        question.rows.iter().map(|row| batch.effective_mass(row).expect("positions").mass),
+    );
+    let doubted =
+        question.rows.iter().filter(|row| batch.effective_mass(row).is_ok_and(|a| a.error.is_none())).count();
+    println!("percuss {} lanes: {}, asked again: {doubted}", question.name, batch.has_lanes());
+    line(
+        "scalar",
+        least(count, || {
+            question.rows.iter().for_each(|row| _ = black_box(batch.effective_mass(black_box(row))));
+        }),
+    );
+    for set in [Instructions::Baseline, Instructions::Avx2, Instructions::Avx512] {
+        if !set.is_available() {
+            continue;
+        }
+        let batch = batch.clone().with_instructions(set);
+        batch.run(positions, &mut answers).expect("positions that fit");
+        compare(question, set.name(), answers.iter().map(|a| a.mass));
+        line(
+            &format!("lanes {}", set.name()),
+            least(count, || batch.run_here(black_box(positions), &mut answers).expect("positions that fit")),
+        );
+        line(
+            &format!("lanes {} by rows", set.name()),
+            least(count, || batch.run_here(black_box(by_rows), &mut answers).expect("positions that fit")),
+        );
+    }
+}
+
+/// Nanoseconds of thread CPU time for one of `count`.
+fn least(count: usize, mut all: impl FnMut()) -> f64 {
+    let run = |_| {
+        let start = ThreadTime::now();
+        all();
+        start.elapsed().as_nanos() as f64
+    };
+    (0..RUNS).map(run).fold(f64::INFINITY, f64::min) / count as f64
+}
+
+fn compare(question: &Question, route: &str, masses: impl Iterator<Item = Option<EffectiveMass>>) {
+    let mut worst = 0.0f64;
+    for (mass, expected) in masses.zip(&question.expected) {
+        let Some(EffectiveMass::Finite(mass)) = mass else { panic!("{}, {route}: {mass:?}", question.name) };
+        worst = worst.max((mass / expected - 1.0).abs());
+    }
+    assert!(worst < 1e-9, "{}, {route}: off by {worst:.1e}", question.name);
+    println!("percuss {} {route} agrees to {worst:.1e}", question.name);
+}

@@ -1,0 +1,408 @@
+//! m̄ of one contact at many configurations: in lanes, by threads.
+//!
+//! Trees of hinges and slides, on the ground or floating, go through a recursion of their own in as many lanes as the
+//! processor has. A lane that is in doubt (massless, immovable, near either, too much rounding) is asked again by itself,
+//! by [`Workspace`], and so is every configuration of other mechanisms: the answers are the same, one by one.
+
+mod own_axes;
+mod plan;
+
+use crate::assembly::Assembly;
+use crate::contact::{Contact, Direction, Frame};
+use crate::model::Model;
+use crate::outcome::{EffectiveMass, ResponseError};
+use crate::tolerances::{ROUTE_ROUNDINGS, TRUSTED_ERROR};
+use crate::velocities::{VelocityError, check_positions};
+use crate::workspace::Workspace;
+use nalgebra::Vector3;
+use own_axes::{Columns, Normal, ROOM, Selected, Selection, Struck, evaluate};
+use percuss_spatial::lanes::{Instructions, Lanes, Work};
+use plan::Plan;
+use rayon::prelude::*;
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
+/// How many configurations a thread takes at once.
+const PORTION: usize = 512;
+/// The widest lanes.
+const WIDEST: usize = 8;
+
+/// Configurations: the positions of all joints one after another, in joint order, for each.
+#[derive(Clone, Copy, Debug)]
+pub enum BatchPositions<'a> {
+    /// Configuration `c` begins at `c · stride`.
+    Rows {
+        /// The positions.
+        values: &'a [f64],
+        /// How far configurations are apart.
+        stride: usize,
+    },
+    /// Position `q` of configuration `c` stands at `q · stride + c`: the fastest.
+    Columns {
+        /// The positions.
+        values: &'a [f64],
+        /// How far positions are apart.
+        stride: usize,
+    },
+}
+
+/// What one configuration is answered.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BatchAnswer {
+    /// None: there is no answer; [`Pose::respond`](crate::Pose::respond) at that configuration says why.
+    pub mass: Option<EffectiveMass>,
+    /// What rounding may amount to, kg; none where it was not counted.
+    pub error: Option<f64>,
+}
+
+impl BatchAnswer {
+    /// No answer yet.
+    pub const NONE: Self = Self { mass: None, error: None };
+}
+
+/// Why a batch does not run.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum BatchError {
+    /// Fewer numbers than the configurations need.
+    #[error(
+        "{got} numbers are given; {configurations} configurations of {positions} positions, {stride} apart, need {needed}"
+    )]
+    Short {
+        /// How many are given.
+        got: usize,
+        /// How many are needed.
+        needed: usize,
+        /// How many configurations are asked for.
+        configurations: usize,
+        /// How many positions each has.
+        positions: usize,
+        /// The stride.
+        stride: usize,
+    },
+    /// The stride lets configurations overlap.
+    #[error("the stride is {stride}; expected at least {least}")]
+    Stride {
+        /// What was given.
+        stride: usize,
+        /// The least.
+        least: usize,
+    },
+    /// The caller stopped it.
+    #[error("stopped after {done} configurations")]
+    Stopped {
+        /// How many are answered.
+        done: usize,
+    },
+}
+
+/// One contact, ready for many configurations.
+#[derive(Clone, Debug)]
+pub struct Batch {
+    assembly: Arc<Assembly>,
+    contact: Contact,
+    fast: Option<Fast>,
+    instructions: Instructions,
+    worker: Worker,
+}
+
+/// What the recursion in own axes needs.
+#[derive(Clone, Debug)]
+struct Fast {
+    selection: Arc<Selection>,
+    /// How many steps the plan has.
+    steps: usize,
+    /// Which positions are read.
+    read: Arc<[usize]>,
+}
+
+/// Room of one thread.
+#[derive(Clone, Debug)]
+struct Worker {
+    room: Vec<f64>,
+    /// BatchPositions of some lanes by columns.
+    columns: Vec<f64>,
+    /// BatchPositions of one configuration.
+    row: Vec<f64>,
+    workspace: Workspace,
+}
+
+impl Assembly {
+    /// Room to ask for m̄ of one contact at many configurations of this assembly. Points and normals in the world are taken
+    /// with the root link at the world's origin.
+    ///
+    /// # Errors
+    /// [`ResponseError`]: a contact that means nothing.
+    pub fn batch(self: &Arc<Self>, contact: &Contact) -> Result<Batch, ResponseError> {
+        let model = self.model();
+        model.check_contact(contact)?;
+        let fast = Plan::of(model).and_then(|plan| Fast::new(model, plan, contact));
+        let steps = fast.as_ref().map_or(0, |fast| fast.steps);
+        let worker = Worker {
+            room: vec![0.0; steps * ROOM * WIDEST],
+            columns: vec![0.0; if fast.is_some() { model.positions * WIDEST } else { 0 }],
+            row: vec![0.0; model.positions],
+            workspace: self.workspace(),
+        };
+        let instructions = Instructions::best();
+        Ok(Batch { assembly: Arc::clone(self), contact: *contact, fast, instructions, worker })
+    }
+}
+
+impl Fast {
+    fn new(model: &Model, plan: Plan, contact: &Contact) -> Option<Self> {
+        let on_ground = |link| model.body_of(link).is_none();
+        let body = model.body_of(contact.link)?;
+        if !contact.against.is_none_or(on_ground) {
+            return None;
+        }
+        let own = plan.steps[body].frame.inverse();
+        let link = &model.link_frames[contact.link.index()].frame;
+        let normal = match contact.normal {
+            Direction::Toward(..) => return None,
+            Direction::Along(n, frame) => {
+                let n = n.normalize();
+                match (frame, contact.against) {
+                    (Frame::Link, _) => Normal::Body(own.vector(&link.vector(&n)).into()),
+                    (Frame::Against, Some(other)) => {
+                        Normal::Root(model.link_frames[other.index()].frame.vector(&n).into())
+                    }
+                    (Frame::World, _) | (Frame::Against, None) => Normal::Root(n.into()),
+                }
+            }
+        };
+        let point: Vector3<f64> = own.point(&link.point(&contact.point));
+        let mut path = vec![body];
+        while let Some(parent) = plan.steps[*path.last()?].parent {
+            path.push(parent);
+        }
+        path.reverse();
+        let top = path[0];
+        // All that the topmost carrier carries: the rest of the mechanism does not move with it.
+        let mut carried = vec![false; plan.steps.len()];
+        for (i, step) in plan.steps.iter().enumerate() {
+            carried[i] = i == top || step.parent.is_some_and(|p| carried[p]);
+        }
+        let mut met = vec![false; plan.steps.len()];
+        let steps: Vec<Selected> = (0..plan.steps.len())
+            .rev()
+            .filter(|i| carried[*i])
+            .map(|number| {
+                let step = &plan.steps[number];
+                let is_first = step.parent.is_some_and(|p| !std::mem::replace(&mut met[p], true));
+                Selected {
+                    number,
+                    above: step.parent.map_or(step.inertia, |p| plan.steps[p].inertia),
+                    step: step.clone(),
+                    on_path: path.contains(&number),
+                    is_first,
+                    form: plan.form(number),
+                }
+            })
+            .collect();
+        let read = steps.iter().filter_map(|selected| selected.step.position()).collect();
+        let struck = Struck { point: point.into(), normal };
+        let path = path.into_iter().map(|i| (i, plan.steps[i].clone())).collect();
+        Some(Self { selection: Arc::new(Selection { steps, path, struck }), steps: plan.steps.len(), read })
+    }
+}
+
+/// Some lanes of a batch.
+struct Group<'a> {
+    fast: &'a Fast,
+    columns: Columns<'a>,
+    first: usize,
+    room: &'a mut [f64],
+    responses: &'a mut [f64],
+    terms: &'a mut [f64],
+}
+
+impl Work for Group<'_> {
+    #[inline(always)]
+    fn run<T: Lanes>(self) {
+        let answer: own_axes::Answer<T> = evaluate(&self.fast.selection, self.columns, self.first, self.room);
+        answer.response.store(self.responses);
+        answer.terms.store(self.terms);
+    }
+}
+
+/// A finite m̄ that rounding leaves no doubt of, and its error, kg.
+fn clear(response: f64, terms: f64) -> Option<BatchAnswer> {
+    let relative = f64::EPSILON * ROUTE_ROUNDINGS * terms / response;
+    // NaN is not small.
+    (response > 0.0 && relative <= TRUSTED_ERROR).then(|| {
+        let mass = 1.0 / response;
+        BatchAnswer { mass: Some(EffectiveMass::Finite(mass)), error: Some(relative * mass) }
+    })
+}
+
+impl Batch {
+    /// The instruction set that lanes take.
+    pub fn instructions(&self) -> Instructions {
+        self.instructions
+    }
+
+    /// Takes another instruction set; the baseline where this processor has not that one.
+    pub fn with_instructions(mut self, set: Instructions) -> Self {
+        self.instructions = if set.is_available() { set } else { Instructions::Baseline };
+        self
+    }
+
+    /// Whether configurations go through lanes; else each is asked by itself.
+    pub fn has_lanes(&self) -> bool {
+        self.fast.is_some()
+    }
+
+    /// m̄ at one configuration: the positions of all joints one after another. Equal to the last bit to that of
+    /// [`run`](Self::run). Allocates nothing where nothing is in doubt.
+    ///
+    /// # Errors
+    /// [`VelocityError::Positions`]: not as many as the mechanism has.
+    pub fn effective_mass(&mut self, positions: &[f64]) -> Result<BatchAnswer, VelocityError> {
+        check_positions(positions.len(), self.assembly.model().positions)?;
+        if let Some(fast) = &self.fast {
+            let (mut response, mut terms) = ([0.0], [0.0]);
+            self.instructions.run_one(Group {
+                fast,
+                columns: Columns { values: positions, stride: 1 },
+                first: 0,
+                room: &mut self.worker.room,
+                responses: &mut response,
+                terms: &mut terms,
+            });
+            if let Some(answer) = clear(response[0], terms[0]) {
+                return Ok(answer);
+            }
+        }
+        Ok(by_itself(&mut self.worker.workspace, &self.contact, positions))
+    }
+
+    /// m̄ at as many configurations as there are answers, by all threads of rayon's pool. The order of the work has no
+    /// influence on any answer.
+    ///
+    /// # Errors
+    /// [`BatchError`]: too few numbers, a stride that is too small.
+    pub fn run(&self, positions: BatchPositions<'_>, answers: &mut [BatchAnswer]) -> Result<(), BatchError> {
+        self.run_watched(positions, answers, |_| ControlFlow::Continue(()))
+    }
+
+    /// As [`run`](Self::run), by the calling thread alone.
+    ///
+    /// # Errors
+    /// As [`run`](Self::run).
+    pub fn run_here(
+        &self,
+        positions: BatchPositions<'_>,
+        answers: &mut [BatchAnswer],
+    ) -> Result<(), BatchError> {
+        self.check(positions, answers.len())?;
+        self.portion(&mut self.worker.clone(), positions, 0, answers);
+        Ok(())
+    }
+
+    /// As [`run`](Self::run); tells how many are done, now and then and from any thread, and stops when it is told to.
+    ///
+    /// # Errors
+    /// As [`run`](Self::run); [`BatchError::Stopped`]: stopped. What was answered until then stands in `answers`.
+    pub fn run_watched(
+        &self,
+        positions: BatchPositions<'_>,
+        answers: &mut [BatchAnswer],
+        watch: impl Fn(usize) -> ControlFlow<()> + Sync,
+    ) -> Result<(), BatchError> {
+        self.check(positions, answers.len())?;
+        let (done, stopped) = (AtomicUsize::new(0), AtomicBool::new(false));
+        answers.par_chunks_mut(PORTION).enumerate().for_each_init(
+            || self.worker.clone(),
+            |worker, (number, portion)| {
+                if stopped.load(Ordering::Relaxed) {
+                    return;
+                }
+                self.portion(worker, positions, number * PORTION, portion);
+                let done = done.fetch_add(portion.len(), Ordering::Relaxed) + portion.len();
+                if watch(done).is_break() {
+                    stopped.store(true, Ordering::Relaxed);
+                }
+            },
+        );
+        let done = done.into_inner();
+        if done < answers.len() { Err(BatchError::Stopped { done }) } else { Ok(()) }
+    }
+
+    fn check(&self, positions: BatchPositions<'_>, configurations: usize) -> Result<(), BatchError> {
+        let count = self.assembly.model().positions;
+        let (got, stride, least, outer, inner) = match positions {
+            BatchPositions::Rows { values, stride } => (values.len(), stride, count, configurations, count),
+            BatchPositions::Columns { values, stride } => {
+                (values.len(), stride, configurations, count, configurations)
+            }
+        };
+        if stride < least {
+            return Err(BatchError::Stride { stride, least });
+        }
+        let needed = outer.checked_sub(1).and_then(|o| o.checked_mul(stride)?.checked_add(inner));
+        match needed {
+            None if outer == 0 => Ok(()),
+            Some(needed) if needed <= got || inner == 0 => Ok(()),
+            _ => {
+                let needed = needed.unwrap_or(usize::MAX);
+                Err(BatchError::Short { got, needed, configurations, positions: count, stride })
+            }
+        }
+    }
+
+    /// Configurations `first` and those after it.
+    fn portion(
+        &self,
+        worker: &mut Worker,
+        positions: BatchPositions<'_>,
+        first: usize,
+        answers: &mut [BatchAnswer],
+    ) {
+        let width = self.instructions.width();
+        let Worker { room, columns, row, workspace } = worker;
+        for (number, answers) in answers.chunks_mut(width).enumerate() {
+            let start = first + number * width;
+            let [mut responses, mut terms] = [[f64::NAN; WIDEST]; 2];
+            if let Some(fast) = &self.fast {
+                let (columns, first) = match positions {
+                    BatchPositions::Columns { values, stride } if answers.len() == width => {
+                        (Columns { values, stride }, start)
+                    }
+                    _ => {
+                        // The last lanes repeat the last configuration.
+                        for (lane, c) in (0..width).map(|lane| (lane, start + lane.min(answers.len() - 1))) {
+                            fast.read.iter().for_each(|&q| columns[q * width + lane] = positions.at(c, q));
+                        }
+                        (Columns { values: columns, stride: width }, 0)
+                    }
+                };
+                let (responses, terms) = (&mut responses[..], &mut terms[..]);
+                self.instructions.run(Group { fast, columns, first, room, responses, terms });
+            }
+            for (lane, answer) in answers.iter_mut().enumerate() {
+                *answer = clear(responses[lane], terms[lane]).unwrap_or_else(|| {
+                    row.iter_mut().enumerate().for_each(|(q, to)| *to = positions.at(start + lane, q));
+                    by_itself(workspace, &self.contact, row)
+                });
+            }
+        }
+    }
+}
+
+impl BatchPositions<'_> {
+    #[inline]
+    fn at(&self, configuration: usize, q: usize) -> f64 {
+        match self {
+            BatchPositions::Rows { values, stride } => values[configuration * stride + q],
+            BatchPositions::Columns { values, stride } => values[q * stride + configuration],
+        }
+    }
+}
+
+/// The answer of a workspace.
+fn by_itself(workspace: &mut Workspace, contact: &Contact, positions: &[f64]) -> BatchAnswer {
+    let mass = workspace.set_positions(positions).ok().and_then(|()| workspace.effective_mass(contact).ok());
+    BatchAnswer { mass, error: None }
+}

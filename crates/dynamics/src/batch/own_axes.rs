@@ -1,0 +1,530 @@
+//! The recursion of a tree in its bodies' own axes, for as many configurations as there are lanes.
+//!
+//! ```text
+//! U = I e,  D = e·U + armature,  t = e·f;  I ← I − U D⁻¹ Uᵀ,  f ← f − U D⁻¹ t,  response += t²/D;  both to the carrier
+//! ```
+//!
+//! with e the turn about, or the slide along, the body's z axis: an entry of I, no product. It is the articulated recursion
+//! (Featherstone 2008, §7.3) that [`crate::recursion`] writes in the root's axes for every joint and every loop; this form
+//! leaves out the forward kinematics and the turning of every body's inertia. A test compares the two.
+
+use super::plan::{Leaf, Motion, Plan, Shape, Step, Turn};
+use percuss_spatial::lanes::{LARGEST_ANGLE, Lanes};
+use percuss_spatial::{PackedInertia, PackedWrench, Pivot, splat, turn_vector};
+
+/// The struck point and what wrench it gives, in the frames of the plan.
+#[derive(Clone, Debug)]
+pub(super) struct Struck {
+    /// The point in the struck body's frame, m.
+    pub point: [f64; 3],
+    pub normal: Normal,
+}
+
+/// The unit normal.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Normal {
+    /// In the struck body's frame.
+    Body([f64; 3]),
+    /// In the root link's.
+    Root([f64; 3]),
+}
+
+/// What a contact needs of a plan.
+#[derive(Clone, Debug)]
+pub(super) struct Selection {
+    /// Steps, those carried before those that carry.
+    pub steps: Vec<Selected>,
+    /// Steps from the ground to the struck body, by number.
+    pub path: Vec<(usize, Step)>,
+    pub struck: Struck,
+}
+
+/// A step that a contact needs.
+#[derive(Clone, Debug)]
+pub(super) struct Selected {
+    pub number: usize,
+    pub step: Step,
+    /// Its carrier's own inertia.
+    pub above: PackedInertia<f64>,
+    /// Whether it carries the struck point.
+    pub on_path: bool,
+    /// Whether it is the first of its carrier's.
+    pub is_first: bool,
+    pub form: Form,
+}
+
+/// Steps of one form go through code without a branch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Form {
+    /// On the ground.
+    Top,
+    /// A hinge whose way is [`Shape::Skew`] or [`Shape::Parallel`].
+    Hinge {
+        /// Whether the way is skew.
+        skew: bool,
+        /// Whether it carries nothing.
+        leaf: bool,
+        /// Whether its carrier is on the ground and turns: one entry of what it passes on is all that matters.
+        next_to_last: bool,
+    },
+    /// Any other.
+    Any,
+}
+
+impl Plan {
+    /// The form of a step.
+    pub fn form(&self, step: usize) -> Form {
+        let step = &self.steps[step];
+        let Some(parent) = step.parent else { return Form::Top };
+        let skew = match step.hinge() {
+            Some(Shape::Skew) => true,
+            Some(Shape::Parallel) => false,
+            Some(Shape::General) | None => return Form::Any,
+        };
+        let above = &self.steps[parent];
+        let next_to_last = above.parent.is_none() && above.hinge().is_some();
+        Form::Hinge { skew, leaf: step.leaf.is_some(), next_to_last }
+    }
+}
+
+/// The answers of some lanes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Answer<T> {
+    /// 1/m̄, 1/kg.
+    pub response: T,
+    /// What the response would be off by, were all that its pivots and tests are sums of off by as much as themselves, 1/kg.
+    pub terms: T,
+}
+
+/// Positions by columns: that of configuration `c` and position `q` stands at `q · stride + c`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Columns<'a> {
+    pub values: &'a [f64],
+    pub stride: usize,
+}
+
+impl Columns<'_> {
+    #[inline(always)]
+    fn at<T: Lanes>(&self, q: usize, first: usize) -> T {
+        T::load(&self.values[q * self.stride + first..])
+    }
+}
+
+/// How many numbers of room a step takes, for each lane: its inertia, sine and cosine (or travel).
+pub(super) const ROOM: usize = 23;
+const SINE: usize = 21;
+const COSINE: usize = 22;
+
+/// Of the struck point's wrench while it is carried to the ground.
+struct Carried<T> {
+    wrench: PackedWrench<T>,
+    /// Sizes of what its moment (N·m) and its force (N) are sums of.
+    about: T,
+    along: T,
+    /// 1/m̄, 1/kg, and what its terms amount to.
+    response: T,
+    terms: T,
+}
+
+/// 1/m̄ of configurations `first` and those after it.
+#[inline(always)]
+pub(super) fn evaluate<T: Lanes>(
+    selection: &Selection,
+    columns: Columns<'_>,
+    first: usize,
+    room: &mut [f64],
+) -> Answer<T> {
+    let beyond: T = place(selection, columns, first, room);
+    let mut carried = strike(selection, room);
+    for selected in &selection.steps {
+        if selected.on_path {
+            advance::<T, true>(selected, &mut carried, room);
+        } else {
+            advance::<T, false>(selected, &mut carried, room);
+        }
+    }
+    // What lies beyond the angles and travels that this is right for is doubted.
+    let Carried { response, terms, .. } = carried;
+    Answer { response, terms: beyond.mul_add(T::from_f64(f64::MAX), terms) }
+}
+
+/// Sines and cosines, and how far positions are beyond what they may be.
+#[inline(always)]
+fn place<T: Lanes>(selection: &Selection, columns: Columns<'_>, first: usize, room: &mut [f64]) -> T {
+    let mut beyond = T::zero();
+    for selected in &selection.steps {
+        let step = &selected.step;
+        let slot = &mut room[selected.number * ROOM * T::WIDTH..][..ROOM * T::WIDTH];
+        match step.motion {
+            Motion::Turn { q } => {
+                let angle: T = columns.at(q, first);
+                beyond += over(angle, LARGEST_ANGLE);
+                let (mut sin, mut cos) = angle.sin_cos();
+                if let Some(turn) = step.way.turn_z {
+                    let (s, c) = (T::from_f64(turn.sin), T::from_f64(turn.cos));
+                    (sin, cos) = (s.mul_add(cos, c * sin), c.mul_add(cos, -(s * sin)));
+                }
+                sin.store(&mut slot[SINE * T::WIDTH..]);
+                cos.store(&mut slot[COSINE * T::WIDTH..]);
+            }
+            Motion::Slide { q, most } => {
+                let travel: T = columns.at(q, first);
+                beyond += over(travel, most);
+                travel.store(&mut slot[SINE * T::WIDTH..]);
+            }
+            Motion::Free => {}
+        }
+    }
+    beyond
+}
+
+#[inline(always)]
+fn number<T: Lanes>(slot: &[f64], number: usize) -> T {
+    T::load(&slot[number * T::WIDTH..])
+}
+
+/// Twice what |x| is above a limit.
+#[inline(always)]
+fn over<T: Lanes>(x: T, most: f64) -> T {
+    let above = x.abs() - T::from_f64(most);
+    above + above.abs()
+}
+
+/// The unit force at the struck point.
+#[inline(always)]
+fn strike<T: Lanes>(selection: &Selection, room: &[f64]) -> Carried<T> {
+    let struck = &selection.struck;
+    let n = match struck.normal {
+        Normal::Body(n) => splat(&n),
+        Normal::Root(n) => {
+            let mut n = splat(&n);
+            for (i, step) in &selection.path {
+                turn_back(step, &mut n, &room[i * ROOM * T::WIDTH..][..ROOM * T::WIDTH]);
+            }
+            n
+        }
+    };
+    let p = struck.point;
+    let arm = (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]).sqrt();
+    let q: [T; 3] = splat(&p);
+    let moment = [
+        q[1].mul_add(n[2], -(q[2] * n[1])),
+        q[2].mul_add(n[0], -(q[0] * n[2])),
+        q[0].mul_add(n[1], -(q[1] * n[0])),
+    ];
+    Carried {
+        wrench: PackedWrench { moment, force: n },
+        about: T::from_f64(arm),
+        along: T::one(),
+        response: T::zero(),
+        terms: T::zero(),
+    }
+}
+
+/// A vector of the carrier's frame in the body's.
+#[inline(always)]
+fn turn_back<T: Lanes>(step: &Step, n: &mut [T; 3], slot: &[f64]) {
+    if let Some(turn) = step.way.last_turn_z {
+        let (c, s) = back::<T>(turn);
+        turn_vector::<T, 2>(n, c, s);
+    }
+    let (c, s) = back::<T>(step.way.tilt);
+    turn_vector::<T, 0>(n, c, s);
+    match step.motion {
+        Motion::Turn { .. } => {
+            let (s, c): (T, T) = (number(slot, SINE), number(slot, COSINE));
+            turn_vector::<T, 2>(n, c, -s);
+        }
+        Motion::Slide { .. } => {
+            if let Some(turn) = step.way.turn_z {
+                let (c, s) = back::<T>(turn);
+                turn_vector::<T, 2>(n, c, s);
+            }
+        }
+        Motion::Free => {}
+    }
+}
+
+/// Cosine and sine of a turn the other way.
+#[inline(always)]
+fn back<T: Lanes>(turn: Turn) -> (T, T) {
+    (T::from_f64(turn.cos), T::from_f64(-turn.sin))
+}
+
+/// Eliminates a body's joint and passes what is left to its carrier.
+#[inline(always)]
+fn advance<T: Lanes, const ON_PATH: bool>(selected: &Selected, carried: &mut Carried<T>, room: &mut [f64]) {
+    let step = &selected.step;
+    let (rest, own) = room.split_at_mut(selected.number * ROOM * T::WIDTH);
+    let own = &mut own[..ROOM * T::WIDTH];
+    let (Some(parent), false) = (step.parent, selected.form == Form::Top) else {
+        return top(step, carried, own);
+    };
+    let above = &selected.above;
+    let slot = &mut rest[parent * ROOM * T::WIDTH..][..ROOM * T::WIDTH];
+    macro_rules! hinge {
+        ($skew:literal, $leaf:literal, $next_to_last:literal) => {
+            hinge::<T, ON_PATH, $skew, $leaf, $next_to_last>(
+                step,
+                above,
+                selected.is_first,
+                carried,
+                own,
+                slot,
+            )
+        };
+    }
+    match selected.form {
+        Form::Hinge { skew: true, leaf: false, next_to_last: false } => hinge!(true, false, false),
+        Form::Hinge { skew: false, leaf: false, next_to_last: false } => hinge!(false, false, false),
+        Form::Hinge { skew: true, leaf: true, next_to_last: false } => hinge!(true, true, false),
+        Form::Hinge { skew: false, leaf: true, next_to_last: false } => hinge!(false, true, false),
+        Form::Hinge { skew: true, leaf: false, next_to_last: true } => hinge!(true, false, true),
+        Form::Hinge { skew: false, leaf: false, next_to_last: true } => hinge!(false, false, true),
+        Form::Hinge { skew: true, leaf: true, next_to_last: true } => hinge!(true, true, true),
+        Form::Hinge { skew: false, leaf: true, next_to_last: true } => hinge!(false, true, true),
+        Form::Top | Form::Any => any::<T, ON_PATH>(step, above, selected.is_first, carried, own, slot),
+    }
+}
+
+/// A hinge on the ground asks for one entry; what else stands there goes the long way.
+#[inline(always)]
+fn top<T: Lanes>(step: &Step, carried: &mut Carried<T>, own: &mut [f64]) {
+    let of = T::from_f64;
+    match (step.motion, &step.leaf) {
+        (Motion::Turn { .. }, None) if step.carries && step.moves => {
+            let d = number::<T>(own, 5) + of(step.armature[0]);
+            let over = T::one() / d;
+            carried.respond(of(step.moment), carried.wrench.moment[2], carried.about, over);
+        }
+        _ => _ = eliminated::<T, true>(step, carried, own),
+    }
+}
+
+/// A hinge, and its way.
+#[inline(always)]
+fn hinge<T: Lanes, const ON_PATH: bool, const SKEW: bool, const LEAF: bool, const NEXT_TO_LAST: bool>(
+    step: &Step,
+    above: &PackedInertia<f64>,
+    is_first: bool,
+    carried: &mut Carried<T>,
+    own: &[f64],
+    slot: &mut [f64],
+) {
+    let of = T::from_f64;
+    let mut inertia = if LEAF {
+        let Some(leaf) = &step.leaf else { return };
+        if ON_PATH {
+            spend::<T, ON_PATH, 2>(step, &leaf.pivot(), carried);
+        }
+        leaf.left.cast()
+    } else {
+        let mut inertia = PackedInertia::load(own);
+        let pivot = inertia.turn_pivot::<2>(of(step.armature[0]));
+        spend::<T, ON_PATH, 2>(step, &pivot, carried);
+        inertia.eliminate_turn::<2>(&pivot, &pivot.u.scaled(pivot.over));
+        inertia
+    };
+    let way = &step.way;
+    let (s, c): (T, T) = (number(own, SINE), number(own, COSINE));
+    let (along_z, along_x) = (of(way.along_z), of(way.along[0]));
+    inertia.screw::<2>(c, s, along_z);
+    let tilt = way.tilt;
+    if SKEW {
+        inertia.screw::<0>(of(tilt.cos), of(tilt.sin), along_x);
+    } else {
+        inertia.shift::<0>(along_x);
+    }
+    if ON_PATH {
+        carried.wrench.screw::<2>(c, s, along_z);
+        if SKEW {
+            carried.wrench.screw::<0>(of(tilt.cos), of(tilt.sin), along_x);
+        } else {
+            carried.wrench.shift::<0>(along_x);
+        }
+        carried.about = of(step.reach).mul_add(carried.along, carried.about);
+    }
+    if NEXT_TO_LAST {
+        // The whole is formed by nobody: what is not used is not computed.
+        let known = if is_first { of(above.angular[5]) } else { number(slot, 5) };
+        (known + inertia.angular[5]).store(&mut slot[5 * T::WIDTH..]);
+    } else {
+        pass(&mut inertia, above, is_first, slot);
+    }
+}
+
+/// Adds what is left to what the carrier has.
+#[inline(always)]
+fn pass<T: Lanes>(
+    inertia: &mut PackedInertia<T>,
+    above: &PackedInertia<f64>,
+    is_first: bool,
+    slot: &mut [f64],
+) {
+    if is_first {
+        inertia.add_rigid(above);
+        inertia.store(slot);
+    } else {
+        inertia.add(&PackedInertia::load(slot));
+        inertia.store(slot);
+    }
+}
+
+/// Any joint, and any way.
+#[inline(always)]
+fn any<T: Lanes, const ON_PATH: bool>(
+    step: &Step,
+    above: &PackedInertia<f64>,
+    is_first: bool,
+    carried: &mut Carried<T>,
+    own: &[f64],
+    slot: &mut [f64],
+) {
+    let mut inertia = eliminated::<T, ON_PATH>(step, carried, own);
+    go::<T, ON_PATH>(step, &mut inertia, carried, own);
+    if ON_PATH {
+        carried.about = T::from_f64(step.reach).mul_add(carried.along, carried.about);
+    }
+    pass(&mut inertia, above, is_first, slot);
+}
+
+/// What a body's joint leaves of its inertia.
+#[inline(always)]
+fn eliminated<T: Lanes, const ON_PATH: bool>(
+    step: &Step,
+    carried: &mut Carried<T>,
+    own: &[f64],
+) -> PackedInertia<T> {
+    let of = T::from_f64;
+    if let Some(leaf) = &step.leaf {
+        let pivot = leaf.pivot();
+        match step.motion {
+            Motion::Slide { .. } => spend::<T, ON_PATH, 5>(step, &pivot, carried),
+            _ => spend::<T, ON_PATH, 2>(step, &pivot, carried),
+        }
+        return leaf.left.cast();
+    }
+    let mut inertia: PackedInertia<T> =
+        if step.carries { PackedInertia::load(own) } else { step.inertia.cast() };
+    if !step.moves {
+        return inertia;
+    }
+    match step.motion {
+        Motion::Turn { .. } => {
+            let pivot = inertia.turn_pivot::<2>(of(step.armature[0]));
+            spend::<T, ON_PATH, 2>(step, &pivot, carried);
+            inertia.eliminate_turn::<2>(&pivot, &pivot.u.scaled(pivot.over));
+        }
+        Motion::Slide { .. } => {
+            let pivot = inertia.slide_pivot::<2>(of(step.armature[0]));
+            spend::<T, ON_PATH, 5>(step, &pivot, carried);
+            inertia.eliminate_slide::<2>(&pivot, &pivot.u.scaled(pivot.over));
+        }
+        Motion::Free => free_base(step, &mut inertia, carried),
+    }
+    inertia
+}
+
+/// The way to the carrier's frame.
+#[inline(always)]
+fn go<T: Lanes, const ON_PATH: bool>(
+    step: &Step,
+    inertia: &mut PackedInertia<T>,
+    carried: &mut Carried<T>,
+    own: &[f64],
+) {
+    let of = T::from_f64;
+    let (way, wrench) = (&step.way, &mut carried.wrench);
+    macro_rules! both {
+        ($what:ident::<$axis:literal>($($by:expr),*)) => {
+            inertia.$what::<$axis>($($by),*);
+            if ON_PATH {
+                wrench.$what::<$axis>($($by),*);
+            }
+        };
+    }
+    let along_z = of(way.along_z);
+    match step.motion {
+        Motion::Turn { .. } => {
+            let (s, c): (T, T) = (number(own, SINE), number(own, COSINE));
+            both!(screw::<2>(c, s, along_z));
+        }
+        Motion::Slide { .. } => {
+            both!(shift::<2>(number::<T>(own, SINE) + along_z));
+            if let Some(turn) = way.turn_z {
+                both!(turn::<2>(of(turn.cos), of(turn.sin)));
+            }
+        }
+        Motion::Free => {}
+    }
+    both!(screw::<0>(of(way.tilt.cos), of(way.tilt.sin), of(way.along[0])));
+    both!(shift::<1>(of(way.along[1])));
+    both!(shift::<2>(of(way.along[2])));
+    if let Some(turn) = way.last_turn_z {
+        both!(turn::<2>(of(turn.cos), of(turn.sin)));
+    }
+}
+
+impl Leaf {
+    #[inline(always)]
+    fn pivot<T: Lanes>(&self) -> Pivot<T> {
+        let of = T::from_f64;
+        Pivot { u: self.u.cast(), d: of(self.d), over: of(self.over), armature_part: of(self.armature_part) }
+    }
+}
+
+impl<T: Lanes> Carried<T> {
+    /// t²/D, and its terms. Gives t/D.
+    #[inline(always)]
+    fn respond(&mut self, size: T, t: T, test: T, over: T) -> T {
+        let rate = t * over;
+        let part = rate.abs();
+        self.response = t.mul_add(rate, self.response);
+        self.terms = part.mul_add(part.mul_add(size, test + test), self.terms);
+        rate
+    }
+}
+
+/// What a velocity takes of the struck point's wrench. `AXIS`: which of the twist's components it is, turns first.
+#[inline(always)]
+fn spend<T: Lanes, const ON_PATH: bool, const AXIS: usize>(
+    step: &Step,
+    pivot: &Pivot<T>,
+    carried: &mut Carried<T>,
+) {
+    let of = T::from_f64;
+    if !ON_PATH {
+        return;
+    }
+    let size = of(if AXIS < 3 { step.moment } else { step.mass });
+    let (t, test) = if AXIS < 3 {
+        (carried.wrench.moment[AXIS], carried.about)
+    } else {
+        (carried.wrench.force[AXIS - 3], carried.along)
+    };
+    let rate = carried.respond(size, t, test, pivot.over);
+    let part = rate.abs();
+    let (m, f) = (&pivot.u.moment, &pivot.u.force);
+    carried.about = (m[0].abs() + m[1].abs() + m[2].abs()).mul_add(part, carried.about);
+    carried.along = (f[0].abs() + f[1].abs() + f[2].abs()).mul_add(part, carried.along);
+    carried.wrench.subtract(&pivot.u, rate);
+}
+
+/// A free base: its six velocities one after another.
+#[inline(always)]
+fn free_base<T: Lanes>(step: &Step, inertia: &mut PackedInertia<T>, carried: &mut Carried<T>) {
+    let of = T::from_f64;
+    macro_rules! velocity {
+        ($pivot:ident, $eliminate:ident, $axis:literal, $component:literal) => {
+            let pivot = inertia.$pivot::<$axis>(of(step.armature[$component]));
+            spend::<T, true, $component>(step, &pivot, carried);
+            inertia.$eliminate::<$axis>(&pivot, &pivot.u.scaled(pivot.over));
+        };
+    }
+    velocity!(slide_pivot, eliminate_slide, 0, 3);
+    velocity!(slide_pivot, eliminate_slide, 1, 4);
+    velocity!(slide_pivot, eliminate_slide, 2, 5);
+    velocity!(turn_pivot, eliminate_turn, 0, 0);
+    velocity!(turn_pivot, eliminate_turn, 1, 1);
+    velocity!(turn_pivot, eliminate_turn, 2, 2);
+}

@@ -1,0 +1,350 @@
+//! What a tree of hinges and slides compiles to for the recursion in the bodies' own axes: frames whose z axis is the
+//! joint's, so that a pivot is an entry of the inertia, and the way from each to the frame that carries it by as few turns
+//! about and shifts along coordinate axes as there are (Denavit and Hartenberg 1955).
+
+use crate::joint_motion::JointMotion;
+use crate::model::{Body, Model};
+use crate::tolerances::{NO_TURN, PARALLEL_AXES, SLIDE_REACH};
+use nalgebra::{Matrix3, Vector3};
+use percuss_mechanism::JointKind;
+use percuss_spatial::lanes::{Lanes, Portable};
+use percuss_spatial::{PackedInertia, PackedWrench, Scalar, SpatialInertia, Transform};
+
+/// How a body moves on the one that carries it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Motion {
+    /// It turns about z, by a position.
+    Turn { q: usize },
+    /// It slides along z, by a position of at most this size (m).
+    Slide { q: usize, most: f64 },
+    /// A free base.
+    Free,
+}
+
+/// A turn by a constant angle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Turn {
+    pub cos: f64,
+    pub sin: f64,
+}
+
+impl Default for Turn {
+    fn default() -> Self {
+        Self::NONE
+    }
+}
+
+/// From a body's frame to the one that carries it, in this order after the joint's own motion: turn about z, shift along
+/// z, turn about x, shifts along x, y, z, turn about z. What is nothing is left out.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Way {
+    pub turn_z: Option<Turn>,
+    pub along_z: f64,
+    /// The turn about x.
+    pub tilt: Turn,
+    pub along: [f64; 3],
+    pub last_turn_z: Option<Turn>,
+    /// How far the origins are apart at most, m, a slide's own travel left out.
+    pub length: f64,
+    pub shape: Shape,
+}
+
+/// What a way is made of, for ways that are gone at once.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) enum Shape {
+    /// A shift along z, a turn about x, a shift along x.
+    Skew,
+    /// A shift along z and one along x: parallel axes.
+    Parallel,
+    /// Any.
+    #[default]
+    General,
+}
+
+/// A body and its joint.
+#[derive(Clone, Debug)]
+pub(super) struct Step {
+    pub parent: Option<usize>,
+    pub motion: Motion,
+    /// Whether it moves; else it is locked where it stands.
+    pub moves: bool,
+    /// Whether other bodies hang on it.
+    pub carries: bool,
+    pub armature: [f64; 6],
+    pub inertia: PackedInertia<f64>,
+    pub way: Way,
+    /// X_bo: the frame taken here (o) in the body's own.
+    pub frame: Transform<f64>,
+    /// How far its origin can be from its carrier's, m.
+    pub reach: f64,
+    /// The largest that the moment of inertia and the mass of all that it carries, held rigid, can be about its origin:
+    /// kg·m² and kg.
+    pub moment: f64,
+    pub mass: f64,
+    /// What carries nothing is eliminated once for all.
+    pub leaf: Option<Leaf>,
+}
+
+impl Step {
+    /// Whether it is a hinge, and of which shape its way.
+    pub fn hinge(&self) -> Option<Shape> {
+        (self.moves && matches!(self.motion, Motion::Turn { .. })).then_some(self.way.shape)
+    }
+
+    /// Which position moves it.
+    pub fn position(&self) -> Option<usize> {
+        match self.motion {
+            Motion::Turn { q } | Motion::Slide { q, .. } => Some(q),
+            Motion::Free => None,
+        }
+    }
+}
+
+/// The elimination of a body that carries nothing: constant in its own axes.
+#[derive(Clone, Debug)]
+pub(super) struct Leaf {
+    pub left: PackedInertia<f64>,
+    pub u: PackedWrench<f64>,
+    pub d: f64,
+    pub over: f64,
+    pub armature_part: f64,
+}
+
+/// The bodies of a tree in the model's order.
+#[derive(Clone, Debug)]
+pub(super) struct Plan {
+    pub steps: Vec<Step>,
+}
+
+impl Plan {
+    /// None where the tree has joints of other kinds, bodies that are bound together, or negative masses.
+    pub fn of(model: &Model) -> Option<Self> {
+        let bound = model.clusters.iter().any(|cluster| cluster.is_bound);
+        if bound || !model.bodies.iter().all(is_plain) {
+            return None;
+        }
+        let mut frames: Vec<Option<Transform<f64>>> = vec![None; model.bodies.len()];
+        let mut steps: Vec<Step> = Vec::with_capacity(model.bodies.len());
+        // Parents before children: the first child that a frame is not yet fixed for may place it.
+        for (i, body) in model.bodies.iter().enumerate() {
+            let frame = *frames[i].get_or_insert_with(|| own_frame(model, i));
+            let carrier = body.parent.map_or(Transform::identity(), |p| steps[p].frame);
+            let k = carrier.inverse() * body.origin * frame;
+            let way = Way::of(&k);
+            let motion = motion_of(model, body);
+            let reach = way.length + if let Motion::Slide { most, .. } = motion { most } else { 0.0 };
+            steps.push(Step {
+                parent: body.parent,
+                motion,
+                moves: !body.v.is_empty(),
+                carries: false,
+                armature: std::array::from_fn(|a| body.armature.get(a).copied().unwrap_or(0.0)),
+                inertia: PackedInertia::of_body(&frame.inverse().inertia(&body.inertia)),
+                way,
+                frame,
+                reach,
+                moment: 0.0,
+                mass: 0.0,
+                leaf: None,
+            });
+        }
+        let mut plan = Self { steps };
+        plan.fill_sizes();
+        plan.fill_leaves();
+        Some(plan)
+    }
+
+    /// Sizes of what every body carries, with its joints wherever they can be.
+    fn fill_sizes(&mut self) {
+        let mut first = vec![0.0; self.steps.len()];
+        for i in (0..self.steps.len()).rev() {
+            let step = &mut self.steps[i];
+            let (own, h) = (&step.inertia, &step.inertia.coupling);
+            step.moment += (own.angular[0] + own.angular[3] + own.angular[5]) / 2.0;
+            step.mass += own.linear[0];
+            first[i] += Vector3::new(h[1][2], h[2][0], h[0][1]).norm();
+            let (moment, mass, h, r) = (step.moment, step.mass, first[i], step.reach);
+            if let Some(parent) = step.parent {
+                self.steps[parent].moment += moment + r * (2.0 * h + r * mass);
+                self.steps[parent].mass += mass;
+                first[parent] += h + r * mass;
+            }
+        }
+    }
+
+    fn fill_leaves(&mut self) {
+        for i in 0..self.steps.len() {
+            if let Some(parent) = self.steps[i].parent {
+                self.steps[parent].carries = true;
+            }
+        }
+        for step in self.steps.iter_mut().filter(|step| !step.carries && step.moves) {
+            step.leaf = Leaf::of(step);
+        }
+    }
+}
+
+impl Leaf {
+    fn of(step: &Step) -> Option<Self> {
+        type One = Portable<1>;
+        let value = |x: One| {
+            let mut out = [0.0];
+            x.store(&mut out);
+            out[0]
+        };
+        let mut left: PackedInertia<One> = step.inertia.cast();
+        let armature = One::from_f64(step.armature[0]);
+        let pivot = match step.motion {
+            Motion::Turn { .. } => left.turn_pivot::<2>(armature),
+            Motion::Slide { .. } => left.slide_pivot::<2>(armature),
+            Motion::Free => return None,
+        };
+        let over_d = pivot.u.scaled(One::from_f64(1.0) / pivot.d);
+        match step.motion {
+            Motion::Turn { .. } => left.eliminate_turn::<2>(&pivot, &over_d),
+            _ => left.eliminate_slide::<2>(&pivot, &over_d),
+        }
+        let wrench =
+            |w: &PackedWrench<One>| PackedWrench { moment: w.moment.map(value), force: w.force.map(value) };
+        Some(Self {
+            left: PackedInertia {
+                angular: left.angular.map(value),
+                coupling: left.coupling.map(|row| row.map(value)),
+                linear: left.linear.map(value),
+            },
+            u: wrench(&pivot.u),
+
+            d: value(pivot.d),
+            over: value(One::from_f64(1.0) / pivot.d),
+            armature_part: value(pivot.armature_part),
+        })
+    }
+}
+
+/// Whether the recursion in own axes knows a body's joint, and its inertia is that of something that exists.
+fn is_plain(body: &Body) -> bool {
+    let known = matches!(
+        (body.motion.kind, body.joint),
+        (JointKind::Revolute | JointKind::Continuous | JointKind::Prismatic, Some(_))
+            | (JointKind::Floating, None)
+    );
+    known && body.mimic.is_none() && is_positive(&body.inertia)
+}
+
+/// Whether no motion has a negative energy, to rounding.
+fn is_positive(inertia: &SpatialInertia<f64>) -> bool {
+    if inertia.mass <= 0.0 {
+        return inertia.mass == 0.0 && inertia.first_moment.norm() == 0.0 && inertia.rotational.norm() == 0.0;
+    }
+    let h = inertia.first_moment;
+    let steiner = (Matrix3::identity() * h.norm_squared() - h * h.transpose()) / inertia.mass;
+    let least = (inertia.rotational - steiner).symmetric_eigenvalues().min();
+    least >= -f64::EPSILON * 16.0 * inertia.rotational.norm()
+}
+
+fn motion_of(model: &Model, body: &Body) -> Motion {
+    let Some(joint) = body.joint else { return Motion::Free };
+    let q = body.q.start;
+    if body.motion.kind != JointKind::Prismatic {
+        return Motion::Turn { q };
+    }
+    // Beyond its limits it is still right to go; as far as the mechanism is large, say.
+    let far = SLIDE_REACH * model.mechanism.characteristic_length();
+    let limits = model.mechanism.joint(joint).limits();
+    let most = limits.map_or(0.0, |l| l.lower.abs().max(l.upper.abs()));
+    Motion::Slide { q, most: if most.is_finite() { most.max(far) } else { far } }
+}
+
+/// The frame of a body: z along its joint's axis, x and the origin as its first child's axis wants them.
+fn own_frame(model: &Model, i: usize) -> Transform<f64> {
+    let body = &model.bodies[i];
+    let Some(z) = axis_of(&body.motion) else { return Transform::identity() };
+    let child = model.bodies[i + 1..].iter().find(|child| child.parent == Some(i));
+    let line = child
+        .and_then(|child| Some((child.origin.vector(&axis_of(&child.motion)?), child.origin.translation)));
+    let (x, origin) = match line {
+        Some((direction, point)) => common_normal(&z, &direction, &point),
+        None => (None, Vector3::zeros()),
+    };
+    let x = x.unwrap_or_else(|| percuss_spatial::plane_basis(&z).0);
+    Transform::new(Matrix3::from_columns(&[x, z.cross(&x), z]), origin)
+}
+
+fn axis_of(motion: &JointMotion) -> Option<Vector3<f64>> {
+    (motion.kind != JointKind::Floating).then(|| motion.axis())
+}
+
+/// The direction of the common normal of an axis z through the origin and another line, and its foot on the axis.
+fn common_normal(
+    z: &Vector3<f64>,
+    direction: &Vector3<f64>,
+    point: &Vector3<f64>,
+) -> (Option<Vector3<f64>>, Vector3<f64>) {
+    let normal = z.cross(direction);
+    let sine = normal.norm();
+    let across = point - z * z.dot(point);
+    if sine > PARALLEL_AXES {
+        let x = normal / sine;
+        // point + s direction − t z is along x.
+        let in_plane = z.cross(&x);
+        let s = -point.dot(&in_plane) / direction.dot(&in_plane);
+        return (Some(x), z * z.dot(&(point + direction * s)));
+    }
+    let length = across.norm();
+    ((length > 0.0).then(|| across / length), z * z.dot(point))
+}
+
+impl Way {
+    /// By X_po with the joint at 0.
+    fn of(k: &Transform<f64>) -> Self {
+        let (r, p) = (&k.rotation, &k.translation);
+        // R = Rz(φ₁) Rx(α) Rz(φ₂).
+        let sine = r[(0, 2)].hypot(r[(1, 2)]);
+        let parallel = sine <= NO_TURN;
+        let first = if parallel { Turn::NONE } else { Turn::of(-r[(1, 2)], r[(0, 2)]) };
+        // Rows of Rz(−φ₁) R: the first is (cos φ₂, −sin φ₂, 0).
+        let second = Turn::of(
+            first.cos * r[(0, 0)] + first.sin * r[(1, 0)],
+            -(first.cos * r[(0, 1)] + first.sin * r[(1, 1)]),
+        );
+        let tilt =
+            if parallel { Turn { cos: r[(2, 2)].signum(), sin: 0.0 } } else { Turn::of(r[(2, 2)], sine) };
+        let mut along = [first.cos * p.x + first.sin * p.y, first.cos * p.y - first.sin * p.x, p.z];
+        let mut along_z = 0.0;
+        if sine > PARALLEL_AXES {
+            // What is across the common normal is a shift along the child's axis: (0, −sin α, cos α).
+            along_z = -along[1] / tilt.sin;
+            along[2] -= along_z * tilt.cos;
+            along[1] = 0.0;
+        } else if parallel {
+            // Parallel axes: a shift along the one is one along the other.
+            along_z = along[2] * tilt.cos;
+            along[2] = 0.0;
+        }
+        let small = |d: f64| if d.abs() <= f64::EPSILON * p.norm() { 0.0 } else { d };
+        let (along, along_z) = (along.map(small), small(along_z));
+        let length = along_z.abs() + Vector3::from(along).norm();
+        let last_turn_z = first.unless_none();
+        let shape = if along[1] != 0.0 || along[2] != 0.0 || last_turn_z.is_some() {
+            Shape::General
+        } else if tilt == Turn::NONE {
+            Shape::Parallel
+        } else {
+            Shape::Skew
+        };
+        Self { turn_z: second.unless_none(), along_z, tilt, along, last_turn_z, length, shape }
+    }
+}
+
+impl Turn {
+    const NONE: Self = Self { cos: 1.0, sin: 0.0 };
+
+    fn of(x: f64, y: f64) -> Self {
+        let length = x.hypot(y);
+        Self { cos: x / length, sin: y / length }
+    }
+
+    fn unless_none(self) -> Option<Self> {
+        (self.sin.abs() > NO_TURN || self.cos < 0.0).then_some(self)
+    }
+}

@@ -1,0 +1,322 @@
+//! Lanes of x86-64: SSE2, AVX2 with FMA, AVX-512.
+//!
+//! The only unsafe code of this crate. It is sound because a set's functions are entered only after the processor was asked for
+//! the set, and no lane type of a set can be named outside of this file.
+
+#![allow(unsafe_code)]
+
+use super::lane::{Lanes, Work};
+use super::portable::Portable;
+use super::sines::sin_cos;
+use crate::Scalar;
+use num_traits::{One, Zero};
+use std::arch::is_x86_feature_detected;
+use std::arch::x86_64::*;
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+pub(super) fn has_avx2() -> bool {
+    is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")
+}
+
+pub(super) fn has_avx512() -> bool {
+    has_avx2()
+        && is_x86_feature_detected!("avx512f")
+        && is_x86_feature_detected!("avx512dq")
+        && is_x86_feature_detected!("avx512vl")
+}
+
+pub(super) fn run_two<W: Work>(work: W) {
+    work.run::<Two>();
+}
+
+/// On the baseline, where the processor does not have it; so do the others.
+pub(super) fn run_four<W: Work>(work: W) {
+    #[target_feature(enable = "avx2,fma")]
+    fn inside<W: Work>(work: W) {
+        work.run::<Four>();
+    }
+    if has_avx2() {
+        // SAFETY: the processor was asked.
+        unsafe { inside(work) }
+    } else {
+        run_two(work);
+    }
+}
+
+pub(super) fn run_eight<W: Work>(work: W) {
+    #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2,fma")]
+    fn inside<W: Work>(work: W) {
+        work.run::<Eight>();
+    }
+    if has_avx512() {
+        // SAFETY: the processor was asked.
+        unsafe { inside(work) }
+    } else {
+        run_two(work);
+    }
+}
+
+pub(super) fn run_fused<W: Work>(work: W) {
+    #[target_feature(enable = "avx2,fma")]
+    fn inside<W: Work>(work: W) {
+        work.run::<Fused>();
+    }
+    if has_avx2() {
+        // SAFETY: the processor was asked.
+        unsafe { inside(work) }
+    } else {
+        work.run::<Portable<1>>();
+    }
+}
+
+macro_rules! lanes {
+    ($name:ident, $register:ty, $width:literal, $splat:ident, $load:ident, $store:ident, $add:ident, $sub:ident, $mul:ident,
+        $div:ident, $sqrt:ident, |$n:ident| $neg:expr, |$x:ident| $abs:expr, |$a:ident, $b:ident, $c:ident| $mul_add:expr) => {
+        #[derive(Clone, Copy, Debug)]
+        struct $name($register);
+
+        impl $name {
+            #[inline(always)]
+            fn numbers(self) -> [f64; $width] {
+                let mut numbers = [0.0; $width];
+                self.store(&mut numbers);
+                numbers
+            }
+        }
+
+        impl PartialEq for $name {
+            fn eq(&self, other: &Self) -> bool {
+                self.numbers() == other.numbers()
+            }
+        }
+
+        lanes!(@operator $name, Add, add, AddAssign, add_assign, $add);
+        lanes!(@operator $name, Sub, sub, SubAssign, sub_assign, $sub);
+        lanes!(@operator $name, Mul, mul, MulAssign, mul_assign, $mul);
+        lanes!(@operator $name, Div, div, DivAssign, div_assign, $div);
+
+        impl Neg for $name {
+            type Output = Self;
+            #[inline(always)]
+            fn neg(self) -> Self {
+                let $n = self.0;
+                // SAFETY: run inside the set's function alone.
+                Self(unsafe { $neg })
+            }
+        }
+
+        impl Zero for $name {
+            #[inline(always)]
+            fn zero() -> Self {
+                Self::from_f64(0.0)
+            }
+            fn is_zero(&self) -> bool {
+                self.numbers() == [0.0; $width]
+            }
+        }
+
+        impl One for $name {
+            #[inline(always)]
+            fn one() -> Self {
+                Self::from_f64(1.0)
+            }
+        }
+
+        impl Scalar for $name {
+            #[inline(always)]
+            fn from_f64(x: f64) -> Self {
+                // SAFETY: run inside the set's function alone.
+                Self(unsafe { $splat(x) })
+            }
+            #[inline(always)]
+            fn sin_cos(self) -> (Self, Self) {
+                sin_cos(self)
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                // SAFETY: run inside the set's function alone.
+                Self(unsafe { $sqrt(self.0) })
+            }
+        }
+
+        impl Lanes for $name {
+            const WIDTH: usize = $width;
+            #[inline(always)]
+            fn load(from: &[f64]) -> Self {
+                let from = &from[..$width];
+                // SAFETY: the slice holds as many numbers; the load needs no alignment.
+                Self(unsafe { $load(from.as_ptr()) })
+            }
+            #[inline(always)]
+            fn store(self, to: &mut [f64]) {
+                let to = &mut to[..$width];
+                // SAFETY: the slice holds as many numbers; the store needs no alignment.
+                unsafe { $store(to.as_mut_ptr(), self.0) }
+            }
+            #[inline(always)]
+            fn mul_add(self, factor: Self, addend: Self) -> Self {
+                let ($a, $b, $c) = (self.0, factor.0, addend.0);
+                // SAFETY: run inside the set's function alone.
+                Self(unsafe { $mul_add })
+            }
+            #[inline(always)]
+            fn abs(self) -> Self {
+                let $x = self.0;
+                // SAFETY: run inside the set's function alone.
+                Self(unsafe { $abs })
+            }
+        }
+    };
+    (@operator $name:ident, $trait:ident, $method:ident, $assign:ident, $assign_method:ident, $intrinsic:ident) => {
+        impl $trait for $name {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                // SAFETY: run inside the set's function alone.
+                Self(unsafe { $intrinsic(self.0, other.0) })
+            }
+        }
+        impl $assign for $name {
+            #[inline(always)]
+            fn $assign_method(&mut self, other: Self) {
+                *self = (*self).$method(other);
+            }
+        }
+    };
+}
+
+lanes!(
+    Two,
+    __m128d,
+    2,
+    _mm_set1_pd,
+    _mm_loadu_pd,
+    _mm_storeu_pd,
+    _mm_add_pd,
+    _mm_sub_pd,
+    _mm_mul_pd,
+    _mm_div_pd,
+    _mm_sqrt_pd,
+    |x| _mm_xor_pd(x, _mm_set1_pd(-0.0)),
+    |x| _mm_andnot_pd(_mm_set1_pd(-0.0), x),
+    |a, b, c| _mm_add_pd(_mm_mul_pd(a, b), c)
+);
+lanes!(
+    Four,
+    __m256d,
+    4,
+    _mm256_set1_pd,
+    _mm256_loadu_pd,
+    _mm256_storeu_pd,
+    _mm256_add_pd,
+    _mm256_sub_pd,
+    _mm256_mul_pd,
+    _mm256_div_pd,
+    _mm256_sqrt_pd,
+    |x| _mm256_xor_pd(x, _mm256_set1_pd(-0.0)),
+    |x| _mm256_andnot_pd(_mm256_set1_pd(-0.0), x),
+    |a, b, c| _mm256_fmadd_pd(a, b, c)
+);
+lanes!(
+    Eight,
+    __m512d,
+    8,
+    _mm512_set1_pd,
+    _mm512_loadu_pd,
+    _mm512_storeu_pd,
+    _mm512_add_pd,
+    _mm512_sub_pd,
+    _mm512_mul_pd,
+    _mm512_div_pd,
+    _mm512_sqrt_pd,
+    |x| _mm512_xor_pd(x, _mm512_set1_pd(-0.0)),
+    |x| _mm512_abs_pd(x),
+    |a, b, c| _mm512_fmadd_pd(a, b, c)
+);
+
+/// One number whose products are rounded with their sums. Plain operations, compiled for the set that has the instruction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Fused(f64);
+
+macro_rules! fused {
+    ($trait:ident, $method:ident, $assign:ident, $assign_method:ident, $operator:tt) => {
+        impl $trait for Fused {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                Self(self.0 $operator other.0)
+            }
+        }
+        impl $assign for Fused {
+            #[inline(always)]
+            fn $assign_method(&mut self, other: Self) {
+                self.0 = self.0 $operator other.0;
+            }
+        }
+    };
+}
+
+fused!(Add, add, AddAssign, add_assign, +);
+fused!(Sub, sub, SubAssign, sub_assign, -);
+fused!(Mul, mul, MulAssign, mul_assign, *);
+fused!(Div, div, DivAssign, div_assign, /);
+
+impl Neg for Fused {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+impl Zero for Fused {
+    #[inline(always)]
+    fn zero() -> Self {
+        Self(0.0)
+    }
+    fn is_zero(&self) -> bool {
+        self.0 == 0.0
+    }
+}
+
+impl One for Fused {
+    #[inline(always)]
+    fn one() -> Self {
+        Self(1.0)
+    }
+}
+
+impl Scalar for Fused {
+    #[inline(always)]
+    fn from_f64(x: f64) -> Self {
+        Self(x)
+    }
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        sin_cos(self)
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(self.0.sqrt())
+    }
+}
+
+impl Lanes for Fused {
+    const WIDTH: usize = 1;
+    #[inline(always)]
+    fn load(from: &[f64]) -> Self {
+        Self(from[0])
+    }
+    #[inline(always)]
+    fn store(self, to: &mut [f64]) {
+        to[0] = self.0;
+    }
+    #[inline(always)]
+    fn mul_add(self, factor: Self, addend: Self) -> Self {
+        Self(self.0.mul_add(factor.0, addend.0))
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self(self.0.abs())
+    }
+}

@@ -1,0 +1,488 @@
+//! An articulated inertia in its 21 numbers, moved from frame to frame by turns about coordinate axes and shifts along
+//! them: what the recursion in the bodies' own axes runs on.
+
+use crate::lanes::Lanes;
+use crate::{Scalar, SpatialInertia};
+
+/// Where the entry (i, j) of a symmetric 3×3 matrix stands among its six.
+#[inline(always)]
+const fn at(i: usize, j: usize) -> usize {
+    const PLACE: [[usize; 3]; 3] = [[0, 1, 2], [1, 3, 4], [2, 4, 5]];
+    PLACE[i][j]
+}
+
+/// The two axes after `Z`, in cyclic order.
+#[inline(always)]
+const fn after(z: usize) -> (usize, usize) {
+    ((z + 1) % 3, (z + 2) % 3)
+}
+
+/// A wrench in plain arrays: moment about the frame's origin (N·m) and force (N).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PackedWrench<T> {
+    /// N·m.
+    pub moment: [T; 3],
+    /// N.
+    pub force: [T; 3],
+}
+
+/// A symmetric 6×6 map from twist to wrench: moment = A ω + C v, force = Cᵀ ω + L v.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PackedInertia<T> {
+    /// A, its upper triangle row by row, kg·m².
+    pub angular: [T; 6],
+    /// C, rows, kg·m.
+    pub coupling: [[T; 3]; 3],
+    /// L, its upper triangle row by row, kg.
+    pub linear: [T; 6],
+}
+
+/// What eliminating one motion leaves: U and D.
+#[derive(Clone, Copy, Debug)]
+pub struct Pivot<T> {
+    /// U = I s.
+    pub u: PackedWrench<T>,
+    /// D = sᵀ I s + armature.
+    pub d: T,
+    /// D⁻¹.
+    pub over: T,
+    /// The armature's part of D: what is left of U along s is U times this.
+    pub armature_part: T,
+}
+
+/// The same vector in all lanes. Closures and iterators are left out on the hot path: only what is certainly inlined is
+/// compiled for the instruction set.
+#[inline(always)]
+pub fn splat<T: Scalar>(v: &[f64; 3]) -> [T; 3] {
+    [T::from_f64(v[0]), T::from_f64(v[1]), T::from_f64(v[2])]
+}
+
+/// Number `k` of those that stand in a slice, each as wide as the lanes.
+#[inline(always)]
+fn number<T: Lanes>(from: &[f64], k: usize) -> T {
+    T::load(&from[k * T::WIDTH..])
+}
+
+impl PackedWrench<f64> {
+    /// The same over lanes.
+    #[inline(always)]
+    pub fn cast<T: Scalar>(&self) -> PackedWrench<T> {
+        PackedWrench { moment: splat(&self.moment), force: splat(&self.force) }
+    }
+}
+
+impl<T: Lanes> Pivot<T> {
+    #[inline(always)]
+    fn new(u: PackedWrench<T>, d: T, armature: T) -> Self {
+        let over = T::one() / d;
+        Self { u, d, over, armature_part: armature * over }
+    }
+}
+
+impl PackedInertia<f64> {
+    /// Of a rigid body, in its own frame.
+    pub fn of_body(body: &SpatialInertia<f64>) -> Self {
+        let (i, h, m) = (&body.rotational, &body.first_moment, body.mass);
+        Self {
+            angular: [i[(0, 0)], i[(0, 1)], i[(0, 2)], i[(1, 1)], i[(1, 2)], i[(2, 2)]],
+            coupling: [[0.0, -h.z, h.y], [h.z, 0.0, -h.x], [-h.y, h.x, 0.0]],
+            linear: [m, 0.0, 0.0, m, 0.0, m],
+        }
+    }
+
+    /// The same over lanes.
+    #[inline(always)]
+    pub fn cast<T: Scalar>(&self) -> PackedInertia<T> {
+        let [a, b, c, d, e, f] = self.angular;
+        let [x, y, z] = &self.coupling;
+        let [g, h, i, j, k, l] = self.linear;
+        let of = T::from_f64;
+        PackedInertia {
+            angular: [of(a), of(b), of(c), of(d), of(e), of(f)],
+            coupling: [splat(x), splat(y), splat(z)],
+            linear: [of(g), of(h), of(i), of(j), of(k), of(l)],
+        }
+    }
+}
+
+/// R M Rᵀ for a turn about axis Z with cosine and sine.
+#[inline(always)]
+fn turn_symmetric<T: Lanes, const Z: usize>(m: &mut [T; 6], c: T, s: T) {
+    let (x, y) = after(Z);
+    let (xx, yy, xy, xz, yz) = (at(x, x), at(y, y), at(x, y), at(x, Z), at(y, Z));
+    let g = s.mul_add(m[xx] - m[yy], c * (m[xy] + m[xy]));
+    m[xx] = (-s).mul_add(g, m[xx]);
+    m[yy] = s.mul_add(g, m[yy]);
+    m[xy] = c.mul_add(g, -m[xy]);
+    (m[xz], m[yz]) = turned(m[xz], m[yz], c, s);
+}
+
+/// (c x − s y, s x + c y).
+#[inline(always)]
+fn turned<T: Lanes>(x: T, y: T, c: T, s: T) -> (T, T) {
+    (c.mul_add(x, -(s * y)), s.mul_add(x, c * y))
+}
+
+impl<T: Lanes> PackedInertia<T> {
+    /// How many it is stored in.
+    pub const NUMBERS: usize = 21;
+
+    /// Seen from a frame in which this one is turned about its axis `Z`, by an angle of this cosine and sine.
+    #[inline(always)]
+    pub fn turn<const Z: usize>(&mut self, c: T, s: T) {
+        turn_symmetric::<T, Z>(&mut self.linear, c, s);
+        self.turn_coupling::<Z>(c, s);
+        turn_symmetric::<T, Z>(&mut self.angular, c, s);
+    }
+
+    /// Seen from a frame with parallel axes whose axis `Z` passes through this one's origin at `d` (m).
+    ///
+    /// With r the shift: C ← C + \[r\]L, A ← A − C\[r\] + \[r\]Cᵀ with the C before and after.
+    #[inline(always)]
+    pub fn shift<const Z: usize>(&mut self, d: T) {
+        let before = self.shift_coupling::<Z>(d);
+        self.shift_angular::<Z>(&before, d);
+    }
+
+    /// A [`turn`](Self::turn), then a [`shift`](Self::shift) along the same axis.
+    #[inline(always)]
+    pub fn screw<const Z: usize>(&mut self, c: T, s: T, d: T) {
+        turn_symmetric::<T, Z>(&mut self.linear, c, s);
+        self.turn_coupling::<Z>(c, s);
+        let before = self.shift_coupling::<Z>(d);
+        turn_symmetric::<T, Z>(&mut self.angular, c, s);
+        self.shift_angular::<Z>(&before, d);
+    }
+
+    #[inline(always)]
+    fn turn_coupling<const Z: usize>(&mut self, c: T, s: T) {
+        let (x, y) = after(Z);
+        let m = &mut self.coupling;
+        let g = s.mul_add(m[x][x] - m[y][y], c * (m[x][y] + m[y][x]));
+        m[x][x] = (-s).mul_add(g, m[x][x]);
+        m[y][y] = s.mul_add(g, m[y][y]);
+        (m[x][y], m[y][x]) = (c.mul_add(g, -m[y][x]), c.mul_add(g, -m[x][y]));
+        (m[x][Z], m[y][Z]) = turned(m[x][Z], m[y][Z], c, s);
+        (m[Z][x], m[Z][y]) = turned(m[Z][x], m[Z][y], c, s);
+    }
+
+    /// Gives what it was in the plane across: rows x and y, columns x and y.
+    #[inline(always)]
+    fn shift_coupling<const Z: usize>(&mut self, d: T) -> [T; 4] {
+        let (x, y) = after(Z);
+        let (c, l) = (&mut self.coupling, &self.linear);
+        let before = [c[x][x], c[x][y], c[y][x], c[y][y]];
+        for k in 0..3 {
+            c[x][k] = (-d).mul_add(l[at(y, k)], c[x][k]);
+            c[y][k] = d.mul_add(l[at(x, k)], c[y][k]);
+        }
+        before
+    }
+
+    #[inline(always)]
+    fn shift_angular<const Z: usize>(&mut self, before: &[T; 4], d: T) {
+        let (x, y) = after(Z);
+        let (c, a) = (&self.coupling, &mut self.angular);
+        a[at(x, x)] = (-d).mul_add(before[1] + c[x][y], a[at(x, x)]);
+        a[at(y, y)] = d.mul_add(before[2] + c[y][x], a[at(y, y)]);
+        a[at(x, y)] = d.mul_add(before[0] - c[y][y], a[at(x, y)]);
+        a[at(x, Z)] = (-d).mul_add(c[Z][y], a[at(x, Z)]);
+        a[at(y, Z)] = d.mul_add(c[Z][x], a[at(y, Z)]);
+    }
+
+    /// The pivot of a turn about axis `Z`.
+    #[inline(always)]
+    pub fn turn_pivot<const Z: usize>(&self, armature: T) -> Pivot<T> {
+        let a = &self.angular;
+        let u = PackedWrench { moment: [a[at(0, Z)], a[at(1, Z)], a[at(2, Z)]], force: self.coupling[Z] };
+        let d = u.moment[Z] + armature;
+        Pivot::new(u, d, armature)
+    }
+
+    /// The pivot of a slide along axis `Z`.
+    #[inline(always)]
+    pub fn slide_pivot<const Z: usize>(&self, armature: T) -> Pivot<T> {
+        let (c, l) = (&self.coupling, &self.linear);
+        let u = PackedWrench {
+            moment: [c[0][Z], c[1][Z], c[2][Z]],
+            force: [l[at(0, Z)], l[at(1, Z)], l[at(2, Z)]],
+        };
+        let d = u.force[Z] + armature;
+        Pivot::new(u, d, armature)
+    }
+
+    /// Eliminates a turn about axis `Z`: I ← I − U D⁻¹ Uᵀ; along it the armature's part of U is left.
+    #[inline(always)]
+    pub fn eliminate_turn<const Z: usize>(&mut self, pivot: &Pivot<T>, over_d: &PackedWrench<T>) {
+        let (x, y) = after(Z);
+        self.subtract_angular::<Z>(&pivot.u, over_d);
+        self.subtract_coupling([x, y], [0, 1, 2], &pivot.u, over_d);
+        self.subtract_linear::<3>(&pivot.u, over_d);
+        for k in 0..3 {
+            self.angular[at(k, Z)] = pivot.u.moment[k] * pivot.armature_part;
+            self.coupling[Z][k] = pivot.u.force[k] * pivot.armature_part;
+        }
+    }
+
+    /// Eliminates a slide along axis `Z`, as [`eliminate_turn`](Self::eliminate_turn).
+    #[inline(always)]
+    pub fn eliminate_slide<const Z: usize>(&mut self, pivot: &Pivot<T>, over_d: &PackedWrench<T>) {
+        let (x, y) = after(Z);
+        self.subtract_angular::<3>(&pivot.u, over_d);
+        self.subtract_coupling([0, 1, 2], [x, y], &pivot.u, over_d);
+        self.subtract_linear::<Z>(&pivot.u, over_d);
+        for k in 0..3 {
+            self.coupling[k][Z] = pivot.u.moment[k] * pivot.armature_part;
+            self.linear[at(k, Z)] = pivot.u.force[k] * pivot.armature_part;
+        }
+    }
+
+    #[inline(always)]
+    fn subtract_angular<const BUT: usize>(&mut self, u: &PackedWrench<T>, over_d: &PackedWrench<T>) {
+        for i in 0..3 {
+            for k in i..3 {
+                if i != BUT && k != BUT {
+                    let a = &mut self.angular[at(i, k)];
+                    *a = (-u.moment[i]).mul_add(over_d.moment[k], *a);
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn subtract_coupling<const R: usize, const C: usize>(
+        &mut self,
+        rows: [usize; R],
+        columns: [usize; C],
+        u: &PackedWrench<T>,
+        over_d: &PackedWrench<T>,
+    ) {
+        for i in rows {
+            for k in columns {
+                let c = &mut self.coupling[i][k];
+                *c = (-u.moment[i]).mul_add(over_d.force[k], *c);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn subtract_linear<const BUT: usize>(&mut self, u: &PackedWrench<T>, over_d: &PackedWrench<T>) {
+        for i in 0..3 {
+            for k in i..3 {
+                if i != BUT && k != BUT {
+                    let l = &mut self.linear[at(i, k)];
+                    *l = (-u.force[i]).mul_add(over_d.force[k], *l);
+                }
+            }
+        }
+    }
+
+    /// Writes its 21 numbers, each as wide as the lanes, one after another.
+    #[inline(always)]
+    pub fn store(&self, to: &mut [f64]) {
+        let to = &mut to[..Self::NUMBERS * T::WIDTH];
+        for k in 0..6 {
+            self.angular[k].store(&mut to[k * T::WIDTH..]);
+            self.linear[k].store(&mut to[(15 + k) * T::WIDTH..]);
+        }
+        for i in 0..3 {
+            for k in 0..3 {
+                self.coupling[i][k].store(&mut to[(6 + 3 * i + k) * T::WIDTH..]);
+            }
+        }
+    }
+
+    /// What [`store`](Self::store) wrote.
+    #[inline(always)]
+    pub fn load(from: &[f64]) -> Self {
+        let from = &from[..Self::NUMBERS * T::WIDTH];
+        let mut packed = Self::zero();
+        for k in 0..6 {
+            packed.angular[k] = number(from, k);
+            packed.linear[k] = number(from, 15 + k);
+        }
+        for i in 0..3 {
+            for k in 0..3 {
+                packed.coupling[i][k] = number(from, 6 + 3 * i + k);
+            }
+        }
+        packed
+    }
+
+    #[inline(always)]
+    fn zero() -> Self {
+        let o = T::zero();
+        Self { angular: [o; 6], coupling: [[o; 3]; 3], linear: [o; 6] }
+    }
+
+    /// Sum.
+    #[inline(always)]
+    pub fn add(&mut self, other: &Self) {
+        for k in 0..6 {
+            self.angular[k] += other.angular[k];
+            self.linear[k] += other.linear[k];
+        }
+        for i in 0..3 {
+            for k in 0..3 {
+                self.coupling[i][k] += other.coupling[i][k];
+            }
+        }
+    }
+
+    /// Adds a rigid body's, which leaves nine entries as they are.
+    #[inline(always)]
+    pub fn add_rigid(&mut self, body: &PackedInertia<f64>) {
+        for k in 0..6 {
+            self.angular[k] += T::from_f64(body.angular[k]);
+        }
+        let mass = T::from_f64(body.linear[0]);
+        for k in 0..3 {
+            let (x, y) = after(k);
+            self.linear[at(k, k)] += mass;
+            let h = T::from_f64(body.coupling[y][x]);
+            self.coupling[x][y] -= h;
+            self.coupling[y][x] += h;
+        }
+    }
+}
+
+impl<T: Lanes> PackedWrench<T> {
+    /// None.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        Self { moment: [T::zero(); 3], force: [T::zero(); 3] }
+    }
+
+    /// As [`PackedInertia::turn`].
+    #[inline(always)]
+    pub fn turn<const Z: usize>(&mut self, c: T, s: T) {
+        turn_vector::<T, Z>(&mut self.moment, c, s);
+        turn_vector::<T, Z>(&mut self.force, c, s);
+    }
+
+    /// As [`PackedInertia::shift`].
+    #[inline(always)]
+    pub fn shift<const Z: usize>(&mut self, d: T) {
+        let (x, y) = after(Z);
+        self.moment[x] = (-d).mul_add(self.force[y], self.moment[x]);
+        self.moment[y] = d.mul_add(self.force[x], self.moment[y]);
+    }
+
+    /// As [`PackedInertia::screw`].
+    #[inline(always)]
+    pub fn screw<const Z: usize>(&mut self, c: T, s: T, d: T) {
+        self.turn::<Z>(c, s);
+        self.shift::<Z>(d);
+    }
+
+    /// `self − other · factor`.
+    #[inline(always)]
+    pub fn subtract(&mut self, other: &Self, factor: T) {
+        for k in 0..3 {
+            self.moment[k] = (-factor).mul_add(other.moment[k], self.moment[k]);
+            self.force[k] = (-factor).mul_add(other.force[k], self.force[k]);
+        }
+    }
+
+    /// Times a factor.
+    #[inline(always)]
+    pub fn scaled(&self, factor: T) -> Self {
+        let ([a, b, c], [d, e, f]) = (self.moment, self.force);
+        Self { moment: [a * factor, b * factor, c * factor], force: [d * factor, e * factor, f * factor] }
+    }
+
+    /// Sum.
+    #[inline(always)]
+    pub fn add(&mut self, other: &Self) {
+        for k in 0..3 {
+            self.moment[k] += other.moment[k];
+            self.force[k] += other.force[k];
+        }
+    }
+}
+
+/// Components in a frame in which the vector's own is turned about axis `Z`.
+#[inline(always)]
+pub fn turn_vector<T: Lanes, const Z: usize>(v: &mut [T; 3], c: T, s: T) {
+    let (x, y) = after(Z);
+    (v[x], v[y]) = turned(v[x], v[y], c, s);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lanes::Portable;
+    use crate::{ArticulatedInertia, Transform, Vector3, Wrench, rotation_about};
+    use nalgebra::Matrix3;
+
+    type One = Portable<1>;
+
+    fn value(x: One) -> f64 {
+        let mut out = [0.0];
+        x.store(&mut out);
+        out[0]
+    }
+
+    fn body() -> SpatialInertia<f64> {
+        let inertia = Matrix3::new(0.5, 0.03, -0.02, 0.03, 0.6, 0.05, -0.02, 0.05, 0.4);
+        SpatialInertia::about_com(1.7, Vector3::new(0.2, -0.4, 0.1), inertia)
+    }
+
+    /// All entries of two maps, as 6×6.
+    fn assert_same(packed: &PackedInertia<One>, full: &ArticulatedInertia<f64>) {
+        for i in 0..3 {
+            for k in 0..3 {
+                let pairs = [
+                    (packed.angular[at(i, k)], full.angular[(i, k)]),
+                    (packed.coupling[i][k], full.coupling[(i, k)]),
+                    (packed.linear[at(i, k)], full.linear[(i, k)]),
+                ];
+                for (a, b) in pairs {
+                    // A handful of roundings of numbers of order one.
+                    assert!((value(a) - b).abs() < 4e-15, "{i} {k}: {} {b}", value(a));
+                }
+            }
+        }
+    }
+
+    fn moved<const Z: usize>() {
+        let axis = Vector3::from_fn(|i, _| if i == Z { 1.0 } else { 0.0 });
+        let (angle, d) = (0.7f64, -0.35);
+        let mut packed: PackedInertia<One> = PackedInertia::of_body(&body()).cast();
+        let mut at_once = packed;
+        at_once.screw::<Z>(One::from_f64(angle.cos()), One::from_f64(angle.sin()), One::from_f64(d));
+        packed.turn::<Z>(One::from_f64(angle.cos()), One::from_f64(angle.sin()));
+        packed.shift::<Z>(One::from_f64(d));
+        assert_eq!(packed, at_once);
+        let x = Transform::new(rotation_about(&axis, angle), axis * d);
+        assert_same(&packed, &ArticulatedInertia::from(&x.inertia(&body())));
+        let f = Wrench::new(Vector3::new(0.3, -0.8, 0.5), Vector3::new(1.0, 0.2, -0.4));
+        let of = |v: &Vector3<f64>| [v.x, v.y, v.z].map(One::from_f64);
+        let mut wrench = PackedWrench { moment: of(&f.moment), force: of(&f.force) };
+        wrench.turn::<Z>(One::from_f64(angle.cos()), One::from_f64(angle.sin()));
+        wrench.shift::<Z>(One::from_f64(d));
+        let there = x.wrench(&f);
+        for k in 0..3 {
+            assert!((value(wrench.moment[k]) - there.moment[k]).abs() < 1e-15);
+            assert!((value(wrench.force[k]) - there.force[k]).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn turns_and_shifts_are_those_of_a_transform() {
+        moved::<0>();
+        moved::<1>();
+        moved::<2>();
+    }
+
+    #[test]
+    fn what_is_eliminated_has_no_mass_left() {
+        let mut packed: PackedInertia<One> = PackedInertia::of_body(&body()).cast();
+        let pivot = packed.turn_pivot::<1>(One::from_f64(0.0));
+        let over = pivot.u.scaled(One::from_f64(1.0) / pivot.d);
+        packed.eliminate_turn::<1>(&pivot, &over);
+        let again = packed.turn_pivot::<1>(One::from_f64(0.0));
+        assert_eq!(value(again.d), 0.0);
+        assert!(again.u.moment.iter().chain(&again.u.force).all(|u| value(*u) == 0.0));
+    }
+}

@@ -1,0 +1,362 @@
+//! Many configurations at once: each lane answers as a pose does, within the errors that both state, equal to one
+//! configuration by itself to the last bit, whatever instruction set there is.
+
+use nalgebra::Vector3;
+use percuss_dynamics::{
+    Base, Batch, BatchAnswer, BatchError, BatchPositions, Conditions, Contact, Direction, EffectiveMass,
+    Frame, Pose, RouteChoice, System,
+};
+use percuss_mechanism::{
+    Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder,
+};
+use percuss_oracle::zoo;
+use percuss_spatial::lanes::Instructions;
+use percuss_spatial::{Matrix3, Transform, rotation_about};
+use percuss_tests::subjects::{Subject, of_linkages, of_trees};
+use rand::{Rng, SeedableRng, rngs::StdRng};
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+const SETS: [Instructions; 3] = [Instructions::Baseline, Instructions::Avx2, Instructions::Avx512];
+
+/// A tree of hinges, slides and fixed joints: axes at right angles and parallel, or any; masses over so many decades.
+fn tree(rng: &mut StdRng, bodies: usize, square: bool, decades: f64) -> Mechanism {
+    let mut builder = MechanismBuilder::new("tree").link(link(rng, 0, decades));
+    let bushy = rng.random_bool(0.4);
+    for i in 1..=bodies {
+        let parent = if bushy { rng.random_range(0..i) } else { rng.random_range(i.saturating_sub(2)..i) };
+        let kind = match rng.random_range(0..12) {
+            0..=6 => JointKind::Revolute,
+            7 => JointKind::Continuous,
+            8 | 9 => JointKind::Prismatic,
+            _ => JointKind::Fixed,
+        };
+        let mut joint = JointDescription::new(format!("j{i}"), kind, format!("l{parent}"), format!("l{i}"));
+        let axis = |rng: &mut StdRng| {
+            let mut e = Vector3::zeros();
+            e[rng.random_range(0..3)] = if rng.random_bool(0.5) { 1.0 } else { -1.0 };
+            e
+        };
+        joint.axis = if square { axis(rng) } else { any(rng).normalize() };
+        let turn = if square {
+            rotation_about(&axis(rng), FRAC_PI_2 * f64::from(rng.random_range(0..4)))
+        } else {
+            rotation_about(&any(rng).normalize(), rng.random_range(-PI..PI))
+        };
+        let place = if square { axis(rng) * rng.random_range(0.0..0.4) } else { any(rng) * 0.3 };
+        joint.origin = Transform::new(turn, place);
+        if kind.dofs() == 1 && rng.random_bool(0.3) {
+            joint.armature = vec![10f64.powf(rng.random_range(-4.0..0.0))];
+        }
+        builder = builder.link(link(rng, i, decades)).joint(joint);
+    }
+    builder.build().expect("a tree").mechanism
+}
+
+fn any(rng: &mut StdRng) -> Vector3<f64> {
+    Vector3::from_fn(|_, _| rng.random_range(-1.0..1.0))
+}
+
+fn link(rng: &mut StdRng, i: usize, decades: f64) -> LinkDescription {
+    let mass = 10f64.powf(rng.random_range(-decades / 2.0..=decades / 2.0));
+    let [a, b, c] = [0; 3].map(|_| mass * rng.random_range(0.02f64..0.2).powi(2));
+    let r = rotation_about(&any(rng).normalize(), rng.random_range(-PI..PI));
+    let about_com = r * Matrix3::from_diagonal(&Vector3::new(b + c, a + c, a + b)) * r.transpose();
+    let about_com = (about_com + about_com.transpose()) / 2.0;
+    LinkDescription::new(format!("l{i}"), Inertial { mass, com: any(rng) * 0.2, about_com })
+}
+
+/// The positions of all joints, one configuration after another; some of them far from zero.
+fn rows(rng: &mut StdRng, mechanism: &Mechanism, count: usize) -> Vec<f64> {
+    let mut rows = Vec::new();
+    for _ in 0..count {
+        let far = rng.random_bool(0.1);
+        for joint in mechanism.joints() {
+            match joint.kind() {
+                JointKind::Fixed => {}
+                JointKind::Prismatic => rows.push(rng.random_range(-0.5..0.5)),
+                _ => rows.push(rng.random_range(-PI..PI) * if far { 1e4 } else { 1.0 }),
+            }
+        }
+    }
+    rows
+}
+
+/// Its pose.
+fn pose_at(system: &System, row: &[f64]) -> Pose {
+    let mut configuration = system.configuration();
+    let mut at = 0;
+    for joint in system.mechanism().joints() {
+        let count = joint.kind().positions();
+        if count > 0 && joint.mimic().is_none() {
+            configuration.set(joint.name(), &row[at..at + count]).expect("a position");
+        }
+        at += count;
+    }
+    system.pose(&configuration).expect("a tree")
+}
+
+fn by_columns(rows: &[f64], width: usize) -> Vec<f64> {
+    let count = rows.len() / width;
+    (0..width * count).map(|i| rows[(i % count) * width + i / count]).collect()
+}
+
+fn same(a: &BatchAnswer, b: &BatchAnswer) -> bool {
+    let bits = |answer: &BatchAnswer| match answer.mass {
+        Some(EffectiveMass::Finite(m)) => Some(m.to_bits()),
+        _ => None,
+    };
+    a.mass.map(|m| std::mem::discriminant(&m)) == b.mass.map(|m| std::mem::discriminant(&m))
+        && bits(a) == bits(b)
+}
+
+/// What was seen.
+#[derive(Default, Debug)]
+struct Seen {
+    answers: usize,
+    by_lanes: usize,
+    /// The largest difference over what both errors allow.
+    worst: f64,
+    /// The largest error that a lane stated, relative.
+    largest: f64,
+}
+
+fn check(name: &str, system: &System, contact: &Contact, rows: &[f64], seen: &mut Seen) {
+    let width: usize = system.mechanism().joints().iter().map(|j| j.kind().positions()).sum();
+    let count = rows.len() / width;
+    let mut batch = system.reference_or_open().batch(contact).expect("a contact that fits");
+    let columns = by_columns(rows, width);
+    let by_itself: Vec<BatchAnswer> =
+        rows.chunks(width).map(|row| batch.effective_mass(row).expect("positions")).collect();
+    for (row, answer) in rows.chunks(width).zip(&by_itself) {
+        seen.answers += 1;
+        let response = pose_at(system, row).respond(contact, RouteChoice::Auto).expect("an answer");
+        let (Some(EffectiveMass::Finite(m)), Some(error)) = (answer.mass, answer.error) else {
+            match (answer.mass, response.effective_mass) {
+                (Some(EffectiveMass::Finite(a)), EffectiveMass::Finite(b)) => {
+                    // Both of poses; unknown errors are as large as m̄.
+                    let allowed = 2.0 * response.effective_mass_error().unwrap_or(b);
+                    assert!((a - b).abs() <= allowed, "{name}, asked again: {a} {b}, allowed {allowed:e}");
+                }
+                (a, b) => assert_eq!(a, Some(b), "{name}, asked again"),
+            }
+            continue;
+        };
+        seen.by_lanes += 1;
+        let EffectiveMass::Finite(expected) = response.effective_mass else {
+            panic!("{name}: {m} kg for {:?}", response.effective_mass)
+        };
+        let allowed = error + response.effective_mass_error().expect("an error");
+        seen.worst = seen.worst.max((m - expected).abs() / allowed);
+        seen.largest = seen.largest.max(error / m);
+        assert!((m - expected).abs() <= allowed, "{name}: {m} for {expected}, allowed {allowed:e}");
+    }
+    for set in SETS.into_iter().filter(|set| set.is_available()) {
+        let batch = batch.clone().with_instructions(set);
+        let mut one = batch.clone();
+        let expected: Vec<BatchAnswer> =
+            rows.chunks(width).map(|row| one.effective_mass(row).expect("positions")).collect();
+        for positions in [
+            BatchPositions::Rows { values: rows, stride: width },
+            BatchPositions::Columns { values: &columns, stride: count },
+        ] {
+            let mut answers = vec![BatchAnswer::NONE; count];
+            batch.run(positions, &mut answers).expect("enough");
+            for (a, b) in answers.iter().zip(&expected) {
+                assert!(same(a, b), "{name}, {}: {a:?}, alone {b:?}", set.name());
+            }
+        }
+    }
+}
+
+fn contact_on(rng: &mut StdRng, mechanism: &Mechanism) -> Contact {
+    let links: Vec<_> = mechanism.link_ids().collect();
+    let link = links[rng.random_range(1..links.len())];
+    let frame = if rng.random_bool(0.5) { Frame::Link } else { Frame::World };
+    Contact::new(link, any(rng) * 0.3, Vector3::x()).normal(Direction::Along(any(rng), frame))
+}
+
+fn family(decades: f64, seed: u64) -> Seen {
+    let mut rng = StdRng::seed_from_u64(seed);
+    let mut seen = Seen::default();
+    for k in 0..120 {
+        let bodies = rng.random_range(1..14);
+        let mechanism = tree(&mut rng, bodies, k % 2 == 0, decades);
+        let mut conditions = Conditions::new();
+        if k % 3 == 0 {
+            conditions = conditions.base(Base::Floating);
+        }
+        if k % 5 == 0
+            && let Some(joint) = mechanism.joints().iter().find(|j| j.kind().dofs() == 1)
+        {
+            conditions = conditions.lock(joint.name());
+        }
+        let rows = rows(&mut rng, &mechanism, 11);
+        if rows.is_empty() {
+            continue;
+        }
+        let contact = contact_on(&mut rng, &mechanism);
+        let system = System::new(mechanism, &conditions).expect("conditions that fit");
+        check(&format!("{decades} decades, {k}"), &system, &contact, &rows, &mut seen);
+    }
+    println!("{decades} decades: {seen:?}");
+    seen
+}
+
+#[test]
+fn lanes_answer_as_poses_do() {
+    let seen = family(2.0, 1);
+    // Some contacts are immovable, and some doubtful; most are neither.
+    assert!(seen.by_lanes * 10 > seen.answers * 7, "{seen:?}");
+}
+
+#[test]
+fn lanes_say_what_they_do_not_know_of_masses_over_many_decades() {
+    for (decades, seed) in [(9.0, 2), (18.0, 3), (18.0, 4)] {
+        let seen = family(decades, seed);
+        assert!(seen.by_lanes * 10 > seen.answers, "{seen:?}");
+    }
+}
+
+/// A light bracket between heavy links, in line: what is left of it by the elimination is rounding of what hangs on it.
+#[test]
+fn lanes_doubt_light_links_that_carry_heavy_ones() {
+    let mut rng = StdRng::seed_from_u64(5);
+    let mut seen = Seen::default();
+    for k in 0..200 {
+        let light = 10f64.powf(rng.random_range(-12.0..0.0));
+        let tilt = 10f64.powf(rng.random_range(-9.0..0.0));
+        let mut builder = MechanismBuilder::new("bracket").link(LinkDescription::massless("l0"));
+        for i in 1..=4 {
+            let mass = if i % 2 == 1 { 1.0 } else { light };
+            let inertial = Inertial {
+                mass,
+                com: any(&mut rng) * 0.2,
+                about_com: Matrix3::from_diagonal(&Vector3::new(2e-2, 3e-2, 4e-2)) * mass,
+            };
+            let mut joint = JointDescription::new(
+                format!("j{i}"),
+                JointKind::Continuous,
+                format!("l{}", i - 1),
+                format!("l{i}"),
+            );
+            joint.axis = (Vector3::z() + any(&mut rng) * tilt).normalize();
+            joint.origin = Transform::new(Matrix3::identity(), any(&mut rng) * tilt);
+            builder = builder.link(LinkDescription::new(format!("l{i}"), inertial)).joint(joint);
+        }
+        let system =
+            System::new(builder.build().expect("a tree").mechanism, &Conditions::new()).expect("fits");
+        let rows = rows(&mut rng, system.mechanism(), 5);
+        let contact = contact_on(&mut rng, system.mechanism());
+        check(&format!("bracket {k}, {light:.1e}, {tilt:.1e}"), &system, &contact, &rows, &mut seen);
+    }
+    println!("{seen:?}");
+    assert!(seen.by_lanes > 100 && seen.by_lanes < seen.answers, "{seen:?}");
+}
+
+/// What lanes do not take is asked one by one: the same answers, and each its own status.
+#[test]
+fn other_mechanisms_are_asked_one_by_one() {
+    for Subject { name, pose, contact, .. } in of_trees(6, 2, 20).into_iter().chain(of_linkages(40, 6)) {
+        let batch = pose.assembly().batch(&contact).expect("a contact that fits");
+        let mut answers = [BatchAnswer::NONE; 3];
+        let values = pose.positions().repeat(3);
+        let width = pose.positions().len();
+        batch.run(BatchPositions::Rows { values: &values, stride: width }, &mut answers).expect("enough");
+        let mut workspace = pose.assembly().workspace();
+        workspace.set_positions(pose.positions()).expect("positions");
+        let expected = workspace.effective_mass(&contact).ok();
+        for answer in answers {
+            match (answer.mass, expected) {
+                (Some(EffectiveMass::Finite(a)), Some(EffectiveMass::Finite(b))) => {
+                    // Lanes state their error; one by one they are equal.
+                    assert!((a - b).abs() <= answer.error.unwrap_or(0.0) + 1e-11 * b, "{name}: {a} {b}");
+                }
+                (a, b) => assert_eq!(a, b, "{name}"),
+            }
+        }
+    }
+}
+
+/// A lane that is massless, immovable or not a number has its own status and spoils no other.
+#[test]
+fn one_lane_spoils_no_other() {
+    let system = System::new(zoo::six_r_arm(), &Conditions::new()).expect("fits");
+    let link = *system.mechanism().order().last().expect("links");
+    let contact = Contact::new(link, [0.05, -0.02, 0.03], [0.3, -0.5, 0.8]);
+    let mut batch = system.reference_or_open().batch(&contact).expect("fits");
+    assert!(batch.has_lanes());
+    let mut rng = StdRng::seed_from_u64(6);
+    let rows = rows(&mut rng, system.mechanism(), 64);
+    let mut spoilt = rows.clone();
+    for (k, bad) in [f64::NAN, f64::INFINITY, 1e300, -1e17].into_iter().enumerate() {
+        spoilt[6 * (5 + 9 * k) + k] = bad;
+    }
+    let mut answers = vec![BatchAnswer::NONE; 64];
+    batch.run(BatchPositions::Rows { values: &spoilt, stride: 6 }, &mut answers).expect("enough");
+    for (c, answer) in answers.iter().enumerate() {
+        if c % 9 != 5 || c > 32 {
+            assert!(same(answer, &batch.effective_mass(&rows[6 * c..6 * c + 6]).expect("six")), "{c}");
+        } else {
+            assert!(!matches!(answer.mass, Some(EffectiveMass::Finite(m)) if m.is_nan()), "{c}: {answer:?}");
+        }
+    }
+}
+
+#[test]
+fn wrong_shapes_are_errors_and_a_watcher_stops_it() {
+    let system = System::new(zoo::six_r_arm(), &Conditions::new()).expect("fits");
+    let link = *system.mechanism().order().last().expect("links");
+    let contact = Contact::new(link, [0.0; 3], [0.0, 0.0, 1.0]);
+    let batch = system.reference_or_open().batch(&contact).expect("fits");
+    let values = vec![0.1; 6 * 5000];
+    let mut answers = vec![BatchAnswer::NONE; 5000];
+    for (positions, expected) in [
+        (BatchPositions::Rows { values: &values[..29_999], stride: 6 }, "30000"),
+        (BatchPositions::Columns { values: &values[..29_999], stride: 5000 }, "30000"),
+        (BatchPositions::Rows { values: &values, stride: 5 }, "at least 6"),
+        (BatchPositions::Columns { values: &values, stride: 4999 }, "at least 5000"),
+        (BatchPositions::Rows { values: &values, stride: usize::MAX }, "need"),
+    ] {
+        let error = batch.run(positions, &mut answers).expect_err("too few");
+        assert!(error.to_string().contains(expected), "{error}");
+    }
+    assert_eq!(batch.run(BatchPositions::Rows { values: &[], stride: 6 }, &mut []), Ok(()));
+    let told = AtomicUsize::new(0);
+    let watch = |done| {
+        told.fetch_max(done, Ordering::Relaxed);
+        if done > 1000 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    let stopped = batch.run_watched(BatchPositions::Rows { values: &values, stride: 6 }, &mut answers, watch);
+    let Err(BatchError::Stopped { done }) = stopped else { panic!("{stopped:?}") };
+    assert_eq!(done, told.into_inner());
+    assert!((1000..5000).contains(&done), "{done}");
+}
+
+/// Sine and cosine in lanes, against the standard library: a hinge of a mass on an arm, whose m̄ along a fixed normal is
+/// m/sin² of the angle between them.
+#[test]
+fn sines_hold_up_to_the_largest_angles() {
+    let mechanism = zoo::point_mass_pendulum(2.0, 0.5);
+    let system = System::new(mechanism, &Conditions::new()).expect("fits");
+    let link = *system.mechanism().order().last().expect("links");
+    let contact = Contact::new(link, [0.0; 3], [1.0, 0.0, 0.0])
+        .normal(Direction::Along(Vector3::new(0.4, 0.3, 0.5), Frame::World));
+    let mut batch: Batch = system.reference_or_open().batch(&contact).expect("fits");
+    let mut rng = StdRng::seed_from_u64(8);
+    let mut by_lanes = 0;
+    for k in 0..20_000 {
+        let q = rng.random_range(-1.0..1.0) * 10f64.powf(rng.random_range(-3.0..5.0));
+        let answer = batch.effective_mass(&[q]).expect("one");
+        let mut workspace = system.workspace();
+        workspace.set_positions(&[q]).expect("one");
+        let Ok(EffectiveMass::Finite(expected)) = workspace.effective_mass(&contact) else { continue };
+        let Some(EffectiveMass::Finite(m)) = answer.mass else { panic!("{q}: {answer:?}") };
+        by_lanes += usize::from(answer.error.is_some());
+        // The normal's own projection is off by a few roundings of its terms where it is small.
+        let relative = 8.0 * f64::EPSILON * (1.0 + (expected / 2.0).sqrt());
+        assert!((m / expected - 1.0).abs() < relative, "{k}, {q}: {m} {expected}");
+    }
+    assert!(by_lanes > 19_000, "{by_lanes}");
+}
