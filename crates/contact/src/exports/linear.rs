@@ -82,6 +82,13 @@ impl Linear {
         self.bound(1.5, time_step)
     }
 
+    /// The same for a contact that is not clamped, and pulls until the gap closes: 4ζe ωh + (ωh)²/8.
+    ///
+    /// The damper comes up to one step late, and goes up to one step late.
+    pub(super) fn pulling_error_bound(&self, time_step: f64) -> f64 {
+        self.bound(2.0, time_step)
+    }
+
     fn bound(&self, factor: f64, time_step: f64) -> f64 {
         let step = self.frequency * time_step;
         factor * 2.0 * self.ratio * self.restitution * step + step * step / 8.0
@@ -92,7 +99,16 @@ impl Linear {
     /// Error: the request's is too long for an explicit step to follow the contact, ωh or 2ζωh above twice what holds
     /// for the recommended one; the bound is no bound there.
     pub(super) fn explicit_step(&self) -> Result<f64, ExportError> {
-        let Some(step) = self.time_step else { return Ok(self.accurate_step(1.0)) };
+        self.explicit_step_by(1.0)
+    }
+
+    /// The same by [`Self::pulling_error_bound`].
+    pub(super) fn pulling_step(&self) -> Result<f64, ExportError> {
+        self.explicit_step_by(2.0)
+    }
+
+    fn explicit_step_by(&self, factor: f64) -> Result<f64, ExportError> {
+        let Some(step) = self.time_step else { return Ok(self.accurate_step(factor)) };
         let largest =
             2.0 * limits::LONGEST_STEP.min(limits::STIFFEST_STEP / (2.0 * self.ratio)) / self.frequency;
         if step > largest {

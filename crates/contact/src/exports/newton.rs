@@ -2,7 +2,7 @@
 
 use super::export::single;
 use super::linear::Linear;
-use super::{Export, ExportError, Facts, Measurement, Request, Tool};
+use super::{Export, ExportError, Facts, Measurement, Request, StopMotion, Tool};
 use crate::limits;
 use crate::{Separation, kelvin_voigt};
 
@@ -111,5 +111,56 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
          penetrations 1e4 times that; move the contact to the origin.",
     );
     export.cannot.push("mechanisms in SemiImplicit: its joints are springs; XPBD: stiffness, penetration, duration, peak force");
+    Ok(export)
+}
+
+/// A joint's stop: `limit_ke` = k, `limit_kd` = 2ζ√(k m̄) with the ζ of a contact that ends where the gap closes.
+///
+/// Featherstone adds limit_ke (limit − q) − limit_kd q̇ as long as q is past the limit, unlike at contacts on the way out too, and does
+/// not clamp it: e = exp(−πζ/√(1−ζ²)). It takes the force at the beginning of the step.
+pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, ExportError> {
+    let mut linear = Linear::of(request, TOOL)?;
+    let e = linear.restitution;
+    if e < 1.0 {
+        linear.ratio = kelvin_voigt::ratio(e, Separation::GapCloses)?;
+    }
+    let step = linear.pulling_step()?;
+    let damping = linear.damping(linear.ratio);
+    for (what, value) in [
+        ("Newton's limit_ke", linear.stiffness),
+        ("Newton's limit_kd", damping),
+        ("Newton's time step, s", step),
+    ] {
+        single(what, value)?;
+    }
+    let units = motion.units();
+    let mut export = Export::new(TOOL);
+    export.time_step = Some(step);
+    export.error_bound = Some(linear.pulling_error_bound(step));
+    export.set("limit_ke", linear.stiffness, units.stiffness);
+    export.set("limit_kd", damping, units.damping);
+    export.set("dt", step, "s");
+    export.write(
+        "Newton",
+        "python",
+        format!(
+            "import newton\n\n\n\
+             def set_stop(builder, dof):\n    \"\"\"dof: the joint's, builder.joint_qd_start[joint].\"\"\"\n    \
+             builder.joint_limit_ke[dof] = {:?}\n    builder.joint_limit_kd[dof] = {damping:?}\n\n\n\
+             dt = {step:?}\n\n\n\
+             def solver(model):\n    return newton.solvers.SolverFeatherstone(model, angular_damping=0.0)\n",
+            linear.stiffness
+        ),
+    );
+    export.assume("Featherstone: its joints are exact, and it has rotor inertias (armature). No drive and no damping of the joint.");
+    export.assume("Both ends of the range have these values: Newton has but one pair for them.");
+    export.assume(format!(
+        "Single precision: a joint at 1 {0} is known to 6e-8 {0}, and the error bound is for penetrations 1e4 times that; measure the \
+         joint from its stop.",
+        units.coordinate
+    ));
+    export.cannot.push(
+        "stops in XPBD: it holds limits rigidly, without restitution, and does not read limit_ke and limit_kd; SemiImplicit: its joints are springs",
+    );
     Ok(export)
 }

@@ -2,7 +2,7 @@
 
 use super::export::single;
 use super::linear::Linear;
-use super::{Export, ExportError, Facts, Measurement, Request, Tool};
+use super::{Export, ExportError, Facts, Measurement, Request, StopMotion, Tool};
 use crate::limits;
 
 const TOOL: Tool = Tool::of(&FACTS);
@@ -127,5 +127,49 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     export.cannot.push(
         "the acceleration mode of a body with joints: PhysX multiplies by the free body's mass there, not by m̄",
     );
+    Ok(export)
+}
+
+/// A soft limit of a joint between rigid bodies: `PxSpring`'s stiffness k and damping c', as at the compliant contact.
+///
+/// PhysX makes a row of a soft limit only where the joint is past it, as a spring whose impulse is not below zero: implicit Euler of
+/// max(0, k x + c' ẋ), in SI units (force mode, and not the acceleration mode of a drive).
+pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, ExportError> {
+    let linear = Linear::of(request, TOOL)?;
+    let step = linear.implicit_step();
+    let damping = linear.damping(linear.implicit_ratio(step)?);
+    let stiffness = linear.stiffness;
+    for (what, value) in [
+        ("PhysX's stiffness of a limit", stiffness),
+        ("PhysX's damping of a limit", damping),
+        ("PhysX's time step, s", step),
+    ] {
+        single(what, value)?;
+    }
+    let units = motion.units();
+    let (limit, joint) = match motion {
+        StopMotion::Turn => ("PxJointAngularLimitPair", "PxRevoluteJoint"),
+        StopMotion::Slide => ("PxJointLinearLimitPair", "PxPrismaticJoint"),
+    };
+    let mut export = Export::new(TOOL);
+    export.time_step = Some(step);
+    export.error_bound = Some(linear.implicit_error_bound(step));
+    export.set("limit_stiffness", stiffness, units.stiffness);
+    export.set("limit_damping", damping, units.damping);
+    export.set("dt", step, "s");
+    export.write(
+        "PhysX, PGS",
+        "cpp",
+        format!(
+            "// PhysX 5; joint is a physx::{joint}.\n\
+             joint->setLimit(physx::{limit}(lower, upper, physx::PxSpring({stiffness:?}f, {damping:?}f)));\n\
+             joint->set{0}Flag(physx::{joint}Flag::eLIMIT_ENABLED, true);\n\
+             // PxSceneDesc::solverType = physx::PxSolverType::ePGS. In the loop:\n\
+             scene->simulate({step:?}f);\n",
+            joint.trim_start_matches("Px")
+        ),
+    );
+    export.assume(linear.implicit_words(step));
+    export.assume("Both ends of the range have these values.");
     Ok(export)
 }
