@@ -120,7 +120,7 @@ def hinge(end, rotor):
         joints=(Joint("link", None, (0.0, 0.0)),),
         limited=0,
         stiffness=700.0,
-        speed=0.1,
+        speed=1.0,
         own_mass=inertia + mass * arm**2,
         end=end,
         tree=((angle, end, rotor),),
