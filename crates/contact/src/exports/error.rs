@@ -78,9 +78,7 @@ pub enum ExportError {
         remedy: &'static str,
     },
     /// A tool for which the stops of joints are not written.
-    #[error(
-        "{tool}: the stop of a joint cannot be given a restitution: {why}; {remedy}; stops are written for {known}"
-    )]
+    #[error("{tool}: the stop of a joint is not written: {why}; {remedy}; stops are written for {known}")]
     NoStop {
         /// The tool.
         tool: Tool,
