@@ -389,6 +389,22 @@ fn the_stop_of_a_joint_feels_what_hangs_on_both_sides() {
     let solref = &report["exports"]["mujoco"]["parameters"]["solreflimit"];
     assert_close(&solref[0], -200.0 / inertia * scale, 1e-12);
 
+    // ERP and CFM over one another are the stiffness; all tools: those without a stop say why.
+    let all = json(
+        "damp --mass-from models/planar_2r.urdf --limit elbow --set elbow=1 --stiffness 200 --restitution 0.5 --speed 0.1 \
+         --for all --format json",
+    );
+    let ode = &all["exports"]["ode"];
+    let [erp, cfm] = ["stop_erp", "stop_cfm"].map(|name| ode["parameters"][name].as_f64().expect("a number"));
+    assert_close(&ode["time_step"], erp / cfm / 200.0, 1e-9);
+    assert_eq!(ode["units"]["stop_cfm"], "rad/(N·m·s)");
+    assert!(ode["snippet"].as_str().is_some_and(|text| text.contains("dParamStopCFM")), "{ode}");
+    for (tool, written) in
+        [("mujoco", true), ("newton", true), ("physx", true), ("drake", false), ("jolt", false)]
+    {
+        assert_eq!(all["exports"][tool]["error"].is_null(), written, "{tool}");
+    }
+
     let out = percuss(
         "damp --mass-from models/planar_2r.urdf --limit elbow --stiffness 2Nm/deg --restitution 0.5 --speed 10deg/s",
     )
@@ -411,7 +427,14 @@ fn the_stop_of_a_joint_feels_what_hangs_on_both_sides() {
         ("--limit elbow --stiffness 1N/mm --restitution 0.5", "expected N·m/rad"),
         ("--limit elbow:upper --stiffness 1 --restitution 0.5", "has no <limit>"),
         ("--limit elbow --link outer --stiffness 1 --restitution 0.5", "cannot be used with"),
-        ("--limit elbow --stiffness 1 --restitution 0.5 --for rapier", "take no spring"),
+        (
+            "--limit elbow --stiffness 1 --restitution 0.5 --for rapier",
+            "stops are written for mujoco, ode, newton, physx",
+        ),
+        (
+            "--limit elbow --stiffness 1 --restitution 0.5 --for drake",
+            "let the two links collide at the stop",
+        ),
     ] {
         let outcome = percuss(&format!("damp --mass-from models/planar_2r.urdf {line}"));
         assert_eq!(outcome.code, 2, "{line}");

@@ -17,6 +17,7 @@ from pathlib import Path
 import drake_scenes
 import mujoco_scenes
 import snippets
+import stop_family
 from impacts import RADIUS, Contact, answer, damp, linear_impact, parameters
 from scenes import Pendulum
 from tally import Tally
@@ -270,6 +271,7 @@ def main():
     list(check.mechanism("four-bar", FOUR_BAR))
     list(check.mechanism("double wishbone", BUMP_STOP))
     check.stops()
+    stop_family.check(check.percuss, check.tally)
     check.ball()
     with tempfile.TemporaryDirectory() as folder:
         for rotor in ROTORS:

@@ -2,8 +2,8 @@
 
     engines_check.py --percuss PATH [--only MODULE]… [--without MODULE]…     prints a table and `N passed, N failed`
 
-Each module of `engines` is run (one whose program is not installed fails): a ball, pendulums, and a four-bar where the tool
-closes loops; e = 0.2, 0.5, 0.8, five phases, at the step that percuss exports, at twice and at half of it; and with the struck
+Each module of `engines` is run (one whose program is not installed fails): a ball, pendulums, a four-bar where the tool
+closes loops, and stops of joints where percuss writes them; e = 0.2, 0.5, 0.8, five phases, at the step that percuss exports, at twice and at half of it; and with the struck
 body's own mass in place of the effective mass. Snippets are given to the tool. Run from the repository's root."""
 
 import argparse
@@ -16,8 +16,9 @@ import time
 from pathlib import Path
 
 import engines
-from impacts import answer, damp
+from impacts import damp
 from scenes import BALL, FOUR_BAR, PENDULUMS, Absent, Refused
+from stop_scenes import STOPS
 from tally import Tally
 
 RESTITUTIONS = (0.2, 0.5, 0.8)
@@ -31,6 +32,7 @@ SCENES = (
     {"ball": ("ball", BALL)}
     | {f"pendulum, rotor {p.rotor}": ("pendulum", p) for p in PENDULUMS}
     | {"four-bar": ("four_bar", FOUR_BAR)}
+    | {name: ("stop", stop) for name, stop in STOPS.items()}
 )
 
 
@@ -63,9 +65,9 @@ class Check:
                 contact = dataclasses.replace(contact, flags=flags, stiffness=HERTZ)
             for e in RESTITUTIONS:
                 report = damp(self.percuss, contact, e, "--for", "all")
-                if function == "ball":
-                    self.snippets(module, f"{engine}, e = {e}", export(report, tool))
-                else:
+                if function in ("ball", "stop"):
+                    self.snippets(module, f"{engine}, {scene}, e = {e}", export(report, tool))
+                if function != "ball":
                     deviation = abs(report["effective_mass"] / what.effective_mass - 1)
                     self.tally.within("effective mass by closed form", f"{scene}, e = {e}", deviation, MASS)
                 for name, solver in module.SOLVERS.items():
@@ -121,12 +123,10 @@ class Check:
                     self.tally.within(f"as measured before: {tool} {solver}", where, error / known, 1.0)
             if not given["time_step"]:
                 break
-        own = answer(
-            self.percuss, "damp", "--mass", repr(SCENES[scene][1].own_mass), "--own-mass", repr(SCENES[scene][1].own_mass),
-            "--restitution", repr(e), "--stiffness", repr(contact.stiffness), "--speed", repr(contact.speed), "--for", "all",
-            *(contact.flags[-2:] if "--exponent" in contact.flags else ()),
-        )
-        own = export(own, tool)
+        exponent = contact.flags[-2:] if "--exponent" in contact.flags else ()
+        alone = SCENES[scene][1].alone(self.folder)
+        alone = dataclasses.replace(alone, flags=(*alone.flags, *exponent), stiffness=contact.stiffness)
+        own = export(damp(self.percuss, alone, e, "--for", "all"), tool)
         if not own["error"]:
             try:
                 line += f"   own mass {run(own['parameters']).mean:.3f}"

@@ -4,6 +4,8 @@ loops "equality_solref" and "equality_solimp"; and where wanted "integrator".
 Nothing here knows a contact law: the parameters come from elsewhere. Everything else is MuJoCo's default, but that there is no
 gravity and no friction."""
 
+import xml.etree.ElementTree as ElementTree
+
 import mujoco
 import numpy as np
 
@@ -54,6 +56,10 @@ class Mechanism:
     def __init__(self, path, report):
         text, _ = mjcf(path)
         self.spec = mujoco.MjSpec.from_string(text)
+        for joint in ElementTree.parse(path).getroot().findall("joint"):
+            dynamics = joint.find("dynamics")
+            if joint.get("type") != "fixed" and dynamics is not None:
+                self.spec.joint(joint.get("name")).armature = float(dynamics.get("armature", 0))
         for joint, values in report["conditions"]["armature"].items():
             self.spec.joint(joint).armature = values[0] if isinstance(values, list) else values
         bare = self.spec.compile()
@@ -135,17 +141,18 @@ class Mechanism:
 
 
 class LimitedJoint(Mechanism):
-    """One of percuss's models with the upper end of a joint's range where a report of `percuss mass` has the joint."""
+    """One of percuss's models with an end of a joint's range (1 the upper, -1 the lower) where a report of `percuss mass` has the
+    joint."""
 
-    def __init__(self, path, report, joint):
-        self.joint = joint
+    def __init__(self, path, report, joint, end=1):
+        self.joint, self.end = joint, end
         super().__init__(path, report)
 
     def stop(self, bare, report):
         (at,) = report["pose"][self.joint]
         limited = self.spec.joint(self.joint)
         limited.limited = mujoco.mjtLimited.mjLIMITED_TRUE
-        limited.range = [at - 100, at]
+        limited.range = [at - 100, at] if self.end > 0 else [at, at + 100]
         self.dof = bare.joint(self.joint).dofadr[0]
 
     def inverse_diagonal(self):
@@ -153,7 +160,7 @@ class LimitedJoint(Mechanism):
 
     def row(self, model, data):
         row = np.zeros(model.nv)
-        row[self.dof] = 1
+        row[self.dof] = self.end
         return row
 
     def depth(self, data):

@@ -16,6 +16,11 @@ class Absent(Exception):
     """The engine is not on this machine; says what to install."""
 
 
+def alone(own_mass):
+    """What percuss is asked of the struck body by itself."""
+    return Contact(("--mass", repr(own_mass), "--own-mass", repr(own_mass)), STIFFNESS, SPEED)
+
+
 @dataclasses.dataclass(frozen=True)
 class Ball:
     """Flies along z against a wall that stands still; no gravity, no friction, no spin."""
@@ -28,7 +33,10 @@ class Ball:
         return self.mass
 
     def contact(self, folder):
-        return Contact(("--mass", repr(self.mass), "--own-mass", repr(self.mass)), STIFFNESS, SPEED)
+        return alone(self.mass)
+
+    def alone(self, folder):
+        return alone(self.mass)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -83,6 +91,9 @@ class Pendulum:
             SPEED,
         )
 
+    def alone(self, folder):
+        return alone(self.own_mass)
+
 
 @dataclasses.dataclass(frozen=True)
 class FourBar:
@@ -113,6 +124,9 @@ class FourBar:
         """Stiff and slow, so that the effective mass hardly changes while it lasts."""
         where = ("--link", "coupler", "--point", "0.35,0.1,0", "--normal", "0,1,0", "--own-mass", repr(self.own_mass))
         return Contact(("--mass-from", "models/four_bar.urdf", *where), 1e6, 2e-3)
+
+    def alone(self, folder):
+        return dataclasses.replace(alone(self.own_mass), stiffness=1e6, speed=2e-3)
 
 
 BALL = Ball(2.0, 0.05)

@@ -149,7 +149,7 @@ pub struct DampArgs {
     #[arg(long, value_name = "MODEL")]
     pub mass_from: Option<String>,
     /// The stop of a joint in place of a contact, with the inertia that the joint feels through the loops: the joint where
-    /// --set has it, or at an end of its range.
+    /// --set has it, or at an end of its range. With --for mujoco, ode, newton, physx.
     #[arg(
         long,
         value_name = "JOINT[:lower|:upper]",

@@ -78,10 +78,14 @@ pub enum ExportError {
         remedy: &'static str,
     },
     /// A tool for which the stops of joints are not written.
-    #[error("{tool}: its joints' limits take no spring and damper that percuss knows; known of: {known}")]
+    #[error("{tool}: the stop of a joint is not written: {why}; {remedy}; stops are written for {known}")]
     NoStop {
         /// The tool.
         tool: Tool,
+        /// What the tool does at a joint's limit.
+        why: &'static str,
+        /// What to do.
+        remedy: &'static str,
         /// The tools that have them.
         known: String,
     },

@@ -5,6 +5,8 @@
 //! and what the tool cannot do. Every tool here clamps a force that would pull, so linear springs and dampers get the
 //! ratio ζ of a contact that ends when the force vanishes; the half-period formula of textbooks would give too much restitution.
 //!
+//! [`Options::stop`] asks for the stop of a joint in place of a contact between bodies.
+//!
 //! One file per tool. Nothing here reads a simulator's files or runs one.
 
 mod adams;
@@ -28,6 +30,7 @@ mod physx;
 mod rapier;
 mod request;
 mod simscape;
+mod stops;
 mod tool;
 
 pub use error::ExportError;
@@ -54,12 +57,6 @@ macro_rules! tools {
         const EXPORTS: [fn(&Request) -> Result<Export, ExportError>; Tool::ALL.len()] = [$($module::export),*];
     };
 }
-
-/// What writes the stop of a joint for a tool.
-type StopExport = fn(&Request, StopMotion) -> Result<Export, ExportError>;
-
-/// The tools that stop a joint by a spring and a damper of its own.
-const STOPS: [(Tool, StopExport); 1] = [(Tool::MUJOCO, mujoco::stop)];
 
 tools! {
     MUJOCO: mujoco,
@@ -105,11 +102,7 @@ impl Tool {
     pub fn export(self, request: &Request) -> Result<Export, ExportError> {
         request.check()?;
         if let Some(motion) = request.options.stop {
-            let Some((_, stop)) = STOPS.iter().find(|(tool, _)| *tool == self) else {
-                let known = STOPS.map(|(tool, _)| tool.name()).join(", ");
-                return Err(ExportError::NoStop { tool: self, known });
-            };
-            return stop(request, motion)?.finite();
+            return stops::export(self, request, motion)?.finite();
         }
         let (_, export) =
             Self::ALL.into_iter().zip(EXPORTS).find(|(tool, _)| *tool == self).expect("a tool is one of all");

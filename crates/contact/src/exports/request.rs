@@ -49,6 +49,31 @@ pub enum StopMotion {
     Slide,
 }
 
+/// The units of a stop's numbers.
+pub(super) struct StopUnits {
+    pub(super) stiffness: &'static str,
+    pub(super) damping: &'static str,
+    /// Of the reciprocal of stiffness times time.
+    pub(super) softness: &'static str,
+    pub(super) coordinate: &'static str,
+}
+
+impl StopMotion {
+    pub(super) fn units(self) -> StopUnits {
+        match self {
+            Self::Turn => StopUnits {
+                stiffness: "N·m/rad",
+                damping: "N·m·s/rad",
+                softness: "rad/(N·m·s)",
+                coordinate: "rad",
+            },
+            Self::Slide => {
+                StopUnits { stiffness: "N/m", damping: "N·s/m", softness: "m/(N·s)", coordinate: "m" }
+            }
+        }
+    }
+}
+
 impl Options {
     /// The own mass of the struck body, as [`ExportError::Missing`] names it.
     pub const OWN_MASS: &str = "the struck body's own mass, kg";

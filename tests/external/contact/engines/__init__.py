@@ -6,6 +6,7 @@
     ball(parameters, solver, ball, speed)             an Outcome, or
     pendulum(parameters, solver, pendulum, speed)     raises Refused where the tool cannot have the scene
     four_bar(parameters, solver, four_bar, speed)     only where the tool closes loops
+    stop(parameters, solver, stop, speed)             only where percuss writes the stops of joints for the tool
     EXPONENT        of the contact's spring, where it is not 1; optional
     BY_HAND         true where the check does not fail for want of the program; optional
     SNIPPETS        {language: reader(text, parameters)}; optional: whether what is to paste is taken by the tool

@@ -2,6 +2,7 @@
 
 import math
 
+import numpy as np
 from impacts import PHASES, Outcome
 from scenes import Absent, Refused
 
@@ -78,6 +79,51 @@ def pendulum(parameters, solver, pendulum, speed):
     return impacts(build, parameters, solver, -pendulum.radius, pendulum.effective_mass, speed, opening)
 
 
+def stop(parameters, solver, stop, speed):
+    """Trees, in Featherstone. Each joint is measured from where it is at the stop."""
+    if solver is not SOLVERS["Featherstone"] or not stop.tree:
+        raise Refused("no stop")
+    step, joints = parameters["dt"], len(stop.joints)
+    builder = newton.ModelBuilder(gravity=(0.0, 0.0, 0.0))
+    for i, phase in enumerate(PHASES):
+        bodies, made = {None: -1}, []
+        for number, joint in enumerate(stop.joints):
+            body = next(body for body in stop.bodies if body.name == joint.child)
+            # Frames of the world's axes at the hinges, as the bodies stand at the stop.
+            above = next((j.where for j in stop.joints if j.child == joint.parent), (0.0, 0.0))
+            offset = (joint.where[0] - above[0], joint.where[1] - above[1], 0.0 if joint.parent else i * APART)
+            bodies[joint.child] = builder.add_link(
+                mass=body.mass,
+                com=(body.centre[0] - joint.where[0], body.centre[1] - joint.where[1], 0.0),
+                inertia=inertia(body.inertia, body.inertia, body.inertia),
+                lock_inertia=True,
+            )
+            _, rate, rotor = stop.tree[number]
+            limits = {}
+            if number == stop.limited:
+                at = stop.end * (FLIGHT + phase) * step * speed
+                limits = {"limit_upper": at} if stop.end > 0 else {"limit_lower": at}
+                limits |= {"limit_ke": parameters["limit_ke"], "limit_kd": parameters["limit_kd"]}
+            made.append(
+                builder.add_joint_revolute(
+                    parent=bodies[joint.parent],
+                    child=bodies[joint.child],
+                    axis=(0.0, 0.0, 1.0),
+                    parent_xform=warp.transform(offset, warp.quat_identity()),
+                    armature=rotor,
+                    **limits,
+                )
+            )
+            builder.joint_qd[-1] = rate * speed
+        builder.add_articulation(made)
+    half = math.pi * math.sqrt(stop.effective_mass / parameters["limit_ke"])
+
+    def opening(state):
+        return -stop.end * state.joint_qd.numpy()[stop.limited :: joints]
+
+    return run(builder, step, solver, half, speed, opening)
+
+
 def impacts(build, parameters, solver, top, mass, speed, opening):
     """Against the plane z = top; mass: for the duration only."""
     step = parameters["dt_xpbd" if solver is SOLVERS["XPBD"] else "dt"]
@@ -86,12 +132,15 @@ def impacts(build, parameters, solver, top, mass, speed, opening):
     for i, phase in enumerate(PHASES):
         build(builder, i, (FLIGHT + phase) * step * speed)
     builder.add_shape_plane(plane=(0.0, 0.0, 1.0, -top), width=0.0, length=0.0, cfg=material(parameters))
+    return run(builder, step, solver, math.pi * math.sqrt(mass / parameters["ke"]), speed, opening)
+
+
+def run(builder, step, solver, half, speed, opening):
     model = builder.finalize(device="cpu")
     solve = solver(model)
     before, after = model.state(), model.state()
     newton.eval_fk(model, model.joint_q, model.joint_qd, before)
     contacts = model.contacts()
-    half = math.pi * math.sqrt(mass / parameters["ke"])
     for _ in range(FLIGHT + math.ceil(LONGEST * half / step)):
         before.clear_forces()
         model.collide(before, contacts)
@@ -118,6 +167,8 @@ def material(parameters):
 def pasted(text, parameters):
     names = {}
     exec(text, names)
+    if "limit_ke" in parameters:
+        return stop_pasted(names, parameters)
     shape = names["shape"]
     for name in ("ke", "kd", "kf", "mu", "restitution"):
         assert getattr(shape, name) == parameters[name], name
@@ -126,6 +177,19 @@ def pasted(text, parameters):
     model = builder.finalize(device="cpu")
     for name in ("solver", "solver_of_free_bodies", "rigid_solver"):
         names[name](model)
+
+
+def stop_pasted(names, parameters):
+    builder = newton.ModelBuilder()
+    joint = builder.add_joint_revolute(parent=-1, child=builder.add_link(mass=1.0), limit_upper=0.0)
+    builder.add_articulation([joint])
+    names["set_stop"](builder, builder.joint_qd_start[joint])
+    assert names["dt"] == parameters["dt"]
+    model = builder.finalize(device="cpu")
+    for name in ("limit_ke", "limit_kd"):
+        found = getattr(model, f"joint_{name}").numpy()
+        assert found == [np.float32(parameters[name])], (name, found)
+    names["solver"](model)
 
 
 SNIPPETS = {"python": pasted}

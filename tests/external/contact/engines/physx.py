@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from impacts import PHASES, Outcome
-from scenes import Absent
+from scenes import Absent, Refused
 
 try:
     import ovphysx
@@ -75,8 +75,8 @@ BODY = """    def Xform "Body$NUMBER" (prepend apiSchemas = ["PhysicsRigidBodyAP
         point3f physics:centerOfMass = ($CENTRE, 0, 0)
         float3 physics:diagonalInertia = ($IX, $IY, $IZ)
         quatf physics:principalAxes = (1, 0, 0, 0)
-        vector3f physics:velocity = ($VX, 0, $VZ)
-        vector3f physics:angularVelocity = (0, $SPIN, 0)
+        vector3f physics:velocity = ($VX, $VY, $VZ)
+        vector3f physics:angularVelocity = (0, $SPIN, $TURNING)
         float physxRigidBody:angularDamping = 0
         float physxRigidBody:linearDamping = 0
         float physxRigidBody:sleepThreshold = 0
@@ -99,6 +99,20 @@ HINGE = """    def PhysicsRevoluteJoint "Hinge$NUMBER"
         quatf physics:localRot0 = (1, 0, 0, 0)
         point3f physics:localPos1 = (0, 0, 0)
         quatf physics:localRot1 = (1, 0, 0, 0)
+    }
+"""
+STOPPED = """    def PhysicsRevoluteJoint "Joint$NUMBER" (prepend apiSchemas = ["PhysxLimitAPI:angular"])
+    {
+        uniform token physics:axis = "Z"
+        rel physics:body1 = </World/Body$NUMBER>
+        point3f physics:localPos0 = (0, 0, $Z)
+        quatf physics:localRot0 = ($W, 0, 0, $TURN)
+        point3f physics:localPos1 = (0, 0, 0)
+        quatf physics:localRot1 = (1, 0, 0, 0)
+        float physics:lowerLimit = $LOWER
+        float physics:upperLimit = $UPPER
+        float physxLimit:angular:stiffness = $STIFFNESS
+        float physxLimit:angular:damping = $DAMPING
     }
 """
 
@@ -139,6 +153,35 @@ def pendulum(parameters, solver, pendulum, speed):
     return impacts(body, HINGE, parameters, solver, -pendulum.radius, pendulum.effective_mass, speed, opening)
 
 
+def stop(parameters, solver, stop, speed):
+    """A hinge, with PGS. The schema's stiffness and damping are per radian, its limits are degrees."""
+    if solver is not SOLVERS["PGS"] or len(stop.bodies) > 1:
+        raise Refused("no stop")
+    (body,), ((angle, rate, rotor),) = stop.bodies, stop.tree
+    step, rate = parameters["dt"], rate * speed
+    arm = math.hypot(*body.centre)
+    document = fill(HEAD, {"STIFFNESS": 0, "DAMPING": 0, "SOLVER": solver[0]})
+    for number, phase in enumerate(PHASES):
+        # The body stands along x, and the joint's frame of the world is turned.
+        at = angle + stop.end * (FLIGHT + phase) * step * speed
+        lower, upper = (-180.0, math.degrees(at)) if stop.end > 0 else (math.degrees(at), 180.0)
+        document += fill(BODY, {
+            "NUMBER": number, "X": 0, "Y": 0, "Z": number * APART, "W": 1, "TURN": 0, "MASS": body.mass, "CENTRE": arm,
+            "IX": body.inertia, "IY": body.inertia, "IZ": body.inertia + rotor, "VX": 0, "VY": rate * arm, "VZ": 0, "SPIN": 0,
+            "TURNING": math.degrees(rate), "RADIUS": 0.01, "LEVER": 0, "POSITION_TURNS": ITERATIONS[0], "VELOCITY_TURNS": ITERATIONS[1],
+        })
+        document += fill(STOPPED, {
+            "NUMBER": number, "Z": number * APART, "W": math.cos(angle / 2), "TURN": -math.sin(angle / 2), "LOWER": lower, "UPPER": upper,
+            "STIFFNESS": parameters["limit_stiffness"], "DAMPING": parameters["limit_damping"],
+        })
+    half = math.pi * math.sqrt(stop.effective_mass / parameters["limit_stiffness"])
+
+    def opening(read):
+        return -stop.end * read("angularVelocity")[:, 2]
+
+    return run(document, step, half, speed, opening)
+
+
 def impacts(body, joint, parameters, solver, top, mass, speed, opening):
     """Against a box whose upper face is at z = top; mass: for the duration only."""
     step = parameters["dt"]
@@ -151,9 +194,12 @@ def impacts(body, joint, parameters, solver, top, mass, speed, opening):
     document += fill(STOP, {"CENTRE": top - 0.5})
     for number, phase in enumerate(PHASES):
         values = body((FLIGHT + phase) * step * speed)
-        common = {"NUMBER": number, "Y": number * APART, "POSITION_TURNS": turns[0], "VELOCITY_TURNS": turns[1]}
+        common = {"NUMBER": number, "Y": number * APART, "VY": 0, "TURNING": 0, "POSITION_TURNS": turns[0], "VELOCITY_TURNS": turns[1]}
         document += fill(BODY, common | values) + fill(joint, common)
-    half = math.pi * math.sqrt(mass / parameters["compliant_contact_stiffness"])
+    return run(document, step, math.pi * math.sqrt(mass / parameters["compliant_contact_stiffness"]), speed, opening)
+
+
+def run(document, step, half, speed, opening):
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "scene.usda"
         path.write_text(document + "}\n")

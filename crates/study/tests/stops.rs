@@ -1,0 +1,197 @@
+//! The inertia at the stop of a joint, on random trees, four-bars and slider-cranks: percuss's against route C of the oracle.
+
+use nalgebra::Vector3;
+use percuss_mechanism::{JointId, JointKind, Limits, Mechanism};
+use percuss_oracle::alter::{build_with_loops, describe, describe_loops};
+use percuss_oracle::closed_form::{Crossing, FourBar, PlanarBody, SliderCrank};
+use percuss_oracle::linkage::{Linkage, four_bar_of, slider_crank_of};
+use percuss_oracle::maximal::{self, Outcome, Question};
+use percuss_oracle::random;
+use percuss_study::{
+    DampingQuestion, GivenPosition, JointStop, MassQuestion, Model, StopEnd, damp_stop, mass,
+};
+use rand::{Rng, SeedableRng, rngs::StdRng};
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+const TREES: usize = 40;
+const LINKAGES: usize = 20;
+/// Of the inertia, relative. Both routes solve systems of conditions up to a few thousand.
+const AGREEMENT: f64 = 1e-9;
+
+/// The mechanism with limits at a joint.
+fn limited(mechanism: &Mechanism, joint: &str, limits: Limits) -> Model {
+    let (links, mut joints) = describe(mechanism);
+    let of = joints.iter_mut().find(|j| j.name == joint).expect("a joint");
+    of.limits = Some(limits);
+    if of.kind == JointKind::Continuous {
+        of.kind = JointKind::Revolute;
+    }
+    let (closures, couplings) = describe_loops(mechanism);
+    let mechanism = build_with_loops("limited", links, joints, closures, couplings);
+    Model { mechanism: Arc::new(mechanism), inputs: Vec::new(), diagnostics: Vec::new() }
+}
+
+/// By route C: the effective mass of a point of the child link beside the axis, at a distance and in a direction of the test's own,
+/// against the parent link; its speed is the distance times the joint's rate.
+fn by_the_oracle(
+    rng: &mut StdRng,
+    mechanism: &Mechanism,
+    positions: &[Vec<f64>],
+    joint: JointId,
+    up: bool,
+) -> Outcome {
+    let joint = mechanism.joint(joint);
+    let axis = if up { *joint.axis() } else { -joint.axis() };
+    let anywhere = Vector3::from_fn(|_, _| rng.random_range(-1.0..1.0));
+    let (point, way, lever) = match joint.kind() {
+        JointKind::Prismatic => (anywhere, axis, 1.0),
+        _ => {
+            let beside = axis.cross(&anywhere);
+            let along = axis * rng.random_range(-0.5..0.5);
+            (beside + along, axis.cross(&beside).normalize(), beside.norm())
+        }
+    };
+    let turn =
+        maximal::poses(mechanism, positions)[joint.child().index()].fixed_view::<3, 3>(0, 0).into_owned();
+    let mut question = Question::new(mechanism, positions.to_vec(), joint.child(), point, turn * way);
+    question.against = Some(joint.parent());
+    match maximal::effective_mass(&question) {
+        Outcome::Finite(mass) => Outcome::Finite(mass * lever * lever),
+        other => other,
+    }
+}
+
+/// The positions of percuss's answer, laid out for the oracle.
+fn positions_of(model: &Model, question: &MassQuestion) -> Vec<Vec<f64>> {
+    let report = mass(model, question).expect("an answer");
+    let mut positions = random::zero_positions(&model.mechanism);
+    for (name, numbers) in report.pose.iter() {
+        let joint = model.mechanism.find_joint(name).expect("a joint");
+        positions[joint.index()] = numbers.to_vec();
+    }
+    positions
+}
+
+fn set(name: &str, numbers: &[f64]) -> (String, GivenPosition) {
+    (name.to_owned(), GivenPosition::from_numbers(numbers).expect("a position"))
+}
+
+/// Compares one stop; whether there was a finite inertia to compare.
+fn compare(rng: &mut StdRng, model: &Model, stop: &JointStop, conditions: MassQuestion, case: &str) -> bool {
+    let (question, _) = stop.question(model, conditions.clone()).expect(case);
+    let positions = positions_of(model, &question);
+    let joint = model.mechanism.find_joint(&stop.joint).expect("a joint");
+    if let (Some(end), Some(limits)) = (stop.end, model.mechanism.joint(joint).limits()) {
+        let at = if end == StopEnd::Lower { limits.lower } else { limits.upper };
+        assert!((positions[joint.index()][0] - at).abs() < 1e-12, "{case}: not at its stop");
+    }
+    let up = stop.end != Some(StopEnd::Lower);
+    let theirs = by_the_oracle(rng, &model.mechanism, &positions, joint, up);
+    let Outcome::Finite(theirs) = theirs else {
+        assert!(
+            damp_stop(model, stop, conditions, &DampingQuestion::new(0.5, 1.0)).is_err(),
+            "{case}: {theirs:?}"
+        );
+        return false;
+    };
+    let report = damp_stop(model, stop, conditions, &DampingQuestion::new(0.5, 1.0)).expect(case);
+    let off = report.effective_mass / theirs - 1.0;
+    assert!(
+        off.abs() < AGREEMENT,
+        "{case}: {} by percuss, {theirs} by route C: {off:e}",
+        report.effective_mass
+    );
+    true
+}
+
+/// Each end once.
+fn ends(joint: &str) -> [JointStop; 2] {
+    [StopEnd::Lower, StopEnd::Upper].map(|end| JointStop { joint: joint.to_owned(), end: Some(end) })
+}
+
+#[test]
+fn trees_of_all_joints() {
+    let mut rng = StdRng::seed_from_u64(20_261_122);
+    let (mut turns, mut slides) = (0, 0);
+    for number in 0..TREES {
+        let bodies = rng.random_range(2..8);
+        let tree = random::mechanism(&mut rng, bodies);
+        let positions = random::positions(&mut rng, &tree);
+        for id in tree.joint_ids() {
+            let joint = tree.joint(id);
+            let stops = matches!(joint.kind(), JointKind::Revolute | JointKind::Prismatic);
+            if !stops || joint.mimic().is_some() {
+                continue;
+            }
+            let limits = Limits { lower: rng.random_range(-1.5..0.0), upper: rng.random_range(0.0..1.5) };
+            let model = limited(&tree, joint.name(), limits);
+            let others: Vec<_> = tree
+                .joint_ids()
+                .filter(|other| *other != id && tree.joint(*other).mimic().is_none())
+                .filter(|other| tree.joint(*other).kind().dofs() > 0)
+                .map(|other| set(tree.joint(other).name(), &positions[other.index()]))
+                .collect();
+            for stop in ends(joint.name()) {
+                let case = format!("tree {number}, {stop:?}");
+                let conditions = MassQuestion { set: others.clone(), ..MassQuestion::anywhere() };
+                if compare(&mut rng, &model, &stop, conditions, &case) {
+                    *if joint.kind() == JointKind::Prismatic { &mut slides } else { &mut turns } += 1;
+                }
+            }
+        }
+    }
+    assert!(turns >= 60 && slides >= 20, "{turns} turns, {slides} slides");
+}
+
+fn body(rng: &mut StdRng) -> PlanarBody {
+    let com = [(); 2].map(|()| rng.random_range(-0.2..0.4));
+    PlanarBody::new(rng.random_range(0.5..6.0), com, rng.random_range(0.005..0.2))
+}
+
+/// The crank at both ends of its range; the other joint of the ground where the crank has it, on its way up.
+fn stopped(rng: &mut StdRng, linkage: &Linkage, follower: &str, case: &str) -> usize {
+    let given = |name: &str| linkage.start.iter().find(|(of, _)| *of == name).expect("a joint").1[0];
+    let theta = given("crank_hinge");
+    let limits =
+        Limits { lower: theta - rng.random_range(0.1..1.0), upper: theta + rng.random_range(0.1..1.0) };
+    let model = limited(&linkage.mechanism, "crank_hinge", limits);
+    let others = linkage.start.iter().filter(|(name, _)| *name != "crank_hinge");
+    let guess: Vec<_> = others.map(|(name, numbers)| set(name, numbers)).collect();
+    let mut compared = 0;
+    for stop in ends("crank_hinge") {
+        let conditions = MassQuestion { guess: guess.clone(), ..MassQuestion::anywhere() };
+        compared += usize::from(compare(rng, &model, &stop, conditions, &format!("{case}, {stop:?}")));
+    }
+    let stop = JointStop { joint: follower.to_owned(), end: None };
+    let at = vec![set("crank_hinge", &[rng.random_range(limits.lower..limits.upper)])];
+    let conditions = MassQuestion { set: at, guess, ..MassQuestion::anywhere() };
+    compared + usize::from(compare(rng, &model, &stop, conditions, &format!("{case}, {stop:?}")))
+}
+
+#[test]
+fn four_bars_and_slider_cranks() {
+    let mut rng = StdRng::seed_from_u64(20_261_123);
+    let mut compared = 0;
+    for number in 0..LINKAGES {
+        let crank = rng.random_range(0.1..0.3);
+        let theta = rng.random_range(-PI..PI);
+        let bodies = [(); 3].map(|()| body(&mut rng));
+        // The crank is the shortest by more than half, and turns all round.
+        let [ground, coupler, rocker] = [(); 3].map(|()| crank * rng.random_range(2.2..3.0));
+        let crossing = if rng.random_bool(0.5) { Crossing::Left } else { Crossing::Right };
+        let bar = FourBar { ground, crank, coupler, rocker };
+        let four_bar = four_bar_of("four_bar", bar, bodies, crossing, theta, [-PI, PI]);
+        compared += stopped(&mut rng, &four_bar, "rocker_hinge", &format!("four-bar {number}"));
+
+        let bodies = [(); 3].map(|()| body(&mut rng));
+        let engine = SliderCrank {
+            crank,
+            rod: crank * rng.random_range(1.6..3.0),
+            offset: crank * rng.random_range(-0.4..0.4),
+        };
+        let engine = slider_crank_of("slider_crank", engine, bodies);
+        compared += stopped(&mut rng, &engine, "guide", &format!("slider-crank {number}"));
+    }
+    assert_eq!(compared, 6 * LINKAGES);
+}
