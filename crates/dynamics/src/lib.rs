@@ -29,6 +29,7 @@ mod mobility;
 mod model;
 mod operational_inertia;
 mod outcome;
+mod own_axes;
 mod point_velocity;
 mod pose;
 mod posing;

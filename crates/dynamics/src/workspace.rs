@@ -6,6 +6,7 @@ use crate::contact::{Contact, ContactError, ContactPoint};
 use crate::kinematics::Kinematics;
 use crate::mobility::{GroupMobility, MobilityRoom};
 use crate::outcome::{EffectiveMass, ResponseError};
+use crate::own_axes::OwnAxes;
 use crate::pose::Pose;
 use crate::recursion::{Decisions, Following, Recursion};
 use crate::routes::{Question, RecursionRoom};
@@ -25,6 +26,10 @@ pub struct Workspace {
     groups: Vec<GroupMobility>,
     room: MobilityRoom,
     recursion: RecursionRoom,
+    /// For trees of hinges and slides.
+    own_axes: Option<OwnAxes>,
+    /// Whether the frames are those of positions given before the last ones.
+    stale: bool,
 }
 
 impl System {
@@ -50,6 +55,8 @@ impl Assembly {
             groups: vec![GroupMobility::default(); model.groups.len()],
             room: MobilityRoom::default(),
             recursion: RecursionRoom::new(model),
+            own_axes: OwnAxes::of(model),
+            stale: false,
         };
         workspace.refill();
         workspace
@@ -66,11 +73,12 @@ impl Workspace {
     pub fn set_positions(&mut self, positions: &[f64]) -> Result<(), VelocityError> {
         check_positions(positions.len(), self.kinematics.q.len())?;
         self.kinematics.q.copy_from_slice(positions);
-        self.refill();
+        self.stale = true;
         Ok(())
     }
 
     fn refill(&mut self) {
+        self.stale = false;
         let model = self.assembly.model();
         self.kinematics.refill(model);
         for (number, group) in model.groups.iter().enumerate() {
@@ -80,14 +88,27 @@ impl Workspace {
         }
     }
 
-    /// m̄ of a contact at the positions last given, the same as of [`Pose::respond`] by the automatic choice: where the
-    /// recursion is not accurate the careful route is asked, which allocates. Points and normals in the world are taken
+    /// m̄ of a contact at the positions last given: within rounding that of [`Pose::respond`] by the automatic choice, to the
+    /// last bit where it has loops, mimics, other joints than hinges and slides, or a link on the other side (trees of
+    /// hinges and slides go a way of their own, in their bodies' axes). Where the recursion is not accurate the careful route
+    /// is asked, which allocates. Points and normals in the world are taken
     /// with the root link at the world's origin. States no error: [`Pose::respond`] does.
     ///
     /// # Errors
     /// [`ResponseError`]: a contact that means nothing; motions of negative mass that leave none that is positive; too large
     /// a cluster of bodies.
     pub fn effective_mass(&mut self, contact: &Contact) -> Result<EffectiveMass, ResponseError> {
+        let model = self.assembly.model();
+        model.check_contact(contact)?;
+        if let Some(own) = &mut self.own_axes
+            && own.aim(model, contact)
+            && let Some(clear) = own.one(&self.kinematics.q)
+        {
+            return Ok(EffectiveMass::Finite(clear.mass));
+        }
+        if self.stale {
+            self.refill();
+        }
         let model = self.assembly.model();
         let located = model.locate(&self.kinematics, &Transform::identity(), contact)?;
         model.refuse_large_clusters::<f64>(&self.groups)?;

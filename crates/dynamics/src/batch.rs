@@ -4,20 +4,13 @@
 //! processor has. A lane that is in doubt (massless, immovable, near either, too much rounding) is asked again by itself,
 //! by [`Workspace`], and so is every configuration of other mechanisms: the answers are the same, one by one.
 
-mod own_axes;
-mod plan;
-
 use crate::assembly::Assembly;
-use crate::contact::{Contact, Direction, Frame};
-use crate::model::Model;
+use crate::contact::Contact;
 use crate::outcome::{EffectiveMass, ResponseError};
-use crate::tolerances::{ROUTE_ROUNDINGS, TRUSTED_ERROR};
+use crate::own_axes::{ClearMass, Columns, OwnAxes, WIDEST};
 use crate::velocities::{VelocityError, check_positions};
 use crate::workspace::Workspace;
-use nalgebra::Vector3;
-use own_axes::{Columns, Normal, ROOM, Selected, Selection, Struck, evaluate};
-use percuss_spatial::lanes::{Instructions, Lanes, Work};
-use plan::Plan;
+use percuss_spatial::lanes::Instructions;
 use rayon::prelude::*;
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -25,8 +18,6 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 /// How many configurations a thread takes at once.
 const PORTION: usize = 512;
-/// The widest lanes.
-const WIDEST: usize = 8;
 
 /// Configurations: the positions of all joints one after another, in joint order, for each.
 #[derive(Clone, Copy, Debug)]
@@ -102,28 +93,19 @@ pub enum BatchError {
 pub struct Batch {
     assembly: Arc<Assembly>,
     contact: Contact,
-    fast: Option<Fast>,
     instructions: Instructions,
     worker: Worker,
 }
 
-/// What the recursion in own axes needs.
-#[derive(Clone, Debug)]
-struct Fast {
-    selection: Arc<Selection>,
-    /// How many steps the plan has.
-    steps: usize,
-    /// Which positions are read.
-    read: Arc<[usize]>,
-}
-
-/// Room of one thread.
+/// What a thread works with.
 #[derive(Clone, Debug)]
 struct Worker {
-    room: Vec<f64>,
-    /// BatchPositions of some lanes by columns.
+    own_axes: Option<OwnAxes>,
+    /// Which positions lanes read.
+    read: Vec<usize>,
+    /// Positions of some lanes by columns.
     columns: Vec<f64>,
-    /// BatchPositions of one configuration.
+    /// Positions of one configuration.
     row: Vec<f64>,
     workspace: Workspace,
 }
@@ -137,104 +119,23 @@ impl Assembly {
     pub fn batch(self: &Arc<Self>, contact: &Contact) -> Result<Batch, ResponseError> {
         let model = self.model();
         model.check_contact(contact)?;
-        let fast = Plan::of(model).and_then(|plan| Fast::new(model, plan, contact));
-        let steps = fast.as_ref().map_or(0, |fast| fast.steps);
+        let own_axes = OwnAxes::of(model).and_then(|mut own| own.aim(model, contact).then_some(own));
         let worker = Worker {
-            room: vec![0.0; steps * ROOM * WIDEST],
-            columns: vec![0.0; if fast.is_some() { model.positions * WIDEST } else { 0 }],
+            read: own_axes.iter().flat_map(OwnAxes::read).collect(),
+            columns: vec![0.0; if own_axes.is_some() { model.positions * WIDEST } else { 0 }],
             row: vec![0.0; model.positions],
             workspace: self.workspace(),
+            own_axes,
         };
         let instructions = Instructions::best();
-        Ok(Batch { assembly: Arc::clone(self), contact: *contact, fast, instructions, worker })
+        Ok(Batch { assembly: Arc::clone(self), contact: *contact, instructions, worker })
     }
 }
 
-impl Fast {
-    fn new(model: &Model, plan: Plan, contact: &Contact) -> Option<Self> {
-        let on_ground = |link| model.body_of(link).is_none();
-        let body = model.body_of(contact.link)?;
-        if !contact.against.is_none_or(on_ground) {
-            return None;
-        }
-        let own = plan.steps[body].frame.inverse();
-        let link = &model.link_frames[contact.link.index()].frame;
-        let normal = match contact.normal {
-            Direction::Toward(..) => return None,
-            Direction::Along(n, frame) => {
-                let n = n.normalize();
-                match (frame, contact.against) {
-                    (Frame::Link, _) => Normal::Body(own.vector(&link.vector(&n)).into()),
-                    (Frame::Against, Some(other)) => {
-                        Normal::Root(model.link_frames[other.index()].frame.vector(&n).into())
-                    }
-                    (Frame::World, _) | (Frame::Against, None) => Normal::Root(n.into()),
-                }
-            }
-        };
-        let point: Vector3<f64> = own.point(&link.point(&contact.point));
-        let mut path = vec![body];
-        while let Some(parent) = plan.steps[*path.last()?].parent {
-            path.push(parent);
-        }
-        path.reverse();
-        let top = path[0];
-        // All that the topmost carrier carries: the rest of the mechanism does not move with it.
-        let mut carried = vec![false; plan.steps.len()];
-        for (i, step) in plan.steps.iter().enumerate() {
-            carried[i] = i == top || step.parent.is_some_and(|p| carried[p]);
-        }
-        let mut met = vec![false; plan.steps.len()];
-        let steps: Vec<Selected> = (0..plan.steps.len())
-            .rev()
-            .filter(|i| carried[*i])
-            .map(|number| {
-                let step = &plan.steps[number];
-                let is_first = step.parent.is_some_and(|p| !std::mem::replace(&mut met[p], true));
-                Selected {
-                    number,
-                    above: step.parent.map_or(step.inertia, |p| plan.steps[p].inertia),
-                    step: step.clone(),
-                    on_path: path.contains(&number),
-                    is_first,
-                    form: plan.form(number),
-                }
-            })
-            .collect();
-        let read = steps.iter().filter_map(|selected| selected.step.position()).collect();
-        let struck = Struck { point: point.into(), normal };
-        let path = path.into_iter().map(|i| (i, plan.steps[i].clone())).collect();
-        Some(Self { selection: Arc::new(Selection { steps, path, struck }), steps: plan.steps.len(), read })
+impl From<ClearMass> for BatchAnswer {
+    fn from(clear: ClearMass) -> Self {
+        Self { mass: Some(EffectiveMass::Finite(clear.mass)), error: Some(clear.error) }
     }
-}
-
-/// Some lanes of a batch.
-struct Group<'a> {
-    fast: &'a Fast,
-    columns: Columns<'a>,
-    first: usize,
-    room: &'a mut [f64],
-    responses: &'a mut [f64],
-    terms: &'a mut [f64],
-}
-
-impl Work for Group<'_> {
-    #[inline(always)]
-    fn run<T: Lanes>(self) {
-        let answer: own_axes::Answer<T> = evaluate(&self.fast.selection, self.columns, self.first, self.room);
-        answer.response.store(self.responses);
-        answer.terms.store(self.terms);
-    }
-}
-
-/// A finite m̄ that rounding leaves no doubt of, and its error, kg.
-fn clear(response: f64, terms: f64) -> Option<BatchAnswer> {
-    let relative = f64::EPSILON * ROUTE_ROUNDINGS * terms / response;
-    // NaN is not small.
-    (response > 0.0 && relative <= TRUSTED_ERROR).then(|| {
-        let mass = 1.0 / response;
-        BatchAnswer { mass: Some(EffectiveMass::Finite(mass)), error: Some(relative * mass) }
-    })
 }
 
 impl Batch {
@@ -246,12 +147,15 @@ impl Batch {
     /// Takes another instruction set; the baseline where this processor has not that one.
     pub fn with_instructions(mut self, set: Instructions) -> Self {
         self.instructions = if set.is_available() { set } else { Instructions::Baseline };
+        if let Some(own) = &mut self.worker.own_axes {
+            own.instructions = self.instructions;
+        }
         self
     }
 
     /// Whether configurations go through lanes; else each is asked by itself.
     pub fn has_lanes(&self) -> bool {
-        self.fast.is_some()
+        self.worker.own_axes.is_some()
     }
 
     /// m̄ at one configuration: the positions of all joints one after another. Equal to the last bit to that of
@@ -261,19 +165,8 @@ impl Batch {
     /// [`VelocityError::Positions`]: not as many as the mechanism has.
     pub fn effective_mass(&mut self, positions: &[f64]) -> Result<BatchAnswer, VelocityError> {
         check_positions(positions.len(), self.assembly.model().positions)?;
-        if let Some(fast) = &self.fast {
-            let (mut response, mut terms) = ([0.0], [0.0]);
-            self.instructions.run_one(Group {
-                fast,
-                columns: Columns { values: positions, stride: 1 },
-                first: 0,
-                room: &mut self.worker.room,
-                responses: &mut response,
-                terms: &mut terms,
-            });
-            if let Some(answer) = clear(response[0], terms[0]) {
-                return Ok(answer);
-            }
+        if let Some(clear) = self.worker.own_axes.as_mut().and_then(|own| own.one(positions)) {
+            return Ok(clear.into());
         }
         Ok(by_itself(&mut self.worker.workspace, &self.contact, positions))
     }
@@ -361,11 +254,11 @@ impl Batch {
         answers: &mut [BatchAnswer],
     ) {
         let width = self.instructions.width();
-        let Worker { room, columns, row, workspace } = worker;
+        let Worker { own_axes, read, columns, row, workspace } = worker;
         for (number, answers) in answers.chunks_mut(width).enumerate() {
             let start = first + number * width;
-            let [mut responses, mut terms] = [[f64::NAN; WIDEST]; 2];
-            if let Some(fast) = &self.fast {
+            let mut clear = [None; WIDEST];
+            if let Some(own) = own_axes {
                 let (columns, first) = match positions {
                     BatchPositions::Columns { values, stride } if answers.len() == width => {
                         (Columns { values, stride }, start)
@@ -373,19 +266,21 @@ impl Batch {
                     _ => {
                         // The last lanes repeat the last configuration.
                         for (lane, c) in (0..width).map(|lane| (lane, start + lane.min(answers.len() - 1))) {
-                            fast.read.iter().for_each(|&q| columns[q * width + lane] = positions.at(c, q));
+                            read.iter().for_each(|&q| columns[q * width + lane] = positions.at(c, q));
                         }
                         (Columns { values: columns, stride: width }, 0)
                     }
                 };
-                let (responses, terms) = (&mut responses[..], &mut terms[..]);
-                self.instructions.run(Group { fast, columns, first, room, responses, terms });
+                clear = own.lanes(columns, first);
             }
             for (lane, answer) in answers.iter_mut().enumerate() {
-                *answer = clear(responses[lane], terms[lane]).unwrap_or_else(|| {
-                    row.iter_mut().enumerate().for_each(|(q, to)| *to = positions.at(start + lane, q));
-                    by_itself(workspace, &self.contact, row)
-                });
+                *answer = match clear[lane] {
+                    Some(clear) => clear.into(),
+                    None => {
+                        row.iter_mut().enumerate().for_each(|(q, to)| *to = positions.at(start + lane, q));
+                        by_itself(workspace, &self.contact, row)
+                    }
+                };
             }
         }
     }

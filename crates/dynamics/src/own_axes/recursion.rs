@@ -8,7 +8,7 @@
 //! (Featherstone 2008, §7.3) that [`crate::recursion`] writes in the root's axes for every joint and every loop; this form
 //! leaves out the forward kinematics and the turning of every body's inertia. A test compares the two.
 
-use super::plan::{Leaf, Motion, Plan, Shape, Step, Turn};
+use super::plan::{Form, Leaf, Motion, Placed, Step, Turn};
 use percuss_spatial::lanes::{LARGEST_ANGLE, Lanes};
 use percuss_spatial::{PackedInertia, PackedWrench, Pivot, splat, turn_vector};
 
@@ -29,61 +29,23 @@ pub(super) enum Normal {
     Root([f64; 3]),
 }
 
-/// What a contact needs of a plan.
+/// What a contact needs of a tree.
 #[derive(Clone, Debug)]
 pub(super) struct Selection {
-    /// Steps, those carried before those that carry.
-    pub steps: Vec<Selected>,
-    /// Steps from the ground to the struck body, by number.
-    pub path: Vec<(usize, Step)>,
+    /// Where the steps from the ground to the struck body are.
+    pub path: Vec<usize>,
+    /// For every step.
+    pub on_path: Vec<bool>,
+    /// The first body of the path: what it does not carry does not move with it.
+    pub top: usize,
     pub struck: Struck,
 }
 
-/// A step that a contact needs.
-#[derive(Clone, Debug)]
-pub(super) struct Selected {
-    pub number: usize,
-    pub step: Step,
-    /// Its carrier's own inertia.
-    pub above: PackedInertia<f64>,
-    /// Whether it carries the struck point.
-    pub on_path: bool,
-    /// Whether it is the first of its carrier's.
-    pub is_first: bool,
-    pub form: Form,
-}
-
-/// Steps of one form go through code without a branch.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Form {
-    /// On the ground.
-    Top,
-    /// A hinge whose way is [`Shape::Skew`] or [`Shape::Parallel`].
-    Hinge {
-        /// Whether the way is skew.
-        skew: bool,
-        /// Whether it carries nothing.
-        leaf: bool,
-        /// Whether its carrier is on the ground and turns: one entry of what it passes on is all that matters.
-        next_to_last: bool,
-    },
-    /// Any other.
-    Any,
-}
-
-impl Plan {
-    /// The form of a step.
-    pub fn form(&self, step: usize) -> Form {
-        let step = &self.steps[step];
-        let Some(parent) = step.parent else { return Form::Top };
-        let skew = match step.hinge() {
-            Some(Shape::Skew) => true,
-            Some(Shape::Parallel) => false,
-            Some(Shape::General) | None => return Form::Any,
-        };
-        let above = &self.steps[parent];
-        let next_to_last = above.parent.is_none() && above.hinge().is_some();
-        Form::Hinge { skew, leaf: step.leaf.is_some(), next_to_last }
+impl Selection {
+    /// Of no contact yet.
+    pub fn none(steps: usize) -> Self {
+        let struck = Struck { point: [0.0; 3], normal: Normal::Body([0.0; 3]) };
+        Self { path: Vec::with_capacity(steps), on_path: vec![false; steps], top: 0, struck }
     }
 }
 
@@ -98,7 +60,7 @@ pub(super) struct Answer<T> {
 
 /// Positions by columns: that of configuration `c` and position `q` stands at `q · stride + c`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Columns<'a> {
+pub(crate) struct Columns<'a> {
     pub values: &'a [f64],
     pub stride: usize,
 }
@@ -129,18 +91,22 @@ struct Carried<T> {
 /// 1/m̄ of configurations `first` and those after it.
 #[inline(always)]
 pub(super) fn evaluate<T: Lanes>(
+    steps: &[Placed],
     selection: &Selection,
     columns: Columns<'_>,
     first: usize,
     room: &mut [f64],
 ) -> Answer<T> {
-    let beyond: T = place(selection, columns, first, room);
-    let mut carried = strike(selection, room);
-    for selected in &selection.steps {
-        if selected.on_path {
-            advance::<T, true>(selected, &mut carried, room);
+    let beyond: T = place(steps, selection, columns, first, room);
+    let mut carried = strike(steps, selection, room);
+    for (placed, on_path) in steps.iter().zip(&selection.on_path) {
+        if placed.top != selection.top {
+            continue;
+        }
+        if *on_path {
+            advance::<T, true>(placed, &mut carried, room);
         } else {
-            advance::<T, false>(selected, &mut carried, room);
+            advance::<T, false>(placed, &mut carried, room);
         }
     }
     // What lies beyond the angles and travels that this is right for is doubted.
@@ -150,11 +116,20 @@ pub(super) fn evaluate<T: Lanes>(
 
 /// Sines and cosines, and how far positions are beyond what they may be.
 #[inline(always)]
-fn place<T: Lanes>(selection: &Selection, columns: Columns<'_>, first: usize, room: &mut [f64]) -> T {
+fn place<T: Lanes>(
+    steps: &[Placed],
+    selection: &Selection,
+    columns: Columns<'_>,
+    first: usize,
+    room: &mut [f64],
+) -> T {
     let mut beyond = T::zero();
-    for selected in &selection.steps {
-        let step = &selected.step;
-        let slot = &mut room[selected.number * ROOM * T::WIDTH..][..ROOM * T::WIDTH];
+    for placed in steps {
+        if placed.top != selection.top {
+            continue;
+        }
+        let step = &placed.step;
+        let slot = &mut room[placed.number * ROOM * T::WIDTH..][..ROOM * T::WIDTH];
         match step.motion {
             Motion::Turn { q } => {
                 let angle: T = columns.at(q, first);
@@ -192,14 +167,15 @@ fn over<T: Lanes>(x: T, most: f64) -> T {
 
 /// The unit force at the struck point.
 #[inline(always)]
-fn strike<T: Lanes>(selection: &Selection, room: &[f64]) -> Carried<T> {
+fn strike<T: Lanes>(steps: &[Placed], selection: &Selection, room: &[f64]) -> Carried<T> {
     let struck = &selection.struck;
     let n = match struck.normal {
         Normal::Body(n) => splat(&n),
         Normal::Root(n) => {
             let mut n = splat(&n);
-            for (i, step) in &selection.path {
-                turn_back(step, &mut n, &room[i * ROOM * T::WIDTH..][..ROOM * T::WIDTH]);
+            for &at in &selection.path {
+                let placed = &steps[at];
+                turn_back(&placed.step, &mut n, &room[placed.number * ROOM * T::WIDTH..][..ROOM * T::WIDTH]);
             }
             n
         }
@@ -253,28 +229,21 @@ fn back<T: Lanes>(turn: Turn) -> (T, T) {
 
 /// Eliminates a body's joint and passes what is left to its carrier.
 #[inline(always)]
-fn advance<T: Lanes, const ON_PATH: bool>(selected: &Selected, carried: &mut Carried<T>, room: &mut [f64]) {
-    let step = &selected.step;
-    let (rest, own) = room.split_at_mut(selected.number * ROOM * T::WIDTH);
+fn advance<T: Lanes, const ON_PATH: bool>(placed: &Placed, carried: &mut Carried<T>, room: &mut [f64]) {
+    let step = &placed.step;
+    let (rest, own) = room.split_at_mut(placed.number * ROOM * T::WIDTH);
     let own = &mut own[..ROOM * T::WIDTH];
-    let (Some(parent), false) = (step.parent, selected.form == Form::Top) else {
+    let (Some(parent), false) = (step.parent, placed.form == Form::Top) else {
         return top(step, carried, own);
     };
-    let above = &selected.above;
+    let above = &placed.above;
     let slot = &mut rest[parent * ROOM * T::WIDTH..][..ROOM * T::WIDTH];
     macro_rules! hinge {
         ($skew:literal, $leaf:literal, $next_to_last:literal) => {
-            hinge::<T, ON_PATH, $skew, $leaf, $next_to_last>(
-                step,
-                above,
-                selected.is_first,
-                carried,
-                own,
-                slot,
-            )
+            hinge::<T, ON_PATH, $skew, $leaf, $next_to_last>(step, above, placed.is_first, carried, own, slot)
         };
     }
-    match selected.form {
+    match placed.form {
         Form::Hinge { skew: true, leaf: false, next_to_last: false } => hinge!(true, false, false),
         Form::Hinge { skew: false, leaf: false, next_to_last: false } => hinge!(false, false, false),
         Form::Hinge { skew: true, leaf: true, next_to_last: false } => hinge!(true, true, false),
@@ -283,7 +252,7 @@ fn advance<T: Lanes, const ON_PATH: bool>(selected: &Selected, carried: &mut Car
         Form::Hinge { skew: false, leaf: false, next_to_last: true } => hinge!(false, false, true),
         Form::Hinge { skew: true, leaf: true, next_to_last: true } => hinge!(true, true, true),
         Form::Hinge { skew: false, leaf: true, next_to_last: true } => hinge!(false, true, true),
-        Form::Top | Form::Any => any::<T, ON_PATH>(step, above, selected.is_first, carried, own, slot),
+        Form::Top | Form::Any => any::<T, ON_PATH>(step, above, placed.is_first, carried, own, slot),
     }
 }
 

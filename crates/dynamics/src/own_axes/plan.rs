@@ -87,7 +87,7 @@ pub(super) struct Step {
 
 impl Step {
     /// Whether it is a hinge, and of which shape its way.
-    pub fn hinge(&self) -> Option<Shape> {
+    fn hinge(&self) -> Option<Shape> {
         (self.moves && matches!(self.motion, Motion::Turn { .. })).then_some(self.way.shape)
     }
 
@@ -110,6 +110,39 @@ pub(super) struct Leaf {
     pub armature_part: f64,
 }
 
+/// Steps of one form go through code without a branch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Form {
+    /// On the ground.
+    Top,
+    /// A hinge whose way is [`Shape::Skew`] or [`Shape::Parallel`].
+    Hinge {
+        /// Whether the way is skew.
+        skew: bool,
+        /// Whether it carries nothing.
+        leaf: bool,
+        /// Whether its carrier is on the ground and turns: one entry of what it passes on is all that matters.
+        next_to_last: bool,
+    },
+    /// Any other.
+    Any,
+}
+
+/// A step in its place among all.
+#[derive(Clone, Debug)]
+pub(super) struct Placed {
+    /// Of its body.
+    pub number: usize,
+    pub step: Step,
+    /// Its carrier's own inertia.
+    pub above: PackedInertia<f64>,
+    /// Whether it is the first that its carrier's sum is made of.
+    pub is_first: bool,
+    /// The body on the ground that carries it.
+    pub top: usize,
+    pub form: Form,
+}
+
 /// The bodies of a tree in the model's order.
 #[derive(Clone, Debug)]
 pub(super) struct Plan {
@@ -120,7 +153,7 @@ impl Plan {
     /// None where the tree has joints of other kinds, bodies that are bound together, or negative masses.
     pub fn of(model: &Model) -> Option<Self> {
         let bound = model.clusters.iter().any(|cluster| cluster.is_bound);
-        if bound || !model.bodies.iter().all(is_plain) {
+        if bound || model.bodies.is_empty() || !model.bodies.iter().all(is_plain) {
             return None;
         }
         let mut frames: Vec<Option<Transform<f64>>> = vec![None; model.bodies.len()];
@@ -152,6 +185,39 @@ impl Plan {
         plan.fill_sizes();
         plan.fill_leaves();
         Some(plan)
+    }
+
+    /// All steps, those carried before those that carry.
+    pub fn placed(self) -> Vec<Placed> {
+        let mut tops: Vec<usize> = Vec::with_capacity(self.steps.len());
+        for (i, step) in self.steps.iter().enumerate() {
+            tops.push(step.parent.map_or(i, |p| tops[p]));
+        }
+        let mut met = vec![false; self.steps.len()];
+        let place = |number: usize| {
+            let step = &self.steps[number];
+            Placed {
+                number,
+                above: step.parent.map_or(step.inertia, |p| self.steps[p].inertia),
+                is_first: step.parent.is_some_and(|p| !std::mem::replace(&mut met[p], true)),
+                top: tops[number],
+                form: self.form(step),
+                step: step.clone(),
+            }
+        };
+        (0..self.steps.len()).rev().map(place).collect()
+    }
+
+    fn form(&self, step: &Step) -> Form {
+        let Some(parent) = step.parent else { return Form::Top };
+        let skew = match step.hinge() {
+            Some(Shape::Skew) => true,
+            Some(Shape::Parallel) => false,
+            Some(Shape::General) | None => return Form::Any,
+        };
+        let above = &self.steps[parent];
+        let next_to_last = above.parent.is_none() && above.hinge().is_some();
+        Form::Hinge { skew, leaf: step.leaf.is_some(), next_to_last }
     }
 
     /// Sizes of what every body carries, with its joints wherever they can be.

@@ -1,0 +1,143 @@
+//! The recursion of a tree in its bodies' own axes: for trees of hinges and slides, on the ground or floating, in lanes.
+//!
+//! It answers what it is sure of; all else (what is massless, immovable, near either, lost to rounding) is left to
+//! [`crate::routes`], as are other joints, loops and contacts between two links.
+
+mod plan;
+mod recursion;
+
+pub(crate) use recursion::Columns;
+
+use crate::contact::{Contact, Direction, Frame};
+use crate::model::Model;
+use crate::tolerances::{ROUTE_ROUNDINGS, TRUSTED_ERROR};
+use nalgebra::Vector3;
+use percuss_spatial::lanes::{Instructions, Lanes, Work};
+use plan::{Placed, Plan};
+use recursion::{Answer, Normal, ROOM, Selection, Struck, evaluate};
+use std::sync::Arc;
+
+/// The widest lanes.
+pub(crate) const WIDEST: usize = 8;
+
+/// A finite m̄ that rounding leaves no doubt of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct ClearMass {
+    /// m̄, kg.
+    pub mass: f64,
+    /// What rounding may amount to, kg.
+    pub error: f64,
+}
+
+/// A tree prepared, the contact that it is asked for, and room.
+#[derive(Clone, Debug)]
+pub(crate) struct OwnAxes {
+    steps: Arc<[Placed]>,
+    selection: Selection,
+    room: Vec<f64>,
+    pub instructions: Instructions,
+}
+
+impl OwnAxes {
+    /// None where the model is no such tree.
+    pub fn of(model: &Model) -> Option<Self> {
+        let steps: Arc<[Placed]> = Plan::of(model)?.placed().into();
+        let selection = Selection::none(steps.len());
+        let room = vec![0.0; steps.len() * ROOM * WIDEST];
+        Some(Self { steps, selection, room, instructions: Instructions::best() })
+    }
+
+    /// Takes a checked contact; not where it is none of its kind. Allocates nothing after the first time.
+    pub fn aim(&mut self, model: &Model, contact: &Contact) -> bool {
+        let Some(body) = model.body_of(contact.link) else { return false };
+        let Direction::Along(n, frame) = contact.normal else { return false };
+        let other = contact.against.map(|link| &model.link_frames[link.index()]);
+        if other.is_some_and(|other| other.body.is_some()) {
+            return false;
+        }
+        let last = self.steps.len() - 1;
+        let own = &self.steps[last - body].step.frame;
+        let link = &model.link_frames[contact.link.index()].frame;
+        let n = n.normalize();
+        let normal = match (frame, other) {
+            (Frame::Link, _) => Normal::Body(own.inverse_vector(&link.vector(&n)).into()),
+            (Frame::Against, Some(other)) => Normal::Root(other.frame.vector(&n).into()),
+            (Frame::World, _) | (Frame::Against, None) => Normal::Root(n.into()),
+        };
+        let point: Vector3<f64> = own.inverse_point(&link.point(&contact.point));
+        let Selection { path, on_path, .. } = &mut self.selection;
+        path.iter().for_each(|&at| on_path[at] = false);
+        path.clear();
+        let mut next = Some(body);
+        while let Some(number) = next {
+            path.push(last - number);
+            on_path[last - number] = true;
+            next = self.steps[last - number].step.parent;
+        }
+        path.reverse();
+        self.selection.top = last - path[0];
+        self.selection.struck = Struck { point: point.into(), normal };
+        true
+    }
+
+    /// m̄ at one configuration, by what it is aimed at.
+    pub fn one(&mut self, positions: &[f64]) -> Option<ClearMass> {
+        let (mut response, mut terms) = ([0.0], [0.0]);
+        let columns = Columns { values: positions, stride: 1 };
+        let instructions = self.instructions;
+        instructions.run_one(self.group(columns, 0, &mut response, &mut terms));
+        clear(response[0], terms[0])
+    }
+
+    /// m̄ at as many configurations, from `first` on, as the instruction set has lanes.
+    pub fn lanes(&mut self, columns: Columns<'_>, first: usize) -> [Option<ClearMass>; WIDEST] {
+        let (mut responses, mut terms) = ([f64::NAN; WIDEST], [f64::NAN; WIDEST]);
+        let instructions = self.instructions;
+        instructions.run(self.group(columns, first, &mut responses, &mut terms));
+        std::array::from_fn(|lane| clear(responses[lane], terms[lane]))
+    }
+
+    /// Which positions are read.
+    pub fn read(&self) -> impl Iterator<Item = usize> + '_ {
+        let carried = self.steps.iter().filter(|placed| placed.top == self.selection.top);
+        carried.filter_map(|placed| placed.step.position())
+    }
+
+    fn group<'a>(
+        &'a mut self,
+        columns: Columns<'a>,
+        first: usize,
+        responses: &'a mut [f64],
+        terms: &'a mut [f64],
+    ) -> Group<'a> {
+        let Self { steps, selection, room, .. } = self;
+        Group { steps, selection, columns, first, room, responses, terms }
+    }
+}
+
+/// Some lanes.
+struct Group<'a> {
+    steps: &'a [Placed],
+    selection: &'a Selection,
+    columns: Columns<'a>,
+    first: usize,
+    room: &'a mut [f64],
+    responses: &'a mut [f64],
+    terms: &'a mut [f64],
+}
+
+impl Work for Group<'_> {
+    #[inline(always)]
+    fn run<T: Lanes>(self) {
+        let answer: Answer<T> = evaluate(self.steps, self.selection, self.columns, self.first, self.room);
+        answer.response.store(self.responses);
+        answer.terms.store(self.terms);
+    }
+}
+
+fn clear(response: f64, terms: f64) -> Option<ClearMass> {
+    let relative = f64::EPSILON * ROUTE_ROUNDINGS * terms / response;
+    let mass = 1.0 / response;
+    // NaN is not small.
+    (response > 0.0 && relative <= TRUSTED_ERROR).then_some(ClearMass { mass, error: relative * mass })
+}
