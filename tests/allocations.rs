@@ -5,7 +5,8 @@
 #![allow(unsafe_code)]
 
 use percuss_dynamics::{
-    Contact, ContactResponse, Direction, EffectiveMass, Frame, Pose, ResponseError, RouteChoice, Workspace,
+    BatchAnswer, BatchPositions, Contact, ContactResponse, Direction, EffectiveMass, Frame, Pose,
+    ResponseError, RouteChoice, Workspace,
 };
 use percuss_oracle::linkage;
 use percuss_tests::cases::{self, Case};
@@ -135,6 +136,36 @@ fn a_workspace_allocates_nothing_and_answers_as_a_pose_does() {
     }
     same.report();
     assert!(immovable > 0 && massless > 0, "{immovable} immovable, {massless} massless");
+}
+
+/// A configuration that lanes answer costs no allocation: alone, nor after the first of a thread's portion.
+#[test]
+fn a_batch_allocates_nothing() {
+    let mechanism = percuss_oracle::zoo::six_r_arm();
+    let mut rng = StdRng::seed_from_u64(42);
+    let rows: Vec<f64> =
+        (0..400).flat_map(|_| percuss_oracle::random::positions(&mut rng, &mechanism).concat()).collect();
+    let link = *mechanism.order().last().expect("links");
+    let contact = Contact::new(link, [0.05, -0.02, 0.03], [0.3, -0.5, 0.8]);
+    let system =
+        percuss_dynamics::System::new(mechanism, &percuss_dynamics::Conditions::new()).expect("fits");
+    let mut batch = system.reference_or_open().batch(&contact).expect("a contact");
+    let mut answers = vec![BatchAnswer::NONE; 400];
+    for row in rows.chunks(6) {
+        let before = allocations();
+        let answer = batch.effective_mass(row).expect("six");
+        let allocated = allocations() - before;
+        assert!(answer.error.is_some() && allocated == 0, "{answer:?}: {allocated} allocations");
+    }
+    let mut of = |count: usize| {
+        let before = allocations();
+        batch
+            .run_here(BatchPositions::Rows { values: &rows, stride: 6 }, &mut answers[..count])
+            .expect("enough");
+        allocations() - before
+    };
+    // The room of a thread.
+    assert_eq!(of(8), of(400));
 }
 
 #[test]
