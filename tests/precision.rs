@@ -3,6 +3,9 @@
 //! The fixtures hold every number as the decimal of a double, so that both sides know the same mechanism. A family is
 //! gone through to its end; then every failure is printed, and the counts.
 
+#[path = "precision/alone.rs"]
+mod alone;
+
 use percuss::{Answer, Model};
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -13,12 +16,28 @@ use std::path::Path;
 mod percuss {
     use super::Asked;
     use percuss_dynamics::{
-        Base, Conditions, Contact, Direction, EffectiveMass, Frame, ResponseError, RouteChoice, System,
+        Base, Conditions, Contact, ContactResponse, Direction, EffectiveMass, Frame, Pose, ResponseError,
+        Route, RouteChoice, System,
     };
     use percuss_formats::{LoadOptions, Source, load};
 
     /// m̄ and its stated error, kg; or why there is none.
     pub type Answer = Result<(f64, f64), String>;
+
+    /// m̄ by each route, kg, where it is finite.
+    pub struct Routes {
+        pub auto: Option<f64>,
+        /// Whether that is the recursion's own, and nothing else was asked.
+        pub is_alone: bool,
+        pub recursion: Option<f64>,
+        /// The recursion's stated rounding, relative.
+        pub rounding: Option<f64>,
+        /// Asked only where the recursion stands alone and states more than eleven digits allow.
+        pub careful: Option<f64>,
+        /// By a workspace, and by one that has answered before.
+        pub first: Option<f64>,
+        pub second: Option<f64>,
+    }
 
     /// A mechanism under conditions.
     pub struct Model(System);
@@ -32,16 +51,9 @@ mod percuss {
             system.map(Self).map_err(|error| error.to_string())
         }
 
-        /// Poses the mechanism (joint, its value, what is put there, whether it drives; others are guesses) and asks for the response
-        /// to every contact. With the answers comes how far the joints stand from their values.
-        pub fn ask(
-            &self,
-            values: &[(String, f64, f64, bool)],
-            contacts: &[Asked],
-        ) -> Result<(f64, Vec<Answer>), String> {
-            let Self(system) = self;
-            let mechanism = system.mechanism();
-            let mut configuration = system.configuration();
+        /// Poses the mechanism: joint, its value, what is put there, whether it drives; others are guesses.
+        fn pose(&self, values: &[(String, f64, f64, bool)]) -> Result<Pose, String> {
+            let mut configuration = self.0.configuration();
             for (joint, _, value, drives) in values {
                 let put = if *drives {
                     configuration.set(joint, &[*value])
@@ -50,21 +62,39 @@ mod percuss {
                 };
                 put.map_err(|error| error.to_string())?;
             }
-            let pose = system.pose(&configuration).map_err(|error| error.to_string())?;
+            self.0.pose(&configuration).map_err(|error| error.to_string())
+        }
+
+        fn contact(&self, asked: &Asked) -> Contact {
+            let find = |name: &str| self.0.mechanism().find_link(name).expect("a link");
+            let mut contact = Contact::new(find(&asked.on), asked.point, asked.normal);
+            if asked.world {
+                contact = contact.normal(Direction::Along(asked.normal.into(), Frame::World));
+            }
+            if let Some(end) = &asked.toward {
+                contact = contact.normal(Direction::Toward(find(end), asked.normal.into()));
+            }
+            match &asked.against {
+                Some(other) => contact.against(find(other)),
+                None => contact,
+            }
+        }
+
+        /// Poses the mechanism and asks for the response to every contact. With the answers comes how far the joints stand from
+        /// their values.
+        pub fn ask(
+            &self,
+            values: &[(String, f64, f64, bool)],
+            contacts: &[Asked],
+        ) -> Result<(f64, Vec<Answer>), String> {
+            let mechanism = self.0.mechanism();
+            let pose = self.pose(values)?;
             let off = |(joint, value, ..): &(String, f64, f64, bool)| {
                 (pose.joint(mechanism.find_joint(joint).expect("a joint"))[0] - value).abs()
             };
             let respond = |asked: &Asked| {
-                let find = |name: &str| mechanism.find_link(name).expect("a link");
-                let mut contact = Contact::new(find(&asked.on), asked.point, asked.normal);
-                if asked.world {
-                    contact = contact.normal(Direction::Along(asked.normal.into(), Frame::World));
-                }
-                if let Some(other) = &asked.against {
-                    contact = contact.against(find(other));
-                }
                 let response = pose
-                    .respond(&contact, RouteChoice::Auto)
+                    .respond(&self.contact(asked), RouteChoice::Auto)
                     .map_err(|error: ResponseError| error.to_string())?;
                 match (response.effective_mass, response.effective_mass_error()) {
                     (EffectiveMass::Finite(mass), Some(error)) => Ok((mass, error)),
@@ -72,6 +102,44 @@ mod percuss {
                 }
             };
             Ok((values.iter().map(off).fold(0.0, f64::max), contacts.iter().map(respond).collect()))
+        }
+
+        /// The same contacts by the routes, and by a workspace twice.
+        pub fn ask_routes(
+            &self,
+            values: &[(String, f64, f64, bool)],
+            contacts: &[Asked],
+        ) -> Result<Vec<Routes>, String> {
+            let pose = self.pose(values)?;
+            let finite = |mass| if let EffectiveMass::Finite(mass) = mass { Some(mass) } else { None };
+            let mut routes = Vec::new();
+            for contact in contacts.iter().map(|asked| self.contact(asked)) {
+                let by = |choice| pose.respond(&contact, choice).ok();
+                let mass =
+                    |response: Option<ContactResponse>| response.and_then(|r| finite(r.effective_mass));
+                let auto = by(RouteChoice::Auto);
+                let is_alone = auto.as_ref().is_some_and(|r| r.careful_reason.is_none() && !r.held_to_energy);
+                let recursion = by(RouteChoice::Only(Route::Articulated));
+                let rounding =
+                    recursion.as_ref().and_then(|r| Some(r.error?.rounding? / finite(r.effective_mass)?));
+                // The first answer makes room; from the second on errors are counted only where they must be.
+                let mut workspace = pose.assembly().workspace();
+                workspace.set_positions(pose.positions()).map_err(|error| error.to_string())?;
+                let mut again = || workspace.effective_mass(&contact).ok().and_then(finite);
+                let (first, second) = (again(), again());
+                let is_vague = is_alone && rounding.is_some_and(|stated| stated > super::DIGITS);
+                let careful = if is_vague { mass(by(RouteChoice::Only(Route::Dense))) } else { None };
+                routes.push(Routes {
+                    recursion: mass(recursion),
+                    rounding,
+                    careful,
+                    is_alone,
+                    auto: mass(auto),
+                    first,
+                    second,
+                });
+            }
+            Ok(routes)
         }
     }
 }
@@ -83,15 +151,21 @@ struct Asked {
     point: [f64; 3],
     normal: [f64; 3],
     world: bool,
+    /// The link that the normal leads to; `normal` is the point there.
+    toward: Option<String>,
 }
 
 /// A family's file; the README beside the generator has the layout.
 #[derive(Deserialize)]
 struct Family {
     mechanisms: Vec<Rows>,
-    contacts: Vec<(usize, i64, String, String, u8)>,
+    contacts: Vec<ContactRow>,
     groups: BTreeMap<String, Vec<Case>>,
 }
+
+/// On, against, point, normal, 1 where that is in the world's axes, the link where a line ends.
+#[derive(Deserialize)]
+struct ContactRow(usize, i64, String, String, u8, #[serde(default)] Option<usize>);
 
 #[derive(Deserialize)]
 struct Rows {
@@ -275,7 +349,9 @@ impl Tally {
                 return vec![format!("no answer ({why}), reference {reference}")];
             }
         };
-        let (truth, stated) = (off(mass, reference), error / mass);
+        let truth = off(mass, reference);
+        // Relative to the reference, as the true one is.
+        let stated = error / reference.parse::<f64>().expect("a number");
         let say = |what: &str| {
             format!("{what}: got {mass:?}, reference {reference}, stated {stated:.1e}, true {truth:.1e}")
         };
@@ -341,9 +417,7 @@ fn judge(
     wanted: impl Fn(&str) -> Wanted,
     also: impl Fn(&str, &[(u32, Vec<Answer>)]) -> Vec<String>,
 ) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("data/precision").join(file);
-    let text = std::fs::read_to_string(path).expect("a fixture");
-    let family: Family = serde_json::from_str(&text).expect("a family");
+    let family = Family::read(file);
     let (mut report, mut failures) = (format!("{file}\n{HEADER}\n"), 0);
     let loops = |cases: &[Case]| cases.iter().any(|case| !family.mechanisms[case.of].loops.is_empty());
     let asked = family.groups.iter().flat_map(|(group, cases)| {
@@ -395,8 +469,14 @@ fn judge(
 }
 
 impl Family {
+    fn read(file: &str) -> Self {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("data/precision").join(file);
+        let text = std::fs::read_to_string(path).expect("a fixture");
+        serde_json::from_str(&text).expect("a family")
+    }
+
     fn contact(&self, k: usize) -> Asked {
-        let (on, against, point, normal, world) = &self.contacts[k];
+        let ContactRow(on, against, point, normal, world, toward) = &self.contacts[k];
         let against = usize::try_from(*against).ok().map(|other| format!("l{other}"));
         Asked {
             on: format!("l{on}"),
@@ -404,6 +484,7 @@ impl Family {
             point: three(point),
             normal: three(normal),
             world: *world == 1,
+            toward: toward.map(|end| format!("l{end}")),
         }
     }
 }
@@ -477,4 +558,14 @@ fn rings_of_ten_to_three_hundred_links() {
             vague.map(|(mass, error)| format!("stated {error:.1e} of {mass}")).collect()
         },
     );
+}
+
+#[test]
+fn small_pivots_light_contacts_and_lines() {
+    judge("pivots.json", |_| Wanted::default(), nothing);
+}
+
+#[test]
+fn rings_of_a_thousand_links() {
+    judge("rings_1000.json", |_| Wanted { tight: true, ..Wanted::default() }, nothing);
 }

@@ -2,6 +2,8 @@
 //! sizes from far too small to far too large.
 
 mod drawn_open;
+mod first_poses;
 mod independent_groups;
+mod rigid;
 mod rounded_files;
 mod tiny_and_huge;

@@ -151,3 +151,26 @@ fn ladders_and_rings() {
     let mass = effective_mass("ring", model.ask("ring", "l100")).expect("finite");
     assert!((0.5..10.0).contains(&mass), "{mass}");
 }
+
+/// Each loop has its own group: what is known of one must not hold the positions of all, nor its search touch them.
+#[test]
+fn thousands_of_long_loops() {
+    let (loops, links) = (3_000, 20);
+    let turn = std::f64::consts::TAU / f64::from(links + 1);
+    let mut model = Model::new();
+    for k in 0..loops {
+        let (mut x, mut y, mut heading) = (3.0 * f64::from(k), 0.0, 0.0_f64);
+        let mut parent = "base".to_owned();
+        for i in 0..links {
+            let child = format!("l{k}_{i}");
+            model.link(&child, LINK);
+            let at = if i == 0 { [x, y, 0.0] } else { [1.0, 0.0, 0.0] };
+            model.hinge(&parent, &child, at, if i == 0 { 0.0 } else { turn }, "0 0 1", "");
+            heading += if i == 0 { 0.0 } else { turn };
+            (x, y) = (x + heading.cos(), y + heading.sin());
+            parent = child;
+        }
+        model.pin(&format!("loop{k}"), "base", [x, y], &parent, [1.0, 0.0]);
+    }
+    assert!(effective_mass("long loops", model.ask("long-loops", "l7_9")).expect("finite") > 0.1);
+}

@@ -279,7 +279,7 @@ fn generic_kinematics(models: &Models, facts: &Facts) -> Kinematics<f64> {
         posing.perturb(&mut kinematics, &outside, HELD_ASIDE, 77);
     }
     for (group, facts) in posing.groups.iter().zip(&facts.groups) {
-        posing.set_group(&mut kinematics, group, &facts.generic);
+        posing.restore_group(&mut kinematics, group, &facts.generic);
     }
     kinematics.refill(&models.answering);
     kinematics

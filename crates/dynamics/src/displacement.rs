@@ -34,12 +34,20 @@ impl Model {
 
     /// The velocities over a group's coordinates that lead from one position to another in unit time.
     pub fn displacement(&self, group: &Group, from: &[f64], to: &[f64]) -> Vec<f64> {
+        self.displacement_from(group, &self.group_positions(group, from), to)
+    }
+
+    /// The same from positions of the group's bodies, one after another.
+    pub fn displacement_from(&self, group: &Group, from: &[f64], to: &[f64]) -> Vec<f64> {
         let mut u = vec![0.0; group.coordinates.len()];
+        let mut rest = from;
         for body in group.bodies.iter().map(|&b| &self.bodies[b]) {
+            let (own, others) = rest.split_at(body.q.len());
+            rest = others;
             if body.joint.is_none() || body.mimic.is_some() {
                 continue;
             }
-            let rates = tangent::displacement(body.motion.kind, &from[body.q.clone()], &to[body.q.clone()]);
+            let rates = tangent::displacement(body.motion.kind, own, &to[body.q.clone()]);
             for (v, rate) in body.v.clone().zip(rates) {
                 let at = self.follows[v].and_then(|f| group.column(f.index));
                 if let Some(at) = at {
@@ -53,6 +61,23 @@ impl Model {
     /// Frames of a group's bodies at the positions in `q`, mimics filled in.
     pub fn refill_group(&self, kinematics: &mut Kinematics<f64>, group: &Group) {
         kinematics.refill_bodies(self, &group.bodies);
+    }
+
+    /// The positions of a group's bodies, one after another: all that a motion of the group changes.
+    pub fn group_positions(&self, group: &Group, q: &[f64]) -> Vec<f64> {
+        group.bodies.iter().flat_map(|&b| &q[self.bodies[b].q.clone()]).copied().collect()
+    }
+
+    /// Puts a group at positions of its bodies, one after another.
+    pub fn restore_group(&self, kinematics: &mut Kinematics<f64>, group: &Group, positions: &[f64]) {
+        let mut rest = positions;
+        for &b in &group.bodies {
+            let range = self.bodies[b].q.clone();
+            let (own, others) = rest.split_at(range.len());
+            kinematics.q[range].copy_from_slice(own);
+            rest = others;
+        }
+        self.refill_group(kinematics, group);
     }
 
     /// Copies the positions of a group's joints.

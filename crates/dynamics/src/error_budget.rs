@@ -12,19 +12,19 @@
 //! recursion's own terms bound it: each step counts by what is left below it, not by all that hangs there frozen. Running
 //! error analysis: Higham, Accuracy and Stability of Numerical Algorithms, 2002, §3.3 (cited from memory).
 
+mod frozen;
+mod multipliers;
+mod rows;
+
+use self::multipliers::MultiplierRoom;
 use crate::contact::LocatedContact;
 use crate::kinematics::Kinematics;
-use crate::linear::dense::solve_square;
-use crate::linear::jacobian::Jacobian;
 use crate::mobility::GroupMobility;
-use crate::model::{Cluster, Group, Model};
+use crate::model::{Cluster, Model};
 use crate::recursion::{ClusterElimination, Recursion};
 use crate::rows::GroupRows;
 use crate::stationary::Stationary;
-use crate::tolerances::{
-    DENSE_LIMIT, NOTHING_LEFT, REPEATED_ROUNDINGS, ROW_ROUNDINGS, SUM_ROUNDINGS, TURN_ROUNDINGS,
-    VAGUE_RESPONSE,
-};
+use crate::tolerances::{NOTHING_LEFT, REPEATED_ROUNDINGS, SUM_ROUNDINGS, TURN_ROUNDINGS, VAGUE_RESPONSE};
 use nalgebra::{Vector3, Vector6};
 use percuss_mechanism::LinkId;
 use percuss_spatial::{ArticulatedInertia, Transform, Twist, Wrench};
@@ -100,6 +100,9 @@ pub(crate) struct BudgetRoom {
     frames: FrameErrors,
     /// The wrench that each body's joint transmits; within a bound cluster without those of its constraints.
     transmitted: Vec<Wrench<f64>>,
+    /// For every body: the size of all that it carries, were its joints frozen: moment (kg·m²) and mass (kg). Filled where it
+    /// is asked for.
+    composites: Vec<(f64, f64)>,
     /// Of the cluster at hand, over its coordinates: the forces that the tree leaves, and the rates.
     forces: Vec<f64>,
     rates: Vec<f64>,
@@ -110,6 +113,8 @@ pub(crate) struct BudgetRoom {
     terms: Vec<f64>,
     largest: Vec<f64>,
     multipliers: MultiplierRoom,
+    /// Of the cluster at hand, for each of its bodies: the wrenches on it that close loops.
+    closing: Vec<Wrench<f64>>,
 }
 
 impl BudgetRoom {
@@ -156,9 +161,10 @@ impl UnitImpulse<'_> {
         is_clear: bool,
     ) -> RelativeErrors {
         let (mut route, mut stationary) = (0.0, None);
+        room.composites.clear();
         for (number, cluster) in self.model.clusters.iter().enumerate() {
             route += match recursion.place[number] {
-                None => self.of_joint(recursion, cluster.bodies[0]),
+                None => self.of_joint(room, recursion, cluster.bodies[0]),
                 Some(place) => self.of_cluster(room, recursion, cluster, &recursion.clusters[place]),
             };
         }
@@ -227,6 +233,8 @@ impl UnitImpulse<'_> {
         let (model, kinematics) = (self.model, self.kinematics);
         self.fill_transmitted(&mut room.transmitted, recursion);
         room.frames.fill(model, kinematics);
+        let mut sum = RelativeErrors::default();
+        self.add_rows(room, places, &mut sum);
         let BudgetRoom { frames, transmitted, .. } = &*room;
         let on = frames.at(model.body_of(self.contact.link));
         let against = frames.at(self.contact.against.and_then(|l| model.body_of(l)));
@@ -234,7 +242,6 @@ impl UnitImpulse<'_> {
         let reach = point.norm();
         let own_struck = 2.0 * reach + (on.0 + SUM_ROUNDINGS) * self.contact.point_link.norm();
         let struck = (on.0.max(against.0), on.1 + own_struck);
-        let mut sum = RelativeErrors::default();
         // The normal turns with a link; the relative velocity there is what it is multiplied with.
         let relative = self.relative_velocity().norm();
         sum.rounding += 2.0 * (TURN_ROUNDINGS + struck.0) * relative;
@@ -250,7 +257,7 @@ impl UnitImpulse<'_> {
         let by_joint = places == Places::ByJoint;
         if let Some(other) = self.contact.against.and_then(|l| model.body_of(l)).filter(|_| by_joint) {
             // The point is the struck link's: it is off on the other one.
-            sum.rounding += 2.0 * (struck.1 + against.1) * self.twists[other].angular.norm();
+            sum.rounding += 2.0 * self.off_between(frames) * self.twists[other].angular.norm();
         }
         for (i, body) in model.bodies.iter().enumerate() {
             let (turn, place) = frames.of[i];
@@ -286,8 +293,25 @@ impl UnitImpulse<'_> {
                         + (axis * off + (turn + TURN_ROUNDINGS) * lever) * transmitted[i].force.norm());
             }
         }
-        self.add_rows(room, &mut sum);
         sum
+    }
+
+    /// How far the contact point is off on the other side: what the joints between the two sides turn and shift wrongly.
+    fn off_between(&self, frames: &FrameErrors) -> f64 {
+        let (model, kinematics, point) = (self.model, self.kinematics, &self.contact.point_root);
+        let (mut alike, mut squares) = (0.0, 0.0);
+        let on = model.body_of(self.contact.link);
+        let against = self.contact.against.and_then(|link| model.body_of(link));
+        model.for_each_support(on, against, |i, _| {
+            let place = &kinematics.frames[i].translation;
+            let arm = (place - point).norm();
+            // Products of rotations are stretched as far as they are turned.
+            let own = (SUM_ROUNDINGS + frames.walks[i].0.sqrt()) * kinematics.steps[i].translation.norm()
+                + 2.0 * place.norm();
+            alike += REPEATED_ROUNDINGS * arm;
+            squares += (TURN_ROUNDINGS * arm).powi(2) + own * own;
+        });
+        2.0 * point.norm() + SUM_ROUNDINGS * self.contact.point_link.norm() + alike + squares.sqrt()
     }
 
     /// What a joint turns and shifts wrongly it carries along as it is: only what it transmits knows of it.
@@ -335,62 +359,6 @@ impl UnitImpulse<'_> {
         carrying.map(|(group, misfit)| misfit * group.size).fold(0.0, f64::max)
     }
 
-    /// Rows of A that are off change the rates of what depends.
-    fn add_rows(&self, room: &mut BudgetRoom, sum: &mut RelativeErrors) {
-        for cluster in self.model.clusters.iter().filter(|c| !c.groups.is_empty()) {
-            self.fill_tree_forces(&mut room.forces, cluster, &room.transmitted);
-            let BudgetRoom { frames, forces, rates, rows, terms, largest, multipliers, .. } = room;
-            rates.clear();
-            rates.resize(cluster.coordinates.len(), 0.0);
-            for v in cluster.velocities.iter().filter(|v| v.multiplier != 0.0) {
-                rates[v.coordinate] = self.velocities[v.index] / v.multiplier;
-            }
-            let worst = cluster.bodies.iter().map(|&b| frames.of[b]);
-            let (turn, place) = worst.fold((0.0, 0.0), |(t, p): (f64, f64), (a, b)| (t.max(a), p.max(b)));
-            for own in &cluster.groups {
-                let (group, known) = (&self.model.groups[own.group], &self.groups[own.group]);
-                let scaled = |c: usize| rates[own.coordinates[c]].abs() * group.lengths[c];
-                if (0..group.coordinates.len()).all(|c| scaled(c) == 0.0) {
-                    continue;
-                }
-                sum.misfit = sum.misfit.max(self.misfits[own.group]);
-                sum.is_measured |= group.rows > known.pivots.rows.len();
-                // δ(1/m̄) = 2 λᵀδA u: the multipliers balance what the tree leaves on the coordinates that depend.
-                let force = |c: usize| forces[own.coordinates[c]] / group.lengths[c];
-                rows.fill(self.model, group, self.kinematics);
-                multipliers.solve(rows, group, known, &force);
-                terms.clear();
-                terms.resize(group.rows, 0.0);
-                largest.clear();
-                largest.resize(group.rows, 0.0);
-                rows.for_each(group, |r, c, a| {
-                    terms[r] += (a / group.lengths[c]).abs() * scaled(c);
-                    largest[r] = largest[r].max((a / group.lengths[c]).abs());
-                });
-                let speed = (0..group.coordinates.len()).map(scaled).fold(0.0, f64::max);
-                let row = ROW_ROUNDINGS + turn + place / group.size;
-                for (&r, multiplier) in known.pivots.rows.iter().zip(&multipliers.values) {
-                    // Entries that vanish are sums of terms as large as the row's largest.
-                    let change = multiplier.abs() * terms[r].max(largest[r] * speed);
-                    sum.file += 2.0 * self.misfits[own.group] * change;
-                    sum.rounding += 2.0 * row * change;
-                }
-            }
-        }
-    }
-
-    /// The force that the tree leaves on each coordinate of a cluster: τ = Σ Sᵀh, h without the constraints' own.
-    fn fill_tree_forces(&self, forces: &mut Vec<f64>, cluster: &Cluster, transmitted: &[Wrench<f64>]) {
-        forces.clear();
-        forces.resize(cluster.coordinates.len(), 0.0);
-        for v in &cluster.velocities {
-            let body = cluster.bodies[v.body];
-            let s = self.kinematics.column_at(self.model, body, v.component, &self.contact.point_root);
-            let inertial = v.armature * self.velocities[v.index];
-            forces[v.coordinate] += v.multiplier * (transmitted[body].power(&s) - inertial);
-        }
-    }
-
     /// Iᴬ as it arrives at a body, before its own joint is eliminated.
     fn carried(&self, recursion: &Recursion<f64, 1>, i: usize) -> ArticulatedInertia<f64> {
         let mut inertia = recursion.inertias[i];
@@ -403,7 +371,7 @@ impl UnitImpulse<'_> {
     }
 
     /// The elimination of a plain joint.
-    fn of_joint(&self, recursion: &Recursion<f64, 1>, i: usize) -> f64 {
+    fn of_joint(&self, room: &mut BudgetRoom, recursion: &Recursion<f64, 1>, i: usize) -> f64 {
         let body = &self.model.bodies[i];
         let roots = roots(&self.carried(recursion, i));
         let own = energy_root(&roots, &components(&self.twists[i]));
@@ -416,6 +384,9 @@ impl UnitImpulse<'_> {
             let passed = dot_abs(&e.u, &components(&parent)) * (e.t[0] / e.d).abs();
             let left = energy_root(&roots, &components(&parent));
             sum += SUM_ROUNDINGS * (left * left + passed);
+        }
+        if body.v.clone().any(|v| !recursion.joints[v].counts) {
+            sum += self.of_frozen(room, recursion, i, &roots) / f64::EPSILON;
         }
         sum + 2.0 * SUM_ROUNDINGS * dot_abs(&recursion.wrenches[i][0], &components(&self.twists[i]))
     }
@@ -468,56 +439,6 @@ impl UnitImpulse<'_> {
         let root: f64 = mass_size.iter().zip(coordinates).map(|(m, v)| m.abs().sqrt() * v.abs()).sum();
         sum.rounding += SUM_ROUNDINGS * coordinates.len() as f64 * root * root;
         self.relative(sum, response)
-    }
-}
-
-/// Room for the multipliers of a group; refilled in place.
-#[derive(Clone, Debug, Default)]
-struct MultiplierRoom {
-    /// λ, one a pivot row.
-    values: Vec<f64>,
-    row_of: Vec<usize>,
-    column_of: Vec<usize>,
-    square: Vec<f64>,
-}
-
-impl MultiplierRoom {
-    /// λ with K ᵀ λ = force on the coordinates that depend; one a pivot row, over coordinates scaled by lengths.
-    fn solve(
-        &mut self,
-        rows: &GroupRows<f64>,
-        group: &Group,
-        known: &GroupMobility,
-        force: &dyn Fn(usize) -> f64,
-    ) {
-        let Self { values, row_of, column_of, square } = self;
-        let count = known.pivots.rows.len();
-        row_of.clear();
-        row_of.resize(group.rows, usize::MAX);
-        column_of.clear();
-        column_of.resize(group.coordinates.len(), usize::MAX);
-        known.pivots.rows.iter().enumerate().for_each(|(i, r)| row_of[*r] = i);
-        known.pivots.columns.iter().enumerate().for_each(|(i, c)| column_of[*c] = i);
-        values.clear();
-        values.extend(known.pivots.columns.iter().map(|&c| force(c)));
-        let entry = |r: usize, c: usize, a: f64| {
-            let kept = row_of[r] != usize::MAX && column_of[c] != usize::MAX;
-            kept.then(|| (column_of[c], row_of[r], a / group.lengths[c]))
-        };
-        if count > DENSE_LIMIT {
-            let mut entries = Vec::new();
-            rows.for_each(group, |r, c, a| entries.extend(entry(r, c, a)));
-            *values = Jacobian { rows: count, columns: count, entries }.shortest(values, f64::EPSILON);
-            return;
-        }
-        square.clear();
-        square.resize(count * count, 0.0);
-        rows.for_each(group, |r, c, a| {
-            if let Some((i, k, a)) = entry(r, c, a) {
-                square[i * count + k] += a;
-            }
-        });
-        solve_square(square, values);
     }
 }
 

@@ -36,6 +36,7 @@ mod posing;
 mod recursion;
 mod response;
 mod rigid_body;
+mod rigid_loops;
 mod routes;
 mod rows;
 mod singular;
@@ -64,6 +65,7 @@ pub use outcome::{CarefulReason, EffectiveMass, Remark, ResponseError, Route, Ro
 pub use point_velocity::PointVelocity;
 pub use pose::{Pose, PoseRank};
 pub use response::{ContactResponse, Contributions};
+pub use rigid_loops::{DepartingAxis, RigidLoops};
 pub use system::System;
 pub use travel::{Travel, TravelError};
 pub use velocities::VelocityError;

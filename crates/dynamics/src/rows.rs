@@ -8,7 +8,7 @@ use percuss_mechanism::ClosureKind;
 use percuss_spatial::{Scalar, Transform, Wrench};
 
 /// Most rows of one constraint.
-const MOST: usize = 6;
+pub(crate) const MOST: usize = 6;
 
 /// The rows of a group at a pose, by blocks: for each constraint, for each velocity it binds, one number a row.
 #[derive(Clone, Debug)]
@@ -26,6 +26,7 @@ impl<T: Scalar> GroupRows<T> {
     /// Writes the rows of a group at the frames in `kinematics`.
     pub fn fill(&mut self, model: &Model, group: &Group, kinematics: &Kinematics<T>) {
         self.values.clear();
+        self.values.reserve(group.constraints.iter().map(|rows| rows.count * rows.terms.len()).sum());
         let length = T::from_f64(group.size);
         for rows in &group.constraints {
             match rows.constraint {
@@ -149,7 +150,7 @@ pub(crate) fn largest(residuals: &[f64]) -> (f64, usize) {
 
 /// For each row of a closure, the wrench (root axes, about the successor's loop origin) whose power on the relative
 /// twist is the rate of the residual; in the order of the table at [`ClosureKind`].
-fn closure_wrenches<T: Scalar>(
+pub(crate) fn closure_wrenches<T: Scalar>(
     closure: &CompiledClosure,
     x_rp: &Transform<T>,
     x_rs: &Transform<T>,

@@ -41,6 +41,10 @@ pub(crate) fn position_rates<T: Scalar>(kind: JointKind, q: &[T], v: &[T], rates
 /// q ⊕ h v of one joint, to second order in h, quaternions normalised: the rates are those of the middle, since a
 /// floating joint's slide turns with it.
 pub(crate) fn advanced(kind: JointKind, q: &[f64], v: &[f64], h: f64) -> Vec<f64> {
+    if !matches!(kind, JointKind::Spherical | JointKind::Floating) {
+        // Rates are the velocities, wherever it stands.
+        return q.iter().zip(v).map(|(q, v)| q + h * v).collect();
+    }
     let step = |rates_at: &[f64], h: f64| {
         let mut rates = vec![0.0; q.len()];
         position_rates(kind, rates_at, v, &mut rates);

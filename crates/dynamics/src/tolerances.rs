@@ -171,6 +171,8 @@ pub(crate) const FAINT_COEFFICIENT: f64 = 1e-7;
 /// A column counts as independent of others where more than this part of the largest is left of it; the second, where
 /// that leaves too few.
 pub(crate) const INDEPENDENT_COLUMNS: [f64; 2] = [1e-6, 1e-10];
+/// An axis of a rigid loop departs from the others where these fit one another to this part of its own departure.
+pub(crate) const DEPARTING_AXIS: f64 = 0.1;
 /// Coordinates up to which redundant rows are separated by loop.
 pub(crate) const REDUNDANCY_LIMIT: usize = 400;
 

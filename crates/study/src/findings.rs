@@ -7,9 +7,9 @@ use crate::quantity::{Dimension, position_dimension};
 use crate::thresholds::{FAR_FROM_GUESS, UNCERTAIN, WEAKLY_CONSTRAINED};
 use percuss_dynamics::{
     Assembly, BranchLimits, Configuration, Contact, ContactResponse, DrawnGap, EffectiveMass, Pose, Remark,
-    Singularity, System,
+    RigidLoops, Singularity, System,
 };
-use percuss_mechanism::{JointKind, Mechanism};
+use percuss_mechanism::{JointId, JointKind, Mechanism};
 
 fn remainder(x: f64, period: f64) -> f64 {
     x - period * (x / period).round()
@@ -33,6 +33,7 @@ pub(crate) fn about_pose(system: &System, pose: &Pose, names: Names) -> Vec<Find
     if pose.loops().is_some() {
         about_loops(system, pose, names, &mut found);
         about_rank(pose.assembly(), &mut found);
+        found.extend(pose.assembly().rigid_loops().iter().map(|rigid| about_rigid(mechanism, rigid)));
     }
     found
 }
@@ -88,7 +89,7 @@ fn about_loops(system: &System, pose: &Pose, names: Names, found: &mut Vec<Findi
             loops.drivers.iter().map(|j| format!("\"{}\"", mechanism.joint(*j).name())).collect();
         let message = format!(
             "the loops are driven by {}: chosen by rank and by what looks driven, none is declared",
-            drivers.join(", ")
+            listed(&drivers)
         );
         found.push(Finding::note("drivers-chosen", Subject::Answer, message));
     }
@@ -141,6 +142,46 @@ fn about_rank(assembly: &Assembly, found: &mut Vec<Finding>) {
         );
         found.push(Finding::warning("weakly-constrained", Subject::Answer, message));
     }
+}
+
+/// Loops that leave no motion, and the axis to be corrected.
+fn about_rigid(mechanism: &Mechanism, rigid: &RigidLoops) -> Finding {
+    let joint = |id: JointId| format!("\"{}\"", mechanism.joint(id).name());
+    let loops: Vec<String> = rigid.loops.iter().map(|name| format!("\"{name}\"")).collect();
+    let joints: Vec<String> = rigid.joints.iter().copied().map(joint).collect();
+    let mut message = format!(
+        "the loops {} are rigid: their joints {} have no motion, with nothing locked or held",
+        listed(&loops),
+        listed(&joints)
+    );
+    let mut subject = Subject::Closure(rigid.loops.first().cloned().unwrap_or_default());
+    for axis in &rigid.departing {
+        let whose =
+            axis.joint.map_or_else(|| "the loop itself".to_owned(), |id| format!("joint {}", joint(id)));
+        let wanted = if axis.slides { "normal to" } else { "along" };
+        let [x, y, z] = axis.direction.map(|c| if c.abs() < 5e-5 { 0.0 } else { c }).into();
+        message += &format!(
+            "; in loop \"{}\" the axis of {whose} departs by {:.4}° from what the others share: it should lie {wanted} \
+             ({x:.4}, {y:.4}, {z:.4}) in the root link's axes; correct its <axis>, or the rpy of the frames it is given in",
+            axis.closure,
+            axis.angle.to_degrees()
+        );
+        if let Some(id) = axis.joint {
+            subject = Subject::Joint(id);
+        }
+    }
+    if rigid.departing.is_empty() {
+        message += "; where the linkage is meant to move, check its lengths, the directions of its axes, and whether a loop \
+                    should leave more motions (spherical instead of revolute)";
+    }
+    Finding::warning("rigid-loops", subject, message)
+}
+
+/// The first few of many names.
+fn listed(names: &[String]) -> String {
+    let more = names.len().saturating_sub(6);
+    let some = names.iter().take(6).cloned().collect::<Vec<_>>().join(", ");
+    if more > 0 { format!("{some} and {more} more") } else { some }
 }
 
 /// Guesses that were of no use, and those that the assembly found is far from.

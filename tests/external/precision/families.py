@@ -61,8 +61,9 @@ class Draw:
         return row + [self.three(3, 2)] if turned else row
 
 
-def contact(on, point, normal, against=None, world=False):
-    return {"on": on, "against": against, "point": point, "normal": normal, "world": world}
+def contact(on, point, normal, against=None, world=False, toward=None):
+    """With `toward`, a link, `normal` is the point of it that the normal leads to."""
+    return {"on": on, "against": against, "point": point, "normal": normal, "world": world, "toward": toward}
 
 
 def exact(x):
@@ -491,16 +492,129 @@ def ring(draw, n, spatial, is_round):
     return rows, case
 
 
-def rings():
+def rings(sizes=((10, 4), (40, 4), (90, 2), (300, 1))):
     family = Family()
     for spatial in [False, True]:
         for is_round in [True, False]:
-            for n, seeds in [(10, 4), (40, 4), (90, 2), (300, 1)]:
+            for n, seeds in sizes:
                 group = f"ring, {'any axes' if spatial else 'planar'}, {'round' if is_round else 'crumpled'}, {n:4}"
                 for seed in range(seeds):
                     rows, case = ring(Draw(group, seed), n, spatial, is_round)
                     family.case(group, seed, family.mechanism(rows), case)
     return family
+
+
+def powers(first, last):
+    return [f"1e{k}" for k in range(first, last - 1, -1)]
+
+
+def carried(draw, between, last, joints, beside):
+    """A link on a hinge, and on it a heavy one by joints in a row, whose own links hardly weigh: (rows, contacts). The contact is
+    on the first, or, unless it is to lie beside them, on the last too."""
+    links = [[], draw.inertia(draw.number(0.5, 5), 0.5)] + [between] * (len(joints) - 1) + [last]
+    rows = [["c", 0, draw.three(0.5), draw.direction(), draw.three(3)]]
+    rows += [[kind, i, place, axis, turn] for i, (kind, place, axis, turn) in enumerate(joints, 1)]
+    contacts = [contact(1, draw.three(0.3), draw.direction())]
+    if not beside:
+        n = len(joints) + 1
+        contacts += [contact(n, draw.three(0.3), draw.direction()),
+                     contact(n, draw.three(0.3), draw.direction(), against=1),
+                     contact(n, draw.three(0.3), draw.three(0.5), against=1, toward=1)]
+    return {"links": links, "joints": rows}, contacts
+
+
+def pivots():
+    """Where small pivots pass on what large ones are sums of; contacts that little opposes; lines."""
+    family = Family()
+    for beside in [True, False]:
+        side = "beside" if beside else "behind"
+        for delta in powers(-1, -7):
+            for seed in range(8):
+                light = [[], draw_light(seed, delta)][seed % 2]
+                # Three hinges that make a ball; it locks where the one in the middle is at zero.
+                group = f"{side} a ball's lock"
+                draw = Draw(group, delta, seed)
+                heavy = draw.inertia(draw.pick(["1", "30", "1e3"]), 0.5)
+                place, turn = draw.three(0.5), draw.three(3)
+                joints = [("c", place, UPRIGHT, turn), ("c", "0 0 0", "0 1 0", ""), ("c", "0 0 0", UPRIGHT, "")]
+                rows, contacts = carried(draw, light, heavy, joints, beside)
+                drivers = {1: draw.number(-3, 3), 2: draw.number(-3, 3), 3: delta, 4: draw.number(-3, 3)}
+                case = {"drivers": drivers, "guess": {}, "contacts": contacts, "near": mpf(delta)}
+                family.case(group, seed, family.mechanism(rows), case)
+                # Two slides, all but parallel.
+                group = f"{side} two slides"
+                draw = Draw(group, delta, seed)
+                heavy = draw.inertia(draw.pick(["1", "30", "1e3"]), 0.5)
+                joints = [("p", draw.three(0.5), "1 0 0", draw.three(3)), ("p", draw.three(0.5), f"1 {delta} 0", "")]
+                rows, contacts = carried(draw, light, heavy, joints, beside)
+                drivers = {1: draw.number(-3, 3), 2: draw.number(-0.5, 0.5), 3: draw.number(-0.5, 0.5)}
+                case = {"drivers": drivers, "guess": {}, "contacts": contacts, "near": mpf(delta)}
+                family.case(group, seed, family.mechanism(rows), case)
+    for part in powers(-1, -12):
+        for seed in range(6):
+            group = "light feeler"
+            draw = Draw(group, part, seed)
+            links = [[], draw.inertia(draw.number(1, 9), 0.5), draw.inertia(part, 0.3)]
+            joints = [["c", 0, draw.three(0.5), draw.direction(), draw.three(3)],
+                      ["c", 1, draw.three(0.5), draw.direction(), draw.three(3)]]
+            contacts = [contact(2, draw.three(0.3), draw.direction()), contact(1, draw.three(0.3), draw.direction()),
+                        contact(2, draw.three(0.3), draw.direction(), against=1),
+                        contact(2, draw.three(0.3), draw.three(0.3), against=1, toward=1)]
+            case = {"drivers": {1: draw.number(-3, 3), 2: draw.number(-3, 3)}, "guess": {}, "contacts": contacts}
+            family.case(group, seed, family.mechanism({"links": links, "joints": joints}), case)
+            # A needle that rolls: its own moment is so small a part of the others; and one that hangs aside by so much.
+            group = "rolling needle"
+            draw = Draw(group, part, seed)
+            aside = part if seed % 2 else "0"
+            needle = ["2", f"{draw.number(0.2, 0.5)} {aside} 0", f"{part} 0 0 0.2 0 0.2"]
+            links = [[], draw.inertia(draw.number(1, 9), 0.5), needle]
+            joints = [["c", 0, draw.three(0.5), draw.direction(), draw.three(3)],
+                      ["c", 1, draw.three(0.5), "1 0 0", draw.three(3)]]
+            contacts = [contact(2, "0.3 0.1 0", "0 0 1"), contact(2, f"0.4 {part} 0", "0 0.3 1"),
+                        contact(1, draw.three(0.3), draw.direction())]
+            case = {"drivers": {1: draw.number(-3, 3), 2: draw.number(-3, 3)}, "guess": {}, "contacts": contacts}
+            family.case(group, seed, family.mechanism({"links": links, "joints": joints}), case)
+    for seed in range(40):
+        for group, make in [("slider-crank along a line", slider_crank), ("four-bar along a line", four_bar)]:
+            draw = Draw(group, seed)
+            rows, case = make(draw, [draw.decades(-9, 9) for _ in range(3)])
+            case["contacts"] = []
+            for on, to in [(CRANK, THIRD), (COUPLER, MOUNT), (THIRD, COUPLER)]:
+                against = draw.pick([None, to])
+                case["contacts"].append(contact(on, draw.three(0.3), draw.three(0.5), against=against, toward=to))
+            if moves(rows, case, 0.02):
+                family.case(group, seed, family.mechanism(rows), case)
+        group = "tree along a line"
+        draw = Draw(group, seed)
+        n = 2 + draw.index(8)
+        rows, case = tree(draw, [draw.decades(-9, 9) for _ in range(n)])
+        on = draw.index(n) + 1
+        to = draw.pick([i for i in range(n + 1) if i != on])
+        short = 10 ** -draw.real(0, 3)
+        case["contacts"] = [contact(on, draw.three(short), draw.three(short), against=draw.pick([None, to]), toward=to)]
+        family.case(group, seed, family.mechanism(rows), case)
+        # Axes that differ by little, light links between.
+        group = "tree of axes alike"
+        draw = Draw(group, seed)
+        rows, case = tree(draw, [draw.decades(-9, 9) for _ in range(2 + draw.index(8))])
+        common, size = [draw.real(-1, 1) for _ in range(3)], 10 ** -draw.real(1, 6)
+        for row in rows["joints"]:
+            row[3] = " ".join(f"{c + draw.real(-size, size):.8f}" for c in common)
+            row[4] = ""
+        for i in case["drivers"]:
+            case["drivers"][i] = f"{draw.real(-size, size):.8f}"
+        family.case(group, seed, family.mechanism(rows), case)
+    return family
+
+
+def draw_light(seed, delta):
+    """A link of 1e-12 to 1e-3 kg."""
+    draw = Draw("light", seed, delta)
+    return draw.inertia(draw.decades(-12, -3), 0.2)
+
+
+def rings_1000():
+    return rings([(1000, 1)])
 
 
 FAMILIES = {
@@ -511,4 +625,6 @@ FAMILIES = {
     "hubs": hubs,
     "far": far,
     "rings": rings,
+    "rings_1000": rings_1000,
+    "pivots": pivots,
 }

@@ -45,7 +45,8 @@ def fixture(family):
         for c, m in zip(case["contacts"], masses(found, case["contacts"])):
             if m is not None:
                 against = -1 if c["against"] is None else c["against"]
-                key = (c["on"], against, c["point"], c["normal"], int(c["world"]))
+                toward = () if c["toward"] is None else (c["toward"],)
+                key = (c["on"], against, c["point"], c["normal"], int(c["world"]), *toward)
                 answers.append([contacts.setdefault(key, len(contacts)), written(m)])
         row = {"seed": case["seed"], "of": case["mechanism"]}
         if case["count"] is not None:

@@ -194,6 +194,8 @@ class Position:
     def touched(self, contact):
         """Point and normal in the root's axes."""
         point = self.point(contact["on"], numbers(contact["point"]))
+        if contact["toward"] is not None:
+            return point, unit(sub(self.point(contact["toward"], numbers(contact["normal"])), point))
         normal = unit(numbers(contact["normal"]))
         return point, normal if contact["world"] else apply(self.r[contact["on"]], normal)
 

@@ -90,14 +90,16 @@ pub enum AssemblyError {
     },
     /// A joint was set that follows others.
     #[error(
-        "joint \"{joint}\" depends on others through the loops; set {} instead, or start from another assembly",
-        quoted(drivers)
+        "joint \"{joint}\" depends on others through the loops; {}, or start from another assembly",
+        what_to_set(drivers, set)
     )]
     Dependent {
         /// The joint.
         joint: String,
         /// The joints that drive its group.
         drivers: Vec<String>,
+        /// Those of them that were set beside it.
+        set: Vec<String>,
     },
 }
 
@@ -134,6 +136,26 @@ impl AssemblyError {
                 | AssemblyError::ForeignPose
                 | AssemblyError::ForeignConfiguration { .. }
         )
+    }
+}
+
+/// What drives instead of a joint that depends, or that more were set than can drive.
+fn what_to_set(drivers: &[String], set: &[String]) -> String {
+    let free: Vec<String> = drivers.iter().filter(|driver| !set.contains(driver)).cloned().collect();
+    match (drivers.is_empty(), set.is_empty(), free.is_empty()) {
+        (true, ..) => "these leave no motion: set none of their joints".into(),
+        (_, true, _) => format!("set {} instead", quoted(drivers)),
+        (_, _, false) => {
+            format!(
+                "of the joints that drive them {} are set, and {} are free: set one of these instead",
+                quoted(set),
+                quoted(&free)
+            )
+        }
+        (_, _, true) => format!(
+            "too many joints are set: its loops follow from {}, and none of the others is free; leave this one out",
+            quoted(set)
+        ),
     }
 }
 

@@ -111,7 +111,7 @@ impl Model {
             self.refuse_far(group)?;
             self.refuse_rod(group)?;
             start.refill_bodies(self, &group.bodies);
-            let before = start.q.clone();
+            let before = self.group_positions(group, &start.q);
             let drawn_gaps = self.gaps(&start, group);
             let inexactness = self.close_first(&mut start, group)?;
             let moved = self.most_moved(group, &before, &start.q);
@@ -119,8 +119,9 @@ impl Model {
         }
         start.refill(self);
         let mut groups = Vec::with_capacity(self.groups.len());
+        let mut room = start.clone();
         for (group, (inexactness, drawn_gaps, moved)) in self.groups.iter().zip(first) {
-            let facts = self.look_around(&start, group, inexactness);
+            let facts = self.look_around(&start, &mut room, group, inexactness);
             groups.push(GroupFacts { drawn_gaps, moved, ..facts });
         }
         Ok(Facts { reference: start.q, groups })
@@ -134,7 +135,7 @@ impl Model {
             let floor = group.floor_for(0.0);
             let drivers = self.default_drivers(group, &rows, floor);
             GroupFacts {
-                generic: start.q.clone(),
+                generic: self.group_positions(group, &start.q),
                 rank: rank_of_rows(&rows, group, floor),
                 rows,
                 inexactness: 0.0,
@@ -188,7 +189,7 @@ impl Model {
 
     /// The joint of one freedom that moved most between two poses, on the group's own scale.
     fn most_moved(&self, group: &Group, from: &[f64], to: &[f64]) -> Option<(JointId, f64)> {
-        let u = self.displacement(group, from, to);
+        let u = self.displacement_from(group, from, to);
         let size = |at: usize| (u[at] * group.lengths[at]).abs();
         let most = group.movable.iter().copied().max_by(|&a, &b| size(a).total_cmp(&size(b)))?;
         group.joints[most].filter(|_| u[most] != 0.0).map(|joint| (joint, u[most]))
@@ -202,10 +203,9 @@ impl Model {
         let declared = |at: &usize| self.coordinates[group.coordinates[*at]].independent == Some(true);
         let advised: Vec<usize> = all.iter().copied().filter(|at| !declared(at)).collect();
         let mut best: Option<(Vec<f64>, Correction)> = None;
-        let start = kinematics.q.clone();
+        let start = self.group_positions(group, &kinematics.q);
         for attempt in 0..FIRST_STARTS {
-            kinematics.q.copy_from_slice(&start);
-            self.refill_group(kinematics, group);
+            self.restore_group(kinematics, group, &start);
             if attempt > 1 {
                 // A start that is stuck (Aᵀr = 0 with r ≠ 0) is left by a fixed step aside, then a longer one.
                 self.perturb(
@@ -221,16 +221,15 @@ impl Model {
                 return Ok(0.0);
             }
             if best.as_ref().is_none_or(|(_, b)| correction.residual < b.residual) {
-                best = Some((kinematics.q.clone(), correction));
+                best = Some((self.group_positions(group, &kinematics.q), correction));
             }
             // What is a file's rounding where it is drawn is not searched for elsewhere.
             if attempt >= 1 && best.as_ref().is_some_and(|(_, b)| b.residual <= allowed) {
                 break;
             }
         }
-        let Some((q, correction)) = best else { return Ok(0.0) };
-        kinematics.q = q;
-        self.refill_group(kinematics, group);
+        let Some((positions, correction)) = best else { return Ok(0.0) };
+        self.restore_group(kinematics, group, &positions);
         if correction.residual <= allowed {
             return Ok(correction.residual);
         }
@@ -242,30 +241,38 @@ impl Model {
     }
 
     /// Looks for the generic rank of a group at closed poses around the first one: poses first, then the inexactness over
-    /// all of them, then their ranks, all by the same floor.
-    fn look_around(&self, reference: &Kinematics<f64>, group: &Group, at_first: f64) -> GroupFacts {
+    /// all of them, then their ranks, all by the same floor. `room`: frames like those of `reference`, left as they were.
+    fn look_around(
+        &self,
+        reference: &Kinematics<f64>,
+        room: &mut Kinematics<f64>,
+        group: &Group,
+        at_first: f64,
+    ) -> GroupFacts {
+        let home = self.group_positions(group, &reference.q);
         let tolerance = self.closing_tolerance(reference, group);
         let all = Directions::of(&group.movable);
         let fits = if at_first > 0.0 { (ELSEWHERE * at_first).max(tolerance) } else { tolerance };
         let enough = if group.coordinates.len() > LARGE_GROUP { 1 } else { GENERIC_POSES_ENOUGH };
         let (mut found, mut unsettled, mut inexactness) = (Vec::new(), None, at_first);
         for attempt in 0..GENERIC_POSES {
-            let mut kinematics = reference.clone();
-            self.perturb(&mut kinematics, group, [0.2, 0.1, 0.03][attempt as usize / 4], 1000 + attempt);
-            let correction = self.correct(&mut kinematics, group, all, tolerance);
+            self.restore_group(room, group, &home);
+            self.perturb(room, group, [0.2, 0.1, 0.03][attempt as usize / 4], 1000 + attempt);
+            let correction = self.correct(room, group, all, tolerance);
             if correction.residual > fits {
                 continue;
             }
-            let apart = self.displacement(group, &reference.q, &kinematics.q);
+            let apart = self.displacement(group, &reference.q, &room.q);
             let gone = apart.iter().zip(&group.lengths).map(|(w, l)| (w * l).powi(2)).sum::<f64>().sqrt();
-            if gone < SAME_POSE * group.size || !self.is_settled(&kinematics, group, at_first) {
-                unsettled.get_or_insert(kinematics);
+            let there = self.group_positions(group, &room.q);
+            if gone < SAME_POSE * group.size || !self.is_settled(room, group, at_first) {
+                unsettled.get_or_insert(there);
                 continue;
             }
             if at_first > 0.0 {
                 inexactness = inexactness.max(correction.residual);
             }
-            found.push(kinematics);
+            found.push(there);
             if found.len() == enough {
                 break;
             }
@@ -275,9 +282,10 @@ impl Model {
             let around = self.surroundings(reference, group, inexactness);
             for branch in &around.branches {
                 let beside = [0.1, 0.03, 0.01, 1e-3].into_iter().find_map(|reach| {
-                    let mut kinematics = reference.clone();
+                    self.restore_group(room, group, &home);
                     let size = reach * around.group.size;
-                    self.go_beside(&mut kinematics, &around, &branch.along, size).map(|_| kinematics)
+                    let beside = self.go_beside(room, &around, &branch.along, size);
+                    beside.map(|_| self.group_positions(group, &room.q))
                 });
                 found.extend(beside);
             }
@@ -292,13 +300,15 @@ impl Model {
         };
         let (at_reference, reference_rows) = rank_of(reference);
         // Any other pose is better, since much vanishes where all joints are at 0; of those the best-conditioned.
-        let mut best = (reference.q.clone(), reference_rows, at_reference, 0.0);
-        for kinematics in found {
-            let (rank, rows) = rank_of(&kinematics);
+        let mut best = (home.clone(), reference_rows, at_reference, 0.0);
+        for positions in found {
+            self.restore_group(room, group, &positions);
+            let (rank, rows) = rank_of(room);
             if rank.rank > best.2.rank || (rank.rank == best.2.rank && rank.least > best.3) {
-                best = (kinematics.q, rows, rank, rank.least);
+                best = (positions, rows, rank, rank.least);
             }
         }
+        self.restore_group(room, group, &home);
         let (generic, rows, rank, _) = best;
         let drivers = self.default_drivers(group, &rows, floor);
         let reference_is_regular = at_reference.rank == rank.rank;

@@ -85,9 +85,14 @@ impl Closer<'_> {
         let given = |at: usize| self.is_given(group, at);
         facts.divide(self.model, group, || self.near(group), given).map_err(|Refused { at, drivers }| {
             let name = |at: usize| group.joints[at].map(|id| self.model.joint_name(id).to_owned());
-            let mut drivers: Vec<String> = drivers.driving.iter().filter_map(|&d| name(d)).collect();
-            drivers.dedup();
-            AssemblyError::Dependent { joint: name(at).unwrap_or_default(), drivers }
+            let names = |of: &mut dyn Iterator<Item = usize>| {
+                let mut names: Vec<String> = of.filter_map(name).collect();
+                names.dedup();
+                names
+            };
+            let set = names(&mut drivers.driving.iter().copied().filter(|&d| given(d)));
+            let drivers = names(&mut drivers.driving.iter().copied());
+            AssemblyError::Dependent { joint: name(at).unwrap_or_default(), drivers, set }
         })
     }
 
@@ -225,8 +230,10 @@ impl Closer<'_> {
                 let known = from.anchors.get(number).and_then(|anchor| anchor.as_ref());
                 let there = drivers.iter().all(|d| from.positions[d.q] == d.requested);
                 anchor = known.cloned();
-                let start = known.filter(|_| !there).map_or(from.positions, Vec::as_slice);
-                model.set_group(&mut self.kinematics, group, start);
+                match known.filter(|_| !there) {
+                    Some(known) => model.restore_group(&mut self.kinematics, group, known),
+                    None => model.set_group(&mut self.kinematics, group, from.positions),
+                }
             }
             None => {
                 model.set_group(&mut self.kinematics, group, home);
@@ -235,7 +242,7 @@ impl Closer<'_> {
                     anchor = Some(facts.generic.clone());
                     let there = drivers.iter().all(|d| home[d.q] == d.requested);
                     if !there {
-                        model.set_group(&mut self.kinematics, group, &facts.generic);
+                        model.restore_group(&mut self.kinematics, group, &facts.generic);
                     }
                 }
             }
@@ -243,17 +250,18 @@ impl Closer<'_> {
         self.set_directly(group, divided, drivers, tolerance)?;
         // Drivers that nobody set go to 0, first and by themselves: together, or those that can.
         let (given, idle): (Vec<&Driver>, Vec<&Driver>) = drivers.iter().partition(|d| d.given);
-        let before = self.kinematics.clone();
+        let positions = |closer: &Self| closer.model.group_positions(group, &closer.kinematics.q);
+        let before = positions(self);
         match self.drive(group, divided, drivers, &idle, tolerance) {
             Ok(found) => {
-                anchor = found.or(anchor.filter(|_| self.stands(&idle) && before.q == self.kinematics.q))
+                anchor = found.or(anchor.filter(|_| self.stands(&idle) && before == positions(self)))
             }
             Err(_) => {
-                self.kinematics = before;
+                model.restore_group(&mut self.kinematics, group, &before);
                 for driver in &idle {
-                    let before = self.kinematics.clone();
+                    let before = positions(self);
                     if self.drive(group, divided, drivers, &[driver], tolerance).is_err() {
-                        self.kinematics = before;
+                        model.restore_group(&mut self.kinematics, group, &before);
                         self.state.off_zero.push((driver.joint, self.kinematics.q[driver.q]));
                     }
                 }
@@ -311,7 +319,7 @@ impl Closer<'_> {
             return Err(self.unreachable(group, divided, drivers));
         }
         self.put(group, moving.iter().copied());
-        Ok(arrival.anchor)
+        Ok(arrival.anchor.map(|anchor| self.model.group_positions(group, &anchor)))
     }
 
     /// Joints of a group with several positions that were set.

@@ -118,13 +118,12 @@ impl Model {
         if firm.closed || firm.residual > ROUNDING * group.size {
             return firm;
         }
-        let before = kinematics.q.clone();
+        let before = self.group_positions(group, &kinematics.q);
         let all = self.descend(kinematics, group, directions, tolerance, Followed::All);
         if all.closed && all.moved <= COMMENSURATE * firm.residual {
             return Correction { moved: firm.moved + all.moved, along: firm.along + all.along, ..all };
         }
-        kinematics.q = before;
-        self.refill_group(kinematics, group);
+        self.restore_group(kinematics, group, &before);
         firm
     }
 
@@ -171,7 +170,7 @@ impl Model {
             x.iter_mut().for_each(|x| *x *= part);
             length *= part;
             let promised = norm_of_difference(&jacobian.times(&x), &target);
-            let before = kinematics.q.clone();
+            let before = self.group_positions(group, &kinematics.q);
             self.advance_group(kinematics, group, &directions.expand(group, |k| x[k]));
             let next = Linearised::at(self, kinematics, group);
             let left = norm(&next.residuals);
@@ -198,8 +197,7 @@ impl Model {
                     break;
                 }
             } else {
-                kinematics.q = before;
-                self.refill_group(kinematics, group);
+                self.restore_group(kinematics, group, &before);
                 let at_rounding = worst <= 0.01 * tolerance;
                 if firm || at_rounding || length <= 1e-15 * size || damping > 1e3 {
                     break;
