@@ -37,6 +37,8 @@ mod percuss {
         /// By a workspace, and by one that has answered before.
         pub first: Option<f64>,
         pub second: Option<f64>,
+        /// In its bodies' own axes, with the stated error, where a batch takes it so.
+        pub lanes: Option<(f64, f64)>,
     }
 
     /// A mechanism under conditions.
@@ -127,6 +129,9 @@ mod percuss {
                 workspace.set_positions(pose.positions()).map_err(|error| error.to_string())?;
                 let mut again = || workspace.effective_mass(&contact).ok().and_then(finite);
                 let (first, second) = (again(), again());
+                let mut batch = pose.assembly().batch(&contact).map_err(|error| error.to_string())?;
+                let lanes = batch.effective_mass(pose.positions()).map_err(|error| error.to_string())?;
+                let lanes = lanes.error.and_then(|error| Some((finite(lanes.mass?)?, error)));
                 let is_vague = is_alone && rounding.is_some_and(|stated| stated > super::DIGITS);
                 let careful = if is_vague { mass(by(RouteChoice::Only(Route::Dense))) } else { None };
                 routes.push(Routes {
@@ -137,6 +142,7 @@ mod percuss {
                     auto: mass(auto),
                     first,
                     second,
+                    lanes,
                 });
             }
             Ok(routes)

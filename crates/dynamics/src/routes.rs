@@ -82,8 +82,9 @@ impl RecursionRoom {
     /// Whether the recursion's rounding is beyond doubt, before its errors are counted: what is left is the data's, and every
     /// route's.
     fn is_clear(&self) -> bool {
-        let most = f64::EPSILON * ROUTE_ROUNDINGS * self.deciding.terms;
+        let most = f64::EPSILON * ROUTE_ROUNDINGS.max(self.deciding.loss) * self.deciding.terms;
         !self.deciding.indefinite
+            && !self.deciding.felt
             && matches!(self.mass(), EffectiveMass::Finite(_))
             && self.closing_speed > NEARLY_IMMOVABLE
             && most <= TRUSTED_ERROR * self.response

@@ -190,6 +190,18 @@ impl<T: Lanes> PackedInertia<T> {
         a[at(y, Z)] = d.mul_add(c[Z][x], a[at(y, Z)]);
     }
 
+    /// The trace of A, kg·m²: what its entries lie below where it is positive semi-definite.
+    #[inline(always)]
+    pub fn moment_size(&self) -> T {
+        self.angular[0] + self.angular[3] + self.angular[5]
+    }
+
+    /// The trace of L, kg.
+    #[inline(always)]
+    pub fn mass_size(&self) -> T {
+        self.linear[0] + self.linear[3] + self.linear[5]
+    }
+
     /// The pivot of a turn about axis `Z`.
     #[inline(always)]
     pub fn turn_pivot<const Z: usize>(&self, armature: T) -> Pivot<T> {

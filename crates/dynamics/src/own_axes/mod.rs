@@ -82,19 +82,19 @@ impl OwnAxes {
 
     /// m̄ at one configuration, by what it is aimed at.
     pub fn one(&mut self, positions: &[f64]) -> Option<ClearMass> {
-        let (mut response, mut terms) = ([0.0], [0.0]);
+        let (mut response, mut terms, mut loss) = ([0.0], [0.0], [0.0]);
         let columns = Columns { values: positions, stride: 1 };
         let instructions = self.instructions;
-        instructions.run_one(self.group(columns, 0, &mut response, &mut terms));
-        clear(response[0], terms[0])
+        instructions.run_one(self.group(columns, 0, [&mut response, &mut terms, &mut loss]));
+        clear(response[0], terms[0], loss[0])
     }
 
     /// m̄ at as many configurations, from `first` on, as the instruction set has lanes.
     pub fn lanes(&mut self, columns: Columns<'_>, first: usize) -> [Option<ClearMass>; WIDEST] {
-        let (mut responses, mut terms) = ([f64::NAN; WIDEST], [f64::NAN; WIDEST]);
+        let [mut responses, mut terms, mut losses] = [[f64::NAN; WIDEST]; 3];
         let instructions = self.instructions;
-        instructions.run(self.group(columns, first, &mut responses, &mut terms));
-        std::array::from_fn(|lane| clear(responses[lane], terms[lane]))
+        instructions.run(self.group(columns, first, [&mut responses, &mut terms, &mut losses]));
+        std::array::from_fn(|lane| clear(responses[lane], terms[lane], losses[lane]))
     }
 
     /// Which positions are read.
@@ -103,15 +103,9 @@ impl OwnAxes {
         carried.filter_map(|placed| placed.step.position())
     }
 
-    fn group<'a>(
-        &'a mut self,
-        columns: Columns<'a>,
-        first: usize,
-        responses: &'a mut [f64],
-        terms: &'a mut [f64],
-    ) -> Group<'a> {
+    fn group<'a>(&'a mut self, columns: Columns<'a>, first: usize, answers: [&'a mut [f64]; 3]) -> Group<'a> {
         let Self { steps, selection, room, .. } = self;
-        Group { steps, selection, columns, first, room, responses, terms }
+        Group { steps, selection, columns, first, room, answers }
     }
 }
 
@@ -122,21 +116,23 @@ struct Group<'a> {
     columns: Columns<'a>,
     first: usize,
     room: &'a mut [f64],
-    responses: &'a mut [f64],
-    terms: &'a mut [f64],
+    /// Responses, terms, losses.
+    answers: [&'a mut [f64]; 3],
 }
 
 impl Work for Group<'_> {
     #[inline(always)]
     fn run<T: Lanes>(self) {
         let answer: Answer<T> = evaluate(self.steps, self.selection, self.columns, self.first, self.room);
-        answer.response.store(self.responses);
-        answer.terms.store(self.terms);
+        let [responses, terms, losses] = self.answers;
+        answer.response.store(responses);
+        answer.terms.store(terms);
+        answer.loss.store(losses);
     }
 }
 
-fn clear(response: f64, terms: f64) -> Option<ClearMass> {
-    let relative = f64::EPSILON * ROUTE_ROUNDINGS * terms / response;
+fn clear(response: f64, terms: f64, loss: f64) -> Option<ClearMass> {
+    let relative = f64::EPSILON * ROUTE_ROUNDINGS.max(loss) * terms / response;
     let mass = 1.0 / response;
     // NaN is not small.
     (response > 0.0 && relative <= TRUSTED_ERROR).then_some(ClearMass { mass, error: relative * mass })

@@ -56,6 +56,9 @@ pub(super) struct Answer<T> {
     pub response: T,
     /// What the response would be off by, were all that its pivots and tests are sums of off by as much as themselves, 1/kg.
     pub terms: T,
+    /// The largest that the size of what a pivot is the sum of is over the pivot: so many times more its rounding counts in
+    /// what it leaves.
+    pub loss: T,
 }
 
 /// Positions by columns: that of configuration `c` and position `q` stands at `q · stride + c`.
@@ -86,6 +89,7 @@ struct Carried<T> {
     /// 1/m̄, 1/kg, and what its terms amount to.
     response: T,
     terms: T,
+    loss: T,
 }
 
 /// 1/m̄ of configurations `first` and those after it.
@@ -110,8 +114,8 @@ pub(super) fn evaluate<T: Lanes>(
         }
     }
     // What lies beyond the angles and travels that this is right for is doubted.
-    let Carried { response, terms, .. } = carried;
-    Answer { response, terms: beyond.mul_add(T::from_f64(f64::MAX), terms) }
+    let Carried { response, terms, loss, .. } = carried;
+    Answer { response, terms: beyond.mul_add(T::from_f64(f64::MAX), terms), loss }
 }
 
 /// Sines and cosines, and how far positions are beyond what they may be.
@@ -194,6 +198,7 @@ fn strike<T: Lanes>(steps: &[Placed], selection: &Selection, room: &[f64]) -> Ca
         along: T::one(),
         response: T::zero(),
         terms: T::zero(),
+        loss: T::one(),
     }
 }
 
@@ -290,6 +295,7 @@ fn hinge<T: Lanes, const ON_PATH: bool, const SKEW: bool, const LEAF: bool, cons
     } else {
         let mut inertia = PackedInertia::load(own);
         let pivot = inertia.turn_pivot::<2>(of(step.armature[0]));
+        carried.lose(inertia.moment_size(), &pivot);
         spend::<T, ON_PATH, 2>(step, &pivot, carried);
         inertia.eliminate_turn::<2>(&pivot, &pivot.u.scaled(pivot.over));
         inertia
@@ -381,11 +387,13 @@ fn eliminated<T: Lanes, const ON_PATH: bool>(
     match step.motion {
         Motion::Turn { .. } => {
             let pivot = inertia.turn_pivot::<2>(of(step.armature[0]));
+            carried.lose(inertia.moment_size(), &pivot);
             spend::<T, ON_PATH, 2>(step, &pivot, carried);
             inertia.eliminate_turn::<2>(&pivot, &pivot.u.scaled(pivot.over));
         }
         Motion::Slide { .. } => {
             let pivot = inertia.slide_pivot::<2>(of(step.armature[0]));
+            carried.lose(inertia.mass_size(), &pivot);
             spend::<T, ON_PATH, 5>(step, &pivot, carried);
             inertia.eliminate_slide::<2>(&pivot, &pivot.u.scaled(pivot.over));
         }
@@ -443,6 +451,12 @@ impl Leaf {
 }
 
 impl<T: Lanes> Carried<T> {
+    /// What a pivot loses of the inertia that it is an entry of.
+    #[inline(always)]
+    fn lose(&mut self, size: T, pivot: &Pivot<T>) {
+        self.loss = self.loss.max(size * pivot.over.abs());
+    }
+
     /// t²/D, and its terms. Gives t/D.
     #[inline(always)]
     fn respond(&mut self, size: T, t: T, test: T, over: T) -> T {
@@ -484,16 +498,17 @@ fn spend<T: Lanes, const ON_PATH: bool, const AXIS: usize>(
 fn free_base<T: Lanes>(step: &Step, inertia: &mut PackedInertia<T>, carried: &mut Carried<T>) {
     let of = T::from_f64;
     macro_rules! velocity {
-        ($pivot:ident, $eliminate:ident, $axis:literal, $component:literal) => {
+        ($size:ident, $pivot:ident, $eliminate:ident, $axis:literal, $component:literal) => {
             let pivot = inertia.$pivot::<$axis>(of(step.armature[$component]));
+            carried.lose(inertia.$size(), &pivot);
             spend::<T, true, $component>(step, &pivot, carried);
             inertia.$eliminate::<$axis>(&pivot, &pivot.u.scaled(pivot.over));
         };
     }
-    velocity!(slide_pivot, eliminate_slide, 0, 3);
-    velocity!(slide_pivot, eliminate_slide, 1, 4);
-    velocity!(slide_pivot, eliminate_slide, 2, 5);
-    velocity!(turn_pivot, eliminate_turn, 0, 0);
-    velocity!(turn_pivot, eliminate_turn, 1, 1);
-    velocity!(turn_pivot, eliminate_turn, 2, 2);
+    velocity!(mass_size, slide_pivot, eliminate_slide, 0, 3);
+    velocity!(mass_size, slide_pivot, eliminate_slide, 1, 4);
+    velocity!(mass_size, slide_pivot, eliminate_slide, 2, 5);
+    velocity!(moment_size, turn_pivot, eliminate_turn, 0, 0);
+    velocity!(moment_size, turn_pivot, eliminate_turn, 1, 1);
+    velocity!(moment_size, turn_pivot, eliminate_turn, 2, 2);
 }

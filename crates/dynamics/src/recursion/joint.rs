@@ -44,6 +44,8 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
     ) {
         let body = &model.bodies[i];
         let (first, dofs) = (body.v.start, body.v.len());
+        // Afresh: no answer depends on the one before.
+        self.order[first..first + dofs].iter_mut().zip(first..).for_each(|(place, v)| *place = v);
         for done in 0..dofs {
             let mut chosen = None;
             for candidate in done..dofs {

@@ -95,6 +95,11 @@ pub(crate) struct Deciding<const K: usize> {
     /// themselves, 1/kg: Σ (2|t| τ + t² δ/d)/d, τ and δ the sizes of the terms of t and d. Times a few ε it bounds what the
     /// recursion loses.
     pub terms: f64,
+    /// The largest that the terms of a pivot are over the pivot: so many times more the rounding of what they are the sum of
+    /// counts in what it leaves, U D⁻¹ Uᵀ.
+    pub loss: f64,
+    /// Whether a motion was taken for massless that what carries it feels: its pivot is no rounding of nothing.
+    pub felt: bool,
     pub decisions: Decisions,
 }
 
@@ -120,6 +125,8 @@ impl<const K: usize> Deciding<K> {
             dropped: 0,
             indefinite: false,
             terms: 0.0,
+            loss: 1.0,
+            felt: false,
             decisions: Decisions {
                 joints: vec![false; model.follows.len()],
                 place: vec![0; model.follows.len()],
@@ -137,6 +144,8 @@ impl<const K: usize> Deciding<K> {
         self.dropped = 0;
         self.indefinite = false;
         self.terms = 0.0;
+        self.loss = 1.0;
+        self.felt = false;
         self.decisions.clusters.iter_mut().for_each(Vec::clear);
     }
 
@@ -218,6 +227,13 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
         // sᵀIs lies below this for every rigid body, and so does what joints below leave of it; an armature is exact.
         let size = turn * turn * moment + slide * slide * mass;
         let counts = step.d > PIVOT * size;
+        if counts {
+            self.loss = self.loss.max(size / step.d);
+        } else {
+            let root = (moment * mass).sqrt();
+            self.felt |= step.u.moment.norm() > PIVOT * (turn * moment + slide * root)
+                || step.u.force.norm() > PIVOT * (turn * root + slide * mass);
+        }
         for k in 0..K {
             let (about, along) = &mut self.wrench[body][k];
             let t = step.t[k].abs();
@@ -316,6 +332,7 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
             let t = room.t[pivot][0].abs();
             let ratio = t / left(pivot);
             self.terms += ratio * (2.0 * self.test_size[pivot][0] + ratio * self.pivot_terms[pivot]);
+            self.loss = self.loss.max(self.pivot_terms[pivot] / left(pivot));
             self.decisions.clusters[place].push(pivot);
         }
         pivot

@@ -14,6 +14,8 @@ pub trait Lanes: Scalar {
     fn mul_add(self, factor: Self, addend: Self) -> Self;
     /// |x|.
     fn abs(self) -> Self;
+    /// The greater one; `self`, where `other` is NaN.
+    fn max(self, other: Self) -> Self;
 }
 
 /// Work that runs on any lanes. `run` must be marked `#[inline(always)]`, and so must all that it calls: only what is

@@ -106,4 +106,8 @@ impl<const N: usize> Lanes for Portable<N> {
     fn abs(self) -> Self {
         self.map(f64::abs)
     }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        self.zip(other, |a, b| if b > a { b } else { a })
+    }
 }

@@ -71,7 +71,7 @@ pub(super) fn run_fused<W: Work>(work: W) {
 
 macro_rules! lanes {
     ($name:ident, $register:ty, $width:literal, $splat:ident, $load:ident, $store:ident, $add:ident, $sub:ident, $mul:ident,
-        $div:ident, $sqrt:ident, |$n:ident| $neg:expr, |$x:ident| $abs:expr, |$a:ident, $b:ident, $c:ident| $mul_add:expr) => {
+        $div:ident, $sqrt:ident, $max:ident, |$n:ident| $neg:expr, |$x:ident| $abs:expr, |$a:ident, $b:ident, $c:ident| $mul_add:expr) => {
         #[derive(Clone, Copy, Debug)]
         struct $name($register);
 
@@ -165,6 +165,11 @@ macro_rules! lanes {
                 // SAFETY: run inside the set's function alone.
                 Self(unsafe { $abs })
             }
+            #[inline(always)]
+            fn max(self, other: Self) -> Self {
+                // SAFETY: run inside the set's function alone.
+                Self(unsafe { $max(other.0, self.0) })
+            }
         }
     };
     (@operator $name:ident, $trait:ident, $method:ident, $assign:ident, $assign_method:ident, $intrinsic:ident) => {
@@ -197,6 +202,7 @@ lanes!(
     _mm_mul_pd,
     _mm_div_pd,
     _mm_sqrt_pd,
+    _mm_max_pd,
     |x| _mm_xor_pd(x, _mm_set1_pd(-0.0)),
     |x| _mm_andnot_pd(_mm_set1_pd(-0.0), x),
     |a, b, c| _mm_add_pd(_mm_mul_pd(a, b), c)
@@ -213,6 +219,7 @@ lanes!(
     _mm256_mul_pd,
     _mm256_div_pd,
     _mm256_sqrt_pd,
+    _mm256_max_pd,
     |x| _mm256_xor_pd(x, _mm256_set1_pd(-0.0)),
     |x| _mm256_andnot_pd(_mm256_set1_pd(-0.0), x),
     |a, b, c| _mm256_fmadd_pd(a, b, c)
@@ -229,6 +236,7 @@ lanes!(
     _mm512_mul_pd,
     _mm512_div_pd,
     _mm512_sqrt_pd,
+    _mm512_max_pd,
     |x| _mm512_xor_pd(x, _mm512_set1_pd(-0.0)),
     |x| _mm512_abs_pd(x),
     |a, b, c| _mm512_fmadd_pd(a, b, c)
@@ -318,5 +326,9 @@ impl Lanes for Fused {
     #[inline(always)]
     fn abs(self) -> Self {
         Self(self.0.abs())
+    }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        Self(if other.0 > self.0 { other.0 } else { self.0 })
     }
 }
