@@ -82,9 +82,13 @@ impl RecursionRoom {
     /// Whether the recursion's rounding is beyond doubt, before its errors are counted: what is left is the data's, and every
     /// route's.
     fn is_clear(&self) -> bool {
-        let most = f64::EPSILON * ROUTE_ROUNDINGS.max(self.deciding.loss) * self.deciding.terms;
+        !self.deciding.felt && self.is_small(ROUTE_ROUNDINGS.max(self.deciding.loss))
+    }
+
+    /// Whether so many roundings of its terms leave a finite answer whole.
+    fn is_small(&self, roundings: f64) -> bool {
+        let most = f64::EPSILON * roundings * self.deciding.terms;
         !self.deciding.indefinite
-            && !self.deciding.felt
             && matches!(self.mass(), EffectiveMass::Finite(_))
             && self.closing_speed > NEARLY_IMMOVABLE
             && most <= TRUSTED_ERROR * self.response
@@ -172,6 +176,8 @@ impl Question<'_> {
         let recursive = self.recursive(room, errors);
         Ok(match self.careful(room) {
             Ok(careful) if recursive.mass == EffectiveMass::Massless => careful,
+            // What carries the motion that was dropped feels it: it has a mass, if an uncertain one.
+            Ok(careful) if careful.mass == EffectiveMass::Massless && room.deciding.felt => recursive,
             // An error that is NaN is beaten by any.
             Ok(careful) if careful.errors.rounding.total_cmp(&recursive.errors.rounding).is_lt() => careful,
             _ => recursive,
@@ -204,7 +210,7 @@ impl Question<'_> {
         match mass {
             EffectiveMass::Finite(m) => {
                 velocities.iter_mut().zip(&room.motion.velocities).for_each(|(to, v)| *to = v * m);
-                if errors.rounding > NOTHING_LEFT && !room.is_clear() {
+                if errors.rounding > NOTHING_LEFT && !room.is_small(ROUTE_ROUNDINGS) {
                     // The energy that is left is rounding.
                     mass = EffectiveMass::Massless;
                 }

@@ -332,7 +332,7 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
             let t = room.t[pivot][0].abs();
             let ratio = t / left(pivot);
             self.terms += ratio * (2.0 * self.test_size[pivot][0] + ratio * self.pivot_terms[pivot]);
-            self.loss = self.loss.max(self.pivot_terms[pivot] / left(pivot));
+            self.loss = self.loss.max(self.pivot_size[pivot] / left(pivot));
             self.decisions.clusters[place].push(pivot);
         }
         pivot
