@@ -7,24 +7,51 @@ here=$(cd "$(dirname "$0")" && pwd)
 cd "$here/../.."
 target=${CARGO_TARGET_DIR:-$PWD/target}
 venv=$PWD/target/external/venv
-if ! cmp -s "$here/requirements.txt" "$venv/requirements.txt"; then
-  rm -rf "$venv"
-  # PyBullet has no wheel for later ones.
-  "$(command -v python3.11 || command -v python3)" -m venv "$venv"
-  "$venv/bin/pip" install --quiet --disable-pip-version-check --requirement "$here/requirements.txt"
-  # Jolt is run by node, where there is one.
-  if command -v npm > /dev/null; then
-    npm install --silent --no-save --prefix "$PWD/target/external" jolt-physics@1.1.0
+drake=$PWD/target/external/drake
+
+# environment FOLDER REQUIREMENTS PYTHON: makes the virtual environment where its requirements have changed. Their copy is written
+# last, so that an environment that was only half made is made again.
+environment() {
+  if ! cmp -s "$2" "$1/requirements.txt"; then
+    rm -rf "$1"
+    "$3" -m venv "$1"
+    "$1/bin/pip" install --quiet --disable-pip-version-check --requirement "$2"
+    cp "$2" "$1/requirements.txt"
   fi
-  # Last, so that a venv that was only half made is made again.
-  cp "$here/requirements.txt" "$venv/requirements.txt"
+}
+
+# The first that runs (pyenv puts programs into the path that do not), else python3.
+first() {
+  local python
+  for python in "$@"; do
+    if "$python" -c "import venv, ensurepip" 2> /dev/null; then
+      echo "$python"
+      return
+    fi
+  done
+  echo python3
+}
+
+# PyBullet has no wheel for later ones.
+environment "$venv" "$here/requirements.txt" "$(first python3.11)"
+# Jolt is run by node, where there is one.
+jolt=target/external/node_modules/jolt-physics/package.json
+if command -v npm > /dev/null && ! grep -qs '"version": "1.1.0"' "$jolt"; then
+  npm install --silent --no-save --prefix "$PWD/target/external" jolt-physics@1.1.0
 fi
+# Drake 1.58 has no wheel for earlier ones.
+newer=(python3.13 python3.12 "$HOME"/.pyenv/versions/3.13.*/bin/python3 "$HOME"/.pyenv/versions/3.12.*/bin/python3)
+environment "$drake" "$here/requirements-drake.txt" "$(first "${newer[@]}")"
+# For contact/compilers.py: C++ headers that packages of Rust carry (10 MB), and Debian packages.
+host=$(rustc -vV | sed -n 's/^host: //p')
+cargo fetch --quiet --locked --target "$host" --manifest-path "$here/contact/headers/Cargo.toml"
+"$here/packages.sh"
 cargo build --quiet --release -p percuss-tests --bins -p percuss-cli
 export PYTHONDONTWRITEBYTECODE=1 OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 failed=0
 "$venv/bin/python" "$here/compare.py" --probe "$target/release/percuss-probe" "$@" || failed=1
 "$venv/bin/python" "$here/loops.py" --percuss "$target/release/percuss" || failed=1
-PYTHONPATH=$here "$venv/bin/python" "$here/contact/check.py" --percuss "$target/release/percuss" || failed=1
+PYTHONPATH=$here "$drake/bin/python" "$here/contact/check.py" --percuss "$target/release/percuss" || failed=1
 "$here/engines.sh" "$target/release/percuss" || failed=1
 PYTHONPATH=$here "$venv/bin/python" "$here/contact/integrators.py" --percuss "$target/release/percuss" || failed=1
 # The shipped models: route A against the oracle's route C.

@@ -8,6 +8,7 @@ effective mass, to show what that does. Run from the repository's root, with tes
 
 import argparse
 import dataclasses
+import importlib.metadata
 import itertools
 import sys
 import tempfile
@@ -247,8 +248,10 @@ class Check:
             "four-bar": FOUR_BAR,
             "double wishbone": BUMP_STOP,
         }
+        absents = set()
         for (name, contact), e in itertools.product(contacts.items(), RESTITUTIONS):
-            snippets.check(self.damp(contact, e, "--for", "all"), f"{name}, e = {e}", self.tally)
+            absents |= snippets.check(self.damp(contact, e, "--for", "all"), f"{name}, e = {e}", self.tally)
+        print("\n".join(sorted(absents)))
 
     def table(self):
         print("\nRestitution e: asked for, measured (mean and worst of the phases); penetration x, over what percuss states")
@@ -266,6 +269,8 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--percuss", required=True)
     started = time.monotonic()
+    # The exports' `measured` is compared whatever the version is.
+    print("with " + ", ".join(f"{name} {importlib.metadata.version(name)}" for name in ("mujoco", "drake")), flush=True)
     check = Check(parser.parse_args().percuss)
     check.snippets()
     list(check.mechanism("four-bar", FOUR_BAR))

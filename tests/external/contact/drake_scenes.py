@@ -120,5 +120,5 @@ class Watch:
         self.depth = max(self.depth, -height)
         if opening > 0 and height > 0:
             self.rebound = opening
-            return EventStatus.ReachedTermination(None, "the gap has opened")
+            return EventStatus.ReachedTermination(self.plant, "the gap has opened")
         return EventStatus.DidNothing()

@@ -2,7 +2,8 @@
 
 All XML must parse, all JSON too, all Python compile. MuJoCo's snippets are loaded by MuJoCo; Drake's Python is run, its URDF and
 SDF are read by Drake in the place they are for; Gazebo's SDF by the SDFormat library that Drake has. What they hold must then be
-the exported parameters."""
+the exported parameters. Those of other tools go to the compilers and readers of compilers.py, where these are installed; what is not
+read is said."""
 
 import ast
 import json
@@ -14,6 +15,9 @@ from pydrake.multibody.parsing import Parser
 from pydrake.multibody.plant import AddMultibodyPlantSceneGraph
 from pydrake.systems.framework import DiagramBuilder
 
+import compilers
+from scenes import Absent
+
 PARSERS = {"xml": ElementTree.fromstring, "json": json.loads, "python": ast.parse}
 # What there must be at least, so that nothing passes by being absent.
 EXPECTED = {
@@ -23,28 +27,36 @@ EXPECTED = {
     ("gazebo-classic", "xml"),
     ("bullet", "python"),
     ("physx", "python"),
+    ("jolt", "cpp"),
+    ("physx", "cpp"),
+    ("simscape", "matlab"),
 }
 INERTIAL = '<mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>'
 
 
 def check(report, where, tally):
-    """All snippets of a report."""
-    seen = set()
+    """All snippets of a report. Gives a line for each that the program for it is missing for."""
+    seen, absents = set(), set()
     for tool, export in report["exports"].items():
         for snippet in export["snippets"]:
             language, text = snippet["language"], snippet["text"]
             seen.add((tool, language))
             readers = [PARSERS.get(language)]
-            if loader := LOADERS.get((tool, language)):
-                readers.append(lambda text, load=loader, of=export["parameters"]: load(text, of))
+            for loader in (LOADERS.get((tool, language)), compilers.READERS.get((tool, language))):
+                if loader:
+                    readers.append(lambda text, load=loader, of=export["parameters"]: load(text, of))
             for reader in filter(None, readers):
                 wrong = ""
                 try:
                     reader(text)
+                except Absent as absent:
+                    absents.add(f"snippets not read: {tool}, {language}; install {absent}")
+                    continue
                 except Exception as error:  # whatever a foreign reader raises is the answer looked for
                     wrong = f"{type(error).__name__}: {error}"
                 tally.check(f"snippets: {tool}, {language}", f"{where}, {snippet['title']}", not wrong, wrong)
     tally.check("snippets: none is missing", where, seen >= EXPECTED, f"{EXPECTED - seen}")
+    return absents
 
 
 def same(theirs, ours):

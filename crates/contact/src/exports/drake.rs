@@ -17,21 +17,21 @@ pub(super) const FACTS: Facts = Facts {
     combines: "stiffnesses in series, dissipations by the share of the deformation, relaxation times added",
     measured: &[
         Measurement {
-            engine: "Drake 1.51.1",
+            engine: "Drake 1.58.0",
             solver: "continuous",
             scenes: "ball; pendulums with rotors",
             worst: [Some(1.0e-5), Some(1.3e-4), Some(3.2e-4)],
             by_hand: None,
         },
         Measurement {
-            engine: "Drake 1.51.1",
+            engine: "Drake 1.58.0",
             solver: "lagged",
             scenes: "ball; pendulums with rotors",
             worst: [Some(1.3e-4), Some(6.3e-4), Some(9.0e-4)],
             by_hand: None,
         },
         Measurement {
-            engine: "Drake 1.51.1",
+            engine: "Drake 1.58.0",
             solver: "sap",
             scenes: "ball; pendulums with rotors",
             worst: [Some(5.0e-4), Some(4.2e-4), Some(3.5e-4)],

@@ -60,7 +60,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
          // Of the JPH::PhysicsSystem.\n\
          JPH::PhysicsSettings physics = system.GetPhysicsSettings();\n\
          physics.mMinVelocityForRestitution = {threshold:?}f;\n\
-         physics.mNumVelocitySteps = {turns:?};\n\
+         physics.mNumVelocitySteps = {turns:.0};\n\
          system.SetPhysicsSettings(physics);\n"
     );
     let mut script = format!(
@@ -68,7 +68,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
          export function dress(settings) {{\n  settings.mRestitution = {e:?};\n  settings.mFriction = 0.0;\n  \
          settings.mLinearDamping = 0.0;\n  settings.mAngularDamping = 0.0;\n}}\n\n\
          export function setUp(system) {{\n  const physics = system.GetPhysicsSettings();\n  \
-         physics.mMinVelocityForRestitution = {threshold:?};\n  physics.mNumVelocitySteps = {turns:?};\n  \
+         physics.mMinVelocityForRestitution = {threshold:?};\n  physics.mNumVelocitySteps = {turns:.0};\n  \
          system.SetPhysicsSettings(physics);\n}}\n"
     );
     match step {

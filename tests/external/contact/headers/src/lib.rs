@@ -1,0 +1,1 @@
+//! Nothing: the packages are fetched for the headers that they carry.

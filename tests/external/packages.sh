@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# Installs, as root, the Debian packages that the checks use and that are missing; anybody else installs them beforehand.
+#   packages.sh [--with-gazebo] [--with-octave]
+# Always: ODE, Bullet, and the SDFormat program (8 MB). --with-gazebo: ign-physics (over 300 packages, 150 MB). --with-octave: Octave, which
+# reads the MATLAB snippet (135 packages, 80 MB). Without these two flags the checks use both where they are installed already.
+set -euo pipefail
+wanted=(libode-dev libbullet-dev ignition-tools libsdformat-dev)
+for option in "$@"; do
+  case $option in
+    --with-gazebo) wanted+=(libignition-physics-dev libignition-physics5-dartsim-plugin5) ;;
+    --with-octave) wanted+=(octave) ;;
+  esac
+done
+missing=()
+for package in "${wanted[@]}"; do
+  dpkg -s "$package" > /dev/null 2>&1 || missing+=("$package")
+done
+if [ ${#missing[@]} -gt 0 ] && [ "$(id -u)" = 0 ] && command -v apt-get > /dev/null; then
+  export DEBIAN_FRONTEND=noninteractive
+  apt-get update -qq
+  apt-get install -y -qq --no-install-recommends "${missing[@]}" > /dev/null
+fi
