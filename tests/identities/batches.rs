@@ -304,6 +304,44 @@ fn one_lane_spoils_no_other() {
     }
 }
 
+/// A massless link on a hinge beside the contact takes no mass away, and leaves the lanes to answer; struck itself, it is
+/// massless.
+#[test]
+fn massless_links_beside_the_contact_do_not_matter() {
+    let hinge = |name: &str, parent: &str, child: &str| {
+        JointDescription::new(name, JointKind::Continuous, parent, child).axis([0.0, 1.0, 0.0])
+    };
+    let system = |builder: MechanismBuilder| {
+        System::new(builder.build().expect("a tree").mechanism, &Conditions::new()).expect("fits")
+    };
+    let arm = || {
+        MechanismBuilder::new("arm")
+            .link(LinkDescription::massless("ground"))
+            .link(LinkDescription::new("upper", Inertial::point(3.0, [0.4, 0.0, 0.1])))
+            .link(LinkDescription::new("lower", Inertial::point(2.0, [0.3, 0.1, 0.0])))
+            .joint(hinge("shoulder", "ground", "upper"))
+            .joint(hinge("elbow", "upper", "lower").at([0.5, 0.0, 0.0]))
+    };
+    let plain = system(arm());
+    let with_flag = system(
+        arm()
+            .link(LinkDescription::massless("flag"))
+            .joint(hinge("pole", "lower", "flag").at([0.1, 0.2, 0.0])),
+    );
+    let ask = |system: &System, link: &str, q: &[f64]| {
+        let link = system.mechanism().find_link(link).expect("there");
+        let contact = Contact::new(link, [0.3, 0.0, 0.2], [0.4, 0.0, 1.0]);
+        system.reference_or_open().batch(&contact).expect("fits").effective_mass(q).expect("positions")
+    };
+    let (a, b) = (ask(&plain, "lower", &[0.3, -0.8]), ask(&with_flag, "lower", &[0.3, -0.8, 0.5]));
+    let (Some(EffectiveMass::Finite(m)), Some(EffectiveMass::Finite(other))) = (a.mass, b.mass) else {
+        panic!("{a:?} {b:?}")
+    };
+    // The flag's axis turns the frame that the lower arm is taken in: a few roundings.
+    assert!(a.error.is_some() && b.error.is_some() && (m / other - 1.0).abs() < 4e-15, "{a:?} {b:?}");
+    assert_eq!(ask(&with_flag, "flag", &[0.3, -0.8, 0.5]).mass, Some(EffectiveMass::Massless));
+}
+
 #[test]
 fn wrong_shapes_are_errors_and_a_watcher_stops_it() {
     let system = System::new(zoo::six_r_arm(), &Conditions::new()).expect("fits");

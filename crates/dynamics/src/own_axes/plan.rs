@@ -108,6 +108,8 @@ pub(super) struct Leaf {
     pub d: f64,
     pub over: f64,
     pub armature_part: f64,
+    /// What the pivot loses: the size of its inertia over the pivot.
+    pub loss: f64,
 }
 
 /// Steps of one form go through code without a branch.
@@ -265,10 +267,15 @@ impl Leaf {
             Motion::Slide { .. } => left.slide_pivot::<2>(armature),
             Motion::Free => return None,
         };
-        let over_d = pivot.u.scaled(One::from_f64(1.0) / pivot.d);
-        match step.motion {
-            Motion::Turn { .. } => left.eliminate_turn::<2>(&pivot, &over_d),
-            _ => left.eliminate_slide::<2>(&pivot, &over_d),
+        let turns = matches!(step.motion, Motion::Turn { .. });
+        let size = value(if turns { left.moment_size() } else { left.mass_size() });
+        // What has no mass at all leaves none, and loses nothing; asked for m̄ itself, it is not a number.
+        let is_massless = size == 0.0 && value(pivot.d) == 0.0;
+        let over_d = pivot.u.scaled(pivot.over);
+        match turns {
+            _ if is_massless => {}
+            true => left.eliminate_turn::<2>(&pivot, &over_d),
+            false => left.eliminate_slide::<2>(&pivot, &over_d),
         }
         let wrench =
             |w: &PackedWrench<One>| PackedWrench { moment: w.moment.map(value), force: w.force.map(value) };
@@ -281,7 +288,8 @@ impl Leaf {
             u: wrench(&pivot.u),
 
             d: value(pivot.d),
-            over: value(One::from_f64(1.0) / pivot.d),
+            over: value(pivot.over),
+            loss: if is_massless { 1.0 } else { size * value(pivot.over).abs() },
             armature_part: value(pivot.armature_part),
         })
     }

@@ -267,6 +267,7 @@ fn top<T: Lanes>(step: &Step, carried: &mut Carried<T>, own: &mut [f64]) {
     let of = T::from_f64;
     match (step.motion, &step.leaf) {
         (Motion::Turn { .. }, None) if step.carries && step.moves => {
+            // The rest of its inertia was not formed: its own entry has the size that can be known.
             let d = number::<T>(own, 5) + of(step.armature[0]);
             let over = T::one() / d;
             carried.respond(of(step.moment), carried.wrench.moment[2], carried.about, over);
@@ -288,6 +289,7 @@ fn hinge<T: Lanes, const ON_PATH: bool, const SKEW: bool, const LEAF: bool, cons
     let of = T::from_f64;
     let mut inertia = if LEAF {
         let Some(leaf) = &step.leaf else { return };
+        carried.loss = carried.loss.max(of(leaf.loss));
         if ON_PATH {
             spend::<T, ON_PATH, 2>(step, &leaf.pivot(), carried);
         }
@@ -373,6 +375,7 @@ fn eliminated<T: Lanes, const ON_PATH: bool>(
     let of = T::from_f64;
     if let Some(leaf) = &step.leaf {
         let pivot = leaf.pivot();
+        carried.loss = carried.loss.max(of(leaf.loss));
         match step.motion {
             Motion::Slide { .. } => spend::<T, ON_PATH, 5>(step, &pivot, carried),
             _ => spend::<T, ON_PATH, 2>(step, &pivot, carried),
