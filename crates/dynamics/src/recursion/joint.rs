@@ -64,7 +64,7 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
             let Some((candidate, mut step)) = chosen else { break };
             self.order.swap(first + done, first + candidate);
             let v = self.order[first + done];
-            step.counts = pivoting.joint(i, v, &step);
+            step.counts = pivoting.joint(i, v, &step, &self.inertias[i]);
             if step.counts {
                 let over_d = step.u * (T::one() / step.d);
                 for (f, t) in self.wrenches[i].iter_mut().zip(step.t) {

@@ -5,7 +5,7 @@ use super::elimination::{ClusterElimination, JointElimination};
 use crate::mobility::GroupMobility;
 use crate::model::Model;
 use crate::tolerances::{LATE_PIVOT, MASSLESS_CLOSING, NEGATIVE_PIVOT, PIVOT, PIVOT_SQUARED};
-use percuss_spatial::{Scalar, SpatialInertia, Transform, Twist, Wrench};
+use percuss_spatial::{ArticulatedInertia, Scalar, SpatialInertia, Transform, Twist, Wrench};
 
 /// Decides, or repeats decisions, while the recursion runs.
 pub(crate) trait Pivoting<T: Scalar, const K: usize> {
@@ -21,8 +21,14 @@ pub(crate) trait Pivoting<T: Scalar, const K: usize> {
         dofs: usize,
         step: &JointElimination<T, K>,
     ) -> bool;
-    /// Whether the pivot of a plain joint's velocity counts.
-    fn joint(&mut self, body: usize, velocity: usize, step: &JointElimination<T, K>) -> bool;
+    /// Whether the pivot of a plain joint's velocity counts, of this articulated inertia.
+    fn joint(
+        &mut self,
+        body: usize,
+        velocity: usize,
+        step: &JointElimination<T, K>,
+        inertia: &ArticulatedInertia<T>,
+    ) -> bool;
     /// A cluster's blocks are ready.
     fn cluster(
         &mut self,
@@ -221,14 +227,23 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
     }
 
     #[inline]
-    fn joint(&mut self, body: usize, velocity: usize, step: &JointElimination<f64, K>) -> bool {
+    fn joint(
+        &mut self,
+        body: usize,
+        velocity: usize,
+        step: &JointElimination<f64, K>,
+        inertia: &ArticulatedInertia<f64>,
+    ) -> bool {
         let (turn, slide) = self.sizes(body, &step.s);
         let (moment, mass) = self.inertia[body];
         // sᵀIs lies below this for every rigid body, and so does what joints below leave of it; an armature is exact.
         let size = turn * turn * moment + slide * slide * mass;
         let counts = step.d > PIVOT * size;
         if counts {
-            self.loss = self.loss.max(size / step.d);
+            // What is left of the inertia is what is rounded now, not all that hangs there frozen.
+            let left =
+                turn * turn * inertia.angular.trace() + step.s.linear.norm_squared() * inertia.linear.trace();
+            self.loss = self.loss.max(left / step.d);
         } else {
             let root = (moment * mass).sqrt();
             self.felt |= step.u.moment.norm() > PIVOT * (turn * moment + slide * root)
@@ -401,7 +416,13 @@ impl<T: Scalar, const K: usize> Pivoting<T, K> for Following<'_> {
         self.0.place[velocity] == done
     }
 
-    fn joint(&mut self, _: usize, velocity: usize, _: &JointElimination<T, K>) -> bool {
+    fn joint(
+        &mut self,
+        _: usize,
+        velocity: usize,
+        _: &JointElimination<T, K>,
+        _: &ArticulatedInertia<T>,
+    ) -> bool {
         self.0.joints[velocity]
     }
 
