@@ -6,7 +6,7 @@ import math
 import numpy as np
 
 from impacts import Outcome
-from scenes import Absent
+from scenes import Absent, velocities
 
 try:
     import exudyn
@@ -16,6 +16,7 @@ try:
         NodeGenericData,
         ObjectContactSphereSphere,
         RigidBodyInertia,
+        SensorBody,
     )
 except ImportError:
     exudyn = None
@@ -24,8 +25,10 @@ TOOL = "exudyn"
 SOLVERS = {"": None}
 # The sphere that stands for a wall, m.
 WALL = 1.0
-# Steps of free flight before the contact, and how long its end is waited for, in undamped half periods.
-FLIGHT, LONGEST = 2, 2.5
+# Steps of free flight before the contact, how long its end is waited for, in undamped half periods, and steps after it.
+FLIGHT, LONGEST, AFTER = 2, 2.5, 2
+# The hinge that closes the four-bar.
+CLOSES = ("coupler", "rocker")
 
 
 def engine():
@@ -70,8 +73,36 @@ def pendulum(parameters, solver, pendulum, speed):
     return impacts(build, parameters, pendulum.effective_mass, pendulum.radius, speed)
 
 
+def four_bar(parameters, solver, four_bar, speed):
+    """In the plane of x and z: what is drawn along y is along z, and a turn about z is one about −y. The hinge that closes the
+    loop holds x and z only: its other rows would be redundant."""
+
+    def build(system, ground, height):
+        bodies = {None: ground}
+        for name, (velocity, rate) in velocities(four_bar, speed).items():
+            mass, inertia, (x, y), _ = four_bar.bodies[name]
+            bodies[name] = system.CreateRigidBody(
+                inertia=RigidBodyInertia(mass, inertia * np.eye(3)),
+                referencePosition=[x, 0, y],
+                initialVelocity=[velocity[0], 0, velocity[1]],
+                initialAngularVelocity=[0, -rate, 0],
+                gravity=[0, 0, 0],
+            )
+        for a, b, (x, y) in four_bar.hinges:
+            pair, at = [bodies[b], bodies[a]], [x, 0, y]
+            if (a, b) == CLOSES:
+                system.CreateGenericJoint(bodyNumbers=pair, position=at, constrainedAxes=[1, 0, 1, 0, 0, 0], useGlobalFrame=True, show=False)
+            else:
+                system.CreateRevoluteJoint(bodyNumbers=pair, position=at, axis=[0, 1, 0], useGlobalFrame=True, show=False)
+        centre = four_bar.bodies[four_bar.struck][2]
+        return bodies[four_bar.struck], [four_bar.point[0] - centre[0], 0, four_bar.point[1] - centre[1]]
+
+    return impacts(build, parameters, four_bar.effective_mass, four_bar.radius, speed)
+
+
 def impacts(build, parameters, mass, radius, speed):
-    """A plane is a sphere of 1 m; mass: for the duration only. The penetration is not looked at."""
+    """A plane is a sphere of 1 m; mass: for the duration only. The speed is that shortly after the gap has opened: a linkage's
+    changes as it moves on."""
     step = parameters["stepSize"]
     steps = FLIGHT + math.ceil(LONGEST * math.pi * math.sqrt(mass / parameters["contactStiffness"]) / step)
 
@@ -81,7 +112,7 @@ def impacts(build, parameters, mass, radius, speed):
         height = (FLIGHT + phase) * step * speed
         body, place = build(system, ground, height)
         below = system.GetObjectOutputBody(body, exudyn.OutputVariableType.Position, place, exudyn.ConfigurationType.Reference)
-        stop = system.AddMarker(MarkerBodyRigid(bodyNumber=ground, localPosition=[below[0], 0, -WALL - radius]))
+        stop = system.AddMarker(MarkerBodyRigid(bodyNumber=ground, localPosition=[below[0], 0, below[2] - height - radius - WALL]))
         struck = system.AddMarker(MarkerBodyRigid(bodyNumber=body, localPosition=place))
         node = system.AddNode(NodeGenericData(numberOfDataCoordinates=4, initialCoordinates=[height, 0, 0, 0]))
         system.AddObject(
@@ -96,6 +127,11 @@ def impacts(build, parameters, mass, radius, speed):
                 dynamicFriction=parameters["dynamicFriction"],
             )
         )
+        kinds = exudyn.OutputVariableType.Position, exudyn.OutputVariableType.Velocity
+        sensors = [
+            system.AddSensor(SensorBody(bodyNumber=body, localPosition=place, outputVariableType=kind, storeInternal=True, writeToFile=False))
+            for kind in kinds
+        ]
         system.Assemble()
         settings = exudyn.SimulationSettings()
         settings.timeIntegration.numberOfSteps = steps
@@ -103,9 +139,15 @@ def impacts(build, parameters, mass, radius, speed):
         settings.timeIntegration.discontinuous.iterationTolerance = parameters["discontinuous.iterationTolerance"]
         settings.timeIntegration.discontinuous.maxIterations = int(parameters["discontinuous.maxIterations"])
         settings.solutionSettings.writeSolutionToFile = False
+        settings.solutionSettings.sensorsWritePeriod = step
         system.SolveDynamic(settings)
-        velocity = system.GetObjectOutputBody(body, exudyn.OutputVariableType.Velocity, place)
-        return velocity[2] / speed, 0.0
+        # Of each sample the time, then x, y, z.
+        heights, rates = (system.GetSensorStoredData(sensor)[:, 3] for sensor in sensors)
+        heights -= below[2] - height
+        deepest = int(np.argmin(heights))
+        opened = deepest + int(np.argmax(heights[deepest:] > 0))
+        assert heights[opened] > 0, "the impact did not end"
+        return rates[min(opened + AFTER, len(rates) - 1)] / speed, -heights[deepest]
 
     return Outcome.of(run)
 
