@@ -1,13 +1,14 @@
-"""PyBullet: one body, or a multibody in reduced coordinates (btMultiBodyDynamicsWorld). No loops: it closes them by constraints of
-finite force. PyPI has wheels up to Python 3.11."""
+"""PyBullet: one body, or a multibody in reduced coordinates (btMultiBodyDynamicsWorld); loops are closed by constraints of finite
+force. PyPI has wheels up to Python 3.11."""
 
 import importlib.metadata
+import math
 import tempfile
 from pathlib import Path
 
 from engines import _built
 from impacts import Outcome
-from scenes import Absent
+from scenes import Absent, velocities
 
 try:
     import pybullet
@@ -19,6 +20,7 @@ SOLVERS = {"": None}
 # As long an impact as is waited for, in steps.
 LONGEST = 200_000
 INERT = {"linearDamping": 0.0, "angularDamping": 0.0, "jointDamping": 0.0}
+HIDDEN = '<inertial><mass value="0"/><inertia ixx="0" iyy="0" izz="0" ixy="0" ixz="0" iyz="0"/></inertial>'
 BODY = ("contactStiffness", "contactDamping", "restitution", "lateralFriction", "rollingFriction", "spinningFriction")
 
 
@@ -84,9 +86,8 @@ def ball(parameters, solver, ball, speed):
 def pendulum(parameters, solver, pendulum, speed):
     p = pendulum
     about_centre = p.effective_mass * p.lever**2 - p.mass * p.centre**2
-    hidden = '<inertial><mass value="0"/><inertia ixx="0" iyy="0" izz="0" ixy="0" ixz="0" iyz="0"/></inertial>'
     urdf = f"""<robot name="pendulum">
-  <link name="world">{hidden}</link>
+  <link name="world">{HIDDEN}</link>
   <link name="rod">
     <inertial>
       <origin xyz="{p.centre} 0 0"/>
@@ -110,6 +111,63 @@ def pendulum(parameters, solver, pendulum, speed):
             surface(body, 0, parameters)
             pybullet.resetJointState(body, 0, gap / p.lever, -speed / p.lever)
             return lambda: [p.lever * x for x in pybullet.getJointState(body, 0)[:2]]
+
+        return impacts(build, parameters, speed)
+
+
+def four_bar(parameters, solver, four_bar, speed):
+    """In the x-y plane, as drawn: the trees of the crank and of the rocker, closed by a point-to-point constraint."""
+    places = {"crank": (0.0, 0.0), "coupler": (0.0, 0.3), "rocker": (0.65, 0.0)}
+    moving = {name: rate for name, (_, rate) in velocities(four_bar, speed).items()}
+    point = tuple(x - at for x, at in zip(four_bar.point, places["coupler"]))
+
+    def link(name):
+        mass, inertia, centre, _ = four_bar.bodies[name]
+        x, y = (c - at for c, at in zip(centre, places[name]))
+        sphere = f'<collision><origin xyz="{point[0]!r} {point[1]!r} 0"/><geometry><sphere radius="{four_bar.radius}"/></geometry></collision>'
+        i = f'<inertia ixx="{inertia!r}" iyy="{inertia!r}" izz="{inertia!r}" ixy="0" ixz="0" iyz="0"/>'
+        return f'''<link name="{name}"><inertial><origin xyz="{x!r} {y!r} 0"/><mass value="{mass!r}"/>{i}</inertial>
+{sphere if name == four_bar.struck else ""}</link>'''
+
+    def joint(parent, child):
+        x, y = (b - a for a, b in zip(places.get(parent, (0.0, 0.0)), places[child]))
+        return f'''<joint name="to_{child}" type="continuous"><parent link="{parent}"/><child link="{child}"/>
+<origin xyz="{x!r} {y!r} 0"/><axis xyz="0 0 1"/></joint>'''
+
+    tree = (("world", "crank"), ("crank", "coupler"), ("world", "rocker"))
+    parts = [f'<link name="world">{HIDDEN}</link>', *map(link, places), *(joint(*pair) for pair in tree)]
+    urdf = f'<robot name="four_bar">{"".join(parts)}</robot>'
+
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "four_bar.urdf"
+        path.write_text(urdf)
+
+        def build(gap):
+            wall = four_bar.point[1] - four_bar.radius - gap
+            shape = pybullet.createCollisionShape(pybullet.GEOM_PLANE, planeNormal=[0, 1, 0])
+            surface(pybullet.createMultiBody(0, shape, basePosition=[0, wall, 0]), -1, parameters)
+            body = pybullet.loadURDF(str(path), useFixedBase=True, flags=pybullet.URDF_USE_INERTIA_FROM_FILE)
+            index = {pybullet.getJointInfo(body, i)[12].decode(): i for i in range(3)}
+            rates = {"crank": moving["crank"], "coupler": moving["coupler"] - moving["crank"], "rocker": moving["rocker"]}
+            for name, i in index.items():
+                pybullet.setJointMotorControl2(body, i, pybullet.VELOCITY_CONTROL, force=0)
+                surface(body, i, parameters)
+                pybullet.resetJointState(body, i, 0.0, rates[name])
+            ends = [[x - c for x, c in zip((0.4, 0.6), four_bar.bodies[name][2])] + [0] for name in ("coupler", "rocker")]
+            closed = pybullet.createConstraint(
+                body, index["coupler"], body, index["rocker"], pybullet.JOINT_POINT2POINT, [0, 0, 0], *ends
+            )
+            pybullet.changeConstraint(closed, maxForce=1e9)
+            lever = [x - c for x, c in zip(four_bar.point, four_bar.bodies["coupler"][2])]
+
+            def state():
+                found = pybullet.getLinkState(body, index["coupler"], computeLinkVelocity=1, computeForwardKinematics=1)
+                turned = pybullet.getEulerFromQuaternion(found[1])[2]
+                across = lever[0] * math.cos(turned) - lever[1] * math.sin(turned)
+                along = lever[0] * math.sin(turned) + lever[1] * math.cos(turned)
+                return found[0][1] + along - four_bar.radius - wall, found[6][1] + found[7][2] * across
+
+            return state
 
         return impacts(build, parameters, speed)
 

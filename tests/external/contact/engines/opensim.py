@@ -2,8 +2,10 @@
 
 import math
 
+import numpy as np
+
 from impacts import Outcome
-from scenes import Absent
+from scenes import Absent, velocities
 
 try:
     import opensim
@@ -16,6 +18,9 @@ SOLVERS = {"": None}
 EXPONENT = 1.5
 # The flight before the contact, and the longest impact that is waited for, in the integrator's greatest steps.
 FLIGHT, LONGEST = 20, 400
+# The same of the four-bar, whose speed changes as it moves.
+SHORT_FLIGHT, AWAITED = 2, 200
+
 
 def engine():
     if not opensim:
@@ -50,14 +55,78 @@ def pendulum(parameters, solver, pendulum, speed):
     return impacts(build, parameters, pendulum.lever, pendulum.radius, speed)
 
 
+def four_bar(parameters, solver, four_bar, speed):
+    """The trees of the crank and of the rocker, closed by a PointConstraint. Built where it is drawn, before a wall that is a gap
+    away. The speed is that where the gap opens: a linkage's changes as it moves on."""
+    rates = {name: rate for name, (_, rate) in velocities(four_bar, speed).items()}
+    origins = {"crank": (0.0, 0.0), "coupler": (0.0, 0.3), "rocker": (0.65, 0.0)}
+    parents = {"crank": None, "coupler": "crank", "rocker": None}
+
+    def local(name, at):
+        return opensim.Vec3(*(x - origin for x, origin in zip(at, origins[name])), 0)
+
+    def run(phase):
+        model = opensim.Model()
+        model.setGravity(opensim.Vec3(0))
+        bodies = {None: model.getGround()}
+        for name, parent in parents.items():
+            mass, inertia, centre, _ = four_bar.bodies[name]
+            body = opensim.Body(name, mass, local(name, centre), opensim.Inertia(inertia, inertia, inertia, 0, 0, 0))
+            at = local(parent, origins[name]) if parent else opensim.Vec3(*origins[name], 0)
+            joint = opensim.PinJoint("to_" + name, bodies[parent], at, opensim.Vec3(0), body, opensim.Vec3(0), opensim.Vec3(0))
+            model.addBody(body)
+            model.addJoint(joint)
+            bodies[name] = body
+        pin = (0.4, 0.6)
+        closed = opensim.PointConstraint(bodies["coupler"], local("coupler", pin), bodies["rocker"], local("rocker", pin))
+        model.addConstraint(closed)
+        gap = (SHORT_FLIGHT + phase) * parameters["maximum_step_size"] * speed
+        wall = four_bar.point[1] - gap
+        contact(model, parameters, bodies["coupler"], local("coupler", four_bar.point), four_bar.radius, wall)
+        state = model.initSystem()
+        coordinates = {name: model.getJointSet().get("to_" + name).getCoordinate() for name in parents}
+        for name, parent in parents.items():
+            coordinates[name].setSpeedValue(state, rates[name] - (rates[parent] if parent else 0.0))
+        table = integrated(model, parameters, state, SHORT_FLIGHT + AWAITED)
+        crank, coupler = (columns(table, coordinates[name]) for name in ("crank", "coupler"))
+        turned, rate = crank[0] + coupler[0], crank[1] + coupler[1]
+        x, y = (p - origin for p, origin in zip(four_bar.point, origins["coupler"]))
+        length = origins["coupler"][1]
+        heights = length * np.cos(crank[0]) + x * np.sin(turned) + y * np.cos(turned) - wall
+        speeds = -length * np.sin(crank[0]) * crank[1] + (x * np.cos(turned) - y * np.sin(turned)) * rate
+        deepest = int(np.argmin(heights))
+        opened = deepest + int(np.argmax(heights[deepest:] > 0))
+        assert heights[deepest] < 0 < heights[opened], "the impact did not end"
+        return speeds[opened] / speed, -heights[deepest]
+
+    return Outcome.of(run)
+
+
 def impacts(build, parameters, lever, radius, speed):
     model = opensim.Model()
     model.setGravity(opensim.Vec3(0))
     body, joint, place = build(model)
     model.addBody(body)
     model.addJoint(joint)
+    contact(model, parameters, body, place, radius, 0.0)
+    model.initSystem()
+    coordinate, step = model.getCoordinateSet().get(0), parameters["maximum_step_size"]
+
+    def run(phase):
+        state = model.initializeState()
+        coordinate.setValue(state, (FLIGHT + phase) * step * speed / lever)
+        coordinate.setSpeedValue(state, -speed / lever)
+        table = integrated(model, parameters, state, FLIGHT + LONGEST)
+        heights, speeds = columns(table, coordinate)
+        return speeds[-1] * lever / speed, -heights.min() * lever
+
+    return Outcome.of(run)
+
+
+def contact(model, parameters, body, place, radius, wall):
+    """A sphere at `place` of the body, and a half space that it touches when it is at the height `wall`."""
     down = opensim.Vec3(0, 0, -math.pi / 2)
-    model.addContactGeometry(opensim.ContactHalfSpace(opensim.Vec3(0, -radius, 0), down, model.getGround(), "stop"))
+    model.addContactGeometry(opensim.ContactHalfSpace(opensim.Vec3(0, wall - radius, 0), down, model.getGround(), "stop"))
     model.addContactGeometry(opensim.ContactSphere(radius, place, body, "struck"))
     force = opensim.HuntCrossleyForce()
     for name in ("stop", "struck"):
@@ -68,22 +137,22 @@ def impacts(build, parameters, lever, radius, speed):
     force.setDynamicFriction(0.0)
     force.setViscousFriction(0.0)
     model.addForce(force)
-    model.initSystem()
-    coordinate, step = model.getCoordinateSet().get(0), parameters["maximum_step_size"]
 
-    def run(phase):
-        state = model.initializeState()
-        coordinate.setValue(state, (FLIGHT + phase) * step * speed / lever)
-        coordinate.setSpeedValue(state, -speed / lever)
-        manager = opensim.Manager(model)
-        manager.setIntegratorAccuracy(parameters["integrator_accuracy"])
-        manager.setIntegratorMaximumStepSize(step)
-        manager.initialize(state)
-        state = manager.integrate((FLIGHT + LONGEST) * step)
-        heights = manager.getStatesTable().getDependentColumn(coordinate.getStateVariableNames().get(0)).to_numpy()
-        return coordinate.getSpeedValue(state) * lever / speed, -heights.min() * lever
 
-    return Outcome.of(run)
+def integrated(model, parameters, state, steps):
+    """The table of all states: the states themselves end with the manager."""
+    manager = opensim.Manager(model)
+    manager.setIntegratorAccuracy(parameters["integrator_accuracy"])
+    manager.setIntegratorMaximumStepSize(parameters["maximum_step_size"])
+    manager.initialize(state)
+    manager.integrate(steps * parameters["maximum_step_size"])
+    return manager.getStatesTable()
+
+
+def columns(table, coordinate):
+    """A coordinate's values and speeds."""
+    names = coordinate.getStateVariableNames()
+    return [table.getDependentColumn(names.get(i)).to_numpy() for i in range(2)]
 
 
 def pasted(text, parameters):
