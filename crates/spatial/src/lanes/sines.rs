@@ -38,7 +38,7 @@ fn polynomial<T: Lanes>(c: &[f64; 6], z: T) -> T {
     (z * z * z).mul_add(high, low)
 }
 
-/// The greatest angle (rad) that [`sin_cos`] is right for, to two units in the last place or 1e-16.
+/// The greatest angle (rad) that sine and cosine in lanes are right for, to two units in the last place or 1e-16.
 pub const LARGEST_ANGLE: f64 = 1e5;
 
 /// Sine and cosine of angles (rad) of at most [`LARGEST_ANGLE`]; what comes out beyond is not to be used.
