@@ -67,6 +67,21 @@ fn on_trees_and_linkages() {
     assert_occurred(&counts, &["finite", "in own axes", "immovable", "massless, massless"]);
 }
 
+/// Answers are found in rooms that an assembly keeps: what was asked in them before leaves no trace.
+#[test]
+fn what_was_asked_before_changes_nothing() {
+    let mut others = 0;
+    for subject in of_trees(17, 1, 40).into_iter().chain(of_linkages(801, 2)) {
+        let whole = |contact: &Contact| format!("{:?}", subject.pose.respond(contact, RouteChoice::Auto));
+        let fresh = whole(&subject.contact);
+        for link in subject.mechanism().link_ids() {
+            others += usize::from(whole(&Contact::new(link, [0.1, 0.2, -0.3], [0.2, 1.0, -0.4])) != fresh);
+        }
+        assert_eq!(whole(&subject.contact), fresh, "{}", subject.name);
+    }
+    assert!(others > 100, "{others} other answers");
+}
+
 /// A bar of 2 kg on a ball joint, with so much moment of inertia about its own axis (kg·m²); `tied`, its tip is held level by
 /// a rod, and the roll stays free.
 fn bar(roll: f64, tied: bool) -> Mechanism {

@@ -5,6 +5,7 @@ use crate::assembling::{Facts, GroupFacts};
 use crate::kinematics::Kinematics;
 use crate::mobility::{GroupMobility, MobilityRoom, Rank, Redundancy, rank_of_rows};
 use crate::model::{Constraint, Group, Model};
+use crate::routes::Rooms;
 use crate::rows::GroupRows;
 use crate::singular::Surroundings;
 use crate::tolerances::{CLOSED_AS_DRAWN, DRAWN_OPEN, HELD_ASIDE, REDUNDANCY_LIMIT, ROUNDED};
@@ -26,6 +27,7 @@ pub struct Assembly {
     generic_kinematics: Kinematics<f64>,
     /// Found when first asked for, a function of the rest.
     redundant: OnceLock<Vec<Vec<String>>>,
+    rooms: Rooms,
 }
 
 /// The two sides of a system: what answers, and what is posed. A lock or a held contact holds velocities, not the pose:
@@ -69,12 +71,25 @@ impl Assembly {
             rank_of_rows(&rows, group, *floor).explained_by(ROUNDED * misfit)
         };
         let generic = model.groups.iter().zip(&floors).zip(&misfits).map(rank).collect();
-        Self { models, facts, generic, floors, misfits, generic_kinematics, redundant: OnceLock::new() }
+        Self {
+            models,
+            facts,
+            generic,
+            floors,
+            misfits,
+            generic_kinematics,
+            redundant: OnceLock::new(),
+            rooms: Rooms::default(),
+        }
     }
 
     /// The same loops under other conditions of the same mechanism.
     pub(crate) fn under(&self, models: Models) -> Arc<Self> {
         Arc::new(Self::new(models, self.facts.clone()))
+    }
+
+    pub(crate) fn rooms(&self) -> &Rooms {
+        &self.rooms
     }
 
     pub(crate) fn model(&self) -> &Model {
@@ -101,6 +116,11 @@ impl Assembly {
 
     pub(crate) fn is_of(&self, model: &Arc<Model>) -> bool {
         Arc::ptr_eq(&self.models.answering, model)
+    }
+
+    /// Whether what answers is what is posed: their groups are the same.
+    pub(crate) fn is_of_posing(&self) -> bool {
+        Arc::ptr_eq(&self.models.answering, &self.models.posing)
     }
 
     /// Singular values of A below this part of the largest count as zero, of a group.

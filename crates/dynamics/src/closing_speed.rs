@@ -2,12 +2,10 @@
 //! alone. Mass has no influence.
 
 use crate::contact::ContactRow;
-use crate::kinematics::Kinematics;
 use crate::linear::dense::dot;
 use crate::mobility::GroupMobility;
 use crate::model::{Cluster, Follows, Model};
 use crate::recursion::Recursion;
-use crate::rows::GroupRows;
 use crate::tolerances::{IMMOVABLE, RATE_ROUNDINGS};
 
 /// |j on ker A| / |size of j's terms|, over coordinates scaled by the contact's own length.
@@ -16,7 +14,6 @@ use crate::tolerances::{IMMOVABLE, RATE_ROUNDINGS};
 pub(crate) fn relative_closing_speed<const K: usize>(
     room: &mut ClosingRoom,
     model: &Model,
-    kinematics: &Kinematics<f64>,
     groups: &[GroupMobility],
     recursion: &Recursion<f64, K>,
     row: &ContactRow,
@@ -32,7 +29,7 @@ pub(crate) fn relative_closing_speed<const K: usize>(
             Some(place) => {
                 if last != Some(number) && !seen(model, row, number, entry.velocity) {
                     let of = (&recursion.clusters[place].g[..], recursion.clusters[place].d);
-                    along += projected(room, model, kinematics, groups, &model.clusters[number], of, row);
+                    along += projected(room, model, groups, &model.clusters[number], of, row);
                 }
                 last = Some(number);
             }
@@ -70,7 +67,6 @@ pub(crate) struct ClosingRoom {
     /// Orthonormal vectors one after another.
     basis: Vec<f64>,
     part: Vec<f64>,
-    rows: GroupRows<f64>,
     place: Vec<usize>,
 }
 
@@ -79,7 +75,6 @@ pub(crate) struct ClosingRoom {
 fn projected(
     room: &mut ClosingRoom,
     model: &Model,
-    kinematics: &Kinematics<f64>,
     groups: &[GroupMobility],
     cluster: &Cluster,
     of: (&[f64], usize),
@@ -96,7 +91,7 @@ fn projected(
     }
     let rank: usize = cluster.groups.iter().map(|own| groups[own.group].pivots.rows.len()).sum();
     if rank < of.1 {
-        off_rows(room, model, kinematics, groups, cluster, &scale)
+        off_rows(room, model, groups, cluster, &scale)
     } else {
         on_kernel(room, groups, cluster, of, &scale)
     }
@@ -152,7 +147,6 @@ fn orthogonalise(known: &[f64], vector: &mut [f64]) {
 fn off_rows(
     room: &mut ClosingRoom,
     model: &Model,
-    kinematics: &Kinematics<f64>,
     groups: &[GroupMobility],
     cluster: &Cluster,
     scale: &dyn Fn(usize) -> f64,
@@ -163,14 +157,13 @@ fn off_rows(
         }
         let (group, known) = (&model.groups[own.group], &groups[own.group]);
         let (n, count) = (own.coordinates.len(), known.pivots.rows.len());
-        let ClosingRoom { j, basis, part, rows, place } = room;
-        rows.fill(model, group, kinematics);
+        let ClosingRoom { j, basis, part, place } = room;
         place.clear();
         place.resize(group.rows, usize::MAX);
         known.pivots.rows.iter().enumerate().for_each(|(i, r)| place[*r] = i);
         basis.clear();
         basis.resize(count * n, 0.0);
-        rows.for_each(group, |r, c, a| {
+        known.rows.for_each(group, |r, c, a| {
             if place[r] != usize::MAX {
                 basis[place[r] * n + c] += a / scale(own.coordinates[c]);
             }

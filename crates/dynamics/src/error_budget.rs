@@ -22,7 +22,6 @@ use crate::kinematics::Kinematics;
 use crate::mobility::GroupMobility;
 use crate::model::{Cluster, Model};
 use crate::recursion::{ClusterElimination, Recursion};
-use crate::rows::GroupRows;
 use crate::stationary::Stationary;
 use crate::tolerances::{NOTHING_LEFT, REPEATED_ROUNDINGS, SUM_ROUNDINGS, TURN_ROUNDINGS, VAGUE_RESPONSE};
 use nalgebra::{Vector3, Vector6};
@@ -108,8 +107,7 @@ pub(crate) struct BudgetRoom {
     rates: Vec<f64>,
     /// Of the cluster at hand: the rates of its independent coordinates.
     independent: Vec<f64>,
-    /// Of the group at hand: its rows, and of each the size of its terms and its largest entry.
-    rows: GroupRows<f64>,
+    /// Of each row of the group at hand: the size of its terms, and its largest entry.
     terms: Vec<f64>,
     largest: Vec<f64>,
     multipliers: MultiplierRoom,
@@ -142,6 +140,8 @@ pub(crate) struct UnitImpulse<'a> {
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct RelativeErrors {
     pub rounding: f64,
+    /// What of it is the route's own: another route has the rest too.
+    pub route: f64,
     /// What rows of A do that are off by as much as their loops are from fitting.
     pub file: f64,
     /// The greatest misfit of a group that moves.
@@ -160,14 +160,7 @@ impl UnitImpulse<'_> {
         recursion: &Recursion<f64, 1>,
         is_clear: bool,
     ) -> RelativeErrors {
-        let (mut route, mut stationary) = (0.0, None);
-        room.composites.clear();
-        for (number, cluster) in self.model.clusters.iter().enumerate() {
-            route += match recursion.place[number] {
-                None => self.of_joint(room, recursion, cluster.bodies[0]),
-                Some(place) => self.of_cluster(room, recursion, cluster, &recursion.clusters[place]),
-            };
-        }
+        let (mut route, mut stationary) = (self.of_eliminations(room, recursion), None);
         let response = recursion.response(0, 0);
         // A tree's pivots are sums over what is left below each joint only.
         if !is_clear && !recursion.clusters.is_empty() && f64::EPSILON * route > VAGUE_RESPONSE * response {
@@ -182,8 +175,24 @@ impl UnitImpulse<'_> {
         let places = if stationary.is_some() { Places::ByJoint } else { Places::Added };
         let mut sum = self.of_data(room, recursion, places);
         sum.rounding += route;
+        sum.route = route;
         sum.stationary = stationary;
         self.relative(sum, response)
+    }
+
+    /// The relative error that the recursion itself makes, of no more than its eliminations: where it is small, that of
+    /// [`of_recursion`](Self::of_recursion).
+    pub fn of_route(&self, room: &mut BudgetRoom, recursion: &Recursion<f64, 1>) -> f64 {
+        f64::EPSILON * self.of_eliminations(room, recursion) / recursion.response(0, 0)
+    }
+
+    fn of_eliminations(&self, room: &mut BudgetRoom, recursion: &Recursion<f64, 1>) -> f64 {
+        room.composites.clear();
+        let of_cluster = |(number, cluster): (usize, &Cluster)| match recursion.place[number] {
+            None => self.of_joint(room, recursion, cluster.bodies[0]),
+            Some(place) => self.of_cluster(room, recursion, cluster, &recursion.clusters[place]),
+        };
+        self.model.clusters.iter().enumerate().map(of_cluster).sum()
     }
 
     /// The same answer by its energy.
@@ -202,6 +211,7 @@ impl UnitImpulse<'_> {
     fn relative(&self, sum: RelativeErrors, response: f64) -> RelativeErrors {
         RelativeErrors {
             rounding: f64::EPSILON * sum.rounding / response,
+            route: f64::EPSILON * sum.route / response,
             file: sum.file / response,
             is_measured: sum.is_measured,
             misfit: sum.misfit,
@@ -437,7 +447,8 @@ impl UnitImpulse<'_> {
     ) -> RelativeErrors {
         let mut sum = self.of_data(room, recursion, Places::Added);
         let root: f64 = mass_size.iter().zip(coordinates).map(|(m, v)| m.abs().sqrt() * v.abs()).sum();
-        sum.rounding += SUM_ROUNDINGS * coordinates.len() as f64 * root * root;
+        sum.route = SUM_ROUNDINGS * coordinates.len() as f64 * root * root;
+        sum.rounding += sum.route;
         self.relative(sum, response)
     }
 }

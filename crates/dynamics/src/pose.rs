@@ -5,7 +5,7 @@ use crate::assembly::Assembly;
 use crate::careful::condition_of;
 use crate::contact::{Contact, ContactError, Frame, LocatedContact};
 use crate::kinematics::Kinematics;
-use crate::mobility::{GroupMobility, MobilityRoom};
+use crate::mobility::GroupMobility;
 use crate::singular::Surroundings;
 use crate::tolerances::CONDITION_LIMIT;
 use nalgebra::{DMatrix, Vector3};
@@ -52,25 +52,14 @@ impl Pose {
         Self { assembly, kinematics, base, loops, groups, crossings: OnceLock::new() }
     }
 
-    /// What is decided about the groups at other frames of the same assembly.
-    pub(crate) fn groups_at(&self, kinematics: &Kinematics<f64>) -> Vec<GroupMobility> {
+    /// What is decided about the groups here, carried on to frames so near that it holds there too.
+    pub(crate) fn groups_beside(&self, kinematics: &Kinematics<f64>) -> Vec<GroupMobility> {
         let model = self.assembly.model();
-        let mut room = MobilityRoom::default();
-        let decide = |(number, known): (usize, &GroupMobility)| {
-            let mut decided = GroupMobility::default();
-            let floor = self.assembly.floor(number);
-            let expected = Some(known.rank.rank);
-            model.decide_mobility(
-                &mut room,
-                kinematics,
-                &model.groups[number],
-                floor,
-                expected,
-                &mut decided,
-            );
-            decided
-        };
-        self.groups.iter().enumerate().map(decide).collect()
+        let mut groups = self.groups.clone();
+        for (known, group) in groups.iter_mut().zip(&model.groups) {
+            known.move_to(model, group, kinematics);
+        }
+        groups
     }
 
     /// The assembly it belongs to.

@@ -90,8 +90,9 @@ impl Assembly {
         let mut moved = pose.kinematics.clone();
         for (number, group) in model.groups.iter().enumerate() {
             let inexactness = self.facts().groups[number].misfit_beyond(group, &pose.kinematics, model);
-            let mut u =
-                model.closing_doubt(&pose.kinematics, group, &state.dependent[number], inexactness)?;
+            let dependent = &state.dependent[number];
+            let known = self.is_of_posing().then(|| &pose.groups[number].rows);
+            let mut u = model.closing_doubt(&pose.kinematics, group, dependent, inexactness, known)?;
             u.iter_mut().for_each(|u| *u *= sign);
             model.advance_group(&mut moved, group, &u);
         }

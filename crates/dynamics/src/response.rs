@@ -125,8 +125,11 @@ impl Pose {
     /// [`ResponseError`]: a contact that means nothing; a route that was asked for and does not take the mechanism.
     pub fn respond(&self, contact: &Contact, choice: RouteChoice) -> Result<ContactResponse, ResponseError> {
         let located = self.locate(contact)?;
-        let room = RecursionRoom::new(self.assembly.model());
-        Ok(Asked { pose: self, contact, located: &located, room }.answer(choice)?)
+        let room = self.assembly.rooms().take(self.assembly.model());
+        let mut asked = Asked { pose: self, contact, located: &located, room };
+        let answer = asked.answer(choice);
+        self.assembly.rooms().put(asked.room);
+        Ok(answer?)
     }
 
     fn question<'a>(&'a self, located: &'a LocatedContact) -> Question<'a> {
@@ -174,8 +177,7 @@ impl Asked<'_> {
             contributions = Some(self.contributions(&found.velocities, m));
             error = Some(self.budget(m, &found));
             // What loops that do not quite fit leave of a closing speed may be all of it.
-            let floor =
-                closing_floor(model, &pose.groups, &model.contact_row(&pose.kinematics, self.located));
+            let floor = closing_floor(model, &pose.groups, &self.room.row);
             if found.closing_speed < NEARLY_IMMOVABLE.max(floor) {
                 let open = if floor > IMMOVABLE { floor } else { 2.0 * f64::EPSILON };
                 let uncertainty = open / found.closing_speed;
@@ -233,7 +235,7 @@ impl Asked<'_> {
         let mut most = 0.0_f64;
         for sign in [1.0, -1.0] {
             let moved = assembly.doubtful_pose(self.pose, sign)?;
-            let groups = self.pose.groups_at(&moved);
+            let groups = self.pose.groups_beside(&moved);
             let model = assembly.model();
             let located = model.locate(&moved, self.pose.base(), self.contact).ok()?;
             let beside = Question {
@@ -245,7 +247,7 @@ impl Asked<'_> {
             };
             let other = match found.route {
                 Route::Articulated => {
-                    beside.run(&mut self.room);
+                    beside.eliminate(&mut self.room);
                     let EffectiveMass::Finite(own) = self.room.mass() else { return None };
                     let by_energy =
                         found.errors.stationary.and_then(|_| beside.response_by_energy(&mut self.room));

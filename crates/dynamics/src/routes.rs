@@ -10,10 +10,12 @@ use crate::model::Model;
 use crate::outcome::{CarefulReason, EffectiveMass, Remark, Route, RouteChoice, RouteError};
 use crate::recursion::{Deciding, Motion, Recursion};
 use crate::tolerances::{
-    CAREFUL_LIMIT, IMMOVABLE, NEARLY_IMMOVABLE, NOTHING_LEFT, ROUTE_ROUNDINGS, TRUSTED_ERROR,
+    CAREFUL_LIMIT, IMMOVABLE, KEPT_BODIES, KEPT_ROOMS, NEARLY_IMMOVABLE, NOTHING_LEFT, ROUTE_ROUNDINGS,
+    TRUSTED_ERROR,
 };
 use nalgebra::Vector3;
 use percuss_spatial::{Twist, Wrench};
+use std::sync::Mutex;
 
 /// A contact at some frames.
 pub(crate) struct Question<'a> {
@@ -39,6 +41,28 @@ pub(crate) struct Found {
     pub remarks: Vec<Remark>,
 }
 
+/// Rooms that answers were found in, kept for the next ones: no answer depends on what is in them.
+#[derive(Debug, Default)]
+pub(crate) struct Rooms(Mutex<Vec<RecursionRoom>>);
+
+impl Rooms {
+    /// A room that is kept, or a new one.
+    pub fn take(&self, model: &Model) -> RecursionRoom {
+        let kept = self.0.try_lock().ok().and_then(|mut rooms| rooms.pop());
+        kept.unwrap_or_else(|| RecursionRoom::new(model))
+    }
+
+    /// Keeps a room, unless it is large or there are many.
+    pub fn put(&self, room: RecursionRoom) {
+        if room.recursion.inertias.len() <= KEPT_BODIES
+            && let Ok(mut rooms) = self.0.try_lock()
+            && rooms.len() < KEPT_ROOMS
+        {
+            rooms.push(room);
+        }
+    }
+}
+
 /// Room for the recursion, and what it found at the frames of the last question; refilled in place.
 #[derive(Clone, Debug)]
 pub(crate) struct RecursionRoom {
@@ -47,7 +71,7 @@ pub(crate) struct RecursionRoom {
     pub closing_speed: f64,
     /// 1/m̄ by the pivots alone, 1/kg.
     response: f64,
-    row: ContactRow,
+    pub row: ContactRow,
     closing: ClosingRoom,
     motion: Motion<f64>,
     budget: BudgetRoom,
@@ -82,12 +106,12 @@ impl RecursionRoom {
     /// Whether the recursion's rounding is beyond doubt, before its errors are counted: what is left is the data's, and every
     /// route's.
     fn is_clear(&self) -> bool {
-        !self.deciding.felt && self.is_small(ROUTE_ROUNDINGS.max(self.deciding.loss))
+        !self.deciding.felt && self.is_small(self.deciding.roundings)
     }
 
-    /// Whether so many roundings of its terms leave a finite answer whole.
+    /// Whether so many roundings, 1/kg, leave a finite answer whole.
     fn is_small(&self, roundings: f64) -> bool {
-        let most = f64::EPSILON * roundings * self.deciding.terms;
+        let most = f64::EPSILON * roundings;
         !self.deciding.indefinite
             && matches!(self.mass(), EffectiveMass::Finite(_))
             && self.closing_speed > NEARLY_IMMOVABLE
@@ -102,7 +126,8 @@ impl RecursionRoom {
         if self.is_clear() {
             return None;
         }
-        let relative = errors.rounding;
+        // Rows that are off near a dead centre the careful route feels less; frames it feels as much.
+        let relative = if self.recursion.clusters.is_empty() { errors.route } else { errors.rounding };
         match self.mass() {
             // What is left of the error where the energy decides is the data's, and every route's.
             EffectiveMass::Finite(_) if relative <= TRUSTED_ERROR || errors.stationary.is_some() => None,
@@ -116,10 +141,18 @@ impl RecursionRoom {
 }
 
 impl Question<'_> {
-    /// Lets the recursion run.
+    /// Lets the recursion run, and finds how fast the gap closes.
     pub fn run(&self, room: &mut RecursionRoom) {
+        self.eliminate(room);
+        let RecursionRoom { recursion, closing_speed, row, closing, .. } = room;
+        self.model.contact_row_into(self.kinematics, self.located, row);
+        *closing_speed = relative_closing_speed(closing, self.model, self.groups, recursion, row);
+    }
+
+    /// Lets the recursion run; the closing speed is that of the last question.
+    pub fn eliminate(&self, room: &mut RecursionRoom) {
         let (model, located) = (self.model, self.located);
-        let RecursionRoom { recursion, deciding, closing_speed, response, row, closing, .. } = room;
+        let RecursionRoom { recursion, deciding, response, .. } = room;
         recursion.clear();
         let unit = Wrench::new(Vector3::zeros(), located.normal_root);
         recursion.add_wrench(model.body_of(located.link), 0, unit);
@@ -127,8 +160,6 @@ impl Question<'_> {
         deciding.restart();
         recursion.eliminate(model, self.kinematics, self.groups, &located.point_root, deciding);
         *response = recursion.response(0, 0);
-        model.contact_row_into(self.kinematics, located, row);
-        *closing_speed = relative_closing_speed(closing, model, self.kinematics, self.groups, recursion, row);
     }
 
     /// The answer after the recursion ran.
@@ -158,7 +189,7 @@ impl Question<'_> {
     /// recursion answers.
     pub fn effective_mass(&self, room: &mut RecursionRoom) -> Result<EffectiveMass, RouteError> {
         // Errors are counted once, for the room that they take to be there when they are needed.
-        if room.is_clear() && room.budget.is_filled() {
+        if room.budget.is_filled() && (room.is_clear() || self.is_trusted(room)) {
             return Ok(room.mass());
         }
         let errors = self.recursion_errors(room);
@@ -166,6 +197,18 @@ impl Question<'_> {
             None => Ok(held(room.mass(), &errors)),
             Some(_) => Ok(self.better(room, errors)?.mass),
         }
+    }
+
+    /// Whether a tree's recursion leaves no doubt by its own error; leaves its motion in the room.
+    fn is_trusted(&self, room: &mut RecursionRoom) -> bool {
+        let finite = !room.deciding.indefinite && matches!(room.mass(), EffectiveMass::Finite(_));
+        let RecursionRoom { recursion, motion, budget, .. } = room;
+        if !finite || !recursion.clusters.is_empty() {
+            return false;
+        }
+        recursion.velocities(self.model, &self.located.point_root, motion);
+        let impulse = self.impulse(&motion.twists, &motion.velocities);
+        impulse.of_route(budget, recursion) <= TRUSTED_ERROR
     }
 
     /// The careful route's answer where it is better than the recursion's, which there is a reason not to trust.
@@ -210,7 +253,7 @@ impl Question<'_> {
         match mass {
             EffectiveMass::Finite(m) => {
                 velocities.iter_mut().zip(&room.motion.velocities).for_each(|(to, v)| *to = v * m);
-                if errors.rounding > NOTHING_LEFT && !room.is_small(ROUTE_ROUNDINGS) {
+                if errors.rounding > NOTHING_LEFT && !room.is_small(ROUTE_ROUNDINGS * room.deciding.terms) {
                     // The energy that is left is rounding.
                     mass = EffectiveMass::Massless;
                 }

@@ -17,7 +17,6 @@ use crate::linear::jacobian::Jacobian;
 use crate::mobility::GroupMobility;
 use crate::model::{Cluster, Group, Model};
 use crate::recursion::Recursion;
-use crate::rows::GroupRows;
 use crate::tolerances::{DENSE_LIMIT, SUM_ROUNDINGS};
 use percuss_spatial::{SpatialInertia, Transform, Twist, Wrench};
 
@@ -181,14 +180,12 @@ impl Stationary<'_> {
             }
             for own in &cluster.groups {
                 let (group, known) = (&model.groups[own.group], &self.groups[own.group]);
-                let mut rows = GroupRows::default();
-                rows.fill(model, group, self.kinematics);
-                let pivots = Pivoted::new(&rows, group, known);
+                let pivots = Pivoted::new(group, known);
                 let force = |c: usize| forces[own.coordinates[c]] / group.lengths[c];
                 let multipliers =
                     pivots.multipliers(&known.pivots.columns.iter().map(|&c| force(c)).collect::<Vec<_>>());
                 let mut open = vec![0.0; multipliers.len()];
-                rows.for_each(group, |r, c, a| {
+                known.rows.for_each(group, |r, c, a| {
                     let i = pivots.row_of[r];
                     if i != usize::MAX {
                         forces[own.coordinates[c]] -= multipliers[i] * a;
@@ -228,13 +225,13 @@ pub(crate) struct Pivoted {
 }
 
 impl Pivoted {
-    pub fn new(rows: &GroupRows<f64>, group: &Group, known: &GroupMobility) -> Self {
+    pub fn new(group: &Group, known: &GroupMobility) -> Self {
         let (mut row_of, mut column_of) =
             (vec![usize::MAX; group.rows], vec![usize::MAX; group.coordinates.len()]);
         known.pivots.rows.iter().enumerate().for_each(|(i, r)| row_of[*r] = i);
         known.pivots.columns.iter().enumerate().for_each(|(i, c)| column_of[*c] = i);
         let mut entries = Vec::new();
-        rows.for_each(group, |r, c, a| {
+        known.rows.for_each(group, |r, c, a| {
             if row_of[r] != usize::MAX && column_of[c] != usize::MAX {
                 entries.push((row_of[r], column_of[c], a / group.lengths[c]));
             }

@@ -299,3 +299,7 @@ pub(crate) const CORRECTIONS_SHRINK: f64 = 0.5;
 /// Two orders of the interpolation that differ by more than this part leave no limit to speak of: it would have three digits,
 /// where the places are as near as rounding lets them be.
 pub(crate) const DOUBTFUL_LIMIT: f64 = 1e-3;
+/// Bodies up to which the room of an answer is kept for the next: some hundred kilobytes.
+pub(crate) const KEPT_BODIES: usize = 256;
+/// Rooms kept at most: as many as threads ask at once.
+pub(crate) const KEPT_ROOMS: usize = 64;

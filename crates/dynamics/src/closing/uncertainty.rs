@@ -1,10 +1,11 @@
 //! How far a pose may be from closed: a residual alone bounds nothing near a singular pose.
 
-use super::correct::{Directions, Linearised, norm};
+use super::correct::{Directions, norm};
 use crate::kinematics::Kinematics;
 use crate::linear::dense::{cholesky, cholesky_solve};
 use crate::linear::jacobian::Jacobian;
 use crate::model::{Group, Model};
+use crate::rows::GroupRows;
 use crate::tolerances::{FAINT_SINGULAR_VALUE, INVERSE_ITERATIONS, REGULAR_SQUARE, WEAKEST_DIRECTION_LIMIT};
 
 impl Model {
@@ -12,21 +13,27 @@ impl Model {
     ///
     /// The dependent coordinates go where the residuals send them, and along the right singular vector of their Jacobian
     /// with the least singular value σ that counts by ρ/σ: ρ the rounding of the residuals, or all of them where the file
-    /// is inexact and least squares leave them. None where that direction cannot be found.
+    /// is inexact and least squares leave them. `known`: the group's rows there, if they are. None where that direction cannot be found.
     pub fn closing_doubt(
         &self,
         kinematics: &Kinematics<f64>,
         group: &Group,
         dependent: &[usize],
         inexactness: f64,
+        known: Option<&GroupRows<f64>>,
     ) -> Option<Vec<f64>> {
-        let here = Linearised::at(self, kinematics, group);
+        let residuals = self.group_residuals(kinematics, group);
+        let mut own = GroupRows::default();
+        let rows = known.unwrap_or_else(|| {
+            own.fill(self, group, kinematics);
+            &own
+        });
         let directions = Directions::of(dependent);
-        let jacobian = directions.jacobian(group, &here.rows);
+        let jacobian = directions.jacobian(group, rows);
         if dependent.is_empty() || jacobian.entries.iter().all(|(.., a)| *a == 0.0) {
             return Some(vec![0.0; group.coordinates.len()]);
         }
-        let target: Vec<f64> = here.residuals.iter().map(|r| -r).collect();
+        let target: Vec<f64> = residuals.iter().map(|r| -r).collect();
         let far = group.bodies.iter().map(|b| kinematics.frames[*b].translation.amax()).fold(0.0, f64::max);
         let rounding = 8.0 * f64::EPSILON * group.size.max(far);
         let size = target.iter().map(|r| r * r).sum::<f64>().sqrt();

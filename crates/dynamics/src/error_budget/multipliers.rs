@@ -4,7 +4,6 @@ use crate::linear::dense::solve_square;
 use crate::linear::jacobian::Jacobian;
 use crate::mobility::GroupMobility;
 use crate::model::Group;
-use crate::rows::GroupRows;
 use crate::tolerances::DENSE_LIMIT;
 
 /// Room for the multipliers of a group; refilled in place.
@@ -24,13 +23,7 @@ impl MultiplierRoom {
     }
 
     /// λ with K ᵀ λ = force on the coordinates that depend; one a pivot row, over coordinates scaled by lengths.
-    pub fn solve(
-        &mut self,
-        rows: &GroupRows<f64>,
-        group: &Group,
-        known: &GroupMobility,
-        force: &dyn Fn(usize) -> f64,
-    ) {
+    pub fn solve(&mut self, group: &Group, known: &GroupMobility, force: &dyn Fn(usize) -> f64) {
         let Self { values, row_of, column_of, square } = self;
         let count = known.pivots.rows.len();
         row_of.clear();
@@ -47,13 +40,13 @@ impl MultiplierRoom {
         };
         if count > DENSE_LIMIT {
             let mut entries = Vec::new();
-            rows.for_each(group, |r, c, a| entries.extend(entry(r, c, a)));
+            known.rows.for_each(group, |r, c, a| entries.extend(entry(r, c, a)));
             *values = Jacobian { rows: count, columns: count, entries }.shortest(values, f64::EPSILON);
             return;
         }
         square.clear();
         square.resize(count * count, 0.0);
-        rows.for_each(group, |r, c, a| {
+        known.rows.for_each(group, |r, c, a| {
             if let Some((i, k, a)) = entry(r, c, a) {
                 square[i * count + k] += a;
             }

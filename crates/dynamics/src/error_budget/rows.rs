@@ -19,7 +19,7 @@ impl UnitImpulse<'_> {
     pub(super) fn add_rows(&self, room: &mut BudgetRoom, places: Places, sum: &mut RelativeErrors) {
         for cluster in self.model.clusters.iter().filter(|c| !c.groups.is_empty()) {
             self.fill_tree_forces(&mut room.forces, cluster, &room.transmitted);
-            let BudgetRoom { frames, forces, rates, rows, terms, largest, multipliers, closing, .. } = room;
+            let BudgetRoom { frames, forces, rates, terms, largest, multipliers, closing, .. } = room;
             rates.clear();
             rates.resize(cluster.coordinates.len(), 0.0);
             for v in cluster.velocities.iter().filter(|v| v.multiplier != 0.0) {
@@ -37,13 +37,12 @@ impl UnitImpulse<'_> {
                 sum.is_measured |= group.rows > known.pivots.rows.len();
                 // δ(1/m̄) = 2 λᵀδA u: the multipliers balance what the tree leaves on the coordinates that depend.
                 let force = |c: usize| forces[own.coordinates[c]] / group.lengths[c];
-                rows.fill(self.model, group, self.kinematics);
-                multipliers.solve(rows, group, known, &force);
+                multipliers.solve(group, known, &force);
                 terms.clear();
                 terms.resize(group.rows, 0.0);
                 largest.clear();
                 largest.resize(group.rows, 0.0);
-                rows.for_each(group, |r, c, a| {
+                known.rows.for_each(group, |r, c, a| {
                     terms[r] += (a / group.lengths[c]).abs() * scaled(c);
                     largest[r] = largest[r].max((a / group.lengths[c]).abs());
                 });

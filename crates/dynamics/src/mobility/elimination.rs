@@ -30,6 +30,11 @@ pub(crate) struct GroupMobility {
     /// sum of; over coordinates scaled by the group's lengths. Empty of a group that is decided by sparse pivots: not known,
     /// and taken as 1.
     pub sizes: Vec<f64>,
+    /// G of the group, coordinates × independent, row by row: rates over the independent ones. Empty of a group that is
+    /// decided by sparse pivots.
+    pub rates: Vec<f64>,
+    /// The rows that all this was decided by.
+    pub rows: GroupRows<f64>,
 }
 
 impl GroupMobility {
@@ -37,12 +42,21 @@ impl GroupMobility {
     pub fn size(&self, dependent: usize, independent: usize) -> f64 {
         self.sizes.get(dependent * self.independent.len() + independent).copied().unwrap_or(1.0)
     }
+
+    /// Rows and rates at other frames, with the same pivots.
+    pub fn move_to(&mut self, model: &Model, group: &Group, kinematics: &Kinematics<f64>) {
+        self.rows.fill(model, group, kinematics);
+        if !self.rates.is_empty() {
+            let mut rates = Rates::default();
+            rates.fill_from(&self.rows, group, self);
+            self.rates = rates.values;
+        }
+    }
 }
 
 /// Room to decide about groups; refilled in place.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct MobilityRoom {
-    rows: GroupRows<f64>,
     dense: Vec<f64>,
     sizes: Vec<f64>,
     done: Vec<bool>,
@@ -63,13 +77,13 @@ impl Model {
         decided: &mut GroupMobility,
     ) {
         let n = group.coordinates.len();
-        room.rows.fill(self, group, kinematics);
+        decided.rows.fill(self, group, kinematics);
         if n > DENSE_LIMIT {
-            *decided = decide_large(&room.rows, group, floor);
+            decide_large(group, floor, decided);
             return;
         }
         decided.floor = floor;
-        let seen = room.eliminate(group, floor, group.rows.min(n), &mut decided.pivots);
+        let seen = room.eliminate(group, floor, group.rows.min(n), decided);
         let count = decided.pivots.rows.len();
         let sure = expected == Some(count)
             && seen.last >= SURE_PIVOT * seen.first
@@ -83,18 +97,17 @@ impl Model {
             };
             Rank { rank: count, gap, least, clear: true }
         } else {
-            room.fill_scaled(group);
+            room.fill_scaled(group, &decided.rows);
             dense::singular_values(&mut room.dense, n, &mut room.values);
             decide(&room.values, floor)
         };
         if decided.rank.rank != count {
-            room.eliminate(group, 0.0, decided.rank.rank, &mut decided.pivots);
+            room.eliminate(group, 0.0, decided.rank.rank, decided);
         }
-        decided.independent.clear();
-        decided.independent.extend((0..n).filter(|c| !room.used[*c]));
-        decided.sizes.clear();
-        for r in &decided.pivots.rows {
-            decided.sizes.extend(decided.independent.iter().map(|y| room.sizes[r * n + y]));
+        let GroupMobility { pivots, independent, sizes, .. } = decided;
+        sizes.clear();
+        for r in &pivots.rows {
+            sizes.extend(independent.iter().map(|y| room.sizes[r * n + y]));
         }
     }
 }
@@ -102,7 +115,7 @@ impl Model {
 /// The rank of a group's rows: by singular values, or by sparse pivots where it is large.
 pub(crate) fn rank_of_rows(rows: &GroupRows<f64>, group: &Group, floor: f64) -> Rank {
     if group.coordinates.len() > SINGULAR_VALUES_LIMIT {
-        return decide_large(rows, group, floor).rank;
+        return eliminate_large(rows, group, floor).1;
     }
     let mut matrix = nalgebra::DMatrix::zeros(group.rows, group.coordinates.len());
     rows.for_each(group, |row, column, value| matrix[(row, column)] += value);
@@ -110,16 +123,25 @@ pub(crate) fn rank_of_rows(rows: &GroupRows<f64>, group: &Group, floor: f64) -> 
 }
 
 /// Decides rank and pivots of a large group, by sparse pivots.
-fn decide_large(rows: &GroupRows<f64>, group: &Group, floor: f64) -> GroupMobility {
+fn decide_large(group: &Group, floor: f64, decided: &mut GroupMobility) {
+    let (pivots, rank) = eliminate_large(&decided.rows, group, floor);
+    let mut depends = vec![false; group.coordinates.len()];
+    pivots.columns.iter().for_each(|c| depends[*c] = true);
+    let GroupMobility { independent, sizes, rates, .. } = decided;
+    independent.clear();
+    independent.extend((0..depends.len()).filter(|c| !depends[*c]));
+    sizes.clear();
+    rates.clear();
+    (decided.rank, decided.floor, decided.pivots) = (rank, floor, pivots);
+}
+
+fn eliminate_large(rows: &GroupRows<f64>, group: &Group, floor: f64) -> (Pivots, Rank) {
     let mut scaled = SparseRows::default();
     scaled.load(group.rows, group.coordinates.len(), |add| {
         rows.for_each(group, |r, c, a| add(r, c, a / group.lengths[c]));
     });
     let sparse::Eliminated { rows, columns, scale, least, left } = sparse::eliminate(&mut scaled, floor);
     let pivots = Pivots { rows, columns };
-    let mut depends = vec![false; group.coordinates.len()];
-    pivots.columns.iter().for_each(|c| depends[*c] = true);
-    let independent: Vec<usize> = (0..depends.len()).filter(|c| !depends[*c]).collect();
     let rank = if pivots.rows.is_empty() {
         Rank::NONE
     } else {
@@ -130,7 +152,7 @@ fn decide_large(rows: &GroupRows<f64>, group: &Group, floor: f64) -> GroupMobili
             clear: least > RANK_MARGIN * floor * scale && left < floor * scale / RANK_MARGIN,
         }
     };
-    GroupMobility { rank, floor, pivots, independent, sizes: Vec::new() }
+    (pivots, rank)
 }
 
 /// What complete pivoting met.
@@ -143,24 +165,25 @@ struct Seen {
 
 impl MobilityRoom {
     /// A over coordinates scaled by lengths.
-    fn fill_scaled(&mut self, group: &Group) {
-        self.rows.dense_into(group, &mut self.dense);
+    fn fill_scaled(&mut self, group: &Group, rows: &GroupRows<f64>) {
+        rows.dense_into(group, &mut self.dense);
         for row in self.dense.chunks_exact_mut(group.coordinates.len().max(1)) {
             row.iter_mut().zip(&group.lengths).for_each(|(a, length)| *a /= length);
         }
     }
 
     /// Gauss–Jordan elimination with complete pivoting over coordinates scaled by lengths, of at most `limit` pivots above
-    /// `floor` times the first.
-    fn eliminate(&mut self, group: &Group, floor: f64, limit: usize, pivots: &mut Pivots) -> Seen {
+    /// `floor` times the first; leaves the pivots, what does not depend, and the rates.
+    fn eliminate(&mut self, group: &Group, floor: f64, limit: usize, decided: &mut GroupMobility) -> Seen {
         let (m, n) = (group.rows, group.coordinates.len());
+        let GroupMobility { pivots, independent, rates, rows, .. } = decided;
         pivots.rows.clear();
         pivots.columns.clear();
-        self.fill_scaled(group);
+        self.fill_scaled(group, rows);
         self.sizes.clear();
         self.sizes.resize(m * n, 0.0);
         // An entry is the sum of terms as large as the row's largest, also where they cancel.
-        self.rows.for_each(group, |row, column, _| self.sizes[row * n + column] = 1.0);
+        rows.for_each(group, |row, column, _| self.sizes[row * n + column] = 1.0);
         for (row, sizes) in self.dense.chunks_exact(n.max(1)).zip(self.sizes.chunks_exact_mut(n.max(1))) {
             let largest = row.iter().fold(0.0, |most: f64, a| most.max(a.abs()));
             sizes.iter_mut().for_each(|s| *s *= largest);
@@ -197,7 +220,23 @@ impl MobilityRoom {
         if pivots.rows.len() == m.min(n) {
             seen.left = 0.0;
         }
+        independent.clear();
+        independent.extend((0..n).filter(|c| !self.used[*c]));
+        self.fill_rates(group, pivots, independent, rates);
         seen
+    }
+
+    /// G from what elimination left, back over coordinates that are not scaled.
+    fn fill_rates(&self, group: &Group, pivots: &Pivots, independent: &[usize], rates: &mut Vec<f64>) {
+        let (n, count) = (group.coordinates.len(), independent.len());
+        rates.clear();
+        rates.resize(n * count, 0.0);
+        for (y, &free) in independent.iter().enumerate() {
+            rates[free * count + y] = 1.0;
+            for (r, c) in pivots.rows.iter().zip(&pivots.columns) {
+                rates[c * count + y] = -self.dense[r * n + free] * group.lengths[free] / group.lengths[*c];
+            }
+        }
     }
 
     /// Divides row `r` by its entry in column `c` and clears the column from all other rows.
@@ -231,7 +270,7 @@ pub(crate) struct Rates<T: Scalar> {
     pub values: Vec<T>,
     /// How many are independent.
     pub count: usize,
-    /// The pivots in their order, where they are eliminated densely.
+    /// The pivots in their order, where they are eliminated densely: over coordinates scaled by lengths.
     pivots: Vec<T>,
 }
 
@@ -251,6 +290,13 @@ impl<T: Scalar> Default for Rates<T> {
 impl<T: Scalar> Rates<T> {
     /// Eliminates the dependent coordinates in the order given, at the frames in `kinematics`. Branches on no value.
     pub fn fill(&mut self, model: &Model, group: &Group, kinematics: &Kinematics<T>, known: &GroupMobility) {
+        let mut rows = std::mem::take(&mut self.rows);
+        rows.fill(model, group, kinematics);
+        self.fill_from(&rows, group, known);
+        self.rows = rows;
+    }
+
+    fn fill_from(&mut self, rows: &GroupRows<T>, group: &Group, known: &GroupMobility) {
         let n = group.coordinates.len();
         self.count = known.independent.len();
         self.values.clear();
@@ -258,15 +304,18 @@ impl<T: Scalar> Rates<T> {
         for (y, &c) in known.independent.iter().enumerate() {
             self.values[c * self.count + y] = T::one();
         }
-        self.rows.fill(model, group, kinematics);
         self.pivots.clear();
         if n > DENSE_LIMIT {
-            self.sparse.load(group.rows, n, |add| self.rows.for_each(group, add));
+            self.sparse.load(group.rows, n, |add| rows.for_each(group, add));
             let Pivots { rows, columns } = &known.pivots;
             self.sparse.solve(rows, columns, &known.independent, &mut self.values);
             return;
         }
-        self.rows.dense_into(group, &mut self.dense);
+        rows.dense_into(group, &mut self.dense);
+        // As the decision did, to the last bit.
+        for row in self.dense.chunks_exact_mut(n.max(1)) {
+            row.iter_mut().zip(&group.lengths).for_each(|(a, length)| *a /= T::from_f64(*length));
+        }
         for (&r, &c) in known.pivots.rows.iter().zip(&known.pivots.columns) {
             self.pivots.push(self.dense[r * n + c]);
             let over = T::one() / self.dense[r * n + c];
@@ -283,7 +332,8 @@ impl<T: Scalar> Rates<T> {
         }
         for (&r, &c) in known.pivots.rows.iter().zip(&known.pivots.columns) {
             for (y, &free) in known.independent.iter().enumerate() {
-                self.values[c * self.count + y] = -self.dense[r * n + free];
+                let (from, to) = (T::from_f64(group.lengths[free]), T::from_f64(group.lengths[c]));
+                self.values[c * self.count + y] = -self.dense[r * n + free] * from / to;
             }
         }
     }
@@ -297,8 +347,8 @@ impl<T: Scalar> Rates<T> {
         let zero = T::from_f64(known.floor * known.floor) * square;
         let mut loss = T::zero();
         for (i, (&r, &c)) in known.pivots.rows.iter().zip(&known.pivots.columns).enumerate() {
-            let dense = || self.pivots.get(i).copied();
-            let pivot = dense().or_else(|| self.sparse.entry(r, c)).unwrap_or_else(T::zero) * over(c);
+            let sparse = || self.sparse.entry(r, c).map(|pivot| pivot * over(c));
+            let pivot = self.pivots.get(i).copied().or_else(sparse).unwrap_or_else(T::zero);
             loss += zero / (pivot * pivot);
         }
         loss

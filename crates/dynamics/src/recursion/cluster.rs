@@ -24,7 +24,7 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
     ) {
         let cluster = &model.clusters[number];
         let mut room = std::mem::take(&mut self.clusters[place]);
-        room.fill_rates(model, kinematics, groups, cluster);
+        room.fill_rates(model, kinematics, groups, cluster, pivoting);
         room.fill_motions(model, kinematics, cluster, point);
         room.fill_blocks(self, cluster);
         pivoting.cluster(model, number, groups, &room, &self.armature);
@@ -70,6 +70,7 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
         kinematics: &Kinematics<T>,
         groups: &[GroupMobility],
         cluster: &Cluster,
+        pivoting: &impl Pivoting<T, K>,
     ) {
         self.rates.resize_with(cluster.groups.len(), Rates::default);
         let n = cluster.coordinates.len();
@@ -82,14 +83,19 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
         self.independent.clear();
         let mut next = 0;
         for (rates, own) in self.rates.iter_mut().zip(&cluster.groups) {
-            rates.fill(model, &model.groups[own.group], kinematics, &groups[own.group]);
+            let known = &groups[own.group];
+            let count = known.independent.len();
+            let values = pivoting.rates(known).unwrap_or_else(|| {
+                rates.fill(model, &model.groups[own.group], kinematics, known);
+                &rates.values
+            });
             for (row, &c) in own.coordinates.iter().enumerate() {
-                for y in 0..rates.count {
-                    self.g[c * d + next + y] = rates.values[row * rates.count + y];
+                for y in 0..count {
+                    self.g[c * d + next + y] = values[row * count + y];
                 }
             }
-            next += rates.count;
-            self.independent.extend(groups[own.group].independent.iter().map(|&y| own.coordinates[y]));
+            next += count;
+            self.independent.extend(known.independent.iter().map(|&y| own.coordinates[y]));
         }
         for c in (0..n).filter(|c| !cluster.groups.iter().any(|g| g.coordinates.binary_search(c).is_ok())) {
             self.g[c * d + next] = T::one();

@@ -4,7 +4,9 @@
 use super::elimination::{ClusterElimination, JointElimination};
 use crate::mobility::GroupMobility;
 use crate::model::Model;
-use crate::tolerances::{LATE_PIVOT, MASSLESS_CLOSING, NEGATIVE_PIVOT, PIVOT, PIVOT_SQUARED};
+use crate::tolerances::{
+    LATE_PIVOT, MASSLESS_CLOSING, NEGATIVE_PIVOT, PIVOT, PIVOT_SQUARED, ROUTE_ROUNDINGS,
+};
 use percuss_spatial::{ArticulatedInertia, Scalar, SpatialInertia, Transform, Twist, Wrench};
 
 /// Decides, or repeats decisions, while the recursion runs.
@@ -29,6 +31,8 @@ pub(crate) trait Pivoting<T: Scalar, const K: usize> {
         step: &JointElimination<T, K>,
         inertia: &ArticulatedInertia<T>,
     ) -> bool;
+    /// G of a group where it is known; else it is found from the group's pivots.
+    fn rates<'a>(&self, known: &'a GroupMobility) -> Option<&'a [T]>;
     /// A cluster's blocks are ready.
     fn cluster(
         &mut self,
@@ -101,9 +105,14 @@ pub(crate) struct Deciding<const K: usize> {
     /// themselves, 1/kg: Σ (2|t| τ + t² δ/d)/d, τ and δ the sizes of the terms of t and d. Times a few ε it bounds what the
     /// recursion loses.
     pub terms: f64,
-    /// The largest that the terms of a pivot are over the pivot: so many times more the rounding of what they are the sum of
-    /// counts in what it leaves, U D⁻¹ Uᵀ.
-    pub loss: f64,
+    /// The same, each pivot's by so many roundings as [`ROUTE_ROUNDINGS`] says or its inertia has seen lost: ε of it bounds
+    /// what the recursion loses.
+    pub roundings: f64,
+    /// For every body, the largest that the terms of a pivot that its inertia knows of are over that pivot: so many times
+    /// more the rounding of what they are the sum of counts in what it leaves, U D⁻¹ Uᵀ.
+    loss: Vec<f64>,
+    /// Of the cluster at hand.
+    cluster_loss: f64,
     /// Whether a motion was taken for massless that what carries it feels: its pivot is no rounding of nothing.
     pub felt: bool,
     pub decisions: Decisions,
@@ -131,7 +140,9 @@ impl<const K: usize> Deciding<K> {
             dropped: 0,
             indefinite: false,
             terms: 0.0,
-            loss: 1.0,
+            roundings: 0.0,
+            loss: vec![ROUTE_ROUNDINGS; bodies],
+            cluster_loss: ROUTE_ROUNDINGS,
             felt: false,
             decisions: Decisions {
                 joints: vec![false; model.follows.len()],
@@ -150,7 +161,7 @@ impl<const K: usize> Deciding<K> {
         self.dropped = 0;
         self.indefinite = false;
         self.terms = 0.0;
-        self.loss = 1.0;
+        self.roundings = 0.0;
         self.felt = false;
         self.decisions.clusters.iter_mut().for_each(Vec::clear);
     }
@@ -201,6 +212,7 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
         let mass = own.mass.abs();
         let moment = own.rotational.trace().abs() + 2.0 * arm * (2.0 * own.first_moment.norm() + arm * mass);
         self.arm[body] = arm;
+        self.loss[body] = ROUTE_ROUNDINGS;
         self.eliminated[body] = 0;
         self.inertia[body] = (moment, mass);
         self.wrench[body] = wrenches.map(|f| (f.moment.norm(), f.force.norm()));
@@ -243,7 +255,7 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
             // What is left of the inertia is what is rounded now, not all that hangs there frozen.
             let left =
                 turn * turn * inertia.angular.trace() + step.s.linear.norm_squared() * inertia.linear.trace();
-            self.loss = self.loss.max(left / step.d);
+            self.loss[body] = self.loss[body].max(left / step.d);
         } else {
             let root = (moment * mass).sqrt();
             self.felt |= step.u.moment.norm() > PIVOT * (turn * moment + slide * root)
@@ -255,7 +267,9 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
             if counts {
                 if k == 0 {
                     let part = t / step.d;
-                    self.terms += part * (2.0 * (turn * *about + slide * *along) + part * size);
+                    let terms = part * (2.0 * (turn * *about + slide * *along) + part * size);
+                    self.terms += terms;
+                    self.roundings += self.loss[body] * terms;
                 }
                 *about += step.u.moment.norm() * t / step.d;
                 *along += step.u.force.norm() * t / step.d;
@@ -279,6 +293,10 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
         counts
     }
 
+    fn rates<'a>(&self, known: &'a GroupMobility) -> Option<&'a [f64]> {
+        (!known.rates.is_empty()).then_some(&known.rates)
+    }
+
     fn cluster(
         &mut self,
         model: &Model,
@@ -289,6 +307,7 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
     ) {
         let (cluster, d) = (&model.clusters[number], room.d);
         self.fill_rate_sizes(model, number, groups, d);
+        self.cluster_loss = cluster.bodies.iter().map(|&b| self.loss[b]).fold(ROUTE_ROUNDINGS, f64::max);
         self.pivot_size.clear();
         self.pivot_size.resize(d, 0.0);
         self.pivot_zero.clear();
@@ -346,8 +365,10 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
         if let Some(pivot) = pivot {
             let t = room.t[pivot][0].abs();
             let ratio = t / left(pivot);
-            self.terms += ratio * (2.0 * self.test_size[pivot][0] + ratio * self.pivot_terms[pivot]);
-            self.loss = self.loss.max(self.pivot_size[pivot] / left(pivot));
+            let terms = ratio * (2.0 * self.test_size[pivot][0] + ratio * self.pivot_terms[pivot]);
+            self.cluster_loss = self.cluster_loss.max(self.pivot_size[pivot] / left(pivot));
+            self.terms += terms;
+            self.roundings += self.cluster_loss * terms;
             self.decisions.clusters[place].push(pivot);
         }
         pivot
@@ -381,6 +402,7 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
         let (moment, mass) = self.inertia[from];
         self.inertia[to].0 += moment;
         self.inertia[to].1 += mass;
+        self.loss[to] = self.loss[to].max(self.loss[from]);
         for k in 0..K {
             let (about, along) = self.wrench[from][k];
             self.wrench[to][k].0 += about;
@@ -389,6 +411,7 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
     }
 
     fn carry_change(&mut self, to: usize, room: &ClusterElimination<f64, K>, pivot: usize) {
+        self.loss[to] = self.loss[to].max(self.cluster_loss);
         let d = room.factor[pivot * room.d + pivot];
         for k in 0..K {
             let part = room.t[pivot][k].abs() / d;
@@ -424,6 +447,10 @@ impl<T: Scalar, const K: usize> Pivoting<T, K> for Following<'_> {
         _: &ArticulatedInertia<T>,
     ) -> bool {
         self.0.joints[velocity]
+    }
+
+    fn rates<'a>(&self, _: &'a GroupMobility) -> Option<&'a [T]> {
+        None
     }
 
     fn cluster(&mut self, _: &Model, _: usize, _: &[GroupMobility], _: &ClusterElimination<T, K>, _: &[T]) {}
