@@ -166,10 +166,9 @@ fn every_lane_is_the_plain_answer_to_the_last_bit() {
         let mut workspace = pose.assembly().workspace();
         // A workspace has another recursion for them.
         let in_own_axes = pose.assembly().batch(contact).is_ok_and(|batch| batch.has_lanes());
-        // The lanes follow the recursion, also where the workspace asks the careful route.
-        let by_recursion = pose
-            .respond(contact, RouteChoice::Auto)
-            .is_ok_and(|r| r.careful_reason.is_none() && !r.held_to_energy);
+        // The lanes follow the recursion, also where the careful route is asked.
+        let response = pose.respond(contact, RouteChoice::Auto);
+        let by_recursion = response.as_ref().is_ok_and(|r| r.careful_reason.is_none() && !r.held_to_energy);
         for (lane, positions) in four.iter().enumerate() {
             scalar.set_positions(positions).expect("positions that fit");
             let plain = scalar.mass_matrix();
@@ -181,6 +180,10 @@ fn every_lane_is_the_plain_answer_to_the_last_bit() {
             assert_eq!(inverses.0[lane].to_bits(), inverse.to_bits(), "{name}, lane {lane}");
             if !by_recursion {
                 continue;
+            }
+            if let (0, Ok(EffectiveMass::Finite(m))) = (lane, response.as_ref().map(|r| r.effective_mass)) {
+                assert_eq!((1.0 / inverse).to_bits(), m.to_bits(), "{name}: {} and {m} kg", 1.0 / inverse);
+                answers += 1;
             }
             workspace.set_positions(positions).expect("positions that fit");
             let Ok(EffectiveMass::Finite(m)) = workspace.effective_mass(contact) else { continue };

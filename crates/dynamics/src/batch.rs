@@ -1,13 +1,14 @@
 //! m̄ of one contact at many configurations: in lanes, by threads.
 //!
-//! Trees of hinges and slides, on the ground or floating, go through a recursion of their own in as many lanes as the
-//! processor has. A lane that is in doubt (massless, immovable, near either, too much rounding) is asked again by itself,
+//! Trees of hinges and slides, on the ground or floating, and linkages of few freedoms go in as many lanes as the processor
+//! has. A lane that is in doubt (massless, immovable, near either, too much rounding) is asked again by itself,
 //! by [`Workspace`], and so is every configuration of other mechanisms: the answers are the same, one by one.
 
 use crate::assembly::Assembly;
 use crate::contact::Contact;
+use crate::in_lanes::InLanes;
 use crate::outcome::{EffectiveMass, ResponseError};
-use crate::own_axes::{ClearMass, Columns, OwnAxes, WIDEST};
+use crate::own_axes::{ClearMass, Columns, WIDEST};
 use crate::velocities::{VelocityError, check_positions};
 use crate::workspace::Workspace;
 use percuss_spatial::lanes::Instructions;
@@ -100,7 +101,7 @@ pub struct Batch {
 /// What a thread works with.
 #[derive(Clone, Debug)]
 struct Worker {
-    own_axes: Option<OwnAxes>,
+    in_lanes: Option<InLanes>,
     /// Which positions lanes read.
     read: Vec<usize>,
     /// Positions of some lanes by columns.
@@ -119,13 +120,13 @@ impl Assembly {
     pub fn batch(self: &Arc<Self>, contact: &Contact) -> Result<Batch, ResponseError> {
         let model = self.model();
         model.check_contact(contact)?;
-        let own_axes = OwnAxes::of(model).and_then(|mut own| own.aim(model, contact).then_some(own));
+        let in_lanes = InLanes::of(self).and_then(|mut lanes| lanes.aim(model, contact).then_some(lanes));
         let worker = Worker {
-            read: own_axes.iter().flat_map(OwnAxes::read).collect(),
-            columns: vec![0.0; if own_axes.is_some() { model.positions * WIDEST } else { 0 }],
+            read: in_lanes.iter().flat_map(InLanes::read).collect(),
+            columns: vec![0.0; if in_lanes.is_some() { model.positions * WIDEST } else { 0 }],
             row: vec![0.0; model.positions],
             workspace: self.workspace(),
-            own_axes,
+            in_lanes,
         };
         let instructions = Instructions::best();
         Ok(Batch { assembly: Arc::clone(self), contact: *contact, instructions, worker })
@@ -147,15 +148,15 @@ impl Batch {
     /// Takes another instruction set; the baseline where this processor has not that one.
     pub fn with_instructions(mut self, set: Instructions) -> Self {
         self.instructions = if set.is_available() { set } else { Instructions::Baseline };
-        if let Some(own) = &mut self.worker.own_axes {
-            own.instructions = self.instructions;
+        if let Some(lanes) = &mut self.worker.in_lanes {
+            lanes.set_instructions(self.instructions);
         }
         self
     }
 
     /// Whether configurations go through lanes; else each is asked by itself.
     pub fn has_lanes(&self) -> bool {
-        self.worker.own_axes.is_some()
+        self.worker.in_lanes.is_some()
     }
 
     /// m̄ at one configuration: the positions of all joints one after another. Equal to the last bit to that of
@@ -165,7 +166,7 @@ impl Batch {
     /// [`VelocityError::Positions`]: not as many as the mechanism has.
     pub fn effective_mass(&mut self, positions: &[f64]) -> Result<BatchAnswer, VelocityError> {
         check_positions(positions.len(), self.assembly.model().positions)?;
-        if let Some(clear) = self.worker.own_axes.as_mut().and_then(|own| own.one(positions)) {
+        if let Some(clear) = self.worker.in_lanes.as_mut().and_then(|lanes| lanes.one(positions)) {
             return Ok(clear.into());
         }
         Ok(by_itself(&mut self.worker.workspace, &self.contact, positions))
@@ -254,11 +255,11 @@ impl Batch {
         answers: &mut [BatchAnswer],
     ) {
         let width = self.instructions.width();
-        let Worker { own_axes, read, columns, row, workspace } = worker;
+        let Worker { in_lanes, read, columns, row, workspace } = worker;
         for (number, answers) in answers.chunks_mut(width).enumerate() {
             let start = first + number * width;
             let mut clear = [None; WIDEST];
-            if let Some(own) = own_axes {
+            if let Some(lanes) = in_lanes {
                 let (columns, first) = match positions {
                     BatchPositions::Columns { values, stride } if answers.len() == width => {
                         (Columns { values, stride }, start)
@@ -271,7 +272,7 @@ impl Batch {
                         (Columns { values: columns, stride: width }, 0)
                     }
                 };
-                clear = own.lanes(columns, first);
+                clear = lanes.lanes(columns, first);
             }
             for (lane, answer) in answers.iter_mut().enumerate() {
                 *answer = match clear[lane] {

@@ -303,3 +303,17 @@ pub(crate) const DOUBTFUL_LIMIT: f64 = 1e-3;
 pub(crate) const KEPT_BODIES: usize = 256;
 /// Rooms kept at most: as many as threads ask at once.
 pub(crate) const KEPT_ROOMS: usize = 64;
+/// Coordinates and bodies up to which a linkage is compiled for its velocities.
+pub(crate) const LINKAGE_COORDINATES: usize = 64;
+/// Freedoms up to which it is: its energy is a full matrix over them.
+pub(crate) const LINKAGE_FREEDOMS: usize = 6;
+/// Loops that fit worse than this part of their size leave the choice of their redundant rows in the answer.
+pub(crate) const LINKAGE_MISFIT: f64 = 1e-14;
+/// How much smaller than the largest a pivot may be at the pose that a linkage is compiled at: what is eliminated in the same
+/// order elsewhere is to be far from singular.
+pub(crate) const LINKAGE_PIVOT: f64 = 64.0;
+/// How much smaller than what it is the sum of a pivot may be in an answer of a linkage: beyond, the order of its elimination is
+/// not the pose's, or it has little mass.
+pub(crate) const LINKAGE_LOSS: f64 = 1024.0;
+/// By how many times as much as its loops are open, over its least length, the rows of a linkage are taken to be off.
+pub(crate) const OPEN_ROUNDINGS: f64 = 8.0;

@@ -3,10 +3,10 @@
 
 use crate::assembly::Assembly;
 use crate::contact::{Contact, ContactError, ContactPoint};
+use crate::in_lanes::InLanes;
 use crate::kinematics::Kinematics;
 use crate::mobility::{GroupMobility, MobilityRoom};
 use crate::outcome::{EffectiveMass, ResponseError};
-use crate::own_axes::OwnAxes;
 use crate::pose::Pose;
 use crate::recursion::{Decisions, Following, Recursion};
 use crate::routes::{Question, RecursionRoom};
@@ -26,10 +26,12 @@ pub struct Workspace {
     groups: Vec<GroupMobility>,
     room: MobilityRoom,
     recursion: RecursionRoom,
-    /// For trees of hinges and slides.
-    own_axes: Option<OwnAxes>,
+    /// For trees of hinges and slides, and for linkages of few freedoms.
+    in_lanes: Option<InLanes>,
     /// Whether the frames are those of positions given before the last ones.
     stale: bool,
+    /// Whether there is room already for what is not answered in lanes.
+    has_room: bool,
 }
 
 impl System {
@@ -55,8 +57,9 @@ impl Assembly {
             groups: vec![GroupMobility::default(); model.groups.len()],
             room: MobilityRoom::default(),
             recursion: RecursionRoom::new(model),
-            own_axes: OwnAxes::of(model),
+            in_lanes: InLanes::of(self),
             stale: false,
+            has_room: false,
         };
         workspace.refill();
         workspace
@@ -89,8 +92,8 @@ impl Workspace {
     }
 
     /// m̄ of a contact at the positions last given: within rounding that of [`Pose::respond`] by the automatic choice, to the
-    /// last bit where it has loops, mimics, other joints than hinges and slides, or a link on the other side (trees of
-    /// hinges and slides go a way of their own, in their bodies' axes). Where the recursion is not accurate the careful route
+    /// last bit where it does not go a way of its own, as trees of hinges and slides against the ground do, and linkages of
+    /// few freedoms. Where the recursion is not accurate the careful route
     /// is asked, which allocates. Points and normals in the world are taken
     /// with the root link at the world's origin. States no error: [`Pose::respond`] does.
     ///
@@ -100,12 +103,21 @@ impl Workspace {
     pub fn effective_mass(&mut self, contact: &Contact) -> Result<EffectiveMass, ResponseError> {
         let model = self.assembly.model();
         model.check_contact(contact)?;
-        if let Some(own) = &mut self.own_axes
-            && own.aim(model, contact)
-            && let Some(clear) = own.one(&self.kinematics.q)
-        {
-            return Ok(EffectiveMass::Finite(clear.mass));
+        if self.in_lanes.as_mut().is_none_or(|lanes| !lanes.aim(model, contact)) {
+            return self.by_recursion(contact);
         }
+        if !self.has_room {
+            // Once, so that nothing is allocated when it is needed.
+            let _ = self.by_recursion(contact);
+        }
+        match self.in_lanes.as_mut().and_then(|lanes| lanes.one(&self.kinematics.q)) {
+            Some(clear) => Ok(EffectiveMass::Finite(clear.mass)),
+            None => self.by_recursion(contact),
+        }
+    }
+
+    fn by_recursion(&mut self, contact: &Contact) -> Result<EffectiveMass, ResponseError> {
+        self.has_room = true;
         if self.stale {
             self.refill();
         }

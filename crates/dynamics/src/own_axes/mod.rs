@@ -29,6 +29,16 @@ pub(crate) struct ClearMass {
     pub error: f64,
 }
 
+impl ClearMass {
+    /// Where so many roundings leave the response (1/kg) whole.
+    pub fn of(response: f64, terms: f64, loss: f64) -> Option<Self> {
+        let relative = f64::EPSILON * ROUTE_ROUNDINGS.max(loss) * terms / response;
+        let mass = 1.0 / response;
+        // NaN is not small.
+        (response > 0.0 && relative <= TRUSTED_ERROR).then_some(Self { mass, error: relative * mass })
+    }
+}
+
 /// A tree prepared, the contact that it is asked for, and room.
 #[derive(Clone, Debug)]
 pub(crate) struct OwnAxes {
@@ -86,7 +96,7 @@ impl OwnAxes {
         let columns = Columns { values: positions, stride: 1 };
         let instructions = self.instructions;
         instructions.run_one(self.group(columns, 0, [&mut response, &mut terms, &mut loss]));
-        clear(response[0], terms[0], loss[0])
+        ClearMass::of(response[0], terms[0], loss[0])
     }
 
     /// m̄ at as many configurations, from `first` on, as the instruction set has lanes.
@@ -94,7 +104,7 @@ impl OwnAxes {
         let [mut responses, mut terms, mut losses] = [[f64::NAN; WIDEST]; 3];
         let instructions = self.instructions;
         instructions.run(self.group(columns, first, [&mut responses, &mut terms, &mut losses]));
-        std::array::from_fn(|lane| clear(responses[lane], terms[lane], losses[lane]))
+        std::array::from_fn(|lane| ClearMass::of(responses[lane], terms[lane], losses[lane]))
     }
 
     /// Which positions are read.
@@ -129,11 +139,4 @@ impl Work for Group<'_> {
         answer.terms.store(terms);
         answer.loss.store(losses);
     }
-}
-
-fn clear(response: f64, terms: f64, loss: f64) -> Option<ClearMass> {
-    let relative = f64::EPSILON * ROUTE_ROUNDINGS.max(loss) * terms / response;
-    let mass = 1.0 / response;
-    // NaN is not small.
-    (response > 0.0 && relative <= TRUSTED_ERROR).then_some(ClearMass { mass, error: relative * mass })
 }

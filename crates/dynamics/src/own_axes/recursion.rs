@@ -70,7 +70,7 @@ pub(crate) struct Columns<'a> {
 
 impl Columns<'_> {
     #[inline(always)]
-    fn at<T: Lanes>(&self, q: usize, first: usize) -> T {
+    pub fn at<T: Lanes>(&self, q: usize, first: usize) -> T {
         T::load(&self.values[q * self.stride + first..])
     }
 }

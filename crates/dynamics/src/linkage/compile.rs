@@ -1,0 +1,299 @@
+//! Compiles a mechanism of few freedoms, and orders its elimination at the assembly's first closed pose.
+
+use super::motion;
+use super::plan::{Block, Form, Motion, Moving, Pivot, Place, Plan, Position, Term, Velocity};
+use super::room::Layout;
+use crate::assembly::Assembly;
+use crate::conditions::Base;
+use crate::model::{Body, CompiledClosure, Constraint, ConstraintRows, LinkFrame, Model};
+use crate::tolerances::{LINKAGE_COORDINATES, LINKAGE_FREEDOMS, LINKAGE_MISFIT, LINKAGE_PIVOT};
+use nalgebra::{Matrix3, Vector3};
+use percuss_mechanism::{ClosureKind, JointKind};
+use percuss_spatial::{SpatialInertia, Transform, plane_basis};
+
+impl Plan {
+    /// None where it has other joints than hinges, slides and balls, a floating base, many freedoms, or loops that do not
+    /// fit.
+    pub fn of(assembly: &Assembly) -> Option<Self> {
+        let model = assembly.model();
+        let rank: usize = (0..model.groups.len()).map(|g| assembly.expected_rank(g)).sum();
+        let (columns, bodies) = (model.coordinates.len(), model.bodies.len());
+        if model.groups.is_empty()
+            || model.base == Base::Floating
+            || columns > LINKAGE_COORDINATES
+            || bodies > LINKAGE_COORDINATES
+            || !(1..=LINKAGE_FREEDOMS).contains(&columns.checked_sub(rank)?)
+            || assembly.misfits().iter().any(|misfit| *misfit > LINKAGE_MISFIT)
+        {
+            return None;
+        }
+        let lengths = lengths(model);
+        let mut plan = Self {
+            bodies: Vec::with_capacity(bodies),
+            blocks: Vec::new(),
+            pivots: Vec::new(),
+            filled: Vec::new(),
+            follows: Vec::new(),
+            scale: 0.0,
+            length: shortest(model, &lengths),
+            weight: weight(model, shortest(model, &lengths)),
+            columns,
+            freedoms: columns - rank,
+            centre: model.bodies[0].origin.translation,
+            layout: Layout::default(),
+        };
+        for body in &model.bodies {
+            let carrier = body.parent.map_or_else(Transform::identity, |p| plan.bodies[p].frame);
+            let mut moving = moving(model, body, &carrier, &lengths)?;
+            if body.parent.is_none() {
+                moving.translation = (Vector3::from(moving.translation) - plan.centre).into();
+            }
+            plan.bodies.push(moving);
+        }
+        let mut rows = 0;
+        for (number, group) in model.groups.iter().enumerate() {
+            let is_full = group.rows == assembly.expected_rank(number);
+            for constraint in &group.constraints {
+                plan.blocks.push(plan.block(model, constraint, group.size, is_full, &mut rows)?);
+            }
+        }
+        plan.order(rows, rank, &assembly.facts().reference)?;
+        Some(plan)
+    }
+
+    fn block(
+        &self,
+        model: &Model,
+        constraint: &ConstraintRows,
+        size: f64,
+        is_full: bool,
+        rows: &mut usize,
+    ) -> Option<Block> {
+        let (predecessor, successor, forms) = match constraint.constraint {
+            Constraint::Closure(i) => {
+                let closure = &model.closures[i];
+                let origin = |end: &LinkFrame| self.place(end.body, &end.frame.translation);
+                let forms = self.forms(closure, size, is_full);
+                (Some(origin(&closure.predecessor)), origin(&closure.successor), forms)
+            }
+            Constraint::Coupling(i) => {
+                let ground = Place { body: None, at: [0.0; 3] };
+                let scale = if model.couplings[i].turns { size } else { 1.0 };
+                let terms = self.terms(model, constraint, scale)?;
+                let row = *rows;
+                *rows += 1;
+                let forms = vec![(Form::Constant, [Some(row), None, None])];
+                return Some(Block { predecessor: None, successor: ground, forms, terms });
+            }
+            Constraint::Hold(i) => {
+                let hold = &model.holds[i];
+                let on = &model.link_frames[hold.link.index()];
+                let at = self.place(on.body, &on.frame.point(&hold.point));
+                let forms = hold.directions().map(|d| Form::Along(Place { body: None, at: d.into() }));
+                let forms = forms.into_iter().take(constraint.count).collect();
+                (None, at, forms)
+            }
+        };
+        let terms = self.terms(model, constraint, 1.0)?;
+        let mut number = |form: Form| {
+            let count = if matches!(form, Form::Point) { 3 } else { 1 };
+            let first = *rows;
+            *rows += count;
+            (form, std::array::from_fn(|k| (k < count).then_some(first + k)))
+        };
+        let forms = forms.into_iter().map(&mut number).collect();
+        Some(Block { predecessor, successor, forms, terms })
+    }
+
+    fn terms(&self, model: &Model, constraint: &ConstraintRows, scale: f64) -> Option<Vec<Term>> {
+        let term = |term: &crate::model::Term| {
+            let body = &model.bodies[term.body];
+            let velocity = self.bodies[term.body].velocities.get(term.component)?;
+            Some(Term {
+                body: term.body,
+                component: term.component,
+                slides: !body.motion.turns(term.component),
+                column: velocity.column,
+                factor: scale * term.factor * velocity.factor,
+            })
+        };
+        constraint.terms.iter().map(term).collect()
+    }
+
+    /// The rows of a closure, as [`crate::rows::closure_wrenches`] has them; points whose three rows all count, in root axes.
+    fn forms(&self, closure: &CompiledClosure, size: f64, is_full: bool) -> Vec<Form> {
+        let (p, s) = (&closure.predecessor, &closure.successor);
+        let heading = |e: &Vector3<f64>| self.heading(p.body, &p.frame.vector(e));
+        let along = |e: &Vector3<f64>| Form::Along(heading(e));
+        let turn = |e: &Vector3<f64>| Form::Turn(heading(e), size);
+        let cosine = |e: &Vector3<f64>, b: &Vector3<f64>| {
+            Form::Cosine(heading(e), self.heading(s.body, &s.frame.vector(b)), size)
+        };
+        let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
+        let point = || if is_full { vec![Form::Point] } else { axes.iter().map(along).collect() };
+        let [n1, n2] = &closure.normals;
+        let b = &closure.successor_axis;
+        let parallel = [cosine(n1, b), cosine(n2, b)];
+        let turns = axes.iter().map(turn);
+        match closure.kind {
+            ClosureKind::Fixed => point().into_iter().chain(turns).collect(),
+            ClosureKind::Revolute => point().into_iter().chain(parallel).collect(),
+            ClosureKind::Prismatic => [along(n1), along(n2)].into_iter().chain(turns).collect(),
+            ClosureKind::Cylindrical => [along(n1), along(n2)].into_iter().chain(parallel).collect(),
+            ClosureKind::Universal => {
+                point().into_iter().chain([cosine(&closure.axis, &closure.axis2)]).collect()
+            }
+            ClosureKind::Planar => [along(&closure.axis)].into_iter().chain(parallel).collect(),
+            ClosureKind::Spherical => point(),
+            ClosureKind::Distance => vec![Form::Distance(closure.distance)],
+        }
+    }
+
+    /// Puts rows and columns in the order of the pivots at a pose, the rest of the columns behind; leaves out rows that add
+    /// nothing. None where the pivots are too small there.
+    fn order(&mut self, rows: usize, rank: usize, positions: &[f64]) -> Option<()> {
+        let columns = self.columns;
+        self.layout = Layout::of(self.bodies.len(), rows, columns, self.freedoms);
+        let mut matrix = motion::rows_at(self, positions);
+        let (mut row_at, mut column_at) = (vec![None; rows], vec![None; columns]);
+        for k in 0..rank {
+            let open = (0..rows * columns)
+                .filter(|at| row_at[at / columns].is_none() && column_at[at % columns].is_none());
+            let best = open.max_by(|&a, &b| matrix[a].abs().total_cmp(&matrix[b].abs()))?;
+            let (r, c, pivot) = (best / columns, best % columns, matrix[best].abs());
+            if k == 0 {
+                self.scale = pivot;
+            }
+            // NaN is not large.
+            if !(pivot * LINKAGE_PIVOT >= self.scale && pivot > 0.0) {
+                return None;
+            }
+            (row_at[r], column_at[c]) = (Some(k), Some(k));
+            for other in (0..rows).filter(|other| row_at[*other].is_none()) {
+                let factor = matrix[other * columns + c] / matrix[best];
+                for j in 0..columns {
+                    matrix[other * columns + j] -= factor * matrix[r * columns + j];
+                }
+            }
+        }
+        for (next, at) in (rank..).zip(column_at.iter_mut().filter(|at| at.is_none())) {
+            *at = Some(next);
+        }
+        let column = |c: &mut usize| *c = column_at[*c].unwrap_or(0);
+        self.bodies.iter_mut().flat_map(|b| &mut b.velocities).for_each(|v| column(&mut v.column));
+        for block in &mut self.blocks {
+            block.terms.iter_mut().for_each(|term| column(&mut term.column));
+            for row in block.forms.iter_mut().flat_map(|(_, rows)| rows) {
+                *row = row.and_then(|r| row_at[r]);
+            }
+            block.forms.retain(|(_, rows)| rows.iter().any(Option::is_some));
+        }
+        self.blocks.retain(|block| !block.forms.is_empty());
+        self.layout = Layout::of(self.bodies.len(), rank, columns, self.freedoms);
+        self.find_pattern(rank);
+        Some(())
+    }
+
+    /// Where A can have entries, before and after its elimination, and what each independent coordinate moves.
+    fn find_pattern(&mut self, rank: usize) {
+        let (n, f) = (self.columns, self.freedoms);
+        let mut filled = vec![false; rank * n];
+        for block in &self.blocks {
+            for row in block.forms.iter().flat_map(|(_, rows)| rows).flatten() {
+                block.terms.iter().for_each(|term| filled[row * n + term.column] = true);
+            }
+        }
+        for k in 0..rank {
+            let rows: Vec<usize> = (k + 1..rank).filter(|r| filled[r * n + k]).collect();
+            let columns: Vec<usize> = (k + 1..n).filter(|c| filled[k * n + c]).collect();
+            for r in &rows {
+                columns.iter().for_each(|c| filled[r * n + c] = true);
+            }
+            self.pivots.push(Pivot { rows, columns });
+        }
+        let mut follows = vec![false; n * f];
+        for y in 0..f {
+            follows[(rank + y) * f + y] = true;
+            for k in (0..rank).rev() {
+                follows[k * f + y] = self.pivots[k].columns.iter().any(|c| follows[c * f + y]);
+            }
+        }
+        for i in 0..self.bodies.len() {
+            let carried =
+                self.bodies[i].parent.map_or_else(|| vec![false; f], |p| self.bodies[p].moved.clone());
+            let own = |y: usize| self.bodies[i].velocities.iter().any(|v| follows[v.column * f + y]);
+            self.bodies[i].moved = (0..f).map(|y| carried[y] || own(y)).collect();
+        }
+        (self.filled, self.follows) = (filled, follows);
+    }
+}
+
+/// The length of each coordinate, m: those of its group, else of the mechanism.
+fn lengths(model: &Model) -> Vec<f64> {
+    let size = model.mechanism.characteristic_length();
+    let mut lengths: Vec<f64> =
+        model.coordinates.iter().map(|c| if c.turns && size > 0.0 { size } else { 1.0 }).collect();
+    for group in &model.groups {
+        group.coordinates.iter().zip(&group.lengths).for_each(|(&c, length)| lengths[c] = *length);
+    }
+    lengths
+}
+
+fn shortest(model: &Model, lengths: &[f64]) -> f64 {
+    let turns = model.coordinates.iter().zip(lengths).filter(|(c, _)| c.turns).map(|(_, length)| *length);
+    turns.fold(f64::INFINITY, f64::min)
+}
+
+fn weight(model: &Model, length: f64) -> f64 {
+    let of_body = |body: &Body| {
+        let inertia = &body.inertia;
+        inertia.mass.abs() + inertia.rotational.trace().abs() / (length * length)
+    };
+    model.bodies.iter().map(of_body).sum()
+}
+
+fn moving(model: &Model, body: &Body, carrier: &Transform<f64>, lengths: &[f64]) -> Option<Moving> {
+    let q = body.q.start;
+    let position = match body.mimic {
+        Some(mimic) => Position { q: mimic.master, multiplier: mimic.multiplier, offset: mimic.offset },
+        None => Position { q, multiplier: 1.0, offset: 0.0 },
+    };
+    let motion = match body.motion.kind {
+        JointKind::Fixed => Motion::Fixed,
+        JointKind::Revolute | JointKind::Continuous => Motion::Turn(position),
+        JointKind::Prismatic => Motion::Slide(position),
+        JointKind::Spherical => Motion::Ball(q),
+        JointKind::Planar | JointKind::Floating => return None,
+    };
+    let frame = match motion {
+        Motion::Turn(_) | Motion::Slide(_) => {
+            let axis = body.motion.axis();
+            let (x, y) = plane_basis(&axis);
+            Transform::new(Matrix3::from_columns(&[x, y, axis]), Vector3::zeros())
+        }
+        Motion::Fixed | Motion::Ball(_) => Transform::identity(),
+    };
+    let origin = carrier.inverse() * body.origin * frame;
+    let velocity = |(v, armature): (usize, &f64)| {
+        let follows = model.follows[v]?;
+        let factor = follows.multiplier / lengths[follows.index];
+        Some(Velocity { column: follows.index, factor, armature: *armature })
+    };
+    let inertia = frame.inverse().inertia(&body.inertia);
+    Some(Moving {
+        parent: body.parent,
+        rotation: std::array::from_fn(|r| std::array::from_fn(|c| origin.rotation[(r, c)])),
+        translation: origin.translation.into(),
+        motion,
+        velocities: body.v.clone().zip(&body.armature).map(velocity).collect::<Option<_>>()?,
+        inertia: components(&inertia),
+        moved: Vec::new(),
+        frame,
+    })
+}
+
+fn components(inertia: &SpatialInertia<f64>) -> Option<[f64; 10]> {
+    let (c, i) = (&inertia.first_moment, &inertia.rotational);
+    let all = [inertia.mass, c.x, c.y, c.z, i[(0, 0)], i[(0, 1)], i[(0, 2)], i[(1, 1)], i[(1, 2)], i[(2, 2)]];
+    all.iter().any(|x| *x != 0.0).then_some(all)
+}

@@ -1,0 +1,133 @@
+//! A mechanism with loops that has few freedoms, by its velocities: hinges, slides and balls on the ground, in lanes.
+//!
+//! It answers what it is sure of, at positions that close the loops; all else (other joints, loops that do not quite fit, poses
+//! near singular ones, what is massless or immovable or near either) is left to [`crate::routes`].
+
+mod compile;
+mod motion;
+mod plan;
+mod room;
+
+use crate::assembly::Assembly;
+use crate::contact::{Contact, Direction, Frame};
+use crate::model::Model;
+use crate::own_axes::{ClearMass, Columns, WIDEST};
+use crate::tolerances::LINKAGE_LOSS;
+use motion::{Answer, Normal, Struck, evaluate};
+use percuss_mechanism::LinkId;
+use percuss_spatial::lanes::{Instructions, Lanes, Work};
+use plan::{Heading, Motion, Place, Plan};
+use std::sync::Arc;
+
+/// A linkage prepared, the contact that it is asked for, and room.
+#[derive(Clone, Debug)]
+pub(crate) struct Linkage {
+    plan: Arc<Plan>,
+    struck: Option<Struck>,
+    room: Vec<f64>,
+    pub instructions: Instructions,
+}
+
+impl Linkage {
+    /// None where the assembly is no such linkage.
+    pub fn of(assembly: &Assembly) -> Option<Self> {
+        let plan = Arc::new(Plan::of(assembly)?);
+        let room = vec![0.0; plan.layout.total * WIDEST];
+        Some(Self { plan, struck: None, room, instructions: Instructions::best() })
+    }
+
+    /// Takes a checked contact. Allocates nothing.
+    pub fn aim(&mut self, model: &Model, contact: &Contact) -> bool {
+        let on = self.place(model, contact.link, &contact.point);
+        let against = contact.against.and_then(|link| model.body_of(link));
+        let normal = match contact.normal {
+            Direction::Along(n, frame) => {
+                let n = n.normalize();
+                Normal::Along(match (frame, contact.against) {
+                    (Frame::Link, _) => self.heading(model, contact.link, &n),
+                    (Frame::Against, Some(other)) => self.heading(model, other, &n),
+                    (Frame::World, _) | (Frame::Against, None) => Heading { body: None, at: n.into() },
+                })
+            }
+            Direction::Toward(link, to) => Normal::Toward(self.place(model, link, &to)),
+        };
+        self.struck = Some(Struck { on, against, normal });
+        true
+    }
+
+    fn place(&self, model: &Model, link: LinkId, at: &nalgebra::Vector3<f64>) -> Place {
+        let on = &model.link_frames[link.index()];
+        self.plan.place(on.body, &on.frame.point(at))
+    }
+
+    fn heading(&self, model: &Model, link: LinkId, e: &nalgebra::Vector3<f64>) -> Heading {
+        let on = &model.link_frames[link.index()];
+        self.plan.heading(on.body, &on.frame.vector(e))
+    }
+
+    /// m̄ at one configuration, of the contact that it is aimed at.
+    pub fn one(&mut self, positions: &[f64]) -> Option<ClearMass> {
+        let (mut response, mut terms, mut loss) = ([0.0], [0.0], [0.0]);
+        let columns = Columns { values: positions, stride: 1 };
+        let instructions = self.instructions;
+        instructions.run_one(self.group(columns, 0, [&mut response, &mut terms, &mut loss])?);
+        clear(response[0], terms[0], loss[0])
+    }
+
+    /// m̄ at as many configurations, from `first` on, as the instruction set has lanes.
+    pub fn lanes(&mut self, columns: Columns<'_>, first: usize) -> [Option<ClearMass>; WIDEST] {
+        let [mut responses, mut terms, mut losses] = [[f64::NAN; WIDEST]; 3];
+        let instructions = self.instructions;
+        if let Some(group) = self.group(columns, first, [&mut responses, &mut terms, &mut losses]) {
+            instructions.run(group);
+        }
+        std::array::from_fn(|lane| clear(responses[lane], terms[lane], losses[lane]))
+    }
+
+    /// Which positions are read.
+    pub fn read(&self) -> impl Iterator<Item = usize> + '_ {
+        self.plan.bodies.iter().flat_map(|body| match body.motion {
+            Motion::Fixed => 0..0,
+            Motion::Turn(position) | Motion::Slide(position) => position.q..position.q + 1,
+            Motion::Ball(q) => q..q + 4,
+        })
+    }
+
+    fn group<'a>(
+        &'a mut self,
+        columns: Columns<'a>,
+        first: usize,
+        answers: [&'a mut [f64]; 3],
+    ) -> Option<Group<'a>> {
+        let Self { plan, struck, room, .. } = self;
+        Some(Group { plan, struck: struck.as_ref()?, columns, first, room, answers })
+    }
+}
+
+/// Some lanes.
+struct Group<'a> {
+    plan: &'a Plan,
+    struck: &'a Struck,
+    columns: Columns<'a>,
+    first: usize,
+    room: &'a mut [f64],
+    /// Responses, terms, losses.
+    answers: [&'a mut [f64]; 3],
+}
+
+impl Work for Group<'_> {
+    #[inline(always)]
+    fn run<T: Lanes>(self) {
+        let answer: Answer<T> = evaluate(self.plan, self.struck, self.columns, self.first, self.room);
+        let [responses, terms, losses] = self.answers;
+        answer.response.store(responses);
+        answer.terms.store(terms);
+        answer.loss.store(losses);
+    }
+}
+
+/// An answer that neither the pivots of A nor those of D leave in doubt.
+fn clear(response: f64, terms: f64, loss: f64) -> Option<ClearMass> {
+    // NaN is not small.
+    (loss <= LINKAGE_LOSS).then(|| ClearMass::of(response, terms, loss)).flatten()
+}

@@ -1,0 +1,148 @@
+//! What a mechanism of few freedoms compiles to: bodies whose frames have the joint's axis as z, the rows that close its loops,
+//! and the order in which what depends is eliminated.
+
+use super::room::Layout;
+use nalgebra::Vector3;
+use percuss_spatial::Transform;
+
+/// A position that moves a joint: `multiplier · positions[q] + offset`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Position {
+    pub q: usize,
+    pub multiplier: f64,
+    pub offset: f64,
+}
+
+/// How a body moves on the one that carries it.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Motion {
+    /// It does not.
+    Fixed,
+    /// It turns about z.
+    Turn(Position),
+    /// It slides along z.
+    Slide(Position),
+    /// It turns by the quaternion that begins at a position.
+    Ball(usize),
+}
+
+/// One velocity of a body's joint.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Velocity {
+    /// Which column of A: the pivots' in their order, then what is independent.
+    pub column: usize,
+    /// The velocity at a unit of that coordinate, which is measured in metres.
+    pub factor: f64,
+    pub armature: f64,
+}
+
+/// A body and its joint.
+#[derive(Clone, Debug)]
+pub(super) struct Moving {
+    pub parent: Option<usize>,
+    /// The frame of its joint in the frame of the body that carries it.
+    pub rotation: [[f64; 3]; 3],
+    pub translation: [f64; 3],
+    pub motion: Motion,
+    pub velocities: Vec<Velocity>,
+    /// Mass, first moment, moments and products of inertia (xx, xy, xz, yy, yz, zz); none where all are zero.
+    pub inertia: Option<[f64; 10]>,
+    /// For each independent coordinate: whether it moves the body.
+    pub moved: Vec<bool>,
+    /// X_bo: the frame taken here (o) in the body's own.
+    pub frame: Transform<f64>,
+}
+
+/// A point fixed in a body, or in the root.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    pub body: Option<usize>,
+    pub at: [f64; 3],
+}
+
+/// A direction fixed in a body, or in the root.
+pub(super) type Heading = Place;
+
+/// A row, or three: what its power on the relative motion is.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Form {
+    /// The velocity of the successor's point, root axes: three rows.
+    Point,
+    /// That velocity along a direction.
+    Along(Heading),
+    /// The rate of the cosine between a direction of the predecessor and one of the successor, times a length (m).
+    Cosine(Heading, Heading, f64),
+    /// The turning about a direction, times a length (m).
+    Turn(Heading, f64),
+    /// The rate of the distance between the two points, which is to be so many metres.
+    Distance(f64),
+    /// The factors of the terms alone.
+    Constant,
+}
+
+/// A velocity that rows bind.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Term {
+    pub body: usize,
+    /// Which velocity of the body's joint.
+    pub component: usize,
+    pub slides: bool,
+    pub column: usize,
+    pub factor: f64,
+}
+
+/// Rows that bind the same velocities.
+#[derive(Clone, Debug)]
+pub(super) struct Block {
+    /// What the successor's point is brought onto; none where nothing closes.
+    pub predecessor: Option<Place>,
+    pub successor: Place,
+    /// The forms, with the first row that each fills; none where it adds nothing.
+    pub forms: Vec<(Form, [Option<usize>; 3])>,
+    pub terms: Vec<Term>,
+}
+
+/// A pivot of A, on the diagonal: which rows below it and which columns beyond it there is anything in.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Pivot {
+    pub rows: Vec<usize>,
+    pub columns: Vec<usize>,
+}
+
+/// A mechanism of few freedoms.
+#[derive(Clone, Debug)]
+pub(super) struct Plan {
+    pub bodies: Vec<Moving>,
+    pub blocks: Vec<Block>,
+    pub pivots: Vec<Pivot>,
+    /// Which entries of A can be other than zero, rows by rows.
+    pub filled: Vec<bool>,
+    /// For each dependent coordinate, for each independent one: whether its rate can be other than zero.
+    pub follows: Vec<bool>,
+    /// The largest pivot at the pose that it is compiled at.
+    pub scale: f64,
+    /// The least length of a turn, m.
+    pub length: f64,
+    /// All masses, and moments of inertia over its square: twice the energy (kg) of any motion is below it, times the square
+    /// of all its rates added up (m/s).
+    pub weight: f64,
+    pub columns: usize,
+    pub freedoms: usize,
+    pub layout: Layout,
+    /// Where places are counted from, in the root's frame (m): near the linkage, since what is far is rounded more.
+    pub centre: Vector3<f64>,
+}
+
+impl Plan {
+    /// A point of a body's own frame, or of the root's.
+    pub fn place(&self, body: Option<usize>, at: &Vector3<f64>) -> Place {
+        let at = body.map_or_else(|| at - self.centre, |b| self.bodies[b].frame.inverse_point(at));
+        Place { body, at: at.into() }
+    }
+
+    /// A direction of a body's own frame, or of the root's.
+    pub fn heading(&self, body: Option<usize>, e: &Vector3<f64>) -> Heading {
+        let at = body.map_or(*e, |b| self.bodies[b].frame.inverse_vector(e));
+        Heading { body, at: at.into() }
+    }
+}

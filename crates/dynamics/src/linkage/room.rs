@@ -1,0 +1,99 @@
+//! Where numbers stand in the room of a linkage, for each lane.
+
+use percuss_spatial::lanes::Lanes;
+
+/// Where each table begins.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Layout {
+    /// A, rows × columns.
+    pub rows: usize,
+    /// 1 over each pivot.
+    pub over: usize,
+    /// Rates of the coordinates, columns × freedoms.
+    pub rates: usize,
+    /// Twists of the bodies at their origins, root axes: bodies × freedoms × 6.
+    pub twists: usize,
+    /// How many numbers in all.
+    pub total: usize,
+    /// How many rows A has.
+    pub count: usize,
+}
+
+/// A body's frame: nine numbers of its rotation, three of its place.
+pub(super) const FRAME: usize = 12;
+
+impl Layout {
+    /// Frames come first.
+    pub fn of(bodies: usize, count: usize, columns: usize, freedoms: usize) -> Self {
+        let rows = FRAME * bodies;
+        let over = rows + count * columns;
+        let rates = over + count;
+        let twists = rates + columns * freedoms;
+        Self { rows, over, rates, twists, total: twists + 6 * bodies * freedoms, count }
+    }
+}
+
+#[inline(always)]
+pub(super) fn get<T: Lanes>(room: &[f64], at: usize) -> T {
+    T::load(&room[at * T::WIDTH..])
+}
+
+#[inline(always)]
+pub(super) fn put<T: Lanes>(room: &mut [f64], at: usize, x: T) {
+    x.store(&mut room[at * T::WIDTH..]);
+}
+
+#[inline(always)]
+pub(super) fn get_vector<T: Lanes>(room: &[f64], at: usize) -> [T; 3] {
+    let own = &room[at * T::WIDTH..][..3 * T::WIDTH];
+    [T::load(own), T::load(&own[T::WIDTH..]), T::load(&own[2 * T::WIDTH..])]
+}
+
+#[inline(always)]
+pub(super) fn put_vector<T: Lanes>(room: &mut [f64], at: usize, v: [T; 3]) {
+    let own = &mut room[at * T::WIDTH..][..3 * T::WIDTH];
+    v[0].store(own);
+    v[1].store(&mut own[T::WIDTH..]);
+    v[2].store(&mut own[2 * T::WIDTH..]);
+}
+
+#[inline(always)]
+pub(super) fn dot<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> T {
+    a[2].mul_add(b[2], a[1].mul_add(b[1], a[0] * b[0]))
+}
+
+#[inline(always)]
+pub(super) fn cross<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
+    [
+        a[1].mul_add(b[2], -(a[2] * b[1])),
+        a[2].mul_add(b[0], -(a[0] * b[2])),
+        a[0].mul_add(b[1], -(a[1] * b[0])),
+    ]
+}
+
+#[inline(always)]
+pub(super) fn minus<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+#[inline(always)]
+pub(super) fn plus<T: Lanes>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}
+
+#[inline(always)]
+pub(super) fn times<T: Lanes>(a: &[T; 3], x: T) -> [T; 3] {
+    [a[0] * x, a[1] * x, a[2] * x]
+}
+
+/// a·x + b.
+#[inline(always)]
+pub(super) fn along<T: Lanes>(a: &[T; 3], x: T, b: &[T; 3]) -> [T; 3] {
+    [a[0].mul_add(x, b[0]), a[1].mul_add(x, b[1]), a[2].mul_add(x, b[2])]
+}
+
+/// Σ |aᵢ|: at least the length.
+#[inline(always)]
+pub(super) fn size<T: Lanes>(a: &[T; 3]) -> T {
+    a[0].abs() + a[1].abs() + a[2].abs()
+}
