@@ -1,12 +1,14 @@
 //! m̄ on the robots, poses and questions that other programs were timed with: `NAME.json` with the URDF, the struck link, the
-//! normal in the world, names of joints, poses and the expected m̄.
+//! normal in the world, names of joints, poses and the expected m̄. And on linkages: `NAME.urdf`, a suspension as `percuss import`
+//! writes it, struck at its spring's seat along the spring, at closed poses over the travel of its lower arm.
 //!
 //! Prints `percuss NAME scalar|lanes|workspace NS` (nanoseconds of thread CPU time for one m̄ at a new configuration, the least
 //! of many runs), after all m̄ were compared to 1e-9.
 
 use cpu_time::ThreadTime;
 use percuss_dynamics::{
-    Base, Batch, BatchAnswer, BatchPositions, Conditions, Contact, Direction, EffectiveMass, Frame, System,
+    Base, Batch, BatchAnswer, BatchPositions, Conditions, Contact, Direction, EffectiveMass, Frame, Pose,
+    RouteChoice, System,
 };
 use percuss_mechanism::Mechanism;
 use percuss_spatial::lanes::Instructions;
@@ -31,13 +33,21 @@ fn main() {
     let mut names: Vec<_> = std::fs::read_dir(&folder)
         .expect("a folder")
         .filter_map(|entry| Some(entry.ok()?.path()))
-        .filter(|path| path.extension().is_some_and(|e| e == "json"))
+        .filter(|path| path.extension().is_some_and(|e| e == "json" || e == "urdf"))
         .collect();
     names.sort();
     for path in names {
-        time(&Question::read(&path));
+        if path.extension().is_some_and(|e| e == "urdf") {
+            time(&Question::of_suspension(&path));
+        } else {
+            time(&Question::read(&path));
+        }
     }
 }
+
+/// Poses of a suspension, and how far its lower arm turns over them to either side, rad.
+const POSES: usize = 256;
+const TRAVEL: f64 = 0.15;
 
 impl Question {
     fn read(path: &Path) -> Self {
@@ -74,6 +84,37 @@ impl Question {
             contact,
             system: System::new(mechanism, &conditions).expect("conditions that fit"),
         }
+    }
+}
+
+impl Question {
+    fn of_suspension(path: &Path) -> Self {
+        let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
+        let mechanism = percuss_benches::loaded(&std::fs::read_to_string(path).expect("the URDF"));
+        let link = |name: &str| mechanism.find_link(name).expect("a seat of the spring");
+        let contact = Contact::new(link("spring_seat"), [0.0; 3], [0.0, 0.0, 1.0])
+            .against(link("chassis"))
+            .normal(Direction::Toward(link("spring_chassis_seat"), [0.0; 3].into()));
+        let system = System::new(mechanism, &Conditions::new()).expect("conditions that fit");
+        let at = |angle: f64| {
+            let mut configuration = system.configuration();
+            configuration.set("lower_arm_hinge", &[angle]).expect("the lower arm drives");
+            configuration
+        };
+        let mass = |pose: &Pose| match pose.respond(&contact, RouteChoice::Auto).map(|r| r.effective_mass) {
+            Ok(EffectiveMass::Finite(m)) => m,
+            other => panic!("{name}: {other:?}"),
+        };
+        let mut pose = system.pose(&at(0.0)).expect("it closes as drawn");
+        println!("percuss {name} {:.6} kg agrees as drawn", mass(&pose));
+        let (mut rows, mut expected) = (Vec::new(), Vec::new());
+        for k in 0..POSES {
+            let angle = TRAVEL * (2.0 * k as f64 / (POSES - 1) as f64 - 1.0);
+            pose = system.pose_from(&pose, &at(angle)).expect("the travel is in reach");
+            rows.push(pose.positions().to_vec());
+            expected.push(mass(&pose));
+        }
+        Self { name, system, contact, rows, expected }
     }
 }
 
