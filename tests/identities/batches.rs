@@ -255,9 +255,9 @@ fn lanes_doubt_light_links_that_carry_heavy_ones() {
     assert!(seen.by_lanes > 100 && seen.by_lanes < seen.answers, "{seen:?}");
 }
 
-/// What lanes do not take is asked one by one: the same answers, and each its own status.
+/// Lanes or one by one: the same answers as a workspace's, and each its own status.
 #[test]
-fn other_mechanisms_are_asked_one_by_one() {
+fn every_mechanism_is_answered_as_by_a_workspace() {
     for Subject { name, pose, contact, .. } in of_trees(6, 2, 20).into_iter().chain(of_linkages(40, 6)) {
         let batch = pose.assembly().batch(&contact).expect("a contact that fits");
         let mut answers = [BatchAnswer::NONE; 3];
@@ -277,6 +277,70 @@ fn other_mechanisms_are_asked_one_by_one() {
             }
         }
     }
+}
+
+/// Linkages at closed poses: each instruction set as one configuration by itself, to the last bit, and a pose's answer within
+/// both errors. A lane that is not closed, or not a number, spoils no other.
+#[test]
+fn linkages_in_lanes_answer_as_poses_do() {
+    let (mut seen, mut linkages, mut open) = (Seen::default(), 0, 0);
+    for (k, subject) in of_linkages(43, 48).into_iter().enumerate() {
+        let Subject { name, pose, contact, .. } = &subject;
+        let mut batch = pose.assembly().batch(contact).expect("a contact that fits");
+        if !batch.has_lanes() {
+            continue;
+        }
+        linkages += 1;
+        let mut rng = StdRng::seed_from_u64(k as u64);
+        let width = pose.positions().len();
+        let mut rows = pose.positions().to_vec();
+        if let Some(motion) = subject.motion(&mut rng) {
+            for step in [1e-3, -2e-3, 5e-3, -1e-2] {
+                rows.extend(subject.positions_after(&motion, step / motion.size()));
+            }
+        }
+        // Two that do not close.
+        for bad in [1.0, f64::NAN] {
+            let start = rows.len();
+            rows.extend(pose.positions());
+            rows[start + rng.random_range(0..width)] += bad;
+        }
+        let count = rows.len() / width;
+        let answer = batch.effective_mass(pose.positions()).expect("positions");
+        seen.answers += 1;
+        if let (Some(EffectiveMass::Finite(m)), Some(error)) = (answer.mass, answer.error) {
+            seen.by_lanes += 1;
+            let response = pose.respond(contact, RouteChoice::Auto).expect("an answer");
+            let EffectiveMass::Finite(expected) = response.effective_mass else {
+                panic!("{name}: {m} kg for {:?}", response.effective_mass)
+            };
+            let allowed = error + response.effective_mass_error().unwrap_or(expected);
+            seen.worst = seen.worst.max((m - expected).abs() / allowed);
+            seen.largest = seen.largest.max(error / m);
+            assert!((m - expected).abs() <= allowed, "{name}: {m} for {expected}, allowed {allowed:e}");
+        }
+        let columns = by_columns(&rows, width);
+        for set in SETS.into_iter().filter(|set| set.is_available()) {
+            let batch = batch.clone().with_instructions(set);
+            let mut one = batch.clone();
+            let expected: Vec<BatchAnswer> =
+                rows.chunks(width).map(|row| one.effective_mass(row).expect("positions")).collect();
+            open += expected[count - 2..].iter().filter(|answer| answer.error.is_none()).count();
+            for positions in [
+                BatchPositions::Rows { values: &rows, stride: width },
+                BatchPositions::Columns { values: &columns, stride: count },
+            ] {
+                let mut answers = vec![BatchAnswer::NONE; count];
+                batch.run(positions, &mut answers).expect("enough");
+                for (a, b) in answers.iter().zip(&expected) {
+                    assert!(same(a, b), "{name}, {}: {a:?}, alone {b:?}", set.name());
+                }
+            }
+        }
+    }
+    println!("{linkages} linkages: {seen:?}, {open} doubted because they are open");
+    assert!(linkages > 200 && seen.by_lanes * 10 > seen.answers * 6, "{linkages} linkages: {seen:?}");
+    assert!(open > linkages, "{open} doubted");
 }
 
 /// A lane that is massless, immovable or not a number has its own status and spoils no other.

@@ -306,7 +306,7 @@ pub(crate) const KEPT_ROOMS: usize = 64;
 /// Coordinates and bodies up to which a linkage is compiled for its velocities.
 pub(crate) const LINKAGE_COORDINATES: usize = 64;
 /// Freedoms up to which it is: its energy is a full matrix over them.
-pub(crate) const LINKAGE_FREEDOMS: usize = 6;
+pub(crate) const LINKAGE_FREEDOMS: usize = 8;
 /// Loops that fit worse than this part of their size leave the choice of their redundant rows in the answer.
 pub(crate) const LINKAGE_MISFIT: f64 = 1e-14;
 /// How much smaller than the largest a pivot may be at the pose that a linkage is compiled at: what is eliminated in the same

@@ -4,7 +4,6 @@ use super::motion;
 use super::plan::{Block, Form, Motion, Moving, Pivot, Place, Plan, Position, Term, Velocity};
 use super::room::Layout;
 use crate::assembly::Assembly;
-use crate::conditions::Base;
 use crate::model::{Body, CompiledClosure, Constraint, ConstraintRows, LinkFrame, Model};
 use crate::tolerances::{LINKAGE_COORDINATES, LINKAGE_FREEDOMS, LINKAGE_MISFIT, LINKAGE_PIVOT};
 use nalgebra::{Matrix3, Vector3};
@@ -12,14 +11,12 @@ use percuss_mechanism::{ClosureKind, JointKind};
 use percuss_spatial::{SpatialInertia, Transform, plane_basis};
 
 impl Plan {
-    /// None where it has other joints than hinges, slides and balls, a floating base, many freedoms, or loops that do not
-    /// fit.
+    /// None where it has other joints than hinges, slides and balls, many freedoms, or loops that do not fit.
     pub fn of(assembly: &Assembly) -> Option<Self> {
         let model = assembly.model();
         let rank: usize = (0..model.groups.len()).map(|g| assembly.expected_rank(g)).sum();
         let (columns, bodies) = (model.coordinates.len(), model.bodies.len());
         if model.groups.is_empty()
-            || model.base == Base::Floating
             || columns > LINKAGE_COORDINATES
             || bodies > LINKAGE_COORDINATES
             || !(1..=LINKAGE_FREEDOMS).contains(&columns.checked_sub(rank)?)
@@ -263,6 +260,7 @@ fn moving(model: &Model, body: &Body, carrier: &Transform<f64>, lengths: &[f64])
         JointKind::Revolute | JointKind::Continuous => Motion::Turn(position),
         JointKind::Prismatic => Motion::Slide(position),
         JointKind::Spherical => Motion::Ball(q),
+        JointKind::Floating if body.joint.is_none() => Motion::Free,
         JointKind::Planar | JointKind::Floating => return None,
     };
     let frame = match motion {
@@ -271,7 +269,7 @@ fn moving(model: &Model, body: &Body, carrier: &Transform<f64>, lengths: &[f64])
             let (x, y) = plane_basis(&axis);
             Transform::new(Matrix3::from_columns(&[x, y, axis]), Vector3::zeros())
         }
-        Motion::Fixed | Motion::Ball(_) => Transform::identity(),
+        Motion::Fixed | Motion::Ball(_) | Motion::Free => Transform::identity(),
     };
     let origin = carrier.inverse() * body.origin * frame;
     let velocity = |(v, armature): (usize, &f64)| {

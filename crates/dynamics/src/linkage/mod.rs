@@ -1,4 +1,5 @@
-//! A mechanism with loops that has few freedoms, by its velocities: hinges, slides and balls on the ground, in lanes.
+//! A mechanism with loops that has few freedoms, by its velocities: hinges, slides and balls on the ground or on a floating
+//! base, in lanes.
 //!
 //! It answers what it is sure of, at positions that close the loops; all else (other joints, loops that do not quite fit, poses
 //! near singular ones, what is massless or immovable or near either) is left to [`crate::routes`].
@@ -87,7 +88,7 @@ impl Linkage {
     /// Which positions are read.
     pub fn read(&self) -> impl Iterator<Item = usize> + '_ {
         self.plan.bodies.iter().flat_map(|body| match body.motion {
-            Motion::Fixed => 0..0,
+            Motion::Fixed | Motion::Free => 0..0,
             Motion::Turn(position) | Motion::Slide(position) => position.q..position.q + 1,
             Motion::Ball(q) => q..q + 4,
         })

@@ -91,7 +91,7 @@ fn place<T: Lanes>(plan: &Plan, columns: Columns<'_>, first: usize, room: &mut [
             turn = product(&carrier, &fixed);
         }
         match body.motion {
-            Motion::Fixed => {}
+            Motion::Fixed | Motion::Free => {}
             Motion::Turn(position) => {
                 let angle: T = position.at(columns, first);
                 let over = angle.abs() - T::from_f64(LARGEST_ANGLE);
@@ -254,6 +254,7 @@ fn fill_rows<T: Lanes>(plan: &Plan, room: &mut [f64]) -> T {
 fn lever<T: Lanes>(term: &Term, bodies: &[Moving], at: &[T; 3], room: &[f64]) -> ([T; 3], [T; 3]) {
     let k = match bodies[term.body].motion {
         Motion::Ball(_) => term.component,
+        Motion::Free => term.component % 3,
         Motion::Fixed | Motion::Turn(_) | Motion::Slide(_) => 2,
     };
     let place: [T; 3] = get_vector(room, FRAME * term.body + 9);
@@ -378,6 +379,9 @@ fn fill_twists<T: Lanes>(plan: &Plan, room: &mut [f64]) {
                     Motion::Turn(_) => angular = along(&[turn[0][2], turn[1][2], turn[2][2]], rate, &angular),
                     Motion::Slide(_) => linear = along(&[turn[0][2], turn[1][2], turn[2][2]], rate, &linear),
                     Motion::Ball(_) => angular = along(&[turn[0][k], turn[1][k], turn[2][k]], rate, &angular),
+                    // Its axes are the root's.
+                    Motion::Free if k < 3 => angular[k] += rate,
+                    Motion::Free => linear[k - 3] += rate,
                 }
             }
             put_vector(room, to, angular);

@@ -24,6 +24,8 @@ pub(super) enum Motion {
     Slide(Position),
     /// It turns by the quaternion that begins at a position.
     Ball(usize),
+    /// It is a free base, seen from itself.
+    Free,
 }
 
 /// One velocity of a body's joint.
