@@ -7,11 +7,16 @@ use crate::tangent;
 impl Model {
     /// Moves the positions in `kinematics` by velocities `u` of a group's coordinates over unit time.
     pub fn advance_group(&self, kinematics: &mut Kinematics<f64>, group: &Group, u: &[f64]) {
+        self.advance_positions(kinematics, group, u);
+        self.refill_group(kinematics, group);
+    }
+
+    /// The same of the positions alone: frames and mimics are left where they were.
+    pub fn advance_positions(&self, kinematics: &mut Kinematics<f64>, group: &Group, u: &[f64]) {
         for &body in &group.bodies {
             let rate = |c: usize| group.column(c).map_or(0.0, |at| u[at]);
             self.advance_body(kinematics, body, rate);
         }
-        self.refill_group(kinematics, group);
     }
 
     fn advance_body(&self, kinematics: &mut Kinematics<f64>, body: usize, rate: impl Fn(usize) -> f64) {
@@ -25,10 +30,11 @@ impl Model {
             q[0] += of(body.v.start);
             return;
         }
-        let velocity: Vec<f64> = body.v.clone().map(of).collect();
+        let mut velocity = [0.0; 6];
+        let velocity = &mut velocity[..body.v.len()];
+        velocity.iter_mut().zip(body.v.clone()).for_each(|(v, k)| *v = of(k));
         if velocity.iter().any(|v| *v != 0.0) {
-            let next = tangent::advanced(body.motion.kind, q, &velocity, 1.0);
-            q.copy_from_slice(&next);
+            tangent::advance(body.motion.kind, q, velocity, 1.0);
         }
     }
 
@@ -65,7 +71,16 @@ impl Model {
 
     /// The positions of a group's bodies, one after another: all that a motion of the group changes.
     pub fn group_positions(&self, group: &Group, q: &[f64]) -> Vec<f64> {
-        group.bodies.iter().flat_map(|&b| &q[self.bodies[b].q.clone()]).copied().collect()
+        let mut positions = Vec::new();
+        self.group_positions_into(group, q, &mut positions);
+        positions
+    }
+
+    /// The same into a vector that is written over.
+    pub fn group_positions_into(&self, group: &Group, q: &[f64], positions: &mut Vec<f64>) {
+        positions.clear();
+        positions.reserve(group.coordinates.len() + group.bodies.len());
+        group.bodies.iter().for_each(|&b| positions.extend_from_slice(&q[self.bodies[b].q.clone()]));
     }
 
     /// Puts a group at positions of its bodies, one after another.

@@ -2,6 +2,7 @@
 
 use crate::model::{LinkFrame, Model};
 use crate::tangent;
+use nalgebra::Vector3;
 use percuss_mechanism::LinkId;
 use percuss_spatial::{Scalar, Transform, Twist};
 
@@ -77,9 +78,14 @@ impl<T: Scalar> Kinematics<T> {
 
     /// Motion column `k` of body `i` in root axes, taken at `point` (root frame).
     #[inline]
-    pub fn column_at(&self, model: &Model, i: usize, k: usize, point: &nalgebra::Vector3<T>) -> Twist<T> {
-        let frame = &self.frames[i];
-        Transform::new(frame.rotation, frame.translation - point).twist(&self.column(model, i, k))
+    pub fn column_at(&self, model: &Model, i: usize, k: usize, point: &Vector3<T>) -> Twist<T> {
+        let (frame, column) = (&self.frames[i], self.column(model, i, k));
+        if !model.bodies[i].motion.turns(k) {
+            return Twist::new(Vector3::zeros(), frame.rotation * column.linear);
+        }
+        // A turn slides nothing at the body's origin.
+        let angular = frame.rotation * column.angular;
+        Twist::new(angular, (frame.translation - point).cross(&angular))
     }
 
     /// X_rf: a frame on a body, or on the ground.

@@ -54,13 +54,16 @@ impl Assembly {
         kinematics.refill(model);
         let mut loops = None;
         if !model.groups.is_empty() {
-            let anchors = |pose: &'_ Pose| pose.loops.as_ref().map_or(&[][..], |l| &l.anchors).to_vec();
-            let anchors = from.map(anchors).unwrap_or_default();
-            let start = from.map(|pose| Start { positions: pose.positions(), anchors: &anchors });
+            let anchors = from.and_then(|pose| pose.loops.as_ref()).map_or(&[][..], |l| &l.anchors);
+            let start = from.map(|pose| Start { positions: pose.positions(), anchors });
             let state = LoopState { declared: true, ..LoopState::default() };
             let facts = self.facts();
             let mut closer = Closer { model, facts, configuration, start, kinematics, state };
             for number in 0..model.groups.len() {
+                if number > 0 {
+                    // The groups before may carry it.
+                    model.refill_group(&mut closer.kinematics, &model.groups[number]);
+                }
                 closer.close(number)?;
             }
             closer.state.drivers.sort_unstable();

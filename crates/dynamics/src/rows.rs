@@ -62,6 +62,11 @@ impl<T: Scalar> GroupRows<T> {
         }
     }
 
+    /// How many entries [`for_each`](Self::for_each) visits.
+    pub fn len(&self) -> usize {
+        self.values.len()
+    }
+
     /// Visits the entries (row, column, value) of A over the group's coordinates; those of mimics come several to a
     /// place and add.
     pub fn for_each(&self, group: &Group, mut visit: impl FnMut(usize, usize, T)) {

@@ -40,19 +40,26 @@ pub(crate) fn position_rates<T: Scalar>(kind: JointKind, q: &[T], v: &[T], rates
 
 /// q ⊕ h v of one joint, to second order in h, quaternions normalised: the rates are those of the middle, since a
 /// floating joint's slide turns with it.
-pub(crate) fn advanced(kind: JointKind, q: &[f64], v: &[f64], h: f64) -> Vec<f64> {
+pub(crate) fn advance(kind: JointKind, q: &mut [f64], v: &[f64], h: f64) {
     if !matches!(kind, JointKind::Spherical | JointKind::Floating) {
         // Rates are the velocities, wherever it stands.
-        return q.iter().zip(v).map(|(q, v)| q + h * v).collect();
+        return q.iter_mut().zip(v).for_each(|(q, v)| *q += h * v);
     }
-    let step = |rates_at: &[f64], h: f64| {
-        let mut rates = vec![0.0; q.len()];
-        position_rates(kind, rates_at, v, &mut rates);
-        let mut next: Vec<f64> = q.iter().zip(&rates).map(|(q, r)| q + h * r).collect();
-        normalise(kind, &mut next);
-        next
-    };
-    step(&step(q, h / 2.0), h)
+    let (mut rates, mut middle) = ([0.0; 7], [0.0; 7]);
+    let (rates, middle) = (&mut rates[..q.len()], &mut middle[..q.len()]);
+    position_rates(kind, q, v, rates);
+    middle.iter_mut().zip(&*q).zip(&*rates).for_each(|((m, q), r)| *m = q + h / 2.0 * r);
+    normalise(kind, middle);
+    position_rates(kind, middle, v, rates);
+    q.iter_mut().zip(&*rates).for_each(|(q, r)| *q += h * r);
+    normalise(kind, q);
+}
+
+/// The same into a vector of its own.
+pub(crate) fn advanced(kind: JointKind, q: &[f64], v: &[f64], h: f64) -> Vec<f64> {
+    let mut next = q.to_vec();
+    advance(kind, &mut next, v, h);
+    next
 }
 
 /// The velocities that take one joint from `from` to `to` in unit time, a turn along the shorter way; exact for joints

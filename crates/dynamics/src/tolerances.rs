@@ -186,6 +186,9 @@ pub(crate) const CORRECTION_ITERATIONS: usize = 60;
 /// A loop that fits is closed by a motion of at most this many times its residual as drawn; beyond, the motion follows a
 /// direction that owes its weight to the residual itself.
 pub(crate) const COMMENSURATE: f64 = 100.0;
+/// A correction's Jacobian serves for the next one too where that, shrinking the residuals once more as the last did, leaves
+/// no more than this part of the size: below rounding, as Newton's method would.
+pub(crate) const KEPT_JACOBIAN: f64 = 1e-17;
 /// Longest step along a branch, as a part of the characteristic length that no coordinate moves beyond.
 pub(crate) const LONGEST_BRANCH_STEP: f64 = 0.15;
 /// A shorter step than this part of the length is not worth going on with.

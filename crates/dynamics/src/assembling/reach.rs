@@ -8,6 +8,7 @@ use crate::configuration::Configuration;
 use crate::kinematics::Kinematics;
 use crate::mobility::{Drivers, Singularity};
 use crate::model::{Group, Model};
+use crate::rows::{GroupRows, largest};
 use crate::tolerances::{
     CORRECTIONS_SHRINK, FEWEST_SET_CORRECTIONS, MATCHED, MODE_STARTS, MODE_STARTS_ASIDE, MODE_STARTS_WORK,
     SET_CORRECTIONS, SET_WORK, SETTLED,
@@ -25,6 +26,15 @@ struct Driver {
     given: bool,
 }
 
+/// How a group was closed.
+#[derive(Default)]
+struct Closed {
+    /// Positions of a regular pose on the branch, where it stands (nearly) singular.
+    anchor: Option<Vec<f64>>,
+    /// The group where it stands now, where that is known.
+    here: Option<Linearised>,
+}
+
 /// A closed pose from which a branch is followed.
 #[derive(Clone, Copy)]
 pub(crate) struct Start<'a> {
@@ -33,7 +43,7 @@ pub(crate) struct Start<'a> {
     pub anchors: &'a [Option<Vec<f64>>],
 }
 
-/// Closes the groups of a model one after another.
+/// Closes the groups of a model one after another, from frames that fit their positions.
 pub(crate) struct Closer<'a> {
     pub model: &'a Model,
     pub facts: &'a Facts,
@@ -48,12 +58,11 @@ impl Closer<'_> {
     pub fn close(&mut self, number: usize) -> Result<(), AssemblyError> {
         let (model, facts) = (self.model, &self.facts.groups[number]);
         let group = &model.groups[number];
-        self.model.refill_group(&mut self.kinematics, group);
         let divided = self.divide(group, facts)?;
         let misfit = facts.misfit_beyond(group, &self.kinematics, model);
         let tolerance = model.rounded_tolerance(&self.kinematics, group, misfit);
         let drivers = self.drivers(group, &divided);
-        let anchor = match self.guess_for(group) {
+        let closed = match self.guess_for(group) {
             Some(guess) => self.close_from_guess(group, &divided, &drivers, &guess, tolerance)?,
             None => match self.close_along_branch(number, &divided, &drivers, tolerance) {
                 Err(failed @ AssemblyError::Unreachable { .. }) if self.start.is_none() => {
@@ -62,17 +71,17 @@ impl Closer<'_> {
                 followed => followed?,
             },
         };
-        let generic = facts.generic();
-        let mode = model.mode_of(&self.kinematics, group, &generic, &divided);
+        let here = closed.here.unwrap_or_else(|| Linearised::at(model, &self.kinematics, group));
+        let mode = model.mode_of(&here.rows, group, &facts.generic(), &divided);
         let state = &mut self.state;
-        state.residual = state.residual.max(model.group_residual(&self.kinematics, group).0);
+        state.residual = state.residual.max(largest(&here.residuals).0);
         state.inexactness = state.inexactness.max(facts.inexactness);
         state.declared &= divided.declared;
         state.modes.push(mode.sign);
         state.singularities.push(mode.singularity);
         state.drivers.extend(divided.driving.iter().filter_map(|&at| group.joints[at]));
         state.dependent.push(divided.dependent);
-        state.anchors.push(anchor);
+        state.anchors.push(closed.anchor);
         Ok(())
     }
 
@@ -119,7 +128,7 @@ impl Closer<'_> {
         drivers: &[Driver],
         tolerance: f64,
         failed: AssemblyError,
-    ) -> Result<Option<Vec<f64>>, AssemblyError> {
+    ) -> Result<Closed, AssemblyError> {
         let before = self.kinematics.clone();
         let starts = (MODE_STARTS_WORK / group.coordinates.len().pow(3).max(1)).min(MODE_STARTS);
         for attempt in 0..starts {
@@ -133,7 +142,7 @@ impl Closer<'_> {
             self.put(group, drivers);
             if self.correct(group, &divided.dependent, tolerance) && self.matches(group) {
                 self.state.starts_tried = Some(attempt + 1);
-                return Ok(None);
+                return Ok(Closed::default());
             }
         }
         self.kinematics = before;
@@ -165,7 +174,7 @@ impl Closer<'_> {
         drivers: &[Driver],
         guess: &[f64],
         tolerance: f64,
-    ) -> Result<Option<Vec<f64>>, AssemblyError> {
+    ) -> Result<Closed, AssemblyError> {
         let model = self.model;
         let begin = |closer: &mut Self| {
             model.set_group(&mut closer.kinematics, group, guess);
@@ -175,22 +184,22 @@ impl Closer<'_> {
         if model.group_residual(&self.kinematics, group).0 <= tolerance {
             self.correct(group, &divided.dependent, tolerance);
             self.set_beside_guess(group, divided, drivers, tolerance)?;
-            return Ok(None);
+            return Ok(Closed::default());
         }
         let all: Vec<&Driver> = drivers.iter().collect();
         let closed = self.correct(group, &group.movable, tolerance);
         // The shortest motion may have turned driving balls aside, which cannot be driven back.
         if closed && drivers.len() == divided.driving.len() {
             let driven = self.drive(group, divided, drivers, &all, tolerance);
-            if driven.is_ok() {
+            if let Ok(Closed { anchor, .. }) = driven {
                 self.set_beside_guess(group, divided, drivers, tolerance)?;
-                return driven;
+                return Ok(Closed { anchor, here: None });
             }
         }
         begin(self);
         if self.correct(group, &divided.dependent, tolerance) {
             self.set_beside_guess(group, divided, drivers, tolerance)?;
-            return Ok(None);
+            return Ok(Closed::default());
         }
         Err(self.unreachable(group, divided, drivers))
     }
@@ -214,15 +223,16 @@ impl Closer<'_> {
         divided: &Drivers,
         drivers: &[Driver],
         tolerance: f64,
-    ) -> Result<Option<Vec<f64>>, AssemblyError> {
+    ) -> Result<Closed, AssemblyError> {
         let (model, facts) = (self.model, &self.facts.groups[number]);
         let group = &model.groups[number];
         let home = &self.facts.reference;
         let generic = facts.generic();
         let regular = |closer: &Self| {
+            let mut rows = GroupRows::default();
+            rows.fill(model, group, &closer.kinematics);
             facts.reference_is_regular
-                && closer.model.mode_of(&closer.kinematics, group, &generic, divided).singularity
-                    == Singularity::None
+                && model.mode_of(&rows, group, &generic, divided).singularity == Singularity::None
         };
         let mut anchor = None;
         match self.start {
@@ -250,30 +260,33 @@ impl Closer<'_> {
         self.set_directly(group, divided, drivers, tolerance)?;
         // Drivers that nobody set go to 0, first and by themselves: together, or those that can.
         let (given, idle): (Vec<&Driver>, Vec<&Driver>) = drivers.iter().partition(|d| d.given);
-        let positions = |closer: &Self| closer.model.group_positions(group, &closer.kinematics.q);
-        let before = positions(self);
-        match self.drive(group, divided, drivers, &idle, tolerance) {
-            Ok(found) => {
-                anchor = found.or(anchor.filter(|_| self.stands(&idle) && before == positions(self)))
-            }
-            Err(_) => {
-                model.restore_group(&mut self.kinematics, group, &before);
-                for driver in &idle {
-                    let before = positions(self);
-                    if self.drive(group, divided, drivers, &[driver], tolerance).is_err() {
-                        model.restore_group(&mut self.kinematics, group, &before);
-                        self.state.off_zero.push((driver.joint, self.kinematics.q[driver.q]));
+        if !self.stands(&idle) {
+            let positions = |closer: &Self| model.group_positions(group, &closer.kinematics.q);
+            let before = positions(self);
+            match self.drive(group, divided, drivers, &idle, tolerance) {
+                Ok(found) => anchor = found.anchor,
+                Err(_) => {
+                    model.restore_group(&mut self.kinematics, group, &before);
+                    for driver in &idle {
+                        let before = positions(self);
+                        if self.drive(group, divided, drivers, &[driver], tolerance).is_err() {
+                            model.restore_group(&mut self.kinematics, group, &before);
+                            self.state.off_zero.push((driver.joint, self.kinematics.q[driver.q]));
+                        }
                     }
+                    anchor = None;
                 }
-                anchor = None;
             }
         }
+        let mut here = None;
         if !self.stands(&given) {
-            anchor = self.drive(group, divided, drivers, &given, tolerance)?;
+            Closed { anchor, here } = self.drive(group, divided, drivers, &given, tolerance)?;
         }
-        let (residual, _) = model.group_residual(&self.kinematics, group);
-        if residual <= tolerance || self.correct(group, &divided.dependent, tolerance) {
-            Ok(anchor)
+        let here = here.unwrap_or_else(|| Linearised::at(model, &self.kinematics, group));
+        if largest(&here.residuals).0 <= tolerance {
+            Ok(Closed { anchor, here: Some(here) })
+        } else if self.correct(group, &divided.dependent, tolerance) {
+            Ok(Closed { anchor, here: None })
         } else {
             Err(self.unreachable(group, divided, drivers))
         }
@@ -283,11 +296,17 @@ impl Closer<'_> {
         drivers.iter().all(|d| self.kinematics.q[d.q] == d.requested)
     }
 
-    fn put<'d>(&mut self, group: &Group, drivers: impl IntoIterator<Item = &'d Driver>) {
+    /// Puts drivers at the positions asked for. Whether any had to be moved.
+    fn put<'d>(&mut self, group: &Group, drivers: impl IntoIterator<Item = &'d Driver>) -> bool {
+        let mut moved = false;
         for driver in drivers {
+            moved |= self.kinematics.q[driver.q] != driver.requested;
             self.kinematics.q[driver.q] = driver.requested;
         }
-        self.model.refill_group(&mut self.kinematics, group);
+        if moved {
+            self.model.refill_group(&mut self.kinematics, group);
+        }
+        moved
     }
 
     /// Moves some drivers to the positions asked for, in a straight line.
@@ -298,7 +317,7 @@ impl Closer<'_> {
         drivers: &[Driver],
         moving: &[&Driver],
         tolerance: f64,
-    ) -> Result<Option<Vec<f64>>, AssemblyError> {
+    ) -> Result<Closed, AssemblyError> {
         let mut direction = vec![0.0; group.coordinates.len()];
         moving.iter().for_each(|d| direction[d.at] = d.requested - self.kinematics.q[d.q]);
         let Some(path) = DriverPath::new(
@@ -308,8 +327,9 @@ impl Closer<'_> {
             direction,
             tolerance,
             divided.conditioning,
+            moving.iter().map(|d| (d.q, d.requested)).collect(),
         ) else {
-            return Ok(None);
+            return Ok(Closed::default());
         };
         let arrival = path.go(&mut self.kinematics);
         if arrival.too_far {
@@ -318,8 +338,9 @@ impl Closer<'_> {
         if !arrival.there {
             return Err(self.unreachable(group, divided, drivers));
         }
-        self.put(group, moving.iter().copied());
-        Ok(arrival.anchor.map(|anchor| self.model.group_positions(group, &anchor)))
+        let moved = self.put(group, moving.iter().copied());
+        let anchor = arrival.anchor.map(|anchor| self.model.group_positions(group, &anchor));
+        Ok(Closed { anchor, here: arrival.here.filter(|_| !moved) })
     }
 
     /// Joints of a group with several positions that were set.

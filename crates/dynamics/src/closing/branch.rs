@@ -4,7 +4,7 @@
 //! points like others: found, and found exactly. Source: Allgower and Georg, Introduction to Numerical Continuation
 //! Methods, 2003, ch. 2, 6 and 8; a step is corrected by the shortest motion (their Moore–Penrose correction).
 
-use super::correct::{Directions, Linearised};
+use super::correct::{Directions, Linearised, norm};
 use crate::kinematics::Kinematics;
 use crate::linear::dense::dot;
 use crate::model::{Group, Model};
@@ -26,10 +26,11 @@ pub(crate) struct DriverPath<'a> {
     pub tolerance: f64,
     /// Least over largest pivot of the followers' Jacobian at the generic pose.
     pub conditioning: f64,
+    /// The places of the drivers that move among the positions, and where they stand at the end.
+    pub ends: Vec<(usize, f64)>,
 }
 
 /// Where a path ended.
-#[derive(Clone, Debug)]
 pub(crate) struct Arrival {
     /// Whether that is where it was to go; else it is a limit, or the nearest point that was found.
     pub there: bool,
@@ -37,15 +38,17 @@ pub(crate) struct Arrival {
     pub anchor: Option<Vec<f64>>,
     /// Whether the path was too long, and nothing but that stopped it.
     pub too_far: bool,
+    /// The group where it stands now, where that is known.
+    pub here: Option<Linearised>,
 }
 
 impl Arrival {
     fn at_end(anchor: Option<Vec<f64>>) -> Self {
-        Self { there: true, anchor, too_far: false }
+        Self { there: true, anchor, too_far: false, here: None }
     }
 
     fn short_of_end(anchor: Option<Vec<f64>>, too_far: bool) -> Self {
-        Self { there: false, anchor, too_far }
+        Self { there: false, anchor, too_far, here: None }
     }
 }
 
@@ -68,13 +71,14 @@ impl<'a> DriverPath<'a> {
         mut direction: Vec<f64>,
         tolerance: f64,
         conditioning: f64,
+        ends: Vec<(usize, f64)>,
     ) -> Option<Self> {
         let length = direction.iter().zip(&group.lengths).map(|(w, l)| (w * l).powi(2)).sum::<f64>().sqrt();
         if length == 0.0 {
             return None;
         }
         direction.iter_mut().for_each(|w| *w /= length);
-        Some(Self { model, group, unknown, direction, length, tolerance, conditioning })
+        Some(Self { model, group, unknown, direction, length, tolerance, conditioning, ends })
     }
 
     fn directions(&self) -> Directions<'_> {
@@ -103,8 +107,10 @@ impl<'a> DriverPath<'a> {
     }
 
     fn stand(&self, kinematics: &mut Kinematics<f64>, q: &[f64]) {
-        kinematics.q.copy_from_slice(q);
-        self.model.refill_group(kinematics, self.group);
+        if kinematics.q != q {
+            kinematics.q.copy_from_slice(q);
+            self.model.refill_group(kinematics, self.group);
+        }
     }
 
     /// From a point to where the drivers have gone `target` metres, forwards or back. `careful`: near-singular ends are
@@ -132,9 +138,9 @@ impl<'a> DriverPath<'a> {
         for _ in 0..steps {
             let left = (target - here.gone).abs();
             if slope(&here) > 0.0 && left <= step * slope(&here) {
-                if let Some(singular) = self.land(kinematics, &here, target) {
+                if let Some((singular, landed)) = self.land(kinematics, &here, target) {
                     if !singular {
-                        return Arrival::at_end(None);
+                        return Arrival { here: Some(landed), ..Arrival::at_end(None) };
                     }
                     if !careful {
                         return Arrival::at_end(Some(here.q));
@@ -203,17 +209,22 @@ impl<'a> DriverPath<'a> {
     }
 
     /// Goes from a point straight to the target, followers alone being corrected. None where that is not the branch;
-    /// else whether the end is nearly singular.
-    pub(super) fn land(&self, kinematics: &mut Kinematics<f64>, here: &Point, target: f64) -> Option<bool> {
+    /// else whether the end is nearly singular, and the group there.
+    fn land(
+        &self,
+        kinematics: &mut Kinematics<f64>,
+        here: &Point,
+        target: f64,
+    ) -> Option<(bool, Linearised)> {
         self.stand(kinematics, &here.q);
         let n = self.unknown.len();
         let step = (target - here.gone) / here.tangent[n];
-        let directions = self.directions();
-        self.model.advance_group(
-            kinematics,
-            self.group,
-            &directions.expand(self.group, |k| step * here.tangent[k]),
-        );
+        let rates = self.directions().expand(self.group, |k| step * here.tangent[k]);
+        self.model.advance_positions(kinematics, self.group, &rates);
+        if target == self.length {
+            self.ends.iter().for_each(|(q, end)| kinematics.q[*q] = *end);
+        }
+        self.model.refill_group(kinematics, self.group);
         let correction = self.model.correct(kinematics, self.group, self.followers(), self.tolerance);
         // A root that is nearly double is found to the root of the tolerance.
         let blurred = (self.tolerance * self.size()).sqrt();
@@ -222,7 +233,7 @@ impl<'a> DriverPath<'a> {
         }
         let singular = self.is_narrow(&correction.here);
         let straight = || dot(&self.tangent_at(&correction.here, &here.tangent), &here.tangent) > STRAIGHT;
-        (singular || straight()).then_some(singular)
+        (singular || straight()).then_some((singular, correction.here))
     }
 
     /// Whether the followers' Jacobian is nearly singular here.
@@ -238,9 +249,10 @@ impl<'a> DriverPath<'a> {
 
     fn tangent_at(&self, here: &Linearised, before: &[f64]) -> Vec<f64> {
         let jacobian = self.directions().jacobian(self.group, &here.rows);
-        let t = jacobian.projected(before, self.tolerance / self.size());
-        let norm = t.iter().map(|t| t * t).sum::<f64>().sqrt();
-        t.into_iter().map(|t| t / norm).collect()
+        let mut t = jacobian.projected(before, self.tolerance / self.size());
+        let length = norm(&t);
+        t.iter_mut().for_each(|t| *t /= length);
+        t
     }
 
     /// The point between `here` and a step further where the drivers turn back, by the rule of false position

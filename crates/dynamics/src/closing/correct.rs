@@ -1,10 +1,10 @@
 //! Closing a group of loops: Gauss–Newton with least steps, damped where these do not help.
 
 use crate::kinematics::Kinematics;
-use crate::linear::jacobian::Jacobian;
+use crate::linear::jacobian::{Jacobian, NormalEquations};
 use crate::model::{Group, Model};
 use crate::rows::{GroupRows, largest};
-use crate::tolerances::{COMMENSURATE, CORRECTION_ITERATIONS, FOLLOWED, ROUNDING};
+use crate::tolerances::{COMMENSURATE, CORRECTION_ITERATIONS, FOLLOWED, KEPT_JACOBIAN, ROUNDING};
 
 /// The directions in which a group may be moved.
 #[derive(Clone, Copy)]
@@ -44,7 +44,7 @@ impl<'a> Directions<'a> {
     pub fn jacobian(&self, group: &Group, rows: &GroupRows<f64>) -> Jacobian {
         let mut place = vec![usize::MAX; group.coordinates.len()];
         self.unknown.iter().enumerate().for_each(|(k, &at)| place[at] = k);
-        let mut entries = Vec::with_capacity(group.rows * 4);
+        let mut entries = Vec::with_capacity(rows.len() * (1 + usize::from(self.path.is_some())));
         rows.for_each(group, |r, c, a| {
             if place[c] != usize::MAX {
                 entries.push((r, place[c], a / group.lengths[c]));
@@ -127,7 +127,8 @@ impl Model {
         firm
     }
 
-    /// Gauss–Newton steps of least norm; where one does not help, Levenberg–Marquardt. Stops when nothing improves.
+    /// Gauss–Newton steps of least norm; where one does not help, Levenberg–Marquardt. Stops when nothing improves. A step
+    /// that takes so much of the residuals away that the same once more comes to rounding leaves its Jacobian to the next.
     fn descend(
         &self,
         kinematics: &mut Kinematics<f64>,
@@ -140,6 +141,11 @@ impl Model {
         let (mut moved, mut along) = (0.0, 0.0);
         let mut damping = 0.0;
         let mut here = Linearised::at(self, kinematics, group);
+        // Whether the rows of `here` are those of the frames, and the Jacobian with its factors: of the last step, or none.
+        let mut rows_are_here = true;
+        let mut linear: Option<(Jacobian, Option<NormalEquations>)> = None;
+        let mut is_kept = false;
+        let (mut next, mut before) = (Vec::with_capacity(group.rows), Vec::new());
         for _ in 0..CORRECTION_ITERATIONS {
             let cost = norm(&here.residuals);
             let worst = largest(&here.residuals).0;
@@ -149,11 +155,20 @@ impl Model {
             let small = worst <= ROUNDING * size;
             let firm = small && followed == Followed::Firm;
             let floor = (tolerance / size).max(if firm { FOLLOWED * worst / size } else { 0.0 });
-            let jacobian = directions.jacobian(group, &here.rows);
             let target: Vec<f64> = here.residuals.iter().map(|r| -r).collect();
-            let mut x = match damping > 0.0 {
-                true => jacobian.damped(&target, damping),
-                false => jacobian.shortest(&target, floor),
+            let (jacobian, equations) = linear.get_or_insert_with(|| {
+                if !rows_are_here {
+                    here.rows.fill(self, group, kinematics);
+                    rows_are_here = true;
+                }
+                let jacobian = directions.jacobian(group, &here.rows);
+                let equations = if damping > 0.0 { None } else { jacobian.normal_equations(floor) };
+                (jacobian, equations)
+            });
+            let mut x = match equations {
+                _ if damping > 0.0 => jacobian.damped(&target, damping),
+                Some(equations) => equations.shortest(&target),
+                None => jacobian.shortest_by_factors(&target, floor),
             };
             let mut length = norm(&x);
             if !(length > 0.0 && length.is_finite()) {
@@ -169,41 +184,58 @@ impl Model {
             let part = (longest / length).min(1.0);
             x.iter_mut().for_each(|x| *x *= part);
             length *= part;
-            let promised = norm_of_difference(&jacobian.times(&x), &target);
-            let before = self.group_positions(group, &kinematics.q);
+            self.group_positions_into(group, &kinematics.q, &mut before);
             self.advance_group(kinematics, group, &directions.expand(group, |k| x[k]));
-            let next = Linearised::at(self, kinematics, group);
-            let left = norm(&next.residuals);
+            self.group_residuals_into(kinematics, group, &mut next);
+            let left = norm(&next);
+            let at_rounding = |residuals: &[f64]| largest(residuals).0 <= 0.01 * tolerance;
             if left < cost {
-                let at_rounding = largest(&next.residuals).0 <= 0.01 * tolerance;
-                let stalled =
-                    left > 0.99 * cost && (length < 1e-9 * size || firm) || left > 0.3 * cost && at_rounding;
-                // As much as was promised: the promise may be bolder.
-                let kept = (cost * cost - left * left) / (cost * cost - promised * promised);
-                here = next;
+                let stalled = left > 0.99 * cost && (length < 1e-9 * size || firm)
+                    || left > 0.3 * cost && at_rounding(&next);
+                std::mem::swap(&mut here.residuals, &mut next);
+                rows_are_here = false;
                 moved += length;
                 along += directions.path.map_or(0.0, |_| x[directions.unknown.len()]);
-                damping *= if kept > 0.75 {
-                    0.1
-                } else if kept > 0.25 {
-                    0.5
-                } else {
-                    2.0
-                };
-                if damping < 1e-5 {
-                    damping = 0.0;
+                if damping > 0.0 {
+                    // As much as was promised: the promise may be bolder.
+                    let promised = norm_of_difference(&jacobian.times(&x), &target);
+                    let kept = (cost * cost - left * left) / (cost * cost - promised * promised);
+                    damping *= if kept > 0.75 {
+                        0.1
+                    } else if kept > 0.25 {
+                        0.5
+                    } else {
+                        2.0
+                    };
+                    if damping < 1e-5 {
+                        damping = 0.0;
+                    }
+                    linear = None;
+                }
+                is_kept = left * left <= KEPT_JACOBIAN * size * cost && matches!(linear, Some((_, Some(_))));
+                if !is_kept {
+                    linear = None;
                 }
                 if stalled {
                     break;
                 }
             } else {
                 self.restore_group(kinematics, group, &before);
-                let at_rounding = worst <= 0.01 * tolerance;
-                if firm || at_rounding || length <= 1e-15 * size || damping > 1e3 {
+                if at_rounding(&here.residuals) || length <= 1e-15 * size {
+                    break;
+                }
+                if std::mem::take(&mut is_kept) {
+                    linear = None;
+                    continue;
+                }
+                if firm || damping > 1e3 {
                     break;
                 }
                 damping = if damping == 0.0 { 1e-3 } else { damping * 10.0 };
             }
+        }
+        if !rows_are_here {
+            here.rows.fill(self, group, kinematics);
         }
         let (residual, worst) = largest(&here.residuals);
         Correction { residual, moved, along, closed: residual <= tolerance, worst, here }

@@ -1,6 +1,6 @@
 //! The shortest step that does most: min ‖x‖ among those with least ‖Jx − b‖, for groups of every size.
 
-use super::dense::{cholesky, cholesky_solve, orthogonal_pivot_ratio};
+use super::dense::{cholesky, cholesky_solve, dot, orthogonal_pivot_ratio};
 use super::sparse::{SparseRows, eliminate, pivot_ratio};
 use crate::tolerances::{DENSE_LIMIT, NORMAL_EQUATIONS_FILL, STEP_RANK, WELL_CONDITIONED};
 use faer::linalg::solvers::{Solve, SolveLstsq};
@@ -14,6 +14,34 @@ pub(crate) struct Jacobian {
     pub columns: usize,
     /// (row, column, value); several to a place add.
     pub entries: Vec<(usize, usize, f64)>,
+}
+
+/// The factorised normal equations of a Jacobian, for any number of targets.
+pub(crate) struct NormalEquations {
+    wide: bool,
+    /// Vectors whose products were taken, one after another and each so long: columns of J, or its rows.
+    length: usize,
+    vectors: Vec<f64>,
+    factor: Vec<f64>,
+}
+
+impl NormalEquations {
+    /// The shortest x with least ‖Jx − b‖.
+    pub fn shortest(&self, target: &[f64]) -> Vec<f64> {
+        let vectors = self.vectors.chunks_exact(self.length);
+        if !self.wide {
+            let mut x: Vec<f64> = vectors.map(|column| dot(column, target)).collect();
+            cholesky_solve(&self.factor, &mut x);
+            return x;
+        }
+        let mut z = target.to_vec();
+        cholesky_solve(&self.factor, &mut z);
+        let mut x = vec![0.0; self.length];
+        for (row, z) in vectors.zip(z) {
+            x.iter_mut().zip(row).for_each(|(x, a)| *x += a * z);
+        }
+        x
+    }
 }
 
 impl Jacobian {
@@ -43,56 +71,49 @@ impl Jacobian {
     /// The shortest x with least ‖Jx − b‖. Pivots below `floor` times the first are left out: rows of a rounded file that
     /// repeat others but for its inexactness contradict them, and following them leads far off.
     pub fn shortest(&self, target: &[f64], floor: f64) -> Vec<f64> {
+        match self.normal_equations(floor) {
+            Some(equations) => equations.shortest(target),
+            None => self.shortest_by_factors(target, floor),
+        }
+    }
+
+    /// The same without the normal equations.
+    pub fn shortest_by_factors(&self, target: &[f64], floor: f64) -> Vec<f64> {
         if self.columns == 0 || self.rows == 0 || self.largest() == 0.0 {
             return vec![0.0; self.columns];
         }
         if self.columns > DENSE_LIMIT && self.rows > DENSE_LIMIT {
             return self.shortest_sparse(target, floor.max(STEP_RANK));
         }
-        if floor < WELL_CONDITIONED
-            && let Some(x) = self.by_normal_equations(target)
-        {
-            return x;
-        }
         least_norm(&self.dense(), target, floor.max(STEP_RANK))
     }
 
-    /// The same by JᵀJ, or JJᵀ where J is wide: where all singular values are so alike that their squares keep eight
-    /// digits. Newton's next step takes the rest.
-    fn by_normal_equations(&self, target: &[f64]) -> Option<Vec<f64>> {
+    /// JᵀJ, or JJᵀ where J is wide: where all singular values are so alike that their squares keep eight digits. Newton's
+    /// next step takes the rest.
+    pub fn normal_equations(&self, floor: f64) -> Option<NormalEquations> {
         let (m, n) = (self.rows, self.columns);
+        if floor >= WELL_CONDITIONED || m == 0 || n == 0 || m.min(n) > DENSE_LIMIT {
+            return None;
+        }
         let wide = n > m;
-        // Vectors whose products are wanted, one after another: columns of J, or its rows.
         let (count, length) = if wide { (m, n) } else { (n, m) };
         let mut vectors = vec![0.0; count * length];
         for &(r, c, a) in &self.entries {
             let (vector, at) = if wide { (r, c) } else { (c, r) };
             vectors[vector * length + at] += a;
         }
-        let of = |k: usize| &vectors[k * length..(k + 1) * length];
-        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-        let mut gram = vec![0.0; count * count];
-        for i in 0..count {
-            for k in 0..=i {
-                gram[i * count + k] = dot(of(i), of(k));
+        let mut factor = vec![0.0; count * count];
+        for (i, own) in vectors.chunks_exact(length).enumerate() {
+            for (k, other) in vectors.chunks_exact(length).take(i + 1).enumerate() {
+                factor[i * count + k] = dot(own, other);
             }
         }
-        if !cholesky(&mut gram, count, WELL_CONDITIONED * WELL_CONDITIONED) {
-            return None;
-        }
-        if wide {
-            let mut z = target.to_vec();
-            cholesky_solve(&gram, &mut z);
-            let mut x = vec![0.0; n];
-            for (k, z) in z.iter().enumerate() {
-                x.iter_mut().zip(of(k)).for_each(|(x, a)| *x += a * z);
-            }
-            Some(x)
-        } else {
-            let mut x: Vec<f64> = (0..n).map(|k| dot(of(k), target)).collect();
-            cholesky_solve(&gram, &mut x);
-            Some(x)
-        }
+        cholesky(&mut factor, count, WELL_CONDITIONED * WELL_CONDITIONED).then_some(NormalEquations {
+            wide,
+            length,
+            vectors,
+            factor,
+        })
     }
 
     /// min ‖Jx − b‖² + λ² σ² ‖x‖², σ the size of J.

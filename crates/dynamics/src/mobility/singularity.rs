@@ -4,12 +4,12 @@ use super::drivers::Drivers;
 use super::elimination::rank_of_rows;
 use super::rank::Rank;
 use super::{decide, singular_values};
-use crate::kinematics::Kinematics;
 use crate::linear::dense::determinant_sign;
 use crate::linear::jacobian::Jacobian;
 use crate::model::{Group, Model};
 use crate::rows::GroupRows;
 use crate::tolerances::{DEAD_CENTRE, MODE_LIMIT, NEAR_CHANGE_POINT, SINGULAR_VALUES_LIMIT};
+use std::borrow::Cow;
 
 /// How a group of loops stands.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -39,29 +39,27 @@ pub(crate) struct Generic<'a> {
 }
 
 impl Model {
-    /// In which assembly mode a group stands: the sign of the determinant of its dependent coordinates' Jacobian, on rows
+    /// In which assembly mode a group with these rows stands: the sign of the determinant of its dependent coordinates' Jacobian, on rows
     /// that are independent at the generic pose; 0 where it is singular.
     pub fn mode_of(
         &self,
-        kinematics: &Kinematics<f64>,
+        rows: &GroupRows<f64>,
         group: &Group,
         generic: &Generic,
         drivers: &Drivers,
     ) -> Mode {
-        let mut rows = GroupRows::default();
-        rows.fill(self, group, kinematics);
         let dependent = &drivers.dependent;
-        let here = scaled(group, &rows, dependent);
+        let here = scaled(group, rows, dependent);
         // Only where the dependent coordinates' columns are weak can there be a singularity.
         let weak = here.pivot_ratio() < DEAD_CENTRE * drivers.conditioning;
-        let singularity = if weak { singularity(group, &rows, generic) } else { Singularity::None };
+        let singularity = if weak { singularity(group, rows, generic) } else { Singularity::None };
         let count = dependent.len();
         if singularity != Singularity::None || count == 0 || count > MODE_LIMIT {
             return Mode { sign: 0, singularity };
         }
-        let order = match generic.default_rows {
-            Some((known, order)) if known == dependent => order.to_vec(),
-            _ => independent_rows(group, generic.rows, dependent),
+        let order: Cow<[usize]> = match generic.default_rows {
+            Some((known, order)) if known == dependent => order.into(),
+            _ => independent_rows(group, generic.rows, dependent).into(),
         };
         if order.len() < count {
             return Mode { sign: 0, singularity };
@@ -90,7 +88,7 @@ pub(crate) fn independent_rows(group: &Group, rows: &GroupRows<f64>, dependent: 
 
 /// A over some coordinates, scaled by the group's lengths.
 fn scaled(group: &Group, rows: &GroupRows<f64>, columns: &[usize]) -> Jacobian {
-    let mut entries = Vec::new();
+    let mut entries = Vec::with_capacity(rows.len());
     rows.for_each(group, |r, c, a| {
         if let Ok(k) = columns.binary_search(&c) {
             entries.push((r, k, a / group.lengths[c]));
