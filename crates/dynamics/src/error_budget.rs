@@ -380,10 +380,21 @@ impl UnitImpulse<'_> {
         inertia
     }
 
+    /// Square roots of its diagonal, for a plain joint: what each pivot takes is added again.
+    fn carried_roots(&self, recursion: &Recursion<f64, 1>, i: usize) -> Vector6<f64> {
+        let mut squares = diagonal(&recursion.inertias[i]);
+        for e in self.model.bodies[i].v.clone().map(|v| &recursion.joints[v]).filter(|e| e.counts) {
+            let (m, f) = (&e.u.moment, &e.u.force);
+            let u = Vector6::new(m.x, m.y, m.z, f.x, f.y, f.z);
+            squares += u.component_mul(&u) * (1.0 / e.d);
+        }
+        squares.map(|x| x.abs().sqrt())
+    }
+
     /// The elimination of a plain joint.
     fn of_joint(&self, room: &mut BudgetRoom, recursion: &Recursion<f64, 1>, i: usize) -> f64 {
         let body = &self.model.bodies[i];
-        let roots = roots(&self.carried(recursion, i));
+        let roots = self.carried_roots(recursion, i);
         let own = energy_root(&roots, &components(&self.twists[i]));
         let parent = body.parent.map_or_else(Twist::zero, |p| self.twists[p]);
         let mut sum = SUM_ROUNDINGS * own * own;
@@ -455,8 +466,12 @@ impl UnitImpulse<'_> {
 
 /// Square roots of the diagonal of an inertia: entries of a positive one are at most products of two of them.
 fn roots(inertia: &ArticulatedInertia<f64>) -> Vector6<f64> {
+    diagonal(inertia).map(|x| x.abs().sqrt())
+}
+
+fn diagonal(inertia: &ArticulatedInertia<f64>) -> Vector6<f64> {
     let (a, l) = (&inertia.angular, &inertia.linear);
-    Vector6::new(a.m11, a.m22, a.m33, l.m11, l.m22, l.m33).map(|x| x.abs().sqrt())
+    Vector6::new(a.m11, a.m22, a.m33, l.m11, l.m22, l.m33)
 }
 
 fn components(twist: &Twist<f64>) -> Vector6<f64> {

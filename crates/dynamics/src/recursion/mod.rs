@@ -96,7 +96,7 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
     ) {
         for (i, frame) in kinematics.frames.iter().enumerate() {
             let x = Transform::new(frame.rotation, frame.translation - point);
-            pivoting.body(i, &x, &self.bodies[i], &self.wrenches[i]);
+            pivoting.body(i, &x, &self.wrenches[i]);
             self.inertias[i] = ArticulatedInertia::from(&x.inertia(&self.bodies[i]));
         }
         for (number, cluster) in model.clusters.iter().enumerate() {

@@ -3,16 +3,16 @@
 
 use super::elimination::{ClusterElimination, JointElimination};
 use crate::mobility::GroupMobility;
-use crate::model::Model;
+use crate::model::{Body, Model};
 use crate::tolerances::{
     LATE_PIVOT, MASSLESS_CLOSING, NEGATIVE_PIVOT, PIVOT, PIVOT_SQUARED, ROUTE_ROUNDINGS,
 };
-use percuss_spatial::{ArticulatedInertia, Scalar, SpatialInertia, Transform, Twist, Wrench};
+use percuss_spatial::{ArticulatedInertia, Scalar, Transform, Twist, Wrench};
 
 /// Decides, or repeats decisions, while the recursion runs.
 pub(crate) trait Pivoting<T: Scalar, const K: usize> {
     /// A body enters with its frame (root axes, at the contact point), its own rigid inertia and test wrenches.
-    fn body(&mut self, body: usize, x: &Transform<T>, own: &SpatialInertia<T>, wrenches: &[Wrench<T>; K]);
+    fn body(&mut self, body: usize, x: &Transform<T>, wrenches: &[Wrench<T>; K]);
     /// Whether a velocity of a plain joint is eliminated next: the `candidate`th of its order, when `done` of `dofs` are.
     fn takes(
         &mut self,
@@ -76,10 +76,14 @@ pub(crate) struct Decisions {
 pub(crate) struct Deciding<const K: usize> {
     /// For every body: the size of what its articulated inertia is the sum of, moment (kg·m²) and mass (kg).
     inertia: Vec<(f64, f64)>,
+    /// Of every body itself: the trace of its rotational inertia, its first moment, its mass; sizes.
+    own: Vec<(f64, f64, f64)>,
     /// For every body: how many of its velocities are eliminated.
     eliminated: Vec<usize>,
     /// For every body: how far its origin is from the contact point, m.
     arm: Vec<f64>,
+    /// Sizes of the column at hand.
+    step_size: (f64, f64),
     /// For every body: the size of what its test wrenches are sums of, moment and force.
     wrench: Vec<[(f64, f64); K]>,
     /// Of the cluster at hand: the size of each pivot's terms, and what may be rounding.
@@ -122,9 +126,15 @@ impl<const K: usize> Deciding<K> {
     pub fn new(model: &Model) -> Self {
         let bodies = model.bodies.len();
         let bound = model.clusters.iter().filter(|c| c.is_bound).count();
+        let own = |body: &Body| {
+            let inertia = &body.inertia;
+            (inertia.rotational.trace().abs(), inertia.first_moment.norm(), inertia.mass.abs())
+        };
         Self {
+            own: model.bodies.iter().map(own).collect(),
             inertia: vec![(0.0, 0.0); bodies],
             arm: vec![0.0; bodies],
+            step_size: (0.0, 0.0),
             eliminated: vec![0; bodies],
             wrench: vec![[(0.0, 0.0); K]; bodies],
             pivot_size: Vec::new(),
@@ -168,7 +178,9 @@ impl<const K: usize> Deciding<K> {
 
     /// Sizes of a column of motion: its lever at the contact point is the sum of terms as large as the arm.
     fn sizes(&self, body: usize, s: &Twist<f64>) -> (f64, f64) {
-        let turn = s.angular.norm();
+        let square = s.angular.norm_squared();
+        // Of a unit vector, to rounding; or there is none.
+        let turn = if square == 0.0 { 0.0 } else { 0.5 + 0.5 * square };
         (turn, s.linear.norm() + turn * self.arm[body])
     }
 
@@ -200,22 +212,18 @@ impl<const K: usize> Deciding<K> {
 
 impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
     #[inline]
-    fn body(
-        &mut self,
-        body: usize,
-        x: &Transform<f64>,
-        own: &SpatialInertia<f64>,
-        wrenches: &[Wrench<f64>; K],
-    ) {
+    fn body(&mut self, body: usize, x: &Transform<f64>, wrenches: &[Wrench<f64>; K]) {
         // The terms that the inertia about the contact point is the sum of, which may cancel there.
         let arm = x.translation.norm();
-        let mass = own.mass.abs();
-        let moment = own.rotational.trace().abs() + 2.0 * arm * (2.0 * own.first_moment.norm() + arm * mass);
+        let (trace, first, mass) = self.own[body];
         self.arm[body] = arm;
         self.loss[body] = ROUTE_ROUNDINGS;
         self.eliminated[body] = 0;
-        self.inertia[body] = (moment, mass);
-        self.wrench[body] = wrenches.map(|f| (f.moment.norm(), f.force.norm()));
+        self.inertia[body] = (trace + 2.0 * arm * (2.0 * first + arm * mass), mass);
+        let size = |f: &Wrench<f64>| {
+            if *f == Wrench::zero() { (0.0, 0.0) } else { (f.moment.norm(), f.force.norm()) }
+        };
+        self.wrench[body] = wrenches.each_ref().map(size);
     }
 
     #[inline]
@@ -228,10 +236,11 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
         dofs: usize,
         step: &JointElimination<f64, K>,
     ) -> bool {
+        self.step_size = self.sizes(body, &step.s);
         if dofs == 1 {
             return true;
         }
-        let (turn, slide) = self.sizes(body, &step.s);
+        let (turn, slide) = self.step_size;
         let (moment, mass) = self.inertia[body];
         let part = step.d / (turn * turn * moment + slide * slide * mass);
         // A small one may be rounding of what others leave: these come before.
@@ -246,7 +255,7 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
         step: &JointElimination<f64, K>,
         inertia: &ArticulatedInertia<f64>,
     ) -> bool {
-        let (turn, slide) = self.sizes(body, &step.s);
+        let (turn, slide) = self.step_size;
         let (moment, mass) = self.inertia[body];
         // sᵀIs lies below this for every rigid body, and so does what joints below leave of it; an armature is exact.
         let size = turn * turn * moment + slide * slide * mass;
@@ -264,6 +273,9 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
         for k in 0..K {
             let (about, along) = &mut self.wrench[body][k];
             let t = step.t[k].abs();
+            if t == 0.0 {
+                continue;
+            }
             if counts {
                 if k == 0 {
                     let part = t / step.d;
@@ -425,7 +437,7 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
 pub(crate) struct Following<'a>(pub &'a Decisions);
 
 impl<T: Scalar, const K: usize> Pivoting<T, K> for Following<'_> {
-    fn body(&mut self, _: usize, _: &Transform<T>, _: &SpatialInertia<T>, _: &[Wrench<T>; K]) {}
+    fn body(&mut self, _: usize, _: &Transform<T>, _: &[Wrench<T>; K]) {}
 
     fn takes(
         &mut self,
