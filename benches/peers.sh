@@ -4,7 +4,8 @@
 #     benches/peers.sh FOLDER [TIMES]
 #
 # FOLDER holds NAME.json for every robot: urdf, link, point, normal_world, base (fixed or floating), joints, poses and
-# effective_mass, the answers. It may hold suspensions, NAME.urdf as `percuss import` writes them. TIMES is what the others took, on this machine and just now: a line
+# effective_mass, the answers. It may hold suspensions, NAME.urdf as `percuss import` writes them: their poses, and the m̄ that is
+# compared, are our own. TIMES is what the others took, on this machine and just now: a line
 # `PROGRAM ROBOT VELOCITIES NANOSECONDS` each. All m̄ are compared to 1e-9 before anything is timed.
 set -euo pipefail
 cd "$(dirname "$0")/.."

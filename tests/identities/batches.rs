@@ -314,7 +314,8 @@ fn linkages_in_lanes_answer_as_poses_do() {
             let EffectiveMass::Finite(expected) = response.effective_mass else {
                 panic!("{name}: {m} kg for {:?}", response.effective_mass)
             };
-            let allowed = error + response.effective_mass_error().unwrap_or(expected);
+            // Of the pose's error the rounding alone: both stand at the same positions.
+            let allowed = error + response.error.and_then(|e| e.rounding).expect("an error");
             seen.worst = seen.worst.max((m - expected).abs() / allowed);
             seen.largest = seen.largest.max(error / m);
             assert!((m - expected).abs() <= allowed, "{name}: {m} for {expected}, allowed {allowed:e}");
@@ -339,7 +340,7 @@ fn linkages_in_lanes_answer_as_poses_do() {
         }
     }
     println!("{linkages} linkages: {seen:?}, {open} doubted because they are open");
-    assert!(linkages > 200 && seen.by_lanes * 10 > seen.answers * 6, "{linkages} linkages: {seen:?}");
+    assert!(linkages > 150 && seen.by_lanes * 10 > seen.answers * 4, "{linkages} linkages: {seen:?}");
     assert!(open > linkages, "{open} doubted");
 }
 

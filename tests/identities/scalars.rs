@@ -164,8 +164,8 @@ fn every_lane_is_the_plain_answer_to_the_last_bit() {
         let (matrices, inverses) = (lanes.mass_matrix(), lanes.inverse_effective_mass());
         let mut scalar = pose.workspace_over::<f64>(contact).expect("a contact");
         let mut workspace = pose.assembly().workspace();
-        // A workspace has another recursion for them.
-        let in_own_axes = pose.assembly().batch(contact).is_ok_and(|batch| batch.has_lanes());
+        // A workspace has another way for them.
+        let in_lanes = pose.assembly().batch(contact).is_ok_and(|batch| batch.has_lanes());
         // The lanes follow the recursion, also where the careful route is asked.
         let response = pose.respond(contact, RouteChoice::Auto);
         let by_recursion = response.as_ref().is_ok_and(|r| r.careful_reason.is_none() && !r.held_to_energy);
@@ -193,7 +193,7 @@ fn every_lane_is_the_plain_answer_to_the_last_bit() {
             }
             // Another coordinate was taken to depend: no other answer, but another way to it.
             let near = (inverse * m - 1.0).abs();
-            if in_own_axes {
+            if in_lanes {
                 assert!(near < 1e-11, "{name}, lane {lane}: {} and {m} kg", 1.0 / inverse);
                 continue;
             }

@@ -1,6 +1,6 @@
 //! A workspace answers as a pose does: the same status, and the same number, also where the recursion is not accurate or
-//! claims that nothing opposes; to the last bit, but for contacts of trees of hinges and slides with the ground, which go
-//! through a recursion of their own: these within the stated error.
+//! claims that nothing opposes; to the last bit, but for what goes in lanes (trees of hinges and slides, linkages of few
+//! freedoms): these within the stated error.
 
 use nalgebra::{UnitQuaternion, Vector3};
 use percuss_dynamics::{
@@ -31,7 +31,7 @@ fn compare(name: &str, pose: &Pose, contact: &Contact, counts: &mut Counts) {
             // Its own error is at most 1e-11; an unknown one is as large as m̄.
             let allowed = response.effective_mass_error().unwrap_or(*b) + 1e-11 * b;
             assert!((a - b).abs() <= allowed, "{name}: {a} {b}, allowed {allowed:e}");
-            *counts.entry("in own axes".to_owned()).or_default() += 1;
+            *counts.entry("in lanes".to_owned()).or_default() += 1;
         }
         _ => assert_eq!(there, mass, "{name}"),
     }
@@ -64,7 +64,7 @@ fn on_trees_and_linkages() {
     for subject in of_trees(16, 3, 120).into_iter().chain(of_linkages(800, 8)) {
         compare(&subject.name, &subject.pose, &subject.contact, &mut counts);
     }
-    assert_occurred(&counts, &["finite", "in own axes", "immovable", "massless, massless"]);
+    assert_occurred(&counts, &["finite", "in lanes", "immovable", "massless, massless"]);
 }
 
 /// Answers are found in rooms that an assembly keeps: what was asked in them before leaves no trace.

@@ -1,14 +1,14 @@
 //! m̄ of one contact at many configurations: in lanes, by threads.
 //!
 //! Trees of hinges and slides, on the ground or floating, and linkages of few freedoms go in as many lanes as the processor
-//! has. A lane that is in doubt (massless, immovable, near either, too much rounding) is asked again by itself,
+//! has. A lane that is not sure (massless, immovable, near either, too much rounding) is asked again by itself,
 //! by [`Workspace`], and so is every configuration of other mechanisms: the answers are the same, one by one.
 
 use crate::assembly::Assembly;
+use crate::clear_mass::{ClearMass, Columns, WIDEST};
 use crate::contact::Contact;
 use crate::in_lanes::InLanes;
 use crate::outcome::{EffectiveMass, ResponseError};
-use crate::own_axes::{ClearMass, Columns, WIDEST};
 use crate::velocities::{VelocityError, check_positions};
 use crate::workspace::Workspace;
 use percuss_spatial::lanes::Instructions;
@@ -299,6 +299,6 @@ impl BatchPositions<'_> {
 
 /// The answer of a workspace.
 fn by_itself(workspace: &mut Workspace, contact: &Contact, positions: &[f64]) -> BatchAnswer {
-    let mass = workspace.set_positions(positions).ok().and_then(|()| workspace.effective_mass(contact).ok());
+    let mass = workspace.set_positions(positions).ok().and_then(|()| workspace.by_recursion(contact).ok());
     BatchAnswer { mass, error: None }
 }

@@ -1,10 +1,12 @@
-//! What answers many configurations at once: trees in their bodies' own axes, linkages of few freedoms by their velocities.
+//! What answers many configurations at once: trees in their bodies' own axes, for contacts with the ground; linkages of few
+//! freedoms by their velocities, for all contacts.
 
 use crate::assembly::Assembly;
+use crate::clear_mass::{ClearMass, Columns, WIDEST};
 use crate::contact::Contact;
 use crate::linkage::Linkage;
 use crate::model::Model;
-use crate::own_axes::{ClearMass, Columns, OwnAxes, WIDEST};
+use crate::own_axes::OwnAxes;
 use percuss_spatial::lanes::Instructions;
 
 /// A mechanism prepared for lanes, and room.
@@ -25,7 +27,10 @@ impl InLanes {
     pub fn aim(&mut self, model: &Model, contact: &Contact) -> bool {
         match self {
             Self::Tree(tree) => tree.aim(model, contact),
-            Self::Linkage(linkage) => linkage.aim(model, contact),
+            Self::Linkage(linkage) => {
+                linkage.aim(model, contact);
+                true
+            }
         }
     }
 

@@ -13,6 +13,7 @@ mod assembling;
 mod assembly;
 mod batch;
 mod careful;
+mod clear_mass;
 mod closing;
 mod closing_speed;
 mod conditions;

@@ -5,9 +5,9 @@ use crate::assembly::Assembly;
 use crate::careful::condition_of;
 use crate::contact::{Contact, ContactError, Frame, LocatedContact};
 use crate::kinematics::Kinematics;
-use crate::mobility::GroupMobility;
+use crate::mobility::{GroupMobility, MobilityRoom};
 use crate::singular::Surroundings;
-use crate::tolerances::CONDITION_LIMIT;
+use crate::tolerances::{BESIDE, CONDITION_LIMIT};
 use nalgebra::{DMatrix, Vector3};
 use percuss_mechanism::{JointId, Limits, LinkId, Mechanism};
 use percuss_spatial::Transform;
@@ -52,12 +52,20 @@ impl Pose {
         Self { assembly, kinematics, base, loops, groups, crossings: OnceLock::new() }
     }
 
-    /// What is decided about the groups here, carried on to frames so near that it holds there too.
+    /// What is decided about the groups here, carried on to frames so near that it holds there too; elsewhere decided anew.
     pub(crate) fn groups_beside(&self, kinematics: &Kinematics<f64>) -> Vec<GroupMobility> {
-        let model = self.assembly.model();
-        let mut groups = self.groups.clone();
-        for (known, group) in groups.iter_mut().zip(&model.groups) {
-            known.move_to(model, group, kinematics);
+        let (model, mut groups) = (self.assembly.model(), self.groups.clone());
+        let (here, there) = (&self.kinematics.q, &kinematics.q);
+        for (number, (known, group)) in groups.iter_mut().zip(&model.groups).enumerate() {
+            let near = BESIDE * group.size.min(1.0);
+            let mut moved = group.bodies.iter().flat_map(|&b| model.bodies[b].q.clone());
+            if moved.all(|q| (here[q] - there[q]).abs() <= near) {
+                known.move_to(model, group, kinematics);
+            } else {
+                let (floor, expected) = (self.assembly.floor(number), Some(known.rank.rank));
+                let room = &mut MobilityRoom::default();
+                model.decide_mobility(room, kinematics, group, floor, expected, known);
+            }
         }
         groups
     }

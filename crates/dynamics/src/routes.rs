@@ -8,10 +8,10 @@ use crate::kinematics::Kinematics;
 use crate::mobility::GroupMobility;
 use crate::model::Model;
 use crate::outcome::{CarefulReason, EffectiveMass, Remark, Route, RouteChoice, RouteError};
-use crate::recursion::{Deciding, Motion, Recursion};
+use crate::recursion::{ClusterElimination, Deciding, Motion, Recursion};
 use crate::tolerances::{
-    CAREFUL_LIMIT, IMMOVABLE, KEPT_BODIES, KEPT_ROOMS, NEARLY_IMMOVABLE, NOTHING_LEFT, ROUTE_ROUNDINGS,
-    TRUSTED_ERROR,
+    CAREFUL_LIMIT, IMMOVABLE, KEPT_BODIES, KEPT_NUMBERS, KEPT_ROOMS, NEARLY_IMMOVABLE, NOTHING_LEFT,
+    ROUTE_ROUNDINGS, TRUSTED_ERROR,
 };
 use nalgebra::Vector3;
 use percuss_spatial::{Twist, Wrench};
@@ -54,7 +54,9 @@ impl Rooms {
 
     /// Keeps a room, unless it is large or there are many.
     pub fn put(&self, room: RecursionRoom) {
+        let numbers: usize = room.recursion.clusters.iter().map(ClusterElimination::numbers).sum();
         if room.recursion.inertias.len() <= KEPT_BODIES
+            && numbers <= KEPT_NUMBERS
             && let Ok(mut rooms) = self.0.try_lock()
             && rooms.len() < KEPT_ROOMS
         {
@@ -118,6 +120,12 @@ impl RecursionRoom {
             && most <= TRUSTED_ERROR * self.response
     }
 
+    /// What of the errors another route could do without. Rows that are off near a dead centre the careful route feels less;
+    /// frames it feels as much.
+    fn own_error(&self, errors: &RelativeErrors) -> f64 {
+        if self.recursion.clusters.is_empty() { errors.route } else { errors.rounding }
+    }
+
     /// Why the recursion's answer, with these errors, does not stand alone; none where it does.
     fn careful_reason(&self, errors: &RelativeErrors) -> Option<CarefulReason> {
         if self.deciding.indefinite {
@@ -126,8 +134,7 @@ impl RecursionRoom {
         if self.is_clear() {
             return None;
         }
-        // Rows that are off near a dead centre the careful route feels less; frames it feels as much.
-        let relative = if self.recursion.clusters.is_empty() { errors.route } else { errors.rounding };
+        let relative = self.own_error(errors);
         match self.mass() {
             // What is left of the error where the energy decides is the data's, and every route's.
             EffectiveMass::Finite(_) if relative <= TRUSTED_ERROR || errors.stationary.is_some() => None,
@@ -253,7 +260,9 @@ impl Question<'_> {
         match mass {
             EffectiveMass::Finite(m) => {
                 velocities.iter_mut().zip(&room.motion.velocities).for_each(|(to, v)| *to = v * m);
-                if errors.rounding > NOTHING_LEFT && !room.is_small(ROUTE_ROUNDINGS * room.deciding.terms) {
+                if room.own_error(&errors) > NOTHING_LEFT
+                    && !room.is_small(ROUTE_ROUNDINGS * room.deciding.terms)
+                {
                     // The energy that is left is rounding.
                     mass = EffectiveMass::Massless;
                 }

@@ -310,13 +310,15 @@ pub(crate) const KEPT_ROOMS: usize = 64;
 pub(crate) const LINKAGE_COORDINATES: usize = 64;
 /// Freedoms up to which it is: its energy is a full matrix over them.
 pub(crate) const LINKAGE_FREEDOMS: usize = 8;
-/// Loops that fit worse than this part of their size leave the choice of their redundant rows in the answer.
-pub(crate) const LINKAGE_MISFIT: f64 = 1e-14;
 /// How much smaller than the largest a pivot may be at the pose that a linkage is compiled at: what is eliminated in the same
 /// order elsewhere is to be far from singular.
 pub(crate) const LINKAGE_PIVOT: f64 = 64.0;
-/// How much smaller than what it is the sum of a pivot may be in an answer of a linkage: beyond, the order of its elimination is
-/// not the pose's, or it has little mass.
-pub(crate) const LINKAGE_LOSS: f64 = 1024.0;
 /// By how many times as much as its loops are open, over its least length, the rows of a linkage are taken to be off.
 pub(crate) const OPEN_ROUNDINGS: f64 = 8.0;
+/// Roundings of a place, over the length that counts there, by which an arm between two places is off.
+pub(crate) const FAR_ROUNDINGS: f64 = 4.0;
+/// How far positions may be from those of a pose, rad or lengths of the mechanism, for its pivots to serve: far below what
+/// any singular value that counts as one can move them to.
+pub(crate) const BESIDE: f64 = 1e-9;
+/// Numbers up to which the clusters of a room that is kept may have: some hundred kilobytes.
+pub(crate) const KEPT_NUMBERS: usize = 1 << 15;

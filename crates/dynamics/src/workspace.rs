@@ -106,17 +106,18 @@ impl Workspace {
         if self.in_lanes.as_mut().is_none_or(|lanes| !lanes.aim(model, contact)) {
             return self.by_recursion(contact);
         }
-        if !self.has_room {
+        let Some(clear) = self.in_lanes.as_mut().and_then(|lanes| lanes.one(&self.kinematics.q)) else {
+            return self.by_recursion(contact);
+        };
+        if !self.has_room && matches!(self.in_lanes, Some(InLanes::Linkage(_))) {
             // Once, so that nothing is allocated when it is needed.
             let _ = self.by_recursion(contact);
         }
-        match self.in_lanes.as_mut().and_then(|lanes| lanes.one(&self.kinematics.q)) {
-            Some(clear) => Ok(EffectiveMass::Finite(clear.mass)),
-            None => self.by_recursion(contact),
-        }
+        Ok(EffectiveMass::Finite(clear.mass))
     }
 
-    fn by_recursion(&mut self, contact: &Contact) -> Result<EffectiveMass, ResponseError> {
+    /// The same, whatever lanes may know.
+    pub(crate) fn by_recursion(&mut self, contact: &Contact) -> Result<EffectiveMass, ResponseError> {
         self.has_room = true;
         if self.stale {
             self.refill();

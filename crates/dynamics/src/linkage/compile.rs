@@ -1,17 +1,21 @@
 //! Compiles a mechanism of few freedoms, and orders its elimination at the assembly's first closed pose.
 
 use super::motion;
-use super::plan::{Block, Form, Motion, Moving, Pivot, Place, Plan, Position, Term, Velocity};
+use super::plan::{
+    Block, BodyDirection, BodyPoint, Form, Motion, Moving, Pivot, Plan, Position, Term, Velocity,
+};
 use super::room::Layout;
 use crate::assembly::Assembly;
+use crate::clear_mass::is_positive;
 use crate::model::{Body, CompiledClosure, Constraint, ConstraintRows, LinkFrame, Model};
-use crate::tolerances::{LINKAGE_COORDINATES, LINKAGE_FREEDOMS, LINKAGE_MISFIT, LINKAGE_PIVOT};
+use crate::tolerances::{LINKAGE_COORDINATES, LINKAGE_FREEDOMS, LINKAGE_PIVOT, ROW_ROUNDINGS};
 use nalgebra::{Matrix3, Vector3};
 use percuss_mechanism::{ClosureKind, JointKind};
 use percuss_spatial::{SpatialInertia, Transform, plane_basis};
 
 impl Plan {
-    /// None where it has other joints than hinges, slides and balls, many freedoms, or loops that do not fit.
+    /// None where it has other joints than hinges, slides and balls, redundant rows, many freedoms, several pieces that do
+    /// not move one another, or inertias below zero.
     pub fn of(assembly: &Assembly) -> Option<Self> {
         let model = assembly.model();
         let rank: usize = (0..model.groups.len()).map(|g| assembly.expected_rank(g)).sum();
@@ -20,20 +24,28 @@ impl Plan {
             || columns > LINKAGE_COORDINATES
             || bodies > LINKAGE_COORDINATES
             || !(1..=LINKAGE_FREEDOMS).contains(&columns.checked_sub(rank)?)
-            || assembly.misfits().iter().any(|misfit| *misfit > LINKAGE_MISFIT)
+            // Nothing beside it has a part in its answer.
+            || model.clusters.iter().filter(|cluster| cluster.parent.is_none()).count() != 1
+            // Rows that add nothing here may count at another pose.
+            || model.groups.iter().map(|group| group.rows).sum::<usize>() != rank
+            || model.bodies.iter().any(|body| !is_positive(&body.inertia))
         {
             return None;
         }
         let lengths = lengths(model);
+        let length = shortest(model, &lengths);
+        if !length.is_finite() {
+            return None;
+        }
         let mut plan = Self {
             bodies: Vec::with_capacity(bodies),
             blocks: Vec::new(),
             pivots: Vec::new(),
-            filled: Vec::new(),
             follows: Vec::new(),
             scale: 0.0,
-            length: shortest(model, &lengths),
-            weight: weight(model, shortest(model, &lengths)),
+            length,
+            weight: 0.0,
+            roundings: 0.0,
             columns,
             freedoms: columns - rank,
             centre: model.bodies[0].origin.translation,
@@ -45,13 +57,18 @@ impl Plan {
             if body.parent.is_none() {
                 moving.translation = (Vector3::from(moving.translation) - plan.centre).into();
             }
+            let carried = body.parent.map_or(0.0, |p| plan.bodies[p].reach);
+            let own = if body.parent.is_some() { Vector3::from(moving.translation).norm() } else { 0.0 };
+            moving.reach = carried + own;
             plan.bodies.push(moving);
         }
+        plan.weight = plan.bodies.iter().map(|body| weight(body, length)).sum();
+        let deepest = model.coordinates.iter().map(|c| c.depth).max().unwrap_or(0) as f64 + 1.0;
+        plan.roundings = ROW_ROUNDINGS + 3.0 * deepest.sqrt() + deepest;
         let mut rows = 0;
-        for (number, group) in model.groups.iter().enumerate() {
-            let is_full = group.rows == assembly.expected_rank(number);
+        for group in &model.groups {
             for constraint in &group.constraints {
-                plan.blocks.push(plan.block(model, constraint, group.size, is_full, &mut rows)?);
+                plan.blocks.push(plan.block(model, constraint, group.size, &mut rows)?);
             }
         }
         plan.order(rows, rank, &assembly.facts().reference)?;
@@ -63,18 +80,17 @@ impl Plan {
         model: &Model,
         constraint: &ConstraintRows,
         size: f64,
-        is_full: bool,
         rows: &mut usize,
     ) -> Option<Block> {
         let (predecessor, successor, forms) = match constraint.constraint {
             Constraint::Closure(i) => {
                 let closure = &model.closures[i];
-                let origin = |end: &LinkFrame| self.place(end.body, &end.frame.translation);
-                let forms = self.forms(closure, size, is_full);
+                let origin = |end: &LinkFrame| self.point(end.body, &end.frame.translation);
+                let forms = self.forms(closure, size)?;
                 (Some(origin(&closure.predecessor)), origin(&closure.successor), forms)
             }
             Constraint::Coupling(i) => {
-                let ground = Place { body: None, at: [0.0; 3] };
+                let ground = BodyPoint { body: None, at: [0.0; 3] };
                 let scale = if model.couplings[i].turns { size } else { 1.0 };
                 let terms = self.terms(model, constraint, scale)?;
                 let row = *rows;
@@ -85,8 +101,8 @@ impl Plan {
             Constraint::Hold(i) => {
                 let hold = &model.holds[i];
                 let on = &model.link_frames[hold.link.index()];
-                let at = self.place(on.body, &on.frame.point(&hold.point));
-                let forms = hold.directions().map(|d| Form::Along(Place { body: None, at: d.into() }));
+                let at = self.point(on.body, &on.frame.point(&hold.point));
+                let forms = hold.directions().map(|d| Form::Along(BodyDirection { body: None, e: d.into() }));
                 let forms = forms.into_iter().take(constraint.count).collect();
                 (None, at, forms)
             }
@@ -117,33 +133,27 @@ impl Plan {
         constraint.terms.iter().map(term).collect()
     }
 
-    /// The rows of a closure, as [`crate::rows::closure_wrenches`] has them; points whose three rows all count, in root axes.
-    fn forms(&self, closure: &CompiledClosure, size: f64, is_full: bool) -> Vec<Form> {
+    /// The rows of a closure, as [`crate::rows::closure_wrenches`] has them, a point's in root axes. None for those that
+    /// hold a whole orientation.
+    fn forms(&self, closure: &CompiledClosure, size: f64) -> Option<Vec<Form>> {
         let (p, s) = (&closure.predecessor, &closure.successor);
-        let heading = |e: &Vector3<f64>| self.heading(p.body, &p.frame.vector(e));
-        let along = |e: &Vector3<f64>| Form::Along(heading(e));
-        let turn = |e: &Vector3<f64>| Form::Turn(heading(e), size);
+        let direction = |e: &Vector3<f64>| self.direction(p.body, &p.frame.vector(e));
+        let along = |e: &Vector3<f64>| Form::Along(direction(e));
         let cosine = |e: &Vector3<f64>, b: &Vector3<f64>| {
-            Form::Cosine(heading(e), self.heading(s.body, &s.frame.vector(b)), size)
+            Form::Cosine(direction(e), self.direction(s.body, &s.frame.vector(b)), size)
         };
-        let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
-        let point = || if is_full { vec![Form::Point] } else { axes.iter().map(along).collect() };
         let [n1, n2] = &closure.normals;
         let b = &closure.successor_axis;
-        let parallel = [cosine(n1, b), cosine(n2, b)];
-        let turns = axes.iter().map(turn);
-        match closure.kind {
-            ClosureKind::Fixed => point().into_iter().chain(turns).collect(),
-            ClosureKind::Revolute => point().into_iter().chain(parallel).collect(),
-            ClosureKind::Prismatic => [along(n1), along(n2)].into_iter().chain(turns).collect(),
-            ClosureKind::Cylindrical => [along(n1), along(n2)].into_iter().chain(parallel).collect(),
-            ClosureKind::Universal => {
-                point().into_iter().chain([cosine(&closure.axis, &closure.axis2)]).collect()
-            }
-            ClosureKind::Planar => [along(&closure.axis)].into_iter().chain(parallel).collect(),
-            ClosureKind::Spherical => point(),
+        let [first, second] = [cosine(n1, b), cosine(n2, b)];
+        Some(match closure.kind {
+            ClosureKind::Fixed | ClosureKind::Prismatic => return None,
+            ClosureKind::Revolute => vec![Form::Point, first, second],
+            ClosureKind::Cylindrical => vec![along(n1), along(n2), first, second],
+            ClosureKind::Universal => vec![Form::Point, cosine(&closure.axis, &closure.axis2)],
+            ClosureKind::Planar => vec![along(&closure.axis), first, second],
+            ClosureKind::Spherical => vec![Form::Point],
             ClosureKind::Distance => vec![Form::Distance(closure.distance)],
-        }
+        })
     }
 
     /// Puts rows and columns in the order of the pivots at a pose, the rest of the columns behind; leaves out rows that add
@@ -183,9 +193,7 @@ impl Plan {
             for row in block.forms.iter_mut().flat_map(|(_, rows)| rows) {
                 *row = row.and_then(|r| row_at[r]);
             }
-            block.forms.retain(|(_, rows)| rows.iter().any(Option::is_some));
         }
-        self.blocks.retain(|block| !block.forms.is_empty());
         self.layout = Layout::of(self.bodies.len(), rank, columns, self.freedoms);
         self.find_pattern(rank);
         Some(())
@@ -221,7 +229,7 @@ impl Plan {
             let own = |y: usize| self.bodies[i].velocities.iter().any(|v| follows[v.column * f + y]);
             self.bodies[i].moved = (0..f).map(|y| carried[y] || own(y)).collect();
         }
-        (self.filled, self.follows) = (filled, follows);
+        self.follows = follows;
     }
 }
 
@@ -241,12 +249,14 @@ fn shortest(model: &Model, lengths: &[f64]) -> f64 {
     turns.fold(f64::INFINITY, f64::min)
 }
 
-fn weight(model: &Model, length: f64) -> f64 {
-    let of_body = |body: &Body| {
-        let inertia = &body.inertia;
-        inertia.mass.abs() + inertia.rotational.trace().abs() / (length * length)
-    };
-    model.bodies.iter().map(of_body).sum()
+/// What a unit of all rates (m/s) can give a body's energy.
+fn weight(body: &Moving, length: f64) -> f64 {
+    let rotors: f64 = body.velocities.iter().map(|v| v.armature * v.factor * v.factor).sum();
+    let own = body.inertia.map_or(0.0, |i| {
+        let arm = 1.0 + body.reach / length;
+        2.0 * (i[0] * arm * arm + (i[4] + i[7] + i[9]) / (length * length))
+    });
+    rotors + own
 }
 
 fn moving(model: &Model, body: &Body, carrier: &Transform<f64>, lengths: &[f64]) -> Option<Moving> {
@@ -287,6 +297,7 @@ fn moving(model: &Model, body: &Body, carrier: &Transform<f64>, lengths: &[f64])
         inertia: components(&inertia),
         moved: Vec::new(),
         frame,
+        reach: 0.0,
     })
 }
 

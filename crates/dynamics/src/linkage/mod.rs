@@ -1,8 +1,9 @@
 //! A mechanism with loops that has few freedoms, by its velocities: hinges, slides and balls on the ground or on a floating
 //! base, in lanes.
 //!
-//! It answers what it is sure of, at positions that close the loops; all else (other joints, loops that do not quite fit, poses
-//! near singular ones, what is massless or immovable or near either) is left to [`crate::routes`].
+//! It takes mechanisms of one piece whose rows of A all count, and answers what it is sure of; all else (other joints,
+//! redundant rows, positions that do not close the loops, poses near singular ones, what is massless or immovable or near
+//! either) is left to [`crate::routes`].
 
 mod compile;
 mod motion;
@@ -10,14 +11,13 @@ mod plan;
 mod room;
 
 use crate::assembly::Assembly;
+use crate::clear_mass::{ClearMass, Columns, WIDEST};
 use crate::contact::{Contact, Direction, Frame};
 use crate::model::Model;
-use crate::own_axes::{ClearMass, Columns, WIDEST};
-use crate::tolerances::LINKAGE_LOSS;
 use motion::{Answer, Normal, Struck, evaluate};
 use percuss_mechanism::LinkId;
 use percuss_spatial::lanes::{Instructions, Lanes, Work};
-use plan::{Heading, Motion, Place, Plan};
+use plan::{BodyDirection, BodyPoint, Motion, Plan};
 use std::sync::Arc;
 
 /// A linkage prepared, the contact that it is asked for, and room.
@@ -37,52 +37,51 @@ impl Linkage {
         Some(Self { plan, struck: None, room, instructions: Instructions::best() })
     }
 
-    /// Takes a checked contact. Allocates nothing.
-    pub fn aim(&mut self, model: &Model, contact: &Contact) -> bool {
-        let on = self.place(model, contact.link, &contact.point);
+    /// Takes a checked contact, between two links too, along a line too. Allocates nothing.
+    pub fn aim(&mut self, model: &Model, contact: &Contact) {
+        let on = self.point(model, contact.link, &contact.point);
         let against = contact.against.and_then(|link| model.body_of(link));
         let normal = match contact.normal {
             Direction::Along(n, frame) => {
                 let n = n.normalize();
                 Normal::Along(match (frame, contact.against) {
-                    (Frame::Link, _) => self.heading(model, contact.link, &n),
-                    (Frame::Against, Some(other)) => self.heading(model, other, &n),
-                    (Frame::World, _) | (Frame::Against, None) => Heading { body: None, at: n.into() },
+                    (Frame::Link, _) => self.direction(model, contact.link, &n),
+                    (Frame::Against, Some(other)) => self.direction(model, other, &n),
+                    (Frame::World, _) | (Frame::Against, None) => BodyDirection { body: None, e: n.into() },
                 })
             }
-            Direction::Toward(link, to) => Normal::Toward(self.place(model, link, &to)),
+            Direction::Toward(link, to) => Normal::Toward(self.point(model, link, &to)),
         };
         self.struck = Some(Struck { on, against, normal });
-        true
     }
 
-    fn place(&self, model: &Model, link: LinkId, at: &nalgebra::Vector3<f64>) -> Place {
+    fn point(&self, model: &Model, link: LinkId, at: &nalgebra::Vector3<f64>) -> BodyPoint {
         let on = &model.link_frames[link.index()];
-        self.plan.place(on.body, &on.frame.point(at))
+        self.plan.point(on.body, &on.frame.point(at))
     }
 
-    fn heading(&self, model: &Model, link: LinkId, e: &nalgebra::Vector3<f64>) -> Heading {
+    fn direction(&self, model: &Model, link: LinkId, e: &nalgebra::Vector3<f64>) -> BodyDirection {
         let on = &model.link_frames[link.index()];
-        self.plan.heading(on.body, &on.frame.vector(e))
+        self.plan.direction(on.body, &on.frame.vector(e))
     }
 
     /// m̄ at one configuration, of the contact that it is aimed at.
     pub fn one(&mut self, positions: &[f64]) -> Option<ClearMass> {
-        let (mut response, mut terms, mut loss) = ([0.0], [0.0], [0.0]);
+        let (mut response, mut error) = ([0.0], [0.0]);
         let columns = Columns { values: positions, stride: 1 };
         let instructions = self.instructions;
-        instructions.run_one(self.group(columns, 0, [&mut response, &mut terms, &mut loss])?);
-        clear(response[0], terms[0], loss[0])
+        instructions.run_one(self.group(columns, 0, [&mut response, &mut error])?);
+        ClearMass::within(response[0], error[0])
     }
 
     /// m̄ at as many configurations, from `first` on, as the instruction set has lanes.
     pub fn lanes(&mut self, columns: Columns<'_>, first: usize) -> [Option<ClearMass>; WIDEST] {
-        let [mut responses, mut terms, mut losses] = [[f64::NAN; WIDEST]; 3];
+        let [mut responses, mut errors] = [[f64::NAN; WIDEST]; 2];
         let instructions = self.instructions;
-        if let Some(group) = self.group(columns, first, [&mut responses, &mut terms, &mut losses]) {
+        if let Some(group) = self.group(columns, first, [&mut responses, &mut errors]) {
             instructions.run(group);
         }
-        std::array::from_fn(|lane| clear(responses[lane], terms[lane], losses[lane]))
+        std::array::from_fn(|lane| ClearMass::within(responses[lane], errors[lane]))
     }
 
     /// Which positions are read.
@@ -98,7 +97,7 @@ impl Linkage {
         &'a mut self,
         columns: Columns<'a>,
         first: usize,
-        answers: [&'a mut [f64]; 3],
+        answers: [&'a mut [f64]; 2],
     ) -> Option<Group<'a>> {
         let Self { plan, struck, room, .. } = self;
         Some(Group { plan, struck: struck.as_ref()?, columns, first, room, answers })
@@ -112,23 +111,16 @@ struct Group<'a> {
     columns: Columns<'a>,
     first: usize,
     room: &'a mut [f64],
-    /// Responses, terms, losses.
-    answers: [&'a mut [f64]; 3],
+    /// Responses and their errors.
+    answers: [&'a mut [f64]; 2],
 }
 
 impl Work for Group<'_> {
     #[inline(always)]
     fn run<T: Lanes>(self) {
         let answer: Answer<T> = evaluate(self.plan, self.struck, self.columns, self.first, self.room);
-        let [responses, terms, losses] = self.answers;
+        let [responses, errors] = self.answers;
         answer.response.store(responses);
-        answer.terms.store(terms);
-        answer.loss.store(losses);
+        answer.error.store(errors);
     }
-}
-
-/// An answer that neither the pivots of A nor those of D leave in doubt.
-fn clear(response: f64, terms: f64, loss: f64) -> Option<ClearMass> {
-    // NaN is not small.
-    (loss <= LINKAGE_LOSS).then(|| ClearMass::of(response, terms, loss)).flatten()
 }

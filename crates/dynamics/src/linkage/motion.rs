@@ -8,17 +8,17 @@
 //! with d the coordinates that depend and i those that do not: GᵀMG by the kinetic energy, no articulated inertia. It is what
 //! [`crate::recursion`] finds cluster by cluster; for few freedoms the energy is the shorter way. A test compares the two.
 
-use super::plan::{Block, Form, Heading, Motion, Moving, Place, Plan, Position, Term};
+use super::plan::{Block, BodyDirection, BodyPoint, Form, Motion, Moving, Plan, Position, Term};
 use super::room::{FRAME, along, cross, dot, get, get_vector, minus, plus, put, put_vector, size, times};
-use crate::own_axes::Columns;
-use crate::tolerances::{LINKAGE_FREEDOMS, OPEN_ROUNDINGS};
+use crate::clear_mass::Columns;
+use crate::tolerances::{FAR_ROUNDINGS, LINKAGE_FREEDOMS, OPEN_ROUNDINGS, ROUTE_ROUNDINGS};
 use percuss_spatial::lanes::{LARGEST_ANGLE, Lanes, Portable};
 use percuss_spatial::splat;
 
 /// The contact, in the frames of the plan.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Struck {
-    pub on: Place,
+    pub on: BodyPoint,
     /// The body on the other side; none: the ground.
     pub against: Option<usize>,
     pub normal: Normal,
@@ -27,9 +27,9 @@ pub(super) struct Struck {
 /// The unit normal.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Normal {
-    Along(Heading),
+    Along(BodyDirection),
     /// Toward a point.
-    Toward(Place),
+    Toward(BodyPoint),
 }
 
 /// The answers of some lanes.
@@ -37,10 +37,8 @@ pub(super) enum Normal {
 pub(super) struct Answer<T> {
     /// 1/m̄, 1/kg.
     pub response: T,
-    /// What the response would be off by, were all that its pivots and tests are sums of off by as much as themselves, 1/kg.
-    pub terms: T,
-    /// The largest that what a pivot is the sum of is over the pivot, of A and of D.
-    pub loss: T,
+    /// By how many ε it may be off, 1/kg.
+    pub error: T,
 }
 
 /// 1/m̄ of configurations `first` and those after it.
@@ -52,17 +50,16 @@ pub(super) fn evaluate<T: Lanes>(
     first: usize,
     room: &mut [f64],
 ) -> Answer<T> {
-    let beyond: T = place(plan, columns, first, room);
-    let open: T = fill_rows(plan, room);
+    let (beyond, far): (T, T) = place(plan, columns, first, room);
+    let rows: T = fill_rows(plan, room);
     let least: T = eliminate(plan, room);
     fill_rates::<T>(plan, room);
     fill_twists::<T>(plan, room);
-    let lost = T::from_f64(plan.scale) * least;
-    let mut answer: Answer<T> = respond(plan, struck, lost, room);
-    // Rows are off by as much as the loops are from closed.
-    let open = open * T::from_f64(OPEN_ROUNDINGS / (f64::EPSILON * plan.length));
-    answer.loss = open.mul_add(lost, answer.loss);
-    answer.terms = beyond.mul_add(T::from_f64(f64::MAX), answer.terms);
+    // By how many ε of all rates each rate is off: the roundings of the entries of A, over its pivots.
+    let distant = far * T::from_f64(1.0 / plan.length);
+    let entries = rows + distant.mul_add(T::from_f64(FAR_ROUNDINGS), T::from_f64(plan.roundings));
+    let mut answer: Answer<T> = respond(plan, struck, entries * least * T::from_f64(plan.scale), room);
+    answer.error = beyond.mul_add(T::from_f64(f64::MAX), answer.error);
     answer
 }
 
@@ -74,10 +71,10 @@ pub(super) fn rows_at(plan: &Plan, positions: &[f64]) -> Vec<f64> {
     room[plan.layout.rows..plan.layout.over].to_vec()
 }
 
-/// Frames of the bodies, and how far positions are beyond what they may be.
+/// Frames of the bodies; how far angles are beyond what they may be, and how far the farthest place is from the centre.
 #[inline(always)]
-fn place<T: Lanes>(plan: &Plan, columns: Columns<'_>, first: usize, room: &mut [f64]) -> T {
-    let mut beyond = T::zero();
+fn place<T: Lanes>(plan: &Plan, columns: Columns<'_>, first: usize, room: &mut [f64]) -> (T, T) {
+    let (mut beyond, mut far) = (T::zero(), T::zero());
     for (i, body) in plan.bodies.iter().enumerate() {
         let fixed = [splat(&body.rotation[0]), splat(&body.rotation[1]), splat(&body.rotation[2])];
         let mut shift: [T; 3] = splat(&body.translation);
@@ -114,8 +111,9 @@ fn place<T: Lanes>(plan: &Plan, columns: Columns<'_>, first: usize, room: &mut [
         put_vector(room, FRAME * i + 3, turn[1]);
         put_vector(room, FRAME * i + 6, turn[2]);
         put_vector(room, FRAME * i + 9, shift);
+        far = far.max(size(&shift));
     }
-    beyond
+    (beyond, far)
 }
 
 impl Position {
@@ -173,8 +171,8 @@ fn axis<T: Lanes>(room: &[f64], body: usize, k: usize) -> [T; 3] {
 }
 
 #[inline(always)]
-fn direction<T: Lanes>(room: &[f64], heading: &Heading) -> [T; 3] {
-    let own: [T; 3] = splat(&heading.at);
+fn direction<T: Lanes>(room: &[f64], heading: &BodyDirection) -> [T; 3] {
+    let own: [T; 3] = splat(&heading.e);
     match heading.body {
         Some(body) => {
             let (turn, _) = frame::<T>(room, body);
@@ -185,7 +183,7 @@ fn direction<T: Lanes>(room: &[f64], heading: &Heading) -> [T; 3] {
 }
 
 #[inline(always)]
-fn point<T: Lanes>(room: &[f64], place: &Place) -> [T; 3] {
+fn point<T: Lanes>(room: &[f64], place: &BodyPoint) -> [T; 3] {
     let own: [T; 3] = splat(&place.at);
     match place.body {
         Some(body) => {
@@ -196,12 +194,12 @@ fn point<T: Lanes>(room: &[f64], place: &Place) -> [T; 3] {
     }
 }
 
-/// A: the rows that count. Gives how far the loops are from closed, m.
+/// A. Gives by how many roundings its entries are off because the loops are open, or their rods are short.
 #[inline(always)]
 fn fill_rows<T: Lanes>(plan: &Plan, room: &mut [f64]) -> T {
     let (from, to) = (plan.layout.rows * T::WIDTH, plan.layout.over * T::WIDTH);
     room[from..to].fill(0.0);
-    let mut open = T::zero();
+    let (mut open, mut rods) = (T::zero(), T::zero());
     let still = [T::zero(); 3];
     for block in &plan.blocks {
         let at: [T; 3] = point(room, &block.successor);
@@ -226,15 +224,13 @@ fn fill_rows<T: Lanes>(plan: &Plan, room: &mut [f64]) -> T {
                     open = open.max((dot(&b, &e) * length).abs());
                     add_row(plan, block, rows[0], &times(&cross(&b, &e), length), &still, &at, room);
                 }
-                Form::Turn(e, length) => {
-                    let moment = times(&direction(room, e), T::from_f64(*length));
-                    add_row(plan, block, rows[0], &moment, &still, &at, room);
-                }
                 Form::Distance(distance) => {
                     let square: T = dot(&apart, &apart);
                     let length = square.sqrt();
                     open = open.max((length - T::from_f64(*distance)).abs());
-                    add_row(plan, block, rows[0], &still, &times(&apart, T::one() / length), &at, room);
+                    let over = T::one() / length;
+                    rods = rods.max((size(&at) + size(&apart)) * over);
+                    add_row(plan, block, rows[0], &still, &times(&apart, over), &at, room);
                 }
                 Form::Constant => {
                     let Some(row) = rows[0] else { continue };
@@ -246,7 +242,8 @@ fn fill_rows<T: Lanes>(plan: &Plan, room: &mut [f64]) -> T {
             }
         }
     }
-    open
+    let open = open * T::from_f64(OPEN_ROUNDINGS / (f64::EPSILON * plan.length));
+    rods.mul_add(T::from_f64(FAR_ROUNDINGS), open)
 }
 
 /// The axis of a term, root axes, and how far the acting point is from its body's origin.
@@ -391,22 +388,34 @@ fn fill_twists<T: Lanes>(plan: &Plan, room: &mut [f64]) {
     }
 }
 
-/// D and t, and tᵀ D⁻¹ t. Rates are off by `lost` roundings of all of them, and with them heavy bodies that hardly move.
+/// D and t, and tᵀ D⁻¹ t, and how far that may be off. Rates are off by `lost` ε of all of them, and with them the speed of
+/// the struck point and the energy of bodies that hardly move:
+///
+/// ```text
+/// δt = (lost · all · (1 + arm/length) + roundings · |terms of t|) ε
+/// δd = (2 lost · all · √(weight · d) + roundings · |terms of d|) ε + (lost · all · ε)² weight
+/// δ(1/m̄) = Σ (2 |t/d| δt + (t/d)² δd)
+/// ```
 #[inline(always)]
 fn respond<T: Lanes>(plan: &Plan, struck: &Struck, lost: T, room: &[f64]) -> Answer<T> {
     const MOST: usize = LINKAGE_FREEDOMS;
     let f = plan.freedoms;
-    let mut d = [[T::zero(); MOST]; MOST];
+    let (mut d, mut sizes) = ([[T::zero(); MOST]; MOST], [T::zero(); MOST]);
     for (i, body) in plan.bodies.iter().enumerate() {
-        add_energy(plan, i, body, room, &mut d);
+        add_energy(plan, i, body, room, &mut d, &mut sizes);
     }
     let (mut t, mut tests) = ([T::zero(); MOST], [T::zero(); MOST]);
     let at: [T; 3] = point(room, &struck.on);
+    let mut turned = T::one();
     let normal = match &struck.normal {
         Normal::Along(heading) => direction(room, heading),
-        Normal::Toward(place) => {
-            let line = minus(&point(room, place), &at);
-            times(&line, T::one() / dot(&line, &line).sqrt())
+        Normal::Toward(end) => {
+            let end = point(room, end);
+            let line = minus(&end, &at);
+            let over = T::one() / dot(&line, &line).sqrt();
+            // It turns by what its ends are off.
+            turned = (size(&end) + size(&at)).mul_add(over, turned);
+            times(&line, over)
         }
     };
     let mut y = 0;
@@ -421,30 +430,30 @@ fn respond<T: Lanes>(plan: &Plan, struck: &Struck, lost: T, room: &[f64]) -> Ans
         }
         y += 1;
     }
-    let mut answer = Answer { response: T::zero(), terms: T::zero(), loss: T::one() };
-    let reach = match struck.on.body.or(struck.against) {
-        Some(body) => minus(&at, &get_vector(room, FRAME * body + 9)),
-        None => at,
-    };
-    let (mut sizes, mut largest) = ([T::zero(); MOST], [T::zero(); MOST]);
+    // The point's speed is a sum of what any rate gives it, also where it stands still.
+    let reach_of = |body: Option<usize>| body.map_or(0.0, |b| plan.bodies[b].reach);
+    let reach = reach_of(struck.on.body) + reach_of(struck.against);
+    let arm = size(&at) + T::from_f64(reach);
+    let arms = arm.mul_add(T::from_f64(1.0 / plan.length), T::one());
+    let roundings = T::from_f64(ROUTE_ROUNDINGS);
     let mut k = 0;
     while k < f {
-        sizes[k] = d[k][k];
-        let all: T = all_rates(plan, k, room);
-        // The point's speed is a sum of what any rate gives it, also where it stands still.
-        tests[k] = all.mul_add(T::one() + size(&reach) * T::from_f64(1.0 / plan.length), tests[k]);
-        largest[k] = all * all * T::from_f64(plan.weight);
+        let off: T = lost * all_rates::<T>(plan, k, room);
+        tests[k] = turned * off.mul_add(arms, tests[k] * roundings);
+        let square = off * off * T::from_f64(plan.weight);
+        let cross = (square * d[k][k].abs()).sqrt();
+        let second = square * T::from_f64(f64::EPSILON);
+        sizes[k] = sizes[k].mul_add(roundings, cross + cross + second);
         k += 1;
     }
+    let mut answer = Answer { response: T::zero(), error: T::zero() };
     k = 0;
     while k < f {
         let over = T::one() / d[k][k];
         let rate = t[k] * over;
         let part = rate.abs();
         answer.response = t[k].mul_add(rate, answer.response);
-        answer.terms = part.mul_add(part.mul_add(sizes[k], tests[k] + tests[k]), answer.terms);
-        answer.loss = answer.loss.max((sizes[k] * over).abs());
-        answer.loss = answer.loss.max(lost * (largest[k] * over.abs()).sqrt());
+        answer.error = part.mul_add(part.mul_add(sizes[k], tests[k] + tests[k]), answer.error);
         let mut j = k + 1;
         while j < f {
             let factor = -(d[j][k] * over);
@@ -455,6 +464,7 @@ fn respond<T: Lanes>(plan: &Plan, struck: &Struck, lost: T, room: &[f64]) -> Ans
             }
             t[j] = t[k].mul_add(factor, t[j]);
             tests[j] = tests[k].mul_add(factor.abs(), tests[j]);
+            sizes[j] = sizes[k].mul_add(factor * factor, sizes[j]);
             j += 1;
         }
         k += 1;
@@ -487,7 +497,7 @@ fn speed<T: Lanes>(plan: &Plan, body: usize, y: usize, at: &[T; 3], normal: &[T;
     (dot(normal, &velocity), size(&angular).mul_add(size(&arm), size(&linear)))
 }
 
-/// A body's part of D: below the diagonal and on it.
+/// A body's part of D, below the diagonal and on it, and of the size of what the diagonal is the sum of.
 #[inline(always)]
 fn add_energy<T: Lanes>(
     plan: &Plan,
@@ -495,6 +505,7 @@ fn add_energy<T: Lanes>(
     body: &Moving,
     room: &[f64],
     d: &mut [[T; LINKAGE_FREEDOMS]; LINKAGE_FREEDOMS],
+    sizes: &mut [T; LINKAGE_FREEDOMS],
 ) {
     let f = plan.freedoms;
     for velocity in &body.velocities {
@@ -510,6 +521,7 @@ fn add_energy<T: Lanes>(
                 d[y][z] = own.mul_add(get(room, plan.layout.rates + velocity.column * f + z), d[y][z]);
                 z += 1;
             }
+            sizes[y] = own.mul_add(get(room, plan.layout.rates + velocity.column * f + y), sizes[y]);
             y += 1;
         }
     }
@@ -531,6 +543,8 @@ fn add_energy<T: Lanes>(
             let angular = back(&turn, &get_vector(room, from));
             let linear = back(&turn, &get_vector(room, from + 3));
             known[y] = [angular, linear];
+            let about_origin = of(inertia[4] + inertia[7] + inertia[9]) * dot(&angular, &angular);
+            sizes[y] += mass.mul_add(dot(&linear, &linear), about_origin);
             let momentum = plus(&times(&linear, mass), &cross(&angular, &c));
             let about = plus(
                 &[dot(&rows[0], &angular), dot(&rows[1], &angular), dot(&rows[2], &angular)],

@@ -53,17 +53,23 @@ pub(super) struct Moving {
     pub moved: Vec<bool>,
     /// X_bo: the frame taken here (o) in the body's own.
     pub frame: Transform<f64>,
+    /// How far its origin is from the farthest joint that carries it, at most, travels of slides left out, m.
+    pub reach: f64,
 }
 
 /// A point fixed in a body, or in the root.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
+pub(super) struct BodyPoint {
     pub body: Option<usize>,
     pub at: [f64; 3],
 }
 
 /// A direction fixed in a body, or in the root.
-pub(super) type Heading = Place;
+#[derive(Clone, Copy, Debug)]
+pub(super) struct BodyDirection {
+    pub body: Option<usize>,
+    pub e: [f64; 3],
+}
 
 /// A row, or three: what its power on the relative motion is.
 #[derive(Clone, Copy, Debug)]
@@ -71,11 +77,9 @@ pub(super) enum Form {
     /// The velocity of the successor's point, root axes: three rows.
     Point,
     /// That velocity along a direction.
-    Along(Heading),
+    Along(BodyDirection),
     /// The rate of the cosine between a direction of the predecessor and one of the successor, times a length (m).
-    Cosine(Heading, Heading, f64),
-    /// The turning about a direction, times a length (m).
-    Turn(Heading, f64),
+    Cosine(BodyDirection, BodyDirection, f64),
     /// The rate of the distance between the two points, which is to be so many metres.
     Distance(f64),
     /// The factors of the terms alone.
@@ -97,8 +101,8 @@ pub(super) struct Term {
 #[derive(Clone, Debug)]
 pub(super) struct Block {
     /// What the successor's point is brought onto; none where nothing closes.
-    pub predecessor: Option<Place>,
-    pub successor: Place,
+    pub predecessor: Option<BodyPoint>,
+    pub successor: BodyPoint,
     /// The forms, with the first row that each fills; none where it adds nothing.
     pub forms: Vec<(Form, [Option<usize>; 3])>,
     pub terms: Vec<Term>,
@@ -117,17 +121,17 @@ pub(super) struct Plan {
     pub bodies: Vec<Moving>,
     pub blocks: Vec<Block>,
     pub pivots: Vec<Pivot>,
-    /// Which entries of A can be other than zero, rows by rows.
-    pub filled: Vec<bool>,
-    /// For each dependent coordinate, for each independent one: whether its rate can be other than zero.
+    /// For each coordinate, for each independent one: whether its rate can be other than zero.
     pub follows: Vec<bool>,
     /// The largest pivot at the pose that it is compiled at.
     pub scale: f64,
     /// The least length of a turn, m.
     pub length: f64,
-    /// All masses, and moments of inertia over its square: twice the energy (kg) of any motion is below it, times the square
-    /// of all its rates added up (m/s).
+    /// Twice the energy (kg) of any motion is below it, times the square of all its rates added up (m/s): armatures, masses at
+    /// their reach, moments of inertia.
     pub weight: f64,
+    /// By how many roundings the entries of A are off, by the depth of the tree alone.
+    pub roundings: f64,
     pub columns: usize,
     pub freedoms: usize,
     pub layout: Layout,
@@ -137,14 +141,14 @@ pub(super) struct Plan {
 
 impl Plan {
     /// A point of a body's own frame, or of the root's.
-    pub fn place(&self, body: Option<usize>, at: &Vector3<f64>) -> Place {
+    pub fn point(&self, body: Option<usize>, at: &Vector3<f64>) -> BodyPoint {
         let at = body.map_or_else(|| at - self.centre, |b| self.bodies[b].frame.inverse_point(at));
-        Place { body, at: at.into() }
+        BodyPoint { body, at: at.into() }
     }
 
     /// A direction of a body's own frame, or of the root's.
-    pub fn heading(&self, body: Option<usize>, e: &Vector3<f64>) -> Heading {
-        let at = body.map_or(*e, |b| self.bodies[b].frame.inverse_vector(e));
-        Heading { body, at: at.into() }
+    pub fn direction(&self, body: Option<usize>, e: &Vector3<f64>) -> BodyDirection {
+        let e = body.map_or(*e, |b| self.bodies[b].frame.inverse_vector(e));
+        BodyDirection { body, e: e.into() }
     }
 }

@@ -6,38 +6,14 @@
 mod plan;
 mod recursion;
 
-pub(crate) use recursion::Columns;
-
+use crate::clear_mass::{ClearMass, Columns, WIDEST};
 use crate::contact::{Contact, Direction, Frame};
 use crate::model::Model;
-use crate::tolerances::{ROUTE_ROUNDINGS, TRUSTED_ERROR};
 use nalgebra::Vector3;
 use percuss_spatial::lanes::{Instructions, Lanes, Work};
 use plan::{Placed, Plan};
 use recursion::{Answer, Normal, ROOM, Selection, Struck, evaluate};
 use std::sync::Arc;
-
-/// The widest lanes.
-pub(crate) const WIDEST: usize = 8;
-
-/// A finite m̄ that rounding leaves no doubt of.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct ClearMass {
-    /// m̄, kg.
-    pub mass: f64,
-    /// What rounding may amount to, kg.
-    pub error: f64,
-}
-
-impl ClearMass {
-    /// Where so many roundings leave the response (1/kg) whole.
-    pub fn of(response: f64, terms: f64, loss: f64) -> Option<Self> {
-        let relative = f64::EPSILON * ROUTE_ROUNDINGS.max(loss) * terms / response;
-        let mass = 1.0 / response;
-        // NaN is not small.
-        (response > 0.0 && relative <= TRUSTED_ERROR).then_some(Self { mass, error: relative * mass })
-    }
-}
 
 /// A tree prepared, the contact that it is asked for, and room.
 #[derive(Clone, Debug)]

@@ -2,13 +2,14 @@
 //! joint's, so that a pivot is an entry of the inertia, and the way from each to the frame that carries it by as few turns
 //! about and shifts along coordinate axes as there are (Denavit and Hartenberg 1955).
 
+use crate::clear_mass::is_positive;
 use crate::joint_motion::JointMotion;
 use crate::model::{Body, Model};
 use crate::tolerances::{NO_TURN, PARALLEL_AXES, SLIDE_REACH};
 use nalgebra::{Matrix3, Vector3};
 use percuss_mechanism::JointKind;
 use percuss_spatial::lanes::{Lanes, Portable};
-use percuss_spatial::{PackedInertia, PackedWrench, Scalar, SpatialInertia, Transform};
+use percuss_spatial::{PackedInertia, PackedWrench, Scalar, Transform};
 
 /// How a body moves on the one that carries it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -303,17 +304,6 @@ fn is_plain(body: &Body) -> bool {
             | (JointKind::Floating, None)
     );
     known && body.mimic.is_none() && is_positive(&body.inertia)
-}
-
-/// Whether no motion has a negative energy, to rounding.
-fn is_positive(inertia: &SpatialInertia<f64>) -> bool {
-    if inertia.mass <= 0.0 {
-        return inertia.mass == 0.0 && inertia.first_moment.norm() == 0.0 && inertia.rotational.norm() == 0.0;
-    }
-    let h = inertia.first_moment;
-    let steiner = (Matrix3::identity() * h.norm_squared() - h * h.transpose()) / inertia.mass;
-    let least = (inertia.rotational - steiner).symmetric_eigenvalues().min();
-    least >= -f64::EPSILON * 16.0 * inertia.rotational.norm()
 }
 
 fn motion_of(model: &Model, body: &Body) -> Motion {

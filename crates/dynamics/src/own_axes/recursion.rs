@@ -9,6 +9,7 @@
 //! leaves out the forward kinematics and the turning of every body's inertia. A test compares the two.
 
 use super::plan::{Form, Leaf, Motion, Placed, Step, Turn};
+use crate::clear_mass::Columns;
 use percuss_spatial::lanes::{LARGEST_ANGLE, Lanes};
 use percuss_spatial::{PackedInertia, PackedWrench, Pivot, splat, turn_vector};
 
@@ -59,20 +60,6 @@ pub(super) struct Answer<T> {
     /// The largest that the size of what a pivot is the sum of is over the pivot: so many times more its rounding counts in
     /// what it leaves.
     pub loss: T,
-}
-
-/// Positions by columns: that of configuration `c` and position `q` stands at `q · stride + c`.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Columns<'a> {
-    pub values: &'a [f64],
-    pub stride: usize,
-}
-
-impl Columns<'_> {
-    #[inline(always)]
-    pub fn at<T: Lanes>(&self, q: usize, first: usize) -> T {
-        T::load(&self.values[q * self.stride + first..])
-    }
 }
 
 /// How many numbers of room a step takes, for each lane: its inertia, sine and cosine (or travel).

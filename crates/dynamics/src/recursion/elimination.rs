@@ -92,6 +92,13 @@ impl<T: Scalar, const K: usize> Default for ClusterElimination<T, K> {
     }
 }
 
+impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
+    /// How many numbers it holds.
+    pub fn numbers(&self) -> usize {
+        self.g.capacity() + 6 * (self.s.capacity() + self.psi.capacity()) + 2 * self.factor.capacity()
+    }
+}
+
 impl<const K: usize> JointElimination<f64, K> {
     pub fn is_positive(&self) -> bool {
         self.counts && self.d > 0.0
