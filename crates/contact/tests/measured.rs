@@ -22,8 +22,12 @@ fn what_was_measured_is_within_the_stated_bound() {
                 let contact = CompliantContact::new(2.0, STIFFNESS).unwrap();
                 let exponent = if tool == Tool::OPENSIM { 1.5 } else { 1.0 };
                 let contact = contact.with_exponent(exponent).unwrap();
-                let options =
-                    Options { own_mass: Some(1.5), other_own_mass: Some(3.0), ..Options::default() };
+                let options = Options {
+                    own_mass: Some(1.5),
+                    other_own_mass: Some(3.0),
+                    closed_loops: measured.scenes.starts_with("four-bar"),
+                    ..Options::default()
+                };
                 let request = Request { options, ..Request::new(contact, e).at(0.3) };
                 let bound = tool.export(&request).unwrap().error_bound.unwrap_or(1e-3);
                 assert!(worst <= bound * 1.001, "{tool} {e}: {worst:e}, bound {bound:e}");
@@ -101,4 +105,30 @@ fn gazebo_gives_e_to_one_side_and_refuses_rebounds_that_die() {
     }
     let export = Tool::GAZEBO.export(&Request { speed: None, ..asked(0.5) }).unwrap();
     assert!(export.error_bound.is_none() && export.missing.len() == 1);
+}
+
+#[test]
+fn closed_loops_are_refused_or_bounded_as_measured() {
+    let with = |tool: Tool, closed_loops: bool| {
+        let options = Options { own_mass: Some(1.5), constrained: true, closed_loops, ..Options::default() };
+        let contact = CompliantContact::new(2.0, STIFFNESS).unwrap();
+        let contact = contact.with_exponent(if tool == Tool::OPENSIM { 1.5 } else { 1.0 }).unwrap();
+        tool.export(&Request { options, ..Request::new(contact, 0.5).at(0.4) })
+    };
+    for tool in [Tool::RAPIER, Tool::GAZEBO] {
+        assert!(with(tool, false).is_ok());
+        let error = with(tool, true).unwrap_err();
+        assert!(matches!(error, ExportError::NoLoop { .. }), "{error}");
+    }
+    for tool in [Tool::DART, Tool::JOLT, Tool::NEWTON] {
+        assert!(with(tool, false).unwrap().error_bound.is_some());
+        assert!(with(tool, true).unwrap().error_bound.is_none(), "{tool}");
+    }
+    assert_eq!(number_of(&with(Tool::JOLT, false).unwrap(), "mNumVelocitySteps"), 50.0);
+    assert_eq!(number_of(&with(Tool::JOLT, true).unwrap(), "mNumVelocitySteps"), 1000.0);
+    for tool in [Tool::BULLET, Tool::CHRONO, Tool::OPENSIM, Tool::EXUDYN] {
+        let (tree, loops) = (with(tool, false).unwrap(), with(tool, true).unwrap());
+        assert_eq!((tree.error_bound, tree.parameters), (loops.error_bound, loops.parameters), "{tool}");
+        assert!(loops.assumptions.iter().any(|text| text.starts_with("Closed loops: ")), "{tool}");
+    }
 }

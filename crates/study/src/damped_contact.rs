@@ -151,7 +151,8 @@ fn options(given: Options, answered: &Answered, mass: f64) -> Options {
     };
     // What simulators hold by constraints: mimics, couplings, locks and held contacts too.
     let follows = |joint: &percuss_mechanism::Joint| joint.mimic().is_some();
-    let constrained = !mechanism.closures().is_empty()
+    let closed_loops = !mechanism.closures().is_empty();
+    let constrained = closed_loops
         || !mechanism.couplings().is_empty()
         || mechanism.joints().iter().any(follows)
         || !question.lock.is_empty()
@@ -161,6 +162,7 @@ fn options(given: Options, answered: &Answered, mass: f64) -> Options {
         other_own_mass: given.other_own_mass.or(question.against_mass).or_else(|| against.and_then(own)),
         diagonal_ratio: given.diagonal_ratio.or_else(ratio),
         constrained: given.constrained || constrained,
+        closed_loops: given.closed_loops || closed_loops,
         ..given
     }
 }

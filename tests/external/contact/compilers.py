@@ -23,6 +23,11 @@ using namespace physx;
 void paste(PxMaterial *material, PxScene *scene, PxRigidDynamic *body) {{
 {}}}
 """
+PHYSX_STOP = """#include <PxPhysicsAPI.h>
+using namespace physx;
+void paste(%s *joint, float lower, float upper, PxScene *scene) {{
+{}}}
+"""
 JOLT = """#include <Jolt/Jolt.h>
 #include <Jolt/Physics/Body/BodyCreationSettings.h>
 #include <Jolt/Physics/PhysicsSystem.h>
@@ -78,11 +83,22 @@ def of(pattern, text):
 
 
 def physx(text, parameters):
+    if "limit_stiffness" in parameters:
+        return physx_stop(text, parameters)
     damping = "compliant_contact_damping" + ("_tgs" if "eTGS" in text else "")
     assert of(r"setRestitution\(", text) == -parameters["compliant_contact_stiffness"]
     assert of(r"setDamping\(", text) == parameters[damping]
     assert of(r"simulate\(", text) == parameters["dt"]
     compiles(text, PHYSX, "PERCUSS_PHYSX_HEADERS", "physx-sys", "physx/physx/include")
+
+
+def physx_stop(text, parameters):
+    """For the joint that the text says it is for."""
+    spring = [float(number) for number in re.search(rf"PxSpring\(({NUMBER})f, ({NUMBER})f\)", text).groups()]
+    assert spring == [parameters["limit_stiffness"], parameters["limit_damping"]], spring
+    assert of(r"simulate\(", text) == parameters["dt"]
+    joint = re.search(r"joint is a physx::(\w+)", text)[1]
+    compiles(text, PHYSX_STOP % joint, "PERCUSS_PHYSX_HEADERS", "physx-sys", "physx/physx/include")
 
 
 def jolt(text, parameters):

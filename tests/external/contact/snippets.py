@@ -31,10 +31,12 @@ EXPECTED = {
     ("physx", "cpp"),
     ("simscape", "matlab"),
 }
+# The same of a joint's stop.
+EXPECTED_OF_STOPS = {("mujoco", "xml"), ("ode", "cpp"), ("newton", "python"), ("physx", "cpp")}
 INERTIAL = '<mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>'
 
 
-def check(report, where, tally):
+def check(report, where, tally, expected=EXPECTED):
     """All snippets of a report. Gives a line for each that the program for it is missing for."""
     seen, absents = set(), set()
     for tool, export in report["exports"].items():
@@ -55,7 +57,7 @@ def check(report, where, tally):
                 except Exception as error:  # whatever a foreign reader raises is the answer looked for
                     wrong = f"{type(error).__name__}: {error}"
                 tally.check(f"snippets: {tool}, {language}", f"{where}, {snippet['title']}", not wrong, wrong)
-    tally.check("snippets: none is missing", where, seen >= EXPECTED, f"{EXPECTED - seen}")
+    tally.check("snippets: none is missing", where, seen >= expected, f"{expected - seen}")
     return absents
 
 
@@ -68,12 +70,19 @@ def in_mujoco(text, parameters):
     spec.worldbody.add_geom(type=mujoco.mjtGeom.mjGEOM_SPHERE, size=[1, 0, 0])
     body = spec.worldbody.add_body(name="held", mass=1, inertia=[1, 1, 1])
     body.add_freejoint()
+    limited = spec.worldbody.add_body(name="limited", mass=1, inertia=[1, 1, 1])
+    limited.add_joint(name="stopped", range=[-1, 1], limited=True)
     spec.add_equality(type=mujoco.mjtEq.mjEQ_WELD, objtype=mujoco.mjtObj.mjOBJ_BODY, name1="held")
     model = spec.compile()
     same(model.opt.timestep, parameters["timestep"])
-    standard = model.geom_solref[0][0] > 0
-    same(model.geom_solref[0], parameters["solref_standard" if standard else "solref"])
-    same(model.geom_solimp[0][:3], parameters["solimp"])
+    if "solreflimit" in parameters:
+        joint = model.joint("stopped").id
+        same(model.jnt_solref[joint], parameters["solreflimit"])
+        same(model.jnt_solimp[joint][:3], parameters["solimplimit"])
+    else:
+        standard = model.geom_solref[0][0] > 0
+        same(model.geom_solref[0], parameters["solref_standard" if standard else "solref"])
+        same(model.geom_solimp[0][:3], parameters["solimp"])
     if "equality_solref" in parameters:
         same(model.eq_solref[0], parameters["equality_solref"])
         same(model.eq_solimp[0][:3], parameters["equality_solimp"])

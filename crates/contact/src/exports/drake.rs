@@ -198,7 +198,7 @@ fn words(export: &mut Export, request: &Request, number: f64) {
     export.assume(
         "penetration_allowance is not used: it sizes the spring by the mass of the heaviest body, not by m̄.",
     );
-    if request.options.constrained {
+    if request.options.constrained || request.options.closed_loops {
         export
             .cannot
             .push("constraints (loops, mimics, locks) in a continuous plant: its constraints are for discrete plants (SAP) only");

@@ -89,6 +89,16 @@ pub enum ExportError {
         /// The tools that have them.
         known: String,
     },
+    /// A tool in which a mechanism with closed loops does not rebound as asked.
+    #[error("{tool}: closed loops: {why}; {remedy}")]
+    NoLoop {
+        /// The tool.
+        tool: Tool,
+        /// What was measured.
+        why: &'static str,
+        /// What to do.
+        remedy: &'static str,
+    },
     /// No tool of this name.
     #[error("\"{name}\" is not a tool that percuss supports{}; known: {known}", suggestion(.nearest))]
     UnknownTool {

@@ -22,6 +22,7 @@ mod gazebo_classic;
 mod impact_function;
 mod jolt;
 mod linear;
+mod loops;
 mod mujoco;
 mod newton;
 mod ode;
@@ -106,13 +107,6 @@ impl Tool {
         }
         let (_, export) =
             Self::ALL.into_iter().zip(EXPORTS).find(|(tool, _)| *tool == self).expect("a tool is one of all");
-        let mut export = export(request)?;
-        if request.options.constrained && ![Self::MUJOCO, Self::DRAKE, Self::ODE].contains(&self) {
-            export.assume(
-                "Loops, mimics, locks: the compliance of this tool's constraints during the impact was not examined; \
-                 compliant constraints change the restitution.",
-            );
-        }
-        export.finite()
+        loops::apply(self, request, export(request)?)?.finite()
     }
 }

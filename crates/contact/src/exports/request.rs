@@ -37,6 +37,8 @@ pub struct Options {
     pub stop: Option<StopMotion>,
     /// The mechanism has what simulators hold by constraints: closed loops, mimics, locks, held points.
     pub constrained: bool,
+    /// Of these, closed loops.
+    pub closed_loops: bool,
 }
 
 /// How a joint moves into its stop.
@@ -89,6 +91,7 @@ impl Default for Options {
             diagonal_ratio: None,
             stop: None,
             constrained: false,
+            closed_loops: false,
         }
     }
 }

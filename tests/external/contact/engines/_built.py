@@ -5,7 +5,7 @@ import subprocess
 from pathlib import Path
 
 from impacts import PHASES, Outcome
-from scenes import Absent
+from scenes import Absent, velocities
 
 HERE, BUILT = Path(__file__).parent, Path("target/external")
 
@@ -44,3 +44,15 @@ def outcome(program, arguments, travel):
     words = [repr(word) if isinstance(word, float) else str(word) for word in arguments]
     lines = iter(output(program, *words, *gaps).splitlines())
     return Outcome.of(lambda _: [float(word) for word in next(lines).split()])
+
+
+def four_bar(four_bar, speed):
+    """As the programs take it: the sphere's radius and place; of each body mass, inertia, centre, velocity and rate; of each hinge its
+    two bodies (-1: the ground) and place."""
+    numbers, names = [four_bar.radius, *four_bar.point], [*four_bar.bodies]
+    for name, (velocity, rate) in velocities(four_bar, speed).items():
+        mass, inertia, centre, _ = four_bar.bodies[name]
+        numbers += (mass, inertia, *centre, *velocity, rate)
+    for a, b, at in four_bar.hinges:
+        numbers += (names.index(a), names.index(b) if b else -1, *at)
+    return numbers

@@ -1,20 +1,35 @@
 // Impacts in Bullet's rigid bodies, with hinges as constraints (btSequentialImpulseConstraintSolver).
 //
-//   bullet_cpp STIFFNESS DAMPING TIME_STEP SPEED MASS INERTIA RADIUS CENTRE LEVER GAP..
-//   INERTIA about the centre of mass; LEVER 0: a ball that nothing holds. For each GAP: rebound over SPEED, penetration.
+//   bullet_cpp STIFFNESS DAMPING TIME_STEP SPEED SCENE NUMBERS.. GAP..
+//   SCENE and NUMBERS:
+//     ball MASS RADIUS
+//     pendulum MASS CENTRE INERTIA_ABOUT_HINGE LEVER RADIUS
+//     four-bar RADIUS X Y, three bodies: MASS INERTIA X Y VX VY RATE, four hinges: BODY BODY X Y (-1: the ground)
+//   For each GAP (m, at the start) a line: speed of rebound over SPEED, deepest penetration.
 #include <algorithm>
 #include <btBulletDynamicsCommon.h>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
+#include <string>
+#include <vector>
+
+enum { BODIES = 3, HINGES = 4, STRUCK = 1, FOUR_BAR = 3 + 7 * BODIES + 4 * HINGES };
+// Steps that are waited for the end of an impact.
+const int LONGEST = 200000;
 
 int main(int count, char **words) {
-  if (count < 11) return 2;
-  double n[9];
-  for (int i = 0; i < 9; i++) n[i] = std::atof(words[i + 1]);
-  const auto [stiffness, damping, h, v, mass, inertia, radius, centre, lever] = n;
-  const bool held = lever > 0;
-  for (int at = 10; at < count; at++) {
-    const double gap = std::atof(words[at]);
+  if (count < 7) return 2;
+  double s[4];
+  for (int i = 0; i < 4; i++) s[i] = std::atof(words[i + 1]);
+  const auto [stiffness, damping, h, v] = s;
+  const std::string scene = words[5];
+  std::vector<double> given;
+  for (int i = 6; i < count; i++) given.push_back(std::atof(words[i]));
+  const double *n = given.data();
+  for (std::size_t at = scene == "ball" ? 2 : scene == "pendulum" ? 5 : FOUR_BAR; at < given.size(); at++) {
+    const double gap = given[at];
     btDefaultCollisionConfiguration configuration;
     btCollisionDispatcher dispatcher(&configuration);
     btDbvtBroadphase pairs;
@@ -23,41 +38,80 @@ int main(int count, char **words) {
     world.setGravity(btVector3(0, 0, 0));
     world.getSolverInfo().m_linearSlop = 0.0;
 
-    btStaticPlaneShape plane(btVector3(0, 0, 1), -radius - gap);
-    btRigidBody floor(0, nullptr, &plane, btVector3(0, 0, 0));
+    std::vector<std::unique_ptr<btRigidBody>> bodies;
+    std::vector<std::unique_ptr<btTypedConstraint>> hinges;
+    btCompoundShape nothing;
+    auto body = [&](double mass, double inertia, btVector3 centre, btCollisionShape *shape) {
+      auto made = std::make_unique<btRigidBody>(mass, nullptr, shape, btVector3(inertia, inertia, inertia));
+      made->setWorldTransform(btTransform(btQuaternion::getIdentity(), centre));
+      made->setInterpolationWorldTransform(made->getWorldTransform());
+      made->setActivationState(DISABLE_DEACTIVATION);
+      made->setContactStiffnessAndDamping(stiffness, damping);
+      made->setRestitution(0.0);
+      made->setFriction(0.0);
+      made->setDamping(0.0, 0.0);
+      world.addRigidBody(made.get());
+      bodies.push_back(std::move(made));
+      return bodies.back().get();
+    };
+    auto hinge = [&](btRigidBody *a, btRigidBody *b, btVector3 place, btVector3 axis) {
+      auto from = [&](btRigidBody *of) { return place - of->getWorldTransform().getOrigin(); };
+      auto made = b ? std::make_unique<btHingeConstraint>(*a, *b, from(a), from(b), axis, axis)
+                    : std::make_unique<btHingeConstraint>(*a, from(a), axis);
+      world.addConstraint(made.get(), true);
+      hinges.push_back(std::move(made));
+    };
+
+    const bool turns = scene == "pendulum", linkage = scene == "four-bar";
+    const double radius = linkage ? n[0] : turns ? n[4] : n[1];
+    const btVector3 normal = linkage ? btVector3(0, 1, 0) : btVector3(0, 0, 1);
+    const double contact = linkage ? n[2] : 0.0;
+    btStaticPlaneShape plane(normal, contact - radius - gap);
+    body(0, 0, btVector3(0, 0, 0), &plane);
     btSphereShape sphere(radius);
     btCompoundShape shape;
-    const btVector3 point(lever - centre, 0, 0);
-    shape.addChildShape(btTransform(btQuaternion::getIdentity(), point), &sphere);
-    btRigidBody struck(mass, nullptr, &shape, btVector3(inertia, inertia, inertia));
-    struck.setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(centre, 0, 0)));
-    struck.setInterpolationWorldTransform(struck.getWorldTransform());
-    struck.setActivationState(DISABLE_DEACTIVATION);
-    for (btRigidBody *body : {&floor, &struck}) {
-      body->setContactStiffnessAndDamping(stiffness, damping);
-      body->setRestitution(0.0);
-      body->setFriction(0.0);
-      body->setDamping(0.0, 0.0);
-      world.addRigidBody(body);
+    btRigidBody *struck;
+    btVector3 point(0, 0, 0);
+    if (scene == "ball") {
+      shape.addChildShape(btTransform::getIdentity(), &sphere);
+      struck = body(n[0], 0.4 * n[0] * n[1] * n[1], point, &shape);
+      struck->setLinearVelocity(btVector3(0, 0, -v));
+    } else if (turns) {
+      const double mass = n[0], centre = n[1], lever = n[3];
+      point = btVector3(lever - centre, 0, 0);
+      shape.addChildShape(btTransform(btQuaternion::getIdentity(), point), &sphere);
+      struck = body(mass, n[2] - mass * centre * centre, btVector3(centre, 0, 0), &shape);
+      hinge(struck, nullptr, btVector3(0, 0, 0), btVector3(0, 1, 0));
+      struck->setLinearVelocity(btVector3(0, 0, -v / lever * centre));
+      struck->setAngularVelocity(btVector3(0, v / lever, 0));
+    } else {
+      const double *b = n + 3, *j = b + 7 * BODIES;
+      point = btVector3(n[1], n[2], 0) - btVector3(b[7 * STRUCK + 2], b[7 * STRUCK + 3], 0);
+      shape.addChildShape(btTransform(btQuaternion::getIdentity(), point), &sphere);
+      btRigidBody *made[BODIES];
+      for (int i = 0; i < BODIES; i++, b += 7) {
+        made[i] = body(b[0], b[1], btVector3(b[2], b[3], 0), i == STRUCK ? &shape : &nothing);
+        made[i]->setLinearVelocity(btVector3(b[4], b[5], 0));
+        made[i]->setAngularVelocity(btVector3(0, 0, b[6]));
+      }
+      for (int i = 0; i < HINGES; i++, j += 4)
+        hinge(made[(int)j[0]], j[1] < 0 ? nullptr : made[(int)j[1]], btVector3(j[2], j[3], 0), btVector3(0, 0, 1));
+      struck = made[STRUCK];
     }
-    btHingeConstraint hinge(struck, btVector3(-centre, 0, 0), btVector3(0, 1, 0));
-    if (held) world.addConstraint(&hinge);
-    struck.setLinearVelocity(btVector3(0, 0, held ? -v / lever * centre : -v));
-    if (held) struck.setAngularVelocity(btVector3(0, v / lever, 0));
 
     double depth = 0, rate = 0;
     bool touched = false, back = false;
-    for (int i = 0; i < 200000 && !back; i++) {
+    for (int i = 0; i < LONGEST && !back; i++) {
       world.stepSimulation(h, 0);
-      const double height = struck.getWorldTransform()(point).z() + gap;
-      rate = held ? -struck.getAngularVelocity().y() * lever : struck.getLinearVelocity().z();
+      const btTransform &pose = struck->getWorldTransform();
+      const double height = pose(point).dot(normal) - contact + gap;
+      rate = struck->getVelocityInLocalPoint(pose.getBasis() * point).dot(normal);
       depth = std::max(depth, -height);
       touched |= height < 0;
       back = touched && height > 0 && rate > 0;
     }
-    std::printf("%.17g %.17g\n", rate / v, depth);
-    if (held) world.removeConstraint(&hinge);
-    world.removeRigidBody(&struck);
-    world.removeRigidBody(&floor);
+    std::printf("%.17g %.17g\n", back ? rate / v : NAN, depth);
+    for (auto &each : hinges) world.removeConstraint(each.get());
+    for (auto &each : bodies) world.removeRigidBody(each.get());
   }
 }

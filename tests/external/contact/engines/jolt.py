@@ -12,10 +12,11 @@ from pathlib import Path
 import numpy as np
 
 from impacts import PHASES, Outcome
-from scenes import Absent
+from scenes import Absent, Refused, velocities
 
 TOOL = "jolt"
-SOLVERS = {"": None}
+# mNumVelocitySteps as exported for trees and for closed loops.
+SOLVERS = {"50 velocity steps": 50, "1000 velocity steps": 1000}
 # Where there is no node.
 BY_HAND = True
 HERE = Path(__file__).parent
@@ -29,15 +30,28 @@ def engine():
 
 
 def ball(parameters, solver, ball, speed):
-    return outcome({"ball": dataclasses.asdict(ball)}, parameters, speed)
+    return outcome({"ball": dataclasses.asdict(ball)}, parameters, solver, speed)
 
 
 def pendulum(parameters, solver, pendulum, speed):
     """The rotor's inertia is added to the body's about the hinge's axis."""
-    return outcome({"pendulum": dataclasses.asdict(pendulum)}, parameters, speed)
+    return outcome({"pendulum": dataclasses.asdict(pendulum)}, parameters, solver, speed)
 
 
-def outcome(scene, parameters, speed):
+def four_bar(parameters, solver, four_bar, speed):
+    names, moving = [*four_bar.bodies], velocities(four_bar, speed)
+    bodies = [
+        {"mass": mass, "inertia": inertia, "centre": centre, "velocity": moving[name][0], "rate": moving[name][1]}
+        for name, (mass, inertia, centre, _) in four_bar.bodies.items()
+    ]
+    hinges = [(names.index(a), names.index(b) if b else None, *at) for a, b, at in four_bar.hinges]
+    scene = {"radius": four_bar.radius, "point": four_bar.point, "struck": names.index(four_bar.struck), "bodies": bodies, "hinges": hinges}
+    return outcome({"four_bar": scene}, parameters, solver, speed)
+
+
+def outcome(scene, parameters, solver, speed):
+    if parameters["mNumVelocitySteps"] != solver:
+        raise Refused("turns")
     request = {
         "package": str(PACKAGE),
         "parameters": parameters,

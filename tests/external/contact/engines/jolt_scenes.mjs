@@ -1,7 +1,8 @@
 // Impacts in Jolt, by its build for JavaScript: one JSON request on the standard input, one answer on the standard output.
 //
 //   {"package": folder of jolt-physics, "parameters": {…}, "other": restitution of the wall or null, "step": s, "phases": […],
-//    "speed": m/s, "ball": {mass, radius} or "pendulum": {mass, centre, inertia, lever, radius, rotor}}
+//    "speed": m/s, "ball": {mass, radius} or "pendulum": {mass, centre, inertia, lever, radius, rotor} or
+//    "four_bar": {radius, point, struck, bodies: [{mass, inertia, centre, velocity, rate}, …], hinges: [[body, body or null, x, y], …]}}
 //
 // Answer: {"version", "impacts": [[e, penetration], …]}. The parameters are the struck body's and, unless "other" says otherwise,
 // the wall's too.
@@ -107,17 +108,59 @@ function pendulum({ mass, centre, inertia, lever, radius, rotor }, phase) {
   return watch(jolt, () => -body.GetAngularVelocity().GetY() * lever, () => -height());
 }
 
-function watch(jolt, opening, penetration) {
+/// In the plane of x and z: what is drawn along y is along z, a turn about z is one about −y; the contact is at the origin.
+function fourBar({ radius, point, struck, bodies, hinges }, phase) {
+  const { jolt, system } = world();
+  const stop = wall(system, -radius - (FLIGHT + phase) * step * speed);
+  const at = (x, z) => new Jolt.RVec3(x - point[0], 0, z - point[1]);
+  const made = bodies.map(({ mass, inertia, centre, velocity, rate }, i) => {
+    const hit = i === struck;
+    const away = [point[0] - centre[0], 0, point[1] - centre[1]];
+    // A sphere that nothing touches stands for the others' shapes.
+    const sphere = new Jolt.SphereShapeSettings(hit ? radius : 1e-3);
+    const placed = new Jolt.RotatedTranslatedShapeSettings(new Jolt.Vec3(...(hit ? away : [0, 0, 0])), upright(), sphere);
+    const back = new Jolt.Vec3(...(hit ? away.map((x) => -x) : [0, 0, 0]));
+    const shape = new Jolt.OffsetCenterOfMassShapeSettings(back, placed).Create().Get();
+    const body = moving(system, shape, at(...centre), mass, [inertia, inertia, inertia]);
+    system.GetBodyInterface().SetLinearVelocity(body.GetID(), new Jolt.Vec3(velocity[0], 0, velocity[1]));
+    system.GetBodyInterface().SetAngularVelocity(body.GetID(), new Jolt.Vec3(0, -rate, 0));
+    return body;
+  });
+  for (const [a, b, x, z] of hinges) {
+    const hinge = new Jolt.HingeConstraintSettings();
+    hinge.mSpace = Jolt.EConstraintSpace_WorldSpace;
+    for (const side of [1, 2]) {
+      hinge[`mPoint${side}`] = at(x, z);
+      hinge[`mHingeAxis${side}`] = new Jolt.Vec3(0, -1, 0);
+      hinge[`mNormalAxis${side}`] = new Jolt.Vec3(1, 0, 0);
+    }
+    system.AddConstraint(hinge.Create(b === null ? stop : made[b], made[a]));
+  }
+  const body = made[struck], { centre } = bodies[struck];
+  const [x, z] = [point[0] - centre[0], point[1] - centre[1]];
+  const turned = () => -2 * Math.asin(body.GetRotation().GetY());
+  const across = () => x * Math.cos(turned()) - z * Math.sin(turned());
+  const along = () => x * Math.sin(turned()) + z * Math.cos(turned());
+  const opening = () => body.GetLinearVelocity().GetZ() - body.GetAngularVelocity().GetY() * across();
+  const top = -(FLIGHT + phase) * step * speed;
+  return watch(jolt, opening, () => top - (body.GetCenterOfMassPosition().GetZ() + along()), true);
+}
+
+/// `changes`: the speed changes as the mechanism moves on; it is that just after the impact.
+function watch(jolt, opening, penetration, changes = false) {
   let depth = 0;
   for (let i = 0; i < LONGEST; i++) {
     jolt.Step(step, 1);
     depth = Math.max(depth, penetration());
+    if (changes && opening() > -0.5 * speed) break;
   }
   const result = [opening() / speed, depth];
   Jolt.destroy(jolt);
   return result;
 }
 
-const one = request.ball ? (phase) => ball(request.ball, phase) : (phase) => pendulum(request.pendulum, phase);
+const scenes = { ball, pendulum, four_bar: fourBar };
+const [name] = Object.keys(scenes).filter((scene) => request[scene]);
+const one = (phase) => scenes[name](request[name], phase);
 const { version } = JSON.parse(readFileSync(`${request.package}/package.json`, "utf8"));
 console.log(JSON.stringify({ version, impacts: request.phases.map(one) }));

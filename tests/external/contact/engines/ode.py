@@ -3,7 +3,6 @@
 import re
 
 from engines import _built
-from scenes import velocities
 
 TOOL = "ode"
 # The program's word, and QuickStep's iterations.
@@ -34,13 +33,7 @@ def pendulum(parameters, solver, pendulum, speed):
 
 
 def four_bar(parameters, solver, four_bar, speed):
-    numbers, names = [], [*four_bar.bodies]
-    for name, (velocity, rate) in velocities(four_bar, speed).items():
-        mass, inertia, centre, _ = four_bar.bodies[name]
-        numbers += (mass, inertia, *centre, *velocity, rate)
-    for a, b, at in four_bar.hinges:
-        numbers += (names.index(a), names.index(b) if b else -1, *at)
-    return run(parameters, solver, speed, "four-bar", four_bar.radius, *four_bar.point, *numbers)
+    return run(parameters, solver, speed, "four-bar", *_built.four_bar(four_bar, speed))
 
 
 def stop(parameters, solver, stop, speed):
