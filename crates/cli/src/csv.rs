@@ -2,6 +2,8 @@
 
 use crate::limits;
 use percuss_study::{MassReport, SweepHeading, SweepRow};
+use std::fmt::Write;
+use std::ops::Range;
 
 /// Columns between the drivers and the joints.
 const FIXED: [&str; 7] = [
@@ -43,36 +45,73 @@ pub fn of_mass(report: &MassReport, drivers: &[String]) -> String {
     line(&header) + &line(&row)
 }
 
-/// The header of a sweep.
-pub fn sweep_header(heading: &SweepHeading) -> String {
-    let mut header = vec!["row".to_owned(), heading.varied.clone()];
-    header.extend(FIXED.map(str::to_owned));
-    let others = heading.joints.joints().filter(|(joint, _)| *joint != heading.varied);
-    others.for_each(|(joint, numbers)| columns(&mut header, joint, numbers));
-    line(&header)
+/// The table of a sweep: its columns, and where their numbers stand in a row.
+pub struct SweepTable {
+    header: String,
+    /// The numbers of a pose that are not varied, runs of them.
+    others: Vec<Range<usize>>,
+    /// How many these are.
+    count: usize,
 }
 
-/// A row of a sweep. One that was not reached has no pose; its joints' cells stay empty.
-pub fn sweep_row(heading: &SweepHeading, row: &SweepRow) -> String {
-    let mut cells = vec![
-        row.row.to_string(),
-        cell(Some(row.value)),
-        row.status.into(),
-        cell(row.effective_mass),
-        cell(row.closure_residual),
-        row.singular_pose.map_or_else(String::new, |s| s.to_string()),
-        cell(row.motion_ratio),
-        cell(row.estimate),
-        cell(row.estimate_error_percent),
-    ];
-    if row.pose.is_empty() {
-        let others = heading.joints.joints().filter(|(joint, _)| *joint != heading.varied);
-        cells.extend(std::iter::repeat_n(String::new(), others.map(|(_, numbers)| numbers).sum()));
-    } else {
-        let others = row.pose.iter().filter(|(joint, _)| *joint != heading.varied);
-        cells.extend(others.flat_map(|(_, values)| values).map(|value| number(*value)));
+impl SweepTable {
+    pub fn new(heading: &SweepHeading) -> Self {
+        let mut header = vec!["row".to_owned()];
+        header.extend(heading.varied.iter().map(|column| column.name.clone()));
+        header.extend(FIXED.map(str::to_owned));
+        let mut others: Vec<Range<usize>> = Vec::new();
+        let mut first = 0;
+        for (joint, numbers) in heading.joints.joints() {
+            if !heading.varied.iter().any(|column| column.joint.as_deref() == Some(joint)) {
+                columns(&mut header, joint, numbers);
+                match others.last_mut().filter(|run| run.end == first) {
+                    Some(run) => run.end += numbers,
+                    None => others.push(first..first + numbers),
+                }
+            }
+            first += numbers;
+        }
+        let count = others.iter().map(Range::len).sum();
+        Self { header: line(&header), others, count }
     }
-    line(&cells)
+
+    /// Its first line.
+    pub fn header(&self) -> &str {
+        &self.header
+    }
+
+    /// A row as a line. One that was not reached has no pose; its joints' cells stay empty.
+    pub fn row(&self, row: &SweepRow) -> String {
+        let mut text = String::with_capacity(24 * (self.count + row.varied.values().len() + FIXED.len()));
+        // Writing to a text does not fail.
+        let _ = write!(text, "{}", row.row);
+        row.varied.values().iter().for_each(|value| push_number(&mut text, Some(*value)));
+        text.push(',');
+        text += row.status;
+        push_number(&mut text, row.effective_mass);
+        push_number(&mut text, row.closure_residual);
+        text += row.singular_pose.map_or(",", |singular| if singular { ",true" } else { ",false" });
+        push_number(&mut text, row.motion_ratio);
+        push_number(&mut text, row.estimate);
+        push_number(&mut text, row.estimate_error_percent);
+        let numbers = row.pose.numbers();
+        for run in &self.others {
+            match numbers.get(run.clone()) {
+                Some(numbers) => numbers.iter().for_each(|value| push_number(&mut text, Some(*value))),
+                None => text.extend(std::iter::repeat_n(',', run.len())),
+            }
+        }
+        text.push('\n');
+        text
+    }
+}
+
+/// A comma, and the number where there is one.
+fn push_number(text: &mut String, value: Option<f64>) {
+    text.push(',');
+    if let Some(value) = value {
+        write_number(text, value);
+    }
 }
 
 /// A joint with several numbers takes a column for each: `name[0]`, `name[1]`, …
@@ -87,9 +126,20 @@ fn cell(value: Option<f64>) -> String {
     value.map_or_else(String::new, number)
 }
 
-/// The shortest digits that read back as the same number; with an exponent where zeros would fill the cell.
 fn number(x: f64) -> String {
-    if x == 0.0 || limits::DECIMAL_NUMBERS.contains(&x.abs()) { format!("{x}") } else { format!("{x:e}") }
+    let mut text = String::new();
+    write_number(&mut text, x);
+    text
+}
+
+/// The shortest digits that read back as the same number; with an exponent where zeros would fill the cell.
+fn write_number(text: &mut String, x: f64) {
+    // Writing to a text does not fail.
+    let _ = if x == 0.0 || limits::DECIMAL_NUMBERS.contains(&x.abs()) {
+        write!(text, "{x}")
+    } else {
+        write!(text, "{x:e}")
+    };
 }
 
 fn line(cells: &[String]) -> String {

@@ -12,6 +12,7 @@ mod failure;
 mod import;
 mod limits;
 mod mass;
+mod output;
 mod report;
 mod run;
 mod safe_speed;

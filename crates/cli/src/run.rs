@@ -14,6 +14,7 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
             if study.damping.is_some() {
                 note("[damping] is of the contact at its pose, not of the sweep: --format text shows it");
             }
+            sweep::use_threads(args.threads);
             sweep::go_through(&study.model, &study.question, vary, study.output.as_deref(), args.strict)
         }
         _ => {

@@ -2,41 +2,56 @@
 
 use crate::args::SweepArgs;
 use crate::failure::Failure;
-use crate::report::{warn, write_diagnostics, write_file};
+use crate::output::Output;
+use crate::report::{warn, write_diagnostics};
 use crate::sweep_figure::drawn;
-use crate::sweep_rows::{self, Target};
+use crate::sweep_rows;
 use indicatif::{ProgressBar, ProgressStyle};
-use percuss_study::{MassQuestion, Model, Sweep, SweepEnd, Vary};
+use percuss_study::{MassQuestion, Model, RowSource, Sweep, SweepEnd};
+use std::io::Write;
 use std::path::Path;
 
 /// Runs the command.
 pub fn run(args: &SweepArgs) -> Result<(), Failure> {
+    use_threads(args.threads);
     let model = args.model.load()?;
     go_through(
         &model,
         &args.contact.question()?,
-        &args.vary,
+        &args.source()?,
         args.output.as_deref(),
         args.model.reading.strict,
     )
+}
+
+/// Takes so many threads, the calling one included; as many as there are processors where none are asked for.
+pub fn use_threads(count: Option<u16>) {
+    let count = count.map_or(0, usize::from);
+    // Only the first call makes threads; a program that can make none has the calling one.
+    let _ = rayon::ThreadPoolBuilder::new().num_threads(count).use_current_thread().build_global();
 }
 
 /// Sweeps, with a progress bar where it takes long, and writes the rows as they are computed.
 pub fn go_through(
     model: &Model,
     question: &MassQuestion,
-    vary: &Vary,
+    source: &RowSource,
     output: Option<&str>,
     strict: bool,
 ) -> Result<(), Failure> {
     let format = Format::of(output)?;
-    let sweep = Sweep::new(model, question, vary)?;
+    let sweep = Sweep::new(model, question, source)?;
     write_diagnostics(&model.diagnostics, strict)?;
     // Hidden where stderr is no terminal.
-    let bar = ProgressBar::new(sweep.count() as u64).with_style(
-        ProgressStyle::with_template("{bar:40} {pos}/{len} rows, {eta} left")
-            .unwrap_or_else(|_| ProgressStyle::default_bar()),
-    );
+    let bar = match sweep.count() {
+        Some(count) => ProgressBar::new(count as u64).with_style(
+            ProgressStyle::with_template("{bar:40} {pos}/{len} rows, {eta} left")
+                .unwrap_or_else(|_| ProgressStyle::default_bar()),
+        ),
+        None => ProgressBar::no_length().with_style(
+            ProgressStyle::with_template("{pos} rows").unwrap_or_else(|_| ProgressStyle::default_bar()),
+        ),
+    };
     let end = write(sweep, model, format, output, &bar);
     bar.finish_and_clear();
     let end = end?;
@@ -52,8 +67,9 @@ fn write(
     bar: &ProgressBar,
 ) -> Result<SweepEnd, Failure> {
     let (figure, end) = match format {
-        Format::Csv => return sweep_rows::csv(sweep, Target::open(output)?, bar),
-        Format::Json => return sweep_rows::json(sweep, model, Target::open(output)?, bar),
+        Format::Csv => return sweep_rows::csv(sweep, Output::open(output)?, bar),
+        Format::Json => return sweep_rows::json(sweep, model, Output::open(output)?, bar),
+        Format::JsonLines => return sweep_rows::json_lines(sweep, Output::open(output)?, bar),
         Format::Svg | Format::Png => drawn(sweep, bar)?,
     };
     let bytes = match format {
@@ -61,7 +77,9 @@ fn write(
         _ => figure.to_svg().into_bytes(),
     };
     // A picture always has a file: its format is that of the file's name.
-    output.map_or(Ok(()), |path| write_file(path, &bytes))?;
+    let mut out = Output::open(output)?;
+    out.write_all(&bytes).map_err(|error| out.failure(error))?;
+    out.finish()?;
     Ok(end)
 }
 
@@ -70,6 +88,7 @@ fn write(
 enum Format {
     Csv,
     Json,
+    JsonLines,
     Svg,
     Png,
 }
@@ -82,10 +101,11 @@ impl Format {
         match ending.to_ascii_lowercase().as_str() {
             "csv" => Ok(Format::Csv),
             "json" => Ok(Format::Json),
+            "jsonl" => Ok(Format::JsonLines),
             "svg" => Ok(Format::Svg),
             "png" => Ok(Format::Png),
             _ => Err(Failure::bad_input(format!(
-                "--output {path}: its name must end in .csv, .json, .svg or .png"
+                "--output {path}: its name must end in .csv, .json, .jsonl, .svg or .png"
             ))),
         }
     }

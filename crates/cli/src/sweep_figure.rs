@@ -1,8 +1,9 @@
 //! The picture of a sweep: effective mass with the estimate, and the motion ratio below it.
 
+use crate::failure::Failure;
 use indicatif::ProgressBar;
 use percuss_render::{Figure, Mark, Panel, Series, Style};
-use percuss_study::{StudyError, Sweep, SweepEnd};
+use percuss_study::{Sweep, SweepEnd};
 use std::ops::ControlFlow;
 
 /// Points of a curve: what was varied, in the unit of the axis, and a value where there is one.
@@ -12,14 +13,19 @@ type Curve = Vec<(f64, Option<f64>)>;
 const MARKS: usize = 10_000;
 
 /// Goes through a sweep, keeping of its rows what is drawn.
-pub fn drawn(sweep: Sweep, bar: &ProgressBar) -> Result<(Figure, SweepEnd), StudyError> {
+pub fn drawn(sweep: Sweep, bar: &ProgressBar) -> Result<(Figure, SweepEnd), Failure> {
     let heading = sweep.heading().clone();
-    let (scale, unit) = if heading.unit == "m" { (1e3, "mm") } else { (180.0 / std::f64::consts::PI, "deg") };
+    let [varied] = &heading.varied[..] else {
+        return Err(Failure::bad_input(
+            "--output: a picture shows what one range gives; name a file that ends in .csv, .json, .jsonl or .parquet",
+        ));
+    };
+    let (scale, unit) = if varied.unit == "m" { (1e3, "mm") } else { (180.0 / std::f64::consts::PI, "deg") };
     let (mut masses, mut estimates, mut ratios) = (Curve::new(), Curve::new(), Curve::new());
     let mut marks = Vec::new();
     let end = sweep.run(&mut |row| {
         bar.inc(1);
-        let x = scale * row.value;
+        let x = scale * row.varied.values().first().copied().unwrap_or_default();
         masses.push((x, row.effective_mass));
         estimates.push((x, row.estimate));
         ratios.push((x, row.motion_ratio));
@@ -42,7 +48,7 @@ pub fn drawn(sweep: Sweep, bar: &ProgressBar) -> Result<(Figure, SweepEnd), Stud
     let figure = Figure {
         title: format!("Effective mass at {}", heading.link),
         subtitle: heading.inputs.first().map_or_else(String::new, |input| input.path.clone()),
-        x_label: format!("{} ({unit})", heading.varied),
+        x_label: format!("{} ({unit})", varied.name),
         panels,
         marks,
     };

@@ -1,122 +1,64 @@
 //! The rows of a sweep, written as they are computed: none is kept.
 
-use crate::csv;
+use crate::csv::SweepTable;
 use crate::failure::Failure;
+use crate::output::Output;
 use indicatif::ProgressBar;
 use percuss_study::{DiagnosticRecord, Model, StudyError, Sweep, SweepEnd, SweepHeading, SweepRow};
 use serde::ser::{Error as _, Serialize, SerializeSeq, Serializer};
 use std::cell::{Cell, RefCell};
-use std::fs::{File, OpenOptions};
-use std::io::{self, BufWriter, Write};
+use std::io::{self, Write};
 use std::ops::ControlFlow;
-use std::time::{Duration, Instant};
-
-/// Rows are passed on at least this often, so that whoever reads them sees that there are some.
-const PASSED_ON: Duration = Duration::from_millis(200);
-
-/// Where rows go: stdout, or a file.
-pub struct Target {
-    out: BufWriter<Box<dyn Write>>,
-    path: Option<String>,
-    passed_on: Instant,
-}
-
-impl Target {
-    /// Opens it. What a file held before is kept until the first row is written.
-    pub fn open(path: Option<&str>) -> Result<Self, Failure> {
-        let out: Box<dyn Write> = match path {
-            None => Box::new(io::stdout()),
-            Some(path) => {
-                let file = OpenOptions::new().write(true).create(true).truncate(false).open(path);
-                Box::new(Replaced { file: file.map_err(|error| cannot_write(path, &error))?, begun: false })
-            }
-        };
-        let path = path.map(str::to_owned);
-        Ok(Self { out: BufWriter::new(out), path, passed_on: Instant::now() })
-    }
-
-    /// Leaves out what was not passed on yet.
-    fn discard(self) {
-        let _ = self.out.into_parts();
-    }
-
-    /// Why it cannot be written.
-    fn failure(&self, error: io::Error) -> Failure {
-        match &self.path {
-            None => error.into(),
-            Some(path) => cannot_write(path, &error),
-        }
-    }
-}
-
-impl Write for Target {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        let written = self.out.write(bytes)?;
-        if self.passed_on.elapsed() > PASSED_ON {
-            self.flush()?;
-        }
-        Ok(written)
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.passed_on = Instant::now();
-        self.out.flush()
-    }
-}
-
-fn cannot_write(path: &str, error: &io::Error) -> Failure {
-    Failure::bad_input(format!("{path} cannot be written: {error}"))
-}
-
-/// A file whose old contents go when the first new ones come.
-struct Replaced {
-    file: File,
-    begun: bool,
-}
-
-impl Write for Replaced {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        if !std::mem::replace(&mut self.begun, true) {
-            // A device has no length to set.
-            let _ = self.file.set_len(0);
-        }
-        self.file.write(bytes)
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.file.flush()
-    }
-}
 
 /// Writes rows as CSV.
-pub fn csv(sweep: Sweep, mut target: Target, bar: &ProgressBar) -> Result<SweepEnd, Failure> {
-    let heading = sweep.heading().clone();
-    let mut header = Some(csv::sweep_header(&heading));
+pub fn csv(sweep: Sweep, out: Output, bar: &ProgressBar) -> Result<SweepEnd, Failure> {
+    let table = SweepTable::new(sweep.heading());
+    lines(sweep, table.header(), &|row| table.row(&row), out, bar)
+}
+
+/// Writes rows as JSON, each on a line.
+pub fn json_lines(sweep: Sweep, out: Output, bar: &ProgressBar) -> Result<SweepEnd, Failure> {
+    // A row has names for keys and numbers that are finite: it has a JSON form.
+    lines(sweep, "", &|row| serde_json::to_string(&row).unwrap_or_default() + "\n", out, bar)
+}
+
+/// Writes what is made of each row, under a header.
+fn lines(
+    sweep: Sweep,
+    header: &str,
+    made: &(dyn Fn(SweepRow) -> String + Sync),
+    mut out: Output,
+    bar: &ProgressBar,
+) -> Result<SweepEnd, Failure> {
     let mut written = Ok(());
-    let end = sweep.run(&mut |row| {
+    let mut header = Some(header);
+    let end = sweep.run_made(made, &mut |row| {
         bar.inc(1);
-        let text = header.take().unwrap_or_default() + &csv::sweep_row(&heading, &row);
-        written = target.write_all(text.as_bytes());
+        // With the first row: a sweep that has none writes nothing.
+        let begun = out.write_all(header.take().unwrap_or_default().as_bytes());
+        written = begun.and_then(|()| out.write_all(row.as_bytes()));
         if written.is_ok() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     })?;
-    written.and_then(|()| target.flush()).map_err(|error| target.failure(error))?;
+    written.map_err(|error| out.failure(error))?;
+    out.finish()?;
     Ok(end)
 }
 
 /// Writes a sweep as JSON: what a [`SweepReport`](percuss_study::SweepReport) is, without ever having one.
-pub fn json(sweep: Sweep, model: &Model, mut target: Target, bar: &ProgressBar) -> Result<SweepEnd, Failure> {
+pub fn json(sweep: Sweep, model: &Model, mut out: Output, bar: &ProgressBar) -> Result<SweepEnd, Failure> {
     let heading = sweep.heading().clone();
     let rows = Rows { sweep: Cell::new(Some(sweep)), end: RefCell::new(None), bar };
     let document = Document { heading, rows: &rows, diagnostics: Diagnostics { model, rows: &rows } };
-    let written = document.serialize(&mut serde_json::Serializer::pretty(&mut target));
-    let written = written.map_err(io::Error::from).and_then(|()| target.flush());
+    let written = document.serialize(&mut serde_json::Serializer::pretty(&mut out));
+    let written = written.map_err(io::Error::from);
     match rows.end.take() {
         Some(Err(error)) => {
-            target.discard();
+            out.discard();
             Err(error.into())
         }
         end => {
-            written.map_err(|error| target.failure(error))?;
+            written.map_err(|error| out.failure(error))?;
+            out.finish()?;
             end.and_then(Result::ok)
                 .ok_or_else(|| Failure::NoAnswer("the sweep was written without its rows".into()))
         }

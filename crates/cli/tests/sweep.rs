@@ -180,8 +180,8 @@ fn what_cannot_be_varied_is_refused() {
         (format!("{STOP} --vary lower_ball=0:1:3"), "no single position"),
         (format!("{STOP} --vary rack=0:1:3"), "no single position"),
         (COUPLER.to_owned(), "--vary"),
-        (format!("{long} crank_hinge=0:1:3 --output rows.pdf"), ".csv, .json, .svg or .png"),
-        (format!("{long} crank_hinge=0:1:3 --output rows"), ".csv, .json, .svg or .png"),
+        (format!("{long} crank_hinge=0:1:3 --output rows.pdf"), ".csv, .json, .jsonl, .svg or .png"),
+        (format!("{long} crank_hinge=0:1:3 --output rows"), ".csv, .json, .jsonl, .svg or .png"),
         (format!("{long} crank_hinge=0:1:3 --output /there/is/no/folder.csv"), "cannot be written"),
     ];
     for (line, words) in cases {
@@ -224,8 +224,8 @@ fn json_svg_and_png_are_written() {
     };
     let sweep = Sweep::read(&String::from_utf8(run("csv")).unwrap());
     let report: serde_json::Value = serde_json::from_slice(&run("json")).expect("JSON");
-    assert_eq!(report["schema"], "percuss.sweep/1");
-    assert_eq!((&report["varied"], &report["unit"]), (&"travel:wheel_centre".into(), &"m".into()));
+    assert_eq!(report["schema"], "percuss.sweep/2");
+    assert_eq!(report["varied"], serde_json::json!([{ "name": "travel:wheel_centre", "unit": "m" }]));
     let rows = report["rows"].as_array().expect("rows");
     assert_eq!((rows.len(), sweep.rows.len()), (9, 9));
     for (row, record) in rows.iter().enumerate() {

@@ -40,7 +40,7 @@ fn json_is_that_of_the_whole_report() {
         assert_eq!(written, serde_json::to_string_pretty(&report).expect("JSON"));
         assert_eq!(whole["rows"].as_array().map(Vec::len), Some(report.rows.len()));
         let keys: Vec<&String> = whole.as_object().unwrap().keys().collect();
-        assert_eq!(keys.len(), 8, "{keys:?}");
+        assert_eq!(keys.len(), 9, "{keys:?}");
     }
 }
 
@@ -66,7 +66,7 @@ fn rows_are_written_as_they_are_computed() {
 #[test]
 fn rows_are_not_kept() {
     let scratch = Scratch::new("rows-memory");
-    for ending in ["csv", "json"] {
+    for ending in ["csv", "json", "jsonl"] {
         let path = scratch.path(&format!("rows.{ending}"));
         let script = format!(
             "ulimit -v 120000; exec \"$0\" sweep models/point_mass_pendulum.urdf --link rod --point 0,0,-0.8 --normal 1,0,0 \
@@ -110,12 +110,65 @@ fn a_file_is_replaced_when_there_is_a_row_for_it() {
     }
 }
 
+/// A run that fails on its way leaves the file of the last one whole, and nothing beside it.
+#[cfg(unix)]
+#[test]
+fn a_file_is_replaced_when_all_of_it_is_written() {
+    let scratch = Scratch::new("rows-renamed");
+    for name in ["rows.csv", "rows.json", "rows.jsonl"] {
+        let path = scratch.write(name, "of last time");
+        let line = format!("{COUPLER} --vary crank_hinge=0:360deg:20000 --output {path}");
+        // The size of files is limited: the disk is full, as it were, in the middle.
+        let script = format!("trap '' XFSZ; ulimit -f 100; exec \"$0\" {line}");
+        let outcome = std::process::Command::new("/bin/sh")
+            .args(["-c", &script, env!("CARGO_BIN_EXE_percuss")])
+            .current_dir(root())
+            .output()
+            .expect("a shell");
+        assert_eq!(outcome.status.code(), Some(2), "{}", String::from_utf8_lossy(&outcome.stderr));
+        assert!(String::from_utf8_lossy(&outcome.stderr).contains("cannot be written"));
+        assert_eq!(std::fs::read_to_string(&path).unwrap(), "of last time");
+        // Through a link, with the rights of the file.
+        use std::os::unix::fs::PermissionsExt;
+        let rights = || std::fs::metadata(&path).unwrap().permissions().mode() & 0o777;
+        std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o640)).unwrap();
+        let link = scratch.path(&format!("link-{name}"));
+        std::os::unix::fs::symlink(&path, &link).expect("a link");
+        let outcome = percuss(&format!("{COUPLER} --vary crank_hinge=0:1:3 --output {link}"));
+        assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+        assert!(std::fs::symlink_metadata(&link).unwrap().is_symlink());
+        assert_eq!(rights(), 0o640);
+        assert!(std::fs::read_to_string(&path).unwrap().contains("finite"));
+    }
+    let left = std::fs::read_dir(scratch.path(""))
+        .unwrap()
+        .filter_map(|entry| entry.ok()?.file_name().into_string().ok());
+    assert!(left.into_iter().all(|name| !name.contains("part")));
+}
+
+/// JSON lines are the rows of the JSON, one by one.
+#[test]
+fn json_lines_are_the_rows_of_the_json() {
+    let scratch = Scratch::new("rows-lines");
+    let [lines, whole] = ["rows.jsonl", "rows.json"].map(|name| {
+        let path = scratch.path(name);
+        let line = format!("{COUPLER} --vary crank_hinge=0:1e9:5 --output {path}");
+        assert_eq!(percuss(&line).code, 0);
+        std::fs::read_to_string(path).expect("it was written")
+    });
+    let rows: Vec<serde_json::Value> =
+        lines.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect();
+    let whole: serde_json::Value = serde_json::from_str(&whole).expect("JSON");
+    assert_eq!(&rows, whole["rows"].as_array().expect("rows"));
+    assert!(rows[4]["error"].is_string() && rows[0]["error"].is_null());
+}
+
 /// A disk that is full ends a sweep with a message that names the file.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_file_that_cannot_take_the_rows_is_named() {
     let scratch = Scratch::new("rows-full");
-    for name in ["full.csv", "full.json"] {
+    for name in ["full.csv", "full.json", "full.jsonl"] {
         let path = scratch.path(name);
         std::os::unix::fs::symlink("/dev/full", &path).expect("a link");
         let outcome = percuss(&format!("{COUPLER} --vary crank_hinge=0:1:500 --output {path}"));

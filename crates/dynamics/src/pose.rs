@@ -111,10 +111,15 @@ impl Pose {
         mechanism.joint_ids().filter_map(|id| {
             let limits = mechanism.joint(id).limits()?;
             let &[value] = self.joint(id) else { return None };
-            // A limit typed with nine digits is no violation.
-            let slack = 1e-9 * (1.0 + value.abs());
-            (value < limits.lower - slack || value > limits.upper + slack).then_some((id, value, limits))
+            Self::is_outside(value, limits).then_some((id, value, limits))
         })
+    }
+
+    /// Whether a position (rad or m) is outside limits, as poses count it.
+    pub fn is_outside(value: f64, limits: Limits) -> bool {
+        // A limit typed with nine digits is no violation.
+        let slack = 1e-9 * (1.0 + value.abs());
+        value < limits.lower - slack || value > limits.upper + slack
     }
 
     /// Degrees of freedom here: more than the generic number at a change point.

@@ -109,6 +109,11 @@ impl<'a> Prepared<'a> {
         self.question.against_mass
     }
 
+    /// Whether nothing is asked but m̄ of the mechanism alone.
+    pub fn is_plain(&self) -> bool {
+        self.estimate.is_none() && self.question.hold.is_empty() && self.other_mass().is_none()
+    }
+
     /// Whether the point is given in the frame of the struck link, and needs no pose to be converted.
     pub fn point_is_in_link(&self) -> bool {
         self.question.frame == Frame::Link

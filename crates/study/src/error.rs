@@ -2,7 +2,8 @@
 
 use crate::field::{Field, Names, about_assembly};
 use crate::quantity::QuantityError;
-use crate::thresholds::{LARGEST_COORDINATE, LEAST_OTHER_MASS, ROWS, SHORTEST_DIRECTION};
+use crate::table_error::TableError;
+use crate::thresholds::{GRID_ROWS, LARGEST_COORDINATE, LEAST_OTHER_MASS, ROWS, SHORTEST_DIRECTION};
 use percuss_contact::ContactLawError;
 use percuss_contact::exports::ExportError;
 use percuss_dynamics::{
@@ -108,6 +109,47 @@ pub enum Fault {
         /// The joint.
         joint: String,
     },
+    /// A joint that is varied twice.
+    #[error("\"{joint}\" is varied twice; give it one range")]
+    VariedTwice {
+        /// The joint.
+        joint: String,
+    },
+    /// A travel that is not what varies fastest.
+    #[error(
+        "\"{name}\" is not the last of the ranges; a travel starts where the joints stand, so it is varied fastest: give it \
+         last, and once"
+    )]
+    TravelNotLast {
+        /// As its column is headed.
+        name: String,
+    },
+    /// Too many combinations.
+    #[error("the ranges have {count} combinations; {} are possible at most", GRID_ROWS)]
+    Combinations {
+        /// How many there are.
+        count: u128,
+    },
+    /// No random rows, or too many.
+    #[error("{count} random rows; 1 to {GRID_ROWS} are possible")]
+    RandomRows {
+        /// What was given.
+        count: usize,
+    },
+    /// Every joint is set.
+    #[error("no joint is left to sample: all that can move are set, or follow from others")]
+    NothingToSample,
+    /// A joint that has no limits to sample between.
+    #[error("{}", no_limits(joint, *kind, Names::Fields))]
+    NothingToSampleBetween {
+        /// The joint.
+        joint: String,
+        /// Its kind.
+        kind: JointKind,
+    },
+    /// A file of positions.
+    #[error(transparent)]
+    Table(#[from] Box<TableError>),
     /// A travel that means nothing, or that nothing drives.
     #[error(transparent)]
     Travel(#[from] TravelError),
@@ -125,6 +167,8 @@ impl Fault {
         match self {
             Fault::VariedIsSet { joint } => varied_is_set(joint, names),
             Fault::NoReferencePose { source } => no_reference_pose(source, names),
+            Fault::Table(error) => error.message(names),
+            Fault::NothingToSampleBetween { joint, kind } => no_limits(joint, *kind, names),
             Fault::Travel(TravelError::Assembly(error)) => about_assembly(error, names),
             other => other.to_string(),
         }
@@ -133,6 +177,24 @@ impl Fault {
 
 fn varied_is_set(joint: &str, names: Names) -> String {
     format!("\"{joint}\": it is set already{}; give it one or the other", Field::Set.hint(names))
+}
+
+fn no_limits(joint: &str, kind: JointKind, names: Names) -> String {
+    let (set, vary) = (Field::Set.hint(names), Field::Vary.hint(names));
+    let what = match kind {
+        JointKind::Planar | JointKind::Floating => "has no limits",
+        JointKind::Fixed
+        | JointKind::Revolute
+        | JointKind::Continuous
+        | JointKind::Prismatic
+        | JointKind::Spherical => "has no <limit>",
+    };
+    let remedy = if kind.positions() == 1 {
+        format!("give it a <limit>, set it{set}, or vary ranges instead of random positions{vary}")
+    } else {
+        format!("set it{set}")
+    };
+    format!("joint \"{joint}\" is {} and {what} to sample between; {remedy}", kind.name())
 }
 
 fn no_reference_pose(source: &AssemblyError, names: Names) -> String {

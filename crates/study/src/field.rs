@@ -45,6 +45,12 @@ pub enum Field {
     Estimate,
     /// What a sweep varies.
     Vary,
+    /// The file of a sweep's positions.
+    Input,
+    /// A column that is left out.
+    Ignore,
+    /// How many random rows.
+    Random,
     /// A joint's stop.
     Limit,
 }
@@ -67,6 +73,9 @@ impl Field {
             Field::Armature => ("--armature", "conditions.armature"),
             Field::Estimate => ("--estimate", "contact.estimate"),
             Field::Vary => ("--vary", "sweep.vary"),
+            Field::Input => ("--input", "sweep.input"),
+            Field::Ignore => ("--ignore", "sweep.ignore"),
+            Field::Random => ("--random", "sweep.random"),
             Field::Limit => ("--limit", "damping.limit"),
         }
     }

@@ -3,6 +3,7 @@
 use crate::record::DiagnosticRecord;
 use percuss_mechanism::{JointId, LinkId, Severity};
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 /// What a finding is about. Findings of one code about one subject are one finding, whatever their numbers are.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -29,6 +30,10 @@ pub(crate) struct Finding {
 }
 
 impl Finding {
+    pub fn code(&self) -> &'static str {
+        self.code
+    }
+
     pub fn warning(code: &'static str, subject: Subject, message: impl Into<String>) -> Self {
         Self { severity: Severity::Warning, code, subject, message: message.into() }
     }
@@ -64,6 +69,16 @@ impl Tally {
         for finding in findings {
             let kind = (finding.code, finding.subject.clone());
             self.kinds.entry(kind).or_insert(Counted { finding, first_row: row, rows: 0 }).rows += 1;
+        }
+    }
+
+    /// Adds what was found in rows after these.
+    pub fn append(&mut self, later: Self) {
+        for (kind, counted) in later.kinds {
+            match self.kinds.entry(kind) {
+                Entry::Vacant(entry) => drop(entry.insert(counted)),
+                Entry::Occupied(mut entry) => entry.get_mut().rows += counted.rows,
+            }
         }
     }
 

@@ -9,7 +9,7 @@ use percuss_dynamics::{
     Assembly, BranchLimits, Configuration, Contact, ContactResponse, DrawnGap, EffectiveMass, Pose, Remark,
     RigidLoops, Singularity, System,
 };
-use percuss_mechanism::{JointId, JointKind, Mechanism};
+use percuss_mechanism::{JointId, JointKind, Limits, Mechanism};
 
 fn remainder(x: f64, period: f64) -> f64 {
     x - period * (x / period).round()
@@ -20,15 +20,7 @@ pub(crate) fn about_pose(system: &System, pose: &Pose, names: Names) -> Vec<Find
     let mechanism = system.mechanism();
     let mut found: Vec<Finding> = pose
         .outside_limits()
-        .map(|(joint, value, limits)| {
-            let message = format!(
-                "joint \"{}\" stands at {value}, outside its limits {} to {}",
-                mechanism.joint(joint).name(),
-                limits.lower,
-                limits.upper
-            );
-            Finding::warning("outside-limits", Subject::Joint(joint), message)
-        })
+        .map(|(joint, value, limits)| outside_limits(mechanism, joint, value, limits))
         .collect();
     if pose.loops().is_some() {
         about_loops(system, pose, names, &mut found);
@@ -36,6 +28,17 @@ pub(crate) fn about_pose(system: &System, pose: &Pose, names: Names) -> Vec<Find
         found.extend(pose.assembly().rigid_loops().iter().map(|rigid| about_rigid(mechanism, rigid)));
     }
     found
+}
+
+/// A joint outside its limits.
+pub(crate) fn outside_limits(mechanism: &Mechanism, joint: JointId, value: f64, limits: Limits) -> Finding {
+    let message = format!(
+        "joint \"{}\" stands at {value}, outside its limits {} to {}",
+        mechanism.joint(joint).name(),
+        limits.lower,
+        limits.upper
+    );
+    Finding::warning("outside-limits", Subject::Joint(joint), message)
 }
 
 /// How the loops fit, and who drives them.

@@ -19,9 +19,13 @@ pub struct Input {
 impl Input {
     /// Names a source and its bytes.
     pub(crate) fn of(source: &Source) -> Self {
-        let digest = Sha256::digest(&source.bytes);
-        Self { path: source.name.clone(), sha256: digest.iter().map(|byte| format!("{byte:02x}")).collect() }
+        Self { path: source.name.clone(), sha256: hexadecimal(&Sha256::digest(&source.bytes)) }
     }
+}
+
+/// Bytes in hexadecimal.
+pub(crate) fn hexadecimal(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// A mechanism read from a file.

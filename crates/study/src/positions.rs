@@ -17,6 +17,8 @@ struct JointNumbers {
     name: String,
     joint: JointId,
     numbers: Range<usize>,
+    /// Its first number among those of all joints, in joint order.
+    place: usize,
 }
 
 impl PoseLayout {
@@ -25,11 +27,20 @@ impl PoseLayout {
         let mut movable: Vec<JointId> =
             mechanism.joint_ids().filter(|id| mechanism.joint(*id).kind().dofs() > 0).collect();
         movable.sort_by_key(|id| mechanism.joint(*id).name());
+        let place = |joint: JointId| {
+            let before = &mechanism.joints()[..joint.index()];
+            before.iter().map(|joint| joint.kind().positions()).sum()
+        };
         let mut first = 0;
         let numbered = |joint: JointId| {
             let numbers = first..first + mechanism.joint(joint).kind().positions();
             first = numbers.end;
-            JointNumbers { name: mechanism.joint(joint).name().to_owned(), joint, numbers }
+            JointNumbers {
+                name: mechanism.joint(joint).name().to_owned(),
+                joint,
+                numbers,
+                place: place(joint),
+            }
         };
         Arc::new(Self { joints: movable.into_iter().map(numbered).collect() })
     }
@@ -54,6 +65,13 @@ impl Positions {
         Self { layout: Arc::clone(layout), values }
     }
 
+    /// Of row `i` of some, whose numbers stand in columns of so many rows, those of all joints in joint order.
+    pub(crate) fn of_columns(layout: &Arc<PoseLayout>, columns: &[f64], rows: usize, i: usize) -> Self {
+        let places = layout.joints.iter().flat_map(|joint| joint.place..joint.place + joint.numbers.len());
+        let values = places.map(|place| columns[place * rows + i]).collect();
+        Self { layout: Arc::clone(layout), values }
+    }
+
     pub(crate) fn none(layout: &Arc<PoseLayout>) -> Self {
         Self { layout: Arc::clone(layout), values: Vec::new() }
     }
@@ -62,6 +80,11 @@ impl Positions {
     pub fn iter(&self) -> impl Iterator<Item = (&str, &[f64])> {
         let known = self.layout.joints.iter().filter(|joint| joint.numbers.end <= self.values.len());
         known.map(|joint| (joint.name.as_str(), &self.values[joint.numbers.clone()]))
+    }
+
+    /// All numbers one after another; none where there is no pose.
+    pub fn numbers(&self) -> &[f64] {
+        &self.values
     }
 
     /// The position of a joint.

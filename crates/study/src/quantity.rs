@@ -88,6 +88,18 @@ impl fmt::Display for Dimension {
     }
 }
 
+impl Dimension {
+    /// The SI unit of a position; empty for what has none.
+    pub(crate) fn unit(self) -> &'static str {
+        match self {
+            Dimension::Length => "m",
+            Dimension::Angle => "rad",
+            Dimension::Mass => "kg",
+            Dimension::Plain => "",
+        }
+    }
+}
+
 /// Units by suffix; longer ones first, so that `mm` is not read as `m`.
 const UNITS: [(&str, f64, Dimension); 7] = [
     ("deg", std::f64::consts::PI / 180.0, Dimension::Angle),
@@ -98,6 +110,33 @@ const UNITS: [(&str, f64, Dimension); 7] = [
     ("m", 1.0, Dimension::Length),
     ("g", 1e-3, Dimension::Mass),
 ];
+
+/// A unit by its name.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Unit {
+    factor: f64,
+    pub dimension: Dimension,
+}
+
+impl Unit {
+    /// That of a number without one.
+    pub const SI: Self = Self { factor: 1.0, dimension: Dimension::Plain };
+
+    /// The unit of this name.
+    pub fn named(name: &str) -> Option<Self> {
+        let found = UNITS.iter().find(|(known, ..)| *known == name);
+        found.map(|&(_, factor, dimension)| Self { factor, dimension })
+    }
+
+    /// A number of this unit in SI units.
+    pub fn to_si(self, number: f64) -> f64 {
+        match self.dimension {
+            // Dividing keeps 12mm = 0.012 to the last bit; 1/1000 is not a binary number.
+            Dimension::Length | Dimension::Mass => number / (1.0 / self.factor).round(),
+            Dimension::Angle | Dimension::Plain => number * self.factor,
+        }
+    }
+}
 
 impl fmt::Display for Quantity {
     /// In SI units.
@@ -136,16 +175,12 @@ impl Quantity {
         let Ok(number) = digits.parse::<f64>() else {
             return Err(QuantityError::NoNumber { text: text.to_owned() });
         };
-        let value = match unit {
-            // Dividing keeps 12mm = 0.012 to the last bit; 1/1000 is not a binary number.
-            Some((_, factor, Dimension::Length | Dimension::Mass)) => number / (1.0 / factor).round(),
-            Some((_, factor, _)) => number * factor,
-            None => number,
-        };
+        let unit = unit.and_then(|(name, ..)| Unit::named(name));
+        let value = unit.unwrap_or(Unit::SI).to_si(number);
         if !value.is_finite() {
             return Err(QuantityError::NotFinite { text: text.to_owned() });
         }
-        Ok(Self { value, dimension: unit.map(|(.., dimension)| *dimension) })
+        Ok(Self { value, dimension: unit.map(|unit| unit.dimension) })
     }
 
     /// Its value in SI units, if its unit (where it has one) measures `expected`.

@@ -27,6 +27,16 @@ pub(crate) struct Missed {
     pub extent: Extent,
 }
 
+/// Rows that were not tried.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Untried {
+    pub count: usize,
+    /// The first of them.
+    pub first: usize,
+    /// The row that it was left out for.
+    pub found_by: usize,
+}
+
 /// What is known of one direction.
 #[derive(Clone, Copy, Debug, Default)]
 struct Side {
@@ -48,8 +58,7 @@ pub(crate) struct Reach {
     /// How far a branch was followed until it was too far, and for which row: no row is followed as far again, whatever
     /// its start and direction.
     longest: Option<(f64, usize)>,
-    /// How many rows were not tried, the first of them, and the row that they were left out for.
-    untried: Option<(usize, usize, usize)>,
+    untried: Option<Untried>,
 }
 
 impl Reach {
@@ -81,7 +90,7 @@ impl Reach {
 
     /// Takes note of a row that was not tried, for what another row found.
     pub fn skip(&mut self, row: usize, found_by: usize) -> String {
-        self.untried.get_or_insert((0, row, found_by)).0 += 1;
+        self.untried.get_or_insert(Untried { count: 0, first: row, found_by }).count += 1;
         format!("not tried: it lies at least as far out as where row {found_by} ended")
     }
 
@@ -128,9 +137,9 @@ impl Reach {
         *self = Self { from: value, longest: self.longest, untried: self.untried, ..Self::default() };
     }
 
-    /// How many rows were not tried, the first of them, and the row that they were first left out for.
-    pub fn untried(&self) -> Option<(usize, usize, usize)> {
-        self.untried
+    /// The rows that were not tried since this was asked last.
+    pub fn take_untried(&mut self) -> Option<Untried> {
+        self.untried.take()
     }
 }
 

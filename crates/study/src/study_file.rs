@@ -6,8 +6,8 @@ use crate::model::{Input, Model};
 use crate::question::MassQuestion;
 use crate::record::DiagnosticRecord;
 use crate::refusal::Refusal;
+use crate::row_source::RowSource;
 use crate::study_text::{DampingText, StudyText, SweepText};
-use crate::vary::Vary;
 use percuss_formats::{LoadError, LoadOptions, Source};
 use percuss_mechanism::{Accept, BuildError, ClosureDescription, ClosureKind, Severity, Subject};
 use std::path::Path;
@@ -21,8 +21,8 @@ pub struct StudyFile {
     pub question: MassQuestion,
     /// The damper to give, if a restitution is asked for.
     pub damping: Option<DampingQuestion>,
-    /// The range to go through, if any.
-    pub sweep: Option<Vary>,
+    /// The rows to go through, if any.
+    pub sweep: Option<RowSource>,
     /// Where the sweep's rows go, relative to the study file; none: stdout.
     pub output: Option<String>,
 }
@@ -112,9 +112,8 @@ impl StudyFile {
         }
         let question = study.question().map_err(refused)?;
         let damping = study.damping.as_ref().map(DampingText::question).transpose().map_err(refused)?;
-        let vary = |text: &SweepText| Vary::parse(&text.vary);
-        let sweep = study.sweep.as_ref().map(vary).transpose();
-        let sweep = sweep.map_err(|error| value("sweep.vary", error.to_string()))?;
+        let source = |sweep: &SweepText| sweep.source(folder, max_size);
+        let sweep = study.sweep.as_ref().map(source).transpose().map_err(refused)?;
         let output =
             study.sweep.and_then(|s| s.output).map(|o| folder.join(o).to_string_lossy().into_owned());
         Ok(Self { model, question, damping, sweep, output })

@@ -6,12 +6,15 @@ use crate::field::Names;
 use crate::position::GivenPosition;
 use crate::question::{EstimateQuestion, Hold, MassQuestion, Normal};
 use crate::refusal::Refusal;
+use crate::row_source::{PositionFile, RowSource};
 use crate::study_value;
+use crate::vary::Vary;
 use percuss_contact::exports::Tool;
 use percuss_contact::{Law, Separation};
 use percuss_dynamics::{Base, Frame};
 use serde::Deserialize;
 use std::collections::BTreeMap;
+use std::path::Path;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -161,8 +164,41 @@ pub(crate) struct HoldText {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct SweepText {
-    pub vary: String,
+    #[serde(default, deserialize_with = "study_value::words")]
+    pub vary: Vec<String>,
+    pub input: Option<String>,
+    #[serde(default, deserialize_with = "study_value::words")]
+    pub ignore: Vec<String>,
+    pub random: Option<usize>,
+    pub seed: Option<u64>,
     pub output: Option<String>,
+}
+
+impl SweepText {
+    /// Where the rows come from. Paths are relative to the study's folder.
+    pub fn source(&self, folder: &Path, max_size: u64) -> Result<RowSource, Refusal> {
+        let refuse = |why: &str| Err(Refusal::new("sweep", why));
+        if self.input.is_none() && !self.ignore.is_empty() {
+            return refuse("ignore leaves out columns of input; give input");
+        }
+        if self.random.is_none() && self.seed.is_some() {
+            return refuse("seed is that of random; give random");
+        }
+        match (&self.vary[..], &self.input, self.random) {
+            ([_, ..], None, None) => {
+                let range = |text: &String| {
+                    Vary::parse(text).map_err(|error| Refusal::new("sweep.vary", error.to_string()))
+                };
+                self.vary.iter().map(range).collect::<Result<_, _>>().map(RowSource::Grid)
+            }
+            ([], Some(path), None) => {
+                let path = folder.join(path).to_string_lossy().into_owned();
+                Ok(RowSource::File(PositionFile { path, ignore: self.ignore.clone(), max_size }))
+            }
+            ([], None, Some(count)) => Ok(RowSource::Random { count, seed: self.seed.unwrap_or_default() }),
+            _ => refuse("give one of vary, input and random"),
+        }
+    }
 }
 
 #[derive(Deserialize)]

@@ -1,59 +1,66 @@
-//! The same contact over a range of positions; loops stay closed along one branch. Rows are handed out as they are
-//! computed, and none is kept.
+//! The same contact at many rows of positions; loops stay closed along one branch. Rows are handed out in order as they
+//! are computed, and none is kept.
 
-use crate::answer::{Answer, Prepared};
-use crate::driver_path::DriverPath;
+use crate::answer::Prepared;
 use crate::error::{Fault, StudyError};
 use crate::field::Field;
-use crate::finding::{Finding, Subject, Tally};
-use crate::mass_report::Status;
+use crate::finding::{Finding, Subject};
+use crate::in_lanes::InLanes;
+use crate::line;
 use crate::model::Model;
-use crate::positions::{PoseLayout, Positions};
-use crate::quantity::Dimension;
+use crate::positions::PoseLayout;
 use crate::question::MassQuestion;
-use crate::reach::Reach;
+use crate::random_rows::RandomRows;
+use crate::reach::Untried;
 use crate::record::DiagnosticRecord;
-use crate::sweep_report::{SweepEnd, SweepHeading, SweepReport, SweepRow};
-use crate::thresholds::ROWS;
-use crate::vary::{Values, Vary};
-use percuss_dynamics::{Contact, Pose};
+use crate::row_source::RowSource;
+use crate::rows::Rows;
+use crate::setting::Setting;
+use crate::stages;
+use crate::sweep_report::{Continuation, SweepEnd, SweepHeading, SweepReport, SweepRow};
+use crate::swept::Swept;
+use crate::thresholds::{GRID_ROWS, ROWS};
+use crate::trajectory::Trajectory;
+use crate::vary::Vary;
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 /// A sweep that is prepared: names resolved, numbers checked, the contact known.
 #[derive(Debug)]
 pub struct Sweep<'a> {
-    prepared: Prepared<'a>,
-    path: DriverPath,
-    values: Values,
-    contact: Contact,
+    swept: Swept<'a>,
+    rows: Rows,
     /// Where the point of the contact was found.
     about_point: Option<Finding>,
-    heading: SweepHeading,
 }
 
-/// Answers a contact over a range, row by row; `each` takes a row and may end the sweep.
+/// Answers a contact at many rows of positions; `each` takes a row and may end the sweep.
 ///
-/// A point given in another frame than the struck link's is converted once, at the pose that the question sets with the
-/// varied joint (or the travel) at 0, whatever the range is; it moves with the link. A row that cannot be reached states
-/// so, and the sweep goes on from the last that was; rows that are known to lie beyond it are not tried.
+/// A point given in another frame than the struck link's is converted once, at the pose that the question sets with what is
+/// varied at 0, whatever the rows are; it moves with the link. A row that cannot be reached states so, and the sweep goes on
+/// from the last that was; rows that are known to lie beyond it are not tried.
 ///
 /// # Errors
 /// [`StudyError`]: names that nothing bears, something that cannot be varied, a contact that means nothing.
 pub fn sweep(
     model: &Model,
     question: &MassQuestion,
-    vary: &Vary,
+    source: impl Into<RowSource>,
     each: &mut dyn FnMut(SweepRow) -> ControlFlow<()>,
 ) -> Result<SweepEnd, StudyError> {
-    Sweep::new(model, question, vary)?.run(each)
+    Sweep::new(model, question, source)?.run(each)
 }
 
 /// A sweep with all its rows in memory: some hundred bytes each.
 ///
 /// # Errors
 /// [`StudyError`], as for [`sweep()`].
-pub fn sweep_report(model: &Model, question: &MassQuestion, vary: &Vary) -> Result<SweepReport, StudyError> {
-    let sweep = Sweep::new(model, question, vary)?;
+pub fn sweep_report(
+    model: &Model,
+    question: &MassQuestion,
+    source: impl Into<RowSource>,
+) -> Result<SweepReport, StudyError> {
+    let sweep = Sweep::new(model, question, source)?;
     let heading = sweep.heading().clone();
     let mut rows = Vec::new();
     let end = sweep.run(&mut |row| {
@@ -69,171 +76,167 @@ impl<'a> Sweep<'a> {
     ///
     /// # Errors
     /// [`StudyError`], as for [`sweep()`], where no row needs to be computed to find out.
-    pub fn new(model: &'a Model, question: &'a MassQuestion, vary: &Vary) -> Result<Self, StudyError> {
+    pub fn new(
+        model: &'a Model,
+        question: &'a MassQuestion,
+        source: impl Into<RowSource>,
+    ) -> Result<Self, StudyError> {
         let prepared = Prepared::new(model, question)?;
-        if !ROWS.contains(&vary.count) {
-            return Err(StudyError::input(Field::Vary, Fault::Rows { count: vary.count }));
+        let (setting, rows) = match source.into() {
+            RowSource::Grid(ranges) => grid(&prepared, &ranges)?,
+            RowSource::File(file) => {
+                let refuse = |error| StudyError::input(Field::Input, Fault::Table(Box::new(error)));
+                let trajectory = Trajectory::open(&prepared, &file).map_err(refuse)?;
+                let setting = Setting::of_joints(&prepared, trajectory.joints(), Field::Input);
+                (setting, Rows::File(Box::new(trajectory)))
+            }
+            RowSource::Random { count, seed } => {
+                if count == 0 || count > GRID_ROWS {
+                    return Err(StudyError::input(Field::Random, Fault::RandomRows { count }));
+                }
+                let random = RandomRows::new(&prepared, count, seed)?;
+                (Setting::of_joints(&prepared, &random.joints, Field::Random), Rows::Random(random))
+            }
+        };
+        let seed = match &rows {
+            Rows::Random(random) => Some(random.seed),
+            Rows::Grid(_) | Rows::File(_) => None,
+        };
+        let mut inputs = model.inputs.clone();
+        if let Rows::File(file) = &rows {
+            inputs.push(file.input.clone());
         }
-        let path = DriverPath::new(&prepared, vary)?;
-        let wrong_unit = |error| StudyError::input(Field::Vary, Fault::Range(error));
-        let values = vary.values(path.dimension()).map_err(wrong_unit)?;
+        let travel = if setting.travels() && setting.width() == 1 {
+            setting.travel(&prepared.system, &[0.0])?.map(Arc::new)
+        } else {
+            None
+        };
         let contact = match prepared.contact_in_link() {
             Some(contact) => contact,
-            None => prepared.contact_at(&path.reference(&prepared.system)?),
+            None => {
+                let travel = travel.as_ref().map(|travel| &travel.0);
+                prepared.contact_at(&line::reference(&prepared.system, &setting, travel)?)
+            }
         };
-        let about_point = prepared.about_point(&contact, &path.reference_place());
+        let about_point = prepared.about_point(&contact, &format!("where {} is 0", setting.what()));
         let heading = SweepHeading {
-            schema: "percuss.sweep/1",
+            schema: "percuss.sweep/2",
             percuss: env!("CARGO_PKG_VERSION"),
-            inputs: model.inputs.clone(),
-            varied: vary.name(),
-            unit: if path.dimension() == Dimension::Angle { "rad" } else { "m" },
+            inputs,
+            varied: setting.columns.to_vec(),
+            continuation: continuation(&prepared, &rows),
+            seed,
             link: question.link.clone(),
             joints: PoseLayout::new(&model.mechanism),
         };
-        Ok(Self { prepared, path, values, contact, about_point, heading })
+        let (along, lanes) = (rows.along(), InLanes::new(&prepared, &setting, &contact));
+        let swept = Swept { prepared, setting, travel, contact, heading, along, lanes };
+        Ok(Self { swept, rows, about_point })
     }
 
     /// What is the same for all rows.
     pub fn heading(&self) -> &SweepHeading {
-        &self.heading
+        &self.swept.heading
     }
 
-    /// How many rows there will be.
-    pub fn count(&self) -> usize {
-        self.values.count
+    /// How many rows there will be, where that is known.
+    pub fn count(&self) -> Option<usize> {
+        self.rows.count()
     }
 
-    /// Computes the rows one after another; `each` takes them and may end the sweep.
+    /// Computes the rows; `each` takes them in order and may end the sweep.
     ///
     /// # Errors
     /// [`StudyError`], as for [`sweep()`]; after the first row that has an answer, errors stand in their rows.
     pub fn run(self, each: &mut dyn FnMut(SweepRow) -> ControlFlow<()>) -> Result<SweepEnd, StudyError> {
-        let mut progress = Progress::default();
-        let (mut rows, mut unanswered, mut first_error) = (0, 0, None);
-        for number in 0..self.values.count {
-            let row = self.row(&mut progress, number)?;
-            rows += 1;
-            if let Some(error) = &row.error {
-                unanswered += 1;
-                first_error.get_or_insert_with(|| error.clone());
-            }
-            if each(row).is_break() {
-                break;
-            }
-        }
-        let of_all = self.about_point.into_iter().chain(progress.about_untried()).map(DiagnosticRecord::from);
-        let diagnostics = of_all.chain(progress.tally.into_records(rows)).collect();
-        Ok(SweepEnd { rows, unanswered, first_error, diagnostics })
+        self.run_made(&|row| row, each)
     }
 
-    /// The next row.
-    fn row(&self, progress: &mut Progress, row: usize) -> Result<SweepRow, StudyError> {
-        let value = self.values.of_row(row);
-        if let Some(found_by) = progress.reach.excludes(value) {
-            return Ok(self.unanswered(row, value, UNREACHABLE, progress.reach.skip(row, found_by)));
-        }
-        let answer = match self.path.pose(&self.prepared.system, progress.last.as_ref(), value) {
-            Ok(Ok(pose)) => self.answered(progress, row, value, pose),
-            Ok(Err(missed)) => {
-                progress.reach.missed(row, value, missed.extent);
-                return Ok(self.unanswered(row, value, UNREACHABLE, missed.why));
-            }
-            Err(error) => Err(error),
-        };
-        match answer {
-            // What is wrong from the start is wrong with the question; later it is wrong with a row.
-            Err(error) if progress.answered || error.is_no_answer() => {
-                Ok(self.unanswered(row, value, NO_ANSWER, error.message(self.prepared.question.names)))
-            }
-            answer => answer,
-        }
-    }
-
-    /// The row of a pose.
-    fn answered(
-        &self,
-        progress: &mut Progress,
-        row: usize,
-        value: f64,
-        pose: Pose,
-    ) -> Result<SweepRow, StudyError> {
-        if progress.last.is_none() {
-            progress.tally.add(row, self.prepared.about_guesses(&pose));
-        }
-        let answer = self.prepared.answer(&pose, &self.contact);
-        let row = answer.map(|answer| self.row_of(row, value, &pose, answer, &mut progress.tally));
-        progress.answered |= row.is_ok();
-        progress.reach.answered(value);
-        progress.last = Some(pose);
-        row
-    }
-
-    fn row_of(&self, row: usize, value: f64, pose: &Pose, answer: Answer, tally: &mut Tally) -> SweepRow {
-        let motion_ratio = match &answer.estimate {
-            Some(estimate) => estimate.motion_ratio,
-            None => self.path.motion_ratio(pose, answer.of_mechanism()),
-        };
-        let (status, effective_mass) = Status::of(answer.response.effective_mass);
-        let estimate = answer.estimate.as_ref();
-        let row_of_answer = SweepRow {
-            row,
-            value,
-            status: status.name(),
-            effective_mass,
-            effective_mass_error: answer.response.effective_mass_error(),
-            closure_residual: pose.loops().map(|l| l.residual),
-            singular_pose: Some(answer.response.singular_pose),
-            motion_ratio,
-            estimate: estimate.and_then(|e| e.estimate),
-            estimate_error_percent: estimate.and_then(|e| e.error_percent),
-            pose: Positions::of(&self.heading.joints, pose),
-            error: None,
-        };
-        tally.add(row, answer.findings);
-        row_of_answer
-    }
-
-    fn unanswered(&self, row: usize, value: f64, status: &'static str, error: String) -> SweepRow {
-        SweepRow {
-            row,
-            value,
-            status,
-            effective_mass: None,
-            effective_mass_error: None,
-            closure_residual: None,
-            singular_pose: None,
-            motion_ratio: None,
-            estimate: None,
-            estimate_error_percent: None,
-            pose: Positions::none(&self.heading.joints),
-            error: Some(error),
-        }
+    /// As [`run`](Self::run), with what is `made` of each row in its place: by any thread of rayon's pool, in any order.
+    ///
+    /// # Errors
+    /// As [`run`](Self::run).
+    pub fn run_made<T: Send>(
+        self,
+        made: &(dyn Fn(SweepRow) -> T + Sync),
+        each: &mut dyn FnMut(T) -> ControlFlow<()>,
+    ) -> Result<SweepEnd, StudyError> {
+        let Self { swept, rows, about_point } = self;
+        let came = stages::run(&swept, rows, made, each)?;
+        let mut end = came.end;
+        let of_all =
+            about_point.into_iter().chain(about_continuation(&swept.prepared, swept.heading.continuation));
+        let of_all = of_all.chain(came.untried.map(about_untried));
+        end.diagnostics =
+            of_all.map(DiagnosticRecord::from).chain(came.tally.into_records(end.rows)).collect();
+        Ok(end)
     }
 }
 
-const UNREACHABLE: &str = "unreachable";
-const NO_ANSWER: &str = "no answer";
-
-/// What a row takes over from the rows before.
-#[derive(Debug, Default)]
-struct Progress {
-    /// The pose of the last row that was reached.
-    last: Option<Pose>,
-    /// Whether any row has an answer.
-    answered: bool,
-    reach: Reach,
-    tally: Tally,
+/// What the ranges of a grid set, and their rows.
+fn grid(prepared: &Prepared, ranges: &[Vary]) -> Result<(Setting, Rows), StudyError> {
+    let refuse = |fault: Fault| StudyError::input(Field::Vary, fault);
+    if let Some(vary) = ranges.iter().find(|vary| !ROWS.contains(&vary.count)) {
+        return Err(refuse(Fault::Rows { count: vary.count }));
+    }
+    let count: u128 = ranges.iter().map(|vary| vary.count as u128).fold(1, u128::saturating_mul);
+    if ranges.is_empty() {
+        return Err(refuse(Fault::Rows { count: 0 }));
+    }
+    if ranges.len() > 1 && count > GRID_ROWS as u128 {
+        return Err(refuse(Fault::Combinations { count }));
+    }
+    let setting = Setting::of_grid(prepared, ranges)?;
+    let values = |(column, vary): (usize, &Vary)| {
+        vary.values(setting.dimension(column)).map_err(|error| refuse(Fault::Range(error)))
+    };
+    let values = ranges.iter().enumerate().map(values).collect::<Result<Vec<_>, _>>()?;
+    Ok((setting, Rows::Grid(values)))
 }
 
-impl Progress {
-    /// How many rows were not tried, and why.
-    fn about_untried(&self) -> Option<Finding> {
-        let (count, first, found_by) = self.reach.untried()?;
-        let message = format!(
-            "{count} row(s) were not tried, row {first} the first: they lie at least as far out as where row {found_by} \
-             ended (its error has the reason)"
-        );
-        Some(Finding::note("rows-not-tried", Subject::Answer, message))
+fn has_loops(prepared: &Prepared) -> bool {
+    let system = &prepared.system;
+    system.mechanism().joint_ids().any(|joint| system.is_bound(joint))
+}
+
+/// Which rows are followed from one another. Without loops no pose depends on another.
+fn continuation(prepared: &Prepared, rows: &Rows) -> Continuation {
+    if !has_loops(prepared) {
+        return Continuation::Independent;
     }
+    match (rows.line(), rows.count()) {
+        (Some(1), _) => Continuation::Independent,
+        (Some(line), Some(all)) if line < all => Continuation::Lines,
+        _ => Continuation::Path,
+    }
+}
+
+/// Which rows were followed from one another, where loops make a difference.
+fn about_continuation(prepared: &Prepared, continuation: Continuation) -> Option<Finding> {
+    if !has_loops(prepared) {
+        return None;
+    }
+    let message = match continuation {
+        Continuation::Path => {
+            "each row was followed from the one before, the loops closed on the same branch: the rows are one path"
+        }
+        Continuation::Lines => {
+            "each line of the grid was followed from its own first row, along what is varied last; lines do not depend on one \
+             another"
+        }
+        Continuation::Independent => {
+            "each row was answered by itself, the loops closed from the first closed pose: rows do not depend on one another"
+        }
+    };
+    Some(Finding::note("rows-followed", Subject::Answer, message))
+}
+
+/// How many rows were not tried, and why.
+fn about_untried(untried: Untried) -> Finding {
+    let Untried { count, first, found_by } = untried;
+    let message = format!(
+        "{count} row(s) were not tried, row {first} the first: they lie at least as far out as where row {found_by} \
+         ended (its error has the reason)"
+    );
+    Finding::note("rows-not-tried", Subject::Answer, message)
 }

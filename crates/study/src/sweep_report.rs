@@ -3,22 +3,38 @@
 use crate::model::Input;
 use crate::positions::{PoseLayout, Positions};
 use crate::record::DiagnosticRecord;
+use crate::varied_values::{VariedColumn, VariedValues};
 use serde::Serialize;
 use std::sync::Arc;
+
+/// Which rows of a sweep were followed from one another: loops are closed on the branch of the row before. Where nothing
+/// closes a loop, no row depends on another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Continuation {
+    /// All rows are one path: each is followed from the last one that was reached.
+    Path,
+    /// Each line of a grid is a path of its own, along what is varied fastest.
+    Lines,
+    /// Each row is answered by itself, as `percuss mass` would.
+    Independent,
+}
 
 /// What is the same for all rows.
 #[derive(Clone, Debug, Serialize)]
 pub struct SweepHeading {
-    /// `percuss.sweep/1`.
+    /// `percuss.sweep/2`.
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,
-    /// The file.
+    /// The files: the model's, the study's, and that of the positions.
     pub inputs: Vec<Input>,
-    /// What is varied.
-    pub varied: String,
-    /// `rad` or `m`.
-    pub unit: &'static str,
+    /// What is varied: of a grid the slowest first.
+    pub varied: Vec<VariedColumn>,
+    /// Which rows were followed from one another.
+    pub continuation: Continuation,
+    /// The seed of random positions; null where they are not random.
+    pub seed: Option<u64>,
     /// The struck link.
     pub link: String,
     /// The joints of every row's pose.
@@ -31,8 +47,8 @@ pub struct SweepHeading {
 pub struct SweepRow {
     /// Its number, from 0.
     pub row: usize,
-    /// What is varied, rad or m.
-    pub value: f64,
+    /// The varied numbers, rad or m, by name.
+    pub varied: VariedValues,
     /// `finite`, `immovable`, `massless`; `unreachable` where the pose does not exist; `no answer`.
     pub status: &'static str,
     /// m̄, kg; null unless finite.

@@ -13,6 +13,23 @@ pub(crate) const LARGEST_COORDINATE: f64 = 1e100;
 pub(crate) const LEAST_OTHER_MASS: f64 = 1e-100;
 /// Rows of a sweep: an hour's work at 1 ms each, and more than any plot shows.
 pub(crate) const ROWS: RangeInclusive<usize> = 1..=1_000_000;
+/// Rows of a grid: some twenty minutes at 10 µs each. None is kept.
+pub(crate) const GRID_ROWS: usize = 100_000_000;
+/// Bytes of a record of a table: a thousand joints with 17 digits take 20 kB.
+pub(crate) const LONGEST_RECORD: usize = 1 << 20;
+/// Rows that are posed, answered and handed out at once where they follow one another: some milliseconds of a small
+/// linkage, and its poses stay in the caches.
+pub(crate) const BLOCK_OF_POSES: usize = 256;
+/// The same for a mechanism of many links, in links: some 10 MB of poses.
+pub(crate) const BLOCK_OF_LINKS: usize = 10_000;
+/// Rows without poses that are answered and handed out at once: a millisecond of a small tree.
+pub(crate) const BLOCK_IN_LANES: usize = 4096;
+/// Rows without poses that are answered by one thread without a break.
+pub(crate) const PORTION_IN_LANES: usize = 512;
+/// Rows of the first block: a reader has them soon. Blocks then double.
+pub(crate) const FIRST_BLOCK: usize = 8;
+/// Rows that are answered by one thread without a break.
+pub(crate) const PORTION: usize = 32;
 
 // What is reported with an answer.
 

@@ -59,10 +59,29 @@ Examples:
         --point 0,0,0 --along-line spring_chassis_seat:0,0,0 \\
         --vary travel:spindle:0,0,0:0,0,1=-80mm:80mm:161 \\
         --estimate wheel,spindle,upright --output travel.svg
+  Every combination of two ranges, the first the slowest:
+    percuss sweep models/six_r_arm.urdf --link tool --point 0.08,0,0 \\
+        --normal 0,0,-1 --vary shoulder=-40deg:40deg:41 \\
+        --vary elbow=0:90deg:91 --output grid.csv
+  Along a path from a file, a column for each joint:
+    percuss sweep models/double_wishbone.urdf --link spring_seat \\
+        --point 0,0,0 --along-line spring_chassis_seat:0,0,0 \\
+        --input path.csv --ignore time
+  At random positions within the limits of the joints:
+    percuss sweep models/six_r_arm.urdf --link tool --point 0.08,0,0 \\
+        --normal 0,0,-1 --random 100000 --seed 1 --output rows.jsonl
 
-The file's ending chooses the format: .csv, .json, .svg or .png; without
---output, CSV goes to stdout. A row that cannot be reached is marked and the
-sweep continues; exit 1 if none can.";
+The first line of a file of positions names the joints, with a unit where it
+is not SI, as in elbow [deg],spin; a joint with several numbers has the columns
+NAME[0], NAME[1], … Joints that loops determine have none.
+
+The file's ending chooses the format: .csv, .json, .jsonl (a row of JSON on
+each line), .svg or .png; without --output, CSV goes to stdout. A file is
+replaced when all of it is written. A row that cannot be reached is marked and
+the sweep continues; exit 1 if none can.
+
+Where loops are closed, rows along a range or a file are followed from one
+another; each line of a grid begins anew, and random rows are independent.";
 
 pub const IMPORT: &str = "\
 Examples:

@@ -14,11 +14,12 @@ pub use format::{CheckFormat, MassFormat};
 pub use import::{ImportArgs, SideArg};
 pub use model::ModelArgs;
 
+use crate::failure::Failure;
 use crate::limits;
 use clap::builder::Resettable;
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use percuss_formats::DEFAULT_MAX_SIZE;
-use percuss_study::Vary;
+use percuss_study::{PositionFile, RowSource, Vary};
 use words::{kilograms, tolerance};
 
 /// The effective mass of a mechanism at a contact.
@@ -123,15 +124,52 @@ pub struct SweepArgs {
     #[command(flatten)]
     pub contact: ContactArgs,
     /// The varied quantity: a driving joint, or the travel of a point (m, link's frame) along a direction (world axes).
+    /// Given again it makes a grid: every combination, the first the slowest; a travel is given last.
     #[arg(
         long,
         value_name = "JOINT=FROM:TO:COUNT | travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT",
-        value_parser = Vary::parse
+        value_parser = Vary::parse,
+        required_unless_present_any = ["input", "random"]
     )]
-    pub vary: Vary,
+    pub vary: Vec<Vary>,
+    /// A file of positions, row by row along a path: a column for each joint (JOINT[0], JOINT[1], … for several numbers),
+    /// a unit behind its name where it is not SI: "elbow [deg]". - reads the standard input, as CSV.
+    #[arg(long, value_name = "FILE.csv", conflicts_with_all = ["vary", "random"])]
+    pub input: Option<String>,
+    /// Leaves a column of --input out.
+    #[arg(long, value_name = "COLUMN", requires = "input")]
+    pub ignore: Vec<String>,
+    /// So many random positions within the limits of the joints; joints of --set stay where they are.
+    #[arg(long, value_name = "COUNT", conflicts_with = "vary")]
+    pub random: Option<usize>,
+    /// The seed of --random: the same numbers on every machine.
+    #[arg(long, value_name = "NUMBER", default_value_t = 0, requires = "random")]
+    pub seed: u64,
     /// The output file.
-    #[arg(long, short, value_name = "FILE.csv|.json|.svg|.png")]
+    #[arg(long, short, value_name = "FILE.csv|.json|.jsonl|.svg|.png")]
     pub output: Option<String>,
+    /// How many threads compute; by default as many as there are processors. No answer depends on it.
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+}
+
+impl SweepArgs {
+    /// Where the rows come from.
+    pub fn source(&self) -> Result<RowSource, Failure> {
+        Ok(match (&self.input, self.random) {
+            (Some(path), _) => {
+                if path == "-" && self.model.model == "-" {
+                    return Err(Failure::bad_input(
+                        "--input -: the standard input is the model already; name a file for one of them",
+                    ));
+                }
+                let (ignore, max_size) = (self.ignore.clone(), self.model.reading.max_size);
+                RowSource::File(PositionFile { path: path.clone(), ignore, max_size })
+            }
+            (None, Some(count)) => RowSource::Random { count, seed: self.seed },
+            (None, None) => RowSource::Grid(self.vary.clone()),
+        })
+    }
 }
 
 /// Flags of `percuss run`.
@@ -145,6 +183,9 @@ pub struct RunArgs {
     /// Refuse files larger than this many bytes.
     #[arg(long, default_value_t = DEFAULT_MAX_SIZE, value_name = "BYTES")]
     pub max_size: u64,
+    /// How many threads compute a sweep; by default as many as there are processors.
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
     /// Make warnings errors (exit 2).
     #[arg(long)]
     pub strict: bool,

@@ -1,0 +1,192 @@
+//! Rows that follow one another: each is reached from the last that was, and what a row out of reach found out is known
+//! to those after it.
+
+use crate::driver::Driver;
+use crate::error::{Fault, StudyError};
+use crate::field::{Field, Names, about_assembly};
+use crate::reach::{Extent, Missed, Reach};
+use crate::setting::Setting;
+use crate::travel::Travel;
+use percuss_dynamics::{AssemblyError, Pose, System};
+use std::sync::Arc;
+
+/// Which number of a row tells how far out it lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Along {
+    /// The last: along a range.
+    Last,
+    /// None: all numbers change from row to row.
+    Anything,
+}
+
+/// How far the first row of a line lay out, rad or m, for which following the loops so far was too much work, and the
+/// row: lines that begin further out are not tried.
+pub(crate) type TooFar = Option<(f64, usize)>;
+
+/// The one of these that excludes more.
+pub(crate) fn nearer(a: TooFar, b: TooFar) -> TooFar {
+    match (a, b) {
+        (Some(one), Some(other)) => Some(if other.0 < one.0 { other } else { one }),
+        (one, other) => one.or(other),
+    }
+}
+
+/// Where rows in succession stand.
+#[derive(Debug)]
+pub(crate) struct Line {
+    along: Along,
+    travel: Option<Arc<(Travel, Driver)>>,
+    /// The pose of the last row that was reached.
+    last: Option<Arc<Pose>>,
+    pub reach: Reach,
+    pub too_far: TooFar,
+}
+
+impl Line {
+    /// A line that begins where the question puts the mechanism; the travel may be known.
+    pub fn new(along: Along, travel: Option<Arc<(Travel, Driver)>>, too_far: TooFar) -> Self {
+        Self { along, travel, last: None, reach: Reach::default(), too_far }
+    }
+
+    /// Whether no row was reached yet.
+    pub fn is_new(&self) -> bool {
+        self.last.is_none()
+    }
+
+    /// The travel along this line.
+    pub fn travel(&self) -> Option<Arc<(Travel, Driver)>> {
+        self.travel.clone()
+    }
+
+    /// The pose of the next row, or why it is not reached.
+    pub fn pose(
+        &mut self,
+        system: &System,
+        setting: &Setting,
+        names: Names,
+        row: usize,
+        values: &[f64],
+    ) -> Result<Result<Arc<Pose>, String>, StudyError> {
+        let value = match (self.along, values.last()) {
+            (Along::Last, Some(value)) => *value,
+            _ => 0.0,
+        };
+        let distance = setting.distance(values, |joint| match &self.last {
+            Some(pose) => pose.joint(joint).first().copied().unwrap_or_default(),
+            None => 0.0,
+        });
+        let beyond = self.too_far.filter(|(far, _)| distance > *far).map(|(_, found_by)| found_by);
+        if let Some(found_by) = beyond.or_else(|| self.reach.excludes(value)) {
+            return Ok(Err(self.reach.skip(row, found_by)));
+        }
+        let missed = match self.reached(system, setting, names, values)? {
+            Ok(pose) => {
+                let pose = Arc::new(pose);
+                self.reach.answered(value);
+                self.last = Some(Arc::clone(&pose));
+                return Ok(Ok(pose));
+            }
+            Err((missed, walked)) => {
+                self.too_far = nearer(self.too_far, walked.map(|walked| (walked, row)));
+                missed
+            }
+        };
+        self.reach.missed(row, value, missed.extent);
+        Ok(Err(missed.why))
+    }
+
+    /// The pose, on the branch of the last one; or why there is none, and how far the loops were followed where that was
+    /// too far.
+    #[allow(clippy::type_complexity, reason = "read in one place")]
+    fn reached(
+        &mut self,
+        system: &System,
+        setting: &Setting,
+        names: Names,
+        values: &[f64],
+    ) -> Result<Result<Pose, (Missed, Option<f64>)>, StudyError> {
+        if setting.travels() && self.travel.is_none() {
+            match setting.travel(system, values) {
+                Ok(travel) => self.travel = travel.map(Arc::new),
+                Err(StudyError::Assembly(error)) if !error.is_bad_input() => {
+                    // The joints before it are the same for the whole line.
+                    let missed = Missed { why: about_assembly(&error, names), extent: Extent::Everywhere };
+                    return Ok(Err((missed, self.walked(&error))));
+                }
+                Err(error) => return Err(error),
+            }
+        }
+        if let (Some(travel), Some(&requested)) = (&self.travel, values.last()) {
+            let (travel, driver) = &**travel;
+            let last = self.last.as_deref().unwrap_or(&travel.start);
+            return Ok(travel.reach(driver, last, requested, names)?.map_err(|missed| (missed, None)));
+        }
+        let configuration = setting.configuration(values, self.last.is_some())?;
+        let pose = match &self.last {
+            Some(last) => system.pose_from(last, &configuration),
+            None => system.pose(&configuration),
+        };
+        match pose {
+            Ok(pose) => Ok(Ok(pose)),
+            Err(error) if !error.is_bad_input() => {
+                let extent = self.extent(&error, setting);
+                let walked = self.walked(&error);
+                Ok(Err((Missed { why: about_assembly(&error, names), extent }, walked)))
+            }
+            Err(error) => Err(error.into()),
+        }
+    }
+
+    /// How far the drivers were followed, where going on was too much work.
+    fn walked(&self, error: &AssemblyError) -> Option<f64> {
+        let AssemblyError::TooFar { reached, .. } = error else { return None };
+        let from = |name: &str| match &self.last {
+            Some(pose) => {
+                let joint = pose.mechanism().find_joint(name).ok();
+                joint.and_then(|joint| pose.joint(joint).first().copied()).unwrap_or_default()
+            }
+            None => 0.0,
+        };
+        Some(reached.iter().map(|(name, value)| (value - from(name)).abs()).fold(0.0, f64::max))
+    }
+
+    /// What the failure of a row says of the others.
+    fn extent(&self, error: &AssemblyError, setting: &Setting) -> Extent {
+        let of_driver = |places: &[(String, f64)]| {
+            let own = |(name, _): &&(String, f64)| Some(name.as_str()) == setting.last_joint();
+            places.iter().find(own).map(|(_, value)| *value)
+        };
+        match (error, self.along) {
+            (AssemblyError::DoesNotClose { .. }, _) => Extent::Everywhere,
+            (AssemblyError::TooFar { reached, .. }, Along::Last) => {
+                of_driver(reached).map_or(Extent::Everywhere, Extent::TooFar)
+            }
+            (AssemblyError::Unreachable { requested, nearest, .. }, Along::Last) => {
+                match (of_driver(requested), of_driver(nearest)) {
+                    (Some(_), Some(end)) if self.last.is_some() => Extent::Beyond(end),
+                    // A first row is looked for from many starts, and another may be reached from one of them.
+                    (Some(_), _) => Extent::Nothing,
+                    (None, _) => Extent::Everywhere,
+                }
+            }
+            _ => Extent::Nothing,
+        }
+    }
+}
+
+/// The pose with what rows set at 0, whatever the rows are: where points in other frames are converted.
+pub(crate) fn reference(
+    system: &System,
+    setting: &Setting,
+    travel: Option<&Travel>,
+) -> Result<Pose, StudyError> {
+    if let Some(travel) = travel {
+        return Ok(travel.start.clone());
+    }
+    match system.pose(&setting.at_zero()?) {
+        Err(source) if !source.is_bad_input() => {
+            Err(StudyError::input(Field::Frame, Fault::NoReferencePose { source }))
+        }
+        other => Ok(other?),
+    }
+}

@@ -1,0 +1,107 @@
+//! Random positions within the limits of joints: the same numbers on every machine, and of each row whatever the others are.
+
+use crate::answer::Prepared;
+use crate::error::{Fault, StudyError};
+use crate::field::Field;
+use percuss_mechanism::{JointId, JointKind};
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{RngCore, SeedableRng};
+use std::f64::consts::PI;
+
+/// What the numbers of a joint are drawn from.
+#[derive(Clone, Copy, Debug)]
+enum Range {
+    /// All numbers between, alike.
+    Between { lower: f64, upper: f64 },
+    /// All orientations, alike.
+    Orientations,
+}
+
+/// Random rows.
+#[derive(Debug)]
+pub(crate) struct RandomRows {
+    pub joints: Vec<JointId>,
+    ranges: Vec<Range>,
+    pub width: usize,
+    pub count: usize,
+    pub seed: u64,
+}
+
+impl RandomRows {
+    /// Rows over what is free: joints that the question does not set; of those in loops the ones that drive.
+    pub fn new(prepared: &Prepared, count: usize, seed: u64) -> Result<Self, StudyError> {
+        let (system, question) = (&prepared.system, prepared.question);
+        let mechanism = system.mechanism();
+        let pose = system.pose(&prepared.configuration)?;
+        let drivers = pose.loops().map_or(&[][..], |loops| &loops.drivers);
+        let is_free = |joint: &JointId| {
+            let found = mechanism.joint(*joint);
+            let positions = found.kind().positions();
+            // A component of a ball that drives a loop is no number that could be set.
+            let drives = !system.is_bound(*joint) || (drivers.contains(joint) && positions == 1);
+            let set = question.set.iter().any(|(set, _)| set == found.name());
+            positions > 0 && found.mimic().is_none() && drives && !set
+        };
+        let joints: Vec<JointId> = mechanism.joint_ids().filter(is_free).collect();
+        let refuse = |fault: Fault| StudyError::input(Field::Random, fault);
+        if joints.is_empty() {
+            return Err(refuse(Fault::NothingToSample));
+        }
+        let range = |&joint: &JointId| {
+            let found = mechanism.joint(joint);
+            let limits = found.limits().filter(|l| (l.upper - l.lower).is_finite());
+            match (found.kind(), limits) {
+                (JointKind::Spherical, _) => Ok(Range::Orientations),
+                (JointKind::Revolute | JointKind::Continuous | JointKind::Prismatic, Some(limits)) => {
+                    Ok(Range::Between { lower: limits.lower, upper: limits.upper })
+                }
+                (JointKind::Continuous, None) => Ok(Range::Between { lower: -PI, upper: PI }),
+                (kind, _) => Err(refuse(Fault::NothingToSampleBetween { joint: found.name().into(), kind })),
+            }
+        };
+        let ranges = joints.iter().map(range).collect::<Result<Vec<_>, _>>()?;
+        let width = joints.iter().map(|joint| mechanism.joint(*joint).kind().positions()).sum();
+        Ok(Self { joints, ranges, width, count, seed })
+    }
+
+    /// Appends the numbers of a row.
+    ///
+    /// ChaCha with 8 rounds, keyed by the seed (eight bytes, the least first, then zeros), stream number the row's: its
+    /// numbers are defined, those of a general-purpose generator may change with its version.
+    pub fn push_row(&self, row: usize, values: &mut Vec<f64>) {
+        let mut key = [0; 32];
+        key[..8].copy_from_slice(&self.seed.to_le_bytes());
+        let mut generator = ChaCha8Rng::from_seed(key);
+        generator.set_stream(row as u64);
+        for range in &self.ranges {
+            match *range {
+                Range::Between { lower, upper } => {
+                    values.push((lower + (upper - lower) * unit(&mut generator)).min(upper));
+                }
+                Range::Orientations => values.extend(orientation(&mut generator)),
+            }
+        }
+    }
+}
+
+/// A number from 0 to 1, 1 excluded: 53 random bits.
+fn unit(generator: &mut ChaCha8Rng) -> f64 {
+    (generator.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
+}
+
+/// A unit quaternion w,x,y,z, all orientations alike. Source: Marsaglia 1972, "Choosing a point from the surface of a
+/// sphere": of the arithmetic that every machine does alike, no sine is.
+fn orientation(generator: &mut ChaCha8Rng) -> [f64; 4] {
+    let mut in_disc = || {
+        loop {
+            let [x, y] = [(); 2].map(|()| 2.0 * unit(generator) - 1.0);
+            let square = x * x + y * y;
+            if square < 1.0 && square > 0.0 {
+                return (x, y, square);
+            }
+        }
+    };
+    let ((w, x, first), (y, z, second)) = (in_disc(), in_disc());
+    let scale = ((1.0 - first) / second).sqrt();
+    [w, x, y * scale, z * scale]
+}

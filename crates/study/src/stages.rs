@@ -1,0 +1,277 @@
+//! The rows of a sweep on their way: posed, answered, handed out in order, a block at a time.
+//!
+//! While the calling thread hands out one block, the threads of rayon's pool answer the next and pose the one after it.
+//! Lines begin each by themselves, and whole ones are shared among threads. Blocks are cut by numbers of rows alone, and
+//! what one finds out is known to the others at fixed places, so that no answer depends on the number of threads.
+
+use crate::driver::Driver;
+use crate::error::StudyError;
+use crate::finding::Tally;
+use crate::line::{Line, TooFar, nearer};
+use crate::reach::{Reach, Untried};
+use crate::rows::{Block, Rows};
+use crate::sweep_report::SweepEnd;
+use crate::swept::{Made, NO_ANSWER, Outcome, Portion, Stand, Swept};
+use crate::thresholds::{
+    BLOCK_IN_LANES, BLOCK_OF_LINKS, BLOCK_OF_POSES, FIRST_BLOCK, PORTION, PORTION_IN_LANES, UNRELATED,
+};
+use crate::travel::Travel;
+use crate::varied_values::VariedValues;
+use rayon::prelude::*;
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+/// What a sweep came to.
+#[derive(Debug)]
+pub(crate) struct Came {
+    pub end: SweepEnd,
+    pub tally: Tally,
+    pub untried: Option<Untried>,
+}
+
+/// Takes all rows through.
+pub(crate) fn run<T: Send>(
+    swept: &Swept<'_>,
+    rows: Rows,
+    made: Made<'_, T>,
+    each: &mut dyn FnMut(T) -> ControlFlow<()>,
+) -> Result<Came, StudyError> {
+    let mut posing = Posing::new(swept, rows);
+    let mut out = HandingOut::new(swept, made, each);
+    let (mut posed, mut answered) = (None, None);
+    loop {
+        let (to_answer, to_hand_out) = (posed.take(), answered.take());
+        let too_far = posing.too_far;
+        let (mut next_posed, mut next_answered) = (Ok(None), None);
+        let mut stopped = Ok(ControlFlow::Continue(()));
+        rayon::in_place_scope(|scope| {
+            scope.spawn(|_| {
+                (next_posed, next_answered) = rayon::join(
+                    || posing.next(),
+                    || to_answer.map(|posed| answer(swept, posed, made, too_far)),
+                );
+            });
+            if let Some(portions) = to_hand_out {
+                stopped = out.take(portions);
+            }
+        });
+        if stopped?.is_break() {
+            break;
+        }
+        (posed, answered) = (next_posed?, next_answered);
+        posing.given_up = out.given_up();
+        let found = answered.iter().flatten().map(|portion: &Portion<T>| portion.too_far);
+        posing.too_far = found.fold(posing.too_far, nearer);
+        if posed.is_none() && answered.is_none() {
+            break;
+        }
+    }
+    Ok(out.came)
+}
+
+/// A block, and what is left to do about it.
+struct Posed {
+    block: Block,
+    work: Work,
+}
+
+enum Work {
+    /// Lines of so many rows, each to be posed and answered by itself.
+    Lines(usize),
+    /// Portions of rows of one line that are posed.
+    Portions {
+        portions: Vec<(usize, Vec<Stand>)>,
+        travel: Option<Arc<(Travel, Driver)>>,
+        untried: Option<Untried>,
+    },
+    /// Its rows are asked without poses, many at once.
+    InLanes,
+    /// None of its rows is tried, for what a row found.
+    Skipped { found_by: usize },
+}
+
+/// The first stage: blocks are cut, and rows posed that follow one another.
+struct Posing<'s, 'a> {
+    swept: &'s Swept<'a>,
+    rows: Rows,
+    line: Line,
+    /// The next row.
+    row: usize,
+    /// How many rows the next block has, about.
+    size: usize,
+    largest: usize,
+    too_far: TooFar,
+    given_up: Option<usize>,
+}
+
+impl<'s, 'a> Posing<'s, 'a> {
+    fn new(swept: &'s Swept<'a>, rows: Rows) -> Self {
+        let links = swept.prepared.system.mechanism().links().len();
+        let largest = match &swept.lanes {
+            Some(_) => (BLOCK_OF_LINKS * PORTION_IN_LANES / links.max(1)).clamp(FIRST_BLOCK, BLOCK_IN_LANES),
+            None => (BLOCK_OF_LINKS / links.max(1)).clamp(FIRST_BLOCK, BLOCK_OF_POSES),
+        };
+        let line = Line::new(rows.along(), swept.travel.clone(), None);
+        Self { swept, rows, line, row: 0, size: FIRST_BLOCK, largest, too_far: None, given_up: None }
+    }
+
+    /// The next block; none at the end.
+    fn next(&mut self) -> Result<Option<Posed>, StudyError> {
+        // Without poses no row depends on another.
+        let line = if self.swept.lanes.is_some() { None } else { self.rows.line() };
+        let whole = line.filter(|rows| *rows <= self.largest);
+        let count = match (whole, line) {
+            (Some(rows), _) => rows * (self.size / rows).max(1),
+            (None, Some(rows)) => self.size.min(rows - self.row % rows),
+            (None, None) => self.size,
+        };
+        let block = self.rows.block(self.row, count)?;
+        if block.count == 0 {
+            return Ok(None);
+        }
+        let starts_line = line.is_some_and(|rows| self.row.is_multiple_of(rows));
+        self.row += block.count;
+        self.size = (2 * self.size).min(self.largest);
+        let work = match (self.given_up, whole) {
+            (Some(found_by), _) => Work::Skipped { found_by },
+            (None, Some(rows)) => Work::Lines(rows),
+            (None, None) if self.swept.lanes.is_some() => Work::InLanes,
+            (None, None) => {
+                if starts_line {
+                    self.too_far = nearer(self.too_far, self.line.too_far);
+                    self.line = Line::new(self.rows.along(), self.swept.travel.clone(), self.too_far);
+                }
+                self.pose(&block)
+            }
+        };
+        Ok(Some(Posed { block, work }))
+    }
+
+    /// Poses the rows of a block, one from the other.
+    fn pose(&mut self, block: &Block) -> Work {
+        let (swept, line) = (self.swept, &mut self.line);
+        let mut portions = Vec::with_capacity(block.count.div_ceil(PORTION));
+        for first in (0..block.count).step_by(PORTION) {
+            let rows = first..(first + PORTION).min(block.count);
+            portions.push((first, rows.map(|i| swept.stand(line, block, i)).collect()));
+        }
+        Work::Portions { portions, travel: line.travel(), untried: line.reach.take_untried() }
+    }
+}
+
+/// The second stage: rows are answered, by all threads.
+fn answer<T: Send>(swept: &Swept<'_>, posed: Posed, made: Made<'_, T>, too_far: TooFar) -> Vec<Portion<T>> {
+    let Posed { block, work } = posed;
+    let block = &block;
+    match work {
+        Work::Lines(rows) => {
+            let of_line = |first: usize| {
+                let mut line = Line::new(swept.along, swept.travel.clone(), too_far);
+                let mut portion = Portion::new(rows);
+                for i in first..first + rows {
+                    let stand = swept.stand(&mut line, block, i);
+                    let travel = line.travel();
+                    swept.answer(&mut portion, block, i, stand, travel.as_ref().map(|t| &t.0), made);
+                }
+                (portion.untried, portion.too_far) = (line.reach.take_untried(), line.too_far);
+                portion
+            };
+            let lines: Vec<usize> = (0..block.count).step_by(rows).collect();
+            lines.into_par_iter().map(of_line).collect()
+        }
+        Work::Portions { portions, travel, untried } => {
+            let of_portion = |(first, stands): (usize, Vec<Stand>)| {
+                let mut portion = Portion::new(stands.len());
+                for (i, stand) in (first..).zip(stands) {
+                    swept.answer(&mut portion, block, i, stand, travel.as_ref().map(|t| &t.0), made);
+                }
+                portion
+            };
+            let mut portions: Vec<Portion<T>> = portions.into_par_iter().map(of_portion).collect();
+            if let Some(first) = portions.first_mut() {
+                first.untried = untried;
+            }
+            portions
+        }
+        Work::InLanes => {
+            let starts: Vec<usize> = (0..block.count).step_by(PORTION_IN_LANES).collect();
+            let rows = |first: usize| first..(first + PORTION_IN_LANES).min(block.count);
+            starts.into_par_iter().map(|first| swept.answer_in_lanes(block, rows(first), made)).collect()
+        }
+        Work::Skipped { found_by } => {
+            let mut portion = Portion::new(block.count);
+            let mut reach = Reach::default();
+            for i in 0..block.count {
+                let stand = Stand::Unreached(reach.skip(block.first + i, found_by));
+                swept.answer(&mut portion, block, i, stand, None, made);
+            }
+            portion.untried = reach.take_untried();
+            vec![portion]
+        }
+    }
+}
+
+/// The third stage: rows are handed out in order.
+struct HandingOut<'o, 's, 'a, T> {
+    swept: &'s Swept<'a>,
+    made: Made<'o, T>,
+    each: &'o mut dyn FnMut(T) -> ControlFlow<()>,
+    came: Came,
+    /// How many rows in succession were not reached.
+    unreached: usize,
+}
+
+impl<'o, 's, 'a, T> HandingOut<'o, 's, 'a, T> {
+    fn new(swept: &'s Swept<'a>, made: Made<'o, T>, each: &'o mut dyn FnMut(T) -> ControlFlow<()>) -> Self {
+        let end = SweepEnd { rows: 0, unanswered: 0, first_error: None, diagnostics: Vec::new() };
+        let came = Came { end, tally: Tally::default(), untried: None };
+        Self { swept, made, each, came, unreached: 0 }
+    }
+
+    /// The row that found that none of the next ones is worth trying.
+    fn given_up(&self) -> Option<usize> {
+        (self.unreached >= UNRELATED).then(|| self.came.end.rows.saturating_sub(1))
+    }
+
+    fn take(&mut self, portions: Vec<Portion<T>>) -> Result<ControlFlow<()>, StudyError> {
+        for portion in portions {
+            self.came.tally.append(portion.tally);
+            if let Some(untried) = portion.untried {
+                let so_far = self.came.untried.get_or_insert(Untried { count: 0, ..untried });
+                so_far.count += untried.count;
+            }
+            for outcome in portion.rows {
+                if self.hand_out(outcome)?.is_break() {
+                    return Ok(ControlFlow::Break(()));
+                }
+            }
+        }
+        Ok(ControlFlow::Continue(()))
+    }
+
+    fn hand_out(&mut self, outcome: Outcome<T>) -> Result<ControlFlow<()>, StudyError> {
+        let end = &mut self.came.end;
+        let (made, reached, error) = match outcome {
+            Outcome::Row { made, reached, error } => (made, reached, error),
+            // What is wrong from the start is wrong with the question; later it is wrong with a row.
+            Outcome::Failed { error, .. } if end.rows == end.unanswered && !error.is_no_answer() => {
+                return Err(error);
+            }
+            Outcome::Failed { row, varied, error } => self.in_error(row, varied, &error),
+        };
+        let end = &mut self.came.end;
+        end.rows += 1;
+        self.unreached = if reached { 0 } else { self.unreached + 1 };
+        if let Some(error) = error {
+            end.unanswered += 1;
+            end.first_error.get_or_insert(error);
+        }
+        Ok((self.each)(made))
+    }
+
+    fn in_error(&self, row: usize, varied: VariedValues, error: &StudyError) -> (T, bool, Option<String>) {
+        let why = error.message(self.swept.prepared.question.names);
+        let row = self.swept.unanswered(row, varied, NO_ANSWER, why.clone());
+        ((self.made)(row), true, Some(why))
+    }
+}

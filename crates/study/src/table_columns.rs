@@ -1,0 +1,222 @@
+//! The columns of a file of positions: of which joint, which of its numbers, in which unit.
+
+use crate::answer::Prepared;
+use crate::quantity::{Unit, position_dimension};
+use crate::table_error::{TableError, TableFault};
+use percuss_mechanism::{JointId, Mechanism};
+use std::collections::HashMap;
+
+/// What the cells of a column are.
+#[derive(Clone, Copy, Debug)]
+struct Cell {
+    /// Which of the numbers of a row.
+    value: usize,
+    unit: Unit,
+}
+
+/// The columns of a file.
+#[derive(Clone, Debug)]
+pub(crate) struct Columns {
+    names: Vec<String>,
+    /// None: left out.
+    cells: Vec<Option<Cell>>,
+    /// The joints, in the order of their first columns: their numbers stand one after another.
+    pub joints: Vec<JointId>,
+    /// How many numbers a row has.
+    pub width: usize,
+}
+
+/// A number of a joint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+struct Number {
+    joint: JointId,
+    component: usize,
+}
+
+impl Columns {
+    /// The columns under a header.
+    pub fn new<'n>(
+        prepared: &Prepared,
+        path: &str,
+        line: usize,
+        header: impl Iterator<Item = &'n str>,
+        ignore: &[String],
+    ) -> Result<Self, TableError> {
+        let mechanism = prepared.system.mechanism();
+        let names: Vec<String> = header.map(str::to_owned).collect();
+        separated_by_commas(path, line, &names)?;
+        let known = numbers_by_name(mechanism);
+        let mut found: Vec<Option<(Number, Unit)>> = Vec::with_capacity(names.len());
+        for (at, name) in names.iter().enumerate() {
+            let refuse = |fault: TableFault| TableError::at_line(path, line, fault).in_column(at, name);
+            if ignore.contains(name) {
+                found.push(None);
+                continue;
+            }
+            let (number, unit) = read_name(mechanism, &known, name).map_err(refuse)?;
+            let joint = mechanism.joint(number.joint);
+            if let Some(mimic) = joint.mimic() {
+                let master = mechanism.joint(mimic.master).name().to_owned();
+                return Err(refuse(TableFault::Mimic { joint: joint.name().to_owned(), master }));
+            }
+            if prepared.question.set.iter().any(|(set, _)| set == joint.name()) {
+                return Err(refuse(TableFault::IsSet { joint: joint.name().to_owned() }));
+            }
+            if let Some(first) = found.iter().position(|other| other.is_some_and(|(n, _)| n == number)) {
+                return Err(refuse(TableFault::Twice { first: first + 1 }));
+            }
+            found.push(Some((number, unit)));
+        }
+        let mut joints: Vec<JointId> = Vec::new();
+        for (number, _) in found.iter().flatten() {
+            if !joints.contains(&number.joint) {
+                joints.push(number.joint);
+            }
+        }
+        let mut starts = HashMap::new();
+        let (mut width, mut missing) = (0, Vec::new());
+        for &joint in &joints {
+            starts.insert(joint, width);
+            let positions = mechanism.joint(joint).kind().positions();
+            width += positions;
+            let given = |component: &usize| {
+                found.iter().flatten().any(|(n, _)| *n == Number { joint, component: *component })
+            };
+            missing.extend((0..positions).filter(|i| !given(i)).map(|i| column_name(mechanism, joint, i)));
+        }
+        if !missing.is_empty() {
+            return Err(TableError::at_line(path, line, TableFault::Missing { columns: missing }));
+        }
+        let cell =
+            |(number, unit): (Number, Unit)| Cell { value: starts[&number.joint] + number.component, unit };
+        Ok(Self { cells: found.into_iter().map(|f| f.map(cell)).collect(), names, joints, width })
+    }
+
+    /// Joints outside loops that neither a column nor the question sets.
+    pub fn unset_outside_loops(&self, prepared: &Prepared) -> Vec<String> {
+        let mechanism = prepared.system.mechanism();
+        let free = |joint: &JointId| {
+            let found = mechanism.joint(*joint);
+            found.kind().positions() > 0 && found.mimic().is_none() && !prepared.system.is_bound(*joint)
+        };
+        self.unset(prepared, mechanism.joint_ids().filter(free))
+    }
+
+    /// The columns of those joints that neither a column nor the question sets.
+    pub fn unset(&self, prepared: &Prepared, joints: impl Iterator<Item = JointId>) -> Vec<String> {
+        let mechanism = prepared.system.mechanism();
+        let is_set = |joint: &JointId| {
+            let name = mechanism.joint(*joint).name();
+            self.joints.contains(joint) || prepared.question.set.iter().any(|(set, _)| set == name)
+        };
+        let unset = joints.filter(|joint| !is_set(joint));
+        let columns =
+            unset.flat_map(|joint| (0..mechanism.joint(joint).kind().positions()).map(move |i| (joint, i)));
+        columns.map(|(joint, i)| column_name(mechanism, joint, i)).collect()
+    }
+
+    /// The first column of a joint: its number, from 0, and its name.
+    pub fn of_joint(&self, joint: JointId, mechanism: &Mechanism) -> Option<(usize, &str)> {
+        let before = self.joints.iter().take_while(|other| **other != joint);
+        let start: usize = before.map(|other| mechanism.joint(*other).kind().positions()).sum();
+        let at = self.cells.iter().position(|cell| cell.is_some_and(|cell| cell.value == start))?;
+        Some((at, &self.names[at]))
+    }
+
+    /// The numbers of a row from its cells.
+    pub fn read<'c>(
+        &self,
+        cells: impl ExactSizeIterator<Item = &'c str>,
+        values: &mut [f64],
+        at: impl Fn(TableFault) -> TableError,
+    ) -> Result<(), TableError> {
+        if cells.len() != self.cells.len() {
+            return Err(at(TableFault::Cells { got: cells.len(), expected: self.cells.len() }));
+        }
+        for (number, (text, cell)) in cells.zip(&self.cells).enumerate() {
+            let Some(cell) = cell else { continue };
+            let fault = match text.parse::<f64>() {
+                Ok(read) => {
+                    let value = cell.unit.to_si(read);
+                    if value.is_finite() {
+                        values[cell.value] = value;
+                        continue;
+                    }
+                    TableFault::NotFinite { text: shortened(text) }
+                }
+                Err(_) if text.is_empty() => TableFault::Empty,
+                Err(_) => TableFault::NoNumber { text: shortened(text) },
+            };
+            return Err(at(fault).in_column(number, &self.names[number]));
+        }
+        Ok(())
+    }
+}
+
+/// As much of a cell as a message shows.
+fn shortened(text: &str) -> String {
+    if text.chars().count() > 40 { text.chars().take(40).chain(['…']).collect() } else { text.to_owned() }
+}
+
+/// As the column of a number is headed.
+fn column_name(mechanism: &Mechanism, joint: JointId, component: usize) -> String {
+    let joint = mechanism.joint(joint);
+    match joint.kind().positions() {
+        1 => joint.name().to_owned(),
+        _ => format!("{}[{component}]", joint.name()),
+    }
+}
+
+/// All numbers of all joints, as their columns are headed.
+fn numbers_by_name(mechanism: &Mechanism) -> HashMap<String, Number> {
+    let numbers = mechanism.joint_ids().flat_map(|joint| {
+        (0..mechanism.joint(joint).kind().positions()).map(move |component| Number { joint, component })
+    });
+    numbers.map(|n| (column_name(mechanism, n.joint, n.component), n)).collect()
+}
+
+/// The number that a column is of, and its unit.
+fn read_name(
+    mechanism: &Mechanism,
+    known: &HashMap<String, Number>,
+    name: &str,
+) -> Result<(Number, Unit), TableFault> {
+    let expected = |n: Number| position_dimension(mechanism.joint(n.joint).kind(), n.component);
+    if let Some(&number) = known.get(name) {
+        return Ok((number, Unit::SI));
+    }
+    if name.is_empty() {
+        return Err(TableFault::NoName);
+    }
+    let with_unit = name.strip_suffix(']').and_then(|name| name.rsplit_once('['));
+    if let Some((before, unit)) = with_unit
+        && let Some(&number) = known.get(before.trim_end())
+    {
+        let (unit, expected) = (unit.trim(), expected(number));
+        return match Unit::named(unit) {
+            Some(found) if found.dimension == expected => Ok((number, found)),
+            Some(found) => {
+                Err(TableFault::WrongUnit { unit: unit.to_owned(), got: found.dimension, expected })
+            }
+            None => Err(TableFault::UnknownUnit { unit: unit.to_owned(), expected }),
+        };
+    }
+    let joint = mechanism.find_joint(name)?;
+    Err(match mechanism.joint(joint).kind().positions() {
+        0 => TableFault::Fixed { joint: name.to_owned() },
+        numbers => TableFault::Components { joint: name.to_owned(), numbers },
+    })
+}
+
+/// A header that is separated by something else than commas is one long name.
+fn separated_by_commas(path: &str, line: usize, names: &[String]) -> Result<(), TableError> {
+    let [name] = names else { return Ok(()) };
+    for separator in [';', '\t'] {
+        let count = name.matches(separator).count();
+        if count > 0 {
+            let separator = if separator == '\t' { '⇥' } else { separator };
+            return Err(TableError::at_line(path, line, TableFault::Separator { separator, count }));
+        }
+    }
+    Ok(())
+}
