@@ -45,12 +45,15 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
         let body = &model.bodies[i];
         let (first, dofs) = (body.v.start, body.v.len());
         // Afresh: no answer depends on the one before.
-        self.order[first..first + dofs].iter_mut().zip(first..).for_each(|(place, v)| *place = v);
+        for (k, v) in (first..first + dofs).enumerate() {
+            self.order[v] = v;
+            self.joints[v].s = base_or_joint_column(model, kinematics, i, k, point);
+        }
         for done in 0..dofs {
             let mut chosen = None;
             for candidate in done..dofs {
                 let v = self.order[first + candidate];
-                let s = base_or_joint_column(model, kinematics, i, v - first, point);
+                let s = self.joints[v].s;
                 let u = self.inertias[i].apply(&s);
                 let d = u.power(&s) + self.armature[v];
                 let t = self.wrenches[i].map(|f| f.power(&s));
