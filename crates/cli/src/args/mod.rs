@@ -137,14 +137,14 @@ pub struct SweepArgs {
     #[arg(long, value_name = "FILE.csv", conflicts_with_all = ["vary", "random"])]
     pub input: Option<String>,
     /// Leaves a column of --input out.
-    #[arg(long, value_name = "COLUMN", requires = "input")]
+    #[arg(long, value_name = "COLUMN")]
     pub ignore: Vec<String>,
     /// So many random positions within the limits of the joints; joints of --set stay where they are.
     #[arg(long, value_name = "COUNT", conflicts_with = "vary")]
     pub random: Option<usize>,
-    /// The seed of --random: the same numbers on every machine.
-    #[arg(long, value_name = "NUMBER", default_value_t = 0, requires = "random")]
-    pub seed: u64,
+    /// The seed of --random, 0 without it: the same numbers on every machine.
+    #[arg(long, value_name = "NUMBER")]
+    pub seed: Option<u64>,
     /// The output file.
     #[arg(long, short, value_name = "FILE.csv|.json|.jsonl|.svg|.png")]
     pub output: Option<String>,
@@ -156,6 +156,13 @@ pub struct SweepArgs {
 impl SweepArgs {
     /// Where the rows come from.
     pub fn source(&self) -> Result<RowSource, Failure> {
+        // Not left to clap, which asks for nothing that another flag excludes.
+        if self.input.is_none() && !self.ignore.is_empty() {
+            return Err(Failure::bad_input("--ignore leaves out columns of --input; give that file"));
+        }
+        if self.random.is_none() && self.seed.is_some() {
+            return Err(Failure::bad_input("--seed is that of --random; give its COUNT"));
+        }
         Ok(match (&self.input, self.random) {
             (Some(path), _) => {
                 if path == "-" && self.model.model == "-" {
@@ -166,7 +173,7 @@ impl SweepArgs {
                 let (ignore, max_size) = (self.ignore.clone(), self.model.reading.max_size);
                 RowSource::File(PositionFile { path: path.clone(), ignore, max_size })
             }
-            (None, Some(count)) => RowSource::Random { count, seed: self.seed },
+            (None, Some(count)) => RowSource::Random { count, seed: self.seed.unwrap_or_default() },
             (None, None) => RowSource::Grid(self.vary.clone()),
         })
     }
