@@ -18,7 +18,7 @@ pub struct TableError {
     /// The column, from 1, and its name.
     pub column: Option<(usize, String)>,
     /// What is wrong.
-    pub fault: TableFault,
+    pub fault: Box<TableFault>,
 }
 
 /// What is wrong with a file of positions.
@@ -185,7 +185,7 @@ fn quoted(names: &[String]) -> String {
 
 impl TableError {
     pub(crate) fn of_file(path: &str, fault: TableFault) -> Self {
-        Self { path: path.to_owned(), line: None, column: None, fault }
+        Self { path: path.to_owned(), line: None, column: None, fault: Box::new(fault) }
     }
 
     pub(crate) fn at_line(path: &str, line: usize, fault: TableFault) -> Self {
@@ -223,7 +223,7 @@ impl TableError {
             Names::Fields => String::new(),
         };
         let name = self.column.as_ref().map_or("", |(_, name)| name.as_str());
-        match &self.fault {
+        match &*self.fault {
             TableFault::UnknownColumn(_)
             | TableFault::Mimic { .. }
             | TableFault::Fixed { .. }
