@@ -120,7 +120,7 @@ fn closed_loops_are_refused_or_bounded_as_measured() {
         let error = with(tool, true).unwrap_err();
         assert!(matches!(error, ExportError::NoLoop { .. }), "{error}");
     }
-    for tool in [Tool::DART, Tool::JOLT, Tool::NEWTON] {
+    for tool in [Tool::DART, Tool::JOLT, Tool::NEWTON, Tool::PHYSX] {
         assert!(with(tool, false).unwrap().error_bound.is_some());
         assert!(with(tool, true).unwrap().error_bound.is_none(), "{tool}");
     }

@@ -71,7 +71,8 @@ class Check:
                     deviation = abs(report["effective_mass"] / what.effective_mass - 1)
                     self.tally.within("effective mass by closed form", f"{scene}, e = {e}", deviation, MASS)
                 for name, solver in module.SOLVERS.items():
-                    self.runs(tool, engine, name, scene, report, contact, lambda p: run(p, solver, what, contact.speed))
+                    bound = function not in getattr(module, "UNBOUND", ())
+                    self.runs(tool, engine, name, scene, report, contact, lambda p: run(p, solver, what, contact.speed), bound)
 
     def snippets(self, module, where, given):
         """What is to paste, given to the tool."""
@@ -90,8 +91,9 @@ class Check:
             missing = set(getattr(module, "SNIPPETS", {})) - seen
             self.tally.check("snippets: none is missing", where, not missing, f"{missing}")
 
-    def runs(self, tool, engine, solver, scene, report, contact, run):
-        """A scene at three steps, each within the bound that percuss states there, and within what the export says was measured."""
+    def runs(self, tool, engine, solver, scene, report, contact, run, bound):
+        """A scene at three steps, each within the bound that percuss states there, and within what the export says was measured.
+        Not `bound`: the export states no error for this scene, and what was measured is not of it."""
         e, given = report["restitution"], export(report, tool)
         where = f"{engine} {solver}, {scene}, e = {e}"
         if given["error"]:
@@ -99,6 +101,8 @@ class Check:
             return
         measured = [m for m in given["measured"] if m["engine"] == engine and m["solver"] == solver]
         self.tally.check("the export names engine and solver", where, len(measured) == 1, f"{given['measured']}")
+        if not bound:
+            self.tally.check("no error is stated", where, given["error_bound"] is None, f"{given['error_bound']}")
         line = f"{engine + ' ' + solver:34} {scene:20} {e:4}"
         for factor in STEPS:
             here = given
@@ -117,7 +121,7 @@ class Check:
             line += f"  {error:8.1e}"
             if here["error_bound"]:
                 self.tally.within(f"within the stated bound: {tool} {solver}", f"{where}, step × {factor}", error / here["error_bound"], 1.0)
-            if factor == 1.0 and measured:
+            if factor == 1.0 and measured and bound:
                 # None: refused in another scene, or not run.
                 if known := measured[0]["worst"][RESTITUTIONS.index(e)]:
                     self.tally.within(f"as measured before: {tool} {solver}", where, error / known, 1.0)

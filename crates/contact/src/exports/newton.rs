@@ -37,11 +37,12 @@ pub(super) const FACTS: Facts = Facts {
             by_hand: Some("2026-11-22"),
         },
     ],
-    caution: "single precision: have the contact near the origin; SemiImplicit for free bodies only; XPBD with enable_restitution=True",
+    caution: "single precision: have the contact near the origin; SemiImplicit for free bodies only; XPBD with enable_restitution=True; Featherstone leaves closed loops open without a word",
     sources: &[
         "Newton 1.8.0, newton/_src/solvers/semi_implicit/kernels_contact.py: _eval_body_contact",
         "Newton 1.8.0, newton/_src/solvers/xpbd/restitution_kernels.py: build_restitution_manifolds",
         "Newton 1.8.0, newton/_src/sim/builder.py: ShapeConfig",
+        "Newton, docs/concepts/articulations.rst: Loop closure",
         "Newton 1.8.0, newton/_src/solvers/semi_implicit/kernels_body.py: joint_force; newton/_src/solvers/xpbd/solver_xpbd.py",
     ],
 };
