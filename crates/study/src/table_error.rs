@@ -64,19 +64,8 @@ pub enum TableFault {
         count: usize,
     },
     /// A kind of file that is not read.
-    #[error("its name ends neither in .csv nor in .parquet; expected a table of one of these kinds")]
+    #[error("its name does not end in .csv; expected a table of that kind")]
     Kind,
-    /// A Parquet file, for a program that was built without.
-    #[error(
-        "this percuss was built without Parquet; build it with `--features parquet`, or convert the file to .csv"
-    )]
-    NoParquet,
-    /// A Parquet file that is none, or not such a one.
-    #[error("not read as Parquet: {why}")]
-    Parquet {
-        /// Why.
-        why: String,
-    },
     /// A name that is no joint's.
     #[error(transparent)]
     UnknownColumn(#[from] UnknownName),
