@@ -380,32 +380,31 @@ impl UnitImpulse<'_> {
         inertia
     }
 
-    /// Square roots of its diagonal, for a plain joint: what each pivot takes is added again.
-    fn carried_roots(&self, recursion: &Recursion<f64, 1>, i: usize) -> Vector6<f64> {
+    /// The elimination of a plain joint. What is left after some of its velocities moves as the body would if these stood
+    /// still, which can be much faster than the body and what carries it.
+    fn of_joint(&self, room: &mut BudgetRoom, recursion: &Recursion<f64, 1>, i: usize) -> f64 {
+        let body = &self.model.bodies[i];
         let mut squares = diagonal(&recursion.inertias[i]);
-        for e in self.model.bodies[i].v.clone().map(|v| &recursion.joints[v]).filter(|e| e.counts) {
+        let mut twist = body.parent.map_or_else(Twist::zero, |p| self.twists[p]);
+        let mut sum = 0.0;
+        // From what is left at last back to what there was at first: what each pivot took is added again.
+        for &v in recursion.order[body.v.clone()].iter().rev() {
+            let (e, rate) = (&recursion.joints[v], self.velocities[v]);
+            if !e.counts {
+                continue;
+            }
             let (m, f) = (&e.u.moment, &e.u.force);
             let u = Vector6::new(m.x, m.y, m.z, f.x, f.y, f.z);
             squares += u.component_mul(&u) * (1.0 / e.d);
+            let moving = components(&twist);
+            let left = energy_root(&squares.map(|x| x.abs().sqrt()), &moving);
+            let passed = dot_abs(&e.u, &moving) * (e.t[0] / e.d).abs();
+            sum += SUM_ROUNDINGS * (left * left + passed + e.d * rate * rate + (e.t[0] * rate).abs());
+            twist += e.s * rate;
         }
-        squares.map(|x| x.abs().sqrt())
-    }
-
-    /// The elimination of a plain joint.
-    fn of_joint(&self, room: &mut BudgetRoom, recursion: &Recursion<f64, 1>, i: usize) -> f64 {
-        let body = &self.model.bodies[i];
-        let roots = self.carried_roots(recursion, i);
+        let roots = squares.map(|x| x.abs().sqrt());
         let own = energy_root(&roots, &components(&self.twists[i]));
-        let parent = body.parent.map_or_else(Twist::zero, |p| self.twists[p]);
-        let mut sum = SUM_ROUNDINGS * own * own;
-        for e in body.v.clone().map(|v| (&recursion.joints[v], self.velocities[v])).filter(|(e, _)| e.counts)
-        {
-            let (e, rate) = e;
-            sum += SUM_ROUNDINGS * (e.d * rate * rate + (e.t[0] * rate).abs());
-            let passed = dot_abs(&e.u, &components(&parent)) * (e.t[0] / e.d).abs();
-            let left = energy_root(&roots, &components(&parent));
-            sum += SUM_ROUNDINGS * (left * left + passed);
-        }
+        sum += SUM_ROUNDINGS * own * own;
         if body.v.clone().any(|v| !recursion.joints[v].counts) {
             sum += self.of_frozen(room, recursion, i, &roots) / f64::EPSILON;
         }

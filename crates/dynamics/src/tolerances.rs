@@ -98,6 +98,8 @@ pub(crate) const PARALLEL_AXES: f64 = 0.05;
 /// How far a slide may go, in lengths of the mechanism, where sizes are bounded once for all; beyond that and its limits each
 /// configuration is asked by itself.
 pub(crate) const SLIDE_REACH: f64 = 8.0;
+/// How far the square of a quaternion may be from 1 by rounding; beyond, what it turns by is no rotation.
+pub(crate) const UNIT_QUATERNION: f64 = 32.0 * f64::EPSILON;
 /// Axes with a cosine below this with all joints at 0 were written to point opposite ways: within 8°.
 pub(crate) const REVERSED_AXES: f64 = -0.99;
 /// Independent coordinates of a cluster beyond which its blocks are formed from its mass matrix: O(n²) where sums over its

@@ -31,20 +31,35 @@ impl<T: Scalar> ArticulatedInertia<T> {
         )
     }
 
-    /// Subtracts the dyad a bᵀ, where the sum of all that is subtracted stays symmetric (as Σ U D⁻¹ Uᵀ does).
+    /// Subtracts the dyad a bᵀ of two wrenches of one direction (U D⁻¹ and U): what was symmetric to the last bit stays so.
+    /// What rounding leaves of a part that is not symmetric no elimination takes away again.
     #[inline]
     pub fn subtract_dyad(&mut self, a: &Wrench<T>, b: &Wrench<T>) {
-        self.angular -= a.moment * b.moment.transpose();
+        for i in 0..3 {
+            for k in i..3 {
+                self.angular[(i, k)] -= a.moment[i] * b.moment[k];
+                self.linear[(i, k)] -= a.force[i] * b.force[k];
+            }
+        }
         self.coupling -= a.moment * b.force.transpose();
-        self.linear -= a.force * b.force.transpose();
+        mirror(&mut self.angular);
+        mirror(&mut self.linear);
     }
+}
+
+/// Copies what is above the diagonal below it.
+#[inline]
+fn mirror<T: Scalar>(m: &mut Matrix3<T>) {
+    (m[(1, 0)], m[(2, 0)], m[(2, 1)]) = (m[(0, 1)], m[(0, 2)], m[(1, 2)]);
 }
 
 impl<T: Scalar> From<&SpatialInertia<T>> for ArticulatedInertia<T> {
     #[inline]
     fn from(body: &SpatialInertia<T>) -> Self {
+        let mut angular = body.rotational;
+        mirror(&mut angular);
         Self {
-            angular: body.rotational,
+            angular,
             coupling: cross_matrix(&body.first_moment),
             linear: Matrix3::from_diagonal_element(body.mass),
         }

@@ -117,6 +117,54 @@ fn turn_symmetric<T: Lanes, const Z: usize>(m: &mut [T; 6], c: T, s: T) {
     (m[xz], m[yz]) = turned(m[xz], m[yz], c, s);
 }
 
+/// R M Rᵀ, for R by rows.
+#[inline(always)]
+fn rotate_symmetric<T: Lanes>(m: &mut [T; 6], r: &[[T; 3]; 3]) {
+    let mut half = *r;
+    for i in 0..3 {
+        half[i] = rotated(&[m[at(i, 0)], m[at(i, 1)], m[at(i, 2)]], r);
+    }
+    // Rows of M Rᵀ; the upper triangle of R times them.
+    for i in 0..3 {
+        for k in i..3 {
+            let (a, b, c) = (r[i][0], r[i][1], r[i][2]);
+            m[at(i, k)] = a.mul_add(half[0][k], b.mul_add(half[1][k], c * half[2][k]));
+        }
+    }
+}
+
+/// R v, for R by rows.
+#[inline(always)]
+fn rotated<T: Lanes>(v: &[T; 3], r: &[[T; 3]; 3]) -> [T; 3] {
+    let mut out = *v;
+    for i in 0..3 {
+        out[i] = r[i][0].mul_add(v[0], r[i][1].mul_add(v[1], r[i][2] * v[2]));
+    }
+    out
+}
+
+/// The rows of the rotation by a unit quaternion [w, x, y, z].
+#[inline(always)]
+pub fn rotation_rows<T: Lanes>([w, x, y, z]: [T; 4]) -> [[T; 3]; 3] {
+    let (dx, dy, dz) = (x + x, y + y, z + z);
+    let (xx, yy, zz) = (dx * x, dy * y, dz * z);
+    let one = T::one();
+    [
+        [one - (yy + zz), dx.mul_add(y, -(dz * w)), dx.mul_add(z, dy * w)],
+        [dx.mul_add(y, dz * w), one - (xx + zz), dy.mul_add(z, -(dx * w))],
+        [dx.mul_add(z, -(dy * w)), dy.mul_add(z, dx * w), one - (xx + yy)],
+    ]
+}
+
+/// Components in the frame that a rotation, given by rows, takes the vector's own to: Rᵀ v.
+#[inline(always)]
+pub fn rotate_back<T: Lanes>(v: &mut [T; 3], r: &[[T; 3]; 3]) {
+    let [x, y, z] = *v;
+    for k in 0..3 {
+        v[k] = r[0][k].mul_add(x, r[1][k].mul_add(y, r[2][k] * z));
+    }
+}
+
 /// (c x − s y, s x + c y).
 #[inline(always)]
 fn turned<T: Lanes>(x: T, y: T, c: T, s: T) -> (T, T) {
@@ -152,6 +200,23 @@ impl<T: Lanes> PackedInertia<T> {
         let before = self.shift_coupling::<Z>(d);
         turn_symmetric::<T, Z>(&mut self.angular, c, s);
         self.shift_angular::<Z>(&before, d);
+    }
+
+    /// Seen from a frame in which this one is turned by a rotation, given by rows: R A Rᵀ, R C Rᵀ, R L Rᵀ.
+    #[inline(always)]
+    pub fn rotate(&mut self, r: &[[T; 3]; 3]) {
+        rotate_symmetric(&mut self.linear, r);
+        rotate_symmetric(&mut self.angular, r);
+        let mut half = self.coupling;
+        for i in 0..3 {
+            half[i] = rotated(&self.coupling[i], r);
+        }
+        for k in 0..3 {
+            let column = rotated(&[half[0][k], half[1][k], half[2][k]], r);
+            for i in 0..3 {
+                self.coupling[i][k] = column[i];
+            }
+        }
     }
 
     #[inline(always)]
@@ -370,6 +435,13 @@ impl<T: Lanes> PackedWrench<T> {
     pub fn turn<const Z: usize>(&mut self, c: T, s: T) {
         turn_vector::<T, Z>(&mut self.moment, c, s);
         turn_vector::<T, Z>(&mut self.force, c, s);
+    }
+
+    /// As [`PackedInertia::rotate`].
+    #[inline(always)]
+    pub fn rotate(&mut self, r: &[[T; 3]; 3]) {
+        self.moment = rotated(&self.moment, r);
+        self.force = rotated(&self.force, r);
     }
 
     /// As [`PackedInertia::shift`].

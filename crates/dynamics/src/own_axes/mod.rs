@@ -1,7 +1,7 @@
-//! The recursion of a tree in its bodies' own axes: for trees of hinges and slides, on the ground or floating, in lanes.
+//! The recursion of a tree in its bodies' own axes, on the ground or floating, in lanes.
 //!
 //! It answers what it is sure of; all else (what is massless, immovable, near either, lost to rounding) is left to
-//! [`crate::routes`], as are other joints, loops and contacts between two links.
+//! [`crate::routes`], as are mimics, loops and contacts between two links.
 
 mod plan;
 mod recursion;
@@ -86,7 +86,7 @@ impl OwnAxes {
     /// Which positions are read.
     pub fn read(&self) -> impl Iterator<Item = usize> + '_ {
         let carried = self.steps.iter().filter(|placed| placed.top == self.selection.top);
-        carried.filter_map(|placed| placed.step.position())
+        carried.flat_map(|placed| placed.step.positions())
     }
 
     fn group<'a>(&'a mut self, columns: Columns<'a>, first: usize, answers: [&'a mut [f64]; 3]) -> Group<'a> {

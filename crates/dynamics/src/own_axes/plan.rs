@@ -1,6 +1,6 @@
-//! What a tree of hinges and slides compiles to for the recursion in the bodies' own axes: frames whose z axis is the
-//! joint's, so that a pivot is an entry of the inertia, and the way from each to the frame that carries it by as few turns
-//! about and shifts along coordinate axes as there are (Denavit and Hartenberg 1955).
+//! What a tree compiles to for the recursion in the bodies' own axes: frames whose axes are the joint's, so that a pivot is an
+//! entry of the inertia, and the way from each to the frame that carries it by as few turns about and shifts along
+//! coordinate axes as there are (Denavit and Hartenberg 1955).
 
 use crate::clear_mass::is_positive;
 use crate::joint_motion::JointMotion;
@@ -10,6 +10,7 @@ use nalgebra::{Matrix3, Vector3};
 use percuss_mechanism::JointKind;
 use percuss_spatial::lanes::{Lanes, Portable};
 use percuss_spatial::{PackedInertia, PackedWrench, Scalar, Transform};
+use std::ops::Range;
 
 /// How a body moves on the one that carries it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,8 +19,37 @@ pub(super) enum Motion {
     Turn { q: usize },
     /// It slides along z, by a position of at most this size (m).
     Slide { q: usize, most: f64 },
-    /// A free base.
-    Free,
+    /// It slides along x and y of the joint's frame, by positions of at most this size (m), and turns about z.
+    Planar { q: usize, most: f64 },
+    /// It turns by a unit quaternion.
+    Ball { q: usize },
+    /// It goes by positions of at most this size (m), and turns by a unit quaternion.
+    Floating { q: usize, most: f64 },
+    /// A free base: it stands at the root.
+    Base,
+}
+
+impl Motion {
+    /// For each of its velocities, which component of the twist it is, turns first.
+    fn components(&self) -> &'static [usize] {
+        match self {
+            Self::Turn { .. } => &[2],
+            Self::Slide { .. } => &[5],
+            Self::Planar { .. } => &[3, 4, 2],
+            Self::Ball { .. } => &[0, 1, 2],
+            Self::Floating { .. } | Self::Base => &[0, 1, 2, 3, 4, 5],
+        }
+    }
+
+    /// How far its own positions can carry it, m.
+    fn travel(&self) -> f64 {
+        match *self {
+            Self::Turn { .. } | Self::Ball { .. } | Self::Base => 0.0,
+            Self::Slide { most, .. } => most,
+            Self::Planar { most, .. } => 2.0 * most,
+            Self::Floating { most, .. } => 3.0 * most,
+        }
+    }
 }
 
 /// A turn by a constant angle.
@@ -67,10 +97,11 @@ pub(super) enum Shape {
 pub(super) struct Step {
     pub parent: Option<usize>,
     pub motion: Motion,
-    /// Whether it moves; else it is locked where it stands.
-    pub moves: bool,
+    /// Which components of its twist are free, turns first; none where it is locked.
+    pub free: [bool; 6],
     /// Whether other bodies hang on it.
     pub carries: bool,
+    /// Along those components.
     pub armature: [f64; 6],
     pub inertia: PackedInertia<f64>,
     pub way: Way,
@@ -89,14 +120,17 @@ pub(super) struct Step {
 impl Step {
     /// Whether it is a hinge, and of which shape its way.
     fn hinge(&self) -> Option<Shape> {
-        (self.moves && matches!(self.motion, Motion::Turn { .. })).then_some(self.way.shape)
+        (self.free[2] && matches!(self.motion, Motion::Turn { .. })).then_some(self.way.shape)
     }
 
-    /// Which position moves it.
-    pub fn position(&self) -> Option<usize> {
+    /// Which positions move it.
+    pub fn positions(&self) -> Range<usize> {
         match self.motion {
-            Motion::Turn { q } | Motion::Slide { q, .. } => Some(q),
-            Motion::Free => None,
+            Motion::Turn { q } | Motion::Slide { q, .. } => q..q + 1,
+            Motion::Planar { q, .. } => q..q + 3,
+            Motion::Ball { q } => q..q + 4,
+            Motion::Floating { q, .. } => q..q + 7,
+            Motion::Base => 0..0,
         }
     }
 }
@@ -116,7 +150,7 @@ pub(super) struct Leaf {
 /// Steps of one form go through code without a branch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Form {
-    /// On the ground.
+    /// A hinge on the ground that carries others.
     Top,
     /// A hinge whose way is [`Shape::Skew`] or [`Shape::Parallel`].
     Hinge {
@@ -153,7 +187,7 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    /// None where the tree has joints of other kinds, bodies that are bound together, or negative masses.
+    /// None where bodies are bound together or have negative masses.
     pub fn of(model: &Model) -> Option<Self> {
         let bound = model.clusters.iter().any(|cluster| cluster.is_bound);
         if bound || model.bodies.is_empty() || !model.bodies.iter().all(is_plain) {
@@ -168,13 +202,17 @@ impl Plan {
             let k = carrier.inverse() * body.origin * frame;
             let way = Way::of(&k);
             let motion = motion_of(model, body);
-            let reach = way.length + if let Motion::Slide { most, .. } = motion { most } else { 0.0 };
+            let reach = way.length + motion.travel();
+            let (mut free, mut armature) = ([false; 6], [0.0; 6]);
+            for ((&component, own), _) in motion.components().iter().zip(&body.armature).zip(body.v.clone()) {
+                (free[component], armature[component]) = (true, *own);
+            }
             steps.push(Step {
                 parent: body.parent,
                 motion,
-                moves: !body.v.is_empty(),
+                free,
                 carries: false,
-                armature: std::array::from_fn(|a| body.armature.get(a).copied().unwrap_or(0.0)),
+                armature,
                 inertia: PackedInertia::of_body(&frame.inverse().inertia(&body.inertia)),
                 way,
                 frame,
@@ -212,7 +250,9 @@ impl Plan {
     }
 
     fn form(&self, step: &Step) -> Form {
-        let Some(parent) = step.parent else { return Form::Top };
+        let Some(parent) = step.parent else {
+            return if step.hinge().is_some() && step.leaf.is_none() { Form::Top } else { Form::Any };
+        };
         let skew = match step.hinge() {
             Some(Shape::Skew) => true,
             Some(Shape::Parallel) => false,
@@ -247,7 +287,7 @@ impl Plan {
                 self.steps[parent].carries = true;
             }
         }
-        for step in self.steps.iter_mut().filter(|step| !step.carries && step.moves) {
+        for step in self.steps.iter_mut().filter(|step| !step.carries && step.free != [false; 6]) {
             step.leaf = Leaf::of(step);
         }
     }
@@ -262,11 +302,12 @@ impl Leaf {
             out[0]
         };
         let mut left: PackedInertia<One> = step.inertia.cast();
-        let armature = One::from_f64(step.armature[0]);
         let pivot = match step.motion {
-            Motion::Turn { .. } => left.turn_pivot::<2>(armature),
-            Motion::Slide { .. } => left.slide_pivot::<2>(armature),
-            Motion::Free => return None,
+            Motion::Turn { .. } => left.turn_pivot::<2>(One::from_f64(step.armature[2])),
+            Motion::Slide { .. } => left.slide_pivot::<2>(One::from_f64(step.armature[5])),
+            Motion::Planar { .. } | Motion::Ball { .. } | Motion::Floating { .. } | Motion::Base => {
+                return None;
+            }
         };
         let turns = matches!(step.motion, Motion::Turn { .. });
         let size = value(if turns { left.moment_size() } else { left.mass_size() });
@@ -296,33 +337,40 @@ impl Leaf {
     }
 }
 
-/// Whether the recursion in own axes knows a body's joint, and its inertia is that of something that exists.
+/// Whether a body moves by its own joint alone, and its inertia is that of something that exists.
 fn is_plain(body: &Body) -> bool {
-    let known = matches!(
-        (body.motion.kind, body.joint),
-        (JointKind::Revolute | JointKind::Continuous | JointKind::Prismatic, Some(_))
-            | (JointKind::Floating, None)
-    );
-    known && body.mimic.is_none() && is_positive(&body.inertia)
+    body.mimic.is_none() && body.motion.kind != JointKind::Fixed && is_positive(&body.inertia)
 }
 
 fn motion_of(model: &Model, body: &Body) -> Motion {
-    let Some(joint) = body.joint else { return Motion::Free };
+    let Some(joint) = body.joint else { return Motion::Base };
     let q = body.q.start;
-    if body.motion.kind != JointKind::Prismatic {
-        return Motion::Turn { q };
+    let most = || {
+        // Beyond its limits it is still right to go; as far as the mechanism is large, say.
+        let far = SLIDE_REACH * model.mechanism.characteristic_length();
+        let limits = model.mechanism.joint(joint).limits();
+        let most = limits.map_or(0.0, |l| l.lower.abs().max(l.upper.abs()));
+        if most.is_finite() { most.max(far) } else { far }
+    };
+    match body.motion.kind {
+        // Fixed joints are none that it knows.
+        JointKind::Revolute | JointKind::Continuous | JointKind::Fixed => Motion::Turn { q },
+        JointKind::Prismatic => Motion::Slide { q, most: most() },
+        JointKind::Planar => Motion::Planar { q, most: most() },
+        JointKind::Spherical => Motion::Ball { q },
+        JointKind::Floating => Motion::Floating { q, most: most() },
     }
-    // Beyond its limits it is still right to go; as far as the mechanism is large, say.
-    let far = SLIDE_REACH * model.mechanism.characteristic_length();
-    let limits = model.mechanism.joint(joint).limits();
-    let most = limits.map_or(0.0, |l| l.lower.abs().max(l.upper.abs()));
-    Motion::Slide { q, most: if most.is_finite() { most.max(far) } else { far } }
 }
 
-/// The frame of a body: z along its joint's axis, x and the origin as its first child's axis wants them.
+/// The frame of a body: z along its joint's axis, x and the origin as its first child's axis wants them, where the joint
+/// leaves them open.
 fn own_frame(model: &Model, i: usize) -> Transform<f64> {
     let body = &model.bodies[i];
     let Some(z) = axis_of(&body.motion) else { return Transform::identity() };
+    if body.motion.kind == JointKind::Planar {
+        let (x, y) = percuss_spatial::plane_basis(&z);
+        return Transform::new(Matrix3::from_columns(&[x, y, z]), Vector3::zeros());
+    }
     let child = model.bodies[i + 1..].iter().find(|child| child.parent == Some(i));
     let line = child
         .and_then(|child| Some((child.origin.vector(&axis_of(&child.motion)?), child.origin.translation)));
@@ -335,7 +383,7 @@ fn own_frame(model: &Model, i: usize) -> Transform<f64> {
 }
 
 fn axis_of(motion: &JointMotion) -> Option<Vector3<f64>> {
-    (motion.kind != JointKind::Floating).then(|| motion.axis())
+    (!matches!(motion.kind, JointKind::Floating | JointKind::Spherical)).then(|| motion.axis())
 }
 
 /// The direction of the common normal of an axis z through the origin and another line, and its foot on the axis.

@@ -10,8 +10,9 @@
 
 use super::plan::{Form, Leaf, Motion, Placed, Step, Turn};
 use crate::clear_mass::Columns;
+use crate::tolerances::UNIT_QUATERNION;
 use percuss_spatial::lanes::{LARGEST_ANGLE, Lanes};
-use percuss_spatial::{PackedInertia, PackedWrench, Pivot, splat, turn_vector};
+use percuss_spatial::{PackedInertia, PackedWrench, Pivot, rotate_back, rotation_rows, splat, turn_vector};
 
 /// The struck point and what wrench it gives, in the frames of the plan.
 #[derive(Clone, Debug)]
@@ -79,6 +80,25 @@ struct Carried<T> {
     loss: T,
 }
 
+/// Where the positions of the lanes stand.
+#[derive(Clone, Copy)]
+struct At<'a> {
+    columns: Columns<'a>,
+    first: usize,
+}
+
+impl At<'_> {
+    #[inline(always)]
+    fn position<T: Lanes>(&self, q: usize) -> T {
+        self.columns.at(q, self.first)
+    }
+
+    #[inline(always)]
+    fn rotation<T: Lanes>(&self, q: usize) -> [[T; 3]; 3] {
+        rotation_rows([self.position(q), self.position(q + 1), self.position(q + 2), self.position(q + 3)])
+    }
+}
+
 /// 1/m̄ of configurations `first` and those after it.
 #[inline(always)]
 pub(super) fn evaluate<T: Lanes>(
@@ -89,15 +109,16 @@ pub(super) fn evaluate<T: Lanes>(
     room: &mut [f64],
 ) -> Answer<T> {
     let beyond: T = place(steps, selection, columns, first, room);
-    let mut carried = strike(steps, selection, room);
+    let at = At { columns, first };
+    let mut carried = strike(steps, selection, at, room);
     for (placed, on_path) in steps.iter().zip(&selection.on_path) {
         if placed.top != selection.top {
             continue;
         }
         if *on_path {
-            advance::<T, true>(placed, &mut carried, room);
+            advance::<T, true>(placed, at, &mut carried, room);
         } else {
-            advance::<T, false>(placed, &mut carried, room);
+            advance::<T, false>(placed, at, &mut carried, room);
         }
     }
     // What lies beyond the angles and travels that this is right for is doubted.
@@ -138,10 +159,38 @@ fn place<T: Lanes>(
                 beyond += over(travel, most);
                 travel.store(&mut slot[SINE * T::WIDTH..]);
             }
-            Motion::Free => {}
+            Motion::Planar { q, most } => {
+                for k in 0..2 {
+                    beyond += over::<T>(columns.at(q + k, first), most);
+                }
+                let angle: T = columns.at(q + 2, first);
+                beyond += over(angle, LARGEST_ANGLE);
+                let (sin, cos) = angle.sin_cos();
+                sin.store(&mut slot[SINE * T::WIDTH..]);
+                cos.store(&mut slot[COSINE * T::WIDTH..]);
+            }
+            Motion::Ball { q } => beyond += off_unit::<T>(columns, q, first),
+            Motion::Floating { q, most } => {
+                for k in 0..3 {
+                    beyond += over::<T>(columns.at(q + k, first), most);
+                }
+                beyond += off_unit::<T>(columns, q + 3, first);
+            }
+            Motion::Base => {}
         }
     }
     beyond
+}
+
+/// How far a quaternion is from a unit one, beyond rounding.
+#[inline(always)]
+fn off_unit<T: Lanes>(columns: Columns<'_>, q: usize, first: usize) -> T {
+    let mut square = -T::one();
+    for k in 0..4 {
+        let part: T = columns.at(q + k, first);
+        square = part.mul_add(part, square);
+    }
+    over(square, UNIT_QUATERNION)
 }
 
 #[inline(always)]
@@ -158,15 +207,16 @@ fn over<T: Lanes>(x: T, most: f64) -> T {
 
 /// The unit force at the struck point.
 #[inline(always)]
-fn strike<T: Lanes>(steps: &[Placed], selection: &Selection, room: &[f64]) -> Carried<T> {
+fn strike<T: Lanes>(steps: &[Placed], selection: &Selection, at: At<'_>, room: &[f64]) -> Carried<T> {
     let struck = &selection.struck;
     let n = match struck.normal {
         Normal::Body(n) => splat(&n),
         Normal::Root(n) => {
             let mut n = splat(&n);
-            for &at in &selection.path {
-                let placed = &steps[at];
-                turn_back(&placed.step, &mut n, &room[placed.number * ROOM * T::WIDTH..][..ROOM * T::WIDTH]);
+            for &place in &selection.path {
+                let placed = &steps[place];
+                let slot = &room[placed.number * ROOM * T::WIDTH..][..ROOM * T::WIDTH];
+                turn_back(&placed.step, &mut n, at, slot);
             }
             n
         }
@@ -191,25 +241,29 @@ fn strike<T: Lanes>(steps: &[Placed], selection: &Selection, room: &[f64]) -> Ca
 
 /// A vector of the carrier's frame in the body's.
 #[inline(always)]
-fn turn_back<T: Lanes>(step: &Step, n: &mut [T; 3], slot: &[f64]) {
+fn turn_back<T: Lanes>(step: &Step, n: &mut [T; 3], at: At<'_>, slot: &[f64]) {
     if let Some(turn) = step.way.last_turn_z {
         let (c, s) = back::<T>(turn);
         turn_vector::<T, 2>(n, c, s);
     }
     let (c, s) = back::<T>(step.way.tilt);
     turn_vector::<T, 0>(n, c, s);
+    match (step.motion, step.way.turn_z) {
+        // The way's turn is in its angle.
+        (Motion::Turn { .. }, _) | (_, None) => {}
+        (_, Some(turn)) => {
+            let (c, s) = back::<T>(turn);
+            turn_vector::<T, 2>(n, c, s);
+        }
+    }
     match step.motion {
-        Motion::Turn { .. } => {
+        Motion::Turn { .. } | Motion::Planar { .. } => {
             let (s, c): (T, T) = (number(slot, SINE), number(slot, COSINE));
             turn_vector::<T, 2>(n, c, -s);
         }
-        Motion::Slide { .. } => {
-            if let Some(turn) = step.way.turn_z {
-                let (c, s) = back::<T>(turn);
-                turn_vector::<T, 2>(n, c, s);
-            }
-        }
-        Motion::Free => {}
+        Motion::Ball { q } => rotate_back(n, &at.rotation(q)),
+        Motion::Floating { q, .. } => rotate_back(n, &at.rotation(q + 3)),
+        Motion::Slide { .. } | Motion::Base => {}
     }
 }
 
@@ -221,13 +275,22 @@ fn back<T: Lanes>(turn: Turn) -> (T, T) {
 
 /// Eliminates a body's joint and passes what is left to its carrier.
 #[inline(always)]
-fn advance<T: Lanes, const ON_PATH: bool>(placed: &Placed, carried: &mut Carried<T>, room: &mut [f64]) {
+fn advance<T: Lanes, const ON_PATH: bool>(
+    placed: &Placed,
+    at: At<'_>,
+    carried: &mut Carried<T>,
+    room: &mut [f64],
+) {
     let step = &placed.step;
     let (rest, own) = room.split_at_mut(placed.number * ROOM * T::WIDTH);
     let own = &mut own[..ROOM * T::WIDTH];
-    let (Some(parent), false) = (step.parent, placed.form == Form::Top) else {
-        return top(step, carried, own);
+    let Form::Hinge { skew, leaf, next_to_last } = placed.form else {
+        return match placed.form {
+            Form::Top => top(step, carried, own),
+            _ => any::<T>(placed, ON_PATH, at, carried, rest, own),
+        };
     };
+    let Some(parent) = step.parent else { return };
     let above = &placed.above;
     let slot = &mut rest[parent * ROOM * T::WIDTH..][..ROOM * T::WIDTH];
     macro_rules! hinge {
@@ -235,32 +298,25 @@ fn advance<T: Lanes, const ON_PATH: bool>(placed: &Placed, carried: &mut Carried
             hinge::<T, ON_PATH, $skew, $leaf, $next_to_last>(step, above, placed.is_first, carried, own, slot)
         };
     }
-    match placed.form {
-        Form::Hinge { skew: true, leaf: false, next_to_last: false } => hinge!(true, false, false),
-        Form::Hinge { skew: false, leaf: false, next_to_last: false } => hinge!(false, false, false),
-        Form::Hinge { skew: true, leaf: true, next_to_last: false } => hinge!(true, true, false),
-        Form::Hinge { skew: false, leaf: true, next_to_last: false } => hinge!(false, true, false),
-        Form::Hinge { skew: true, leaf: false, next_to_last: true } => hinge!(true, false, true),
-        Form::Hinge { skew: false, leaf: false, next_to_last: true } => hinge!(false, false, true),
-        Form::Hinge { skew: true, leaf: true, next_to_last: true } => hinge!(true, true, true),
-        Form::Hinge { skew: false, leaf: true, next_to_last: true } => hinge!(false, true, true),
-        Form::Top | Form::Any => any::<T, ON_PATH>(step, above, placed.is_first, carried, own, slot),
+    match (skew, leaf, next_to_last) {
+        (true, false, false) => hinge!(true, false, false),
+        (false, false, false) => hinge!(false, false, false),
+        (true, true, false) => hinge!(true, true, false),
+        (false, true, false) => hinge!(false, true, false),
+        (true, false, true) => hinge!(true, false, true),
+        (false, false, true) => hinge!(false, false, true),
+        (true, true, true) => hinge!(true, true, true),
+        (false, true, true) => hinge!(false, true, true),
     }
 }
 
-/// A hinge on the ground asks for one entry; what else stands there goes the long way.
+/// A hinge on the ground asks for one entry: the rest of its inertia was not formed, so that the size of that entry is what can
+/// be known.
 #[inline(always)]
-fn top<T: Lanes>(step: &Step, carried: &mut Carried<T>, own: &mut [f64]) {
+fn top<T: Lanes>(step: &Step, carried: &mut Carried<T>, own: &[f64]) {
     let of = T::from_f64;
-    match (step.motion, &step.leaf) {
-        (Motion::Turn { .. }, None) if step.carries && step.moves => {
-            // The rest of its inertia was not formed: its own entry has the size that can be known.
-            let d = number::<T>(own, 5) + of(step.armature[0]);
-            let over = T::one() / d;
-            carried.respond(of(step.moment), carried.wrench.moment[2], carried.about, over);
-        }
-        _ => _ = eliminated::<T, true>(step, carried, own),
-    }
+    let d = number::<T>(own, 5) + of(step.armature[2]);
+    carried.respond(of(step.moment), carried.wrench.moment[2], carried.about, T::one() / d);
 }
 
 /// A hinge, and its way.
@@ -278,14 +334,16 @@ fn hinge<T: Lanes, const ON_PATH: bool, const SKEW: bool, const LEAF: bool, cons
         let Some(leaf) = &step.leaf else { return };
         carried.loss = carried.loss.max(of(leaf.loss));
         if ON_PATH {
-            spend::<T, ON_PATH, 2>(step, &leaf.pivot(), carried);
+            spend::<T, 2>(step, &leaf.pivot(), carried);
         }
         leaf.left.cast()
     } else {
         let mut inertia = PackedInertia::load(own);
-        let pivot = inertia.turn_pivot::<2>(of(step.armature[0]));
+        let pivot = inertia.turn_pivot::<2>(of(step.armature[2]));
         carried.lose(inertia.moment_size(), &pivot);
-        spend::<T, ON_PATH, 2>(step, &pivot, carried);
+        if ON_PATH {
+            spend::<T, 2>(step, &pivot, carried);
+        }
         inertia.eliminate_turn::<2>(&pivot, &pivot.u.scaled(pivot.over));
         inertia
     };
@@ -334,69 +392,82 @@ fn pass<T: Lanes>(
     }
 }
 
-/// Any joint, and any way.
+/// Any joint, and any way. One piece of code for all, on the contact's path or not: it is long.
 #[inline(always)]
-fn any<T: Lanes, const ON_PATH: bool>(
-    step: &Step,
-    above: &PackedInertia<f64>,
-    is_first: bool,
+fn any<T: Lanes>(
+    placed: &Placed,
+    on_path: bool,
+    at: At<'_>,
     carried: &mut Carried<T>,
+    rest: &mut [f64],
     own: &[f64],
-    slot: &mut [f64],
 ) {
-    let mut inertia = eliminated::<T, ON_PATH>(step, carried, own);
-    go::<T, ON_PATH>(step, &mut inertia, carried, own);
-    if ON_PATH {
+    let step = &placed.step;
+    let mut inertia = eliminated::<T>(step, on_path, carried, own);
+    let Some(parent) = step.parent else { return };
+    go::<T>(step, &mut inertia, on_path, at, carried, own);
+    if on_path {
         carried.about = T::from_f64(step.reach).mul_add(carried.along, carried.about);
     }
-    pass(&mut inertia, above, is_first, slot);
+    let slot = &mut rest[parent * ROOM * T::WIDTH..][..ROOM * T::WIDTH];
+    pass(&mut inertia, &placed.above, placed.is_first, slot);
 }
 
 /// What a body's joint leaves of its inertia.
 #[inline(always)]
-fn eliminated<T: Lanes, const ON_PATH: bool>(
+fn eliminated<T: Lanes>(
     step: &Step,
+    on_path: bool,
     carried: &mut Carried<T>,
     own: &[f64],
 ) -> PackedInertia<T> {
-    let of = T::from_f64;
     if let Some(leaf) = &step.leaf {
-        let pivot = leaf.pivot();
-        carried.loss = carried.loss.max(of(leaf.loss));
+        carried.loss = carried.loss.max(T::from_f64(leaf.loss));
         match step.motion {
-            Motion::Slide { .. } => spend::<T, ON_PATH, 5>(step, &pivot, carried),
-            _ => spend::<T, ON_PATH, 2>(step, &pivot, carried),
+            Motion::Slide { .. } if on_path => spend::<T, 5>(step, &leaf.pivot(), carried),
+            _ if on_path => spend::<T, 2>(step, &leaf.pivot(), carried),
+            _ => {}
         }
         return leaf.left.cast();
     }
     let mut inertia: PackedInertia<T> =
         if step.carries { PackedInertia::load(own) } else { step.inertia.cast() };
-    if !step.moves {
-        return inertia;
-    }
-    match step.motion {
-        Motion::Turn { .. } => {
-            let pivot = inertia.turn_pivot::<2>(of(step.armature[0]));
-            carried.lose(inertia.moment_size(), &pivot);
-            spend::<T, ON_PATH, 2>(step, &pivot, carried);
-            inertia.eliminate_turn::<2>(&pivot, &pivot.u.scaled(pivot.over));
+    if let Motion::Planar { .. } = step.motion {
+        // Its slides do not turn with it.
+        let (s, c): (T, T) = (number(own, SINE), number(own, COSINE));
+        inertia.turn::<2>(c, s);
+        if on_path {
+            carried.wrench.turn::<2>(c, s);
         }
-        Motion::Slide { .. } => {
-            let pivot = inertia.slide_pivot::<2>(of(step.armature[0]));
-            carried.lose(inertia.mass_size(), &pivot);
-            spend::<T, ON_PATH, 5>(step, &pivot, carried);
-            inertia.eliminate_slide::<2>(&pivot, &pivot.u.scaled(pivot.over));
-        }
-        Motion::Free => free_base(step, &mut inertia, carried),
     }
+    macro_rules! velocity {
+        ($component:literal, $size:ident, $pivot:ident, $eliminate:ident, $axis:literal) => {
+            if step.free[$component] {
+                let pivot = inertia.$pivot::<$axis>(T::from_f64(step.armature[$component]));
+                carried.lose(inertia.$size(), &pivot);
+                if on_path {
+                    spend::<T, $component>(step, &pivot, carried);
+                }
+                inertia.$eliminate::<$axis>(&pivot, &pivot.u.scaled(pivot.over));
+            }
+        };
+    }
+    velocity!(3, mass_size, slide_pivot, eliminate_slide, 0);
+    velocity!(4, mass_size, slide_pivot, eliminate_slide, 1);
+    velocity!(5, mass_size, slide_pivot, eliminate_slide, 2);
+    velocity!(0, moment_size, turn_pivot, eliminate_turn, 0);
+    velocity!(1, moment_size, turn_pivot, eliminate_turn, 1);
+    velocity!(2, moment_size, turn_pivot, eliminate_turn, 2);
     inertia
 }
 
 /// The way to the carrier's frame.
 #[inline(always)]
-fn go<T: Lanes, const ON_PATH: bool>(
+fn go<T: Lanes>(
     step: &Step,
     inertia: &mut PackedInertia<T>,
+    on_path: bool,
+    at: At<'_>,
     carried: &mut Carried<T>,
     own: &[f64],
 ) {
@@ -405,8 +476,17 @@ fn go<T: Lanes, const ON_PATH: bool>(
     macro_rules! both {
         ($what:ident::<$axis:literal>($($by:expr),*)) => {
             inertia.$what::<$axis>($($by),*);
-            if ON_PATH {
+            if on_path {
                 wrench.$what::<$axis>($($by),*);
+            }
+        };
+    }
+    macro_rules! rotate {
+        ($q:expr) => {
+            let rotation = at.rotation($q);
+            inertia.rotate(&rotation);
+            if on_path {
+                wrench.rotate(&rotation);
             }
         };
     }
@@ -418,11 +498,29 @@ fn go<T: Lanes, const ON_PATH: bool>(
         }
         Motion::Slide { .. } => {
             both!(shift::<2>(number::<T>(own, SINE) + along_z));
-            if let Some(turn) = way.turn_z {
-                both!(turn::<2>(of(turn.cos), of(turn.sin)));
-            }
         }
-        Motion::Free => {}
+        Motion::Planar { q, .. } => {
+            both!(shift::<0>(at.position(q)));
+            both!(shift::<1>(at.position(q + 1)));
+            both!(shift::<2>(along_z));
+        }
+        Motion::Ball { q } => {
+            rotate!(q);
+            both!(shift::<2>(along_z));
+        }
+        Motion::Floating { q, .. } => {
+            rotate!(q + 3);
+            both!(shift::<0>(at.position(q)));
+            both!(shift::<1>(at.position(q + 1)));
+            both!(shift::<2>(at.position::<T>(q + 2) + along_z));
+        }
+        Motion::Base => {}
+    }
+    match (step.motion, way.turn_z) {
+        (Motion::Turn { .. }, _) | (_, None) => {}
+        (_, Some(turn)) => {
+            both!(turn::<2>(of(turn.cos), of(turn.sin)));
+        }
     }
     both!(screw::<0>(of(way.tilt.cos), of(way.tilt.sin), of(way.along[0])));
     both!(shift::<1>(of(way.along[1])));
@@ -460,15 +558,8 @@ impl<T: Lanes> Carried<T> {
 
 /// What a velocity takes of the struck point's wrench. `AXIS`: which of the twist's components it is, turns first.
 #[inline(always)]
-fn spend<T: Lanes, const ON_PATH: bool, const AXIS: usize>(
-    step: &Step,
-    pivot: &Pivot<T>,
-    carried: &mut Carried<T>,
-) {
+fn spend<T: Lanes, const AXIS: usize>(step: &Step, pivot: &Pivot<T>, carried: &mut Carried<T>) {
     let of = T::from_f64;
-    if !ON_PATH {
-        return;
-    }
     let size = of(if AXIS < 3 { step.moment } else { step.mass });
     let (t, test) = if AXIS < 3 {
         (carried.wrench.moment[AXIS], carried.about)
@@ -481,24 +572,4 @@ fn spend<T: Lanes, const ON_PATH: bool, const AXIS: usize>(
     carried.about = (m[0].abs() + m[1].abs() + m[2].abs()).mul_add(part, carried.about);
     carried.along = (f[0].abs() + f[1].abs() + f[2].abs()).mul_add(part, carried.along);
     carried.wrench.subtract(&pivot.u, rate);
-}
-
-/// A free base: its six velocities one after another.
-#[inline(always)]
-fn free_base<T: Lanes>(step: &Step, inertia: &mut PackedInertia<T>, carried: &mut Carried<T>) {
-    let of = T::from_f64;
-    macro_rules! velocity {
-        ($size:ident, $pivot:ident, $eliminate:ident, $axis:literal, $component:literal) => {
-            let pivot = inertia.$pivot::<$axis>(of(step.armature[$component]));
-            carried.lose(inertia.$size(), &pivot);
-            spend::<T, true, $component>(step, &pivot, carried);
-            inertia.$eliminate::<$axis>(&pivot, &pivot.u.scaled(pivot.over));
-        };
-    }
-    velocity!(mass_size, slide_pivot, eliminate_slide, 0, 3);
-    velocity!(mass_size, slide_pivot, eliminate_slide, 1, 4);
-    velocity!(mass_size, slide_pivot, eliminate_slide, 2, 5);
-    velocity!(moment_size, turn_pivot, eliminate_turn, 0, 0);
-    velocity!(moment_size, turn_pivot, eliminate_turn, 1, 1);
-    velocity!(moment_size, turn_pivot, eliminate_turn, 2, 2);
 }
