@@ -1,6 +1,6 @@
 //! m̄ of one contact at many configurations: in lanes, by threads.
 //!
-//! Trees of hinges and slides, on the ground or floating, and linkages of few freedoms go in as many lanes as the processor
+//! Trees without mimics, on the ground or floating, and linkages of few freedoms go in as many lanes as the processor
 //! has. A lane that is not sure (massless, immovable, near either, too much rounding) is asked again by itself,
 //! by [`Workspace`], and so is every configuration of other mechanisms: the answers are the same, one by one.
 

@@ -95,9 +95,8 @@ pub(crate) const WEAK_DRIVER: f64 = 1e-2;
 pub(crate) const NO_TURN: f64 = 2.0 * f64::EPSILON;
 /// The sine of an angle between axes below which their common normal is too far away to be of use.
 pub(crate) const PARALLEL_AXES: f64 = 0.05;
-/// How far a slide may go, in lengths of the mechanism, where sizes are bounded once for all; beyond that and its limits each
-/// configuration is asked by itself.
-pub(crate) const SLIDE_REACH: f64 = 8.0;
+/// The travels of slides, in lengths of the mechanism, that sizes are bounded with once for all; larger ones stretch them.
+pub(crate) const SLIDE_REACH: f64 = 0.5;
 /// How far the square of a quaternion may be from 1 by rounding; beyond, what it turns by is no rotation.
 pub(crate) const UNIT_QUATERNION: f64 = 32.0 * f64::EPSILON;
 /// Axes with a cosine below this with all joints at 0 were written to point opposite ways: within 8°.

@@ -26,7 +26,7 @@ pub struct Workspace {
     groups: Vec<GroupMobility>,
     room: MobilityRoom,
     recursion: RecursionRoom,
-    /// For trees of hinges and slides, and for linkages of few freedoms.
+    /// For trees without mimics, and for linkages of few freedoms.
     in_lanes: Option<InLanes>,
     /// Whether the frames are those of positions given before the last ones.
     stale: bool,
@@ -92,7 +92,7 @@ impl Workspace {
     }
 
     /// m̄ of a contact at the positions last given: within rounding that of [`Pose::respond`] by the automatic choice, to the
-    /// last bit where it does not go a way of its own, as trees of hinges and slides against the ground do, and linkages of
+    /// last bit where it does not go a way of its own, as trees without mimics against the ground do, and linkages of
     /// few freedoms. Where the recursion is not accurate the careful route
     /// is asked, which allocates. Points and normals in the world are taken
     /// with the root link at the world's origin. States no error: [`Pose::respond`] does.

@@ -1,4 +1,4 @@
-//! Rows of a tree of hinges and slides, many at once: where m̄ is all that is asked, no pose is made for it.
+//! Rows of a tree, many at once: where m̄ is all that is asked, no pose is made for it.
 //!
 //! What is told of a row is the same as with a pose. A row that lanes leave in doubt is posed and answered by itself.
 

@@ -27,8 +27,9 @@ pub(crate) struct OwnAxes {
 impl OwnAxes {
     /// None where the model is no such tree.
     pub fn of(model: &Model) -> Option<Self> {
-        let steps: Arc<[Placed]> = Plan::of(model)?.placed().into();
-        let selection = Selection::none(steps.len());
+        let plan = Plan::of(model)?;
+        let selection = Selection::none(plan.steps.len(), plan.travel);
+        let steps: Arc<[Placed]> = plan.placed().into();
         let room = vec![0.0; steps.len() * ROOM * WIDEST];
         Some(Self { steps, selection, room, instructions: Instructions::best() })
     }
@@ -61,7 +62,7 @@ impl OwnAxes {
             next = self.steps[last - number].step.parent;
         }
         path.reverse();
-        self.selection.top = last - path[0];
+        self.selection.top = self.steps[last - body].top;
         self.selection.struck = Struck { point: point.into(), normal };
         true
     }
@@ -85,8 +86,10 @@ impl OwnAxes {
 
     /// Which positions are read.
     pub fn read(&self) -> impl Iterator<Item = usize> + '_ {
-        let carried = self.steps.iter().filter(|placed| placed.top == self.selection.top);
-        carried.flat_map(|placed| placed.step.positions())
+        let Selection { on_path, top, .. } = &self.selection;
+        let steps = self.steps.iter().zip(on_path);
+        let read = steps.filter(|(placed, on_path)| placed.top == *top || **on_path);
+        read.flat_map(|(placed, _)| placed.step.positions())
     }
 
     fn group<'a>(&'a mut self, columns: Columns<'a>, first: usize, answers: [&'a mut [f64]; 3]) -> Group<'a> {

@@ -17,14 +17,14 @@ use std::ops::Range;
 pub(super) enum Motion {
     /// It turns about z, by a position.
     Turn { q: usize },
-    /// It slides along z, by a position of at most this size (m).
-    Slide { q: usize, most: f64 },
-    /// It slides along x and y of the joint's frame, by positions of at most this size (m), and turns about z.
-    Planar { q: usize, most: f64 },
+    /// It slides along z.
+    Slide { q: usize },
+    /// It slides along x and y of the joint's frame, and turns about z.
+    Planar { q: usize },
     /// It turns by a unit quaternion.
     Ball { q: usize },
-    /// It goes by positions of at most this size (m), and turns by a unit quaternion.
-    Floating { q: usize, most: f64 },
+    /// It goes by three positions, and turns by a unit quaternion.
+    Floating { q: usize },
     /// A free base: it stands at the root.
     Base,
 }
@@ -41,13 +41,13 @@ impl Motion {
         }
     }
 
-    /// How far its own positions can carry it, m.
-    fn travel(&self) -> f64 {
+    /// How far its own positions carry it, each of them of this size (m).
+    fn travel(&self, size: f64) -> f64 {
         match *self {
             Self::Turn { .. } | Self::Ball { .. } | Self::Base => 0.0,
-            Self::Slide { most, .. } => most,
-            Self::Planar { most, .. } => 2.0 * most,
-            Self::Floating { most, .. } => 3.0 * most,
+            Self::Slide { .. } => size,
+            Self::Planar { .. } => 2.0 * size,
+            Self::Floating { .. } => 3.0 * size,
         }
     }
 }
@@ -99,7 +99,7 @@ pub(super) struct Step {
     pub motion: Motion,
     /// Which components of its twist are free, turns first; none where it is locked.
     pub free: [bool; 6],
-    /// Whether other bodies hang on it.
+    /// Whether other bodies hang on it that leave it anything.
     pub carries: bool,
     /// Along those components.
     pub armature: [f64; 6],
@@ -107,7 +107,7 @@ pub(super) struct Step {
     pub way: Way,
     /// X_bo: the frame taken here (o) in the body's own.
     pub frame: Transform<f64>,
-    /// How far its origin can be from its carrier's, m.
+    /// How far its origin can be from its carrier's, with travels of [`Plan::travel`], m.
     pub reach: f64,
     /// The largest that the moment of inertia and the mass of all that it carries, held rigid, can be about its origin:
     /// kg·m² and kg.
@@ -123,13 +123,18 @@ impl Step {
         (self.free[2] && matches!(self.motion, Motion::Turn { .. })).then_some(self.way.shape)
     }
 
+    /// Whether it moves in every way by itself: it leaves exactly nothing to what carries it.
+    pub fn lets_go(&self) -> bool {
+        self.free == [true; 6] && self.armature == [0.0; 6]
+    }
+
     /// Which positions move it.
     pub fn positions(&self) -> Range<usize> {
         match self.motion {
-            Motion::Turn { q } | Motion::Slide { q, .. } => q..q + 1,
-            Motion::Planar { q, .. } => q..q + 3,
+            Motion::Turn { q } | Motion::Slide { q } => q..q + 1,
+            Motion::Planar { q } => q..q + 3,
             Motion::Ball { q } => q..q + 4,
-            Motion::Floating { q, .. } => q..q + 7,
+            Motion::Floating { q } => q..q + 7,
             Motion::Base => 0..0,
         }
     }
@@ -175,7 +180,8 @@ pub(super) struct Placed {
     pub above: PackedInertia<f64>,
     /// Whether it is the first that its carrier's sum is made of.
     pub is_first: bool,
-    /// The body on the ground that carries it.
+    /// The body that carries it and leaves nothing to another, or stands on the ground: what it does not carry does not
+    /// matter to it.
     pub top: usize,
     pub form: Form,
 }
@@ -184,6 +190,8 @@ pub(super) struct Placed {
 #[derive(Clone, Debug)]
 pub(super) struct Plan {
     pub steps: Vec<Step>,
+    /// The travels of slides that sizes are bounded with, m. Where they are larger, sizes grow at most with their square.
+    pub travel: f64,
 }
 
 impl Plan {
@@ -193,6 +201,8 @@ impl Plan {
         if bound || model.bodies.is_empty() || !model.bodies.iter().all(is_plain) {
             return None;
         }
+        let length = model.mechanism.characteristic_length();
+        let travel = SLIDE_REACH * if length > 0.0 { length } else { 1.0 };
         let mut frames: Vec<Option<Transform<f64>>> = vec![None; model.bodies.len()];
         let mut steps: Vec<Step> = Vec::with_capacity(model.bodies.len());
         // Parents before children: the first child that a frame is not yet fixed for may place it.
@@ -201,8 +211,8 @@ impl Plan {
             let carrier = body.parent.map_or(Transform::identity(), |p| steps[p].frame);
             let k = carrier.inverse() * body.origin * frame;
             let way = Way::of(&k);
-            let motion = motion_of(model, body);
-            let reach = way.length + motion.travel();
+            let motion = motion_of(body);
+            let reach = way.length + motion.travel(travel);
             let (mut free, mut armature) = ([false; 6], [0.0; 6]);
             for ((&component, own), _) in motion.components().iter().zip(&body.armature).zip(body.v.clone()) {
                 (free[component], armature[component]) = (true, *own);
@@ -222,7 +232,7 @@ impl Plan {
                 leaf: None,
             });
         }
-        let mut plan = Self { steps };
+        let mut plan = Self { steps, travel };
         plan.fill_sizes();
         plan.fill_leaves();
         Some(plan)
@@ -232,7 +242,7 @@ impl Plan {
     pub fn placed(self) -> Vec<Placed> {
         let mut tops: Vec<usize> = Vec::with_capacity(self.steps.len());
         for (i, step) in self.steps.iter().enumerate() {
-            tops.push(step.parent.map_or(i, |p| tops[p]));
+            tops.push(step.parent.filter(|_| !step.lets_go()).map_or(i, |p| tops[p]));
         }
         let mut met = vec![false; self.steps.len()];
         let place = |number: usize| {
@@ -240,7 +250,10 @@ impl Plan {
             Placed {
                 number,
                 above: step.parent.map_or(step.inertia, |p| self.steps[p].inertia),
-                is_first: step.parent.is_some_and(|p| !std::mem::replace(&mut met[p], true)),
+                is_first: step
+                    .parent
+                    .filter(|_| !step.lets_go())
+                    .is_some_and(|p| !std::mem::replace(&mut met[p], true)),
                 top: tops[number],
                 form: self.form(step),
                 step: step.clone(),
@@ -273,7 +286,8 @@ impl Plan {
             step.mass += own.linear[0];
             first[i] += Vector3::new(h[1][2], h[2][0], h[0][1]).norm();
             let (moment, mass, h, r) = (step.moment, step.mass, first[i], step.reach);
-            if let Some(parent) = step.parent {
+            let lets_go = step.lets_go();
+            if let Some(parent) = step.parent.filter(|_| !lets_go) {
                 self.steps[parent].moment += moment + r * (2.0 * h + r * mass);
                 self.steps[parent].mass += mass;
                 first[parent] += h + r * mass;
@@ -283,7 +297,7 @@ impl Plan {
 
     fn fill_leaves(&mut self) {
         for i in 0..self.steps.len() {
-            if let Some(parent) = self.steps[i].parent {
+            if let Some(parent) = self.steps[i].parent.filter(|_| !self.steps[i].lets_go()) {
                 self.steps[parent].carries = true;
             }
         }
@@ -342,23 +356,16 @@ fn is_plain(body: &Body) -> bool {
     body.mimic.is_none() && body.motion.kind != JointKind::Fixed && is_positive(&body.inertia)
 }
 
-fn motion_of(model: &Model, body: &Body) -> Motion {
-    let Some(joint) = body.joint else { return Motion::Base };
+fn motion_of(body: &Body) -> Motion {
     let q = body.q.start;
-    let most = || {
-        // Beyond its limits it is still right to go; as far as the mechanism is large, say.
-        let far = SLIDE_REACH * model.mechanism.characteristic_length();
-        let limits = model.mechanism.joint(joint).limits();
-        let most = limits.map_or(0.0, |l| l.lower.abs().max(l.upper.abs()));
-        if most.is_finite() { most.max(far) } else { far }
-    };
     match body.motion.kind {
+        JointKind::Floating if body.joint.is_none() => Motion::Base,
         // Fixed joints are none that it knows.
         JointKind::Revolute | JointKind::Continuous | JointKind::Fixed => Motion::Turn { q },
-        JointKind::Prismatic => Motion::Slide { q, most: most() },
-        JointKind::Planar => Motion::Planar { q, most: most() },
+        JointKind::Prismatic => Motion::Slide { q },
+        JointKind::Planar => Motion::Planar { q },
         JointKind::Spherical => Motion::Ball { q },
-        JointKind::Floating => Motion::Floating { q, most: most() },
+        JointKind::Floating => Motion::Floating { q },
     }
 }
 

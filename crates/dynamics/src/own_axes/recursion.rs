@@ -38,16 +38,18 @@ pub(super) struct Selection {
     pub path: Vec<usize>,
     /// For every step.
     pub on_path: Vec<bool>,
-    /// The first body of the path: what it does not carry does not move with it.
+    /// The body of the path that leaves nothing to another, or stands on the ground.
     pub top: usize,
+    /// 1 over the travels that sizes are bounded with, 1/m.
+    pub over_travel: f64,
     pub struck: Struck,
 }
 
 impl Selection {
     /// Of no contact yet.
-    pub fn none(steps: usize) -> Self {
+    pub fn none(steps: usize, travel: f64) -> Self {
         let struck = Struck { point: [0.0; 3], normal: Normal::Body([0.0; 3]) };
-        Self { path: Vec::with_capacity(steps), on_path: vec![false; steps], top: 0, struck }
+        Self { path: Vec::with_capacity(steps), on_path: vec![false; steps], top: 0, over_travel: 1.0 / travel, struck }
     }
 }
 
@@ -108,7 +110,7 @@ pub(super) fn evaluate<T: Lanes>(
     first: usize,
     room: &mut [f64],
 ) -> Answer<T> {
-    let beyond: T = place(steps, selection, columns, first, room);
+    let (beyond, travels): (T, T) = place(steps, selection, columns, first, room);
     let at = At { columns, first };
     let mut carried = strike(steps, selection, at, room);
     for (placed, on_path) in steps.iter().zip(&selection.on_path) {
@@ -121,12 +123,13 @@ pub(super) fn evaluate<T: Lanes>(
             advance::<T, false>(placed, at, &mut carried, room);
         }
     }
-    // What lies beyond the angles and travels that this is right for is doubted.
+    // What lies beyond the angles that this is right for is doubted.
     let Carried { response, terms, loss, .. } = carried;
-    Answer { response, terms: beyond.mul_add(T::from_f64(f64::MAX), terms), loss }
+    let stretch = (travels * T::from_f64(selection.over_travel)).max(T::one());
+    Answer { response, terms: beyond.mul_add(T::from_f64(f64::MAX), terms * stretch * stretch), loss }
 }
 
-/// Sines and cosines, and how far positions are beyond what they may be.
+/// Sines and cosines; how far angles and quaternions are beyond what they may be, and the largest travel (m).
 #[inline(always)]
 fn place<T: Lanes>(
     steps: &[Placed],
@@ -134,10 +137,11 @@ fn place<T: Lanes>(
     columns: Columns<'_>,
     first: usize,
     room: &mut [f64],
-) -> T {
-    let mut beyond = T::zero();
-    for placed in steps {
-        if placed.top != selection.top {
+) -> (T, T) {
+    let (mut beyond, mut travels) = (T::zero(), T::zero());
+    for (placed, on_path) in steps.iter().zip(&selection.on_path) {
+        // What carries the top turns normals of the root's.
+        if placed.top != selection.top && !on_path {
             continue;
         }
         let step = &placed.step;
@@ -154,14 +158,14 @@ fn place<T: Lanes>(
                 sin.store(&mut slot[SINE * T::WIDTH..]);
                 cos.store(&mut slot[COSINE * T::WIDTH..]);
             }
-            Motion::Slide { q, most } => {
+            Motion::Slide { q } => {
                 let travel: T = columns.at(q, first);
-                beyond += over(travel, most);
+                travels = travels.max(travel.abs());
                 travel.store(&mut slot[SINE * T::WIDTH..]);
             }
-            Motion::Planar { q, most } => {
+            Motion::Planar { q } => {
                 for k in 0..2 {
-                    beyond += over::<T>(columns.at(q + k, first), most);
+                    travels = travels.max(columns.at::<T>(q + k, first).abs());
                 }
                 let angle: T = columns.at(q + 2, first);
                 beyond += over(angle, LARGEST_ANGLE);
@@ -170,16 +174,16 @@ fn place<T: Lanes>(
                 cos.store(&mut slot[COSINE * T::WIDTH..]);
             }
             Motion::Ball { q } => beyond += off_unit::<T>(columns, q, first),
-            Motion::Floating { q, most } => {
+            Motion::Floating { q } => {
                 for k in 0..3 {
-                    beyond += over::<T>(columns.at(q + k, first), most);
+                    travels = travels.max(columns.at::<T>(q + k, first).abs());
                 }
                 beyond += off_unit::<T>(columns, q + 3, first);
             }
             Motion::Base => {}
         }
     }
-    beyond
+    (beyond, travels)
 }
 
 /// How far a quaternion is from a unit one, beyond rounding.
@@ -262,7 +266,7 @@ fn turn_back<T: Lanes>(step: &Step, n: &mut [T; 3], at: At<'_>, slot: &[f64]) {
             turn_vector::<T, 2>(n, c, -s);
         }
         Motion::Ball { q } => rotate_back(n, &at.rotation(q)),
-        Motion::Floating { q, .. } => rotate_back(n, &at.rotation(q + 3)),
+        Motion::Floating { q } => rotate_back(n, &at.rotation(q + 3)),
         Motion::Slide { .. } | Motion::Base => {}
     }
 }
@@ -404,7 +408,7 @@ fn any<T: Lanes>(
 ) {
     let step = &placed.step;
     let mut inertia = eliminated::<T>(step, on_path, carried, own);
-    let Some(parent) = step.parent else { return };
+    let Some(parent) = step.parent.filter(|_| !step.lets_go()) else { return };
     go::<T>(step, &mut inertia, on_path, at, carried, own);
     if on_path {
         carried.about = T::from_f64(step.reach).mul_add(carried.along, carried.about);
@@ -499,7 +503,7 @@ fn go<T: Lanes>(
         Motion::Slide { .. } => {
             both!(shift::<2>(number::<T>(own, SINE) + along_z));
         }
-        Motion::Planar { q, .. } => {
+        Motion::Planar { q } => {
             both!(shift::<0>(at.position(q)));
             both!(shift::<1>(at.position(q + 1)));
             both!(shift::<2>(along_z));
@@ -508,7 +512,7 @@ fn go<T: Lanes>(
             rotate!(q);
             both!(shift::<2>(along_z));
         }
-        Motion::Floating { q, .. } => {
+        Motion::Floating { q } => {
             rotate!(q + 3);
             both!(shift::<0>(at.position(q)));
             both!(shift::<1>(at.position(q + 1)));
