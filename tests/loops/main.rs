@@ -5,6 +5,7 @@ mod assembly;
 mod closed_forms;
 mod kinds;
 mod many_freedoms;
+mod paths;
 mod rank;
 mod sweeps;
 mod travel;

@@ -314,6 +314,12 @@ pub(crate) const LINKAGE_FREEDOMS: usize = 8;
 /// How much smaller than the largest a pivot may be at the pose that a linkage is compiled at: what is eliminated in the same
 /// order elsewhere is to be far from singular.
 pub(crate) const LINKAGE_PIVOT: f64 = 64.0;
+/// Residual, as a part of the least size of a group, at which lanes need no further pass of Newton's method: rounding.
+pub(crate) const CLOSED_IN_LANES: f64 = 4e-15;
+/// Passes of Newton's method in lanes at most: from a prediction two or three do.
+pub(crate) const CLOSING_PASSES: usize = 5;
+/// How far what depends may go beyond its prediction, as a part of the step.
+pub(crate) const SMALL_CORRECTION: f64 = 0.25;
 /// By how many times as much as its loops are open, over its least length, the rows of a linkage are taken to be off.
 pub(crate) const OPEN_ROUNDINGS: f64 = 8.0;
 /// Roundings of a place, over the length that counts there, by which an arm between two places is off.

@@ -1,10 +1,10 @@
 //! Compiles a mechanism of few freedoms, and orders its elimination at the assembly's first closed pose.
 
-use super::motion;
 use super::plan::{
     Block, BodyDirection, BodyPoint, Form, Motion, Moving, Pivot, Plan, Position, Term, Velocity,
 };
 use super::room::Layout;
+use super::rows::rows_at;
 use crate::assembly::Assembly;
 use crate::clear_mass::is_positive;
 use crate::model::{Body, CompiledClosure, Constraint, ConstraintRows, LinkFrame, Model};
@@ -17,6 +17,17 @@ impl Plan {
     /// None where it has other joints than hinges, slides and balls, redundant rows, many freedoms, several pieces that do
     /// not move one another, or inertias below zero.
     pub fn of(assembly: &Assembly) -> Option<Self> {
+        Self::at(assembly, &assembly.facts().reference, &|_| true)
+    }
+
+    /// The same, ordered at some positions, where coordinates depend only that `may`. Then also none where couplings or held
+    /// contacts bind it.
+    pub fn driven(assembly: &Assembly, positions: &[f64], may: &dyn Fn(usize) -> bool) -> Option<Self> {
+        let plan = Self::at(assembly, positions, may)?;
+        plan.blocks.iter().all(|block| block.predecessor.is_some()).then_some(plan)
+    }
+
+    fn at(assembly: &Assembly, positions: &[f64], may: &dyn Fn(usize) -> bool) -> Option<Self> {
         let model = assembly.model();
         let rank: usize = (0..model.groups.len()).map(|g| assembly.expected_rank(g)).sum();
         let (columns, bodies) = (model.coordinates.len(), model.bodies.len());
@@ -71,7 +82,7 @@ impl Plan {
                 plan.blocks.push(plan.block(model, constraint, group.size, &mut rows)?);
             }
         }
-        plan.order(rows, rank, &assembly.facts().reference)?;
+        plan.order(rows, rank, positions, may)?;
         Some(plan)
     }
 
@@ -158,14 +169,21 @@ impl Plan {
 
     /// Puts rows and columns in the order of the pivots at a pose, the rest of the columns behind; leaves out rows that add
     /// nothing. None where the pivots are too small there.
-    fn order(&mut self, rows: usize, rank: usize, positions: &[f64]) -> Option<()> {
+    fn order(
+        &mut self,
+        rows: usize,
+        rank: usize,
+        positions: &[f64],
+        may: &dyn Fn(usize) -> bool,
+    ) -> Option<()> {
         let columns = self.columns;
         self.layout = Layout::of(self.bodies.len(), rows, columns, self.freedoms);
-        let mut matrix = motion::rows_at(self, positions);
+        let mut matrix = rows_at(self, positions);
         let (mut row_at, mut column_at) = (vec![None; rows], vec![None; columns]);
         for k in 0..rank {
             let open = (0..rows * columns)
-                .filter(|at| row_at[at / columns].is_none() && column_at[at % columns].is_none());
+                .filter(|at| row_at[at / columns].is_none() && column_at[at % columns].is_none())
+                .filter(|at| may(at % columns));
             let best = open.max_by(|&a, &b| matrix[a].abs().total_cmp(&matrix[b].abs()))?;
             let (r, c, pivot) = (best / columns, best % columns, matrix[best].abs());
             if k == 0 {

@@ -6,9 +6,14 @@
 //! either) is left to [`crate::routes`].
 
 mod compile;
+mod driven;
 mod motion;
+mod place;
 mod plan;
 mod room;
+mod rows;
+
+pub(crate) use driven::Driven;
 
 use crate::assembly::Assembly;
 use crate::clear_mass::{ClearMass, Columns, WIDEST};
@@ -32,9 +37,12 @@ pub(crate) struct Linkage {
 impl Linkage {
     /// None where the assembly is no such linkage.
     pub fn of(assembly: &Assembly) -> Option<Self> {
-        let plan = Arc::new(Plan::of(assembly)?);
+        Some(Self::with(Plan::of(assembly)?))
+    }
+
+    fn with(plan: Plan) -> Self {
         let room = vec![0.0; plan.layout.total * WIDEST];
-        Some(Self { plan, struck: None, room, instructions: Instructions::best() })
+        Self { plan: Arc::new(plan), struck: None, room, instructions: Instructions::best() }
     }
 
     /// Takes a checked contact, between two links too, along a line too. Allocates nothing.

@@ -13,6 +13,10 @@ pub(super) struct Layout {
     pub rates: usize,
     /// Twists of the bodies at their origins, root axes: bodies × freedoms × 6.
     pub twists: usize,
+    /// How far rows are from closed, m: rows.
+    pub residuals: usize,
+    /// How far coordinates go next, m: columns.
+    pub steps: usize,
     /// How many numbers in all.
     pub total: usize,
     /// How many rows A has.
@@ -29,7 +33,9 @@ impl Layout {
         let over = rows + count * columns;
         let rates = over + count;
         let twists = rates + columns * freedoms;
-        Self { rows, over, rates, twists, total: twists + 6 * bodies * freedoms, count }
+        let residuals = twists + 6 * bodies * freedoms;
+        let steps = residuals + count;
+        Self { rows, over, rates, twists, residuals, steps, total: steps + columns, count }
     }
 }
 

@@ -1,0 +1,387 @@
+//! A linkage along a path of its drivers: each row's loops are closed by Newton's method from the last closed pose, as many
+//! rows at once as there are lanes.
+//!
+//! ```text
+//! q₀ = q + G Δx + ½ G′ Δx²,   A[d] δ = −r(q),  q ← q + δ  until r is rounding;  then 1/m̄ by the A that is eliminated already
+//! ```
+//!
+//! Source: Allgower and Georg, Introduction to Numerical Continuation Methods, 2003, ch. 2. A row is answered where the motion
+//! from the prediction is small beside the step and the tangent turns little, so that it stands on the same branch.
+
+use super::motion::{Struck, answer};
+use super::place::place;
+use super::plan::{Motion, Plan};
+use super::room::{get, put};
+use super::rows::{eliminate, fill_rows, fill_steps};
+use super::Linkage;
+use crate::assembly::Assembly;
+use crate::clear_mass::{ClearMass, Columns, WIDEST};
+use crate::contact::Contact;
+use crate::tolerances::{
+    CLOSED, CLOSED_IN_LANES, CLOSING_PASSES, LONGEST_BRANCH_STEP, SMALL_CORRECTION, STRAIGHT,
+};
+use percuss_spatial::lanes::{Lanes, Work};
+
+/// How positions follow the coordinates that depend.
+#[derive(Clone, Copy, Debug)]
+enum Following {
+    /// One position of a hinge or slide: its change at a metre of a column.
+    Single { q: usize, column: usize, factor: f64 },
+    /// A quaternion: for each of its turns the column, if that depends.
+    Ball { q: usize, turns: [Option<(usize, f64)>; 3] },
+}
+
+/// A position that rows give.
+#[derive(Clone, Copy, Debug)]
+struct Given {
+    q: usize,
+    /// Which independent coordinate, and its change (m) at a unit of the position.
+    y: usize,
+    length: f64,
+}
+
+/// A closed pose, and how what depends follows there.
+#[derive(Clone, Debug, Default)]
+struct Stand {
+    positions: Vec<f64>,
+    /// G: pivots × freedoms.
+    rates: Vec<f64>,
+}
+
+/// A row that was reached and answered.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Followed {
+    pub mass: ClearMass,
+    /// How far the farthest loop is from closed, m.
+    pub residual: f64,
+}
+
+/// A linkage, the contact that it is asked for, and where it stands.
+#[derive(Clone, Debug)]
+pub(crate) struct Driven {
+    linkage: Linkage,
+    following: Vec<Following>,
+    given: Vec<Given>,
+    /// The least size of a group, m.
+    size: f64,
+    here: Stand,
+    before: Stand,
+    /// Positions, and steps of what depends (m), of some lanes by columns.
+    positions: Vec<f64>,
+    steps: Vec<f64>,
+    /// Displacements of what is given, of some lanes (m).
+    moved: Vec<f64>,
+}
+
+impl Driven {
+    /// From a closed pose: `dependent`, for each coordinate; `joints`, the places of the positions that rows give. None where
+    /// the assembly is no such linkage, or what is given does not drive it.
+    pub fn of(
+        assembly: &Assembly,
+        contact: &Contact,
+        positions: &[f64],
+        dependent: &[bool],
+        given: &[usize],
+    ) -> Option<Self> {
+        let model = assembly.model();
+        let plan = Plan::driven(assembly, positions, &|column| dependent[column])?;
+        let rank = plan.layout.count;
+        let (mut following, mut free) = (Vec::new(), Vec::new());
+        for (body, own) in plan.bodies.iter().zip(&model.bodies).filter(|(_, own)| own.mimic.is_none()) {
+            match body.motion {
+                Motion::Fixed | Motion::Free => {}
+                Motion::Turn(position) | Motion::Slide(position) => {
+                    let Some(velocity) = body.velocities.first() else { continue };
+                    let (q, column, factor) = (position.q, velocity.column, velocity.factor);
+                    if column < rank {
+                        following.push(Following::Single { q, column, factor });
+                    } else {
+                        free.push(Given { q, y: column - rank, length: 1.0 / factor });
+                    }
+                }
+                Motion::Ball(q) => {
+                    let turn = |k: usize| {
+                        let velocity = body.velocities.get(k).filter(|velocity| velocity.column < rank)?;
+                        Some((velocity.column, velocity.factor))
+                    };
+                    debug_assert_eq!(own.q.start, q);
+                    following.push(Following::Ball { q, turns: [turn(0), turn(1), turn(2)] });
+                }
+            }
+        }
+        let given = given.iter().map(|&q| free.iter().find(|free| free.q == q).copied());
+        let given: Vec<Given> = given.collect::<Option<_>>()?;
+        let mut linkage = Linkage::with(plan);
+        linkage.aim(model, contact);
+        let mut driven = Self {
+            size: model.groups.iter().map(|group| group.size).fold(f64::INFINITY, f64::min),
+            here: Stand::default(),
+            before: Stand::default(),
+            positions: vec![0.0; positions.len() * WIDEST],
+            steps: vec![0.0; rank * WIDEST],
+            moved: vec![0.0; given.len() * WIDEST],
+            linkage,
+            following,
+            given,
+        };
+        driven.stand(positions).then_some(driven)
+    }
+
+    /// Puts it at a closed pose of the same branch; not where that is in doubt.
+    pub fn stand(&mut self, positions: &[f64]) -> bool {
+        let plan = &self.linkage.plan;
+        self.here = Stand { positions: positions.to_vec(), rates: vec![0.0; plan.layout.count * plan.freedoms] };
+        self.before = Stand::default();
+        let row: Vec<f64> = self.given.iter().map(|given| positions[given.q]).collect();
+        let seen = self.go(&row, 1, 1);
+        let stands = self.is_on_branch(&seen, 0, 1);
+        self.settle(0, 1);
+        stands
+    }
+
+    /// The positions where it stands.
+    pub fn positions(&self) -> &[f64] {
+        &self.here.positions
+    }
+
+    /// Follows rows of what is given, one after another, until one is in doubt. Gives how many were answered, and hands them
+    /// out with all positions (of lane `k` of so many: one for each `stride`). Stands at the last of them.
+    pub fn follow(&mut self, values: &[f64], each: &mut dyn FnMut(Followed, Positions<'_>)) -> usize {
+        let width = self.given.len().max(1);
+        let (rows, widest) = (values.len() / width, self.linkage.instructions.width());
+        let mut done = 0;
+        while done < rows {
+            let count = widest.min(rows - done);
+            // One row by itself, and several in all the lanes there are: the last ones repeat the last row.
+            let lanes = if count == 1 { 1 } else { widest };
+            let seen = self.go(&values[done * width..(done + count) * width], count, lanes);
+            let mut answered = 0;
+            while answered < count
+                && let Some(followed) = self.followed(&seen, answered, lanes)
+            {
+                each(followed, Positions { values: &self.positions, stride: lanes, lane: answered });
+                answered += 1;
+            }
+            if answered == 0 {
+                break;
+            }
+            self.settle(answered - 1, lanes);
+            done += answered;
+        }
+        done
+    }
+
+    /// Predicts some rows and closes their loops.
+    fn go(&mut self, values: &[f64], count: usize, lanes: usize) -> Outcome {
+        let Self { linkage, following, given, here, before, positions, steps, moved, size } = self;
+        let Linkage { plan, struck, room, instructions } = linkage;
+        let (rank, f) = (plan.layout.count, plan.freedoms);
+        for (lanes, value) in positions.chunks_exact_mut(lanes).zip(&here.positions) {
+            lanes.fill(*value);
+        }
+        steps[..rank * lanes].fill(0.0);
+        for (number, one) in given.iter().enumerate() {
+            for lane in 0..lanes {
+                let value = values[lane.min(count - 1) * given.len() + number];
+                positions[one.q * lanes + lane] = value;
+                let step = (value - here.positions[one.q]) * one.length;
+                moved[number * lanes + lane] = step;
+                for k in 0..rank {
+                    steps[k * lanes + lane] += here.rates[k * f + one.y] * step;
+                }
+            }
+        }
+        // Along one driver rates change as they did between the last two poses.
+        if let ([one], false) = (&given[..], before.rates.is_empty()) {
+            let gone = (here.positions[one.q] - before.positions[one.q]) * one.length;
+            if gone != 0.0 {
+                for k in 0..rank {
+                    let bend = (here.rates[k * f + one.y] - before.rates[k * f + one.y]) / (2.0 * gone);
+                    for lane in 0..lanes {
+                        steps[k * lanes + lane] += bend * moved[lane] * moved[lane];
+                    }
+                }
+            }
+        }
+        let unknown = [f64::NAN; WIDEST];
+        let mut seen = Outcome { responses: unknown, errors: unknown, open: unknown, corrected: unknown };
+        if let Some(struck) = struck.as_ref() {
+            let closed = CLOSED_IN_LANES * *size;
+            let outcome = &mut seen;
+            let group = Closing { plan, struck, following, positions, steps, closed, room, outcome };
+            if lanes == 1 { instructions.run_one(group) } else { instructions.run(group) }
+        }
+        seen
+    }
+
+    /// What a lane is answered, where that and its branch are beyond doubt.
+    fn followed(&self, seen: &Outcome, lane: usize, lanes: usize) -> Option<Followed> {
+        let mass = ClearMass::within(seen.responses[lane], seen.errors[lane])?;
+        self.is_on_branch(seen, lane, lanes).then_some(Followed { mass, residual: seen.open[lane] })
+    }
+
+    /// Whether a lane's loops are closed on the branch: by a small motion from where they were predicted, the tangent turned
+    /// little.
+    fn is_on_branch(&self, seen: &Outcome, lane: usize, lanes: usize) -> bool {
+        let plan = &self.linkage.plan;
+        let (rank, f, rates) = (plan.layout.count, plan.freedoms, plan.layout.rates);
+        let moved = |number: usize| self.moved[number * lanes + lane];
+        let mut driven = 0.0;
+        for number in 0..self.given.len() {
+            driven += moved(number) * moved(number);
+        }
+        let (mut ahead, mut now, mut both, mut most) = (driven, driven, driven, driven.sqrt());
+        for k in 0..rank {
+            let (mut old, mut new) = (0.0, 0.0);
+            for (number, one) in self.given.iter().enumerate() {
+                old += self.here.rates[k * f + one.y] * moved(number);
+                new += self.linkage.room[(rates + k * f + one.y) * lanes + lane] * moved(number);
+            }
+            (ahead, now, both) = (ahead + old * old, now + new * new, both + old * new);
+            most = f64::max(most, old.abs());
+        }
+        let blurred = (CLOSED * self.size * self.size).sqrt();
+        seen.open[lane] <= CLOSED * self.size
+            && seen.corrected[lane] <= SMALL_CORRECTION * ahead.sqrt() + blurred
+            && most <= LONGEST_BRANCH_STEP * self.size
+            && (driven == 0.0 || both >= STRAIGHT * (ahead * now).sqrt())
+    }
+
+    /// Stands where a lane does.
+    fn settle(&mut self, lane: usize, lanes: usize) {
+        std::mem::swap(&mut self.here, &mut self.before);
+        let plan = &self.linkage.plan;
+        let count = plan.layout.count * plan.freedoms;
+        let Stand { positions, rates } = &mut self.here;
+        positions.resize(self.before.positions.len(), 0.0);
+        rates.resize(count, 0.0);
+        for (q, to) in positions.iter_mut().enumerate() {
+            *to = self.positions[q * lanes + lane];
+        }
+        for (k, to) in rates.iter_mut().enumerate() {
+            *to = self.linkage.room[(plan.layout.rates + k) * lanes + lane];
+        }
+    }
+}
+
+/// How some lanes ended.
+struct Outcome {
+    /// 1/m̄, 1/kg, and how many ε of that it may be off.
+    responses: [f64; WIDEST],
+    errors: [f64; WIDEST],
+    /// How far the farthest row is from closed, m.
+    open: [f64; WIDEST],
+    /// How far what depends went beyond its prediction, m.
+    corrected: [f64; WIDEST],
+}
+
+/// All positions of a row, among those of some lanes.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Positions<'a> {
+    values: &'a [f64],
+    stride: usize,
+    lane: usize,
+}
+
+impl Positions<'_> {
+    /// One of them.
+    pub fn at(&self, q: usize) -> f64 {
+        self.values[q * self.stride + self.lane]
+    }
+}
+
+/// Some lanes whose loops are to be closed.
+struct Closing<'a> {
+    plan: &'a Plan,
+    struck: &'a Struck,
+    following: &'a [Following],
+    positions: &'a mut [f64],
+    steps: &'a [f64],
+    /// Residual that is rounding, m.
+    closed: f64,
+    room: &'a mut [f64],
+    outcome: &'a mut Outcome,
+}
+
+impl Work for Closing<'_> {
+    #[inline(always)]
+    fn run<T: Lanes>(self) {
+        let Self { plan, struck, following, positions, steps, closed, room, outcome } = self;
+        for k in 0..plan.layout.count {
+            put(room, plan.layout.steps + k, get::<T>(steps, k));
+        }
+        go::<T>(plan, following, positions, room);
+        let mut corrected = T::zero();
+        let mut passes = 1;
+        let (placed, seen, least) = loop {
+            let placed: (T, T) = place(plan, Columns { values: positions, stride: T::WIDTH }, 0, room);
+            let seen = fill_rows::<T, true>(plan, room);
+            let least: T = eliminate::<T, true>(plan, room);
+            let mut open = [0.0; WIDEST];
+            seen.open.store(&mut open);
+            // NaN closes never.
+            let mut all = true;
+            for open in &open[..T::WIDTH] {
+                all &= *open <= closed;
+            }
+            if all || passes == CLOSING_PASSES {
+                break (placed, seen, least);
+            }
+            corrected += fill_steps::<T>(plan, room);
+            go::<T>(plan, following, positions, room);
+            passes += 1;
+        };
+        let answer = answer(plan, struck, placed, seen.roundings, least, room);
+        answer.response.store(&mut outcome.responses);
+        answer.error.store(&mut outcome.errors);
+        seen.open.store(&mut outcome.open);
+        corrected.store(&mut outcome.corrected);
+    }
+}
+
+/// Takes what depends along its steps.
+#[inline(always)]
+fn go<T: Lanes>(plan: &Plan, following: &[Following], positions: &mut [f64], room: &[f64]) {
+    let steps = plan.layout.steps;
+    for one in following {
+        match one {
+            Following::Single { q, column, factor } => {
+                let step: T = get(room, steps + column);
+                put(positions, *q, step.mul_add(T::from_f64(*factor), get(positions, *q)));
+            }
+            Following::Ball { q, turns } => {
+                let mut half = [T::zero(); 3];
+                let mut k = 0;
+                while k < 3 {
+                    if let Some((column, factor)) = turns[k] {
+                        half[k] = get::<T>(room, steps + column) * T::from_f64(0.5 * factor);
+                    }
+                    k += 1;
+                }
+                turn_further(positions, *q, &half);
+            }
+        }
+    }
+}
+
+/// A unit quaternion turned by a small rotation vector, given by half, in the axes that it turns: q ← q ∘ (√(1 − |h|²), h).
+#[inline(always)]
+fn turn_further<T: Lanes>(positions: &mut [f64], q: usize, h: &[T; 3]) {
+    let (w, x) = (get::<T>(positions, q), get::<T>(positions, q + 1));
+    let (y, z) = (get::<T>(positions, q + 2), get::<T>(positions, q + 3));
+    let square = h[2].mul_add(h[2], h[1].mul_add(h[1], h[0] * h[0]));
+    let c = (T::one() - square).sqrt();
+    let turned = [
+        w * c - (x * h[0] + y * h[1] + z * h[2]),
+        x * c + (w * h[0] + y * h[2] - z * h[1]),
+        y * c + (w * h[1] + z * h[0] - x * h[2]),
+        z * c + (w * h[2] + x * h[1] - y * h[0]),
+    ];
+    let norm = turned[0] * turned[0] + turned[1] * turned[1] + turned[2] * turned[2] + turned[3] * turned[3];
+    let over = T::one() / norm.sqrt();
+    let mut k = 0;
+    while k < 4 {
+        put(positions, q + k, turned[k] * over);
+        k += 1;
+    }
+}

@@ -1,0 +1,125 @@
+//! Paths of drivers in lanes: each row stands where the general way leads, and has its answer.
+
+use percuss_dynamics::{DrivenPath, EffectiveMass, PathAnswer, Pose, RouteChoice};
+use percuss_mechanism::JointId;
+use percuss_tests::subjects::{Subject, of_linkages};
+
+/// What was seen of a family.
+#[derive(Debug, Default)]
+struct Seen {
+    linkages: usize,
+    rows: usize,
+    in_lanes: usize,
+    /// The largest difference over what both errors allow.
+    worst: f64,
+    /// The largest residual, m.
+    open: f64,
+}
+
+/// Steps of a driver of one number, there and back, small ones and large.
+fn rows(start: f64) -> Vec<f64> {
+    let steps = (1..=40).map(|k| 1e-3 * f64::from(k)).chain((1..=12).map(|k| 0.04 - 0.01 * f64::from(k)));
+    steps.chain([0.3, -0.3, 0.31]).map(|step| start + step).collect()
+}
+
+fn driver(pose: &Pose) -> Option<JointId> {
+    let of_one = |id: &&JointId| pose.joint(**id).len() == 1;
+    pose.loops()?.drivers.iter().find(of_one).copied()
+}
+
+/// The pose at one more row, by the general way.
+fn general(subject: &Subject, pose: &Pose, joint: JointId, value: f64) -> Option<Pose> {
+    let mut configuration = subject.system.configuration();
+    let in_loops = &pose.loops()?.drivers;
+    for id in pose.mechanism().joint_ids().filter(|id| pose.joint(*id).len() == 1) {
+        let mover = pose.mechanism().joint(id);
+        let stays = in_loops.contains(&id) || !subject.system.is_bound(id) && mover.mimic().is_none();
+        if stays {
+            let at = if id == joint { value } else { pose.joint(id)[0] };
+            configuration.set(mover.name(), &[at]).ok()?;
+        }
+    }
+    pose.assembly().pose_from(pose, &configuration).ok()
+}
+
+fn check(subject: &Subject, seen: &mut Seen) {
+    let Subject { name, pose, contact, .. } = subject;
+    let Some(joint) = driver(pose) else { return };
+    let Some(mut path) = pose.driven_path(contact, &[joint]).expect("a contact that fits") else { return };
+    seen.linkages += 1;
+    let rows = rows(pose.joint(joint)[0]);
+    let (mut here, mut done) = (pose.clone(), 0);
+    while done < rows.len() {
+        let (mut answers, mut positions) = (Vec::new(), Vec::new());
+        let followed = path.follow(&rows[done..], &mut answers, &mut positions);
+        assert_eq!(followed, answers.len());
+        for (answer, own) in answers.iter().zip(positions.chunks(pose.positions().len())) {
+            let Some(next) = general(subject, &here, joint, rows[done]) else {
+                panic!("{name}, {}: the general way does not get there", rows[done])
+            };
+            compare(name, &next, answer, own, contact, seen);
+            (here, done) = (next, done + 1);
+        }
+        seen.rows += followed;
+        seen.in_lanes += followed;
+        if done == rows.len() {
+            break;
+        }
+        seen.rows += 1;
+        // The row that is in doubt, by the general way from where the path stands.
+        match general(subject, &path.pose(), joint, rows[done]) {
+            Some(next) if restarted(&mut path, &next) => here = next,
+            _ => return,
+        }
+        done += 1;
+    }
+}
+
+fn restarted(path: &mut DrivenPath, pose: &Pose) -> bool {
+    path.restart(pose)
+}
+
+fn compare(
+    name: &str,
+    pose: &Pose,
+    answer: &PathAnswer,
+    positions: &[f64],
+    contact: &percuss_dynamics::Contact,
+    seen: &mut Seen,
+) {
+    let response = pose.respond(contact, RouteChoice::Auto).expect("an answer");
+    let EffectiveMass::Finite(expected) = response.effective_mass else {
+        panic!("{name}: {answer:?} for {:?}", response.effective_mass)
+    };
+    let allowed = answer.error + response.effective_mass_error().expect("an error");
+    seen.worst = seen.worst.max((answer.mass - expected).abs() / allowed);
+    seen.open = seen.open.max(answer.residual);
+    assert!((answer.mass - expected).abs() <= allowed, "{name}: {answer:?} for {expected}, allowed {allowed:e}");
+    for (joint, own) in pose.mechanism().joint_ids().zip(ranges(pose)) {
+        // Balls may spin about what holds them, which depends on the steps.
+        if pose.joint(joint).len() == 1 {
+            let (got, wanted) = (positions[own.start], pose.joint(joint)[0]);
+            assert!((got - wanted).abs() < 1e-9, "{name}: {got} for {wanted}");
+        }
+    }
+}
+
+fn ranges(pose: &Pose) -> impl Iterator<Item = std::ops::Range<usize>> + '_ {
+    let mut next = 0;
+    pose.mechanism().joints().iter().map(move |joint| {
+        let start = next;
+        next += joint.kind().positions();
+        start..next
+    })
+}
+
+/// Random linkages along a driver: rows answered in lanes stand where the general way leads from row to row.
+#[test]
+fn rows_in_lanes_stand_where_the_general_way_leads() {
+    let mut seen = Seen::default();
+    for subject in of_linkages(47, 120) {
+        check(&subject, &mut seen);
+    }
+    println!("{seen:?}");
+    assert!(seen.linkages > 60 && seen.in_lanes * 2 > seen.rows, "{seen:?}");
+}
