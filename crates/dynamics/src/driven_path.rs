@@ -6,15 +6,15 @@ use crate::kinematics::Kinematics;
 use crate::linkage::Driven;
 use crate::outcome::ResponseError;
 use crate::pose::Pose;
+use crate::velocities::{VelocityError, check_positions};
 use percuss_mechanism::JointId;
 
-/// A row of a path that was reached and answered.
+/// A row of a path that was reached.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PathAnswer {
-    /// m̄, kg.
-    pub mass: f64,
-    /// What rounding and what is left open of the loops may amount to, kg.
-    pub error: f64,
+    /// m̄, kg, and what rounding and what is left open of the loops may amount to; none where that is in doubt:
+    /// [`DrivenPath::pose_at`] is the pose to ask.
+    pub mass: Option<(f64, f64)>,
     /// How far the farthest loop is from closed, m.
     pub residual: f64,
 }
@@ -22,9 +22,9 @@ pub struct PathAnswer {
 /// One contact of a linkage whose drivers follow a path: each row's loops are closed by Newton's method from the row before,
 /// several rows at once.
 ///
-/// It answers rows that are beyond doubt: on the branch of the pose that it came from, m̄ finite, its error below 1e-11. It
-/// stops before any other; [`pose`](Self::pose) then gives where it stands, for [`Assembly::pose_from`](crate::Assembly::pose_from) to go on, and
-/// [`restart`](Self::restart) takes it up again behind.
+/// It stands on the branch of the pose that it came from, and stops before a row of which that is in doubt.
+/// [`pose`](Self::pose) then gives where it stands, for [`Assembly::pose_from`](crate::Assembly::pose_from) to go on, and
+/// [`restart`](Self::restart) takes it up again behind. m̄ is answered where it is finite and its error below 1e-11.
 #[derive(Clone, Debug)]
 pub struct DrivenPath {
     /// The pose that it came from.
@@ -72,21 +72,15 @@ impl Pose {
 }
 
 impl DrivenPath {
-    /// Follows rows, each of one number for every joint of the path, until one is in doubt. Gives how many were answered:
-    /// their answers and the positions of all joints (one row after another) are added to `answers` and `positions`.
-    pub fn follow(
-        &mut self,
-        rows: &[f64],
-        answers: &mut Vec<PathAnswer>,
-        positions: &mut Vec<f64>,
-    ) -> usize {
+    /// Follows rows, each of one number for every joint of the path, until one is in doubt. Gives how many were reached: what
+    /// is known of them and the positions of all joints (one row after another) are added to `answers` and `positions`.
+    pub fn follow(&mut self, rows: &[f64], answers: &mut Vec<PathAnswer>, positions: &mut Vec<f64>) -> usize {
         let width = self.driven.positions().len();
         let residual = &mut self.residual;
         self.driven.follow(rows, &mut |followed, at| {
             *residual = followed.residual;
             answers.push(PathAnswer {
-                mass: followed.mass.mass,
-                error: followed.mass.error,
+                mass: followed.mass.map(|clear| (clear.mass, clear.error)),
                 residual: followed.residual,
             });
             positions.extend((0..width).map(|q| at.at(q)));
@@ -95,11 +89,24 @@ impl DrivenPath {
 
     /// The pose where it stands.
     pub fn pose(&self) -> Pose {
+        self.made(self.driven.positions(), self.residual)
+    }
+
+    /// The pose of a row that was reached: its positions, as [`follow`](Self::follow) gave them, and its residual (m).
+    ///
+    /// # Errors
+    /// [`VelocityError::Positions`]: not as many as the mechanism has.
+    pub fn pose_at(&self, positions: &[f64], residual: f64) -> Result<Pose, VelocityError> {
+        check_positions(positions.len(), self.driven.positions().len())?;
+        Ok(self.made(positions, residual))
+    }
+
+    fn made(&self, positions: &[f64], residual: f64) -> Pose {
         let model = self.from.assembly.posing();
         let mut kinematics = Kinematics::new(model);
-        kinematics.q.copy_from_slice(self.driven.positions());
+        kinematics.q.copy_from_slice(positions);
         kinematics.refill(model);
-        let loops = self.from.loops.as_ref().map(|l| LoopState { residual: self.residual, ..l.clone() });
+        let loops = self.from.loops.as_ref().map(|l| LoopState { residual, ..l.clone() });
         self.from.assembly.pose_at(kinematics, self.from.base, loops)
     }
 

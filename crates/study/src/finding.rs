@@ -72,6 +72,15 @@ impl Tally {
         }
     }
 
+    /// Adds what was found in each of several rows alike.
+    pub fn add_alike(&mut self, first_row: usize, rows: usize, findings: &[Finding]) {
+        for finding in findings {
+            let kind = (finding.code, finding.subject.clone());
+            let counted = || Counted { finding: finding.clone(), first_row, rows: 0 };
+            self.kinds.entry(kind).or_insert_with(counted).rows += rows;
+        }
+    }
+
     /// Adds what was found in rows after these.
     pub fn append(&mut self, later: Self) {
         for (kind, counted) in later.kinds {

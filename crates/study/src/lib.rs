@@ -19,6 +19,7 @@ mod far_point;
 mod field;
 mod finding;
 mod findings;
+mod following;
 mod holds;
 mod in_lanes;
 mod joint_stop;

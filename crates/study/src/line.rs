@@ -4,6 +4,7 @@
 use crate::driver::Driver;
 use crate::error::{Fault, StudyError};
 use crate::field::{Field, Names, about_assembly};
+use crate::following::Following;
 use crate::reach::{Extent, Missed, Reach};
 use crate::setting::Setting;
 use crate::travel::Travel;
@@ -40,12 +41,21 @@ pub(crate) struct Line {
     last: Option<Arc<Pose>>,
     pub reach: Reach,
     pub too_far: TooFar,
+    /// Where rows are followed several at once from the last pose on; how often that was begun.
+    pub following: Option<Box<Following>>,
+    pub begun: usize,
 }
 
 impl Line {
     /// A line that begins where the question puts the mechanism; the travel may be known.
     pub fn new(along: Along, travel: Option<Arc<(Travel, Driver)>>, too_far: TooFar) -> Self {
-        Self { along, travel, last: None, reach: Reach::default(), too_far }
+        Self { along, travel, last: None, reach: Reach::default(), too_far, following: None, begun: 0 }
+    }
+
+    /// Stands where rows were followed to, with the number of the last.
+    pub fn stands_at(&mut self, pose: Pose, value: f64) {
+        self.reach.answered(value);
+        self.last = Some(Arc::new(pose));
     }
 
     /// Whether no row was reached yet.

@@ -17,6 +17,11 @@ pub(crate) struct Block {
 }
 
 impl Block {
+    /// The numbers of the rows from one on.
+    pub fn values_from(&self, row: usize, end: usize) -> &[f64] {
+        &self.values[row * self.width..end * self.width]
+    }
+
     /// The numbers of a row, counted from the first of the block.
     pub fn values(&self, row: usize) -> &[f64] {
         &self.values[row * self.width..][..self.width]

@@ -151,9 +151,9 @@ impl<'s, 'a> Posing<'s, 'a> {
     fn pose(&mut self, block: &Block) -> Work {
         let (swept, line) = (self.swept, &mut self.line);
         let mut portions = Vec::with_capacity(block.count.div_ceil(PORTION));
+        let mut stands = swept.stands(line, block, 0..block.count).into_iter();
         for first in (0..block.count).step_by(PORTION) {
-            let rows = first..(first + PORTION).min(block.count);
-            portions.push((first, rows.map(|i| swept.stand(line, block, i)).collect()));
+            portions.push((first, stands.by_ref().take(PORTION).collect()));
         }
         Work::Portions { portions, travel: line.travel(), untried: line.reach.take_untried() }
     }
@@ -168,9 +168,9 @@ fn answer<T: Send>(swept: &Swept<'_>, posed: Posed, made: Made<'_, T>, too_far: 
             let of_line = |first: usize| {
                 let mut line = Line::new(swept.along, swept.travel.clone(), too_far);
                 let mut portion = Portion::new(rows);
-                for i in first..first + rows {
-                    let stand = swept.stand(&mut line, block, i);
-                    let travel = line.travel();
+                let stands = swept.stands(&mut line, block, first..first + rows);
+                let travel = line.travel();
+                for (i, stand) in (first..).zip(stands) {
                     swept.answer(&mut portion, block, i, stand, travel.as_ref().map(|t| &t.0), made);
                 }
                 (portion.untried, portion.too_far) = (line.reach.take_untried(), line.too_far);
@@ -234,8 +234,8 @@ impl<'o, 's, 'a, T> HandingOut<'o, 's, 'a, T> {
     }
 
     fn take(&mut self, portions: Vec<Portion<T>>) -> Result<ControlFlow<()>, StudyError> {
-        for portion in portions {
-            self.came.tally.append(portion.tally);
+        for mut portion in portions {
+            self.came.tally.append(portion.said());
             if let Some(untried) = portion.untried {
                 let so_far = self.came.untried.get_or_insert(Untried { count: 0, ..untried });
                 so_far.count += untried.count;

@@ -3,7 +3,8 @@
 use crate::answer::{Answer, Prepared};
 use crate::driver::Driver;
 use crate::error::StudyError;
-use crate::finding::Tally;
+use crate::finding::{Finding, Tally};
+use crate::following::{FollowedRow, Following, Reached};
 use crate::in_lanes::InLanes;
 use crate::line::{Along, Line, TooFar};
 use crate::mass_report::Status;
@@ -12,6 +13,7 @@ use crate::reach::Untried;
 use crate::rows::Block;
 use crate::setting::Setting;
 use crate::sweep_report::{SweepHeading, SweepRow};
+use crate::thresholds::{FOLLOWED_BEGINNINGS, FOLLOWED_ROWS};
 use crate::travel::Travel;
 use crate::varied_values::VariedValues;
 use percuss_dynamics::{Contact, Pose};
@@ -38,6 +40,8 @@ pub(crate) struct Swept<'a> {
 pub(crate) enum Stand {
     /// `first`: the first of its line.
     Posed { pose: Arc<Pose>, first: bool },
+    /// Reached and answered with others.
+    Followed(Box<FollowedRow>),
     /// Why it is not reached.
     Unreached(String),
     /// What is wrong with the question.
@@ -60,11 +64,37 @@ pub(crate) struct Portion<T> {
     pub tally: Tally,
     pub untried: Option<Untried>,
     pub too_far: TooFar,
+    /// What is said of rows alike: the first of them, and how many.
+    alike: Option<(Arc<[Finding]>, usize, usize)>,
 }
 
 impl<T> Portion<T> {
     pub fn new(rows: usize) -> Self {
-        Self { rows: Vec::with_capacity(rows), tally: Tally::default(), untried: None, too_far: None }
+        let tally = Tally::default();
+        Self { rows: Vec::with_capacity(rows), tally, untried: None, too_far: None, alike: None }
+    }
+
+    /// Says of a row what is said of others too.
+    fn say_alike(&mut self, row: usize, findings: &Arc<[Finding]>) {
+        match &mut self.alike {
+            Some((said, _, rows)) if Arc::ptr_eq(said, findings) => *rows += 1,
+            _ => {
+                self.count_alike();
+                self.alike = Some((Arc::clone(findings), row, 1));
+            }
+        }
+    }
+
+    fn count_alike(&mut self) {
+        if let Some((findings, first, rows)) = self.alike.take() {
+            self.tally.add_alike(first, rows, &findings);
+        }
+    }
+
+    /// Everything that was said.
+    pub fn said(&mut self) -> Tally {
+        self.count_alike();
+        std::mem::take(&mut self.tally)
     }
 }
 
@@ -80,6 +110,54 @@ impl Swept<'_> {
             Ok(Ok(pose)) => Stand::Posed { pose, first },
             Ok(Err(why)) => Stand::Unreached(why),
             Err(error) => Stand::Failed(error),
+        }
+    }
+
+    /// Where rows of a line stand, one after another.
+    pub fn stands(&self, line: &mut Line, block: &Block, rows: Range<usize>) -> Vec<Stand> {
+        let mut stands = Vec::with_capacity(rows.len());
+        let mut next = rows.start;
+        while next < rows.end {
+            if let Some(following) = &mut line.following {
+                let values = block.values_from(next, rows.end);
+                let layout = &self.heading.joints;
+                let reached = following.follow(&self.prepared, layout, values, |reached| {
+                    stands.push(match reached {
+                        Reached::Answered(row) => Stand::Followed(Box::new(row)),
+                        Reached::Posed(pose) => Stand::Posed { pose: Arc::new(pose), first: false },
+                    });
+                });
+                if reached > 0 {
+                    let pose = following.pose();
+                    next += reached;
+                    line.stands_at(pose, block.values(next - 1).last().copied().unwrap_or_default());
+                }
+                if next == rows.end {
+                    break;
+                }
+            }
+            let stand = self.stand(line, block, next);
+            next += 1;
+            if let Stand::Posed { pose, .. } = &stand {
+                self.follow_from(line, pose, rows.end - next);
+            } else {
+                line.following = None;
+            }
+            stands.push(stand);
+        }
+        stands
+    }
+
+    /// Lets rows be followed from a pose on, where there are some left and it was not in vain too often.
+    fn follow_from(&self, line: &mut Line, pose: &Pose, left: usize) {
+        if line.following.as_mut().is_some_and(|following| following.restart(pose)) {
+            return;
+        }
+        line.following = None;
+        if left >= FOLLOWED_ROWS && line.begun < FOLLOWED_BEGINNINGS && self.lanes.is_none() {
+            line.begun += 1;
+            let following = Following::from(&self.prepared, &self.setting, &self.contact, pose);
+            line.following = following.map(Box::new);
         }
     }
 
@@ -101,6 +179,14 @@ impl Swept<'_> {
             Stand::Unreached(why) => {
                 let made = made(self.unanswered(row, varied, UNREACHABLE, why.clone()));
                 Outcome::Row { made, reached: false, error: Some(why) }
+            }
+            Stand::Followed(followed) => {
+                portion.tally.add(row, followed.own);
+                portion.say_alike(row, &followed.alike);
+                let (mass, error) = followed.mass;
+                let answered =
+                    self.without_pose(row, varied, mass, error, Some(followed.residual), followed.positions);
+                Outcome::Row { made: made(answered), reached: true, error: None }
             }
             Stand::Posed { pose, first } => {
                 if first {
@@ -133,23 +219,38 @@ impl Swept<'_> {
             };
             let row = block.first + i;
             lanes.find(&self.prepared, &asked, at, row, &mut portion.tally);
-            let answered = SweepRow {
-                row,
-                varied: VariedValues::new(&self.setting.columns, block.values(i)),
-                status: Status::Finite.name(),
-                effective_mass: Some(mass),
-                effective_mass_error: Some(error),
-                closure_residual: None,
-                singular_pose: Some(false),
-                motion_ratio: None,
-                estimate: None,
-                estimate_error_percent: None,
-                pose: asked.positions(&self.heading.joints, at),
-                error: None,
-            };
+            let varied = VariedValues::new(&self.setting.columns, block.values(i));
+            let positions = asked.positions(&self.heading.joints, at);
+            let answered = self.without_pose(row, varied, mass, error, None, positions);
             portion.rows.push(Outcome::Row { made: made(answered), reached: true, error: None });
         }
         portion
+    }
+
+    /// A row with a finite m̄ that no pose was made for.
+    fn without_pose(
+        &self,
+        row: usize,
+        varied: VariedValues,
+        mass: f64,
+        error: f64,
+        closure_residual: Option<f64>,
+        pose: Positions,
+    ) -> SweepRow {
+        SweepRow {
+            row,
+            varied,
+            status: Status::Finite.name(),
+            effective_mass: Some(mass),
+            effective_mass_error: Some(error),
+            closure_residual,
+            singular_pose: Some(false),
+            motion_ratio: None,
+            estimate: None,
+            estimate_error_percent: None,
+            pose,
+            error: None,
+        }
     }
 
     fn answered(

@@ -26,6 +26,10 @@ pub(crate) const BLOCK_OF_LINKS: usize = 10_000;
 pub(crate) const BLOCK_IN_LANES: usize = 4096;
 /// Rows without poses that are answered by one thread without a break.
 pub(crate) const PORTION_IN_LANES: usize = 512;
+/// Rows of a line that are worth preparing to follow them several at once: it costs as much as a few of them.
+pub(crate) const FOLLOWED_ROWS: usize = 4;
+/// How often a line may begin to be followed anew: where it stops at every other row, nothing is won.
+pub(crate) const FOLLOWED_BEGINNINGS: usize = 16;
 /// Rows of the first block: a reader has them soon. Blocks then double.
 pub(crate) const FIRST_BLOCK: usize = 8;
 /// Rows that are answered by one thread without a break.

@@ -8,12 +8,12 @@
 //! Source: Allgower and Georg, Introduction to Numerical Continuation Methods, 2003, ch. 2. A row is answered where the motion
 //! from the prediction is small beside the step and the tangent turns little, so that it stands on the same branch.
 
+use super::Linkage;
 use super::motion::{Struck, answer};
 use super::place::place;
 use super::plan::{Motion, Plan};
 use super::room::{get, put};
 use super::rows::{eliminate, fill_rows, fill_steps};
-use super::Linkage;
 use crate::assembly::Assembly;
 use crate::clear_mass::{ClearMass, Columns, WIDEST};
 use crate::contact::Contact;
@@ -48,10 +48,11 @@ struct Stand {
     rates: Vec<f64>,
 }
 
-/// A row that was reached and answered.
+/// A row that was reached.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Followed {
-    pub mass: ClearMass,
+    /// None where rounding leaves a doubt.
+    pub mass: Option<ClearMass>,
     /// How far the farthest loop is from closed, m.
     pub residual: f64,
 }
@@ -130,7 +131,8 @@ impl Driven {
     /// Puts it at a closed pose of the same branch; not where that is in doubt.
     pub fn stand(&mut self, positions: &[f64]) -> bool {
         let plan = &self.linkage.plan;
-        self.here = Stand { positions: positions.to_vec(), rates: vec![0.0; plan.layout.count * plan.freedoms] };
+        self.here =
+            Stand { positions: positions.to_vec(), rates: vec![0.0; plan.layout.count * plan.freedoms] };
         self.before = Stand::default();
         let row: Vec<f64> = self.given.iter().map(|given| positions[given.q]).collect();
         let seen = self.go(&row, 1, 1);
@@ -144,8 +146,8 @@ impl Driven {
         &self.here.positions
     }
 
-    /// Follows rows of what is given, one after another, until one is in doubt. Gives how many were answered, and hands them
-    /// out with all positions (of lane `k` of so many: one for each `stride`). Stands at the last of them.
+    /// Follows rows of what is given, one after another, until the branch of one is in doubt. Gives how many were reached, and
+    /// hands them out with all positions. Stands at the last of them.
     pub fn follow(&mut self, values: &[f64], each: &mut dyn FnMut(Followed, Positions<'_>)) -> usize {
         let width = self.given.len().max(1);
         let (rows, widest) = (values.len() / width, self.linkage.instructions.width());
@@ -214,9 +216,9 @@ impl Driven {
         seen
     }
 
-    /// What a lane is answered, where that and its branch are beyond doubt.
+    /// What a lane is answered, where its branch is beyond doubt.
     fn followed(&self, seen: &Outcome, lane: usize, lanes: usize) -> Option<Followed> {
-        let mass = ClearMass::within(seen.responses[lane], seen.errors[lane])?;
+        let mass = ClearMass::within(seen.responses[lane], seen.errors[lane]);
         self.is_on_branch(seen, lane, lanes).then_some(Followed { mass, residual: seen.open[lane] })
     }
 

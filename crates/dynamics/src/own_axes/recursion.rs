@@ -49,7 +49,13 @@ impl Selection {
     /// Of no contact yet.
     pub fn none(steps: usize, travel: f64) -> Self {
         let struck = Struck { point: [0.0; 3], normal: Normal::Body([0.0; 3]) };
-        Self { path: Vec::with_capacity(steps), on_path: vec![false; steps], top: 0, over_travel: 1.0 / travel, struck }
+        Self {
+            path: Vec::with_capacity(steps),
+            on_path: vec![false; steps],
+            top: 0,
+            over_travel: 1.0 / travel,
+            struck,
+        }
     }
 }
 
