@@ -1,8 +1,10 @@
 //! What the benchmarks share: a system with configurations to go through.
 
 mod cpu_time;
+mod tasks;
 
 pub use cpu_time::{CpuTime, criterion};
+pub use tasks::{Task, task};
 
 use percuss_dynamics::{Conditions, Contact, Direction, System};
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions, Source, load};

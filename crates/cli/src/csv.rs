@@ -6,7 +6,7 @@ use std::fmt::Write;
 use std::ops::Range;
 
 /// Columns between the drivers and the joints.
-const FIXED: [&str; 7] = [
+pub const FIXED: [&str; 7] = [
     "status",
     "effective_mass",
     "closure_residual",
@@ -47,6 +47,7 @@ pub fn of_mass(report: &MassReport, drivers: &[String]) -> String {
 
 /// The table of a sweep: its columns, and where their numbers stand in a row.
 pub struct SweepTable {
+    names: Vec<String>,
     header: String,
     /// The numbers of a pose that are not varied, runs of them.
     others: Vec<Range<usize>>,
@@ -72,7 +73,18 @@ impl SweepTable {
             first += numbers;
         }
         let count = others.iter().map(Range::len).sum();
-        Self { header: line(&header), others, count }
+        Self { header: line(&header), names: header, others, count }
+    }
+
+    /// The names of its columns: the row, what is varied, `status`, six more of the answer, and the other joints.
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+
+    /// The numbers of the joints that are not varied; none where the pose was not reached.
+    pub fn others<'r>(&'r self, row: &'r SweepRow) -> impl Iterator<Item = Option<f64>> + 'r {
+        let numbers = row.pose.numbers();
+        self.others.iter().flat_map(|run| run.clone()).map(|number| numbers.get(number).copied())
     }
 
     /// Its first line.

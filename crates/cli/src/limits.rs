@@ -21,3 +21,7 @@ pub const HISTORY_SAMPLES: usize = 2000;
 /// Numbers in CSV of this size are written in decimal notation, others in scientific, since zeros would fill the
 /// cell.
 pub const DECIMAL_NUMBERS: std::ops::Range<f64> = 1e-5..1e16;
+/// Cells of a group of rows in Parquet: some 8 MB, which is what a writer of some columns keeps.
+pub const CELLS_OF_A_GROUP: usize = 1 << 20;
+/// Rows of a group: readers take one group at a time.
+pub const ROWS_OF_A_GROUP: std::ops::RangeInclusive<usize> = 1024..=1 << 17;

@@ -13,6 +13,7 @@ mod import;
 mod limits;
 mod mass;
 mod output;
+mod parquet_rows;
 mod report;
 mod run;
 mod safe_speed;

@@ -113,6 +113,7 @@ fn file(path: &Path) -> io::Result<(File, Option<Beside>)> {
     Ok((file, Some(beside)))
 }
 
-fn cannot_write(path: &str, error: &io::Error) -> Failure {
+/// Why a file cannot be written.
+pub fn cannot_write(path: &str, error: &io::Error) -> Failure {
     Failure::bad_input(format!("{path} cannot be written: {error}"))
 }

@@ -3,6 +3,7 @@
 use crate::args::SweepArgs;
 use crate::failure::Failure;
 use crate::output::Output;
+use crate::parquet_rows;
 use crate::report::{warn, write_diagnostics};
 use crate::sweep_figure::drawn;
 use crate::sweep_rows;
@@ -70,6 +71,7 @@ fn write(
         Format::Csv => return sweep_rows::csv(sweep, Output::open(output)?, bar),
         Format::Json => return sweep_rows::json(sweep, model, Output::open(output)?, bar),
         Format::JsonLines => return sweep_rows::json_lines(sweep, Output::open(output)?, bar),
+        Format::Parquet => return parquet_rows::write(sweep, output.unwrap_or_default(), bar),
         Format::Svg | Format::Png => drawn(sweep, bar)?,
     };
     let bytes = match format {
@@ -89,6 +91,7 @@ enum Format {
     Csv,
     Json,
     JsonLines,
+    Parquet,
     Svg,
     Png,
 }
@@ -102,10 +105,11 @@ impl Format {
             "csv" => Ok(Format::Csv),
             "json" => Ok(Format::Json),
             "jsonl" => Ok(Format::JsonLines),
+            "parquet" => Ok(Format::Parquet),
             "svg" => Ok(Format::Svg),
             "png" => Ok(Format::Png),
             _ => Err(Failure::bad_input(format!(
-                "--output {path}: its name must end in .csv, .json, .jsonl, .svg or .png"
+                "--output {path}: its name must end in .csv, .json, .jsonl, .parquet, .svg or .png"
             ))),
         }
     }

@@ -17,7 +17,7 @@ pub fn drawn(sweep: Sweep, bar: &ProgressBar) -> Result<(Figure, SweepEnd), Fail
     let heading = sweep.heading().clone();
     let [varied] = &heading.varied[..] else {
         return Err(Failure::bad_input(
-            "--output: a picture shows what one range gives; name a file that ends in .csv, .json or .jsonl",
+            "--output: a picture shows what one range gives; name a file that ends in .csv, .parquet, .json or .jsonl",
         ));
     };
     let (scale, unit) = if varied.unit == "m" { (1e3, "mm") } else { (180.0 / std::f64::consts::PI, "deg") };

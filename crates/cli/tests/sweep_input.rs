@@ -138,8 +138,8 @@ fn what_is_wrong_with_a_file_is_said_with_its_place() {
     }
     for (input, words) in [
         ("/there/is/no/file.csv".to_owned(), "/there/is/no/file.csv: cannot be read"),
-        (scratch.path("path.xls"), "does not end in .csv"),
-        ("/tmp".to_owned(), "does not end in .csv"),
+        (scratch.path("path.xls"), "ends in neither .csv nor .parquet"),
+        ("/tmp".to_owned(), "ends in neither .csv nor .parquet"),
     ] {
         let outcome = percuss(&format!("{COUPLER} --input {input}"));
         assert_eq!(outcome.code, 2, "{}", outcome.stderr);

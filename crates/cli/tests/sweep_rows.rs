@@ -2,6 +2,7 @@
 
 mod support;
 
+use parquet::file::reader::{FileReader, SerializedFileReader};
 use percuss_formats::DEFAULT_MAX_SIZE;
 use percuss_study::{Fault, GivenPosition, Names, StudyError, StudyFile, Vary, sweep_report};
 use std::io::{BufRead, BufReader};
@@ -66,7 +67,7 @@ fn rows_are_written_as_they_are_computed() {
 #[test]
 fn rows_are_not_kept() {
     let scratch = Scratch::new("rows-memory");
-    for ending in ["csv", "json", "jsonl"] {
+    for ending in ["csv", "json", "jsonl", "parquet"] {
         let path = scratch.path(&format!("rows.{ending}"));
         let script = format!(
             "ulimit -v 120000; exec \"$0\" sweep models/point_mass_pendulum.urdf --link rod --point 0,0,-0.8 --normal 1,0,0 \
@@ -78,8 +79,13 @@ fn rows_are_not_kept() {
             .output()
             .expect("a shell");
         assert!(outcome.status.success(), "{}", String::from_utf8_lossy(&outcome.stderr));
-        let text = std::fs::read_to_string(&path).expect("it was written");
-        let rows = if ending == "csv" { text.lines().count() - 1 } else { text.matches("\"row\":").count() };
+        let rows = if ending == "parquet" {
+            let file = std::fs::File::open(&path).expect("it was written");
+            SerializedFileReader::new(file).expect("Parquet").metadata().file_metadata().num_rows() as usize
+        } else {
+            let text = std::fs::read_to_string(&path).expect("it was written");
+            if ending == "csv" { text.lines().count() - 1 } else { text.matches("\"row\":").count() }
+        };
         assert_eq!(rows, 100_000);
     }
 }

@@ -5,8 +5,7 @@
 //! 1. the bytes are text, not too many, and bounded in tags, nesting and entities (before any parser runs);
 //! 2. roxmltree makes a tree with positions;
 //! 3. [the table of the dialect](crate#the-dialect) says how every element and attribute is treated;
-//! 4. every number and reference is checked, and a clean extract of the standard part is given to `urdf-rs`,
-//!    which converts it to values;
+//! 4. every number and reference is checked;
 //! 5. the mechanism's builder checks the whole; what it finds is given its place in the file.
 //!
 //! # The dialect

@@ -38,8 +38,6 @@ pub(crate) const MOST_CANDIDATES: usize = 2_000;
 pub(crate) const LONGEST_MIMIC_CHAIN: usize = 100;
 /// Joints on the paths of all couplings together, from the links up to the root.
 pub(crate) const MOST_COUPLING_STEPS: usize = 4_000_000;
-/// Elements in one extract for `urdf-rs`, which keeps several copies of what it reads in memory.
-pub(crate) const EXTRACT_SIZE: usize = 256;
 
 // URDF: numbers.
 

@@ -26,7 +26,7 @@ pub(crate) struct InertialText<'a> {
 }
 
 /// The attributes of `<inertia>` and whether they may be left out.
-pub(crate) const MOMENTS: [(&str, bool); 6] =
+const MOMENTS: [(&str, bool); 6] =
     [("ixx", false), ("ixy", true), ("ixz", true), ("iyy", false), ("iyz", true), ("izz", false)];
 
 /// Checks a `<link>`.

@@ -77,21 +77,12 @@ fn read(text: &str, options: &LoadOptions, report: &mut Report) -> Option<Mechan
     if report.has_errors() {
         return None;
     }
-    let values =
-        standard::links(&texts.links).and_then(|links| Ok((links, standard::joints(&texts.joints)?)));
-    let (links, joints) = match values {
-        Ok(values) => values,
-        Err(defect) => {
-            report.error("unreadable-urdf", Place::Element(robot), || defect);
-            return None;
-        }
-    };
     let name = robot.attribute("name").unwrap_or_default();
     let name =
         if name.len() > limits::LONGEST_NAME { cut(name, limits::LONGEST_NAME) } else { name.to_owned() };
     let builder = MechanismBuilder::new(name).accept(options.accept);
-    let builder = links.into_iter().fold(builder, MechanismBuilder::link);
-    let builder = joints.into_iter().fold(builder, MechanismBuilder::joint);
+    let builder = texts.links.iter().map(standard::link).fold(builder, MechanismBuilder::link);
+    let builder = texts.joints.iter().map(standard::joint).fold(builder, MechanismBuilder::joint);
     let builder = texts.closures.into_iter().fold(builder, MechanismBuilder::closure);
     let builder = texts.couplings.into_iter().fold(builder, MechanismBuilder::coupling);
     let (mechanism, findings) = match builder.build() {

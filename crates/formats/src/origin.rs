@@ -14,15 +14,15 @@ pub(crate) struct Origin<'a> {
     pub xyz: &'a str,
     /// Three good numbers, rad.
     pub rpy: &'a str,
-    /// The rotation of `quat_xyzw`, which goes before `rpy`. Read here and not by urdf-rs, which ignores it below
-    /// version 1.1 and passes it through angles that are off by milliradians near ±90° pitch.
+    /// The rotation of `quat_xyzw`, which goes before `rpy`, in files of any version; never by way of angles, which are
+    /// off by milliradians near ±90° pitch.
     pub quaternion: Option<Matrix3<f64>>,
 }
 
 impl Origin<'_> {
     pub const IDENTITY: Origin<'static> = Origin { xyz: ZERO, rpy: ZERO, quaternion: None };
 
-    /// The transform, where no other reader takes part.
+    /// The transform.
     pub fn transform(&self) -> Transform<f64> {
         // The numbers are known to be good.
         let rotation = || rotation_from_rpy(parse(self.rpy).unwrap_or_default());

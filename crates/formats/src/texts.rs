@@ -12,7 +12,6 @@ use percuss_mechanism::{ClosureDescription, CouplingDescription};
 pub(crate) struct Texts<'a> {
     pub links: Vec<LinkText<'a>>,
     pub joints: Vec<JointText<'a>>,
-    /// Loops are not plain URDF: there is no other reader that would turn them into values.
     pub closures: Vec<ClosureDescription>,
     pub couplings: Vec<CouplingDescription>,
 }

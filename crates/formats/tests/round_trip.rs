@@ -76,6 +76,36 @@ fn urdf_rs_reads_what_is_written() {
     assert_eq!((robot.links.len(), robot.joints.len()), (JointKind::ALL.len() + 1, JointKind::ALL.len()));
 }
 
+/// Numbers have the values that urdf-rs reads, to the last bit.
+#[test]
+fn numbers_are_those_of_urdf_rs() {
+    let text = write_urdf(&every_joint());
+    let theirs = urdf_rs::read_from_string(&text).unwrap();
+    let ours = load_text(&text).unwrap_or_else(|e| panic!("{e}")).mechanism;
+    let mut inertias = 0;
+    assert_eq!((theirs.links.len(), theirs.joints.len()), (ours.links().len(), ours.joints().len()));
+    for (link, found) in theirs.links.iter().zip(ours.links()) {
+        let Some(inertial) = found.inertial() else { continue };
+        assert_eq!(inertial.mass, link.inertial.mass.value);
+        assert_eq!(inertial.com.as_slice(), &link.inertial.origin.xyz.0);
+        inertias += 1;
+    }
+    let (mut limits, mut mimics) = (0, 0);
+    for (joint, found) in theirs.joints.iter().zip(ours.joints()) {
+        assert_eq!(found.origin().translation.as_slice(), &joint.origin.xyz.0);
+        if let Some(own) = found.limits() {
+            assert_eq!((own.lower, own.upper), (joint.limit.lower, joint.limit.upper));
+            limits += 1;
+        }
+        if let (Some(own), Some(mimic)) = (found.mimic(), &joint.mimic) {
+            assert_eq!(Some(own.multiplier), mimic.multiplier);
+            assert_eq!(Some(own.offset), mimic.offset);
+            mimics += 1;
+        }
+    }
+    assert!(inertias > 3 && limits > 0 && mimics > 0, "{inertias} {limits} {mimics}");
+}
+
 /// Two arms and a rotor; a closure of every kind between the arms and to the world, a gear, and two second parents.
 fn every_closure() -> Mechanism {
     let frame = |i: usize| {

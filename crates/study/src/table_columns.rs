@@ -14,6 +14,17 @@ struct Cell {
     unit: Unit,
 }
 
+impl Cell {
+    /// Puts a number into a row, in SI units; false where it is not finite.
+    fn put(&self, read: f64, values: &mut [f64]) -> bool {
+        let value = self.unit.to_si(read);
+        if value.is_finite() {
+            values[self.value] = value;
+        }
+        value.is_finite()
+    }
+}
+
 /// The columns of a file.
 #[derive(Clone, Debug)]
 pub(crate) struct Columns {
@@ -34,21 +45,18 @@ struct Number {
 }
 
 impl Columns {
-    /// The columns under a header.
-    pub fn new<'n>(
+    /// The columns of these names; `at_names` says where those stand.
+    pub fn new(
         prepared: &Prepared,
-        path: &str,
-        line: usize,
-        header: impl Iterator<Item = &'n str>,
+        names: Vec<String>,
         ignore: &[String],
+        at_names: impl Fn(TableFault) -> TableError,
     ) -> Result<Self, TableError> {
         let mechanism = prepared.system.mechanism();
-        let names: Vec<String> = header.map(str::to_owned).collect();
-        separated_by_commas(path, line, &names)?;
         let known = numbers_by_name(mechanism);
         let mut found: Vec<Option<(Number, Unit)>> = Vec::with_capacity(names.len());
         for (at, name) in names.iter().enumerate() {
-            let refuse = |fault: TableFault| TableError::at_line(path, line, fault).in_column(at, name);
+            let refuse = |fault: TableFault| at_names(fault).in_column(at, name);
             if ignore.contains(name) {
                 found.push(None);
                 continue;
@@ -85,7 +93,7 @@ impl Columns {
             missing.extend((0..positions).filter(|i| !given(i)).map(|i| column_name(mechanism, joint, i)));
         }
         if !missing.is_empty() {
-            return Err(TableError::at_line(path, line, TableFault::Missing { columns: missing }));
+            return Err(at_names(TableFault::Missing { columns: missing }));
         }
         let cell =
             |(number, unit): (Number, Unit)| Cell { value: starts[&number.joint] + number.component, unit };
@@ -136,20 +144,38 @@ impl Columns {
         for (number, (text, cell)) in cells.zip(&self.cells).enumerate() {
             let Some(cell) = cell else { continue };
             let fault = match text.parse::<f64>() {
-                Ok(read) => {
-                    let value = cell.unit.to_si(read);
-                    if value.is_finite() {
-                        values[cell.value] = value;
-                        continue;
-                    }
-                    TableFault::NotFinite { text: shortened(text) }
-                }
+                Ok(read) if cell.put(read, values) => continue,
+                Ok(_) => TableFault::NotFinite { text: shortened(text) },
                 Err(_) if text.is_empty() => TableFault::Empty,
                 Err(_) => TableFault::NoNumber { text: shortened(text) },
             };
             return Err(at(fault).in_column(number, &self.names[number]));
         }
         Ok(())
+    }
+
+    /// The numbers of a row, each with that of its column; none for a null.
+    pub fn take(
+        &self,
+        numbers: impl Iterator<Item = (usize, Option<f64>)>,
+        values: &mut [f64],
+        at: impl Fn(TableFault) -> TableError,
+    ) -> Result<(), TableError> {
+        for (number, read) in numbers {
+            let Some(cell) = &self.cells[number] else { continue };
+            let fault = match read {
+                Some(read) if cell.put(read, values) => continue,
+                Some(read) => TableFault::NotFinite { text: read.to_string() },
+                None => TableFault::Null,
+            };
+            return Err(at(fault).in_column(number, &self.names[number]));
+        }
+        Ok(())
+    }
+
+    /// The numbers of the columns that are not left out.
+    pub fn chosen(&self) -> impl Iterator<Item = usize> {
+        self.cells.iter().enumerate().filter(|(_, cell)| cell.is_some()).map(|(number, _)| number)
     }
 }
 
@@ -209,13 +235,13 @@ fn read_name(
 }
 
 /// A header that is separated by something else than commas is one long name.
-fn separated_by_commas(path: &str, line: usize, names: &[String]) -> Result<(), TableError> {
+pub(crate) fn separated_by_commas(names: &[String]) -> Result<(), TableFault> {
     let [name] = names else { return Ok(()) };
     for separator in [';', '\t'] {
         let count = name.matches(separator).count();
         if count > 0 {
             let separator = if separator == '\t' { '⇥' } else { separator };
-            return Err(TableError::at_line(path, line, TableFault::Separator { separator, count }));
+            return Err(TableFault::Separator { separator, count });
         }
     }
     Ok(())

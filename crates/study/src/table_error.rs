@@ -13,8 +13,10 @@ use std::io;
 pub struct TableError {
     /// The file, as it was named.
     pub path: String,
-    /// The line, from 1, or the row where the file has no lines; none where it is about the whole.
+    /// The line, from 1, where the file has lines; none where it is about the whole.
     pub line: Option<usize>,
+    /// The row, from 0, where the file has no lines.
+    pub row: Option<usize>,
     /// The column, from 1, and its name.
     pub column: Option<(usize, String)>,
     /// What is wrong.
@@ -64,8 +66,43 @@ pub enum TableFault {
         count: usize,
     },
     /// A kind of file that is not read.
-    #[error("its name does not end in .csv; expected a table of that kind")]
+    #[error("its name ends in neither .csv nor .parquet; expected a table of one of these kinds")]
     Kind,
+    /// Not Parquet.
+    #[error("it is no Parquet file, or not all of one: it does not begin and end with PAR1")]
+    NoParquet,
+    /// Parquet that needs a key.
+    #[error("it is encrypted; expected a Parquet file that is not")]
+    Encrypted,
+    /// Parquet whose parts contradict one another.
+    #[error("it is no well-formed Parquet file: {why}")]
+    Malformed {
+        /// What is wrong.
+        why: String,
+    },
+    /// Compressed by means that are not built in: their sizes in memory are not stated, or nobody uses them.
+    #[error("it is compressed with {name}; expected no compression, Snappy, Zstandard or LZ4")]
+    Codec {
+        /// Its name.
+        name: String,
+    },
+    /// A column of Parquet that holds no numbers.
+    #[error("the column holds {got}; expected floating-point numbers or integers")]
+    ColumnKind {
+        /// What it holds.
+        got: String,
+    },
+    /// A value of Parquet that is not there.
+    #[error("the value is null; expected a number")]
+    Null,
+    /// More rows than a sweep goes through.
+    #[error("it has {rows} rows; expected {most} at most")]
+    Rows {
+        /// How many it states.
+        rows: u128,
+        /// How many there may be.
+        most: usize,
+    },
     /// A name that is no joint's.
     #[error(transparent)]
     UnknownColumn(#[from] UnknownName),
@@ -174,7 +211,7 @@ fn quoted(names: &[String]) -> String {
 
 impl TableError {
     pub(crate) fn of_file(path: &str, fault: TableFault) -> Self {
-        Self { path: path.to_owned(), line: None, column: None, fault: Box::new(fault) }
+        Self { path: path.to_owned(), line: None, row: None, column: None, fault: Box::new(fault) }
     }
 
     pub(crate) fn at_line(path: &str, line: usize, fault: TableFault) -> Self {
@@ -196,6 +233,9 @@ impl TableError {
             text += &format!(":{line}");
         }
         text += ": ";
+        if let Some(row) = self.row {
+            text += &format!("row {row}: ");
+        }
         match &self.column {
             Some((number, name)) if name.is_empty() => text += &format!("column {number}: "),
             Some((number, name)) => text += &format!("column {number} (\"{name}\"): "),

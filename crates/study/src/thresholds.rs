@@ -17,6 +17,23 @@ pub(crate) const ROWS: RangeInclusive<usize> = 1..=1_000_000;
 pub(crate) const GRID_ROWS: usize = 100_000_000;
 /// Bytes of a record of a table: a thousand joints with 17 digits take 20 kB.
 pub(crate) const LONGEST_RECORD: usize = 1 << 20;
+/// Bytes of what a Parquet file says of its columns: a thousand columns in a thousand groups of rows take some 100 MB, more
+/// than anybody reads; those of a robot take some 100 kB.
+pub(crate) const LARGEST_DESCRIPTION: u64 = 1 << 26;
+/// Entries of a list there: columns, or groups of rows.
+pub(crate) const MOST_IN_A_LIST: u64 = 1 << 20;
+/// Columns of a Parquet file within one another: lists of records nest some ten deep.
+pub(crate) const DEEPEST_COLUMN: usize = 64;
+/// Bytes in memory that the pages of a Parquet file may take, all columns together.
+pub(crate) const PAGES: u64 = 1 << 30;
+/// A page may have as many bytes however many columns there are: writers make pages of 1 MiB, or somewhat more.
+pub(crate) const SMALLEST_LARGEST_PAGE: u64 = 1 << 22;
+/// Bytes of a page's header: twenty, and its statistics.
+pub(crate) const USUAL_PAGE_HEADER: u64 = 1 << 12;
+/// The same where statistics are long texts.
+pub(crate) const LONGEST_PAGE_HEADER: u64 = 1 << 20;
+/// Rows of a Parquet file that are taken from its pages at once.
+pub(crate) const PARQUET_ROWS: usize = 1024;
 /// Rows that are posed, answered and handed out at once where they follow one another: some milliseconds of a small
 /// linkage, and its poses stay in the caches.
 pub(crate) const BLOCK_OF_POSES: usize = 256;
@@ -30,6 +47,9 @@ pub(crate) const PORTION_IN_LANES: usize = 512;
 pub(crate) const FOLLOWED_ROWS: usize = 4;
 /// How often a line may begin to be followed anew: where it stops at every other row, nothing is won.
 pub(crate) const FOLLOWED_BEGINNINGS: usize = 16;
+/// Rows without poses that are answered by one thread without a break: of a block a thirty-second, so that no thread waits
+/// long for the last one.
+pub(crate) const PORTION_IN_LANES: usize = 128;
 /// Rows of the first block: a reader has them soon. Blocks then double.
 pub(crate) const FIRST_BLOCK: usize = 8;
 /// Rows that are answered by one thread without a break.

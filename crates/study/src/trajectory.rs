@@ -4,8 +4,10 @@
 use crate::answer::Prepared;
 use crate::csv_records::Records;
 use crate::model::Input;
+use crate::parquet_source::Stored;
+use crate::parquet_table::ParquetTable;
 use crate::row_source::PositionFile;
-use crate::table_columns::Columns;
+use crate::table_columns::{Columns, separated_by_commas};
 use crate::table_error::{TableError, TableFault};
 use crate::thresholds::LARGEST_COORDINATE;
 use percuss_dynamics::{AssemblyError, Configuration};
@@ -14,7 +16,8 @@ use sha2::{Digest, Sha256};
 use std::fmt;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Cursor, Read};
-use std::sync::Arc;
+use std::path::Path;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Text that is read row by row.
 type Text = Box<dyn BufRead + Send + Sync>;
@@ -25,7 +28,14 @@ pub(crate) struct Trajectory {
     positions: Positions,
     count: usize,
     pub input: Input,
-    records: Records<Text>,
+    table: Table,
+}
+
+/// The rows of a file, one after another.
+enum Table {
+    Csv(Records<Text>),
+    /// Behind a lock that nobody waits for: its reader is not to be shared between threads.
+    Parquet(Box<Mutex<ParquetTable>>),
 }
 
 impl fmt::Debug for Trajectory {
@@ -40,31 +50,31 @@ impl Trajectory {
         let bytes = Bytes::of(file)?;
         let name = bytes.name();
         let sha256 = bytes.sha256()?;
-        let mut records = bytes.records()?;
-        let columns = header(prepared, &mut records, file)?;
+        let mut table = bytes.table()?;
+        let columns = table.header(prepared, file)?;
         let missing = columns.unset_outside_loops(prepared);
         if !missing.is_empty() {
-            return Err(records.fault(TableFault::Missing { columns: missing }));
+            return Err(table.fault(TableFault::Missing { columns: missing }));
         }
         if columns.width == 0 {
-            return Err(records.fault(TableFault::NoColumns));
+            return Err(table.fault(TableFault::NoColumns));
         }
         let positions = Positions::new(prepared, &columns);
         let mut values = vec![0.0; columns.width];
         let mut count = 0;
-        while read_row(&mut records, &columns, &positions, &mut values)? {
+        while table.read_row(&columns, &positions, &mut values)? {
             if count == 0 {
-                check_drivers(prepared, &columns, &positions, &values, name)?;
+                check_drivers(prepared, &columns, &positions, &values, &mut table)?;
             }
             count += 1;
         }
         if count == 0 {
             return Err(TableError::of_file(name, TableFault::NoRows));
         }
-        let mut records = bytes.records()?;
-        header(prepared, &mut records, file)?;
+        let mut table = bytes.table()?;
+        table.header(prepared, file)?;
         let input = Input { path: name.to_owned(), sha256 };
-        Ok(Self { columns, positions, count, input, records })
+        Ok(Self { columns, positions, count, input, table })
     }
 
     /// The joints that its columns set.
@@ -88,7 +98,7 @@ impl Trajectory {
         let mut values = vec![0.0; count * width];
         for row in 0..count {
             let of_row = &mut values[row * width..][..width];
-            if !read_row(&mut self.records, &self.columns, &self.positions, of_row)? {
+            if !self.table.read_row(&self.columns, &self.positions, of_row)? {
                 values.truncate(row * width);
                 break;
             }
@@ -97,32 +107,75 @@ impl Trajectory {
     }
 }
 
-/// Reads the header.
-fn header(
-    prepared: &Prepared,
-    records: &mut Records<Text>,
-    file: &PositionFile,
-) -> Result<Columns, TableError> {
-    let path = records.path().to_owned();
-    if !records.read()? {
-        return Err(TableError::of_file(&path, TableFault::NoHeader));
+impl Table {
+    /// Reads the names of the columns.
+    fn header(&mut self, prepared: &Prepared, file: &PositionFile) -> Result<Columns, TableError> {
+        match self {
+            Table::Csv(records) => {
+                let path = records.path().to_owned();
+                if !records.read()? {
+                    return Err(TableError::of_file(&path, TableFault::NoHeader));
+                }
+                let names: Vec<String> = records.cells().map(str::to_owned).collect();
+                separated_by_commas(&names).map_err(|fault| records.fault(fault))?;
+                Columns::new(prepared, names, &file.ignore, |fault| records.fault(fault))
+            }
+            Table::Parquet(table) => {
+                let table = unlocked(table);
+                let names = table.names().to_vec();
+                let columns = Columns::new(prepared, names, &file.ignore, |fault| table.fault(fault))?;
+                table.choose(columns.chosen())?;
+                Ok(columns)
+            }
+        }
     }
-    Columns::new(prepared, &path, records.line, records.cells(), &file.ignore)
+
+    /// Reads the next row; false at the end.
+    fn read_row(
+        &mut self,
+        columns: &Columns,
+        positions: &Positions,
+        values: &mut [f64],
+    ) -> Result<bool, TableError> {
+        match self {
+            Table::Csv(records) => {
+                if !records.read()? {
+                    return Ok(false);
+                }
+                columns.read(records.cells(), values, |fault| records.fault(fault))?;
+                positions.check(values).map_err(|fault| records.fault(fault))?;
+            }
+            Table::Parquet(table) => {
+                let table = unlocked(table);
+                if !table.read()? {
+                    return Ok(false);
+                }
+                columns.take(table.numbers(), values, |fault| table.fault(fault))?;
+                positions.check(values).map_err(|fault| table.fault(fault))?;
+            }
+        }
+        Ok(true)
+    }
+
+    /// A fault of the last row, or of the header before the first.
+    fn fault(&mut self, fault: TableFault) -> TableError {
+        match self {
+            Table::Csv(records) => records.fault(fault),
+            Table::Parquet(table) => unlocked(table).fault(fault),
+        }
+    }
+
+    /// A fault of the names of the columns.
+    fn fault_of_names(&mut self, fault: TableFault) -> TableError {
+        match self {
+            Table::Csv(records) => TableError::at_line(records.path(), 1, fault),
+            Table::Parquet(table) => TableError { row: None, ..unlocked(table).fault(fault) },
+        }
+    }
 }
 
-/// Reads the next row; false at the end.
-fn read_row(
-    records: &mut Records<Text>,
-    columns: &Columns,
-    positions: &Positions,
-    values: &mut [f64],
-) -> Result<bool, TableError> {
-    if !records.read()? {
-        return Ok(false);
-    }
-    columns.read(records.cells(), values, |fault| records.fault(fault))?;
-    positions.check(values).map_err(|fault| records.fault(fault))?;
-    Ok(true)
+fn unlocked(table: &mut Mutex<ParquetTable>) -> &mut ParquetTable {
+    table.get_mut().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Whether the columns set all that drives the loops, and nothing that follows from them.
@@ -131,11 +184,11 @@ fn check_drivers(
     columns: &Columns,
     positions: &Positions,
     values: &[f64],
-    path: &str,
+    table: &mut Table,
 ) -> Result<(), TableError> {
     let mechanism = prepared.system.mechanism();
-    let at_header = |fault: TableFault| TableError::at_line(path, 1, fault);
-    let configuration = positions.set(values).map_err(at_header)?;
+    let mut at_header = |fault: TableFault| table.fault_of_names(fault);
+    let configuration = positions.set(values).map_err(&mut at_header)?;
     match prepared.system.pose(&configuration) {
         Ok(pose) => {
             let drivers = pose.loops().map_or(&[][..], |loops| &loops.drivers);
@@ -197,6 +250,11 @@ impl Positions {
     }
 }
 
+/// Whether the name of a file has this ending, in small or capital letters.
+fn ends_in(path: &str, kind: &str) -> bool {
+    Path::new(path).extension().is_some_and(|ending| ending.eq_ignore_ascii_case(kind))
+}
+
 /// Where the bytes of a file are.
 enum Bytes<'f> {
     Of(&'f str),
@@ -207,8 +265,7 @@ enum Bytes<'f> {
 impl<'f> Bytes<'f> {
     fn of(file: &'f PositionFile) -> Result<Self, TableError> {
         if file.path != "-" {
-            let csv = std::path::Path::new(&file.path).extension();
-            if !csv.is_some_and(|ending| ending.eq_ignore_ascii_case("csv")) {
+            if !["csv", "parquet"].iter().any(|kind| ends_in(&file.path, kind)) {
                 return Err(TableError::of_file(&file.path, TableFault::Kind));
             }
             return Ok(Bytes::Of(&file.path));
@@ -242,8 +299,19 @@ impl<'f> Bytes<'f> {
         })
     }
 
-    fn records(&self) -> Result<Records<Text>, TableError> {
-        Ok(Records::new(self.text()?, self.name()))
+    /// The table in them: Parquet where the file is named so, or what was read begins so.
+    fn table(&self) -> Result<Table, TableError> {
+        let stored = match self {
+            Bytes::Of(path) if ends_in(path, "parquet") => {
+                let file = File::open(path).map_err(|error| TableError::unreadable(path, &error))?;
+                Stored::File(Mutex::new(file))
+            }
+            Bytes::Kept(bytes) if bytes.starts_with(b"PAR1") => Stored::Kept(Arc::clone(bytes)),
+            Bytes::Of(_) | Bytes::Kept(_) => {
+                return Ok(Table::Csv(Records::new(self.text()?, self.name())));
+            }
+        };
+        Ok(Table::Parquet(Box::new(Mutex::new(ParquetTable::open(stored, self.name())?))))
     }
 
     fn sha256(&self) -> Result<String, TableError> {

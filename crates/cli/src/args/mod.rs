@@ -133,8 +133,8 @@ pub struct SweepArgs {
     )]
     pub vary: Vec<Vary>,
     /// A file of positions, row by row along a path: a column for each joint (JOINT[0], JOINT[1], … for several numbers),
-    /// a unit behind its name where it is not SI: "elbow [deg]". - reads the standard input, as CSV.
-    #[arg(long, value_name = "FILE.csv", conflicts_with_all = ["vary", "random"])]
+    /// a unit behind its name where it is not SI: "elbow [deg]". - reads the standard input.
+    #[arg(long, value_name = "FILE.csv|.parquet", conflicts_with_all = ["vary", "random"])]
     pub input: Option<String>,
     /// Leaves a column of --input out.
     #[arg(long, value_name = "COLUMN")]
@@ -146,7 +146,7 @@ pub struct SweepArgs {
     #[arg(long, value_name = "NUMBER")]
     pub seed: Option<u64>,
     /// The output file.
-    #[arg(long, short, value_name = "FILE.csv|.json|.jsonl|.svg|.png")]
+    #[arg(long, short, value_name = "FILE.csv|.parquet|.json|.jsonl|.svg|.png")]
     pub output: Option<String>,
     /// How many threads compute; by default as many as there are processors. No answer depends on it.
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]

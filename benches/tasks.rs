@@ -1,0 +1,228 @@
+//! Pieces of work that are timed, or whose instructions are counted: each prepared once, then run as often as wanted.
+
+use crate::{Subject, chain_urdf, double_wishbone, loaded, subjects};
+use percuss_dynamics::{
+    Batch, BatchAnswer, BatchPositions, Conditions, Contact, EffectiveMass, Pose, RouteChoice, System,
+};
+use percuss_mechanism::{
+    Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder,
+};
+use percuss_oracle::linkage;
+use percuss_oracle::linkage::Linkage;
+use percuss_spatial::lanes::Instructions;
+use percuss_spatial::{Matrix3, Vector3};
+use std::hint::black_box;
+
+/// A piece of work.
+pub struct Task {
+    /// Does it once.
+    pub run: Box<dyn FnMut()>,
+    /// How many units of it that is: configurations, or files.
+    pub units: usize,
+    /// How many bodies each goes through.
+    pub bodies: usize,
+}
+
+/// Configurations that are asked at once.
+const CONFIGURATIONS: usize = 256;
+
+/// The work of this name; `chain-N`, `chain-lanes-N`, `separate-N` and `ladder-N` have a size.
+///
+/// | name | one unit of it |
+/// |---|---|
+/// | `scalar` | m̄ of an arm of six hinges at a new configuration |
+/// | `workspace` | the same of a random tree of 30 bodies, by the general recursion |
+/// | `lanes` | the arm, in lanes of AVX2 (of the baseline without) |
+/// | `portable` | the same in lanes of the baseline, which every processor has |
+/// | `response` | the whole answer at a closed pose of the double wishbone, its error budget too |
+/// | `linkage` | m̄ of the double wishbone at a closed pose |
+/// | `step` | closing its loops 1 mrad from the last pose |
+/// | `load` | reading a URDF of 1,000 links |
+/// | `chain-N` | m̄ at the end of a chain of N hinges, a configuration by itself |
+/// | `chain-lanes-N` | the same in lanes |
+/// | `separate-N` | m̄ at one of N four-bars that stand beside one another |
+/// | `ladder-N` | m̄ at the middle of a ladder of N four-bars, one loop upon the other |
+pub fn task(name: &str) -> Option<Task> {
+    let avx2 = if Instructions::Avx2.is_available() { Instructions::Avx2 } else { Instructions::Baseline };
+    let arm = || subjects().swap_remove(0);
+    Some(match name {
+        "scalar" => scalar(arm()),
+        "workspace" => workspace(subjects().swap_remove(1)),
+        "lanes" => lanes(arm(), avx2),
+        "portable" => lanes(arm(), Instructions::Baseline),
+        "response" => response(),
+        "linkage" => closed(),
+        "step" => step(),
+        "load" => load(),
+        _ => {
+            let (kind, size) = name.rsplit_once('-')?;
+            let size = size.parse().ok().filter(|size| *size > 0)?;
+            match kind {
+                "chain" => scalar(chain(size)),
+                "chain-lanes" => lanes(chain(size), avx2),
+                "separate" => loops(linkage::separate(size), "coupler_1"),
+                "ladder" => loops(linkage::ladder(size), &format!("coupler_{}", size.div_ceil(2))),
+                _ => return None,
+            }
+        }
+    })
+}
+
+/// A chain of hinges about changing axes, struck at its end.
+fn chain(bodies: usize) -> Subject {
+    let mut builder = MechanismBuilder::new("chain").link(LinkDescription::massless("b0"));
+    for i in 1..=bodies {
+        let name = format!("b{i}");
+        let about_com = Matrix3::from_diagonal(&Vector3::new(0.001, 0.002, 0.0025));
+        let inertial = Inertial { mass: 1.25, com: Vector3::new(0.05, 0.01, -0.02), about_com };
+        let axis = [[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [0.6, 0.0, 0.8]][i % 3];
+        let hinge =
+            JointDescription::new(format!("j{i}"), JointKind::Continuous, format!("b{}", i - 1), &name);
+        builder =
+            builder.link(LinkDescription::new(name, inertial)).joint(hinge.axis(axis).at([0.1, 0.0, 0.02]));
+    }
+    let mechanism: Mechanism = builder.build().expect("a chain").mechanism;
+    let end = mechanism.find_link(&format!("b{bodies}")).expect("its end");
+    let contact = Contact::new(end, [0.05, -0.02, 0.03], [0.3, -0.5, 0.8]);
+    // Angles that leave a long chain stretched out: folded up at random, its end would be as light as a few links.
+    let angle = |c: usize, i: usize| 0.3 * ((c * 7919 + i * 104_729) % 1000) as f64 / 1000.0;
+    let row = |c: usize| (0..bodies).map(|i| angle(c, i)).collect();
+    let system = System::new(mechanism, &Conditions::new()).expect("default conditions fit");
+    let count = (1 << 21) / bodies;
+    Subject {
+        name: "chain",
+        system,
+        positions: (0..count.clamp(16, CONFIGURATIONS)).map(row).collect(),
+        contact,
+    }
+}
+
+fn batch(subject: &Subject) -> Batch {
+    subject.system.reference_or_open().batch(&subject.contact).expect("a contact that fits")
+}
+
+fn bodies(subject: &Subject) -> usize {
+    subject.system.mechanism().joints().len()
+}
+
+fn scalar(subject: Subject) -> Task {
+    let (mut batch, bodies) = (batch(&subject), bodies(&subject));
+    let units = subject.positions.len();
+    let run = move || {
+        for row in &subject.positions {
+            let answer = batch.effective_mass(black_box(row)).expect("positions that fit");
+            assert!(matches!(answer.mass, Some(EffectiveMass::Finite(m)) if m > 0.0));
+        }
+    };
+    Task { run: Box::new(run), units, bodies }
+}
+
+fn workspace(subject: Subject) -> Task {
+    let (mut workspace, bodies) = (subject.system.reference_or_open().workspace(), bodies(&subject));
+    let units = subject.positions.len();
+    let run = move || {
+        for row in &subject.positions {
+            workspace.set_positions(black_box(row)).expect("positions that fit");
+            _ = black_box(workspace.effective_mass(&subject.contact));
+        }
+    };
+    Task { run: Box::new(run), units, bodies }
+}
+
+fn lanes(subject: Subject, set: Instructions) -> Task {
+    let (batch, bodies) = (batch(&subject).with_instructions(set), bodies(&subject));
+    assert!(batch.has_lanes());
+    let units = subject.positions.len();
+    let width = subject.positions[0].len();
+    let columns: Vec<f64> =
+        (0..width).flat_map(|q| subject.positions.iter().map(move |row| row[q])).collect();
+    let mut answers = vec![BatchAnswer::NONE; units];
+    let run = move || {
+        let positions = BatchPositions::Columns { values: black_box(&columns), stride: units };
+        batch.run_here(positions, &mut answers).expect("positions that fit");
+        assert!(matches!(answers[0].mass, Some(EffectiveMass::Finite(m)) if m > 0.0));
+    };
+    Task { run: Box::new(run), units, bodies }
+}
+
+/// Poses of the double wishbone, 1 mrad apart, there and back.
+fn wishbone() -> (System, Contact, Vec<percuss_dynamics::Configuration>) {
+    let (system, contact, driver) = double_wishbone();
+    let steps = 100;
+    let at = |step: usize| {
+        let step = step as f64;
+        let angle = 1e-3 * (step - 2.0 * (step - f64::from(steps)).max(0.0) - f64::from(steps) / 2.0);
+        let mut configuration = system.configuration();
+        configuration.set(driver, &[angle]).expect("the lower arm drives");
+        configuration
+    };
+    let configurations = (0..2 * steps as usize).map(at).collect();
+    (system, contact, configurations)
+}
+
+fn poses(system: &System, configurations: &[percuss_dynamics::Configuration]) -> Vec<Pose> {
+    let mut poses = vec![system.pose(&configurations[0]).expect("the start is in reach")];
+    for configuration in &configurations[1..] {
+        let last = poses.last().expect("there is one");
+        poses.push(system.pose_from(last, configuration).expect("the range is in reach"));
+    }
+    poses
+}
+
+fn response() -> Task {
+    let (system, contact, configurations) = wishbone();
+    let poses = poses(&system, &configurations);
+    let (units, bodies) = (poses.len(), system.mechanism().joints().len());
+    let run = move || {
+        for pose in &poses {
+            _ = black_box(black_box(pose).respond(&contact, RouteChoice::Auto).expect("a contact"));
+        }
+    };
+    Task { run: Box::new(run), units, bodies }
+}
+
+fn closed() -> Task {
+    let (system, contact, configurations) = wishbone();
+    let rows: Vec<Vec<f64>> =
+        poses(&system, &configurations).iter().map(|pose| pose.positions().to_vec()).collect();
+    let mut batch = system.reference_or_open().batch(&contact).expect("a contact that fits");
+    let (units, bodies) = (rows.len(), system.mechanism().joints().len());
+    let run = move || {
+        for row in &rows {
+            _ = black_box(batch.effective_mass(black_box(row)).expect("positions that fit"));
+        }
+    };
+    Task { run: Box::new(run), units, bodies }
+}
+
+fn step() -> Task {
+    let (system, _, configurations) = wishbone();
+    let mut pose = system.pose(&configurations[0]).expect("the start is in reach");
+    let (units, bodies) = (configurations.len(), system.mechanism().joints().len());
+    let run = move || {
+        for configuration in &configurations {
+            pose = system.pose_from(&pose, black_box(configuration)).expect("the range is in reach");
+        }
+    };
+    Task { run: Box::new(run), units, bodies }
+}
+
+fn load() -> Task {
+    let text = chain_urdf(1000);
+    Task { run: Box::new(move || _ = black_box(loaded(black_box(&text)))), units: 1, bodies: 1000 }
+}
+
+fn loops(linkage: Linkage, struck: &str) -> Task {
+    let row = linkage.closed_start().concat();
+    let system = System::new(linkage.mechanism, &Conditions::new()).expect("default conditions fit");
+    let link = system.mechanism().find_link(struck).expect("a coupler");
+    let contact = Contact::new(link, [0.35, 0.1, 0.0], [0.2, 0.9, 0.1]);
+    let mut workspace = system.reference().expect("it closes").workspace();
+    let bodies = system.mechanism().joints().len();
+    let run = move || {
+        workspace.set_positions(black_box(&row)).expect("positions that fit");
+        let mass = workspace.effective_mass(&contact).expect("an answer");
+        assert!(matches!(mass, EffectiveMass::Finite(m) if m > 0.0), "{mass:?}");
+    };
+    Task { run: Box::new(run), units: 1, bodies }
+}

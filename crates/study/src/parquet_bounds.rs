@@ -1,0 +1,257 @@
+//! What the headers of a Parquet file may ask for. They are records in Thrift's compact protocol (apache/thrift,
+//! doc/specs/thrift-compact-protocol.md; apache/parquet-format, parquet.thrift): each is gone through here, without keeping
+//! anything, before the reader allocates what it states.
+
+use crate::thresholds::{DEEPEST_COLUMN, MOST_IN_A_LIST};
+
+/// Structures within structures: those of Parquet nest six deep.
+const DEEPEST: usize = 16;
+
+/// Why a header is not one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Fault {
+    /// The bytes end within it.
+    Ended,
+    /// What is wrong with it.
+    Wrong(&'static str),
+}
+
+/// What a page is said to be.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct PageBounds {
+    /// Bytes in the file.
+    pub compressed: u64,
+    /// Bytes to be made of them.
+    pub uncompressed: u64,
+}
+
+/// Something met on the way through a header; its path is that of the fields it lies in, lists aside.
+enum Met {
+    Structure,
+    Number(i64),
+}
+
+/// Checks the header of a page that these bytes begin with.
+pub(crate) fn page(bytes: &[u8]) -> Result<PageBounds, Fault> {
+    let (mut page, mut entries, mut levels) = (PageBounds::default(), 0, 0);
+    let mut visit = |path: &[i16], met: Met| {
+        let Met::Number(number) = met else { return Ok(()) };
+        // Fields 1 to 3: kind, sizes; 4: a check sum; 5, 7 and 8: the headers of kinds of pages.
+        if matches!(path, [1..=3] | [5 | 7 | 8, _]) && !(0..=i64::from(i32::MAX / 2)).contains(&number) {
+            return Err(Fault::Wrong("a page's header has a number that is out of range"));
+        }
+        let number = u64::try_from(number).unwrap_or_default();
+        match path {
+            [2] => page.uncompressed = number,
+            [3] => page.compressed = number,
+            [7, 1] => entries = number,
+            [8, 5 | 6] => levels += number,
+            _ => {}
+        }
+        Ok(())
+    };
+    Compact { rest: bytes }.structure(&mut Vec::new(), &mut visit)?;
+    // No number takes less than four bytes.
+    if 4 * entries > page.uncompressed {
+        return Err(Fault::Wrong("a dictionary is shorter than the number of its entries"));
+    }
+    if levels > page.uncompressed {
+        return Err(Fault::Wrong("a page is shorter than its levels"));
+    }
+    Ok(page)
+}
+
+/// How many numbers a page of differences states (DELTA_BINARY_PACKED): after the size of a block and the number of its parts.
+pub(crate) fn differences(bytes: &[u8]) -> u64 {
+    let mut head = Compact { rest: bytes };
+    let third = head.number().and_then(|_| head.number()).and_then(|_| head.number());
+    third.unwrap_or(0)
+}
+
+/// Checks the description of a file, which its footer holds.
+pub(crate) fn description(bytes: &[u8]) -> Result<(), Fault> {
+    let mut children: Vec<i64> = Vec::new();
+    let mut visit = |path: &[i16], met: Met| {
+        match (path, met) {
+            // The columns, depth first; each with the number of those it holds.
+            ([2], Met::Structure) => children.push(0),
+            ([2, 5], Met::Number(number)) => {
+                if let Some(of_last) = children.last_mut() {
+                    *of_last = number;
+                }
+            }
+            // Where row groups hold bytes: offsets and sizes.
+            ([4, 1, 3, 5..=7 | 9 | 11] | [4, 3], Met::Number(number)) if number < 0 => {
+                return Err(Fault::Wrong("a column has a negative size or place"));
+            }
+            _ => {}
+        }
+        Ok(())
+    };
+    Compact { rest: bytes }.structure(&mut Vec::new(), &mut visit)?;
+    nesting(&children)
+}
+
+/// Whether columns that hold so many each, depth first, are a tree that is not too deep.
+fn nesting(children: &[i64]) -> Result<(), Fault> {
+    const NO_TREE: Fault = Fault::Wrong("its columns do not fit into one another");
+    let mut open: Vec<i64> = Vec::new();
+    for (at, &count) in children.iter().enumerate() {
+        match open.last_mut() {
+            Some(left) => *left -= 1,
+            None if at > 0 => return Err(NO_TREE),
+            None => {}
+        }
+        if !(0..children.len() as i64).contains(&count) {
+            return Err(NO_TREE);
+        }
+        if count > 0 {
+            open.push(count);
+        }
+        while open.last() == Some(&0) {
+            open.pop();
+        }
+        if open.len() > DEEPEST_COLUMN {
+            return Err(Fault::Wrong("its columns are nested too deep"));
+        }
+    }
+    if open.is_empty() { Ok(()) } else { Err(NO_TREE) }
+}
+
+/// Bytes in the compact protocol.
+struct Compact<'b> {
+    rest: &'b [u8],
+}
+
+type Visit<'v> = dyn FnMut(&[i16], Met) -> Result<(), Fault> + 'v;
+
+impl Compact<'_> {
+    fn byte(&mut self) -> Result<u8, Fault> {
+        let (first, rest) = self.rest.split_first().ok_or(Fault::Ended)?;
+        self.rest = rest;
+        Ok(*first)
+    }
+
+    fn skip(&mut self, bytes: u64) -> Result<(), Fault> {
+        let rest = usize::try_from(bytes).ok().and_then(|bytes| self.rest.get(bytes..));
+        self.rest = rest.ok_or(Fault::Ended)?;
+        Ok(())
+    }
+
+    /// A number, seven bits a byte.
+    fn number(&mut self) -> Result<u64, Fault> {
+        let mut number = 0;
+        for shift in (0..64).step_by(7) {
+            let byte = self.byte()?;
+            number |= u64::from(byte & 0x7f) << shift;
+            if byte < 0x80 {
+                return Ok(number);
+            }
+        }
+        Err(Fault::Wrong("a number has too many digits"))
+    }
+
+    /// A number with a sign: 0, -1, 1, -2, …
+    fn signed(&mut self) -> Result<i64, Fault> {
+        let number = self.number()?;
+        Ok((number >> 1).cast_signed() ^ -(number & 1).cast_signed())
+    }
+
+    fn structure(&mut self, path: &mut Vec<i16>, visit: &mut Visit<'_>) -> Result<(), Fault> {
+        if path.len() >= DEEPEST {
+            return Err(Fault::Wrong("its structures are nested too deep"));
+        }
+        visit(path, Met::Structure)?;
+        let mut last = 0_i64;
+        loop {
+            let head = self.byte()?;
+            if head == 0 {
+                return Ok(());
+            }
+            let id = match head >> 4 {
+                0 => self.signed()?,
+                step => last + i64::from(step),
+            };
+            // Writers follow the order of the definition, and a field that comes twice would be counted once.
+            let field = i16::try_from(id).ok().filter(|id| i64::from(*id) > last);
+            let field = field.ok_or(Fault::Wrong("its fields are out of order"))?;
+            last = id;
+            path.push(field);
+            // The kind of a field is its value where that is true or false.
+            if !matches!(head & 0x0f, 1 | 2) {
+                self.value(head & 0x0f, path, visit)?;
+            }
+            path.pop();
+        }
+    }
+
+    fn value(&mut self, kind: u8, path: &mut Vec<i16>, visit: &mut Visit<'_>) -> Result<(), Fault> {
+        match kind {
+            1..=3 => self.skip(1),
+            4..=6 => {
+                let number = self.signed()?;
+                visit(path, Met::Number(number))
+            }
+            7 => self.skip(8),
+            8 => {
+                let length = self.number()?;
+                self.skip(length)
+            }
+            9 | 10 => {
+                let head = self.byte()?;
+                let length = if head >> 4 == 15 { self.number()? } else { u64::from(head >> 4) };
+                if length > MOST_IN_A_LIST {
+                    return Err(Fault::Wrong("it has more columns, or groups of rows, than are read"));
+                }
+                (0..length).try_for_each(|_| self.value(head & 0x0f, path, visit))
+            }
+            12 => self.structure(path, visit),
+            13 => self.skip(16),
+            _ => Err(Fault::Wrong("it has a field of no known kind")),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A page's header: data, 80 bytes of which 40 are in the file, ten values of encoding 0.
+    const PAGE: [u8; 16] = [0x15, 0, 0x15, 160, 1, 0x15, 80, 0x2c, 0x15, 20, 0x15, 0, 0x15, 6, 0, 0];
+
+    #[test]
+    fn sizes_are_read() {
+        assert_eq!(page(&PAGE), Ok(PageBounds { compressed: 40, uncompressed: 80 }));
+        for end in 0..PAGE.len() {
+            assert_eq!(page(&PAGE[..end]), Err(Fault::Ended), "{end}");
+        }
+    }
+
+    #[test]
+    fn what_is_out_of_bounds_is_refused() {
+        // Field 2 again, with its number written out.
+        let twice = [0x15, 0, 0x15, 2, 0x05, 4, 2, 0];
+        assert_eq!(page(&twice), Err(Fault::Wrong("its fields are out of order")));
+        let negative = [0x15, 0, 0x15, 1, 0];
+        assert!(matches!(page(&negative), Err(Fault::Wrong(why)) if why.contains("out of range")));
+        // A dictionary of a hundred entries in eight bytes.
+        let dictionary = [0x15, 4, 0x15, 16, 0x15, 16, 0x4c, 0x15, 200, 1, 0, 0];
+        assert!(matches!(page(&dictionary), Err(Fault::Wrong(why)) if why.contains("entries")));
+        let deep = [0x1c; 64];
+        assert_eq!(page(&deep), Err(Fault::Wrong("its structures are nested too deep")));
+        let long = [0x29, 0xfc, 0xff, 0xff, 0xff, 0x7f];
+        assert!(matches!(description(&long), Err(Fault::Wrong(why)) if why.contains("more columns")));
+    }
+
+    #[test]
+    fn columns_are_a_tree() {
+        assert_eq!(nesting(&[2, 0, 1, 0]), Ok(()));
+        assert_eq!(nesting(&[]), Ok(()));
+        for wrong in [&[2, 0][..], &[1, 0, 0], &[-1], &[3, 0, 0], &[i64::MAX, 0]] {
+            assert!(nesting(wrong).is_err(), "{wrong:?}");
+        }
+        let mut deep = vec![1; 1000];
+        deep.push(0);
+        assert_eq!(nesting(&deep), Err(Fault::Wrong("its columns are nested too deep")));
+    }
+}
