@@ -23,3 +23,6 @@ pub(crate) const MOST_CHARACTERS: usize = 240;
 pub(crate) const MOST_MARK_ROWS: usize = 4;
 /// Marks of a figure that are drawn: more than one for two units of the page's width cannot be distinguished.
 pub(crate) const MOST_MARKS: usize = 400;
+/// Values over a surface have a logarithmic scale where the largest is more than so many times the least: on an even one, half
+/// of the colours would be left to less than a decade.
+pub(crate) const LOGARITHMIC: f64 = 20.0;

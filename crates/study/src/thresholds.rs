@@ -68,3 +68,14 @@ pub(crate) const PROBABLE: usize = 16;
 pub(crate) const UNRELATED: usize = 10_000;
 /// A value this close to an end (relative, and absolutely below 1) may be the end itself, found to rounding.
 pub(crate) const AT_END: f64 = 1e-9;
+
+// Maps.
+
+/// Edges of facets across a link where none is asked for: a picture of 400 pixels shows them.
+pub(crate) const EDGES_ACROSS: f64 = 60.0;
+/// Facets of a map at most: 2 GB.
+pub(crate) const FACETS: usize = 8_000_000;
+/// Shortest edge that can be asked for, m.
+pub(crate) const LEAST_EDGE: f64 = 1e-6;
+/// Directions at a point: fewest and most.
+pub(crate) const DIRECTIONS: std::ops::RangeInclusive<usize> = 1..=1_000_000;
