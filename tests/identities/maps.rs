@@ -60,20 +60,32 @@ struct Filled {
 
 fn filled(map: &ContactMap<'_>, columns: &Columns) -> Filled {
     let count = columns.points[0].len();
-    let mut filled =
-        Filled { masses: vec![0.0; count], errors: vec![0.0; count], statuses: vec![ContactStatus::Finite; count] };
+    let mut filled = Filled {
+        masses: vec![0.0; count],
+        errors: vec![0.0; count],
+        statuses: vec![ContactStatus::Finite; count],
+    };
     let mut answers =
         MapAnswers { masses: &mut filled.masses, errors: &mut filled.errors, statuses: &mut filled.statuses };
     map.fill_answers(columns.contacts(), &mut answers).expect("columns of one length");
     filled
 }
 
-fn compare(name: &str, pose: &Pose, link: LinkId, against: Option<LinkId>, columns: &Columns, map: &ContactMap<'_>, counts: &mut Counts) {
+fn compare(
+    name: &str,
+    pose: &Pose,
+    link: LinkId,
+    against: Option<LinkId>,
+    columns: &Columns,
+    map: &ContactMap<'_>,
+    counts: &mut Counts,
+) {
     let Filled { masses, errors, statuses } = filled(map, columns);
     for i in 0..masses.len() {
         let (point, normal) = columns.at(i);
         let contact = Contact { against, ..Contact::new(link, point, normal) };
-        let name = || format!("{name}: contact {i}, {point:?} {normal:?}, by inertia {}", map.is_by_inertia());
+        let name =
+            || format!("{name}: contact {i}, {point:?} {normal:?}, by inertia {}", map.is_by_inertia());
         let Ok(response) = pose.respond(&contact, RouteChoice::Auto) else {
             assert_eq!(statuses[i], ContactStatus::Unanswered, "{}", name());
             continue;
@@ -84,7 +96,12 @@ fn compare(name: &str, pose: &Pose, link: LinkId, against: Option<LinkId>, colum
                 assert_eq!(statuses[i], ContactStatus::Finite, "{}: {m} kg", name());
                 let own = if errors[i].is_finite() { errors[i] * masses[i] } else { m };
                 let allowed = own + known.unwrap_or(m);
-                assert!((masses[i] - m).abs() <= allowed, "{}: {} {m}, allowed {allowed:e}", name(), masses[i]);
+                assert!(
+                    (masses[i] - m).abs() <= allowed,
+                    "{}: {} {m}, allowed {allowed:e}",
+                    name(),
+                    masses[i]
+                );
                 let digits = if errors[i] < 1e-11 { "finite to 1e-11" } else { "finite" };
                 *counts.entry(digits).or_default() += 1;
             }
@@ -227,7 +244,9 @@ fn principal_masses_make_the_mass_in_every_direction() {
                 assert!(a.direction.dot(&b.direction).abs() < 1e-9, "{}", subject.name);
             }
         }
-        let Some(inverses) = principal.iter().map(|p| inverse(p.mass)).collect::<Option<Vec<f64>>>() else { continue };
+        let Some(inverses) = principal.iter().map(|p| inverse(p.mass)).collect::<Option<Vec<f64>>>() else {
+            continue;
+        };
         assert!(inverses.windows(2).all(|w| w[0] >= w[1] * (1.0 - 1e-9)), "{}: {inverses:?}", subject.name);
         for _ in 0..10 {
             let normal = Vector3::new(side(), side(), side()).normalize();

@@ -6,17 +6,18 @@ use crate::map_files::{self, MapFormat};
 use crate::output::Output;
 use crate::report::{note, write_diagnostics, write_json, write_out};
 use crate::sweep::use_threads;
-use crate::text::{Table, number, triple};
-use percuss_study::{
-    DirectionMass, Extreme, LinkMap, MapAnswer, MapReport, PointMapReport, map, map_point,
-};
+use crate::text::{Table, number, short, triple};
+use percuss_study::{DirectionMass, Extreme, LinkMap, MapAnswer, MapReport, PointMapReport, map, map_point};
 use std::fmt::Write;
 
 /// Runs the command.
 pub fn run(args: &MapArgs) -> Result<(), Failure> {
     args.check()?;
-    let formats =
-        args.output.iter().map(|path| Ok((path, MapFormat::of(path)?))).collect::<Result<Vec<_>, Failure>>()?;
+    let formats = args
+        .output
+        .iter()
+        .map(|path| Ok((path, MapFormat::of(path)?)))
+        .collect::<Result<Vec<_>, Failure>>()?;
     use_threads(args.threads);
     let model = args.model.load()?;
     if let Some(count) = args.directions {
@@ -60,7 +61,8 @@ pub fn run(args: &MapArgs) -> Result<(), Failure> {
 
 fn text(answer: &MapAnswer) -> String {
     let report = &answer.report;
-    let mut table = Table::new(["link", "contacts", "smallest", "at (m)", "largest", "at (m)", "area mean", "other"]);
+    let mut table =
+        Table::new(["link", "contacts", "smallest", "at (m)", "largest", "at (m)", "area mean", "other"]);
     for link in &report.links {
         let mass = |e: &Option<Extreme>| {
             e.as_ref().map_or_else(|| "–".into(), |e| format!("{} kg", short(e.effective_mass)))
@@ -96,11 +98,8 @@ fn text(answer: &MapAnswer) -> String {
 
 /// Contacts without a mass.
 fn others(link: &LinkMap) -> String {
-    let counts = [
-        (link.immovable, "immovable"),
-        (link.massless, "massless"),
-        (link.unanswered, "without an answer"),
-    ];
+    let counts =
+        [(link.immovable, "immovable"), (link.massless, "massless"), (link.unanswered, "without an answer")];
     let some = counts.into_iter().filter(|(count, _)| *count > 0);
     some.map(|(count, what)| format!("{count} {what}")).collect::<Vec<_>>().join(", ")
 }
@@ -109,26 +108,30 @@ fn others(link: &LinkMap) -> String {
 fn windings(report: &MapReport) -> String {
     let mut out = String::new();
     for link in &report.links {
-        let Some(o) = link.orientation.as_ref().filter(|o| o.turned + o.open + o.conflicting > 0) else { continue };
+        let Some(o) = link.orientation.as_ref().filter(|o| o.turned + o.open + o.conflicting > 0) else {
+            continue;
+        };
         let mut done = Vec::new();
         if o.turned > 0 {
             done.push(format!("{} triangles were turned over", o.turned));
         }
         if o.open > 0 {
-            done.push(format!("{} of {} pieces are open, turned away from the mesh's centre", o.open, o.pieces));
+            done.push(format!(
+                "{} of {} pieces are open, turned away from the mesh's centre",
+                o.open, o.pieces
+            ));
         }
         if o.conflicting > 0 {
             done.push(format!("{} pieces cannot be turned alike", o.conflicting));
         }
-        let _ = writeln!(out, "{}: {}; the sign of a normal does not change the mass.", link.link, done.join("; "));
+        let _ = writeln!(
+            out,
+            "{}: {}; the sign of a normal does not change the mass.",
+            link.link,
+            done.join("; ")
+        );
     }
     out
-}
-
-/// Five digits.
-pub fn short(x: f64) -> String {
-    let rounded: f64 = format!("{x:.4e}").parse().unwrap_or(x);
-    number(rounded)
 }
 
 /// To a tenth of a millimetre.
@@ -138,12 +141,22 @@ fn rounded(p: &[f64; 3]) -> String {
 
 fn point_text(report: &PointMapReport) -> String {
     let mut out = String::new();
-    let _ = writeln!(out, "{:<20} {} at {} m, in its own frame", "point", report.link, triple(&report.point_link));
+    let _ = writeln!(
+        out,
+        "{:<20} {} at {} m, in its own frame",
+        "point",
+        report.link,
+        triple(&report.point_link)
+    );
     let _ = writeln!(out, "{:<20} {} m", "in the world", triple(&report.point_world));
     out += "\nprincipal effective masses (the belted ellipsoid)\n";
     let mut table = Table::new(["  mass", "direction (link)", "direction (world)"]);
     for p in &report.principal {
-        table.row([format!("  {}", mass(p)), triple(&p.direction_link.map(tidy)), triple(&p.direction_world.map(tidy))]);
+        table.row([
+            format!("  {}", mass(p)),
+            triple(&p.direction_link.map(tidy)),
+            triple(&p.direction_world.map(tidy)),
+        ]);
     }
     out += &table.to_string();
     if report.principal.is_empty() {
@@ -158,7 +171,12 @@ fn point_text(report: &PointMapReport) -> String {
     let _ = writeln!(out, "\n{:<20} {} evenly over the sphere", "directions", report.directions.len());
     for (name, found) in [("smallest of them", least), ("largest of them", most)] {
         if let Some((m, d)) = found {
-            let _ = writeln!(out, "{name:<20} {} kg along {} (link)", number(m), triple(&d.direction_link.map(tidy)));
+            let _ = writeln!(
+                out,
+                "{name:<20} {} kg along {} (link)",
+                number(m),
+                triple(&d.direction_link.map(tidy))
+            );
         }
     }
     out + "\n1/m = n·Λ⁻¹n over unit normals n; the principal directions are the axes of Λ⁻¹. See docs/MAPS.md.\n"

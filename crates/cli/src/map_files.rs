@@ -3,6 +3,7 @@
 use crate::csv;
 use crate::failure::Failure;
 use crate::output::Output;
+use crate::text::short;
 use percuss_dynamics::ContactStatus;
 use percuss_render::{Skin, SkinFacet, SkinMark, SkinPiece};
 use percuss_study::{DirectionMass, Extreme, MapAnswer, PointMapReport};
@@ -124,7 +125,8 @@ pub fn point_csv(report: &PointMapReport, out: &mut impl Write) -> io::Result<()
     writeln!(out, "kind,x,y,z,world_x,world_y,world_z,status,effective_mass,effective_mass_error")?;
     let principal = report.principal.iter().map(|d| ("principal", d));
     for (kind, d) in principal.chain(report.directions.iter().map(|d| ("direction", d))) {
-        let DirectionMass { direction_link, direction_world, status, effective_mass, effective_mass_error } = d;
+        let DirectionMass { direction_link, direction_world, status, effective_mass, effective_mass_error } =
+            d;
         let mut cells = vec![kind.to_owned()];
         cells.extend(direction_link.iter().chain(direction_world).map(|x| csv::number(*x)));
         cells.extend([(*status).to_owned(), csv::cell(*effective_mass), csv::cell(*effective_mass_error)]);
@@ -163,7 +165,7 @@ fn skin(answer: &MapAnswer) -> Skin {
     };
     let mark = |name: &str, e: &Extreme| SkinMark {
         at: e.point_world,
-        label: format!("{name} {} kg", crate::map::short(e.effective_mass)),
+        label: format!("{name} {} kg", short(e.effective_mass)),
     };
     let smallest = extreme(|l| l.smallest.as_ref(), 1.0).map(|e| mark("smallest", e));
     let largest = extreme(|l| l.largest.as_ref(), -1.0).map(|e| mark("largest", e));

@@ -179,10 +179,7 @@ impl ContactMap<'_> {
     pub fn effective_mass(&self, point: &Vector3<f64>, normal: &Vector3<f64>) -> BatchAnswer {
         let (mut mass, mut error, mut status) = ([0.0], [0.0], [ContactStatus::Finite]);
         let (p, n) = (point, normal);
-        let contacts = ContactColumns {
-            points: [&[p.x], &[p.y], &[p.z]],
-            normals: [&[n.x], &[n.y], &[n.z]],
-        };
+        let contacts = ContactColumns { points: [&[p.x], &[p.y], &[p.z]], normals: [&[n.x], &[n.y], &[n.z]] };
         let mut answers = MapAnswers { masses: &mut mass, errors: &mut error, statuses: &mut status };
         // Columns of one number each.
         let _ = self.fill_answers(contacts, &mut answers);
@@ -208,7 +205,9 @@ impl ContactMap<'_> {
         let strength = free_part.trace();
         let matrix = self.inverse_mass(point);
         // Directions that motions without mass answer come first; m̄ is stationary among the rest.
-        let massless = if strength > MASSLESS_CLOSING { SymmetricEigen::new(free_part) } else {
+        let massless = if strength > MASSLESS_CLOSING {
+            SymmetricEigen::new(free_part)
+        } else {
             SymmetricEigen::new(Matrix3::zeros())
         };
         let mut directions: Vec<(Vector3<f64>, bool)> = Vec::with_capacity(3);
@@ -238,7 +237,8 @@ impl ContactMap<'_> {
         let mut principal = Vec::with_capacity(3);
         for (direction, _) in directions {
             // The sign with its largest component above zero.
-            let largest = direction.iter().copied().fold(0.0, |m: f64, x| if x.abs() > m.abs() { x } else { m });
+            let largest =
+                direction.iter().copied().fold(0.0, |m: f64, x| if x.abs() > m.abs() { x } else { m });
             let direction = if largest < 0.0 { -direction } else { direction };
             let answer = self.effective_mass(point, &direction);
             principal.push(PrincipalMass { mass: answer.mass?, error: answer.error, direction });

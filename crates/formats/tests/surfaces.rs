@@ -38,12 +38,7 @@ fn primitives_have_their_area_and_volume() {
     let cases = [
         (Solid::Box { size: [0.3, 0.2, 0.1] }, 0.22, 0.006, 1e-12),
         (Solid::Sphere { radius: r }, 4.0 * PI * r * r, 4.0 / 3.0 * PI * r.powi(3), 2e-3),
-        (
-            Solid::Cylinder { radius: r, length: l },
-            2.0 * PI * r * l + 2.0 * PI * r * r,
-            PI * r * r * l,
-            2e-3,
-        ),
+        (Solid::Cylinder { radius: r, length: l }, 2.0 * PI * r * l + 2.0 * PI * r * r, PI * r * r * l, 2e-3),
         (
             Solid::Capsule { radius: r, length: l },
             2.0 * PI * r * l + 4.0 * PI * r * r,
@@ -164,7 +159,10 @@ fn every_format_gives_the_same_box() {
         let expected = 2.0 * (x * y + y * z + z * x);
         // Positions of STL have 24 bits.
         assert!((area / expected - 1.0).abs() < 1e-6, "{name}: {area} {expected}");
-        assert!((volume / (x * y * z) - 1.0).abs() < 1e-6, "{name}: {volume}, a mirrored mesh is turned outward");
+        assert!(
+            (volume / (x * y * z) - 1.0).abs() < 1e-6,
+            "{name}: {volume}, a mirrored mesh is turned outward"
+        );
         assert!(normal.norm() < 1e-6, "{name}");
         let done = surface.orientation();
         assert_eq!((done.pieces, done.turned, done.open), (1, 12, 0), "{name}");
@@ -188,7 +186,12 @@ fn bad_meshes_are_refused_with_what_is_wrong() {
         </visual_scene></library_visual_scenes></COLLADA>"##;
     // Each node shows the next one twice: 2^60 nodes.
     let nodes: String = (0..60)
-        .map(|i| format!(r##"<node id="n{i}"><instance_node url="#n{0}"/><instance_node url="#n{0}"/></node>"##, i + 1))
+        .map(|i| {
+            format!(
+                r##"<node id="n{i}"><instance_node url="#n{0}"/><instance_node url="#n{0}"/></node>"##,
+                i + 1
+            )
+        })
         .collect();
     let bomb = format!(
         r##"<COLLADA><library_nodes>{nodes}<node id="n60"/></library_nodes><library_visual_scenes><visual_scene id="v"><node>
@@ -241,7 +244,11 @@ fn damaged_meshes_are_read_or_refused() {
         for k in 0..60 {
             let mut damaged = bytes.clone();
             let at = k * bytes.len() / 60;
-            if k % 2 == 0 { damaged.truncate(at) } else { damaged[at] ^= 0x15 }
+            if k % 2 == 0 {
+                damaged.truncate(at)
+            } else {
+                damaged[at] ^= 0x15
+            }
             fs::write(folder.join(name), damaged).expect("written");
             refused += usize::from(read_mesh(&folder.join(name), 1 << 20).is_err());
         }
@@ -265,8 +272,10 @@ fn packages_are_found_as_their_users_expect() {
     let plain = put("ws/my_robot/urdf/d.stl");
     let held = put("share/held/e.stl");
     put("ws/my_robot/urdf/robot.urdf");
-    let mut folders =
-        MeshFolders::of_model(&folder.join("ws/my_robot/urdf/robot.urdf"), vec![("given".into(), folder.join("elsewhere"))]);
+    let mut folders = MeshFolders::of_model(
+        &folder.join("ws/my_robot/urdf/robot.urdf"),
+        vec![("given".into(), folder.join("elsewhere"))],
+    );
     folders.holders.push(folder.join("share"));
     let find = |file: &str| folders.find(file).map(|p| fs::canonicalize(p).expect("there"));
     assert_eq!(find("package://my_robot/meshes/a.stl"), Ok(above.clone()));
@@ -289,7 +298,8 @@ fn shapes_of_a_urdf_are_kept() {
         <collision><geometry><box size="1 2 3"/></geometry></collision>
         <collision><geometry><sphere radius="x"/></geometry></collision></link><link name="b"/>
         <joint name="j" type="fixed"><parent link="a"/><child link="b"/></joint></robot>"#;
-    let loaded = load(&Source::from_text("r.urdf", text), &LoadOptions::default()).expect("good but for a shape");
+    let loaded =
+        load(&Source::from_text("r.urdf", text), &LoadOptions::default()).expect("good but for a shape");
     let [a, b] = &loaded.shapes[..] else { panic!("two links") };
     assert!(b.is_empty());
     assert_eq!(a.len(), 2, "the sphere without a radius is left out, with the reader's warning");

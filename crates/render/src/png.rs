@@ -6,7 +6,8 @@ use crate::palette::{Colour, PAPER};
 use crate::scene::{Anchor, Item, Point, Scene, Stroke, Text};
 use thiserror::Error;
 use tiny_skia::{
-    FillRule, FilterQuality, LineJoin, Paint, Path, PathBuilder, Pixmap, PixmapPaint, Rect, Stroke as SkiaStroke, StrokeDash, Transform,
+    FillRule, FilterQuality, LineJoin, Paint, Path, PathBuilder, Pixmap, PixmapPaint, Rect,
+    Stroke as SkiaStroke, StrokeDash, Transform,
 };
 use ttf_parser::{GlyphId, OutlineBuilder};
 

@@ -3,7 +3,9 @@
 use crate::field::{Field, Names, about_assembly};
 use crate::quantity::QuantityError;
 use crate::table_error::TableError;
-use crate::thresholds::{DIRECTIONS, GRID_ROWS, LEAST_EDGE, LARGEST_COORDINATE, LEAST_OTHER_MASS, ROWS, SHORTEST_DIRECTION};
+use crate::thresholds::{
+    DIRECTIONS, GRID_ROWS, LARGEST_COORDINATE, LEAST_EDGE, LEAST_OTHER_MASS, ROWS, SHORTEST_DIRECTION,
+};
 use percuss_contact::ContactLawError;
 use percuss_contact::exports::ExportError;
 use percuss_dynamics::{

@@ -39,9 +39,8 @@ pub fn map(model: &Model, question: &MapQuestion) -> Result<MapAnswer, StudyErro
     if let Some(edge) = question.edge.filter(|e| !(e.is_finite() && *e >= LEAST_EDGE)) {
         return Err(StudyError::input(Field::Edge, Fault::Edge { edge }));
     }
-    let find = |name: &String| {
-        mechanism.find_link(name).map_err(|error| StudyError::input(Field::Link, error))
-    };
+    let find =
+        |name: &String| mechanism.find_link(name).map_err(|error| StudyError::input(Field::Link, error));
     let links: Vec<LinkId> = match &question.links {
         MapLinks::Named(names) => names.iter().map(find).collect::<Result<_, _>>()?,
         MapLinks::All => mechanism.link_ids().collect(),
@@ -81,11 +80,7 @@ pub fn map(model: &Model, question: &MapQuestion) -> Result<MapAnswer, StudyErro
     if rank.singular {
         let message = "branches cross at this pose: every effective mass is a lower bound here, and the limits along the \
                        branches may be far above; move off the pose, or ask percuss mass for the limits";
-        diagnostics.push(DiagnosticRecord::about_answer(
-            Severity::Warning,
-            "singular-pose",
-            message.into(),
-        ));
+        diagnostics.push(DiagnosticRecord::about_answer(Severity::Warning, "singular-pose", message.into()));
     }
     let report = MapReport {
         schema: "percuss.map/1",
@@ -219,9 +214,8 @@ fn summary(skin: &SkinFacets, purpose: Purpose, orientation: Option<OrientationR
     let finite = || (0..skin.facets.len()).filter_map(|i| Some((i, skin.mass(i)?)));
     let smallest = finite().min_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| extreme(skin, i));
     let largest = finite().max_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| extreme(skin, i));
-    let (weighted, area) = finite().fold((0.0, 0.0), |(sum, area), (i, m)| {
-        (sum + m * skin.facets[i].area, area + skin.facets[i].area)
-    });
+    let (weighted, area) = finite()
+        .fold((0.0, 0.0), |(sum, area), (i, m)| (sum + m * skin.facets[i].area, area + skin.facets[i].area));
     let errors = finite().map(|(i, _)| skin.errors[i]).filter(|e| e.is_finite());
     LinkMap {
         link: skin.link.clone(),

@@ -67,7 +67,9 @@ impl MapArgs {
             ));
         }
         if contact.estimate.is_some() {
-            return Err(Failure::bad_input("--estimate: a map has no estimate; percuss mass and percuss sweep do"));
+            return Err(Failure::bad_input(
+                "--estimate: a map has no estimate; percuss mass and percuss sweep do",
+            ));
         }
         if contact.link.is_none() && !self.all {
             return Err(Failure::bad_input("name a link (--link LINK), or take --all"));

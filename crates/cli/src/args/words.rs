@@ -26,7 +26,9 @@ pub fn edge(text: &str) -> Result<f64, String> {
 /// `NAME=FOLDER`.
 pub fn package(text: &str) -> Result<(String, std::path::PathBuf), String> {
     match text.split_once('=') {
-        Some((name, folder)) if !name.is_empty() && !folder.is_empty() => Ok((name.to_owned(), folder.into())),
+        Some((name, folder)) if !name.is_empty() && !folder.is_empty() => {
+            Ok((name.to_owned(), folder.into()))
+        }
         _ => Err("expected NAME=FOLDER, such as ur_description=/opt/ros/share/ur_description".into()),
     }
 }

@@ -44,7 +44,9 @@ impl ContactMap<'_> {
                 EffectiveMass::Finite(_) if own.is_none() => {}
                 EffectiveMass::Immovable if own != Some(ContactStatus::Finite) => {}
                 EffectiveMass::Massless if matches!(own, None | Some(ContactStatus::Massless)) => {}
-                EffectiveMass::Finite(_) | EffectiveMass::Immovable | EffectiveMass::Massless => return false,
+                EffectiveMass::Finite(_) | EffectiveMass::Immovable | EffectiveMass::Massless => {
+                    return false;
+                }
             }
         }
         self.constants.set_coefficient(coefficient);

@@ -1,6 +1,6 @@
 //! COLLADA 1.4 and 1.5: `triangles`, `polylist` and `polygons` of the visual scene, with the transforms of its nodes and the unit.
 
-use super::{Triangles, bounded};
+use super::triangles::{Triangles, bounded};
 use crate::limits::{DEEPEST_NODES, MOST_SCENE_NODES};
 use crate::prescan;
 use crate::report::Report;
@@ -16,11 +16,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Triangles, String> {
         let first = report.finish("", text).into_iter().next();
         return Err(first.map_or_else(|| "too complex".to_owned(), |d| d.message));
     }
-    let parsing = ParsingOptions {
-        allow_dtd: true,
-        nodes_limit: crate::limits::MOST_NODES,
-        entity_resolver: None,
-    };
+    let parsing =
+        ParsingOptions { allow_dtd: true, nodes_limit: crate::limits::MOST_NODES, entity_resolver: None };
     let document = Document::parse_with_options(text, parsing).map_err(|e| format!("no XML: {e}"))?;
     let root = document.root_element();
     if root.tag_name().name() != "COLLADA" {
@@ -36,9 +33,9 @@ pub(super) fn read(bytes: &[u8]) -> Result<Triangles, String> {
     let metre = metre.ok_or("the unit's metres are no number above 0")?;
     let start = Matrix4::new_scaling(metre);
     let named = elements(root, "scene").flat_map(|s| elements(s, "instance_visual_scene")).next();
-    let visual = named.and_then(|n| scene.target(n)).or_else(|| {
-        elements(root, "library_visual_scenes").flat_map(|l| elements(l, "visual_scene")).next()
-    });
+    let visual = named
+        .and_then(|n| scene.target(n))
+        .or_else(|| elements(root, "library_visual_scenes").flat_map(|l| elements(l, "visual_scene")).next());
     match visual {
         Some(visual) => {
             for node in elements(visual, "node") {
@@ -70,7 +67,8 @@ fn numbers(node: Node<'_, '_>) -> Result<Vec<f64>, String> {
 fn indices(node: Node<'_, '_>) -> Result<Vec<usize>, String> {
     let text = node.text().unwrap_or("");
     let read = |word: &str| {
-        word.parse::<usize>().map_err(|_| format!("<{}> has {word:?}, which is no index", node.tag_name().name()))
+        word.parse::<usize>()
+            .map_err(|_| format!("<{}> has {word:?}, which is no index", node.tag_name().name()))
     };
     text.split_ascii_whitespace().map(read).collect()
 }
@@ -115,7 +113,8 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
                     self.geometry(target, &place)?;
                 }
                 "instance_controller" => {
-                    return Err("it has a skin (instance_controller), which is not read; export it without".to_owned());
+                    return Err("it has a skin (instance_controller), which is not read; export it without"
+                        .to_owned());
                 }
                 _ => {}
             }
@@ -164,7 +163,8 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
                 stride = stride.max(offset + 1);
                 if input.attribute("semantic") == Some("VERTEX") {
                     let vertices = self.target(input).ok_or_else(|| missing(input))?;
-                    let of = elements(vertices, "input").find(|i| i.attribute("semantic") == Some("POSITION"));
+                    let of =
+                        elements(vertices, "input").find(|i| i.attribute("semantic") == Some("POSITION"));
                     let source = of.and_then(|i| self.target(i)).ok_or("its vertices have no positions")?;
                     positions = Some((offset, self.positions(source)?));
                 }
@@ -205,7 +205,9 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
         let accessor = elements(source, "technique_common").flat_map(|t| elements(t, "accessor")).next();
         let number = |name: &str, otherwise: usize| match accessor.and_then(|a| a.attribute(name)) {
             None => Ok(otherwise),
-            Some(text) => text.trim().parse::<usize>().map_err(|_| format!("an <accessor> has {name}=\"{text}\"")),
+            Some(text) => {
+                text.trim().parse::<usize>().map_err(|_| format!("an <accessor> has {name}=\"{text}\""))
+            }
         };
         let (stride, first) = (number("stride", 3)?, number("offset", 0)?);
         if stride < 3 {

@@ -1,9 +1,14 @@
 //! Wavefront OBJ: positions and faces; materials, normals and textures are left out.
 
-use super::{Triangles, bounded};
+use super::triangles::{Triangles, bounded};
 
 pub(super) fn read(bytes: &[u8]) -> Result<Triangles, String> {
-    let options = tobj::LoadOptions { triangulate: true, ignore_points: true, ignore_lines: true, ..Default::default() };
+    let options = tobj::LoadOptions {
+        triangulate: true,
+        ignore_points: true,
+        ignore_lines: true,
+        ..Default::default()
+    };
     let no_materials = |_: &std::path::Path| Ok((Vec::new(), Default::default()));
     let (models, _) =
         tobj::load_obj_buf(&mut &bytes[..], &options, no_materials).map_err(|e| e.to_string())?;

@@ -1,6 +1,6 @@
 //! Where a mesh that a URDF names is to be found.
 
-use super::MeshError;
+use super::error::MeshError;
 use std::path::{Path, PathBuf};
 
 /// Folders in which meshes are looked for.
@@ -47,12 +47,17 @@ impl MeshFolders {
     fn places(&self, file: &str) -> Vec<PathBuf> {
         let packaged = file.strip_prefix("package://").or_else(|| file.strip_prefix("model://"));
         let Some(rest) = packaged else {
-            let plain = file.strip_prefix("file://").map(|rest| rest.strip_prefix("localhost").unwrap_or(rest));
+            let plain =
+                file.strip_prefix("file://").map(|rest| rest.strip_prefix("localhost").unwrap_or(rest));
             return vec![self.model.join(plain.unwrap_or(file))];
         };
         let (name, within) = rest.split_once('/').unwrap_or((rest, ""));
-        let mut places: Vec<PathBuf> =
-            self.packages.iter().filter(|(given, _)| given == name).map(|(_, folder)| folder.join(within)).collect();
+        let mut places: Vec<PathBuf> = self
+            .packages
+            .iter()
+            .filter(|(given, _)| given == name)
+            .map(|(_, folder)| folder.join(within))
+            .collect();
         let named = |folder: &Path| folder.file_name().is_some_and(|own| own == name);
         for holder in &self.holders {
             if named(holder) {

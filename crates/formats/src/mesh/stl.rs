@@ -1,6 +1,6 @@
 //! STL, binary or ASCII.
 
-use super::{Triangles, bounded};
+use super::triangles::{Triangles, bounded};
 use std::io::Cursor;
 
 /// Bytes before the first facet of a binary file, and of each facet.

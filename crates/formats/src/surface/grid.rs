@@ -1,6 +1,6 @@
 //! Patches of solids over two parameters, each from 0 to 1.
 
-use super::Facet;
+use super::facet::Facet;
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
 

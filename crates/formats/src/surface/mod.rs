@@ -1,8 +1,10 @@
 //! The surface of a link: facets with a point, the outward normal and an area, in the link's frame.
 
+mod facet;
 mod grid;
 mod orient;
 
+pub use facet::Facet;
 pub use orient::Orientation;
 
 use crate::limits::ROUND_FACETS;
@@ -12,19 +14,6 @@ use grid::Patch;
 use nalgebra::Vector3;
 use percuss_spatial::Transform;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
-
-/// A small triangle of a surface, link's frame, m.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Facet {
-    /// Its corners, anticlockwise seen from outside.
-    pub corners: [Vector3<f64>; 3],
-    /// A point of the surface within it: the centroid, on the round itself where it stands for a part of a round.
-    pub point: Vector3<f64>,
-    /// The outward normal there, a unit vector.
-    pub normal: Vector3<f64>,
-    /// Its area, m².
-    pub area: f64,
-}
 
 /// Why a surface is not divided.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -98,7 +87,8 @@ impl Surface {
                 Part::Round(solid, frame) => {
                     let half = half_size(solid);
                     for corner in 0..8_usize {
-                        let side = |axis: usize| if corner >> axis & 1 == 0 { -half[axis] } else { half[axis] };
+                        let side =
+                            |axis: usize| if corner >> axis & 1 == 0 { -half[axis] } else { half[axis] };
                         include(&frame.point(&Vector3::new(side(0), side(1), side(2))));
                     }
                 }
@@ -148,9 +138,7 @@ fn half_size(solid: &Solid) -> [f64; 3] {
 
 fn count(part: &Part, edge: f64) -> usize {
     match part {
-        Part::Round(solid, _) => {
-            patches(solid, edge).iter().map(Patch::count).fold(0, usize::saturating_add)
-        }
+        Part::Round(solid, _) => patches(solid, edge).iter().map(Patch::count).fold(0, usize::saturating_add),
         Part::Mesh(triangles) => {
             let of = |t: &[Vector3<f64>; 3]| parts_of(t, edge).saturating_mul(parts_of(t, edge));
             triangles.iter().map(of).fold(0, usize::saturating_add)
@@ -202,7 +190,8 @@ fn flat(corners: [Vector3<f64>; 3], out: &mut Vec<Facet>) {
 
 /// The patches that make a solid.
 fn patches(solid: &Solid, edge: f64) -> Vec<Patch> {
-    let around = |radius: f64| parts_along(TAU * radius, edge).clamp(*ROUND_FACETS.start(), *ROUND_FACETS.end());
+    let around =
+        |radius: f64| parts_along(TAU * radius, edge).clamp(*ROUND_FACETS.start(), *ROUND_FACETS.end());
     let straight = |length: f64| parts_along(length, edge);
     match *solid {
         Solid::Box { size } => Patch::of_box(size, size.map(straight)),

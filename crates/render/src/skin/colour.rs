@@ -106,6 +106,8 @@ mod tests {
     fn colours_are_viridis() {
         assert_eq!((at(0.0), at(1.0)), (Colour(68, 1, 84), Colour(253, 231, 37)));
         let light = |c: Colour| 0.2126 * f64::from(c.0) + 0.7152 * f64::from(c.1) + 0.0722 * f64::from(c.2);
-        assert!((1..=100).all(|i| light(at(f64::from(i) / 100.0)) > light(at(f64::from(i - 1) / 100.0)) - 1.0));
+        assert!(
+            (1..=100).all(|i| light(at(f64::from(i) / 100.0)) > light(at(f64::from(i - 1) / 100.0)) - 1.0)
+        );
     }
 }

@@ -75,7 +75,8 @@ impl Skin {
             "extras": { "quantity": self.quantity, "least": parts.scale.low, "greatest": parts.scale.high }
         });
         // Empty lists are not allowed.
-        for (key, list) in [("meshes", meshes), ("accessors", parts.accessors), ("bufferViews", parts.views)] {
+        for (key, list) in [("meshes", meshes), ("accessors", parts.accessors), ("bufferViews", parts.views)]
+        {
             if !list.is_empty() {
                 document[key] = json!(list);
             }

@@ -71,7 +71,8 @@ impl Skin {
             let font = medium(12.0);
             let words = fit(&mark.label, font, SIDE - 8.0);
             let half = 0.5 * width(&words, font) + 4.0;
-            let at = (x.clamp(left + half, left + SIDE - half), if y < TOP + 30.0 { y + 20.0 } else { y - 11.0 });
+            let at =
+                (x.clamp(left + half, left + SIDE - half), if y < TOP + 30.0 { y + 20.0 } else { y - 11.0 });
             scene.text_on_paper(words, at, font, INK);
         }
     }
