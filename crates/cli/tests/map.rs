@@ -199,7 +199,7 @@ fn files_hold_the_masses_of_the_table() {
 /// No answer depends on the number of threads.
 #[test]
 fn threads_do_not_matter() {
-    let line = format!("map {ARM} --all {POSE} --format csv --edge 1cm");
+    let line = format!("map {ARM} --all {POSE} --format csv --edge 6mm");
     let one = percuss(&format!("{line} --threads 1")).stdout;
     assert!(one.lines().count() > 10_000);
     assert!(one == percuss(&format!("{line} --threads 3")).stdout);
