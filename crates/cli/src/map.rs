@@ -80,8 +80,8 @@ fn text(answer: &MapAnswer) -> String {
         ]);
     }
     let mut out = table.to_string();
-    out += "\nOne contact in each facet, along its outward normal; places in the link's frame. The mean is over the area where\n\
-            there is a mass.\n";
+    out += "\nOne contact in each facet, along its outward normal; places in the link's frame. The mean is 1 over\n\
+            the mean of 1/m over the area.\n";
     out += &windings(report);
     let against = report.against.clone().unwrap_or_else(|| match report.conditions.against_mass {
         Some(mass) => format!("a free body of {} kg", number(mass)),

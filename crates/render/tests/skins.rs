@@ -13,7 +13,7 @@ fn skin() -> Skin {
         value: (i > 0).then_some(i as f64),
         status: u8::from(i == 0),
     };
-    let mark = SkinMark { at: [0.3, 0.3, 0.34], label: "largest <3 kg>".into() };
+    let mark = SkinMark { at: [0.34, 0.33, 0.33], label: "largest <3 kg>".into() };
     Skin {
         title: "Tetra & co".into(),
         subtitle: "a test".into(),

@@ -214,8 +214,11 @@ fn summary(skin: &SkinFacets, purpose: Purpose, orientation: Option<OrientationR
     let finite = || (0..skin.facets.len()).filter_map(|i| Some((i, skin.mass(i)?)));
     let smallest = finite().min_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| extreme(skin, i));
     let largest = finite().max_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| extreme(skin, i));
-    let (weighted, area) = finite()
-        .fold((0.0, 0.0), |(sum, area), (i, m)| (sum + m * skin.facets[i].area, area + skin.facets[i].area));
+    // 1/m̄ has a mean over any surface; m̄ itself grows beyond bounds towards where nothing moves.
+    let inverse: f64 = finite().map(|(i, m)| skin.facets[i].area / m).sum();
+    let answered = |i: &usize| matches!(skin.statuses[*i], ContactStatus::Finite | ContactStatus::Immovable);
+    let area: f64 = (0..skin.facets.len()).filter(answered).map(|i| skin.facets[i].area).sum();
+    let has_mean = inverse > 0.0 && count(ContactStatus::Massless) == 0;
     let errors = finite().map(|(i, _)| skin.errors[i]).filter(|e| e.is_finite());
     LinkMap {
         link: skin.link.clone(),
@@ -228,7 +231,7 @@ fn summary(skin: &SkinFacets, purpose: Purpose, orientation: Option<OrientationR
         area: skin.facets.iter().map(|f| f.area).sum(),
         smallest,
         largest,
-        area_mean: (area > 0.0).then(|| weighted / area),
+        area_mean: has_mean.then(|| area / inverse),
         worst_relative_error: errors.reduce(f64::max),
         orientation,
     }

@@ -68,7 +68,8 @@ pub struct LinkMap {
     pub smallest: Option<Extreme>,
     /// Where it is largest among the finite ones.
     pub largest: Option<Extreme>,
-    /// Mean of m̄ over the area where it is finite, kg; null where it is nowhere.
+    /// Mean over the area, kg: 1 over the mean of 1/m̄, which is 0 where it is immovable. Null where it is nowhere finite, or
+    /// somewhere massless.
     pub area_mean: Option<f64>,
     /// The largest relative error stated; null where none is known.
     pub worst_relative_error: Option<f64>,

@@ -2,7 +2,7 @@
 //! N. Smith, Matplotlib 1.5, 2015; CC0).
 
 use super::Skin;
-use crate::limits::{LARGEST_VALUE, LOGARITHMIC, SMALLEST_VALUE};
+use crate::limits::{LARGEST_VALUE, LOGARITHMIC, MOST_SHOWN, SMALLEST_VALUE};
 use crate::palette::{Colour, ZERO};
 
 /// The scale of a skin.
@@ -12,26 +12,37 @@ pub(super) struct Scale {
     pub high: f64,
     /// Equal steps are equal factors.
     pub logarithmic: bool,
+    /// A few values are beyond the high end, and have its colour.
+    pub is_capped: bool,
 }
 
 impl Scale {
     /// Over all values that can be shown.
     pub fn of(skin: &Skin) -> Self {
         let values = skin.facets().filter_map(|facet| facet.value);
-        let shown = values.filter(|v| v.is_finite() && v.abs() <= LARGEST_VALUE);
+        let mut shown: Vec<f64> = values.filter(|v| v.is_finite() && v.abs() <= LARGEST_VALUE).collect();
         let (mut low, mut high, mut least) = (f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY);
-        for value in shown {
+        for &value in &shown {
             (low, high) = (low.min(value), high.max(value));
             if value > SMALLEST_VALUE {
                 least = least.min(value);
             }
         }
+        let mut is_capped = false;
+        if !shown.is_empty() {
+            let place = (MOST_SHOWN * shown.len() as f64).ceil() as usize;
+            let place = place.clamp(1, shown.len()) - 1;
+            let most = *shown.select_nth_unstable_by(place, f64::total_cmp).1;
+            // A few beyond all others would take the scale for themselves.
+            is_capped = most > 0.0 && high > LOGARITHMIC * most;
+            high = if is_capped { most } else { high };
+        }
         if low > high {
-            return Self { low: 0.0, high: 1.0, logarithmic: false };
+            return Self { low: 0.0, high: 1.0, logarithmic: false, is_capped };
         }
         // Zeros have the colour of the least above them.
         let logarithmic = low >= 0.0 && least.is_finite() && high > LOGARITHMIC * least;
-        Self { low: if logarithmic { least } else { low }, high, logarithmic }
+        Self { low: if logarithmic { least } else { low }, high, logarithmic, is_capped }
     }
 
     /// Where a value stands, 0 to 1.
@@ -99,6 +110,16 @@ mod tests {
         assert!(!narrow.logarithmic && narrow.part(3.0) == 0.5);
         assert_eq!(of(&[]).colour(None), ZERO);
         assert_eq!(of(&[Some(3.0)]).part(3.0), 0.5);
+    }
+
+    #[test]
+    fn a_few_huge_values_do_not_take_the_scale() {
+        let mut values: Vec<Option<f64>> = (1..=99).map(|i| Some(f64::from(i))).collect();
+        values.push(Some(1e19));
+        let scale = of(&values);
+        assert!(scale.is_capped && scale.high < 100.0, "{scale:?}");
+        assert_eq!(scale.part(1e19), 1.0);
+        assert!(!of(&values[..99]).is_capped);
     }
 
     /// The ends of viridis, as Matplotlib has them, and lightness that grows all the way.

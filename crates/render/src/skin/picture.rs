@@ -45,15 +45,16 @@ impl Skin {
         scene.text(title, (MARGIN, 34.0), Anchor::Start, medium(20.0), INK);
         let subtitle = fit(&self.subtitle, regular(13.0), room);
         scene.text(subtitle, (MARGIN, 56.0), Anchor::Start, regular(13.0), SOFT_INK);
-        for (i, azimuth) in AZIMUTHS.into_iter().enumerate() {
+        let size = SHARP * SIDE as usize;
+        let mut views =
+            AZIMUTHS.map(|azimuth| View::new(self, azimuth.to_radians(), HEIGHT.to_radians(), size));
+        views.iter_mut().for_each(|view| view.draw(self, &scale));
+        for i in 0..views.len() {
             let left = MARGIN + (SIDE + 8.0) * i as f64;
-            let size = SHARP * SIDE as usize;
-            let mut view = View::new(self, azimuth.to_radians(), HEIGHT.to_radians(), size);
-            view.draw(self, &scale);
-            let pixels = std::mem::take(&mut view.pixels);
+            let pixels = std::mem::take(&mut views[i].pixels);
             scene.items.push(Item::Image { at: (left, TOP), side: SIDE, pixels, columns: size });
-            self.named(&view, left, &mut scene);
-            let words = format!("seen from {}° about z, {HEIGHT}° above", azimuth);
+            self.named(&views, i, left, &mut scene);
+            let words = format!("seen from {}° about z, {HEIGHT}° above", AZIMUTHS[i]);
             let middle = left + 0.5 * SIDE;
             scene.text(words, (middle, TOP + SIDE + 20.0), Anchor::Middle, regular(12.0), SOFT_INK);
         }
@@ -61,15 +62,23 @@ impl Skin {
         scene
     }
 
-    /// Places that this view shows; those hidden in it stand in the other.
-    fn named(&self, view: &View, left: f64, scene: &mut Scene) {
-        for mark in self.marks.iter().take(MOST_MARKS).filter(|mark| view.is_visible(&mark.at)) {
-            let [x, y, _] = view.place(&mark.at);
+    /// Places that this view shows; those hidden in all are rings in the first.
+    fn named(&self, views: &[View], i: usize, left: f64, scene: &mut Scene) {
+        for mark in self.marks.iter().take(MOST_MARKS) {
+            let is_hidden = !views.iter().any(|view| view.is_visible(&mark.at));
+            if !(views[i].is_visible(&mark.at) || is_hidden && i == 0) {
+                continue;
+            }
+            let [x, y, _] = views[i].place(&mark.at);
             let (x, y) = (left + x / SHARP as f64, TOP + y / SHARP as f64);
             scene.dots(vec![(x, y)], 5.0, PAPER);
             scene.dots(vec![(x, y)], 3.5, INK);
+            if is_hidden {
+                scene.dots(vec![(x, y)], 2.0, PAPER);
+            }
             let font = medium(12.0);
-            let words = fit(&mark.label, font, SIDE - 8.0);
+            let words = if is_hidden { format!("{} (hidden)", mark.label) } else { mark.label.clone() };
+            let words = fit(&words, font, SIDE - 8.0);
             let half = 0.5 * width(&words, font) + 4.0;
             let at =
                 (x.clamp(left + half, left + SIDE - half), if y < TOP + 30.0 { y + 20.0 } else { y - 11.0 });
@@ -80,22 +89,24 @@ impl Skin {
     fn legend(&self, scale: &Scale, scene: &mut Scene) {
         let (left, top, bottom) = (WIDTH - 92.0, TOP + 44.0, TOP + SIDE - 40.0);
         let steps = 128;
-        for i in 0..steps {
+        for i in (0..steps).rev() {
             let part = f64::from(i) / f64::from(steps);
             let y = bottom - (bottom - top) * part;
-            let from = (left, y - (bottom - top) / f64::from(steps) - 0.2);
+            let from = (left, y - (bottom - top) / f64::from(steps) - 1.0);
             let colour = at(part + 0.5 / f64::from(steps));
             scene.items.push(Item::Patch { from, to: (left + 18.0, y), colour });
         }
         for value in scale.ticks() {
             let y = bottom - (bottom - top) * scale.part(value);
             scene.lines(vec![vec![(left + 18.0, y), (left + 23.0, y)]], solid(INK, 1.0));
-            scene.text(short(value), (left + 27.0, y + 4.0), Anchor::Start, regular(12.0), INK);
+            let is_end = scale.is_capped && value == scale.high;
+            let words = if is_end { format!("≥ {}", short(value)) } else { short(value) };
+            scene.text(words, (left + 27.0, y + 4.0), Anchor::Start, regular(12.0), INK);
         }
         let words = fit(&self.quantity, medium(12.0), 2.0 * 88.0);
-        scene.text(words, (WIDTH - 8.0, top - 22.0), Anchor::End, medium(12.0), INK);
+        scene.text(words, (WIDTH - 8.0, TOP - 14.0), Anchor::End, medium(12.0), INK);
         if scale.logarithmic {
-            scene.text("logarithmic".into(), (WIDTH - 8.0, top - 8.0), Anchor::End, regular(11.0), SOFT_INK);
+            scene.text("logarithmic".into(), (WIDTH - 8.0, TOP + 2.0), Anchor::End, regular(11.0), SOFT_INK);
         }
         if !self.without_value.is_empty() && self.facets().any(|facet| facet.value.is_none()) {
             let y = bottom + 16.0;
