@@ -5,8 +5,8 @@
 #![allow(unsafe_code)]
 
 use percuss_dynamics::{
-    BatchAnswer, BatchPositions, Contact, ContactResponse, Direction, EffectiveMass, Frame, Pose,
-    ResponseError, RouteChoice, Workspace,
+    BatchAnswer, BatchPositions, Contact, ContactColumns, ContactResponse, ContactStatus, Direction,
+    EffectiveMass, Frame, MapAnswers, Pose, ResponseError, RouteChoice, Workspace,
 };
 use percuss_oracle::linkage;
 use percuss_tests::cases::{self, Case};
@@ -97,6 +97,39 @@ fn assert_allocates_nothing(name: &str, allocated: usize, response: &ContactResp
         allocated == 0 || response.careful_reason.is_some() || response.held_to_energy || in_doubt,
         "{name}: {allocated} allocations, {response:?}"
     );
+}
+
+/// Trees, loops, two links of one mechanism, floating bases: contacts that Φ answers.
+#[test]
+fn a_map_allocates_nothing() {
+    let mut answered = 0;
+    let trees = cases::at_random(4400, 10, 12);
+    let poses = trees.iter().map(|case| (case.contact(), case.pose(&case.system())));
+    let linkages = percuss_tests::subjects::of_linkages(903, 1);
+    for (contact, pose) in poses.chain(linkages.iter().map(|s| (s.contact, s.pose.clone()))) {
+        let map = pose.contact_map(contact.link, contact.against, [0.0; 3], 0.5).expect("a region");
+        if !map.is_by_inertia() {
+            continue;
+        }
+        let columns: [Vec<f64>; 6] = std::array::from_fn(|column| {
+            (0..1000).map(|i| ((i * (2 * column + 3) + 1) as f64 * 0.618).fract() - 0.5).collect()
+        });
+        let [x, y, z, nx, ny, nz] = columns.each_ref().map(|c| &c[..]);
+        let contacts = ContactColumns { points: [x, y, z], normals: [nx, ny, nz] };
+        let (mut masses, mut errors) = (vec![0.0; 1000], vec![0.0; 1000]);
+        let mut statuses = vec![ContactStatus::Finite; 1000];
+        let mut answers = MapAnswers { masses: &mut masses, errors: &mut errors, statuses: &mut statuses };
+        let before = allocations();
+        map.fill_answers(contacts, &mut answers).expect("columns of one length");
+        let allocated = allocations() - before;
+        // Others are asked by themselves, which keeps nothing.
+        let trusted = (0..1000).all(|i| statuses[i] == ContactStatus::Finite && errors[i] < 1e-8);
+        if trusted {
+            assert_eq!(allocated, 0);
+            answered += 1;
+        }
+    }
+    assert!(answered > 10, "{answered} maps");
 }
 
 #[test]

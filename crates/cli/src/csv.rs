@@ -134,11 +134,11 @@ fn columns(header: &mut Vec<String>, joint: &str, numbers: usize) {
     }
 }
 
-fn cell(value: Option<f64>) -> String {
+pub fn cell(value: Option<f64>) -> String {
     value.map_or_else(String::new, number)
 }
 
-fn number(x: f64) -> String {
+pub fn number(x: f64) -> String {
     let mut text = String::new();
     write_number(&mut text, x);
     text
@@ -154,7 +154,7 @@ fn write_number(text: &mut String, x: f64) {
     };
 }
 
-fn line(cells: &[String]) -> String {
+pub fn line(cells: &[String]) -> String {
     cells.iter().map(|c| quoted(c)).collect::<Vec<_>>().join(",") + "\n"
 }
 

@@ -11,6 +11,8 @@ mod diagnostics;
 mod failure;
 mod import;
 mod limits;
+mod map;
+mod map_files;
 mod mass;
 mod output;
 mod parquet_rows;
@@ -33,6 +35,7 @@ fn main() -> ExitCode {
         Command::Check(args) => check::run(args),
         Command::Mass(args) => mass::run(args),
         Command::Sweep(args) => sweep::run(args),
+        Command::Map(args) => map::run(args),
         Command::Import(args) => import::run(args),
         Command::Damp(args) => damp::run(args),
         Command::SafeSpeed(args) => safe_speed::run(args),

@@ -18,6 +18,12 @@ pub fn number(x: f64) -> String {
     trimmed(&format!("{x:.decimals$}"))
 }
 
+/// Five digits.
+pub fn short(x: f64) -> String {
+    let rounded: f64 = format!("{x:.4e}").parse().unwrap_or(x);
+    number(rounded)
+}
+
 fn trimmed(digits: &str) -> String {
     if digits.contains('.') {
         digits.trim_end_matches('0').trim_end_matches('.').into()

@@ -80,3 +80,15 @@ pub(crate) const OBLIQUE_PINS: f64 = 1e-3;
 pub(crate) const PARALLEL: f64 = 1e-9;
 /// Slack of the triangle inequality of principal moments, relative: files carry nine digits.
 pub(crate) const MOMENT_SLACK: f64 = 1e-9;
+
+// Meshes.
+
+/// Triangles of one mesh: 360 MB of corners. The finest robot meshes have some hundred thousand.
+pub(crate) const MOST_TRIANGLES: usize = 5_000_000;
+/// Nodes of a COLLADA scene within one another, and all that are visited: instances may repeat one another.
+pub(crate) const DEEPEST_NODES: usize = 64;
+pub(crate) const MOST_SCENE_NODES: usize = 100_000;
+/// Facets around a round shape, fewest and most.
+pub(crate) const ROUND_FACETS: std::ops::RangeInclusive<usize> = 16..=720;
+/// A part of a mesh whose signed volume is below this part of its area times its size is open, or flat: it has no inside.
+pub(crate) const NO_VOLUME: f64 = 1e-9;

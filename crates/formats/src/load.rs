@@ -3,6 +3,7 @@
 use crate::dialect::ROBOT;
 use crate::nodes::Nodes;
 use crate::report::{Place, Report, cut, shortened};
+use crate::shape::{Shape, shapes};
 use crate::survey::{macros, survey};
 use crate::texts::Texts;
 use crate::{Diagnostic, LoadError, Source, consistency, limits, prescan, standard};
@@ -21,6 +22,8 @@ pub struct LoadOptions {
 pub struct Loaded {
     /// The mechanism.
     pub mechanism: Mechanism,
+    /// The shapes of every link, in link order.
+    pub shapes: Vec<Vec<Shape>>,
     /// Warnings and notes, in the order of the file.
     pub diagnostics: Vec<Diagnostic>,
 }
@@ -41,12 +44,12 @@ pub fn load(source: &Source, options: &LoadOptions) -> Result<Loaded, LoadError>
     let failed = report.has_errors();
     let diagnostics = report.finish(&source.name, text);
     match mechanism {
-        Some(mechanism) if !failed => Ok(Loaded { mechanism, diagnostics }),
+        Some((mechanism, shapes)) if !failed => Ok(Loaded { mechanism, shapes, diagnostics }),
         Some(_) | None => Err(LoadError { diagnostics }),
     }
 }
 
-fn read(text: &str, options: &LoadOptions, report: &mut Report) -> Option<Mechanism> {
+fn read(text: &str, options: &LoadOptions, report: &mut Report) -> Option<(Mechanism, Vec<Vec<Shape>>)> {
     if !prescan::check(text, report) {
         return None;
     }
@@ -94,7 +97,8 @@ fn read(text: &str, options: &LoadOptions, report: &mut Report) -> Option<Mechan
             problem.to_string()
         });
     }
-    mechanism
+    let shapes = nodes.links.iter().map(|link| shapes(*link)).collect();
+    mechanism.map(|mechanism| (mechanism, shapes))
 }
 
 /// Reports text that is no XML.

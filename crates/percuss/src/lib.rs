@@ -30,15 +30,16 @@ pub use percuss_contact as contact;
 pub use percuss_dynamics::{
     Accelerations, Assembly, AssemblyError, Base, Batch, BatchAnswer, BatchError, BatchPositions,
     BranchLimits, CarefulReason, ConditionOfJoint, Conditions, ConditionsError, Configuration,
-    ConfigurationError, Contact, ContactError, ContactPart, ContactResponse, Contributions, DepartingAxis,
-    Direction, DrawnGap, EffectiveMass, ErrorBudget, Frame, InverseOperationalInertia, LocatedContact,
-    LoopState, PointForce, PointVelocity, Pose, PoseRank, Remark, ResponseError, RigidLoops, Route,
-    RouteChoice, RouteError, ScalarWorkspace, Singularity, System, Travel, TravelError, VelocityError,
-    Workspace,
+    ConfigurationError, Contact, ContactColumns, ContactError, ContactMap, ContactPart, ContactResponse,
+    ContactStatus, Contributions, DepartingAxis, Direction, DrawnGap, EffectiveMass, ErrorBudget, Frame,
+    InverseOperationalInertia, LocatedContact, LoopState, MapAnswers, MapError, PointForce, PointVelocity,
+    Pose, PoseRank, PrincipalMass, Remark, ResponseError, RigidLoops, Route, RouteChoice, RouteError,
+    ScalarWorkspace, Singularity, System, Travel, TravelError, VelocityError, Workspace,
 };
 pub use percuss_formats::{
-    Comments, DEFAULT_MAX_SIZE, Diagnostic, LoadError, LoadOptions, Loaded, Source, load, suspension,
-    write_urdf, write_urdf_with,
+    Comments, DEFAULT_MAX_MESH_SIZE, DEFAULT_MAX_SIZE, Diagnostic, Facet, LoadError, LoadOptions, Loaded,
+    MeshError, MeshFolders, Orientation, Purpose, Shape, Solid, Source, Surface, SurfaceError, Triangles,
+    load, read_mesh, suspension, write_urdf, write_urdf_with,
 };
 pub use percuss_mechanism as mechanism;
 pub use percuss_mechanism::{

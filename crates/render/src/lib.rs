@@ -1,4 +1,4 @@
-//! Line plots from plain numbers, as SVG and as PNG.
+//! Line plots from plain numbers, as SVG and as PNG; quantities over surfaces, as these, as PLY and as glTF.
 //!
 //! A [`Figure`] is a stack of [`Panel`]s over one shared x axis; each holds [`Series`] whose values may be missing.
 //! [`Figure::to_svg`] and [`Figure::to_png`] draw the same picture: `layout` turns the figure into a list of strokes,
@@ -6,7 +6,8 @@
 //! Roboto where it is installed and the reader's sans-serif elsewhere; PNG text is drawn with the embedded Roboto,
 //! so that a machine without fonts will do.
 //!
-//! A [`Sheet`] puts figures with x axes of their own below one another.
+//! A [`Sheet`] puts figures with x axes of their own below one another. A [`Skin`] is a quantity over facets in space: two views
+//! with a scale of colours, [`Skin::write_ply`], [`Skin::to_glb`].
 //!
 //! What a figure cannot show is left out of it and never an error: a value that is missing, NaN, infinite or beyond
 //! 1e300 is a gap, one below 1e-300 is zero, an empty panel has a note. Names too long for their room end in `…`.
@@ -41,9 +42,11 @@ mod palette;
 mod png;
 mod scene;
 mod sheet;
+mod skin;
 mod svg;
 mod text;
 
 pub use figure::{Figure, Mark, Panel, Series, Style};
 pub use png::RenderError;
 pub use sheet::Sheet;
+pub use skin::{Skin, SkinFacet, SkinMark, SkinPiece};

@@ -23,3 +23,9 @@ pub(crate) const MOST_CHARACTERS: usize = 240;
 pub(crate) const MOST_MARK_ROWS: usize = 4;
 /// Marks of a figure that are drawn: more than one for two units of the page's width cannot be distinguished.
 pub(crate) const MOST_MARKS: usize = 400;
+/// Values over a surface have a logarithmic scale where the largest is more than so many times the least: on an even one, half
+/// of the colours would be left to less than a decade.
+pub(crate) const LOGARITHMIC: f64 = 20.0;
+/// Part of the values over a surface up to which the scale goes where the largest would take most of it: beside what nothing moves,
+/// masses grow beyond bounds.
+pub(crate) const MOST_SHOWN: f64 = 0.95;

@@ -6,7 +6,8 @@ use crate::palette::{Colour, PAPER};
 use crate::scene::{Anchor, Item, Point, Scene, Stroke, Text};
 use thiserror::Error;
 use tiny_skia::{
-    FillRule, LineJoin, Paint, Path, PathBuilder, Pixmap, Rect, Stroke as SkiaStroke, StrokeDash, Transform,
+    FillRule, FilterQuality, LineJoin, Paint, Path, PathBuilder, Pixmap, PixmapPaint, Rect,
+    Stroke as SkiaStroke, StrokeDash, Transform,
 };
 use ttf_parser::{GlyphId, OutlineBuilder};
 
@@ -64,10 +65,25 @@ pub(crate) fn draw(scene: &Scene, scale: f32) -> Result<Vec<u8>, RenderError> {
             Item::Lines { chains, stroke } => canvas.lines(chains, stroke),
             Item::Dots { centres, radius, colour } => canvas.dots(centres, *radius, *colour),
             Item::Patch { from, to, colour } => canvas.patch(*from, *to, *colour),
+            Item::Image { at, side, pixels, columns } => canvas.image(*at, *side, pixels, *columns),
             Item::Text(text) => canvas.words(text),
         }
     }
     canvas.pixmap.encode_png().map_err(|source| RenderError::Encoder { source: Box::new(source) })
+}
+
+/// Pixels of three bytes as a PNG; none where they make no rectangle.
+pub(crate) fn of_pixels(pixels: &[u8], columns: usize) -> Option<Vec<u8>> {
+    pixmap_of(pixels, columns)?.encode_png().ok()
+}
+
+fn pixmap_of(pixels: &[u8], columns: usize) -> Option<Pixmap> {
+    let rows = (pixels.len() / 3).checked_div(columns)?;
+    let mut pixmap = Pixmap::new(u32::try_from(columns).ok()?, u32::try_from(rows).ok()?)?;
+    for (to, from) in pixmap.data_mut().chunks_exact_mut(4).zip(pixels.chunks_exact(3)) {
+        to.copy_from_slice(&[from[0], from[1], from[2], 255]);
+    }
+    Some(pixmap)
 }
 
 fn paper() -> tiny_skia::Color {
@@ -115,6 +131,14 @@ impl Canvas {
     fn patch(&mut self, from: Point, to: Point, colour: Colour) {
         let rect = Rect::from_ltrb(from.0 as f32, from.1 as f32, to.0 as f32, to.1 as f32);
         self.fill(rect.map(PathBuilder::from_rect), colour);
+    }
+
+    fn image(&mut self, at: Point, side: f64, pixels: &[u8], columns: usize) {
+        let Some(image) = pixmap_of(pixels, columns) else { return };
+        let scale = (side / columns as f64) as f32;
+        let place = self.transform.pre_translate(at.0 as f32, at.1 as f32).pre_scale(scale, scale);
+        let paint = PixmapPaint { quality: FilterQuality::Bilinear, ..PixmapPaint::default() };
+        self.pixmap.draw_pixmap(0, 0, image.as_ref(), &paint, place, None);
     }
 
     fn words(&mut self, text: &Text) {

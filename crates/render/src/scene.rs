@@ -1,4 +1,4 @@
-//! The drawing model between layout and the two back ends: strokes, dots, patches and texts, in units of the page.
+//! The drawing model between layout and the two back ends: strokes, dots, patches, images and texts, in units of the page.
 //!
 //! x runs to the right and y downwards, from the upper left corner.
 
@@ -28,6 +28,8 @@ pub(crate) enum Item {
     Dots { centres: Vec<Point>, radius: f64, colour: Colour },
     /// A filled rectangle between two opposite corners.
     Patch { from: Point, to: Point, colour: Colour },
+    /// A square of pixels, three bytes each (red, green, blue), row by row from the upper left corner.
+    Image { at: Point, side: f64, pixels: Vec<u8>, columns: usize },
     /// One line of text.
     Text(Text),
 }

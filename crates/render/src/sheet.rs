@@ -69,6 +69,7 @@ fn lowered(item: Item, down: f64) -> Item {
             Item::Dots { centres: centres.into_iter().map(lower).collect(), radius, colour }
         }
         Item::Patch { from, to, colour } => Item::Patch { from: lower(from), to: lower(to), colour },
+        Item::Image { at, side, pixels, columns } => Item::Image { at: lower(at), side, pixels, columns },
         Item::Text(mut text) => {
             text.at = lower(text.at);
             Item::Text(text)

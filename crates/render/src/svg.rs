@@ -1,7 +1,9 @@
 //! A scene as an SVG document.
 
 use crate::palette::{Colour, PAPER};
+use crate::png;
 use crate::scene::{Anchor, Item, Point, Scene, Stroke, Text};
+use base64::Engine;
 use std::fmt::{Display, Formatter, Result, Write};
 
 /// Roboto where it is installed, and faces about as wide.
@@ -28,6 +30,7 @@ fn document(scene: &Scene, out: &mut String) -> Result {
             Item::Lines { chains, stroke } => lines(chains, stroke, out)?,
             Item::Dots { centres, radius, colour } => dots(centres, *radius, *colour, out)?,
             Item::Patch { from, to, colour } => patch(*from, *to, *colour, out)?,
+            Item::Image { at, side, pixels, columns } => image(*at, *side, pixels, *columns, out)?,
             Item::Text(text) => words(text, out)?,
         }
     }
@@ -64,6 +67,16 @@ fn patch(from: Point, to: Point, colour: Colour, out: &mut String) -> Result {
     write!(out, r#"<rect x="{}" y="{}""#, Number(from.0), Number(from.1))?;
     let (width, height) = (Number(to.0 - from.0), Number(to.1 - from.1));
     writeln!(out, r#" width="{width}" height="{height}" fill="{colour}"/>"#)
+}
+
+/// Pixels, as a PNG within the document.
+fn image(at: Point, side: f64, pixels: &[u8], columns: usize, out: &mut String) -> Result {
+    // Pixels that make no picture are left out.
+    let Some(bytes) = png::of_pixels(pixels, columns) else { return Ok(()) };
+    let side = Number(side);
+    write!(out, r#"<image x="{}" y="{}" width="{side}" height="{side}""#, Number(at.0), Number(at.1))?;
+    let text = base64::engine::general_purpose::STANDARD.encode(bytes);
+    writeln!(out, r#" href="data:image/png;base64,{text}"/>"#)
 }
 
 fn words(text: &Text, out: &mut String) -> Result {

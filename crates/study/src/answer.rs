@@ -104,6 +104,11 @@ impl<'a> Prepared<'a> {
         Ok(Self { model, question, system, configuration, link, against, normal, estimate, held })
     }
 
+    /// The link on the other side; none: the ground.
+    pub fn against(&self) -> Option<LinkId> {
+        self.against
+    }
+
     /// Mass of a free body on the other side, kg.
     pub fn other_mass(&self) -> Option<f64> {
         self.question.against_mass

@@ -3,13 +3,16 @@
 use crate::field::{Field, Names, about_assembly};
 use crate::quantity::QuantityError;
 use crate::table_error::TableError;
-use crate::thresholds::{GRID_ROWS, LARGEST_COORDINATE, LEAST_OTHER_MASS, ROWS, SHORTEST_DIRECTION};
+use crate::thresholds::{
+    DIRECTIONS, GRID_ROWS, LARGEST_COORDINATE, LEAST_EDGE, LEAST_OTHER_MASS, ROWS, SHORTEST_DIRECTION,
+};
 use percuss_contact::ContactLawError;
 use percuss_contact::exports::ExportError;
 use percuss_dynamics::{
     AssemblyError, ConditionsError, ConfigurationError, ContactError, EffectiveMass, ResponseError,
     RouteError, TravelError,
 };
+use percuss_formats::{MeshError, SurfaceError};
 use percuss_mechanism::{JointKind, UnknownName};
 
 /// What is wrong with a part of a question.
@@ -146,6 +149,52 @@ pub enum Fault {
         joint: String,
         /// Its kind.
         kind: JointKind,
+    },
+    /// A link without a surface.
+    #[error("link \"{link}\" has no shape that can be used: no <collision> and no <visual> with a geometry")]
+    NoShape {
+        /// The link.
+        link: String,
+    },
+    /// A link that is the other side of the contact.
+    #[error("link \"{link}\" is the other side")]
+    OtherSide {
+        /// The link.
+        link: String,
+    },
+    /// A mesh that cannot be read.
+    #[error("link \"{link}\": {source}")]
+    Mesh {
+        /// The link.
+        link: String,
+        /// Why.
+        source: MeshError,
+    },
+    /// No link has a map.
+    #[error("no link has a surface that can be mapped: {reasons}")]
+    NothingToMap {
+        /// Why the first of them have none.
+        reasons: String,
+    },
+    /// An edge that is none.
+    #[error("the longest edge is {edge} m; expected a number of at least {LEAST_EDGE:e} m")]
+    Edge {
+        /// What was given, m.
+        edge: f64,
+    },
+    /// Too many facets.
+    #[error("link \"{link}\": {source}")]
+    Facets {
+        /// The link.
+        link: String,
+        /// How many.
+        source: SurfaceError,
+    },
+    /// No directions, or too many.
+    #[error("{count} directions; {} to {} are possible", DIRECTIONS.start(), DIRECTIONS.end())]
+    Directions {
+        /// What was given.
+        count: usize,
     },
     /// A file of positions.
     #[error(transparent)]

@@ -53,6 +53,10 @@ pub enum Field {
     Random,
     /// A joint's stop.
     Limit,
+    /// The longest edge of a facet of a map.
+    Edge,
+    /// How many directions of a map at a point.
+    Directions,
 }
 
 impl Field {
@@ -77,6 +81,8 @@ impl Field {
             Field::Ignore => ("--ignore", "sweep.ignore"),
             Field::Random => ("--random", "sweep.random"),
             Field::Limit => ("--limit", "damping.limit"),
+            Field::Edge => ("--edge", "map.edge"),
+            Field::Directions => ("--directions", "map.directions"),
         }
     }
 

@@ -1,7 +1,7 @@
 //! A question about a model, and its answer: what the command line, and later the other faces, share.
 //!
 //! [`Model::load`] reads a file; [`mass()`] answers one contact with a [`MassReport`]; [`sweep()`] answers it over a range,
-//! row by row; [`check()`] says what is in a model with a [`CheckReport`]. Reports serialise to the JSON that scripts rely
+//! row by row; [`map()`] over the surfaces of links; [`check()`] says what is in a model with a [`CheckReport`]. Reports serialise to the JSON that scripts rely
 //! on. Nothing here writes to a terminal.
 
 mod answer;
@@ -24,6 +24,9 @@ mod holds;
 mod in_lanes;
 mod joint_stop;
 mod line;
+mod map;
+mod map_question;
+mod map_report;
 mod mass;
 mod mass_report;
 mod measure;
@@ -31,6 +34,7 @@ mod model;
 mod parquet_bounds;
 mod parquet_source;
 mod parquet_table;
+mod point_map;
 mod position;
 mod positions;
 mod quantity;
@@ -71,12 +75,18 @@ pub use error::{Fault, StudyError};
 pub use estimate::EstimateRecord;
 pub use field::{Field, Names};
 pub use joint_stop::{JointStop, StopEnd, StopRecord};
+pub use map::map;
+pub use map_question::{MapLinks, MapQuestion, MapShapes};
+pub use map_report::{
+    Extreme, FacetRecord, LeftOut, LinkMap, MapAnswer, MapReport, OrientationRecord, SkinFacets,
+};
 pub use mass::{mass, mass_with_damper};
 pub use mass_report::{
     BodyShare, ConditionsRecord, ContactRecord, HoldRecord, MassReport, RotorShare, Status,
 };
 pub use measure::{Measure, Measured};
 pub use model::{Input, Model};
+pub use point_map::{DirectionMass, PointMapReport, map_point};
 pub use position::GivenPosition;
 pub use positions::{PoseLayout, Positions};
 pub use quantity::{Dimension, Quantity, QuantityError, parse_list, parse_triple};

@@ -109,7 +109,7 @@ pub struct HoldRecord {
 }
 
 impl ConditionsRecord {
-    fn of(question: &MassQuestion) -> Self {
+    pub(crate) fn of(question: &MassQuestion) -> Self {
         let hold = |h: &Hold| HoldRecord { link: h.link.clone(), point: h.point, normal: h.normal };
         Self {
             base: match question.base {

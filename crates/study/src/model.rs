@@ -1,7 +1,7 @@
 //! A model that was read: the mechanism, what was found, and which bytes it came from.
 
 use crate::record::DiagnosticRecord;
-use percuss_formats::{LoadError, LoadOptions, Source, load};
+use percuss_formats::{LoadError, LoadOptions, Shape, Source, load};
 use percuss_mechanism::Mechanism;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
@@ -35,6 +35,8 @@ pub struct Model {
     pub mechanism: Arc<Mechanism>,
     /// The files it came from: the model's, and the study's that adds to it.
     pub inputs: Vec<Input>,
+    /// The shapes of every link, in link order.
+    pub shapes: Arc<Vec<Vec<Shape>>>,
     /// Warnings and notes found while reading.
     pub diagnostics: Vec<DiagnosticRecord>,
 }
@@ -50,6 +52,7 @@ impl Model {
         Ok(Self {
             mechanism: Arc::new(loaded.mechanism),
             inputs: vec![Input::of(&source)],
+            shapes: Arc::new(loaded.shapes),
             diagnostics: loaded.diagnostics.into_iter().map(Into::into).collect(),
         })
     }

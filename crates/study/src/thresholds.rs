@@ -41,8 +41,6 @@ pub(crate) const BLOCK_OF_POSES: usize = 256;
 pub(crate) const BLOCK_OF_LINKS: usize = 10_000;
 /// Rows without poses that are answered and handed out at once: a millisecond of a small tree.
 pub(crate) const BLOCK_IN_LANES: usize = 4096;
-/// Rows without poses that are answered by one thread without a break.
-pub(crate) const PORTION_IN_LANES: usize = 512;
 /// Rows of a line that are worth preparing to follow them several at once: it costs as much as a few of them.
 pub(crate) const FOLLOWED_ROWS: usize = 4;
 /// How often a line may begin to be followed anew: where it stops at every other row, nothing is won.
@@ -92,3 +90,14 @@ pub(crate) const PROBABLE: usize = 16;
 pub(crate) const UNRELATED: usize = 10_000;
 /// A value this close to an end (relative, and absolutely below 1) may be the end itself, found to rounding.
 pub(crate) const AT_END: f64 = 1e-9;
+
+// Maps.
+
+/// Edges of facets across a link where none is asked for: a picture of 400 pixels shows them.
+pub(crate) const EDGES_ACROSS: f64 = 60.0;
+/// Facets of a map at most: 2 GB.
+pub(crate) const FACETS: usize = 8_000_000;
+/// Shortest edge that can be asked for, m.
+pub(crate) const LEAST_EDGE: f64 = 1e-6;
+/// Directions at a point: fewest and most.
+pub(crate) const DIRECTIONS: std::ops::RangeInclusive<usize> = 1..=1_000_000;

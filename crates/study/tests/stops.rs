@@ -29,7 +29,12 @@ fn limited(mechanism: &Mechanism, joint: &str, limits: Limits) -> Model {
     }
     let (closures, couplings) = describe_loops(mechanism);
     let mechanism = build_with_loops("limited", links, joints, closures, couplings);
-    Model { mechanism: Arc::new(mechanism), inputs: Vec::new(), diagnostics: Vec::new() }
+    Model {
+        mechanism: Arc::new(mechanism),
+        inputs: Vec::new(),
+        shapes: Arc::default(),
+        diagnostics: Vec::new(),
+    }
 }
 
 /// By route C: the effective mass of a point of the child link beside the axis, at a distance and in a direction of the test's own,

@@ -83,6 +83,24 @@ the sweep continues; exit 1 if none can.
 Where loops are closed, rows along a range or a file are followed from one
 another; each line of a grid begins anew, and random rows are independent.";
 
+pub const MAP: &str = "\
+Examples:
+  The surface of one link, as a table and as a picture from two sides:
+    percuss map models/shaped_arm.urdf --link forearm -o forearm.png
+  A whole robot in a pose, for MeshLab, Blender or a web page:
+    percuss map robot.urdf --all --set elbow=70deg -o skin.ply -o skin.glb
+  Its meshes are in a package:
+    percuss map robot.urdf --all --package my_robot=/opt/robots/my_robot
+  Against another link of the same mechanism; every contact as CSV:
+    percuss map models/shaped_arm.urdf --link forearm --against pedestal \\
+        --format csv
+  All directions at one point: the belted ellipsoid:
+    percuss map models/shaped_arm.urdf --link forearm --point 0.3,0,0 \\
+        --directions 2000
+
+Contacts are the centres of facets, along their outward normals. The colour
+scale is viridis, logarithmic where the masses differ by more than 20.";
+
 pub const IMPORT: &str = "\
 Examples:
   percuss import HMMWV_DoubleWishboneFront.json -o front_left.urdf
@@ -142,6 +160,7 @@ mod tests {
             super::CHECK,
             super::MASS,
             super::SWEEP,
+            super::MAP,
             super::IMPORT,
             super::DAMP,
             super::SAFE_SPEED,

@@ -5,6 +5,7 @@ mod damping;
 mod examples;
 mod format;
 mod import;
+mod map;
 mod model;
 mod words;
 
@@ -12,6 +13,7 @@ pub use contact::ContactArgs;
 pub use damping::{DampArgs, DampingArgs, SafeSpeedArgs};
 pub use format::{CheckFormat, MassFormat};
 pub use import::{ImportArgs, SideArg};
+pub use map::MapArgs;
 pub use model::ModelArgs;
 
 use crate::failure::Failure;
@@ -42,9 +44,14 @@ impl Cli {
             }
             _ => argument,
         };
+        let hidden = |argument: clap::Arg| match argument.get_id().as_str() {
+            "normal" | "along_line" | "normal_frame" | "estimate" => argument.hide(true),
+            _ => argument,
+        };
         ["damp", "safe-speed"]
             .into_iter()
             .fold(Self::command(), |cli, name| cli.mut_subcommand(name, |c| c.mut_args(optional)))
+            .mut_subcommand("map", |c| c.mut_args(hidden))
     }
 }
 
@@ -60,6 +67,12 @@ pub enum Command {
     /// The same contact over a range of positions, loops closed along one branch.
     #[command(after_help = examples::SWEEP)]
     Sweep(Box<SweepArgs>),
+    /// Effective mass over the surface of a link, or of a whole robot; or over all directions at a point.
+    #[command(
+        after_help = examples::MAP,
+        override_usage = "percuss map MODEL (--link L | --all) [--set JOINT=VALUE]… [--output FILE]…\n       percuss map MODEL --link L --point X,Y,Z --directions COUNT …"
+    )]
+    Map(Box<MapArgs>),
     /// Turn a suspension's hardpoints (Chrono::Vehicle JSON) into a commented URDF+ model.
     #[command(after_help = examples::IMPORT)]
     Import(ImportArgs),

@@ -18,6 +18,21 @@ pub fn normal(text: &str) -> Result<[f64; 3], String> {
     parse_triple(text, Dimension::Plain).map_err(|e| e.to_string())
 }
 
+/// A length whose range is checked later.
+pub fn edge(text: &str) -> Result<f64, String> {
+    Quantity::parse(text).and_then(|q| q.of(Dimension::Length, text)).map_err(|e| e.to_string())
+}
+
+/// `NAME=FOLDER`.
+pub fn package(text: &str) -> Result<(String, std::path::PathBuf), String> {
+    match text.split_once('=') {
+        Some((name, folder)) if !name.is_empty() && !folder.is_empty() => {
+            Ok((name.to_owned(), folder.into()))
+        }
+        _ => Err("expected NAME=FOLDER, such as ur_description=/opt/ros/share/ur_description".into()),
+    }
+}
+
 pub fn kilograms(text: &str) -> Result<f64, String> {
     let mass = Quantity::parse(text).and_then(|q| q.of(Dimension::Mass, text)).map_err(|e| e.to_string())?;
     if mass > 0.0 { Ok(mass) } else { Err(format!("{mass} kg; a mass above 0 is expected")) }

@@ -379,3 +379,19 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
         }
     }
 }
+
+impl<const K: usize> ClusterElimination<f64, K> {
+    /// As the recursion's own; the motion is as large as that of any body.
+    pub fn for_each_pivot(&self, take: &mut impl FnMut(&[f64; K], Option<f64>, &Twist<f64>) -> bool) -> bool {
+        let d = self.d;
+        let largest = |y: usize| {
+            let bodies = self.psi.chunks_exact(d).map(|psi| &psi[y]);
+            let (turn, slide) = bodies.fold((0.0_f64, 0.0_f64), |(turn, slide), psi| {
+                (turn.max(psi.angular.norm()), slide.max(psi.linear.norm()))
+            });
+            Twist::new(Vector3::x() * turn, Vector3::x() * slide)
+        };
+        self.order.iter().all(|&y| take(&self.t[y], Some(self.factor[y * d + y]), &Twist::zero()))
+            && self.dropped.iter().all(|&y| take(&self.t[y], None, &largest(y)))
+    }
+}

@@ -26,7 +26,7 @@ use crate::kinematics::Kinematics;
 use crate::mobility::GroupMobility;
 use crate::model::Model;
 use nalgebra::Vector3;
-use percuss_spatial::{ArticulatedInertia, Scalar, SpatialInertia, Transform, Wrench};
+use percuss_spatial::{ArticulatedInertia, Scalar, SpatialInertia, Transform, Twist, Wrench};
 
 /// Room for the recursion with `K` test wrenches at once; refilled in place.
 #[derive(Clone, Debug)]
@@ -208,5 +208,14 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
         }
         self.base_velocities(model, point, &mut motion);
         motion.velocities
+    }
+}
+
+impl<const K: usize> Recursion<f64, K> {
+    /// Hands over every pivot: what the tests give along it, the pivot where it counts, and where it does not, the motion that
+    /// they act on. Ends, and is false, where the taker is.
+    pub fn for_each_pivot(&self, mut take: impl FnMut(&[f64; K], Option<f64>, &Twist<f64>) -> bool) -> bool {
+        self.joints.iter().all(|e| take(&e.t, e.counts.then_some(e.d), &e.s))
+            && self.clusters.iter().all(|cluster| cluster.for_each_pivot(&mut take))
     }
 }

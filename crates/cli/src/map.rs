@@ -1,0 +1,192 @@
+//! `percuss map`.
+
+use crate::args::{MapArgs, MassFormat};
+use crate::failure::Failure;
+use crate::map_files::{self, MapFormat};
+use crate::output::Output;
+use crate::report::{note, write_diagnostics, write_json, write_out};
+use crate::sweep::use_threads;
+use crate::text::{Table, number, short, triple};
+use percuss_study::{DirectionMass, Extreme, LinkMap, MapAnswer, MapReport, PointMapReport, map, map_point};
+use std::fmt::Write;
+
+/// Runs the command.
+pub fn run(args: &MapArgs) -> Result<(), Failure> {
+    args.check()?;
+    let formats = args
+        .output
+        .iter()
+        .map(|path| Ok((path, MapFormat::of(path)?)))
+        .collect::<Result<Vec<_>, Failure>>()?;
+    use_threads(args.threads);
+    let model = args.model.load()?;
+    if let Some(count) = args.directions {
+        let report = map_point(&model, &args.contact.conditions(), count)?;
+        write_diagnostics(&report.diagnostics, args.model.reading.strict)?;
+        for (path, format) in formats {
+            let mut out = Output::open(Some(path))?;
+            map_files::write_point(&report, format, &mut out).map_err(|error| error.failure(path, &out))?;
+            out.finish()?;
+        }
+        return match args.format {
+            MassFormat::Text => write_out(&point_text(&report)),
+            MassFormat::Json => write_json(&report),
+            MassFormat::Csv => {
+                let mut bytes = Vec::new();
+                map_files::point_csv(&report, &mut bytes)?;
+                write_out(&String::from_utf8_lossy(&bytes))
+            }
+        };
+    }
+    let answer = map(&model, &args.question())?;
+    write_diagnostics(&answer.report.diagnostics, args.model.reading.strict)?;
+    for left in &answer.report.left_out {
+        note(&format!("left out: {}", left.reason));
+    }
+    for (path, format) in formats {
+        let mut out = Output::open(Some(path))?;
+        map_files::write(&answer, format, &mut out).map_err(|error| error.failure(path, &out))?;
+        out.finish()?;
+    }
+    match args.format {
+        MassFormat::Text => write_out(&text(&answer)),
+        MassFormat::Json => write_json(&answer.report),
+        MassFormat::Csv => {
+            let mut out = Output::open(None)?;
+            map_files::csv(&answer, &mut out).map_err(|error| out.failure(error))?;
+            out.finish()
+        }
+    }
+}
+
+fn text(answer: &MapAnswer) -> String {
+    let report = &answer.report;
+    let mut table =
+        Table::new(["link", "contacts", "smallest", "at (m)", "largest", "at (m)", "area mean", "other"]);
+    for link in &report.links {
+        let mass = |e: &Option<Extreme>| {
+            e.as_ref().map_or_else(|| "–".into(), |e| format!("{} kg", short(e.effective_mass)))
+        };
+        let place = |e: &Option<Extreme>| e.as_ref().map_or_else(String::new, |e| rounded(&e.point_link));
+        table.row([
+            link.link.clone(),
+            link.contacts.to_string(),
+            mass(&link.smallest),
+            place(&link.smallest),
+            mass(&link.largest),
+            place(&link.largest),
+            link.area_mean.map_or_else(|| "–".into(), |m| format!("{} kg", short(m))),
+            others(link),
+        ]);
+    }
+    let mut out = table.to_string();
+    out += "\nOne contact in each facet, along its outward normal; places in the link's frame. The mean is 1 over\n\
+            the mean of 1/m over the area.\n";
+    out += &windings(report);
+    let against = report.against.clone().unwrap_or_else(|| match report.conditions.against_mass {
+        Some(mass) => format!("a free body of {} kg", number(mass)),
+        None => "the ground".into(),
+    });
+    let _ = writeln!(out, "\n{:<20} {against}", "against");
+    let _ = writeln!(out, "{:<20} {}", "base", report.conditions.base);
+    let worst = report.links.iter().filter_map(|l| l.worst_relative_error).reduce(f64::max);
+    if let Some(worst) = worst {
+        let _ = writeln!(out, "{:<20} below {worst:.0e}", "relative errors");
+    }
+    out + "\nNot included: friction, compliance of the links, several impacts at once. See docs/LIMITS.md and docs/MAPS.md.\n"
+}
+
+/// Contacts without a mass.
+fn others(link: &LinkMap) -> String {
+    let counts =
+        [(link.immovable, "immovable"), (link.massless, "massless"), (link.unanswered, "without an answer")];
+    let some = counts.into_iter().filter(|(count, _)| *count > 0);
+    some.map(|(count, what)| format!("{count} {what}")).collect::<Vec<_>>().join(", ")
+}
+
+/// What was done to meshes.
+fn windings(report: &MapReport) -> String {
+    let mut out = String::new();
+    for link in &report.links {
+        let Some(o) = link.orientation.as_ref().filter(|o| o.turned + o.open + o.conflicting > 0) else {
+            continue;
+        };
+        let mut done = Vec::new();
+        if o.turned > 0 {
+            done.push(format!("{} triangles were turned over", o.turned));
+        }
+        if o.open > 0 {
+            done.push(format!(
+                "{} of {} pieces are open, turned away from the mesh's centre",
+                o.open, o.pieces
+            ));
+        }
+        if o.conflicting > 0 {
+            done.push(format!("{} pieces cannot be turned alike", o.conflicting));
+        }
+        let _ = writeln!(
+            out,
+            "{}: {}; the sign of a normal does not change the mass.",
+            link.link,
+            done.join("; ")
+        );
+    }
+    out
+}
+
+/// To a tenth of a millimetre.
+fn rounded(p: &[f64; 3]) -> String {
+    triple(&p.map(|x| (x * 1e4).round() / 1e4))
+}
+
+fn point_text(report: &PointMapReport) -> String {
+    let mut out = String::new();
+    let _ = writeln!(
+        out,
+        "{:<20} {} at {} m, in its own frame",
+        "point",
+        report.link,
+        triple(&report.point_link)
+    );
+    let _ = writeln!(out, "{:<20} {} m", "in the world", triple(&report.point_world));
+    out += "\nprincipal effective masses (the belted ellipsoid)\n";
+    let mut table = Table::new(["  mass", "direction (link)", "direction (world)"]);
+    for p in &report.principal {
+        table.row([
+            format!("  {}", mass(p)),
+            triple(&p.direction_link.map(tidy)),
+            triple(&p.direction_world.map(tidy)),
+        ]);
+    }
+    out += &table.to_string();
+    if report.principal.is_empty() {
+        out += "  none: a direction has no answer\n";
+    }
+    let finite = report.directions.iter().filter_map(|d| Some((d.effective_mass?, d)));
+    let (mut least, mut most) = (None::<(f64, &DirectionMass)>, None::<(f64, &DirectionMass)>);
+    for (m, d) in finite {
+        least = least.filter(|(l, _)| *l <= m).or(Some((m, d)));
+        most = most.filter(|(l, _)| *l >= m).or(Some((m, d)));
+    }
+    let _ = writeln!(out, "\n{:<20} {} evenly over the sphere", "directions", report.directions.len());
+    for (name, found) in [("smallest of them", least), ("largest of them", most)] {
+        if let Some((m, d)) = found {
+            let _ = writeln!(
+                out,
+                "{name:<20} {} kg along {} (link)",
+                number(m),
+                triple(&d.direction_link.map(tidy))
+            );
+        }
+    }
+    out + "\n1/m = n·Λ⁻¹n over unit normals n; the principal directions are the axes of Λ⁻¹. See docs/MAPS.md.\n"
+}
+
+fn mass(d: &DirectionMass) -> String {
+    d.effective_mass.map_or_else(|| d.status.to_owned(), |m| format!("{} kg", number(m)))
+}
+
+/// Nine decimals of a component of a unit vector.
+fn tidy(x: f64) -> f64 {
+    (x * 1e9).round() / 1e9
+}

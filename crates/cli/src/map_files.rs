@@ -1,0 +1,181 @@
+//! The files of a map: PLY, glTF, pictures, tables.
+
+use crate::csv;
+use crate::failure::Failure;
+use crate::output::Output;
+use crate::text::short;
+use percuss_dynamics::ContactStatus;
+use percuss_render::{Skin, SkinFacet, SkinMark, SkinPiece};
+use percuss_study::{DirectionMass, Extreme, MapAnswer, PointMapReport};
+use std::io::{self, Write};
+use std::path::Path;
+
+/// What a map is written as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MapFormat {
+    Ply,
+    Glb,
+    Gltf,
+    Svg,
+    Png,
+    Csv,
+    Json,
+}
+
+impl MapFormat {
+    /// By the ending of the file.
+    pub fn of(path: &str) -> Result<Self, Failure> {
+        let ending = Path::new(path).extension().and_then(|e| e.to_str()).unwrap_or("");
+        match ending.to_ascii_lowercase().as_str() {
+            "ply" => Ok(MapFormat::Ply),
+            "glb" => Ok(MapFormat::Glb),
+            "gltf" => Ok(MapFormat::Gltf),
+            "svg" => Ok(MapFormat::Svg),
+            "png" => Ok(MapFormat::Png),
+            "csv" => Ok(MapFormat::Csv),
+            "json" => Ok(MapFormat::Json),
+            _ => Err(Failure::bad_input(format!(
+                "--output {path}: its name must end in .ply, .glb, .gltf, .png, .svg, .csv or .json"
+            ))),
+        }
+    }
+}
+
+/// Why a file is not written.
+pub enum NotWritten {
+    /// The operating system's reason.
+    Io(io::Error),
+    /// The question's.
+    Other(String),
+}
+
+impl NotWritten {
+    pub fn failure(self, path: &str, out: &Output) -> Failure {
+        match self {
+            NotWritten::Io(error) => out.failure(error),
+            NotWritten::Other(message) => Failure::bad_input(format!("--output {path}: {message}")),
+        }
+    }
+}
+
+impl From<io::Error> for NotWritten {
+    fn from(error: io::Error) -> Self {
+        NotWritten::Io(error)
+    }
+}
+
+/// Writes a map.
+pub fn write(answer: &MapAnswer, format: MapFormat, out: &mut Output) -> Result<(), NotWritten> {
+    match format {
+        MapFormat::Ply => skin(answer).write_ply(out)?,
+        MapFormat::Glb => out.write_all(&skin(answer).to_glb())?,
+        MapFormat::Gltf => out.write_all(skin(answer).to_gltf().as_bytes())?,
+        MapFormat::Svg => out.write_all(skin(answer).to_svg().as_bytes())?,
+        MapFormat::Png => {
+            let png = skin(answer).to_png(2.0).map_err(|e| NotWritten::Other(e.to_string()))?;
+            out.write_all(&png)?;
+        }
+        MapFormat::Csv => csv(answer, out)?,
+        MapFormat::Json => json(answer, out)?,
+    }
+    Ok(())
+}
+
+/// Writes a map at a point.
+pub fn write_point(report: &PointMapReport, format: MapFormat, out: &mut Output) -> Result<(), NotWritten> {
+    match format {
+        MapFormat::Csv => point_csv(report, out)?,
+        MapFormat::Json => json(report, out)?,
+        MapFormat::Ply | MapFormat::Glb | MapFormat::Gltf | MapFormat::Svg | MapFormat::Png => {
+            let message = "directions at a point are written as .csv or .json";
+            return Err(NotWritten::Other(message.into()));
+        }
+    }
+    Ok(())
+}
+
+fn json(value: &impl serde::Serialize, out: &mut Output) -> io::Result<()> {
+    serde_json::to_writer_pretty(&mut *out, value)?;
+    writeln!(out)
+}
+
+/// Every contact, a row each.
+pub fn csv(answer: &MapAnswer, out: &mut impl Write) -> io::Result<()> {
+    writeln!(
+        out,
+        "link,x,y,z,normal_x,normal_y,normal_z,world_x,world_y,world_z,area,status,effective_mass,effective_mass_error"
+    )?;
+    for record in answer.skins.iter().flat_map(|skin| skin.records()) {
+        let mut cells = vec![record.link.to_owned()];
+        let places = [record.point_link, record.normal_link, record.point_world];
+        cells.extend(places.iter().flatten().map(|x| csv::number(*x)));
+        cells.extend([
+            csv::number(record.area),
+            record.status.to_owned(),
+            csv::cell(record.effective_mass),
+            csv::cell(record.effective_mass_error),
+        ]);
+        out.write_all(csv::line(&cells).as_bytes())?;
+    }
+    Ok(())
+}
+
+/// The principal directions first, then the others.
+pub fn point_csv(report: &PointMapReport, out: &mut impl Write) -> io::Result<()> {
+    writeln!(out, "kind,x,y,z,world_x,world_y,world_z,status,effective_mass,effective_mass_error")?;
+    let principal = report.principal.iter().map(|d| ("principal", d));
+    for (kind, d) in principal.chain(report.directions.iter().map(|d| ("direction", d))) {
+        let DirectionMass { direction_link, direction_world, status, effective_mass, effective_mass_error } =
+            d;
+        let mut cells = vec![kind.to_owned()];
+        cells.extend(direction_link.iter().chain(direction_world).map(|x| csv::number(*x)));
+        cells.extend([(*status).to_owned(), csv::cell(*effective_mass), csv::cell(*effective_mass_error)]);
+        out.write_all(csv::line(&cells).as_bytes())?;
+    }
+    Ok(())
+}
+
+/// The map as a coloured surface, in the world.
+fn skin(answer: &MapAnswer) -> Skin {
+    let report = &answer.report;
+    let pieces = answer.skins.iter().map(|skin| {
+        let facet = |(i, facet): (usize, &percuss_formats::Facet)| SkinFacet {
+            corners: facet.corners.map(|p| skin.frame.point(&p).into()),
+            normal: skin.frame.vector(&facet.normal).into(),
+            value: match skin.statuses[i] {
+                ContactStatus::Massless => Some(0.0),
+                _ => skin.mass(i),
+            },
+            status: match skin.statuses[i] {
+                ContactStatus::Finite => 0,
+                ContactStatus::Immovable => 1,
+                ContactStatus::Massless => 2,
+                ContactStatus::Unanswered => 3,
+            },
+        };
+        SkinPiece { name: skin.link.clone(), facets: skin.facets.iter().enumerate().map(facet).collect() }
+    });
+    let title = match &report.links[..] {
+        [one] => format!("Effective mass over {}", one.link),
+        several => format!("Effective mass over {} links", several.len()),
+    };
+    let extreme = |of: fn(&percuss_study::LinkMap) -> Option<&Extreme>, sign: f64| {
+        let all = report.links.iter().filter_map(of);
+        all.min_by(|a, b| (sign * a.effective_mass).total_cmp(&(sign * b.effective_mass)))
+    };
+    let mark = |name: &str, e: &Extreme| SkinMark {
+        at: e.point_world,
+        label: format!("{name} {} kg", short(e.effective_mass)),
+    };
+    let smallest = extreme(|l| l.smallest.as_ref(), 1.0).map(|e| mark("smallest", e));
+    let largest = extreme(|l| l.largest.as_ref(), -1.0).map(|e| mark("largest", e));
+    Skin {
+        title,
+        subtitle: report.inputs.first().map_or_else(String::new, |input| input.path.clone()),
+        quantity: "effective mass m̄ (kg)".into(),
+        without_value: "immovable".into(),
+        property: "effective_mass".into(),
+        pieces: pieces.collect(),
+        marks: smallest.into_iter().chain(largest).collect(),
+    }
+}

@@ -1,0 +1,54 @@
+//! Triangle meshes: STL (binary and ASCII), OBJ, COLLADA. Positions alone are read, in metres.
+
+mod dae;
+mod error;
+mod obj;
+mod path;
+mod stl;
+mod triangles;
+
+pub use error::MeshError;
+pub use path::MeshFolders;
+pub use triangles::Triangles;
+
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+/// A mesh file may have this many bytes, 256 MiB, unless the user says otherwise.
+pub const DEFAULT_MAX_MESH_SIZE: u64 = 256 << 20;
+
+/// Reads a mesh file of at most `max_size` bytes. What it is follows from what it holds, then from its name.
+///
+/// COLLADA: the transforms of nodes and the unit of length are applied; `up_axis` is not, as RViz does it. Polygons are split
+/// into fans. OBJ: polygons too.
+///
+/// # Errors
+/// [`MeshError`]: it cannot be read, is too large, breaks its format, has numbers that are not finite or no triangle.
+pub fn read_mesh(path: &Path, max_size: u64) -> Result<Triangles, MeshError> {
+    let unreadable =
+        |error: std::io::Error| MeshError::Unreadable { path: path.to_owned(), message: error.to_string() };
+    let mut bytes = Vec::new();
+    let file = File::open(path).map_err(unreadable)?;
+    file.take(max_size.saturating_add(1)).read_to_end(&mut bytes).map_err(unreadable)?;
+    if bytes.len() as u64 > max_size {
+        return Err(MeshError::TooLarge { path: path.to_owned(), limit: max_size });
+    }
+    let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("").to_ascii_lowercase();
+    let (format, read) = match ending.as_str() {
+        "stl" | "stla" | "stlb" => ("STL", stl::read(&bytes)),
+        "obj" => ("OBJ", obj::read(&bytes)),
+        "dae" => ("COLLADA", dae::read(&bytes)),
+        _ => return Err(MeshError::Format { path: path.to_owned() }),
+    };
+    let malformed = |message: String| MeshError::Malformed { path: path.to_owned(), format, message };
+    let triangles = read.map_err(malformed)?;
+    if triangles.is_empty() {
+        return Err(malformed("it has no triangle".to_owned()));
+    }
+    let wrong = triangles.iter().flatten().flatten().find(|x| !(x.is_finite() && x.abs() <= 1e30));
+    if let Some(x) = wrong {
+        return Err(malformed(format!("a coordinate is {x}; a finite number below 1e30 is expected")));
+    }
+    Ok(triangles)
+}

@@ -1,0 +1,14 @@
+//! Triangles, and how many there may be.
+
+use crate::limits::MOST_TRIANGLES;
+
+/// Triangles: corners in metres, in the mesh's own frame.
+pub type Triangles = Vec<[[f64; 3]; 3]>;
+
+/// Refuses more triangles than are read.
+pub(super) fn bounded(count: usize) -> Result<(), String> {
+    if count > MOST_TRIANGLES {
+        return Err(format!("more than {MOST_TRIANGLES} triangles; simplify the mesh"));
+    }
+    Ok(())
+}

@@ -1,0 +1,114 @@
+//! Patches of solids over two parameters, each from 0 to 1.
+
+use super::facet::Facet;
+use nalgebra::Vector3;
+use std::f64::consts::TAU;
+
+/// A patch and in how many parts it is divided.
+pub(super) struct Patch {
+    kind: Kind,
+    parts: (usize, usize),
+}
+
+enum Kind {
+    /// A parallelogram: corner, its two edges; the normal is along the first times the second.
+    Plane([Vector3<f64>; 3]),
+    /// The side of a cylinder about z: radius, length.
+    Side(f64, f64),
+    /// The end of one: radius, height, 1 for the upper and −1 for the lower.
+    Disc(f64, f64, f64),
+    /// A zone of a sphere: radius, height of its centre, first latitude, how far from there.
+    Ball(f64, f64, f64, f64),
+}
+
+impl Patch {
+    pub fn of_box(size: [f64; 3], parts: [usize; 3]) -> Vec<Self> {
+        let mut patches = Vec::with_capacity(6);
+        for axis in 0..3 {
+            let (second, third) = ((axis + 1) % 3, (axis + 2) % 3);
+            for sign in [1.0, -1.0] {
+                let edge = |axis: usize| {
+                    let mut edge = Vector3::zeros();
+                    edge[axis] = size[axis];
+                    edge
+                };
+                let corner = 0.5 * (sign * edge(axis) - edge(second) - edge(third));
+                let (first, last) = if sign > 0.0 { (second, third) } else { (third, second) };
+                patches.push(Self {
+                    kind: Kind::Plane([corner, edge(first), edge(last)]),
+                    parts: (parts[first], parts[last]),
+                });
+            }
+        }
+        patches
+    }
+
+    pub fn side(radius: f64, length: f64, parts: (usize, usize)) -> Self {
+        Self { kind: Kind::Side(radius, length), parts }
+    }
+
+    pub fn disc(radius: f64, height: f64, side: f64, parts: (usize, usize)) -> Self {
+        Self { kind: Kind::Disc(radius, height, side), parts }
+    }
+
+    pub fn ball(radius: f64, height: f64, (first, span): (f64, f64), parts: (usize, usize)) -> Self {
+        Self { kind: Kind::Ball(radius, height, first, span), parts }
+    }
+
+    pub fn count(&self) -> usize {
+        self.parts.0.saturating_mul(self.parts.1).saturating_mul(2)
+    }
+
+    /// The place and the normal at parameters.
+    fn at(&self, u: f64, v: f64) -> (Vector3<f64>, Vector3<f64>) {
+        let (sine, cosine) = (TAU * u).sin_cos();
+        match self.kind {
+            Kind::Plane([corner, first, second]) => {
+                let normal = first.cross(&second);
+                (corner + first * u + second * v, normal)
+            }
+            Kind::Side(radius, length) => {
+                let normal = Vector3::new(cosine, sine, 0.0);
+                (normal * radius + Vector3::z() * (length * (v - 0.5)), normal)
+            }
+            Kind::Disc(radius, height, side) => {
+                (Vector3::new(radius * v * cosine, radius * v * sine, height), Vector3::z() * side)
+            }
+            Kind::Ball(radius, height, first, span) => {
+                let (up, level) = (first + span * v).sin_cos();
+                let normal = Vector3::new(level * cosine, level * sine, up);
+                (normal * radius + Vector3::z() * height, normal)
+            }
+        }
+    }
+
+    /// Two triangles for each part.
+    pub fn divide(&self, out: &mut Vec<Facet>) {
+        let (across, along) = self.parts;
+        let part = |i: usize, k: usize| (i as f64 / across as f64, k as f64 / along as f64);
+        for i in 0..across {
+            for k in 0..along {
+                let [a, b, c, d] = [part(i, k), part(i + 1, k), part(i + 1, k + 1), part(i, k + 1)];
+                self.triangle([a, b, c], out);
+                self.triangle([a, c, d], out);
+            }
+        }
+    }
+
+    fn triangle(&self, parameters: [(f64, f64); 3], out: &mut Vec<Facet>) {
+        let mut corners = parameters.map(|(u, v)| self.at(u, v).0);
+        let mean = |of: fn(&(f64, f64)) -> f64| parameters.iter().map(of).sum::<f64>() / 3.0;
+        let (point, normal) = self.at(mean(|p| p.0), mean(|p| p.1));
+        let cross = (corners[1] - corners[0]).cross(&(corners[2] - corners[0]));
+        let (length, normal_length) = (cross.norm(), normal.norm());
+        let size = corners.iter().map(|c| c.norm_squared()).fold(0.0, f64::max);
+        // Those at a pole are lines, to rounding.
+        if normal_length == 0.0 || length <= 1e-14 * size {
+            return;
+        }
+        if cross.dot(&normal) < 0.0 {
+            corners.swap(1, 2);
+        }
+        out.push(Facet { corners, point, normal: normal / normal_length, area: 0.5 * length });
+    }
+}

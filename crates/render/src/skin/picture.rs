@@ -1,0 +1,132 @@
+//! The picture of a skin: two views from opposite sides, the scale of colours, the places that are named.
+
+use super::Skin;
+use super::colour::{Scale, at};
+use super::raster::View;
+use crate::limits::MOST_MARKS;
+use crate::palette::{INK, PAPER, SOFT_INK, ZERO};
+use crate::png::{self, RenderError};
+use crate::scene::{Anchor, Item, Scene, solid};
+use crate::svg;
+use crate::text::{fit, medium, regular, width};
+
+/// Units of the page.
+const WIDTH: f64 = 1000.0;
+const SIDE: f64 = 430.0;
+const TOP: f64 = 84.0;
+const MARGIN: f64 = 24.0;
+/// Pixels of a view for each unit.
+const SHARP: usize = 2;
+/// Where the eye stands, degrees: azimuth from x towards y of both views, and height.
+const AZIMUTHS: [f64; 2] = [35.0, 215.0];
+const HEIGHT: f64 = 22.0;
+
+impl Skin {
+    /// The picture as an SVG document; the views in it are pixels.
+    pub fn to_svg(&self) -> String {
+        svg::write(&self.arrange())
+    }
+
+    /// The same picture as a PNG, `scale` pixels for each unit of the SVG.
+    ///
+    /// # Errors
+    /// `scale` not a positive number, or a picture of more than 2^25 pixels.
+    pub fn to_png(&self, scale: f32) -> Result<Vec<u8>, RenderError> {
+        png::draw(&self.arrange(), scale)
+    }
+
+    fn arrange(&self) -> Scene {
+        let scale = Scale::of(self);
+        let height = TOP + SIDE + 64.0;
+        let caption = format!("{}: {}", self.title, self.quantity);
+        let mut scene = Scene { width: WIDTH, height, caption, items: Vec::new() };
+        let room = WIDTH - 2.0 * MARGIN;
+        let title = fit(&self.title, medium(20.0), room);
+        scene.text(title, (MARGIN, 34.0), Anchor::Start, medium(20.0), INK);
+        let subtitle = fit(&self.subtitle, regular(13.0), room);
+        scene.text(subtitle, (MARGIN, 56.0), Anchor::Start, regular(13.0), SOFT_INK);
+        let size = SHARP * SIDE as usize;
+        let mut views =
+            AZIMUTHS.map(|azimuth| View::new(self, azimuth.to_radians(), HEIGHT.to_radians(), size));
+        views.iter_mut().for_each(|view| view.draw(self, &scale));
+        for i in 0..views.len() {
+            let left = MARGIN + (SIDE + 8.0) * i as f64;
+            let pixels = std::mem::take(&mut views[i].pixels);
+            scene.items.push(Item::Image { at: (left, TOP), side: SIDE, pixels, columns: size });
+            self.named(&views, i, left, &mut scene);
+            let words = format!("seen from {}° about z, {HEIGHT}° above", AZIMUTHS[i]);
+            let middle = left + 0.5 * SIDE;
+            scene.text(words, (middle, TOP + SIDE + 20.0), Anchor::Middle, regular(12.0), SOFT_INK);
+        }
+        self.legend(&scale, &mut scene);
+        scene
+    }
+
+    /// Places that this view shows; those hidden in all are rings in the first.
+    fn named(&self, views: &[View], i: usize, left: f64, scene: &mut Scene) {
+        for mark in self.marks.iter().take(MOST_MARKS) {
+            let is_hidden = !views.iter().any(|view| view.is_visible(&mark.at));
+            if !(views[i].is_visible(&mark.at) || is_hidden && i == 0) {
+                continue;
+            }
+            let [x, y, _] = views[i].place(&mark.at);
+            let (x, y) = (left + x / SHARP as f64, TOP + y / SHARP as f64);
+            scene.dots(vec![(x, y)], 5.0, PAPER);
+            scene.dots(vec![(x, y)], 3.5, INK);
+            if is_hidden {
+                scene.dots(vec![(x, y)], 2.0, PAPER);
+            }
+            let font = medium(12.0);
+            let words = if is_hidden { format!("{} (hidden)", mark.label) } else { mark.label.clone() };
+            let words = fit(&words, font, SIDE - 8.0);
+            let half = 0.5 * width(&words, font) + 4.0;
+            let at =
+                (x.clamp(left + half, left + SIDE - half), if y < TOP + 30.0 { y + 20.0 } else { y - 11.0 });
+            scene.text_on_paper(words, at, font, INK);
+        }
+    }
+
+    fn legend(&self, scale: &Scale, scene: &mut Scene) {
+        let (left, top, bottom) = (WIDTH - 92.0, TOP + 44.0, TOP + SIDE - 40.0);
+        let steps = 128;
+        for i in (0..steps).rev() {
+            let part = f64::from(i) / f64::from(steps);
+            let y = bottom - (bottom - top) * part;
+            let from = (left, y - (bottom - top) / f64::from(steps) - 1.0);
+            let colour = at(part + 0.5 / f64::from(steps));
+            scene.items.push(Item::Patch { from, to: (left + 18.0, y), colour });
+        }
+        for value in scale.ticks() {
+            let y = bottom - (bottom - top) * scale.part(value);
+            scene.lines(vec![vec![(left + 18.0, y), (left + 23.0, y)]], solid(INK, 1.0));
+            let is_end = scale.is_capped && value == scale.high;
+            let words = if is_end { format!("≥ {}", short(value)) } else { short(value) };
+            scene.text(words, (left + 27.0, y + 4.0), Anchor::Start, regular(12.0), INK);
+        }
+        let words = fit(&self.quantity, medium(12.0), 2.0 * 88.0);
+        scene.text(words, (WIDTH - 8.0, TOP - 14.0), Anchor::End, medium(12.0), INK);
+        if scale.logarithmic {
+            scene.text("logarithmic".into(), (WIDTH - 8.0, TOP + 2.0), Anchor::End, regular(11.0), SOFT_INK);
+        }
+        if !self.without_value.is_empty() && self.facets().any(|facet| facet.value.is_none()) {
+            let y = bottom + 16.0;
+            scene.items.push(Item::Patch { from: (left, y), to: (left + 18.0, y + 14.0), colour: ZERO });
+            let words = fit(&self.without_value, regular(12.0), 64.0);
+            scene.text(words, (left + 23.0, y + 11.0), Anchor::Start, regular(12.0), INK);
+        }
+    }
+}
+
+/// Three digits.
+fn short(value: f64) -> String {
+    if value == 0.0 {
+        return "0".into();
+    }
+    let magnitude = value.abs().log10().floor();
+    if !(-3.0..6.0).contains(&magnitude) {
+        return format!("{value:.1e}");
+    }
+    let decimals = (2.0 - magnitude).max(0.0) as usize;
+    let text = format!("{value:.decimals$}");
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').into() } else { text }
+}

@@ -1,0 +1,66 @@
+//! PLY, binary: three vertices for each facet, with colour and value on both.
+
+use super::Skin;
+use super::colour::Scale;
+use std::io::{self, Write};
+
+impl Skin {
+    /// Writes it as PLY 1.0, binary little-endian. Each facet has vertices of its own, since the value jumps where the normal
+    /// does; `status` is that of the facet, and the value −1 where there is none.
+    ///
+    /// # Errors
+    /// Those of the writer.
+    pub fn write_ply(&self, out: &mut impl Write) -> io::Result<()> {
+        let count = self.facets().count();
+        let name = if self.property.is_empty() { "value" } else { &self.property };
+        writeln!(out, "ply\nformat binary_little_endian 1.0")?;
+        for piece in &self.pieces {
+            writeln!(out, "comment {} facets of {}", piece.facets.len(), one_line(&piece.name))?;
+        }
+        writeln!(out, "comment {}; -1: none", one_line(&self.quantity))?;
+        writeln!(out, "element vertex {}", 3 * count)?;
+        for property in ["x", "y", "z", "nx", "ny", "nz"] {
+            writeln!(out, "property float {property}")?;
+        }
+        colours(out, name)?;
+        writeln!(out, "element face {count}\nproperty list uchar int vertex_indices")?;
+        colours(out, name)?;
+        writeln!(out, "property uchar status\nend_header")?;
+        let scale = Scale::of(self);
+        for facet in self.facets() {
+            for corner in facet.corners {
+                for x in corner.into_iter().chain(facet.normal) {
+                    out.write_all(&(x as f32).to_le_bytes())?;
+                }
+                paint(out, &scale, facet.value)?;
+            }
+        }
+        for (i, facet) in self.facets().enumerate() {
+            out.write_all(&[3])?;
+            for corner in 0..3 {
+                out.write_all(&((3 * i + corner) as i32).to_le_bytes())?;
+            }
+            paint(out, &scale, facet.value)?;
+            out.write_all(&[facet.status])?;
+        }
+        Ok(())
+    }
+}
+
+fn colours(out: &mut impl Write, name: &str) -> io::Result<()> {
+    for colour in ["red", "green", "blue"] {
+        writeln!(out, "property uchar {colour}")?;
+    }
+    writeln!(out, "property double {name}")
+}
+
+fn paint(out: &mut impl Write, scale: &Scale, value: Option<f64>) -> io::Result<()> {
+    let colour = scale.colour(value);
+    out.write_all(&[colour.0, colour.1, colour.2])?;
+    out.write_all(&value.unwrap_or(-1.0).to_le_bytes())
+}
+
+/// A header ends its comments with their line.
+fn one_line(text: &str) -> String {
+    text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
+}

@@ -1,0 +1,150 @@
+//! m̄ over directions at one point: the belted ellipsoid.
+
+use crate::answer::Prepared;
+use crate::error::{Fault, StudyError};
+use crate::field::Field;
+use crate::findings::about_pose;
+use crate::mass_report::ConditionsRecord;
+use crate::model::{Input, Model};
+use crate::positions::{PoseLayout, Positions};
+use crate::question::{MassQuestion, Normal};
+use crate::record::DiagnosticRecord;
+use crate::thresholds::DIRECTIONS;
+use nalgebra::Vector3;
+use percuss_dynamics::EffectiveMass;
+use percuss_spatial::Transform;
+use serde::Serialize;
+
+/// m̄ along a direction.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct DirectionMass {
+    /// Unit vector, link's axes.
+    pub direction_link: [f64; 3],
+    /// Unit vector.
+    pub direction_world: [f64; 3],
+    /// `finite`, `immovable`, `massless` or `no answer`.
+    pub status: &'static str,
+    /// m̄, kg; null unless finite.
+    pub effective_mass: Option<f64>,
+    /// What it may be off by, kg; null where unknown.
+    pub effective_mass_error: Option<f64>,
+}
+
+/// `percuss map --point`, as JSON.
+#[derive(Clone, Debug, Serialize)]
+pub struct PointMapReport {
+    /// `percuss.map-point/1`.
+    pub schema: &'static str,
+    /// Version of percuss.
+    pub percuss: &'static str,
+    /// The files.
+    pub inputs: Vec<Input>,
+    /// The link.
+    pub link: String,
+    /// m, link's frame.
+    pub point_link: [f64; 3],
+    /// m.
+    pub point_world: [f64; 3],
+    /// The three directions along which m̄ is stationary, from the lightest to the heaviest; empty where one has no answer.
+    pub principal: Vec<DirectionMass>,
+    /// Directions spread evenly over the sphere.
+    pub directions: Vec<DirectionMass>,
+    /// The other link; null: the ground.
+    pub against: Option<String>,
+    /// What it was asked under.
+    pub conditions: ConditionsRecord,
+    /// Whether the pose is singular: every m̄ is a lower bound there.
+    pub singular_pose: bool,
+    /// Where the joints stand.
+    pub pose: Positions,
+    /// Warnings and notes.
+    pub diagnostics: Vec<DiagnosticRecord>,
+}
+
+/// Answers so many directions at a point (the question's; its normal does not count), and the principal ones.
+///
+/// # Errors
+/// [`StudyError`]: names that nothing bears, a pose that cannot be reached, a number of directions out of range.
+pub fn map_point(
+    model: &Model,
+    question: &MassQuestion,
+    directions: usize,
+) -> Result<PointMapReport, StudyError> {
+    if !DIRECTIONS.contains(&directions) {
+        return Err(StudyError::input(Field::Directions, Fault::Directions { count: directions }));
+    }
+    let question = MassQuestion { normal: Normal::Along([1.0, 0.0, 0.0]), ..question.clone() };
+    let prepared = Prepared::new(model, &question)?;
+    let pose = prepared.system.pose(&prepared.configuration)?;
+    let contact = prepared.contact_at(&pose);
+    let map = pose
+        .contact_map(contact.link, contact.against, contact.point, 0.0)
+        .map_err(|error| StudyError::input(Field::Point, error))?;
+    let x_wl = pose.link(contact.link);
+    let other = prepared.other_mass();
+    let of_direction = |i: usize| {
+        let direction = spread(i, directions);
+        let answer = map.effective_mass(&contact.point, &direction);
+        record(&x_wl, &direction, answer.mass, answer.error, other)
+    };
+    let principal = map.principal_masses(&contact.point);
+    let principal = principal.iter().flatten();
+    let mut diagnostics: Vec<DiagnosticRecord> = model.diagnostics.clone();
+    let mut found = about_pose(&prepared.system, &pose, question.names);
+    found.extend(prepared.about_point(&contact, "at the pose of the answer"));
+    found.extend(prepared.about_guesses(&pose));
+    diagnostics.extend(found.into_iter().map(DiagnosticRecord::from));
+    Ok(PointMapReport {
+        schema: "percuss.map-point/1",
+        percuss: env!("CARGO_PKG_VERSION"),
+        inputs: model.inputs.clone(),
+        link: question.link.clone(),
+        point_link: contact.point.into(),
+        point_world: x_wl.point(&contact.point).into(),
+        principal: principal.map(|p| record(&x_wl, &p.direction, Some(p.mass), p.error, other)).collect(),
+        directions: (0..directions).map(of_direction).collect(),
+        against: question.against.clone(),
+        conditions: ConditionsRecord::of(&question),
+        singular_pose: pose.rank().singular,
+        pose: Positions::of(&PoseLayout::new(&model.mechanism), &pose),
+        diagnostics,
+    })
+}
+
+/// A direction's answer, with a free body on the other side where there is one: dm̄ = (m̄/m̄₁)² dm̄₁.
+fn record(
+    x_wl: &Transform<f64>,
+    direction: &Vector3<f64>,
+    mass: Option<EffectiveMass>,
+    error: Option<f64>,
+    other: Option<f64>,
+) -> DirectionMass {
+    let together = mass.map(|mass| mass.against_mass(other));
+    let (status, effective_mass) = match together {
+        Some(EffectiveMass::Finite(m)) => ("finite", Some(m)),
+        Some(EffectiveMass::Immovable) => ("immovable", None),
+        Some(EffectiveMass::Massless) => ("massless", None),
+        None => ("no answer", None),
+    };
+    let factor = match (mass, effective_mass) {
+        (Some(EffectiveMass::Finite(own)), Some(m)) => (m / own).powi(2),
+        _ => 0.0,
+    };
+    DirectionMass {
+        direction_link: (*direction).into(),
+        direction_world: x_wl.vector(direction).into(),
+        status,
+        effective_mass,
+        effective_mass_error: effective_mass.and(error).map(|e| e * factor),
+    }
+}
+
+/// Direction `i` of so many: a spiral on the sphere whose turns are as far apart as its points (Swinbank and Purser 2006; cited
+/// from memory).
+fn spread(i: usize, count: usize) -> Vector3<f64> {
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    let z = 1.0 - (2.0 * i as f64 + 1.0) / count as f64;
+    let turn = std::f64::consts::TAU * (i as f64 * GOLDEN).fract();
+    let radius = (1.0 - z * z).sqrt();
+    Vector3::new(radius * turn.cos(), radius * turn.sin(), z)
+}
