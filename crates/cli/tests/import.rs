@@ -209,7 +209,7 @@ fn what_is_wrong_with_a_file_is_told() {
         (good[..good.len() / 2].to_owned(), 2, "JSON"),
         ("[".repeat(100_000), 2, ""),
         // Doubtful, and imported.
-        (good.replace("[0, 0.9, -0.02]", "[0, 900, -20]"), 0, "are these mm?"),
+        (good.replace("[0, 0.9, -0.02]", "[0, 900, -20]"), 2, "--unit mm"),
         (good.replace("\"Name\"", "\"Colour\": \"red\", \"Name\""), 0, "Colour"),
         (good.replace("\"Name\"", "// a comment\n\"Name\""), 0, "no wheel"),
     ];

@@ -11,7 +11,7 @@ mod words;
 pub use contact::ContactArgs;
 pub use damping::{DampArgs, DampingArgs, SafeSpeedArgs};
 pub use format::{CheckFormat, MassFormat};
-pub use import::{ImportArgs, SideArg};
+pub use import::{AxesArg, ImportArgs, SideArg, TemplateArgs, UnitArg};
 pub use model::ModelArgs;
 
 use crate::failure::Failure;
@@ -31,6 +31,9 @@ pub struct Cli {
     /// What to do.
     #[command(subcommand)]
     pub command: Command,
+    /// Show every note; without this, their number.
+    #[arg(long, global = true)]
+    pub notes: bool,
 }
 
 impl Cli {
@@ -60,9 +63,12 @@ pub enum Command {
     /// The same contact over a range of positions, loops closed along one branch.
     #[command(after_help = examples::SWEEP)]
     Sweep(Box<SweepArgs>),
-    /// Turn a suspension's hardpoints (Chrono::Vehicle JSON) into a commented URDF+ model.
+    /// Write a suspension's sheet to fill in: hardpoints, masses, units, axes.
+    #[command(after_help = examples::TEMPLATE)]
+    Template(TemplateArgs),
+    /// Turn a suspension's sheet, table of hardpoints or Chrono::Vehicle JSON into a commented URDF+ model.
     #[command(after_help = examples::IMPORT)]
-    Import(ImportArgs),
+    Import(Box<ImportArgs>),
     /// The damper that gives a contact a required restitution, and the parameters for simulators.
     #[command(
         after_help = examples::DAMP,
