@@ -64,7 +64,7 @@ fn a_wrong_key_or_value_is_named_with_its_line() {
     refused(&with("[5.0, 720.0, 180.0]", "[5.0, 720.0, inf]"), "wrong-type", &["lower_ball"]);
     refused(&with("[5.0, 720.0, 180.0]", "{ x = 5.0 }"), "wrong-type", &["lower_ball"]);
     refused(&with("\"double-wishbone\"", "\"triple\""), "unknown-template", &["triple", "swing-axle"]);
-    refused(&with("spring.on = \"lower_arm\"", "spring.on = \"arm\""), "unknown-link", &["arm", "upright"]);
+    refused(&with("on = \"lower_arm\"", "on = \"arm\""), "unknown-link", &["arm", "upright"]);
     refused(&with("spring_seat = [", "spring_set = ["), "missing-key", &["points.spring_seat"]);
     refused("unit = \"mm\"\naxes = \"iso\"\n", "missing-key", &["template", "double-wishbone"]);
     refused("x = [", "not-toml", &["my.toml:1"]);

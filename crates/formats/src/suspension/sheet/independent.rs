@@ -355,7 +355,7 @@ pub(crate) const INDEPENDENT: &[Template] = &[
         ],
         bodies: &[
             Body { key: "lower_arm", shape: Shape::Any, mass: 0.9, com: [-8.0, 400.0, 128.0], inertia: [0.009, 0.007, 0.015, 0.0003, -0.0002, 0.0001] },
-            Body { key: "upper_arm", shape: Shape::Any, mass: 0.7, com: [-12.0, 400.0, 305.0], inertia: [0.006, 0.005, 0.011, 0.0002, 0.0001, 0.0001] },
+            Body { key: "upper_arm", shape: Shape::Any, mass: 0.7, com: [-12.0, 400.0, 305.0], inertia: [0.006, 0.005, 0.0105, 0.0002, 0.0001, 0.0001] },
             Body { key: "upright", shape: Shape::Any, mass: 1.7, com: [-2.0, 560.0, 225.0], inertia: [0.011, 0.01, 0.004, 0.0, 0.0, 0.0] },
             Body { key: "spindle", shape: Shape::Spindle, mass: 2.6, com: [0.0, 0.0, 0.0], inertia: [0.007, 0.012, 0.007, 0.0, 0.0, 0.0] },
             Body { key: "tie_rod", shape: Shape::Rod, mass: 0.2, com: [0.0, 0.0, 0.0], inertia: [0.0, 0.0, 0.0, 0.0, 0.0, 0.0] },

@@ -126,6 +126,9 @@ impl Sheet<'_> {
             }
             self.line(&format!("[{}]", body.key));
             self.key("mass", &number(body.mass), "");
+            if let Some((_, link)) = template.on.iter().find(|(section, _)| *section == body.key) {
+                self.key("on", &format!("\"{link}\""), "the link at its outer end");
+            }
             if body.shape == Shape::Rod {
                 continue;
             }
@@ -163,8 +166,10 @@ impl Sheet<'_> {
         let holders: Vec<&str> = template.holders().filter(|l| *l != "anti_roll_bar").collect();
         self.line("");
         self.line(&format!("# Which link each is on: {}.", holders.join(", ")));
-        for (section, link) in template.on {
-            self.key(&format!("{section}.on"), &format!("\"{link}\""), "");
+        let is_body = |section: &str| template.bodies.iter().any(|body| body.key == section);
+        for (section, link) in template.on.iter().filter(|(section, _)| !is_body(section)) {
+            self.line(&format!("[{section}]"));
+            self.key("on", &format!("\"{link}\""), "");
         }
         if template.has_rack() {
             self.line("");
