@@ -5,9 +5,7 @@ use crate::failure::Failure;
 use crate::import_text::understood;
 use crate::output::Output;
 use crate::report::{write_diagnostics, write_out};
-use percuss_formats::suspension::{
-    ImportOptions, LengthUnit, Rack, Side, VehicleAxes, Wheel, import,
-};
+use percuss_formats::suspension::{ImportOptions, LengthUnit, Rack, Side, VehicleAxes, Wheel, import};
 use percuss_formats::{Source, write_urdf_with};
 use percuss_study::DiagnosticRecord;
 use std::io::Write;

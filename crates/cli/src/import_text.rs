@@ -38,9 +38,7 @@ pub fn understood(of: &Understood, output: &str) -> String {
         let _ = writeln!(out, "{name:<28} {length:>12} {mass:>10.3}");
     }
     let is_massless = |name: &str| {
-        !of.masses.iter().any(|(known, _)| {
-            known == name || known.strip_suffix("_left") == Some(name)
-        })
+        !of.masses.iter().any(|(known, _)| known == name || known.strip_suffix("_left") == Some(name))
     };
     for (name, length) in of.lengths.iter().filter(|(name, _)| is_massless(name)) {
         let _ = writeln!(out, "{name:<28} {:>12.2} {:>10}", 1e3 * length, "massless");

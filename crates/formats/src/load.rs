@@ -106,9 +106,7 @@ fn read(text: &str, options: &LoadOptions, report: &mut Report) -> Option<Mechan
             Severity::Warning if said => Severity::Note,
             severity => severity,
         };
-        report.add(severity, problem.code(), nodes.place(robot, &subject, &problem), || {
-            problem.to_string()
-        });
+        report.add(severity, problem.code(), nodes.place(robot, &subject, &problem), || problem.to_string());
     }
     mechanism
 }

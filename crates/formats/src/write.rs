@@ -41,7 +41,8 @@ pub fn write_urdf_with(mechanism: &Mechanism, comments: &Comments) -> String {
         put(&mut out, format_args!("<!-- {} -->\n", comment(line)));
     }
     // A name that an instruction cannot hold has its warning again.
-    let holds = |name: &str| !name.contains("?>") && !name.chars().any(char::is_control) && name.trim() == name;
+    let holds =
+        |name: &str| !name.contains("?>") && !name.chars().any(char::is_control) && name.trim() == name;
     for (code, name) in comments.known.iter().filter(|(_, name)| holds(name)) {
         put(&mut out, format_args!("<?percuss-known {code} {name}?>\n"));
     }

@@ -34,17 +34,17 @@ use crate::report::{Place, Report, cut, quoted};
 use crate::{Comments, Diagnostic, LoadError, Source};
 use corner::{About, CHASSIS, Corner, RACK};
 pub use drawing::{Line, WheelCircle};
+use findings::{Findings, Spot};
 pub use options::{ImportOptions, Rack, Side, Wheel};
 use percuss_mechanism::{
     Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder, Problem, Subject,
 };
 use percuss_spatial::Vector3;
-use findings::{Findings, Spot};
 use reader::{Reader, Section};
 pub use sheet::{TemplateOptions, template_keys, template_names, template_sheet};
 pub use understood::Understood;
-pub use units::{LengthUnit, VehicleAxes};
 use units::Frame;
+pub use units::{LengthUnit, VehicleAxes};
 
 /// A mechanism, what its parts are, and what was noticed in its file.
 #[derive(Debug)]
@@ -148,7 +148,9 @@ fn import_chrono(
 fn decoded<'s>(source: &'s Source, report: &mut Report) -> Option<&'s str> {
     let wide = [&b"\xFF\xFE"[..], b"\xFE\xFF"].iter().any(|mark| source.bytes.starts_with(mark));
     if source.bytes.trim_ascii().is_empty() {
-        report.error("empty-file", Place::File, || "the file is empty; a sheet (TOML), a table or JSON is expected".to_owned());
+        report.error("empty-file", Place::File, || {
+            "the file is empty; a sheet (TOML), a table or JSON is expected".to_owned()
+        });
         None
     } else if source.bytes.contains(&0) && !wide {
         report.error("binary", Place::File, || {

@@ -1,10 +1,10 @@
 //! What several templates share: bodies, arms on a hinge, Hooke's joints, tie rods, seats.
 
 use super::corner::{Body, CHASSIS, Corner, RACK};
-use super::frames;
 use super::findings::{Findings, Spot};
-use super::units::VehicleAxes;
+use super::frames;
 use super::reader::{Reader, Section};
+use super::units::VehicleAxes;
 use crate::limits::OBLIQUE_PINS;
 use percuss_mechanism::{ClosureKind, JointKind};
 use percuss_spatial::{Matrix3, Vector3};

@@ -305,7 +305,9 @@ pub(super) fn check_size(findings: &mut Findings, far: f64, spot: &Spot, unit: L
     if far > FARTHEST_HARDPOINT {
         let mend = match unit {
             LengthUnit::Metre => "if the file is in millimetres, give --unit mm",
-            LengthUnit::Centimetre | LengthUnit::Millimetre | LengthUnit::Inch => "give the file's unit by --unit",
+            LengthUnit::Centimetre | LengthUnit::Millimetre | LengthUnit::Inch => {
+                "give the file's unit by --unit"
+            }
         };
         let message = format!(
             "a coordinate of {size} {name}, read in {name}: no hardpoint lies {far} m out. {mend}; if only this \

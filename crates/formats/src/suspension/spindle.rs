@@ -1,9 +1,9 @@
 //! The spindle with the axle on it, and the wheel.
 
 use super::corner::{Body, Corner};
-use super::parts::{Inertias, body, close, spanned};
 use super::drawing::WheelCircle;
 use super::findings::{Findings, Spot};
+use super::parts::{Inertias, body, close, spanned};
 use super::reader::{Reader, Section};
 use super::{ImportOptions, Wheel, frames};
 use crate::limits::MOMENT_SLACK;
@@ -111,7 +111,8 @@ impl Spindle {
         let Some(radius) = wheel.radius else { return };
         // The lowest direction in the wheel's plane.
         let down = frames::unit(self.axis * self.axis.z - Vector3::z());
-        let down = spanned(findings, down, spot, "the axis of spin is vertical: the wheel has no lowest point");
+        let down =
+            spanned(findings, down, spot, "the axis of spin is vertical: the wheel has no lowest point");
         let comment = "the wheel's lowest point; it turns with the wheel";
         corner.frame("contact_patch", "spindle", at + down * radius, comment);
     }

@@ -231,7 +231,8 @@ fn options_are_judged_too() {
     let options = ImportOptions { wheel: Some(wheel), ..ImportOptions::default() };
     let error = import_text(&text, &options).unwrap_err().to_string();
     assert!(error.contains("link \"wheel\"") && error.contains("-1"), "{error}");
-    let options = ImportOptions { rack: Some(Rack::Sliding { mass: f64::INFINITY }), ..ImportOptions::default() };
+    let options =
+        ImportOptions { rack: Some(Rack::Sliding { mass: f64::INFINITY }), ..ImportOptions::default() };
     assert!(import_text(&text, &options).is_err());
 }
 

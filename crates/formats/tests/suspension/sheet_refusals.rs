@@ -8,9 +8,7 @@ use percuss_mechanism::Severity;
 fn errors(name: &str, text: &str, options: &ImportOptions) -> Vec<Diagnostic> {
     match import(&Source::from_text(name, text), options) {
         Ok(imported) => panic!("read, with {:?}", imported.diagnostics),
-        Err(error) => {
-            error.diagnostics.into_iter().filter(|d| d.severity == Severity::Error).collect()
-        }
+        Err(error) => error.diagnostics.into_iter().filter(|d| d.severity == Severity::Error).collect(),
     }
 }
 
@@ -53,7 +51,7 @@ fn units_and_axes_are_said_or_refused() {
 #[test]
 fn a_wrong_key_or_value_is_named_with_its_line() {
     refused(&with("lower_ball =", "lower_bal ="), "missing-key", &["points.lower_ball", "lower_bal"]);
-    refused(&with("yours", "yours\ncolour = \"red\""), "unknown-key", &["colour", "my.toml:"]);
+    refused(&with("# yours", "# yours\ncolour = \"red\""), "unknown-key", &["colour", "my.toml:"]);
     refused(&with("[upright]", "[upright]\nmas = 1"), "unknown-key", &["mas", "upright.mass"]);
     refused(&with("[upright]", "[uprigt]"), "missing-key", &["upright.mass", "uprigt"]);
     refused(&with("mass = 4.2", "mass = \"4.2 mm\""), "wrong-type", &["lower_arm.mass", "kg"]);

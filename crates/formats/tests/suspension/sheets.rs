@@ -145,8 +145,12 @@ impl Car {
         let mut out = String::new();
         match spelling.table {
             None => {
-                write!(out, "template = \"{}\"\nunit = \"{unit}\"\naxes = \"{axes}\"\nside = \"{side}\"\n", self.template)
-                    .unwrap();
+                write!(
+                    out,
+                    "template = \"{}\"\nunit = \"{unit}\"\naxes = \"{axes}\"\nside = \"{side}\"\n",
+                    self.template
+                )
+                .unwrap();
                 writeln!(out, "wheel.camber = \"-1.5 deg\"\nwheel.toe = \"0.01 rad\"").unwrap();
                 for (key, values) in keys {
                     match &values[..] {
@@ -157,10 +161,16 @@ impl Car {
             }
             Some((separator, comma)) => {
                 let s = separator;
-                write!(out, "template{s}{}\nunit{s}{unit}\naxes{s}{axes}\nside{s}{side}\n", self.template).unwrap();
-                let mark = |text: String| if comma { text.replace('.', ",") } else { text };
-                writeln!(out, "wheel.camber{s}{} deg\nwheel.toe{s}{} rad", mark("-1.5".into()), mark("0.01".into()))
+                write!(out, "template{s}{}\nunit{s}{unit}\naxes{s}{axes}\nside{s}{side}\n", self.template)
                     .unwrap();
+                let mark = |text: String| if comma { text.replace('.', ",") } else { text };
+                writeln!(
+                    out,
+                    "wheel.camber{s}{} deg\nwheel.toe{s}{} rad",
+                    mark("-1.5".into()),
+                    mark("0.01".into())
+                )
+                .unwrap();
                 for (key, values) in keys {
                     // A point's section goes without saying.
                     let key = key.strip_prefix("points.").unwrap_or(&key);
@@ -237,8 +247,14 @@ fn one_car_has_one_mass_however_it_is_said() {
             for unit in LengthUnit::ALL {
                 for axes in VehicleAxes::ALL {
                     for right in [false, true] {
-                        let tables =
-                            [None, Some((',', false)), Some((';', true)), None, Some((';', false)), Some(('\t', true))];
+                        let tables = [
+                            None,
+                            Some((',', false)),
+                            Some((';', true)),
+                            None,
+                            Some((';', false)),
+                            Some(('\t', true)),
+                        ];
                         spellings.push(Spelling { unit, axes, right, table: tables[spellings.len() % 6] });
                     }
                 }
@@ -285,7 +301,8 @@ fn a_swing_axle_is_a_pendulum() {
     let (spindle, _, of_spindle) = car.body("spindle");
     let (centre, pivot) = (car.point("wheel_centre"), car.point("pivot_front"));
     let arm = |p: Vector3<f64>| (p.y - pivot.y).powi(2) + (p.z - pivot.z).powi(2);
-    let about = inertia[(0, 0)] + tube * arm(com) + of_spindle[(0, 0)] + 0.62 + (spindle + 18.5) * arm(centre);
+    let about =
+        inertia[(0, 0)] + tube * arm(com) + of_spindle[(0, 0)] + 0.62 + (spindle + 18.5) * arm(centre);
     let expected = about / (centre.y - pivot.y).powi(2);
     let found = respond(&car.mechanism(Side::Left), "wheel_centre", Vector3::z(), &[]).mass;
     assert!((found / expected - 1.0).abs() < 1e-14, "{found} and {expected}");
@@ -418,7 +435,8 @@ fn a_moved_hardpoint_is_moved_in_the_sheets_own_axes() {
     // Right side and y to the right: outward is +y.
     let other = moved(&other, [0.0, 0.002, 0.005]);
     let at = car.point("lower_ball") * 1e3;
-    let expected = at_seat(&car.set("lower_ball", [at.x, at.y + 2.0, at.z + 5.0]).mechanism(Side::Left), BUMP, "");
+    let expected =
+        at_seat(&car.set("lower_ball", [at.x, at.y + 2.0, at.z + 5.0]).mechanism(Side::Left), BUMP, "");
     for mass in [found, other] {
         assert!((mass / expected - 1.0).abs() < 1e-12, "{mass} and {expected}");
     }

@@ -36,7 +36,8 @@ fn restated(template: &str, keys: &[(&str, &str)], factor: f64, turned: bool) ->
 fn a_file_in_other_units_or_axes_is_refused_or_read() {
     for (template, keys) in all() {
         let mass = |text: &str, options: &ImportOptions| {
-            let mechanism = import_text(text, options).unwrap_or_else(|e| panic!("{template}: {e}")).mechanism;
+            let mechanism =
+                import_text(text, options).unwrap_or_else(|e| panic!("{template}: {e}")).mechanism;
             let line = place(&mechanism, "shock_chassis_seat") - place(&mechanism, "shock_seat");
             respond(&mechanism, "shock_seat", line.normalize(), &[]).mass
         };
@@ -51,7 +52,8 @@ fn a_file_in_other_units_or_axes_is_refused_or_read() {
         for (unit, factor) in [(LengthUnit::Millimetre, 1e3), (LengthUnit::Centimetre, 100.0)] {
             for axes in VehicleAxes::ALL {
                 let text = restated(template, &keys, factor, axes == VehicleAxes::Adams);
-                let error = import_text(&text, &on(Side::Left)).expect_err("a vehicle of some hundred metres");
+                let error =
+                    import_text(&text, &on(Side::Left)).expect_err("a vehicle of some hundred metres");
                 assert!(error.to_string().contains("--unit"), "{template}: {error}");
                 let options =
                     ImportOptions { unit: Some(unit), axes: Some(axes), ..ImportOptions::default() };
@@ -104,7 +106,8 @@ fn what_was_imported_is_read_without_a_warning() {
             assert!(loud.is_empty(), "{template}: {loud:?}");
             // Without the words above the robot, a spindle with an axle in it is doubted as any.
             let bare: Vec<&str> = urdf.lines().filter(|line| !line.starts_with("<?percuss-known")).collect();
-            let loaded = load(&Source::from_text("my.urdf", bare.join("\n")), &LoadOptions::default()).unwrap();
+            let loaded =
+                load(&Source::from_text("my.urdf", bare.join("\n")), &LoadOptions::default()).unwrap();
             assert!(loaded.diagnostics.iter().any(|d| d.code == "triangle-inequality"), "{template}");
         }
     }

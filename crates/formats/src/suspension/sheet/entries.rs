@@ -226,7 +226,12 @@ impl Entries {
     }
 
     /// A point in metres, in the axes of ISO 8855.
-    pub fn point(&mut self, findings: &mut Findings, key: &str, frame: Frame) -> Option<(Vector3<f64>, Spot)> {
+    pub fn point(
+        &mut self,
+        findings: &mut Findings,
+        key: &str,
+        frame: Frame,
+    ) -> Option<(Vector3<f64>, Spot)> {
         let (values, spot) = self.numbers(findings, key, Kind::Length(frame.unit), &[3])?;
         Some((frame.axes.to_iso(Vector3::new(values[0], values[1], values[2])), spot))
     }

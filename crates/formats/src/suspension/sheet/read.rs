@@ -85,7 +85,9 @@ pub(in super::super) fn read(
 
 /// The table that the sheet names in the place of its points.
 fn beside(source: &Source, entries: &mut Entries, findings: &mut Findings, files: &mut Files) {
-    let Some((path, spot)) = entries.text(findings, "points", "the name of a table of points") else { return };
+    let Some((path, spot)) = entries.text(findings, "points", "the name of a table of points") else {
+        return;
+    };
     let folder = Path::new(&source.name).parent().unwrap_or(Path::new(""));
     let path = folder.join(path).to_string_lossy().into_owned();
     let read = match Source::read(&path, DEFAULT_MAX_SIZE) {
@@ -151,8 +153,10 @@ impl Template {
                 Part::Axle => *key == "axle",
                 Part::Close { .. } => false,
             };
-            let is_body_of_rod = |part: &Part| matches!(part, Part::Rod { link, .. } if link == key)
-                && bodies.iter().any(|b| b.key == *key && b.shape == Shape::Any);
+            let is_body_of_rod = |part: &Part| {
+                matches!(part, Part::Rod { link, .. } if link == key)
+                    && bodies.iter().any(|b| b.key == *key && b.shape == Shape::Any)
+            };
             parts.iter().any(|part| is_made(part) || is_body_of_rod(part))
         })
     }
@@ -186,20 +190,8 @@ impl Taking<'_> {
             self.scalar("spindle.axle_inertia", Kind::Inertia(inertia_over)).map_or(0.0, |(x, _)| x);
         let on = self.on(template);
         let rack = self.rack(template);
-        let mut sheet = Sheet {
-            template,
-            name,
-            frame,
-            side,
-            rack,
-            points,
-            bodies,
-            wheel,
-            camber,
-            toe,
-            axle_inertia,
-            on,
-        };
+        let mut sheet =
+            Sheet { template, name, frame, side, rack, points, bodies, wheel, camber, toe, axle_inertia, on };
         self.moved(&mut sheet);
         Some(sheet)
     }
@@ -412,7 +404,11 @@ impl Taking<'_> {
         let Some((mass, at)) = self.scalar(&mass_key, Kind::Mass) else {
             if !self.entries.has(&mass_key) && !(is_rod && !self.entries.has(&com_key)) {
                 let text = catalogue::text_of(catalogue::BODIES, body.key);
-                self.entries.missing(self.findings, &mass_key, &format!("the mass of {text}, kg (0 is legal),"));
+                self.entries.missing(
+                    self.findings,
+                    &mass_key,
+                    &format!("the mass of {text}, kg (0 is legal),"),
+                );
             }
             return None;
         };
@@ -450,7 +446,8 @@ impl Taking<'_> {
             None if self.entries.has(&inertia_key) => return None,
             None if mass == 0.0 => Matrix3::zeros(),
             None => {
-                let expected = "the inertia about the centre of mass, [xx, yy, zz] or [xx, yy, zz, xy, xz, yz],";
+                let expected =
+                    "the inertia about the centre of mass, [xx, yy, zz] or [xx, yy, zz, xy, xz, yz],";
                 self.entries.missing(self.findings, &inertia_key, expected);
                 return None;
             }
@@ -568,9 +565,8 @@ impl Sheet {
 
     /// Where a point stands in the file.
     pub fn spot(&self, key: &str) -> Spot {
-        self.points.get(key).map_or_else(
-            || Spot { path: Some(shortened(key)), ..Spot::default() },
-            |(_, spot)| spot.clone(),
-        )
+        self.points
+            .get(key)
+            .map_or_else(|| Spot { path: Some(shortened(key)), ..Spot::default() }, |(_, spot)| spot.clone())
     }
 }

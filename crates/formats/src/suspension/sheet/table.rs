@@ -150,7 +150,8 @@ fn rows_of(bytes: &[u8], file: usize) -> Result<Vec<Row>, String> {
 fn take(rows: Vec<Row>, entries: &mut Entries, findings: &mut Findings) {
     let is_blank = |cell: &Cell| matches!(cell, Cell::Text(text) if text.trim().is_empty());
     let rows = rows.into_iter().filter(|row| {
-        let comment = matches!(row.cells.first(), Some(Cell::Text(text)) if text.trim_start().starts_with('#'));
+        let comment =
+            matches!(row.cells.first(), Some(Cell::Text(text)) if text.trim_start().starts_with('#'));
         !comment && !row.cells.iter().all(is_blank)
     });
     let mut columns: Option<[usize; 3]> = None;

@@ -55,9 +55,7 @@ fn cell(value: &DeValue<'_>) -> Option<Cell> {
     match value {
         DeValue::String(text) => Some(Cell::Text(text.to_string())),
         // Rust reads both; what is too large for it is refused with the rest of the numbers.
-        DeValue::Integer(number) if number.radix() == 10 => {
-            Some(Cell::Number(number.as_str().parse().ok()?))
-        }
+        DeValue::Integer(number) if number.radix() == 10 => Some(Cell::Number(number.as_str().parse().ok()?)),
         DeValue::Float(number) => Some(Cell::Number(number.as_str().parse().ok()?)),
         DeValue::Boolean(on) => Some(Cell::Switch(*on)),
         DeValue::Integer(_) | DeValue::Datetime(_) | DeValue::Array(_) | DeValue::Table(_) => None,

@@ -1,7 +1,7 @@
 //! Sheets to fill in, and the tables of the documentation.
 
 use super::super::units::{LengthUnit, VehicleAxes};
-use super::catalogue::{BODIES, POINTS, Shape, Template, text_of, templates};
+use super::catalogue::{BODIES, POINTS, Shape, Template, templates, text_of};
 use super::table::HEAD;
 use percuss_spatial::{Matrix3, Vector3};
 use std::fmt::Write;
@@ -81,7 +81,9 @@ impl Sheet<'_> {
         let build = if template.axle { "\"both\"" } else { "\"left\"" };
         let comment = if template.axle { "both sides are on one axle" } else { "left, right or both" };
         self.key("build", build, &format!("what is built: {comment}"));
-        self.line("# points = \"points.csv\"   a table of names, x, y, z (CSV or XLSX) in the place of [points]");
+        self.line(
+            "# points = \"points.csv\"   a table of names, x, y, z (CSV or XLSX) in the place of [points]",
+        );
     }
 
     fn length(&self, millimetres: f64) -> String {
@@ -193,8 +195,7 @@ pub fn template_keys() -> String {
         let _ = writeln!(out, "| `{key}` | {what} | {within} |");
     };
     let of = |has: &dyn Fn(&Template) -> bool| {
-        let names: Vec<String> =
-            templates().filter(|t| has(t)).map(|t| format!("`{}`", t.name)).collect();
+        let names: Vec<String> = templates().filter(|t| has(t)).map(|t| format!("`{}`", t.name)).collect();
         if names.len() == templates().count() { "all".to_owned() } else { names.join(", ") }
     };
     let head = [
@@ -218,14 +219,20 @@ pub fn template_keys() -> String {
         let how = match shape {
             Some(Shape::Rod) => "; massless without, a slender rod with only `mass`",
             Some(Shape::Optional) => "; may be left out",
-            Some(Shape::Spindle) => "; `com` the wheel's centre where it is missing, `inertia` along the wheel's axes",
+            Some(Shape::Spindle) => {
+                "; `com` the wheel's centre where it is missing, `inertia` along the wheel's axes"
+            }
             Some(Shape::Any) | None => "",
         };
         let keys = format!("{key}.mass`, `.com`, `.inertia");
         row(&keys, &format!("{what}{how}"), &of(&|t| t.bodies.iter().any(|b| b.key == *key)));
     }
     row("spindle.axle_inertia", "of the drive shaft about the axis of spin, added to the spindle's", "all");
-    row("wheel.mass`, `.inertia", "the wheel with its tyre: about its centre, y along the axis of spin", "all");
+    row(
+        "wheel.mass`, `.inertia",
+        "the wheel with its tyre: about its centre, y along the axis of spin",
+        "all",
+    );
     row("wheel.radius", "names the wheel's lowest point `contact_patch`", "all");
     row("wheel.camber`, `.toe", "with a unit: `\"-1 deg\"`; positive: top outward, toe-in", "all");
     for section in ["spring", "damper", "bump_stop", "rebound_stop", "drop_link", "pushrod"] {
@@ -233,6 +240,10 @@ pub fn template_keys() -> String {
         row(&format!("{section}.on"), "the link that it is on", &with);
     }
     let steered = of(&|t| t.has_rack());
-    row("rack.slides`, `rack.mass", "whether the tie rods' inner ends slide along y, and their mass", &steered);
+    row(
+        "rack.slides`, `rack.mass",
+        "whether the tie rods' inner ends slide along y, and their mass",
+        &steered,
+    );
     out
 }
