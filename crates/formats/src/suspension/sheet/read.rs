@@ -402,7 +402,7 @@ impl Taking<'_> {
         let is_rod = body.shape == Shape::Rod;
         let spot = |spot: Spot| Spot { path: Some(body.key.to_owned()), ..spot };
         let Some((mass, at)) = self.scalar(&mass_key, Kind::Mass) else {
-            if !self.entries.has(&mass_key) && !(is_rod && !self.entries.has(&com_key)) {
+            if !self.entries.has(&mass_key) && (!is_rod || self.entries.has(&com_key)) {
                 let text = catalogue::text_of(catalogue::BODIES, body.key);
                 self.entries.missing(
                     self.findings,
