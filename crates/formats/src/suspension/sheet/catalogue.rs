@@ -2,6 +2,7 @@
 
 use super::axles::AXLES;
 use super::independent::INDEPENDENT;
+use super::trailing::TRAILING;
 
 /// A template.
 pub(crate) struct Template {
@@ -70,7 +71,7 @@ pub(crate) enum Part {
 
 /// Every template.
 pub(crate) fn templates() -> impl Iterator<Item = &'static Template> {
-    INDEPENDENT.iter().chain(AXLES)
+    INDEPENDENT.iter().chain(TRAILING).chain(AXLES)
 }
 
 /// What each key of a hardpoint means: one meaning in every template.

@@ -11,6 +11,7 @@ mod independent;
 mod read;
 mod table;
 mod toml_text;
+mod trailing;
 mod write;
 
 pub(super) use build::build;
