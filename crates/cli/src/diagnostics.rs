@@ -4,8 +4,20 @@ use crate::limits;
 use percuss_study::DiagnosticRecord;
 use std::collections::HashMap;
 
-/// One line for each diagnostic; of many warnings or notes of one kind, the first few and a count.
-pub fn lines(diagnostics: &[DiagnosticRecord]) -> Vec<String> {
+/// One line for each diagnostic; of many warnings or notes of one kind, the first few and a count. Notes are one line
+/// together unless they are to be shown.
+pub fn lines(diagnostics: &[DiagnosticRecord], notes_shown: bool) -> Vec<String> {
+    let notes = diagnostics.iter().filter(|d| d.severity == "note").count();
+    if !notes_shown && notes > 0 {
+        let rest: Vec<DiagnosticRecord> =
+            diagnostics.iter().filter(|d| d.severity != "note").cloned().collect();
+        let mut lines = lines(&rest, true);
+        lines.push(match notes {
+            1 => "1 note: --notes shows it".to_owned(),
+            notes => format!("{notes} notes: --notes shows them"),
+        });
+        return lines;
+    }
     let mut totals: HashMap<&str, usize> = HashMap::new();
     for d in diagnostics {
         *totals.entry(d.code).or_default() += 1;

@@ -72,7 +72,8 @@ impl Failure {
 impl From<LoadError> for Failure {
     fn from(error: LoadError) -> Self {
         let records: Vec<DiagnosticRecord> = error.diagnostics.into_iter().map(Into::into).collect();
-        Failure::BadInput(lines(&records))
+        // Beside an error, notes are of no use.
+        Failure::BadInput(lines(&records, false))
     }
 }
 

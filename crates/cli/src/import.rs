@@ -1,11 +1,14 @@
 //! `percuss import`.
 
-use crate::args::{ImportArgs, SideArg};
+use crate::args::{AxesArg, ImportArgs, SideArg, UnitArg};
 use crate::failure::Failure;
+use crate::import_text::understood;
+use crate::output::Output;
 use crate::report::{write_diagnostics, write_out};
-use percuss_formats::suspension::{ImportOptions, Rack, Side, Wheel, import};
+use percuss_formats::suspension::{ImportOptions, LengthUnit, Rack, Side, VehicleAxes, Wheel, import};
 use percuss_formats::{Source, write_urdf_with};
 use percuss_study::DiagnosticRecord;
+use std::io::Write;
 
 /// Runs the command.
 pub fn run(args: &ImportArgs) -> Result<(), Failure> {
@@ -20,26 +23,52 @@ pub fn run(args: &ImportArgs) -> Result<(), Failure> {
     let diagnostics: Vec<DiagnosticRecord> = imported.diagnostics.into_iter().map(Into::into).collect();
     write_diagnostics(&diagnostics, args.strict)?;
     let text = write_urdf_with(&imported.mechanism, &imported.comments);
-    match args.output.as_str() {
-        "-" => write_out(&text),
-        path => std::fs::write(path, text)
-            .map_err(|e| Failure::bad_input(format!("{path} cannot be written: {e}"))),
+    if args.output == "-" {
+        return write_out(&text);
     }
+    let mut output = Output::open(Some(&args.output))?;
+    if let Err(error) = output.write_all(text.as_bytes()) {
+        return Err(output.failure(error));
+    }
+    output.finish()?;
+    write_out(&understood(&imported.understood, &args.output))
 }
 
 fn options(args: &ImportArgs) -> ImportOptions {
     ImportOptions {
-        side: match args.side {
+        unit: args.unit.map(unit),
+        axes: args.axes.map(axes),
+        template: args.template.clone(),
+        moves: args.moves.clone(),
+        side: args.side.map(|side| match side {
             SideArg::Left => Side::Left,
             SideArg::Right => Side::Right,
             SideArg::Both => Side::Both,
-        },
+        }),
         wheel: args.wheel_mass.map(|mass| Wheel {
             mass,
             inertia: args.wheel_inertia.unwrap_or_default(),
             radius: args.wheel_radius,
         }),
-        rack: args.rack_mass.map_or(Rack::Fixed, |mass| Rack::Sliding { mass }),
+        rack: args.rack_mass.map(|mass| Rack::Sliding { mass }),
         ..ImportOptions::default()
+    }
+}
+
+/// The unit that a flag names.
+pub fn unit(unit: UnitArg) -> LengthUnit {
+    match unit {
+        UnitArg::M => LengthUnit::Metre,
+        UnitArg::Cm => LengthUnit::Centimetre,
+        UnitArg::Mm => LengthUnit::Millimetre,
+        UnitArg::In => LengthUnit::Inch,
+    }
+}
+
+/// The axes that a flag names.
+pub fn axes(axes: AxesArg) -> VehicleAxes {
+    match axes {
+        AxesArg::Iso => VehicleAxes::Iso,
+        AxesArg::Adams => VehicleAxes::Adams,
     }
 }

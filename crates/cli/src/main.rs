@@ -10,6 +10,7 @@ mod damp;
 mod diagnostics;
 mod failure;
 mod import;
+mod import_text;
 mod limits;
 mod map;
 mod map_files;
@@ -22,6 +23,7 @@ mod safe_speed;
 mod sweep;
 mod sweep_figure;
 mod sweep_rows;
+mod template;
 mod text;
 
 use args::{Cli, Command};
@@ -31,11 +33,13 @@ use std::process::ExitCode;
 fn main() -> ExitCode {
     let parsed = Cli::from_arg_matches(&Cli::definition().get_matches());
     let cli = parsed.unwrap_or_else(|error| error.format(&mut Cli::definition()).exit());
+    report::show_notes(cli.notes);
     let outcome = match &cli.command {
         Command::Check(args) => check::run(args),
         Command::Mass(args) => mass::run(args),
         Command::Sweep(args) => sweep::run(args),
         Command::Map(args) => map::run(args),
+        Command::Template(args) => template::run(args),
         Command::Import(args) => import::run(args),
         Command::Damp(args) => damp::run(args),
         Command::SafeSpeed(args) => safe_speed::run(args),

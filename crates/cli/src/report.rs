@@ -4,6 +4,15 @@ use crate::diagnostics::lines;
 use crate::failure::Failure;
 use percuss_study::DiagnosticRecord;
 use std::io::{self, Write};
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Whether notes are shown or counted; set once, from the command line.
+static NOTES_SHOWN: AtomicBool = AtomicBool::new(false);
+
+/// Shows every note from now on, or their number.
+pub fn show_notes(shown: bool) {
+    NOTES_SHOWN.store(shown, Ordering::Relaxed);
+}
 
 /// Writes a result to stdout.
 pub fn write_out(text: &str) -> Result<(), Failure> {
@@ -42,7 +51,7 @@ fn remark(severity: &str, message: &str) {
 
 /// Writes diagnostics to stderr; under `strict`, a warning is an error and ends it.
 pub fn write_diagnostics(diagnostics: &[DiagnosticRecord], strict: bool) -> Result<(), Failure> {
-    let mut lines = lines(diagnostics);
+    let mut lines = lines(diagnostics, NOTES_SHOWN.load(Ordering::Relaxed));
     let warnings = diagnostics.iter().filter(|d| d.severity == "warning").count();
     if strict && warnings > 0 {
         lines.push(format!("error: {warnings} warning(s), and --strict makes them errors"));

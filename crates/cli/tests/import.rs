@@ -121,12 +121,10 @@ fn every_template_becomes_a_model_that_answers_on_either_side_and_both() {
         for (side, endings) in [("left", &[""][..]), ("right", &[""]), ("both", &["_left", "_right"])] {
             let model = folder.path(&format!("{template}_{side}.urdf"));
             let outcome = percuss(&format!("import {file} -o {model} --side {side}"));
-            assert_eq!(
-                (outcome.code, outcome.stdout.as_str()),
-                (0, ""),
-                "{template} {side}: {}",
-                outcome.stderr
-            );
+            assert_eq!(outcome.code, 0, "{template} {side}: {}", outcome.stderr);
+            for words in ["read in", "axes iso", "track", "mass, kg"] {
+                assert!(outcome.stdout.contains(words), "{template} {side}: {words}: {}", outcome.stdout);
+            }
             assert!(outcome.stderr.contains("no wheel was given"), "{}", outcome.stderr);
             let check = json(&format!("check {model} --format json"));
             let sides = endings.len() as u64;
@@ -209,7 +207,7 @@ fn what_is_wrong_with_a_file_is_told() {
         (good[..good.len() / 2].to_owned(), 2, "JSON"),
         ("[".repeat(100_000), 2, ""),
         // Doubtful, and imported.
-        (good.replace("[0, 0.9, -0.02]", "[0, 900, -20]"), 0, "are these mm?"),
+        (good.replace("[0, 0.9, -0.02]", "[0, 900, -20]"), 2, "--unit mm"),
         (good.replace("\"Name\"", "\"Colour\": \"red\", \"Name\""), 0, "Colour"),
         (good.replace("\"Name\"", "// a comment\n\"Name\""), 0, "no wheel"),
     ];
@@ -263,4 +261,37 @@ fn flags_that_mean_nothing_are_refused() {
     assert_eq!(nowhere.code, 2);
     assert!(nowhere.stderr.contains("cannot be written"), "{}", nowhere.stderr);
     assert_eq!(percuss(&format!("import {file}")).code, 2, "an output is required");
+}
+
+/// The commands of README and docs/SUSPENSIONS.md, and the figure that README prints.
+#[test]
+fn a_sheet_of_ones_own_becomes_a_model_that_answers() {
+    let folder = Scratch::new("import-sheet");
+    let (sheet, model) = (folder.path("my.toml"), folder.path("my.urdf"));
+    let line = "--link bump_stop_pad --point 0,0,0 --along-line bump_stop:0,0,0 --against chassis";
+    assert_eq!(percuss(&format!("template double-wishbone -o {sheet}")).code, 0);
+    assert_eq!(
+        percuss(&format!("template double-wishbone -o {sheet}")).code,
+        2,
+        "a sheet is not overwritten"
+    );
+    for sheet in [
+        &*sheet,
+        "models/suspensions/double-wishbone.toml",
+        "models/suspensions/double-wishbone-with-table.toml",
+    ] {
+        let outcome = percuss(&format!("import {sheet} -o {model} --strict"));
+        assert_eq!((outcome.code, &*outcome.stderr), (0, ""), "{sheet}");
+        let answer = percuss(&format!("mass {model} {line} --strict --expect 137.818755 --tolerance 1e-8"));
+        assert_eq!(answer.code, 0, "{sheet}: {}", answer.stderr);
+        assert_eq!(answer.stderr.lines().count(), 1, "notes are one line: {}", answer.stderr);
+        let shown = percuss(&format!("mass {model} {line} --notes"));
+        assert!(shown.stderr.lines().count() > 3, "{}", shown.stderr);
+    }
+    let moved = percuss(&format!("import {sheet} -o {model} --move lower_ball=0,0,5mm"));
+    assert_eq!(moved.code, 0, "{}", moved.stderr);
+    let answer = percuss(&format!("mass {model} {line} --expect 137.818755 --tolerance 1e-8"));
+    assert_eq!(answer.code, 1, "another car: {}", answer.stdout);
+    assert_eq!(percuss("template no-such").code, 2);
+    assert!(percuss("template --list").stdout.contains("swing-axle"));
 }

@@ -70,9 +70,12 @@ pub(crate) const LONGEST_SHOWN: usize = 60;
 pub(crate) const DEEPEST_JSON: usize = 256;
 /// Keys of one object: they are searched one after another.
 pub(crate) const MOST_KEYS: usize = 1000;
-/// Distance of a hardpoint from the vehicle's origin, m, above which the file is probably in millimetres: vehicles are
-/// shorter, and in millimetres most hardpoints exceed it.
+/// The largest coordinate of a vehicle's hardpoints, m: vehicles are shorter, and one in millimetres that is read in metres
+/// exceeds it by far.
 pub(crate) const FARTHEST_HARDPOINT: f64 = 20.0;
+/// The least that the largest coordinate may be, m: one in metres that is read in millimetres falls below it, a soapbox
+/// does not.
+pub(crate) const NEAREST_HARDPOINT: f64 = 0.02;
 /// Cosine of the angle between the pins of a Hooke's joint above which they are not at right angles: files carry three
 /// decimals.
 pub(crate) const OBLIQUE_PINS: f64 = 1e-3;
@@ -92,3 +95,23 @@ pub(crate) const MOST_SCENE_NODES: usize = 100_000;
 pub(crate) const ROUND_FACETS: std::ops::RangeInclusive<usize> = 16..=720;
 /// A part of a mesh whose signed volume is below this part of its area times its size is open, or flat: it has no inside.
 pub(crate) const NO_VOLUME: f64 = 1e-9;
+
+// Sheets and tables of hardpoints.
+
+/// Keys of a sheet, rows of a table: templates have below 100; keys are searched one after another.
+pub(crate) const MOST_SHEET_KEYS: usize = 1000;
+/// Columns of a table that are read: a key, three to six numbers, remarks.
+pub(crate) const WIDEST_TABLE: usize = 64;
+/// Bytes of a workbook: compressed at most a thousandfold, its texts stay below 512 MiB. A table of hardpoints has some 10 kB.
+pub(crate) const LARGEST_WORKBOOK: usize = 512 << 10;
+/// Cells of a worksheet that are looked at.
+pub(crate) const LARGEST_WORKSHEET: usize = 1_000_000;
+/// How far a hardpoint of one side may lie beyond the vehicle's middle plane, m: tie rods and bars come close to it.
+pub(crate) const WRONG_SIDE: f64 = 0.05;
+/// A link that is so many times as long as the median of its corner looks like a typing error. Of real corners the longest
+/// (trailing arms beside lateral links) stay below 2.
+pub(crate) const ASTRAY: f64 = 2.5;
+/// And is longer than this, m: where all are short, a long one is none.
+pub(crate) const LEAST_ASTRAY: f64 = 0.6;
+/// No control arm or link of a corner is longer, m.
+pub(crate) const LONGEST_ARM: f64 = 1.8;

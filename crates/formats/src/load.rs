@@ -7,8 +7,9 @@ use crate::shape::{Shape, shapes};
 use crate::survey::{macros, survey};
 use crate::texts::Texts;
 use crate::{Diagnostic, LoadError, Source, consistency, limits, prescan, standard};
-use percuss_mechanism::{Accept, Mechanism, MechanismBuilder, Severity};
+use percuss_mechanism::{Accept, Mechanism, MechanismBuilder, Severity, Subject};
 use roxmltree::{Document, Node, ParsingOptions};
+use std::collections::HashSet;
 
 /// How to read a file.
 #[derive(Clone, Copy, Debug, Default)]
@@ -92,13 +93,24 @@ fn read(text: &str, options: &LoadOptions, report: &mut Report) -> Option<(Mecha
         Ok(built) => (Some(built.mechanism), built.findings),
         Err(error) => (None, error.findings),
     };
+    let known = known_warnings(&document);
     for (subject, problem) in findings {
-        report.add(problem.severity(), problem.code(), nodes.place(robot, &subject, &problem), || {
-            problem.to_string()
-        });
+        let said = matches!(&subject, Subject::Link { name, .. } if known.contains(&(problem.code(), name)));
+        let severity = match problem.severity() {
+            Severity::Warning if said => Severity::Note,
+            severity => severity,
+        };
+        report.add(severity, problem.code(), nodes.place(robot, &subject, &problem), || problem.to_string());
     }
     let shapes = nodes.links.iter().map(|link| shapes(*link)).collect();
     mechanism.map(|mechanism| (mechanism, shapes))
+}
+
+/// The warnings of links that were given when the file was made: `<?percuss-known CODE NAME?>` above the robot.
+fn known_warnings<'a>(document: &'a Document<'_>) -> HashSet<(&'a str, &'a str)> {
+    let instructions = document.root().children().filter_map(|node| node.pi());
+    let known = instructions.filter(|pi| pi.target == "percuss-known").filter_map(|pi| pi.value);
+    known.filter_map(|value| value.trim().split_once(' ')).collect()
 }
 
 /// Reports text that is no XML.

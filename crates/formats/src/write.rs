@@ -17,6 +17,9 @@ pub struct Comments {
     pub joints: HashMap<String, String>,
     /// Above a closure or a coupling, by its name.
     pub closures: HashMap<String, String>,
+    /// Warnings that were given when the mechanism was made, code and name of the link: written as
+    /// `<?percuss-known CODE NAME?>`, on account of which [`load`](crate::load) gives notes in their place.
+    pub known: Vec<(&'static str, String)>,
 }
 
 /// Writes URDF+: links with their inertias, joints with their limits, mimics, armatures and advice, loops and
@@ -36,6 +39,12 @@ pub fn write_urdf_with(mechanism: &Mechanism, comments: &Comments) -> String {
     let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
     for line in &comments.heading {
         put(&mut out, format_args!("<!-- {} -->\n", comment(line)));
+    }
+    // A name that an instruction cannot hold has its warning again.
+    let holds =
+        |name: &str| !name.contains("?>") && !name.chars().any(char::is_control) && name.trim() == name;
+    for (code, name) in comments.known.iter().filter(|(_, name)| holds(name)) {
+        put(&mut out, format_args!("<?percuss-known {code} {name}?>\n"));
     }
     put(&mut out, format_args!("<robot name=\"{}\">\n", escaped(mechanism.name())));
     for link in mechanism.links() {

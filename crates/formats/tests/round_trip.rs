@@ -187,6 +187,7 @@ fn comments_stand_above_what_they_are_about() {
         joints: named("left", "the left -"),
         closures: [("gear".to_owned(), "the gear".to_owned()), ("third".to_owned(), "the third".to_owned())]
             .into(),
+        known: Vec::new(),
     };
     let text = write_urdf_with(&mechanism, &comments);
     load_text(&text).unwrap_or_else(|e| panic!("{e}\n{text}"));

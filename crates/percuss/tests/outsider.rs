@@ -135,9 +135,9 @@ fn limits_where_branches_cross() {
 #[test]
 fn a_suspension_from_its_hardpoints() {
     let options = ImportOptions {
-        side: Side::Left,
+        side: Some(Side::Left),
         wheel: Some(Wheel { mass: 10.0, inertia: [0.3, 0.5, 0.3], radius: None }),
-        rack: Rack::Fixed,
+        rack: Some(Rack::Fixed),
         ..ImportOptions::default()
     };
     let imported: Result<Imported, LoadError> =

@@ -101,15 +101,35 @@ Examples:
 Contacts are the centres of facets, along their outward normals. The colour
 scale is viridis, logarithmic where the masses differ by more than 20.";
 
+pub const TEMPLATE: &str = "\
+Examples:
+  percuss template --list
+  percuss template double-wishbone -o my.toml
+  percuss template macpherson-strut --unit m --axes adams -o strut.toml
+
+Then fill it in, and turn it into a model:
+  percuss import my.toml -o my.urdf
+
+docs/SUSPENSIONS.md has every key.";
+
 pub const IMPORT: &str = "\
 Examples:
-  percuss import HMMWV_DoubleWishboneFront.json -o front_left.urdf
-  percuss import Sedan_DoubleWishbone.json -o axle.urdf --side both \\
-      --wheel-mass 18kg --wheel-inertia 0.6,1.1,0.6 --wheel-radius 0.31
+  percuss import my.toml -o my.urdf
+  percuss import my.toml -o both.urdf --side both
+  A hardpoint moved by 5 mm:
+    percuss import my.toml -o variant.urdf --move lower_ball=0,0,5mm
+  A table of hardpoints and masses (rows of names and numbers):
+    percuss import my.csv --template double-wishbone --unit mm --axes iso \\
+        -o my.urdf
+  A suspension file of Chrono::Vehicle, in its own metres or in mm:
+    percuss import Sedan_DoubleWishbone.json -o axle.urdf --side both \\
+        --wheel-mass 18kg --wheel-inertia 0.6,1.1,0.6 --wheel-radius 0.31
+    percuss import corner_mm.json --unit mm -o corner.urdf
 
-Templates: DoubleWishbone, DoubleWishboneReduced, MacPhersonStrut,
-SemiTrailingArm, ThreeLinkIRS, MultiLink. docs/SUSPENSIONS.md has the bodies,
-joints and frames, and says where such files are.";
+What was understood is printed, to be checked against the drawing. percuss
+template writes a sheet to fill in. Chrono's templates: DoubleWishbone,
+DoubleWishboneReduced, MacPhersonStrut, SemiTrailingArm, ThreeLinkIRS,
+MultiLink. docs/SUSPENSIONS.md has bodies, joints and frames of all.";
 
 pub const DAMP: &str = "\
 Examples:
@@ -161,6 +181,7 @@ mod tests {
             super::MASS,
             super::SWEEP,
             super::MAP,
+            super::TEMPLATE,
             super::IMPORT,
             super::DAMP,
             super::SAFE_SPEED,

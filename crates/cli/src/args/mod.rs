@@ -12,7 +12,7 @@ mod words;
 pub use contact::ContactArgs;
 pub use damping::{DampArgs, DampingArgs, SafeSpeedArgs};
 pub use format::{CheckFormat, MassFormat};
-pub use import::{ImportArgs, SideArg};
+pub use import::{AxesArg, ImportArgs, SideArg, TemplateArgs, UnitArg};
 pub use map::MapArgs;
 pub use model::ModelArgs;
 
@@ -33,6 +33,9 @@ pub struct Cli {
     /// What to do.
     #[command(subcommand)]
     pub command: Command,
+    /// Show every note; without this, their number.
+    #[arg(long, global = true)]
+    pub notes: bool,
 }
 
 impl Cli {
@@ -73,9 +76,12 @@ pub enum Command {
         override_usage = "percuss map MODEL (--link L | --all) [--set JOINT=VALUE]… [--output FILE]…\n       percuss map MODEL --link L --point X,Y,Z --directions COUNT …"
     )]
     Map(Box<MapArgs>),
-    /// Turn a suspension's hardpoints (Chrono::Vehicle JSON) into a commented URDF+ model.
+    /// Write a suspension's sheet to fill in: hardpoints, masses, units, axes.
+    #[command(after_help = examples::TEMPLATE)]
+    Template(TemplateArgs),
+    /// Turn a suspension's sheet, table of hardpoints or Chrono::Vehicle JSON into a commented URDF+ model.
     #[command(after_help = examples::IMPORT)]
-    Import(ImportArgs),
+    Import(Box<ImportArgs>),
     /// The damper that gives a contact a required restitution, and the parameters for simulators.
     #[command(
         after_help = examples::DAMP,

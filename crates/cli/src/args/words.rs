@@ -128,6 +128,12 @@ pub fn tolerance(text: &str) -> Result<f64, String> {
     if value >= 0.0 { Ok(value) } else { Err(format!("{value}; a tolerance of 0 or more is expected")) }
 }
 
+/// `POINT=X,Y,Z`: a hardpoint, and by how much it moves.
+pub fn moved_point(text: &str) -> Result<(String, [f64; 3]), String> {
+    let (name, by) = assignment(text).map_err(|_| "expected POINT=X,Y,Z, such as lower_ball=0,0,5mm")?;
+    Ok((name, point(&by)?))
+}
+
 /// `LINK:X,Y,Z`, split at the last colon: link names may have some of their own.
 pub fn line(text: &str) -> Result<(String, [f64; 3]), String> {
     match text.rsplit_once(':') {

@@ -1,6 +1,7 @@
 //! One corner of a vehicle while it is put together: everything by its place at the design position.
 
-use super::reader::Spot;
+use super::drawing::Drawing;
+use super::findings::Spot;
 use crate::Comments;
 use percuss_mechanism::{
     ClosureDescription, ClosureKind, Inertial, JointDescription, JointKind, LinkDescription, MechanismBuilder,
@@ -40,6 +41,10 @@ pub(super) struct Corner {
     spots: HashMap<String, Spot>,
     /// Pairs of seats: on the moving link, on the chassis.
     struts: Vec<[&'static str; 2]>,
+    /// Links that both sides share: their names have no ending.
+    shared: Vec<&'static str>,
+    /// What it looks like.
+    pub drawing: Drawing,
 }
 
 impl Corner {
@@ -53,7 +58,15 @@ impl Corner {
             comments: Comments::default(),
             spots: HashMap::new(),
             struts: Vec::new(),
+            shared: vec![CHASSIS, RACK],
+            drawing: Drawing::default(),
         }
+    }
+
+    /// A link that another part of the vehicle has, or this one for both sides.
+    pub fn share(&mut self, link: &'static str, at: Vector3<f64>) {
+        self.shared.push(link);
+        self.origins.insert(link.to_owned(), at);
     }
 
     /// The rack's frame, once there is one.
@@ -119,6 +132,8 @@ impl Corner {
         self.frame(seat, on, at, String::new());
         self.frame(chassis_seat, CHASSIS, at_chassis, String::new());
         self.struts.push([seat, chassis_seat]);
+        let name = seat.trim_end_matches("_seat").trim_end_matches("_pad");
+        self.drawing.line(name, [at, at_chassis]);
     }
 
     /// A joint at a point that the tree leaves out; the axis is in the vehicle's axes.
@@ -150,6 +165,13 @@ impl Corner {
             .at(p.into(), s.into())
             .distance((b - a).norm());
         self.add(closure, spot, comment);
+        self.drawing.rod(name, [a, b], spot);
+    }
+
+    /// A slide that turns about its own line, closing a loop.
+    pub fn slide(&mut self, name: &str, links: [&str; 2], at: Vector3<f64>, axis: Vector3<f64>, spot: &Spot) {
+        let comment = "slides and turns along its line";
+        self.closure((name, ClosureKind::Cylindrical), links, at, axis, (spot, comment));
     }
 
     fn add(&mut self, closure: ClosureDescription, spot: &Spot, comment: &str) {
@@ -195,15 +217,15 @@ impl Corner {
             closure.axis2 = turning(&closure.axis2);
         }
         corner.origins.values_mut().for_each(|at| *at = point(at));
+        corner.drawing = self.drawing.mirrored();
         corner
     }
 
     /// Adds it to a mechanism, names of its own ending in `suffix`; and what belongs to the names.
     pub fn put(self, suffix: &str, mut builder: MechanismBuilder, about: &mut About) -> MechanismBuilder {
-        let named = |name: &str| match name {
-            CHASSIS | RACK => name.to_owned(),
-            _ => format!("{name}{suffix}"),
-        };
+        let shared = self.shared;
+        let named =
+            |name: &str| if shared.contains(&name) { name.to_owned() } else { format!("{name}{suffix}") };
         let mut comments = self.comments;
         for [seat, chassis_seat] in self.struts {
             let line = self.origins[chassis_seat] - self.origins[seat];

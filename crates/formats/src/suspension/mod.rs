@@ -1,37 +1,50 @@
-//! Hardpoint files of Chrono::Vehicle (JSON) to a mechanism with loops.
+//! Suspensions to mechanisms with loops: sheets of one's own hardpoints, and hardpoint files of Chrono::Vehicle.
 //!
-//! [`import`] reads one suspension file, the kind with `"Type": "Suspension"`, and builds one corner of the vehicle
-//! or both at the design position: the chassis is the root; arms turn on hinges; what closes a loop is a ball joint,
-//! a sliding bearing or a massless rod. Axes are the vehicle's, x forward, y left, z up; m, kg, rad.
+//! [`import`] reads a sheet (TOML), a table of hardpoints (CSV, XLSX) or a suspension file of Chrono (JSON, with
+//! `"Type": "Suspension"`), and builds one corner of the vehicle or both at the design position: the chassis is the
+//! root; arms turn on hinges; what closes a loop is a ball joint, a sliding bearing or a massless rod. Axes of the
+//! mechanism are those of ISO 8855, x forward, y left, z up; m, kg, rad.
 //!
-//! Six templates: `DoubleWishbone`, `DoubleWishboneReduced`, `MacPhersonStrut`, `SemiTrailingArm`, `ThreeLinkIRS`,
-//! `MultiLink`. Bodies, joints and the axes in which inertias are stated are those that Chrono's classes of these
-//! names build; `docs/SUSPENSIONS.md` has them in a table, and where this departs from them.
+//! Sheets have the templates of [`template_names`]; [`template_sheet`] writes one to fill in. Chrono's are
+//! `DoubleWishbone`, `DoubleWishboneReduced`, `MacPhersonStrut`, `SemiTrailingArm`, `ThreeLinkIRS`, `MultiLink`: bodies,
+//! joints and the axes in which inertias are stated are those that Chrono's classes of these names build;
+//! `docs/SUSPENSIONS.md` has them in a table, and where this departs from them.
 //!
-//! Springs and shocks are not in the mechanism, only their seats: `spring_seat` on the link that moves,
-//! `spring_chassis_seat`, `shock_seat`, `shock_chassis_seat`. Joints to know: `spin` (the wheel's bearing) and `rack`
-//! (fixed, unless [`Rack::Sliding`]). Every template has mobility 2 a side: travel and spin.
+//! Springs, dampers and stops are not in the mechanism, only their seats: `spring_seat` on the link that moves,
+//! `spring_chassis_seat`, and so on. Joints to know: `spin` (the wheel's bearing) and `rack` (fixed, unless
+//! [`Rack::Sliding`]). Every template has mobility 2 a side: travel and spin.
 
 mod corner;
+mod drawing;
+mod findings;
 mod frames;
 mod json;
 mod options;
 mod parts;
 mod reader;
+mod sheet;
 mod spindle;
 mod templates;
 mod text;
+mod understood;
+mod units;
 
 use crate::limits::LONGEST_NAME;
 use crate::report::{Place, Report, cut, quoted};
 use crate::{Comments, Diagnostic, LoadError, Source};
 use corner::{About, CHASSIS, Corner, RACK};
+pub use drawing::{Line, WheelCircle};
+use findings::{Findings, Spot};
 pub use options::{ImportOptions, Rack, Side, Wheel};
 use percuss_mechanism::{
     Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder, Problem, Subject,
 };
 use percuss_spatial::Vector3;
-use reader::{Reader, Section, Spot};
+use reader::{Reader, Section};
+pub use sheet::{TemplateOptions, template_keys, template_names, template_sheet};
+pub use understood::Understood;
+use units::Frame;
+pub use units::{LengthUnit, VehicleAxes};
 
 /// A mechanism, what its parts are, and what was noticed in its file.
 #[derive(Debug)]
@@ -40,24 +53,77 @@ pub struct Imported {
     pub mechanism: Mechanism,
     /// What each part is, for [`write_urdf_with`](crate::write_urdf_with).
     pub comments: Comments,
+    /// What was understood of the file, to be checked against the drawing.
+    pub understood: Understood,
     /// Warnings and notes, in the order of the file.
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Reads a suspension file of Chrono::Vehicle; comments in the JSON are allowed.
+/// Reads a sheet, a table of hardpoints, or a suspension file of Chrono::Vehicle (comments in the JSON are allowed).
 ///
-/// An inertia I′ stated in axes R becomes R I′ Rᵀ. The axle's inertia J about the axis of spin a adds J a aᵀ to the
-/// spindle's. Force laws are ignored. Sources: Project Chrono, `src/chrono_vehicle/wheeled_vehicle/suspension`.
+/// Which it is, is seen from its bytes, and `.csv` at the end of its name is a table. An inertia I′ that Chrono states in
+/// axes R becomes R I′ Rᵀ; an axle's inertia J about the axis of spin a adds J a aᵀ to the spindle's. Force laws are
+/// ignored. A sheet that names a table of points has that read from its own folder. Sources: Project Chrono,
+/// `src/chrono_vehicle/wheeled_vehicle/suspension`.
 ///
 /// # Errors
-/// [`LoadError`] with every finding, where one is an error: no JSON, an unknown template, a missing key, a value of
-/// the wrong type or length, hardpoints that define no joint axis, and what the mechanism's builder refuses.
+/// [`LoadError`] with every finding, where one is an error: neither TOML, table nor JSON, an unknown template, a missing
+/// key, an unknown key of a sheet, a value of the wrong type or length, no unit or axes in a sheet, coordinates that are
+/// no vehicle's in the unit given, hardpoints that define no joint axis, and what the mechanism's builder refuses.
 pub fn import(source: &Source, options: &ImportOptions) -> Result<Imported, LoadError> {
     let mut report = Report::default();
+    if sheet::is_workbook(&source.bytes) {
+        return import_sheet(source, "", options);
+    }
     let text = decoded(source, &mut report);
     let Some(text) = text else {
         return Err(LoadError { diagnostics: report.finish(&source.name, "") });
     };
+    // JSON begins with a brace, Chrono's may with a comment; of XML its reader says what it is.
+    let is_json = text.trim_ascii_start().starts_with(['{', '/', '<']);
+    if is_json || source.name.ends_with(".json") {
+        import_chrono(source, text, options, report)
+    } else {
+        import_sheet(source, text, options)
+    }
+}
+
+fn import_sheet(source: &Source, text: &str, options: &ImportOptions) -> Result<Imported, LoadError> {
+    let (mut findings, mut files) = (Findings::default(), sheet::Files::new());
+    check_options(&mut findings, options);
+    let imported = sheet::read(source, text, options, &mut findings, &mut files).and_then(|sheet| {
+        let built = sheet::build(&sheet, &mut findings)?;
+        if sheet.wheel.is_none() {
+            no_wheel(&mut findings, "and the sheet has no [wheel]");
+        }
+        let described = Described {
+            name: &sheet.name,
+            template: sheet.template.name,
+            kind: "sheet",
+            side: sheet.side,
+            rack: sheet.rack,
+            wheel: sheet.wheel,
+            frame: sheet.frame,
+        };
+        finish(&mut findings, built.left, built.middle, &described, source, options)
+    });
+    let failed = findings.has_errors();
+    let files: Vec<(&str, &str)> = files.iter().map(|(name, text)| (&**name, &**text)).collect();
+    let diagnostics = findings.finish(&files);
+    match imported {
+        Some((mechanism, comments, understood)) if !failed => {
+            Ok(Imported { mechanism, comments, understood, diagnostics })
+        }
+        Some(_) | None => Err(LoadError { diagnostics }),
+    }
+}
+
+fn import_chrono(
+    source: &Source,
+    text: &str,
+    options: &ImportOptions,
+    mut report: Report,
+) -> Result<Imported, LoadError> {
     let clean = match text::without_comments(text) {
         Ok(clean) => clean,
         Err(defect) => {
@@ -65,12 +131,15 @@ pub fn import(source: &Source, options: &ImportOptions) -> Result<Imported, Load
             return Err(LoadError { diagnostics: report.finish(&source.name, text) });
         }
     };
-    let mut reader = Reader::new(&clean);
+    let frame = Frame { unit: options.unit.unwrap_or_default(), axes: options.axes.unwrap_or_default() };
+    let mut reader = Reader::new(&clean, frame);
     let imported = read(&mut reader, source, options);
     let failed = reader.has_errors();
     let diagnostics = reader.finish(&source.name);
     match imported {
-        Some((mechanism, comments)) if !failed => Ok(Imported { mechanism, comments, diagnostics }),
+        Some((mechanism, comments, understood)) if !failed => {
+            Ok(Imported { mechanism, comments, understood, diagnostics })
+        }
         Some(_) | None => Err(LoadError { diagnostics }),
     }
 }
@@ -79,11 +148,13 @@ pub fn import(source: &Source, options: &ImportOptions) -> Result<Imported, Load
 fn decoded<'s>(source: &'s Source, report: &mut Report) -> Option<&'s str> {
     let wide = [&b"\xFF\xFE"[..], b"\xFE\xFF"].iter().any(|mark| source.bytes.starts_with(mark));
     if source.bytes.trim_ascii().is_empty() {
-        report.error("empty-file", Place::File, || "the file is empty; JSON is expected".to_owned());
+        report.error("empty-file", Place::File, || {
+            "the file is empty; a sheet (TOML), a table or JSON is expected".to_owned()
+        });
         None
     } else if source.bytes.contains(&0) && !wide {
         report.error("binary", Place::File, || {
-            "this is not a text file (it has zero bytes); JSON in UTF-8 is expected".to_owned()
+            "this is not a text file (it has zero bytes); a sheet (TOML), a table or JSON in UTF-8 is expected".to_owned()
         });
         None
     } else {
@@ -91,8 +162,32 @@ fn decoded<'s>(source: &'s Source, report: &mut Report) -> Option<&'s str> {
     }
 }
 
-fn read(reader: &mut Reader<'_>, source: &Source, options: &ImportOptions) -> Option<(Mechanism, Comments)> {
+/// What is said of a suspension beside its corner.
+struct Described<'d> {
+    name: &'d str,
+    template: &'d str,
+    kind: &'static str,
+    side: Side,
+    rack: Rack,
+    wheel: Option<Wheel>,
+    frame: Frame,
+}
+
+fn read(
+    reader: &mut Reader<'_>,
+    source: &Source,
+    options: &ImportOptions,
+) -> Option<(Mechanism, Comments, Understood)> {
     check_options(reader, options);
+    if options.wheel.is_none() {
+        no_wheel(reader, "and suspension files hold none");
+    }
+    for (given, flag) in [(options.template.is_some(), "--template"), (!options.moves.is_empty(), "--move")] {
+        if given {
+            let message = format!("{flag} is for sheets and tables; this is a file of Chrono::Vehicle");
+            reader.error("conflict", &Spot::default(), message);
+        }
+    }
     let mut root = reader.root()?;
     let name = header(reader, &mut root);
     let (template_name, build) = template(reader, &mut root)?;
@@ -102,14 +197,45 @@ fn read(reader: &mut Reader<'_>, source: &Source, options: &ImportOptions) -> Op
     reader.close(root, &["Output"]);
     reader.check_unit();
     let corner = corner.filter(|_| !reader.has_errors())?;
-    let (builder, about) = assemble(reader, corner, &name, options);
+    let side = options.side.unwrap_or_default();
+    if side != Side::Left
+        && let Some(spot) = reader.products.take()
+    {
+        let message = "the right side is the mirror image of the left; Chrono gives both sides the same products of inertia";
+        reader.note("mirrored-products", &spot, message.to_owned());
+    }
+    let described = Described {
+        name: &name,
+        template: template_name,
+        kind: "Chrono::Vehicle's template",
+        side,
+        rack: options.rack.unwrap_or_default(),
+        wheel: options.wheel,
+        frame: reader.frame,
+    };
+    finish(reader, corner, None, &described, source, options)
+}
+
+/// A corner to a mechanism, its comments, and what was understood.
+fn finish(
+    findings: &mut Findings,
+    corner: Corner,
+    middle: Option<Corner>,
+    described: &Described<'_>,
+    source: &Source,
+    options: &ImportOptions,
+) -> Option<(Mechanism, Comments, Understood)> {
+    corner.drawing.check(findings);
+    let drawing = corner.drawing.clone();
+    let middle_drawing = middle.as_ref().map(|m| m.drawing.clone());
+    let (builder, about) = assemble(findings, corner, middle, described);
     let mut comments = about.comments;
-    comments.heading = heading(&name, template_name, source, options);
-    let (mechanism, findings) = match builder.accept(options.accept).build() {
+    comments.heading = heading(described, source);
+    let (mechanism, problems) = match builder.accept(options.accept).build() {
         Ok(built) => (Some(built.mechanism), built.findings),
         Err(error) => (None, error.findings),
     };
-    for (subject, problem) in findings {
+    for (subject, problem) in problems {
         let name = match &subject {
             Subject::Mechanism => "",
             Subject::Link { name, .. }
@@ -117,16 +243,30 @@ fn read(reader: &mut Reader<'_>, source: &Source, options: &ImportOptions) -> Op
             | Subject::Closure { name, .. }
             | Subject::Coupling { name, .. } => name,
         };
+        let triangle = matches!(problem, Problem::TriangleInequality { .. });
+        if triangle {
+            // Said here, with its place in this file; not again at every reading of what is written.
+            comments.known.push((problem.code(), name.to_owned()));
+        }
         // Frames and crosses are massless on purpose; of the spindle, which has the axle in it, all was said.
-        let known = matches!(problem, Problem::Massless)
-            || matches!(problem, Problem::TriangleInequality { .. }) && name.starts_with("spindle");
+        let known = matches!(problem, Problem::Massless) || triangle && name.starts_with("spindle");
         if !known {
             let spot = about.spots.get(name).cloned().unwrap_or_default();
             let label = if spot.is_somewhere() { String::new() } else { format!("{subject}: ") };
-            reader.add(problem.severity(), problem.code(), &spot, format!("{label}{problem}"));
+            findings.add(problem.severity(), problem.code(), &spot, format!("{label}{problem}"));
         }
     }
-    mechanism.map(|mechanism| (mechanism, comments))
+    let mechanism = mechanism?;
+    let understood = Understood {
+        name: described.name.to_owned(),
+        template: described.template.to_owned(),
+        unit: described.frame.unit,
+        axes: described.frame.axes,
+        side: described.side,
+        wheel: described.wheel,
+        ..Understood::of(&mechanism, &drawing, middle_drawing.as_ref(), described.side)
+    };
+    Some((mechanism, comments, understood))
 }
 
 /// Name and kind of the file.
@@ -154,48 +294,45 @@ fn template<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>) -> Option<(&'st
     found
 }
 
-fn check_options(reader: &mut Reader<'_>, options: &ImportOptions) {
-    let nowhere = Spot::default();
-    match options.wheel {
-        None => reader.warning("no-wheel", &nowhere, {
-            "no wheel was given, and suspension files hold none: its mass is not in the answer".to_owned()
-        }),
-        Some(Wheel { radius: Some(radius), .. }) if !(radius.is_finite() && radius > 0.0) => {
-            let message = format!("the wheel's radius is {radius} m; more than 0 is expected");
-            reader.error("bad-radius", &nowhere, message);
-        }
-        Some(_) => {}
+fn check_options(findings: &mut Findings, options: &ImportOptions) {
+    if let Some(Wheel { radius: Some(radius), .. }) = options.wheel
+        && !(radius.is_finite() && radius > 0.0)
+    {
+        let message = format!("the wheel's radius is {radius} m; more than 0 is expected");
+        findings.error("bad-radius", &Spot::default(), message);
     }
+}
+
+fn no_wheel(findings: &mut Findings, why: &str) {
+    let message = format!("no wheel was given, {why}: its mass is not in the answer");
+    findings.warning("no-wheel", &Spot::default(), message);
 }
 
 /// Chassis, rack and the sides.
 fn assemble(
-    reader: &mut Reader<'_>,
+    findings: &mut Findings,
     corner: Corner,
-    name: &str,
-    options: &ImportOptions,
+    middle: Option<Corner>,
+    described: &Described<'_>,
 ) -> (MechanismBuilder, About) {
     let mut about = About::default();
-    let mut builder = MechanismBuilder::new(name).link(LinkDescription::massless(CHASSIS));
+    let mut builder = MechanismBuilder::new(described.name).link(LinkDescription::massless(CHASSIS));
     about
         .comments
         .links
         .insert(CHASSIS.to_owned(), "the vehicle's frame; its own mass is not given".to_owned());
-    match (corner.rack(), options.rack) {
+    match (corner.rack(), described.rack) {
         (Some(at), rack) => builder = put_rack(builder, at, rack, &mut about),
         (None, Rack::Sliding { .. }) => {
             let message = "the template has no tie rod, so there is no rack to slide".to_owned();
-            reader.warning("no-rack", &Spot::default(), message);
+            findings.warning("no-rack", &Spot::default(), message);
         }
         (None, Rack::Fixed) => {}
     }
-    if options.side != Side::Left
-        && let Some(spot) = reader.products.take()
-    {
-        let message = "the right side is the mirror image of the left; Chrono gives both sides the same products of inertia";
-        reader.note("mirrored-products", &spot, message.to_owned());
+    if let Some(middle) = middle {
+        builder = middle.put("", builder, &mut about);
     }
-    let builder = match options.side {
+    let builder = match described.side {
         Side::Left => corner.put("", builder, &mut about),
         Side::Right => corner.mirrored().put("", builder, &mut about),
         Side::Both => {
@@ -225,18 +362,18 @@ fn put_rack(builder: MechanismBuilder, at: Vector3<f64>, rack: Rack, about: &mut
     builder.link(link).joint(joint)
 }
 
-fn heading(name: &str, template: &str, source: &Source, options: &ImportOptions) -> Vec<String> {
-    let side = match options.side {
+fn heading(described: &Described<'_>, source: &Source) -> Vec<String> {
+    let side = match described.side {
         Side::Left => "left side",
-        Side::Right => "right side, the mirror image of the file's left one",
-        Side::Both => "both sides, the right one the mirror image of the file's left one",
+        Side::Right => "right side, the mirror image of the left one",
+        Side::Both => "both sides, the right one the mirror image of the left one",
     };
-    let wheel = match options.wheel {
+    let wheel = match described.wheel {
         Some(wheel) => format!("with a wheel of {} kg", wheel.mass),
         None => "without a wheel".to_owned(),
     };
     vec![
-        format!("{}: Chrono::Vehicle's template {template}, {side}, {wheel}", quoted(name)),
+        format!("{}: {} {}, {side}, {wheel}", quoted(described.name), described.kind, described.template),
         format!("imported by percuss from {}", quoted(&source.name)),
         "the chassis' frame: x forward, y left, z up; joints at 0 are the design position".to_owned(),
     ]

@@ -1,14 +1,15 @@
 //! What to build of a suspension file.
 
+use super::units::{LengthUnit, VehicleAxes};
 use percuss_mechanism::Accept;
 
-/// Which side of the vehicle to build. Files describe the left side; the right one is its mirror image.
+/// Which side of the vehicle to build. Files of Chrono describe the left side; the right one is its mirror image.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Side {
-    /// The file's own side.
+    /// The left one.
     #[default]
     Left,
-    /// Its mirror image.
+    /// The right one.
     Right,
     /// Both on one chassis; names end in `_left` and `_right`.
     Both,
@@ -39,14 +40,22 @@ pub enum Rack {
 }
 
 /// What to build of a file.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct ImportOptions {
-    /// Which side.
-    pub side: Side,
-    /// The wheel; without one, its mass is not in the answer, which a warning states.
+    /// In what the file's lengths are; none: what the file says, or m for a file of Chrono.
+    pub unit: Option<LengthUnit>,
+    /// The axes of the file's vehicle; none: what the file says, or those of ISO 8855 for a file of Chrono.
+    pub axes: Option<VehicleAxes>,
+    /// Which side to build; none: what the file says, or the left one.
+    pub side: Option<Side>,
+    /// The wheel; it replaces the file's, if that has one. Without any, no mass of a wheel is in the answer, which a warning states.
     pub wheel: Option<Wheel>,
-    /// Whether the vehicle steers.
-    pub rack: Rack,
+    /// Whether the vehicle steers; none: what the file says, or not.
+    pub rack: Option<Rack>,
+    /// The template of a table that does not name its own.
+    pub template: Option<String>,
+    /// Hardpoints of a sheet to be moved: name, and by how much, m, in the sheet's own axes.
+    pub moves: Vec<(String, [f64; 3])>,
     /// Findings that the user accepts.
     pub accept: Accept,
 }

@@ -1,8 +1,10 @@
 //! What several templates share: bodies, arms on a hinge, Hooke's joints, tie rods, seats.
 
 use super::corner::{Body, CHASSIS, Corner, RACK};
+use super::findings::{Findings, Spot};
 use super::frames;
-use super::reader::{Reader, Section, Spot};
+use super::reader::{Reader, Section};
+use super::units::VehicleAxes;
 use crate::limits::OBLIQUE_PINS;
 use percuss_mechanism::{ClosureKind, JointKind};
 use percuss_spatial::{Matrix3, Vector3};
@@ -25,18 +27,26 @@ pub(super) struct Stated {
     pub com: Vector3<f64>,
     pub inertia: Matrix3<f64>,
     pub spot: Spot,
+    /// The vehicle's axes in the file.
+    axes: VehicleAxes,
 }
 
 impl Stated {
+    /// kg.
+    pub fn mass(&self) -> f64 {
+        self.mass
+    }
+
     /// The inertia is stated in the vehicle's axes.
     pub fn into_vehicle(self) -> Body {
-        Body { mass: self.mass, com: self.com, about_com: self.inertia, spot: self.spot }
+        let about_com = self.axes.inertia_to_iso(self.inertia);
+        Body { mass: self.mass, com: self.com, about_com, spot: self.spot }
     }
 
     /// The inertia is stated in this frame.
     pub fn in_frame(self, frame: &Matrix3<f64>) -> Body {
         let about_com = frames::turned(frame, &self.inertia);
-        Body { about_com, ..self.into_vehicle() }
+        Body { mass: self.mass, com: self.com, about_com, spot: self.spot }
     }
 }
 
@@ -44,7 +54,8 @@ impl Stated {
 pub(super) fn body<'t>(reader: &mut Reader<'t>, section: &mut Section<'t>, how: Inertias) -> Stated {
     let mass = reader.number(section, "Mass", MASS);
     let com = reader.point(section, "COM");
-    Stated { mass, com, inertia: inertia(reader, section, how), spot: section.spot.clone() }
+    let inertia = inertia(reader, section, how);
+    Stated { mass, com, inertia, spot: section.spot.clone(), axes: reader.frame.axes }
 }
 
 const MASS: &str = "a mass in kg";
@@ -89,9 +100,9 @@ pub(super) fn close<'t>(reader: &mut Reader<'t>, section: Section<'t>) {
 }
 
 /// The value; where hardpoints do not make one, says so (unless they were not all there).
-pub(super) fn spanned<T: Default>(reader: &mut Reader<'_>, value: Option<T>, spot: &Spot, defect: &str) -> T {
-    if value.is_none() && !reader.has_errors() {
-        reader.error("degenerate-geometry", spot, defect.to_owned());
+pub(super) fn spanned<T: Default>(findings: &mut Findings, value: Option<T>, spot: &Spot, defect: &str) -> T {
+    if value.is_none() && !findings.has_errors() {
+        findings.error("degenerate-geometry", spot, defect.to_owned());
     }
     value.unwrap_or_default()
 }
@@ -154,13 +165,14 @@ impl Arm {
         let comment =
             "about the line through the two points on the chassis, first to second; positive is droop";
         corner.joint(joint, [CHASSIS, name], self.hinge(), &self.spot, comment);
+        corner.drawing.arm(name, [self.front, self.back], self.ball, &self.spot);
     }
 }
 
 /// A link on a Hooke's joint on the chassis or rack: two hinges with a massless cross between them, the first about
 /// the pin that stays with the parent, the second about the pin that stays with the link.
 pub(super) fn hooke(
-    reader: &mut Reader<'_>,
+    findings: &mut Findings,
     corner: &mut Corner,
     (parent, name): (&str, &str),
     at: Vector3<f64>,
@@ -174,7 +186,7 @@ pub(super) fn hooke(
             "the pins of the universal joint stand at {:.3}° to one another, not at 90°; they are taken as they are",
             cosine.acos().to_degrees()
         );
-        reader.warning("oblique-pins", &body.spot, message);
+        findings.warning("oblique-pins", &body.spot, message);
     }
     let cross = format!("{name}_cross");
     corner.link(&cross, at, None, format!("the massless cross of the universal joint of {name}"));
@@ -208,7 +220,7 @@ pub(super) fn tie_rod<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>, may_b
         let frame = y.and_then(|y| frames::along_z(along, y));
         let frame = spanned(reader, frame, &spot, "it lies along x, or its ends coincide");
         let com = (chassis + upright) / 2.0;
-        let stated = Stated { mass, com, inertia, spot: spot.clone() };
+        let stated = Stated { mass, com, inertia, spot: spot.clone(), axes: reader.frame.axes };
         body = Some((stated.in_frame(&frame), [frame.column(0).into(), frame.column(1).into()]));
     }
     reader.close(section, &["Inertia", "Radius"]);
@@ -217,7 +229,7 @@ pub(super) fn tie_rod<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>, may_b
 
 impl TieRod {
     /// Between rack and upright.
-    pub fn tie(&self, reader: &mut Reader<'_>, corner: &mut Corner) {
+    pub fn tie(&self, findings: &mut Findings, corner: &mut Corner) {
         corner.place_rack(self.chassis);
         let Some((body, pins)) = &self.body else {
             let ends = [self.chassis, self.upright];
@@ -225,7 +237,8 @@ impl TieRod {
             return;
         };
         let comment = "Tierod: a body; frame at its inner end".to_owned();
-        hooke(reader, corner, (RACK, "tie_rod"), self.chassis, body, *pins, comment);
+        corner.drawing.rod("tie_rod", [self.chassis, self.upright], &self.spot);
+        hooke(findings, corner, (RACK, "tie_rod"), self.chassis, body, *pins, comment);
         ball(corner, "tie_rod_ball", ["tie_rod", "upright"], self.upright, &self.spot);
     }
 }

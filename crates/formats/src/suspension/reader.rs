@@ -1,40 +1,16 @@
 //! Typed access to the file's keys; every finding knows its key path and its place.
 
+use super::findings::{Findings, Spot};
 use super::json::{Array, Object};
-use super::text::{line_and_column, offset_of};
+use super::text::offset_of;
+use super::units::{Frame, LengthUnit};
 use crate::Diagnostic;
-use crate::limits::MOST_KEYS;
-use crate::limits::{FARTHEST_HARDPOINT, MOST_FINDINGS};
+use crate::limits::{FARTHEST_HARDPOINT, MOST_KEYS, NEAREST_HARDPOINT};
 use crate::report::{quoted, shortened};
-use percuss_mechanism::{Severity, near_names};
+use percuss_mechanism::near_names;
 use percuss_spatial::Vector3;
 use serde_json::value::RawValue;
-
-/// Where something stands in the file: its key path and its first byte.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Spot {
-    path: Option<String>,
-    at: Option<usize>,
-}
-
-impl Spot {
-    /// The key path as a reader would say it.
-    pub fn label(&self) -> &str {
-        self.path.as_deref().unwrap_or("the file")
-    }
-
-    /// Whether it is a place of the file at all.
-    pub fn is_somewhere(&self) -> bool {
-        self.path.is_some()
-    }
-}
-
-struct Finding {
-    severity: Severity,
-    code: &'static str,
-    spot: Spot,
-    message: String,
-}
+use std::ops::{Deref, DerefMut};
 
 struct Entry<'t> {
     key: String,
@@ -58,78 +34,37 @@ impl Section<'_> {
 /// Reads values and collects what is to be said of them.
 pub(super) struct Reader<'t> {
     clean: &'t str,
-    findings: Vec<Finding>,
-    untold: usize,
+    findings: Findings,
+    /// How the file states lengths and directions.
+    pub frame: Frame,
+    /// The coordinate farthest from the origin, m, and its place.
     farthest: Option<(f64, Spot)>,
     /// A section that states products of inertia other than 0.
     pub products: Option<Spot>,
 }
 
+impl Deref for Reader<'_> {
+    type Target = Findings;
+    fn deref(&self) -> &Findings {
+        &self.findings
+    }
+}
+
+impl DerefMut for Reader<'_> {
+    fn deref_mut(&mut self) -> &mut Findings {
+        &mut self.findings
+    }
+}
+
 impl<'t> Reader<'t> {
     /// Over the text with its comments blanked.
-    pub fn new(clean: &'t str) -> Self {
-        Self { clean, findings: Vec::new(), untold: 0, farthest: None, products: None }
-    }
-
-    /// Adds a finding; the same one twice is reported once.
-    pub fn add(&mut self, severity: Severity, code: &'static str, spot: &Spot, message: String) {
-        let same = |f: &Finding| f.code == code && f.spot.path == spot.path && f.message == message;
-        if self.findings.iter().any(same) {
-            return;
-        }
-        if severity != Severity::Error && self.findings.len() >= MOST_FINDINGS {
-            self.untold += 1;
-            return;
-        }
-        self.findings.push(Finding { severity, code, spot: spot.clone(), message });
-    }
-
-    /// An error.
-    pub fn error(&mut self, code: &'static str, spot: &Spot, message: String) {
-        self.add(Severity::Error, code, spot, message);
-    }
-
-    /// A warning.
-    pub fn warning(&mut self, code: &'static str, spot: &Spot, message: String) {
-        self.add(Severity::Warning, code, spot, message);
-    }
-
-    /// A note.
-    pub fn note(&mut self, code: &'static str, spot: &Spot, message: String) {
-        self.add(Severity::Note, code, spot, message);
-    }
-
-    /// Whether anything forbids a mechanism.
-    pub fn has_errors(&self) -> bool {
-        self.findings.iter().any(|f| f.severity == Severity::Error)
+    pub fn new(clean: &'t str, frame: Frame) -> Self {
+        Self { clean, findings: Findings::default(), frame, farthest: None, products: None }
     }
 
     /// All findings in the order of the file, those without a place first.
-    pub fn finish(mut self, path: &str) -> Vec<Diagnostic> {
-        if self.untold > 0 {
-            let message = format!("and {} more warnings and notes", self.untold);
-            self.findings.push(Finding {
-                severity: Severity::Warning,
-                code: "and-more",
-                spot: Spot::default(),
-                message,
-            });
-        }
-        self.findings.sort_by_key(|f| f.spot.at);
-        let clean = self.clean;
-        let diagnostic = |f: Finding| {
-            let place = f.spot.at.map(|at| line_and_column(clean, at));
-            Diagnostic {
-                severity: f.severity,
-                code: f.code,
-                path: path.to_owned(),
-                line: place.map(|(line, _)| line),
-                column: place.map(|(_, column)| column),
-                element: f.spot.path,
-                message: f.message,
-            }
-        };
-        self.findings.into_iter().map(diagnostic).collect()
+    pub fn finish(self, path: &str) -> Vec<Diagnostic> {
+        self.findings.finish(&[(path, self.clean)])
     }
 
     /// The whole file as an object; none if it is no JSON, which is said.
@@ -148,7 +83,7 @@ impl<'t> Reader<'t> {
                 } else {
                     ""
                 };
-                let spot = Spot { path: None, at: Some(at) };
+                let spot = Spot { at: Some(at), ..Spot::default() };
                 self.error("not-json", &spot, format!("not JSON: {}{hint}", shortened(message)));
                 None
             }
@@ -178,7 +113,7 @@ impl<'t> Reader<'t> {
             Some(path) => format!("{path}/{key}"),
             None => key,
         };
-        Spot { path: Some(path), at: value.map(|v| self.offset(v)).or(parent.at) }
+        Spot { path: Some(path), at: value.map(|v| self.offset(v)).or(parent.at), file: 0 }
     }
 
     /// The first byte of a value, which is a piece of the text.
@@ -325,7 +260,8 @@ impl<'t> Reader<'t> {
             self.wrong_length(&spot, array.length, expected);
         }
         let mut entry = |i: usize, value: &'t RawValue| {
-            let spot = Spot { path: Some(format!("{}[{i}]", spot.label())), at: Some(self.offset(value)) };
+            let path = Some(format!("{}[{i}]", spot.label()));
+            let spot = Spot { path, at: Some(self.offset(value)), file: 0 };
             self.finite(value, &spot, "a number")
         };
         Vector3::new(entry(0, x), entry(1, y), entry(2, z))
@@ -335,23 +271,54 @@ impl<'t> Reader<'t> {
         self.error("wrong-length", spot, format!("an array of {length}; {expected} is expected"));
     }
 
-    /// A point of the vehicle that must be there, m.
+    /// A direction in the vehicle's axes that must be there.
+    pub fn direction(&mut self, section: &mut Section<'t>, key: &str) -> Vector3<f64> {
+        let direction = self.triple(section, key, "a direction [x, y, z]");
+        self.frame.axes.to_iso(direction)
+    }
+
+    /// A point of the vehicle that must be there, m, in the axes of ISO 8855.
     pub fn point(&mut self, section: &mut Section<'t>, key: &str) -> Vector3<f64> {
-        let point = self.triple(section, key, "a point, [x, y, z] in m,");
-        if point.amax() > self.farthest.as_ref().map_or(FARTHEST_HARDPOINT, |f| f.0) {
+        let expected = format!("a point, [x, y, z] in {},", self.frame.unit.name());
+        let point = self.triple(section, key, &expected);
+        let point = self.frame.point(point);
+        if self.farthest.as_ref().is_none_or(|(far, _)| point.amax() > *far) {
             let value = section.entries.iter().flatten().find(|e| e.key == key).map(|e| e.value);
             self.farthest = Some((point.amax(), self.spot(&section.spot, key, value)));
         }
         point
     }
 
-    /// Warns if the coordinates look like millimetres.
+    /// Refuses coordinates that are no vehicle's in the unit of length that they are read in.
     pub fn check_unit(&mut self) {
-        if let Some((largest, spot)) = self.farthest.take() {
-            let message = format!(
-                "a coordinate of {largest} m: no hardpoint lies so far out. Chrono's files are in m; are these mm?"
-            );
-            self.warning("millimetres", &spot, message);
+        if let Some((far, spot)) = self.farthest.take()
+            && !self.has_errors()
+        {
+            check_size(&mut self.findings, far, &spot, self.frame.unit);
         }
+    }
+}
+
+/// Refuses a vehicle whose farthest coordinate, in metres, is out of all proportion: its lengths are in another unit.
+pub(super) fn check_size(findings: &mut Findings, far: f64, spot: &Spot, unit: LengthUnit) {
+    let (size, name) = (unit.of_metres(far), unit.name());
+    if far > FARTHEST_HARDPOINT {
+        let mend = match unit {
+            LengthUnit::Metre => "if the file is in millimetres, give --unit mm",
+            LengthUnit::Centimetre | LengthUnit::Millimetre | LengthUnit::Inch => {
+                "give the file's unit by --unit"
+            }
+        };
+        let message = format!(
+            "a coordinate of {size} {name}, read in {name}: no hardpoint lies {far} m out. {mend}; if only this \
+             number is wrong, correct it"
+        );
+        findings.error("wrong-unit", spot, message);
+    } else if far < NEAREST_HARDPOINT {
+        let message = format!(
+            "the coordinate farthest from the vehicle's origin is {size} {name}, read in {name}: no vehicle is so \
+             small. If the file is in metres, give --unit m"
+        );
+        findings.error("wrong-unit", spot, message);
     }
 }

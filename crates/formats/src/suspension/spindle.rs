@@ -1,8 +1,10 @@
 //! The spindle with the axle on it, and the wheel.
 
 use super::corner::{Body, Corner};
-use super::parts::{Inertias, Stated, body, close, spanned};
-use super::reader::{Reader, Section, Spot};
+use super::drawing::WheelCircle;
+use super::findings::{Findings, Spot};
+use super::parts::{Inertias, body, close, spanned};
+use super::reader::{Reader, Section};
 use super::{ImportOptions, Wheel, frames};
 use crate::limits::MOMENT_SLACK;
 use percuss_mechanism::{JointKind, Problem};
@@ -11,6 +13,7 @@ use percuss_spatial::{Matrix3, Vector3, rotation_about};
 /// The spindle with the axle's inertia in it, and the wheel.
 pub(super) struct Spindle {
     body: Body,
+    centre: Vector3<f64>,
     axis: Vector3<f64>,
     axle: f64,
     wheel: Option<(Wheel, Matrix3<f64>)>,
@@ -23,9 +26,8 @@ pub(super) struct Spindle {
 pub(super) fn read<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>, options: &ImportOptions) -> Spindle {
     let camber = reader.number_or_zero(root, "Camber Angle (deg)", "an angle in degrees").to_radians();
     let toe = reader.number_or_zero(root, "Toe Angle (deg)", "an angle in degrees").to_radians();
-    let frame = rotation_about(&Vector3::z(), -toe) * rotation_about(&Vector3::x(), -camber);
     let mut section = reader.section(root, "Spindle");
-    let mut stated = body(reader, &mut section, Inertias::Moments);
+    let stated = body(reader, &mut section, Inertias::Moments);
     close(reader, section);
     let mut section = reader.section(root, "Axle");
     let axle = reader.number(&mut section, "Inertia", "an inertia in kg·m²");
@@ -37,7 +39,6 @@ pub(super) fn read<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>, options:
         );
     }
     reader.close(section, &[]);
-    check_moments(reader, &stated);
     if stated.com.y <= 0.0 && !reader.has_errors() {
         let message = format!(
             "the spindle is at y = {}: these files describe the left side, which has y > 0; left and right are \
@@ -46,31 +47,49 @@ pub(super) fn read<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>, options:
         );
         reader.warning("right-side", &stated.spot, message);
     }
-    stated.inertia[(1, 1)] += axle;
-    // + 0 makes −0 a plain 0.
-    let axis = frame.column(1).map(|x| x + 0.0);
-    Spindle { body: stated.in_frame(&frame), axis, axle, wheel: options.wheel.map(|w| (w, frame)) }
+    let body = Body { mass: stated.mass(), com: stated.com, about_com: stated.inertia, spot: stated.spot };
+    let at = body.com;
+    Spindle::new(reader, body, at, [camber, toe], axle, options.wheel)
 }
 
 /// Warns where the spindle alone breaks the triangle inequality: with the axle in it, it nearly always does.
-fn check_moments(reader: &mut Reader<'_>, stated: &Stated) {
-    let mut principal: [f64; 3] = stated.inertia.diagonal().into();
+fn check_moments(findings: &mut Findings, body: &Body) {
+    let mut principal: [f64; 3] = body.about_com.diagonal().into();
     principal.sort_by(f64::total_cmp);
     let [a, b, c] = principal;
     if c > (a + b) * (1.0 + MOMENT_SLACK) {
         let problem = Problem::TriangleInequality { principal };
-        reader.add(problem.severity(), problem.code(), &stated.spot, problem.to_string());
+        findings.add(problem.severity(), problem.code(), &body.spot, problem.to_string());
     }
 }
 
 impl Spindle {
+    /// A spindle whose inertia is stated in its own axes, about its centre of mass; camber and toe in rad.
+    pub fn new(
+        findings: &mut Findings,
+        mut body: Body,
+        centre: Vector3<f64>,
+        [camber, toe]: [f64; 2],
+        axle: f64,
+        wheel: Option<Wheel>,
+    ) -> Self {
+        let frame = rotation_about(&Vector3::z(), -toe) * rotation_about(&Vector3::x(), -camber);
+        check_moments(findings, &body);
+        body.about_com[(1, 1)] += axle;
+        body.about_com = frames::turned(&frame, &body.about_com);
+        // + 0 makes −0 a plain 0.
+        let axis = frame.column(1).map(|x| x + 0.0);
+        Spindle { body, centre, axis, axle, wheel: wheel.map(|w| (w, frame)) }
+    }
+
     /// Attaches the spindle to its parent link.
-    pub fn attach(&self, reader: &mut Reader<'_>, corner: &mut Corner, parent: &str) {
-        let at = self.body.com;
-        let comment = format!(
-            "Spindle, with the axle's {} kg·m² about the axis of spin in its inertia: frame at its centre",
-            self.axle
-        );
+    pub fn attach(&self, findings: &mut Findings, corner: &mut Corner, parent: &str) {
+        let at = self.centre;
+        let with_axle = match self.axle {
+            0.0 => String::new(),
+            axle => format!(", with the axle's {axle} kg·m² about the axis of spin in its inertia"),
+        };
+        let comment = format!("Spindle{with_axle}: frame at its centre");
         corner.link("spindle", at, Some(&self.body), comment);
         let spot = &self.body.spot;
         corner.joint(
@@ -81,6 +100,8 @@ impl Spindle {
             "the wheel's bearing",
         );
         corner.frame("wheel_centre", "spindle", at, "the wheel's centre");
+        let radius = self.wheel.and_then(|(wheel, _)| wheel.radius);
+        corner.drawing.wheels.push(WheelCircle { centre: at.into(), axis: self.axis.into(), radius });
         let Some((wheel, frame)) = &self.wheel else { return };
         let about_com = frames::turned(frame, &Matrix3::from_diagonal(&wheel.inertia.into()));
         let body = Body { mass: wheel.mass, com: at, about_com, spot: Spot::default() };
@@ -90,7 +111,8 @@ impl Spindle {
         let Some(radius) = wheel.radius else { return };
         // The lowest direction in the wheel's plane.
         let down = frames::unit(self.axis * self.axis.z - Vector3::z());
-        let down = spanned(reader, down, spot, "the axis of spin is vertical: the wheel has no lowest point");
+        let down =
+            spanned(findings, down, spot, "the axis of spin is vertical: the wheel has no lowest point");
         let comment = "the wheel's lowest point; it turns with the wheel";
         corner.frame("contact_patch", "spindle", at + down * radius, comment);
     }

@@ -8,7 +8,7 @@ use super::frames;
 use super::parts::{self, Axes, Inertias, SHOCK, SPRING, WISHBONE, ball, hooke, seats, spanned};
 use super::reader::{Reader, Section};
 use super::spindle::Spindle;
-use percuss_mechanism::{ClosureKind, JointKind};
+use percuss_mechanism::JointKind;
 use percuss_spatial::{Matrix3, Vector3};
 
 type Template = for<'t> fn(&mut Reader<'t>, &mut Section<'t>, &Spindle) -> Option<Corner>;
@@ -125,9 +125,7 @@ fn macpherson_strut<'t>(
     spindle.attach(reader, &mut corner, "upright");
     let comment = "Strut, half way along the spring's line: frame at the spring's upper seat".to_owned();
     hooke(reader, &mut corner, (CHASSIS, "strut"), top, &strut, [x, y], comment);
-    let slide = ("strut_slide", ClosureKind::Cylindrical);
-    let about = (&strut_spot, "slides and turns along the spring's line");
-    corner.closure(slide, ["strut", "upright"], bottom, z, about);
+    corner.slide("strut_slide", ["strut", "upright"], bottom, z, &strut_spot);
     tie_rod.tie(reader, &mut corner);
     corner.seats(SPRING, "upright", spring);
     corner.seats(SHOCK, "upright", shock);
@@ -178,7 +176,7 @@ fn three_link_irs<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>, spindle: 
         let stated = parts::body(reader, &mut section, Inertias::Moments);
         let inner = reader.point(&mut section, "Location Chassis");
         let outer = reader.point(&mut section, "Location Arm");
-        let pin = reader.triple(&mut section, "Universal Joint Axis", "a direction [x, y, z]");
+        let pin = reader.direction(&mut section, "Universal Joint Axis");
         let frame = spanned(reader, frames::along_x(outer - inner), &section.spot, vertical);
         // The pin in the file stays with the link; the chassis' is what of ẑ is normal to it.
         let axes = frames::normal(pin, Vector3::z()).and_then(|w| frames::along_z(w, w.cross(&pin)));
@@ -198,12 +196,14 @@ fn three_link_irs<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>, spindle: 
     corner.link("trailing_arm", chassis, Some(&arm), "Trailing Arm: frame at its ball joint on the chassis");
     let joint = ("trailing_arm_ball", JointKind::Spherical);
     corner.joint(joint, [CHASSIS, "trailing_arm"], Vector3::x(), &arm.spot, "a ball joint");
+    corner.drawing.rod("trailing_arm", [chassis, outer], &arm.spot);
     spindle.attach(reader, &mut corner, "trailing_arm");
     for (name, link) in links {
         let comment = format!("{}: frame at its inner end", link.body.spot.label());
         hooke(reader, &mut corner, (CHASSIS, name), link.inner, &link.body, link.pins, comment);
         let joint = format!("{name}_ball");
         ball(&mut corner, &joint, [name, "trailing_arm"], link.outer, &link.body.spot);
+        corner.drawing.rod(name, [link.inner, link.outer], &link.body.spot);
     }
     corner.seats(SPRING, "trailing_arm", spring);
     corner.seats(SHOCK, "trailing_arm", shock);
@@ -219,10 +219,9 @@ fn multi_link<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>, spindle: &Spi
         let stated = parts::body(reader, &mut section, Inertias::Moments);
         let inner = reader.point(&mut section, "Location Chassis");
         let outer = reader.point(&mut section, "Location Upright");
-        let expected = "a direction [x, y, z]";
         // Chrono gives the first body, the link, the pin that the file calls the chassis', and vice versa.
         let pins = ["Universal Joint Axis Link", "Universal Joint Axis Chassis"].map(|key| {
-            let pin = frames::unit(reader.triple(&mut section, key, expected));
+            let pin = frames::unit(reader.direction(&mut section, key));
             spanned(reader, pin, &section.spot, &format!("{key} is zero: it has no direction"))
         });
         let defect = "the pins of its universal joint are parallel";
@@ -257,6 +256,7 @@ fn multi_link<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>, spindle: &Spi
         let comment = format!("{}: frame at its inner end", rod.body.spot.label());
         hooke(reader, &mut corner, (CHASSIS, name), rod.inner, &rod.body, rod.pins, comment);
         ball(&mut corner, &format!("{name}_ball"), [name, "upright"], rod.outer, &rod.body.spot);
+        corner.drawing.rod(name, [rod.inner, rod.outer], &rod.body.spot);
     }
     tie_rod.tie(reader, &mut corner);
     corner.seats(SPRING, "trailing_link", spring);

@@ -4,6 +4,9 @@ mod figures;
 mod mechanics;
 mod models;
 mod refusals;
+mod sheet_refusals;
+mod sheets;
+mod units;
 
 use mechanics::{place, poses, residuals, respond};
 use models::{all, changed, double_wishbone, file, hmmwv};
@@ -23,7 +26,7 @@ fn imported(template: &str, keys: &[(&str, &str)], options: &ImportOptions) -> I
 }
 
 fn on(side: Side) -> ImportOptions {
-    ImportOptions { side, ..ImportOptions::default() }
+    ImportOptions { side: Some(side), ..ImportOptions::default() }
 }
 
 fn link<'m>(mechanism: &'m Mechanism, name: &str) -> &'m Link {
@@ -140,7 +143,7 @@ fn springs_and_shocks_stand_on_the_links_of_the_template() {
 #[test]
 fn the_right_side_is_the_mirror_image_of_the_left() {
     let angles = [("Camber Angle (deg)", "1.5"), ("Toe Angle (deg)", "-0.7")];
-    let options = |side| ImportOptions { side, wheel: Some(WHEEL), ..ImportOptions::default() };
+    let options = |side| ImportOptions { side: Some(side), wheel: Some(WHEEL), ..ImportOptions::default() };
     for (template, keys) in all() {
         let keys = changed(&keys, &angles);
         let left = imported(template, &keys, &options(Side::Left)).mechanism;
@@ -335,7 +338,7 @@ fn a_wheel_adds_its_mass_and_its_lowest_point() {
 #[test]
 fn the_rack_is_fixed_unless_it_slides() {
     for (template, keys) in all() {
-        let options = ImportOptions { rack: Rack::Sliding { mass: 2.0 }, ..ImportOptions::default() };
+        let options = ImportOptions { rack: Some(Rack::Sliding { mass: 2.0 }), ..ImportOptions::default() };
         let sliding = imported(template, &keys, &options);
         if ["SemiTrailingArm", "ThreeLinkIRS"].contains(&template) {
             assert!(sliding.diagnostics.iter().any(|d| d.code == "no-rack"), "{template}");

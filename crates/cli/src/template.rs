@@ -1,0 +1,41 @@
+//! `percuss template`.
+
+use crate::args::TemplateArgs;
+use crate::failure::Failure;
+use crate::import::{axes, unit};
+use crate::output::Output;
+use crate::report::write_out;
+use percuss_formats::suspension::{TemplateOptions, template_names, template_sheet};
+use percuss_mechanism::near_names;
+use std::io::Write;
+use std::path::Path;
+
+/// Runs the command.
+pub fn run(args: &TemplateArgs) -> Result<(), Failure> {
+    let Some(name) = &args.name else {
+        let rows = template_names().into_iter().map(|(name, title)| format!("{name:<24} {title}\n"));
+        return write_out(&rows.collect::<String>());
+    };
+    let options = TemplateOptions { unit: unit(args.unit), axes: axes(args.axes) };
+    let Some(sheet) = template_sheet(name, &options) else {
+        let names = template_names();
+        let near = near_names(name, names.iter().map(|(name, _)| *name));
+        let near = near.first().map_or_else(String::new, |n| format!("; did you mean {n}?"));
+        let known: Vec<&str> = names.iter().map(|(name, _)| *name).collect();
+        return Err(Failure::bad_input(format!(
+            "no template is named \"{}\"{near} There are: {}",
+            name.escape_debug(),
+            known.join(", ")
+        )));
+    };
+    let Some(path) = &args.output else { return write_out(&sheet) };
+    // What was filled in is not overwritten by an empty sheet.
+    if Path::new(path).is_file() && !args.force {
+        return Err(Failure::bad_input(format!("{path} is there already; --force replaces it")));
+    }
+    let mut output = Output::open(Some(path))?;
+    if let Err(error) = output.write_all(sheet.as_bytes()) {
+        return Err(output.failure(error));
+    }
+    output.finish()
+}

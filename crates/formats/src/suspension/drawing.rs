@@ -1,0 +1,142 @@
+//! What a corner looks like: lengths to compare with the drawing, lines to draw, and points that look astray.
+
+use super::findings::{Findings, Spot};
+use crate::limits::{ASTRAY, LEAST_ASTRAY, LONGEST_ARM, WRONG_SIDE};
+use percuss_spatial::Vector3;
+
+/// A link's length: of an arm on a hinge, from the hinge's line to its outer point; of a rod, from end to end.
+#[derive(Clone, Debug)]
+pub(super) struct ArmLength {
+    pub name: String,
+    pub length: f64,
+    spot: Spot,
+}
+
+/// A line of the picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Line {
+    /// The link or pair of seats that it belongs to.
+    pub name: String,
+    /// Its ends, m, x forward, y left, z up.
+    pub ends: [[f64; 3]; 2],
+}
+
+/// A wheel of the picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WheelCircle {
+    /// Its centre, m, x forward, y left, z up.
+    pub centre: [f64; 3],
+    /// The axis of spin, a unit vector.
+    pub axis: [f64; 3],
+    /// m; none where it is not known.
+    pub radius: Option<f64>,
+}
+
+/// All of a corner that is seen.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Drawing {
+    pub arms: Vec<ArmLength>,
+    pub lines: Vec<Line>,
+    pub wheels: Vec<WheelCircle>,
+    points: Vec<(String, Vector3<f64>, Spot)>,
+}
+
+impl Drawing {
+    /// An arm between its hinge and its outer point.
+    pub fn arm(&mut self, name: &str, hinge: [Vector3<f64>; 2], outer: Vector3<f64>, spot: &Spot) {
+        let [first, second] = hinge;
+        let along = (second - first).normalize();
+        let length = (outer - first).cross(&along).norm();
+        if length.is_finite() {
+            self.arms.push(ArmLength { name: name.to_owned(), length, spot: spot.clone() });
+        }
+        for end in hinge {
+            self.line(name, [end, outer]);
+            self.point(name, end, spot);
+        }
+        self.point(name, outer, spot);
+    }
+
+    /// A rod, or a link between two points.
+    pub fn rod(&mut self, name: &str, ends: [Vector3<f64>; 2], spot: &Spot) {
+        let length = (ends[1] - ends[0]).norm();
+        self.arms.push(ArmLength { name: name.to_owned(), length, spot: spot.clone() });
+        self.line(name, ends);
+        for end in ends {
+            self.point(name, end, spot);
+        }
+    }
+
+    /// A line without a length of interest.
+    pub fn line(&mut self, name: &str, ends: [Vector3<f64>; 2]) {
+        self.lines.push(Line { name: name.to_owned(), ends: ends.map(Into::into) });
+    }
+
+    /// A point of one side.
+    pub fn point(&mut self, name: &str, at: Vector3<f64>, spot: &Spot) {
+        self.points.push((name.to_owned(), at, spot.clone()));
+    }
+
+    /// Warns of points on the other side of the vehicle, and of lengths out of proportion.
+    pub fn check(&self, findings: &mut Findings) {
+        let Some(wheel) = self.wheels.first() else { return };
+        let side = wheel.centre[1].signum();
+        let astray = |at: &Vector3<f64>| at.y * side < -WRONG_SIDE;
+        // Where most are, the wheel is on the wrong side, which is said elsewhere.
+        let most = 2 * self.points.iter().filter(|(_, at, _)| astray(at)).count() > self.points.len();
+        for (name, at, spot) in self.points.iter().filter(|_| !most) {
+            if astray(at) {
+                let message = format!(
+                    "{}: a point at y = {} m is on the other side of the vehicle than the wheel (y = {} m): mirrored, \
+                     or the wrong sign? {}",
+                    name,
+                    rounded(at.y),
+                    rounded(wheel.centre[1]),
+                    self.lengths()
+                );
+                findings.warning("mirrored-point", spot, message);
+            }
+        }
+        let mut sorted: Vec<f64> = self.arms.iter().map(|arm| arm.length).collect();
+        sorted.sort_by(f64::total_cmp);
+        let Some(median) = sorted.get(sorted.len() / 2) else { return };
+        for arm in &self.arms {
+            let long = arm.length > ASTRAY * median && arm.length > LEAST_ASTRAY && self.arms.len() > 2;
+            if long || arm.length > LONGEST_ARM {
+                let message = format!(
+                    "{} is {} m long: is one of its points astray? {}",
+                    arm.name,
+                    rounded(arm.length),
+                    self.lengths()
+                );
+                findings.warning("astray-point", &arm.spot, message);
+            }
+        }
+    }
+
+    fn lengths(&self) -> String {
+        let shown = |arm: &ArmLength| format!("{} {}", arm.name, rounded(arm.length));
+        let list: Vec<String> = self.arms.iter().map(shown).collect();
+        if list.is_empty() { String::new() } else { format!("Lengths in m: {}", list.join(", ")) }
+    }
+
+    /// Its mirror image, y → −y.
+    pub fn mirrored(&self) -> Self {
+        let flip = |[x, y, z]: [f64; 3]| [x, 0.0 - y, z];
+        let mut drawing = self.clone();
+        for line in &mut drawing.lines {
+            line.ends = line.ends.map(flip);
+        }
+        for wheel in &mut drawing.wheels {
+            wheel.centre = flip(wheel.centre);
+            wheel.axis = flip(wheel.axis);
+        }
+        drawing.points.iter_mut().for_each(|(_, at, _)| at.y = 0.0 - at.y);
+        drawing
+    }
+}
+
+/// To a tenth of a millimetre.
+fn rounded(x: f64) -> f64 {
+    (x * 1e4).round() / 1e4 + 0.0
+}

@@ -1,0 +1,240 @@
+//! The templates of sheets as data: what stands in this table is what is read, built, written and documented.
+
+use super::axles::AXLES;
+use super::independent::INDEPENDENT;
+use super::trailing::TRAILING;
+
+/// A template.
+pub(crate) struct Template {
+    pub name: &'static str,
+    /// What it is, on one line.
+    pub title: &'static str,
+    /// What its user should know.
+    pub about: &'static [&'static str],
+    /// Whether both sides are on one axle, and always built together.
+    pub axle: bool,
+    /// Hardpoints with example figures in mm, in the axes of ISO 8855, left side.
+    pub points: &'static [(&'static str, [f64; 3])],
+    /// Bodies with example figures.
+    pub bodies: &'static [Body],
+    /// What is built, parents first.
+    pub parts: &'static [Part],
+    /// Where springs and the like are attached unless the sheet has another link: key of the section and link.
+    pub on: &'static [(&'static str, &'static str)],
+}
+
+/// A body and example figures: kg; centre of mass, mm; xx, yy, zz, xy, xz, yz about it in kg·m².
+pub(crate) struct Body {
+    pub key: &'static str,
+    pub shape: Shape,
+    pub mass: f64,
+    pub com: [f64; 3],
+    pub inertia: [f64; 6],
+}
+
+/// What a sheet must say of a body.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Shape {
+    /// Mass, centre of mass, inertia.
+    Any,
+    /// Nothing (a massless rod), its mass (a slender rod), or all.
+    Rod,
+    /// What turns with the wheel: its centre of mass is the wheel's centre unless it is given.
+    Spindle,
+    /// May be left out.
+    Optional,
+}
+
+/// One step of building a mechanism. A link named `….on` is the one that the sheet attaches it to.
+pub(crate) enum Part {
+    /// A link on a hinge through two points; its frame stands at the first.
+    Hinge { link: &'static str, parent: &'static str, points: [&'static str; 2] },
+    /// A link on a hinge along the vehicle's x.
+    Swivel { link: &'static str, parent: &'static str, at: &'static str },
+    /// A link on a ball joint.
+    Ball { link: &'static str, joint: &'static str, parent: &'static str, at: &'static str },
+    /// A link that only what is attached to it holds.
+    Free { link: &'static str, at: &'static str },
+    /// The axle's body, free, its frame half way between the wheels.
+    Axle,
+    /// A link that is part of another.
+    Fixed { link: &'static str, on: &'static str, at: &'static str },
+    /// Spindle and wheel.
+    Wheel { on: &'static str },
+    /// A link between two points: a massless rod or a body.
+    Rod { link: &'static str, ends: [(&'static str, &'static str); 2] },
+    /// A strut on a universal joint at its top, sliding along its own line.
+    Strut { link: &'static str, on: &'static str, line: [&'static str; 2] },
+    /// A ball joint that closes a loop.
+    Close { joint: &'static str, links: [&'static str; 2], at: &'static str },
+}
+
+/// Every template.
+pub(crate) fn templates() -> impl Iterator<Item = &'static Template> {
+    INDEPENDENT.iter().chain(TRAILING).chain(AXLES)
+}
+
+/// What each key of a hardpoint means: one meaning in every template.
+pub(crate) const POINTS: &[(&str, &str)] = &[
+    ("wheel_centre", "the wheel's centre"),
+    ("lower_front", "lower arm, front bush on the chassis"),
+    ("lower_back", "lower arm, rear bush on the chassis"),
+    ("lower_ball", "lower arm, ball joint on the upright"),
+    ("upper_front", "upper arm, front bush on the chassis"),
+    ("upper_back", "upper arm, rear bush on the chassis"),
+    ("upper_ball", "upper arm, ball joint on the upright"),
+    ("strut_top", "strut, upper mount on the chassis"),
+    ("strut_bottom", "strut, a point of its line on the upright"),
+    ("arm_outer", "trailing arm, outer bush on the chassis"),
+    ("arm_inner", "trailing arm, inner bush on the chassis"),
+    ("arm_chassis", "trailing arm, ball joint on the chassis"),
+    ("upper_link_chassis", "upper link, end on the chassis"),
+    ("upper_link_outer", "upper link, end on the wheel's side"),
+    ("lower_link_chassis", "lower link, end on the chassis"),
+    ("lower_link_outer", "lower link, end on the wheel's side"),
+    ("lateral_chassis", "lateral link, end on the chassis"),
+    ("lateral_outer", "lateral link, end on the upright"),
+    ("trailing_link_chassis", "trailing link, end on the chassis"),
+    ("trailing_link_outer", "trailing link, end on the upright"),
+    ("tie_rod_inner", "tie rod, end on the rack (or on the chassis)"),
+    ("tie_rod_outer", "tie rod, end on the upright"),
+    ("pushrod_outer", "pushrod, end on the wheel's side"),
+    ("pushrod_rocker", "pushrod, end on the rocker"),
+    ("rocker_front", "rocker, front point of its axis on the chassis"),
+    ("rocker_back", "rocker, rear point of its axis on the chassis"),
+    ("pivot_front", "axle tube, front point of its pivot on the chassis"),
+    ("pivot_back", "axle tube, rear point of its pivot on the chassis"),
+    ("middle_link_chassis", "upper link in the middle, end on the chassis"),
+    ("middle_link_axle", "upper link in the middle, end on the axle"),
+    ("panhard_chassis", "Panhard rod, end on the chassis"),
+    ("panhard_axle", "Panhard rod, end on the axle"),
+    ("watt_pivot", "Watt's crank, its pivot on the axle; it turns about the vehicle's x"),
+    ("watt_left_chassis", "Watt's left rod, end on the chassis"),
+    ("watt_left_crank", "Watt's left rod, end on the crank"),
+    ("watt_right_chassis", "Watt's right rod, end on the chassis"),
+    ("watt_right_crank", "Watt's right rod, end on the crank"),
+    ("spring_seat", "spring, seat on the moving link"),
+    ("spring_chassis_seat", "spring, seat on the chassis"),
+    ("damper_seat", "damper, end on the moving link"),
+    ("damper_chassis_seat", "damper, end on the chassis"),
+    ("bump_stop_pad", "bump stop, its pad on the moving link"),
+    ("bump_stop", "bump stop, on the chassis"),
+    ("rebound_stop_pad", "rebound stop, its pad on the moving link"),
+    ("rebound_stop", "rebound stop, on the chassis"),
+    ("anti_roll_bar_outer", "anti-roll bar, outer point of its axis"),
+    ("anti_roll_bar_inner", "anti-roll bar, inner point of its axis"),
+    ("drop_link_bar", "drop link, end on the anti-roll bar"),
+    ("drop_link_end", "drop link, end on the suspension"),
+];
+
+/// Points between two bodies that a sheet may leave out, all of a row together: section, points.
+pub(crate) const SEATS: [(&str, [&str; 2]); 4] = [
+    ("spring", ["spring_seat", "spring_chassis_seat"]),
+    ("damper", ["damper_seat", "damper_chassis_seat"]),
+    ("bump_stop", ["bump_stop_pad", "bump_stop"]),
+    ("rebound_stop", ["rebound_stop_pad", "rebound_stop"]),
+];
+
+/// The anti-roll bar's points, left out together as well.
+pub(crate) const BAR: [&str; 4] =
+    ["anti_roll_bar_outer", "anti_roll_bar_inner", "drop_link_bar", "drop_link_end"];
+
+/// What is built of them.
+pub(crate) const BAR_PARTS: [Part; 2] = [
+    Part::Hinge {
+        link: "anti_roll_bar",
+        parent: "chassis",
+        points: ["anti_roll_bar_outer", "anti_roll_bar_inner"],
+    },
+    Part::Rod {
+        link: "drop_link",
+        ends: [("anti_roll_bar", "drop_link_bar"), ("drop_link.on", "drop_link_end")],
+    },
+];
+
+/// What each body is.
+pub(crate) const BODIES: &[(&str, &str)] = &[
+    ("lower_arm", "the lower arm"),
+    ("upper_arm", "the upper arm"),
+    ("upright", "the upright (knuckle) with caliper and all that does not turn with the wheel"),
+    ("spindle", "what turns with the wheel but the wheel: hub, disc"),
+    ("tie_rod", "the tie rod"),
+    ("strut", "the part of the strut that stays with the chassis' mount"),
+    ("trailing_arm", "the trailing arm with all that is fixed to it"),
+    ("upper_link", "the upper link"),
+    ("lower_link", "the lower link"),
+    ("lateral", "the lateral link"),
+    ("trailing_link", "the trailing link"),
+    ("upper_front_rod", "the upper arm's front rod"),
+    ("upper_back_rod", "the upper arm's rear rod"),
+    ("lower_front_rod", "the lower arm's front rod"),
+    ("lower_back_rod", "the lower arm's rear rod"),
+    ("pushrod", "the pushrod"),
+    ("rocker", "the rocker"),
+    ("beam", "this side's half of the beam, fixed to the arm"),
+    ("axle_tube", "the axle tube with all that does not turn with the wheel"),
+    ("axle", "the whole axle with all that does not turn with the wheels"),
+    ("middle_link", "the upper link in the middle"),
+    ("panhard_rod", "the Panhard rod"),
+    ("watt_crank", "Watt's crank"),
+    ("watt_left_rod", "Watt's left rod"),
+    ("watt_right_rod", "Watt's right rod"),
+    ("anti_roll_bar", "this side's half of the anti-roll bar: its inertia counts, its stiffness does not"),
+    ("drop_link", "the drop link"),
+];
+
+/// What is said of a key.
+pub(crate) fn text_of(table: &[(&'static str, &'static str)], key: &str) -> &'static str {
+    table.iter().find(|(known, _)| *known == key).map_or("", |(_, text)| text)
+}
+
+impl Template {
+    /// Whether a hardpoint belongs to the axle as a whole, not to one side of it.
+    pub fn is_central(&self, point: &str) -> bool {
+        self.axle && ["middle_link", "panhard", "watt"].iter().any(|start| point.starts_with(start))
+    }
+
+    /// The points that may be left out together with this one; none where it may not be.
+    pub fn group_of(point: &str) -> Option<&'static [&'static str]> {
+        let seats = SEATS.iter().find(|(_, pair)| pair.contains(&point));
+        seats.map(|(_, pair)| &pair[..]).or_else(|| BAR.contains(&point).then_some(&BAR[..]))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_key_has_its_words_and_every_part_its_points() {
+        for template in templates() {
+            let has = |key: &str| template.points.iter().any(|(known, _)| *known == key);
+            for (key, _) in template.points {
+                assert_ne!(text_of(POINTS, key), "", "{}: {key}", template.name);
+            }
+            for body in template.bodies {
+                assert_ne!(text_of(BODIES, body.key), "", "{}: {}", template.name, body.key);
+            }
+            let points = template.parts.iter().flat_map(|part| match part {
+                Part::Hinge { points, .. } | Part::Strut { line: points, .. } => points.to_vec(),
+                Part::Swivel { at, .. }
+                | Part::Ball { at, .. }
+                | Part::Free { at, .. }
+                | Part::Fixed { at, .. }
+                | Part::Close { at, .. } => vec![*at],
+                Part::Rod { ends, .. } => ends.map(|(_, point)| point).to_vec(),
+                Part::Axle | Part::Wheel { .. } => vec!["wheel_centre"],
+            });
+            for point in points {
+                assert!(has(point), "{}: {point}", template.name);
+            }
+            for key in SEATS.iter().flat_map(|(_, pair)| pair).chain(&BAR) {
+                assert!(has(key), "{}: the example lacks {key}", template.name);
+            }
+            for section in ["spring", "damper", "bump_stop", "rebound_stop", "drop_link"] {
+                assert!(template.on.iter().any(|(key, _)| *key == section), "{}: {section}", template.name);
+            }
+        }
+        assert_eq!(templates().count(), 12);
+    }
+}

@@ -1,0 +1,217 @@
+//! A table of hardpoints to entries: CSV (comma, semicolon or tab; decimal point or comma) or the first sheet of an XLSX
+//! workbook.
+//!
+//! A row is a key and its values: `lower_ball; 5; 720; 180`. What is no point is written with its section,
+//! `lower_arm.mass; 4.2`, and the head's keys as they are, `unit; mm`. A first row that names columns x, y and z, with
+//! a unit where there is one (`x [mm]`), says where these stand; columns of other names are passed over. Rows
+//! that begin with # are comments.
+
+use super::super::findings::{Findings, Spot};
+use super::entries::{Cell, Entries, number};
+use crate::limits::{LARGEST_WORKBOOK, LARGEST_WORKSHEET, MOST_SHEET_KEYS, WIDEST_TABLE};
+use crate::report::{cut, quoted, shortened};
+use calamine::{DataRef, Reader, Xlsx};
+use std::io::Cursor;
+
+/// Keys of the head; a row of another name without a section is a point.
+pub(super) const HEAD: [&str; 8] =
+    ["template", "name", "unit", "inertia_unit", "axes", "side", "build", "points"];
+
+/// Whether the bytes are a workbook.
+pub(in super::super) fn is_workbook(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"PK\x03\x04")
+}
+
+/// Whether a text is a table and no TOML: its first row has a separator and no equals sign or section.
+pub(super) fn looks_like_table(text: &str) -> bool {
+    let first = text.lines().map(str::trim).find(|line| !line.is_empty() && !line.starts_with('#'));
+    first.is_some_and(|line| {
+        line.contains([',', ';', '\t']) && !line.contains('=') && !line.starts_with(['[', '{', '/', '<'])
+    })
+}
+
+struct Row {
+    cells: Vec<Cell>,
+    spot: Spot,
+}
+
+/// Reads CSV, the `file`th of those that are read together.
+pub(super) fn read_text(text: &str, file: usize, entries: &mut Entries, findings: &mut Findings) {
+    let first = text.lines().map(str::trim).find(|line| !line.is_empty() && !line.starts_with('#'));
+    let separator = first.and_then(|line| [';', '\t', ','].into_iter().find(|c| line.contains(*c)));
+    let separator = separator.unwrap_or(';');
+    let mut reader = csv::ReaderBuilder::new()
+        .delimiter(separator as u8)
+        .comment(Some(b'#'))
+        .has_headers(false)
+        .flexible(true)
+        .trim(csv::Trim::All)
+        .from_reader(text.as_bytes());
+    let (mut rows, mut commas, mut points) = (Vec::new(), None, None);
+    for record in reader.records() {
+        let record = match record {
+            Ok(record) => record,
+            Err(error) => {
+                let spot = Spot { file, ..Spot::default() };
+                findings.error("not-table", &spot, format!("no table: {}", shortened(&error.to_string())));
+                return;
+            }
+        };
+        let at = record.position().map(|p| p.byte() as usize);
+        let spot = Spot { path: None, at, file };
+        if rows.len() > MOST_SHEET_KEYS || record.len() > WIDEST_TABLE {
+            let message = format!("more than {MOST_SHEET_KEYS} rows, or {WIDEST_TABLE} columns");
+            findings.error("too-complex", &spot, message);
+            return;
+        }
+        for cell in record.iter().skip(1).filter(|cell| number(cell).is_some()) {
+            if cell.contains(',') {
+                commas.get_or_insert_with(|| (cell.to_owned(), spot.clone()));
+            } else if cell.contains('.') {
+                points.get_or_insert_with(|| cell.to_owned());
+            }
+        }
+        rows.push(Row { cells: record.iter().map(|cell| Cell::Text(cell.to_owned())).collect(), spot });
+    }
+    if let (Some((comma, spot)), Some(point)) = (commas, points) {
+        let message = format!(
+            "{} has a decimal comma and {} a decimal point; one table has one of them (no separators of thousands)",
+            quoted(&comma),
+            quoted(&point)
+        );
+        findings.error("decimal-mark", &spot, message);
+        return;
+    }
+    take(rows, entries, findings);
+}
+
+/// Reads the first sheet of a workbook, the `file`th of those that are read together.
+pub(super) fn read_workbook(bytes: &[u8], file: usize, entries: &mut Entries, findings: &mut Findings) {
+    let spot = Spot { file, ..Spot::default() };
+    if bytes.len() > LARGEST_WORKBOOK {
+        let message = format!(
+            "a workbook of {} bytes; at most {LARGEST_WORKBOOK} are read: keep only the table in it",
+            bytes.len()
+        );
+        findings.error("too-large-file", &spot, message);
+        return;
+    }
+    match rows_of(bytes, file) {
+        Ok(rows) => take(rows, entries, findings),
+        Err(why) => findings.error("not-table", &spot, format!("no XLSX workbook that can be read: {why}")),
+    }
+}
+
+/// The cells one after another: a range of the whole sheet would be as large as its farthest cell says.
+fn rows_of(bytes: &[u8], file: usize) -> Result<Vec<Row>, String> {
+    let said = |error: calamine::XlsxError| shortened(&error.to_string());
+    let mut book: Xlsx<_> = Xlsx::new(Cursor::new(bytes)).map_err(said)?;
+    let name = book.sheet_names().first().cloned().ok_or_else(|| "it has no sheet".to_owned())?;
+    let mut reader = book.worksheet_cells_reader(&name).map_err(said)?;
+    let mut rows: Vec<Row> = Vec::new();
+    let (mut current, mut count) = (None, 0usize);
+    while let Some(cell) = reader.next_cell().map_err(said)? {
+        let (row, column) = cell.get_position();
+        let value = match cell.get_value() {
+            DataRef::Empty => continue,
+            DataRef::Int(x) => Cell::Number(*x as f64),
+            DataRef::Float(x) => Cell::Number(*x),
+            DataRef::Bool(x) => Cell::Switch(*x),
+            DataRef::Error(error) => Cell::Text(format!("{error:?}")),
+            DataRef::String(text) | DataRef::DateTimeIso(text) | DataRef::DurationIso(text) => {
+                Cell::Text(text.clone())
+            }
+            DataRef::SharedString(text) => Cell::Text((*text).to_owned()),
+            DataRef::DateTime(date) => Cell::Text(format!("the date {}", date.as_f64())),
+        };
+        count += 1;
+        if count > LARGEST_WORKSHEET || rows.len() > MOST_SHEET_KEYS {
+            return Err(format!("more than {MOST_SHEET_KEYS} rows or {LARGEST_WORKSHEET} cells"));
+        }
+        // What is far to the right is a remark.
+        if column as usize >= WIDEST_TABLE {
+            continue;
+        }
+        if current != Some(row) {
+            current = Some(row);
+            let path = Some(format!("{}, row {}", cut(&name, 40), row + 1));
+            rows.push(Row { cells: Vec::new(), spot: Spot { path, at: None, file } });
+        }
+        if let Some(last) = rows.last_mut() {
+            let blank = || Cell::Text(String::new());
+            last.cells.resize_with((column as usize + 1).max(last.cells.len()), blank);
+            last.cells[column as usize] = value;
+        }
+    }
+    Ok(rows)
+}
+
+/// The rows as keys with values.
+fn take(rows: Vec<Row>, entries: &mut Entries, findings: &mut Findings) {
+    let is_blank = |cell: &Cell| matches!(cell, Cell::Text(text) if text.trim().is_empty());
+    let rows = rows.into_iter().filter(|row| {
+        let comment =
+            matches!(row.cells.first(), Some(Cell::Text(text)) if text.trim_start().starts_with('#'));
+        !comment && !row.cells.iter().all(is_blank)
+    });
+    let mut columns: Option<[usize; 3]> = None;
+    for (i, row) in rows.enumerate() {
+        if i == 0
+            && let Some((found, unit)) = header(&row.cells)
+        {
+            columns = Some(found);
+            if let Some(unit) = unit {
+                let spot = Spot { path: Some("unit".to_owned()), ..row.spot };
+                entries.add(findings, "unit".to_owned(), vec![Cell::Text(unit)], spot);
+            }
+            continue;
+        }
+        let key = match row.cells.first() {
+            Some(Cell::Text(text)) if !text.trim().is_empty() => text.trim().to_owned(),
+            _ => {
+                let message = "the row's first cell is no name; name, x, y, z are expected".to_owned();
+                findings.error("wrong-type", &row.spot, message);
+                continue;
+            }
+        };
+        let key = if key.contains('.') || HEAD.contains(&&*key) { key } else { format!("points.{key}") };
+        let of_columns = columns.filter(|_| key.starts_with("points."));
+        let mut values: Vec<Cell> = match of_columns {
+            Some(columns) => columns.iter().filter_map(|i| row.cells.get(*i).cloned()).collect(),
+            None => row.cells.into_iter().skip(1).collect(),
+        };
+        while values.last().is_some_and(is_blank) {
+            values.pop();
+        }
+        let path = match &row.spot.path {
+            Some(place) => format!("{} ({place})", shortened(&key)),
+            None => shortened(&key),
+        };
+        let spot = Spot { path: Some(path), ..row.spot };
+        entries.add(findings, key, values, spot);
+    }
+}
+
+/// Where x, y and z stand, and their unit, if the row names them.
+fn header(cells: &[Cell]) -> Option<([usize; 3], Option<String>)> {
+    let mut columns = [None; 3];
+    let mut unit: Option<String> = None;
+    for (i, cell) in cells.iter().enumerate() {
+        let Cell::Text(text) = cell else { continue };
+        let (name, rest) = match text.split_once(['[', '(']) {
+            Some((name, rest)) => (name, rest.trim().trim_end_matches([']', ')'])),
+            None => (text.as_str(), ""),
+        };
+        let name = name.trim().to_ascii_lowercase();
+        let Some(axis) = ["x", "y", "z"].iter().position(|axis| *axis == name) else { continue };
+        columns[axis].get_or_insert(i);
+        // Columns in several units are told apart by no unit: the text is then none.
+        match &unit {
+            None if !rest.is_empty() => unit = Some(rest.to_owned()),
+            Some(known) if known != rest => unit = Some(format!("{known} and {rest}")),
+            Some(_) | None => {}
+        }
+    }
+    let [Some(x), Some(y), Some(z)] = columns else { return None };
+    Some(([x, y, z], unit))
+}

@@ -1,0 +1,155 @@
+//! Units of length and axes of a vehicle, as files and flags name them.
+
+use percuss_spatial::{Matrix3, Vector3};
+
+/// In what a file's lengths are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum LengthUnit {
+    /// m.
+    #[default]
+    Metre,
+    /// cm.
+    Centimetre,
+    /// mm.
+    Millimetre,
+    /// 25.4 mm.
+    Inch,
+}
+
+impl LengthUnit {
+    /// Every unit.
+    pub const ALL: [Self; 4] = [Self::Metre, Self::Centimetre, Self::Millimetre, Self::Inch];
+
+    /// `m`, `cm`, `mm` or `in`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Metre => "m",
+            Self::Centimetre => "cm",
+            Self::Millimetre => "mm",
+            Self::Inch => "in",
+        }
+    }
+
+    /// The unit of this name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|unit| unit.name() == name)
+    }
+
+    /// A length of this unit in metres. Quotients keep 12 mm = 0.012 m to the last bit; 1/1000 is not a binary number.
+    pub fn to_metres(self, length: f64) -> f64 {
+        match self {
+            Self::Metre => length,
+            Self::Centimetre => length / 100.0,
+            Self::Millimetre => length / 1000.0,
+            Self::Inch => length * 254.0 / 10_000.0,
+        }
+    }
+
+    /// Metres in this unit.
+    pub fn of_metres(self, length: f64) -> f64 {
+        match self {
+            Self::Metre => length,
+            Self::Centimetre => length * 100.0,
+            Self::Millimetre => length * 1000.0,
+            Self::Inch => length * 10_000.0 / 254.0,
+        }
+    }
+}
+
+/// A vehicle's axes. z points up in both.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum VehicleAxes {
+    /// ISO 8855: x forward, y left, z up.
+    #[default]
+    Iso,
+    /// As Adams/Car has them: x backward, y right, z up. Half a turn about z from those of ISO 8855.
+    Adams,
+}
+
+impl VehicleAxes {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Iso, Self::Adams];
+
+    /// `iso` or `adams`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Iso => "iso",
+            Self::Adams => "adams",
+        }
+    }
+
+    /// The axes of this name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|axes| axes.name() == name)
+    }
+
+    /// Where they point, in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Iso => "x forward, y left, z up",
+            Self::Adams => "x backward, y right, z up",
+        }
+    }
+
+    /// A vector from these axes to those of ISO 8855, or back: R = diag(−1, −1, 1) is its own inverse.
+    pub fn to_iso(self, v: Vector3<f64>) -> Vector3<f64> {
+        match self {
+            Self::Iso => v,
+            // 0 − x makes no −0.
+            Self::Adams => Vector3::new(0.0 - v.x, 0.0 - v.y, v.z),
+        }
+    }
+
+    /// An inertia from these axes to those of ISO 8855, or back: R I Rᵀ.
+    pub fn inertia_to_iso(self, inertia: Matrix3<f64>) -> Matrix3<f64> {
+        let mut inertia = inertia;
+        if self == Self::Adams {
+            for (row, column) in [(0, 2), (2, 0), (1, 2), (2, 1)] {
+                inertia[(row, column)] = 0.0 - inertia[(row, column)];
+            }
+        }
+        inertia
+    }
+}
+
+/// How a file states lengths and directions.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Frame {
+    pub unit: LengthUnit,
+    pub axes: VehicleAxes,
+}
+
+impl Frame {
+    /// A point of the file in metres, in the axes of ISO 8855.
+    pub fn point(self, p: Vector3<f64>) -> Vector3<f64> {
+        self.axes.to_iso(p.map(|x| self.unit.to_metres(x)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_and_axes_have_one_name_each_and_convert_both_ways() {
+        for unit in LengthUnit::ALL {
+            assert_eq!(LengthUnit::from_name(unit.name()), Some(unit));
+            let back = unit.of_metres(unit.to_metres(123.4));
+            assert!((back / 123.4 - 1.0).abs() < 4.0 * f64::EPSILON, "{}: {back}", unit.name());
+        }
+        assert_eq!(LengthUnit::Millimetre.to_metres(12.0), 0.012);
+        assert_eq!(LengthUnit::Inch.to_metres(1.0), 0.0254);
+        for axes in VehicleAxes::ALL {
+            assert_eq!(VehicleAxes::from_name(axes.name()), Some(axes));
+            let v = Vector3::new(1.0, -2.0, 3.0);
+            assert_eq!(axes.to_iso(axes.to_iso(v)), v);
+        }
+    }
+
+    #[test]
+    fn an_inertia_turns_with_its_axes() {
+        let inertia = Matrix3::new(1.0, 0.1, 0.2, 0.1, 2.0, 0.3, 0.2, 0.3, 2.5);
+        let r = Matrix3::from_diagonal(&Vector3::new(-1.0, -1.0, 1.0));
+        assert_eq!(VehicleAxes::Adams.inertia_to_iso(inertia), r * inertia * r.transpose());
+    }
+}
