@@ -7,6 +7,7 @@ mod derivatives;
 mod energies;
 mod fallbacks;
 mod invariances;
+mod matrices;
 mod orderings;
 mod outcomes;
 mod routes;

@@ -30,11 +30,12 @@ pub use percuss_contact as contact;
 pub use percuss_dynamics::{
     Accelerations, Assembly, AssemblyError, Base, Batch, BatchAnswer, BatchError, BatchPositions,
     BranchLimits, CarefulReason, ConditionOfJoint, Conditions, ConditionsError, Configuration,
-    ConfigurationError, Contact, ContactError, ContactPart, ContactResponse, Contributions, DepartingAxis,
-    Direction, DrawnGap, EffectiveMass, ErrorBudget, Frame, InverseOperationalInertia, LocatedContact,
-    LoopState, PointForce, PointVelocity, Pose, PoseRank, Remark, ResponseError, RigidLoops, Route,
+    ConfigurationError, ConstraintRank, Contact, ContactError, ContactPart, ContactResponse, Contributions,
+    DepartingAxis, Direction, DrawnGap, EffectiveMass, ErrorBudget, Frame, InverseOperationalInertia,
+    LayoutError, LocatedContact, LoopState, MatrixError, MatrixName, MatrixOptions, MatrixResponse,
+    MatrixView, PointForce, PointVelocity, Pose, PoseRank, Remark, ResponseError, RigidLoops, Route,
     RouteChoice, RouteError, ScalarWorkspace, Singularity, System, Travel, TravelError, VelocityError,
-    Workspace,
+    Workspace, effective_mass,
 };
 pub use percuss_formats::{
     Comments, DEFAULT_MAX_SIZE, Diagnostic, LoadError, LoadOptions, Loaded, Source, load, suspension,
