@@ -161,12 +161,11 @@ pub unsafe extern "C" fn percuss_configuration_set_base(
         let position = Vector3::from_column_slice(input(position, 3, "position")?);
         let [w, x, y, z] = *input(quaternion, 4, "quaternion")? else { unreachable!("it has 4 values") };
         let norm = w.hypot(x).hypot(y).hypot(z);
-        // NaN is not near 1.
-        if !((norm - 1.0).abs() <= 0.01) {
+        if norm.is_nan() || (norm - 1.0).abs() > 0.01 {
             let message = format_args!("the quaternion w,x,y,z has norm {norm}; expected a unit quaternion");
             return Err(Failure::new(PERCUSS_ERROR_ARGUMENT, message));
         }
-        if let Some(value) = position.iter().find(|value| !(value.abs() <= 1e100)) {
+        if let Some(value) = position.iter().find(|value| value.is_nan() || value.abs() > 1e100) {
             let message = format_args!("position has {value:e}; expected a finite number of at most 1e100");
             return Err(Failure::new(PERCUSS_ERROR_ARGUMENT, message));
         }

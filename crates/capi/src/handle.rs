@@ -1,4 +1,7 @@
 //! Handles: what C holds of an object.
+//!
+//! The functions here and in `arrays` take pointers as C gives them and trust them as far as the contract of the C function says that was
+//! called ("Pointers" in the header): they are called by such functions alone, with that function's own arguments.
 
 use crate::status::{
     Failure, PERCUSS_ERROR_BUSY, PERCUSS_ERROR_HANDLE, PERCUSS_ERROR_INTERNAL, PERCUSS_ERROR_NULL,
@@ -72,7 +75,7 @@ fn tagged<H: Handle>(handle: *const H) -> Result<*const Tagged<H::Object>, Failu
     check(pointer, H::NAME)?;
     // SAFETY: it is neither null nor misaligned; all handles begin with a tag. One that was freed must not be read: that it is noticed,
     // where its memory is still there, is a help and no promise.
-    let tag = unsafe { std::ptr::addr_of!((*pointer).tag).read() };
+    let tag = unsafe { pointer.cast::<u64>().read() };
     match tag {
         tag if tag == H::TAG => Ok(pointer),
         FREED => Err(Failure::new(PERCUSS_ERROR_HANDLE, format_args!("this {} was freed before", H::NAME))),

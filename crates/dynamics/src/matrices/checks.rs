@@ -188,7 +188,7 @@ pub(super) fn entries(matrix: MatrixName, view: &MatrixView<'_>) -> Result<DMatr
     for c in 0..columns {
         for r in 0..rows {
             let value = view.at(r, c);
-            if !(value.abs() <= LARGEST_ENTRY) {
+            if value.is_nan() || value.abs() > LARGEST_ENTRY {
                 return Err(MatrixError::NotFinite { matrix, row: r, column: c, value });
             }
             all[(r, c)] = if value.abs() < LEAST_ENTRY { 0.0 } else { value };

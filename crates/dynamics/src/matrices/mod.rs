@@ -169,7 +169,12 @@ impl Asked<'_> {
         }
         let mut effective_mass = match solution.minimum {
             _ if closing_speed <= IMMOVABLE.max(open) => EffectiveMass::Immovable,
-            Minimum::Finite(m) | Minimum::Stationary(m) => EffectiveMass::Finite(m),
+            Minimum::Finite(m) => EffectiveMass::Finite(m),
+            // Pivots see a negative energy that is too small for eigenvalues.
+            Minimum::Stationary(m) if m > 0.0 => EffectiveMass::Finite(m),
+            Minimum::Stationary(_) => {
+                return Err(MatrixError::Indefinite { eigenvalue: -self.mass.accuracy, least: 0.0 });
+            }
             Minimum::Immovable => EffectiveMass::Immovable,
             Minimum::Massless => EffectiveMass::Massless,
         };
