@@ -58,7 +58,7 @@ fn generated() -> String {
         tab_width: 2,
         style: cbindgen::Style::Both,
         documentation: true,
-        documentation_style: cbindgen::DocumentationStyle::C,
+        documentation_style: cbindgen::DocumentationStyle::Doxy,
         sort_by: cbindgen::SortKey::None,
         export: cbindgen::ExportConfig { exclude: vec!["PERCUSS_GROUND".into()], ..Default::default() },
         ..Default::default()

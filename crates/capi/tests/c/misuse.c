@@ -43,6 +43,7 @@ static void nulls(void)
   FAILS(percuss_model_diagnostic_count(model, NULL), null, "count");
   FAILS(percuss_model_diagnostic(model, 0, NULL), null, "diagnostic");
   FAILS(percuss_contact_init(NULL), null, "contact");
+  OK(percuss_system_free(&system));
   FAILS(percuss_system_new(NULL, NULL, &system), null, "percuss_model");
   CHECK(system == NULL);
   OK(percuss_system_new(model, NULL, &system));
