@@ -716,7 +716,7 @@ const char *percuss_version(void);
 
  Errors: PERCUSS_ERROR_LOAD, with every error of the file in the message.
 
- # Safety
+ Pointers:
  path ends with a zero byte; model is null or a place for a pointer.
  */
 percuss_status percuss_model_load_file(const char *path, struct percuss_model **model);
@@ -726,7 +726,7 @@ percuss_status percuss_model_load_file(const char *path, struct percuss_model **
 
  Errors: as percuss_model_load_file; PERCUSS_ERROR_TEXT.
 
- # Safety
+ Pointers:
  name ends with a zero byte; bytes has length bytes; model is null or a place for a pointer.
  */
 percuss_status percuss_model_load_memory(const char *name,
@@ -737,7 +737,7 @@ percuss_status percuss_model_load_memory(const char *name,
 /*
  Frees a model and sets the handle to null; nothing where it is null. What was made from the model stays valid.
 
- # Safety
+ Pointers:
  model is null or the place of a handle that nobody uses.
  */
 percuss_status percuss_model_free(struct percuss_model **model);
@@ -745,7 +745,7 @@ percuss_status percuss_model_free(struct percuss_model **model);
 /*
  How many links a model has, joints, positions of all joints, and velocities of all joints. Each place may be null.
 
- # Safety
+ Pointers:
  Every pointer is null or a place for a number.
  */
 percuss_status percuss_model_counts(const struct percuss_model *model,
@@ -757,7 +757,7 @@ percuss_status percuss_model_counts(const struct percuss_model *model,
 /*
  The name of link number index, from 0. It lives as long as the model; null where the call fails.
 
- # Safety
+ Pointers:
  name is null or a place for a pointer.
  */
 percuss_status percuss_model_link_name(const struct percuss_model *model, size_t index, const char **name);
@@ -765,7 +765,7 @@ percuss_status percuss_model_link_name(const struct percuss_model *model, size_t
 /*
  The number of the link of this name. Errors: PERCUSS_ERROR_NAME, with the most similar name.
 
- # Safety
+ Pointers:
  name ends with a zero byte; index is null or a place for a number.
  */
 percuss_status percuss_model_find_link(const struct percuss_model *model, const char *name, size_t *index);
@@ -773,7 +773,7 @@ percuss_status percuss_model_find_link(const struct percuss_model *model, const 
 /*
  The number of the joint of this name. Errors: PERCUSS_ERROR_NAME, with the most similar name.
 
- # Safety
+ Pointers:
  name ends with a zero byte; index is null or a place for a number.
  */
 percuss_status percuss_model_find_joint(const struct percuss_model *model, const char *name, size_t *index);
@@ -781,7 +781,7 @@ percuss_status percuss_model_find_joint(const struct percuss_model *model, const
 /*
  Joint number index, from 0.
 
- # Safety
+ Pointers:
  joint is null or a place for a percuss_joint.
  */
 percuss_status percuss_model_joint(const struct percuss_model *model, size_t index, struct percuss_joint *joint);
@@ -789,7 +789,7 @@ percuss_status percuss_model_joint(const struct percuss_model *model, size_t ind
 /*
  How many notes and warnings came of the file.
 
- # Safety
+ Pointers:
  count is null or a place for a number.
  */
 percuss_status percuss_model_diagnostic_count(const struct percuss_model *model, size_t *count);
@@ -797,7 +797,7 @@ percuss_status percuss_model_diagnostic_count(const struct percuss_model *model,
 /*
  Note or warning number index, from 0, in the order of the file.
 
- # Safety
+ Pointers:
  diagnostic is null or a place for a percuss_diagnostic.
  */
 percuss_status percuss_model_diagnostic(const struct percuss_model *model,
@@ -807,7 +807,7 @@ percuss_status percuss_model_diagnostic(const struct percuss_model *model,
 /*
  Fixed base, everything free, armatures as declared. Free them with percuss_conditions_free.
 
- # Safety
+ Pointers:
  conditions is null or a place for a pointer.
  */
 percuss_status percuss_conditions_new(struct percuss_conditions **conditions);
@@ -815,7 +815,7 @@ percuss_status percuss_conditions_new(struct percuss_conditions **conditions);
 /*
  Frees conditions and sets the handle to null; nothing where it is null.
 
- # Safety
+ Pointers:
  conditions is null or the place of a handle that nobody uses.
  */
 percuss_status percuss_conditions_free(struct percuss_conditions **conditions);
@@ -823,7 +823,7 @@ percuss_status percuss_conditions_free(struct percuss_conditions **conditions);
 /*
  How the root link stands: PERCUSS_BASE_FIXED (the default) or PERCUSS_BASE_FLOATING.
 
- # Safety
+ Pointers:
  conditions is null or a handle.
  */
 percuss_status percuss_conditions_base(struct percuss_conditions *conditions, int32_t base);
@@ -831,7 +831,7 @@ percuss_status percuss_conditions_base(struct percuss_conditions *conditions, in
 /*
  Holds a joint at its position: its velocities are zero. That there is such a joint is checked by percuss_system_new.
 
- # Safety
+ Pointers:
  joint ends with a zero byte.
  */
 percuss_status percuss_conditions_lock(struct percuss_conditions *conditions, const char *joint);
@@ -840,7 +840,7 @@ percuss_status percuss_conditions_lock(struct percuss_conditions *conditions, co
  Replaces a joint's armature (the rotor's inertia at the joint, kg·m² or kg): one value for all its velocities, or
  count of them. Checked by percuss_system_new.
 
- # Safety
+ Pointers:
  joint ends with a zero byte; values has count numbers.
  */
 percuss_status percuss_conditions_armature(struct percuss_conditions *conditions,
@@ -852,7 +852,7 @@ percuss_status percuss_conditions_armature(struct percuss_conditions *conditions
  Holds a point (3 numbers, m, link's frame) of a link to the ground: along a normal (3 numbers, root link's axes), or in
  all directions where that is null. Velocities only. Checked by percuss_system_new.
 
- # Safety
+ Pointers:
  link ends with a zero byte; point has 3 numbers; normal is null or has 3.
  */
 percuss_status percuss_conditions_hold(struct percuss_conditions *conditions,
@@ -863,7 +863,7 @@ percuss_status percuss_conditions_hold(struct percuss_conditions *conditions,
 /*
  Every joint at zero (quaternions at 1, 0, 0, 0), the root link at the world's origin. Free it with percuss_configuration_free.
 
- # Safety
+ Pointers:
  model is a handle; configuration is null or a place for a pointer.
  */
 percuss_status percuss_configuration_new(const struct percuss_model *model,
@@ -872,7 +872,7 @@ percuss_status percuss_configuration_new(const struct percuss_model *model,
 /*
  Frees a configuration and sets the handle to null; nothing where it is null.
 
- # Safety
+ Pointers:
  configuration is null or the place of a handle that nobody uses.
  */
 percuss_status percuss_configuration_free(struct percuss_configuration **configuration);
@@ -880,7 +880,7 @@ percuss_status percuss_configuration_free(struct percuss_configuration **configu
 /*
  Every joint at zero again, nothing set and nothing guessed.
 
- # Safety
+ Pointers:
  configuration is null or a handle.
  */
 percuss_status percuss_configuration_reset(struct percuss_configuration *configuration);
@@ -890,7 +890,7 @@ percuss_status percuss_configuration_reset(struct percuss_configuration *configu
 
  Errors: PERCUSS_ERROR_CONDITIONS: no such joint, set twice, a mimic, another number of values, a value that is none.
 
- # Safety
+ Pointers:
  joint ends with a zero byte; values has count numbers.
  */
 percuss_status percuss_configuration_set(struct percuss_configuration *configuration,
@@ -903,7 +903,7 @@ percuss_status percuss_configuration_set(struct percuss_configuration *configura
 
  Errors: as percuss_configuration_set.
 
- # Safety
+ Pointers:
  As percuss_configuration_set.
  */
 percuss_status percuss_configuration_guess(struct percuss_configuration *configuration,
@@ -917,7 +917,7 @@ percuss_status percuss_configuration_guess(struct percuss_configuration *configu
 
  Errors: PERCUSS_ERROR_CONDITIONS.
 
- # Safety
+ Pointers:
  positions has count numbers.
  */
 percuss_status percuss_configuration_set_positions(struct percuss_configuration *configuration,
@@ -927,7 +927,7 @@ percuss_status percuss_configuration_set_positions(struct percuss_configuration 
 /*
  Sets where the root link stands in the world: its origin (3 numbers, m) and its orientation (a unit quaternion w, x, y, z).
 
- # Safety
+ Pointers:
  position has 3 numbers, quaternion 4.
  */
 percuss_status percuss_configuration_set_base(struct percuss_configuration *configuration,
@@ -940,7 +940,7 @@ percuss_status percuss_configuration_set_base(struct percuss_configuration *conf
 
  Errors: PERCUSS_ERROR_CONDITIONS.
 
- # Safety
+ Pointers:
  model is a handle; conditions is null or a handle; system is null or a place for a pointer.
  */
 percuss_status percuss_system_new(const struct percuss_model *model,
@@ -950,7 +950,7 @@ percuss_status percuss_system_new(const struct percuss_model *model,
 /*
  Frees a system and sets the handle to null; nothing where it is null. What was made from it stays valid.
 
- # Safety
+ Pointers:
  system is null or the place of a handle that nobody uses.
  */
 percuss_status percuss_system_free(struct percuss_system **system);
@@ -959,7 +959,7 @@ percuss_status percuss_system_free(struct percuss_system **system);
  How many coordinates there are: independent velocities of the tree, without locked joints and mimics; a floating base
  counts 6. The order is that of the base, then of the joints from the root.
 
- # Safety
+ Pointers:
  coordinates is null or a place for a number.
  */
 percuss_status percuss_system_coordinates(const struct percuss_system *system, size_t *coordinates);
@@ -970,7 +970,7 @@ percuss_status percuss_system_coordinates(const struct percuss_system *system, s
 
  Errors: PERCUSS_ERROR_ASSEMBLY, naming the loop that does not close.
 
- # Safety
+ Pointers:
  system is a handle; configuration is null or a handle; assembly is null or a place for a pointer.
  */
 percuss_status percuss_assembly_new(const struct percuss_system *system,
@@ -980,7 +980,7 @@ percuss_status percuss_assembly_new(const struct percuss_system *system,
 /*
  Frees an assembly and sets the handle to null; nothing where it is null. What was made from it stays valid.
 
- # Safety
+ Pointers:
  assembly is null or the place of a handle that nobody uses.
  */
 percuss_status percuss_assembly_free(struct percuss_assembly **assembly);
@@ -989,7 +989,7 @@ percuss_status percuss_assembly_free(struct percuss_assembly **assembly);
  Degrees of freedom at a generic pose (a floating base counts 6), and rows of A that are redundant there. Each place may be
  null.
 
- # Safety
+ Pointers:
  Every pointer is null or a place for a number.
  */
 percuss_status percuss_assembly_mobility(const struct percuss_assembly *assembly,
@@ -999,7 +999,7 @@ percuss_status percuss_assembly_mobility(const struct percuss_assembly *assembly
 /*
  A contact of the origin of link 0 with the ground, along the link's z.
 
- # Safety
+ Pointers:
  contact is null or a place for a percuss_contact.
  */
 percuss_status percuss_contact_init(struct percuss_contact *contact);
@@ -1010,7 +1010,7 @@ percuss_status percuss_contact_init(struct percuss_contact *contact);
 
  Errors: PERCUSS_ERROR_ASSEMBLY: loops that do not close, drivers that cannot get there, a dependent joint that was set.
 
- # Safety
+ Pointers:
  system and configuration are handles; pose is null or a place for a pointer.
  */
 percuss_status percuss_pose_new(const struct percuss_system *system,
@@ -1020,7 +1020,7 @@ percuss_status percuss_pose_new(const struct percuss_system *system,
 /*
  The same of a given assembly.
 
- # Safety
+ Pointers:
  assembly and configuration are handles; pose is null or a place for a pointer.
  */
 percuss_status percuss_assembly_pose(const struct percuss_assembly *assembly,
@@ -1030,7 +1030,7 @@ percuss_status percuss_assembly_pose(const struct percuss_assembly *assembly,
 /*
  The pose at a configuration on the branch of another pose of the same assembly, followed from there: for steps of a motion.
 
- # Safety
+ Pointers:
  from and configuration are handles; pose is null or a place for a pointer, not the place of from.
  */
 percuss_status percuss_pose_follow(const struct percuss_pose *from,
@@ -1040,7 +1040,7 @@ percuss_status percuss_pose_follow(const struct percuss_pose *from,
 /*
  Frees a pose and sets the handle to null; nothing where it is null.
 
- # Safety
+ Pointers:
  pose is null or the place of a handle that nobody uses.
  */
 percuss_status percuss_pose_free(struct percuss_pose **pose);
@@ -1048,7 +1048,7 @@ percuss_status percuss_pose_free(struct percuss_pose **pose);
 /*
  The positions of all joints one after another, in joint order, mimics included: count is that of percuss_model_counts.
 
- # Safety
+ Pointers:
  positions has room for count numbers.
  */
 percuss_status percuss_pose_positions(const struct percuss_pose *pose, double *positions, size_t count);
@@ -1058,7 +1058,7 @@ percuss_status percuss_pose_positions(const struct percuss_pose *pose, double *p
 
  Errors: PERCUSS_ERROR_CONTACT: a contact that means nothing, or that the route does not take.
 
- # Safety
+ Pointers:
  pose is a handle; contact is null or points to a contact; mass is null or a place for a percuss_mass.
  */
 percuss_status percuss_pose_effective_mass(const struct percuss_pose *pose,
@@ -1071,7 +1071,7 @@ percuss_status percuss_pose_effective_mass(const struct percuss_pose *pose,
 
  Errors: as percuss_pose_effective_mass.
 
- # Safety
+ Pointers:
  As percuss_pose_effective_mass; response is null or a place for a pointer.
  */
 percuss_status percuss_pose_respond(const struct percuss_pose *pose,
@@ -1082,7 +1082,7 @@ percuss_status percuss_pose_respond(const struct percuss_pose *pose,
 /*
  M, the mass matrix over the coordinates, n×n (kg, kg·m, kg·m²), into room for length numbers.
 
- # Safety
+ Pointers:
  values has room for length numbers.
  */
 percuss_status percuss_pose_mass_matrix(const struct percuss_pose *pose,
@@ -1094,7 +1094,7 @@ percuss_status percuss_pose_mass_matrix(const struct percuss_pose *pose,
 /*
  How many rows A has, the redundant ones included.
 
- # Safety
+ Pointers:
  rows is null or a place for a number.
  */
 percuss_status percuss_pose_constraint_rows(const struct percuss_pose *pose, size_t *rows);
@@ -1103,7 +1103,7 @@ percuss_status percuss_pose_constraint_rows(const struct percuss_pose *pose, siz
  A, the Jacobian of all constraints over the coordinates, rows×n, into room for length numbers; each group of loops is scaled to
  entries of at most 1.
 
- # Safety
+ Pointers:
  values has room for length numbers.
  */
 percuss_status percuss_pose_constraint_matrix(const struct percuss_pose *pose,
@@ -1115,7 +1115,7 @@ percuss_status percuss_pose_constraint_matrix(const struct percuss_pose *pose,
 /*
  j, the closing speed of a contact at unit rates of the coordinates, 1×n (m, 1): count is n.
 
- # Safety
+ Pointers:
  contact is null or points to a contact; values has room for count numbers.
  */
 percuss_status percuss_pose_contact_row(const struct percuss_pose *pose,
@@ -1126,7 +1126,7 @@ percuss_status percuss_pose_contact_row(const struct percuss_pose *pose,
 /*
  Frees a response and sets the handle to null; nothing where it is null.
 
- # Safety
+ Pointers:
  response is null or the place of a handle that nobody uses.
  */
 percuss_status percuss_response_free(struct percuss_response **response);
@@ -1134,7 +1134,7 @@ percuss_status percuss_response_free(struct percuss_response **response);
 /*
  m̄ and its error.
 
- # Safety
+ Pointers:
  mass is null or a place for a percuss_mass.
  */
 percuss_status percuss_response_mass(const struct percuss_response *response, struct percuss_mass *mass);
@@ -1142,7 +1142,7 @@ percuss_status percuss_response_mass(const struct percuss_response *response, st
 /*
  The same where the other side is a free mass (kg) of its own: 1/m̄ = 1/m̄₁ + 1/m₂.
 
- # Safety
+ Pointers:
  mass is null or a place for a percuss_mass.
  */
 percuss_status percuss_response_against_mass(const struct percuss_response *response,
@@ -1153,7 +1153,7 @@ percuss_status percuss_response_against_mass(const struct percuss_response *resp
  v*: the velocities of all joints at unit closing speed (1/m·rad, 1), one after another in joint order; count is that of
  percuss_model_counts. Of a contact that is not finite too, where a motion is known; else zeros.
 
- # Safety
+ Pointers:
  velocities has room for count numbers.
  */
 percuss_status percuss_response_velocities(const struct percuss_response *response,
@@ -1163,7 +1163,7 @@ percuss_status percuss_response_velocities(const struct percuss_response *respon
 /*
  v* of a floating root link: 3 angular and 3 linear numbers, in its axes at its origin; zeros where it is the ground.
 
- # Safety
+ Pointers:
  twist has room for 6 numbers.
  */
 percuss_status percuss_response_base_velocity(const struct percuss_response *response, double *twist);
@@ -1172,7 +1172,7 @@ percuss_status percuss_response_base_velocity(const struct percuss_response *res
  The contribution of each link to m̄, in link order (links numbers), and of the rotor of each joint (joints numbers): together 1.
  Errors: PERCUSS_ERROR_CONTACT where m̄ is not finite.
 
- # Safety
+ Pointers:
  links has room for link_count numbers, rotors for joint_count; rotors may be null.
  */
 percuss_status percuss_response_contributions(const struct percuss_response *response,
@@ -1184,7 +1184,7 @@ percuss_status percuss_response_contributions(const struct percuss_response *res
 /*
  Room for many poses of an assembly; it stands at its first closed pose. Free it with percuss_workspace_free.
 
- # Safety
+ Pointers:
  assembly is a handle; workspace is null or a place for a pointer.
  */
 percuss_status percuss_workspace_new(const struct percuss_assembly *assembly, struct percuss_workspace **workspace);
@@ -1192,7 +1192,7 @@ percuss_status percuss_workspace_new(const struct percuss_assembly *assembly, st
 /*
  Frees a workspace and sets the handle to null; nothing where it is null.
 
- # Safety
+ Pointers:
  workspace is null or the place of a handle that nobody uses.
  */
 percuss_status percuss_workspace_free(struct percuss_workspace **workspace);
@@ -1207,7 +1207,7 @@ percuss_status percuss_workspace_free(struct percuss_workspace **workspace);
 
  Errors: PERCUSS_ERROR_LENGTH, PERCUSS_ERROR_CONTACT; PERCUSS_ERROR_BUSY where another thread uses the workspace.
 
- # Safety
+ Pointers:
  workspace is a handle; positions is null or has count numbers; contact is null or points to a contact; the other pointers are null
  or places.
  */
@@ -1225,7 +1225,7 @@ percuss_status percuss_workspace_effective_mass(struct percuss_workspace *worksp
 
  Errors: PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_ARGUMENT.
 
- # Safety
+ Pointers:
  assembly is a handle; contact is null or points to a contact; batch is null or a place for a pointer.
  */
 percuss_status percuss_batch_new(const struct percuss_assembly *assembly,
@@ -1236,7 +1236,7 @@ percuss_status percuss_batch_new(const struct percuss_assembly *assembly,
 /*
  Ends the threads of a batch, frees it and sets the handle to null; nothing where it is null.
 
- # Safety
+ Pointers:
  batch is null or the place of a handle that nobody uses.
  */
 percuss_status percuss_batch_free(struct percuss_batch **batch);
@@ -1251,7 +1251,7 @@ percuss_status percuss_batch_free(struct percuss_batch **batch);
 
  Errors: PERCUSS_ERROR_LENGTH; PERCUSS_ERROR_STOPPED: what was answered until then is there, the rest is PERCUSS_NO_ANSWER.
 
- # Safety
+ Pointers:
  batch is a handle; every array has as many values as is said; watch may be called with user.
  */
 percuss_status percuss_batch_run(const struct percuss_batch *batch,
@@ -1274,7 +1274,7 @@ size_t percuss_law_count(void);
 /*
  The name of a law; it lives as long as the program.
 
- # Safety
+ Pointers:
  name is null or a place for a pointer.
  */
 percuss_status percuss_law_name(percuss_law law, const char **name);
@@ -1282,7 +1282,7 @@ percuss_status percuss_law_name(percuss_law law, const char **name);
 /*
  The law of this name or alias, upper and lower case alike. Errors: PERCUSS_ERROR_NAME, with the most similar name.
 
- # Safety
+ Pointers:
  name ends with a zero byte; law is null or a place for a number.
  */
 percuss_status percuss_law_find(const char *name, percuss_law *law);
@@ -1293,7 +1293,7 @@ percuss_status percuss_law_find(const char *name, percuss_law *law);
 
  Errors: PERCUSS_ERROR_LAW: out of range, the speed missing, an e that the law does not reach.
 
- # Safety
+ Pointers:
  spring is null or points to one; damper is null or a place for one.
  */
 percuss_status percuss_law_damper(percuss_law law,
@@ -1308,7 +1308,7 @@ percuss_status percuss_law_damper(percuss_law law,
 
  Errors: PERCUSS_ERROR_LAW.
 
- # Safety
+ Pointers:
  spring and damper are null or point to one; restitution is null or a place for a number.
  */
 percuss_status percuss_damper_restitution(const struct percuss_damper *damper,
@@ -1321,7 +1321,7 @@ percuss_status percuss_damper_restitution(const struct percuss_damper *damper,
 
  Errors: PERCUSS_ERROR_LAW.
 
- # Safety
+ Pointers:
  spring and damper are null or point to one; impact is null or a place for one.
  */
 percuss_status percuss_damper_impact(const struct percuss_damper *damper,
@@ -1332,7 +1332,7 @@ percuss_status percuss_damper_impact(const struct percuss_damper *damper,
 /*
  The defaults.
 
- # Safety
+ Pointers:
  options is null or a place for percuss_matrix_options.
  */
 percuss_status percuss_matrix_options_init(struct percuss_matrix_options *options);
@@ -1348,7 +1348,7 @@ percuss_status percuss_matrix_options_init(struct percuss_matrix_options *option
  Errors: PERCUSS_ERROR_LENGTH: shapes; PERCUSS_ERROR_ARGUMENT: NaN, infinities, options; PERCUSS_ERROR_MATRIX: not symmetric,
  not positive semi-definite, more than 1000 coordinates.
 
- # Safety
+ Pointers:
  Every pointer is null or points to what is said; the arrays of the matrices have as many numbers as they say.
  */
 percuss_status percuss_effective_mass(const struct percuss_matrix *mass,

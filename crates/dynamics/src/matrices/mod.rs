@@ -206,7 +206,9 @@ impl Asked<'_> {
                 if !velocity.iter().all(|v| v.is_finite()) {
                     return Err(MatrixError::NotRepresentable);
                 }
-                let up_to = self.energy_off(&velocity);
+                // A motion that all but has no energy may miss the constraints by its own rounding: so much what meets them has.
+                let missed: f64 = self.roots(&self.correction(&velocity)).iter().sum();
+                let up_to = (self.energy_off(&velocity).sqrt() + missed).powi(2);
                 if up_to > NEGLIGIBLE_MASS * self.mass.typical {
                     remarks.push(Remark::MasslessToRounding { up_to });
                 }
@@ -275,6 +277,25 @@ impl Asked<'_> {
     /// √M_kk |v_k|, coordinate by coordinate.
     fn roots(&self, v: &[f64]) -> Vec<f64> {
         v.iter().enumerate().map(|(k, v)| self.mass.matrix[(k, k)].sqrt() * v.abs()).collect()
+    }
+
+    /// The shortest change, coordinates scaled by lengths, after which a motion has Av = 0 and jv = 1.
+    fn correction(&self, v: &[f64]) -> Vec<f64> {
+        let (rows, n) = self.rows.shape();
+        let entry = |r: usize, k: usize| if r < rows { self.rows[(r, k)] } else { self.row[k] };
+        let left = |r: usize| {
+            let sum: f64 = (0..n).map(|k| entry(r, k) * v[k]).sum();
+            if r < rows { -sum } else { 1.0 - sum }
+        };
+        let qr = Mat::from_fn(n, rows + 1, |k, r| entry(r, k) / self.lengths[k]).qr();
+        let (q, r) = (qr.compute_thin_Q(), qr.thin_R());
+        let mut parts: Vec<f64> = Vec::with_capacity(rows + 1);
+        for i in 0..=rows {
+            let known: f64 = parts.iter().enumerate().map(|(c, part)| r[(c, i)] * part).sum();
+            parts.push((left(i) - known) / r[(i, i)]);
+        }
+        let scaled = |k: usize| (0..=rows).map(|c| q[(k, c)] * parts[c]).sum::<f64>() / self.lengths[k];
+        (0..n).map(scaled).collect()
     }
 
     /// What vᵀMv may be off by, kg.
