@@ -319,7 +319,9 @@ impl Asked<'_> {
         for (r, multiplier) in self.multipliers(m, v, &scales).into_iter().enumerate() {
             sum += 2.0 * multiplier.abs() * off(&|k| self.rows[(r, k)]);
         }
-        sum
+        // A motion that misses the constraints by its own rounding: so much more has one that meets them.
+        let missed: f64 = self.roots(&self.correction(v)).iter().sum();
+        sum + 2.0 * m.sqrt() * missed + missed * missed
     }
 
     /// Scales in which M has a unit diagonal; coordinates without mass are scaled as the least that has one.
