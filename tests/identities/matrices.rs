@@ -117,7 +117,9 @@ fn slides_over_many_decades_are_within_the_stated_error() {
                 let up_to =
                     |r: &Remark| if let Remark::MasslessToRounding { up_to } = r { *up_to } else { 0.0 };
                 let most = got.remarks.iter().map(up_to).fold(0.0, f64::max);
-                assert!(m <= most, "{}: {m} kg, said to be at most {most}", name());
+                // Less than 1e-9 of the greatest mass is not reported, as at a pose.
+                let greatest = slides.mass().diagonal().max();
+                assert!(m <= most.max(1e-9 * greatest), "{}: {m} kg, said to be at most {most}", name());
                 "lost in rounding"
             }
             (EffectiveMass::Immovable, EffectiveMass::Immovable) => "immovable",
