@@ -50,7 +50,7 @@ fn files(ending: &str) -> Vec<PathBuf> {
 }
 
 /// Which of our crates each may depend on, tests aside.
-const ARROWS: [(&str, &[&str]); 12] = [
+const ARROWS: [(&str, &[&str]); 13] = [
     ("percuss-spatial", &[]),
     ("percuss-mechanism", &["percuss-spatial"]),
     ("percuss-formats", &["percuss-spatial", "percuss-mechanism"]),
@@ -84,6 +84,7 @@ const ARROWS: [(&str, &[&str]); 12] = [
             "percuss-study",
         ],
     ),
+    ("percuss-capi", &["percuss"]),
     (
         "percuss-tests",
         &["percuss-spatial", "percuss-mechanism", "percuss-formats", "percuss-dynamics", "percuss-oracle"],

@@ -8,6 +8,7 @@ mod energies;
 mod fallbacks;
 mod invariances;
 mod maps;
+mod matrices;
 mod orderings;
 mod outcomes;
 mod routes;

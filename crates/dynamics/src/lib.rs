@@ -30,6 +30,7 @@ mod kinematics;
 mod limits;
 mod linear;
 mod linkage;
+mod matrices;
 mod mobility;
 mod model;
 mod operational_inertia;
@@ -66,6 +67,10 @@ pub use driven_path::{DrivenPath, PathAnswer};
 pub use error_budget::ErrorBudget;
 pub use forward_dynamics::{Accelerations, PointForce};
 pub use limits::BranchLimits;
+pub use matrices::{
+    ConstraintRank, LayoutError, MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView,
+    effective_mass,
+};
 pub use mobility::Singularity;
 pub use operational_inertia::InverseOperationalInertia;
 pub use outcome::{CarefulReason, EffectiveMass, Remark, ResponseError, Route, RouteChoice, RouteError};

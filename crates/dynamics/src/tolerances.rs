@@ -349,3 +349,25 @@ pub(crate) const MAP_STILL: f64 = 1e-13;
 pub(crate) const MAP_CLEAR_SPECTRUM: [f64; 2] = [1e-14, 1e-6];
 /// A contact whose wrench a motion without mass answers by more than this part is massless beyond doubt.
 pub(crate) const MAP_FREE_CLEAR: f64 = 1e-6;
+
+// Matrices of the caller's.
+
+/// Numbers beyond this are no input. Any unit.
+pub(crate) const LARGEST_ENTRY: f64 = 1e100;
+/// Entries below this count as zero: products of two are still numbers. Any unit.
+pub(crate) const LEAST_ENTRY: f64 = 1e-100;
+/// Lengths of coordinates from 1 over this to this: products with entries are still numbers.
+pub(crate) const LENGTH_LIMIT: f64 = 1e30;
+/// The greatest relative error that entries may be said to have: three decimals.
+pub(crate) const MOST_ACCURACY: f64 = 1e-3;
+/// Singular values of A below this many times the accuracy of its entries count as zero.
+pub(crate) const FLOOR_ACCURACY: f64 = 10.0;
+/// M may differ from its transpose by this part of √(M_rr M_cc): two ways of summing it up differ by some 1e-13.
+pub(crate) const SYMMETRIC: f64 = 1e-9;
+/// An entry of M beyond this many times √(M_rr M_cc) is no rounding: a negative energy, or noise of a coordinate without mass.
+pub(crate) const PAIR_BOUND: f64 = 1.0 + 1e-6;
+/// Noise of a coordinate without mass, in roundings of the largest mass: those of sums of a few products.
+pub(crate) const MATRIX_NOISE: f64 = 16.0;
+/// A negative eigenvalue of M scaled to unit diagonal beyond so many roundings (n of them, and the entries' accuracy) is a
+/// negative energy: the same as for pivots of the careful route.
+pub(crate) const NEGATIVE_MASS: f64 = 4e3;

@@ -30,11 +30,13 @@ pub use percuss_contact as contact;
 pub use percuss_dynamics::{
     Accelerations, Assembly, AssemblyError, Base, Batch, BatchAnswer, BatchError, BatchPositions,
     BranchLimits, CarefulReason, ConditionOfJoint, Conditions, ConditionsError, Configuration,
-    ConfigurationError, Contact, ContactColumns, ContactError, ContactMap, ContactPart, ContactResponse,
-    ContactStatus, Contributions, DepartingAxis, Direction, DrawnGap, EffectiveMass, ErrorBudget, Frame,
-    InverseOperationalInertia, LocatedContact, LoopState, MapAnswers, MapError, PointForce, PointVelocity,
-    Pose, PoseRank, PrincipalMass, Remark, ResponseError, RigidLoops, Route, RouteChoice, RouteError,
-    ScalarWorkspace, Singularity, System, Travel, TravelError, VelocityError, Workspace,
+    ConfigurationError, ConstraintRank, Contact, ContactColumns, ContactError, ContactMap, ContactPart,
+    ContactResponse, ContactStatus, Contributions, DepartingAxis, Direction, DrawnGap, DrivenPath,
+    EffectiveMass, ErrorBudget, Frame, InverseOperationalInertia, LayoutError, LocatedContact, LoopState,
+    MapAnswers, MapError, MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView, PathAnswer,
+    PointForce, PointVelocity, Pose, PoseRank, PrincipalMass, Remark, ResponseError, RigidLoops, Route,
+    RouteChoice, RouteError, ScalarWorkspace, Singularity, System, Travel, TravelError, VelocityError,
+    Workspace, effective_mass,
 };
 pub use percuss_formats::{
     Comments, DEFAULT_MAX_MESH_SIZE, DEFAULT_MAX_SIZE, Diagnostic, Facet, LoadError, LoadOptions, Loaded,

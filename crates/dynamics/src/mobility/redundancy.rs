@@ -6,18 +6,24 @@ use faer::linalg::solvers::Solve;
 use nalgebra::DMatrix;
 
 /// Sets of names whose rows depend on one another: those that cannot be separated together.
-#[derive(Debug, Default)]
-pub(crate) struct Redundancy {
-    pub sets: Vec<Vec<String>>,
+#[derive(Debug)]
+pub(crate) struct Redundancy<N> {
+    pub sets: Vec<Vec<N>>,
 }
 
-impl Redundancy {
+impl<N> Default for Redundancy<N> {
+    fn default() -> Self {
+        Self { sets: Vec::new() }
+    }
+}
+
+impl<N: Clone + PartialEq> Redundancy<N> {
     /// Finds the dependencies among rows of the given rank, each belonging to a name; columns are divided by `lengths`.
     ///
     /// Every row beyond a basis is a combination of basis rows; names that meet in such a combination are one set. These
     /// are the connected components of the rows' matroid, whatever the basis (Oxley, Matroid Theory, 2011, §4.3), and
     /// the components that share a name together.
-    pub fn look_at(&mut self, rows: &DMatrix<f64>, lengths: &[f64], rank: usize, names: &[String]) {
+    pub fn look_at(&mut self, rows: &DMatrix<f64>, lengths: &[f64], rank: usize, names: &[N]) {
         let (m, n) = rows.shape();
         if rank >= m {
             return;
@@ -47,9 +53,9 @@ impl Redundancy {
             }
         }
         for first in (0..m).filter(|&row| redundant[row] && root(&together, row) == row) {
-            let mut set: Vec<String> = (0..m)
+            let mut set: Vec<N> = (0..m)
                 .filter(|&row| redundant[row] && root(&together, row) == first)
-                .map(|row| names[row].to_owned())
+                .map(|row| names[row].clone())
                 .collect();
             set.dedup();
             self.sets.push(set);

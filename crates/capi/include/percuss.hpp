@@ -1,0 +1,530 @@
+// percuss for C++17: a thin layer over percuss.h. Objects own their handles; failures are exceptions with the library's message.
+//
+// A Model, System, Assembly, Pose or Batch cannot be changed and may be shared between threads; a Conditions, Configuration or
+// Workspace is for one thread at a time (percuss::Error with PERCUSS_ERROR_BUSY otherwise).
+#ifndef PERCUSS_HPP
+#define PERCUSS_HPP
+
+#include "percuss.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace percuss {
+
+/// A call that failed: its status and message.
+class Error : public std::runtime_error {
+ public:
+  Error(percuss_status status, const std::string &message) : std::runtime_error(message), status_(status) {}
+  /// One of PERCUSS_ERROR_….
+  percuss_status status() const noexcept { return status_; }
+
+ private:
+  percuss_status status_;
+};
+
+/// Throws where a call failed.
+inline void check(percuss_status status) {
+  if (status != PERCUSS_OK) throw Error(status, percuss_error_message());
+}
+
+namespace detail {
+
+template <class T, percuss_status (*Free)(T **)>
+struct Deleter {
+  void operator()(T *handle) const noexcept { Free(&handle); }
+};
+
+template <class T, percuss_status (*Free)(T **)>
+using Owner = std::unique_ptr<T, Deleter<T, Free>>;
+
+}  // namespace detail
+
+using Contact = percuss_contact;
+using Mass = percuss_mass;
+using Spring = percuss_spring;
+using Damper = percuss_damper;
+using Impact = percuss_impact;
+using Vector3 = std::array<double, 3>;
+
+/// A mechanism read from URDF.
+class Model {
+ public:
+  /// Reads a file.
+  static Model load_file(const std::string &path) {
+    percuss_model *handle = nullptr;
+    check(percuss_model_load_file(path.c_str(), &handle));
+    return Model(handle);
+  }
+  /// Reads a text; name stands for the file in messages.
+  static Model load_text(std::string_view text, const std::string &name = "text.urdf") {
+    percuss_model *handle = nullptr;
+    check(percuss_model_load_memory(name.c_str(), text.data(), text.size(), &handle));
+    return Model(handle);
+  }
+  /// How many links, joints, positions of all joints and velocities of all joints there are.
+  struct Counts {
+    std::size_t links, joints, positions, velocities;
+  };
+  Counts counts() const {
+    Counts counts{};
+    check(percuss_model_counts(get(), &counts.links, &counts.joints, &counts.positions, &counts.velocities));
+    return counts;
+  }
+  std::size_t find_link(const std::string &name) const {
+    std::size_t index = 0;
+    check(percuss_model_find_link(get(), name.c_str(), &index));
+    return index;
+  }
+  std::size_t find_joint(const std::string &name) const {
+    std::size_t index = 0;
+    check(percuss_model_find_joint(get(), name.c_str(), &index));
+    return index;
+  }
+  /// The name of a link; it lives as long as the model.
+  const char *link_name(std::size_t index) const {
+    const char *name = nullptr;
+    check(percuss_model_link_name(get(), index, &name));
+    return name;
+  }
+  /// A joint; its name lives as long as the model.
+  percuss_joint joint(std::size_t index) const {
+    percuss_joint joint{};
+    check(percuss_model_joint(get(), index, &joint));
+    return joint;
+  }
+  /// Notes and warnings; their texts live as long as the model.
+  std::vector<percuss_diagnostic> diagnostics() const {
+    std::size_t count = 0;
+    check(percuss_model_diagnostic_count(get(), &count));
+    std::vector<percuss_diagnostic> all(count);
+    for (std::size_t i = 0; i < count; i++) check(percuss_model_diagnostic(get(), i, &all[i]));
+    return all;
+  }
+  /// A contact of a point (m) of a link with the ground, along a normal out of the link, both in the link's frame.
+  Contact contact(const std::string &link, const Vector3 &point, const Vector3 &normal) const {
+    Contact contact;
+    check(percuss_contact_init(&contact));
+    contact.link = find_link(link);
+    for (std::size_t i = 0; i < 3; i++) {
+      contact.point[i] = point[i];
+      contact.normal[i] = normal[i];
+    }
+    return contact;
+  }
+  const percuss_model *get() const noexcept { return handle_.get(); }
+
+ private:
+  explicit Model(percuss_model *handle) : handle_(handle) {}
+  detail::Owner<percuss_model, percuss_model_free> handle_;
+};
+
+/// The base, locks, armatures and held contacts of an analysis.
+class Conditions {
+ public:
+  Conditions() {
+    percuss_conditions *handle = nullptr;
+    check(percuss_conditions_new(&handle));
+    handle_.reset(handle);
+  }
+  /// Frees the root link.
+  Conditions &floating_base() {
+    check(percuss_conditions_base(get(), PERCUSS_BASE_FLOATING));
+    return *this;
+  }
+  Conditions &lock(const std::string &joint) {
+    check(percuss_conditions_lock(get(), joint.c_str()));
+    return *this;
+  }
+  /// kg·m² or kg: one value, or one for each velocity of the joint.
+  Conditions &armature(const std::string &joint, const std::vector<double> &values) {
+    check(percuss_conditions_armature(get(), joint.c_str(), values.data(), values.size()));
+    return *this;
+  }
+  /// Holds a point (m, link's frame) to the ground, along a normal (root link's axes) or in all directions.
+  Conditions &hold(const std::string &link, const Vector3 &point, std::optional<Vector3> normal = std::nullopt) {
+    check(percuss_conditions_hold(get(), link.c_str(), point.data(), normal ? normal->data() : nullptr));
+    return *this;
+  }
+  percuss_conditions *get() const noexcept { return handle_.get(); }
+
+ private:
+  detail::Owner<percuss_conditions, percuss_conditions_free> handle_;
+};
+
+/// Positions of the joints.
+class Configuration {
+ public:
+  explicit Configuration(const Model &model) {
+    percuss_configuration *handle = nullptr;
+    check(percuss_configuration_new(model.get(), &handle));
+    handle_.reset(handle);
+  }
+  /// Sets a driving joint (rad or m; the layouts of percuss_joint_kind).
+  Configuration &set(const std::string &joint, const std::vector<double> &values) {
+    check(percuss_configuration_set(get(), joint.c_str(), values.data(), values.size()));
+    return *this;
+  }
+  Configuration &set(const std::string &joint, double value) {
+    check(percuss_configuration_set(get(), joint.c_str(), &value, 1));
+    return *this;
+  }
+  /// Sets where to look for a joint that follows from loops.
+  Configuration &guess(const std::string &joint, const std::vector<double> &values) {
+    check(percuss_configuration_guess(get(), joint.c_str(), values.data(), values.size()));
+    return *this;
+  }
+  /// The positions of all joints, in joint order.
+  Configuration &set_positions(const std::vector<double> &positions) {
+    check(percuss_configuration_set_positions(get(), positions.data(), positions.size()));
+    return *this;
+  }
+  /// Where the root link stands in the world: m, and a unit quaternion w, x, y, z.
+  Configuration &set_base(const Vector3 &position, const std::array<double, 4> &quaternion) {
+    check(percuss_configuration_set_base(get(), position.data(), quaternion.data()));
+    return *this;
+  }
+  /// Every joint at zero again.
+  Configuration &reset() {
+    check(percuss_configuration_reset(get()));
+    return *this;
+  }
+  percuss_configuration *get() const noexcept { return handle_.get(); }
+
+ private:
+  detail::Owner<percuss_configuration, percuss_configuration_free> handle_;
+};
+
+/// The whole response to a contact.
+class Response {
+ public:
+  Mass mass() const {
+    Mass mass;
+    check(percuss_response_mass(get(), &mass));
+    return mass;
+  }
+  /// Against a free mass, kg.
+  Mass against_mass(double other) const {
+    Mass mass;
+    check(percuss_response_against_mass(get(), other, &mass));
+    return mass;
+  }
+  /// v*: the velocities of all joints at unit closing speed, in joint order.
+  std::vector<double> velocities() const {
+    std::vector<double> all(counts_.velocities);
+    check(percuss_response_velocities(get(), all.data(), all.size()));
+    return all;
+  }
+  /// v* of a floating root link: angular, then linear, in its axes.
+  std::array<double, 6> base_velocity() const {
+    std::array<double, 6> twist{};
+    check(percuss_response_base_velocity(get(), twist.data()));
+    return twist;
+  }
+  /// The contribution of each link, and of the rotor of each joint: together 1.
+  struct Contributions {
+    std::vector<double> links, rotors;
+  };
+  Contributions contributions() const {
+    Contributions all{std::vector<double>(counts_.links), std::vector<double>(counts_.joints)};
+    check(percuss_response_contributions(get(), all.links.data(), all.links.size(), all.rotors.data(),
+                                         all.rotors.size()));
+    return all;
+  }
+  const percuss_response *get() const noexcept { return handle_.get(); }
+
+ private:
+  friend class Pose;
+  Response(percuss_response *handle, Model::Counts counts) : handle_(handle), counts_(counts) {}
+  detail::Owner<percuss_response, percuss_response_free> handle_;
+  Model::Counts counts_;
+};
+
+/// A matrix, column by column.
+struct Matrix {
+  std::size_t rows = 0, columns = 0;
+  std::vector<double> values;
+  double operator()(std::size_t r, std::size_t c) const { return values[c * rows + r]; }
+  /// As percuss_effective_mass reads it.
+  percuss_matrix view() const {
+    return {values.data(), values.size(), rows, columns, rows, PERCUSS_COLUMN_MAJOR, 0};
+  }
+};
+
+/// A mechanism at one configuration, its loops closed.
+class Pose {
+ public:
+  Mass effective_mass(const Contact &contact, percuss_route route = PERCUSS_ROUTE_AUTO) const {
+    Mass mass;
+    check(percuss_pose_effective_mass(get(), &contact, route, &mass));
+    return mass;
+  }
+  Response respond(const Contact &contact, percuss_route route = PERCUSS_ROUTE_AUTO) const {
+    percuss_response *handle = nullptr;
+    check(percuss_pose_respond(get(), &contact, route, &handle));
+    return Response(handle, counts_);
+  }
+  /// The positions of all joints, in joint order.
+  std::vector<double> positions() const {
+    std::vector<double> all(counts_.positions);
+    check(percuss_pose_positions(get(), all.data(), all.size()));
+    return all;
+  }
+  /// The pose at a configuration on the branch of this one.
+  Pose follow(const Configuration &configuration) const {
+    percuss_pose *handle = nullptr;
+    check(percuss_pose_follow(get(), configuration.get(), &handle));
+    return Pose(handle, counts_, coordinates_);
+  }
+  /// M, n×n.
+  Matrix mass_matrix() const {
+    Matrix m{coordinates_, coordinates_, std::vector<double>(coordinates_ * coordinates_)};
+    check(percuss_pose_mass_matrix(get(), m.values.data(), m.values.size(), PERCUSS_COLUMN_MAJOR, m.rows));
+    return m;
+  }
+  /// A, rows×n.
+  Matrix constraint_matrix() const {
+    std::size_t rows = 0;
+    check(percuss_pose_constraint_rows(get(), &rows));
+    Matrix a{rows, coordinates_, std::vector<double>(rows * coordinates_)};
+    check(percuss_pose_constraint_matrix(get(), a.values.data(), a.values.size(), PERCUSS_COLUMN_MAJOR, rows));
+    return a;
+  }
+  /// j, n numbers.
+  std::vector<double> contact_row(const Contact &contact) const {
+    std::vector<double> row(coordinates_);
+    check(percuss_pose_contact_row(get(), &contact, row.data(), row.size()));
+    return row;
+  }
+  const percuss_pose *get() const noexcept { return handle_.get(); }
+
+ private:
+  friend class System;
+  friend class Assembly;
+  Pose(percuss_pose *handle, Model::Counts counts, std::size_t coordinates)
+      : handle_(handle), counts_(counts), coordinates_(coordinates) {}
+  detail::Owner<percuss_pose, percuss_pose_free> handle_;
+  Model::Counts counts_;
+  std::size_t coordinates_;
+};
+
+/// Room for one configuration after another. One thread at a time.
+class Workspace {
+ public:
+  /// m̄ in kg at the positions of all joints; none unless finite. `outcome` says which it is.
+  std::optional<double> effective_mass(const double *positions, std::size_t count, const Contact &contact,
+                                       percuss_outcome *outcome = nullptr) {
+    percuss_outcome found = PERCUSS_NO_ANSWER;
+    double mass = 0.0;
+    check(percuss_workspace_effective_mass(handle_.get(), positions, count, &contact, &found, &mass));
+    if (outcome != nullptr) *outcome = found;
+    return found == PERCUSS_FINITE ? std::optional<double>(mass) : std::nullopt;
+  }
+  std::optional<double> effective_mass(const std::vector<double> &positions, const Contact &contact,
+                                       percuss_outcome *outcome = nullptr) {
+    return effective_mass(positions.data(), positions.size(), contact, outcome);
+  }
+  percuss_workspace *get() const noexcept { return handle_.get(); }
+
+ private:
+  friend class Assembly;
+  explicit Workspace(percuss_workspace *handle) : handle_(handle) {}
+  detail::Owner<percuss_workspace, percuss_workspace_free> handle_;
+};
+
+/// One contact at many configurations.
+class Batch {
+ public:
+  struct Answers {
+    std::vector<percuss_outcome> outcomes;
+    /// kg; NaN unless finite.
+    std::vector<double> effective_masses;
+    /// kg; NaN where it was not counted.
+    std::vector<double> errors;
+  };
+  /// Asked now and then with how many are done; false stops the work. An exception stops it too, and comes out of run.
+  using Watch = std::function<bool(std::size_t)>;
+
+  /// m̄ at count configurations, the positions of all joints each: one configuration after another.
+  Answers run(const std::vector<double> &positions, std::size_t count, const Watch &watch = {}) const {
+    return run(positions.data(), positions.size(), PERCUSS_ROW_MAJOR, positions_, count, watch);
+  }
+  /// As percuss_batch_run.
+  Answers run(const double *positions, std::size_t length, percuss_layout layout, std::size_t stride,
+              std::size_t count, const Watch &watch = {}) const {
+    Answers answers{std::vector<percuss_outcome>(count), std::vector<double>(count), std::vector<double>(count)};
+    Watching watching{&watch, nullptr};
+    const percuss_status status =
+        percuss_batch_run(handle_.get(), positions, length, layout, stride, count, answers.outcomes.data(),
+                          answers.effective_masses.data(), answers.errors.data(), watch ? &ask : nullptr, &watching);
+    if (watching.thrown) std::rethrow_exception(watching.thrown);
+    check(status);
+    return answers;
+  }
+  const percuss_batch *get() const noexcept { return handle_.get(); }
+
+ private:
+  friend class Assembly;
+  struct Watching {
+    const Watch *watch;
+    std::exception_ptr thrown;
+  };
+  static std::int32_t ask(std::size_t done, void *user) noexcept {
+    auto *watching = static_cast<Watching *>(user);
+    try {
+      return (*watching->watch)(done) ? 0 : 1;
+    } catch (...) {
+      watching->thrown = std::current_exception();
+      return 1;
+    }
+  }
+  Batch(percuss_batch *handle, std::size_t positions) : handle_(handle), positions_(positions) {}
+  detail::Owner<percuss_batch, percuss_batch_free> handle_;
+  std::size_t positions_;
+};
+
+/// A system whose loops are put together.
+class Assembly {
+ public:
+  struct Mobility {
+    std::size_t degrees_of_freedom, redundant_constraints;
+  };
+  Mobility mobility() const {
+    Mobility mobility{};
+    check(percuss_assembly_mobility(get(), &mobility.degrees_of_freedom, &mobility.redundant_constraints));
+    return mobility;
+  }
+  Pose pose(const Configuration &configuration) const {
+    percuss_pose *handle = nullptr;
+    check(percuss_assembly_pose(get(), configuration.get(), &handle));
+    return Pose(handle, counts_, coordinates_);
+  }
+  Workspace workspace() const {
+    percuss_workspace *handle = nullptr;
+    check(percuss_workspace_new(get(), &handle));
+    return Workspace(handle);
+  }
+  /// threads: 1 the calling thread alone, 0 as many as the machine has processors.
+  Batch batch(const Contact &contact, std::size_t threads = 0) const {
+    percuss_batch *handle = nullptr;
+    check(percuss_batch_new(get(), &contact, threads, &handle));
+    return Batch(handle, counts_.positions);
+  }
+  const percuss_assembly *get() const noexcept { return handle_.get(); }
+
+ private:
+  friend class System;
+  Assembly(percuss_assembly *handle, Model::Counts counts, std::size_t coordinates)
+      : handle_(handle), counts_(counts), coordinates_(coordinates) {}
+  detail::Owner<percuss_assembly, percuss_assembly_free> handle_;
+  Model::Counts counts_;
+  std::size_t coordinates_;
+};
+
+/// A mechanism under conditions.
+class System {
+ public:
+  /// Fixed base, everything free.
+  explicit System(const Model &model) : System(model, nullptr) {}
+  System(const Model &model, const Conditions &conditions) : System(model, conditions.get()) {}
+  std::size_t coordinates() const noexcept { return coordinates_; }
+  /// The loops put together from all joints at 0.
+  Assembly assemble() const { return assemble(nullptr); }
+  /// The loops put together from guesses.
+  Assembly assemble(const Configuration &guesses) const { return assemble(guesses.get()); }
+  Pose pose(const Configuration &configuration) const {
+    percuss_pose *handle = nullptr;
+    check(percuss_pose_new(get(), configuration.get(), &handle));
+    return Pose(handle, counts_, coordinates_);
+  }
+  const percuss_system *get() const noexcept { return handle_.get(); }
+
+ private:
+  System(const Model &model, const percuss_conditions *conditions) : counts_(model.counts()) {
+    percuss_system *handle = nullptr;
+    check(percuss_system_new(model.get(), conditions, &handle));
+    handle_.reset(handle);
+    check(percuss_system_coordinates(get(), &coordinates_));
+  }
+  Assembly assemble(const percuss_configuration *guesses) const {
+    percuss_assembly *handle = nullptr;
+    check(percuss_assembly_new(get(), guesses, &handle));
+    return Assembly(handle, counts_, coordinates_);
+  }
+  detail::Owner<percuss_system, percuss_system_free> handle_;
+  Model::Counts counts_;
+  std::size_t coordinates_ = 0;
+};
+
+/// How matrices are read: percuss_matrix_options.
+struct MatrixOptions {
+  /// For each coordinate, how far a unit rate of it moves things; empty: 1 for all.
+  std::vector<double> lengths{};
+  double rank_floor = 1e-10;
+  double accuracy = 2.220446049250313e-16;
+};
+
+/// The answer to the matrices of the caller.
+struct MatrixResponse {
+  Mass mass{};
+  /// v*, n numbers.
+  std::vector<double> velocities;
+  percuss_rank rank{};
+  /// For each row of A, 1 where it is redundant.
+  std::vector<std::uint8_t> redundant_rows;
+};
+
+/// m̄ = min { vᵀMv : Av = 0, jv = 1 } of matrices that the caller has, read where they lie; constraints may be null.
+inline MatrixResponse effective_mass(const percuss_matrix &mass, const std::vector<double> &contact_row,
+                                     const percuss_matrix *constraints = nullptr,
+                                     const MatrixOptions &options = {}) {
+  const percuss_matrix_options given{options.lengths.empty() ? nullptr : options.lengths.data(),
+                                     options.lengths.size(), options.rank_floor, options.accuracy};
+  MatrixResponse response;
+  response.velocities.resize(contact_row.size());
+  response.redundant_rows.resize(constraints == nullptr ? 0 : constraints->rows);
+  check(percuss_effective_mass(&mass, contact_row.data(), contact_row.size(), constraints, &given, &response.mass,
+                               response.velocities.data(), &response.rank, response.redundant_rows.data()));
+  return response;
+}
+
+/// The number of a law.
+inline percuss_law find_law(const std::string &name) {
+  percuss_law law = 0;
+  check(percuss_law_find(name.c_str(), &law));
+  return law;
+}
+
+/// The damper of a law for a restitution; speed (m/s) where the law needs one.
+inline Damper damper(percuss_law law, const Spring &spring, double restitution, double speed = 0.0,
+                     percuss_separation separation = PERCUSS_FORCE_VANISHES) {
+  Damper damper;
+  check(percuss_law_damper(law, &spring, restitution, speed, separation, &damper));
+  return damper;
+}
+
+inline double restitution(const Damper &damper, const Spring &spring, double speed) {
+  double e = 0.0;
+  check(percuss_damper_restitution(&damper, &spring, speed, &e));
+  return e;
+}
+
+inline Impact impact(const Damper &damper, const Spring &spring, double speed) {
+  Impact impact;
+  check(percuss_damper_impact(&damper, &spring, speed, &impact));
+  return impact;
+}
+
+}  // namespace percuss
+
+#endif

@@ -1,0 +1,47 @@
+#!/bin/sh
+# Installs the header files, the static and the shared library, the pkg-config file and the CMake package.
+#   install.sh --prefix DIR [--libraries DIR]
+# Without --libraries they are built: cargo build --release -p percuss-capi. Linux and macOS.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+prefix=
+libraries=
+while [ $# -gt 0 ]; do
+  case $1 in
+    --prefix) prefix=$2; shift 2 ;;
+    --libraries) libraries=$2; shift 2 ;;
+    *) echo "install.sh: unknown argument $1; expected --prefix DIR [--libraries DIR]" >&2; exit 2 ;;
+  esac
+done
+[ -n "$prefix" ] || { echo "install.sh: --prefix DIR is missing" >&2; exit 2; }
+root=$(cd "$here/../../.." && pwd)
+if [ -z "$libraries" ]; then
+  cargo build --release --manifest-path "$root/Cargo.toml" -p percuss-capi
+  libraries=${CARGO_TARGET_DIR:-$root/target}/release
+fi
+header=$here/../include/percuss.h
+version=$(sed -n 's/^#define PERCUSS_VERSION "\(.*\)"$/\1/p' "$header")
+interface=${version%.*}
+mkdir -p "$prefix/include" "$prefix/lib/pkgconfig" "$prefix/lib/cmake/percuss"
+prefix=$(cd "$prefix" && pwd)
+cp "$header" "$here/../include/percuss.hpp" "$prefix/include/"
+cp "$libraries/libpercuss_c.a" "$prefix/lib/libpercuss.a"
+if [ "$(uname)" = Darwin ]; then
+  shared=libpercuss.$interface.dylib
+  cp "$libraries/libpercuss_c.dylib" "$prefix/lib/$shared"
+  install_name_tool -id "$prefix/lib/$shared" "$prefix/lib/$shared"
+  ln -sf "$shared" "$prefix/lib/libpercuss.dylib"
+  system="-framework CoreFoundation -liconv -lm"
+else
+  # Programs look for the second version number; the first changes less often still.
+  shared=libpercuss.so.$interface
+  cp "$libraries/libpercuss_c.so" "$prefix/lib/libpercuss.so.$version"
+  ln -sf "libpercuss.so.$version" "$prefix/lib/$shared"
+  ln -sf "$shared" "$prefix/lib/libpercuss.so"
+  system="-lgcc_s -lutil -lrt -lpthread -lm -ldl"
+fi
+for file in percuss.pc:pkgconfig percuss-config.cmake:cmake/percuss percuss-config-version.cmake:cmake/percuss; do
+  name=${file%:*}
+  sed -e "s|@PREFIX@|$prefix|g" -e "s|@VERSION@|$version|g" -e "s|@INTERFACE@|$interface|g" -e "s|@SHARED@|$shared|g" \
+    -e "s|@SYSTEM@|$system|g" "$here/$name.in" > "$prefix/lib/${file#*:}/$name"
+done

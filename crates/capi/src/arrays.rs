@@ -1,0 +1,92 @@
+//! Arrays and texts of the caller's.
+
+use crate::status::{
+    Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_LENGTH, PERCUSS_ERROR_NULL, PERCUSS_ERROR_TEXT,
+};
+use std::ffi::{CStr, c_char};
+
+/// `length` values that the caller lends; an empty array may be null.
+pub(crate) fn input<'a, T>(values: *const T, length: usize, name: &str) -> Result<&'a [T], Failure> {
+    check(values, length, name)?;
+    if length == 0 {
+        return Ok(&[]);
+    }
+    // SAFETY: neither null nor misaligned, no larger than memory; the caller promises that so many values are there.
+    Ok(unsafe { std::slice::from_raw_parts(values, length) })
+}
+
+/// Room for `length` values; an empty array may be null.
+pub(crate) fn output<'a, T>(values: *mut T, length: usize, name: &str) -> Result<&'a mut [T], Failure> {
+    check(values, length, name)?;
+    if length == 0 {
+        return Ok(&mut []);
+    }
+    // SAFETY: as above; the caller promises that nobody else uses them during the call, and that they are numbers, of which
+    // every bit pattern is one.
+    Ok(unsafe { std::slice::from_raw_parts_mut(values, length) })
+}
+
+/// The same, or none where it is null.
+pub(crate) fn optional_output<'a, T>(
+    values: *mut T,
+    length: usize,
+    name: &str,
+) -> Result<Option<&'a mut [T]>, Failure> {
+    if values.is_null() { Ok(None) } else { output(values, length, name).map(Some) }
+}
+
+fn check<T>(values: *const T, length: usize, name: &str) -> Result<(), Failure> {
+    if length > isize::MAX as usize / size_of::<T>().max(1) {
+        let message = format_args!("{name}: {length} values are more than any memory holds");
+        return Err(Failure::new(PERCUSS_ERROR_LENGTH, message));
+    }
+    if values.is_null() && length > 0 {
+        return Err(Failure::new(
+            PERCUSS_ERROR_NULL,
+            format_args!("{name} is null; expected {length} values"),
+        ));
+    }
+    if !values.is_null() && !values.is_aligned() {
+        return Err(Failure::new(PERCUSS_ERROR_NULL, format_args!("{name} is not aligned for its type")));
+    }
+    Ok(())
+}
+
+/// Whether an array has the length that is needed.
+pub(crate) fn expect_length(got: usize, expected: usize, name: &str) -> Result<(), Failure> {
+    if got == expected {
+        return Ok(());
+    }
+    let message = format_args!("{name}: {got} values are given; expected {expected}");
+    Err(Failure::new(PERCUSS_ERROR_LENGTH, message))
+}
+
+/// Copies values out, whose number must be that of the room.
+pub(crate) fn copy_out(from: &[f64], to: *mut f64, length: usize, name: &str) -> Result<(), Failure> {
+    expect_length(length, from.len(), name)?;
+    output(to, length, name)?.copy_from_slice(from);
+    Ok(())
+}
+
+/// A text that ends with a zero byte.
+pub(crate) fn text<'a>(text: *const c_char, name: &str) -> Result<&'a str, Failure> {
+    if text.is_null() {
+        return Err(Failure::new(PERCUSS_ERROR_NULL, format_args!("{name} is null")));
+    }
+    // SAFETY: not null; the caller promises that a zero byte ends it, and that it does not change during the call.
+    let text = unsafe { CStr::from_ptr(text) };
+    text.to_str().map_err(|_| Failure::new(PERCUSS_ERROR_TEXT, format_args!("{name} is not UTF-8")))
+}
+
+/// One of some values by its number.
+pub(crate) fn choice<T: Copy>(all: &[T], number: i32, name: &str) -> Result<T, Failure> {
+    usize::try_from(number).ok().and_then(|at| all.get(at)).copied().ok_or_else(|| {
+        let most = all.len() - 1;
+        Failure::new(PERCUSS_ERROR_ARGUMENT, format_args!("{name} is {number}; expected 0 to {most}"))
+    })
+}
+
+/// A number that may be unknown: NaN then.
+pub(crate) fn known(value: Option<f64>) -> f64 {
+    value.unwrap_or(f64::NAN)
+}

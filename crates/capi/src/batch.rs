@@ -1,0 +1,188 @@
+//! Batches: one contact at many configurations, in lanes and by threads.
+
+use crate::arrays::{expect_length, input, known, optional_output, output};
+use crate::contact::{PERCUSS_NO_ANSWER, outcome, percuss_contact, percuss_outcome};
+use crate::handle::{Handle, clear, free, get, give, value};
+use crate::pose::{PERCUSS_COLUMN_MAJOR, PERCUSS_ROW_MAJOR, percuss_layout};
+use crate::status::{
+    Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_INTERNAL, PERCUSS_ERROR_LENGTH,
+    PERCUSS_ERROR_STOPPED, guarded, percuss_status,
+};
+use crate::system::percuss_assembly;
+use percuss::{Batch, BatchAnswer, BatchError, BatchPositions};
+use rayon::{ThreadPool, ThreadPoolBuilder};
+use std::ffi::c_void;
+
+/// One contact, ready for many configurations. Cannot be changed: threads may share it.
+pub struct percuss_batch {
+    _opaque: [u8; 0],
+}
+
+/// A batch, and its own threads; none where the calling thread works alone.
+pub(crate) struct Threaded {
+    batch: Batch,
+    positions: usize,
+    pool: Option<ThreadPool>,
+}
+
+impl Handle for percuss_batch {
+    type Object = Threaded;
+    const TAG: u64 = 0x7063_5f62_6174_6368;
+    const NAME: &'static str = "percuss_batch";
+}
+
+/// Configurations between two calls of the watching function: some milliseconds of a small mechanism.
+const PORTION: usize = 1 << 14;
+/// Threads at most.
+const MOST_THREADS: usize = 1024;
+
+/// Asked now and then with the number of configurations done, on the calling thread; gives 0 to go on, else the work stops. It must
+/// not use the batch and must not throw.
+pub type percuss_watch = Option<unsafe extern "C" fn(done: usize, user: *mut c_void) -> i32>;
+
+/// Room to ask for m̄ of one contact at many configurations of an assembly, by so many threads, which belong to the batch; 1: the
+/// calling thread alone, 0: as many as the machine has processors. Points and normals in the world are taken with the root link
+/// at the world's origin. Free it with percuss_batch_free.
+///
+/// Errors: PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_ARGUMENT.
+///
+/// # Safety
+/// assembly is a handle; contact is null or points to a contact; batch is null or a place for a pointer.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_batch_new(
+    assembly: *const percuss_assembly,
+    contact: *const percuss_contact,
+    threads: usize,
+    batch: *mut *mut percuss_batch,
+) -> percuss_status {
+    guarded(|| {
+        clear(batch)?;
+        let assembled = get(assembly)?;
+        let contact = value(contact, "contact")?.on(&assembled.model)?;
+        let ready = assembled.assembly.batch(&contact).map_err(Failure::of(PERCUSS_ERROR_CONTACT))?;
+        if threads > MOST_THREADS {
+            let message = format_args!("threads is {threads}; expected at most {MOST_THREADS}");
+            return Err(Failure::new(PERCUSS_ERROR_ARGUMENT, message));
+        }
+        let pool = match threads {
+            1 => None,
+            _ => {
+                let pool = ThreadPoolBuilder::new().num_threads(threads).build();
+                Some(pool.map_err(Failure::of(PERCUSS_ERROR_INTERNAL))?)
+            }
+        };
+        give(Threaded { batch: ready, positions: assembled.model.positions, pool }, batch)
+    })
+}
+
+/// Ends the threads of a batch, frees it and sets the handle to null; nothing where it is null.
+///
+/// # Safety
+/// batch is null or the place of a handle that nobody uses.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_batch_free(batch: *mut *mut percuss_batch) -> percuss_status {
+    guarded(|| free(batch))
+}
+
+/// m̄ at count configurations, the positions of all joints each (p of them, as percuss_model_counts says; loops closed).
+///
+/// positions: length numbers; PERCUSS_ROW_MAJOR: configuration c begins at c · stride, stride ≥ p; PERCUSS_COLUMN_MAJOR: position q of
+/// configuration c stands at q · stride + c, stride ≥ count: the fastest. outcomes and effective_masses: count values each, as
+/// percuss_workspace_effective_mass has them; PERCUSS_NO_ANSWER where there is none. errors: null, or room for count numbers: what
+/// rounding may amount to, kg; NaN where it was not counted. watch: null, or asked now and then with user.
+///
+/// Errors: PERCUSS_ERROR_LENGTH; PERCUSS_ERROR_STOPPED: what was answered until then is there, the rest is PERCUSS_NO_ANSWER.
+///
+/// # Safety
+/// batch is a handle; every array has as many values as is said; watch may be called with user.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_batch_run(
+    batch: *const percuss_batch,
+    positions: *const f64,
+    length: usize,
+    layout: percuss_layout,
+    stride: usize,
+    count: usize,
+    outcomes: *mut percuss_outcome,
+    effective_masses: *mut f64,
+    errors: *mut f64,
+    watch: percuss_watch,
+    user: *mut c_void,
+) -> percuss_status {
+    guarded(|| {
+        let threaded = get(batch)?;
+        let values = input(positions, length, "positions")?;
+        let outcomes = output(outcomes, count, "outcomes")?;
+        let masses = output(effective_masses, count, "effective_masses")?;
+        let mut errors = optional_output(errors, count, "errors")?;
+        threaded.check(length, layout, stride, count)?;
+        outcomes.fill(PERCUSS_NO_ANSWER);
+        masses.fill(f64::NAN);
+        if let Some(errors) = &mut errors {
+            errors.fill(f64::NAN);
+        }
+        let mut answers = vec![BatchAnswer::NONE; count.min(PORTION)];
+        let mut done = 0;
+        while done < count {
+            let here = (count - done).min(PORTION);
+            let answers = &mut answers[..here];
+            let part = match layout {
+                PERCUSS_ROW_MAJOR => BatchPositions::Rows { values: &values[done * stride..], stride },
+                _ => BatchPositions::Columns { values: &values[done..], stride },
+            };
+            let run = match &threaded.pool {
+                None => threaded.batch.run_here(part, answers),
+                Some(pool) => pool.install(|| threaded.batch.run(part, answers)),
+            };
+            run.map_err(|error: BatchError| Failure::new(PERCUSS_ERROR_LENGTH, error))?;
+            for (at, answer) in (done..).zip(&*answers) {
+                if let Some(mass) = answer.mass {
+                    (outcomes[at], masses[at]) = outcome(mass);
+                }
+                if let Some(errors) = &mut errors {
+                    errors[at] = known(answer.error);
+                }
+            }
+            done += here;
+            let Some(watch) = watch else { continue };
+            // SAFETY: the caller promises that it may be called with what he gave for it.
+            if unsafe { watch(done, user) } != 0 && done < count {
+                let message = format_args!("stopped after {done} of {count} configurations");
+                return Err(Failure::new(PERCUSS_ERROR_STOPPED, message));
+            }
+        }
+        Ok(())
+    })
+}
+
+impl Threaded {
+    /// Whether so many numbers hold the configurations.
+    fn check(&self, length: usize, layout: i32, stride: usize, count: usize) -> Result<(), Failure> {
+        let (outer, inner) = match layout {
+            PERCUSS_ROW_MAJOR => (count, self.positions),
+            PERCUSS_COLUMN_MAJOR => (self.positions, count),
+            _ => {
+                let message =
+                    format_args!("layout is {layout}; expected PERCUSS_ROW_MAJOR or PERCUSS_COLUMN_MAJOR");
+                return Err(Failure::new(PERCUSS_ERROR_ARGUMENT, message));
+            }
+        };
+        if stride < inner {
+            let message = format_args!("the stride is {stride}; expected at least {inner}");
+            return Err(Failure::new(PERCUSS_ERROR_LENGTH, message));
+        }
+        let needed = match outer {
+            0 => Some(0),
+            _ => (outer - 1).checked_mul(stride).and_then(|before| before.checked_add(inner)),
+        };
+        if needed.is_some_and(|needed| needed <= length) {
+            return Ok(());
+        }
+        let positions = self.positions;
+        expect_length(
+            length,
+            needed.unwrap_or(usize::MAX),
+            &format!("positions ({count} configurations of {positions}, {stride} apart)"),
+        )
+    }
+}

@@ -1,0 +1,129 @@
+//! Conditions of an analysis: the base, locks, armatures, held contacts.
+
+use crate::arrays::{choice, input, text};
+use crate::handle::{Handle, clear, free, get, give, take};
+use crate::status::{Failure, PERCUSS_ERROR_NULL, guarded, percuss_status};
+use percuss::nalgebra::Vector3;
+use percuss::{Base, Conditions};
+use std::ffi::c_char;
+use std::sync::Mutex;
+
+/// Conditions of an analysis. One thread at a time.
+pub struct percuss_conditions {
+    _opaque: [u8; 0],
+}
+
+impl Handle for percuss_conditions {
+    type Object = Mutex<Conditions>;
+    const TAG: u64 = 0x7063_5f63_6f6e_6469;
+    const NAME: &'static str = "percuss_conditions";
+}
+
+/// The root link is the ground.
+pub const PERCUSS_BASE_FIXED: i32 = 0;
+/// The root link moves freely.
+pub const PERCUSS_BASE_FLOATING: i32 = 1;
+
+/// Fixed base, everything free, armatures as declared. Free them with percuss_conditions_free.
+///
+/// # Safety
+/// conditions is null or a place for a pointer.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_conditions_new(conditions: *mut *mut percuss_conditions) -> percuss_status {
+    guarded(|| {
+        clear(conditions)?;
+        give(Mutex::new(Conditions::new()), conditions)
+    })
+}
+
+/// Frees conditions and sets the handle to null; nothing where it is null.
+///
+/// # Safety
+/// conditions is null or the place of a handle that nobody uses.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_conditions_free(conditions: *mut *mut percuss_conditions) -> percuss_status {
+    guarded(|| free(conditions))
+}
+
+fn change(
+    handle: *mut percuss_conditions,
+    how: impl FnOnce(Conditions) -> Result<Conditions, Failure>,
+) -> Result<(), Failure> {
+    let mut conditions = take(get(handle)?, "percuss_conditions")?;
+    *conditions = how(conditions.clone())?;
+    Ok(())
+}
+
+/// How the root link stands: PERCUSS_BASE_FIXED (the default) or PERCUSS_BASE_FLOATING.
+///
+/// # Safety
+/// conditions is null or a handle.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_conditions_base(
+    conditions: *mut percuss_conditions,
+    base: i32,
+) -> percuss_status {
+    guarded(|| {
+        let base = choice(&[Base::Fixed, Base::Floating], base, "base")?;
+        change(conditions, |conditions| Ok(conditions.base(base)))
+    })
+}
+
+/// Holds a joint at its position: its velocities are zero. That there is such a joint is checked by percuss_system_new.
+///
+/// # Safety
+/// joint ends with a zero byte.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_conditions_lock(
+    conditions: *mut percuss_conditions,
+    joint: *const c_char,
+) -> percuss_status {
+    guarded(|| {
+        let joint = text(joint, "joint")?;
+        change(conditions, |conditions| Ok(conditions.lock(joint)))
+    })
+}
+
+/// Replaces a joint's armature (the rotor's inertia at the joint, kg·m² or kg): one value for all its velocities, or
+/// count of them. Checked by percuss_system_new.
+///
+/// # Safety
+/// joint ends with a zero byte; values has count numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_conditions_armature(
+    conditions: *mut percuss_conditions,
+    joint: *const c_char,
+    values: *const f64,
+    count: usize,
+) -> percuss_status {
+    guarded(|| {
+        let (joint, values) = (text(joint, "joint")?, input(values, count, "values")?);
+        change(conditions, |conditions| Ok(conditions.armature(joint, values.to_vec())))
+    })
+}
+
+/// Holds a point (3 numbers, m, link's frame) of a link to the ground: along a normal (3 numbers, root link's axes), or in
+/// all directions where that is null. Velocities only. Checked by percuss_system_new.
+///
+/// # Safety
+/// link ends with a zero byte; point has 3 numbers; normal is null or has 3.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_conditions_hold(
+    conditions: *mut percuss_conditions,
+    link: *const c_char,
+    point: *const f64,
+    normal: *const f64,
+) -> percuss_status {
+    guarded(|| {
+        if point.is_null() {
+            return Err(Failure::new(PERCUSS_ERROR_NULL, "point is null; expected 3 values"));
+        }
+        let link = text(link, "link")?;
+        let point = Vector3::from_column_slice(input(point, 3, "point")?);
+        let normal = match normal.is_null() {
+            true => None,
+            false => Some(Vector3::from_column_slice(input(normal, 3, "normal")?)),
+        };
+        change(conditions, |conditions| Ok(conditions.hold(link, point, normal)))
+    })
+}

@@ -1,0 +1,177 @@
+//! Configurations: where the joints stand, as the user gives it.
+
+use crate::arrays::{input, text};
+use crate::handle::{Handle, clear, free, get, give, take};
+use crate::model::{Model, percuss_model};
+use crate::status::{Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_CONDITIONS, guarded, percuss_status};
+use percuss::Configuration;
+use percuss::nalgebra::Vector3;
+use percuss::spatial::{Transform, rotation_from_quaternion};
+use std::ffi::c_char;
+use std::sync::{Arc, Mutex};
+
+/// Positions of the joints, and where the root link stands in the world. One thread at a time.
+pub struct percuss_configuration {
+    _opaque: [u8; 0],
+}
+
+/// A configuration, and the model it is of.
+pub(crate) struct Given {
+    model: Arc<Model>,
+    pub values: Configuration,
+}
+
+impl Given {
+    /// Whether it is of this model.
+    pub fn check(&self, model: &Arc<Model>) -> Result<(), Failure> {
+        if Arc::ptr_eq(&self.model, model) {
+            return Ok(());
+        }
+        let (got, expected) = (self.model.mechanism.name(), model.mechanism.name());
+        let message =
+            format_args!("the configuration is of the model \"{got}\"; expected one of \"{expected}\"");
+        Err(Failure::new(PERCUSS_ERROR_CONDITIONS, message))
+    }
+}
+
+impl Handle for percuss_configuration {
+    type Object = Mutex<Given>;
+    const TAG: u64 = 0x7063_5f63_6f6e_6669;
+    const NAME: &'static str = "percuss_configuration";
+}
+
+/// Every joint at zero (quaternions at 1, 0, 0, 0), the root link at the world's origin. Free it with percuss_configuration_free.
+///
+/// # Safety
+/// model is a handle; configuration is null or a place for a pointer.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_configuration_new(
+    model: *const percuss_model,
+    configuration: *mut *mut percuss_configuration,
+) -> percuss_status {
+    guarded(|| {
+        clear(configuration)?;
+        let model = Arc::clone(get(model)?);
+        let values = Configuration::zero(&model.mechanism);
+        give(Mutex::new(Given { model, values }), configuration)
+    })
+}
+
+/// Frees a configuration and sets the handle to null; nothing where it is null.
+///
+/// # Safety
+/// configuration is null or the place of a handle that nobody uses.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_configuration_free(
+    configuration: *mut *mut percuss_configuration,
+) -> percuss_status {
+    guarded(|| free(configuration))
+}
+
+/// Every joint at zero again, nothing set and nothing guessed.
+///
+/// # Safety
+/// configuration is null or a handle.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_configuration_reset(
+    configuration: *mut percuss_configuration,
+) -> percuss_status {
+    guarded(|| {
+        let mut given = take(get(configuration)?, "percuss_configuration")?;
+        given.values = Configuration::zero(&given.model.mechanism);
+        Ok(())
+    })
+}
+
+/// Sets a driving joint to count values (layouts of percuss_joint_kind). Joints of loops that are not set follow.
+///
+/// Errors: PERCUSS_ERROR_CONDITIONS: no such joint, set twice, a mimic, another number of values, a value that is none.
+///
+/// # Safety
+/// joint ends with a zero byte; values has count numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_configuration_set(
+    configuration: *mut percuss_configuration,
+    joint: *const c_char,
+    values: *const f64,
+    count: usize,
+) -> percuss_status {
+    guarded(|| {
+        let (joint, values) = (text(joint, "joint")?, input(values, count, "values")?);
+        let mut given = take(get(configuration)?, "percuss_configuration")?;
+        given.values.set(joint, values).map_err(Failure::of(PERCUSS_ERROR_CONDITIONS))?;
+        Ok(())
+    })
+}
+
+/// Sets where to look for a joint that follows from loops: which assembly mode is meant.
+///
+/// Errors: as percuss_configuration_set.
+///
+/// # Safety
+/// As percuss_configuration_set.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_configuration_guess(
+    configuration: *mut percuss_configuration,
+    joint: *const c_char,
+    values: *const f64,
+    count: usize,
+) -> percuss_status {
+    guarded(|| {
+        let (joint, values) = (text(joint, "joint")?, input(values, count, "values")?);
+        let mut given = take(get(configuration)?, "percuss_configuration")?;
+        given.values.guess(joint, values).map_err(Failure::of(PERCUSS_ERROR_CONDITIONS))?;
+        Ok(())
+    })
+}
+
+/// Sets a whole configuration: the positions of all joints one after another, in joint order; those of mimics are not read. Loops
+/// are closed from there. What was set before is forgotten.
+///
+/// Errors: PERCUSS_ERROR_CONDITIONS.
+///
+/// # Safety
+/// positions has count numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_configuration_set_positions(
+    configuration: *mut percuss_configuration,
+    positions: *const f64,
+    count: usize,
+) -> percuss_status {
+    guarded(|| {
+        let positions = input(positions, count, "positions")?;
+        let mut given = take(get(configuration)?, "percuss_configuration")?;
+        let found = Configuration::from_positions(&given.model.mechanism, positions);
+        given.values = found.map_err(Failure::of(PERCUSS_ERROR_CONDITIONS))?;
+        Ok(())
+    })
+}
+
+/// Sets where the root link stands in the world: its origin (3 numbers, m) and its orientation (a unit quaternion w, x, y, z).
+///
+/// # Safety
+/// position has 3 numbers, quaternion 4.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_configuration_set_base(
+    configuration: *mut percuss_configuration,
+    position: *const f64,
+    quaternion: *const f64,
+) -> percuss_status {
+    guarded(|| {
+        let position = Vector3::from_column_slice(input(position, 3, "position")?);
+        let [w, x, y, z] = *input(quaternion, 4, "quaternion")? else { unreachable!("it has 4 values") };
+        let norm = w.hypot(x).hypot(y).hypot(z);
+        if norm.is_nan() || (norm - 1.0).abs() > 0.01 {
+            let message = format_args!("the quaternion w,x,y,z has norm {norm}; expected a unit quaternion");
+            return Err(Failure::new(PERCUSS_ERROR_ARGUMENT, message));
+        }
+        if let Some(value) = position.iter().find(|value| value.is_nan() || value.abs() > 1e100) {
+            let message = format_args!("position has {value:e}; expected a finite number of at most 1e100");
+            return Err(Failure::new(PERCUSS_ERROR_ARGUMENT, message));
+        }
+        let rotation = rotation_from_quaternion([w, x, y, z].map(|value| value / norm));
+        let mut given = take(get(configuration)?, "percuss_configuration")?;
+        given.values.set_base(Transform::new(rotation, position));
+        Ok(())
+    })
+}

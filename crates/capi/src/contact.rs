@@ -1,0 +1,192 @@
+//! Contacts, and what is answered to them.
+
+use crate::arrays::{choice, known};
+use crate::handle::place;
+use crate::model::Model;
+use crate::status::{Failure, guarded, percuss_status};
+use percuss::nalgebra::Vector3;
+use percuss::{
+    Contact, ContactResponse, Direction, EffectiveMass, ErrorBudget, Frame, Remark, Route, RouteChoice,
+};
+
+/// No link: the ground.
+pub const PERCUSS_GROUND: usize = usize::MAX;
+
+/// Where a normal is given.
+pub type percuss_normal = i32;
+/// A vector in the struck link's frame: it turns with the link.
+pub const PERCUSS_NORMAL_LINK: percuss_normal = 0;
+/// A vector in the world's frame.
+pub const PERCUSS_NORMAL_WORLD: percuss_normal = 1;
+/// A vector in the other link's frame (the world's, where that is the ground).
+pub const PERCUSS_NORMAL_AGAINST: percuss_normal = 2;
+/// From the contact point towards a point (m) of another link, in that link's frame.
+pub const PERCUSS_NORMAL_TOWARD: percuss_normal = 3;
+
+/// A contact between a point of a link and another link, or the ground. Fill it with percuss_contact_init first.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct percuss_contact {
+    /// The struck link: a number of percuss_model_find_link.
+    pub link: usize,
+    /// The other side: a link, or PERCUSS_GROUND.
+    pub against: usize,
+    /// The contact point in the struck link's frame, m.
+    pub point: [f64; 3],
+    /// The normal, out of the struck link into the other side; its length does not matter. For PERCUSS_NORMAL_TOWARD the
+    /// point that it points towards, m.
+    pub normal: [f64; 3],
+    /// Where the normal is given.
+    pub normal_given: percuss_normal,
+    /// For PERCUSS_NORMAL_TOWARD the link whose point is meant; not read otherwise.
+    pub toward: usize,
+}
+
+/// A contact of the origin of link 0 with the ground, along the link's z.
+///
+/// # Safety
+/// contact is null or a place for a percuss_contact.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_contact_init(contact: *mut percuss_contact) -> percuss_status {
+    guarded(|| {
+        *place(contact, "contact")? = percuss_contact {
+            link: 0,
+            against: PERCUSS_GROUND,
+            point: [0.0; 3],
+            normal: [0.0, 0.0, 1.0],
+            normal_given: PERCUSS_NORMAL_LINK,
+            toward: 0,
+        };
+        Ok(())
+    })
+}
+
+impl percuss_contact {
+    /// The contact on this model.
+    #[inline]
+    pub(crate) fn on(&self, model: &Model) -> Result<Contact, Failure> {
+        let vector = Vector3::from(self.normal);
+        let normal = match self.normal_given {
+            PERCUSS_NORMAL_TOWARD => Direction::Toward(model.link(self.toward)?, vector),
+            given => {
+                let frames = [Frame::Link, Frame::World, Frame::Against];
+                Direction::Along(vector, choice(&frames, given, "normal_given")?)
+            }
+        };
+        Ok(Contact {
+            link: model.link(self.link)?,
+            against: if self.against == PERCUSS_GROUND { None } else { Some(model.link(self.against)?) },
+            point: self.point.into(),
+            normal,
+        })
+    }
+}
+
+/// What the mechanism opposes to the contact.
+pub type percuss_outcome = i32;
+/// A number.
+pub const PERCUSS_FINITE: percuss_outcome = 0;
+/// No admissible motion closes the gap.
+pub const PERCUSS_IMMOVABLE: percuss_outcome = 1;
+/// A motion without energy closes the gap.
+pub const PERCUSS_MASSLESS: percuss_outcome = 2;
+/// In batches: no answer; percuss_pose_effective_mass at that configuration says why.
+pub const PERCUSS_NO_ANSWER: percuss_outcome = 3;
+
+/// How m̄ is computed.
+pub type percuss_route = i32;
+/// The recursion where it is accurate, else the careful route.
+pub const PERCUSS_ROUTE_AUTO: percuss_route = 0;
+/// Mass matrix, kernel of the constraints, least energy: O(n³).
+pub const PERCUSS_ROUTE_DENSE: percuss_route = 1;
+/// Articulated recursion over clusters: O(n).
+pub const PERCUSS_ROUTE_ARTICULATED: percuss_route = 2;
+
+/// The gap hardly closes: the answer is large and uncertain.
+pub const PERCUSS_REMARK_NEARLY_IMMOVABLE: u32 = 1;
+/// Some motions have no mass. They do not matter for a finite m̄.
+pub const PERCUSS_REMARK_MASSLESS_MOTIONS: u32 = 2;
+/// The contact is massless to rounding only.
+pub const PERCUSS_REMARK_MASSLESS_TO_ROUNDING: u32 = 4;
+/// A motion without mass leaves v* open; m̄ and the contributions are not.
+pub const PERCUSS_REMARK_UNDETERMINED_MOTION: u32 = 8;
+/// The rank of the constraints is unclear.
+pub const PERCUSS_REMARK_UNCLEAR_RANK: u32 = 16;
+/// The mass matrix has negative directions: m̄ is a stationary value, no minimum.
+pub const PERCUSS_REMARK_INDEFINITE: u32 = 32;
+/// Branches cross at this pose: m̄ is a lower bound that no branch attains.
+pub const PERCUSS_REMARK_SINGULAR_POSE: u32 = 64;
+
+/// An effective mass with what is known of it. A number that is not known, or that does not apply, is NaN.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct percuss_mass {
+    /// A percuss_outcome.
+    pub outcome: percuss_outcome,
+    /// PERCUSS_ROUTE_DENSE or PERCUSS_ROUTE_ARTICULATED.
+    pub route: percuss_route,
+    /// PERCUSS_REMARK_… added together.
+    pub remarks: u32,
+    /// 0.
+    pub reserved: u32,
+    /// Motions that the constraints leave; a floating base's 6 included.
+    pub degrees_of_freedom: usize,
+    /// m̄, kg; NaN unless the outcome is PERCUSS_FINITE.
+    pub effective_mass: f64,
+    /// What m̄ may be off by, kg: the sum of what is known. NaN where rounding or closing is not known.
+    pub error: f64,
+    /// The part by rounding, kg.
+    pub error_rounding: f64,
+    /// The part by what the loops' residual leaves open, kg.
+    pub error_closing: f64,
+    /// The part by how far the file's loops are from fitting, kg; NaN where no redundant rows measure it.
+    pub error_file: f64,
+}
+
+/// The outcome and the value, kg.
+#[inline]
+pub(crate) fn outcome(mass: EffectiveMass) -> (percuss_outcome, f64) {
+    match mass {
+        EffectiveMass::Finite(m) => (PERCUSS_FINITE, m),
+        EffectiveMass::Immovable => (PERCUSS_IMMOVABLE, f64::NAN),
+        EffectiveMass::Massless => (PERCUSS_MASSLESS, f64::NAN),
+    }
+}
+
+pub(crate) fn remark_bits(remarks: &[Remark]) -> u32 {
+    let bit = |remark: &Remark| match remark {
+        Remark::NearlyImmovable { .. } => PERCUSS_REMARK_NEARLY_IMMOVABLE,
+        Remark::MasslessMotions { .. } => PERCUSS_REMARK_MASSLESS_MOTIONS,
+        Remark::MasslessToRounding { .. } => PERCUSS_REMARK_MASSLESS_TO_ROUNDING,
+        Remark::UndeterminedMotion => PERCUSS_REMARK_UNDETERMINED_MOTION,
+        Remark::UnclearRank { .. } => PERCUSS_REMARK_UNCLEAR_RANK,
+        Remark::IndefiniteMassMatrix => PERCUSS_REMARK_INDEFINITE,
+    };
+    remarks.iter().map(bit).fold(0, |all, bit| all | bit)
+}
+
+pub(crate) fn summary(response: &ContactResponse) -> percuss_mass {
+    let (outcome, effective_mass) = outcome(response.effective_mass);
+    let budget = response.error.unwrap_or(ErrorBudget { rounding: None, closing: None, file: None });
+    let singular = if response.singular_pose { PERCUSS_REMARK_SINGULAR_POSE } else { 0 };
+    percuss_mass {
+        outcome,
+        route: match response.route {
+            Route::Dense => PERCUSS_ROUTE_DENSE,
+            Route::Articulated => PERCUSS_ROUTE_ARTICULATED,
+        },
+        remarks: remark_bits(&response.remarks) | singular,
+        reserved: 0,
+        degrees_of_freedom: response.degrees_of_freedom,
+        effective_mass,
+        error: known(budget.known()),
+        error_rounding: known(budget.rounding),
+        error_closing: known(budget.closing),
+        error_file: known(budget.file),
+    }
+}
+
+pub(crate) fn route_choice(route: percuss_route) -> Result<RouteChoice, Failure> {
+    let choices = [RouteChoice::Auto, RouteChoice::Only(Route::Dense), RouteChoice::Only(Route::Articulated)];
+    choice(&choices, route, "route")
+}

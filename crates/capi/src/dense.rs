@@ -1,0 +1,176 @@
+//! The dense entry: m̄ of matrices that the caller has already.
+
+use crate::arrays::{expect_length, input, known, optional_output};
+use crate::contact::{PERCUSS_ROUTE_DENSE, outcome, percuss_mass, remark_bits};
+use crate::handle::{optional, place, value};
+use crate::pose::{PERCUSS_COLUMN_MAJOR, PERCUSS_ROW_MAJOR, percuss_layout};
+use crate::status::{
+    Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_LENGTH, PERCUSS_ERROR_MATRIX, guarded, percuss_status,
+};
+use percuss::{LayoutError, MatrixError, MatrixOptions, MatrixView, effective_mass};
+
+/// A matrix of the caller's, read where it lies.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct percuss_matrix {
+    /// The entries; null only where there are none.
+    pub values: *const f64,
+    /// How many numbers there are at values: (rows − 1) · leading_dimension + columns at least, row by row;
+    /// (columns − 1) · leading_dimension + rows column by column.
+    pub length: usize,
+    /// Rows.
+    pub rows: usize,
+    /// Columns.
+    pub columns: usize,
+    /// How far rows (row by row) or columns (column by column) are apart, as in BLAS.
+    pub leading_dimension: usize,
+    /// PERCUSS_ROW_MAJOR or PERCUSS_COLUMN_MAJOR.
+    pub layout: percuss_layout,
+    /// 0.
+    pub reserved: u32,
+}
+
+/// How matrices are read. Fill it with percuss_matrix_options_init first.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct percuss_matrix_options {
+    /// How coordinates are scaled where ranks are decided: for each, how far a unit rate of it moves things, in one unit for all
+    /// (1 for a slide in metres, a typical length for an angle). null: 1 for all.
+    pub lengths: *const f64,
+    /// How many lengths there are: one for each coordinate, or 0.
+    pub length_count: usize,
+    /// Singular values of A below this part of the largest count as zero; above 0, at most 0.1. 1e-10.
+    pub rank_floor: f64,
+    /// Relative error of every entry of M, A and j, 0 to 1e-3; it enters the stated error. 2.2e-16.
+    pub accuracy: f64,
+}
+
+/// What was decided about the rows of A.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct percuss_rank {
+    /// How many rows are independent.
+    pub rank: usize,
+    /// How many are not.
+    pub redundant: usize,
+    /// Least gap between singular values that count and those that do not; NaN without rows.
+    pub gap: f64,
+    /// 1 where no singular value is within a factor of 30 of the threshold.
+    pub is_clear: i32,
+    /// 0.
+    pub reserved: u32,
+}
+
+/// The defaults.
+///
+/// # Safety
+/// options is null or a place for percuss_matrix_options.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_matrix_options_init(options: *mut percuss_matrix_options) -> percuss_status {
+    guarded(|| {
+        *place(options, "options")? = percuss_matrix_options {
+            lengths: std::ptr::null(),
+            length_count: 0,
+            rank_floor: 1e-10,
+            accuracy: f64::EPSILON,
+        };
+        Ok(())
+    })
+}
+
+fn view<'a>(matrix: &percuss_matrix, name: &str) -> Result<MatrixView<'a>, Failure> {
+    let values: &'a [f64] = input(matrix.values, matrix.length, name)?;
+    let percuss_matrix { rows, columns, leading_dimension, layout, .. } = *matrix;
+    let view = match layout {
+        PERCUSS_ROW_MAJOR => MatrixView::row_major_with(values, rows, columns, leading_dimension),
+        PERCUSS_COLUMN_MAJOR => MatrixView::column_major_with(values, rows, columns, leading_dimension),
+        _ => {
+            let message = format_args!(
+                "{name}: layout is {layout}; expected PERCUSS_ROW_MAJOR or PERCUSS_COLUMN_MAJOR"
+            );
+            return Err(Failure::new(PERCUSS_ERROR_ARGUMENT, message));
+        }
+    };
+    view.map_err(|error: LayoutError| Failure::new(PERCUSS_ERROR_LENGTH, format_args!("{name}: {error}")))
+}
+
+fn refusal(error: MatrixError) -> Failure {
+    let status = match &error {
+        MatrixError::Shape { .. } | MatrixError::LengthCount { .. } => PERCUSS_ERROR_LENGTH,
+        MatrixError::NotFinite { .. } | MatrixError::Option { .. } => PERCUSS_ERROR_ARGUMENT,
+        _ => PERCUSS_ERROR_MATRIX,
+    };
+    Failure::new(status, error)
+}
+
+/// m̄ = min { vᵀMv : Av = 0, jv = 1 } of a system that is given by its matrices: mass is M, n×n, symmetric, positive semi-definite (kg,
+/// kg·m, kg·m²); contact_row is j, count = n numbers (m, 1); constraints is A, m×n, or null. M may be singular, rows of A redundant.
+///
+/// mass_result: the outcome, m̄ (kg), what it may be off by (error and error_rounding), the remarks. velocities: null, or room for n
+/// numbers: v*, the velocities at unit closing speed. rank: null, or a place for the report on A. redundant_rows: null, or
+/// room for m bytes: 1 for each row of A that follows from those that count, else 0. options: null for the defaults.
+///
+/// Errors: PERCUSS_ERROR_LENGTH: shapes; PERCUSS_ERROR_ARGUMENT: NaN, infinities, options; PERCUSS_ERROR_MATRIX: not symmetric,
+/// not positive semi-definite, more than 1000 coordinates.
+///
+/// # Safety
+/// Every pointer is null or points to what is said; the arrays of the matrices have as many numbers as they say.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_effective_mass(
+    mass: *const percuss_matrix,
+    contact_row: *const f64,
+    count: usize,
+    constraints: *const percuss_matrix,
+    options: *const percuss_matrix_options,
+    mass_result: *mut percuss_mass,
+    velocities: *mut f64,
+    rank: *mut percuss_rank,
+    redundant_rows: *mut u8,
+) -> percuss_status {
+    guarded(|| {
+        let mass = value(mass, "mass")?;
+        let constraints = optional(constraints, "constraints")?;
+        let row = input(contact_row, count, "contact_row")?;
+        expect_length(count, mass.rows, "contact_row")?;
+        let mut asked = MatrixOptions::new();
+        if let Some(options) = optional(options, "options")? {
+            asked = asked.rank_floor(options.rank_floor).accuracy(options.accuracy);
+            if !options.lengths.is_null() {
+                asked = asked.lengths(input(options.lengths, options.length_count, "lengths")?);
+            }
+        }
+        let rows = constraints.as_ref().map(|a| view(a, "constraints")).transpose()?;
+        let found = effective_mass(view(&mass, "mass")?, row, rows, &asked).map_err(refusal)?;
+        let (outcome, m) = outcome(found.effective_mass);
+        *place(mass_result, "mass_result")? = percuss_mass {
+            outcome,
+            route: PERCUSS_ROUTE_DENSE,
+            remarks: remark_bits(&found.remarks),
+            reserved: 0,
+            degrees_of_freedom: found.degrees_of_freedom,
+            effective_mass: m,
+            error: known(found.error),
+            error_rounding: known(found.error),
+            error_closing: f64::NAN,
+            error_file: f64::NAN,
+        };
+        if let Some(to) = optional_output(velocities, count, "velocities")? {
+            to.copy_from_slice(&found.velocity);
+        }
+        if !rank.is_null() {
+            *place(rank, "rank")? = percuss_rank {
+                rank: found.rank.rank,
+                redundant: found.rank.redundant_rows.len(),
+                gap: known(found.rank.gap),
+                is_clear: i32::from(found.rank.is_clear),
+                reserved: 0,
+            };
+        }
+        let m = constraints.map_or(0, |a| a.rows);
+        if let Some(to) = optional_output(redundant_rows, m, "redundant_rows")? {
+            to.fill(0);
+            found.rank.redundant_rows.iter().for_each(|&r| to[r] = 1);
+        }
+        Ok(())
+    })
+}

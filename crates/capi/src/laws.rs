@@ -1,0 +1,267 @@
+//! Contact laws: the damper that gives a restitution, and what an impact with it is like.
+
+use crate::arrays::{choice, known, text};
+use crate::handle::{place, value};
+use crate::names::nth;
+use crate::status::{Failure, PERCUSS_ERROR_LAW, PERCUSS_ERROR_NAME, guarded, percuss_status};
+use percuss::contact::{CompliantContact, ContactLawError, Damper, Law, Separation};
+use std::ffi::{CStr, c_char};
+
+/// A contact law: its number. percuss_law_find gives it.
+pub type percuss_law = i32;
+/// A spring in parallel with a damper, solved exactly.
+pub const PERCUSS_LAW_KELVIN_VOIGT: percuss_law = 0;
+/// A damper that stiffens with the spring, solved exactly.
+pub const PERCUSS_LAW_HUNT_CROSSLEY: percuss_law = 1;
+
+/// When a contact ends, for a law whose force would pull before the gap closes.
+pub type percuss_separation = i32;
+/// When the force has fallen to zero: contacts that do not stick, and simulators that take max(0, F).
+pub const PERCUSS_FORCE_VANISHES: percuss_separation = 0;
+/// When the spring has its free length again; the damper pulls shortly before.
+pub const PERCUSS_GAP_CLOSES: percuss_separation = 1;
+
+/// F = k xᵖ + c x^((p−1)/2) ẋ.
+pub const PERCUSS_DAMPER_KELVIN_VOIGT: i32 = 0;
+/// F = k xᵖ (1 + d ẋ).
+pub const PERCUSS_DAMPER_HUNT_CROSSLEY: i32 = 1;
+
+/// An effective mass and the spring between the two surfaces: force k xᵖ at the penetration x.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct percuss_spring {
+    /// m̄, kg.
+    pub effective_mass: f64,
+    /// k, N/mᵖ.
+    pub stiffness: f64,
+    /// p, 1 to 10: 1 for a linear spring, 1.5 for Hertz's spheres.
+    pub exponent: f64,
+}
+
+/// A damper in parallel with the spring.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct percuss_damper {
+    /// PERCUSS_DAMPER_KELVIN_VOIGT or PERCUSS_DAMPER_HUNT_CROSSLEY.
+    pub kind: i32,
+    /// Of a Kelvin–Voigt damper: when the contact ends.
+    pub separation: percuss_separation,
+    /// Of a Kelvin–Voigt damper: c, N·s/m^((p+1)/2), N·s/m where p = 1; else NaN.
+    pub coefficient: f64,
+    /// Of a Kelvin–Voigt damper: the damping ratio ζ on the contact that it was made for; else NaN.
+    pub ratio: f64,
+    /// Of a Hunt–Crossley damper: d, s/m; else NaN.
+    pub dissipation: f64,
+}
+
+/// The figures of one impact.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct percuss_impact {
+    /// Rebound speed over approach speed.
+    pub restitution: f64,
+    /// From the first touch to the end, s; NaN where the gap takes forever to close.
+    pub duration: f64,
+    /// m.
+    pub max_penetration: f64,
+    /// From the first touch, s.
+    pub time_of_max_penetration: f64,
+    /// The greatest push, N.
+    pub peak_force: f64,
+    /// From the first touch, s.
+    pub time_of_peak_force: f64,
+    /// J.
+    pub energy_lost: f64,
+    /// m/s.
+    pub rebound_speed: f64,
+}
+
+const NAMES: [&CStr; Law::ALL.len()] = [
+    c"kelvin-voigt",
+    c"hunt-crossley",
+    c"hunt-crossley-1975",
+    c"herbert-mcwhannell",
+    c"lee-wang",
+    c"lankarani-nikravesh",
+    c"gonthier",
+    c"zhiying-qishao",
+    c"flores",
+    c"gharib-hurmuzlu",
+    c"hu-guo",
+    c"carvalho-martins",
+    c"safaeifar-farshidianfar",
+    c"exudyn-mixed",
+];
+
+fn of_law<T>(result: Result<T, ContactLawError>) -> Result<T, Failure> {
+    result.map_err(Failure::of(PERCUSS_ERROR_LAW))
+}
+
+impl percuss_spring {
+    fn contact(&self) -> Result<CompliantContact, Failure> {
+        let linear = of_law(CompliantContact::new(self.effective_mass, self.stiffness))?;
+        of_law(linear.with_exponent(self.exponent))
+    }
+}
+
+impl percuss_damper {
+    fn new(damper: Damper) -> Self {
+        match damper {
+            Damper::KelvinVoigt { ratio, coefficient, separation } => Self {
+                kind: PERCUSS_DAMPER_KELVIN_VOIGT,
+                separation: match separation {
+                    Separation::ForceVanishes => PERCUSS_FORCE_VANISHES,
+                    Separation::GapCloses => PERCUSS_GAP_CLOSES,
+                },
+                coefficient,
+                ratio,
+                dissipation: f64::NAN,
+            },
+            Damper::HuntCrossley { dissipation } => Self {
+                kind: PERCUSS_DAMPER_HUNT_CROSSLEY,
+                separation: PERCUSS_FORCE_VANISHES,
+                coefficient: f64::NAN,
+                ratio: f64::NAN,
+                dissipation,
+            },
+        }
+    }
+
+    /// The damper on this contact: the force goes by the coefficient.
+    fn on(&self, contact: CompliantContact) -> Result<Damper, Failure> {
+        let kinds = [PERCUSS_DAMPER_KELVIN_VOIGT, PERCUSS_DAMPER_HUNT_CROSSLEY];
+        match choice(&kinds, self.kind, "kind of the damper")? {
+            PERCUSS_DAMPER_KELVIN_VOIGT => {
+                let separation = choice(&Separation::ALL, self.separation, "separation")?;
+                of_law(Damper::kelvin_voigt_from_coefficient(contact, self.coefficient, separation))
+            }
+            _ => of_law(Damper::hunt_crossley(self.dissipation)),
+        }
+    }
+}
+
+/// How many laws there are: their numbers are 0 to this − 1.
+#[unsafe(no_mangle)]
+pub extern "C" fn percuss_law_count() -> usize {
+    Law::ALL.len()
+}
+
+/// The name of a law; it lives as long as the program.
+///
+/// # Safety
+/// name is null or a place for a pointer.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_law_name(law: percuss_law, name: *mut *const c_char) -> percuss_status {
+    guarded(|| {
+        let index = usize::try_from(law).unwrap_or(usize::MAX);
+        *place(name, "name")? = nth(&NAMES, index, "law")?.as_ptr();
+        Ok(())
+    })
+}
+
+/// The law of this name or alias, upper and lower case alike. Errors: PERCUSS_ERROR_NAME, with the most similar name.
+///
+/// # Safety
+/// name ends with a zero byte; law is null or a place for a number.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_law_find(name: *const c_char, law: *mut percuss_law) -> percuss_status {
+    guarded(|| {
+        let found = Law::from_name(text(name, "name")?).map_err(Failure::of(PERCUSS_ERROR_NAME))?;
+        let number = Law::ALL.iter().position(|law| *law == found).unwrap_or_default();
+        *place(law, "law")? = number as percuss_law;
+        Ok(())
+    })
+}
+
+/// The damper of a law for the restitution e on this spring, at the approach speed in m/s; 0 where the law needs none
+/// (Kelvin–Voigt does not). separation matters to Kelvin–Voigt alone.
+///
+/// Errors: PERCUSS_ERROR_LAW: out of range, the speed missing, an e that the law does not reach.
+///
+/// # Safety
+/// spring is null or points to one; damper is null or a place for one.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_law_damper(
+    law: percuss_law,
+    spring: *const percuss_spring,
+    restitution: f64,
+    speed: f64,
+    separation: percuss_separation,
+    damper: *mut percuss_damper,
+) -> percuss_status {
+    guarded(|| {
+        let index = usize::try_from(law).unwrap_or(usize::MAX);
+        let law = *nth(&Law::ALL, index, "law")?;
+        let contact = value(spring, "spring")?.contact()?;
+        let separation = choice(&Separation::ALL, separation, "separation")?;
+        let speed = (speed != 0.0).then_some(speed);
+        let found = of_law(law.damper(contact, restitution, speed, separation))?;
+        *place(damper, "damper")? = percuss_damper::new(found);
+        Ok(())
+    })
+}
+
+/// The restitution that a damper gives on this spring at this approach speed, m/s. Exact for the force.
+///
+/// Errors: PERCUSS_ERROR_LAW.
+///
+/// # Safety
+/// spring and damper are null or point to one; restitution is null or a place for a number.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_damper_restitution(
+    damper: *const percuss_damper,
+    spring: *const percuss_spring,
+    speed: f64,
+    restitution: *mut f64,
+) -> percuss_status {
+    guarded(|| {
+        let contact = value(spring, "spring")?.contact()?;
+        let found = value(damper, "damper")?.on(contact)?.restitution(contact, speed);
+        *place(restitution, "restitution")? = of_law(found)?;
+        Ok(())
+    })
+}
+
+/// The figures of the impact on this spring at this approach speed, m/s.
+///
+/// Errors: PERCUSS_ERROR_LAW.
+///
+/// # Safety
+/// spring and damper are null or point to one; impact is null or a place for one.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_damper_impact(
+    damper: *const percuss_damper,
+    spring: *const percuss_spring,
+    speed: f64,
+    impact: *mut percuss_impact,
+) -> percuss_status {
+    guarded(|| {
+        let contact = value(spring, "spring")?.contact()?;
+        let found = of_law(value(damper, "damper")?.on(contact)?.impact(contact, speed))?;
+        *place(impact, "impact")? = percuss_impact {
+            restitution: found.restitution,
+            duration: known(found.duration),
+            max_penetration: found.max_penetration,
+            time_of_max_penetration: found.time_of_max_penetration,
+            peak_force: found.peak_force,
+            time_of_peak_force: found.time_of_peak_force,
+            energy_lost: found.energy_lost,
+            rebound_speed: found.rebound_speed,
+        };
+        Ok(())
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_those_of_the_laws() {
+        for (law, name) in Law::ALL.into_iter().zip(NAMES) {
+            assert_eq!(Ok(law.name()), name.to_str());
+        }
+        assert_eq!(Law::ALL[PERCUSS_LAW_KELVIN_VOIGT as usize], Law::KelvinVoigt);
+        assert_eq!(Law::ALL[PERCUSS_LAW_HUNT_CROSSLEY as usize], Law::HuntCrossley);
+    }
+}

@@ -1,0 +1,377 @@
+//! Models: mechanisms read from URDF, the names of their links and joints, and what was noticed in the file.
+
+use crate::arrays::{input, text};
+use crate::handle::{Handle, clear, free, get, give, place};
+use crate::names::{c_string, nth};
+use crate::status::{
+    Failure, PERCUSS_ERROR_LOAD, PERCUSS_ERROR_NAME, PERCUSS_ERROR_TEXT, guarded, percuss_status,
+};
+use percuss::{
+    DEFAULT_MAX_SIZE, Diagnostic, JointId, JointKind, LinkId, LoadOptions, Mechanism, Severity, Source, load,
+};
+use std::ffi::{CString, c_char};
+use std::ptr::null;
+use std::sync::Arc;
+
+/// A mechanism. Cannot be changed: threads may share it.
+pub struct percuss_model {
+    _opaque: [u8; 0],
+}
+
+/// A mechanism with its names.
+pub(crate) struct Model {
+    pub mechanism: Arc<Mechanism>,
+    pub links: Vec<LinkId>,
+    pub joints: Vec<JointId>,
+    /// Where each joint's positions and velocities begin.
+    pub first: Vec<(usize, usize)>,
+    pub positions: usize,
+    pub velocities: usize,
+    link_names: Vec<CString>,
+    joint_names: Vec<CString>,
+    diagnostics: Vec<Note>,
+}
+
+struct Note {
+    severity: i32,
+    code: CString,
+    message: CString,
+    path: CString,
+    line: u32,
+    column: u32,
+}
+
+impl Handle for percuss_model {
+    type Object = Arc<Model>;
+    const TAG: u64 = 0x7063_5f6d_6f64_656c;
+    const NAME: &'static str = "percuss_model";
+}
+
+/// Kind of a joint.
+pub type percuss_joint_kind = i32;
+/// Holds its child: no positions, no velocities.
+pub const PERCUSS_FIXED: percuss_joint_kind = 0;
+/// A hinge within limits: 1 position, rad.
+pub const PERCUSS_REVOLUTE: percuss_joint_kind = 1;
+/// A hinge without limits: 1 position, rad.
+pub const PERCUSS_CONTINUOUS: percuss_joint_kind = 2;
+/// A slide: 1 position, m.
+pub const PERCUSS_PRISMATIC: percuss_joint_kind = 3;
+/// In a plane: 3 positions x, y (m), θ (rad); 3 velocities.
+pub const PERCUSS_PLANAR: percuss_joint_kind = 4;
+/// A ball: 4 positions, a unit quaternion w, x, y, z; 3 velocities (rad/s, child's axes).
+pub const PERCUSS_SPHERICAL: percuss_joint_kind = 5;
+/// Free: 7 positions x, y, z (m), w, x, y, z; 6 velocities, 3 angular then 3 linear (child's axes).
+pub const PERCUSS_FLOATING: percuss_joint_kind = 6;
+
+/// A joint.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct percuss_joint {
+    /// Its name, as long as the model lives.
+    pub name: *const c_char,
+    /// A percuss_joint_kind.
+    pub kind: percuss_joint_kind,
+    /// 1 where it has limits.
+    pub has_limits: i32,
+    /// Least and greatest position (rad or m); NaN without limits.
+    pub lower: f64,
+    /// See lower.
+    pub upper: f64,
+    /// How many positions it has, and which of the mechanism's is the first.
+    pub positions: usize,
+    /// See positions.
+    pub first_position: usize,
+    /// How many velocities it has, and which of the mechanism's is the first.
+    pub velocities: usize,
+    /// See velocities.
+    pub first_velocity: usize,
+    /// The link that carries it, and the one that it carries: numbers of links.
+    pub parent: usize,
+    /// See parent.
+    pub child: usize,
+}
+
+/// Worth knowing; nothing is wrong.
+pub const PERCUSS_NOTE: i32 = 0;
+/// Probably not what was meant; the answer uses what the message states.
+pub const PERCUSS_WARNING: i32 = 1;
+
+/// Something that was noticed in a file.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct percuss_diagnostic {
+    /// PERCUSS_NOTE or PERCUSS_WARNING; errors make the load fail.
+    pub severity: i32,
+    /// Line, from 1; 0 where it has none.
+    pub line: u32,
+    /// Column in characters, from 1; 0 where it has none.
+    pub column: u32,
+    /// A short name that programs can rely on. The texts live as long as the model.
+    pub code: *const c_char,
+    /// The finding.
+    pub message: *const c_char,
+    /// The file.
+    pub path: *const c_char,
+}
+
+impl Note {
+    fn new(diagnostic: &Diagnostic) -> Self {
+        Self {
+            severity: match diagnostic.severity {
+                Severity::Note => PERCUSS_NOTE,
+                Severity::Warning | Severity::Error => PERCUSS_WARNING,
+            },
+            code: c_string(diagnostic.code),
+            message: c_string(&diagnostic.message),
+            path: c_string(&diagnostic.path),
+            line: diagnostic.line.unwrap_or(0),
+            column: diagnostic.column.unwrap_or(0),
+        }
+    }
+}
+
+impl Model {
+    fn read(source: &Source) -> Result<Arc<Self>, Failure> {
+        let loaded = load(source, &LoadOptions::default()).map_err(Failure::of(PERCUSS_ERROR_LOAD))?;
+        let mechanism = Arc::new(loaded.mechanism);
+        let (mut first, mut at) = (Vec::new(), (0, 0));
+        for joint in mechanism.joints() {
+            first.push(at);
+            at = (at.0 + joint.kind().positions(), at.1 + joint.kind().dofs());
+        }
+        Ok(Arc::new(Self {
+            links: mechanism.link_ids().collect(),
+            joints: mechanism.joint_ids().collect(),
+            first,
+            positions: at.0,
+            velocities: at.1,
+            link_names: mechanism.links().iter().map(|link| c_string(link.name())).collect(),
+            joint_names: mechanism.joints().iter().map(|joint| c_string(joint.name())).collect(),
+            diagnostics: loaded.diagnostics.iter().map(Note::new).collect(),
+            mechanism,
+        }))
+    }
+
+    pub fn link(&self, index: usize) -> Result<LinkId, Failure> {
+        nth(&self.links, index, "link").copied()
+    }
+}
+
+/// Reads a URDF file, closed loops and couplings included. path: UTF-8. Free the model with percuss_model_free.
+///
+/// Errors: PERCUSS_ERROR_LOAD, with every error of the file in the message.
+///
+/// # Safety
+/// path ends with a zero byte; model is null or a place for a pointer.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_model_load_file(
+    path: *const c_char,
+    model: *mut *mut percuss_model,
+) -> percuss_status {
+    guarded(|| {
+        clear(model)?;
+        let path = text(path, "path")?;
+        if path == "-" {
+            return Err(Failure::new(PERCUSS_ERROR_LOAD, "path is \"-\"; expected the name of a file"));
+        }
+        let source = Source::read(path, DEFAULT_MAX_SIZE).map_err(Failure::of(PERCUSS_ERROR_LOAD))?;
+        give(Model::read(&source)?, model)
+    })
+}
+
+/// Reads a URDF from memory: length bytes of UTF-8, no zero byte needed. name stands for the file in messages.
+///
+/// Errors: as percuss_model_load_file; PERCUSS_ERROR_TEXT.
+///
+/// # Safety
+/// name ends with a zero byte; bytes has length bytes; model is null or a place for a pointer.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_model_load_memory(
+    name: *const c_char,
+    bytes: *const c_char,
+    length: usize,
+    model: *mut *mut percuss_model,
+) -> percuss_status {
+    guarded(|| {
+        clear(model)?;
+        let name = text(name, "name")?;
+        let bytes: &[u8] = input(bytes.cast(), length, "bytes")?;
+        if bytes.len() as u64 > DEFAULT_MAX_SIZE {
+            let message = format_args!("{name}: {length} bytes; at most {DEFAULT_MAX_SIZE} are read");
+            return Err(Failure::new(PERCUSS_ERROR_LOAD, message));
+        }
+        let urdf = std::str::from_utf8(bytes).map_err(|error| {
+            Failure::new(
+                PERCUSS_ERROR_TEXT,
+                format_args!("{name}: not UTF-8 at byte {}", error.valid_up_to()),
+            )
+        })?;
+        give(Model::read(&Source::from_text(name, urdf))?, model)
+    })
+}
+
+/// Frees a model and sets the handle to null; nothing where it is null. What was made from the model stays valid.
+///
+/// # Safety
+/// model is null or the place of a handle that nobody uses.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_model_free(model: *mut *mut percuss_model) -> percuss_status {
+    guarded(|| free(model))
+}
+
+/// How many links a model has, joints, positions of all joints, and velocities of all joints. Each place may be null.
+///
+/// # Safety
+/// Every pointer is null or a place for a number.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_model_counts(
+    model: *const percuss_model,
+    links: *mut usize,
+    joints: *mut usize,
+    positions: *mut usize,
+    velocities: *mut usize,
+) -> percuss_status {
+    guarded(|| {
+        let model = get(model)?;
+        let counts = [model.links.len(), model.joints.len(), model.positions, model.velocities];
+        for (to, count) in [links, joints, positions, velocities].into_iter().zip(counts) {
+            if !to.is_null() {
+                *place(to, "a count")? = count;
+            }
+        }
+        Ok(())
+    })
+}
+
+/// The name of link number index, from 0. It lives as long as the model; null where the call fails.
+///
+/// # Safety
+/// name is null or a place for a pointer.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_model_link_name(
+    model: *const percuss_model,
+    index: usize,
+    name: *mut *const c_char,
+) -> percuss_status {
+    guarded(|| {
+        let name = place(name, "name")?;
+        *name = null();
+        *name = nth(&get(model)?.link_names, index, "link")?.as_ptr();
+        Ok(())
+    })
+}
+
+/// The number of the link of this name. Errors: PERCUSS_ERROR_NAME, with the most similar name.
+///
+/// # Safety
+/// name ends with a zero byte; index is null or a place for a number.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_model_find_link(
+    model: *const percuss_model,
+    name: *const c_char,
+    index: *mut usize,
+) -> percuss_status {
+    guarded(|| {
+        let found = get(model)?.mechanism.find_link(text(name, "name")?);
+        *place(index, "index")? = found.map_err(Failure::of(PERCUSS_ERROR_NAME))?.index();
+        Ok(())
+    })
+}
+
+/// The number of the joint of this name. Errors: PERCUSS_ERROR_NAME, with the most similar name.
+///
+/// # Safety
+/// name ends with a zero byte; index is null or a place for a number.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_model_find_joint(
+    model: *const percuss_model,
+    name: *const c_char,
+    index: *mut usize,
+) -> percuss_status {
+    guarded(|| {
+        let found = get(model)?.mechanism.find_joint(text(name, "name")?);
+        *place(index, "index")? = found.map_err(Failure::of(PERCUSS_ERROR_NAME))?.index();
+        Ok(())
+    })
+}
+
+/// Joint number index, from 0.
+///
+/// # Safety
+/// joint is null or a place for a percuss_joint.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_model_joint(
+    model: *const percuss_model,
+    index: usize,
+    joint: *mut percuss_joint,
+) -> percuss_status {
+    guarded(|| {
+        let model = get(model)?;
+        let name = nth(&model.joint_names, index, "joint")?.as_ptr();
+        let found = &model.mechanism.joints()[index];
+        let kind = found.kind();
+        let (first_position, first_velocity) = model.first[index];
+        *place(joint, "joint")? = percuss_joint {
+            name,
+            kind: match kind {
+                JointKind::Fixed => PERCUSS_FIXED,
+                JointKind::Revolute => PERCUSS_REVOLUTE,
+                JointKind::Continuous => PERCUSS_CONTINUOUS,
+                JointKind::Prismatic => PERCUSS_PRISMATIC,
+                JointKind::Planar => PERCUSS_PLANAR,
+                JointKind::Spherical => PERCUSS_SPHERICAL,
+                JointKind::Floating => PERCUSS_FLOATING,
+            },
+            has_limits: i32::from(found.limits().is_some()),
+            lower: found.limits().map_or(f64::NAN, |limits| limits.lower),
+            upper: found.limits().map_or(f64::NAN, |limits| limits.upper),
+            positions: kind.positions(),
+            first_position,
+            velocities: kind.dofs(),
+            first_velocity,
+            parent: found.parent().index(),
+            child: found.child().index(),
+        };
+        Ok(())
+    })
+}
+
+/// How many notes and warnings came of the file.
+///
+/// # Safety
+/// count is null or a place for a number.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_model_diagnostic_count(
+    model: *const percuss_model,
+    count: *mut usize,
+) -> percuss_status {
+    guarded(|| {
+        *place(count, "count")? = get(model)?.diagnostics.len();
+        Ok(())
+    })
+}
+
+/// Note or warning number index, from 0, in the order of the file.
+///
+/// # Safety
+/// diagnostic is null or a place for a percuss_diagnostic.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_model_diagnostic(
+    model: *const percuss_model,
+    index: usize,
+    diagnostic: *mut percuss_diagnostic,
+) -> percuss_status {
+    guarded(|| {
+        let note = nth(&get(model)?.diagnostics, index, "diagnostic")?;
+        *place(diagnostic, "diagnostic")? = percuss_diagnostic {
+            severity: note.severity,
+            line: note.line,
+            column: note.column,
+            code: note.code.as_ptr(),
+            message: note.message.as_ptr(),
+            path: note.path.as_ptr(),
+        };
+        Ok(())
+    })
+}

@@ -1,0 +1,283 @@
+//! Poses: a mechanism at one configuration, its matrices, m̄.
+
+use crate::arrays::{copy_out, expect_length, output};
+use crate::configuration::percuss_configuration;
+use crate::contact::{percuss_contact, percuss_mass, percuss_route, route_choice, summary};
+use crate::handle::{Handle, clear, free, get, give, place, take, value};
+use crate::model::Model;
+use crate::response::{Answered, percuss_response};
+use crate::status::{
+    Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_ASSEMBLY, PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_LENGTH,
+    guarded, percuss_status,
+};
+use crate::system::{percuss_assembly, percuss_system};
+use percuss::nalgebra::DMatrix;
+use percuss::{ContactResponse, Pose};
+use std::sync::Arc;
+
+/// A mechanism at one configuration, its loops closed. Cannot be changed: threads may share it.
+pub struct percuss_pose {
+    _opaque: [u8; 0],
+}
+
+/// A pose, with the names of its links and joints.
+pub(crate) struct Posed {
+    pub model: Arc<Model>,
+    pub pose: Pose,
+}
+
+impl Handle for percuss_pose {
+    type Object = Posed;
+    const TAG: u64 = 0x7063_5f70_6f73_6521;
+    const NAME: &'static str = "percuss_pose";
+}
+
+/// How the entries of a matrix lie in memory.
+pub type percuss_layout = i32;
+/// Row by row: entry (r, c) at r · leading_dimension + c.
+pub const PERCUSS_ROW_MAJOR: percuss_layout = 0;
+/// Column by column, as Fortran and BLAS have it: entry (r, c) at c · leading_dimension + r.
+pub const PERCUSS_COLUMN_MAJOR: percuss_layout = 1;
+
+/// The pose at a configuration: joints that were set drive, the others of the loops follow. Of the assembly found from all joints
+/// at 0, or, where nothing closes from there, of that found from the configuration's guesses. Free it with percuss_pose_free.
+///
+/// Errors: PERCUSS_ERROR_ASSEMBLY: loops that do not close, drivers that cannot get there, a dependent joint that was set.
+///
+/// # Safety
+/// system and configuration are handles; pose is null or a place for a pointer.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_pose_new(
+    system: *const percuss_system,
+    configuration: *const percuss_configuration,
+    pose: *mut *mut percuss_pose,
+) -> percuss_status {
+    guarded(|| {
+        clear(pose)?;
+        let compiled = get(system)?;
+        let configuration = take(get(configuration)?, "percuss_configuration")?;
+        configuration.check(&compiled.model)?;
+        let found = compiled.system.pose(&configuration.values);
+        let found = found.map_err(Failure::of(PERCUSS_ERROR_ASSEMBLY))?;
+        give(Posed { model: Arc::clone(&compiled.model), pose: found }, pose)
+    })
+}
+
+/// The same of a given assembly.
+///
+/// # Safety
+/// assembly and configuration are handles; pose is null or a place for a pointer.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_assembly_pose(
+    assembly: *const percuss_assembly,
+    configuration: *const percuss_configuration,
+    pose: *mut *mut percuss_pose,
+) -> percuss_status {
+    guarded(|| {
+        clear(pose)?;
+        let assembled = get(assembly)?;
+        let configuration = take(get(configuration)?, "percuss_configuration")?;
+        configuration.check(&assembled.model)?;
+        let found = assembled.assembly.pose(&configuration.values);
+        let found = found.map_err(Failure::of(PERCUSS_ERROR_ASSEMBLY))?;
+        give(Posed { model: Arc::clone(&assembled.model), pose: found }, pose)
+    })
+}
+
+/// The pose at a configuration on the branch of another pose of the same assembly, followed from there: for steps of a motion.
+///
+/// # Safety
+/// from and configuration are handles; pose is null or a place for a pointer, not the place of from.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_pose_follow(
+    from: *const percuss_pose,
+    configuration: *const percuss_configuration,
+    pose: *mut *mut percuss_pose,
+) -> percuss_status {
+    guarded(|| {
+        clear(pose)?;
+        let posed = get(from)?;
+        let configuration = take(get(configuration)?, "percuss_configuration")?;
+        configuration.check(&posed.model)?;
+        let found = posed.pose.assembly().pose_from(&posed.pose, &configuration.values);
+        let found = found.map_err(Failure::of(PERCUSS_ERROR_ASSEMBLY))?;
+        give(Posed { model: Arc::clone(&posed.model), pose: found }, pose)
+    })
+}
+
+/// Frees a pose and sets the handle to null; nothing where it is null.
+///
+/// # Safety
+/// pose is null or the place of a handle that nobody uses.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_pose_free(pose: *mut *mut percuss_pose) -> percuss_status {
+    guarded(|| free(pose))
+}
+
+/// The positions of all joints one after another, in joint order, mimics included: count is that of percuss_model_counts.
+///
+/// # Safety
+/// positions has room for count numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_pose_positions(
+    pose: *const percuss_pose,
+    positions: *mut f64,
+    count: usize,
+) -> percuss_status {
+    guarded(|| copy_out(get(pose)?.pose.positions(), positions, count, "positions"))
+}
+
+fn respond(posed: &Posed, contact: *const percuss_contact, route: i32) -> Result<ContactResponse, Failure> {
+    let contact = value(contact, "contact")?.on(&posed.model)?;
+    let found = posed.pose.respond(&contact, route_choice(route)?);
+    found.map_err(Failure::of(PERCUSS_ERROR_CONTACT))
+}
+
+/// m̄ of a contact, with its error. route: PERCUSS_ROUTE_AUTO, unless another is wanted.
+///
+/// Errors: PERCUSS_ERROR_CONTACT: a contact that means nothing, or that the route does not take.
+///
+/// # Safety
+/// pose is a handle; contact is null or points to a contact; mass is null or a place for a percuss_mass.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_pose_effective_mass(
+    pose: *const percuss_pose,
+    contact: *const percuss_contact,
+    route: percuss_route,
+    mass: *mut percuss_mass,
+) -> percuss_status {
+    guarded(|| {
+        let response = respond(get(pose)?, contact, route)?;
+        *place(mass, "mass")? = summary(&response);
+        Ok(())
+    })
+}
+
+/// The whole response to a contact: v* and the contributions as well. Free it with percuss_response_free.
+///
+/// Errors: as percuss_pose_effective_mass.
+///
+/// # Safety
+/// As percuss_pose_effective_mass; response is null or a place for a pointer.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_pose_respond(
+    pose: *const percuss_pose,
+    contact: *const percuss_contact,
+    route: percuss_route,
+    response: *mut *mut percuss_response,
+) -> percuss_status {
+    guarded(|| {
+        clear(response)?;
+        let posed = get(pose)?;
+        let found = respond(posed, contact, route)?;
+        give(Answered { model: Arc::clone(&posed.model), response: found }, response)
+    })
+}
+
+/// Writes a matrix into the caller's room.
+fn write(
+    matrix: &DMatrix<f64>,
+    values: *mut f64,
+    length: usize,
+    layout: percuss_layout,
+    leading: usize,
+) -> Result<(), Failure> {
+    let (rows, columns) = matrix.shape();
+    let (outer, inner) = match layout {
+        PERCUSS_ROW_MAJOR => (rows, columns),
+        PERCUSS_COLUMN_MAJOR => (columns, rows),
+        _ => {
+            let message =
+                format_args!("layout is {layout}; expected PERCUSS_ROW_MAJOR or PERCUSS_COLUMN_MAJOR");
+            return Err(Failure::new(PERCUSS_ERROR_ARGUMENT, message));
+        }
+    };
+    if leading < inner {
+        let message = format_args!("the leading dimension is {leading}; expected at least {inner}");
+        return Err(Failure::new(PERCUSS_ERROR_LENGTH, message));
+    }
+    let needed = match outer {
+        0 => Some(0),
+        _ => (outer - 1).checked_mul(leading).and_then(|before| before.checked_add(inner)),
+    };
+    if needed.is_none_or(|needed| length < needed) {
+        let message = format_args!(
+            "values has room for {length} numbers; a {rows}×{columns} matrix with leading dimension {leading} needs more"
+        );
+        return Err(Failure::new(PERCUSS_ERROR_LENGTH, message));
+    }
+    let to = output(values, length, "values")?;
+    for o in 0..outer {
+        for i in 0..inner {
+            to[o * leading + i] = if layout == PERCUSS_ROW_MAJOR { matrix[(o, i)] } else { matrix[(i, o)] };
+        }
+    }
+    Ok(())
+}
+
+/// M, the mass matrix over the coordinates, n×n (kg, kg·m, kg·m²), into room for length numbers.
+///
+/// # Safety
+/// values has room for length numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_pose_mass_matrix(
+    pose: *const percuss_pose,
+    values: *mut f64,
+    length: usize,
+    layout: percuss_layout,
+    leading_dimension: usize,
+) -> percuss_status {
+    guarded(|| write(&get(pose)?.pose.mass_matrix(), values, length, layout, leading_dimension))
+}
+
+/// How many rows A has, the redundant ones included.
+///
+/// # Safety
+/// rows is null or a place for a number.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_pose_constraint_rows(
+    pose: *const percuss_pose,
+    rows: *mut usize,
+) -> percuss_status {
+    guarded(|| {
+        *place(rows, "rows")? = get(pose)?.pose.constraint_matrix().nrows();
+        Ok(())
+    })
+}
+
+/// A, the Jacobian of all constraints over the coordinates, rows×n, into room for length numbers; each group of loops is scaled to
+/// entries of at most 1.
+///
+/// # Safety
+/// values has room for length numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_pose_constraint_matrix(
+    pose: *const percuss_pose,
+    values: *mut f64,
+    length: usize,
+    layout: percuss_layout,
+    leading_dimension: usize,
+) -> percuss_status {
+    guarded(|| write(&get(pose)?.pose.constraint_matrix(), values, length, layout, leading_dimension))
+}
+
+/// j, the closing speed of a contact at unit rates of the coordinates, 1×n (m, 1): count is n.
+///
+/// # Safety
+/// contact is null or points to a contact; values has room for count numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_pose_contact_row(
+    pose: *const percuss_pose,
+    contact: *const percuss_contact,
+    values: *mut f64,
+    count: usize,
+) -> percuss_status {
+    guarded(|| {
+        let posed = get(pose)?;
+        let contact = value(contact, "contact")?.on(&posed.model)?;
+        let located = posed.pose.locate(&contact).map_err(Failure::of(PERCUSS_ERROR_CONTACT))?;
+        let row = posed.pose.contact_row(&located);
+        expect_length(count, row.len(), "values")?;
+        copy_out(&row, values, count, "values")
+    })
+}

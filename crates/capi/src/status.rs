@@ -1,0 +1,89 @@
+//! What a call came to, and the message of a failure.
+
+use std::cell::RefCell;
+use std::ffi::{CString, c_char};
+use std::fmt::Display;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// What a call came to: PERCUSS_OK, or one of the errors.
+pub type percuss_status = i32;
+
+/// All is well.
+pub const PERCUSS_OK: percuss_status = 0;
+/// A pointer is null, or not aligned.
+pub const PERCUSS_ERROR_NULL: percuss_status = 1;
+/// A handle is not of the kind that is expected. Freed handles are noticed where their memory was not used again.
+pub const PERCUSS_ERROR_HANDLE: percuss_status = 2;
+/// An array has not the length that is needed, or a matrix not the shape or the leading dimension.
+pub const PERCUSS_ERROR_LENGTH: percuss_status = 3;
+/// A number is out of range, NaN or infinite where it must not be, or no value of its enumeration.
+pub const PERCUSS_ERROR_ARGUMENT: percuss_status = 4;
+/// A text is not UTF-8.
+pub const PERCUSS_ERROR_TEXT: percuss_status = 5;
+/// There is no link, joint, law or other thing of this name or number.
+pub const PERCUSS_ERROR_NAME: percuss_status = 6;
+/// A model cannot be read; the message has every error with its file and line.
+pub const PERCUSS_ERROR_LOAD: percuss_status = 7;
+/// Conditions do not fit the mechanism, or a joint cannot be set so.
+pub const PERCUSS_ERROR_CONDITIONS: percuss_status = 8;
+/// Loops do not close, or drivers cannot get where they are set.
+pub const PERCUSS_ERROR_ASSEMBLY: percuss_status = 9;
+/// A contact means nothing, or has no answer.
+pub const PERCUSS_ERROR_CONTACT: percuss_status = 10;
+/// Matrices ask nothing: not symmetric, indefinite, too large.
+pub const PERCUSS_ERROR_MATRIX: percuss_status = 11;
+/// A contact law does not give what is asked.
+pub const PERCUSS_ERROR_LAW: percuss_status = 12;
+/// Another thread is using this object.
+pub const PERCUSS_ERROR_BUSY: percuss_status = 13;
+/// The caller stopped the work.
+pub const PERCUSS_ERROR_STOPPED: percuss_status = 14;
+/// A defect of percuss. The object that was used may be freed, and should not be used otherwise.
+pub const PERCUSS_ERROR_INTERNAL: percuss_status = 99;
+
+/// Why a call failed.
+#[derive(Debug)]
+pub(crate) struct Failure {
+    pub status: percuss_status,
+    pub message: String,
+}
+
+impl Failure {
+    pub fn new(status: percuss_status, message: impl Display) -> Self {
+        Self { status, message: message.to_string() }
+    }
+
+    /// For `map_err`: a status with the error's own message.
+    pub fn of<E: Display>(status: percuss_status) -> impl Fn(E) -> Self {
+        move |error| Self::new(status, error)
+    }
+}
+
+thread_local! {
+    static MESSAGE: RefCell<CString> = RefCell::default();
+}
+
+/// Runs a call; keeps the message of a failure for this thread. A panic, which is a defect, does not cross the border.
+#[inline]
+pub(crate) fn guarded(call: impl FnOnce() -> Result<(), Failure>) -> percuss_status {
+    match catch_unwind(AssertUnwindSafe(call)) {
+        Ok(Ok(())) => PERCUSS_OK,
+        Ok(Err(failure)) => fail(failure),
+        Err(_) => fail(Failure::new(PERCUSS_ERROR_INTERNAL, "a defect of percuss; please report it")),
+    }
+}
+
+#[cold]
+fn fail(failure: Failure) -> percuss_status {
+    let message = CString::new(failure.message.replace('\0', "\u{fffd}")).unwrap_or_default();
+    // At the end of a thread there is no place for it.
+    let _ = MESSAGE.try_with(|kept| kept.replace(message));
+    failure.status
+}
+
+/// The message of the last call that failed on this thread: what, where, got, expected; UTF-8, "" where none failed. It stays where it
+/// is until the next call of this thread fails.
+#[unsafe(no_mangle)]
+pub extern "C" fn percuss_error_message() -> *const c_char {
+    MESSAGE.try_with(|kept| kept.borrow().as_ptr()).unwrap_or(c"".as_ptr())
+}

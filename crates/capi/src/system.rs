@@ -1,0 +1,156 @@
+//! Systems: a mechanism under conditions. Assemblies: their loops put together.
+
+use crate::conditions::percuss_conditions;
+use crate::configuration::percuss_configuration;
+use crate::handle::{Handle, clear, free, get, give, place, take};
+use crate::model::{Model, percuss_model};
+use crate::status::{Failure, PERCUSS_ERROR_ASSEMBLY, PERCUSS_ERROR_CONDITIONS, guarded, percuss_status};
+use percuss::{Assembly, Conditions, System};
+use std::sync::Arc;
+
+/// A mechanism under conditions. Cannot be changed: threads may share it.
+pub struct percuss_system {
+    _opaque: [u8; 0],
+}
+
+/// A mechanism under conditions, with the names of its links and joints.
+#[derive(Clone)]
+pub(crate) struct Compiled {
+    pub model: Arc<Model>,
+    pub system: System,
+}
+
+impl Handle for percuss_system {
+    type Object = Compiled;
+    const TAG: u64 = 0x7063_5f73_7973_7465;
+    const NAME: &'static str = "percuss_system";
+}
+
+/// A system whose loops are put together. Cannot be changed: threads may share it.
+pub struct percuss_assembly {
+    _opaque: [u8; 0],
+}
+
+/// An assembly, with the names of its links and joints.
+pub(crate) struct Assembled {
+    pub model: Arc<Model>,
+    pub assembly: Arc<Assembly>,
+}
+
+impl Handle for percuss_assembly {
+    type Object = Assembled;
+    const TAG: u64 = 0x7063_5f61_7373_656d;
+    const NAME: &'static str = "percuss_assembly";
+}
+
+/// Compiles a mechanism with the conditions of an analysis; null: fixed base, everything free. The model and the conditions may be
+/// freed afterwards. Free the system with percuss_system_free.
+///
+/// Errors: PERCUSS_ERROR_CONDITIONS.
+///
+/// # Safety
+/// model is a handle; conditions is null or a handle; system is null or a place for a pointer.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_system_new(
+    model: *const percuss_model,
+    conditions: *const percuss_conditions,
+    system: *mut *mut percuss_system,
+) -> percuss_status {
+    guarded(|| {
+        clear(system)?;
+        let model = get(model)?;
+        let conditions = match conditions.is_null() {
+            true => Conditions::new(),
+            false => take(get(conditions)?, "percuss_conditions")?.clone(),
+        };
+        let compiled = System::new(Arc::clone(&model.mechanism), &conditions)
+            .map_err(Failure::of(PERCUSS_ERROR_CONDITIONS))?;
+        give(Compiled { model: Arc::clone(model), system: compiled }, system)
+    })
+}
+
+/// Frees a system and sets the handle to null; nothing where it is null. What was made from it stays valid.
+///
+/// # Safety
+/// system is null or the place of a handle that nobody uses.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_system_free(system: *mut *mut percuss_system) -> percuss_status {
+    guarded(|| free(system))
+}
+
+/// How many coordinates there are: independent velocities of the tree, without locked joints and mimics; a floating base
+/// counts 6. The order is that of the base, then of the joints from the root.
+///
+/// # Safety
+/// coordinates is null or a place for a number.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_system_coordinates(
+    system: *const percuss_system,
+    coordinates: *mut usize,
+) -> percuss_status {
+    guarded(|| {
+        *place(coordinates, "coordinates")? = get(system)?.system.coordinates();
+        Ok(())
+    })
+}
+
+/// Puts loops together: from all joints at 0 where configuration is null, else from its guesses. A mechanism without loops has
+/// one assembly. Free it with percuss_assembly_free.
+///
+/// Errors: PERCUSS_ERROR_ASSEMBLY, naming the loop that does not close.
+///
+/// # Safety
+/// system is a handle; configuration is null or a handle; assembly is null or a place for a pointer.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_assembly_new(
+    system: *const percuss_system,
+    configuration: *const percuss_configuration,
+    assembly: *mut *mut percuss_assembly,
+) -> percuss_status {
+    guarded(|| {
+        clear(assembly)?;
+        let compiled = get(system)?;
+        let found = match configuration.is_null() {
+            true => compiled.system.reference().map(Arc::clone),
+            false => {
+                let configuration = take(get(configuration)?, "percuss_configuration")?;
+                configuration.check(&compiled.model)?;
+                compiled.system.assemble(&configuration.values)
+            }
+        };
+        let found = found.map_err(Failure::of(PERCUSS_ERROR_ASSEMBLY))?;
+        give(Assembled { model: Arc::clone(&compiled.model), assembly: found }, assembly)
+    })
+}
+
+/// Frees an assembly and sets the handle to null; nothing where it is null. What was made from it stays valid.
+///
+/// # Safety
+/// assembly is null or the place of a handle that nobody uses.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_assembly_free(assembly: *mut *mut percuss_assembly) -> percuss_status {
+    guarded(|| free(assembly))
+}
+
+/// Degrees of freedom at a generic pose (a floating base counts 6), and rows of A that are redundant there. Each place may be
+/// null.
+///
+/// # Safety
+/// Every pointer is null or a place for a number.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_assembly_mobility(
+    assembly: *const percuss_assembly,
+    degrees_of_freedom: *mut usize,
+    redundant_constraints: *mut usize,
+) -> percuss_status {
+    guarded(|| {
+        let assembly = &get(assembly)?.assembly;
+        let counts = [assembly.degrees_of_freedom(), assembly.redundant_constraints()];
+        for (to, count) in [degrees_of_freedom, redundant_constraints].into_iter().zip(counts) {
+            if !to.is_null() {
+                *place(to, "a count")? = count;
+            }
+        }
+        Ok(())
+    })
+}

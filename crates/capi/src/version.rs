@@ -1,0 +1,16 @@
+//! The version of the library, which may be newer than the header.
+
+use std::ffi::c_char;
+
+const VERSION: &std::ffi::CStr =
+    match std::ffi::CStr::from_bytes_with_nul(concat!(env!("CARGO_PKG_VERSION"), "\0").as_bytes()) {
+        Ok(version) => version,
+        Err(_) => c"",
+    };
+
+/// The version of the library, such as "0.1.0". That of the header is PERCUSS_VERSION. While the first number is 0, the
+/// second changes with every change that programs must be compiled again for.
+#[unsafe(no_mangle)]
+pub extern "C" fn percuss_version() -> *const c_char {
+    VERSION.as_ptr()
+}

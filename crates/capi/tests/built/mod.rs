@@ -1,0 +1,9 @@
+//! Where cargo has put the libraries.
+
+use std::path::PathBuf;
+
+/// The folder with `libpercuss_c.a` and `libpercuss_c.so`: where this test stands.
+pub fn folder() -> PathBuf {
+    let test = std::env::current_exe().expect("the path of this test");
+    test.parent().expect("a folder").to_path_buf()
+}

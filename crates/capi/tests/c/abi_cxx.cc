@@ -1,0 +1,2 @@
+// The same layouts as C has them.
+#include "abi.c"

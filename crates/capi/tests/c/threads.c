@@ -1,0 +1,113 @@
+/* Threads: what cannot be changed is shared, each thread has its own workspace; one workspace used by two gives an error. */
+#include "check.h"
+
+#include <pthread.h>
+#include <stdatomic.h>
+
+enum { THREADS = 2, CALLS = 2000 };
+
+static percuss_assembly *assembly;
+static percuss_workspace *shared;
+static percuss_batch *batch;
+static percuss_contact contact;
+static atomic_int busy, answered, started;
+
+static void check_mass(percuss_status status, percuss_outcome outcome, double mass)
+{
+  CHECK(status == PERCUSS_OK && outcome == PERCUSS_FINITE && near_to(mass, 0.78125, 1e-13));
+}
+
+static void *own_workspace(void *argument)
+{
+  (void)argument;
+  percuss_workspace *workspace = NULL;
+  percuss_outcome outcome = -1;
+  double mass = 0.0;
+  OK(percuss_workspace_new(assembly, &workspace));
+  for (int i = 0; i < CALLS; i++) {
+    const double angle = 0.001 * i;
+    percuss_status status =
+        percuss_workspace_effective_mass(workspace, &angle, 1, &contact, &outcome, &mass);
+    check_mass(status, outcome, mass);
+    OK(percuss_batch_run(batch, &angle, 1, PERCUSS_ROW_MAJOR, 1, 1, &outcome, &mass, NULL, NULL, NULL));
+    check_mass(PERCUSS_OK, outcome, mass);
+  }
+  /* Messages are each thread's own: none failed here. */
+  CHECK(strcmp(percuss_error_message(), "") == 0);
+  OK(percuss_workspace_free(&workspace));
+  return NULL;
+}
+
+static void *shared_workspace(void *argument)
+{
+  (void)argument;
+  atomic_fetch_add(&started, 1);
+  while (atomic_load(&started) < THREADS) { }
+  /* Until both have met: at most some thousand calls where two processors work. */
+  for (long i = 0; i < 20000000L && atomic_load(&busy) == 0; i++) {
+    percuss_outcome outcome = -1;
+    double mass = 0.0;
+    const double angle = 0.001 * (double)(i % 1000);
+    percuss_status status = percuss_workspace_effective_mass(shared, &angle, 1, &contact, &outcome, &mass);
+    if (status == PERCUSS_ERROR_BUSY) {
+      CHECK(strstr(percuss_error_message(), "another thread") != NULL);
+      atomic_fetch_add(&busy, 1);
+    } else {
+      check_mass(status, outcome, mass);
+      atomic_fetch_add(&answered, 1);
+    }
+  }
+  return NULL;
+}
+
+static void both(void *(*work)(void *))
+{
+  pthread_t threads[THREADS];
+  for (int i = 0; i < THREADS; i++) CHECK(pthread_create(&threads[i], NULL, work, NULL) == 0);
+  for (int i = 0; i < THREADS; i++) CHECK(pthread_join(threads[i], NULL) == 0);
+}
+
+/* While the batch calls back, another call on what cannot be changed is allowed, one on a workspace too. */
+static int while_running(size_t done, void *user)
+{
+  (void)done;
+  percuss_outcome outcome = -1;
+  double mass = 0.0;
+  const double angle = 0.1;
+  percuss_status status = percuss_workspace_effective_mass(shared, &angle, 1, &contact, &outcome, &mass);
+  check_mass(status, outcome, mass);
+  *(int *)user += 1;
+  return 0;
+}
+
+int main(void)
+{
+  percuss_model *model = loaded(PENDULUM);
+  percuss_system *system = NULL;
+  OK(percuss_system_new(model, NULL, &system));
+  OK(percuss_assembly_new(system, NULL, &assembly));
+  OK(percuss_contact_init(&contact));
+  contact.link = 1;
+  contact.point[2] = -0.8;
+  contact.normal[0] = 1.0;
+  contact.normal[2] = 0.0;
+  OK(percuss_batch_new(assembly, &contact, 1, &batch));
+  OK(percuss_workspace_new(assembly, &shared));
+  both(own_workspace);
+  both(shared_workspace);
+  CHECK(atomic_load(&answered) > 0);
+  CHECK(atomic_load(&busy) > 0);
+  int calls = 0;
+  const double angles[3] = {0.1, 0.2, 0.3};
+  percuss_outcome outcomes[3];
+  double masses[3];
+  OK(percuss_batch_run(batch, angles, 3, PERCUSS_ROW_MAJOR, 1, 3, outcomes, masses, NULL, while_running, &calls));
+  CHECK(calls == 1);
+  OK(percuss_workspace_free(&shared));
+  OK(percuss_batch_free(&batch));
+  OK(percuss_assembly_free(&assembly));
+  OK(percuss_system_free(&system));
+  OK(percuss_model_free(&model));
+  puts("two threads");
+  return 0;
+}

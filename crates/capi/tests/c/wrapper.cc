@@ -1,0 +1,102 @@
+// The C++ layer: objects own their handles, failures are exceptions.
+#include <percuss.hpp>
+
+#include "check.h"
+
+#include <type_traits>
+
+static_assert(!std::is_copy_constructible_v<percuss::Pose> && std::is_move_constructible_v<percuss::Pose>);
+
+template <class Call>
+static void throws(percuss_status status, const char *text, Call call) {
+  try {
+    call();
+  } catch (const percuss::Error &error) {
+    CHECK(error.status() == status);
+    CHECK(strstr(error.what(), text) != nullptr);
+    return;
+  }
+  CHECK(!"an exception");
+}
+
+static void pendulum() {
+  using namespace percuss;
+  const Model model = Model::load_text(PENDULUM);
+  CHECK(model.counts().links == 2 && model.diagnostics().size() == 1 && model.joint(0).kind == PERCUSS_CONTINUOUS);
+  CHECK(model.link_name(model.find_link("rod")) == std::string("rod") && model.find_joint("hinge") == 0);
+  const Contact contact = model.contact("rod", {0, 0, -0.8}, {1, 0, 0});
+  const System system(model);
+  Pose pose = system.pose(Configuration(model).set("hinge", 0.4));
+  const Mass mass = pose.effective_mass(contact);
+  CHECK(mass.outcome == PERCUSS_FINITE && std::fabs(mass.effective_mass - 0.78125) <= mass.error);
+  const Response response = pose.respond(contact, PERCUSS_ROUTE_DENSE);
+  CHECK(near_to(response.velocities()[0], -1.25, 1e-14) && response.base_velocity()[3] == 0.0);
+  CHECK(near_to(response.contributions().links[1], 1.0, 1e-14) && near_to(response.against_mass(1.0).effective_mass, 0.78125 / 1.78125, 1e-14));
+  Pose moved = std::move(pose);
+  CHECK(pose.get() == nullptr && moved.positions()[0] == 0.4);
+  throws(PERCUSS_ERROR_NULL, "percuss_pose", [&] { pose.effective_mass(contact); });
+  throws(PERCUSS_ERROR_NAME, "rod", [&] { model.find_link("rodd"); });
+  throws(PERCUSS_ERROR_LOAD, "x.urdf:1", [] { Model::load_text("<robot", "x.urdf"); });
+  throws(PERCUSS_ERROR_LOAD, "missing.urdf", [] { Model::load_file("missing.urdf"); });
+  throws(PERCUSS_ERROR_CONDITIONS, "hing", [&] { System(model, Conditions().lock("hing")); });
+  const System heavy(model, Conditions().armature("hinge", {0.32}));
+  CHECK(near_to(heavy.pose(Configuration(model)).effective_mass(contact).effective_mass, 1.28125, 1e-14));
+  const System held(model, Conditions().floating_base().hold("ground", {0, 0, 0}, Vector3{1, 0, 0}));
+  CHECK(held.coordinates() == 7);
+}
+
+static void four_bar() {
+  using namespace percuss;
+  const Model model = Model::load_text(FOUR_BAR);
+  const System system(model);
+  const Assembly assembly = system.assemble(Configuration(model).guess("coupler_hinge", {0.0}));
+  CHECK(assembly.mobility().degrees_of_freedom == 1 && assembly.mobility().redundant_constraints == 3);
+  const Contact contact = model.contact("coupler", {0.35, 0.1, 0}, {0, 1, 0});
+  Workspace workspace = assembly.workspace();
+  const Batch batch = assembly.batch(contact, 1);
+  std::vector<double> positions, expected;
+  Pose pose = assembly.pose(Configuration(model));
+  for (int i = 0; i < 10; i++) {
+    pose = pose.follow(Configuration(model).set("crank_hinge", 0.03 * i));
+    const std::vector<double> q = pose.positions();
+    positions.insert(positions.end(), q.begin(), q.end());
+    expected.push_back(pose.effective_mass(contact).effective_mass);
+    CHECK(near_to(workspace.effective_mass(q, contact).value(), expected.back(), 1e-10));
+    const Matrix m = pose.mass_matrix(), a = pose.constraint_matrix();
+    const percuss_matrix rows = a.view();
+    const MatrixResponse dense = effective_mass(m.view(), pose.contact_row(contact), &rows);
+    CHECK(near_to(dense.mass.effective_mass, expected.back(), 1e-11) && dense.rank.rank == 2);
+    CHECK(dense.redundant_rows.size() == 5 && m(0, 1) == m(1, 0));
+  }
+  const Batch::Answers answers = batch.run(positions, expected.size());
+  for (std::size_t i = 0; i < expected.size(); i++) CHECK(near_to(answers.effective_masses[i], expected[i], 1e-10));
+  std::vector<double> many;
+  for (int i = 0; i < 4000; i++) many.insert(many.end(), positions.begin(), positions.end());
+  throws(PERCUSS_ERROR_STOPPED, "stopped", [&] { batch.run(many, 40000, [](std::size_t) { return false; }); });
+  bool caught = false;
+  try {
+    batch.run(many, 40000, [](std::size_t) -> bool { throw std::logic_error("mine"); });
+  } catch (const std::logic_error &error) {
+    caught = error.what() == std::string("mine");
+  }
+  CHECK(caught);
+}
+
+static void laws() {
+  using namespace percuss;
+  const Spring spring{2.0, 1e5, 1.5};
+  for (const char *name : {"kelvin-voigt", "hunt-crossley"}) {
+    const Damper found = damper(find_law(name), spring, 0.3, 0.7);
+    CHECK(near_to(restitution(found, spring, 0.7), 0.3, 1e-12));
+    CHECK(near_to(impact(found, spring, 0.7).rebound_speed, 0.21, 1e-12));
+  }
+  throws(PERCUSS_ERROR_LAW, "restitution", [&] { damper(0, spring, 1.5); });
+}
+
+int main() {
+  pendulum();
+  four_bar();
+  laws();
+  puts("C++");
+  return 0;
+}

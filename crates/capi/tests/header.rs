@@ -1,0 +1,135 @@
+//! The header that is checked in is what the sources say; the library exports what the list says, and nothing else.
+//!
+//! `PERCUSS_UPDATE=1 cargo test -p percuss-capi --test header` writes both anew.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+mod built;
+
+fn here() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+const NOTICE: &str = "/* percuss: the effective mass of a mechanism at a contact. Made by cbindgen from crates/capi/src; not written by \
+                      hand. docs/C.md says how it is used. */";
+
+fn versions() -> String {
+    let (major, minor, patch) =
+        (env!("CARGO_PKG_VERSION_MAJOR"), env!("CARGO_PKG_VERSION_MINOR"), env!("CARGO_PKG_VERSION_PATCH"));
+    let version = env!("CARGO_PKG_VERSION");
+    format!(
+        "\n/* The version of this header. While the first number is 0, the second changes with every change that programs must be\n   \
+         compiled again for. */\n#define PERCUSS_VERSION \"{version}\"\n#define PERCUSS_VERSION_MAJOR {major}\n\
+         #define PERCUSS_VERSION_MINOR {minor}\n#define PERCUSS_VERSION_PATCH {patch}\n\n\
+         /* No link: the ground. */\n#define PERCUSS_GROUND SIZE_MAX"
+    )
+}
+
+/// Types first, in the order in which a reader meets them.
+const FILES: [&str; 12] = [
+    "status",
+    "version",
+    "model",
+    "conditions",
+    "configuration",
+    "system",
+    "contact",
+    "pose",
+    "response",
+    "workspace",
+    "batch",
+    "laws",
+];
+
+fn generated() -> String {
+    let config = cbindgen::Config {
+        language: cbindgen::Language::C,
+        cpp_compat: true,
+        include_guard: Some("PERCUSS_H".into()),
+        header: Some(NOTICE.into()),
+        no_includes: true,
+        sys_includes: vec!["stddef.h".into(), "stdint.h".into()],
+        after_includes: Some(versions()),
+        usize_is_size_t: true,
+        line_length: 120,
+        tab_width: 2,
+        style: cbindgen::Style::Both,
+        documentation: true,
+        documentation_style: cbindgen::DocumentationStyle::C,
+        sort_by: cbindgen::SortKey::None,
+        export: cbindgen::ExportConfig { exclude: vec!["PERCUSS_GROUND".into()], ..Default::default() },
+        ..Default::default()
+    };
+    let mut builder = cbindgen::Builder::new().with_config(config);
+    for file in FILES.into_iter().chain(["dense"]) {
+        builder = builder.with_src(here().join("src").join(format!("{file}.rs")));
+    }
+    let mut bytes = Vec::new();
+    builder.generate().expect("sources that cbindgen reads").write(&mut bytes);
+    let text = String::from_utf8(bytes).expect("UTF-8");
+    text.replace(" # Safety\n", " Pointers:\n")
+}
+
+fn names(header: &str) -> BTreeSet<String> {
+    let before = |at: usize| {
+        let start = header[..at].rfind(|c: char| !(c.is_alphanumeric() || c == '_')).map_or(0, |i| i + 1);
+        header[start..at].to_owned()
+    };
+    let found = header.match_indices('(').map(|(at, _)| before(at));
+    found.filter(|name| name.starts_with("percuss_")).collect()
+}
+
+/// The file is as expected, or is written anew where that is wished.
+fn same(path: &Path, expected: &str) {
+    if std::env::var_os("PERCUSS_UPDATE").is_some() {
+        fs::write(path, expected).expect("a file that can be written");
+    }
+    let found = fs::read_to_string(path).unwrap_or_default();
+    assert!(
+        found == expected,
+        "{} is not what the sources say; PERCUSS_UPDATE=1 cargo test -p percuss-capi --test header writes it anew",
+        path.display()
+    );
+}
+
+#[test]
+fn the_header_is_fresh() {
+    same(&here().join("include/percuss.h"), &generated());
+}
+
+#[test]
+fn every_file_with_functions_is_in_the_header() {
+    for entry in fs::read_dir(here().join("src")).expect("sources").flatten() {
+        let name = entry.path().file_stem().expect("a name").to_string_lossy().into_owned();
+        let text = fs::read_to_string(entry.path()).expect("a readable file");
+        let listed = FILES.contains(&name.as_str()) || name == "dense";
+        assert!(listed || !text.contains("#[unsafe(no_mangle)]"), "{name}.rs is not in FILES");
+    }
+}
+
+#[test]
+fn the_exports_are_those_of_the_list() {
+    let header = fs::read_to_string(here().join("include/percuss.h")).expect("a header");
+    let declared: BTreeSet<String> = names(&header)
+        .into_iter()
+        .filter(|name| header.contains(&format!(" {name}(")) || header.contains(&format!("*{name}(")))
+        .collect();
+    assert!(declared.len() > 40, "only {} functions were found", declared.len());
+    let list: String = declared.iter().map(|name| format!("{name}\n")).collect();
+    same(&here().join("symbols.txt"), &list);
+    if !cfg!(target_os = "linux") {
+        println!("the shared library's own table is read on Linux only");
+        return;
+    }
+    let library: PathBuf = built::folder().join("libpercuss_c.so");
+    let output = Command::new("nm").args(["-D", "--defined-only"]).arg(&library).output();
+    let output = output.expect("nm, of the binutils that come with a C compiler");
+    assert!(output.status.success(), "nm {}: {}", library.display(), String::from_utf8_lossy(&output.stderr));
+    let table = String::from_utf8(output.stdout).expect("text");
+    let exported: BTreeSet<String> =
+        table.lines().filter_map(|l| l.split(' ').nth(2)).map(str::to_owned).collect();
+    assert_eq!(exported, declared);
+}

@@ -1,0 +1,116 @@
+//! C and C++ programs against the library: compiled with every warning an error, linked both ways, and run.
+//!
+//! Needs a C compiler (`CC`, else cc) and a C++ compiler (`CXX`, else c++): without them these tests fail. Programs are linked with the
+//! libraries as they are installed (`packaging/install.sh`).
+
+#![cfg(unix)]
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::sync::OnceLock;
+
+mod built;
+
+fn here() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Linked {
+    Static,
+    Shared,
+}
+
+fn run(command: &mut Command) -> Output {
+    let output = command.output().unwrap_or_else(|error| {
+        panic!(
+            "{:?} does not run: {error}; a C and a C++ compiler are needed (CC, CXX)",
+            command.get_program()
+        )
+    });
+    assert!(
+        output.status.success(),
+        "{command:?}: {}\n{}{}",
+        output.status,
+        String::from_utf8_lossy(&output.stdout),
+        String::from_utf8_lossy(&output.stderr)
+    );
+    output
+}
+
+/// Where the library is installed.
+fn prefix() -> &'static Path {
+    static PREFIX: OnceLock<PathBuf> = OnceLock::new();
+    PREFIX.get_or_init(|| {
+        let prefix = Path::new(env!("CARGO_TARGET_TMPDIR")).join("prefix");
+        let mut install = Command::new("sh");
+        install.arg(here().join("packaging/install.sh"));
+        run(install.arg("--prefix").arg(&prefix).arg("--libraries").arg(built::folder()));
+        prefix
+    })
+}
+
+/// Compiles a program, runs it, and gives what it prints.
+fn program(source: &str, linked: Linked) -> String {
+    let is_c = source.ends_with(".c");
+    let (variable, default, standard) =
+        if is_c { ("CC", "cc", "-std=c11") } else { ("CXX", "c++", "-std=c++17") };
+    let compiler = std::env::var(variable).unwrap_or_else(|_| default.into());
+    let kind = if linked == Linked::Static { "static" } else { "shared" };
+    let name = Path::new(source).file_name().expect("a name").to_string_lossy().replace('.', "_");
+    let binary = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}_{kind}"));
+    let mut compile = Command::new(compiler);
+    compile.args([standard, "-O1", "-g", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"]);
+    compile.arg("-I").arg(prefix().join("include")).arg(here().join(source)).arg("-o").arg(&binary);
+    let libraries = prefix().join("lib");
+    match linked {
+        Linked::Static => {
+            compile.arg(libraries.join("libpercuss.a")).args(["-lpthread", "-ldl", "-lm"]);
+            if cfg!(target_os = "linux") {
+                compile.args(["-lgcc_s", "-lutil", "-lrt"]);
+            }
+        }
+        Linked::Shared => {
+            compile.arg("-L").arg(&libraries).args(["-lpercuss", "-lpthread", "-lm"]);
+            compile.arg(format!("-Wl,-rpath,{}", libraries.display()));
+        }
+    }
+    run(&mut compile);
+    String::from_utf8(run(&mut Command::new(&binary)).stdout).expect("text")
+}
+
+#[test]
+fn every_function_answers() {
+    for linked in [Linked::Static, Linked::Shared] {
+        assert!(program("tests/c/api.c", linked).contains("every function answered"));
+    }
+}
+
+#[test]
+fn misuse_gives_errors() {
+    assert!(program("tests/c/misuse.c", Linked::Static).contains("every misuse was noticed"));
+}
+
+#[test]
+fn two_threads() {
+    assert!(program("tests/c/threads.c", Linked::Static).contains("two threads"));
+}
+
+#[test]
+fn layouts_are_as_programs_were_compiled_for() {
+    program("tests/c/abi.c", Linked::Static);
+    program("tests/c/abi_cxx.cc", Linked::Shared);
+}
+
+#[test]
+fn the_layer_for_cxx() {
+    for linked in [Linked::Static, Linked::Shared] {
+        assert!(program("tests/c/wrapper.cc", linked).contains("C++"));
+    }
+}
+
+#[test]
+fn the_example_rebounds_as_asked() {
+    let printed = program("examples/rebound.c", Linked::Shared);
+    assert!(printed.contains("all rebounds as asked"), "{printed}");
+}

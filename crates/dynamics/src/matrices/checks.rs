@@ -1,0 +1,320 @@
+//! What is refused of the caller's matrices, and M as it is used.
+
+use super::view::MatrixView;
+use crate::tolerances::{
+    CAREFUL_LIMIT, LARGEST_ENTRY, LEAST_ENTRY, LENGTH_LIMIT, MATRIX_NOISE, MOST_ACCURACY, MOST_FLOOR,
+    NEGATIVE_MASS, PAIR_BOUND, SYMMETRIC,
+};
+use faer::{Mat, Side};
+use nalgebra::DMatrix;
+
+/// One of the matrices of m̄ = min { vᵀMv : Av = 0, jv = 1 }.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MatrixName {
+    /// M.
+    Mass,
+    /// A.
+    Constraints,
+    /// j.
+    ContactRow,
+}
+
+impl MatrixName {
+    /// Its letter and its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            MatrixName::Mass => "M, the mass matrix,",
+            MatrixName::Constraints => "A, the constraint matrix,",
+            MatrixName::ContactRow => "j, the contact row,",
+        }
+    }
+}
+
+/// Matrices that ask nothing.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum MatrixError {
+    /// A shape that does not fit; the coordinates are M's.
+    #[error("{} is {rows}×{columns}; expected {expected}", matrix.name())]
+    Shape {
+        /// Which matrix.
+        matrix: MatrixName,
+        /// Its rows.
+        rows: usize,
+        /// Its columns.
+        columns: usize,
+        /// What fits.
+        expected: String,
+    },
+    /// NaN, infinite or absurdly large.
+    #[error("{} has {value:e} in row {row}, column {column} (from 0); expected a finite number of at most 1e100", matrix.name())]
+    NotFinite {
+        /// Which matrix.
+        matrix: MatrixName,
+        /// Its row, from 0.
+        row: usize,
+        /// Its column, from 0.
+        column: usize,
+        /// What stands there.
+        value: f64,
+    },
+    /// M is not symmetric.
+    #[error(
+        "M, the mass matrix, is not symmetric: {upper:e} in row {row}, column {column} (from 0) and {lower:e} across the \
+         diagonal{}", if *is_triangle { "; only one triangle is filled: mirror it first" } else { "" }
+    )]
+    NotSymmetric {
+        /// Row, from 0.
+        row: usize,
+        /// Column, from 0.
+        column: usize,
+        /// M's entry there.
+        upper: f64,
+        /// M's entry across the diagonal.
+        lower: f64,
+        /// Whether one triangle is zero everywhere.
+        is_triangle: bool,
+    },
+    /// M has a negative diagonal entry.
+    #[error(
+        "M, the mass matrix, has {value:e} on its diagonal, coordinate {coordinate} (from 0); expected a number ≥ 0"
+    )]
+    NegativeDiagonal {
+        /// The coordinate, from 0.
+        coordinate: usize,
+        /// What stands there.
+        value: f64,
+    },
+    /// Two coordinates alone have a motion with negative energy.
+    #[error(
+        "M, the mass matrix, is indefinite: {value:e} in row {row}, column {column} (from 0) is larger than \
+         √(M_rr·M_cc) = {most:e}; expected a positive semi-definite matrix"
+    )]
+    IndefinitePair {
+        /// Row, from 0.
+        row: usize,
+        /// Column, from 0.
+        column: usize,
+        /// What stands there.
+        value: f64,
+        /// The most that a semi-definite matrix has there.
+        most: f64,
+    },
+    /// Some motion has a negative energy.
+    #[error(
+        "M, the mass matrix, is indefinite: scaled to unit diagonal it has the eigenvalue {eigenvalue:e}; expected none \
+         below {least:e}"
+    )]
+    Indefinite {
+        /// The least eigenvalue of M scaled to unit diagonal.
+        eigenvalue: f64,
+        /// What is still rounding.
+        least: f64,
+    },
+    /// More coordinates than dense matrices serve.
+    #[error(
+        "M, the mass matrix, has {coordinates} coordinates; at most {limit} are taken: the cost is cubic"
+    )]
+    TooLarge {
+        /// How many there are.
+        coordinates: usize,
+        /// How many are taken.
+        limit: usize,
+    },
+    /// As many lengths as coordinates are needed.
+    #[error("{got} lengths are given for {expected} coordinates; expected one each")]
+    LengthCount {
+        /// How many are given.
+        got: usize,
+        /// How many coordinates there are.
+        expected: usize,
+    },
+    /// A number among the options that is out of range.
+    #[error("{option}: {got:e} is out of range; expected {expected}")]
+    Option {
+        /// Which, in words.
+        option: &'static str,
+        /// What is given.
+        got: f64,
+        /// The range, in words.
+        expected: &'static str,
+    },
+    /// The answer is beyond what a 64-bit float holds.
+    #[error("the answer is too large or too small for a 64-bit float; check the units of M and j")]
+    NotRepresentable,
+}
+
+/// M as it is used.
+pub(super) struct Mass {
+    /// n×n, symmetric, exactly zero where a coordinate moves no mass beyond noise.
+    pub matrix: DMatrix<f64>,
+    /// By how much of √(M_rr M_cc) entries may be off: the stated accuracy, what M lacks in symmetry, and its negative energies.
+    pub accuracy: f64,
+    /// Entries that were taken for noise: (row, column, value).
+    pub noise: Vec<(usize, usize, f64)>,
+    /// The greatest M_kk/l_k².
+    pub typical: f64,
+}
+
+/// Whether shapes fit; gives the number of coordinates.
+pub(super) fn shapes(
+    mass: &MatrixView<'_>,
+    row: &MatrixView<'_>,
+    constraints: Option<&MatrixView<'_>>,
+) -> Result<usize, MatrixError> {
+    let wrong = |matrix, view: &MatrixView<'_>, expected| {
+        Err(MatrixError::Shape { matrix, rows: view.rows(), columns: view.columns(), expected })
+    };
+    let n = mass.rows();
+    if mass.columns() != n {
+        return wrong(MatrixName::Mass, mass, "a square matrix".into());
+    }
+    if n > CAREFUL_LIMIT {
+        return Err(MatrixError::TooLarge { coordinates: n, limit: CAREFUL_LIMIT });
+    }
+    if row.columns() != n || row.rows() != 1 {
+        return wrong(MatrixName::ContactRow, row, format!("1×{n}, a number for each coordinate of M"));
+    }
+    match constraints.filter(|a| a.columns() != n) {
+        Some(a) => wrong(MatrixName::Constraints, a, format!("{n} columns, one for each coordinate of M")),
+        None => Ok(n),
+    }
+}
+
+/// The entries, all finite.
+pub(super) fn entries(matrix: MatrixName, view: &MatrixView<'_>) -> Result<DMatrix<f64>, MatrixError> {
+    let (rows, columns) = (view.rows(), view.columns());
+    let mut all = DMatrix::zeros(rows, columns);
+    for c in 0..columns {
+        for r in 0..rows {
+            let value = view.at(r, c);
+            if value.is_nan() || value.abs() > LARGEST_ENTRY {
+                return Err(MatrixError::NotFinite { matrix, row: r, column: c, value });
+            }
+            all[(r, c)] = if value.abs() < LEAST_ENTRY { 0.0 } else { value };
+        }
+    }
+    Ok(all)
+}
+
+/// For each coordinate the length that was given, or 1.
+pub(super) fn lengths(given: Option<&[f64]>, n: usize) -> Result<Vec<f64>, MatrixError> {
+    let Some(given) = given else { return Ok(vec![1.0; n]) };
+    if given.len() != n {
+        return Err(MatrixError::LengthCount { got: given.len(), expected: n });
+    }
+    match given.iter().find(|l| !(1.0 / LENGTH_LIMIT..=LENGTH_LIMIT).contains(*l)) {
+        Some(&got) => {
+            let expected = "a number from 1e-30 to 1e30";
+            Err(MatrixError::Option { option: "the length of a coordinate", got, expected })
+        }
+        None => Ok(given.to_vec()),
+    }
+}
+
+/// The options' own ranges.
+pub(super) fn options(rank_floor: f64, accuracy: f64) -> Result<(), MatrixError> {
+    if !(rank_floor > 0.0 && rank_floor <= MOST_FLOOR) {
+        let expected = "a number above 0, at most 0.1";
+        return Err(MatrixError::Option { option: "the floor of the rank", got: rank_floor, expected });
+    }
+    if !(0.0..=MOST_ACCURACY).contains(&accuracy) {
+        let expected = "a number from 0 to 1e-3";
+        return Err(MatrixError::Option { option: "the accuracy of the entries", got: accuracy, expected });
+    }
+    Ok(())
+}
+
+impl Mass {
+    /// Checks M and makes it symmetric. `accuracy`: relative error of its entries.
+    pub fn new(mut matrix: DMatrix<f64>, lengths: &[f64], accuracy: f64) -> Result<Self, MatrixError> {
+        let n = matrix.nrows();
+        let typical = (0..n).map(|k| matrix[(k, k)].abs() / lengths[k].powi(2)).fold(0.0, f64::max);
+        // What a coordinate that moves no mass has for rounding, where all others are summed up with it.
+        let noise = |r: usize, c: usize| MATRIX_NOISE * accuracy * typical * lengths[r] * lengths[c];
+        let mut off = symmetrize(&mut matrix, &noise)?;
+        let mut is_noise = vec![false; n];
+        for k in 0..n {
+            let value = matrix[(k, k)];
+            if value < 0.0 {
+                if -value > noise(k, k) {
+                    return Err(MatrixError::NegativeDiagonal { coordinate: k, value });
+                }
+                is_noise[k] = true;
+            }
+        }
+        for c in 0..n {
+            for r in 0..c {
+                let value = matrix[(r, c)];
+                let most = matrix[(r, r)].max(0.0).sqrt() * matrix[(c, c)].max(0.0).sqrt();
+                if value.abs() <= PAIR_BOUND * most || is_noise[r] || is_noise[c] {
+                    continue;
+                }
+                if value.abs() > noise(r, c) {
+                    return Err(MatrixError::IndefinitePair { row: r, column: c, value, most });
+                }
+                let mass = |k: usize| matrix[(k, k)] / lengths[k].powi(2);
+                is_noise[if mass(r) < mass(c) { r } else { c }] = true;
+            }
+        }
+        let mut dropped = Vec::new();
+        for k in (0..n).filter(|&k| is_noise[k]) {
+            for other in 0..n {
+                if matrix[(k, other)] != 0.0 {
+                    dropped.push((k, other, matrix[(k, other)]));
+                    (matrix[(k, other)], matrix[(other, k)]) = (0.0, 0.0);
+                }
+            }
+        }
+        off += accuracy;
+        let negative = negative_energy(&matrix);
+        let least = NEGATIVE_MASS * (n as f64 * f64::EPSILON + off);
+        if negative > least {
+            return Err(MatrixError::Indefinite { eigenvalue: -negative, least: -least });
+        }
+        Ok(Self { matrix, accuracy: off + negative, noise: dropped, typical })
+    }
+}
+
+/// Replaces M by the mean of it and its transpose; gives by how much of √(M_rr M_cc) they differ at most.
+fn symmetrize(matrix: &mut DMatrix<f64>, noise: &dyn Fn(usize, usize) -> f64) -> Result<f64, MatrixError> {
+    let n = matrix.nrows();
+    let mut off = 0.0_f64;
+    for c in 0..n {
+        for r in 0..c {
+            let (upper, lower) = (matrix[(r, c)], matrix[(c, r)]);
+            let difference = (upper - lower).abs();
+            if difference == 0.0 {
+                continue;
+            }
+            let size = matrix[(r, r)].abs().sqrt() * matrix[(c, c)].abs().sqrt();
+            if difference > SYMMETRIC * size && difference > noise(r, c) {
+                let zero = |upper: bool| {
+                    (0..n).all(|c| (0..c).all(|r| matrix[if upper { (r, c) } else { (c, r) }] == 0.0))
+                };
+                let is_triangle = zero(true) || zero(false);
+                return Err(MatrixError::NotSymmetric { row: r, column: c, upper, lower, is_triangle });
+            }
+            if difference <= SYMMETRIC * size {
+                off = off.max(0.5 * difference / size);
+            }
+            let mean = 0.5 * (upper + lower);
+            (matrix[(r, c)], matrix[(c, r)]) = (mean, mean);
+        }
+    }
+    Ok(off)
+}
+
+/// The absolute value of the least eigenvalue, where that is negative, of M scaled to unit diagonal; else 0.
+fn negative_energy(matrix: &DMatrix<f64>) -> f64 {
+    let moved: Vec<usize> = (0..matrix.nrows()).filter(|&k| matrix[(k, k)] > 0.0).collect();
+    let root = |i: usize| matrix[(moved[i], moved[i])].sqrt();
+    let scaled =
+        Mat::from_fn(moved.len(), moved.len(), |r, c| matrix[(moved[r], moved[c])] / root(r) / root(c));
+    if moved.is_empty() || scaled.llt(Side::Lower).is_ok() {
+        return 0.0;
+    }
+    let values = scaled.self_adjoint_eigenvalues(Side::Lower);
+    // Where they are not found there is no proof that none is negative.
+    values.map_or(1.0, |values| values.first().map_or(0.0, |least| (-least).max(0.0)))
+}

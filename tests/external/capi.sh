@@ -1,0 +1,67 @@
+#!/usr/bin/env bash
+# The C interface: its test programs and its example under the address sanitizer and under valgrind (no leak, no error), and programs
+# built by pkg-config and by CMake from an installed copy. Installs what is missing, as root: gcc, g++, valgrind, cmake, pkg-config.
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+cd "$here/../.."
+root=$PWD
+missing=()
+for program in gcc:gcc g++:g++ valgrind:valgrind cmake:cmake make:make pkg-config:pkg-config; do
+  command -v "${program%:*}" > /dev/null || missing+=("${program#*:}")
+done
+if [ ${#missing[@]} -gt 0 ] && [ "$(id -u)" = 0 ] && command -v apt-get > /dev/null; then
+  export DEBIAN_FRONTEND=noninteractive
+  apt-get update -qq
+  apt-get install -y -qq --no-install-recommends "${missing[@]}" > /dev/null
+fi
+for program in gcc g++ valgrind cmake make pkg-config; do
+  command -v "$program" > /dev/null || { echo "C interface: $program is needed"; exit 1; }
+done
+work=$root/target/external/capi
+rm -rf "$work"
+mkdir -p "$work"
+crates/capi/packaging/install.sh --prefix "$work/prefix" > "$work/install.log" 2>&1 || { cat "$work/install.log"; exit 1; }
+export PKG_CONFIG_PATH=$work/prefix/lib/pkgconfig LD_LIBRARY_PATH=$work/prefix/lib
+flags=(-g -O1 -Wall -Wextra -Wpedantic -Werror)
+system=$(sed -n 's/^Libs.private: //p' "$PKG_CONFIG_PATH/percuss.pc")
+ran=0
+for source in crates/capi/tests/c/*.c crates/capi/tests/c/wrapper.cc crates/capi/examples/*.c; do
+  name=$(basename "$source")
+  compiler=(gcc -std=c11)
+  case $name in *.cc) compiler=(g++ -std=c++17) ;; esac
+  # shellcheck disable=SC2086
+  "${compiler[@]}" "${flags[@]}" -fsanitize=address,undefined -fno-sanitize-recover=all -I "$work/prefix/include" "$source" \
+    "$work/prefix/lib/libpercuss.a" $system -o "$work/$name.sanitized"
+  ASAN_OPTIONS=detect_leaks=1 "$work/$name.sanitized" > "$work/$name.log" 2>&1 || { cat "$work/$name.log"; echo "$name: address sanitizer"; exit 1; }
+  # shellcheck disable=SC2046
+  "${compiler[@]}" "${flags[@]}" "$source" $(pkg-config --cflags --libs percuss) -lm -lpthread -o "$work/$name.plain"
+  # What threads of the library keep until the program ends is "possibly lost"; what nothing points to is lost.
+  valgrind --quiet --error-exitcode=9 --leak-check=full --errors-for-leak-kinds=definite,indirect --show-leak-kinds=definite,indirect \
+    "$work/$name.plain" > "$work/$name.log" 2>&1 || { cat "$work/$name.log"; echo "$name: valgrind"; exit 1; }
+  ran=$((ran + 1))
+  echo "$name: address sanitizer, valgrind"
+done
+[ "$ran" -ge 6 ] || { echo "only $ran programs were found"; exit 1; }
+# CMake, both libraries.
+mkdir -p "$work/cmake"
+cat > "$work/cmake/CMakeLists.txt" << END
+cmake_minimum_required(VERSION 3.16)
+project(uses_percuss C CXX)
+find_package(percuss 0.1 REQUIRED)
+add_executable(example $root/crates/capi/examples/rebound.c)
+target_link_libraries(example percuss::percuss m)
+add_executable(layer $root/crates/capi/tests/c/wrapper.cc)
+set_target_properties(layer PROPERTIES CXX_STANDARD 17)
+target_link_libraries(layer percuss::static)
+END
+cmake -S "$work/cmake" -B "$work/cmake/build" -DCMAKE_PREFIX_PATH="$work/prefix" > "$work/cmake.log" 2>&1 &&
+  cmake --build "$work/cmake/build" >> "$work/cmake.log" 2>&1 || { cat "$work/cmake.log"; exit 1; }
+"$work/cmake/build/example" | tail -n 1
+"$work/cmake/build/layer"
+# Another version of the interface is not taken.
+sed -i 's/find_package(percuss 0.1 /find_package(percuss 0.9 /' "$work/cmake/CMakeLists.txt"
+if cmake -S "$work/cmake" -B "$work/cmake/other" -DCMAKE_PREFIX_PATH="$work/prefix" > "$work/cmake.log" 2>&1; then
+  echo "CMake took another version of the interface"
+  exit 1
+fi
+echo "C interface: $ran programs, pkg-config, CMake"
