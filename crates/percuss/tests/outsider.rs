@@ -21,7 +21,7 @@ const ANTIPARALLELOGRAM: &str = include_str!("../../../models/antiparallelogram.
 
 fn mechanism(name: &str, text: &str) -> Mechanism {
     let loaded: Result<Loaded, LoadError> = load(&Source::from_text(name, text), &LoadOptions::default());
-    let Loaded { mechanism, diagnostics } = loaded.unwrap();
+    let Loaded { mechanism, diagnostics, .. } = loaded.unwrap();
     let diagnostics: Vec<Diagnostic> = diagnostics;
     assert!(diagnostics.iter().all(|d| d.severity != Severity::Error));
     mechanism
