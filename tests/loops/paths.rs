@@ -1,6 +1,9 @@
 //! Paths of drivers in lanes: each row stands where the general way leads, and has its answer.
 
-use percuss_dynamics::{DrivenPath, EffectiveMass, PathAnswer, Pose, RouteChoice};
+use percuss_dynamics::{
+    Conditions, Contact, Direction, DrivenPath, EffectiveMass, PathAnswer, Pose, RouteChoice, System,
+};
+use percuss_formats::{LoadOptions, Source, load};
 use percuss_mechanism::JointId;
 use percuss_tests::subjects::{Subject, of_linkages};
 
@@ -88,12 +91,12 @@ fn compare(
     contact: &percuss_dynamics::Contact,
     seen: &mut Seen,
 ) {
+    let Some((mass, error)) = answer.mass else { return };
     let response = pose.respond(contact, RouteChoice::Auto).expect("an answer");
     let EffectiveMass::Finite(expected) = response.effective_mass else {
         panic!("{name}: {answer:?} for {:?}", response.effective_mass)
     };
     seen.open = seen.open.max(answer.residual);
-    let Some((mass, error)) = answer.mass else { return };
     seen.answered += 1;
     let allowed = error + response.effective_mass_error().expect("an error");
     seen.worst = seen.worst.max((mass - expected).abs() / allowed);
@@ -114,6 +117,27 @@ fn ranges(pose: &Pose) -> impl Iterator<Item = std::ops::Range<usize>> + '_ {
         next += joint.kind().positions();
         start..next
     })
+}
+
+/// The shipped double wishbone over its travel, struck by its bump stop along a line: every row is followed.
+#[test]
+fn the_shipped_wishbone_is_followed() {
+    let text = include_str!("../../models/double_wishbone.urdf");
+    let source = Source::from_text("double_wishbone.urdf", text);
+    let mechanism = load(&source, &LoadOptions::default()).expect("a good file").mechanism;
+    let link = |name: &str| mechanism.find_link(name).expect("a link of the model");
+    let contact = Contact::new(link("bump_stop_pad"), [0.0; 3], [0.0, 0.0, 1.0])
+        .against(link("chassis"))
+        .normal(Direction::Toward(link("bump_stop"), [0.0; 3].into()));
+    let joint = mechanism.find_joint("lower_arm_hinge").expect("a joint of the model");
+    let system = System::new(mechanism, &Conditions::new()).expect("default conditions fit");
+    let pose = system.pose(&system.configuration()).expect("closed");
+    let mut path = pose.driven_path(&contact, &[joint]).expect("a contact that fits").expect("a linkage");
+    let rows: Vec<f64> = (0..400).map(|k| f64::from(k) * 5e-4).collect();
+    let (mut answers, mut positions) = (Vec::new(), Vec::new());
+    assert_eq!(path.follow(&rows, &mut answers, &mut positions), rows.len());
+    let answered = answers.iter().filter(|answer| answer.mass.is_some()).count();
+    println!("{answered} of {} rows answered in lanes", rows.len());
 }
 
 /// Random linkages along a driver: rows answered in lanes stand where the general way leads from row to row.

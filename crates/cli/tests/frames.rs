@@ -79,14 +79,14 @@ fn the_point_moves_with_the_link_and_the_normal_keeps_its_axes() {
 
 #[test]
 fn the_point_found_is_told() {
-    let line = format!("sweep {FOUR_BAR} --frame world --point 0.35,0.4,0 --vary crank_hinge=1:2:3");
+    let line = format!("sweep {FOUR_BAR} --notes --frame world --point 0.35,0.4,0 --vary crank_hinge=1:2:3");
     let told = |stderr: &str, place: &str| {
         let line = stderr.lines().find(|l| l.contains("--frame world")).unwrap_or_else(|| panic!("{stderr}"));
         assert!(line.starts_with("note: ") && line.contains("link \"coupler\""), "{line}");
         assert!(line.contains("0.35,0.1") && line.contains(place), "{line}");
     };
     told(&percuss(&line).stderr, "where \"crank_hinge\" is 0");
-    let mass = format!("mass {FOUR_BAR} --frame world --point 0.35,0.4,0");
+    let mass = format!("mass {FOUR_BAR} --notes --frame world --point 0.35,0.4,0");
     told(&percuss(&mass).stderr, "at the pose of the answer");
     let report = json(&format!("{mass} --format json"));
     let codes: Vec<&str> =

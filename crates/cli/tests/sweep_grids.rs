@@ -139,7 +139,7 @@ fn it_is_said_which_rows_were_followed() {
         ),
         (format!("{ARM} --vary elbow=0:1:3"), "independent", ""),
     ] {
-        let outcome = percuss(&format!("sweep {line} --output {path}"));
+        let outcome = percuss(&format!("sweep {line} --notes --output {path}"));
         assert_eq!(outcome.code, 0, "{}", outcome.stderr);
         let notes = ["one path", "each line", "do not depend on one another"];
         let says = notes.iter().any(|note| outcome.stderr.contains(note));

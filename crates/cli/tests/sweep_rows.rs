@@ -193,7 +193,7 @@ fn rows_far_out_of_reach_are_not_tried_one_by_one() {
         ("travel:coupler:0,0,0:1,0,0=1e12:0:73", vec![72]),
         ("travel:coupler:0,0,0:1,0,0=0.8:0:1001", (625..1001).collect()),
     ] {
-        let outcome = percuss(&format!("{COUPLER} --vary {range}"));
+        let outcome = percuss(&format!("{COUPLER} --notes --vary {range}"));
         assert_eq!(outcome.code, 0, "{}", outcome.stderr);
         let sweep = Sweep::read(&outcome.stdout);
         let finite: Vec<usize> =
@@ -225,7 +225,7 @@ fn what_does_not_depend_on_the_value_is_tried_once() {
         rod("a", "hinge", "ground", 0.0),
         rod("b", "tip", "a", 1.0)
     );
-    let line = "sweep - --link a --point 1,0,0 --normal 0,1,0 --vary hinge=0:1:1000";
+    let line = "sweep - --notes --link a --point 1,0,0 --normal 0,1,0 --vary hinge=0:1:1000";
     let outcome = percuss_with_stdin(line, model.as_bytes());
     assert_eq!(outcome.code, 1, "{}", outcome.stderr);
     assert!(
@@ -304,7 +304,7 @@ fn remedies_are_those_of_where_the_question_was_asked() {
         ),
     ] {
         let typed = percuss(&format!(
-            "mass models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0 {flags}"
+            "mass models/four_bar.urdf --notes --link coupler --point 0.35,0.1,0 --normal 0,1,0 {flags}"
         ));
         assert!(typed.stderr.contains(by_flag), "{flags}: {}", typed.stderr);
         let against = if by_key.contains("against") { "against_mass = 1\n" } else { "" };

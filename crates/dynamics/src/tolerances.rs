@@ -358,6 +358,8 @@ pub(crate) const LARGEST_ENTRY: f64 = 1e100;
 pub(crate) const LEAST_ENTRY: f64 = 1e-100;
 /// Lengths of coordinates from 1 over this to this: products with entries are still numbers.
 pub(crate) const LENGTH_LIMIT: f64 = 1e30;
+/// How many times as much as one trial with entries off by their accuracy moves m̄ it may be off: signs that are worse.
+pub(crate) const MOVED_SAFETY: f64 = 8.0;
 /// The greatest relative error that entries may be said to have: three decimals.
 pub(crate) const MOST_ACCURACY: f64 = 1e-3;
 /// Singular values of A below this many times the accuracy of its entries count as zero.

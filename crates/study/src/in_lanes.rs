@@ -37,9 +37,11 @@ pub(crate) struct Asked {
 }
 
 impl InLanes {
-    /// None where rows must be posed: loops, other joints, or more asked than m̄.
+    /// None where rows must be posed: loops, mimics, or more asked than m̄.
     pub fn new(prepared: &Prepared, setting: &Setting, contact: &Contact) -> Option<Self> {
-        let plain = prepared.is_plain() && !setting.travels();
+        let system = &prepared.system;
+        let has_loops = system.mechanism().joint_ids().any(|joint| system.is_bound(joint));
+        let plain = prepared.is_plain() && !setting.travels() && !has_loops;
         let batch = plain.then(|| prepared.system.reference().ok()?.batch(contact).ok()).flatten()?;
         if !batch.has_lanes() {
             return None;

@@ -12,7 +12,8 @@ use self::checks::Mass;
 use crate::careful::{LeastEnergy, Minimum, Solution};
 use crate::outcome::{EffectiveMass, Remark};
 use crate::tolerances::{
-    FLOOR_ACCURACY, IMMOVABLE, NEARLY_IMMOVABLE, NEGLIGIBLE_MASS, NOTHING_LEFT, RANK_FLOOR, SUM_ROUNDINGS,
+    FLOOR_ACCURACY, IMMOVABLE, MOVED_SAFETY, NEARLY_IMMOVABLE, NEGLIGIBLE_MASS, NOTHING_LEFT, RANK_FLOOR,
+    SUM_ROUNDINGS,
 };
 use faer::Mat;
 use faer::linalg::solvers::SolveLstsq;
@@ -64,7 +65,8 @@ impl<'a> MatrixOptions<'a> {
 pub struct MatrixResponse {
     /// m̄, or why it is not finite.
     pub effective_mass: EffectiveMass,
-    /// What m̄ may be off by, kg, by the accuracy of the entries and by rounding; none unless finite.
+    /// What m̄ may be off by, kg, by the accuracy of the entries and by rounding; none unless finite, and where
+    /// it is finite no longer with entries of M that are off by so much.
     pub error: Option<f64>,
     /// v*: the velocities at unit closing speed, in the units of the caller's coordinates; zero where immovable.
     pub velocity: Vec<f64>,
@@ -191,7 +193,7 @@ impl Asked<'_> {
                     effective_mass = EffectiveMass::Massless;
                     remarks.push(Remark::MasslessToRounding { up_to: m + off });
                 } else {
-                    error = Some(off);
+                    error = self.moved_by_accuracy(m).map(|moved| off.max(MOVED_SAFETY * moved));
                 }
                 if solution.closing_speed < NEARLY_IMMOVABLE {
                     let uncertainty = 2.0 * self.accuracy / solution.closing_speed;
@@ -232,6 +234,24 @@ impl Asked<'_> {
             rank,
             remarks,
         })
+    }
+
+    /// How far m̄ moves where the entries of M are off by their accuracy, in signs that follow no pattern of M; none where it is
+    /// finite no longer. What the method loses beyond first order shows here.
+    fn moved_by_accuracy(&self, m: f64) -> Option<f64> {
+        let mut mass =
+            Mass { matrix: self.mass.matrix.clone(), noise: self.mass.noise.clone(), ..*self.mass };
+        for r in 0..mass.matrix.nrows() {
+            for c in 0..=r {
+                let sign = [1.0, -1.0, 0.5, -0.5][(7 * r + 3 * c + r * c) % 4];
+                mass.matrix[(r, c)] *= 1.0 + sign * self.accuracy;
+                mass.matrix[(c, r)] = mass.matrix[(r, c)];
+            }
+        }
+        match (Asked { mass: &mass, ..*self }).solve().minimum {
+            Minimum::Finite(other) => Some((other - m).abs()),
+            Minimum::Stationary(_) | Minimum::Immovable | Minimum::Massless => None,
+        }
     }
 
     fn solve(&self) -> Solution {

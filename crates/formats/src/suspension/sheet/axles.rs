@@ -1,6 +1,6 @@
 //! Templates of a whole axle: which hardpoints, which bodies, which joints. The figures are ours, those of no car.
 
-use super::catalogue::{Body, Part, Shape, Template};
+use super::parts::{Body, Part, Shape, Template};
 
 /// Every template whose sides are one axle.
 pub(crate) const AXLES: &[Template] = &[

@@ -1,6 +1,6 @@
 //! Templates of one side: which hardpoints, which bodies, which joints. The figures are ours, those of no car.
 
-use super::catalogue::{Body, Part, Shape, Template};
+use super::parts::{Body, Part, Shape, Template};
 
 /// Every template whose sides are apart.
 pub(crate) const INDEPENDENT: &[Template] = &[

@@ -8,6 +8,7 @@ mod build;
 mod catalogue;
 mod entries;
 mod independent;
+mod parts;
 mod read;
 mod table;
 mod toml_text;

@@ -1,6 +1,6 @@
 //! Templates of one side, continued. The figures are ours, those of no car.
 
-use super::catalogue::{Body, Part, Shape, Template};
+use super::parts::{Body, Part, Shape, Template};
 
 /// Every template of one side from the semi-trailing arm on.
 pub(crate) const TRAILING: &[Template] = &[

@@ -1,7 +1,8 @@
 //! Sheets to fill in, and the tables of the documentation.
 
 use super::super::units::{LengthUnit, VehicleAxes};
-use super::catalogue::{BODIES, POINTS, Shape, Template, templates, text_of};
+use super::catalogue::{BODIES, POINTS, templates, text_of};
+use super::parts::{Shape, Template};
 use super::table::HEAD;
 use percuss_spatial::{Matrix3, Vector3};
 use std::fmt::Write;
