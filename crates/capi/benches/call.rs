@@ -61,7 +61,7 @@ fn compare(name: &str, text: &str, link: &str) {
         .collect();
 
     let (mut model, mut compiled, mut assembly, mut room) = (null_mut(), null_mut(), null_mut(), null_mut());
-    let mut in_c = percuss_contact {
+    let in_c = percuss_contact {
         link: on.index(),
         against: PERCUSS_GROUND,
         point: contact.point.into(),
@@ -80,7 +80,10 @@ fn compare(name: &str, text: &str, link: &str) {
     // SAFETY: as above.
     unsafe { ok(percuss_workspace_new(assembly, &mut room)) };
     // As a C program has it: nothing is known of the function but its address.
-    let call = black_box(percuss_workspace_effective_mass as unsafe extern "C" fn(_, _, _, _, _, _) -> _);
+    let call = black_box(
+        percuss_workspace_effective_mass
+            as unsafe extern "C" fn(*mut _, *const f64, usize, *const _, *mut i32, *mut f64) -> i32,
+    );
     let (mut outcome, mut mass) = (0, 0.0);
     let mut by_rust = |i: usize| {
         workspace.set_positions(black_box(&positions[i % 256])).expect("positions that fit");
@@ -89,7 +92,7 @@ fn compare(name: &str, text: &str, link: &str) {
     let mut by_c = |i: usize| {
         let q = black_box(&positions[i % 256]);
         // SAFETY: as above; q has count numbers.
-        ok(unsafe { call(room, q.as_ptr(), q.len(), black_box(&mut in_c), &mut outcome, &mut mass) });
+        ok(unsafe { call(room, q.as_ptr(), q.len(), black_box(&in_c), &mut outcome, &mut mass) });
         black_box(mass)
     };
     // The value is asserted once: both answer the same question.
@@ -101,11 +104,25 @@ fn compare(name: &str, text: &str, link: &str) {
     for block in 0..BLOCKS {
         // Each first as often as the other.
         let (r, s) = if block % 2 == 0 {
-            let r = time(|i| drop(black_box(by_rust(i))));
-            (r, time(|i| drop(black_box(by_c(i)))))
+            let r = time(|i| {
+                black_box(by_rust(i));
+            });
+            (
+                r,
+                time(|i| {
+                    black_box(by_c(i));
+                }),
+            )
         } else {
-            let s = time(|i| drop(black_box(by_c(i))));
-            (time(|i| drop(black_box(by_rust(i)))), s)
+            let s = time(|i| {
+                black_box(by_c(i));
+            });
+            (
+                time(|i| {
+                    black_box(by_rust(i));
+                }),
+                s,
+            )
         };
         rust.push(r);
         c.push(s);

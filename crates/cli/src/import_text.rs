@@ -24,9 +24,8 @@ pub fn understood(of: &Understood, output: &str) -> String {
         let [x, y, z] = wheel.centre.map(|x| format!("{:.1}", 1e3 * x + 0.0));
         fact("wheel centre", format!("({x}, {y}, {z}) mm, x forward, y left, z up"));
     }
-    match of.wheel.map(|wheel| wheel.radius) {
-        Some(Some(radius)) => fact("wheel radius", millimetres(radius)),
-        Some(None) | None => {}
+    if let Some(Some(radius)) = of.wheel.map(|wheel| wheel.radius) {
+        fact("wheel radius", millimetres(radius));
     }
     out.push('\n');
     // Lengths and masses of the same link in one row.

@@ -310,7 +310,7 @@ fn remedies_are_those_of_where_the_question_was_asked() {
         let against = if by_key.contains("against") { "against_mass = 1\n" } else { "" };
         let text = format!("{contact}{against}[model]\npath = {:?}\n{keys}", model.display());
         let path = scratch.write("remedy.toml", &text);
-        let kept = percuss(&format!("run {path}"));
+        let kept = percuss(&format!("run {path} --notes"));
         assert_eq!(kept.code, typed.code, "{keys}: {}", kept.stderr);
         assert!(
             kept.stderr.contains(by_key) && !kept.stderr.contains(" --") && !kept.stderr.contains("(--"),

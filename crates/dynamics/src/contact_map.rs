@@ -326,7 +326,7 @@ impl ContactMap<'_> {
                 return Some(ContactStatus::Massless);
             }
             // NaN is not small.
-            if !(part <= MASSLESS_CLOSING) {
+            if part.is_nan() || part > MASSLESS_CLOSING {
                 return None;
             }
         }

@@ -54,7 +54,7 @@ pub(crate) struct FollowedRow {
 pub(crate) enum Reached {
     Answered(FollowedRow),
     /// Its m̄ is to be asked.
-    Posed(Pose),
+    Posed(Arc<Pose>),
 }
 
 impl Following {
@@ -108,7 +108,7 @@ impl Following {
             let Some(mass) = answer.mass else {
                 // As many positions as the mechanism has.
                 if let Ok(pose) = path.pose_at(own, answer.residual) {
-                    each(Reached::Posed(pose));
+                    each(Reached::Posed(Arc::new(pose)));
                 }
                 continue;
             };

@@ -124,7 +124,7 @@ impl Swept<'_> {
                 let reached = following.follow(&self.prepared, layout, values, |reached| {
                     stands.push(match reached {
                         Reached::Answered(row) => Stand::Followed(Box::new(row)),
-                        Reached::Posed(pose) => Stand::Posed { pose: Arc::new(pose), first: false },
+                        Reached::Posed(pose) => Stand::Posed { pose, first: false },
                     });
                 });
                 if reached > 0 {

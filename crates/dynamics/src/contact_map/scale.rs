@@ -31,7 +31,7 @@ impl Factor {
 
     /// Adds t tᵀ/d; not where d is not above zero.
     pub fn add(&mut self, t: &[f64; 6], d: f64) -> bool {
-        if !(d > 0.0) {
+        if d.is_nan() || d <= 0.0 {
             return false;
         }
         let root = d.sqrt();

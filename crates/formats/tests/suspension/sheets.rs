@@ -37,6 +37,7 @@ pub struct Car {
     pub template: &'static str,
     pub points: Vec<(String, [f64; 3])>,
     /// Section, mass, centre of mass, xx, yy, zz, xy, xz, yz.
+    #[allow(clippy::type_complexity, reason = "read in one place")]
     pub bodies: Vec<(String, f64, Option<[f64; 3]>, Vec<f64>)>,
 }
 

@@ -70,7 +70,8 @@ impl View {
 
     fn triangle(&mut self, [a, b, c]: &[[f64; 3]; 3], colour: [u8; 3]) {
         let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-        if !(area.abs() > 1e-12) {
+        // NaN is no area.
+        if area.is_nan() || area.abs() <= 1e-12 {
             return;
         }
         let last = (self.size - 1) as f64;
