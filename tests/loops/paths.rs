@@ -1,7 +1,7 @@
 //! Paths of drivers in lanes: each row stands where the general way leads, and has its answer.
 
 use percuss_dynamics::{
-    Conditions, Contact, Direction, DrivenPath, EffectiveMass, PathAnswer, Pose, RouteChoice, System,
+    Conditions, Contact, Direction, EffectiveMass, PathAnswer, Pose, RouteChoice, System,
 };
 use percuss_formats::{LoadOptions, Source, load};
 use percuss_mechanism::JointId;
@@ -72,15 +72,11 @@ fn check(subject: &Subject, seen: &mut Seen) {
         seen.rows += 1;
         // The row that is in doubt, by the general way from where the path stands.
         match general(subject, &path.pose(), joint, rows[done]) {
-            Some(next) if restarted(&mut path, &next) => here = next,
+            Some(next) if path.restart(&next) => here = next,
             _ => return,
         }
         done += 1;
     }
-}
-
-fn restarted(path: &mut DrivenPath, pose: &Pose) -> bool {
-    path.restart(pose)
 }
 
 fn compare(
