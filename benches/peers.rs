@@ -216,8 +216,7 @@ fn time_closing(question: &Question) {
         println!("percuss {}: its loops are not closed in lanes", question.name);
         return;
     };
-    let angles: Vec<f64> =
-        (0..STEPS).map(|k| TRAVEL * (2.0 * k as f64 / (STEPS - 1) as f64 - 1.0)).collect();
+    let angles: Vec<f64> = (0..STEPS).map(|k| TRAVEL * (2.0 * k as f64 / (STEPS - 1) as f64 - 1.0)).collect();
     let (mut answers, mut positions) = (Vec::new(), Vec::new());
     for (what, at_once) in [("closing scalar", 1), ("closing lanes", STEPS)] {
         let mut go = || {
