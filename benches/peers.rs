@@ -14,9 +14,13 @@ use percuss_mechanism::Mechanism;
 use percuss_spatial::lanes::Instructions;
 use std::hint::black_box;
 use std::path::Path;
+use std::time::Instant;
 
 /// Runs of a loop over all poses, of which the least counts.
 const RUNS: usize = 200;
+
+/// Configurations that threads share.
+const MANY: usize = 100_000;
 
 /// A robot's question.
 struct Question {
@@ -155,6 +159,7 @@ fn time(question: &Question) {
     let rows: Vec<f64> = question.rows.concat();
     let by_rows = BatchPositions::Rows { values: &rows, stride: width };
     let mut answers = vec![BatchAnswer::NONE; count];
+    time_threads(question, &batch);
     let line = |what: &str, ns: f64| println!("percuss {} {what} {ns:.1}", question.name);
 
     let mut workspace = assembly.workspace();
@@ -250,6 +255,25 @@ fn time_closing(question: &Question) {
         );
         println!("percuss {} {what} {ns:.1}", question.name);
     }
+}
+
+/// Wall time of many configurations by one thread over that by two, the least of some runs of each, taken in turn.
+fn time_threads(question: &Question, batch: &Batch) {
+    let width = question.rows[0].len();
+    let rows: Vec<f64> = question.rows.iter().cycle().take(MANY).flatten().copied().collect();
+    let positions = BatchPositions::Rows { values: &rows, stride: width };
+    let mut answers = vec![BatchAnswer::NONE; MANY];
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().expect("two threads");
+    let (mut one, mut two) = (f64::INFINITY, f64::INFINITY);
+    for _ in 0..20 {
+        let start = Instant::now();
+        batch.run_here(black_box(positions), &mut answers).expect("positions that fit");
+        one = one.min(start.elapsed().as_secs_f64());
+        let start = Instant::now();
+        pool.install(|| batch.run(black_box(positions), &mut answers)).expect("positions that fit");
+        two = two.min(start.elapsed().as_secs_f64());
+    }
+    println!("percuss {} two threads times one: {:.2}", question.name, one / two);
 }
 
 /// Nanoseconds of thread CPU time for one of `count`.
