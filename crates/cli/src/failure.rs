@@ -4,7 +4,7 @@ use crate::diagnostics::lines;
 use percuss_formats::LoadError;
 use percuss_study::contact::ContactLawError;
 use percuss_study::contact::exports::ExportError;
-use percuss_study::{DiagnosticRecord, Names, StudyError, StudyFileError};
+use percuss_study::{DesignError, DiagnosticRecord, Names, StudyError, StudyFileError};
 use std::io::{self, Write};
 use std::process::ExitCode;
 
@@ -74,6 +74,17 @@ impl From<LoadError> for Failure {
         let records: Vec<DiagnosticRecord> = error.diagnostics.into_iter().map(Into::into).collect();
         // Beside an error, notes are of no use.
         Failure::BadInput(lines(&records, false))
+    }
+}
+
+impl From<DesignError> for Failure {
+    fn from(error: DesignError) -> Self {
+        match error {
+            DesignError::Load(error) => error.into(),
+            DesignError::Change(error) => error.into(),
+            // An open list: its own words.
+            other => Failure::bad_input(other.to_string()),
+        }
     }
 }
 

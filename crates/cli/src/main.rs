@@ -8,6 +8,7 @@ mod check;
 mod csv;
 mod damp;
 mod diagnostics;
+mod explanation;
 mod failure;
 mod import;
 mod import_text;

@@ -21,7 +21,7 @@ pub fn run(args: &MapArgs) -> Result<(), Failure> {
     use_threads(args.threads);
     let model = args.model.load()?;
     if let Some(count) = args.directions {
-        let report = map_point(&model, &args.contact.conditions(), count)?;
+        let report = map_point(&model, &args.contact.conditions()?, count)?;
         write_diagnostics(&report.diagnostics, args.model.reading.strict)?;
         for (path, format) in formats {
             let mut out = Output::open(Some(path))?;
@@ -38,7 +38,7 @@ pub fn run(args: &MapArgs) -> Result<(), Failure> {
             }
         };
     }
-    let answer = map(&model, &args.question())?;
+    let answer = map(&model, &args.question()?)?;
     write_diagnostics(&answer.report.diagnostics, args.model.reading.strict)?;
     for left in &answer.report.left_out {
         note(&format!("left out: {}", left.reason));

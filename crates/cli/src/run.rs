@@ -2,6 +2,7 @@
 
 use crate::args::{MassFormat, RunArgs};
 use crate::failure::Failure;
+use crate::mass::Asked;
 use crate::report::note;
 use crate::{mass, sweep};
 use percuss_study::StudyFile;
@@ -19,7 +20,14 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
         }
         _ => {
             let format = args.format.unwrap_or(MassFormat::Text);
-            mass::show(&study.model, &study.question, study.damping.as_ref(), format, None, args.strict)
+            mass::show(
+                &study.model,
+                &study.question,
+                study.damping.as_ref(),
+                format,
+                &Asked::default(),
+                args.strict,
+            )
         }
     };
     answered.map_err(|failure| failure.in_file(&args.study))

@@ -129,7 +129,7 @@ pub fn safe_speed(
     Ok(SafeSpeedReport {
         schema: "percuss.safe-speed/1",
         percuss: env!("CARGO_PKG_VERSION"),
-        inputs: model.inputs.clone(),
+        inputs: answered.prepared.inputs(),
         region: region.name.clone(),
         region_mass: region.mass,
         region_stiffness: region.stiffness,

@@ -2,7 +2,7 @@
 
 use crate::closure_text::ClosureText;
 use crate::damping_question::DampingQuestion;
-use crate::model::{Input, Model};
+use crate::model::{Input, Model, Origin};
 use crate::question::MassQuestion;
 use crate::record::DiagnosticRecord;
 use crate::refusal::Refusal;
@@ -110,7 +110,7 @@ impl StudyFile {
             model = with_closures(model, &path, closures)
                 .map_err(|source| StudyFileError::Build { path: path.clone(), source })?;
         }
-        let question = study.question().map_err(refused)?;
+        let question = study.question(folder, max_size).map_err(refused)?;
         let damping = study.damping.as_ref().map(DampingText::question).transpose().map_err(refused)?;
         let source = |sweep: &SweepText| sweep.source(folder, max_size);
         let sweep = study.sweep.as_ref().map(source).transpose().map_err(refused)?;
@@ -132,6 +132,7 @@ fn with_closures(model: Model, path: &str, closures: Vec<ClosureDescription>) ->
     }
     // Nothing in the file bound these; the study's closures may.
     diagnostics.retain(|d| d.code != "unbound-joint");
+    let added = closures.clone();
     let builder = closures.into_iter().fold(model.mechanism.to_builder(), |b, closure| b.closure(closure));
     let built = builder.build()?;
     // What the builder finds about the rest was reported with its place when the file was read.
@@ -142,5 +143,6 @@ fn with_closures(model: Model, path: &str, closures: Vec<ClosureDescription>) ->
             diagnostics.push(DiagnosticRecord { path: Some(path.to_owned()), ..record });
         }
     }
-    Ok(Model { mechanism: std::sync::Arc::new(built.mechanism), diagnostics, ..model })
+    let origin = Origin { closures: added, ..model.origin };
+    Ok(Model { mechanism: std::sync::Arc::new(built.mechanism), diagnostics, origin, ..model })
 }

@@ -3,8 +3,10 @@
 use crate::closure_text::ClosureText;
 use crate::damping_question::DampingQuestion;
 use crate::field::Names;
+use crate::given_pose::GivenPose;
+use crate::given_travel::GivenTravel;
 use crate::position::GivenPosition;
-use crate::question::{EstimateQuestion, Hold, MassQuestion, Normal};
+use crate::question::{EstimateQuestion, Hold, MassQuestion, Normal, RatioPoint, UPWARDS};
 use crate::refusal::Refusal;
 use crate::row_source::{PositionFile, RowSource};
 use crate::study_value;
@@ -58,6 +60,9 @@ pub(crate) struct PoseText {
     pub set: BTreeMap<String, GivenPosition>,
     #[serde(default, deserialize_with = "study_value::positions")]
     pub guess: BTreeMap<String, GivenPosition>,
+    #[serde(default, deserialize_with = "study_value::words")]
+    pub travel: Vec<String>,
+    pub file: Option<String>,
 }
 
 #[derive(Deserialize)]
@@ -75,6 +80,8 @@ pub(crate) struct ContactText {
     #[serde(default, deserialize_with = "study_value::mass")]
     pub against_mass: Option<f64>,
     pub estimate: Option<EstimateText>,
+    #[serde(default)]
+    pub ratio_at: Vec<RatioText>,
 }
 
 #[derive(Deserialize)]
@@ -93,6 +100,23 @@ pub(crate) struct EstimateText {
     pub point: [f64; 3],
     #[serde(default, deserialize_with = "study_value::plain")]
     pub direction: Option<[f64; 3]>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RatioText {
+    pub link: String,
+    #[serde(default, deserialize_with = "study_value::lengths")]
+    pub point: [f64; 3],
+    #[serde(default, deserialize_with = "study_value::plain")]
+    pub direction: Option<[f64; 3]>,
+}
+
+impl RatioText {
+    fn point(&self) -> RatioPoint {
+        let direction = self.direction.unwrap_or(UPWARDS);
+        RatioPoint { link: self.link.clone(), point: self.point, direction }
+    }
 }
 
 #[derive(Deserialize)]
@@ -209,8 +233,18 @@ pub(crate) enum OneOrMany {
 }
 
 impl StudyText {
-    pub fn question(&self) -> Result<MassQuestion, Refusal> {
+    /// The question. Paths are relative to the study's folder.
+    pub fn question(&self, folder: &Path, max_size: u64) -> Result<MassQuestion, Refusal> {
         let contact = &self.contact;
+        let travel = |text: &String| {
+            GivenTravel::parse(text)
+                .map_err(|error| Refusal::new("pose.travel", format!("\"{text}\": {error}")))
+        };
+        let pose = |file: &String| {
+            let path = folder.join(file);
+            GivenPose::read(&path.to_string_lossy(), max_size)
+                .map_err(|error| Refusal::new("pose.file", error.to_string()))
+        };
         let normal = match (&contact.along_line, contact.normal) {
             (Some(line), None) => Normal::Toward(line.link.clone(), line.point),
             (None, Some(normal)) => Normal::Along(normal),
@@ -251,6 +285,8 @@ impl StudyText {
             against_mass: contact.against_mass,
             set: given(&self.pose.set),
             guess: given(&self.pose.guess),
+            pose: self.pose.file.as_ref().map(pose).transpose()?,
+            travel: self.pose.travel.iter().map(travel).collect::<Result<_, _>>()?,
             lock: self.conditions.lock.clone(),
             hold: self
                 .hold
@@ -279,6 +315,7 @@ impl StudyText {
                 }
                 None => None,
             },
+            ratio_at: contact.ratio_at.iter().map(RatioText::point).collect(),
             names: Names::Keys,
         })
     }
