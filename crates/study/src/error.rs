@@ -253,14 +253,6 @@ pub enum Fault {
         /// What was given.
         count: usize,
     },
-    /// Travels that keep one another from where they should be.
-    #[error(
-        "the {count} travels move one another's points and do not meet all at once; ask for fewer, or set joints"
-    )]
-    TravelsAtOdds {
-        /// How many.
-        count: usize,
-    },
     /// A travel of the pose beside rows that leave it no place.
     #[error(
         "a travel of the pose goes with ranges of joints, once; it does not go with a varied travel, a file of positions, \

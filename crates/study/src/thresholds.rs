@@ -56,9 +56,12 @@ pub(crate) const PORTION: usize = 32;
 /// How far a travel may end from where it was asked to, in parts of the characteristic length, where several drive a pose:
 /// each is met to 1e-12 by itself.
 pub(crate) const TRAVEL_MET: f64 = 1e-11;
-/// How often travels that move one another's points are driven in turn: of two that a bar couples by a half, 40 rounds
-/// leave 1e-12.
-pub(crate) const TRAVEL_ROUNDS: usize = 50;
+/// Newton steps of several travels: from a near place some five are needed.
+pub(crate) const TRAVEL_ROUNDS: usize = 12;
+/// Parts of the way of several travels that are tried first.
+pub(crate) const TRAVEL_PARTS: f64 = 4.0;
+/// The least part of the way: a travel of 0.1 m in steps of 0.1 mm.
+pub(crate) const LEAST_PART: f64 = 1e-3;
 /// How often a travel that is too far for one go is halved: 2⁻³² of a turn is no step.
 pub(crate) const HALVINGS: usize = 32;
 

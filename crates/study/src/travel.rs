@@ -67,6 +67,11 @@ impl Travel {
         Ok(Err(Missed { why, extent }))
     }
 
+    /// How fast a joint displaces the point, m/rad or m/m; none where that is not determined.
+    pub fn rate(&self, pose: &Pose, driver: JointId) -> Option<f64> {
+        self.travel.rate(pose, driver)
+    }
+
     /// How far the point is displaced at a pose, m.
     pub fn displacement(&self, pose: &Pose) -> f64 {
         self.travel.displacement(pose)
