@@ -5,6 +5,7 @@
 
 mod args;
 mod check;
+mod compare;
 mod csv;
 mod damp;
 mod diagnostics;
@@ -39,6 +40,7 @@ fn main() -> ExitCode {
         Command::Check(args) => check::run(args),
         Command::Mass(args) => mass::run(args),
         Command::Sweep(args) => sweep::run(args),
+        Command::Compare(args) => compare::run(args),
         Command::Map(args) => map::run(args),
         Command::Template(args) => template::run(args),
         Command::Import(args) => import::run(args),

@@ -32,13 +32,8 @@ impl Model {
         let (mut model, to_do) = match (&changes.moves[..], self.origin.sheet.as_deref()) {
             ([], _) => (self.clone(), changes),
             (_, Some((sheet, _))) => {
-                let mut model = Model::of_sheet(sheet, &all.moves, self.inputs.clone())?;
-                if !self.origin.closures.is_empty() {
-                    let closures = self.origin.closures.iter().cloned();
-                    let builder =
-                        closures.fold(model.mechanism.to_builder(), |b, closure| b.closure(closure));
-                    model.mechanism = Arc::new(builder.build().map_err(no_mechanism(Field::Move))?.mechanism);
-                }
+                let model = Model::of_sheet(sheet, &all.moves, self.inputs.clone())?;
+                let model = model.with_closures_of(self)?;
                 (model, &all)
             }
             (_, None) => {
@@ -52,6 +47,17 @@ impl Model {
         model.origin.closures.clone_from(&self.origin.closures);
         model.origin.changes = all;
         Ok(model)
+    }
+
+    /// The model with the loops that a study added to another.
+    pub(crate) fn with_closures_of(mut self, other: &Model) -> Result<Model, StudyError> {
+        if !other.origin.closures.is_empty() {
+            let closures = other.origin.closures.iter().cloned();
+            let builder = closures.fold(self.mechanism.to_builder(), |b, closure| b.closure(closure));
+            self.mechanism = Arc::new(builder.build().map_err(no_mechanism(Field::Model))?.mechanism);
+            self.origin.closures.clone_from(&other.origin.closures);
+        }
+        Ok(self)
     }
 
     /// The names of the hardpoints that can be moved: those of a sheet.

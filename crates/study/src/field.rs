@@ -39,6 +39,8 @@ pub enum Field {
     Travel,
     /// A file of positions for the pose.
     Pose,
+    /// The model's file.
+    Model,
     /// A link's mass.
     LinkMass,
     /// A link's centre of mass.
@@ -90,6 +92,7 @@ impl Field {
             Field::Guess => ("--guess", "pose.guess"),
             Field::Travel => ("--travel", "pose.travel"),
             Field::Pose => ("--pose", "pose.file"),
+            Field::Model => ("MODEL", "model.path"),
             Field::LinkMass => ("--link-mass", "model.link_mass"),
             Field::LinkCom => ("--link-com", "model.link_com"),
             Field::Move => ("--move", "model.move"),

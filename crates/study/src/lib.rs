@@ -9,6 +9,7 @@ mod assumptions;
 mod changes;
 mod check;
 mod closure_text;
+mod compare;
 mod csv_records;
 mod damped_contact;
 mod damping;
@@ -69,6 +70,7 @@ mod thresholds;
 mod tolerance;
 mod trajectory;
 mod travel;
+mod variant;
 mod varied_values;
 mod vary;
 
@@ -78,6 +80,7 @@ pub use percuss_contact as contact;
 pub use assumptions::Assumptions;
 pub use changes::Changes;
 pub use check::{CheckReport, ClosureRecord, JointRecord, LinkRecord, check};
+pub use compare::{CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, compare};
 pub use damped_contact::{damp_contact, damp_stop};
 pub use damping::{BodyAlone, DamperRecord, DampingReport, Drift, damp, damper, impact_history};
 pub use damping_question::DampingQuestion;
@@ -120,5 +123,6 @@ pub use table_error::{TableError, TableFault};
 pub use tolerance::{
     SampleRecord, Sampling, Tolerance, ToleranceError, ToleranceParts, ToleranceReport, tolerate,
 };
+pub use variant::Variant;
 pub use varied_values::{VariedColumn, VariedValues};
 pub use vary::{Varied, Vary, VaryError};

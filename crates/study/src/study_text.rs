@@ -10,6 +10,7 @@ use crate::question::{EstimateQuestion, Hold, MassQuestion, Normal, RatioPoint, 
 use crate::refusal::Refusal;
 use crate::row_source::{PositionFile, RowSource};
 use crate::study_value;
+use crate::variant::VariantText;
 use crate::vary::Vary;
 use percuss_contact::exports::Tool;
 use percuss_contact::{Law, Separation};
@@ -31,6 +32,8 @@ pub(crate) struct StudyText {
     pub closure: Vec<ClosureText>,
     #[serde(default)]
     pub hold: Vec<HoldText>,
+    #[serde(default)]
+    pub variant: Vec<VariantText>,
     pub damping: Option<DampingText>,
     pub sweep: Option<SweepText>,
 }
@@ -41,6 +44,12 @@ pub(crate) struct ModelText {
     pub path: String,
     #[serde(default)]
     pub accept: Vec<String>,
+    #[serde(default, deserialize_with = "study_value::masses")]
+    pub link_mass: BTreeMap<String, f64>,
+    #[serde(default, deserialize_with = "study_value::places")]
+    pub link_com: BTreeMap<String, [f64; 3]>,
+    #[serde(default, rename = "move", deserialize_with = "study_value::places")]
+    pub moves: BTreeMap<String, [f64; 3]>,
 }
 
 #[derive(Default, Deserialize)]
@@ -49,8 +58,8 @@ pub(crate) struct ConditionsText {
     pub base: Option<String>,
     #[serde(default)]
     pub lock: Vec<String>,
-    #[serde(default)]
-    pub armature: BTreeMap<String, OneOrMany>,
+    #[serde(default, deserialize_with = "study_value::armatures")]
+    pub armature: BTreeMap<String, Vec<f64>>,
 }
 
 #[derive(Default, Deserialize)]
@@ -225,13 +234,6 @@ impl SweepText {
     }
 }
 
-#[derive(Deserialize)]
-#[serde(untagged, expecting = "a number, or a list of numbers")]
-pub(crate) enum OneOrMany {
-    One(f64),
-    Many(Vec<f64>),
-}
-
 impl StudyText {
     /// The question. Paths are relative to the study's folder.
     pub fn question(&self, folder: &Path, max_size: u64) -> Result<MassQuestion, Refusal> {
@@ -297,10 +299,7 @@ impl StudyText {
                 .conditions
                 .armature
                 .iter()
-                .map(|(joint, values)| match values {
-                    OneOrMany::One(x) => (joint.clone(), vec![*x]),
-                    OneOrMany::Many(xs) => (joint.clone(), xs.clone()),
-                })
+                .map(|(joint, values)| (joint.clone(), values.clone()))
                 .collect(),
             base,
             estimate: match &contact.estimate {

@@ -1,5 +1,6 @@
 //! The command line: flags, help, and how their values are parsed.
 
+mod compare;
 mod contact;
 mod damping;
 mod examples;
@@ -9,6 +10,7 @@ mod map;
 mod model;
 mod words;
 
+pub use compare::CompareArgs;
 pub use contact::ContactArgs;
 pub use damping::{DampArgs, DampingArgs, SafeSpeedArgs};
 pub use format::{CheckFormat, MassFormat};
@@ -51,7 +53,7 @@ impl Cli {
             "normal" | "along_line" | "normal_frame" | "estimate" => argument.hide(true),
             _ => argument,
         };
-        ["damp", "safe-speed"]
+        ["damp", "safe-speed", "compare"]
             .into_iter()
             .fold(Self::command(), |cli, name| cli.mut_subcommand(name, |c| c.mut_args(optional)))
             .mut_subcommand("map", |c| c.mut_args(hidden))
@@ -70,6 +72,12 @@ pub enum Command {
     /// The same contact over a range of positions, loops closed along one branch.
     #[command(after_help = examples::SWEEP)]
     Sweep(Box<SweepArgs>),
+    /// The same question asked of several designs: one table, one figure, differences in per cent.
+    #[command(
+        after_help = examples::COMPARE,
+        override_usage = "percuss compare STUDY.toml…\n       percuss compare MODEL… --link L --point X,Y,Z --normal X,Y,Z [--vary RANGE] …"
+    )]
+    Compare(Box<CompareArgs>),
     /// Effective mass over the surface of a link, or of a whole robot; or over all directions at a point.
     #[command(
         after_help = examples::MAP,
