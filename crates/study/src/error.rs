@@ -352,6 +352,9 @@ pub enum StudyError {
     /// A safe speed against something else than a person.
     #[error("{}", person_is_the_other(Names::Fields))]
     PersonIsTheOther,
+    /// A force or a pressure on nothing that gives way.
+    #[error("{}", no_region(Names::Fields))]
+    NoRegion,
     /// A robot without mass at the contact.
     #[error("{}", no_mass(Names::Fields))]
     NoMass,
@@ -422,6 +425,7 @@ impl StudyError {
             StudyError::TravelNotReached { why } => format!("{}: {why}", Field::Travel.named(names)),
             StudyError::PersonIsTheOther => person_is_the_other(names),
             StudyError::NoMass => no_mass(names),
+            StudyError::NoRegion => no_region(names),
             other => other.to_string(),
         }
     }
@@ -430,6 +434,16 @@ impl StudyError {
 fn person_is_the_other(names: Names) -> String {
     let [against, mass] = [Field::Against, Field::AgainstMass].map(|field| field.named(names));
     format!("the other side is the person: leave {against} and {mass} out")
+}
+
+fn no_region(names: Names) -> String {
+    let region = match names {
+        Names::Flags => "--region",
+        Names::Fields | Names::Keys => "region",
+    };
+    format!(
+        "a force or a pressure belongs to a region of the body: give {region}; without one, an energy or a momentum"
+    )
 }
 
 fn no_mass(names: Names) -> String {

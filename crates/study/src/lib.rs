@@ -113,7 +113,10 @@ pub use quantity::{Dimension, Quantity, QuantityError, parse_list, parse_triple}
 pub use question::{EstimateQuestion, Hold, MassQuestion, Normal, RatioPoint, UPWARDS};
 pub use record::DiagnosticRecord;
 pub use row_source::{PositionFile, RowSource};
-pub use safe_speed::{Limit, SafeSpeedQuestion, SafeSpeedReport, SpeedRecord, safe_speed};
+pub use safe_speed::{
+    AlongRecord, Limit, SafeSpeedQuestion, SafeSpeedReport, SpeedRecord, safe_speed, safe_speed_along,
+    safe_speed_directions,
+};
 pub use sheet::Sheet;
 pub use simulators::ExportRecord;
 pub use study_file::{StudyFile, StudyFileError};

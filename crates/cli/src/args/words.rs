@@ -96,6 +96,14 @@ pub fn pressure(text: &str) -> Result<f64, String> {
     measured(Measure::Pressure, text).map(|m| m.value)
 }
 
+pub fn energy(text: &str) -> Result<f64, String> {
+    measured(Measure::Energy, text).map(|m| m.value)
+}
+
+pub fn momentum(text: &str) -> Result<f64, String> {
+    measured(Measure::Momentum, text).map(|m| m.value)
+}
+
 pub fn area(text: &str) -> Result<f64, String> {
     measured(Measure::Area, text).map(|m| m.value)
 }
