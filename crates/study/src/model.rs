@@ -18,7 +18,7 @@ pub struct Input {
 
 impl Input {
     /// Names a source and its bytes.
-    pub(crate) fn of(source: &Source) -> Self {
+    pub fn of(source: &Source) -> Self {
         Self { path: source.name.clone(), sha256: hexadecimal(&Sha256::digest(&source.bytes)) }
     }
 }
@@ -47,11 +47,18 @@ impl Model {
     /// # Errors
     /// [`LoadError`] with everything that was found, errors with their places.
     pub fn load(path: &str, max_size: u64, options: &LoadOptions) -> Result<Self, LoadError> {
-        let source = Source::read(path, max_size)?;
-        let loaded = load(&source, options)?;
+        Self::of(&Source::read(path, max_size)?, options)
+    }
+
+    /// Reads a URDF that is at hand already.
+    ///
+    /// # Errors
+    /// [`LoadError`], as for [`load`](Self::load).
+    pub fn of(source: &Source, options: &LoadOptions) -> Result<Self, LoadError> {
+        let loaded = load(source, options)?;
         Ok(Self {
             mechanism: Arc::new(loaded.mechanism),
-            inputs: vec![Input::of(&source)],
+            inputs: vec![Input::of(source)],
             shapes: Arc::new(loaded.shapes),
             diagnostics: loaded.diagnostics.into_iter().map(Into::into).collect(),
         })
