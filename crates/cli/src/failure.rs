@@ -6,7 +6,6 @@ use percuss_study::contact::ContactLawError;
 use percuss_study::contact::exports::ExportError;
 use percuss_study::{DesignError, DiagnosticRecord, Names, StudyError, StudyFileError};
 use std::io::{self, Write};
-use std::process::ExitCode;
 
 /// No answer.
 #[derive(Debug)]
@@ -50,7 +49,7 @@ impl Failure {
     }
 
     /// Writes the reason to stderr and returns the exit code.
-    pub fn report(self) -> ExitCode {
+    pub fn report(self) -> u8 {
         let (lines, code) = match self {
             Failure::BadInput(lines) => (lines, 2),
             Failure::NoAnswer(message) => (vec![format!("error: {message}")], 1),
@@ -58,14 +57,14 @@ impl Failure {
                 let code = if error.is_no_answer() { 1 } else { 2 };
                 (vec![format!("error: {}{}", error.message(Names::Flags), flag_of(&error))], code)
             }
-            Failure::Unread => return ExitCode::SUCCESS,
+            Failure::Unread => return 0,
         };
         let mut stderr = io::stderr().lock();
         for line in lines {
             // A closed stderr changes nothing about the exit code.
             let _ = writeln!(stderr, "{line}");
         }
-        ExitCode::from(code)
+        code
     }
 }
 

@@ -21,7 +21,7 @@ pub struct Input {
 
 impl Input {
     /// Names a source and its bytes.
-    pub(crate) fn of(source: &Source) -> Self {
+    pub fn of(source: &Source) -> Self {
         Self { path: source.name.clone(), sha256: hexadecimal(&Sha256::digest(&source.bytes)) }
     }
 }
@@ -64,12 +64,19 @@ impl Model {
     /// # Errors
     /// [`LoadError`] with everything that was found, errors with their places.
     pub fn load(path: &str, max_size: u64, options: &LoadOptions) -> Result<Self, LoadError> {
-        let source = Source::read(path, max_size)?;
-        let input = Input::of(&source);
-        if let Some(sheet) = Sheet::of(&source, options.accept) {
+        Self::of(&Source::read(path, max_size)?, options)
+    }
+
+    /// Reads a URDF, or the sheet of a suspension, that is at hand already.
+    ///
+    /// # Errors
+    /// [`LoadError`], as for [`load`](Self::load).
+    pub fn of(source: &Source, options: &LoadOptions) -> Result<Self, LoadError> {
+        let input = Input::of(source);
+        if let Some(sheet) = Sheet::of(source, options.accept) {
             return Self::of_sheet(&sheet, &[], vec![input]);
         }
-        let loaded = load(&source, options)?;
+        let loaded = load(source, options)?;
         Ok(Self {
             mechanism: Arc::new(loaded.mechanism),
             inputs: vec![input],

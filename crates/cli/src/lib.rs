@@ -1,4 +1,4 @@
-//! The `percuss` command.
+//! The `percuss` command. [`run`] is all of it: the program of this name calls it, and so does that of the Python package.
 //!
 //! Results go to stdout, diagnostics to stderr. Exit code 0: an answer (immovable and massless are answers);
 //! 1: no answer; 2: bad input or usage.
@@ -28,12 +28,17 @@ mod sweep_rows;
 mod template;
 mod text;
 
+/// The picture of a map, for the faces that show one.
+pub use map_files::skin as map_skin;
+
 use args::{Cli, Command};
 use clap::FromArgMatches;
-use std::process::ExitCode;
+use std::ffi::OsString;
 
-fn main() -> ExitCode {
-    let parsed = Cli::from_arg_matches(&Cli::definition().get_matches());
+/// Runs the command with these arguments, the program's name the first of them, and gives the exit code. Help, the version and
+/// bad usage end the process.
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
+    let parsed = Cli::from_arg_matches(&Cli::definition().get_matches_from(arguments));
     let cli = parsed.unwrap_or_else(|error| error.format(&mut Cli::definition()).exit());
     report::show_notes(cli.notes);
     let outcome = match &cli.command {
@@ -54,7 +59,7 @@ fn main() -> ExitCode {
         }
     };
     match outcome {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(()) => 0,
         Err(failure) => failure.report(),
     }
 }
