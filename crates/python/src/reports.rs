@@ -189,7 +189,7 @@ pub fn safe_speed(
         (None, Some(pressure), Some(area)) => Limit::Pressure(pressure, area),
         _ => return Err(input("give force (N), or pressure (Pa) with area (m²)")),
     };
-    let asked = SafeSpeedQuestion { region, limit, load };
+    let asked = SafeSpeedQuestion { region: Some(region), limit, load };
     let report = py.detach(|| study::safe_speed(&model.read, &question, &asked));
     json(&report.map_err(errors::study)?)
 }

@@ -78,6 +78,7 @@ pub fn load_suspension(
         inputs: vec![percuss::study::Input::of(&source)],
         shapes: Arc::new(shapes),
         diagnostics,
+        origin: percuss::study::Origin::default(),
     };
     Model::new(py, read)
 }
