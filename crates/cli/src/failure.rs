@@ -93,16 +93,35 @@ impl From<StudyError> for Failure {
     }
 }
 
-/// The number that a law or a simulator lacks: its flag and its key.
+/// The number that a law or a simulator lacks, or that is out of its range: its flag and its key.
 fn lacking(error: &StudyError) -> Option<(&'static str, &'static str)> {
     match error {
         StudyError::Damping(ContactLawError::SpeedNeeded { .. }) => Some(("--speed", "damping.speed")),
         StudyError::Export(error) if matches!(**error, ExportError::Missing { .. }) => {
             Some(("--own-mass", "damping.own_mass"))
         }
+        StudyError::Damping(ContactLawError::OutOfRange { what, .. }) => {
+            NUMBERS.iter().find(|(number, ..)| number == what).map(|(_, flag, key)| (*flag, *key))
+        }
+        StudyError::Damping(ContactLawError::UnknownRegion { .. }) => Some(("--region", "region")),
         _ => None,
     }
 }
+
+/// The numbers of contact laws that a user gives: their flags and keys.
+const NUMBERS: [(&str, &str, &str); 11] = [
+    ("stiffness, N/m^p", "--stiffness", "damping.stiffness"),
+    ("restitution", "--restitution", "damping.restitution"),
+    ("exponent of the spring", "--exponent", "damping.exponent"),
+    ("approach speed, m/s", "--speed", "damping.speed"),
+    ("effective mass, kg", "--mass", "damping.mass"),
+    ("load, kg", "--load", "load"),
+    ("greatest force, N", "--force", "force"),
+    ("greatest pressure, Pa", "--pressure", "pressure"),
+    ("area of the contact, m^2", "--area", "area"),
+    ("greatest energy, J", "--energy", "energy"),
+    ("greatest momentum, N·s", "--momentum", "momentum"),
+];
 
 fn flag_of(error: &StudyError) -> String {
     lacking(error).map_or_else(String::new, |(flag, _)| format!(" ({flag})"))

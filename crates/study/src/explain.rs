@@ -2,7 +2,7 @@
 //! each hardpoint of a sheet.
 //!
 //! m̄ = min { vᵀMv : Av = 0, jv = 1 } changes with a parameter of M alone by dm̄/dp = v*ᵀ (∂M/∂p) v*: the motion at the
-//! minimum need not be differentiated (docs/FORMULAS.md, F37). Hardpoints change A and j too: their rates are central
+//! minimum need not be differentiated (docs/FORMULAS.md, F38). Hardpoints change A and j too: their rates are central
 //! differences of the whole question asked again.
 
 use crate::answer::Answered;

@@ -1,7 +1,7 @@
 //! A travel that a question drives its pose to: a point, a direction, and how far.
 
 use crate::quantity::{Dimension, Quantity, QuantityError, parse_triple};
-use crate::vary::{Varied, Vary};
+use crate::vary::{Varied, Vary, split};
 
 /// The displacement of a point of a link along a direction, from where the joints as set put it: what a sweep varies, at one
 /// value.
@@ -52,13 +52,6 @@ impl GivenTravel {
         let at = Quantity { value: distance, dimension: Some(Dimension::Length) };
         Vary { what: Varied::Travel { link, point, direction }, from: at, to: at, count: 1 }
     }
-}
-
-/// `LINK:X,Y,Z:DX,DY,DZ`, split from the right: link names may have colons of their own.
-pub(crate) fn split(text: &str) -> Option<(&str, &str, &str)> {
-    let mut parts = text.rsplitn(3, ':');
-    let (direction, point, link) = (parts.next()?, parts.next()?, parts.next()?);
-    (!link.is_empty()).then_some((link, point, direction))
 }
 
 #[cfg(test)]

@@ -4,8 +4,8 @@ use crate::changes::Changes;
 use crate::record::DiagnosticRecord;
 use crate::sheet::Sheet;
 use percuss_formats::suspension::Imported;
-use percuss_formats::{LoadError, LoadOptions, Shape, Source, load};
-use percuss_mechanism::{ClosureDescription, Mechanism};
+use percuss_formats::{Diagnostic, LoadError, LoadOptions, Shape, Source, load};
+use percuss_mechanism::{ClosureDescription, Mechanism, Severity};
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 use std::sync::Arc;
@@ -23,6 +23,25 @@ impl Input {
     /// Names a source and its bytes.
     pub fn of(source: &Source) -> Self {
         Self { path: source.name.clone(), sha256: hexadecimal(&Sha256::digest(&source.bytes)) }
+    }
+}
+
+/// What is said of a study in the place of a model.
+fn a_study(path: &str) -> LoadError {
+    let message = "this is a study, which names a model of its own: percuss run and percuss compare take it; give the model \
+                   or the suspension's sheet here"
+        .to_owned();
+    let (severity, code, path) = (Severity::Error, "study", path.to_owned());
+    LoadError {
+        diagnostics: vec![Diagnostic {
+            severity,
+            code,
+            path,
+            line: None,
+            column: None,
+            element: None,
+            message,
+        }],
     }
 }
 
@@ -74,6 +93,9 @@ impl Model {
     pub fn of(source: &Source, options: &LoadOptions) -> Result<Self, LoadError> {
         let input = Input::of(source);
         if let Some(sheet) = Sheet::of(source, options.accept) {
+            if sheet.is_study() {
+                return Err(a_study(&source.name));
+            }
             return Self::of_sheet(&sheet, &[], vec![input]);
         }
         let loaded = load(source, options)?;

@@ -15,6 +15,13 @@ pub struct Sheet {
 /// Endings of the files that are imported as suspensions.
 const SHEETS: [&str; 4] = ["toml", "csv", "xlsx", "json"];
 
+/// Whether a file is a study: TOML with a table `model`.
+pub(crate) fn is_study(source: &Source) -> bool {
+    let text = std::str::from_utf8(&source.bytes).ok();
+    let table = text.and_then(|text| text.parse::<toml::Table>().ok());
+    table.is_some_and(|table| table.get("model").is_some_and(toml::Value::is_table))
+}
+
 impl Sheet {
     /// A source as a sheet, where the ending of its name says that it is one.
     pub(crate) fn of(source: &Source, accept: Accept) -> Option<Self> {
@@ -22,6 +29,11 @@ impl Sheet {
         let is_sheet = SHEETS.iter().any(|known| ending.eq_ignore_ascii_case(known));
         let options = ImportOptions { accept, ..ImportOptions::default() };
         is_sheet.then(|| Self { source: source.clone(), options })
+    }
+
+    /// Whether it is a study instead: TOML with a table `model`.
+    pub(crate) fn is_study(&self) -> bool {
+        is_study(&self.source)
     }
 
     /// What is made of it with points moved: names, and by how much, m, in the sheet's axes.

@@ -10,6 +10,7 @@ use crate::question::MassQuestion;
 use crate::record::DiagnosticRecord;
 use crate::refusal::Refusal;
 use crate::row_source::RowSource;
+use crate::sheet::is_study;
 use crate::study_text::{DampingText, ModelText, StudyText, SweepText};
 use crate::variant::{Variant, changes};
 use percuss_formats::{LoadError, LoadOptions, Source};
@@ -139,9 +140,7 @@ impl StudyFile {
 
     /// Whether a file is a study: TOML with a table `model`.
     pub fn is_study(path: &str, max_size: u64) -> bool {
-        let text = Source::read(path, max_size).ok().and_then(|source| String::from_utf8(source.bytes).ok());
-        let table = text.and_then(|text| text.parse::<toml::Table>().ok());
-        table.is_some_and(|table| table.get("model").is_some_and(toml::Value::is_table))
+        Source::read(path, max_size).is_ok_and(|source| is_study(&source))
     }
 
     /// The designs of the study: its model under a name, then its variants.

@@ -130,7 +130,7 @@ impl Tolerance {
             if given.contains(&what) {
                 return Err(wrong("it is given twice".into()));
             }
-            if !(value >= 0.0) || (matches!(what, "mass" | "armature") && value >= 1.0) {
+            if value < 0.0 || (matches!(what, "mass" | "armature") && value >= 1.0) {
                 return Err(wrong("not a tolerance: it is below 0, or 100 % or more".into()));
             }
             *place = value;

@@ -1,6 +1,5 @@
 //! What a sweep varies, and over which values.
 
-use crate::given_travel::split;
 use crate::quantity::{Dimension, Quantity, QuantityError, parse_triple};
 use crate::thresholds::ROWS;
 
@@ -107,6 +106,13 @@ impl Vary {
         let value = |end: Quantity| end.of(dimension, &end.to_string());
         Ok(Values { from: value(self.from)?, to: value(self.to)?, count: self.count })
     }
+}
+
+/// `LINK:X,Y,Z:DX,DY,DZ`, split from the right: link names may have colons of their own.
+pub(crate) fn split(text: &str) -> Option<(&str, &str, &str)> {
+    let mut parts = text.rsplitn(3, ':');
+    let (direction, point, link) = (parts.next()?, parts.next()?, parts.next()?);
+    (!link.is_empty()).then_some((link, point, direction))
 }
 
 /// Evenly spaced values.
