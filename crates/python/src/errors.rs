@@ -1,6 +1,6 @@
 //! Errors of the library as exceptions of `percuss._errors`, with the same messages.
 
-use crate::model::Diagnostic;
+use crate::diagnostic::Diagnostic;
 use percuss::study::{DiagnosticRecord, Names, StudyError, StudyFileError};
 use percuss::{AssemblyError, LoadError as Refused, ResponseError, RouteError};
 use pyo3::prelude::*;

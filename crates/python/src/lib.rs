@@ -5,9 +5,11 @@ mod arrays;
 mod command;
 mod contact;
 mod damping;
+mod diagnostic;
 mod errors;
 mod matrices;
 mod model;
+mod model_methods;
 mod pose;
 mod question;
 mod reports;
@@ -26,9 +28,11 @@ mod module {
     #[pymodule_export]
     use crate::damping::{damp, damp_mass, impact_history, laws, regions, tools};
     #[pymodule_export]
+    use crate::diagnostic::Diagnostic;
+    #[pymodule_export]
     use crate::matrices::{MatrixResponse, effective_mass, effective_masses};
     #[pymodule_export]
-    use crate::model::{Diagnostic, Joint, Model, load, loads, model_of_bytes};
+    use crate::model::{Joint, Model, load, loads, model_of_bytes};
     #[pymodule_export]
     use crate::pose::Pose;
     #[pymodule_export]

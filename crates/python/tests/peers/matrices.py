@@ -6,6 +6,7 @@ contact's Jacobian, equality rows) and of Drake (the mass matrix of a plant) hav
 
 import argparse
 import importlib.util
+import re
 import sys
 from pathlib import Path
 
@@ -36,6 +37,11 @@ def contacts(model, count, seed):
         yield percuss.Contact(link, random.uniform(-0.3, 0.3, 3), random.normal(size=3))
 
 
+def plain(path):
+    """Without processing instructions, which some readers of XML refuse."""
+    return re.sub(r"<\?percuss.*?\?>", "", path.read_text())
+
+
 def arms():
     """Serial arms: the shipped one, and others where the package of robots is there."""
     paths = [ROOT / "models/six_r_arm.urdf"]
@@ -52,7 +58,7 @@ def pinocchio():
 
     for path in arms():
         model = percuss.load(path)
-        peer = pin.buildModelFromUrdf(str(path))
+        peer = pin.buildModelFromXML(plain(path))
         data = peer.createData()
         random = np.random.default_rng(3)
         for number, contact in enumerate(contacts(model, 20, 5)):
@@ -130,14 +136,14 @@ def mujoco():
 def contact_of_its_own(mj):
     """A contact that MuJoCo found: a ball at the end of a double pendulum on a plane. Its first row is the normal's."""
     text = """<mujoco><option cone="elliptic"/><worldbody><geom type="plane" size="5 5 1"/>
-      <body pos="0 0 0.9"><joint type="hinge" axis="0 1 0"/><geom type="capsule" fromto="0 0 0 0.5 0 0" size="0.02" mass="2" contype="0"/>
+      <body pos="0 0 0.9"><joint type="hinge" axis="0 1 0"/><geom type="capsule" fromto="0 0 0 0.5 0 0" size="0.02" mass="2" contype="0" conaffinity="0"/>
         <body pos="0.5 0 0"><joint type="hinge" axis="0 1 0"/>
-          <geom type="capsule" fromto="0 0 0 0.5 0 0" size="0.02" mass="1" contype="0"/>
+          <geom type="capsule" fromto="0 0 0 0.5 0 0" size="0.02" mass="1" contype="0" conaffinity="0"/>
           <geom type="sphere" pos="0.5 0 0" size="0.1" mass="0.3" name="tip"/></body></body></worldbody></mujoco>"""
     m = mj.MjModel.from_xml_string(text)
     d = mj.MjData(m)
     # The tip 5 mm in the ground.
-    d.qpos[:] = (0.6, np.arcsin((0.805 - 0.5 * np.sin(0.6)) / 0.5) - 0.6)
+    d.qpos[:] = (np.arcsin(0.9), np.arcsin(0.71) - np.arcsin(0.9))
     mj.mj_fwdPosition(m, d)
     assert d.ncon == 1, d.ncon
     mass = np.zeros((m.nv, m.nv))
@@ -159,10 +165,9 @@ def drake():
     path = ROOT / "models/six_r_arm.urdf"
     model = percuss.load(path)
     plant = MultibodyPlant(0.0)
-    Parser(plant).AddModels(str(path))
+    Parser(plant).AddModelsFromString(plain(path), "urdf")
     root = plant.GetBodyByName(model.links[0])
-    if not plant.IsAnchored(root):
-        plant.WeldFrames(plant.world_frame(), root.body_frame())
+    plant.WeldFrames(plant.world_frame(), root.body_frame())
     plant.Finalize()
     context = plant.CreateDefaultContext()
     world, random = plant.world_frame(), np.random.default_rng(4)

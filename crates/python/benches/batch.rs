@@ -1,0 +1,44 @@
+//! The sweep of sweep.py without Python: reads configurations (raw float64, row by row) and prints the best time in seconds.
+//!
+//!     batch MODEL.urdf LINK X,Y,Z NX,NY,NZ FILE
+
+use percuss::{BatchAnswer, BatchPositions, Conditions, Contact, LoadOptions, Source, System, load};
+use std::hint::black_box;
+use std::time::Instant;
+
+const REPETITIONS: usize = 5;
+
+fn triple(text: &str) -> [f64; 3] {
+    let numbers: Vec<f64> = text.split(',').map(|x| x.parse().expect("a number")).collect();
+    numbers.try_into().expect("three numbers")
+}
+
+fn main() {
+    let arguments: Vec<String> = std::env::args().skip(1).filter(|word| word != "--bench").collect();
+    let [model, link, point, normal, file] = &arguments[..] else {
+        println!("batch: run by sweep.py");
+        return;
+    };
+    let source = Source::read(model, percuss::DEFAULT_MAX_SIZE).expect("a model");
+    let mechanism = load(&source, &LoadOptions::default()).expect("a model").mechanism;
+    let contact = Contact::new(mechanism.find_link(link).expect("a link"), triple(point), triple(normal));
+    let width: usize = mechanism.joints().iter().map(|joint| joint.kind().positions()).sum();
+    let bytes = std::fs::read(file).expect("configurations");
+    let (numbers, _) = bytes.as_chunks::<8>();
+    let values: Vec<f64> = numbers.iter().map(|number| f64::from_le_bytes(*number)).collect();
+    let count = values.len() / width;
+    let system = System::new(mechanism, &Conditions::new()).expect("a system");
+    let batch = system.reference().expect("closed loops").batch(&contact).expect("a contact");
+    let mut best = f64::INFINITY;
+    for _ in 0..REPETITIONS {
+        // Room for the answers is the caller's in Rust, and new each time in Python.
+        let begun = Instant::now();
+        let mut answers = vec![BatchAnswer::NONE; count];
+        batch
+            .run(BatchPositions::Rows { values: black_box(&values), stride: width }, &mut answers)
+            .expect("answers");
+        black_box(&answers);
+        best = best.min(begun.elapsed().as_secs_f64());
+    }
+    println!("{best}");
+}

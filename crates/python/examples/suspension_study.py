@@ -1,0 +1,37 @@
+"""A suspension over its wheel travel: the effective mass that the spring feels, beside the classical estimate, and the damper of a bump stop.
+
+    suspension_study.py [SHEET.toml]
+"""
+
+from __future__ import annotations
+
+import sys
+import warnings
+from pathlib import Path
+
+import percuss
+
+SHEET = Path(__file__).resolve().parents[3] / "models/suspensions/double-wishbone.toml"
+
+
+def main() -> None:
+    # Real inertias break the triangle inequality, of which the model is warned.
+    warnings.simplefilter("ignore", percuss.ModelWarning)
+    corner = percuss.load_suspension(Path(sys.argv[1]) if len(sys.argv) > 1 else SHEET)
+    spring = percuss.Contact(
+        "spring_seat", [0, 0, 0], toward=("spring_chassis_seat", [0, 0, 0]), against="chassis"
+    )
+    conditions = percuss.Conditions(estimate=(["wheel", "spindle", "upright"], [0, 0, 0], [0, 0, 1]))
+    travel = "travel:wheel:0,0,0:0,0,1=-40mm:40mm:9"
+    report = percuss.sweep_report(corner, spring, conditions, vary=travel)
+    print("travel (mm)   effective mass (kg)   estimate (kg)   motion ratio")
+    for row in report.rows:
+        (where,) = row["varied"].values()
+        print(f"{1e3 * where:11.1f} {row['effective_mass']:21.4f} {row['estimate']:15.4f} {row['motion_ratio']:14.4f}")
+    damping = percuss.Damping(restitution=0.3, stiffness=2e5, speed=1.0)
+    damper = percuss.damp_contact(corner, spring, damping)
+    print(f"for e = 0.3 on 200 N/mm, {damper.effective_mass:.4f} kg: damping ratio {damper.damping_ratio:.6f}")
+
+
+if __name__ == "__main__":
+    main()
