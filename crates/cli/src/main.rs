@@ -8,6 +8,7 @@ mod check;
 mod csv;
 mod damp;
 mod diagnostics;
+mod escape;
 mod failure;
 mod import;
 mod import_text;
@@ -16,6 +17,7 @@ mod map;
 mod map_files;
 mod mass;
 mod output;
+mod own_files;
 mod parquet_rows;
 mod report;
 mod run;
@@ -23,16 +25,19 @@ mod safe_speed;
 mod sweep;
 mod sweep_figure;
 mod sweep_rows;
+mod table_style;
 mod template;
 mod text;
+mod xlsx_rows;
 
 use args::{Cli, Command};
 use clap::FromArgMatches;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let parsed = Cli::from_arg_matches(&Cli::definition().get_matches());
-    let cli = parsed.unwrap_or_else(|error| error.format(&mut Cli::definition()).exit());
+    let matches = Cli::definition().try_get_matches().unwrap_or_else(|error| refuse(&error));
+    let parsed = Cli::from_arg_matches(&matches);
+    let cli = parsed.unwrap_or_else(|error| refuse(&error.format(&mut Cli::definition())));
     report::show_notes(cli.notes);
     let outcome = match &cli.command {
         Command::Check(args) => check::run(args),
@@ -47,11 +52,30 @@ fn main() -> ExitCode {
         Command::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(*shell, &mut Cli::definition(), "percuss", &mut script);
-            report::write_out(&String::from_utf8_lossy(&script))
+            report::write_as_is(&script)
         }
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.report(),
     }
+}
+
+/// Says what is wrong with the arguments, and ends. Names of files among them may hold what a terminal obeys.
+fn refuse(error: &clap::Error) -> ! {
+    let is_plain = std::env::args_os().all(|a| !a.to_string_lossy().contains(escape::is_unsafe));
+    if is_plain {
+        error.exit();
+    }
+    let mut text = error.render().to_string();
+    for argument in std::env::args_os().skip(1) {
+        let argument = argument.to_string_lossy();
+        // Of --flag=value, the value too.
+        let value = argument.split_once('=').map_or("", |(_, value)| value);
+        for part in [&*argument, value].into_iter().filter(|part| part.contains(escape::is_unsafe)) {
+            text = text.replace(part, &escape::line(part));
+        }
+    }
+    eprint!("{}", escape::lines(&text));
+    std::process::exit(error.exit_code())
 }
