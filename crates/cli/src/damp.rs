@@ -110,7 +110,7 @@ pub fn damper(report: &DampingReport) -> String {
     out
 }
 
-fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
+pub fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
     let damper = &report.damper;
     let Units { length, shown: (shown, factor), force, .. } = Units::of(report);
     let e = damper.restitution;
@@ -190,7 +190,7 @@ fn power(exponent: f64) -> String {
     if exponent == 1.0 { String::new() } else { format!("^{}", number(exponent)) }
 }
 
-fn exported(name: &str, export: &ExportRecord) -> String {
+pub fn exported(name: &str, export: &ExportRecord) -> String {
     let mut out = format!("\n{} ({name})\n", export.title);
     if let Some(error) = &export.error {
         return out + &format!("  cannot: {error}\n");
@@ -299,7 +299,7 @@ fn csv(samples: &[Sample]) -> String {
 }
 
 /// Force over time, and over penetration, whose loop encloses the energy lost.
-fn sheet(report: &DampingReport, samples: &[Sample]) -> Sheet {
+pub fn sheet(report: &DampingReport, samples: &[Sample]) -> Sheet {
     let damper = &report.damper;
     let units = Units::of(report);
     let (shown, factor) = units.shown;

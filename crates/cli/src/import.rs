@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::import_text::understood;
 use crate::output::{is_input, may_be_written, write_file};
 use crate::report::{write_as_is, write_diagnostics, write_out};
+use crate::{import_picture, picture};
 use percuss_formats::suspension::{ImportOptions, LengthUnit, Rack, Side, VehicleAxes, Wheel, import};
 use percuss_formats::{Source, write_urdf_with};
 use percuss_study::DiagnosticRecord;
@@ -22,6 +23,10 @@ pub fn run(args: &ImportArgs) -> Result<(), Failure> {
     let diagnostics: Vec<DiagnosticRecord> = imported.diagnostics.into_iter().map(Into::into).collect();
     write_diagnostics(&diagnostics, args.strict)?;
     let text = write_urdf_with(&imported.mechanism, &imported.comments);
+    if let Some(path) = &args.picture {
+        let drawing = import_picture::picture(&imported.understood, &args.hardpoints);
+        write_file(path, &picture::bytes(&drawing, "--picture", path)?)?;
+    }
     if args.output == "-" {
         return write_as_is(text.as_bytes());
     }

@@ -101,7 +101,7 @@ fn text(report: &MassReport, expected: Option<f64>) -> String {
     out
 }
 
-fn headline(report: &MassReport) -> String {
+pub fn headline(report: &MassReport) -> String {
     match (report.status, report.effective_mass) {
         (Status::Immovable, _) => "immovable: no motion of the mechanism closes this gap".into(),
         (Status::Massless, _) => "massless (0 kg): a motion without mass closes this gap".into(),
@@ -149,7 +149,7 @@ fn estimated(record: &EstimateRecord) -> String {
 }
 
 /// The conditions of the answer.
-fn facts(report: &MassReport) -> Vec<(&'static str, String)> {
+pub fn facts(report: &MassReport) -> Vec<(&'static str, String)> {
     let contact = &report.contact;
     let against = match (report.conditions.against_mass, contact.against.as_deref()) {
         (Some(mass), _) => format!("a free body of {} kg", number(mass)),

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::report::note;
 use crate::sweep::Written;
 use crate::table_style::TableStyle;
-use crate::{mass, sweep};
+use crate::{mass, report_page, sweep};
 use percuss_study::StudyFile;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -13,6 +13,15 @@ use std::path::{Path, PathBuf};
 /// Runs the command: the contact at the study's pose, or its sweep.
 pub fn run(args: &RunArgs) -> Result<(), Failure> {
     let study = StudyFile::load(&args.study, args.max_size)?;
+    if let Some(path) = &args.report {
+        args.writing.apply();
+        if !args.allow_outside {
+            inside(path, &study.folder, "--report")?;
+        }
+        sweep::use_threads(args.threads);
+        let written = report_page::write(&study, args, path);
+        return written.map_err(|failure| failure.in_file(&args.study));
+    }
     let answered = match &study.sweep {
         Some(vary) if args.format.is_none() => {
             if study.damping.is_some() {
@@ -21,7 +30,7 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
             sweep::use_threads(args.threads);
             args.writing.apply();
             if let Some(path) = study.output.as_deref().filter(|_| !args.allow_outside) {
-                inside(path, &study.folder)?;
+                inside(path, &study.folder, "sweep.output")?;
             }
             let written = Written {
                 output: study.output.as_deref(),
@@ -40,7 +49,7 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
 }
 
 /// Refuses an output that is not in the study's folder or below it, wherever links lead.
-fn inside(path: &str, folder: &Path) -> Result<(), Failure> {
+fn inside(path: &str, folder: &Path, name: &str) -> Result<(), Failure> {
     let whole = |path: &Path| {
         let path = if path.as_os_str().is_empty() { Path::new(".") } else { path };
         fs::canonicalize(path).ok()
@@ -54,7 +63,7 @@ fn inside(path: &str, folder: &Path) -> Result<(), Failure> {
         // A folder that is missing is what the writer says.
         (None, _) => Ok(()),
         _ => Err(Failure::bad_input(format!(
-            "sweep.output: {path} is outside the study's folder; --allow-outside lets the study write there"
+            "{name}: {path} is outside the study's folder; --allow-outside lets the study write there"
         ))),
     }
 }

@@ -6,7 +6,7 @@
 //! in Roboto where it is installed and the reader's sans-serif elsewhere; PNG and PDF have the embedded Roboto,
 //! so that a machine without fonts will do.
 //!
-//! A [`Sheet`] puts figures with x axes of their own below one another. A [`Skin`] is a quantity over facets in space: two views
+//! A [`Drawing`] shows a mechanism from two sides. A [`Sheet`] puts figures with x axes of their own below one another. A [`Skin`] is a quantity over facets in space: two views
 //! with a scale of colours, [`Skin::write_ply`], [`Skin::to_glb`].
 //!
 //! What a figure cannot show is left out of it and never an error: a value that is missing, NaN, infinite or beyond
@@ -33,6 +33,7 @@
 mod axis;
 mod backend;
 mod curve;
+mod drawing;
 mod figure;
 mod font;
 mod layout;
@@ -47,6 +48,7 @@ mod svg;
 mod text;
 
 pub use backend::{MADE_BY, RenderError};
+pub use drawing::{Drawing, DrawnArrow, DrawnCircle, DrawnLine};
 pub use figure::{Figure, Mark, Panel, Series, Style};
 pub use sheet::Sheet;
 pub use skin::{Skin, SkinFacet, SkinMark, SkinPiece};

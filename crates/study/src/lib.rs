@@ -12,6 +12,7 @@ mod csv_records;
 mod damped_contact;
 mod damping;
 mod damping_question;
+mod drawn;
 mod driver;
 mod error;
 mod estimate;
@@ -71,6 +72,7 @@ pub use check::{CheckReport, ClosureRecord, JointRecord, LinkRecord, check};
 pub use damped_contact::{damp_contact, damp_stop};
 pub use damping::{BodyAlone, DamperRecord, DampingReport, Drift, damp, damper, impact_history};
 pub use damping_question::DampingQuestion;
+pub use drawn::DrawnLink;
 pub use error::{Fault, StudyError};
 pub use estimate::EstimateRecord;
 pub use field::{Field, Names};
@@ -80,7 +82,7 @@ pub use map_question::{MapLinks, MapQuestion, MapShapes};
 pub use map_report::{
     Extreme, FacetRecord, LeftOut, LinkMap, MapAnswer, MapReport, OrientationRecord, SkinFacets,
 };
-pub use mass::{mass, mass_with_damper};
+pub use mass::{mass, mass_drawn, mass_with_damper};
 pub use mass_report::{
     BodyShare, ConditionsRecord, ContactRecord, HoldRecord, MassReport, RotorShare, Status,
 };

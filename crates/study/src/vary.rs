@@ -126,7 +126,10 @@ impl Values {
     pub fn of_row(&self, row: usize) -> f64 {
         let steps = self.count.saturating_sub(1).max(1) as f64;
         let value = self.from + (self.to - self.from) * (row as f64 / steps);
-        rounded(value, self.from.abs().max(self.to.abs()))
+        let largest = self.from.abs().max(self.to.abs());
+        // Of ends that are not decimals, such as 5 degrees in radians, no value is rounded.
+        let is_decimal = |end: f64| rounded(end, largest) == end;
+        if is_decimal(self.from) && is_decimal(self.to) { rounded(value, largest) } else { value }
     }
 }
 

@@ -47,6 +47,9 @@ pub struct ImportArgs {
     /// The URDF+ file to write; - writes to stdout.
     #[arg(long, short, value_name = "MODEL.urdf")]
     pub output: String,
+    /// Draws what was understood from the front and from the side, to check it against the drawing.
+    #[arg(long, value_name = "FILE.svg|.png|.pdf")]
+    pub picture: Option<String>,
     #[command(flatten)]
     pub writing: WritingArgs,
     /// Unit of the file's lengths; a sheet says it itself, a JSON is in m without this.

@@ -227,6 +227,10 @@ pub struct RunArgs {
     pub strict: bool,
     #[command(flatten)]
     pub writing: WritingArgs,
+    /// Write a report: one HTML file with the mechanism, contributions, sweep and damper; the answer as JSON and the sweep as CSV
+    /// beside it.
+    #[arg(long, value_name = "FILE.html", conflicts_with = "format")]
+    pub report: Option<String>,
     /// Let the study write outside its own folder.
     #[arg(long)]
     pub allow_outside: bool,
