@@ -14,9 +14,13 @@ use percuss_mechanism::Mechanism;
 use percuss_spatial::lanes::Instructions;
 use std::hint::black_box;
 use std::path::Path;
+use std::time::Instant;
 
 /// Runs of a loop over all poses, of which the least counts.
 const RUNS: usize = 200;
+
+/// Configurations that threads share.
+const MANY: usize = 100_000;
 
 /// A robot's question.
 struct Question {
@@ -38,7 +42,9 @@ fn main() {
     names.sort();
     for path in names {
         if path.extension().is_some_and(|e| e == "urdf") {
-            time(&Question::of_suspension(&path));
+            let question = Question::of_suspension(&path);
+            time(&question);
+            time_closing(&question);
         } else {
             time(&Question::read(&path));
         }
@@ -48,6 +54,10 @@ fn main() {
 /// Poses of a suspension, and how far its lower arm turns over them to either side, rad.
 const POSES: usize = 256;
 const TRAVEL: f64 = 0.15;
+
+/// The joint that drives a suspension, and the steps that its loops are closed along.
+const DRIVER: &str = "lower_arm_hinge";
+const STEPS: usize = 1_000;
 
 impl Question {
     fn read(path: &Path) -> Self {
@@ -98,7 +108,7 @@ impl Question {
         let system = System::new(mechanism, &Conditions::new()).expect("conditions that fit");
         let at = |angle: f64| {
             let mut configuration = system.configuration();
-            configuration.set("lower_arm_hinge", &[angle]).expect("the lower arm drives");
+            configuration.set(DRIVER, &[angle]).expect("the lower arm drives");
             configuration
         };
         let mass = |pose: &Pose| match pose.respond(&contact, RouteChoice::Auto).map(|r| r.effective_mass) {
@@ -149,6 +159,7 @@ fn time(question: &Question) {
     let rows: Vec<f64> = question.rows.concat();
     let by_rows = BatchPositions::Rows { values: &rows, stride: width };
     let mut answers = vec![BatchAnswer::NONE; count];
+    time_threads(question, &batch);
     let line = |what: &str, ns: f64| println!("percuss {} {what} {ns:.1}", question.name);
 
     let mut workspace = assembly.workspace();
@@ -192,6 +203,77 @@ fn time(question: &Question) {
             least(count, || batch.run_here(black_box(by_rows), &mut answers).expect("positions that fit")),
         );
     }
+}
+
+/// The loops of a suspension closed on the way, each step from the one before, over the travel: m̄ and all positions of each.
+fn time_closing(question: &Question) {
+    let mechanism = question.system.mechanism();
+    let driver = mechanism.find_joint(DRIVER).expect("the lower arm");
+    let place = place(mechanism, DRIVER);
+    let at = |angle: f64| {
+        let mut configuration = question.system.configuration();
+        configuration.set(DRIVER, &[angle]).expect("the lower arm drives");
+        configuration
+    };
+    let start = question.system.pose(&at(question.rows[0][place])).expect("the travel is in reach");
+    let path = start.driven_path(&question.contact, &[driver]).expect("a contact");
+    let Some(mut path) = path else {
+        println!("percuss {}: its loops are not closed in lanes", question.name);
+        return;
+    };
+    let angles: Vec<f64> = (0..STEPS).map(|k| TRAVEL * (2.0 * k as f64 / (STEPS - 1) as f64 - 1.0)).collect();
+    let (mut answers, mut positions) = (Vec::new(), Vec::new());
+    for (what, at_once) in [("closing scalar", 1), ("closing lanes", STEPS)] {
+        let mut go = || {
+            answers.clear();
+            positions.clear();
+            assert!(path.restart(&start), "it stands at the start");
+            let go = |rows| path.follow(rows, &mut answers, &mut positions);
+            let reached: usize = angles.chunks(at_once).map(go).sum();
+            assert_eq!(reached, STEPS, "the travel is in reach");
+        };
+        go();
+        let ns = least(STEPS, go);
+        let worst = answers.iter().map(|a| a.residual).fold(0.0, f64::max);
+        let known = answers.iter().filter(|a| a.mass.is_some()).count();
+        let mut pose = start.clone();
+        let mut off = 0.0f64;
+        for (k, answer) in answers.iter().enumerate() {
+            pose = question.system.pose_from(&pose, &at(angles[k])).expect("the travel is in reach");
+            let Some((mass, _)) = answer.mass else { continue };
+            let Ok(EffectiveMass::Finite(m)) =
+                pose.respond(&question.contact, RouteChoice::Auto).map(|r| r.effective_mass)
+            else {
+                panic!("{}: no mass at {}", question.name, angles[k])
+            };
+            off = off.max((mass / m - 1.0).abs());
+        }
+        assert!(off < 1e-9, "{}, {what}: off by {off:.1e}", question.name);
+        println!(
+            "percuss {} {what} agrees to {off:.1e}, closed to {worst:.1e} m, {known} of {STEPS} masses known",
+            question.name
+        );
+        println!("percuss {} {what} {ns:.1}", question.name);
+    }
+}
+
+/// Wall time of many configurations by one thread over that by two, the least of some runs of each, taken in turn.
+fn time_threads(question: &Question, batch: &Batch) {
+    let width = question.rows[0].len();
+    let rows: Vec<f64> = question.rows.iter().cycle().take(MANY).flatten().copied().collect();
+    let positions = BatchPositions::Rows { values: &rows, stride: width };
+    let mut answers = vec![BatchAnswer::NONE; MANY];
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().expect("two threads");
+    let (mut one, mut two) = (f64::INFINITY, f64::INFINITY);
+    for _ in 0..20 {
+        let start = Instant::now();
+        batch.run_here(black_box(positions), &mut answers).expect("positions that fit");
+        one = one.min(start.elapsed().as_secs_f64());
+        let start = Instant::now();
+        pool.install(|| batch.run(black_box(positions), &mut answers)).expect("positions that fit");
+        two = two.min(start.elapsed().as_secs_f64());
+    }
+    println!("percuss {} two threads times one: {:.2}", question.name, one / two);
 }
 
 /// Nanoseconds of thread CPU time for one of `count`.

@@ -50,7 +50,7 @@ fn files(ending: &str) -> Vec<PathBuf> {
 }
 
 /// Which of our crates each may depend on, tests aside.
-const ARROWS: [(&str, &[&str]); 13] = [
+const ARROWS: [(&str, &[&str]); 14] = [
     ("percuss-spatial", &[]),
     ("percuss-mechanism", &["percuss-spatial"]),
     ("percuss-formats", &["percuss-spatial", "percuss-mechanism"]),
@@ -85,6 +85,8 @@ const ARROWS: [(&str, &[&str]); 13] = [
         ],
     ),
     ("percuss-capi", &["percuss"]),
+    // The command comes with the package, and notebooks show pictures.
+    ("percuss-python", &["percuss", "percuss-cli", "percuss-render"]),
     (
         "percuss-tests",
         &["percuss-spatial", "percuss-mechanism", "percuss-formats", "percuss-dynamics", "percuss-oracle"],

@@ -42,8 +42,8 @@ pub fn run(args: &DampArgs) -> Result<(), Failure> {
             Some(stop) => {
                 let model = args.reading.load(path)?;
                 args.damping.check_units(stop.motion(&model)? == StopMotion::Turn)?;
-                let conditions =
-                    contact.as_ref().map_or_else(MassQuestion::anywhere, ContactArgs::conditions);
+                let conditions = contact.as_ref().map(ContactArgs::conditions).transpose()?;
+                let conditions = conditions.unwrap_or_else(MassQuestion::anywhere);
                 damp_stop(&model, stop, conditions, &question)?
             }
             None => {

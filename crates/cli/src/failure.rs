@@ -5,9 +5,8 @@ use crate::escape;
 use percuss_formats::LoadError;
 use percuss_study::contact::ContactLawError;
 use percuss_study::contact::exports::ExportError;
-use percuss_study::{DiagnosticRecord, Names, StudyError, StudyFileError};
+use percuss_study::{DesignError, DiagnosticRecord, Names, StudyError, StudyFileError};
 use std::io::{self, Write};
-use std::process::ExitCode;
 
 /// No answer.
 #[derive(Debug)]
@@ -51,7 +50,7 @@ impl Failure {
     }
 
     /// Writes the reason to stderr and returns the exit code.
-    pub fn report(self) -> ExitCode {
+    pub fn report(self) -> u8 {
         let (lines, code) = match self {
             Failure::BadInput(lines) => (lines, 2),
             Failure::NoAnswer(message) => (vec![format!("error: {message}")], 1),
@@ -59,14 +58,14 @@ impl Failure {
                 let code = if error.is_no_answer() { 1 } else { 2 };
                 (vec![format!("error: {}{}", error.message(Names::Flags), flag_of(&error))], code)
             }
-            Failure::Unread => return ExitCode::SUCCESS,
+            Failure::Unread => return 0,
         };
         let mut stderr = io::stderr().lock();
         for line in lines {
             // A closed stderr changes nothing about the exit code.
             let _ = writeln!(stderr, "{}", escape::line(&line));
         }
-        ExitCode::from(code)
+        code
     }
 }
 
@@ -75,6 +74,17 @@ impl From<LoadError> for Failure {
         let records: Vec<DiagnosticRecord> = error.diagnostics.into_iter().map(Into::into).collect();
         // Beside an error, notes are of no use.
         Failure::BadInput(lines(&records, false))
+    }
+}
+
+impl From<DesignError> for Failure {
+    fn from(error: DesignError) -> Self {
+        match error {
+            DesignError::Load(error) => error.into(),
+            DesignError::Change(error) => error.into(),
+            // An open list: its own words.
+            other => Failure::bad_input(other.to_string()),
+        }
     }
 }
 

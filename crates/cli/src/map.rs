@@ -26,7 +26,7 @@ pub fn run(args: &MapArgs) -> Result<(), Failure> {
     // Before it is computed.
     formats.iter().try_for_each(|(path, _)| may_be_written(path))?;
     if let Some(count) = args.directions {
-        let report = map_point(&model, &args.contact.conditions(), count)?;
+        let report = map_point(&model, &args.contact.conditions()?, count)?;
         write_diagnostics(&report.diagnostics, args.model.reading.strict)?;
         for (path, format) in formats {
             let mut out = Output::open(Some(path))?;
@@ -43,7 +43,7 @@ pub fn run(args: &MapArgs) -> Result<(), Failure> {
             }
         };
     }
-    let answer = map(&model, &args.question())?;
+    let answer = map(&model, &args.question()?)?;
     write_diagnostics(&answer.report.diagnostics, args.model.reading.strict)?;
     for left in &answer.report.left_out {
         note(&format!("left out: {}", left.reason));

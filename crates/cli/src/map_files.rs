@@ -136,7 +136,7 @@ pub fn point_csv(report: &PointMapReport, out: &mut impl Write) -> io::Result<()
 }
 
 /// The map as a coloured surface, in the world.
-fn skin(answer: &MapAnswer) -> Skin {
+pub fn skin(answer: &MapAnswer) -> Skin {
     let report = &answer.report;
     let pieces = answer.skins.iter().map(|skin| {
         let facet = |(i, facet): (usize, &percuss_formats::Facet)| SkinFacet {

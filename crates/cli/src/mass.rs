@@ -1,30 +1,70 @@
 //! `percuss mass`.
 
-use crate::args::{MassArgs, MassFormat};
+use crate::args::{MassArgs, MassFormat, ToleranceArg};
 use crate::csv;
 use crate::escape::line;
+use crate::explanation::{explanation, motion_ratio};
 use crate::failure::Failure;
 use crate::limits;
 use crate::report::{note, write_diagnostics, write_json, write_out};
 use crate::text::{bar, number, triple};
 use percuss_study::{
-    DampingQuestion, EstimateRecord, MassQuestion, MassReport, Model, Status, mass, mass_with_damper,
+    DampingQuestion, EstimateRecord, MassQuestion, MassReport, Model, Sampling, Status, Tolerance, explain,
+    mass, mass_with_damper, tolerate,
 };
 use std::fmt::Write;
 
 /// Runs the command.
 pub fn run(args: &MassArgs) -> Result<(), Failure> {
     let model = args.model.load()?;
-    let expected = args.expect.map(|mass| Expected { mass, tolerance: args.tolerance });
+    let (of_expected, of_parts) = tolerances(args)?;
+    let expected = args.expect.map(|mass| Expected { mass, tolerance: of_expected });
     let damping = args.damping.question()?;
     show(
         &model,
         &args.contact.question()?,
         damping.as_ref(),
         args.format,
-        expected,
+        &Asked { expected, explain: args.explain, tolerance: of_parts, sampling: args.sampling() },
         args.model.reading.strict,
     )
+}
+
+/// What is asked beside the answer.
+#[derive(Clone, Copy, Default)]
+pub struct Asked {
+    expected: Option<Expected>,
+    explain: bool,
+    tolerance: Option<Tolerance>,
+    sampling: Option<Sampling>,
+}
+
+/// The tolerance of --expect, and those of the model's parts.
+fn tolerances(args: &MassArgs) -> Result<(f64, Option<Tolerance>), Failure> {
+    let (mut of_expected, mut of_parts) = (None, None);
+    for given in &args.tolerance {
+        let twice = match given {
+            ToleranceArg::OfExpected(relative) => of_expected.replace(*relative).is_some(),
+            ToleranceArg::OfParts(parts) => of_parts.replace(*parts).is_some(),
+        };
+        if twice {
+            return Err(Failure::bad_input(
+                "--tolerance: given twice for the same; write mass=2%,point=0.5mm as one",
+            ));
+        }
+    }
+    if of_expected.is_some() && args.expect.is_none() {
+        return Err(Failure::bad_input(
+            "--tolerance: a plain number is that of --expect, which is missing; tolerances of the model's parts are written \
+             mass=2%,point=0.5mm",
+        ));
+    }
+    if args.samples.is_some() && of_parts.is_none() {
+        return Err(Failure::bad_input(
+            "--samples: there is nothing to sample; give --tolerance mass=2%,point=0.5mm",
+        ));
+    }
+    Ok((of_expected.unwrap_or(limits::DEFAULT_TOLERANCE), of_parts))
 }
 
 /// What the answer is compared with.
@@ -40,14 +80,28 @@ pub fn show(
     question: &MassQuestion,
     damping: Option<&DampingQuestion>,
     format: MassFormat,
-    expected: Option<Expected>,
+    asked: &Asked,
     strict: bool,
 ) -> Result<(), Failure> {
-    let report = match damping {
+    let mut report = match damping {
         Some(damping) => mass_with_damper(model, question, damping)?,
         None => mass(model, question)?,
     };
+    if asked.explain {
+        report.explanation = explain(model, question)?;
+    }
+    if let Some(tolerance) = asked.tolerance {
+        report.tolerance = tolerate(model, question, tolerance, asked.sampling)?;
+    }
     write_diagnostics(&report.diagnostics, strict)?;
+    let unanswered = asked.explain && report.explanation.is_none()
+        || asked.tolerance.is_some() && report.tolerance.is_none();
+    if unanswered {
+        note(
+            "--explain and --tolerance: there is nothing to differentiate where no single finite mass is the answer",
+        );
+    }
+    let expected = asked.expected;
     match format {
         MassFormat::Json => write_json(&report)?,
         MassFormat::Csv if report.damper.is_some() => {
@@ -96,6 +150,8 @@ fn text(report: &MassReport, expected: Option<f64>) -> String {
     if report.effective_mass.is_some() {
         out += &shares(report);
     }
+    out += &report.explanation.as_ref().map_or_else(String::new, explanation);
+    out += &report.tolerance.as_ref().map_or_else(String::new, crate::explanation::tolerances);
     out += "\nNot included: friction, compliance of the links, several impacts at once. Gravity, springs, dampers and speed\n\
             do not enter: a finite force does no work in an instantaneous impact. See docs/LIMITS.md.\n";
     out
@@ -217,6 +273,7 @@ pub fn facts(report: &MassReport) -> Vec<(&'static str, String)> {
             report.branch_limits.iter().map(limit).collect::<Vec<_>>().join(", "),
         ));
     }
+    facts.extend(report.motion_ratios.iter().map(|ratio| ("motion ratio", motion_ratio(ratio))));
     let condition = report.condition.map_or_else(String::new, |c| format!(", condition {c:.1e}"));
     facts.push(("computed by", format!("{} route{condition}{}", report.route, uncertainty(report))));
     facts

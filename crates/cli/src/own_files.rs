@@ -63,7 +63,8 @@ fn has_marked_head(head: &str) -> bool {
         || dense.contains("\"generator\":\"percuss\"")
         || head.contains("<!-- imported by percuss from ")
         // Tables have no place for a mark: their columns are it.
-        || first.starts_with("row,") && first.contains(",status,effective_mass")
+        || first.starts_with("row,") && [",status,effective_mass", " difference_percent"].iter().any(|name| first.contains(name))
+        || first == "design,status,effective_mass,difference_percent"
         || ["link,x,y,z,normal_x,", "kind,x,y,z,world_x,", "time,penetration,rate,force", "time_s,penetration_"]
             .iter()
             .any(|columns| first.starts_with(columns))

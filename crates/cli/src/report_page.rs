@@ -159,6 +159,14 @@ fn page(
             ("all rows", name(&Path::new(path).with_extension("csv").to_string_lossy())),
         ]);
     }
+    if !study.variants.is_empty() {
+        let name =
+            Path::new(&args.study).file_stem().map_or_else(String::new, |n| n.to_string_lossy().into());
+        let compared = percuss_study::compare(&study.designs(&name))
+            .map_err(|error| crate::compare::failure(&error, percuss_study::Names::Keys))?;
+        page.heading("Variants");
+        page.code(&crate::compare::text(&compared));
+    }
     if let (Some(damper), Some(question)) = (&report.damper, &study.damping) {
         page.heading("The damper");
         page.facts(damp::facts(damper));

@@ -2,19 +2,20 @@
 
 use crate::args::{FigureArgs, MassFormat, RunArgs};
 use crate::failure::Failure;
+use crate::mass::Asked;
 use crate::report::note;
 use crate::sweep::Written;
 use crate::table_style::TableStyle;
-use crate::{mass, report_page, sweep};
-use percuss_study::StudyFile;
+use crate::{compare, mass, report_page, sweep};
+use percuss_study::{Names, StudyFile};
 use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Runs the command: the contact at the study's pose, or its sweep.
 pub fn run(args: &RunArgs) -> Result<(), Failure> {
     let study = StudyFile::load(&args.study, args.max_size)?;
+    args.writing.apply();
     if let Some(path) = &args.report {
-        args.writing.apply();
         if !args.allow_outside {
             inside(path, &study.folder, "--report")?;
         }
@@ -22,16 +23,27 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
         let written = report_page::write(&study, args, path);
         return written.map_err(|failure| failure.in_file(&args.study));
     }
+    if let Some(path) = study.output.as_deref().filter(|_| !args.allow_outside) {
+        inside(path, &study.folder, "sweep.output")?;
+    }
+    if !study.variants.is_empty() && args.format.is_none() {
+        let name =
+            Path::new(&args.study).file_stem().map_or_else(String::new, |n| n.to_string_lossy().into());
+        let compared = compare::show(
+            &study.designs(&name),
+            Names::Keys,
+            study.output.as_deref(),
+            MassFormat::Text,
+            args.strict,
+        );
+        return compared.map_err(|failure| failure.in_file(&args.study));
+    }
     let answered = match &study.sweep {
         Some(vary) if args.format.is_none() => {
             if study.damping.is_some() {
                 note("[damping] is of the contact at its pose, not of the sweep: --format text shows it");
             }
             sweep::use_threads(args.threads);
-            args.writing.apply();
-            if let Some(path) = study.output.as_deref().filter(|_| !args.allow_outside) {
-                inside(path, &study.folder, "sweep.output")?;
-            }
             let written = Written {
                 output: study.output.as_deref(),
                 table: TableStyle::default(),
@@ -42,7 +54,14 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
         }
         _ => {
             let format = args.format.unwrap_or(MassFormat::Text);
-            mass::show(&study.model, &study.question, study.damping.as_ref(), format, None, args.strict)
+            mass::show(
+                &study.model,
+                &study.question,
+                study.damping.as_ref(),
+                format,
+                &Asked::default(),
+                args.strict,
+            )
         }
     };
     answered.map_err(|failure| failure.in_file(&args.study))

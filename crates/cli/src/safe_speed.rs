@@ -4,9 +4,12 @@ use crate::args::{CheckFormat, ContactArgs, SafeSpeedArgs};
 use crate::escape::line;
 use crate::failure::Failure;
 use crate::report::{write_diagnostics, write_json, write_out};
-use crate::text::{Table, number};
+use crate::text::{Table, number, triple};
 use percuss_study::contact::BodyRegion;
-use percuss_study::{Limit, SafeSpeedQuestion, SafeSpeedReport, SpeedRecord, safe_speed};
+use percuss_study::{
+    Limit, PositionFile, RowSource, SafeSpeedQuestion, SafeSpeedReport, SpeedRecord, safe_speed,
+    safe_speed_along, safe_speed_directions,
+};
 use std::fmt::Write;
 
 /// Runs the command.
@@ -14,29 +17,76 @@ pub fn run(args: &SafeSpeedArgs) -> Result<(), Failure> {
     if args.list_regions {
         return write_out(&regions());
     }
-    let (Some(path), Some(region)) = (&args.model, &args.region) else {
+    let Some(path) = &args.model else {
         return Err(Failure::bad_input(
             "a model and --region, the region of the body that the robot hits, are required",
         ));
     };
-    let contact = ContactArgs::needed(args.contact.as_ref())?;
-    let limit = match (args.force, args.pressure, args.area) {
-        (Some(force), None, None) => Limit::Force(force),
-        (None, Some(pressure), Some(area)) => Limit::Pressure(pressure, area),
-        _ => {
-            return Err(Failure::bad_input(
-                "either --force N or --pressure N/cm² with --area cm² is required: the limit of the region, from the \
-                 edition of the standard that applies to you",
-            ));
-        }
+    let limit = limit(args)?;
+    let model = args.reading.load(path)?;
+    let asked = SafeSpeedQuestion { region: args.region.clone(), limit, load: args.load };
+    let reports = if args.direction.is_empty() && !args.worst_direction {
+        let question = ContactArgs::needed(args.contact.as_ref())?.question()?;
+        let report = match &args.input {
+            None => safe_speed(&model, &question, &asked)?,
+            Some(path) => {
+                let (ignore, max_size) = (args.ignore.clone(), args.reading.max_size);
+                let rows = RowSource::File(PositionFile { path: path.clone(), ignore, max_size });
+                safe_speed_along(&model, &question, &asked, &rows)?
+            }
+        };
+        vec![report]
+    } else {
+        let contact =
+            args.contact.as_ref().filter(|contact| contact.link.is_some() && contact.point.is_some());
+        let contact = contact.ok_or_else(|| {
+            Failure::bad_input("--direction: --link LINK and --point X,Y,Z are required beside it")
+        })?;
+        safe_speed_directions(&model, &contact.conditions()?, &asked, &args.direction, args.worst_direction)?
     };
-    let asked = SafeSpeedQuestion { region: region.clone(), limit, load: args.load };
-    let report = safe_speed(&args.reading.load(path)?, &contact.question()?, &asked)?;
-    write_diagnostics(&report.diagnostics, args.reading.strict)?;
-    match args.format {
-        CheckFormat::Json => write_json(&report),
-        CheckFormat::Text => write_out(&text(&report)),
+    let mut slowest = &reports[0];
+    for report in &reports[1..] {
+        if report.reflected.speed < slowest.reflected.speed {
+            slowest = report;
+        }
     }
+    write_diagnostics(&slowest.diagnostics, args.reading.strict)?;
+    match args.format {
+        CheckFormat::Json if reports.len() > 1 => write_json(&reports),
+        CheckFormat::Json => write_json(slowest),
+        CheckFormat::Text => write_out(&(text(slowest) + &directions(&reports) + CLOSING)),
+    }
+}
+
+fn limit(args: &SafeSpeedArgs) -> Result<Limit, Failure> {
+    match (args.force, args.pressure, args.area, args.energy, args.momentum) {
+        (Some(force), None, None, None, None) => Ok(Limit::Force(force)),
+        (None, Some(pressure), Some(area), None, None) => Ok(Limit::Pressure(pressure, area)),
+        (None, None, None, Some(energy), None) => Ok(Limit::Energy(energy)),
+        (None, None, None, None, Some(momentum)) => Ok(Limit::Momentum(momentum)),
+        _ => Err(Failure::bad_input(
+            "one limit is required: either --force N or --pressure N/cm² with --area cm² of the region, --energy J, or \
+             --momentum N·s, from the edition of the standard that applies to you",
+        )),
+    }
+}
+
+const CLOSING: &str = "\nAn engineering aid, not a certification. v = F/√(μ k), the transient contact of ISO/TS 15066:2016, whose content went\n\
+     into ISO 10218-2:2025; both are known here from public secondary sources, neither was opened. The standard's M/2 + m_L\n\
+     knows neither pose nor direction. Check regions and limits against the purchased standard.\n";
+
+/// The other directions that were asked for.
+fn directions(reports: &[SafeSpeedReport]) -> String {
+    if reports.len() < 2 {
+        return String::new();
+    }
+    let mut table = Table::new(["direction", "by the standard m/s", "m/s", "kg"]);
+    for report in reports {
+        let mass = report.reflected.robot_mass.map_or_else(|| "immovable".to_owned(), number);
+        let (by_standard, speed) = (number(report.standard.speed), number(report.reflected.speed));
+        table.row([triple(&report.normal_world), by_standard, speed, mass]);
+    }
+    format!("\n{table}")
 }
 
 fn text(report: &SafeSpeedReport) -> String {
@@ -46,32 +96,33 @@ fn text(report: &SafeSpeedReport) -> String {
     };
     let speed = |record: &SpeedRecord, mass: &str| {
         let robot = record.robot_mass.map_or("no bounded mass".to_owned(), |m| format!("{} kg", number(m)));
-        format!(
-            "{} m/s   with {robot} ({mass}), two-body mass {} kg",
-            number(record.speed),
-            number(record.reduced_mass)
-        )
+        let reduced = record.reduced_mass.filter(|_| report.region.is_some());
+        let both = reduced.map_or_else(String::new, |m| format!(", two-body mass {} kg", number(m)));
+        format!("{} m/s   with {robot} ({mass}){both}", number(record.speed))
     };
     let load = if report.load > 0.0 { " and the load" } else { "" };
+    match report.region {
+        Some(_) => fact("by the standard", speed(&report.standard, "M/2 + m_L")),
+        None => fact("with all that moves", speed(&report.standard, "M + m_L, all at the contact's speed")),
+    }
     fact("greatest speed", speed(&report.reflected, &format!("effective mass at the contact{load}")));
-    fact("by the standard", speed(&report.standard, "M/2 + m_L"));
-    fact(
-        "struck",
-        format!(
-            "{}: {} kg on {} N/m",
-            report.region,
-            number(report.region_mass),
-            number(report.region_stiffness)
-        ),
-    );
+    if let Some(along) = &report.along {
+        fact("slowest of the rows", speed(&along.slowest, &format!("row {} of {}", along.row, along.rows)));
+    }
+    match (&report.region, report.region_mass, report.region_stiffness) {
+        (Some(region), Some(mass), Some(stiffness)) => {
+            fact("struck", format!("{region}: {} kg on {} N/m", number(mass), number(stiffness)));
+        }
+        _ => fact("struck", "what does not give way".to_owned()),
+    }
+    fact("direction", format!("{} in the world", triple(&report.normal_world)));
     if let Some(note) = &report.region_note {
         fact("", note.clone());
     }
-    fact("greatest force", format!("{} N, energy {} J", number(report.force), number(report.energy)));
+    let force = report.force.map_or_else(String::new, |force| format!("force {} N, ", number(force)));
+    fact("at that", format!("{force}energy {} J, limited by {}", number(report.energy), report.limited_by));
     fact("robot", format!("{} kg that move, load {} kg", number(report.moving_mass), number(report.load)));
-    out + "\nAn engineering aid, not a certification. v = F/√(μ k), the transient contact of ISO/TS 15066 (now ISO 10218-2); the\n\
-           standard's M/2 + m_L knows neither pose nor direction. The table of regions is informative, from public secondary\n\
-           sources: check it, and the limit you gave, against the purchased standard.\n"
+    out
 }
 
 fn regions() -> String {

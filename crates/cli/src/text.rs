@@ -15,6 +15,11 @@ pub fn number(x: f64) -> String {
         let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
         return format!("{}e{exponent}", trimmed(digits));
     }
+    // The shortest digits, where nine are enough: found faster than so many decimals.
+    let shortest = x.to_string();
+    if shortest.trim_start_matches(['-', '0', '.']).bytes().filter(u8::is_ascii_digit).count() <= 9 {
+        return shortest;
+    }
     let decimals = (8.0 - magnitude).max(0.0) as usize;
     trimmed(&format!("{x:.decimals$}"))
 }
@@ -103,6 +108,9 @@ mod tests {
             (1e12, "1e12"),
             (123456789.4, "123456789"),
             (0.0, "0"),
+            (-0.00123456789, "-0.00123456789"),
+            (0.001234567891, "0.00123456789"),
+            (999999999.9, "1000000000"),
         ];
         for (x, text) in cases {
             assert_eq!(number(x), text);

@@ -99,6 +99,31 @@ impl TransientContact {
         Ok(SafeSpeed { speed, force, energy })
     }
 
+    /// A robot of the mass m_R, in kg, that hits what does not give way (a person held against a wall): μ = m_R, without a
+    /// spring, so that no force limits it. Errors: m_R is not a finite number above zero.
+    pub fn against_nothing_that_moves(robot_mass: f64) -> Result<Self, ContactLawError> {
+        Ok(Self { reduced_mass: positive("mass of the robot, kg", robot_mass)?, stiffness: f64::INFINITY })
+    }
+
+    /// v = √(2E/μ) for the greatest energy of the impact that the user allows, in J.
+    ///
+    /// Errors: E is not a finite number above zero; the result is beyond a 64-bit float.
+    pub fn speed_for_energy(self, energy: f64) -> Result<SafeSpeed, ContactLawError> {
+        let energy = positive("greatest energy, J", energy)?;
+        let speed = representable("relative speed, m/s", (2.0 * energy).sqrt() / self.reduced_mass.sqrt())?;
+        Ok(SafeSpeed { speed, force: speed * self.impedance(), energy })
+    }
+
+    /// v = P/μ for the greatest momentum that the user allows to be exchanged until both sides move alike, in N·s.
+    ///
+    /// Errors: P is not a finite number above zero; the result is beyond a 64-bit float.
+    pub fn speed_for_momentum(self, momentum: f64) -> Result<SafeSpeed, ContactLawError> {
+        let momentum = positive("greatest momentum, N·s", momentum)?;
+        let speed = representable("relative speed, m/s", momentum / self.reduced_mass)?;
+        let energy = representable("energy, J", 0.5 * momentum * speed)?;
+        Ok(SafeSpeed { speed, force: speed * self.impedance(), energy })
+    }
+
     /// v = p A/√(μ k) for the greatest pressure that the user allows, in Pa, on the area of the contact, in m².
     ///
     /// Errors: either is not a finite number above zero; the result is beyond a 64-bit float.

@@ -19,6 +19,8 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 /// How many configurations a thread takes at once.
 const PORTION: usize = 512;
+/// Shares of the portions that a thread may get: more even out what others on the machine take.
+const SHARES: usize = 8;
 
 /// Configurations: the positions of all joints one after another, in joint order, for each.
 #[derive(Clone, Copy, Debug)]
@@ -207,7 +209,10 @@ impl Batch {
     ) -> Result<(), BatchError> {
         self.check(positions, answers.len())?;
         let (done, stopped) = (AtomicUsize::new(0), AtomicBool::new(false));
-        answers.par_chunks_mut(PORTION).enumerate().for_each_init(
+        // Each share of portions has a worker of its own, which takes as long to make as hundreds of configurations.
+        let shares = rayon::current_num_threads() * SHARES;
+        let least = answers.len().div_ceil(PORTION).div_ceil(shares);
+        answers.par_chunks_mut(PORTION).enumerate().with_min_len(least).for_each_init(
             || self.worker.clone(),
             |worker, (number, portion)| {
                 if stopped.load(Ordering::Relaxed) {

@@ -7,8 +7,10 @@
 
 /// Elements within elements: real files stay below 20; parsers recurse, and the stack must hold.
 pub(crate) const DEEPEST_NESTING: usize = 256;
-/// Elements, and attributes, of the whole file.
+/// Elements of the whole file.
 pub(crate) const MOST_ELEMENTS: usize = 1_000_000;
+/// Attributes of the whole file: 100,000 links with all that can be said of each and of its joint have fewer.
+pub(crate) const MOST_ATTRIBUTES_IN_ALL: usize = 3_000_000;
 /// Nodes of the parsed tree: elements, comments, and the text between them.
 pub(crate) const MOST_NODES: u32 = 3_000_000;
 /// Attributes of one element: the parser compares all with all.

@@ -162,11 +162,17 @@ fn is_robot(root: Node<'_, '_>, report: &mut Report) -> bool {
     let name = root.tag_name().name();
     let what = match name {
         "robot" => return true,
-        "sdf" | "gazebo" => "this is an SDF file (Gazebo's); export the model as URDF",
-        "mujoco" => "this is an MJCF file (MuJoCo's); export the model as URDF",
+        "sdf" | "gazebo" => {
+            "this is an SDF file (Gazebo's), which is not read; `sdf2urdf` of sdformat_tools converts what URDF can hold"
+        }
+        "mujoco" => {
+            "this is an MJCF file (MuJoCo's), which is not read; `mjcf-urdf-simple-converter` (PyPI) converts trees with their inertias"
+        }
         "COLLADA" => "this is a COLLADA mesh; the URDF names it, load that",
         "html" | "HTML" => "this is a web page; a download may have gone wrong",
-        "mujocoinclude" => "this is a part of an MJCF file (MuJoCo's); export the model as URDF",
+        "mujocoinclude" => {
+            "this is a part of an MJCF file (MuJoCo's), which is not read; `mjcf-urdf-simple-converter` (PyPI) converts the whole"
+        }
         "launch" => "this is a ROS launch file; load the URDF it names",
         _ => "a URDF's root is <robot>",
     };

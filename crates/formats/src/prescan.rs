@@ -6,8 +6,8 @@
 //! DOCTYPE and quotes. It does not judge whether the text is well formed; the parser does.
 
 use crate::limits::{
-    DEEPEST_NESTING, MOST_ATTRIBUTES, MOST_ELEMENTS, MOST_ENTITIES, MOST_EXPANDED, MOST_NAMESPACES,
-    MOST_NODES, REFERENCES_IN_A_REFERENCE,
+    DEEPEST_NESTING, MOST_ATTRIBUTES, MOST_ATTRIBUTES_IN_ALL, MOST_ELEMENTS, MOST_ENTITIES, MOST_EXPANDED,
+    MOST_NAMESPACES, MOST_NODES, REFERENCES_IN_A_REFERENCE,
 };
 use crate::report::{Place, Report};
 
@@ -146,8 +146,8 @@ impl Scan<'_> {
         if attributes > MOST_ATTRIBUTES {
             return Err(format!("an element has more than {MOST_ATTRIBUTES} attributes"));
         }
-        if self.attributes > MOST_ELEMENTS {
-            return Err(format!("more than {MOST_ELEMENTS} attributes"));
+        if self.attributes > MOST_ATTRIBUTES_IN_ALL {
+            return Err(format!("more than {MOST_ATTRIBUTES_IN_ALL} attributes"));
         }
         if self.namespaces > MOST_NAMESPACES {
             return Err(format!("more than {MOST_NAMESPACES} declarations of namespaces"));

@@ -93,6 +93,13 @@ impl MechanismBuilder {
         self
     }
 
+    /// Changes the links added so far.
+    #[must_use]
+    pub fn map_links(mut self, change: impl FnMut(LinkDescription) -> LinkDescription) -> Self {
+        self.links = self.links.into_iter().map(change).collect();
+        self
+    }
+
     /// Checks everything and builds the mechanism.
     ///
     /// # Errors

@@ -6,15 +6,17 @@ use crate::estimate::{Estimate, EstimateRecord};
 use crate::field::{Field, Names};
 use crate::finding::{Finding, Subject};
 use crate::findings::{about_branches, about_guesses, about_pose, about_response};
+use crate::given_pose::{GivenPose, GivenPoseError};
 use crate::holds::HeldContact;
-use crate::model::Model;
+use crate::model::{Input, Model};
+use crate::posing;
 use crate::position::GivenPosition;
 use crate::question::{MassQuestion, Normal};
 use crate::thresholds::LEAST_OTHER_MASS;
 use nalgebra::Vector3;
 use percuss_dynamics::{
-    BranchLimits, Conditions, Configuration, Contact, ContactResponse, Direction, EffectiveMass, Frame, Pose,
-    ResponseError, RouteChoice, System,
+    BranchLimits, Conditions, Configuration, ConfigurationError, Contact, ContactResponse, Direction,
+    EffectiveMass, Frame, Pose, ResponseError, RouteChoice, System,
 };
 use percuss_mechanism::{JointId, LinkId, Mechanism, UnknownName};
 use std::sync::Arc;
@@ -165,7 +167,23 @@ impl<'a> Prepared<'a> {
 
     /// What became of the guesses.
     pub fn about_guesses(&self, pose: &Pose) -> Vec<Finding> {
-        about_guesses(&self.system, pose, &self.configuration, self.question.names)
+        let question = self.question;
+        let mut found =
+            about_guesses(&self.system, pose, &self.configuration, &question.guess, question.names);
+        let other = question.pose.as_ref().and_then(|file| file.about_model(self.model, question.names));
+        found.extend(other.map(|message| Finding::warning("pose-of-another-file", Subject::Answer, message)));
+        found
+    }
+
+    /// The files of the answer.
+    pub fn inputs(&self) -> Vec<Input> {
+        let pose = self.question.pose.iter().map(|file| &file.input);
+        self.model.inputs.iter().chain(pose).cloned().collect()
+    }
+
+    /// The pose that is asked about.
+    pub fn pose(&self) -> Result<Pose, StudyError> {
+        posing::pose(&self.system, &self.configuration, self.question)
     }
 
     /// The answer at a pose.
@@ -218,7 +236,7 @@ impl<'a> Answered<'a> {
     /// Answers a question.
     pub fn new(model: &'a Model, question: &'a MassQuestion) -> Result<Self, StudyError> {
         let prepared = Prepared::new(model, question)?;
-        let pose = prepared.system.pose(&prepared.configuration)?;
+        let pose = prepared.pose()?;
         let contact = prepared.contact_at(&pose);
         let mut answer = prepared.answer(&pose, &contact)?;
         answer.findings.extend(prepared.about_point(&contact, "at the pose of the answer"));
@@ -255,21 +273,72 @@ fn compile(
 
 /// Positions asked for.
 fn configuration(mechanism: &Arc<Mechanism>, question: &MassQuestion) -> Result<Configuration, StudyError> {
-    let mut configuration = Configuration::zero(mechanism);
     let values = |field: Field, joint: &String, given: &GivenPosition| {
         let id = mechanism.find_joint(joint).map_err(|error| StudyError::input(field, error))?;
         let wrong = |source| StudyError::input(field, Fault::Position { joint: joint.clone(), source });
         given.of_joint(mechanism.joint(id).kind()).map_err(wrong)
     };
+    let mut configuration = match &question.pose {
+        None => Configuration::zero(mechanism),
+        Some(file) => {
+            let refuse = |error: GivenPoseError| StudyError::input(Field::Pose, error);
+            file.check(mechanism).map_err(refuse)?;
+            from_file(mechanism, question, file, values)?
+        }
+    };
     for (joint, given) in &question.set {
         let values = values(Field::Set, joint, given)?;
         configuration.set(joint, &values).map_err(|error| StudyError::input(Field::Set, error))?;
     }
-    for (joint, given) in &question.guess {
+    let whole = question.pose.as_ref().is_some_and(|file| file.is_whole(mechanism));
+    for (joint, given) in question.guess.iter().filter(|_| !whole) {
         let values = values(Field::Guess, joint, given)?;
         configuration.guess(joint, &values).map_err(|error| StudyError::input(Field::Guess, error))?;
     }
     Ok(configuration)
+}
+
+/// Positions from a file: all of them, with what is set and guessed in their places; or of some joints, as if they were set.
+fn from_file(
+    mechanism: &Arc<Mechanism>,
+    question: &MassQuestion,
+    file: &GivenPose,
+    values: impl Fn(Field, &String, &GivenPosition) -> Result<Vec<f64>, StudyError>,
+) -> Result<Configuration, StudyError> {
+    let refuse = |error: ConfigurationError| StudyError::input(Field::Pose, error);
+    if !file.is_whole(mechanism) {
+        let mut configuration = Configuration::zero(mechanism);
+        let is_set = |joint: &String| question.set.iter().any(|(set, _)| set == joint);
+        for (joint, given) in file.positions.iter().filter(|(joint, _)| !is_set(joint)) {
+            configuration.set(joint, &values(Field::Pose, joint, given)?).map_err(refuse)?;
+        }
+        return Ok(configuration);
+    }
+    for joint in file.positions.keys() {
+        mechanism.find_joint(joint).map_err(|error| StudyError::input(Field::Pose, error))?;
+    }
+    let mut positions = Vec::new();
+    for joint in mechanism.joints() {
+        let name = joint.name().to_owned();
+        let over = |given: &[(String, GivenPosition)]| {
+            given.iter().find(|(of, _)| *of == name).map(|(_, position)| position.clone())
+        };
+        let given = [(Field::Guess, over(&question.guess)), (Field::Set, over(&question.set))];
+        let given = given.into_iter().chain([(Field::Pose, file.positions.get(&name).cloned())]);
+        let given = given.into_iter().find_map(|(field, position)| Some((field, position?)));
+        match given {
+            Some((field, position)) if joint.mimic().is_none() && joint.kind().positions() > 0 => {
+                let position = values(field, &name, &position)?;
+                // A count that does not fit is refused by `set`, with the joint's name.
+                Configuration::zero(mechanism)
+                    .set(&name, &position)
+                    .map_err(|error| StudyError::input(field, error))?;
+                positions.extend(position);
+            }
+            _ => positions.extend(std::iter::repeat_n(0.0, joint.kind().positions())),
+        }
+    }
+    Configuration::from_positions(mechanism, &positions).map_err(refuse)
 }
 
 /// The link of this name; `world` is the ground where no link is called so.

@@ -77,7 +77,7 @@ pub(crate) fn damping_of(
     Ok(DampingReport {
         schema: "percuss.damp/1",
         percuss: env!("CARGO_PKG_VERSION"),
-        inputs: prepared.model.inputs.clone(),
+        inputs: prepared.inputs(),
         effective_mass: mass,
         stop: None,
         damper: record,

@@ -1,10 +1,12 @@
 //! Why a question has no answer, and which flag or key is at fault.
 
 use crate::field::{Field, Names, about_assembly};
+use crate::given_pose::GivenPoseError;
 use crate::quantity::QuantityError;
 use crate::table_error::TableError;
 use crate::thresholds::{
-    DIRECTIONS, GRID_ROWS, LARGEST_COORDINATE, LEAST_EDGE, LEAST_OTHER_MASS, ROWS, SHORTEST_DIRECTION,
+    DIRECTIONS, GRID_ROWS, LARGEST_COORDINATE, LEAST_EDGE, LEAST_OTHER_MASS, ROWS, SAMPLES,
+    SHORTEST_DIRECTION,
 };
 use percuss_contact::ContactLawError;
 use percuss_contact::exports::ExportError;
@@ -202,6 +204,61 @@ pub enum Fault {
     /// A travel that means nothing, or that nothing drives.
     #[error(transparent)]
     Travel(#[from] TravelError),
+    /// A file of a pose.
+    #[error(transparent)]
+    PoseFile(#[from] GivenPoseError),
+    /// A link's mass that is none.
+    #[error("link \"{link}\": {mass:e} kg; expected a finite mass of 0 or more")]
+    LinkMass {
+        /// The link.
+        link: String,
+        /// What was given, kg.
+        mass: f64,
+    },
+    /// A centre of mass of nothing.
+    #[error("link \"{link}\" has no mass, so that no centre of mass can be set; give it a mass first")]
+    NoMassToMove {
+        /// The link.
+        link: String,
+    },
+    /// A centre of mass that is nowhere.
+    #[error("link \"{link}\": the centre of mass has a component {value:e}; expected finite numbers")]
+    LinkCom {
+        /// The link.
+        link: String,
+        /// The component, m.
+        value: f64,
+    },
+    /// Changes that leave no mechanism.
+    #[error("with what was changed there is no mechanism: {message}")]
+    NoMechanism {
+        /// What the builder found.
+        message: String,
+    },
+    /// A hardpoint of a model that has none.
+    #[error(
+        "{path} is a URDF, which has no hardpoints; give the suspension's sheet (.toml, .csv, .xlsx) in its place, or move \
+         the joints' <origin> in the file"
+    )]
+    NoSheet {
+        /// The model's file.
+        path: String,
+    },
+    /// A direction without length.
+    #[error("the direction has no length; expected a vector such as 0,0,1")]
+    NoRatioDirection,
+    /// No samples, or too many.
+    #[error("{count} samples; {} to {} are possible", SAMPLES.start(), SAMPLES.end())]
+    Samples {
+        /// What was given.
+        count: usize,
+    },
+    /// A travel of the pose beside rows that leave it no place.
+    #[error(
+        "a travel of the pose goes with ranges of joints, once; it does not go with a varied travel, a file of positions, \
+         random positions, or another travel"
+    )]
+    TravelOfRows,
     /// A point is given in a frame that is looked up at a pose out of reach.
     #[error("{}", no_reference_pose(source, Names::Fields))]
     NoReferencePose {
@@ -274,6 +331,12 @@ pub enum StudyError {
     /// Loops that do not close, or not there.
     #[error(transparent)]
     Assembly(#[from] AssemblyError),
+    /// A travel that ends before.
+    #[error("{}: {why}", Field::Travel.named(Names::Fields))]
+    TravelNotReached {
+        /// Why, and how far it goes.
+        why: String,
+    },
     /// An impossible mass matrix.
     #[error(transparent)]
     Route(#[from] RouteError),
@@ -289,6 +352,9 @@ pub enum StudyError {
     /// A safe speed against something else than a person.
     #[error("{}", person_is_the_other(Names::Fields))]
     PersonIsTheOther,
+    /// A force or a pressure on nothing that gives way.
+    #[error("{}", no_region(Names::Fields))]
+    NoRegion,
     /// A robot without mass at the contact.
     #[error("{}", no_mass(Names::Fields))]
     NoMass,
@@ -344,6 +410,7 @@ impl StudyError {
             | StudyError::NoGreatestMass { .. }
             | StudyError::MassUnknown
             | StudyError::NoMass
+            | StudyError::TravelNotReached { .. }
             | StudyError::Route(_) => true,
             StudyError::Assembly(error) => !error.is_bad_input(),
             _ => false,
@@ -355,8 +422,10 @@ impl StudyError {
         match self {
             StudyError::Input { field, fault } => format!("{}: {}", field.named(names), fault.message(names)),
             StudyError::Assembly(error) => about_assembly(error, names),
+            StudyError::TravelNotReached { why } => format!("{}: {why}", Field::Travel.named(names)),
             StudyError::PersonIsTheOther => person_is_the_other(names),
             StudyError::NoMass => no_mass(names),
+            StudyError::NoRegion => no_region(names),
             other => other.to_string(),
         }
     }
@@ -365,6 +434,16 @@ impl StudyError {
 fn person_is_the_other(names: Names) -> String {
     let [against, mass] = [Field::Against, Field::AgainstMass].map(|field| field.named(names));
     format!("the other side is the person: leave {against} and {mass} out")
+}
+
+fn no_region(names: Names) -> String {
+    let region = match names {
+        Names::Flags => "--region",
+        Names::Fields | Names::Keys => "region",
+    };
+    format!(
+        "a force or a pressure belongs to a region of the body: give {region}; without one, an energy or a momentum"
+    )
 }
 
 fn no_mass(names: Names) -> String {

@@ -35,6 +35,24 @@ pub enum Field {
     Set,
     /// Where a joint is looked for.
     Guess,
+    /// A travel that drives the pose.
+    Travel,
+    /// A file of positions for the pose.
+    Pose,
+    /// The model's file.
+    Model,
+    /// A link's mass.
+    LinkMass,
+    /// A link's centre of mass.
+    LinkCom,
+    /// A hardpoint that is moved.
+    Move,
+    /// A point whose speed is asked for.
+    RatioAt,
+    /// How far off the parts of a model may be.
+    Tolerance,
+    /// How many samples are taken.
+    Samples,
     /// A joint that is held.
     Lock,
     /// A point that is held.
@@ -72,6 +90,15 @@ impl Field {
             Field::AgainstMass => ("--against-mass", "contact.against_mass"),
             Field::Set => ("--set", "pose.set"),
             Field::Guess => ("--guess", "pose.guess"),
+            Field::Travel => ("--travel", "pose.travel"),
+            Field::Pose => ("--pose", "pose.file"),
+            Field::Model => ("MODEL", "model.path"),
+            Field::LinkMass => ("--link-mass", "model.link_mass"),
+            Field::LinkCom => ("--link-com", "model.link_com"),
+            Field::Move => ("--move", "model.move"),
+            Field::RatioAt => ("--ratio-at", "contact.ratio_at"),
+            Field::Tolerance => ("--tolerance", "tolerance"),
+            Field::Samples => ("--samples", "samples"),
             Field::Lock => ("--lock", "conditions.lock"),
             Field::Hold => ("--hold", "hold"),
             Field::Armature => ("--armature", "conditions.armature"),

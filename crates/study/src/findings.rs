@@ -3,6 +3,7 @@
 use crate::far_point;
 use crate::field::{Field, Names};
 use crate::finding::{Finding, Subject};
+use crate::position::GivenPosition;
 use crate::quantity::{Dimension, position_dimension};
 use crate::thresholds::{FAR_FROM_GUESS, UNCERTAIN, WEAKLY_CONSTRAINED};
 use percuss_dynamics::{
@@ -192,6 +193,7 @@ pub(crate) fn about_guesses(
     system: &System,
     pose: &Pose,
     wanted: &Configuration,
+    asked: &[(String, GivenPosition)],
     names: Names,
 ) -> Vec<Finding> {
     let (set, given) = (Field::Set.named(names), Field::Guess.hint(names));
@@ -199,6 +201,10 @@ pub(crate) fn about_guesses(
     let mut found = Vec::new();
     for (joint, guess) in wanted.guesses() {
         let name = system.mechanism().joint(joint).name();
+        // A whole configuration guesses every joint.
+        if !asked.iter().any(|(guessed, _)| guessed == name) {
+            continue;
+        }
         let mut add = |code, message| found.push(Finding::warning(code, Subject::Joint(joint), message));
         if !system.is_bound(joint) {
             let message = format!(

@@ -6,21 +6,27 @@
 
 mod answer;
 mod assumptions;
+mod changes;
 mod check;
 mod closure_text;
+mod compare;
 mod csv_records;
 mod damped_contact;
 mod damping;
 mod damping_question;
+mod design;
 mod drawn;
 mod driver;
 mod error;
 mod estimate;
+mod explain;
 mod far_point;
 mod field;
 mod finding;
 mod findings;
 mod following;
+mod given_pose;
+mod given_travel;
 mod holds;
 mod in_lanes;
 mod joint_stop;
@@ -32,10 +38,12 @@ mod mass;
 mod mass_report;
 mod measure;
 mod model;
+mod motion_ratio;
 mod parquet_bounds;
 mod parquet_source;
 mod parquet_table;
 mod point_map;
+mod posing;
 mod position;
 mod positions;
 mod quantity;
@@ -48,6 +56,7 @@ mod row_source;
 mod rows;
 mod safe_speed;
 mod setting;
+mod sheet;
 mod simulators;
 mod stages;
 mod study_file;
@@ -59,8 +68,10 @@ mod swept;
 mod table_columns;
 mod table_error;
 mod thresholds;
+mod tolerance;
 mod trajectory;
 mod travel;
+mod variant;
 mod varied_values;
 mod vary;
 
@@ -68,14 +79,22 @@ mod vary;
 pub use percuss_contact as contact;
 
 pub use assumptions::Assumptions;
+pub use changes::Changes;
 pub use check::{CheckReport, ClosureRecord, JointRecord, LinkRecord, check};
+pub use compare::{CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, compare};
 pub use damped_contact::{damp_contact, damp_stop};
 pub use damping::{BodyAlone, DamperRecord, DampingReport, Drift, damp, damper, impact_history};
 pub use damping_question::DampingQuestion;
+pub use design::DesignError;
 pub use drawn::DrawnLink;
 pub use error::{Fault, StudyError};
 pub use estimate::EstimateRecord;
+pub use explain::{
+    Explanation, LinkSensitivity, MassChange, PointChange, PointSensitivity, RotorSensitivity, explain,
+};
 pub use field::{Field, Names};
+pub use given_pose::{GivenPose, GivenPoseError};
+pub use given_travel::{GivenTravel, GivenTravelError};
 pub use joint_stop::{JointStop, StopEnd, StopRecord};
 pub use map::map;
 pub use map_question::{MapLinks, MapQuestion, MapShapes};
@@ -84,22 +103,31 @@ pub use map_report::{
 };
 pub use mass::{mass, mass_drawn, mass_with_damper};
 pub use mass_report::{
-    BodyShare, ConditionsRecord, ContactRecord, HoldRecord, MassReport, RotorShare, Status,
+    BodyShare, ConditionsRecord, ContactRecord, HoldRecord, MassReport, RotorShare, Status, TravelRecord,
 };
 pub use measure::{Measure, Measured};
-pub use model::{Input, Model};
+pub use model::{Input, Model, Origin};
+pub use motion_ratio::MotionRatioRecord;
 pub use point_map::{DirectionMass, PointMapReport, map_point};
 pub use position::GivenPosition;
 pub use positions::{PoseLayout, Positions};
 pub use quantity::{Dimension, Quantity, QuantityError, parse_list, parse_triple};
-pub use question::{EstimateQuestion, Hold, MassQuestion, Normal};
+pub use question::{EstimateQuestion, Hold, MassQuestion, Normal, RatioPoint, UPWARDS};
 pub use record::DiagnosticRecord;
 pub use row_source::{PositionFile, RowSource};
-pub use safe_speed::{Limit, SafeSpeedQuestion, SafeSpeedReport, SpeedRecord, safe_speed};
+pub use safe_speed::{
+    AlongRecord, Limit, SafeSpeedQuestion, SafeSpeedReport, SpeedRecord, safe_speed, safe_speed_along,
+    safe_speed_directions,
+};
+pub use sheet::Sheet;
 pub use simulators::ExportRecord;
 pub use study_file::{StudyFile, StudyFileError};
 pub use sweep::{Sweep, sweep, sweep_report};
 pub use sweep_report::{Continuation, SweepEnd, SweepHeading, SweepReport, SweepRow};
 pub use table_error::{TableError, TableFault};
+pub use tolerance::{
+    SampleRecord, Sampling, Tolerance, ToleranceError, ToleranceParts, ToleranceReport, tolerate,
+};
+pub use variant::Variant;
 pub use varied_values::{VariedColumn, VariedValues};
 pub use vary::{Varied, Vary, VaryError};

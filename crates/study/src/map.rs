@@ -47,7 +47,7 @@ pub fn map(model: &Model, question: &MapQuestion) -> Result<MapAnswer, StudyErro
     };
     let conditions = on_a_link(model, &question.conditions);
     let prepared = Prepared::new(model, &conditions)?;
-    let pose = prepared.system.pose(&prepared.configuration)?;
+    let pose = prepared.pose()?;
     let mut found = about_pose(&prepared.system, &pose, conditions.names);
     found.extend(prepared.about_guesses(&pose));
     let mut diagnostics: Vec<DiagnosticRecord> = model.diagnostics.clone();
@@ -85,7 +85,7 @@ pub fn map(model: &Model, question: &MapQuestion) -> Result<MapAnswer, StudyErro
     let report = MapReport {
         schema: "percuss.map/1",
         percuss: env!("CARGO_PKG_VERSION"),
-        inputs: model.inputs.clone(),
+        inputs: prepared.inputs(),
         links: maps,
         left_out,
         edge: question.edge,

@@ -7,6 +7,7 @@ use crate::drawn::{DrawnLink, drawn};
 use crate::error::StudyError;
 use crate::mass_report::MassReport;
 use crate::model::Model;
+use crate::motion_ratio::motion_ratios;
 use crate::question::MassQuestion;
 use crate::record::DiagnosticRecord;
 use percuss_mechanism::Severity;
@@ -16,7 +17,12 @@ use percuss_mechanism::Severity;
 /// # Errors
 /// [`StudyError`]: names that nothing bears, positions that cannot be reached, a contact that means nothing.
 pub fn mass(model: &Model, question: &MassQuestion) -> Result<MassReport, StudyError> {
-    Ok(MassReport::of(&Answered::new(model, question)?))
+    report_of(&Answered::new(model, question)?)
+}
+
+fn report_of(answered: &Answered) -> Result<MassReport, StudyError> {
+    let motion_ratios = motion_ratios(answered, &answered.prepared.question.ratio_at)?;
+    Ok(MassReport { motion_ratios, ..MassReport::of(answered) })
 }
 
 /// Answers one contact of a model, with the damper that gives it a restitution; none where its mass is not finite
@@ -44,13 +50,13 @@ pub fn mass_drawn(
     let answered = Answered::new(model, question)?;
     let report = match damping {
         Some(damping) => with_damper(&answered, damping)?,
-        None => MassReport::of(&answered),
+        None => report_of(&answered)?,
     };
     Ok((report, drawn(&answered)))
 }
 
 fn with_damper(answered: &Answered, damping: &DampingQuestion) -> Result<MassReport, StudyError> {
-    let mut report = MassReport::of(answered);
+    let mut report = report_of(answered)?;
     match damping_of(answered, damping) {
         Ok(mut damper) => {
             report.diagnostics = std::mem::take(&mut damper.diagnostics);

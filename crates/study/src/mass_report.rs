@@ -4,10 +4,14 @@ use crate::answer::{Answer, Answered};
 use crate::assumptions::Assumptions;
 use crate::damping::DampingReport;
 use crate::estimate::EstimateRecord;
+use crate::explain::Explanation;
+use crate::given_travel::GivenTravel;
 use crate::model::Input;
+use crate::motion_ratio::MotionRatioRecord;
 use crate::positions::{PoseLayout, Positions};
 use crate::question::{Hold, MassQuestion};
 use crate::record::DiagnosticRecord;
+use crate::tolerance::ToleranceReport;
 use percuss_dynamics::{Base, EffectiveMass, Route};
 use percuss_mechanism::{JointId, LinkId};
 use serde::Serialize;
@@ -95,6 +99,21 @@ pub struct ConditionsRecord {
     pub against_mass: Option<f64>,
     /// Where joints were looked for, as typed.
     pub guess: BTreeMap<String, String>,
+    /// Travels that drove the pose.
+    pub travel: Vec<TravelRecord>,
+}
+
+/// A travel that drove the pose.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TravelRecord {
+    /// The link.
+    pub link: String,
+    /// The point in the link's frame, m.
+    pub point: [f64; 3],
+    /// The direction in world axes, as given.
+    pub direction: [f64; 3],
+    /// How far the point was displaced, m.
+    pub distance: f64,
 }
 
 /// A held point.
@@ -106,6 +125,13 @@ pub struct HoldRecord {
     pub point: [f64; 3],
     /// The normal in world axes; null holds three directions.
     pub normal: Option<[f64; 3]>,
+}
+
+impl From<GivenTravel> for TravelRecord {
+    fn from(given: GivenTravel) -> Self {
+        let GivenTravel { link, point, direction, distance } = given;
+        Self { link, point, direction, distance }
+    }
 }
 
 impl ConditionsRecord {
@@ -121,6 +147,7 @@ impl ConditionsRecord {
             armature: question.armature.iter().cloned().collect(),
             against_mass: question.against_mass,
             guess: question.guess.iter().map(|(j, given)| (j.clone(), given.text().to_owned())).collect(),
+            travel: question.travel.iter().cloned().map(TravelRecord::from).collect(),
         }
     }
 }
@@ -187,6 +214,12 @@ pub struct MassReport {
     pub branch_limits: Vec<Option<f64>>,
     /// The classical estimate, where it was asked for.
     pub estimate: Option<EstimateRecord>,
+    /// Speeds of the wheel, where the mechanism knows it and has one travel, and of points asked for, beside the contact's.
+    pub motion_ratios: Vec<MotionRatioRecord>,
+    /// What m̄ depends on, where that was asked for.
+    pub explanation: Option<Explanation>,
+    /// What tolerances leave of m̄, where they were given.
+    pub tolerance: Option<ToleranceReport>,
     /// The damper that gives the contact a restitution, where one was asked for.
     pub damper: Option<DampingReport>,
     /// What was found, in the file and in the answer.
@@ -232,7 +265,7 @@ impl MassReport {
         MassReport {
             schema: "percuss.mass/1",
             percuss: env!("CARGO_PKG_VERSION"),
-            inputs: model.inputs.clone(),
+            inputs: prepared.inputs(),
             effective_mass,
             status,
             singular_pose: response.singular_pose,
@@ -274,6 +307,9 @@ impl MassReport {
             redundant_loops: assembly.redundant_loops().to_vec(),
             branch_limits: answer.limits.limits.iter().map(limit_of).collect(),
             estimate: answer.estimate.clone(),
+            motion_ratios: Vec::new(),
+            explanation: None,
+            tolerance: None,
             damper: None,
             diagnostics: model.diagnostics.iter().cloned().chain(of_answer).collect(),
             assumptions,

@@ -19,6 +19,10 @@ pub enum Measure {
     Pressure,
     /// cm² where no unit is given; the value is in m².
     Area,
+    /// J.
+    Energy,
+    /// N·s.
+    Momentum,
     /// s.
     Time,
     /// A number without a unit, or per cent.
@@ -65,6 +69,10 @@ impl Measure {
                 ("Pa", 1.0, 1.0),
             ],
             Measure::Area => &[("cm2", 1.0, 1e4), ("mm2", 1.0, 1e6), ("m2", 1.0, 1.0)],
+            Measure::Energy => &[("J", 1.0, 1.0), ("mJ", 1.0, 1e3), ("kJ", 1e3, 1.0)],
+            Measure::Momentum => {
+                &[("N·s", 1.0, 1.0), ("Ns", 1.0, 1.0), ("kg·m/s", 1.0, 1.0), ("kg*m/s", 1.0, 1.0)]
+            }
             Measure::Time => &[("s", 1.0, 1.0), ("ms", 1.0, 1e3), ("us", 1.0, 1e6)],
             Measure::Ratio => &[("", 1.0, 1.0), ("%", 1.0, 100.0)],
         }

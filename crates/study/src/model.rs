@@ -1,8 +1,11 @@
 //! A model that was read: the mechanism, what was found, and which bytes it came from.
 
+use crate::changes::Changes;
 use crate::record::DiagnosticRecord;
+use crate::sheet::Sheet;
+use percuss_formats::suspension::Imported;
 use percuss_formats::{LoadError, LoadOptions, Shape, Source, load};
-use percuss_mechanism::Mechanism;
+use percuss_mechanism::{ClosureDescription, Mechanism};
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 use std::sync::Arc;
@@ -18,7 +21,7 @@ pub struct Input {
 
 impl Input {
     /// Names a source and its bytes.
-    pub(crate) fn of(source: &Source) -> Self {
+    pub fn of(source: &Source) -> Self {
         Self { path: source.name.clone(), sha256: hexadecimal(&Sha256::digest(&source.bytes)) }
     }
 }
@@ -39,21 +42,64 @@ pub struct Model {
     pub shapes: Arc<Vec<Vec<Shape>>>,
     /// Warnings and notes found while reading.
     pub diagnostics: Vec<DiagnosticRecord>,
+    /// What it was made of, to make it again with something changed.
+    pub origin: Origin,
+}
+
+/// What a model was made of, to make it again with something changed.
+#[derive(Clone, Debug, Default)]
+pub struct Origin {
+    /// The suspension's sheet in memory, without points moved, and the names of its hardpoints; none for a URDF.
+    pub(crate) sheet: Option<Arc<(Sheet, Vec<String>)>>,
+    /// What was changed.
+    pub(crate) changes: Changes,
+    /// Loops that a study adds.
+    pub(crate) closures: Vec<ClosureDescription>,
 }
 
 impl Model {
-    /// Reads a URDF file; `-` is the standard input. At most `max_size` bytes.
+    /// Reads a URDF file, or a suspension's sheet, table or JSON as `percuss import` does, by the ending of its name; `-` is
+    /// the standard input, a URDF. At most `max_size` bytes.
     ///
     /// # Errors
     /// [`LoadError`] with everything that was found, errors with their places.
     pub fn load(path: &str, max_size: u64, options: &LoadOptions) -> Result<Self, LoadError> {
-        let source = Source::read(path, max_size)?;
-        let loaded = load(&source, options)?;
+        Self::of(&Source::read(path, max_size)?, options)
+    }
+
+    /// Reads a URDF, or the sheet of a suspension, that is at hand already.
+    ///
+    /// # Errors
+    /// [`LoadError`], as for [`load`](Self::load).
+    pub fn of(source: &Source, options: &LoadOptions) -> Result<Self, LoadError> {
+        let input = Input::of(source);
+        if let Some(sheet) = Sheet::of(source, options.accept) {
+            return Self::of_sheet(&sheet, &[], vec![input]);
+        }
+        let loaded = load(source, options)?;
         Ok(Self {
             mechanism: Arc::new(loaded.mechanism),
-            inputs: vec![Input::of(&source)],
+            inputs: vec![input],
             shapes: Arc::new(loaded.shapes),
             diagnostics: loaded.diagnostics.into_iter().map(Into::into).collect(),
+            origin: Origin::default(),
+        })
+    }
+
+    /// What is made of a sheet with points moved. It has no shapes.
+    pub(crate) fn of_sheet(
+        sheet: &Sheet,
+        moves: &[(String, [f64; 3])],
+        inputs: Vec<Input>,
+    ) -> Result<Self, LoadError> {
+        let Imported { mechanism, understood, diagnostics, .. } = sheet.import(moves)?;
+        let sheet = Some(Arc::new((sheet.clone(), understood.points)));
+        Ok(Self {
+            shapes: Arc::new(vec![Vec::new(); mechanism.links().len()]),
+            mechanism: Arc::new(mechanism),
+            inputs,
+            diagnostics: diagnostics.into_iter().map(Into::into).collect(),
+            origin: Origin { sheet, ..Origin::default() },
         })
     }
 }

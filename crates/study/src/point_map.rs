@@ -75,7 +75,7 @@ pub fn map_point(
     }
     let question = MassQuestion { normal: Normal::Along([1.0, 0.0, 0.0]), ..question.clone() };
     let prepared = Prepared::new(model, &question)?;
-    let pose = prepared.system.pose(&prepared.configuration)?;
+    let pose = prepared.pose()?;
     let contact = prepared.contact_at(&pose);
     let map = pose
         .contact_map(contact.link, contact.against, contact.point, 0.0)
@@ -97,7 +97,7 @@ pub fn map_point(
     Ok(PointMapReport {
         schema: "percuss.map-point/1",
         percuss: env!("CARGO_PKG_VERSION"),
-        inputs: model.inputs.clone(),
+        inputs: prepared.inputs(),
         link: question.link.clone(),
         point_link: contact.point.into(),
         point_world: x_wl.point(&contact.point).into(),

@@ -27,10 +27,12 @@ impl PoseLayout {
         let mut movable: Vec<JointId> =
             mechanism.joint_ids().filter(|id| mechanism.joint(*id).kind().dofs() > 0).collect();
         movable.sort_by_key(|id| mechanism.joint(*id).name());
-        let place = |joint: JointId| {
-            let before = &mechanism.joints()[..joint.index()];
-            before.iter().map(|joint| joint.kind().positions()).sum()
-        };
+        let mut places = Vec::with_capacity(mechanism.joints().len());
+        let mut place = 0;
+        for joint in mechanism.joints() {
+            places.push(place);
+            place += joint.kind().positions();
+        }
         let mut first = 0;
         let numbered = |joint: JointId| {
             let numbers = first..first + mechanism.joint(joint).kind().positions();
@@ -39,7 +41,7 @@ impl PoseLayout {
                 name: mechanism.joint(joint).name().to_owned(),
                 joint,
                 numbers,
-                place: place(joint),
+                place: places[joint.index()],
             }
         };
         Arc::new(Self { joints: movable.into_iter().map(numbered).collect() })

@@ -1,6 +1,8 @@
 //! The question: a contact of a model, by names. The same words as the flags of `percuss mass`.
 
 use crate::field::Names;
+use crate::given_pose::GivenPose;
+use crate::given_travel::GivenTravel;
 use crate::position::GivenPosition;
 use percuss_dynamics::{Base, Frame};
 
@@ -36,6 +38,20 @@ pub struct EstimateQuestion {
     pub direction: Option<[f64; 3]>,
 }
 
+/// The direction of a motion ratio, where none is given: that of a wheel.
+pub const UPWARDS: [f64; 3] = [0.0, 0.0, 1.0];
+
+/// A point whose speed is set beside that of the contact.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RatioPoint {
+    /// The link.
+    pub link: String,
+    /// The point, m, link's frame.
+    pub point: [f64; 3],
+    /// Along which direction, world axes; its length does not matter.
+    pub direction: [f64; 3],
+}
+
 impl MassQuestion {
     /// A question without a contact, for whom the contact follows from something else: every joint at 0, nothing held.
     pub fn anywhere() -> Self {
@@ -50,11 +66,14 @@ impl MassQuestion {
             against_mass: None,
             set: Vec::new(),
             guess: Vec::new(),
+            pose: None,
+            travel: Vec::new(),
             lock: Vec::new(),
             hold: Vec::new(),
             armature: Vec::new(),
             base: Base::Fixed,
             estimate: None,
+            ratio_at: Vec::new(),
         }
     }
 }
@@ -80,6 +99,10 @@ pub struct MassQuestion {
     pub set: Vec<(String, GivenPosition)>,
     /// Where to look for joints that follow from loops.
     pub guess: Vec<(String, GivenPosition)>,
+    /// Where all joints stand, from a file; `set` and `guess` are put over it.
+    pub pose: Option<GivenPose>,
+    /// Travels that drive the pose from where the joints are set.
+    pub travel: Vec<GivenTravel>,
     /// Joints that are held.
     pub lock: Vec<String>,
     /// Contacts that are held.
@@ -90,6 +113,8 @@ pub struct MassQuestion {
     pub base: Base,
     /// The estimate to set beside the answer.
     pub estimate: Option<EstimateQuestion>,
+    /// Points whose speed is set beside the contact's.
+    pub ratio_at: Vec<RatioPoint>,
     /// By what names messages call the parts of the question.
     pub names: Names,
 }

@@ -66,13 +66,9 @@ impl RandomRows {
 
     /// Appends the numbers of a row.
     ///
-    /// ChaCha with 8 rounds, keyed by the seed (eight bytes, the least first, then zeros), stream number the row's: its
-    /// numbers are defined, those of a general-purpose generator may change with its version.
+    /// The numbers are those of [`Uniform`], stream number the row's.
     pub fn push_row(&self, row: usize, values: &mut Vec<f64>) {
-        let mut key = [0; 32];
-        key[..8].copy_from_slice(&self.seed.to_le_bytes());
-        let mut generator = ChaCha8Rng::from_seed(key);
-        generator.set_stream(row as u64);
+        let Uniform(mut generator) = Uniform::new(self.seed, row as u64);
         for range in &self.ranges {
             match *range {
                 Range::Between { lower, upper } => {
@@ -81,6 +77,27 @@ impl RandomRows {
                 Range::Orientations => values.extend(orientation(&mut generator)),
             }
         }
+    }
+}
+
+/// Numbers from 0 to 1, 1 excluded, of a seed and a stream: the same on every machine.
+#[derive(Debug)]
+pub(crate) struct Uniform(ChaCha8Rng);
+
+impl Uniform {
+    /// ChaCha with 8 rounds, keyed by the seed (eight bytes, the least first, then zeros): its numbers are defined, those of
+    /// a general-purpose generator may change with its version.
+    pub fn new(seed: u64, stream: u64) -> Self {
+        let mut key = [0; 32];
+        key[..8].copy_from_slice(&seed.to_le_bytes());
+        let mut generator = ChaCha8Rng::from_seed(key);
+        generator.set_stream(stream);
+        Self(generator)
+    }
+
+    /// The next one.
+    pub fn next(&mut self) -> f64 {
+        unit(&mut self.0)
     }
 }
 

@@ -20,6 +20,13 @@ pub(crate) enum Extent {
     Nothing,
 }
 
+impl Extent {
+    /// Whether poses between may help.
+    pub fn is_too_far(self) -> bool {
+        matches!(self, Extent::TooFar(_))
+    }
+}
+
 /// A row that was not reached.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Missed {

@@ -1,16 +1,21 @@
 //! How fast a robot may move where it may hit a person: the effective mass in place of the standard's M/2 + m_L.
 
-use crate::answer::{Answer, Answered};
+use crate::answer::{Answer, Answered, Prepared};
 use crate::error::StudyError;
+use crate::field::Field;
 use crate::model::{Input, Model};
-use crate::question::MassQuestion;
+use crate::positions::Positions;
+use crate::question::{MassQuestion, Normal};
 use crate::record::DiagnosticRecord;
-use percuss_contact::{BodyRegion, ContactLawError, TransientContact, standard_robot_mass};
-use percuss_dynamics::{Base, EffectiveMass};
+use crate::row_source::RowSource;
+use crate::sweep::Sweep;
+use percuss_contact::{BodyRegion, ContactLawError, SafeSpeed, TransientContact, standard_robot_mass};
+use percuss_dynamics::{Base, EffectiveMass, Frame};
 use percuss_mechanism::{
     Inertial, JointDescription, JointKind, LinkDescription, LinkId, Mechanism, Severity,
 };
 use serde::Serialize;
+use std::ops::ControlFlow;
 
 /// The limit that the user sets, from the edition of the standard that applies.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,13 +24,17 @@ pub enum Limit {
     Force(f64),
     /// Greatest pressure, Pa, on an area, m².
     Pressure(f64, f64),
+    /// Greatest energy of the impact, J.
+    Energy(f64),
+    /// Greatest momentum that is exchanged, N·s.
+    Momentum(f64),
 }
 
 /// Who is struck, and what may happen.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SafeSpeedQuestion {
-    /// Name of the body's region.
-    pub region: String,
+    /// Name of the body's region; none: what is struck does not give way, which an energy or a momentum may limit.
+    pub region: Option<String>,
     /// The limit.
     pub limit: Limit,
     /// Load with its tool that the model does not hold, kg.
@@ -38,8 +47,8 @@ pub struct SpeedRecord {
     /// m_R, kg; null where the robot does not give way. The effective mass with what it may be off by; at a singular pose
     /// the greatest of its limits along the branches.
     pub robot_mass: Option<f64>,
-    /// μ = 1/(1/m_H + 1/m_R), kg.
-    pub reduced_mass: f64,
+    /// μ = 1/(1/m_H + 1/m_R), kg; null where neither side gives way.
+    pub reduced_mass: Option<f64>,
     /// The greatest relative speed, m/s.
     pub speed: f64,
 }
@@ -47,34 +56,57 @@ pub struct SpeedRecord {
 /// `percuss safe-speed`, as JSON.
 #[derive(Clone, Debug, Serialize)]
 pub struct SafeSpeedReport {
-    /// `percuss.safe-speed/1`.
+    /// `percuss.safe-speed/2`.
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,
     /// The files.
     pub inputs: Vec<Input>,
-    /// The region struck.
-    pub region: String,
+    /// The region struck; null where what is struck does not give way.
+    pub region: Option<String>,
     /// Its effective mass, kg.
-    pub region_mass: f64,
+    pub region_mass: Option<f64>,
     /// Its stiffness, N/m.
-    pub region_stiffness: f64,
+    pub region_stiffness: Option<f64>,
     /// What is less certain about it.
     pub region_note: Option<String>,
-    /// The greatest force, N.
-    pub force: f64,
-    /// The energy of the impact, J.
+    /// What limits the speed: `force`, `pressure`, `energy` or `momentum`.
+    pub limited_by: &'static str,
+    /// The greatest force, N, at the speed by the standard's mass; null without a region.
+    pub force: Option<f64>,
+    /// The energy of the impact, J, at the same.
     pub energy: f64,
+    /// With the standard's M/2 + m_L; without a region with all that moves, M + m_L.
+    pub standard: SpeedRecord,
     /// With the effective mass at the contact.
     pub reflected: SpeedRecord,
-    /// With the standard's M/2 + m_L.
-    pub standard: SpeedRecord,
+    /// The normal, out of the robot, in world axes.
+    pub normal_world: [f64; 3],
     /// M: mass of all links that can move, kg.
     pub moving_mass: f64,
     /// m_L, kg.
     pub load: f64,
+    /// The slowest of the rows of positions, where there are any.
+    pub along: Option<AlongRecord>,
     /// What was found.
     pub diagnostics: Vec<DiagnosticRecord>,
+}
+
+/// The slowest place along rows of positions.
+#[derive(Clone, Debug, Serialize)]
+pub struct AlongRecord {
+    /// How many rows there are.
+    pub rows: usize,
+    /// How many have no speed: poses that are not reached, singular ones, contacts whose mass nothing bounds.
+    pub unanswered: usize,
+    /// The first of those.
+    pub first_unanswered: Option<usize>,
+    /// The row with the least speed, from 0.
+    pub row: usize,
+    /// Its speed.
+    pub slowest: SpeedRecord,
+    /// Where the joints stand there.
+    pub pose: Positions,
 }
 
 /// How fast the contact of a robot may go.
@@ -87,7 +119,10 @@ pub fn safe_speed(
     question: &MassQuestion,
     asked: &SafeSpeedQuestion,
 ) -> Result<SafeSpeedReport, StudyError> {
-    let region = BodyRegion::from_name(&asked.region)?;
+    let region = asked.region.as_deref().map(BodyRegion::from_name).transpose()?;
+    if region.is_none() && matches!(asked.limit, Limit::Force(_) | Limit::Pressure(..)) {
+        return Err(StudyError::NoRegion);
+    }
     if question.against.is_some() || question.against_mass.is_some() {
         return Err(StudyError::PersonIsTheOther);
     }
@@ -95,18 +130,11 @@ pub fn safe_speed(
     let moving_mass = moving_mass(&bare);
     let loaded = if asked.load > 0.0 { Some(loaded(&bare, asked.load)?) } else { None };
     let answered = loaded.as_ref().map_or(Ok(bare), |model| Answered::new(model, question))?;
-    let speed = |robot_mass: Option<f64>| -> Result<_, ContactLawError> {
-        let contact = match robot_mass {
-            Some(mass) => TransientContact::new(region, mass)?,
-            None => TransientContact::immovable(region),
-        };
-        let safe = match asked.limit {
-            Limit::Force(force) => contact.speed_for_force(force),
-            Limit::Pressure(pressure, area) => contact.speed_for_pressure(pressure, area),
-        }?;
-        Ok((SpeedRecord { robot_mass, reduced_mass: contact.reduced_mass(), speed: safe.speed }, safe))
-    };
-    let (standard, safe) = speed(Some(standard_robot_mass(moving_mass, asked.load)?))?;
+    let speed = |robot_mass: Option<f64>| speed_of(region, asked.limit, robot_mass);
+    let by_standard = standard_robot_mass(moving_mass, asked.load)?;
+    // Without a region there is none of that standard's: all that moves, as fast as the contact.
+    let by_standard = if region.is_some() { by_standard } else { moving_mass + asked.load };
+    let (standard, safe) = speed(Some(by_standard))?;
     let mut diagnostics = model.diagnostics.clone();
     diagnostics.extend(answered.answer.findings.iter().cloned().map(DiagnosticRecord::from));
     let (reflected, _) = match greatest_mass(&answered.answer)? {
@@ -121,27 +149,170 @@ pub fn safe_speed(
     };
     if reflected.speed < standard.speed {
         let message = format!(
-            "the standard's mass allows {:.3} m/s, the effective mass only {:.3} m/s: here M/2 + m_L is too light",
-            standard.speed, reflected.speed
+            "the standard's mass allows {:.3} m/s, the effective mass only {:.3} m/s: here {} is too light",
+            standard.speed,
+            reflected.speed,
+            if region.is_some() { "M/2 + m_L" } else { "M + m_L" }
         );
         diagnostics.push(DiagnosticRecord::about_answer(Severity::Warning, "standard-too-fast", message));
     }
     Ok(SafeSpeedReport {
-        schema: "percuss.safe-speed/1",
+        schema: "percuss.safe-speed/2",
         percuss: env!("CARGO_PKG_VERSION"),
-        inputs: model.inputs.clone(),
-        region: region.name.clone(),
-        region_mass: region.mass,
-        region_stiffness: region.stiffness,
-        region_note: region.note.clone(),
-        force: safe.force,
-        energy: safe.energy,
-        reflected,
+        inputs: answered.prepared.inputs(),
+        region: region.map(|region| region.name.clone()),
+        region_mass: region.map(|region| region.mass),
+        region_stiffness: region.map(|region| region.stiffness),
+        region_note: region.and_then(|region| region.note.clone()),
+        limited_by: match asked.limit {
+            Limit::Force(_) => "force",
+            Limit::Pressure(..) => "pressure",
+            Limit::Energy(_) => "energy",
+            Limit::Momentum(_) => "momentum",
+        },
+        force: safe.map(|safe| safe.force).filter(|force| force.is_finite()),
+        energy: safe.map_or(0.0, |safe| safe.energy),
         standard,
+        reflected,
+        normal_world: answered.answer.response.contact.normal_world.into(),
         moving_mass,
         load: asked.load,
+        along: None,
         diagnostics,
     })
+}
+
+/// The greatest speed of a robot of this mass, kg; none: it does not give way.
+fn speed_of(
+    region: Option<&BodyRegion>,
+    limit: Limit,
+    robot_mass: Option<f64>,
+) -> Result<(SpeedRecord, Option<SafeSpeed>), ContactLawError> {
+    let contact = match (robot_mass, region) {
+        (Some(mass), Some(region)) => TransientContact::new(region, mass)?,
+        (None, Some(region)) => TransientContact::immovable(region),
+        (Some(mass), None) => TransientContact::against_nothing_that_moves(mass)?,
+        (None, None) => {
+            return Ok((SpeedRecord { robot_mass, reduced_mass: None, speed: 0.0 }, None));
+        }
+    };
+    let safe = match limit {
+        Limit::Force(force) => contact.speed_for_force(force),
+        Limit::Pressure(pressure, area) => contact.speed_for_pressure(pressure, area),
+        Limit::Energy(energy) => contact.speed_for_energy(energy),
+        Limit::Momentum(momentum) => contact.speed_for_momentum(momentum),
+    }?;
+    let reduced_mass = Some(contact.reduced_mass());
+    Ok((SpeedRecord { robot_mass, reduced_mass, speed: safe.speed }, Some(safe)))
+}
+
+/// The same in several directions of the world, and in the worst of all.
+///
+/// The worst direction is that of the greatest effective mass at the point: along one of the axes where m̄ is stationary
+/// (docs/FORMULAS.md, F36).
+///
+/// # Errors
+/// [`StudyError`], as for [`safe_speed`]; none at all asked for.
+pub fn safe_speed_directions(
+    model: &Model,
+    question: &MassQuestion,
+    asked: &SafeSpeedQuestion,
+    directions: &[[f64; 3]],
+    worst: bool,
+) -> Result<Vec<SafeSpeedReport>, StudyError> {
+    let mut all = directions.to_vec();
+    if worst {
+        all.push(worst_direction(model, question)?);
+    }
+    let of_direction = |direction: &[f64; 3]| {
+        let (normal, normal_frame) = (Normal::Along(*direction), Frame::World);
+        safe_speed(model, &MassQuestion { normal, normal_frame, ..question.clone() }, asked)
+    };
+    all.iter().map(of_direction).collect()
+}
+
+/// The slowest of many rows of positions; the rest of the report is of the question's own pose. Each row's mass is m̄ with its
+/// stated error.
+///
+/// # Errors
+/// [`StudyError`], as for [`safe_speed`] and for a sweep; no row with a speed.
+pub fn safe_speed_along(
+    model: &Model,
+    question: &MassQuestion,
+    asked: &SafeSpeedQuestion,
+    source: &RowSource,
+) -> Result<SafeSpeedReport, StudyError> {
+    let mut report = safe_speed(model, question, asked)?;
+    let region = asked.region.as_deref().map(BodyRegion::from_name).transpose()?;
+    let bare = Answered::new(model, question)?;
+    let loaded = if asked.load > 0.0 { Some(loaded(&bare, asked.load)?) } else { None };
+    let (mut slowest, mut failed): (Option<AlongRecord>, _) = (None, None);
+    let (mut unanswered, mut first_unanswered) = (0, None);
+    let sweep = Sweep::new(loaded.as_ref().unwrap_or(model), question, source)?;
+    let inputs = sweep.heading().inputs.clone();
+    let end = sweep.run(&mut |row| {
+        let mass = match (row.status, row.effective_mass.zip(row.effective_mass_error)) {
+            ("finite", Some((m, error))) if row.singular_pose == Some(false) => Some(m + error),
+            ("immovable", _) if row.singular_pose == Some(false) => None,
+            _ => {
+                unanswered += 1;
+                first_unanswered.get_or_insert(row.row);
+                return ControlFlow::Continue(());
+            }
+        };
+        match speed_of(region, asked.limit, mass) {
+            Ok((speed, _)) if slowest.as_ref().is_none_or(|s| speed.speed < s.slowest.speed) => {
+                let (row, pose) = (row.row, row.pose);
+                let (rows, unanswered, first_unanswered) = (0, 0, None);
+                slowest = Some(AlongRecord { rows, unanswered, first_unanswered, row, slowest: speed, pose });
+            }
+            Ok(_) => {}
+            Err(error) => {
+                failed = Some(error);
+                return ControlFlow::Break(());
+            }
+        }
+        ControlFlow::Continue(())
+    })?;
+    if let Some(error) = failed {
+        return Err(error.into());
+    }
+    let slowest = slowest.ok_or(StudyError::MassUnknown)?;
+    report.along = Some(AlongRecord { rows: end.rows, unanswered, first_unanswered, ..slowest });
+    report.inputs = inputs;
+    report.diagnostics.extend(end.diagnostics);
+    if unanswered > 0 {
+        let message = format!(
+            "{unanswered} of {} rows have no speed, the first is row {}: nothing is said of them",
+            end.rows,
+            first_unanswered.unwrap_or_default()
+        );
+        report.diagnostics.push(DiagnosticRecord::about_answer(
+            Severity::Warning,
+            "rows-without-speed",
+            message,
+        ));
+    }
+    Ok(report)
+}
+
+/// The direction of the greatest effective mass at the contact point, world axes.
+fn worst_direction(model: &Model, question: &MassQuestion) -> Result<[f64; 3], StudyError> {
+    let any = MassQuestion { normal: Normal::Along([1.0, 0.0, 0.0]), ..question.clone() };
+    let prepared = Prepared::new(model, &any)?;
+    let pose = prepared.pose()?;
+    let contact = prepared.contact_at(&pose);
+    let map = pose.contact_map(contact.link, contact.against, contact.point, 0.0);
+    let map = map.map_err(|error| StudyError::input(Field::Point, error))?;
+    let weight = |mass: &EffectiveMass| match mass {
+        EffectiveMass::Finite(m) => *m,
+        EffectiveMass::Immovable => f64::INFINITY,
+        EffectiveMass::Massless => 0.0,
+    };
+    let principal = map.principal_masses(&contact.point);
+    let greatest = principal.iter().flatten().max_by(|a, b| weight(&a.mass).total_cmp(&weight(&b.mass)));
+    let greatest = greatest.ok_or(StudyError::MassUnknown)?;
+    Ok(pose.link(contact.link).vector(&greatest.direction).into())
 }
 
 /// The greatest mass that a motion from the pose meets: too light a robot would be allowed too high a speed. At a singular

@@ -173,7 +173,7 @@ impl Setting {
         let Some(along) = &self.travel else { return Ok(None) };
         let base = self.configuration(values, false)?;
         let is_set = |joint: JointId| along.set.contains(&joint);
-        Travel::new(system, &base, along.link, along.point, along.direction, &is_set).map(Some)
+        Travel::new(system, &base, self.field, along.link, along.point, along.direction, &is_set).map(Some)
     }
 
     /// How far the joints of a row are from where they stand, the most of any that has one number; rad or m.

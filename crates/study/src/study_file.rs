@@ -1,13 +1,17 @@
 //! A study in a file: the flags of `percuss mass` and `percuss sweep`, kept.
 
 use crate::closure_text::ClosureText;
+use crate::compare::Design;
 use crate::damping_question::DampingQuestion;
-use crate::model::{Input, Model};
+use crate::design::DesignError;
+use crate::field::Names;
+use crate::model::{Input, Model, Origin};
 use crate::question::MassQuestion;
 use crate::record::DiagnosticRecord;
 use crate::refusal::Refusal;
 use crate::row_source::RowSource;
-use crate::study_text::{DampingText, StudyText, SweepText};
+use crate::study_text::{DampingText, ModelText, StudyText, SweepText};
+use crate::variant::{Variant, changes};
 use percuss_formats::{LoadError, LoadOptions, Source};
 use percuss_mechanism::{Accept, BuildError, ClosureDescription, ClosureKind, Severity, Subject};
 use std::path::{Path, PathBuf};
@@ -19,6 +23,8 @@ pub struct StudyFile {
     pub model: Model,
     /// The contact and the conditions.
     pub question: MassQuestion,
+    /// The same with something changed.
+    pub variants: Vec<Variant>,
     /// The damper to give, if a restitution is asked for.
     pub damping: Option<DampingQuestion>,
     /// The rows to go through, if any.
@@ -100,8 +106,12 @@ impl StudyFile {
         }
         let folder = Path::new(&path).parent().unwrap_or(Path::new(""));
         let model_path = folder.join(&study.model.path);
-        let mut model = Model::load(&model_path.to_string_lossy(), max_size, &LoadOptions { accept })?;
+        let options = LoadOptions { accept };
+        let mut model = Model::load(&model_path.to_string_lossy(), max_size, &options)?;
         model.inputs.push(Input::of(&source));
+        let of_model = |error: DesignError| refused_design(&path, "", error);
+        let ModelText { link_mass, link_com, moves, .. } = &study.model;
+        model = model.changed(&changes(link_mass, link_com, moves)).map_err(of_model)?;
         if !study.closure.is_empty() {
             let closures = study
                 .closure
@@ -112,14 +122,56 @@ impl StudyFile {
             model = with_closures(model, &path, closures)
                 .map_err(|source| StudyFileError::Build { path: path.clone(), source })?;
         }
-        let question = study.question().map_err(refused)?;
+        let question = study.question(folder, max_size).map_err(refused)?;
+        let mut variants: Vec<Variant> = Vec::new();
+        for text in &study.variant {
+            if variants.iter().any(|variant| variant.name == text.name) {
+                return Err(value("variant.name", format!("\"{}\" is given twice", text.name)));
+            }
+            let variant = text.variant(&model, &question, folder, max_size, &options);
+            variants.push(variant.map_err(|error| refused_design(&path, &text.name, error))?);
+        }
         let damping = study.damping.as_ref().map(DampingText::question).transpose().map_err(refused)?;
         let source = |sweep: &SweepText| sweep.source(folder, max_size);
         let sweep = study.sweep.as_ref().map(source).transpose().map_err(refused)?;
         let output =
             study.sweep.and_then(|s| s.output).map(|o| folder.join(o).to_string_lossy().into_owned());
-        Ok(Self { model, question, damping, sweep, output, folder: folder.to_owned() })
+        Ok(Self { model, question, variants, damping, sweep, output, folder: folder.to_owned() })
     }
+
+    /// Whether a file is a study: TOML with a table `model`.
+    pub fn is_study(path: &str, max_size: u64) -> bool {
+        let text = Source::read(path, max_size).ok().and_then(|source| String::from_utf8(source.bytes).ok());
+        let table = text.and_then(|text| text.parse::<toml::Table>().ok());
+        table.is_some_and(|table| table.get("model").is_some_and(toml::Value::is_table))
+    }
+
+    /// The designs of the study: its model under a name, then its variants.
+    pub fn designs(&self, name: &str) -> Vec<Design> {
+        let rows = &self.sweep;
+        let design = |name: String, model: &Model, question: &MassQuestion| Design {
+            name,
+            model: model.clone(),
+            question: question.clone(),
+            rows: rows.clone(),
+        };
+        let own = design(name.to_owned(), &self.model, &self.question);
+        let variants = self.variants.iter().map(|v| design(v.name.clone(), &v.model, &v.question));
+        [own].into_iter().chain(variants).collect()
+    }
+}
+
+/// A design that cannot be had, with the name of the variant.
+fn refused_design(path: &str, variant: &str, error: DesignError) -> StudyFileError {
+    let (key, of) = match variant {
+        "" => ("model", String::new()),
+        name => ("variant", format!("\"{name}\": ")),
+    };
+    let why = match error {
+        DesignError::Load(error) => error.to_string(),
+        DesignError::Change(error) => error.message(Names::Keys).replace("model.", ""),
+    };
+    StudyFileError::Value { path: path.to_owned(), key, why: format!("{of}{why}") }
 }
 
 /// The model with more closures than its file has, and the findings about them.
@@ -134,6 +186,7 @@ fn with_closures(model: Model, path: &str, closures: Vec<ClosureDescription>) ->
     }
     // Nothing in the file bound these; the study's closures may.
     diagnostics.retain(|d| d.code != "unbound-joint");
+    let added = closures.clone();
     let builder = closures.into_iter().fold(model.mechanism.to_builder(), |b, closure| b.closure(closure));
     let built = builder.build()?;
     // What the builder finds about the rest was reported with its place when the file was read.
@@ -144,5 +197,6 @@ fn with_closures(model: Model, path: &str, closures: Vec<ClosureDescription>) ->
             diagnostics.push(DiagnosticRecord { path: Some(path.to_owned()), ..record });
         }
     }
-    Ok(Model { mechanism: std::sync::Arc::new(built.mechanism), diagnostics, ..model })
+    let origin = Origin { closures: added, ..model.origin };
+    Ok(Model { mechanism: std::sync::Arc::new(built.mechanism), diagnostics, origin, ..model })
 }

@@ -3,11 +3,14 @@
 use crate::closure_text::ClosureText;
 use crate::damping_question::DampingQuestion;
 use crate::field::Names;
+use crate::given_pose::GivenPose;
+use crate::given_travel::GivenTravel;
 use crate::position::GivenPosition;
-use crate::question::{EstimateQuestion, Hold, MassQuestion, Normal};
+use crate::question::{EstimateQuestion, Hold, MassQuestion, Normal, RatioPoint, UPWARDS};
 use crate::refusal::Refusal;
 use crate::row_source::{PositionFile, RowSource};
 use crate::study_value;
+use crate::variant::VariantText;
 use crate::vary::Vary;
 use percuss_contact::exports::Tool;
 use percuss_contact::{Law, Separation};
@@ -29,6 +32,8 @@ pub(crate) struct StudyText {
     pub closure: Vec<ClosureText>,
     #[serde(default)]
     pub hold: Vec<HoldText>,
+    #[serde(default)]
+    pub variant: Vec<VariantText>,
     pub damping: Option<DampingText>,
     pub sweep: Option<SweepText>,
 }
@@ -39,6 +44,12 @@ pub(crate) struct ModelText {
     pub path: String,
     #[serde(default)]
     pub accept: Vec<String>,
+    #[serde(default, deserialize_with = "study_value::masses")]
+    pub link_mass: BTreeMap<String, f64>,
+    #[serde(default, deserialize_with = "study_value::places")]
+    pub link_com: BTreeMap<String, [f64; 3]>,
+    #[serde(default, rename = "move", deserialize_with = "study_value::places")]
+    pub moves: BTreeMap<String, [f64; 3]>,
 }
 
 #[derive(Default, Deserialize)]
@@ -47,8 +58,8 @@ pub(crate) struct ConditionsText {
     pub base: Option<String>,
     #[serde(default)]
     pub lock: Vec<String>,
-    #[serde(default)]
-    pub armature: BTreeMap<String, OneOrMany>,
+    #[serde(default, deserialize_with = "study_value::armatures")]
+    pub armature: BTreeMap<String, Vec<f64>>,
 }
 
 #[derive(Default, Deserialize)]
@@ -58,6 +69,9 @@ pub(crate) struct PoseText {
     pub set: BTreeMap<String, GivenPosition>,
     #[serde(default, deserialize_with = "study_value::positions")]
     pub guess: BTreeMap<String, GivenPosition>,
+    #[serde(default, deserialize_with = "study_value::words")]
+    pub travel: Vec<String>,
+    pub file: Option<String>,
 }
 
 #[derive(Deserialize)]
@@ -75,6 +89,8 @@ pub(crate) struct ContactText {
     #[serde(default, deserialize_with = "study_value::mass")]
     pub against_mass: Option<f64>,
     pub estimate: Option<EstimateText>,
+    #[serde(default)]
+    pub ratio_at: Vec<RatioText>,
 }
 
 #[derive(Deserialize)]
@@ -93,6 +109,23 @@ pub(crate) struct EstimateText {
     pub point: [f64; 3],
     #[serde(default, deserialize_with = "study_value::plain")]
     pub direction: Option<[f64; 3]>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RatioText {
+    pub link: String,
+    #[serde(default, deserialize_with = "study_value::lengths")]
+    pub point: [f64; 3],
+    #[serde(default, deserialize_with = "study_value::plain")]
+    pub direction: Option<[f64; 3]>,
+}
+
+impl RatioText {
+    fn point(&self) -> RatioPoint {
+        let direction = self.direction.unwrap_or(UPWARDS);
+        RatioPoint { link: self.link.clone(), point: self.point, direction }
+    }
 }
 
 #[derive(Deserialize)]
@@ -201,16 +234,19 @@ impl SweepText {
     }
 }
 
-#[derive(Deserialize)]
-#[serde(untagged, expecting = "a number, or a list of numbers")]
-pub(crate) enum OneOrMany {
-    One(f64),
-    Many(Vec<f64>),
-}
-
 impl StudyText {
-    pub fn question(&self) -> Result<MassQuestion, Refusal> {
+    /// The question. Paths are relative to the study's folder.
+    pub fn question(&self, folder: &Path, max_size: u64) -> Result<MassQuestion, Refusal> {
         let contact = &self.contact;
+        let travel = |text: &String| {
+            GivenTravel::parse(text)
+                .map_err(|error| Refusal::new("pose.travel", format!("\"{text}\": {error}")))
+        };
+        let pose = |file: &String| {
+            let path = folder.join(file);
+            GivenPose::read(&path.to_string_lossy(), max_size)
+                .map_err(|error| Refusal::new("pose.file", error.to_string()))
+        };
         let normal = match (&contact.along_line, contact.normal) {
             (Some(line), None) => Normal::Toward(line.link.clone(), line.point),
             (None, Some(normal)) => Normal::Along(normal),
@@ -251,6 +287,8 @@ impl StudyText {
             against_mass: contact.against_mass,
             set: given(&self.pose.set),
             guess: given(&self.pose.guess),
+            pose: self.pose.file.as_ref().map(pose).transpose()?,
+            travel: self.pose.travel.iter().map(travel).collect::<Result<_, _>>()?,
             lock: self.conditions.lock.clone(),
             hold: self
                 .hold
@@ -261,10 +299,7 @@ impl StudyText {
                 .conditions
                 .armature
                 .iter()
-                .map(|(joint, values)| match values {
-                    OneOrMany::One(x) => (joint.clone(), vec![*x]),
-                    OneOrMany::Many(xs) => (joint.clone(), xs.clone()),
-                })
+                .map(|(joint, values)| (joint.clone(), values.clone()))
                 .collect(),
             base,
             estimate: match &contact.estimate {
@@ -279,6 +314,7 @@ impl StudyText {
                 }
                 None => None,
             },
+            ratio_at: contact.ratio_at.iter().map(RatioText::point).collect(),
             names: Names::Keys,
         })
     }

@@ -115,6 +115,45 @@ pub(crate) fn words<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<String>, D
     })
 }
 
+/// Masses by link, kg.
+pub(crate) fn masses<'de, D: Deserializer<'de>>(from: D) -> Result<BTreeMap<String, f64>, D::Error> {
+    let read = |(link, mass): (String, NumberOrText)| {
+        let mass = mass.of::<D::Error>(Dimension::Mass);
+        mass.map(|mass| (link.clone(), mass)).map_err(|e| D::Error::custom(format!("link \"{link}\": {e}")))
+    };
+    BTreeMap::<String, NumberOrText>::deserialize(from)?.into_iter().map(read).collect()
+}
+
+/// Places by name, m.
+pub(crate) fn places<'de, D: Deserializer<'de>>(from: D) -> Result<BTreeMap<String, [f64; 3]>, D::Error> {
+    let read = |(name, place): (String, Vec<NumberOrText>)| {
+        let place: Result<Vec<f64>, D::Error> =
+            place.into_iter().map(|number| number.of(Dimension::Length)).collect();
+        let place = place.and_then(|place| {
+            <[f64; 3]>::try_from(place)
+                .map_err(|given| D::Error::custom(format!("{} numbers; expected 3", given.len())))
+        });
+        place.map(|place| (name.clone(), place)).map_err(|e| D::Error::custom(format!("\"{name}\": {e}")))
+    };
+    BTreeMap::<String, Vec<NumberOrText>>::deserialize(from)?.into_iter().map(read).collect()
+}
+
+/// Armatures by joint: one value, or one for each velocity.
+pub(crate) fn armatures<'de, D: Deserializer<'de>>(from: D) -> Result<BTreeMap<String, Vec<f64>>, D::Error> {
+    let read = |(joint, values)| match values {
+        OneOrMany::One(x) => (joint, vec![x]),
+        OneOrMany::Many(xs) => (joint, xs),
+    };
+    Ok(BTreeMap::<String, OneOrMany>::deserialize(from)?.into_iter().map(read).collect())
+}
+
+#[derive(Deserialize)]
+#[serde(untagged, expecting = "a number, or a list of numbers")]
+enum OneOrMany {
+    One(f64),
+    Many(Vec<f64>),
+}
+
 /// A length, m.
 pub(crate) fn length<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
     NumberOrText::deserialize(from)?.of(Dimension::Length).map(Some)

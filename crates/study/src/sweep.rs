@@ -21,7 +21,7 @@ use crate::sweep_report::{Continuation, SweepEnd, SweepHeading, SweepReport, Swe
 use crate::swept::Swept;
 use crate::thresholds::{GRID_ROWS, ROWS};
 use crate::trajectory::Trajectory;
-use crate::vary::Vary;
+use crate::vary::{Varied, Vary};
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
@@ -82,7 +82,7 @@ impl<'a> Sweep<'a> {
         source: impl Into<RowSource>,
     ) -> Result<Self, StudyError> {
         let prepared = Prepared::new(model, question)?;
-        let (setting, rows) = match source.into() {
+        let (setting, rows) = match with_travel(&prepared, source.into())? {
             RowSource::Grid(ranges) => grid(&prepared, &ranges)?,
             RowSource::File(file) => {
                 let refuse = |error| StudyError::input(Field::Input, Fault::Table(Box::new(error)));
@@ -102,7 +102,7 @@ impl<'a> Sweep<'a> {
             Rows::Random(random) => Some(random.seed),
             Rows::Grid(_) | Rows::File(_) => None,
         };
-        let mut inputs = model.inputs.clone();
+        let mut inputs = prepared.inputs();
         if let Rows::File(file) = &rows {
             inputs.push(file.input.clone());
         }
@@ -170,6 +170,20 @@ impl<'a> Sweep<'a> {
         end.diagnostics =
             of_all.map(DiagnosticRecord::from).chain(came.tally.into_records(end.rows)).collect();
         Ok(end)
+    }
+}
+
+/// A travel of the question is the last range, of one value.
+fn with_travel(prepared: &Prepared, source: RowSource) -> Result<RowSource, StudyError> {
+    match (&prepared.question.travel[..], source) {
+        ([], source) => Ok(source),
+        ([travel], RowSource::Grid(mut ranges))
+            if ranges.iter().all(|vary| matches!(vary.what, Varied::Joint(_))) =>
+        {
+            ranges.push(travel.as_range());
+            Ok(RowSource::Grid(ranges))
+        }
+        _ => Err(StudyError::input(Field::Travel, Fault::TravelOfRows)),
     }
 }
 

@@ -53,6 +53,29 @@ pub(crate) const FIRST_BLOCK: usize = 8;
 /// Rows that are answered by one thread without a break.
 pub(crate) const PORTION: usize = 32;
 
+/// How far a travel may end from where it was asked to, in parts of the characteristic length, where several drive a pose:
+/// each is met to 1e-12 by itself.
+pub(crate) const TRAVEL_MET: f64 = 1e-11;
+/// Newton steps of several travels: from a near place some five are needed.
+pub(crate) const TRAVEL_ROUNDS: usize = 12;
+/// Parts of the way of several travels that are tried first.
+pub(crate) const TRAVEL_PARTS: f64 = 4.0;
+/// The least part of the way: a travel of 0.1 m in steps of 0.1 mm.
+pub(crate) const LEAST_PART: f64 = 1e-3;
+/// How often a travel that is too far for one go is halved: 2⁻³² of a turn is no step.
+pub(crate) const HALVINGS: usize = 32;
+
+/// Samples of a tolerance: a minute's work at a millisecond each on a few processors; one alone says nothing.
+pub(crate) const SAMPLES: RangeInclusive<usize> = 2..=100_000;
+/// Step of a hardpoint for differences of four values, in parts of the characteristic length: their truncation grows with its
+/// fourth power, 1e-16 relative; m̄ is found to some 1e-12, which leaves 1e-8.
+pub(crate) const POINT_STEP: f64 = 1e-4;
+/// Changes that an explanation names of each kind.
+pub(crate) const STRONGEST: usize = 3;
+/// How far from 1 the product of a motion ratio and its inverse may be for a mechanism with one travel: the loops' closing and
+/// rounding leave some 1e-11.
+pub(crate) const ONE_TRAVEL: f64 = 1e-9;
+
 // What is reported with an answer.
 
 /// Distance of a contact point from its link's origin, in reaches of the link, from which on it is doubted: parts fixed

@@ -14,6 +14,8 @@ pub(crate) struct Travel {
     travel: percuss_dynamics::Travel,
     /// The pose where it starts.
     pub start: Pose,
+    /// What asked for it.
+    field: Field,
 }
 
 impl Travel {
@@ -21,6 +23,7 @@ impl Travel {
     pub fn new(
         system: &System,
         base: &Configuration,
+        field: Field,
         link: LinkId,
         point: Vector3<f64>,
         direction: Vector3<f64>,
@@ -28,12 +31,12 @@ impl Travel {
     ) -> Result<(Self, Driver), StudyError> {
         let refuse = |error: TravelError| match error {
             TravelError::Assembly(error) => StudyError::Assembly(error),
-            other => StudyError::input(Field::Vary, Fault::Travel(other)),
+            other => StudyError::input(field, Fault::Travel(other)),
         };
         let start = system.pose(base)?;
         let travel = percuss_dynamics::Travel::new(&start, link, point, direction).map_err(refuse)?;
         let joint = travel.driver(&start, is_set).map_err(refuse)?;
-        Ok((Self { travel, start }, Driver { joint, base: base.clone() }))
+        Ok((Self { travel, start, field }, Driver { joint, base: base.clone() }))
     }
 
     /// The pose where the point is displaced as requested, on the branch of the last one.
@@ -55,13 +58,23 @@ impl Travel {
                 Extent::Probably(self.travel.displacement(last))
             }
             TravelError::Assembly(error) => return Err(error.clone().into()),
-            _ => return Err(StudyError::input(Field::Vary, Fault::Travel(error))),
+            _ => return Err(StudyError::input(self.field, Fault::Travel(error))),
         };
         let why = match &error {
             TravelError::Assembly(error) => about_assembly(error, names),
             other => other.to_string(),
         };
         Ok(Err(Missed { why, extent }))
+    }
+
+    /// How fast a joint displaces the point, m/rad or m/m; none where that is not determined.
+    pub fn rate(&self, pose: &Pose, driver: JointId) -> Option<f64> {
+        self.travel.rate(pose, driver)
+    }
+
+    /// How far the point is displaced at a pose, m.
+    pub fn displacement(&self, pose: &Pose) -> f64 {
+        self.travel.displacement(pose)
     }
 
     /// Speed of the point along its direction per unit closing speed of the contact.

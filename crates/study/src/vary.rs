@@ -1,5 +1,6 @@
 //! What a sweep varies, and over which values.
 
+use crate::given_travel::split;
 use crate::quantity::{Dimension, Quantity, QuantityError, parse_triple};
 use crate::thresholds::ROWS;
 
@@ -77,11 +78,7 @@ impl Vary {
             None if what.is_empty() => return Err(VaryError::Form),
             None => Varied::Joint(what.to_owned()),
             Some(rest) => {
-                let mut parts = rest.rsplitn(3, ':');
-                let (direction, point, link) = (parts.next(), parts.next(), parts.next());
-                let (Some(direction), Some(point), Some(link)) = (direction, point, link) else {
-                    return Err(VaryError::Form);
-                };
+                let (link, point, direction) = split(rest).ok_or(VaryError::Form)?;
                 first.of(Dimension::Length, from)?;
                 last.of(Dimension::Length, to)?;
                 Varied::Travel {

@@ -34,6 +34,7 @@ fn limited(mechanism: &Mechanism, joint: &str, limits: Limits) -> Model {
         inputs: Vec::new(),
         shapes: Arc::default(),
         diagnostics: Vec::new(),
+        origin: percuss_study::Origin::default(),
     }
 }
 

@@ -1,10 +1,13 @@
 //! The contact and its conditions.
 
-use super::words::{armature, estimate, hold, kilograms, line, normal, point, position};
+use super::words::{armature, estimate, hold, kilograms, line, normal, point, position, ratio_at, travel};
 use crate::failure::Failure;
 use clap::{Args, ValueEnum};
 use percuss_dynamics::{Base, Frame};
-use percuss_study::{EstimateQuestion, GivenPosition, Hold, MassQuestion, Names, Normal};
+use percuss_formats::DEFAULT_MAX_SIZE;
+use percuss_study::{
+    EstimateQuestion, GivenPose, GivenPosition, GivenTravel, Hold, MassQuestion, Names, Normal, RatioPoint,
+};
 
 /// The frame of point and normal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -76,6 +79,13 @@ pub struct ContactArgs {
     /// First guess of a joint that depends on others through loops: selects the assembly mode.
     #[arg(long, value_name = "JOINT=VALUE", value_parser = position)]
     pub guess: Vec<(String, GivenPosition)>,
+    /// Drives the pose until a point (m, link's frame) of a link is displaced by so much along a direction (world axes) from
+    /// where --set puts it, as sweep --vary does; once for each point that is driven.
+    #[arg(long, value_name = "LINK:X,Y,Z:DX,DY,DZ=DISTANCE", value_parser = travel)]
+    pub travel: Vec<GivenTravel>,
+    /// A whole configuration: what --format json wrote, or JSON with a position for each joint; --set and --guess go over it.
+    #[arg(long, value_name = "FILE.json")]
+    pub pose: Option<String>,
     /// Holds a joint where it stands.
     #[arg(long, value_name = "JOINT")]
     pub lock: Vec<String>,
@@ -93,6 +103,10 @@ pub struct ContactArgs {
     /// default its origin), by A's full speed or its component along a direction (world axes).
     #[arg(long, value_name = "LINK[,LINK…][:X,Y,Z[:DX,DY,DZ]]", value_parser = estimate)]
     pub estimate: Option<EstimateQuestion>,
+    /// Shows the motion ratio at this point (m, link's frame), along a direction (world axes; default z): its speed beside
+    /// the contact's. The wheel's centre and contact patch are shown where the model has them and one travel.
+    #[arg(long, value_name = "LINK:X,Y,Z[:DX,DY,DZ]", value_parser = ratio_at)]
+    pub ratio_at: Vec<RatioPoint>,
 }
 
 impl ContactArgs {
@@ -110,17 +124,20 @@ impl ContactArgs {
 
     /// As a question.
     pub fn question(&self) -> Result<MassQuestion, Failure> {
-        Ok(Self::needed(Some(self))?.conditions())
+        Self::needed(Some(self))?.conditions()
     }
 
     /// As a question whose contact may be missing.
-    pub fn conditions(&self) -> MassQuestion {
+    pub fn conditions(&self) -> Result<MassQuestion, Failure> {
         let normal = match (&self.along_line, self.normal) {
             (Some((link, point)), _) => Normal::Toward(link.clone(), *point),
             // `question` requires one of them.
             (None, normal) => Normal::Along(normal.unwrap_or_default()),
         };
-        MassQuestion {
+        let pose = |path: &String| {
+            GivenPose::read(path, DEFAULT_MAX_SIZE).map_err(|e| Failure::bad_input(format!("--pose: {e}")))
+        };
+        Ok(MassQuestion {
             // `question` requires link and point.
             link: self.link.clone().unwrap_or_default(),
             point: self.point.unwrap_or_default(),
@@ -131,6 +148,8 @@ impl ContactArgs {
             against_mass: self.against_mass,
             set: self.set.clone(),
             guess: self.guess.clone(),
+            pose: self.pose.as_ref().map(pose).transpose()?,
+            travel: self.travel.clone(),
             lock: self.lock.clone(),
             hold: self.hold.clone(),
             armature: self.armature.clone(),
@@ -139,7 +158,8 @@ impl ContactArgs {
                 BaseArg::Floating => Base::Floating,
             },
             estimate: self.estimate.clone(),
+            ratio_at: self.ratio_at.clone(),
             names: Names::Flags,
-        }
+        })
     }
 }

@@ -4,8 +4,8 @@ use super::contact::ContactArgs;
 use super::format::CheckFormat;
 use super::model::ReadingArgs;
 use super::words::{
-    Tools, area, force, joint_stop, kilograms, law, plain, plain_kilograms, pressure, ratio, speed,
-    stiffness, time, tools,
+    Tools, area, energy, force, joint_stop, kilograms, law, momentum, normal, plain, plain_kilograms,
+    pressure, ratio, speed, stiffness, time, tools,
 };
 use super::writing::WritingArgs;
 use crate::failure::Failure;
@@ -189,8 +189,9 @@ pub struct SafeSpeedArgs {
     pub model: Option<String>,
     #[command(flatten)]
     pub reading: ReadingArgs,
-    /// The region of the body that the robot hits; see --list-regions.
-    #[arg(long, value_name = "NAME", required_unless_present = "list_regions")]
+    /// The region of the body that the robot hits; see --list-regions. Without one what is struck does not give way (a person
+    /// held against a wall; doors, guards), and --energy or --momentum is the limit.
+    #[arg(long, value_name = "NAME")]
     pub region: Option<String>,
     /// Greatest force allowed (N), from the standard.
     #[arg(long, value_name = "F", allow_hyphen_values = true, value_parser = force, conflicts_with = "pressure")]
@@ -201,6 +202,24 @@ pub struct SafeSpeedArgs {
     /// Contact area (cm²; mm2 may follow), for --pressure.
     #[arg(long, value_name = "A", allow_hyphen_values = true, value_parser = area, requires = "pressure")]
     pub area: Option<f64>,
+    /// Greatest energy of the impact (J), from the standard: 1/2 μ v², without a region that of all that comes to the contact.
+    #[arg(long, value_name = "E", allow_hyphen_values = true, value_parser = energy, conflicts_with_all = ["force", "pressure", "momentum"])]
+    pub energy: Option<f64>,
+    /// Greatest momentum that is exchanged (N·s), from the standard: μ v.
+    #[arg(long, value_name = "P", allow_hyphen_values = true, value_parser = momentum, conflicts_with_all = ["force", "pressure"])]
+    pub momentum: Option<f64>,
+    /// A direction (world axes) in the place of --normal; once for each. The slowest counts.
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = normal, conflicts_with_all = ["normal", "along_line"])]
+    pub direction: Vec<[f64; 3]>,
+    /// The direction in which the contact is heaviest, in the place of --normal.
+    #[arg(long, conflicts_with_all = ["normal", "along_line"])]
+    pub worst_direction: bool,
+    /// A file of positions, as that of percuss sweep: the slowest of its rows counts.
+    #[arg(long, value_name = "FILE.csv|.parquet", conflicts_with_all = ["direction", "worst_direction"])]
+    pub input: Option<String>,
+    /// Leaves a column of --input out.
+    #[arg(long, value_name = "COLUMN", requires = "input")]
+    pub ignore: Vec<String>,
     /// Load with its tool that the model does not hold (kg): a point mass at the contact, and m_L of M/2 + m_L.
     #[arg(long, default_value = "0", value_name = "KG", allow_hyphen_values = true, value_parser = plain_kilograms)]
     pub load: f64,

@@ -83,6 +83,19 @@ the sweep continues; exit 1 if none can.
 Where loops are closed, rows along a range or a file are followed from one
 another; each line of a grid begins anew, and random rows are independent.";
 
+pub const COMPARE: &str = "\
+Examples:
+  Two suspensions at their bump stop, over the wheel's travel:
+    percuss compare models/suspensions/double-wishbone.toml \\
+        models/suspensions/double-wishbone-rods.toml \\
+        --link bump_stop_pad --point 0,0,0 --along-line bump_stop:0,0,0 \\
+        --against chassis --vary travel:spindle:0,0,0:0,0,1=-20mm:40mm:61 \\
+        --output both.svg
+  A study and its [[variant]]s, as a table:
+    percuss compare models/studies/variants.toml --format csv
+
+The first design is what the others are compared with.";
+
 pub const MAP: &str = "\
 Examples:
   The surface of one link, as a table and as a picture from two sides:

@@ -85,10 +85,10 @@ impl MapArgs {
     }
 
     /// As a question about surfaces.
-    pub fn question(&self) -> MapQuestion {
+    pub fn question(&self) -> Result<MapQuestion, Failure> {
         let named = self.contact.link.iter().cloned().collect();
-        MapQuestion {
-            conditions: self.contact.conditions(),
+        Ok(MapQuestion {
+            conditions: self.contact.conditions()?,
             links: if self.all { MapLinks::All } else { MapLinks::Named(named) },
             shapes: match self.shapes {
                 ShapesArg::Auto => MapShapes::Auto,
@@ -98,6 +98,6 @@ impl MapArgs {
             edge: self.edge,
             packages: self.package.clone(),
             max_mesh_size: self.max_mesh_size,
-        }
+        })
     }
 }

@@ -1,5 +1,6 @@
 //! The command line: flags, help, and how their values are parsed.
 
+mod compare;
 mod contact;
 mod damping;
 mod examples;
@@ -11,6 +12,7 @@ mod table;
 mod words;
 mod writing;
 
+pub use compare::CompareArgs;
 pub use contact::ContactArgs;
 pub use damping::{DampArgs, DampingArgs, SafeSpeedArgs};
 pub use format::{CheckFormat, MassFormat};
@@ -21,12 +23,12 @@ pub use table::{FigureArgs, TableArgs};
 pub use writing::WritingArgs;
 
 use crate::failure::Failure;
-use crate::limits;
 use clap::builder::Resettable;
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use percuss_formats::DEFAULT_MAX_SIZE;
-use percuss_study::{PositionFile, RowSource, Vary};
-use words::{kilograms, tolerance};
+use percuss_study::{PositionFile, RowSource, Sampling, Vary};
+pub use words::ToleranceArg;
+use words::{any_tolerance, kilograms};
 
 /// The effective mass of a mechanism at a contact.
 ///
@@ -55,7 +57,7 @@ impl Cli {
             "normal" | "along_line" | "normal_frame" | "estimate" => argument.hide(true),
             _ => argument,
         };
-        ["damp", "safe-speed"]
+        ["damp", "safe-speed", "compare"]
             .into_iter()
             .fold(Self::command(), |cli, name| cli.mut_subcommand(name, |c| c.mut_args(optional)))
             .mut_subcommand("map", |c| c.mut_args(hidden))
@@ -74,6 +76,12 @@ pub enum Command {
     /// The same contact over a range of positions, loops closed along one branch.
     #[command(after_help = examples::SWEEP)]
     Sweep(Box<SweepArgs>),
+    /// The same question asked of several designs: one table, one figure, differences in per cent.
+    #[command(
+        after_help = examples::COMPARE,
+        override_usage = "percuss compare STUDY.toml…\n       percuss compare MODEL… --link L --point X,Y,Z --normal X,Y,Z [--vary RANGE] …"
+    )]
+    Compare(Box<CompareArgs>),
     /// Effective mass over the surface of a link, or of a whole robot; or over all directions at a point.
     #[command(
         after_help = examples::MAP,
@@ -129,14 +137,33 @@ pub struct MassArgs {
     /// Compare with this effective mass (kg); exit 1 if it is missed.
     #[arg(long, value_name = "KG", value_parser = kilograms)]
     pub expect: Option<f64>,
-    /// Relative tolerance of --expect.
-    #[arg(long, default_value_t = limits::DEFAULT_TOLERANCE, value_name = "RELATIVE", value_parser = tolerance, requires = "expect")]
-    pub tolerance: f64,
+    /// The relative tolerance of --expect (1e-9 without this); or how far off the model's parts may be, and what that leaves
+    /// of the effective mass: mass and armature in per cent, com and point (of a sheet) as lengths.
+    #[arg(long, value_name = "RELATIVE | mass=2%,com=1mm,point=0.5mm,armature=10%", value_parser = any_tolerance)]
+    pub tolerance: Vec<ToleranceArg>,
+    /// So many random designs within --tolerance, beside the first order.
+    #[arg(long, value_name = "COUNT", requires = "tolerance")]
+    pub samples: Option<usize>,
+    /// The seed of --samples, 0 without it.
+    #[arg(long, value_name = "NUMBER", requires = "samples")]
+    pub seed: Option<u64>,
+    /// Shows what the effective mass depends on: its rate with each link's mass and centre of mass, each armature and each
+    /// hardpoint of a sheet, and the changes that lower it most.
+    #[arg(long)]
+    pub explain: bool,
     /// How the result is shown.
     #[arg(long, value_enum, default_value_t = MassFormat::Text)]
     pub format: MassFormat,
     #[command(flatten, next_help_heading = "The damper of the contact")]
     pub damping: DampingArgs,
+}
+
+impl MassArgs {
+    /// The samples asked for.
+    pub fn sampling(&self) -> Option<Sampling> {
+        let seed = self.seed.unwrap_or_default();
+        self.samples.map(|count| Sampling { count, seed })
+    }
 }
 
 /// Flags of `percuss sweep`.

@@ -1,14 +1,17 @@
 //! Which model, and how it is read.
 
+use super::words::{link_com, link_mass, moved_point};
+use crate::failure::Failure;
 use clap::{Args, ValueEnum};
-use percuss_formats::{DEFAULT_MAX_SIZE, LoadError, LoadOptions};
+use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions};
 use percuss_mechanism::Accept;
-use percuss_study::Model;
+use percuss_study::{Changes, Model};
 
 /// Which model, and how it is read.
 #[derive(Debug, Args)]
 pub struct ModelArgs {
-    /// The URDF file; - reads the standard input.
+    /// The model: a URDF (- reads the standard input), or a suspension's sheet or table as `percuss import` reads it
+    /// (.toml, .csv, .xlsx, .json).
     pub model: String,
     #[command(flatten)]
     pub reading: ReadingArgs,
@@ -20,6 +23,15 @@ pub struct ReadingArgs {
     /// Accept a model in spite of this finding.
     #[arg(long, value_enum, value_name = "FINDING")]
     pub accept: Vec<Acceptable>,
+    /// Gives a link another mass (kg); its moments about the centre of mass change in proportion.
+    #[arg(long, value_name = "LINK=KG", value_parser = link_mass, allow_hyphen_values = true)]
+    pub link_mass: Vec<(String, f64)>,
+    /// Gives a link another centre of mass (m, link's frame).
+    #[arg(long, value_name = "LINK=X,Y,Z", value_parser = link_com, allow_hyphen_values = true)]
+    pub link_com: Vec<(String, [f64; 3])>,
+    /// Moves a hardpoint of a suspension's sheet, in the sheet's axes; numbers without a unit are m.
+    #[arg(long = "move", value_name = "POINT=X,Y,Z", value_parser = moved_point, allow_hyphen_values = true)]
+    pub moves: Vec<(String, [f64; 3])>,
     /// Refuse files larger than this many bytes.
     #[arg(long, default_value_t = DEFAULT_MAX_SIZE, value_name = "BYTES")]
     pub max_size: u64,
@@ -37,15 +49,31 @@ pub enum Acceptable {
 
 impl ModelArgs {
     /// Reads the model.
-    pub fn load(&self) -> Result<Model, LoadError> {
+    pub fn load(&self) -> Result<Model, Failure> {
         self.reading.load(&self.model)
     }
 }
 
 impl ReadingArgs {
     /// Reads a model.
-    pub fn load(&self, path: &str) -> Result<Model, LoadError> {
+    pub fn load(&self, path: &str) -> Result<Model, Failure> {
+        let model = Model::load(path, self.max_size, &self.options())?;
+        let changes = self.changes();
+        if changes.is_empty() { Ok(model) } else { Ok(model.changed(&changes)?) }
+    }
+
+    /// How it is read.
+    pub fn options(&self) -> LoadOptions {
         let indefinite_inertia = self.accept.contains(&Acceptable::IndefiniteInertia);
-        Model::load(path, self.max_size, &LoadOptions { accept: Accept { indefinite_inertia } })
+        LoadOptions { accept: Accept { indefinite_inertia } }
+    }
+
+    /// What is changed of it.
+    pub fn changes(&self) -> Changes {
+        Changes {
+            link_mass: self.link_mass.clone(),
+            link_com: self.link_com.clone(),
+            moves: self.moves.clone(),
+        }
     }
 }

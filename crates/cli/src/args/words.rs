@@ -3,8 +3,8 @@
 use percuss_study::contact::Law;
 use percuss_study::contact::exports::Tool;
 use percuss_study::{
-    Dimension, EstimateQuestion, GivenPosition, Hold, JointStop, Measure, Measured, Quantity, StopEnd,
-    parse_triple,
+    Dimension, EstimateQuestion, GivenPosition, GivenTravel, Hold, JointStop, Measure, Measured, Quantity,
+    RatioPoint, StopEnd, Tolerance, UPWARDS, parse_triple,
 };
 
 /// What `--for` names: one tool, or all.
@@ -96,6 +96,14 @@ pub fn pressure(text: &str) -> Result<f64, String> {
     measured(Measure::Pressure, text).map(|m| m.value)
 }
 
+pub fn energy(text: &str) -> Result<f64, String> {
+    measured(Measure::Energy, text).map(|m| m.value)
+}
+
+pub fn momentum(text: &str) -> Result<f64, String> {
+    measured(Measure::Momentum, text).map(|m| m.value)
+}
+
 pub fn area(text: &str) -> Result<f64, String> {
     measured(Measure::Area, text).map(|m| m.value)
 }
@@ -122,7 +130,25 @@ pub fn moments(text: &str) -> Result<[f64; 3], String> {
     }
 }
 
-pub fn tolerance(text: &str) -> Result<f64, String> {
+/// The relative tolerance of --expect, or tolerances of the model's parts.
+#[derive(Clone, Copy, Debug)]
+pub enum ToleranceArg {
+    /// Of --expect.
+    OfExpected(f64),
+    /// Of the model's parts.
+    OfParts(Tolerance),
+}
+
+/// `1e-6` or `mass=2%,point=0.5mm`.
+pub fn any_tolerance(text: &str) -> Result<ToleranceArg, String> {
+    if text.contains('=') {
+        return Tolerance::parse(text).map(ToleranceArg::OfParts).map_err(|e| e.to_string());
+    }
+    let read = tolerance(text).map(ToleranceArg::OfExpected);
+    read.map_err(|e| format!("{e} (with --expect), or mass=2%,point=0.5mm for the model's parts"))
+}
+
+fn tolerance(text: &str) -> Result<f64, String> {
     let value =
         Quantity::parse(text).and_then(|q| q.of(Dimension::Plain, text)).map_err(|e| e.to_string())?;
     if value >= 0.0 { Ok(value) } else { Err(format!("{value}; a tolerance of 0 or more is expected")) }
@@ -132,6 +158,18 @@ pub fn tolerance(text: &str) -> Result<f64, String> {
 pub fn moved_point(text: &str) -> Result<(String, [f64; 3]), String> {
     let (name, by) = assignment(text).map_err(|_| "expected POINT=X,Y,Z, such as lower_ball=0,0,5mm")?;
     Ok((name, point(&by)?))
+}
+
+/// `LINK=KG`.
+pub fn link_mass(text: &str) -> Result<(String, f64), String> {
+    let (link, mass) = assignment(text).map_err(|_| "expected LINK=KG, such as upright=10kg")?;
+    Ok((link, plain_kilograms(&mass)?))
+}
+
+/// `LINK=X,Y,Z`.
+pub fn link_com(text: &str) -> Result<(String, [f64; 3]), String> {
+    let (link, com) = assignment(text).map_err(|_| "expected LINK=X,Y,Z, such as upright=0,20mm,0")?;
+    Ok((link, point(&com)?))
 }
 
 /// `LINK:X,Y,Z`, split at the last colon: link names may have some of their own.
@@ -146,6 +184,22 @@ pub fn line(text: &str) -> Result<(String, [f64; 3]), String> {
 pub fn position(text: &str) -> Result<(String, GivenPosition), String> {
     let (joint, value) = assignment(text)?;
     Ok((joint, GivenPosition::parse(&value).map_err(|e| e.to_string())?))
+}
+
+/// `LINK:X,Y,Z[:DX,DY,DZ]`.
+pub fn ratio_at(text: &str) -> Result<RatioPoint, String> {
+    let (link, found) = triples(text);
+    let (at, along) = match found[..] {
+        [at] => (at, UPWARDS),
+        [at, along] => (at, normal(along)?),
+        _ => return Err("expected LINK:X,Y,Z or LINK:X,Y,Z:DX,DY,DZ, such as wheel:0,0,0:0,0,1".into()),
+    };
+    Ok(RatioPoint { link: link.to_owned(), point: point(at)?, direction: along })
+}
+
+/// `LINK:X,Y,Z:DX,DY,DZ=DISTANCE`.
+pub fn travel(text: &str) -> Result<GivenTravel, String> {
+    GivenTravel::parse(text).map_err(|e| e.to_string())
 }
 
 /// `JOINT=VALUE`, split at the last equals sign.

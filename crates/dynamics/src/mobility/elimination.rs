@@ -61,6 +61,8 @@ pub(crate) struct MobilityRoom {
     sizes: Vec<f64>,
     done: Vec<bool>,
     used: Vec<bool>,
+    /// For each row: its largest entry (size and column) among columns that are not used.
+    largest: Vec<(f64, usize)>,
     values: Vec<f64>,
 }
 
@@ -192,15 +194,16 @@ impl MobilityRoom {
         self.done.resize(m, false);
         self.used.clear();
         self.used.resize(n, false);
+        self.largest.clear();
+        self.largest.resize(m, (0.0, 0));
+        (0..m).for_each(|r| self.find_largest(r, n));
         let mut seen = Seen { first: 0.0, last: 0.0, left: 0.0 };
         loop {
             let mut best = (0.0, 0, 0);
             for r in (0..m).filter(|r| !self.done[*r]) {
-                for c in (0..n).filter(|c| !self.used[*c]) {
-                    let size = self.dense[r * n + c].abs();
-                    if size > best.0 {
-                        best = (size, r, c);
-                    }
+                let (size, c) = self.largest[r];
+                if size > best.0 {
+                    best = (size, r, c);
                 }
             }
             let (size, r, c) = best;
@@ -224,6 +227,16 @@ impl MobilityRoom {
         independent.extend((0..n).filter(|c| !self.used[*c]));
         self.fill_rates(group, pivots, independent, rates);
         seen
+    }
+
+    fn find_largest(&mut self, r: usize, n: usize) {
+        let mut best = (0.0, 0);
+        for (c, (entry, used)) in self.dense[r * n..(r + 1) * n].iter().zip(&self.used).enumerate() {
+            if !used && entry.abs() > best.0 {
+                best = (entry.abs(), c);
+            }
+        }
+        self.largest[r] = best;
     }
 
     /// G from what elimination left, back over coordinates that are not scaled.
@@ -251,12 +264,26 @@ impl MobilityRoom {
             if factor == 0.0 {
                 continue;
             }
-            for k in 0..n {
-                self.dense[other * n + k] -= factor * self.dense[r * n + k];
-                self.sizes[other * n + k] += factor.abs() * self.sizes[r * n + k];
-            }
+            subtract(&mut self.dense, (other, r), n, factor);
+            subtract(&mut self.sizes, (other, r), n, -factor.abs());
             self.dense[other * n + c] = 0.0;
+            if !self.done[other] {
+                self.find_largest(other, n);
+            }
         }
+    }
+}
+
+/// Subtracts a row, times a factor, from another.
+fn subtract(rows: &mut [f64], (from, row): (usize, usize), n: usize, factor: f64) {
+    let (start, end) = rows.split_at_mut(from.max(row) * n);
+    let (from, row) = if from < row {
+        (&mut start[from * n..(from + 1) * n], &end[..n])
+    } else {
+        (&mut end[..n], &start[row * n..(row + 1) * n])
+    };
+    for (x, y) in from.iter_mut().zip(row) {
+        *x -= factor * *y;
     }
 }
 

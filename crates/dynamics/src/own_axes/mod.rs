@@ -3,16 +3,19 @@
 //! It answers what it is sure of; all else (what is massless, immovable, near either, lost to rounding) is left to
 //! [`crate::routes`], as are mimics, loops and contacts between two links.
 
+mod carried;
+mod hinge;
 mod plan;
 mod recursion;
 
 use crate::clear_mass::{ClearMass, Columns, WIDEST};
 use crate::contact::{Contact, Direction, Frame};
 use crate::model::Model;
+use carried::ROOM;
 use nalgebra::Vector3;
 use percuss_spatial::lanes::{Instructions, Lanes, Work};
 use plan::{Placed, Plan};
-use recursion::{Answer, Normal, ROOM, Selection, Struck, evaluate};
+use recursion::{Answer, Normal, Selection, Struck, evaluate};
 use std::sync::Arc;
 
 /// A tree prepared, the contact that it is asked for, and room.

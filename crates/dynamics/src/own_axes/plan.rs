@@ -81,10 +81,12 @@ pub(super) struct Way {
 }
 
 /// What a way is made of, for ways that are gone at once.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Shape {
     /// A shift along z, a turn about x, a shift along x.
     Skew,
+    /// The same, and the turn is a right angle.
+    Right,
     /// A shift along z and one along x: parallel axes.
     Parallel,
     /// Any.
@@ -157,17 +159,23 @@ pub(super) struct Leaf {
 pub(super) enum Form {
     /// A hinge on the ground that carries others.
     Top,
-    /// A hinge whose way is [`Shape::Skew`] or [`Shape::Parallel`].
-    Hinge {
-        /// Whether the way is skew.
-        skew: bool,
-        /// Whether it carries nothing.
-        leaf: bool,
-        /// Whether its carrier is on the ground and turns: one entry of what it passes on is all that matters.
-        next_to_last: bool,
-    },
+    /// A hinge whose way is not [`Shape::General`].
+    Hinge(HingeForm),
     /// Any other.
     Any,
+}
+
+/// What the code of a hinge is made for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct HingeForm {
+    /// Of its way: skew, right, parallel.
+    pub shape: Shape,
+    /// Whether it has no armature: it leaves nothing about its axis.
+    pub bare: bool,
+    /// Whether it carries nothing.
+    pub leaf: bool,
+    /// Whether its carrier is on the ground and turns: one entry of what it passes on is all that matters.
+    pub next_to_last: bool,
 }
 
 /// A step in its place among all.
@@ -266,14 +274,11 @@ impl Plan {
         let Some(parent) = step.parent else {
             return if step.hinge().is_some() && step.leaf.is_none() { Form::Top } else { Form::Any };
         };
-        let skew = match step.hinge() {
-            Some(Shape::Skew) => true,
-            Some(Shape::Parallel) => false,
-            Some(Shape::General) | None => return Form::Any,
-        };
+        let Some(shape) = step.hinge().filter(|shape| *shape != Shape::General) else { return Form::Any };
         let above = &self.steps[parent];
         let next_to_last = above.parent.is_none() && above.hinge().is_some();
-        Form::Hinge { skew, leaf: step.leaf.is_some(), next_to_last }
+        let (bare, leaf) = (step.armature[2] == 0.0, step.leaf.is_some());
+        Form::Hinge(HingeForm { shape, bare, leaf, next_to_last })
     }
 
     /// Sizes of what every body carries, with its joints wherever they can be.
@@ -426,8 +431,11 @@ impl Way {
             first.cos * r[(0, 0)] + first.sin * r[(1, 0)],
             -(first.cos * r[(0, 1)] + first.sin * r[(1, 1)]),
         );
-        let tilt =
-            if parallel { Turn { cos: r[(2, 2)].signum(), sin: 0.0 } } else { Turn::of(r[(2, 2)], sine) };
+        let tilt = match (parallel, r[(2, 2)].abs() <= NO_TURN) {
+            (true, _) => Turn { cos: r[(2, 2)].signum(), sin: 0.0 },
+            (_, true) => Turn::RIGHT,
+            _ => Turn::of(r[(2, 2)], sine),
+        };
         let mut along = [first.cos * p.x + first.sin * p.y, first.cos * p.y - first.sin * p.x, p.z];
         let mut along_z = 0.0;
         if sine > PARALLEL_AXES {
@@ -448,6 +456,8 @@ impl Way {
             Shape::General
         } else if tilt == Turn::NONE {
             Shape::Parallel
+        } else if tilt == Turn::RIGHT {
+            Shape::Right
         } else {
             Shape::Skew
         };
@@ -457,6 +467,7 @@ impl Way {
 
 impl Turn {
     const NONE: Self = Self { cos: 1.0, sin: 0.0 };
+    const RIGHT: Self = Self { cos: 0.0, sin: 1.0 };
 
     fn of(x: f64, y: f64) -> Self {
         let length = x.hypot(y);

@@ -8,11 +8,13 @@
 //! (Featherstone 2008, §7.3) that [`crate::recursion`] writes in the root's axes for every joint and every loop; this form
 //! leaves out the forward kinematics and the turning of every body's inertia. A test compares the two.
 
-use super::plan::{Form, Leaf, Motion, Placed, Step, Turn};
+use super::carried::{COSINE, Carried, ROOM, SINE, number, pass, spend};
+use super::hinge::hinge;
+use super::plan::{Form, Motion, Placed, Step, Turn};
 use crate::clear_mass::Columns;
 use crate::tolerances::UNIT_QUATERNION;
 use percuss_spatial::lanes::{LARGEST_ANGLE, Lanes};
-use percuss_spatial::{PackedInertia, PackedWrench, Pivot, rotate_back, rotation_rows, splat, turn_vector};
+use percuss_spatial::{PackedInertia, PackedWrench, rotate_back, rotation_rows, splat, turn_vector};
 
 /// The struck point and what wrench it gives, in the frames of the plan.
 #[derive(Clone, Debug)]
@@ -69,23 +71,6 @@ pub(super) struct Answer<T> {
     /// The largest that the size of what a pivot is the sum of is over the pivot: so many times more its rounding counts in
     /// what it leaves.
     pub loss: T,
-}
-
-/// How many numbers of room a step takes, for each lane: its inertia, sine and cosine (or travel).
-pub(super) const ROOM: usize = 23;
-const SINE: usize = 21;
-const COSINE: usize = 22;
-
-/// Of the struck point's wrench while it is carried to the ground.
-struct Carried<T> {
-    wrench: PackedWrench<T>,
-    /// Sizes of what its moment (N·m) and its force (N) are sums of.
-    about: T,
-    along: T,
-    /// 1/m̄, 1/kg, and what its terms amount to.
-    response: T,
-    terms: T,
-    loss: T,
 }
 
 /// Where the positions of the lanes stand.
@@ -203,11 +188,6 @@ fn off_unit<T: Lanes>(columns: Columns<'_>, q: usize, first: usize) -> T {
     over(square, UNIT_QUATERNION)
 }
 
-#[inline(always)]
-fn number<T: Lanes>(slot: &[f64], number: usize) -> T {
-    T::load(&slot[number * T::WIDTH..])
-}
-
 /// Twice what |x| is above a limit.
 #[inline(always)]
 fn over<T: Lanes>(x: T, most: f64) -> T {
@@ -294,29 +274,14 @@ fn advance<T: Lanes, const ON_PATH: bool>(
     let step = &placed.step;
     let (rest, own) = room.split_at_mut(placed.number * ROOM * T::WIDTH);
     let own = &mut own[..ROOM * T::WIDTH];
-    let Form::Hinge { skew, leaf, next_to_last } = placed.form else {
-        return match placed.form {
-            Form::Top => top(step, carried, own),
-            _ => any::<T>(placed, ON_PATH, at, carried, rest, own),
-        };
-    };
-    let Some(parent) = step.parent else { return };
-    let above = &placed.above;
-    let slot = &mut rest[parent * ROOM * T::WIDTH..][..ROOM * T::WIDTH];
-    macro_rules! hinge {
-        ($skew:literal, $leaf:literal, $next_to_last:literal) => {
-            hinge::<T, ON_PATH, $skew, $leaf, $next_to_last>(step, above, placed.is_first, carried, own, slot)
-        };
-    }
-    match (skew, leaf, next_to_last) {
-        (true, false, false) => hinge!(true, false, false),
-        (false, false, false) => hinge!(false, false, false),
-        (true, true, false) => hinge!(true, true, false),
-        (false, true, false) => hinge!(false, true, false),
-        (true, false, true) => hinge!(true, false, true),
-        (false, false, true) => hinge!(false, false, true),
-        (true, true, true) => hinge!(true, true, true),
-        (false, true, true) => hinge!(false, true, true),
+    match placed.form {
+        Form::Top => top(step, carried, own),
+        Form::Hinge(form) => {
+            let Some(parent) = step.parent else { return };
+            let slot = &mut rest[parent * ROOM * T::WIDTH..][..ROOM * T::WIDTH];
+            hinge::<T, ON_PATH>(form, placed, carried, own, slot);
+        }
+        Form::Any => any::<T>(placed, ON_PATH, at, carried, rest, own),
     }
 }
 
@@ -327,79 +292,6 @@ fn top<T: Lanes>(step: &Step, carried: &mut Carried<T>, own: &[f64]) {
     let of = T::from_f64;
     let d = number::<T>(own, 5) + of(step.armature[2]);
     carried.respond(of(step.moment), carried.wrench.moment[2], carried.about, T::one() / d);
-}
-
-/// A hinge, and its way.
-#[inline(always)]
-fn hinge<T: Lanes, const ON_PATH: bool, const SKEW: bool, const LEAF: bool, const NEXT_TO_LAST: bool>(
-    step: &Step,
-    above: &PackedInertia<f64>,
-    is_first: bool,
-    carried: &mut Carried<T>,
-    own: &[f64],
-    slot: &mut [f64],
-) {
-    let of = T::from_f64;
-    let mut inertia = if LEAF {
-        let Some(leaf) = &step.leaf else { return };
-        carried.loss = carried.loss.max(of(leaf.loss));
-        if ON_PATH {
-            spend::<T, 2>(step, &leaf.pivot(), carried);
-        }
-        leaf.left.cast()
-    } else {
-        let mut inertia = PackedInertia::load(own);
-        let pivot = inertia.turn_pivot::<2>(of(step.armature[2]));
-        carried.lose(inertia.moment_size(), &pivot);
-        if ON_PATH {
-            spend::<T, 2>(step, &pivot, carried);
-        }
-        inertia.eliminate_turn::<2>(&pivot, &pivot.u.scaled(pivot.over));
-        inertia
-    };
-    let way = &step.way;
-    let (s, c): (T, T) = (number(own, SINE), number(own, COSINE));
-    let (along_z, along_x) = (of(way.along_z), of(way.along[0]));
-    inertia.screw::<2>(c, s, along_z);
-    let tilt = way.tilt;
-    if SKEW {
-        inertia.screw::<0>(of(tilt.cos), of(tilt.sin), along_x);
-    } else {
-        inertia.shift::<0>(along_x);
-    }
-    if ON_PATH {
-        carried.wrench.screw::<2>(c, s, along_z);
-        if SKEW {
-            carried.wrench.screw::<0>(of(tilt.cos), of(tilt.sin), along_x);
-        } else {
-            carried.wrench.shift::<0>(along_x);
-        }
-        carried.about = of(step.reach).mul_add(carried.along, carried.about);
-    }
-    if NEXT_TO_LAST {
-        // The whole is formed by nobody: what is not used is not computed.
-        let known = if is_first { of(above.angular[5]) } else { number(slot, 5) };
-        (known + inertia.angular[5]).store(&mut slot[5 * T::WIDTH..]);
-    } else {
-        pass(&mut inertia, above, is_first, slot);
-    }
-}
-
-/// Adds what is left to what the carrier has.
-#[inline(always)]
-fn pass<T: Lanes>(
-    inertia: &mut PackedInertia<T>,
-    above: &PackedInertia<f64>,
-    is_first: bool,
-    slot: &mut [f64],
-) {
-    if is_first {
-        inertia.add_rigid(above);
-        inertia.store(slot);
-    } else {
-        inertia.add(&PackedInertia::load(slot));
-        inertia.store(slot);
-    }
 }
 
 /// Any joint, and any way. One piece of code for all, on the contact's path or not: it is long.
@@ -538,48 +430,4 @@ fn go<T: Lanes>(
     if let Some(turn) = way.last_turn_z {
         both!(turn::<2>(of(turn.cos), of(turn.sin)));
     }
-}
-
-impl Leaf {
-    #[inline(always)]
-    fn pivot<T: Lanes>(&self) -> Pivot<T> {
-        let of = T::from_f64;
-        Pivot { u: self.u.cast(), d: of(self.d), over: of(self.over), armature_part: of(self.armature_part) }
-    }
-}
-
-impl<T: Lanes> Carried<T> {
-    /// What a pivot loses of the inertia that it is an entry of.
-    #[inline(always)]
-    fn lose(&mut self, size: T, pivot: &Pivot<T>) {
-        self.loss = self.loss.max(size * pivot.over.abs());
-    }
-
-    /// t²/D, and its terms. Gives t/D.
-    #[inline(always)]
-    fn respond(&mut self, size: T, t: T, test: T, over: T) -> T {
-        let rate = t * over;
-        let part = rate.abs();
-        self.response = t.mul_add(rate, self.response);
-        self.terms = part.mul_add(part.mul_add(size, test + test), self.terms);
-        rate
-    }
-}
-
-/// What a velocity takes of the struck point's wrench. `AXIS`: which of the twist's components it is, turns first.
-#[inline(always)]
-fn spend<T: Lanes, const AXIS: usize>(step: &Step, pivot: &Pivot<T>, carried: &mut Carried<T>) {
-    let of = T::from_f64;
-    let size = of(if AXIS < 3 { step.moment } else { step.mass });
-    let (t, test) = if AXIS < 3 {
-        (carried.wrench.moment[AXIS], carried.about)
-    } else {
-        (carried.wrench.force[AXIS - 3], carried.along)
-    };
-    let rate = carried.respond(size, t, test, pivot.over);
-    let part = rate.abs();
-    let (m, f) = (&pivot.u.moment, &pivot.u.force);
-    carried.about = (m[0].abs() + m[1].abs() + m[2].abs()).mul_add(part, carried.about);
-    carried.along = (f[0].abs() + f[1].abs() + f[2].abs()).mul_add(part, carried.along);
-    carried.wrench.subtract(&pivot.u, rate);
 }

@@ -106,6 +106,7 @@ fn import_sheet(source: &Source, text: &str, options: &ImportOptions) -> Result<
             rack: sheet.rack,
             wheel: sheet.wheel,
             frame: sheet.frame,
+            points: sheet.points.keys().map(|name| (*name).to_owned()).collect(),
         };
         finish(&mut findings, built.left, built.middle, &described, source, options)
     });
@@ -174,6 +175,7 @@ struct Described<'d> {
     rack: Rack,
     wheel: Option<Wheel>,
     frame: Frame,
+    points: Vec<String>,
 }
 
 fn read(
@@ -215,6 +217,7 @@ fn read(
         rack: options.rack.unwrap_or_default(),
         wheel: options.wheel,
         frame: reader.frame,
+        points: Vec::new(),
     };
     finish(reader, corner, None, &described, source, options)
 }
@@ -267,6 +270,7 @@ fn finish(
         axes: described.frame.axes,
         side: described.side,
         wheel: described.wheel,
+        points: described.points.clone(),
         ..Understood::of(&mechanism, &drawing, middle_drawing.as_ref(), described.side)
     };
     Some((mechanism, comments, understood))

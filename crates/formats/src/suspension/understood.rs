@@ -29,6 +29,8 @@ pub struct Understood {
     pub masses: Vec<(String, f64)>,
     /// Of all links.
     pub total_mass: f64,
+    /// Names of the hardpoints of a sheet or table; none of a file of Chrono's.
+    pub points: Vec<String>,
     /// Lines of the picture.
     pub lines: Vec<Line>,
     /// Wheels of the picture.

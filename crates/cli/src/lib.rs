@@ -1,14 +1,16 @@
-//! The `percuss` command.
+//! The `percuss` command. [`run`] is all of it: the program of this name calls it, and so does that of the Python package.
 //!
 //! Results go to stdout, diagnostics to stderr. Exit code 0: an answer (immovable and massless are answers);
 //! 1: no answer; 2: bad input or usage.
 
 mod args;
 mod check;
+mod compare;
 mod csv;
 mod damp;
 mod diagnostics;
 mod escape;
+mod explanation;
 mod failure;
 mod html;
 mod import;
@@ -34,19 +36,27 @@ mod template;
 mod text;
 mod xlsx_rows;
 
+/// The picture of a map, for the faces that show one.
+pub use map_files::skin as map_skin;
+
 use args::{Cli, Command};
 use clap::FromArgMatches;
-use std::process::ExitCode;
+use std::ffi::OsString;
 
-fn main() -> ExitCode {
-    let matches = Cli::definition().try_get_matches().unwrap_or_else(|error| refuse(&error));
+/// Runs the command with these arguments, the program's name the first of them, and gives the exit code. Help, the version and
+/// bad usage end the process.
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    let matches = Cli::definition().try_get_matches_from(&arguments);
+    let matches = matches.unwrap_or_else(|error| refuse(&error, &arguments));
     let parsed = Cli::from_arg_matches(&matches);
-    let cli = parsed.unwrap_or_else(|error| refuse(&error.format(&mut Cli::definition())));
+    let cli = parsed.unwrap_or_else(|error| refuse(&error.format(&mut Cli::definition()), &arguments));
     report::show_notes(cli.notes);
     let outcome = match &cli.command {
         Command::Check(args) => check::run(args),
         Command::Mass(args) => mass::run(args),
         Command::Sweep(args) => sweep::run(args),
+        Command::Compare(args) => compare::run(args),
         Command::Map(args) => map::run(args),
         Command::Template(args) => template::run(args),
         Command::Import(args) => import::run(args),
@@ -60,19 +70,19 @@ fn main() -> ExitCode {
         }
     };
     match outcome {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(()) => 0,
         Err(failure) => failure.report(),
     }
 }
 
 /// Says what is wrong with the arguments, and ends. Names of files among them may hold what a terminal obeys.
-fn refuse(error: &clap::Error) -> ! {
-    let is_plain = std::env::args_os().all(|a| !a.to_string_lossy().contains(escape::is_unsafe));
+fn refuse(error: &clap::Error, arguments: &[OsString]) -> ! {
+    let is_plain = arguments.iter().all(|a| !a.to_string_lossy().contains(escape::is_unsafe));
     if is_plain {
         error.exit();
     }
     let mut text = error.render().to_string();
-    for argument in std::env::args_os().skip(1) {
+    for argument in arguments.iter().skip(1) {
         let argument = argument.to_string_lossy();
         // Of --flag=value, the value too.
         let value = argument.split_once('=').map_or("", |(_, value)| value);

@@ -1,6 +1,10 @@
 //! An articulated inertia in its 21 numbers, moved from frame to frame by turns about coordinate axes and shifts along
 //! them: what the recursion in the bodies' own axes runs on.
 
+mod wrench;
+
+pub use wrench::{PackedWrench, turn_vector};
+
 use crate::lanes::Lanes;
 use crate::{Scalar, SpatialInertia};
 
@@ -15,15 +19,6 @@ const fn at(i: usize, j: usize) -> usize {
 #[inline(always)]
 const fn after(z: usize) -> (usize, usize) {
     ((z + 1) % 3, (z + 2) % 3)
-}
-
-/// A wrench in plain arrays: moment about the frame's origin (N·m) and force (N).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PackedWrench<T> {
-    /// N·m.
-    pub moment: [T; 3],
-    /// N.
-    pub force: [T; 3],
 }
 
 /// A symmetric 6×6 map from twist to wrench: moment = A ω + C v, force = Cᵀ ω + L v.
@@ -63,14 +58,6 @@ fn number<T: Lanes>(from: &[f64], k: usize) -> T {
     T::load(&from[k * T::WIDTH..])
 }
 
-impl PackedWrench<f64> {
-    /// The same over lanes.
-    #[inline(always)]
-    pub fn cast<T: Scalar>(&self) -> PackedWrench<T> {
-        PackedWrench { moment: splat(&self.moment), force: splat(&self.force) }
-    }
-}
-
 impl<T: Lanes> Pivot<T> {
     #[inline(always)]
     fn new(u: PackedWrench<T>, d: T, armature: T) -> Self {
@@ -105,16 +92,37 @@ impl PackedInertia<f64> {
     }
 }
 
-/// R M Rᵀ for a turn about axis Z with cosine and sine.
+/// No row is known to be zero.
+const NONE: usize = 3;
+
+/// R M Rᵀ for a turn about axis Z with cosine and sine. `ZERO`: a row and column that is zero.
 #[inline(always)]
-fn turn_symmetric<T: Lanes, const Z: usize>(m: &mut [T; 6], c: T, s: T) {
+fn turn_symmetric<T: Lanes, const Z: usize, const ZERO: usize>(m: &mut [T; 6], c: T, s: T) {
     let (x, y) = after(Z);
     let (xx, yy, xy, xz, yz) = (at(x, x), at(y, y), at(x, y), at(x, Z), at(y, Z));
+    if ZERO == y {
+        let g = s * m[xx];
+        (m[yy], m[xy]) = (s * g, c * g);
+        m[xx] = (-s).mul_add(g, m[xx]);
+        (m[xz], m[yz]) = (c * m[xz], s * m[xz]);
+        return;
+    }
     let g = s.mul_add(m[xx] - m[yy], c * (m[xy] + m[xy]));
     m[xx] = (-s).mul_add(g, m[xx]);
     m[yy] = s.mul_add(g, m[yy]);
     m[xy] = c.mul_add(g, -m[xy]);
-    (m[xz], m[yz]) = turned(m[xz], m[yz], c, s);
+    if ZERO != Z {
+        (m[xz], m[yz]) = turned(m[xz], m[yz], c, s);
+    }
+}
+
+/// The same for a right angle: no product.
+#[inline(always)]
+fn turn_symmetric_right<T: Lanes, const Z: usize>(m: &mut [T; 6]) {
+    let (x, y) = after(Z);
+    let (xx, yy, xy, xz, yz) = (at(x, x), at(y, y), at(x, y), at(x, Z), at(y, Z));
+    (m[xx], m[yy], m[xy]) = (m[yy], m[xx], -m[xy]);
+    (m[xz], m[yz]) = (-m[yz], m[xz]);
 }
 
 /// R M Rᵀ, for R by rows.
@@ -178,9 +186,22 @@ impl<T: Lanes> PackedInertia<T> {
     /// Seen from a frame in which this one is turned about its axis `Z`, by an angle of this cosine and sine.
     #[inline(always)]
     pub fn turn<const Z: usize>(&mut self, c: T, s: T) {
-        turn_symmetric::<T, Z>(&mut self.linear, c, s);
-        self.turn_coupling::<Z>(c, s);
-        turn_symmetric::<T, Z>(&mut self.angular, c, s);
+        turn_symmetric::<T, Z, NONE>(&mut self.linear, c, s);
+        self.turn_coupling::<Z, NONE>(c, s);
+        turn_symmetric::<T, Z, NONE>(&mut self.angular, c, s);
+    }
+
+    /// A [`turn`](Self::turn) by a right angle: no product.
+    #[inline(always)]
+    pub fn turn_right<const Z: usize>(&mut self) {
+        let (x, y) = after(Z);
+        turn_symmetric_right::<T, Z>(&mut self.linear);
+        turn_symmetric_right::<T, Z>(&mut self.angular);
+        let m = &mut self.coupling;
+        (m[x][x], m[y][y]) = (m[y][y], m[x][x]);
+        (m[x][y], m[y][x]) = (-m[y][x], -m[x][y]);
+        (m[x][Z], m[y][Z]) = (-m[y][Z], m[x][Z]);
+        (m[Z][x], m[Z][y]) = (-m[Z][y], m[Z][x]);
     }
 
     /// Seen from a frame with parallel axes whose axis `Z` passes through this one's origin at `d` (m).
@@ -189,17 +210,23 @@ impl<T: Lanes> PackedInertia<T> {
     #[inline(always)]
     pub fn shift<const Z: usize>(&mut self, d: T) {
         let before = self.shift_coupling::<Z>(d);
-        self.shift_angular::<Z>(&before, d);
+        self.shift_angular::<Z, NONE>(&before, d);
     }
 
     /// A [`turn`](Self::turn), then a [`shift`](Self::shift) along the same axis.
     #[inline(always)]
     pub fn screw<const Z: usize>(&mut self, c: T, s: T, d: T) {
-        turn_symmetric::<T, Z>(&mut self.linear, c, s);
-        self.turn_coupling::<Z>(c, s);
+        self.screw_without::<Z, NONE>(c, s, d);
+    }
+
+    /// The same where row `ZERO` of A and of C is zero: what eliminating a turn without armature leaves.
+    #[inline(always)]
+    pub fn screw_without<const Z: usize, const ZERO: usize>(&mut self, c: T, s: T, d: T) {
+        turn_symmetric::<T, Z, NONE>(&mut self.linear, c, s);
+        self.turn_coupling::<Z, ZERO>(c, s);
         let before = self.shift_coupling::<Z>(d);
-        turn_symmetric::<T, Z>(&mut self.angular, c, s);
-        self.shift_angular::<Z>(&before, d);
+        turn_symmetric::<T, Z, ZERO>(&mut self.angular, c, s);
+        self.shift_angular::<Z, ZERO>(&before, d);
     }
 
     /// Seen from a frame in which this one is turned by a rotation, given by rows: R A Rᵀ, R C Rᵀ, R L Rᵀ.
@@ -220,15 +247,26 @@ impl<T: Lanes> PackedInertia<T> {
     }
 
     #[inline(always)]
-    fn turn_coupling<const Z: usize>(&mut self, c: T, s: T) {
+    fn turn_coupling<const Z: usize, const ZERO: usize>(&mut self, c: T, s: T) {
         let (x, y) = after(Z);
         let m = &mut self.coupling;
+        if ZERO == y {
+            let g = s.mul_add(m[x][x], c * m[x][y]);
+            m[x][x] = (-s).mul_add(g, m[x][x]);
+            m[y][y] = s * g;
+            (m[x][y], m[y][x]) = (c * g, c.mul_add(g, -m[x][y]));
+            (m[x][Z], m[y][Z]) = (c * m[x][Z], s * m[x][Z]);
+            (m[Z][x], m[Z][y]) = turned(m[Z][x], m[Z][y], c, s);
+            return;
+        }
         let g = s.mul_add(m[x][x] - m[y][y], c * (m[x][y] + m[y][x]));
         m[x][x] = (-s).mul_add(g, m[x][x]);
         m[y][y] = s.mul_add(g, m[y][y]);
         (m[x][y], m[y][x]) = (c.mul_add(g, -m[y][x]), c.mul_add(g, -m[x][y]));
         (m[x][Z], m[y][Z]) = turned(m[x][Z], m[y][Z], c, s);
-        (m[Z][x], m[Z][y]) = turned(m[Z][x], m[Z][y], c, s);
+        if ZERO != Z {
+            (m[Z][x], m[Z][y]) = turned(m[Z][x], m[Z][y], c, s);
+        }
     }
 
     /// Gives what it was in the plane across: rows x and y, columns x and y.
@@ -245,14 +283,16 @@ impl<T: Lanes> PackedInertia<T> {
     }
 
     #[inline(always)]
-    fn shift_angular<const Z: usize>(&mut self, before: &[T; 4], d: T) {
+    fn shift_angular<const Z: usize, const ZERO: usize>(&mut self, before: &[T; 4], d: T) {
         let (x, y) = after(Z);
         let (c, a) = (&self.coupling, &mut self.angular);
         a[at(x, x)] = (-d).mul_add(before[1] + c[x][y], a[at(x, x)]);
         a[at(y, y)] = d.mul_add(before[2] + c[y][x], a[at(y, y)]);
         a[at(x, y)] = d.mul_add(before[0] - c[y][y], a[at(x, y)]);
-        a[at(x, Z)] = (-d).mul_add(c[Z][y], a[at(x, Z)]);
-        a[at(y, Z)] = d.mul_add(c[Z][x], a[at(y, Z)]);
+        if ZERO != Z {
+            a[at(x, Z)] = (-d).mul_add(c[Z][y], a[at(x, Z)]);
+            a[at(y, Z)] = d.mul_add(c[Z][x], a[at(y, Z)]);
+        }
     }
 
     /// The trace of A, kg·m²: what its entries lie below where it is positive semi-definite.
@@ -291,14 +331,35 @@ impl<T: Lanes> PackedInertia<T> {
     /// Eliminates a turn about axis `Z`: I ← I − U D⁻¹ Uᵀ; along it the armature's part of U is left.
     #[inline(always)]
     pub fn eliminate_turn<const Z: usize>(&mut self, pivot: &Pivot<T>, over_d: &PackedWrench<T>) {
-        let (x, y) = after(Z);
-        self.subtract_angular::<Z>(&pivot.u, over_d);
-        self.subtract_coupling([x, y], [0, 1, 2], &pivot.u, over_d);
-        self.subtract_linear::<3>(&pivot.u, over_d);
+        self.subtract_turn::<Z>(pivot, over_d);
         for k in 0..3 {
             self.angular[at(k, Z)] = pivot.u.moment[k] * pivot.armature_part;
             self.coupling[Z][k] = pivot.u.force[k] * pivot.armature_part;
         }
+    }
+
+    /// The same without armature: row `Z` of A and of C is zero after it.
+    #[inline(always)]
+    pub fn eliminate_bare_turn<const Z: usize>(&mut self, pivot: &Pivot<T>, over_d: &PackedWrench<T>) {
+        self.subtract_turn::<Z>(pivot, over_d);
+        self.clear_row::<Z>();
+    }
+
+    /// Sets row `Z` of A and of C to zero, which it is known to be: what follows is compiled without it.
+    #[inline(always)]
+    pub fn clear_row<const Z: usize>(&mut self) {
+        for k in 0..3 {
+            self.angular[at(k, Z)] = T::zero();
+            self.coupling[Z][k] = T::zero();
+        }
+    }
+
+    #[inline(always)]
+    fn subtract_turn<const Z: usize>(&mut self, pivot: &Pivot<T>, over_d: &PackedWrench<T>) {
+        let (x, y) = after(Z);
+        self.subtract_angular::<Z>(&pivot.u, over_d);
+        self.subtract_coupling([x, y], [0, 1, 2], &pivot.u, over_d);
+        self.subtract_linear::<3>(&pivot.u, over_d);
     }
 
     /// Eliminates a slide along axis `Z`, as [`eliminate_turn`](Self::eliminate_turn).
@@ -423,75 +484,6 @@ impl<T: Lanes> PackedInertia<T> {
     }
 }
 
-impl<T: Lanes> PackedWrench<T> {
-    /// None.
-    #[inline(always)]
-    pub fn zero() -> Self {
-        Self { moment: [T::zero(); 3], force: [T::zero(); 3] }
-    }
-
-    /// As [`PackedInertia::turn`].
-    #[inline(always)]
-    pub fn turn<const Z: usize>(&mut self, c: T, s: T) {
-        turn_vector::<T, Z>(&mut self.moment, c, s);
-        turn_vector::<T, Z>(&mut self.force, c, s);
-    }
-
-    /// As [`PackedInertia::rotate`].
-    #[inline(always)]
-    pub fn rotate(&mut self, r: &[[T; 3]; 3]) {
-        self.moment = rotated(&self.moment, r);
-        self.force = rotated(&self.force, r);
-    }
-
-    /// As [`PackedInertia::shift`].
-    #[inline(always)]
-    pub fn shift<const Z: usize>(&mut self, d: T) {
-        let (x, y) = after(Z);
-        self.moment[x] = (-d).mul_add(self.force[y], self.moment[x]);
-        self.moment[y] = d.mul_add(self.force[x], self.moment[y]);
-    }
-
-    /// As [`PackedInertia::screw`].
-    #[inline(always)]
-    pub fn screw<const Z: usize>(&mut self, c: T, s: T, d: T) {
-        self.turn::<Z>(c, s);
-        self.shift::<Z>(d);
-    }
-
-    /// `self − other · factor`.
-    #[inline(always)]
-    pub fn subtract(&mut self, other: &Self, factor: T) {
-        for k in 0..3 {
-            self.moment[k] = (-factor).mul_add(other.moment[k], self.moment[k]);
-            self.force[k] = (-factor).mul_add(other.force[k], self.force[k]);
-        }
-    }
-
-    /// Times a factor.
-    #[inline(always)]
-    pub fn scaled(&self, factor: T) -> Self {
-        let ([a, b, c], [d, e, f]) = (self.moment, self.force);
-        Self { moment: [a * factor, b * factor, c * factor], force: [d * factor, e * factor, f * factor] }
-    }
-
-    /// Sum.
-    #[inline(always)]
-    pub fn add(&mut self, other: &Self) {
-        for k in 0..3 {
-            self.moment[k] += other.moment[k];
-            self.force[k] += other.force[k];
-        }
-    }
-}
-
-/// Components in a frame in which the vector's own is turned about axis `Z`.
-#[inline(always)]
-pub fn turn_vector<T: Lanes, const Z: usize>(v: &mut [T; 3], c: T, s: T) {
-    let (x, y) = after(Z);
-    (v[x], v[y]) = turned(v[x], v[y], c, s);
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -538,6 +530,7 @@ mod tests {
         packed.turn::<Z>(One::from_f64(angle.cos()), One::from_f64(angle.sin()));
         packed.shift::<Z>(One::from_f64(d));
         assert_eq!(packed, at_once);
+        right::<Z>(packed);
         let x = Transform::new(rotation_about(&axis, angle), axis * d);
         assert_same(&packed, &ArticulatedInertia::from(&x.inertia(&body())));
         let f = Wrench::new(Vector3::new(0.3, -0.8, 0.5), Vector3::new(1.0, 0.2, -0.4));
@@ -550,6 +543,41 @@ mod tests {
             assert!((value(wrench.moment[k]) - there.moment[k]).abs() < 1e-15);
             assert!((value(wrench.force[k]) - there.force[k]).abs() < 1e-15);
         }
+    }
+
+    /// A right angle is a turn by it, to the last bit; what leaves out a row of zeros too.
+    fn right<const Z: usize>(packed: PackedInertia<One>) {
+        let of = One::from_f64;
+        let f = PackedWrench { moment: [of(0.3), of(-0.8), of(0.5)], force: [of(1.0), of(0.2), of(-0.4)] };
+        let (mut by_angle, mut exact) = ((packed, f), (packed, f));
+        by_angle.0.turn::<Z>(of(0.0), of(1.0));
+        by_angle.1.turn::<Z>(of(0.0), of(1.0));
+        exact.0.turn_right::<Z>();
+        exact.1.turn_right::<Z>();
+        assert_eq!(by_angle.1, exact.1);
+        for (a, b) in numbers(&by_angle.0).zip(numbers(&exact.0)) {
+            // x − (x − y) is y to a rounding of x.
+            assert!((a - b).abs() < 4e-16, "{a} {b}");
+        }
+        let (mut general, mut left_out) = (packed, packed);
+        let pivot = packed.turn_pivot::<2>(of(0.0));
+        let over_d = pivot.u.scaled(pivot.over);
+        general.eliminate_turn::<2>(&pivot, &over_d);
+        left_out.eliminate_bare_turn::<2>(&pivot, &over_d);
+        assert_eq!(general, left_out);
+        let (c, s, d) = (of(0.7f64.cos()), of(0.7f64.sin()), of(-0.35));
+        general.screw::<2>(c, s, d);
+        left_out.screw_without::<2, 2>(c, s, d);
+        assert_eq!(general, left_out);
+        general.screw::<0>(c, s, d);
+        left_out.screw_without::<0, 2>(c, s, d);
+        assert_eq!(general, left_out);
+    }
+
+    fn numbers(packed: &PackedInertia<One>) -> impl Iterator<Item = f64> {
+        let mut all = [0.0; PackedInertia::<One>::NUMBERS];
+        packed.store(&mut all);
+        all.into_iter()
     }
 
     #[test]

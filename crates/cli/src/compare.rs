@@ -1,0 +1,229 @@
+//! `percuss compare`, and the variants of a study.
+
+use crate::args::{CompareArgs, ContactArgs, MassFormat};
+use crate::csv;
+use crate::failure::Failure;
+use crate::output::{is_input, write_file};
+use crate::report::{write_diagnostics, write_json, write_out};
+use crate::text::{Table, number};
+use percuss_render::{Figure, Panel, Series, Style};
+use percuss_study::{
+    CompareError, ComparisonReport, Design, DesignRecord, Names, RowSource, StudyFile, compare,
+};
+use std::fmt::Write as _;
+use std::path::Path;
+
+/// Runs the command.
+pub fn run(args: &CompareArgs) -> Result<(), Failure> {
+    args.writing.apply();
+    let studies: Vec<bool> =
+        args.designs.iter().map(|path| StudyFile::is_study(path, args.reading.max_size)).collect();
+    let designs = if studies.iter().all(|is_study| *is_study) {
+        of_studies(args)?
+    } else if let Some(study) = studies.iter().position(|is_study| *is_study) {
+        return Err(Failure::bad_input(format!(
+            "{} is a study and has its own contact, the others are models or sheets; give studies alone, or none",
+            args.designs[study]
+        )));
+    } else {
+        of_models(args)?
+    };
+    let names = if studies[0] { Names::Keys } else { Names::Flags };
+    show(&designs, names, args.output.as_deref(), args.format, args.reading.strict)
+}
+
+fn of_studies(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
+    if args.contact.as_ref().is_some_and(|contact| contact.link.is_some()) || !args.vary.is_empty() {
+        return Err(Failure::bad_input(
+            "--link, --point, --vary and the like are for models and sheets; a study has its own contact and range",
+        ));
+    }
+    let changes = args.reading.changes();
+    if !changes.is_empty() {
+        return Err(Failure::bad_input(
+            "--link-mass, --link-com and --move would change every design alike; a study has [[variant]] for that",
+        ));
+    }
+    let mut designs = Vec::new();
+    for (path, name) in args.designs.iter().zip(names_of(&args.designs)) {
+        designs.extend(StudyFile::load(path, args.reading.max_size)?.designs(&name));
+    }
+    Ok(designs)
+}
+
+fn of_models(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
+    let question = ContactArgs::needed(args.contact.as_ref())?.question()?;
+    let rows = (!args.vary.is_empty()).then(|| RowSource::Grid(args.vary.clone()));
+    let design = |(path, name): (&String, String)| {
+        let (question, rows) = (question.clone(), rows.clone());
+        Ok(Design { name, model: args.reading.load(path)?, question, rows })
+    };
+    args.designs.iter().zip(names_of(&args.designs)).map(design).collect()
+}
+
+/// The files' names without folders and endings, or as given where two are alike.
+fn names_of(paths: &[String]) -> Vec<String> {
+    let stem = |path: &String| {
+        Path::new(path).file_stem().map_or_else(|| path.clone(), |stem| stem.to_string_lossy().into_owned())
+    };
+    let stems: Vec<String> = paths.iter().map(stem).collect();
+    let alone = |name: &String| stems.iter().filter(|other| *other == name).count() == 1;
+    stems
+        .iter()
+        .zip(paths)
+        .map(|(name, path)| if alone(name) { name.clone() } else { path.clone() })
+        .collect()
+}
+
+/// Compares designs and writes what comes of it.
+pub fn show(
+    designs: &[Design],
+    names: Names,
+    output: Option<&str>,
+    format: MassFormat,
+    strict: bool,
+) -> Result<(), Failure> {
+    let report = compare(designs).map_err(|error| failure(&error, names))?;
+    write_diagnostics(&report.diagnostics, strict)?;
+    if let Some(path) = output {
+        let bytes = file(&report, path)?;
+        designs.iter().flat_map(|design| &design.model.inputs).for_each(|input| is_input(&input.path));
+        write_file(path, &bytes)?;
+    }
+    match format {
+        MassFormat::Json => write_json(&report)?,
+        MassFormat::Csv => write_out(&table(&report))?,
+        MassFormat::Text => write_out(&text(&report))?,
+    }
+    if report.designs.iter().all(|design| design.status.is_none()) {
+        return Err(Failure::NoAnswer("no design has an answer".into()));
+    }
+    Ok(())
+}
+
+pub fn failure(error: &CompareError, names: Names) -> Failure {
+    match error {
+        CompareError::Question { source, .. } if source.is_no_answer() => {
+            Failure::NoAnswer(error.message(names))
+        }
+        _ => Failure::bad_input(error.message(names)),
+    }
+}
+
+fn answer(design: &DesignRecord) -> String {
+    match (design.effective_mass, design.status) {
+        (Some(mass), _) => number(mass),
+        (None, Some(status)) => status.name().to_owned(),
+        (None, None) => "no answer".to_owned(),
+    }
+}
+
+fn percent(x: f64) -> String {
+    format!("{x:+.2} %")
+}
+
+pub fn text(report: &ComparisonReport) -> String {
+    let mut table = Table::new(["design", "kg", "difference", "over the range", "most of it"]);
+    for (i, design) in report.designs.iter().enumerate() {
+        let difference = match design.difference_percent {
+            Some(x) => percent(x),
+            None if i == 0 => "–".into(),
+            None => String::new(),
+        };
+        let range = design.difference_range_percent;
+        let range = range.map_or_else(String::new, |[a, b]| format!("{} to {}", percent(a), percent(b)));
+        let most = design.most.iter().map(|(link, share)| format!("{link} {:.1} %", 100.0 * share));
+        let most: Vec<String> = most.collect();
+        table.row([design.name.clone(), answer(design), difference, range, most.join(", ")]);
+    }
+    let mut out = format!("effective mass of {} designs\n\n{table}", report.designs.len());
+    for design in &report.designs {
+        if let Some(error) = &design.error {
+            let _ = writeln!(out, "\n{}: {error}", design.name);
+        }
+    }
+    out
+}
+
+/// Of the ranges where there are any, else of the designs.
+fn table(report: &ComparisonReport) -> String {
+    let mut out = String::new();
+    if report.varied.is_empty() {
+        out += &csv::line(&["design", "status", "effective_mass", "difference_percent"].map(str::to_owned));
+        for design in &report.designs {
+            let status = design.status.map_or("no answer", |status| status.name());
+            let cells = [csv::cell(design.effective_mass), csv::cell(design.difference_percent)];
+            out += &csv::line(&[&[design.name.clone(), status.to_owned()][..], &cells].concat());
+        }
+        return out;
+    }
+    let mut header = vec!["row".to_owned()];
+    header.extend(report.varied.iter().map(|column| column.name.clone()));
+    header.extend(report.designs.iter().map(|design| design.name.clone()));
+    header.extend(report.designs.iter().skip(1).map(|design| format!("{} difference_percent", design.name)));
+    out += &csv::line(&header);
+    for row in &report.rows {
+        let mut cells = vec![row.row.to_string()];
+        cells.extend(row.varied.iter().map(|value| csv::number(*value)));
+        cells.extend(row.effective_mass.iter().map(|mass| csv::cell(*mass)));
+        cells.extend(row.difference_percent.iter().skip(1).map(|x| csv::cell(*x)));
+        out += &csv::line(&cells);
+    }
+    out
+}
+
+fn file(report: &ComparisonReport, path: &str) -> Result<Vec<u8>, Failure> {
+    let ending = Path::new(path).extension().and_then(|ending| ending.to_str()).unwrap_or("");
+    match ending.to_ascii_lowercase().as_str() {
+        "csv" => Ok(table(report).into_bytes()),
+        "json" => {
+            let text = serde_json::to_string_pretty(report);
+            let text = text.map_err(|e| Failure::NoAnswer(format!("the result has no JSON form: {e}")))?;
+            Ok((text + "\n").into_bytes())
+        }
+        "svg" => Ok(figure(report)?.to_svg().into_bytes()),
+        "png" => figure(report)?.to_png(2.0).map_err(|e| Failure::NoAnswer(e.to_string())),
+        _ => Err(Failure::bad_input(format!(
+            "--output {path}: its name must end in .csv, .json, .svg or .png"
+        ))),
+    }
+}
+
+/// m̄ of all designs over the range, and below it their differences from the first.
+fn figure(report: &ComparisonReport) -> Result<Figure, Failure> {
+    let [varied] = &report.varied[..] else {
+        return Err(Failure::bad_input(
+            "--output: a figure shows designs over one range; give --vary once (a study: [sweep] with one range), or a file \
+             that ends in .csv or .json",
+        ));
+    };
+    let (scale, unit) = if varied.unit == "m" { (1e3, "mm") } else { (180.0 / std::f64::consts::PI, "deg") };
+    let series = |i: usize, values: &dyn Fn(usize) -> Option<f64>| Series {
+        name: report.designs[i].name.clone(),
+        style: if i == 0 { Style::Line } else { Style::Dashed },
+        points: report
+            .rows
+            .iter()
+            .enumerate()
+            .map(|(row, r)| (scale * r.varied.first().copied().unwrap_or_default(), values(row)))
+            .collect(),
+    };
+    let all = 0..report.designs.len();
+    let masses = all.clone().map(|i| series(i, &|row| report.rows[row].effective_mass[i])).collect();
+    let differences = all.skip(1).map(|i| series(i, &|row| report.rows[row].difference_percent[i])).collect();
+    let first = report.designs.first().map_or("", |design| &design.name);
+    Ok(Figure {
+        title: "Effective mass of designs".into(),
+        subtitle: report.designs.iter().map(|d| d.name.clone()).collect::<Vec<_>>().join(", "),
+        x_label: format!("{} ({unit})", varied.name),
+        panels: vec![
+            Panel { y_label: "m̄ (kg)".into(), series: masses, ..Panel::default() },
+            Panel {
+                y_label: format!("difference from {first} (%)"),
+                series: differences,
+                ..Panel::default()
+            },
+        ],
+        ..Figure::default()
+    })
+}

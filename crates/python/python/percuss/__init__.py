@@ -1,0 +1,142 @@
+"""Effective mass at a contact of a mechanism, and the contact damping that gives a restitution.
+
+    >>> import percuss
+    >>> model = percuss.load("models/four_bar.urdf")
+    >>> contact = percuss.Contact("coupler", point=[0.35, 0.1, 0.0], normal=[0.0, 1.0, 0.0])
+    >>> response = model.pose({"crank_hinge": 0.4}).respond(contact)
+    >>> response.effective_mass  # kg
+
+load, pose, respond: one contact. sweep: one contact at many configurations, arrays in and out. effective_mass: matrices of your own
+solver. mass, sweep_report, map, damp, safe_speed, run_study: the reports of the command line. SI units throughout; quaternions are w, x, y, z.
+"""
+
+from __future__ import annotations
+
+from importlib.metadata import version as _version
+
+from ._errors import (
+    AssemblyError,
+    InputError,
+    LoadError,
+    ModelWarning,
+    NoAnswerError,
+    PercussError,
+)
+from ._percuss import (
+    Assembly,
+    Contact,
+    Diagnostic,
+    Joint,
+    MatrixResponse,
+    Model,
+    Pose,
+    Response,
+    Sweep,
+    System,
+    Workspace,
+    effective_mass,
+    effective_masses,
+    laws,
+    load,
+    load_suspension,
+    loads,
+    regions,
+    suspension_template,
+    suspension_templates,
+    sweep,
+    tools,
+)
+from ._percuss import model_of_bytes as _model_of_bytes
+from ._reports import (
+    Conditions,
+    Damping,
+    MapReport,
+    Report,
+    check,
+    damp,
+    damp_contact,
+    damp_stop,
+    impact_history,
+    map,
+    map_point,
+    mass,
+    run_study,
+    safe_speed,
+    sweep_report,
+)
+
+__version__ = _version("percuss")
+
+#: Numbers of outcomes in the arrays of sweep, effective_masses and maps.
+FINITE, IMMOVABLE, MASSLESS, NO_ANSWER = range(4)
+
+__all__ = [
+    "FINITE",
+    "IMMOVABLE",
+    "MASSLESS",
+    "NO_ANSWER",
+    "Assembly",
+    "AssemblyError",
+    "Conditions",
+    "Contact",
+    "Damping",
+    "Diagnostic",
+    "InputError",
+    "Joint",
+    "LoadError",
+    "MapReport",
+    "MatrixResponse",
+    "Model",
+    "ModelWarning",
+    "NoAnswerError",
+    "PercussError",
+    "Pose",
+    "Report",
+    "Response",
+    "Sweep",
+    "System",
+    "Workspace",
+    "check",
+    "damp",
+    "damp_contact",
+    "damp_stop",
+    "effective_mass",
+    "effective_masses",
+    "impact_history",
+    "laws",
+    "load",
+    "load_suspension",
+    "loads",
+    "map",
+    "map_point",
+    "mass",
+    "regions",
+    "run_study",
+    "safe_speed",
+    "suspension_template",
+    "suspension_templates",
+    "sweep",
+    "sweep_report",
+    "tools",
+]
+
+
+def _contact(
+    link: str,
+    point: tuple[float, float, float],
+    normal: tuple[float, float, float] | None,
+    against: str | None,
+    toward: tuple[str, tuple[float, float, float]] | None,
+    normal_frame: str,
+) -> Contact:
+    """A contact that came from another process."""
+    return Contact(link, point, normal, against=against, toward=toward, normal_frame=normal_frame)
+
+
+def _model(text: bytes, name: str, accept: list[str]) -> Model:
+    """A model that came from another process; it was warned of there."""
+    import warnings
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ModelWarning)
+        return _model_of_bytes(text, name, accept)

@@ -1,0 +1,267 @@
+"""Questions of the command line's kind, and their reports."""
+
+from __future__ import annotations
+
+import html
+import json
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Union, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _percuss
+from ._percuss import Contact, Model
+
+#: Where a joint stands: a number (rad, m), several, or text with a unit: "30deg", "12mm".
+Position = Union[float, Sequence[float], str]
+#: What is varied: text as of the command line, or (joint, from, to, count) in SI.
+Range = Union[str, tuple[str, float, float, int]]
+
+
+@dataclass(frozen=True)
+class Conditions:
+    """Under what a contact is asked: the flags of ``percuss mass``.
+
+    frame: in which frame the point of the contact is given: "link", "world", "against".
+    against_mass: mass of a free body on the other side, kg.
+    set: driving joints and where they stand. guess: where dependent joints are looked for.
+    lock: joints that are held. hold: points that are held: (link, point) or (link, point, normal).
+    armature: joints and their rotors' inertia, kg·m² or kg. base: "fixed" or "floating".
+    estimate: the classical estimate beside the answer: (links,), (links, point) or (links, point, direction).
+    """
+
+    frame: str = "link"
+    against_mass: float | None = None
+    set: Mapping[str, Position] = field(default_factory=dict)
+    guess: Mapping[str, Position] = field(default_factory=dict)
+    lock: Sequence[str] = ()
+    hold: Sequence[Sequence[Any]] = ()
+    armature: Mapping[str, float | Sequence[float]] = field(default_factory=dict)
+    base: str = "fixed"
+    estimate: Sequence[Any] | None = None
+
+
+@dataclass(frozen=True)
+class Damping:
+    """Which damper is asked for: the flags of ``percuss damp``.
+
+    restitution: e, 0 to 1. stiffness: k, N/m^exponent (N·m/rad of the stop of a joint that turns). exponent: p of the spring's
+    force k x^p, 1 unless the law says otherwise. speed: approach speed, m/s. law: a name of laws(). separation: "force" (the contact
+    ends as the force vanishes) or "gap". tools: simulators to write parameters for, names of tools(), or ("all",).
+    accuracy: how far a simulator's restitution may be off. time_step: the simulator's, s. own_mass, other_own_mass: of the bodies by
+    themselves, kg. diagonal_ratio: MuJoCo's.
+    """
+
+    restitution: float
+    stiffness: float
+    exponent: float | None = None
+    speed: float | None = None
+    law: str = "kelvin-voigt"
+    separation: str | None = None
+    tools: Sequence[str] = ()
+    accuracy: float | None = None
+    time_step: float | None = None
+    own_mass: float | None = None
+    other_own_mass: float | None = None
+    diagonal_ratio: float | None = None
+
+
+class Report(dict[str, Any]):
+    """A report: the dict that ``--format json`` of the command prints. Keys are attributes too."""
+
+    def __getattr__(self, key: str) -> Any:
+        try:
+            return self[key]
+        except KeyError:
+            raise AttributeError(f"the report has no {key!r}; it has {', '.join(self)}") from None
+
+    def _facts(self) -> list[tuple[str, str]]:
+        facts: list[tuple[str, str]] = []
+        for key, value in self.items():
+            if isinstance(value, bool) or value is None:
+                continue
+            if isinstance(value, float):
+                facts.append((key, f"{value:.10g}"))
+            elif isinstance(value, (int, str)):
+                facts.append((key, str(value)))
+            elif isinstance(value, list) and key in ("rows", "links", "diagnostics"):
+                facts.append((key, f"{len(value)}"))
+        return facts
+
+    def __repr__(self) -> str:
+        return "<Report " + ", ".join(f"{key}: {value}" for key, value in self._facts()) + ">"
+
+    def _repr_html_(self) -> str:
+        rows = "".join(
+            f"<tr><th style='text-align:left'>{html.escape(key)}</th><td>{html.escape(value)}</td></tr>"
+            for key, value in self._facts()
+        )
+        return f"<table>{rows}</table>"
+
+
+class MapReport(Report):
+    """Maps of links. facets: for each link its facets as arrays: points, normals, points_world (k, 3) m, area (k,) m²,
+    effective_mass and error (k,) kg (NaN unless finite), status (k,) uint8."""
+
+    def __init__(self, report: dict[str, Any], facets: dict[str, dict[str, NDArray[Any]]], svg: str) -> None:
+        super().__init__(report)
+        object.__setattr__(self, "facets", facets)
+        object.__setattr__(self, "_svg", svg)
+
+    facets: dict[str, dict[str, NDArray[Any]]]
+    _svg: str
+
+    def to_svg(self) -> str:
+        """The picture: two views with a scale of colours."""
+        return self._svg
+
+    def _repr_html_(self) -> str:
+        return f"<div>{super()._repr_html_()}{self._svg}</div>"
+
+
+def _asked(conditions: Conditions | None) -> Conditions:
+    """With plain dicts and lists, as the extension reads them."""
+    given = Conditions() if conditions is None else conditions
+    return Conditions(
+        frame=given.frame,
+        against_mass=given.against_mass,
+        set=dict(given.set),
+        guess=dict(given.guess),
+        lock=list(given.lock),
+        hold=list(given.hold),
+        armature=dict(given.armature),
+        base=given.base,
+        estimate=given.estimate,
+    )
+
+
+def check(model: Model) -> Report:
+    """What is in a model: links, joints, loops, mobility, redundancy, mass, diagnostics. As ``percuss check``."""
+    return Report(json.loads(_percuss.check(model)))
+
+
+def mass(
+    model: Model, contact: Contact, conditions: Conditions | None = None, *, damping: Damping | None = None
+) -> Report:
+    """One contact of a model, with the damper that gives it a restitution where one is asked for. As ``percuss mass``."""
+    return Report(json.loads(_percuss.mass_report(model, contact, _asked(conditions), damping)))
+
+
+def sweep_report(
+    model: Model,
+    contact: Contact,
+    conditions: Conditions | None = None,
+    *,
+    vary: Range | Sequence[Range] | None = None,
+    input: str | os.PathLike[str] | None = None,
+    ignore: Sequence[str] = (),
+    random: int | None = None,
+    seed: int = 0,
+) -> Report:
+    """A contact at many rows of positions, loops closed along one branch, each row with its pose, estimate and motion ratio.
+    As ``percuss sweep``; ``sweep`` takes arrays and is far quicker.
+
+    vary: one range or several, the first the slowest: "JOINT=FROM:TO:COUNT", "travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT", or
+    (joint, from, to, count). input: a file of positions, .csv or .parquet, without the columns of ignore. random: so many random
+    rows within the limits of the joints, by a seed. One of the three.
+    """
+    ranges: list[Range] | None
+    if vary is None:
+        ranges = None
+    elif isinstance(vary, str):
+        ranges = [vary]
+    elif isinstance(vary, tuple) and len(vary) == 4 and not isinstance(vary[1], (str, tuple)):
+        ranges = [cast("Range", vary)]
+    else:
+        ranges = list(cast("Sequence[Range]", vary))
+    file = None if input is None else (os.fspath(input), list(ignore))
+    rows = None if random is None else (random, seed)
+    return Report(json.loads(_percuss.sweep_report(model, contact, _asked(conditions), ranges, file, rows)))
+
+
+def map(
+    model: Model,
+    conditions: Conditions | None = None,
+    *,
+    against: str | None = None,
+    links: Sequence[str] | None = None,
+    shapes: str = "auto",
+    edge: float | None = None,
+    packages: Mapping[str, str | os.PathLike[str]] | None = None,
+) -> MapReport:
+    """m̄ over the surfaces of links, one contact in each facet, along its outward normal. As ``percuss map``.
+
+    against: the other side; None: the ground. links: None: all that have a shape. shapes: "auto", "collision", "visual".
+    edge: longest edge of a facet, m. packages: folders of ``package://`` names.
+    """
+    folders = [(name, os.fspath(path)) for name, path in (packages or {}).items()]
+    named = None if links is None else list(links)
+    report, facets, svg = _percuss.map_report(model, _asked(conditions), against, named, shapes, edge, folders)
+    return MapReport(json.loads(report), facets, svg)
+
+
+def map_point(
+    model: Model, contact: Contact, directions: int = 500, conditions: Conditions | None = None
+) -> Report:
+    """m̄ in many directions at the point of a contact (its normal is not read), and the principal effective masses."""
+    return Report(json.loads(_percuss.map_point_report(model, contact, _asked(conditions), directions)))
+
+
+def damp(mass: float, damping: Damping) -> Report:
+    """The damper of an effective mass (kg), and parameters for simulators. As ``percuss damp --mass``."""
+    return Report(json.loads(_percuss.damp_mass(mass, damping)))
+
+
+def damp_contact(
+    model: Model, contact: Contact, damping: Damping, conditions: Conditions | None = None
+) -> Report:
+    """The damper of a contact of a model, and what changes over the penetration. As ``percuss damp --mass-from``."""
+    return Report(json.loads(_percuss.damp(model, contact, None, _asked(conditions), damping)))
+
+
+def damp_stop(
+    model: Model,
+    joint: str,
+    damping: Damping,
+    conditions: Conditions | None = None,
+    *,
+    end: str | None = None,
+) -> Report:
+    """The damper of a joint's stop: where the joint stands, or at an end of its range ("lower", "upper").
+    As ``percuss damp --limit``."""
+    return Report(json.loads(_percuss.damp(model, None, (joint, end), _asked(conditions), damping)))
+
+
+def impact_history(mass: float, damping: Damping, samples: int = 200) -> NDArray[np.float64]:
+    """An impact of a mass (kg) in time; damping.speed is its approach speed. (samples, 4): time (s), penetration (m), its rate
+    (m/s), force (N)."""
+    return _percuss.impact_history(mass, damping, samples)
+
+
+def safe_speed(
+    model: Model,
+    contact: Contact,
+    region: str,
+    conditions: Conditions | None = None,
+    *,
+    force: float | None = None,
+    pressure: float | None = None,
+    area: float | None = None,
+    load: float = 0.0,
+) -> Report:
+    """How fast a robot may move where it may hit a person. region: a name of regions(). The limit, from the edition of the standard
+    that applies: force (N), or pressure (Pa) with area (m²). load: kg. As ``percuss safe-speed``."""
+    return Report(
+        json.loads(
+            _percuss.safe_speed(model, contact, _asked(conditions), region, force, pressure, area, load)
+        )
+    )
+
+
+def run_study(path: str | os.PathLike[str]) -> Report:
+    """Runs a study (TOML): the report of its sweep where it has one, else of its contact. Writes no file. As ``percuss run``."""
+    return Report(json.loads(_percuss.run_study(path)))
+

@@ -1,0 +1,10 @@
+//! The `percuss` command, for the package's console script.
+
+use pyo3::prelude::*;
+use std::ffi::OsString;
+
+/// Runs the command with these arguments, the program's name the first of them, and ends the process with its exit code.
+#[pyfunction]
+pub fn run_command(py: Python<'_>, arguments: Vec<OsString>) {
+    py.detach(|| std::process::exit(percuss_cli::run(arguments).into()))
+}

@@ -1,0 +1,153 @@
+//! Contacts, by the names of links.
+
+use crate::arrays::triple;
+use crate::errors::input;
+use percuss::nalgebra::Vector3;
+use percuss::{Contact as Resolved, Direction, Frame, Mechanism};
+use pyo3::prelude::*;
+use pyo3::types::PyAny;
+
+/// Contact(link, point, normal=None, *, against=None, toward=None, normal_frame="link")
+/// --
+///
+/// A point of a link meets another link, or the ground.
+///
+/// link: the struck link. point: (3,) m, in its frame. normal: (3,), out of the struck link into the other side; its length
+/// does not matter. against: the other link; None: the ground. toward: (link, point), in place of normal: the normal points
+/// from the contact towards that point (m, in that link's frame). normal_frame: "link": the normal turns with the struck link;
+/// "world"; "against".
+#[pyclass(frozen, eq, module = "percuss")]
+#[derive(Clone, Debug, PartialEq)]
+pub struct Contact {
+    /// The struck link.
+    #[pyo3(get)]
+    pub link: String,
+    /// The other link; None: the ground.
+    #[pyo3(get)]
+    pub against: Option<String>,
+    point: [f64; 3],
+    normal: Given,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+enum Given {
+    Along([f64; 3], Frame),
+    Toward(String, [f64; 3]),
+}
+
+/// A frame by its name.
+pub fn frame(name: &str, what: &str) -> PyResult<Frame> {
+    match name {
+        "link" => Ok(Frame::Link),
+        "world" => Ok(Frame::World),
+        "against" => Ok(Frame::Against),
+        _ => Err(input(format_args!("{what} is \"{name}\"; expected \"link\", \"world\" or \"against\""))),
+    }
+}
+
+fn name(frame: Frame) -> &'static str {
+    match frame {
+        Frame::Link => "link",
+        Frame::World => "world",
+        Frame::Against => "against",
+    }
+}
+
+#[pymethods]
+impl Contact {
+    #[new]
+    #[pyo3(signature = (link, point, normal=None, *, against=None, toward=None, normal_frame="link"))]
+    fn new(
+        link: String,
+        point: &Bound<'_, PyAny>,
+        normal: Option<&Bound<'_, PyAny>>,
+        against: Option<String>,
+        toward: Option<(String, Bound<'_, PyAny>)>,
+        normal_frame: &str,
+    ) -> PyResult<Self> {
+        let normal = match (normal, toward) {
+            (Some(normal), None) => {
+                Given::Along(triple(normal, "normal")?, frame(normal_frame, "normal_frame")?)
+            }
+            (None, Some((link, point))) => Given::Toward(link, triple(&point, "point of toward")?),
+            _ => return Err(input("give one of normal and toward")),
+        };
+        Ok(Self { link, against, point: triple(point, "point")?, normal })
+    }
+
+    /// The contact point in the struck link's frame, m.
+    #[getter]
+    fn point(&self) -> (f64, f64, f64) {
+        self.point.into()
+    }
+
+    /// The normal as given; None where it points toward a point.
+    #[getter]
+    fn normal(&self) -> Option<(f64, f64, f64)> {
+        match &self.normal {
+            Given::Along(normal, _) => Some((*normal).into()),
+            Given::Toward(..) => None,
+        }
+    }
+
+    /// The link and the point (m, its frame) that the normal points to; None where it is given.
+    #[getter]
+    fn toward(&self) -> Option<(String, (f64, f64, f64))> {
+        match &self.normal {
+            Given::Along(..) => None,
+            Given::Toward(link, point) => Some((link.clone(), (*point).into())),
+        }
+    }
+
+    /// "link", "world" or "against".
+    #[getter]
+    fn normal_frame(&self) -> &'static str {
+        match &self.normal {
+            Given::Along(_, frame) => name(*frame),
+            Given::Toward(..) => name(Frame::Link),
+        }
+    }
+
+    /// What `Contact` was called with, so that contacts can be sent to other processes.
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)> {
+        let py = slf.py();
+        let contact = slf.get();
+        let package = py.import("percuss")?;
+        let arguments = (
+            contact.link.clone(),
+            contact.point(),
+            contact.normal(),
+            contact.against.clone(),
+            contact.toward(),
+            contact.normal_frame(),
+        );
+        Ok((package.getattr("_contact")?, arguments.into_pyobject(py)?.into_any()))
+    }
+
+    fn __repr__(&self) -> String {
+        let normal = match &self.normal {
+            Given::Along(normal, Frame::Link) => format!("normal={normal:?}"),
+            Given::Along(normal, frame) => format!("normal={normal:?}, normal_frame=\"{}\"", name(*frame)),
+            Given::Toward(link, point) => format!("toward=(\"{link}\", {point:?})"),
+        };
+        let against = self.against.as_ref().map_or_else(String::new, |link| format!(", against=\"{link}\""));
+        format!("Contact(\"{}\", point={:?}, {normal}{against})", self.link, self.point)
+    }
+}
+
+impl Contact {
+    /// With the links of a mechanism.
+    pub fn on(&self, mechanism: &Mechanism) -> PyResult<Resolved> {
+        let find = |name: &str| mechanism.find_link(name).map_err(input);
+        let normal = match &self.normal {
+            Given::Along(normal, frame) => Direction::Along(Vector3::from(*normal), *frame),
+            Given::Toward(link, point) => Direction::Toward(find(link)?, Vector3::from(*point)),
+        };
+        Ok(Resolved {
+            link: find(&self.link)?,
+            against: self.against.as_deref().map(find).transpose()?,
+            point: self.point.into(),
+            normal,
+        })
+    }
+}

@@ -1,0 +1,46 @@
+//! The extension module `percuss._percuss` of the Python package: arrays, names and messages to Python's kind and back. What is
+//! computed, and how, is the façade's. docs/PYTHON.md says how to use it; `python/percuss/_percuss.pyi` has the types.
+
+mod arrays;
+mod command;
+mod contact;
+mod damping;
+mod errors;
+mod matrices;
+mod model;
+mod pose;
+mod question;
+mod reports;
+mod response;
+mod suspension;
+mod sweep;
+mod system;
+
+/// Everything that the package re-exports.
+#[pyo3::pymodule(name = "_percuss")]
+mod module {
+    #[pymodule_export]
+    use crate::command::run_command;
+    #[pymodule_export]
+    use crate::contact::Contact;
+    #[pymodule_export]
+    use crate::damping::{damp, damp_mass, impact_history, laws, regions, tools};
+    #[pymodule_export]
+    use crate::matrices::{MatrixResponse, effective_mass, effective_masses};
+    #[pymodule_export]
+    use crate::model::{Diagnostic, Joint, Model, load, loads, model_of_bytes};
+    #[pymodule_export]
+    use crate::pose::Pose;
+    #[pymodule_export]
+    use crate::reports::{
+        check, map_point_report, map_report, mass_report, run_study, safe_speed, sweep_report,
+    };
+    #[pymodule_export]
+    use crate::response::Response;
+    #[pymodule_export]
+    use crate::suspension::{load_suspension, suspension_template, suspension_templates};
+    #[pymodule_export]
+    use crate::sweep::{Sweep, sweep};
+    #[pymodule_export]
+    use crate::system::{Assembly, System, Workspace};
+}

@@ -1,0 +1,267 @@
+//! m̄ from matrices that the caller has: M, j and A of a solver of their own.
+
+use crate::arrays::{float64, shape};
+use crate::errors::input;
+use crate::response::{remark, status, value};
+use numpy::{PyArray1, PyReadonlyArrayDyn, PyUntypedArrayMethods};
+use percuss::{
+    EffectiveMass, MatrixOptions, MatrixResponse as Found, MatrixView, effective_mass as of_matrices,
+};
+use pyo3::prelude::*;
+use pyo3::types::{PyAny, PyDict};
+use rayon::prelude::*;
+
+/// m̄ from matrices, and what follows from it.
+#[pyclass(frozen, module = "percuss")]
+#[derive(Clone, Debug)]
+pub struct MatrixResponse(Found);
+
+#[pymethods]
+impl MatrixResponse {
+    /// m̄, in the unit of M (kg); None unless finite.
+    #[getter]
+    fn effective_mass(&self) -> Option<f64> {
+        value(self.0.effective_mass)
+    }
+
+    /// "finite"; "immovable": no motion with A v = 0 closes the gap; "massless": one without energy does.
+    #[getter]
+    fn status(&self) -> &'static str {
+        status(self.0.effective_mass)
+    }
+
+    /// What m̄ may be off by, kg, by the accuracy of the entries and by rounding; None where it is not known.
+    #[getter]
+    fn error(&self) -> Option<f64> {
+        self.0.error
+    }
+
+    /// v*: velocities at unit closing speed, in the units of the coordinates; zero where immovable; (n,).
+    #[getter]
+    fn velocity<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_slice(py, &self.0.velocity)
+    }
+
+    /// How many motions A leaves: coordinates less rank.
+    #[getter]
+    fn degrees_of_freedom(&self) -> usize {
+        self.0.degrees_of_freedom
+    }
+
+    /// Which rows of A count: "rank", "gap" (least gap between singular values that count and those that do not; None without
+    /// rows), "is_clear", "redundant_rows", "dependent_sets" (numbers of rows, from 0).
+    #[getter]
+    fn rank<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let (report, rank) = (PyDict::new(py), &self.0.rank);
+        report.set_item("rank", rank.rank)?;
+        report.set_item("gap", rank.gap)?;
+        report.set_item("is_clear", rank.is_clear)?;
+        report.set_item("redundant_rows", &rank.redundant_rows)?;
+        report.set_item("dependent_sets", &rank.dependent_sets)?;
+        Ok(report)
+    }
+
+    /// What the reader should know.
+    #[getter]
+    fn remarks(&self) -> Vec<String> {
+        self.0.remarks.iter().map(remark).collect()
+    }
+
+    fn __repr__(&self) -> String {
+        let what = match (self.effective_mass(), self.0.error) {
+            (Some(m), Some(error)) => format!("{m} kg ± {error:.1e}"),
+            (Some(m), None) => format!("{m} kg"),
+            (None, _) => self.status().to_owned(),
+        };
+        format!("<MatrixResponse: {what}, {} degrees of freedom>", self.0.degrees_of_freedom)
+    }
+}
+
+/// How matrices are read, kept while the interpreter is released.
+struct Reading {
+    lengths: Option<Vec<f64>>,
+    rank_floor: Option<f64>,
+    accuracy: Option<f64>,
+}
+
+impl Reading {
+    fn new(
+        lengths: Option<&Bound<'_, PyAny>>,
+        rank_floor: Option<f64>,
+        accuracy: Option<f64>,
+    ) -> PyResult<Self> {
+        let lengths = lengths
+            .map(|lengths| {
+                let array = float64(lengths, "lengths", &[1], "one dimension: a length for each coordinate")?;
+                PyResult::Ok(array.as_array().iter().copied().collect())
+            })
+            .transpose()?;
+        Ok(Self { lengths, rank_floor, accuracy })
+    }
+
+    fn options(&self) -> MatrixOptions<'_> {
+        let mut options = MatrixOptions::new();
+        if let Some(lengths) = &self.lengths {
+            options = options.lengths(lengths);
+        }
+        if let Some(floor) = self.rank_floor {
+            options = options.rank_floor(floor);
+        }
+        if let Some(accuracy) = self.accuracy {
+            options = options.accuracy(accuracy);
+        }
+        options
+    }
+}
+
+/// Numbers of an array with their layout: where they lie if that is one block, else copied.
+struct Block<'a> {
+    values: std::borrow::Cow<'a, [f64]>,
+    shape: Vec<usize>,
+    strides: Vec<isize>,
+}
+
+impl<'a> Block<'a> {
+    fn of(array: &'a PyReadonlyArrayDyn<'_, f64>) -> Self {
+        let view = array.as_array();
+        let shape = view.shape().to_vec();
+        let by_rows = || {
+            let mut strides = vec![1; shape.len()];
+            for axis in (1..shape.len()).rev() {
+                strides[axis - 1] = strides[axis] * shape[axis].max(1) as isize;
+            }
+            strides
+        };
+        match array.as_slice() {
+            Ok(values) if array.is_c_contiguous() => {
+                Self { values: values.into(), strides: by_rows(), shape }
+            }
+            // One block by columns.
+            Ok(values) => Self { values: values.into(), strides: view.strides().to_vec(), shape },
+            Err(_) => {
+                let values: Vec<f64> = view.iter().copied().collect();
+                Self { values: values.into(), strides: by_rows(), shape }
+            }
+        }
+    }
+
+    /// Matrix number c of a batch (the last two axes), or the one that there is.
+    fn matrix(&self, c: usize) -> PyResult<MatrixView<'_>> {
+        let axes = self.shape.len();
+        let first = if axes == 3 { c as isize * self.strides[0] } else { 0 };
+        let (shape, strides) =
+            ([self.shape[axes - 2], self.shape[axes - 1]], [self.strides[axes - 2], self.strides[axes - 1]]);
+        MatrixView::strided(&self.values, first.unsigned_abs(), shape, strides).map_err(input)
+    }
+
+    /// Row number c of a batch (the last axis), or the one that there is.
+    fn row(&self, c: usize) -> PyResult<MatrixView<'_>> {
+        let axes = self.shape.len();
+        let first = if axes == 2 { c as isize * self.strides[0] } else { 0 };
+        let (count, stride) = (self.shape[axes - 1], self.strides[axes - 1]);
+        MatrixView::strided(&self.values, first.unsigned_abs(), [1, count], [0, stride]).map_err(input)
+    }
+}
+
+/// Effective mass along a contact row of a system that is given by its matrices, in the unit of M (kg).
+///
+/// m̄ = min { vᵀMv : Av = 0, jv = 1 }; 1/(j M⁻¹ jᵀ) where M is regular and there is no A. M: (n, n), symmetric, positive
+/// semi-definite, kg, kg·m, kg·m². j: (n,), closing speed per rate, m, 1. A: (m, n) or None, Jacobian of the constraints, rows
+/// scaled as wished. Dense, of any strides and read where they lie if they are one block, or sparse (made dense: the cost is
+/// O(n³ + m n²), up to 1000 coordinates).
+///
+/// lengths: (n,), how coordinates are scaled where ranks are decided, and whether the gap closes at all: how far a unit rate
+/// of each moves things, in one unit for all: 1 for a slide in metres, a typical length for an angle. Default: 1 for all. No
+/// finite m̄ depends on them beyond rounding. rank_floor: singular values of A below this part of the largest count as zero;
+/// default 1e-10, or 10 times the accuracy where that is more. accuracy: relative error of the entries, 0 to 1e-3; default
+/// 2.2e-16.
+#[pyfunction]
+#[pyo3(signature = (M, j, A=None, *, lengths=None, rank_floor=None, accuracy=None))]
+#[allow(non_snake_case, reason = "the names that users of matrices expect")]
+pub fn effective_mass(
+    py: Python<'_>,
+    M: &Bound<'_, PyAny>,
+    j: &Bound<'_, PyAny>,
+    A: Option<&Bound<'_, PyAny>>,
+    lengths: Option<&Bound<'_, PyAny>>,
+    rank_floor: Option<f64>,
+    accuracy: Option<f64>,
+) -> PyResult<MatrixResponse> {
+    let reading = Reading::new(lengths, rank_floor, accuracy)?;
+    let mass = float64(M, "M", &[2], "(n, n); effective_masses takes a batch")?;
+    let row = float64(j, "j", &[1, 2], "(n,)")?;
+    let rows = A.map(|a| float64(a, "A", &[2], "(m, n)")).transpose()?;
+    let (mass, rows) = (Block::of(&mass), rows.as_ref().map(Block::of));
+    let row = Block::of(&row);
+    let row = if row.shape.len() == 2 { row.matrix(0)? } else { row.row(0)? };
+    let (mass, rows) = (mass.matrix(0)?, rows.as_ref().map(|rows| rows.matrix(0)).transpose()?);
+    let options = reading.options();
+    let found = py.detach(|| of_matrices(mass, row, rows, &options)).map_err(input)?;
+    Ok(MatrixResponse(found))
+}
+
+/// m̄, its error and its outcome for a batch: M (b, n, n), j (b, n) or (n,), A (b, m, n), (m, n) or None; what has no batch
+/// axis is the same for all. Gives effective_mass (b,) kg, NaN unless finite; error (b,) kg, NaN where it is not known; status (b,) uint8:
+/// 0 finite, 1 immovable, 2 massless. The rest as effective_mass. An error of one names its number.
+#[pyfunction]
+#[pyo3(signature = (M, j, A=None, *, lengths=None, rank_floor=None, accuracy=None))]
+#[allow(non_snake_case, reason = "the names that users of matrices expect")]
+#[allow(clippy::type_complexity, reason = "three arrays")]
+pub fn effective_masses<'py>(
+    py: Python<'py>,
+    M: &Bound<'py, PyAny>,
+    j: &Bound<'py, PyAny>,
+    A: Option<&Bound<'py, PyAny>>,
+    lengths: Option<&Bound<'py, PyAny>>,
+    rank_floor: Option<f64>,
+    accuracy: Option<f64>,
+) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<u8>>)> {
+    let reading = Reading::new(lengths, rank_floor, accuracy)?;
+    let mass = float64(M, "M", &[3], "(b, n, n)")?;
+    let row = float64(j, "j", &[1, 2], "(b, n) or (n,)")?;
+    let rows = A.map(|a| float64(a, "A", &[2, 3], "(b, m, n) or (m, n)")).transpose()?;
+    let (mass, row, rows) = (Block::of(&mass), Block::of(&row), rows.as_ref().map(Block::of));
+    let count = mass.shape[0];
+    let batches = |block: &Block<'_>, what: &str, axes: usize| match block.shape.len() == axes {
+        true if block.shape[0] != count => Err(input(format_args!(
+            "{what} has shape {}, M {}: their batches differ",
+            shape(&block.shape),
+            shape(&mass.shape)
+        ))),
+        _ => Ok(()),
+    };
+    batches(&row, "j", 2)?;
+    rows.as_ref().map_or(Ok(()), |rows| batches(rows, "A", 3))?;
+    let options = reading.options();
+    let one = |c: usize| -> Result<(f64, f64, u8), PyErr> {
+        let rows = rows.as_ref().map(|rows| rows.matrix(c)).transpose()?;
+        let found = of_matrices(mass.matrix(c)?, row.row(c)?, rows, &options)
+            .map_err(|error| input(format_args!("number {c} of the batch: {error}")))?;
+        let (mass, code) = coded(Some(found.effective_mass));
+        Ok((mass, found.error.unwrap_or(f64::NAN), code))
+    };
+    // A few hundred at a time, so that Ctrl-C is heard.
+    let (mut masses, mut errors, mut codes) = (Vec::new(), Vec::new(), Vec::new());
+    for first in (0..count).step_by(256) {
+        let part = py.detach(|| {
+            (first..count.min(first + 256)).into_par_iter().map(one).collect::<PyResult<Vec<_>>>()
+        })?;
+        for (mass, error, code) in part {
+            masses.push(mass);
+            errors.push(error);
+            codes.push(code);
+        }
+        py.check_signals()?;
+    }
+    Ok((PyArray1::from_vec(py, masses), PyArray1::from_vec(py, errors), PyArray1::from_vec(py, codes)))
+}
+
+/// The number of an outcome in arrays, and m̄ where it is finite.
+pub fn coded(mass: Option<EffectiveMass>) -> (f64, u8) {
+    match mass {
+        Some(EffectiveMass::Finite(m)) => (m, 0),
+        Some(EffectiveMass::Immovable) => (f64::NAN, 1),
+        Some(EffectiveMass::Massless) => (f64::NAN, 2),
+        None => (f64::NAN, 3),
+    }
+}

@@ -1,0 +1,220 @@
+//! What is answered to a contact at a pose.
+
+use crate::arrays::triple;
+use crate::errors::input;
+use crate::model::Model;
+use numpy::PyArray1;
+use percuss::nalgebra::Vector3;
+use percuss::{ContactResponse, EffectiveMass, PointVelocity, Pose as Posed, Remark, Route, RouteChoice};
+use pyo3::prelude::*;
+use pyo3::types::{PyAny, PyDict};
+
+/// m̄ at a contact of a pose, and what follows from it.
+#[pyclass(frozen, module = "percuss")]
+#[derive(Clone, Debug)]
+pub struct Response {
+    pub model: Model,
+    pub pose: Posed,
+    pub response: ContactResponse,
+}
+
+/// An outcome by its name.
+pub fn status(mass: EffectiveMass) -> &'static str {
+    match mass {
+        EffectiveMass::Finite(_) => "finite",
+        EffectiveMass::Immovable => "immovable",
+        EffectiveMass::Massless => "massless",
+    }
+}
+
+/// kg; none unless finite.
+pub fn value(mass: EffectiveMass) -> Option<f64> {
+    if let EffectiveMass::Finite(m) = mass { Some(m) } else { None }
+}
+
+/// A route by its name.
+pub fn route_choice(name: &str) -> PyResult<RouteChoice> {
+    match name {
+        "auto" => Ok(RouteChoice::Auto),
+        "dense" => Ok(RouteChoice::Only(Route::Dense)),
+        "articulated" => Ok(RouteChoice::Only(Route::Articulated)),
+        _ => Err(input(format_args!("route is \"{name}\"; expected \"auto\", \"dense\" or \"articulated\""))),
+    }
+}
+
+/// A remark by its name, as in the reports of the command line.
+pub fn remark(remark: &Remark) -> String {
+    match *remark {
+        Remark::NearlyImmovable { uncertainty, .. } => {
+            format!("nearly immovable: relative uncertainty {uncertainty:.1e}")
+        }
+        Remark::MasslessMotions { directions } => format!("{directions} motions have no mass"),
+        Remark::MasslessToRounding { up_to } => format!("massless to rounding only: up to {up_to:.1e} kg"),
+        Remark::UndeterminedMotion => "a motion without mass leaves the velocities open".to_owned(),
+        Remark::UnclearRank { gap } => format!("the rank of the constraints is unclear: gap {gap:.1e}"),
+        Remark::IndefiniteMassMatrix => "the mass matrix is indefinite: a stationary value".to_owned(),
+    }
+}
+
+#[pymethods]
+impl Response {
+    /// m̄, kg; None unless finite.
+    #[getter]
+    fn effective_mass(&self) -> Option<f64> {
+        value(self.response.effective_mass)
+    }
+
+    /// "finite"; "immovable": no admissible motion closes the gap; "massless": one without energy does.
+    #[getter]
+    fn status(&self) -> &'static str {
+        status(self.response.effective_mass)
+    }
+
+    /// What m̄ may be off by, kg: the sum of the budget's known parts; None where rounding or closing is unknown.
+    #[getter]
+    fn error(&self) -> Option<f64> {
+        self.response.effective_mass_error()
+    }
+
+    /// Its parts, kg: "rounding", "closing", "file"; None where nothing measures one.
+    #[getter]
+    fn error_budget<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let budget = self.response.error.unwrap_or_default();
+        let parts = PyDict::new(py);
+        parts.set_item("rounding", budget.rounding)?;
+        parts.set_item("closing", budget.closing)?;
+        parts.set_item("file", budget.file)?;
+        Ok(parts)
+    }
+
+    /// "dense" or "articulated".
+    #[getter]
+    fn route(&self) -> &'static str {
+        match self.response.route {
+            Route::Dense => "dense",
+            Route::Articulated => "articulated",
+        }
+    }
+
+    /// dim ker A at the pose, a floating base's 6 included.
+    #[getter]
+    fn degrees_of_freedom(&self) -> usize {
+        self.response.degrees_of_freedom
+    }
+
+    /// Whether branches cross at the pose: m̄ is a lower bound that no branch attains.
+    #[getter]
+    fn singular_pose(&self) -> bool {
+        self.response.singular_pose
+    }
+
+    /// What the reader should know.
+    #[getter]
+    fn remarks(&self) -> Vec<String> {
+        self.response.remarks.iter().map(remark).collect()
+    }
+
+    /// v*: velocities of each joint at unit closing speed, by its name; (d,) rad or m, per m.
+    #[getter]
+    fn joint_velocities<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let by_name = PyDict::new(py);
+        let joints = self.model.read.mechanism.joints();
+        for (joint, velocities) in joints.iter().zip(&self.response.joint_velocities) {
+            by_name.set_item(joint.name(), PyArray1::from_slice(py, velocities))?;
+        }
+        Ok(by_name)
+    }
+
+    /// v* of a floating root link: 3 angular (rad/s), 3 linear (m/s), per unit closing speed; (6,).
+    #[getter]
+    fn base_velocity<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        let twist = &self.response.base_velocity;
+        let parts = twist.angular.iter().chain(twist.linear.iter()).copied();
+        PyArray1::from_vec(py, parts.collect())
+    }
+
+    /// Share of the kinetic energy at unit closing speed of each link, by its name; None unless finite.
+    #[getter]
+    fn contributions<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
+        let Some(shares) = &self.response.contributions else { return Ok(None) };
+        let by_name = PyDict::new(py);
+        for (link, share) in self.model.read.mechanism.links().iter().zip(&shares.links) {
+            by_name.set_item(link.name(), share)?;
+        }
+        Ok(Some(by_name))
+    }
+
+    /// The same of each rotor (armature), by its joint; None unless finite.
+    #[getter]
+    fn rotor_contributions<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
+        let Some(shares) = &self.response.contributions else { return Ok(None) };
+        let by_name = PyDict::new(py);
+        for &(joint, share) in &shares.rotors {
+            by_name.set_item(self.model.read.mechanism.joint(joint).name(), share)?;
+        }
+        Ok(Some(by_name))
+    }
+
+    /// The contact point in the world, m; (3,).
+    #[getter]
+    fn point_world<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_slice(py, self.response.contact.point_world.as_slice())
+    }
+
+    /// The normal in the world, out of the struck link; (3,).
+    #[getter]
+    fn normal_world<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_slice(py, self.response.contact.normal_world.as_slice())
+    }
+
+    /// Limits of m̄ along the branches that cross at a singular pose, kg; None for one along which the gap does not close.
+    fn branch_limits(&self, py: Python<'_>) -> Vec<Option<f64>> {
+        let contact = percuss::Contact {
+            link: self.response.contact.link,
+            against: self.response.contact.against,
+            point: self.response.contact.point_link,
+            normal: percuss::Direction::Along(self.response.contact.normal_link, percuss::Frame::Link),
+        };
+        let limits = py.detach(|| self.pose.branch_limits(&contact).limits);
+        let limit = |mass: EffectiveMass| match mass {
+            EffectiveMass::Finite(m) => Some(m),
+            EffectiveMass::Immovable => None,
+            EffectiveMass::Massless => Some(0.0),
+        };
+        limits.into_iter().map(limit).collect()
+    }
+
+    /// Velocity of a point of a link at unit closing speed, relative to the contact's other side, root link's axes; (3,). Its
+    /// length is the motion ratio. None where the response has no motion, or where a motion without mass leaves it open.
+    fn point_velocity<'py>(
+        &self,
+        py: Python<'py>,
+        link: &str,
+        point: &Bound<'py, PyAny>,
+    ) -> PyResult<Option<Bound<'py, PyArray1<f64>>>> {
+        let link = self.model.read.mechanism.find_link(link).map_err(input)?;
+        let point = Vector3::from(triple(point, "point")?);
+        Ok(match self.pose.point_velocity(&self.response, link, &point) {
+            Some(PointVelocity::Known(velocity)) => Some(PyArray1::from_slice(py, velocity.as_slice())),
+            Some(PointVelocity::Undetermined) | None => None,
+        })
+    }
+
+    /// The same answer where the other side is a free body of this mass, kg.
+    fn against_mass(&self, mass: f64) -> PyResult<Self> {
+        let response = self.response.clone().against_mass(mass).map_err(input)?;
+        Ok(Self { response, ..self.clone() })
+    }
+
+    fn __repr__(&self) -> String {
+        let what = match self.effective_mass() {
+            Some(m) => match self.error() {
+                Some(error) => format!("{m} kg ± {error:.1e}"),
+                None => format!("{m} kg"),
+            },
+            None => self.status().to_owned(),
+        };
+        let singular = if self.response.singular_pose { ", singular pose" } else { "" };
+        format!("<Response: {what}, {} degrees of freedom{singular}>", self.response.degrees_of_freedom)
+    }
+}

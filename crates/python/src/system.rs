@@ -1,0 +1,326 @@
+//! Systems (a mechanism under conditions), assemblies (their loops put together), and m̄ at one configuration after another.
+
+use crate::arrays::{float64, list, triple};
+use crate::contact::Contact;
+use crate::errors::{self, input};
+use crate::model::Model;
+use crate::pose::Pose;
+use crate::response::status;
+use percuss::nalgebra::Vector3;
+use percuss::spatial::{Transform, rotation_from_quaternion};
+use percuss::{
+    Assembly as Assembled, Base, Batch, Conditions, Configuration, EffectiveMass, Mechanism,
+    System as Compiled,
+};
+use pyo3::prelude::*;
+use pyo3::types::{PyAny, PyDict};
+use std::sync::Arc;
+
+/// A mechanism under conditions. Cannot be changed: threads may share it.
+#[pyclass(frozen, module = "percuss")]
+#[derive(Clone, Debug)]
+pub struct System {
+    pub model: Model,
+    pub system: Compiled,
+}
+
+/// A system whose loops are put together. Cannot be changed: threads may share it.
+#[pyclass(frozen, module = "percuss")]
+#[derive(Clone, Debug)]
+pub struct Assembly {
+    pub model: Model,
+    pub assembly: Arc<Assembled>,
+}
+
+/// Base by its name.
+pub fn base(name: &str) -> PyResult<Base> {
+    match name {
+        "fixed" => Ok(Base::Fixed),
+        "floating" => Ok(Base::Floating),
+        _ => Err(input(format_args!("base is \"{name}\"; expected \"fixed\" or \"floating\""))),
+    }
+}
+
+/// A held point as it is given: (link, point) or (link, point, normal).
+pub type Held = (String, [f64; 3], Option<[f64; 3]>);
+
+/// Reads what is held.
+pub fn held(hold: &Bound<'_, PyAny>) -> PyResult<Held> {
+    let parts: Vec<Bound<'_, PyAny>> = hold.extract()?;
+    let (link, point, normal) = match &parts[..] {
+        [link, point] => (link, point, None),
+        [link, point, normal] => (link, point, Some(normal)),
+        _ => return Err(input("hold: expected (link, point) or (link, point, normal)")),
+    };
+    let normal = normal.filter(|n| !n.is_none()).map(|n| triple(n, "normal of hold")).transpose()?;
+    Ok((link.extract()?, triple(point, "point of hold")?, normal))
+}
+
+/// Names with numbers.
+pub fn numbers(given: Option<&Bound<'_, PyDict>>, what: &str) -> PyResult<Vec<(String, Vec<f64>)>> {
+    let Some(given) = given else { return Ok(Vec::new()) };
+    let one = |(name, values): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
+        let name: String = name.extract()?;
+        let values = list(&values, &format!("{what} of \"{name}\""))?;
+        Ok((name, values))
+    };
+    given.iter().map(one).collect()
+}
+
+/// A configuration of joints by name, or of all positions.
+pub fn configuration(
+    mechanism: &Arc<Mechanism>,
+    q: Option<&Bound<'_, PyAny>>,
+    guess: Option<&Bound<'_, PyDict>>,
+) -> PyResult<Configuration> {
+    let mut found = match q {
+        Some(q) if !q.is_instance_of::<PyDict>() => {
+            let q = float64(q, "q", &[1], "one dimension, or a dict of joints")?;
+            let q: Vec<f64> = q.as_array().iter().copied().collect();
+            Configuration::from_positions(mechanism, &q).map_err(input)?
+        }
+        _ => Configuration::zero(mechanism),
+    };
+    if let Some(by_name) = q.and_then(|q| q.cast::<PyDict>().ok()) {
+        for (joint, values) in numbers(Some(by_name), "position")? {
+            found.set(&joint, &values).map_err(input)?;
+        }
+    }
+    for (joint, values) in numbers(guess, "guess")? {
+        found.guess(&joint, &values).map_err(input)?;
+    }
+    Ok(found)
+}
+
+/// Where the root link stands: 7 numbers, x, y, z (m), w, x, y, z (a unit quaternion).
+fn root_frame(given: &Bound<'_, PyAny>) -> PyResult<Transform<f64>> {
+    let values = list(given, "base_pose")?;
+    let [x, y, z, quaternion @ ..] = &values[..] else {
+        return Err(input(format_args!("base_pose has {} numbers; expected 7", values.len())));
+    };
+    let quaternion = <[f64; 4]>::try_from(quaternion)
+        .map_err(|_| input(format_args!("base_pose has {} numbers; expected 7", values.len())))?;
+    if let Some(value) = values.iter().find(|value| value.is_nan() || value.abs() > 1e100) {
+        return Err(input(format_args!("base_pose has {value:e}; expected finite numbers of at most 1e100")));
+    }
+    let norm = quaternion.iter().fold(0.0_f64, |norm, x| norm.hypot(*x));
+    if (norm - 1.0).abs() > 0.01 {
+        return Err(input(format_args!(
+            "base_pose: the quaternion w, x, y, z has norm {norm}; expected a unit quaternion"
+        )));
+    }
+    Ok(Transform::new(rotation_from_quaternion(quaternion.map(|x| x / norm)), Vector3::new(*x, *y, *z)))
+}
+
+impl System {
+    pub fn new(
+        model: &Model,
+        root: &str,
+        lock: Vec<String>,
+        armature: Option<&Bound<'_, PyDict>>,
+        hold: Vec<Bound<'_, PyAny>>,
+    ) -> PyResult<Self> {
+        let mut conditions = Conditions::new().base(base(root)?);
+        for joint in lock {
+            conditions = conditions.lock(joint);
+        }
+        for (joint, values) in numbers(armature, "armature")? {
+            conditions = conditions.armature(joint, values);
+        }
+        for hold in &hold {
+            let (link, point, normal) = held(hold)?;
+            conditions = conditions.hold(link, point, normal.map(Vector3::from));
+        }
+        let system = Compiled::new(Arc::clone(&model.read.mechanism), &conditions).map_err(input)?;
+        Ok(Self { model: model.clone(), system })
+    }
+
+    /// Every joint free, the base fixed.
+    pub fn plain(model: &Model) -> PyResult<Self> {
+        Self::new(model, "fixed", Vec::new(), None, Vec::new())
+    }
+
+    /// The loops put together from all joints at 0.
+    pub fn reference(&self, py: Python<'_>) -> PyResult<Arc<Assembled>> {
+        py.detach(|| self.system.reference().map(Arc::clone)).map_err(errors::assembly)
+    }
+}
+
+#[pymethods]
+impl System {
+    /// The model.
+    #[getter]
+    fn model(&self) -> Model {
+        self.model.clone()
+    }
+
+    /// n: independent velocities of the tree, without locked joints and mimics; a floating base counts 6.
+    #[getter]
+    fn coordinates(&self) -> usize {
+        self.system.coordinates()
+    }
+
+    /// For each coordinate its joint, None for the base, and which of its velocities it is: the order of M, A, j.
+    #[getter]
+    fn coordinate_joints(&self) -> Vec<(Option<String>, usize)> {
+        let name = |joint| self.model.read.mechanism.joint(joint).name().to_owned();
+        self.system.coordinate_joints().into_iter().map(|(joint, number)| (joint.map(name), number)).collect()
+    }
+
+    /// Puts the loops together: from all joints at 0, else from guesses (joint to position). Raises AssemblyError.
+    #[pyo3(signature = (guess=None))]
+    pub fn assemble(&self, py: Python<'_>, guess: Option<&Bound<'_, PyDict>>) -> PyResult<Assembly> {
+        let assembly = match guess {
+            None => self.reference(py)?,
+            Some(_) => {
+                let given = configuration(&self.model.read.mechanism, None, guess)?;
+                py.detach(|| self.system.assemble(&given)).map_err(errors::assembly)?
+            }
+        };
+        Ok(Assembly { model: self.model.clone(), assembly })
+    }
+
+    /// The pose at a configuration, the loops closed.
+    ///
+    /// q: dict of driving joints to their positions (rad, m; quaternions w, x, y, z), others at 0; or the positions of all joints, (p,):
+    /// driving joints stand where they are given, the others next to it. guess: where dependent joints are looked for. base_pose:
+    /// where the root link stands, x, y, z (m), w, x, y, z. Raises AssemblyError.
+    #[pyo3(signature = (q=None, *, guess=None, base_pose=None))]
+    pub fn pose(
+        &self,
+        py: Python<'_>,
+        q: Option<&Bound<'_, PyAny>>,
+        guess: Option<&Bound<'_, PyDict>>,
+        base_pose: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Pose> {
+        let mut given = configuration(&self.model.read.mechanism, q, guess)?;
+        if let Some(frame) = base_pose {
+            given.set_base(root_frame(frame)?);
+        }
+        let pose = py.detach(|| self.system.pose(&given)).map_err(errors::assembly)?;
+        Ok(Pose { model: self.model.clone(), pose })
+    }
+
+    fn __repr__(&self) -> String {
+        let root = match self.system.base() {
+            Base::Fixed => "fixed",
+            Base::Floating => "floating",
+        };
+        format!(
+            "<System of \"{}\": {} coordinates, {root} base>",
+            self.model.read.mechanism.name(),
+            self.system.coordinates()
+        )
+    }
+}
+
+#[pymethods]
+impl Assembly {
+    /// The model.
+    #[getter]
+    fn model(&self) -> Model {
+        self.model.clone()
+    }
+
+    /// Degrees of freedom at a generic pose; a floating base counts 6.
+    #[getter]
+    fn degrees_of_freedom(&self) -> usize {
+        self.assembly.degrees_of_freedom()
+    }
+
+    /// Rows of A that are redundant at a generic pose.
+    #[getter]
+    fn redundant_constraints(&self) -> usize {
+        self.assembly.redundant_constraints()
+    }
+
+    /// Loops and couplings on which redundant rows lie, those that cannot be separated together.
+    #[getter]
+    fn redundant_loops(&self) -> Vec<Vec<String>> {
+        self.assembly.redundant_loops().to_vec()
+    }
+
+    /// Joints that drive the loops.
+    #[getter]
+    fn drivers(&self) -> Vec<String> {
+        let name = |joint| self.model.read.mechanism.joint(joint).name().to_owned();
+        self.assembly.drivers().into_iter().map(name).collect()
+    }
+
+    /// The pose at a configuration of this assembly; as System.pose.
+    #[pyo3(signature = (q=None, *, guess=None, base_pose=None))]
+    fn pose(
+        &self,
+        py: Python<'_>,
+        q: Option<&Bound<'_, PyAny>>,
+        guess: Option<&Bound<'_, PyDict>>,
+        base_pose: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Pose> {
+        let mut given = configuration(&self.model.read.mechanism, q, guess)?;
+        if let Some(frame) = base_pose {
+            given.set_base(root_frame(frame)?);
+        }
+        let pose = py.detach(|| self.assembly.pose(&given)).map_err(errors::assembly)?;
+        Ok(Pose { model: self.model.clone(), pose })
+    }
+
+    /// A contact, ready for one configuration after another.
+    fn workspace(&self, contact: &Contact) -> PyResult<Workspace> {
+        let contact = contact.on(&self.model.read.mechanism)?;
+        Ok(Workspace { batch: self.assembly.batch(&contact).map_err(errors::response)?, last: None })
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "<Assembly of \"{}\": {} degrees of freedom, {} redundant constraints>",
+            self.model.read.mechanism.name(),
+            self.assembly.degrees_of_freedom(),
+            self.assembly.redundant_constraints()
+        )
+    }
+}
+
+/// A contact, ready for one configuration after another. Two threads that use one at once get an error.
+#[pyclass(module = "percuss")]
+#[derive(Debug)]
+pub struct Workspace {
+    batch: Batch,
+    last: Option<EffectiveMass>,
+}
+
+#[pymethods]
+impl Workspace {
+    /// m̄ in kg at the positions of all joints, (p,), loops closed; None unless finite: then status has the outcome.
+    /// Pose.respond says more.
+    fn effective_mass(&mut self, q: &Bound<'_, PyAny>) -> PyResult<Option<f64>> {
+        let q = float64(q, "q", &[1], "one dimension: the positions of all joints")?;
+        let answer = match q.as_slice() {
+            Ok(positions) => self.at(positions),
+            Err(_) => self.at(&q.as_array().iter().copied().collect::<Vec<f64>>()),
+        }?;
+        self.last = Some(answer);
+        Ok(if let EffectiveMass::Finite(m) = answer { Some(m) } else { None })
+    }
+
+    /// What the last configuration was answered: "finite", "immovable" or "massless"; None before the first.
+    #[getter]
+    fn status(&self) -> Option<&'static str> {
+        self.last.map(status)
+    }
+
+    fn __repr__(&self) -> &'static str {
+        "<Workspace>"
+    }
+}
+
+impl Workspace {
+    fn at(&mut self, positions: &[f64]) -> PyResult<EffectiveMass> {
+        if let Some(at) = positions.iter().position(|x| !x.is_finite()) {
+            return Err(input(format_args!("q[{at}] is {}; expected finite numbers", positions[at])));
+        }
+        let answer = self.batch.effective_mass(positions).map_err(input)?;
+        answer
+            .mass
+            .ok_or_else(|| errors::no_answer("there is no answer at these positions; Pose.respond says why"))
+    }
+}

@@ -1,0 +1,136 @@
+"""m̄ from matrices of a solver of one's own."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import scipy.sparse
+
+import percuss
+
+
+def test_two_carts() -> None:
+    found = percuss.effective_mass([[2.0, 0.0], [0.0, 3.0]], [1.0, 0.0], [[1.0, -1.0]])
+    assert found.effective_mass == pytest.approx(5) and found.status == "finite"
+    assert found.error is not None and 0 < found.error < 1e-12
+    assert found.velocity == pytest.approx([1, 1]) and found.degrees_of_freedom == 1
+    assert found.rank["rank"] == 1 and found.rank["is_clear"] and found.rank["redundant_rows"] == []
+    assert "kg ±" in repr(found)
+
+
+def test_the_three_outcomes_and_the_rank() -> None:
+    held = percuss.effective_mass(np.eye(2), [1.0, 0.0], [[1.0, 0.0], [2.0, 0.0], [0.0, 0.0]])
+    assert (held.status, held.effective_mass, held.error) == ("immovable", None, None)
+    assert np.array_equal(held.velocity, [0, 0]) and held.degrees_of_freedom == 1
+    assert held.rank["rank"] == 1 and len(held.rank["redundant_rows"]) == 2
+    assert [2] in held.rank["dependent_sets"] and "immovable" in repr(held)
+    free = percuss.effective_mass(np.diag([1.0, 0.0]), [0.0, 1.0])
+    assert (free.status, free.effective_mass) == ("massless", None) and free.remarks
+    assert percuss.effective_mass(np.diag([1.0, 0.0]), [1.0, 0.0]).effective_mass == pytest.approx(1)
+
+
+def family(seed: int, n: int, m: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    random = np.random.default_rng(seed)
+    root = random.normal(size=(n, n))
+    return root @ root.T + 0.1 * np.eye(n), random.normal(size=n), random.normal(size=(m, n))
+
+
+def reference(M: np.ndarray, j: np.ndarray, A: np.ndarray) -> float:
+    """Saddle-point system, regular here."""
+    n, m = len(j), len(A) + 1
+    rows = np.vstack([A, j])
+    saddle = np.block([[M, rows.T], [rows, np.zeros((m, m))]])
+    v = np.linalg.solve(saddle, np.concatenate([np.zeros(n + m - 1), [1.0]]))[:n]
+    return float(v @ M @ v)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_every_form_is_the_same(seed: int) -> None:
+    n, m = 3 + seed, seed % 3
+    M, j, A = family(seed, n, m)
+    expected = reference(M, j, A)
+    plain = percuss.effective_mass(M, j, A)
+    assert plain.effective_mass == pytest.approx(expected, rel=1e-9)
+    assert plain.error is not None and abs(plain.effective_mass - expected) <= 100 * plain.error + 1e-10 * expected  # type: ignore[operator]
+    big = np.zeros((2 * n, 3 * n))
+    big[::2, ::3] = M
+    wide = np.zeros((m, 2 * n))
+    wide[:, ::2] = A
+    others = [
+        percuss.effective_mass(np.asfortranarray(M), j, np.asfortranarray(A)),
+        percuss.effective_mass(big[::2, ::3], j[::-1].copy()[::-1], wide[:, ::2]),
+        percuss.effective_mass(scipy.sparse.csr_matrix(M), j, scipy.sparse.coo_array(A)),
+        percuss.effective_mass(M.tolist(), j.reshape(1, n), A if m else None),
+    ]
+    for other in others:
+        assert other.effective_mass == plain.effective_mass and np.array_equal(other.velocity, plain.velocity)
+
+
+def test_batches() -> None:
+    families = [family(seed, 6, 2) for seed in range(700)]
+    M, j, A = (np.array(parts) for parts in zip(*families))
+    masses, errors, status = percuss.effective_masses(M, j, A)
+    assert masses.shape == errors.shape == status.shape == (700,) and not status.any()
+    for at in (0, 300, 699):
+        one = percuss.effective_mass(M[at], j[at], A[at])
+        assert (masses[at], errors[at]) == (one.effective_mass, one.error)
+    same, _, _ = percuss.effective_masses(np.asfortranarray(M), j[3], A[3])
+    assert same[5] == percuss.effective_mass(M[5], j[3], A[3]).effective_mass
+    backwards, _, _ = percuss.effective_masses(M[::-1], j[::-1], A[::-1])
+    assert np.array_equal(backwards, masses[::-1])
+    _, _, outcomes = percuss.effective_masses(
+        np.array([np.eye(2), np.diag([0.0, 1.0])]), np.array([[0.0, 0.0001], [1.0, 0.0]]), [[0.0, 1.0]]
+    )
+    assert list(outcomes) == [percuss.IMMOVABLE, percuss.MASSLESS]
+
+
+def test_lengths_decide_what_is_zero() -> None:
+    # A turn in which a millimetre-sized part moves: as it is, the row is below the floor.
+    A = np.array([[1.0, 0.0, 0.0], [0.0, 1e-11, 0.0]])
+    M, j = np.eye(3), np.array([0.0, 1.0, 1.0])
+    joined = np.array([[1.0, 1.0, 0.0], [1.0, 1.0 + 1e-11, 0.0]])
+    assert percuss.effective_mass(M, j, joined).rank["rank"] == 1
+    # Rows that share no coordinate are decided by themselves.
+    assert percuss.effective_mass(M, j, A).rank["rank"] == 2
+    skew = np.array([[1.0, 1e-12, 0.0], [1.0, -1e-12, 0.0]])
+    assert percuss.effective_mass(M, j, skew).rank["rank"] == 1
+    assert percuss.effective_mass(M, j, skew, lengths=[1.0, 1e-12, 1.0]).rank["rank"] == 2
+    assert percuss.effective_mass(M, j, joined, rank_floor=1e-13).rank["rank"] == 2
+    loose = percuss.effective_mass(M, [1.0, 1.0, 1.0], accuracy=1e-6)
+    exact = percuss.effective_mass(M, [1.0, 1.0, 1.0])
+    assert loose.effective_mass == exact.effective_mass and loose.error > 1e6 * exact.error  # type: ignore[operator]
+
+
+@pytest.mark.parametrize(
+    ("M", "j", "A", "options", "words"),
+    [
+        ([1.0], [1.0], None, {}, r"M has shape \(1,\); expected \(n, n\)"),
+        ([[1.0, 2.0]], [1.0], None, {}, "1×2"),
+        (np.eye(2), [1.0], None, {}, "contact row|j"),
+        (np.eye(2), [1.0, 0.0], np.eye(3), {}, "3"),
+        ([[1.0, np.nan], [np.nan, 1.0]], [1.0, 0.0], None, {}, "NaN"),
+        ([[1.0, 0.5], [0.0, 1.0]], [1.0, 0.0], None, {}, "symmetric"),
+        (-np.eye(2), [1.0, 0.0], None, {}, "on its diagonal"),
+        ([[1.0, 2.0], [2.0, 1.0]], [1.0, 0.0], None, {}, "semi-definite|negative"),
+        (np.eye(2), [1.0, 0.0], None, {"lengths": [1.0]}, "length"),
+        (np.eye(2), [1.0, 0.0], None, {"lengths": [1.0, -1.0]}, "length"),
+        (np.eye(2), [1.0, 0.0], None, {"rank_floor": 2.0}, "floor"),
+        (np.eye(2), [1.0, 0.0], None, {"accuracy": 1.0}, "accura"),
+        (np.array([["x"]]), [1.0], None, {}, "real numbers"),
+        (np.eye(2, dtype=complex), [1.0, 0.0], None, {}, "complex128"),
+        (np.eye(2, dtype=bool), [1.0, 0.0], None, {}, "bool"),
+        (np.zeros((2, 2, 2)), [1.0, 0.0], None, {}, "effective_masses takes a batch"),
+    ],
+)
+def test_matrices_that_mean_nothing(M, j, A, options, words) -> None:  # type: ignore[no-untyped-def]
+    with pytest.raises(percuss.InputError, match=words):
+        percuss.effective_mass(M, j, A, **options)
+
+
+def test_a_bad_one_of_a_batch_is_named() -> None:
+    M = np.array([np.eye(2)] * 400)
+    M[321, 0, 1] = 5.0
+    with pytest.raises(percuss.InputError, match="number 321 of the batch: .*symmetric"):
+        percuss.effective_masses(M, [1.0, 0.0])
+    with pytest.raises(percuss.InputError, match=r"j has shape \(3, 2\), M \(400, 2, 2\)"):
+        percuss.effective_masses(M, np.ones((3, 2)))

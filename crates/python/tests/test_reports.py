@@ -1,0 +1,201 @@
+"""The reports of the command line: the same keys, the same numbers."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+from cases import ROOT
+from test_models import command
+
+import percuss
+
+MODEL = "models/double_wishbone.urdf"
+SEAT = percuss.Contact("spring_seat", [0, 0, 0], toward=("spring_chassis_seat", [0, 0, 0]), against="chassis")
+FLAGS = ("--link", "spring_seat", "--point", "0,0,0", "--along-line", "spring_chassis_seat:0,0,0", "--against", "chassis")
+
+
+def printed(*arguments: str) -> dict[str, object]:
+    ran = command(*arguments)
+    assert ran.returncode == 0, ran.stderr
+    found = json.loads(ran.stdout)
+    assert isinstance(found, dict)
+    return found
+
+
+def without_paths(report: dict[str, object]) -> dict[str, object]:
+    """Files are named as they were given."""
+    return {key: value for key, value in report.items() if key not in ("inputs", "diagnostics")}
+
+
+def test_check() -> None:
+    assert without_paths(percuss.check(percuss.load(ROOT / MODEL))) == without_paths(
+        printed("check", MODEL, "--format", "json")
+    )
+
+
+def test_mass_with_a_damper_and_an_estimate() -> None:
+    damping = percuss.Damping(0.5, 2e5, speed=1.0, tools=["mujoco", "drake"])
+    links = percuss.load(ROOT / MODEL).links
+    conditions = percuss.Conditions(lock=["spin"], estimate=([links[-1]],))
+    report = percuss.mass(percuss.load(ROOT / MODEL), SEAT, conditions, damping=damping)
+    flags = ("--lock", "spin", "--estimate", links[-1], "--restitution", "0.5", "--stiffness", "2e5", "--speed", "1")
+    command_line = printed("mass", MODEL, *FLAGS, *flags, "--for", "mujoco,drake", "--format", "json")
+    of_damper, of_command = report.pop("damper"), command_line.pop("damper")
+    assert without_paths(report) == without_paths(command_line)
+    assert isinstance(of_command, dict) and without_paths(of_damper) == without_paths(of_command)
+    assert set(of_damper["exports"]) == {"mujoco", "drake"}
+    assert report.status == "finite" and report.estimate
+
+
+def test_sweeps_of_ranges_files_and_random_rows(tmp_path) -> None:  # type: ignore[no-untyped-def]
+    model = percuss.load(ROOT / "models/four_bar.urdf")
+    contact = percuss.Contact("coupler", [0.35, 0.1, 0], [0, 1, 0])
+    by_text = percuss.sweep_report(model, contact, vary="crank_hinge=0:30deg:7")
+    by_numbers = percuss.sweep_report(model, contact, vary=[("crank_hinge", 0.0, np.pi / 6, 7)])
+    assert by_text.rows == by_numbers.rows and len(by_text.rows) == 7
+    table = tmp_path / "angles.csv"
+    table.write_text("crank_hinge [deg],other\n" + "".join(f"{5 * i},x\n" for i in range(7)))
+    by_file = percuss.sweep_report(model, contact, input=table, ignore=["other"])
+    masses = [row["effective_mass"] for row in by_text.rows]
+    assert [row["effective_mass"] for row in by_file.rows] == pytest.approx(masses, rel=1e-9)
+    arm = percuss.load(ROOT / "models/six_r_arm.urdf")
+    tool = percuss.Contact("tool", [0.08, 0, 0], [0, 1, 0])
+    random = percuss.sweep_report(arm, tool, random=5, seed=3)
+    again = percuss.sweep_report(arm, tool, random=5, seed=3)
+    assert random.rows == again.rows and random.seed == 3
+    q = [[row["pose"][joint.name][0] for joint in arm.joints if joint.kind != "fixed"] for row in random.rows]
+    assert percuss.sweep(arm, tool, q).effective_mass == pytest.approx([row["effective_mass"] for row in random.rows])
+    with pytest.raises(percuss.InputError, match="one of vary, input and random"):
+        percuss.sweep_report(model, contact)
+    with pytest.raises(percuss.InputError, match="COUNT"):
+        percuss.sweep_report(model, contact, vary="crank_hinge=0:1")
+    with pytest.raises(percuss.InputError, match="crank_hinge"):
+        percuss.sweep_report(model, contact, vary="crank=0:1:3")
+
+
+def test_maps() -> None:
+    model = percuss.load(ROOT / "models/shaped_arm.urdf")
+    report = percuss.map(model)
+    expected = printed("map", "models/shaped_arm.urdf", "--all", "--format", "json")
+    assert without_paths(report) == without_paths(expected)
+    assert set(report.facets) == {link["link"] for link in report.links}
+    for link in report.links:
+        facets = report.facets[link["link"]]
+        assert facets["points"].shape == facets["normals"].shape == (link["contacts"], 3)
+        assert (facets["status"] == percuss.FINITE).sum() == link["finite"]
+        assert facets["area"].sum() == pytest.approx(link["area"])
+        finite = facets["effective_mass"][facets["status"] == percuss.FINITE]
+        if link["smallest"]:
+            assert finite.min() == link["smallest"]["effective_mass"]
+    assert "<svg" in report._repr_html_() and report.to_svg().startswith("<svg")
+    at = percuss.map_point(model, percuss.Contact("finger", [0.1, 0, 0], [0, 1, 0]), 50)
+    assert len(at.directions) == 50 and len(at.principal) <= 3
+    with pytest.raises(percuss.InputError, match="visual"):
+        percuss.map(model, shapes="round")
+
+
+def test_dampers() -> None:
+    damping = percuss.Damping(0.5, 1e5, speed=0.4)
+    report = percuss.damp(2.281, percuss.Damping(0.5, 1e5, speed=0.4, tools=["all"]))
+    assert percuss.damp(2.281, damping).exports == {}
+    assert without_paths(report) == without_paths(
+        printed("damp", "--mass", "2.281", "--stiffness", "1e5", "--restitution", "0.5", "--speed", "0.4", "--format", "json")
+    )
+    history = percuss.impact_history(2.281, damping, 400)
+    assert history.shape == (400, 4) and history[0, 1] == 0
+    assert history[-1, 2] == pytest.approx(-0.2, rel=1e-6)
+    model = percuss.load(ROOT / MODEL)
+    assert percuss.damp_contact(model, SEAT, damping).effective_mass == pytest.approx(517.26528028793)
+    arm = percuss.load(ROOT / "models/six_r_arm.urdf")
+    joint = arm.joints[0].name
+    stop = percuss.damp_stop(arm, joint, damping, percuss.Conditions(set={joint: "10deg"}))
+    assert stop.stop == {"joint": joint, "motion": "turn"}
+    names = [law[0] for law in percuss.laws()]
+    assert "kelvin-voigt" in names and len(names) == 14
+    assert len(percuss.tools()) > 10 and percuss.regions()
+    for wrong, words in [
+        (percuss.Damping(1.5, 1e5), "restitution"),
+        (percuss.Damping(0.5, -1.0), "stiffness"),
+        (percuss.Damping(0.5, 1e5, law="none"), "none"),
+        (percuss.Damping(0.5, 1e5, tools=["none"]), "none"),
+        (percuss.Damping(0.5, 1e5, separation="late"), "gap"),
+    ]:
+        with pytest.raises(percuss.InputError, match=words):
+            percuss.damp(1.0, wrong)
+
+
+def test_safe_speeds() -> None:
+    model, contact = percuss.load(ROOT / "models/six_r_arm.urdf"), percuss.Contact("tool", [0.08, 0, 0], [0, 1, 0])
+    region = percuss.regions()[0][0]
+    report = percuss.safe_speed(model, contact, region, force=140.0)
+    flags = ("--link", "tool", "--point", "0.08,0,0", "--normal", "0,1,0", "--region", region, "--force", "140")
+    assert without_paths(report) == without_paths(
+        printed("safe-speed", "models/six_r_arm.urdf", *flags, "--format", "json")
+    )
+    by_pressure = percuss.safe_speed(model, contact, region, pressure=1.4e6, area=1e-4)
+    assert by_pressure.reflected["speed"] == pytest.approx(report.reflected["speed"])
+    with pytest.raises(percuss.InputError, match="force"):
+        percuss.safe_speed(model, contact, region)
+    with pytest.raises(percuss.InputError, match="nose"):
+        percuss.safe_speed(model, contact, "nose", force=1.0)
+
+
+@pytest.mark.parametrize("path", sorted((ROOT / "models").glob("*.toml")), ids=lambda path: path.stem)
+def test_studies(path) -> None:  # type: ignore[no-untyped-def]
+    report = percuss.run_study(path)
+    if report.schema.startswith("percuss.sweep"):
+        assert len(report.rows) > 1 and any(row["status"] == "finite" for row in report.rows)
+        assert "rows" in repr(report)
+    else:
+        expected = printed("run", str(path.relative_to(ROOT)), "--format", "json")
+        assert report.effective_mass == expected["effective_mass"]
+    assert "<table>" in report._repr_html_()
+    assert report.schema == report["schema"]
+    with pytest.raises(AttributeError, match="no 'nothing'"):
+        report.nothing
+
+
+SHEETS = sorted((ROOT / "models/suspensions").glob("*.toml"))
+
+
+@pytest.mark.parametrize("path", SHEETS, ids=lambda path: path.stem)
+def test_suspension_sheets(path, tmp_path) -> None:  # type: ignore[no-untyped-def]
+    import warnings
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", percuss.ModelWarning)
+        model = percuss.load_suspension(path)
+    urdf = tmp_path / "out.urdf"
+    ran = command("import", str(path), "-o", str(urdf))
+    assert ran.returncode == 0, ran.stderr
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", percuss.ModelWarning)
+        written = percuss.load(urdf)
+    assert written.links == model.links and written.total_mass == pytest.approx(model.total_mass)
+    seats = [link for link in model.links if link.startswith("spring_seat")]
+    for seat in seats:
+        contact = percuss.Contact(seat, [0, 0, 0], [0, 0, 1])
+        here, there = (m.pose().respond(contact) for m in (model, written))
+        assert here.status == there.status
+        if here.effective_mass is not None:
+            assert there.effective_mass == pytest.approx(here.effective_mass, rel=1e-9)
+
+
+def test_suspension_options_and_templates() -> None:
+    names = [name for name, _ in percuss.suspension_templates()]
+    assert len(SHEETS) >= 10 and "double-wishbone" in names
+    assert "double" in percuss.suspension_template("double-wishbone", unit="in", axes="adams").lower()
+    with pytest.raises(percuss.InputError, match="did you mean double-wishbone"):
+        percuss.suspension_template("double-wishbon")
+    path = ROOT / "models/suspensions/double-wishbone.toml"
+    both = percuss.load_suspension(path, side="both")
+    assert any(link.endswith("_left") for link in both.links) and any(link.endswith("_right") for link in both.links)
+    steered = percuss.load_suspension(path, rack_mass=3.0, wheel=(20.0, (0.5, 0.9, 0.5), 0.3))
+    rack = next(joint for joint in steered.joints if joint.name == "rack")
+    assert rack.kind == "prismatic" and "contact_patch" in steered.links
+    with pytest.raises(percuss.InputError, match="side"):
+        percuss.load_suspension(path, side="front")
+    with pytest.raises(percuss.LoadError, match="none.toml"):
+        percuss.load_suspension("none.toml")

@@ -1,0 +1,244 @@
+"""One contact at many configurations: arrays of every layout, linkages by their drivers, Ctrl-C, threads."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import textwrap
+import threading
+import time
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from cases import CASES, ROOT, Case
+from numpy.typing import NDArray
+
+import percuss
+
+PLAIN = [c for c in CASES if not c.conditions.lock and c.conditions.against_mass is None and c.conditions.base == "fixed"]
+
+
+def poses(case: Case, count: int = 40) -> NDArray[np.float64]:
+    """Closed configurations around the one stated."""
+    pose = case.pose()
+    assembly = percuss.load(case.path).assemble()
+    random, rows = np.random.default_rng(1), []
+    for _ in range(count):
+        q = pose.positions + random.uniform(-0.03, 0.03, pose.positions.size)
+        for joint in assembly.model.joints:
+            first, last = joint.positions
+            if joint.kind in ("spherical", "floating"):
+                q[last - 4 : last] /= np.linalg.norm(q[last - 4 : last])
+        rows.append(assembly.pose(q).positions)
+    return np.array(rows)
+
+
+@pytest.mark.parametrize("case", PLAIN, ids=str)
+def test_a_sweep_answers_as_poses_do(case: Case) -> None:
+    model = percuss.load(case.path)
+    q = poses(case)
+    swept = percuss.sweep(model.assemble(), case.contact, q)
+    assert len(swept) == len(q) and (swept.status == percuss.FINITE).all()
+    alone = [model.pose(row).respond(case.contact).effective_mass for row in q]
+    assert swept.effective_mass == pytest.approx(alone, rel=1e-9)
+    workspace = model.assemble().workspace(case.contact)
+    assert workspace.status is None
+    assert [workspace.effective_mass(row) for row in q] == list(swept.effective_mass)
+    assert workspace.status == "finite"
+
+
+LAYOUTS: dict[str, Callable[[NDArray[np.float64]], object]] = {
+    "fortran": np.asfortranarray,
+    "every other row": lambda q: np.repeat(q, 2, axis=0)[::2],
+    "columns of a wider array": lambda q: np.hstack([q, q])[:, : q.shape[1]],
+    "backwards twice": lambda q: q[::-1].copy()[::-1],
+    "big endian": lambda q: q.astype(">f8"),
+    "list": lambda q: q.tolist(),
+    "read only": lambda q: np.frombuffer(q.tobytes()).reshape(q.shape),
+}
+
+
+@pytest.mark.parametrize("layout", LAYOUTS)
+@pytest.mark.parametrize("name", ["six_r_arm-tool", "four_bar-coupler", "rocker_bogie-left_front"])
+def test_layouts_make_no_difference(layout: str, name: str) -> None:
+    case = next(c for c in PLAIN if str(c) == name)
+    q = np.tile(poses(case, 30), (70, 1))
+    model = percuss.load(case.path)
+    plain = percuss.sweep(model, case.contact, q)
+    other = percuss.sweep(model, case.contact, LAYOUTS[layout](q))  # type: ignore[arg-type]
+    assert np.array_equal(plain.effective_mass, other.effective_mass)
+    assert np.array_equal(plain.error, other.error, equal_nan=True) and np.array_equal(plain.status, other.status)
+
+
+def test_the_caller_keeps_his_array() -> None:
+    case = PLAIN[0]
+    q = poses(case)
+    before = q.copy()
+    q.flags.writeable = False
+    percuss.sweep(percuss.load(case.path), case.contact, q)
+    assert np.array_equal(q, before)
+
+
+@pytest.mark.parametrize(
+    ("model", "contact", "drivers", "span"),
+    [
+        ("four_bar", percuss.Contact("coupler", [0.35, 0.1, 0], [0, 1, 0]), ["crank_hinge"], 0.5),
+        ("slider_crank", percuss.Contact("slider", [0, 0, 0], [1, 0, 0]), None, 0.5),
+        ("six_bar", percuss.Contact("link_6", [-0.48, 0.36, 0], [3, 4, 0]), None, 0.1),
+        ("double_wishbone", percuss.Contact("wheel_centre", [0, 0, 0], [0, 0, -1]), None, 0.1),
+        ("six_r_arm", percuss.Contact("tool", [0.08, 0, 0], [0, 1, 0]), None, 1.0),
+    ],
+)
+def test_drivers_alone(model: str, contact: percuss.Contact, drivers: list[str] | None, span: float) -> None:
+    found = percuss.load(ROOT / f"models/{model}.urdf")
+    if drivers is None:
+        bound = found.assemble().drivers
+        drivers = bound or [joint.name for joint in found.joints if joint.kind != "fixed"]
+    steps = np.linspace(0, span, 300)
+    q = np.outer(steps, np.linspace(1, 0.5, len(drivers)))
+    swept = percuss.sweep(found, contact, q, joints=drivers)
+    assert (swept.status == percuss.FINITE).all()
+    report = [found.pose(dict(zip(drivers, row))).respond(contact).effective_mass for row in q[::23]]
+    assert swept.effective_mass[::23] == pytest.approx(report, rel=1e-8)
+    if len(drivers) == 1:
+        rows = percuss.sweep_report(found, contact, vary=(drivers[0], 0.0, span, 300)).rows
+        assert [row["effective_mass"] for row in rows] == pytest.approx(list(swept.effective_mass), rel=1e-8)
+    assert np.array_equal(
+        percuss.sweep(found, contact, np.asfortranarray(q), joints=drivers).effective_mass, swept.effective_mass
+    )
+
+
+def test_rows_out_of_reach_have_no_answer_and_the_path_goes_on() -> None:
+    model = percuss.load(ROOT / "models/double_wishbone.urdf")
+    contact = percuss.Contact("wheel_centre", [0, 0, 0], [0, 0, -1])
+    driver = model.assemble().drivers[0]
+    there = np.concatenate([np.linspace(0, 0.1, 50), [3.0, -3.0], np.linspace(0.1, 0, 50)])[:, None]
+    drivers = [driver]
+    swept = percuss.sweep(model, contact, there, joints=drivers)
+    assert list(swept.status[50:52]) == [percuss.NO_ANSWER] * 2 and np.isnan(swept.effective_mass[50:52]).all()
+    ok = np.delete(swept.effective_mass, [50, 51])
+    assert ok[:50] == pytest.approx(ok[50:][::-1], rel=1e-8)
+
+
+def test_mimics_are_not_read() -> None:
+    text = """<robot name="pair"><link name="ground"/>
+      <link name="a"><inertial><mass value="2"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+      <link name="b"><inertial><mass value="3"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+      <joint name="first" type="continuous"><parent link="ground"/><child link="a"/><axis xyz="0 1 0"/></joint>
+      <joint name="second" type="continuous"><parent link="a"/><child link="b"/><origin xyz="1 0 0"/><axis xyz="0 1 0"/>
+        <mimic joint="first" multiplier="-2"/></joint></robot>"""
+    model = percuss.loads(text)
+    contact = percuss.Contact("b", [0.5, 0, 0], [0, 0, 1])
+    angles = np.linspace(-1, 1, 50)
+    q = np.column_stack([angles, np.full(50, 9.0)])
+    swept = percuss.sweep(model, contact, q)
+    by_name = percuss.sweep(model, contact, angles[:, None], joints=["first"])
+    assert np.array_equal(swept.effective_mass, by_name.effective_mass)
+    assert swept.effective_mass[7] == pytest.approx(
+        model.pose({"first": angles[7]}).respond(contact).effective_mass
+    )
+    assert model.joints[1].mimics == "first"
+    with pytest.raises(percuss.InputError, match="first"):
+        percuss.sweep(model, contact, q, joints=["first", "second"])
+
+
+def test_outcomes_in_arrays() -> None:
+    model = percuss.load(ROOT / "models/physical_pendulum.urdf")
+    contact = percuss.Contact("body", [0, 0, -0.5], [1, 0, 0], normal_frame="world")
+    swept = percuss.sweep(model, contact, [[0.0], [np.pi / 2], [0.3]])
+    assert list(swept.status) == [percuss.FINITE, percuss.IMMOVABLE, percuss.FINITE]
+    assert np.isnan(swept.effective_mass[1]) and swept.effective_mass[0] == pytest.approx(2.2)
+    assert swept.effective_mass.dtype == swept.error.dtype == np.float64 and swept.status.dtype == np.uint8
+    assert "3 configurations, 2 finite" in repr(swept)
+    picture = swept._repr_html_()
+    assert "<svg" in picture and "kg" in picture and "&lt;Sweep" in picture
+    empty = percuss.sweep(model, contact, np.empty((0, 1)))
+    assert len(empty) == 0 and "0 configurations" in repr(empty)
+    workspace = model.assemble().workspace(contact)
+    assert workspace.effective_mass([np.pi / 2]) is None and workspace.status == "immovable"
+
+
+@pytest.mark.parametrize(
+    ("q", "joints", "words"),
+    [
+        ([1.0, 2.0], None, r"q has shape \(2,\)"),
+        ([[1.0, 2.0]], None, r"q has shape \(1, 2\); expected 6 columns"),
+        (np.zeros((2, 6), complex), None, "complex128"),
+        (np.array([["a"]]), None, "expected real numbers"),
+        ([[1.0], [2.0, 3.0]], None, "no array of numbers"),
+        ([[0.0] * 6, [0, 0, 0, np.nan, 0, 0]], None, r"q\[1, 3\] is NaN"),
+        (np.asfortranarray([[0.0] * 6, [0, 0, 0, 0, np.inf, 0]]), None, r"q\[1, 4\] is inf"),
+        (np.repeat([[0.0] * 6, [0, 0, np.nan, 0, 0, 0]], 2, axis=0)[::2], None, r"q\[1, 2\] is NaN"),
+        ([[0.0, np.nan]], ["yaw", "shoulder"], r"q\[0, 1\] is NaN"),
+        ([[0.0]], ["yaw", "shoulder"], "joints names 2 columns"),
+        ([[0.0]], ["yaw_"], "yaw"),
+        ([[0.0, 0.0]], ["yaw", "yaw"], "set twice"),
+    ],
+)
+def test_arrays_that_mean_nothing(q: object, joints: list[str] | None, words: str) -> None:
+    model = percuss.load(ROOT / "models/six_r_arm.urdf")
+    with pytest.raises(percuss.InputError, match=words):
+        percuss.sweep(model, percuss.Contact("tool", [0.08, 0, 0], [0, 1, 0]), q, joints=joints)  # type: ignore[arg-type]
+
+
+def test_other_threads_run_meanwhile() -> None:
+    model = percuss.load(ROOT / "models/six_r_arm.urdf")
+    contact = percuss.Contact("tool", [0.08, 0, 0], [0, 1, 0])
+    q = np.random.default_rng(0).uniform(-1, 1, (400_000, 6))
+    started, counted, over = threading.Event(), 0, False
+
+    def count() -> None:
+        nonlocal counted
+        started.set()
+        while not over:
+            counted += 1
+            time.sleep(0.0005)
+
+    thread = threading.Thread(target=count)
+    thread.start()
+    started.wait()
+    before, begun = counted, time.perf_counter()
+    percuss.sweep(model, contact, q)
+    elapsed, after = time.perf_counter() - begun, counted
+    over = True
+    thread.join()
+    # Portions are of 50 ms and more: with the interpreter held, one turn each.
+    assert after - before > elapsed / 0.02, (after - before, elapsed)
+
+
+@pytest.mark.parametrize("what", ["whole", "drivers", "report", "matrices"])
+def test_ctrl_c_stops_it(what: str) -> None:
+    program = textwrap.dedent(f"""
+        import numpy as np, percuss, sys
+        if {what!r} in ("whole", "matrices"):
+            model = percuss.load({str(ROOT / "models/six_r_arm.urdf")!r})
+            contact = percuss.Contact("tool", [0.08, 0, 0], [0, 1, 0])
+            q = np.lib.stride_tricks.as_strided(np.zeros(6), (2_000_000_000, 6), (0, 8))[:100_000_000]
+        else:
+            model = percuss.load({str(ROOT / "models/four_bar.urdf")!r})
+            contact = percuss.Contact("coupler", [0.35, 0.1, 0], [0, 1, 0])
+            q = np.lib.stride_tricks.as_strided(np.zeros(1), (100_000_000, 1), (0, 8))
+        print("begun", flush=True)
+        try:
+            if {what!r} == "whole": percuss.sweep(model, contact, q)
+            if {what!r} == "drivers": percuss.sweep(model, contact, q, joints=["crank_hinge"])
+            if {what!r} == "report": percuss.sweep_report(model, contact, vary=("crank_hinge", 0.0, 0.5, 1_000_000))
+            if {what!r} == "matrices":
+                M = np.broadcast_to(np.eye(40), (50_000, 40, 40))
+                percuss.effective_masses(M, np.ones(40))
+        except KeyboardInterrupt:
+            print("stopped")
+            sys.exit(7)
+        print("finished")
+    """)
+    run = subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True)
+    assert run.stdout is not None and run.stdout.readline() == "begun\n"
+    time.sleep(0.4)
+    os.kill(run.pid, signal.SIGINT)
+    begun = time.perf_counter()
+    rest, _ = run.communicate(timeout=60)
+    assert (run.returncode, rest) == (7, "stopped\n")
+    assert time.perf_counter() - begun < 20

@@ -1,0 +1,100 @@
+//! A wrench in plain arrays, moved as the inertia is.
+
+use super::{after, rotated, splat, turned};
+use crate::Scalar;
+use crate::lanes::Lanes;
+
+/// A wrench in plain arrays: moment about the frame's origin (N·m) and force (N).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PackedWrench<T> {
+    /// N·m.
+    pub moment: [T; 3],
+    /// N.
+    pub force: [T; 3],
+}
+
+impl PackedWrench<f64> {
+    /// The same over lanes.
+    #[inline(always)]
+    pub fn cast<T: Scalar>(&self) -> PackedWrench<T> {
+        PackedWrench { moment: splat(&self.moment), force: splat(&self.force) }
+    }
+}
+
+impl<T: Lanes> PackedWrench<T> {
+    /// None.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        Self { moment: [T::zero(); 3], force: [T::zero(); 3] }
+    }
+
+    /// As [`PackedInertia::turn`].
+    #[inline(always)]
+    pub fn turn<const Z: usize>(&mut self, c: T, s: T) {
+        turn_vector::<T, Z>(&mut self.moment, c, s);
+        turn_vector::<T, Z>(&mut self.force, c, s);
+    }
+
+    /// As [`PackedInertia::turn_right`].
+    #[inline(always)]
+    pub fn turn_right<const Z: usize>(&mut self) {
+        let (x, y) = after(Z);
+        let (m, f) = (&mut self.moment, &mut self.force);
+        (m[x], m[y]) = (-m[y], m[x]);
+        (f[x], f[y]) = (-f[y], f[x]);
+    }
+
+    /// As [`PackedInertia::rotate`].
+    #[inline(always)]
+    pub fn rotate(&mut self, r: &[[T; 3]; 3]) {
+        self.moment = rotated(&self.moment, r);
+        self.force = rotated(&self.force, r);
+    }
+
+    /// As [`PackedInertia::shift`].
+    #[inline(always)]
+    pub fn shift<const Z: usize>(&mut self, d: T) {
+        let (x, y) = after(Z);
+        self.moment[x] = (-d).mul_add(self.force[y], self.moment[x]);
+        self.moment[y] = d.mul_add(self.force[x], self.moment[y]);
+    }
+
+    /// As [`PackedInertia::screw`].
+    #[inline(always)]
+    pub fn screw<const Z: usize>(&mut self, c: T, s: T, d: T) {
+        self.turn::<Z>(c, s);
+        self.shift::<Z>(d);
+    }
+
+    /// `self − other · factor`.
+    #[inline(always)]
+    pub fn subtract(&mut self, other: &Self, factor: T) {
+        for k in 0..3 {
+            self.moment[k] = (-factor).mul_add(other.moment[k], self.moment[k]);
+            self.force[k] = (-factor).mul_add(other.force[k], self.force[k]);
+        }
+    }
+
+    /// Times a factor.
+    #[inline(always)]
+    pub fn scaled(&self, factor: T) -> Self {
+        let ([a, b, c], [d, e, f]) = (self.moment, self.force);
+        Self { moment: [a * factor, b * factor, c * factor], force: [d * factor, e * factor, f * factor] }
+    }
+
+    /// Sum.
+    #[inline(always)]
+    pub fn add(&mut self, other: &Self) {
+        for k in 0..3 {
+            self.moment[k] += other.moment[k];
+            self.force[k] += other.force[k];
+        }
+    }
+}
+
+/// Components in a frame in which the vector's own is turned about axis `Z`.
+#[inline(always)]
+pub fn turn_vector<T: Lanes, const Z: usize>(v: &mut [T; 3], c: T, s: T) {
+    let (x, y) = after(Z);
+    (v[x], v[y]) = turned(v[x], v[y], c, s);
+}

@@ -1,0 +1,204 @@
+//! A whole configuration from a file: the JSON of an answer, or joints and their positions.
+
+use crate::field::Names;
+use crate::model::{Input, Model, hexadecimal};
+use crate::position::GivenPosition;
+use crate::study_value;
+use percuss_formats::Source;
+use percuss_mechanism::{Joint, Mechanism};
+use serde::Deserialize;
+use serde_json::Value;
+use sha2::{Digest, Sha256};
+use std::collections::BTreeMap;
+
+/// Positions of joints from a file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GivenPose {
+    /// The file.
+    pub input: Input,
+    /// By joint.
+    pub(crate) positions: BTreeMap<String, GivenPosition>,
+    /// The model that the file's answer was about; none for joints and positions alone.
+    of_model: Option<Input>,
+}
+
+/// A file of a pose that is none.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum GivenPoseError {
+    /// It cannot be read.
+    #[error("{message}")]
+    Unreadable {
+        /// Which file, and why.
+        message: String,
+    },
+    /// It is no JSON.
+    #[error("{path}:{line}: not JSON ({message}); expected what --format json wrote, or {EXAMPLE}")]
+    NotJson {
+        /// The file.
+        path: String,
+        /// The line, from 1.
+        line: usize,
+        /// What the parser says.
+        message: String,
+    },
+    /// It has no positions.
+    #[error("{path}: {got}; expected what percuss mass --format json wrote, or {EXAMPLE}")]
+    NoPositions {
+        /// The file.
+        path: String,
+        /// What it is instead.
+        got: String,
+    },
+    /// A position that is none.
+    #[error("{path}: {message}")]
+    Position {
+        /// The file.
+        path: String,
+        /// Which, and why.
+        message: String,
+    },
+    /// An answer about another model: a joint that this one has not.
+    #[error(
+        "{path}: it is the pose of another model ({of}): joint \"{joint}\" is not in this one, which has {known}; expected a \
+         pose of this model"
+    )]
+    OtherJoint {
+        /// The file.
+        path: String,
+        /// The model that it is about.
+        of: String,
+        /// The joint.
+        joint: String,
+        /// The joints of this model, the first of them.
+        known: String,
+    },
+    /// An answer about another model: a joint of this one is missing.
+    #[error(
+        "{path}: it is the pose of another model ({of}): it has no joint \"{joint}\"; expected a pose of this model"
+    )]
+    MissingJoint {
+        /// The file.
+        path: String,
+        /// The model that it is about.
+        of: String,
+        /// The joint.
+        joint: String,
+    },
+}
+
+/// What joints and positions look like.
+const EXAMPLE: &str = "joints and positions such as {\"elbow\": 0.5, \"wrist\": \"30deg\"}";
+/// Joints of the model that an error names.
+const NAMED: usize = 6;
+
+/// What stands in the JSON of an answer.
+#[derive(Deserialize)]
+struct Answer {
+    #[serde(deserialize_with = "study_value::positions")]
+    pose: BTreeMap<String, GivenPosition>,
+    #[serde(default)]
+    inputs: Vec<InputText>,
+}
+
+#[derive(Deserialize)]
+struct InputText {
+    path: String,
+    sha256: String,
+}
+
+#[derive(Deserialize)]
+struct Joints(#[serde(deserialize_with = "study_value::positions")] BTreeMap<String, GivenPosition>);
+
+impl GivenPose {
+    /// Reads a file of at most `max_size` bytes: an answer's JSON, whose `pose` is taken, or an object with a position
+    /// (a number, a list, text with units) for each joint. `-` is the standard input.
+    ///
+    /// # Errors
+    /// [`GivenPoseError`]: what is wrong, and where.
+    pub fn read(path: &str, max_size: u64) -> Result<Self, GivenPoseError> {
+        let source = Source::read(path, max_size)
+            .map_err(|error| GivenPoseError::Unreadable { message: error.to_string() })?;
+        let path = source.name.clone();
+        let bytes = source.bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(&source.bytes);
+        let value: Value = serde_json::from_slice(bytes).map_err(|error| GivenPoseError::NotJson {
+            path: path.clone(),
+            line: error.line(),
+            message: error.to_string(),
+        })?;
+        let none = |got: &str| GivenPoseError::NoPositions { path: path.clone(), got: got.to_owned() };
+        let wrong = |error: serde_json::Error| GivenPoseError::Position {
+            path: path.clone(),
+            message: error.to_string(),
+        };
+        let Value::Object(object) = &value else {
+            return Err(none("no JSON object"));
+        };
+        let (positions, of_model) = match object.get("pose") {
+            Some(Value::Object(_)) => {
+                let Answer { pose, inputs } = Answer::deserialize(&value).map_err(wrong)?;
+                let model = inputs.into_iter().next();
+                (pose, Some(model.map_or_else(unknown, |i| Input { path: i.path, sha256: i.sha256 })))
+            }
+            _ if object.contains_key("rows") => {
+                return Err(none("it is a sweep, of many poses"));
+            }
+            _ if object.contains_key("schema") => return Err(none("it has no \"pose\"")),
+            _ => (Joints::deserialize(&value).map_err(wrong)?.0, None),
+        };
+        if positions.is_empty() {
+            return Err(none("it names no joint"));
+        }
+        let sha256 = hexadecimal(&Sha256::digest(&source.bytes));
+        Ok(Self { input: Input { path, sha256 }, positions, of_model })
+    }
+
+    /// Whether it has a position for every joint that can move and follows no other.
+    pub(crate) fn is_whole(&self, mechanism: &Mechanism) -> bool {
+        self.missing(mechanism).is_none()
+    }
+
+    fn missing<'m>(&self, mechanism: &'m Mechanism) -> Option<&'m Joint> {
+        let free = |joint: &&Joint| joint.kind().dofs() > 0 && joint.mimic().is_none();
+        mechanism.joints().iter().filter(free).find(|joint| !self.positions.contains_key(joint.name()))
+    }
+
+    /// Refuses an answer about another model; joints and positions are about any that has them.
+    pub(crate) fn check(&self, mechanism: &Mechanism) -> Result<(), GivenPoseError> {
+        let Some(model) = &self.of_model else { return Ok(()) };
+        let (path, of) = (self.input.path.clone(), model.path.clone());
+        if let Some(other) = self.positions.keys().find(|name| mechanism.find_joint(name).is_err()) {
+            let movable = mechanism.joints().iter().filter(|joint| joint.kind().dofs() > 0);
+            let mut known: Vec<String> =
+                movable.clone().take(NAMED).map(|joint| format!("\"{}\"", joint.name())).collect();
+            if movable.count() > NAMED {
+                known.push("others".to_owned());
+            }
+            let known = if known.is_empty() { "none".to_owned() } else { known.join(", ") };
+            return Err(GivenPoseError::OtherJoint { path, of, joint: other.clone(), known });
+        }
+        match self.missing(mechanism) {
+            Some(joint) => Err(GivenPoseError::MissingJoint { path, of, joint: joint.name().to_owned() }),
+            None => Ok(()),
+        }
+    }
+
+    /// What a reader should know of an answer that was about other bytes.
+    pub(crate) fn about_model(&self, model: &Model, names: Names) -> Option<String> {
+        let of = self.of_model.as_ref()?;
+        let own = model.inputs.first()?;
+        if of.sha256 == own.sha256 {
+            return None;
+        }
+        let given = crate::field::Field::Pose.hint(names);
+        Some(format!(
+            "the pose{given} in {} was found for {}, not for {} as it is now: the joints have the same names, the loops were \
+             closed again",
+            self.input.path, of.path, own.path
+        ))
+    }
+}
+
+fn unknown() -> Input {
+    Input { path: "not named".to_owned(), sha256: String::new() }
+}

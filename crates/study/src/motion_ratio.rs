@@ -1,0 +1,120 @@
+//! How fast a wheel, or a point given, moves while the gap closes.
+
+use crate::answer::Answered;
+use crate::error::{Fault, StudyError};
+use crate::field::Field;
+use crate::question::RatioPoint;
+use crate::thresholds::{ONE_TRAVEL, SHORTEST_DIRECTION};
+use nalgebra::Vector3;
+use percuss_dynamics::{
+    Contact, ContactResponse, Direction, EffectiveMass, Frame, PointVelocity, Pose, RouteChoice,
+};
+use percuss_mechanism::{LinkId, Mechanism};
+use serde::Serialize;
+
+/// The speed of a wheel's point beside that of the contact, in the motion v*.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MotionRatioRecord {
+    /// The link of the point: `wheel_centre` and `contact_patch` where the model knows them, or the one given.
+    pub link: String,
+    /// The point in the link's frame, m.
+    pub point: [f64; 3],
+    /// The direction that its speed is taken along: a unit vector, world axes.
+    pub direction: [f64; 3],
+    /// Speed of the point along the direction per unit closing speed of the contact; negative where it moves the other way.
+    pub wheel_per_contact: f64,
+    /// Its inverse; null where the point stands still.
+    pub contact_per_wheel: Option<f64>,
+    /// Whether every motion of the mechanism has this ratio; else it is that of the impact's own motion alone.
+    pub one_travel: bool,
+}
+
+/// Links that the importer names, whose vertical motion is that of the wheel.
+const WHEEL_POINTS: [&str; 2] = ["wheel_centre", "contact_patch"];
+/// What the importer puts behind the names of each side.
+const SIDES: [&str; 2] = ["_left", "_right"];
+
+/// The motion ratios of an answer: of the points given, and of the wheel's where the mechanism has one travel.
+///
+/// r = d · v_P per unit closing speed in v*. It is that of every motion where the motion that the point's own contact
+/// would have gives the inverse: r r′ = 1, the cosine between both in the metric of M.
+pub(crate) fn motion_ratios(
+    answered: &Answered,
+    given: &[RatioPoint],
+) -> Result<Vec<MotionRatioRecord>, StudyError> {
+    let mechanism = &answered.prepared.model.mechanism;
+    let response = answered.answer.of_mechanism();
+    let mut found = Vec::new();
+    for asked in given {
+        let link = mechanism.find_link(&asked.link);
+        let link = link.map_err(|error| StudyError::input(Field::RatioAt, error))?;
+        let (point, direction) = (Vector3::from(asked.point), Vector3::from(asked.direction));
+        if !(direction.norm() > SHORTEST_DIRECTION && direction.norm().is_finite()) {
+            return Err(StudyError::input(Field::RatioAt, Fault::NoRatioDirection));
+        }
+        found.extend(ratio(answered, response, link, point, direction.normalize()));
+    }
+    for link in wheel_points(mechanism, &answered.prepared.question.link) {
+        let ratio = ratio(answered, response, link, Vector3::zeros(), Vector3::z());
+        found.extend(ratio.filter(|ratio| ratio.one_travel));
+    }
+    Ok(found)
+}
+
+/// The wheel's points: those on the side of the struck link, where its name tells one.
+fn wheel_points(mechanism: &Mechanism, struck: &str) -> Vec<LinkId> {
+    let side = SIDES.into_iter().find(|side| struck.ends_with(side));
+    let sides = SIDES.into_iter().filter(|known| side.is_none_or(|side| side == *known));
+    let endings: Vec<&str> = [""].into_iter().chain(sides).collect();
+    let names = WHEEL_POINTS.iter().flat_map(|name| endings.iter().map(move |end| format!("{name}{end}")));
+    names.filter_map(|name| mechanism.find_link(&name).ok()).collect()
+}
+
+fn ratio(
+    answered: &Answered,
+    response: &ContactResponse,
+    link: LinkId,
+    point: Vector3<f64>,
+    direction: Vector3<f64>,
+) -> Option<MotionRatioRecord> {
+    let pose = &answered.pose;
+    if response.singular_pose {
+        return None;
+    }
+    let wheel_per_contact = speed(pose, response, link, &point, &direction)?;
+    let own = Contact {
+        link,
+        against: answered.contact.against,
+        point,
+        normal: Direction::Along(direction, Frame::World),
+    };
+    let inverse =
+        pose.respond(&own, RouteChoice::Auto).ok().filter(|own| !own.singular_pose).and_then(|own| {
+            let EffectiveMass::Finite(_) = own.effective_mass else { return None };
+            let contact = &response.contact;
+            speed(pose, &own, contact.link, &contact.point_link, &contact.normal_world)
+        });
+    let one_travel = inverse.is_some_and(|inverse| (wheel_per_contact * inverse - 1.0).abs() <= ONE_TRAVEL);
+    Some(MotionRatioRecord {
+        link: pose.mechanism().link(link).name().to_owned(),
+        point: point.into(),
+        direction: direction.into(),
+        wheel_per_contact,
+        contact_per_wheel: (wheel_per_contact != 0.0).then(|| 1.0 / wheel_per_contact),
+        one_travel,
+    })
+}
+
+/// Speed of a point along a direction of the world in a response, relative to its contact's other side.
+fn speed(
+    pose: &Pose,
+    response: &ContactResponse,
+    link: LinkId,
+    point: &Vector3<f64>,
+    direction: &Vector3<f64>,
+) -> Option<f64> {
+    match pose.point_velocity(response, link, point)? {
+        PointVelocity::Known(v) => Some(pose.base().vector(&v).dot(direction)),
+        PointVelocity::Undetermined => None,
+    }
+}

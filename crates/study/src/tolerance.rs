@@ -1,0 +1,301 @@
+//! What tolerances of masses, centres of mass, armatures and hardpoints leave of an effective mass: to first order, and by
+//! samples.
+
+use crate::changes::Changes;
+use crate::error::{Fault, StudyError};
+use crate::explain::{Explanation, explain, mass_of};
+use crate::field::Field;
+use crate::measure::Measure;
+use crate::model::Model;
+use crate::quantity::{Dimension, Quantity};
+use crate::question::MassQuestion;
+use crate::random_rows::Uniform;
+use crate::thresholds::SAMPLES;
+use rayon::prelude::*;
+use serde::Serialize;
+
+/// How far off the parts of a model may be: each number by itself, at most so much to either side.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Tolerance {
+    /// Of each link's mass, relative; its moments change in proportion.
+    pub mass: f64,
+    /// Of each coordinate of each link's centre of mass, m.
+    pub com: f64,
+    /// Of each joint's armature, relative.
+    pub armature: f64,
+    /// Of each coordinate of each hardpoint of a sheet, m.
+    pub point: f64,
+}
+
+/// A text that is no tolerance.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error(
+    "\"{part}\": {why}; expected mass=2%, com=1mm, armature=10%, point=0.5mm, or several of them between commas"
+)]
+pub struct ToleranceError {
+    /// The part that is wrong.
+    pub part: String,
+    /// Why.
+    pub why: String,
+}
+
+/// Samples to be taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sampling {
+    /// How many.
+    pub count: usize,
+    /// Of the random numbers.
+    pub seed: u64,
+}
+
+/// What tolerances leave of m̄.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ToleranceReport {
+    /// m̄, kg.
+    pub effective_mass: f64,
+    /// How far off each number may be.
+    pub tolerance: Tolerance,
+    /// To first order, kg: the root of the sum of squares of what each number does at its limit, as for numbers that do not
+    /// depend on one another.
+    pub root_sum_square: f64,
+    /// To first order, kg: every number at its limit at once.
+    pub worst_case: f64,
+    /// The squares' parts of each kind, kg: their root sum square.
+    pub parts: ToleranceParts,
+    /// By samples, where they were asked for.
+    pub samples: Option<SampleRecord>,
+}
+
+/// What each kind of number leaves of m̄ by itself, kg, as a root sum square.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct ToleranceParts {
+    /// Masses of links.
+    pub mass: f64,
+    /// Centres of mass.
+    pub com: f64,
+    /// Armatures.
+    pub armature: f64,
+    /// Hardpoints.
+    pub point: f64,
+}
+
+/// m̄ of designs whose numbers are off at random, all values between the limits alike.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct SampleRecord {
+    /// How many were answered.
+    pub count: usize,
+    /// How many had no finite mass.
+    pub unanswered: usize,
+    /// The seed.
+    pub seed: u64,
+    /// Mean, kg.
+    pub mean: f64,
+    /// Standard deviation, kg.
+    pub standard_deviation: f64,
+    /// The least, kg.
+    pub least: f64,
+    /// The greatest, kg.
+    pub greatest: f64,
+    /// What 2.5 % are below, kg.
+    pub percentile_2_5: f64,
+    /// What 2.5 % are above, kg.
+    pub percentile_97_5: f64,
+}
+
+impl Tolerance {
+    /// Reads `mass=2%,point=0.5mm`.
+    ///
+    /// # Errors
+    /// [`ToleranceError`]: which part is wrong, and how it should look.
+    pub fn parse(text: &str) -> Result<Self, ToleranceError> {
+        let mut tolerance = Self::default();
+        let mut given: Vec<&str> = Vec::new();
+        for part in text.split(',') {
+            let wrong = |why: String| ToleranceError { part: part.to_owned(), why };
+            let (what, value) = part.split_once('=').ok_or_else(|| wrong("no = in it".into()))?;
+            let what = what.trim();
+            let ratio = || Measure::Ratio.parse(value).map(|m| m.value).map_err(|e| wrong(e.to_string()));
+            let length = || {
+                Quantity::parse(value)
+                    .and_then(|q| q.of(Dimension::Length, value))
+                    .map_err(|e| wrong(e.to_string()))
+            };
+            let (place, value) = match what {
+                "mass" => (&mut tolerance.mass, ratio()?),
+                "com" => (&mut tolerance.com, length()?),
+                "armature" => (&mut tolerance.armature, ratio()?),
+                "point" => (&mut tolerance.point, length()?),
+                _ => return Err(wrong(format!("\"{what}\" has no tolerance"))),
+            };
+            if given.contains(&what) {
+                return Err(wrong("it is given twice".into()));
+            }
+            if !(value >= 0.0) || (matches!(what, "mass" | "armature") && value >= 1.0) {
+                return Err(wrong("not a tolerance: it is below 0, or 100 % or more".into()));
+            }
+            *place = value;
+            given.push(what);
+        }
+        Ok(tolerance)
+    }
+}
+
+/// What tolerances leave of the answer to a contact; none where it has no finite mass, or another on each branch.
+///
+/// # Errors
+/// [`StudyError`], as for `mass`; a tolerance of points of a model that has none; too many samples.
+pub fn tolerate(
+    model: &Model,
+    question: &MassQuestion,
+    tolerance: Tolerance,
+    sampling: Option<Sampling>,
+) -> Result<Option<ToleranceReport>, StudyError> {
+    if tolerance.point > 0.0 && model.hardpoints().is_empty() {
+        let path = model.inputs.first().map_or_else(String::new, |input| input.path.clone());
+        return Err(StudyError::input(Field::Tolerance, Fault::NoSheet { path }));
+    }
+    if let Some(Sampling { count, .. }) = sampling.filter(|s| !SAMPLES.contains(&s.count)) {
+        return Err(StudyError::input(Field::Samples, Fault::Samples { count }));
+    }
+    let Some(explanation) = explain(model, question)? else { return Ok(None) };
+    let rates = Rates::of(model, question, &explanation, tolerance);
+    let root = |rates: &[f64]| rates.iter().map(|r| r * r).sum::<f64>().sqrt();
+    let all = rates.all();
+    Ok(Some(ToleranceReport {
+        effective_mass: explanation.effective_mass,
+        tolerance,
+        root_sum_square: root(&all),
+        worst_case: all.iter().map(|r| r.abs()).sum(),
+        parts: ToleranceParts {
+            mass: root(&rates.mass),
+            com: root(&rates.com),
+            armature: root(&rates.armature),
+            point: root(&rates.point),
+        },
+        samples: sampling.and_then(|asked| sampled(model, question, &explanation, tolerance, asked)),
+    }))
+}
+
+/// What each number does to m̄ at its limit, kg.
+struct Rates {
+    mass: Vec<f64>,
+    com: Vec<f64>,
+    armature: Vec<f64>,
+    point: Vec<f64>,
+}
+
+impl Rates {
+    fn of(model: &Model, question: &MassQuestion, explanation: &Explanation, tolerance: Tolerance) -> Self {
+        let coms = explanation.links.iter().filter_map(|link| link.per_metre_of_com).flatten();
+        let rotors = explanation.rotors.iter().flat_map(|rotor| {
+            let own = armature(model, question, &rotor.joint, rotor.per_armature.len());
+            own.into_iter().zip(rotor.per_armature.clone()).map(|(own, rate)| own * rate)
+        });
+        let points = explanation.points.iter().filter_map(|point| point.per_metre).flatten();
+        Self {
+            mass: explanation.links.iter().map(|l| l.per_kilogram * l.mass * tolerance.mass).collect(),
+            com: coms.map(|rate| rate * tolerance.com).collect(),
+            armature: rotors.map(|rate| rate * tolerance.armature).collect(),
+            point: points.map(|rate| rate * tolerance.point).collect(),
+        }
+    }
+
+    fn all(&self) -> Vec<f64> {
+        [&self.mass, &self.com, &self.armature, &self.point].into_iter().flatten().copied().collect()
+    }
+}
+
+/// The armature of a joint, one value for each velocity.
+fn armature(model: &Model, question: &MassQuestion, joint: &str, velocities: usize) -> Vec<f64> {
+    let asked = question.armature.iter().find(|(name, _)| name == joint).map(|(_, values)| values.clone());
+    let own = || {
+        let id = model.mechanism.find_joint(joint).ok()?;
+        Some(model.mechanism.joint(id).armature().to_vec())
+    };
+    match asked.or_else(own).as_deref() {
+        None | Some([]) => vec![0.0; velocities],
+        Some([one]) => vec![*one; velocities],
+        Some(several) => several.to_vec(),
+    }
+}
+
+fn sampled(
+    model: &Model,
+    question: &MassQuestion,
+    explanation: &Explanation,
+    tolerance: Tolerance,
+    asked: Sampling,
+) -> Option<SampleRecord> {
+    let of_sample = |number: usize| {
+        let mut uniform = Uniform::new(asked.seed, number as u64);
+        let mut off = |most: f64| most * (2.0 * uniform.next() - 1.0);
+        let mut changes = Changes::default();
+        for link in &explanation.links {
+            let mass = link.mass * (1.0 + off(tolerance.mass));
+            let by = [(); 3].map(|()| off(tolerance.com));
+            changes.link_mass.push((link.link.clone(), mass));
+            let id = model.mechanism.find_link(&link.link).ok()?;
+            let com = model.mechanism.link(id).inertial()?.com;
+            changes.link_com.push((link.link.clone(), [0, 1, 2].map(|i| com[i] + by[i])));
+        }
+        for point in model.hardpoints() {
+            let by = [(); 3].map(|()| off(tolerance.point));
+            if tolerance.point > 0.0 {
+                changes.moves.push((point.clone(), by));
+            }
+        }
+        let mut question = question.clone();
+        for rotor in &explanation.rotors {
+            let own = armature(model, &question, &rotor.joint, rotor.per_armature.len());
+            if own.iter().any(|value| *value > 0.0) {
+                let values = own.iter().map(|value| value * (1.0 + off(tolerance.armature))).collect();
+                question.armature.retain(|(joint, _)| *joint != rotor.joint);
+                question.armature.push((rotor.joint.clone(), values));
+            }
+        }
+        mass_of(model, &question, &changes)
+    };
+    let masses: Vec<Option<f64>> = (0..asked.count).into_par_iter().map(of_sample).collect();
+    let mut found: Vec<f64> = masses.into_iter().flatten().collect();
+    found.sort_by(f64::total_cmp);
+    let (&least, &greatest) = (found.first()?, found.last()?);
+    let count = found.len() as f64;
+    let mean = found.iter().sum::<f64>() / count;
+    let square = found.iter().map(|m| (m - mean).powi(2)).sum::<f64>() / (count - 1.0).max(1.0);
+    let at = |part: f64| found[((count - 1.0) * part).round() as usize];
+    Some(SampleRecord {
+        count: found.len(),
+        unanswered: asked.count - found.len(),
+        seed: asked.seed,
+        mean,
+        standard_deviation: square.sqrt(),
+        least,
+        greatest,
+        percentile_2_5: at(0.025),
+        percentile_97_5: at(0.975),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tolerances_are_read_or_refused() {
+        let read = Tolerance::parse("mass=2%, point=0.5mm,com=1e-3,armature=0.1").unwrap();
+        assert_eq!(read, Tolerance { mass: 0.02, com: 1e-3, armature: 0.1, point: 0.5e-3 });
+        for text in [
+            "",
+            "mass",
+            "mass=",
+            "mass=2kg",
+            "mass=-1%",
+            "mass=100%",
+            "point=2%",
+            "mass=1%,mass=2%",
+            "girth=1",
+        ] {
+            assert!(Tolerance::parse(text).is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! The designs of a study file: what its model changes, and its variants.
+
+use crate::changes::Changes;
+use crate::design::DesignError;
+use crate::model::{Input, Model};
+use crate::position::GivenPosition;
+use crate::question::MassQuestion;
+use crate::study_value;
+use percuss_formats::LoadOptions;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// What is changed of a model, as a study says it.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct VariantText {
+    pub name: String,
+    /// Another model's file.
+    pub model: Option<String>,
+    #[serde(default, deserialize_with = "study_value::masses")]
+    pub link_mass: BTreeMap<String, f64>,
+    #[serde(default, deserialize_with = "study_value::places")]
+    pub link_com: BTreeMap<String, [f64; 3]>,
+    #[serde(default, rename = "move", deserialize_with = "study_value::places")]
+    pub moves: BTreeMap<String, [f64; 3]>,
+    #[serde(default, deserialize_with = "study_value::armatures")]
+    pub armature: BTreeMap<String, Vec<f64>>,
+    #[serde(default, deserialize_with = "study_value::positions")]
+    pub set: BTreeMap<String, GivenPosition>,
+}
+
+/// A variant of a study.
+#[derive(Clone, Debug)]
+pub struct Variant {
+    /// What it is called.
+    pub name: String,
+    /// The model as the variant has it.
+    pub model: Model,
+    /// The question as the variant has it.
+    pub question: MassQuestion,
+}
+
+/// Changes as a study says them.
+pub(crate) fn changes(
+    link_mass: &BTreeMap<String, f64>,
+    link_com: &BTreeMap<String, [f64; 3]>,
+    moves: &BTreeMap<String, [f64; 3]>,
+) -> Changes {
+    fn list<T: Clone>(map: &BTreeMap<String, T>) -> Vec<(String, T)> {
+        map.iter().map(|(name, value)| (name.clone(), value.clone())).collect()
+    }
+    Changes { link_mass: list(link_mass), link_com: list(link_com), moves: list(moves) }
+}
+
+impl VariantText {
+    /// The variant of a study's model and question; paths are relative to the study's folder.
+    pub fn variant(
+        &self,
+        base: &Model,
+        question: &MassQuestion,
+        folder: &Path,
+        max_size: u64,
+        options: &LoadOptions,
+    ) -> Result<Variant, DesignError> {
+        let other = match &self.model {
+            None => base.clone(),
+            Some(path) => {
+                let other = Model::load(&folder.join(path).to_string_lossy(), max_size, options)?;
+                // What the study changes and adds holds for its variants.
+                let mut other = other.with_closures_of(base)?.changed(&base.origin.changes)?;
+                other.inputs.extend(base.inputs.iter().skip(1).cloned().collect::<Vec<Input>>());
+                other
+            }
+        };
+        let model = other.changed(&changes(&self.link_mass, &self.link_com, &self.moves))?;
+        let mut question = question.clone();
+        question.armature.retain(|(joint, _)| !self.armature.contains_key(joint));
+        question.armature.extend(self.armature.iter().map(|(joint, values)| (joint.clone(), values.clone())));
+        question.set.retain(|(joint, _)| !self.set.contains_key(joint));
+        question.set.extend(self.set.iter().map(|(joint, position)| (joint.clone(), position.clone())));
+        Ok(Variant { name: self.name.clone(), model, question })
+    }
+}
