@@ -38,7 +38,7 @@ for task in $tasks; do
   wanted=$(awk -v task="$task" '$1 == task { print $2 }' "$table")
   verdict=$(awk -v got="$got" -v wanted="$wanted" -v tolerance="$tolerance" 'BEGIN {
     change = 100 * (got / wanted - 1)
-    printf "%+.1f %%%s", change, change > tolerance ? "  more than " tolerance " % more" : "" }')
+    printf("%+.1f %%%s", change, (change > tolerance) ? "  more than " tolerance " % more" : "") }')
   printf '%-18s %12d %12d  %s\n' "$task" "$got" "$wanted" "$verdict"
   case $verdict in *more*) failed=1 ;; esac
   written+=$'\n'$(printf '%-18s %d' "$task" "$got")

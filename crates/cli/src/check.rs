@@ -1,6 +1,7 @@
 //! `percuss check`.
 
 use crate::args::{CheckArgs, CheckFormat};
+use crate::escape::line;
 use crate::failure::Failure;
 use crate::report::{write_diagnostics, write_json, write_out};
 use crate::text::{Table, number};
@@ -32,7 +33,7 @@ fn text(report: &CheckReport) -> String {
         ("diagnostics", summary(report)),
     ];
     for (name, value) in facts {
-        let _ = writeln!(out, "{name:<22} {value}");
+        let _ = writeln!(out, "{name:<22} {}", line(&value));
     }
     let mut links = Table::new(["link", "mass", "centre of mass"]);
     for link in &report.links {

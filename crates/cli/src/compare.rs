@@ -3,7 +3,7 @@
 use crate::args::{CompareArgs, ContactArgs, MassFormat};
 use crate::csv;
 use crate::failure::Failure;
-use crate::output::Output;
+use crate::output::{is_input, write_file};
 use crate::report::{write_diagnostics, write_json, write_out};
 use crate::text::{Table, number};
 use percuss_render::{Figure, Panel, Series, Style};
@@ -11,11 +11,11 @@ use percuss_study::{
     CompareError, ComparisonReport, Design, DesignRecord, Names, RowSource, StudyFile, compare,
 };
 use std::fmt::Write as _;
-use std::io::Write as _;
 use std::path::Path;
 
 /// Runs the command.
 pub fn run(args: &CompareArgs) -> Result<(), Failure> {
+    args.writing.apply();
     let studies: Vec<bool> =
         args.designs.iter().map(|path| StudyFile::is_study(path, args.reading.max_size)).collect();
     let designs = if studies.iter().all(|is_study| *is_study) {
@@ -87,9 +87,8 @@ pub fn show(
     write_diagnostics(&report.diagnostics, strict)?;
     if let Some(path) = output {
         let bytes = file(&report, path)?;
-        let mut out = Output::open(Some(path))?;
-        out.write_all(&bytes).map_err(|error| out.failure(error))?;
-        out.finish()?;
+        designs.iter().flat_map(|design| &design.model.inputs).for_each(|input| is_input(&input.path));
+        write_file(path, &bytes)?;
     }
     match format {
         MassFormat::Json => write_json(&report)?,
@@ -102,7 +101,7 @@ pub fn show(
     Ok(())
 }
 
-fn failure(error: &CompareError, names: Names) -> Failure {
+pub fn failure(error: &CompareError, names: Names) -> Failure {
     match error {
         CompareError::Question { source, .. } if source.is_no_answer() => {
             Failure::NoAnswer(error.message(names))
@@ -123,7 +122,7 @@ fn percent(x: f64) -> String {
     format!("{x:+.2} %")
 }
 
-fn text(report: &ComparisonReport) -> String {
+pub fn text(report: &ComparisonReport) -> String {
     let mut table = Table::new(["design", "kg", "difference", "over the range", "most of it"]);
     for (i, design) in report.designs.iter().enumerate() {
         let difference = match design.difference_percent {
@@ -218,9 +217,13 @@ fn figure(report: &ComparisonReport) -> Result<Figure, Failure> {
         subtitle: report.designs.iter().map(|d| d.name.clone()).collect::<Vec<_>>().join(", "),
         x_label: format!("{} ({unit})", varied.name),
         panels: vec![
-            Panel { y_label: "m̄ (kg)".into(), series: masses },
-            Panel { y_label: format!("difference from {first} (%)"), series: differences },
+            Panel { y_label: "m̄ (kg)".into(), series: masses, ..Panel::default() },
+            Panel {
+                y_label: format!("difference from {first} (%)"),
+                series: differences,
+                ..Panel::default()
+            },
         ],
-        marks: Vec::new(),
+        ..Figure::default()
     })
 }

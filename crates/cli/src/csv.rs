@@ -1,6 +1,8 @@
 //! Answers as rows of a table (RFC 4180). A header always; an empty cell is a null.
 
 use crate::limits;
+use crate::table_style::{ColumnUnit, TableStyle, digits};
+use percuss_mechanism::{JointKind, Mechanism};
 use percuss_study::{MassReport, SweepHeading, SweepRow};
 use std::fmt::Write;
 use std::ops::Range;
@@ -53,18 +55,59 @@ pub struct SweepTable {
     others: Vec<Range<usize>>,
     /// How many these are.
     count: usize,
+    style: TableStyle,
+    /// Units of what is varied, and of the numbers of `others`.
+    varied_units: Vec<ColumnUnit>,
+    other_units: Vec<ColumnUnit>,
+}
+
+/// A cell of a table.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Cell {
+    Number(f64),
+    Text(&'static str),
+    Logical(bool),
+    Empty,
+}
+
+impl Cell {
+    fn of(value: Option<f64>) -> Self {
+        value.map_or(Cell::Empty, Cell::Number)
+    }
 }
 
 impl SweepTable {
-    pub fn new(heading: &SweepHeading) -> Self {
+    pub fn new(heading: &SweepHeading, mechanism: &Mechanism, style: TableStyle) -> Self {
         let mut header = vec!["row".to_owned()];
-        header.extend(heading.varied.iter().map(|column| column.name.clone()));
-        header.extend(FIXED.map(str::to_owned));
+        let varied_units: Vec<ColumnUnit> = heading.varied.iter().map(|c| style.unit(c.unit)).collect();
+        header.extend(heading.varied.iter().zip(&varied_units).map(|(column, unit)| match &column.joint {
+            _ if !style.names_units => column.name.clone(),
+            // As --input reads it.
+            Some(_) => with_unit(&column.name, unit),
+            None => format!("travel_{}", unit.name),
+        }));
+        header.extend(FIXED.map(|name| match (style.names_units, name) {
+            (true, "effective_mass" | "estimate") => format!("{name}_kg"),
+            (true, "closure_residual") => format!("{name}_{}", style.unit("m").name),
+            _ => name.to_owned(),
+        }));
+        let mut other_units = Vec::new();
         let mut others: Vec<Range<usize>> = Vec::new();
         let mut first = 0;
         for (joint, numbers) in heading.joints.joints() {
             if !heading.varied.iter().any(|column| column.joint.as_deref() == Some(joint)) {
+                let kind = mechanism.find_joint(joint).ok().map(|id| mechanism.joint(id).kind());
+                let unit = style.unit(match kind {
+                    Some(JointKind::Revolute | JointKind::Continuous) => "rad",
+                    Some(JointKind::Prismatic) => "m",
+                    _ => "",
+                });
+                let before = header.len();
                 columns(&mut header, joint, numbers);
+                if style.names_units {
+                    header[before..].iter_mut().for_each(|name| *name = with_unit(name, &unit));
+                }
+                other_units.extend(std::iter::repeat_n(unit, numbers));
                 match others.last_mut().filter(|run| run.end == first) {
                     Some(run) => run.end += numbers,
                     None => others.push(first..first + numbers),
@@ -73,7 +116,8 @@ impl SweepTable {
             first += numbers;
         }
         let count = others.iter().map(Range::len).sum();
-        Self { header: line(&header), names: header, others, count }
+        let header_line = in_style(line(&header), &header, style);
+        Self { header: header_line, names: header, others, count, style, varied_units, other_units }
     }
 
     /// The names of its columns: the row, what is varied, `status`, six more of the answer, and the other joints.
@@ -94,6 +138,9 @@ impl SweepTable {
 
     /// A row as a line. One that was not reached has no pose; its joints' cells stay empty.
     pub fn row(&self, row: &SweepRow) -> String {
+        if self.style.names_units || self.style.comma {
+            return self.styled(row);
+        }
         let mut text = String::with_capacity(24 * (self.count + row.varied.values().len() + FIXED.len()));
         // Writing to a text does not fail.
         let _ = write!(text, "{}", row.row);
@@ -116,6 +163,56 @@ impl SweepTable {
         text.push('\n');
         text
     }
+}
+
+impl SweepTable {
+    /// The cells of a row.
+    pub fn cells(&self, row: &SweepRow) -> Vec<Cell> {
+        let style = &self.style;
+        let scaled = |value: f64, unit: &ColumnUnit| style.number(value * unit.factor, None);
+        let mut cells = vec![Cell::Number(row.row as f64)];
+        let varied = row.varied.values().iter().zip(&self.varied_units);
+        cells.extend(varied.map(|(value, unit)| Cell::Number(scaled(*value, unit))));
+        let few = |value: f64, count| if style.names_units { digits(value, count) } else { value };
+        let length = style.unit("m");
+        cells.extend([
+            Cell::Text(row.status),
+            Cell::of(row.effective_mass.map(|m| style.number(m, row.effective_mass_error))),
+            Cell::of(row.closure_residual.map(|r| few(r * length.factor, 3))),
+            row.singular_pose.map_or(Cell::Empty, Cell::Logical),
+            Cell::of(row.motion_ratio.map(|r| style.number(r, None))),
+            Cell::of(row.estimate.map(|m| style.number(m, None))),
+            Cell::of(row.estimate_error_percent.map(|e| few(e, 6))),
+        ]);
+        let others = self.others(row).zip(&self.other_units);
+        cells.extend(others.map(|(value, unit)| Cell::of(value.map(|value| scaled(value, unit)))));
+        cells
+    }
+
+    fn styled(&self, row: &SweepRow) -> String {
+        let text = |cell| match cell {
+            Cell::Number(x) if self.style.comma => number(x).replace('.', ","),
+            Cell::Number(x) => number(x),
+            Cell::Text(text) => text.to_owned(),
+            Cell::Logical(value) => value.to_string(),
+            Cell::Empty => String::new(),
+        };
+        let cells: Vec<String> = self.cells(row).into_iter().map(text).collect();
+        cells.join(if self.style.comma { ";" } else { "," }) + "\n"
+    }
+}
+
+/// A column's name with the unit that `--input` reads.
+fn with_unit(name: &str, unit: &ColumnUnit) -> String {
+    if unit.name.is_empty() { name.to_owned() } else { format!("{name} [{}]", unit.name) }
+}
+
+/// A line of names, with semicolons where commas are decimal.
+fn in_style(line: String, names: &[String], style: TableStyle) -> String {
+    if !style.comma {
+        return line;
+    }
+    names.iter().map(|name| quoted(name)).collect::<Vec<_>>().join(";") + "\n"
 }
 
 /// A comma, and the number where there is one.
@@ -158,11 +255,14 @@ pub fn line(cells: &[String]) -> String {
     cells.iter().map(|c| quoted(c)).collect::<Vec<_>>().join(",") + "\n"
 }
 
-/// Quotes where a comma, a quote or a line break asks for them.
+/// Quotes where a separator, a quote or a line break asks for them. What a spreadsheet would take for a formula gets the
+/// apostrophe that makes it text.
 fn quoted(cell: &str) -> String {
-    if cell.contains([',', '"', '\n', '\r']) {
+    let is_formula = cell.starts_with(['=', '+', '-', '@', '\t', '\r']) && cell.parse::<f64>().is_err();
+    let cell = if is_formula { format!("'{cell}") } else { cell.to_owned() };
+    if is_formula || cell.contains([',', ';', '"', '\n', '\r']) {
         format!("\"{}\"", cell.replace('"', "\"\""))
     } else {
-        cell.into()
+        cell
     }
 }

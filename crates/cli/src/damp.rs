@@ -1,9 +1,11 @@
 //! `percuss damp`, and the damper beside an effective mass.
 
 use crate::args::{CheckFormat, ContactArgs, DampArgs};
+use crate::escape;
 use crate::failure::Failure;
 use crate::limits;
-use crate::report::{write_diagnostics, write_file, write_json, write_out};
+use crate::output::{is_input, write_file};
+use crate::report::{write_diagnostics, write_json, write_out};
 use crate::text::{Table, number};
 use percuss_render::{Figure, Mark, Panel, Series, Sheet, Style};
 use percuss_study::contact::exports::{Measurement, StopMotion, Tool};
@@ -22,6 +24,7 @@ pub fn run(args: &DampArgs) -> Result<(), Failure> {
     if args.list_tools {
         return write_out(&tools());
     }
+    args.writing.apply();
     let Some(mut question) = args.damping.question()? else {
         return Err(Failure::bad_input(
             "--restitution E and --stiffness N/m are required: the restitution you measured, and the contact's spring",
@@ -60,6 +63,7 @@ pub fn run(args: &DampArgs) -> Result<(), Failure> {
         }
     };
     write_diagnostics(&report.diagnostics, args.reading.strict)?;
+    args.mass_from.iter().for_each(|path| is_input(path));
     if let Some(path) = &args.output {
         draw(&report, &question, path)?;
     }
@@ -98,7 +102,7 @@ impl Units {
 pub fn damper(report: &DampingReport) -> String {
     let mut out = String::new();
     for (name, value) in facts(report) {
-        let _ = writeln!(out, "{name:<20} {value}");
+        let _ = writeln!(out, "{name:<20} {}", escape::line(&value));
     }
     for (name, export) in &report.exports {
         out += &exported(name, export);
@@ -106,7 +110,7 @@ pub fn damper(report: &DampingReport) -> String {
     out
 }
 
-fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
+pub fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
     let damper = &report.damper;
     let Units { length, shown: (shown, factor), force, .. } = Units::of(report);
     let e = damper.restitution;
@@ -186,13 +190,13 @@ fn power(exponent: f64) -> String {
     if exponent == 1.0 { String::new() } else { format!("^{}", number(exponent)) }
 }
 
-fn exported(name: &str, export: &ExportRecord) -> String {
+pub fn exported(name: &str, export: &ExportRecord) -> String {
     let mut out = format!("\n{} ({name})\n", export.title);
     if let Some(error) = &export.error {
         return out + &format!("  cannot: {error}\n");
     }
     let mut line = |what: &str, text: &str| {
-        let _ = writeln!(out, "  {what:<18} {text}");
+        let _ = writeln!(out, "  {what:<18} {}", escape::line(text));
     };
     line("integrates", export.law);
     for (name, value) in &export.parameters {
@@ -275,10 +279,11 @@ fn draw(report: &DampingReport, question: &DampingQuestion, path: &str) -> Resul
     let bytes = match ending.as_str() {
         "svg" => sheet(report, &samples()?).to_svg().into_bytes(),
         "png" => sheet(report, &samples()?).to_png(2.0).map_err(|e| Failure::NoAnswer(e.to_string()))?,
+        "pdf" => sheet(report, &samples()?).to_pdf().map_err(|e| Failure::NoAnswer(e.to_string()))?,
         "csv" => csv(&samples()?).into_bytes(),
         _ => {
             return Err(Failure::bad_input(format!(
-                "--output {path}: its name must end in .svg, .png or .csv"
+                "--output {path}: its name must end in .svg, .png, .pdf or .csv"
             )));
         }
     };
@@ -294,7 +299,7 @@ fn csv(samples: &[Sample]) -> String {
 }
 
 /// Force over time, and over penetration, whose loop encloses the energy lost.
-fn sheet(report: &DampingReport, samples: &[Sample]) -> Sheet {
+pub fn sheet(report: &DampingReport, samples: &[Sample]) -> Sheet {
     let damper = &report.damper;
     let units = Units::of(report);
     let (shown, factor) = units.shown;
@@ -305,6 +310,7 @@ fn sheet(report: &DampingReport, samples: &[Sample]) -> Sheet {
             style: Style::Line,
             points: samples.iter().map(|s| (x(s), Some(s.force))).collect(),
         }],
+        ..Panel::default()
     };
     let deepest = damper.time_of_max_penetration.map(|t| Mark { x: 1e3 * t, label: "deepest".into() });
     let over_time = Figure {
@@ -320,6 +326,7 @@ fn sheet(report: &DampingReport, samples: &[Sample]) -> Sheet {
         x_label: "time (ms)".into(),
         panels: vec![panel(&|s| 1e3 * s.time)],
         marks: deepest.into_iter().collect(),
+        ..Figure::default()
     };
     let over_penetration = Figure {
         x_label: format!("penetration ({shown})"),

@@ -1,6 +1,7 @@
 //! Why a command has no result, and its exit code.
 
 use crate::diagnostics::lines;
+use crate::escape;
 use percuss_formats::LoadError;
 use percuss_study::contact::ContactLawError;
 use percuss_study::contact::exports::ExportError;
@@ -62,7 +63,7 @@ impl Failure {
         let mut stderr = io::stderr().lock();
         for line in lines {
             // A closed stderr changes nothing about the exit code.
-            let _ = writeln!(stderr, "{line}");
+            let _ = writeln!(stderr, "{}", escape::line(&line));
         }
         code
     }
@@ -135,7 +136,15 @@ impl From<StudyFileError> for Failure {
     fn from(error: StudyFileError) -> Self {
         match error {
             StudyFileError::Load(error) => error.into(),
-            other => Failure::BadInput(other.to_string().lines().map(str::to_owned).collect()),
+            // The lines of the study that it shows; what is in them does not begin a line.
+            StudyFileError::Toml { .. } => {
+                let text = error.to_string();
+                let lines = text.lines().enumerate();
+                let indented =
+                    |(i, line): (usize, &str)| if i == 0 { line.to_owned() } else { format!("  {line}") };
+                Failure::BadInput(lines.map(indented).collect())
+            }
+            other => Failure::BadInput(vec![other.to_string()]),
         }
     }
 }

@@ -3,34 +3,34 @@
 use crate::args::{AxesArg, ImportArgs, SideArg, UnitArg};
 use crate::failure::Failure;
 use crate::import_text::understood;
-use crate::output::Output;
-use crate::report::{write_diagnostics, write_out};
+use crate::output::{is_input, may_be_written, write_file};
+use crate::report::{write_as_is, write_diagnostics, write_out};
+use crate::{import_picture, picture};
 use percuss_formats::suspension::{ImportOptions, LengthUnit, Rack, Side, VehicleAxes, Wheel, import};
 use percuss_formats::{Source, write_urdf_with};
 use percuss_study::DiagnosticRecord;
-use std::io::Write;
 
 /// Runs the command.
 pub fn run(args: &ImportArgs) -> Result<(), Failure> {
-    let same = |a: &str, b: &str| {
-        std::fs::canonicalize(a).ok().zip(std::fs::canonicalize(b).ok()).is_some_and(|(a, b)| a == b)
-    };
-    if args.output != "-" && same(&args.hardpoints, &args.output) {
-        return Err(Failure::bad_input(format!("--output {} is the hardpoint file itself", args.output)));
+    args.writing.apply();
+    is_input(&args.hardpoints);
+    if args.output != "-" {
+        may_be_written(&args.output)?;
     }
     let source = Source::read(&args.hardpoints, args.max_size)?;
     let imported = import(&source, &options(args))?;
+    imported.inputs.iter().for_each(|path| is_input(path));
     let diagnostics: Vec<DiagnosticRecord> = imported.diagnostics.into_iter().map(Into::into).collect();
     write_diagnostics(&diagnostics, args.strict)?;
     let text = write_urdf_with(&imported.mechanism, &imported.comments);
+    if let Some(path) = &args.picture {
+        let drawing = import_picture::picture(&imported.understood, &args.hardpoints);
+        write_file(path, &picture::bytes(&drawing, "--picture", path)?)?;
+    }
     if args.output == "-" {
-        return write_out(&text);
+        return write_as_is(text.as_bytes());
     }
-    let mut output = Output::open(Some(&args.output))?;
-    if let Err(error) = output.write_all(text.as_bytes()) {
-        return Err(output.failure(error));
-    }
-    output.finish()?;
+    write_file(&args.output, text.as_bytes())?;
     write_out(&understood(&imported.understood, &args.output))
 }
 

@@ -1,5 +1,6 @@
 //! What an import understood, as text.
 
+use crate::escape::line;
 use percuss_formats::suspension::{Side, Understood};
 use std::fmt::Write;
 
@@ -7,7 +8,7 @@ use std::fmt::Write;
 pub fn understood(of: &Understood, output: &str) -> String {
     let mut out = String::new();
     let mut fact = |name: &str, value: String| {
-        let _ = writeln!(out, "{name:<20} {value}");
+        let _ = writeln!(out, "{name:<20} {}", line(&value));
     };
     let side = match of.side {
         Side::Left => "the left side",
@@ -31,6 +32,7 @@ pub fn understood(of: &Understood, output: &str) -> String {
     // Lengths and masses of the same link in one row.
     let _ = writeln!(out, "{:<28} {:>12} {:>10}", "link", "length, mm", "mass, kg");
     for (name, mass) in &of.masses {
+        let name = line(name);
         let plain = name.trim_end_matches("_left").trim_end_matches("_right");
         let length = of.lengths.iter().find(|(known, _)| known == plain);
         let length = length.map_or_else(|| "–".to_owned(), |(_, length)| format!("{:.2}", 1e3 * length));
@@ -40,6 +42,7 @@ pub fn understood(of: &Understood, output: &str) -> String {
         !of.masses.iter().any(|(known, _)| known == name || known.strip_suffix("_left") == Some(name))
     };
     for (name, length) in of.lengths.iter().filter(|(name, _)| is_massless(name)) {
+        let name = line(name);
         let _ = writeln!(out, "{name:<28} {:>12.2} {:>10}", 1e3 * length, "massless");
     }
     let _ = writeln!(out, "{:<28} {:>12} {:>10.3}", "all", "", of.total_mass);

@@ -9,24 +9,32 @@ mod compare;
 mod csv;
 mod damp;
 mod diagnostics;
+mod escape;
 mod explanation;
 mod failure;
+mod html;
 mod import;
+mod import_picture;
 mod import_text;
 mod limits;
 mod map;
 mod map_files;
 mod mass;
 mod output;
+mod own_files;
 mod parquet_rows;
+mod picture;
 mod report;
+mod report_page;
 mod run;
 mod safe_speed;
 mod sweep;
 mod sweep_figure;
 mod sweep_rows;
+mod table_style;
 mod template;
 mod text;
+mod xlsx_rows;
 
 /// The picture of a map, for the faces that show one.
 pub use map_files::skin as map_skin;
@@ -38,8 +46,11 @@ use std::ffi::OsString;
 /// Runs the command with these arguments, the program's name the first of them, and gives the exit code. Help, the version and
 /// bad usage end the process.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
-    let parsed = Cli::from_arg_matches(&Cli::definition().get_matches_from(arguments));
-    let cli = parsed.unwrap_or_else(|error| error.format(&mut Cli::definition()).exit());
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    let matches = Cli::definition().try_get_matches_from(&arguments);
+    let matches = matches.unwrap_or_else(|error| refuse(&error, &arguments));
+    let parsed = Cli::from_arg_matches(&matches);
+    let cli = parsed.unwrap_or_else(|error| refuse(&error.format(&mut Cli::definition()), &arguments));
     report::show_notes(cli.notes);
     let outcome = match &cli.command {
         Command::Check(args) => check::run(args),
@@ -55,11 +66,30 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(*shell, &mut Cli::definition(), "percuss", &mut script);
-            report::write_out(&String::from_utf8_lossy(&script))
+            report::write_as_is(&script)
         }
     };
     match outcome {
         Ok(()) => 0,
         Err(failure) => failure.report(),
     }
+}
+
+/// Says what is wrong with the arguments, and ends. Names of files among them may hold what a terminal obeys.
+fn refuse(error: &clap::Error, arguments: &[OsString]) -> ! {
+    let is_plain = arguments.iter().all(|a| !a.to_string_lossy().contains(escape::is_unsafe));
+    if is_plain {
+        error.exit();
+    }
+    let mut text = error.render().to_string();
+    for argument in arguments.iter().skip(1) {
+        let argument = argument.to_string_lossy();
+        // Of --flag=value, the value too.
+        let value = argument.split_once('=').map_or("", |(_, value)| value);
+        for part in [&*argument, value].into_iter().filter(|part| part.contains(escape::is_unsafe)) {
+            text = text.replace(part, &escape::line(part));
+        }
+    }
+    eprint!("{}", escape::lines(&text));
+    std::process::exit(error.exit_code())
 }

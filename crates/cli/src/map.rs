@@ -1,9 +1,10 @@
 //! `percuss map`.
 
 use crate::args::{MapArgs, MassFormat};
+use crate::escape::line;
 use crate::failure::Failure;
 use crate::map_files::{self, MapFormat};
-use crate::output::Output;
+use crate::output::{Output, is_input, may_be_written};
 use crate::report::{note, write_diagnostics, write_json, write_out};
 use crate::sweep::use_threads;
 use crate::text::{Table, number, short, triple};
@@ -19,7 +20,11 @@ pub fn run(args: &MapArgs) -> Result<(), Failure> {
         .map(|path| Ok((path, MapFormat::of(path)?)))
         .collect::<Result<Vec<_>, Failure>>()?;
     use_threads(args.threads);
+    args.writing.apply();
     let model = args.model.load()?;
+    is_input(&args.model.model);
+    // Before it is computed.
+    formats.iter().try_for_each(|(path, _)| may_be_written(path))?;
     if let Some(count) = args.directions {
         let report = map_point(&model, &args.contact.conditions()?, count)?;
         write_diagnostics(&report.diagnostics, args.model.reading.strict)?;
@@ -87,7 +92,7 @@ fn text(answer: &MapAnswer) -> String {
         Some(mass) => format!("a free body of {} kg", number(mass)),
         None => "the ground".into(),
     });
-    let _ = writeln!(out, "\n{:<20} {against}", "against");
+    let _ = writeln!(out, "\n{:<20} {}", "against", line(&against));
     let _ = writeln!(out, "{:<20} {}", "base", report.conditions.base);
     let worst = report.links.iter().filter_map(|l| l.worst_relative_error).reduce(f64::max);
     if let Some(worst) = worst {

@@ -2,6 +2,7 @@
 
 use crate::args::{MassArgs, MassFormat, ToleranceArg};
 use crate::csv;
+use crate::escape::line;
 use crate::explanation::{explanation, motion_ratio};
 use crate::failure::Failure;
 use crate::limits;
@@ -137,7 +138,7 @@ fn text(report: &MassReport, expected: Option<f64>) -> String {
     }
     out.push('\n');
     for (name, value) in facts(report) {
-        let _ = writeln!(out, "{name:<20} {value}");
+        let _ = writeln!(out, "{name:<20} {}", line(&value));
     }
     if let Some(estimate) = &report.estimate {
         out += &estimated(estimate);
@@ -156,7 +157,7 @@ fn text(report: &MassReport, expected: Option<f64>) -> String {
     out
 }
 
-fn headline(report: &MassReport) -> String {
+pub fn headline(report: &MassReport) -> String {
     match (report.status, report.effective_mass) {
         (Status::Immovable, _) => "immovable: no motion of the mechanism closes this gap".into(),
         (Status::Massless, _) => "massless (0 kg): a motion without mass closes this gap".into(),
@@ -166,12 +167,10 @@ fn headline(report: &MassReport) -> String {
 
 /// The classical estimate, its error, and the reason.
 fn estimated(record: &EstimateRecord) -> String {
-    let links = record.links.join(", ");
+    let links = line(&record.links.join(", ")).into_owned();
+    let first = line(&record.links[0]);
     let (Some(ratio), Some(estimate)) = (record.motion_ratio, record.estimate) else {
-        return format!(
-            "\nestimate             none: the speed of point A on {} is undetermined\n",
-            record.links[0]
-        );
+        return format!("\nestimate             none: the speed of point A on {} is undetermined\n", first);
     };
     let off = record.error_percent.map_or_else(String::new, |p| {
         // A value that rounds to zero is shown without a sign.
@@ -186,7 +185,7 @@ fn estimated(record: &EstimateRecord) -> String {
         "  takes",
         number(record.mass),
         triple(&record.point_link),
-        record.links[0]
+        first
     );
     let _ = writeln!(
         out,
@@ -206,7 +205,7 @@ fn estimated(record: &EstimateRecord) -> String {
 }
 
 /// The conditions of the answer.
-fn facts(report: &MassReport) -> Vec<(&'static str, String)> {
+pub fn facts(report: &MassReport) -> Vec<(&'static str, String)> {
     let contact = &report.contact;
     let against = match (report.conditions.against_mass, contact.against.as_deref()) {
         (Some(mass), _) => format!("a free body of {} kg", number(mass)),
@@ -302,7 +301,8 @@ fn shares(report: &MassReport) -> String {
     let links = report.bodies.iter().filter_map(|b| Some((b.link.clone(), b.share?)));
     let rotors = report.rotors.iter().filter_map(|r| Some((format!("rotor of {}", r.joint), r.share?)));
     let other = report.other_mass_share.map(|share| ("the other body".to_owned(), share));
-    let mut all: Vec<(String, f64)> = links.chain(rotors).chain(other).collect();
+    let all = links.chain(rotors).chain(other);
+    let mut all: Vec<(String, f64)> = all.map(|(name, share)| (line(&name).into_owned(), share)).collect();
     all.sort_by(|a, b| b.1.total_cmp(&a.1));
     let (shown, rest): (Vec<_>, Vec<_>) =
         all.into_iter().partition(|(_, share)| share.abs() >= limits::LEAST_CONTRIBUTION);

@@ -1,13 +1,35 @@
 //! Where results go: stdout, or a file that is replaced when all of it is written.
+//!
+//! Every file that percuss writes is opened here. One that is an input, or that percuss did not write, is left alone.
 
+use crate::escape::Terminal;
 use crate::failure::Failure;
+use crate::own_files::is_own;
 use std::fs::{self, File, OpenOptions};
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 /// What is written is passed on at least this often, so that whoever reads stdout sees that there is some.
 const PASSED_ON: Duration = Duration::from_millis(200);
+
+/// The files that this run has read: none of them is an output.
+static INPUTS: Mutex<Vec<String>> = Mutex::new(Vec::new());
+/// Whether files that percuss did not write are replaced; set once, from the command line.
+static FORCED: AtomicBool = AtomicBool::new(false);
+
+/// Replaces files that percuss did not write, from now on.
+pub fn force(forced: bool) {
+    FORCED.store(forced, Ordering::Relaxed);
+}
+
+/// Says that a file is an input: no output takes its place.
+pub fn is_input(path: &str) {
+    // A panic of another thread leaves the list as it was.
+    INPUTS.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).push(path.to_owned());
+}
 
 /// Where a result goes. A file is written beside the one that is to be, and renamed by [`finish`](Self::finish): one that
 /// is not finished leaves what was there before. Devices and pipes are written as they are.
@@ -22,6 +44,7 @@ pub struct Output {
 struct Beside {
     temporary: PathBuf,
     path: PathBuf,
+    file: File,
 }
 
 impl Drop for Beside {
@@ -36,8 +59,10 @@ impl Output {
     pub fn open(path: Option<&str>) -> Result<Self, Failure> {
         let mut beside = None;
         let out: Box<dyn Write + Send> = match path {
+            None if io::stdout().is_terminal() => Box::new(Terminal::new(io::stdout())),
             None => Box::new(io::stdout()),
             Some(path) => {
+                may_be_written(path)?;
                 let (file, kept) = file(Path::new(path)).map_err(|error| cannot_write(path, &error))?;
                 beside = kept;
                 Box::new(file)
@@ -50,7 +75,11 @@ impl Output {
     /// Passes on what is left, and puts the file in its place.
     pub fn finish(mut self) -> Result<(), Failure> {
         let renamed = self.out.flush().and_then(|()| match &self.beside {
-            Some(Beside { temporary, path }) => fs::rename(temporary, path),
+            Some(Beside { temporary, path, file }) => {
+                // A name that stands for bytes that a power cut loses would be the part of a file.
+                file.sync_all()?;
+                fs::rename(temporary, path)
+            }
             None => Ok(()),
         });
         renamed.map_err(|error| self.failure(error))
@@ -85,6 +114,36 @@ impl Write for Output {
     }
 }
 
+/// Writes a whole file.
+pub fn write_file(path: &str, bytes: &[u8]) -> Result<(), Failure> {
+    let mut out = Output::open(Some(path))?;
+    out.write_all(bytes).map_err(|error| out.failure(error))?;
+    out.finish()
+}
+
+/// Refuses a file that is an input, by any path or link, and one that percuss did not write.
+///
+/// # Errors
+/// Which it is, and what can be done.
+pub fn may_be_written(path: &str) -> Result<(), Failure> {
+    let inputs = INPUTS.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+    for input in inputs.iter() {
+        // One of them is not there, or may not be opened: they are not the same then.
+        if same_file::is_same_file(path, input).unwrap_or(false) {
+            let which = if input == path { String::new() } else { format!(" ({input})") };
+            return Err(Failure::bad_input(format!(
+                "--output {path}: this is an input of the same run{which}; name another file"
+            )));
+        }
+    }
+    if FORCED.load(Ordering::Relaxed) || is_own(Path::new(path)).map_err(|e| cannot_write(path, &e))? {
+        return Ok(());
+    }
+    Err(Failure::bad_input(format!(
+        "--output {path}: the file is there already and percuss did not write it; --force replaces it"
+    )))
+}
+
 /// Opens what is written: the file itself where it is none of the usual kind, else one beside it.
 fn file(path: &Path) -> io::Result<(File, Option<Beside>)> {
     let found = fs::metadata(path);
@@ -101,16 +160,31 @@ fn file(path: &Path) -> io::Result<(File, Option<Beside>)> {
         }
         Err(_) => path.to_owned(),
     };
-    let mut name = std::ffi::OsString::from(".");
-    name.push(path.file_name().unwrap_or_default());
-    name.push(format!(".{}.part", std::process::id()));
-    let temporary = path.with_file_name(name);
-    let file = File::create(&temporary)?;
-    let beside = Beside { temporary, path };
+    let (temporary, file) = beside(&path)?;
+    let kept = Beside { temporary, path, file: file.try_clone()? };
     if let Ok(found) = found {
         file.set_permissions(found.permissions())?;
     }
-    Ok((file, Some(beside)))
+    Ok((file, Some(kept)))
+}
+
+/// A new file in the same folder: `.NAME.PROCESS.part`.
+fn beside(path: &Path) -> io::Result<(PathBuf, File)> {
+    let name = |attempt: u32| {
+        let mut name = std::ffi::OsString::from(".");
+        name.push(path.file_name().unwrap_or_default());
+        name.push(format!(".{}.part", u64::from(std::process::id()) + (u64::from(attempt) << 32)));
+        path.with_file_name(name)
+    };
+    // What a process of the same number left behind when it was killed is not taken over.
+    let mut attempt = 0;
+    loop {
+        let temporary = name(attempt);
+        match OpenOptions::new().write(true).create_new(true).open(&temporary) {
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists && attempt < 100 => attempt += 1,
+            opened => return Ok((temporary, opened?)),
+        }
+    }
 }
 
 /// Why a file cannot be written.

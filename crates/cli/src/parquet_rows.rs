@@ -4,6 +4,7 @@ use crate::csv::{FIXED, SweepTable};
 use crate::failure::Failure;
 use crate::limits::{CELLS_OF_A_GROUP, ROWS_OF_A_GROUP};
 use crate::output::{Output, cannot_write};
+use crate::table_style::TableStyle;
 use indicatif::ProgressBar;
 use parquet::basic::{Compression, LogicalType, Repetition, Type as Physical};
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DoubleType, Int64Type};
@@ -12,17 +13,22 @@ use parquet::file::metadata::KeyValue;
 use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::schema::types::Type;
-use percuss_study::{Sweep, SweepEnd, SweepHeading, SweepRow};
+use percuss_study::{Model, Sweep, SweepEnd, SweepHeading, SweepRow};
 use std::io;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
 /// Writes rows as Parquet: doubles and a text, null where a cell of the CSV is empty. What is the same for all rows stands
 /// in the file's own data, under `percuss.heading`, as in the JSON.
-pub fn write(sweep: Sweep, path: &str, bar: &ProgressBar) -> std::result::Result<SweepEnd, Failure> {
+pub fn write(
+    sweep: Sweep,
+    model: &Model,
+    path: &str,
+    bar: &ProgressBar,
+) -> std::result::Result<SweepEnd, Failure> {
     let out = Output::open(Some(path))?;
     let heading = sweep.heading().clone();
-    let table = SweepTable::new(&heading);
+    let table = SweepTable::new(&heading, &model.mechanism, TableStyle::default());
     let mut rows = Rows::new(&table, heading.varied.len());
     let group =
         (CELLS_OF_A_GROUP / table.names().len()).clamp(*ROWS_OF_A_GROUP.start(), *ROWS_OF_A_GROUP.end());

@@ -1,6 +1,7 @@
 //! Output that both commands share: results to stdout, diagnostics to stderr.
 
 use crate::diagnostics::lines;
+use crate::escape;
 use crate::failure::Failure;
 use percuss_study::DiagnosticRecord;
 use std::io::{self, Write};
@@ -17,20 +18,23 @@ pub fn show_notes(shown: bool) {
 /// Writes a result to stdout.
 pub fn write_out(text: &str) -> Result<(), Failure> {
     let mut stdout = io::stdout().lock();
-    stdout.write_all(text.as_bytes())?;
+    stdout.write_all(escape::lines(text).as_bytes())?;
     stdout.flush()?;
     Ok(())
 }
 
-/// Writes a result to a file.
-pub fn write_file(path: &str, bytes: &[u8]) -> Result<(), Failure> {
-    std::fs::write(path, bytes).map_err(|e| Failure::bad_input(format!("{path} cannot be written: {e}")))
+/// Writes a result to stdout that another program reads, with its names as they are.
+pub fn write_as_is(bytes: &[u8]) -> Result<(), Failure> {
+    let mut stdout = io::stdout().lock();
+    stdout.write_all(bytes)?;
+    stdout.flush()?;
+    Ok(())
 }
 
 /// Writes a result to stdout as indented JSON.
 pub fn write_json(result: &impl serde::Serialize) -> Result<(), Failure> {
     match serde_json::to_string_pretty(result) {
-        Ok(text) => write_out(&(text + "\n")),
+        Ok(text) => write_as_is((escape::json(&text) + "\n").as_bytes()),
         Err(error) => Err(Failure::NoAnswer(format!("the result has no JSON form: {error}"))),
     }
 }
@@ -46,7 +50,7 @@ pub fn warn(message: &str) {
 }
 
 fn remark(severity: &str, message: &str) {
-    let _ = writeln!(io::stderr().lock(), "{severity}: {message}");
+    let _ = writeln!(io::stderr().lock(), "{severity}: {}", escape::line(message));
 }
 
 /// Writes diagnostics to stderr; under `strict`, a warning is an error and ends it.
@@ -59,7 +63,7 @@ pub fn write_diagnostics(diagnostics: &[DiagnosticRecord], strict: bool) -> Resu
     }
     let mut stderr = io::stderr().lock();
     for line in lines {
-        let _ = writeln!(stderr, "{line}");
+        let _ = writeln!(stderr, "{}", escape::line(&line));
     }
     Ok(())
 }

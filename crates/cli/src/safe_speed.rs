@@ -1,6 +1,7 @@
 //! `percuss safe-speed`.
 
 use crate::args::{CheckFormat, ContactArgs, SafeSpeedArgs};
+use crate::escape::line;
 use crate::failure::Failure;
 use crate::report::{write_diagnostics, write_json, write_out};
 use crate::text::{Table, number, triple};
@@ -91,7 +92,7 @@ fn directions(reports: &[SafeSpeedReport]) -> String {
 fn text(report: &SafeSpeedReport) -> String {
     let mut out = String::new();
     let mut fact = |name: &str, value: String| {
-        let _ = writeln!(out, "{name:<20} {value}");
+        let _ = writeln!(out, "{name:<20} {}", line(&value));
     };
     let speed = |record: &SpeedRecord, mass: &str| {
         let robot = record.robot_mass.map_or("no bounded mass".to_owned(), |m| format!("{} kg", number(m)));

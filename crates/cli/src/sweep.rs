@@ -1,27 +1,33 @@
 //! `percuss sweep`, and the output of any sweep.
 
-use crate::args::SweepArgs;
+use crate::args::{FigureArgs, SweepArgs};
 use crate::failure::Failure;
-use crate::output::Output;
+use crate::output::{Output, is_input, may_be_written, write_file};
 use crate::parquet_rows;
 use crate::report::{warn, write_diagnostics};
 use crate::sweep_figure::drawn;
 use crate::sweep_rows;
+use crate::table_style::TableStyle;
+use crate::xlsx_rows;
 use indicatif::{ProgressBar, ProgressStyle};
 use percuss_study::{MassQuestion, Model, RowSource, Sweep, SweepEnd};
-use std::io::Write;
 use std::path::Path;
 
 /// Runs the command.
 pub fn run(args: &SweepArgs) -> Result<(), Failure> {
     use_threads(args.threads);
+    args.writing.apply();
     let model = args.model.load()?;
     go_through(
         &model,
         &args.contact.question()?,
         &args.source()?,
-        args.output.as_deref(),
-        args.model.reading.strict,
+        &Written {
+            output: args.output.as_deref(),
+            table: args.table.style(),
+            figure: &args.figure,
+            strict: args.model.reading.strict,
+        },
     )
 }
 
@@ -32,15 +38,29 @@ pub fn use_threads(count: Option<u16>) {
     let _ = rayon::ThreadPoolBuilder::new().num_threads(count).use_current_thread().build_global();
 }
 
+/// How a sweep is written.
+pub struct Written<'a> {
+    pub output: Option<&'a str>,
+    pub table: TableStyle,
+    pub figure: &'a FigureArgs,
+    pub strict: bool,
+}
+
 /// Sweeps, with a progress bar where it takes long, and writes the rows as they are computed.
 pub fn go_through(
     model: &Model,
     question: &MassQuestion,
     source: &RowSource,
-    output: Option<&str>,
-    strict: bool,
+    written: &Written,
 ) -> Result<(), Failure> {
+    let Written { output, strict, .. } = *written;
     let format = Format::of(output)?;
+    model.inputs.iter().for_each(|input| is_input(&input.path));
+    if let RowSource::File(file) = source {
+        is_input(&file.path);
+    }
+    // Before it is computed.
+    output.map_or(Ok(()), may_be_written)?;
     let sweep = Sweep::new(model, question, source)?;
     write_diagnostics(&model.diagnostics, strict)?;
     // Hidden where stderr is no terminal.
@@ -53,7 +73,7 @@ pub fn go_through(
             ProgressStyle::with_template("{pos} rows").unwrap_or_else(|_| ProgressStyle::default_bar()),
         ),
     };
-    let end = write(sweep, model, format, output, &bar);
+    let end = write(sweep, model, format, written, question, &bar);
     bar.finish_and_clear();
     let end = end?;
     write_diagnostics(&end.diagnostics, strict)?;
@@ -64,24 +84,26 @@ fn write(
     sweep: Sweep,
     model: &Model,
     format: Format,
-    output: Option<&str>,
+    written: &Written,
+    question: &MassQuestion,
     bar: &ProgressBar,
 ) -> Result<SweepEnd, Failure> {
+    let (output, path) = (written.output, written.output.unwrap_or_default());
     let (figure, end) = match format {
-        Format::Csv => return sweep_rows::csv(sweep, Output::open(output)?, bar),
+        Format::Csv => return sweep_rows::csv(sweep, model, written.table, Output::open(output)?, bar),
+        Format::Xlsx => return xlsx_rows::write(sweep, model, written.table, path, bar),
         Format::Json => return sweep_rows::json(sweep, model, Output::open(output)?, bar),
         Format::JsonLines => return sweep_rows::json_lines(sweep, Output::open(output)?, bar),
-        Format::Parquet => return parquet_rows::write(sweep, output.unwrap_or_default(), bar),
-        Format::Svg | Format::Png => drawn(sweep, bar)?,
+        Format::Parquet => return parquet_rows::write(sweep, model, path, bar),
+        Format::Svg | Format::Png | Format::Pdf => drawn(sweep, question, written.figure, bar)?,
     };
     let bytes = match format {
         Format::Png => figure.to_png(2.0).map_err(|e| Failure::NoAnswer(e.to_string()))?,
+        Format::Pdf => figure.to_pdf().map_err(|e| Failure::NoAnswer(e.to_string()))?,
         _ => figure.to_svg().into_bytes(),
     };
     // A picture always has a file: its format is that of the file's name.
-    let mut out = Output::open(output)?;
-    out.write_all(&bytes).map_err(|error| out.failure(error))?;
-    out.finish()?;
+    write_file(path, &bytes)?;
     Ok(end)
 }
 
@@ -92,8 +114,10 @@ enum Format {
     Json,
     JsonLines,
     Parquet,
+    Xlsx,
     Svg,
     Png,
+    Pdf,
 }
 
 impl Format {
@@ -108,8 +132,10 @@ impl Format {
             "parquet" => Ok(Format::Parquet),
             "svg" => Ok(Format::Svg),
             "png" => Ok(Format::Png),
+            "pdf" => Ok(Format::Pdf),
+            "xlsx" => Ok(Format::Xlsx),
             _ => Err(Failure::bad_input(format!(
-                "--output {path}: its name must end in .csv, .json, .jsonl, .parquet, .svg or .png"
+                "--output {path}: its name must end in .csv, .xlsx, .json, .jsonl, .parquet, .svg, .png or .pdf"
             ))),
         }
     }

@@ -1,9 +1,11 @@
 //! The picture of a sweep: effective mass with the estimate, and the motion ratio below it.
 
+use crate::args::FigureArgs;
 use crate::failure::Failure;
+use crate::text::short;
 use indicatif::ProgressBar;
 use percuss_render::{Figure, Mark, Panel, Series, Style};
-use percuss_study::{Sweep, SweepEnd};
+use percuss_study::{Continuation, MassQuestion, Sweep, SweepEnd, VariedColumn};
 use std::ops::ControlFlow;
 
 /// Points of a curve: what was varied, in the unit of the axis, and a value where there is one.
@@ -12,21 +14,63 @@ type Curve = Vec<(f64, Option<f64>)>;
 /// Marks at singular poses that are drawn: more of them are a line.
 const MARKS: usize = 10_000;
 
+/// Curves of one picture: more cannot be told apart.
+const SERIES: usize = 7;
+
+/// In which unit a varied number is drawn, and how many of these are one of SI.
+fn shown_in(column: &VariedColumn) -> (f64, &'static str) {
+    match column.unit {
+        "m" => (1e3, "mm"),
+        "rad" => (180.0 / std::f64::consts::PI, "deg"),
+        _ => (1.0, ""),
+    }
+}
+
+/// What the estimate takes for the effective mass.
+fn estimate_name(question: &MassQuestion) -> String {
+    let links = question.estimate.as_ref().map_or_else(String::new, |estimate| estimate.links.join(" + "));
+    format!("estimate: mass of {links} × (motion ratio)²")
+}
+
 /// Goes through a sweep, keeping of its rows what is drawn.
-pub fn drawn(sweep: Sweep, bar: &ProgressBar) -> Result<(Figure, SweepEnd), Failure> {
+pub fn drawn(
+    sweep: Sweep,
+    question: &MassQuestion,
+    args: &FigureArgs,
+    bar: &ProgressBar,
+) -> Result<(Figure, SweepEnd), Failure> {
     let heading = sweep.heading().clone();
-    let [varied] = &heading.varied[..] else {
-        return Err(Failure::bad_input(
-            "--output: a picture shows what one range gives; name a file that ends in .csv, .parquet, .json or .jsonl",
-        ));
+    let (outer, varied) = match &heading.varied[..] {
+        [varied] => (None, varied),
+        [outer, varied] if heading.continuation != Continuation::Path && heading.seed.is_none() => {
+            (Some(outer), varied)
+        }
+        _ => {
+            return Err(Failure::bad_input(
+                "--output: a picture shows what one range gives, or a curve for each value of a first one; name a file that \
+                 ends in .csv, .xlsx, .parquet, .json or .jsonl",
+            ));
+        }
     };
-    let (scale, unit) = if varied.unit == "m" { (1e3, "mm") } else { (180.0 / std::f64::consts::PI, "deg") };
-    let (mut masses, mut estimates, mut ratios) = (Curve::new(), Curve::new(), Curve::new());
+    let (scale, unit) = shown_in(varied);
+    let (mut estimates, mut ratios) = (Curve::new(), Curve::new());
+    // A curve for each value of the outer range.
+    let mut masses: Vec<(f64, Curve)> = Vec::new();
     let mut marks = Vec::new();
     let end = sweep.run(&mut |row| {
         bar.inc(1);
-        let x = scale * row.varied.values().first().copied().unwrap_or_default();
-        masses.push((x, row.effective_mass));
+        let values = row.varied.values();
+        let x = scale * values.last().copied().unwrap_or_default();
+        let of = if outer.is_some() { values[0] } else { 0.0 };
+        if masses.last().is_none_or(|(last, _)| *last != of) {
+            masses.push((of, Curve::new()));
+        }
+        if masses.len() > SERIES {
+            return ControlFlow::Break(());
+        }
+        if let Some((_, curve)) = masses.last_mut() {
+            curve.push((x, row.effective_mass));
+        }
         estimates.push((x, row.estimate));
         ratios.push((x, row.motion_ratio));
         if row.singular_pose == Some(true) && marks.len() < MARKS {
@@ -36,19 +80,42 @@ pub fn drawn(sweep: Sweep, bar: &ProgressBar) -> Result<(Figure, SweepEnd), Fail
     })?;
     let series = |name: &str, style, points| Series { name: name.into(), style, points };
     let is_drawn = |curve: &Curve| curve.iter().any(|(_, value)| value.is_some());
-    let mut first = vec![series("effective mass", Style::Line, masses)];
-    if is_drawn(&estimates) {
-        first.push(series("estimate", Style::Dashed, estimates));
+    if masses.len() > SERIES {
+        return Err(Failure::bad_input(format!(
+            "--output: the first range has more than {SERIES} values, each of which is a curve; take fewer, or name a file \
+             that ends in .csv, .xlsx, .parquet, .json or .jsonl"
+        )));
     }
-    let mut panels = vec![Panel { y_label: "m̄ (kg)".into(), series: first }];
-    if is_drawn(&ratios) {
+    let mut first: Vec<Series> = masses
+        .into_iter()
+        .map(|(value, curve)| match outer {
+            None => series("effective mass", Style::Line, curve),
+            Some(outer) => {
+                let (scale, unit) = shown_in(outer);
+                let name = format!("{} = {} {unit}", outer.name, short(scale * value));
+                series(name.trim_end(), Style::Line, curve)
+            }
+        })
+        .collect();
+    // With several curves, one of them all would be a line to and fro.
+    let alone = outer.is_none();
+    if alone && is_drawn(&estimates) {
+        first.push(series(&estimate_name(question), Style::Dashed, estimates));
+    }
+    let mut panels = vec![Panel { y_label: "m̄ (kg)".into(), series: first, y_limits: args.y_limits }];
+    if alone && is_drawn(&ratios) {
         let ratio = series("A over contact", Style::Line, ratios);
-        panels.push(Panel { y_label: "motion ratio".into(), series: vec![ratio] });
+        panels.push(Panel {
+            y_label: "motion ratio, A over contact".into(),
+            series: vec![ratio],
+            ..Panel::default()
+        });
     }
     let figure = Figure {
-        title: format!("Effective mass at {}", heading.link),
+        title: args.title.clone().unwrap_or_else(|| format!("Effective mass at {}", heading.link)),
+        x_limits: args.x_limits,
         subtitle: heading.inputs.first().map_or_else(String::new, |input| input.path.clone()),
-        x_label: format!("{} ({unit})", varied.name),
+        x_label: if unit.is_empty() { varied.name.clone() } else { format!("{} ({unit})", varied.name) },
         panels,
         marks,
     };

@@ -3,6 +3,7 @@
 use crate::csv::SweepTable;
 use crate::failure::Failure;
 use crate::output::Output;
+use crate::table_style::TableStyle;
 use indicatif::ProgressBar;
 use percuss_study::{DiagnosticRecord, Model, StudyError, Sweep, SweepEnd, SweepHeading, SweepRow};
 use serde::ser::{Error as _, Serialize, SerializeSeq, Serializer};
@@ -11,8 +12,14 @@ use std::io::{self, Write};
 use std::ops::ControlFlow;
 
 /// Writes rows as CSV.
-pub fn csv(sweep: Sweep, out: Output, bar: &ProgressBar) -> Result<SweepEnd, Failure> {
-    let table = SweepTable::new(sweep.heading());
+pub fn csv(
+    sweep: Sweep,
+    model: &Model,
+    style: TableStyle,
+    out: Output,
+    bar: &ProgressBar,
+) -> Result<SweepEnd, Failure> {
+    let table = SweepTable::new(sweep.heading(), &model.mechanism, style);
     lines(sweep, table.header(), &|row| table.row(&row), out, bar)
 }
 

@@ -3,11 +3,10 @@
 use crate::args::TemplateArgs;
 use crate::failure::Failure;
 use crate::import::{axes, unit};
-use crate::output::Output;
+use crate::output::{force, write_file};
 use crate::report::write_out;
 use percuss_formats::suspension::{TemplateOptions, template_names, template_sheet};
 use percuss_mechanism::near_names;
-use std::io::Write;
 use std::path::Path;
 
 /// Runs the command.
@@ -33,9 +32,6 @@ pub fn run(args: &TemplateArgs) -> Result<(), Failure> {
     if Path::new(path).is_file() && !args.force {
         return Err(Failure::bad_input(format!("{path} is there already; --force replaces it")));
     }
-    let mut output = Output::open(Some(path))?;
-    if let Err(error) = output.write_all(sheet.as_bytes()) {
-        return Err(output.failure(error));
-    }
-    output.finish()
+    force(args.force);
+    write_file(path, sheet.as_bytes())
 }

@@ -1,5 +1,6 @@
 //! Numbers, tables and bars in text output.
 
+use crate::escape::line;
 use crate::limits;
 use std::fmt;
 
@@ -68,7 +69,7 @@ impl<const N: usize> Table<N> {
 
     /// Adds a row.
     pub fn row(&mut self, cells: [String; N]) {
-        self.rows.push(cells);
+        self.rows.push(cells.map(|cell| line(&cell).into_owned()));
     }
 }
 

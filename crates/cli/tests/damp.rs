@@ -202,7 +202,11 @@ fn what_has_no_damper_says_why() {
         ("--mass 3 --stiffness 1e4 --restitution 0.5 --exponent 0.5", 2, "exponent"),
         ("--mass 3 --stiffness 1e4 --restitution 0", 2, "ask for a small restitution"),
         ("--mass 3 --stiffness 1e4 --restitution 0.5 --output plot.svg", 2, "--speed"),
-        ("--mass 3 --stiffness 1e4 --restitution 0.5 --speed 1 --output plot.pdf", 2, ".svg, .png or .csv"),
+        (
+            "--mass 3 --stiffness 1e4 --restitution 0.5 --speed 1 --output plot.gif",
+            2,
+            ".svg, .png, .pdf or .csv",
+        ),
         (
             "--mass 3 --mass-from models/four_bar.urdf --stiffness 1e4 --restitution 0.5",
             2,

@@ -109,9 +109,10 @@ fn paths_are_relative_to_the_study() {
     let outcome = percuss(&format!("run {path}"));
     assert_eq!((outcome.code, outcome.stdout.as_str()), (0, ""), "{}", outcome.stderr);
     assert_eq!(Sweep::read(&std::fs::read_to_string(folder.path("inner/rows.csv")).unwrap()).rows.len(), 4);
-    for (output, words) in
-        [("rows.xls", ".csv, .json, .jsonl, .parquet, .svg or .png"), ("none/rows.csv", "cannot be written")]
-    {
+    for (output, words) in [
+        ("rows.xls", ".csv, .xlsx, .json, .jsonl, .parquet, .svg, .png or .pdf"),
+        ("none/rows.csv", "cannot be written"),
+    ] {
         let path = folder.write("inner/study.toml", &text(output));
         let outcome = percuss(&format!("run {path}"));
         assert_eq!(outcome.code, 2);

@@ -181,10 +181,13 @@ fn what_cannot_be_varied_is_refused() {
         (format!("{STOP} --vary rack=0:1:3"), "no single position"),
         (COUPLER.to_owned(), "--vary"),
         (
-            format!("{long} crank_hinge=0:1:3 --output rows.pdf"),
-            ".csv, .json, .jsonl, .parquet, .svg or .png",
+            format!("{long} crank_hinge=0:1:3 --output rows.gif"),
+            ".csv, .xlsx, .json, .jsonl, .parquet, .svg, .png or .pdf",
         ),
-        (format!("{long} crank_hinge=0:1:3 --output rows"), ".csv, .json, .jsonl, .parquet, .svg or .png"),
+        (
+            format!("{long} crank_hinge=0:1:3 --output rows"),
+            ".csv, .xlsx, .json, .jsonl, .parquet, .svg, .png or .pdf",
+        ),
         (format!("{long} crank_hinge=0:1:3 --output /there/is/no/folder.csv"), "cannot be written"),
     ];
     for (line, words) in cases {

@@ -403,7 +403,7 @@ impl Sweep {
         let figure = Figure {
             title: format!("Effective mass at {}", self.link),
             x_label: "row".into(),
-            panels: vec![Panel { y_label: "m̄ (kg)".into(), series: vec![mass] }],
+            panels: vec![Panel { y_label: "m̄ (kg)".into(), series: vec![mass], ..Panel::default() }],
             ..Figure::default()
         };
         figure.to_svg()

@@ -32,15 +32,18 @@ fn example() -> Figure {
                     series("formula (D)", Style::Line, |x| (!(52.0..58.0).contains(&x)).then(|| mass(x))),
                     series("estimate: spindle, upright", Style::Dashed, |x| Some(mass(x) - 2.6 + 0.012 * x)),
                 ],
+                ..Panel::default()
             },
             Panel {
                 y_label: "Motion ratio (–)".into(),
                 series: vec![series("ratio", Style::Line, |x| Some(ratio(x)))],
+                ..Panel::default()
             },
         ],
         marks: vec![
             Mark { x: 55.0, label: "singular pose".into() },
             Mark { x: 78.0, label: "limit of the lower arm".into() },
         ],
+        ..Figure::default()
     }
 }

@@ -14,6 +14,48 @@ pub(crate) struct Curve {
     pub lone: Vec<Point>,
 }
 
+/// Opposite corners of a rectangle, the upper left one first.
+pub(crate) type Corners = (Point, Point);
+
+/// Whether a place lies in a rectangle, its edges included.
+pub(crate) fn is_inside(p: Point, (from, to): Corners) -> bool {
+    (from.0..=to.0).contains(&p.0) && (from.1..=to.1).contains(&p.1)
+}
+
+impl Curve {
+    /// What of it lies in a rectangle.
+    pub fn within(self, corners: Corners) -> Curve {
+        let chains = self.chains.iter().flat_map(|chain| cut(chain, corners)).collect();
+        Curve { chains, lone: self.lone.into_iter().filter(|p| is_inside(*p, corners)).collect() }
+    }
+}
+
+/// The parts of a chain in a rectangle (Liang and Barsky 1984).
+fn cut(chain: &[Point], (from, to): Corners) -> Vec<Vec<Point>> {
+    let mut parts: Vec<Vec<Point>> = Vec::new();
+    for pair in chain.windows(2) {
+        let ((x, y), (dx, dy)) = (pair[0], (pair[1].0 - pair[0].0, pair[1].1 - pair[0].1));
+        let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
+        for (step, room) in [(-dx, x - from.0), (dx, to.0 - x), (-dy, y - from.1), (dy, to.1 - y)] {
+            match step {
+                0.0 if room < 0.0 => leaves = -1.0,
+                0.0 => {}
+                step if step < 0.0 => enters = enters.max(room / step),
+                step => leaves = leaves.min(room / step),
+            }
+        }
+        if enters > leaves {
+            continue;
+        }
+        let at = |t: f64| ((x + t * dx).clamp(from.0, to.0), (y + t * dy).clamp(from.1, to.1));
+        match parts.last_mut().filter(|part| enters == 0.0 && part.last() == Some(&pair[0])) {
+            Some(part) => part.push(at(leaves)),
+            None => parts.push(vec![at(enters), at(leaves)]),
+        }
+    }
+    parts
+}
+
 /// The points as a line, `place` taking values to the page.
 pub(crate) fn line(points: &[(f64, Option<f64>)], place: impl Fn(f64, f64) -> Point) -> Curve {
     let on_page = |&(x, y): &(f64, Option<f64>)| Some(place(drawable(x)?, drawable(y?)?));
@@ -100,6 +142,17 @@ mod tests {
         assert_eq!(curve.chains, [vec![(0.0, 1.0), (1.0, 2.0)], vec![(7.0, 8.0), (8.0, 9.0)]]);
         assert_eq!(curve.lone, [(3.0, 4.0), (5.0, 6.0)]);
         assert_eq!(scatter(&points, as_is).len(), 6);
+    }
+
+    #[test]
+    fn a_chain_is_cut_at_the_edges() {
+        let corners = ((0.0, 0.0), (10.0, 10.0));
+        let chain = [(-5.0, 5.0), (5.0, 5.0), (5.0, 8.0), (5.0, 20.0), (15.0, 5.0), (5.0, -5.0)];
+        let parts = cut(&chain, corners);
+        assert_eq!(parts[0], [(0.0, 5.0), (5.0, 5.0), (5.0, 8.0), (5.0, 10.0)]);
+        assert!(parts.iter().flatten().all(|p| is_inside(*p, corners)));
+        assert_eq!(parts.last().map(|part| part.len()), Some(2));
+        assert!(cut(&[(-1.0, -1.0), (-1.0, 11.0), (20.0, 11.0)], corners).is_empty());
     }
 
     #[test]

@@ -11,6 +11,8 @@ pub struct Figure {
     pub x_label: String,
     /// From top to bottom.
     pub panels: Vec<Panel>,
+    /// The ends of the x axis; those of the points where none are given.
+    pub x_limits: Option<(f64, f64)>,
     /// Places on the x axis worth naming. They run through all panels.
     pub marks: Vec<Mark>,
 }
@@ -22,6 +24,8 @@ pub struct Panel {
     pub y_label: String,
     /// The first is drawn on top. Two or more get a legend.
     pub series: Vec<Series>,
+    /// The ends of the y axis; those of the points, with some room, where none are given.
+    pub y_limits: Option<(f64, f64)>,
 }
 
 /// Values to be drawn alike. Series of one name have one colour, in every panel.

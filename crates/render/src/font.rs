@@ -1,7 +1,7 @@
-//! The two embedded faces: the width of a text, and where each of its glyphs goes.
+//! The two embedded faces, and the width of a text in them.
 //!
-//! No shaping: one glyph after the other, accents centred over the letter before them. That serves every script
-//! the faces hold (Latin, Greek, Cyrillic); a character they lack is written in others (`→` as `->`) or as a box.
+//! One glyph after the other, accents without a width of their own. That serves every script the faces hold (Latin, Greek,
+//! Cyrillic); a character they lack is written in others (`→` as `->`) or as a box.
 
 use std::sync::LazyLock;
 use ttf_parser::{Face, GlyphId};
@@ -13,10 +13,17 @@ pub(crate) enum Weight {
     Medium,
 }
 
-static REGULAR: LazyLock<Face<'static>> =
-    LazyLock::new(|| embedded(include_bytes!("../assets/Roboto-Regular.subset.ttf")));
-static MEDIUM: LazyLock<Face<'static>> =
-    LazyLock::new(|| embedded(include_bytes!("../assets/Roboto-Medium.subset.ttf")));
+/// What both are called.
+pub(crate) const FAMILY: &str = "Roboto";
+
+/// Their files.
+pub(crate) const FACES: [(&[u8], Weight); 2] = [
+    (include_bytes!("../assets/Roboto-Regular.subset.ttf"), Weight::Regular),
+    (include_bytes!("../assets/Roboto-Medium.subset.ttf"), Weight::Medium),
+];
+
+static REGULAR: LazyLock<Face<'static>> = LazyLock::new(|| embedded(FACES[0].0));
+static MEDIUM: LazyLock<Face<'static>> = LazyLock::new(|| embedded(FACES[1].0));
 
 fn embedded(bytes: &'static [u8]) -> Face<'static> {
     Face::parse(bytes, 0).expect("the embedded face is a font")
@@ -39,72 +46,34 @@ pub(crate) struct Font {
     pub size: f64,
 }
 
-/// A glyph and the place of its origin, in ems; y upwards.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Placed {
-    pub glyph: GlyphId,
-    pub x: f64,
-    pub y: f64,
+/// How far a character moves what follows it, in ems.
+pub(crate) fn advance(weight: Weight, character: char) -> f64 {
+    if is_invisible(character) || is_accent(character) {
+        return 0.0;
+    }
+    let face = weight.face();
+    let of = |glyph| {
+        let width = f64::from(face.glyph_hor_advance(glyph).unwrap_or(0));
+        width / f64::from(face.units_per_em())
+    };
+    match (face.glyph_index(character), stand_in(character)) {
+        (Some(glyph), _) => of(glyph),
+        (None, Some(others)) => others.chars().filter_map(|c| face.glyph_index(c)).map(of).sum(),
+        (None, None) => of(GlyphId(0)),
+    }
 }
 
-/// Sets a text from left to right, a character at a time.
-pub(crate) struct Typesetter {
-    face: &'static Face<'static>,
-    /// Length of the line so far, in ems.
-    pub advance: f64,
-    /// The glyphs so far.
-    pub glyphs: Vec<Placed>,
-    /// The letter that an accent would go on: its middle and its top, in font units.
-    base: Option<(f64, f64)>,
-}
-
-impl Typesetter {
-    pub fn new(weight: Weight) -> Self {
-        Typesetter { face: weight.face(), advance: 0.0, glyphs: Vec::new(), base: None }
-    }
-
-    /// Sets one more character.
-    pub fn push(&mut self, character: char) {
-        if is_invisible(character) {
-            return;
-        }
-        let accent = is_accent(character);
-        match (self.face.glyph_index(character), accent) {
-            (Some(glyph), true) => self.push_accent(glyph, character),
-            (Some(glyph), false) => self.push_glyph(glyph),
-            (None, true) => {}
-            (None, false) => match stand_in(character) {
-                Some(others) => others.chars().for_each(|c| self.push(c)),
-                None => self.push_glyph(GlyphId(0)),
-            },
+/// A text in characters that the faces have, as far as others can stand for those they lack.
+pub(crate) fn spelt(words: &str) -> String {
+    let has = |c| Weight::Regular.face().glyph_index(c).is_some();
+    let mut out = String::with_capacity(words.len());
+    for c in words.chars().filter(|c| !is_invisible(*c)) {
+        match stand_in(c).filter(|_| !has(c)) {
+            Some(others) => out += others,
+            None => out.push(c),
         }
     }
-
-    fn push_glyph(&mut self, glyph: GlyphId) {
-        let em = f64::from(self.face.units_per_em());
-        let width = f64::from(self.face.glyph_hor_advance(glyph).unwrap_or(0));
-        let top = self.face.glyph_bounding_box(glyph).map_or(0.0, |b| f64::from(b.y_max));
-        self.glyphs.push(Placed { glyph, x: self.advance, y: 0.0 });
-        self.base = Some((self.advance * em + 0.5 * width, top));
-        self.advance += width / em;
-    }
-
-    /// Above the letter, higher where it is taller than an x; below it as the face has it.
-    fn push_accent(&mut self, glyph: GlyphId, accent: char) {
-        let Some(bounds) = self.face.glyph_bounding_box(glyph) else { return };
-        let em = f64::from(self.face.units_per_em());
-        let (middle, top) = self.base.unwrap_or((self.advance * em, 0.0));
-        let x = middle - 0.5 * (f64::from(bounds.x_min) + f64::from(bounds.x_max));
-        let below = matches!(accent, '\u{0316}'..='\u{0333}');
-        let x_height = f64::from(self.face.x_height().unwrap_or(0));
-        // A round letter overshoots the x-height by a little; its accent stays level with the others.
-        let lift = if below || top < 1.05 * x_height { 0.0 } else { top - x_height };
-        self.glyphs.push(Placed { glyph, x: x / em, y: lift / em });
-        if !below {
-            let height = f64::from(bounds.y_max) - f64::from(bounds.y_min);
-            self.base = Some((middle, top.max(x_height) + height + 0.05 * em));
-        }
-    }
+    out
 }
 
 /// Characters without width and outline: joiners, direction marks, variation selectors.

@@ -49,6 +49,14 @@ impl Frame<'_> {
     fn place(&self, x: f64, y: f64) -> Point {
         (self.across(self.x.fraction(x)), self.down(self.y.fraction(y)))
     }
+    /// Whether some of its points may lie outside.
+    fn is_limited(&self, panel: &Panel) -> bool {
+        let holds = |&(x, y): &(f64, Option<f64>)| {
+            let inside = |axis: &Axis, v: f64| drawable(v).is_none_or(|v| axis.holds(v));
+            inside(self.x, x) && y.is_none_or(|y| inside(self.y, y))
+        };
+        !panel.series.iter().flat_map(|s| &s.points).all(holds)
+    }
     fn upright(&self, x: f64) -> Vec<Point> {
         vec![(crisp(x), self.top), (crisp(x), self.bottom())]
     }
@@ -111,6 +119,9 @@ pub(crate) fn arrange(figure: &Figure) -> Scene {
 }
 
 fn y_axis(panel: &Panel) -> Axis {
+    if let Some(limits) = panel.y_limits.and_then(|(low, high)| extent([low, high].into_iter())) {
+        return Axis::tight(Some(limits), 6);
+    }
     let points = panel.series.iter().flat_map(|s| &s.points);
     // A value without its place is not drawn: it does not affect the range.
     Axis::roomy(extent(points.filter(|p| drawable(p.0).is_some()).filter_map(|p| p.1)), 6)
@@ -119,7 +130,8 @@ fn y_axis(panel: &Panel) -> Axis {
 /// The shared axis, its numbers as many as fit side by side.
 fn x_axis(figure: &Figure, room: f64) -> Axis {
     let points = figure.panels.iter().flat_map(|p| &p.series).flat_map(|s| &s.points).map(|p| p.0);
-    let range = extent(points).or_else(|| extent(figure.marks.iter().map(|m| m.x)));
+    let limits = figure.x_limits.and_then(|(low, high)| extent([low, high].into_iter()));
+    let range = limits.or_else(|| extent(points)).or_else(|| extent(figure.marks.iter().map(|m| m.x)));
     let fits = |axis: &Axis| {
         let ticks = axis.ticks();
         let step = room / (ticks.len().max(2) - 1) as f64;
@@ -148,12 +160,19 @@ fn draw_panel(
 
     let place = |x, y| frame.place(x, y);
     let mut empty = true;
+    let inside = ((frame.left, frame.top), (frame.right, frame.bottom()));
+    let is_clipped = frame.is_limited(panel);
     for (series, &colour) in panel.series.iter().zip(colours).rev() {
         let before = scene.items.len();
         if series.style == Style::Dots {
-            scene.dots(curve::scatter(&series.points, place), DOT, colour);
+            let dots = curve::scatter(&series.points, place);
+            let dots = dots.into_iter().filter(|p| !is_clipped || curve::is_inside(*p, inside)).collect();
+            scene.dots(dots, DOT, colour);
         } else {
-            let curve = curve::line(&series.points, place);
+            let mut curve = curve::line(&series.points, place);
+            if is_clipped {
+                curve = curve.within(inside);
+            }
             scene.lines(curve.chains, stroke(series.style, colour));
             scene.dots(curve.lone, DOT, colour);
         }

@@ -1,9 +1,9 @@
 //! Figures drawn: one on a page, or several one below the other, each with axes of its own.
 
+use crate::backend::RenderError;
 use crate::figure::Figure;
-use crate::png::RenderError;
 use crate::scene::{Item, Point, Scene};
-use crate::{layout, png, svg};
+use crate::{backend, layout, svg};
 
 impl Figure {
     /// The figure as an SVG document, 900 units wide and about 300 high for each panel.
@@ -19,7 +19,15 @@ impl Figure {
     /// # Errors
     /// `scale` not a positive number, or a picture of more than 2^25 pixels.
     pub fn to_png(&self, scale: f32) -> Result<Vec<u8>, RenderError> {
-        png::draw(&layout::arrange(self), scale)
+        backend::png(&self.to_svg(), scale)
+    }
+
+    /// The same picture as a PDF of one page, its fonts embedded.
+    ///
+    /// # Errors
+    /// Those of the PDF writer.
+    pub fn to_pdf(&self) -> Result<Vec<u8>, RenderError> {
+        backend::pdf(&self.to_svg())
     }
 }
 
@@ -41,7 +49,15 @@ impl Sheet {
     /// # Errors
     /// `scale` not a positive number, or a picture of more than 2^25 pixels.
     pub fn to_png(&self, scale: f32) -> Result<Vec<u8>, RenderError> {
-        png::draw(&self.arrange(), scale)
+        backend::png(&self.to_svg(), scale)
+    }
+
+    /// The same picture as a PDF of one page, its fonts embedded.
+    ///
+    /// # Errors
+    /// Those of the PDF writer.
+    pub fn to_pdf(&self) -> Result<Vec<u8>, RenderError> {
+        backend::pdf(&self.to_svg())
     }
 
     fn arrange(&self) -> Scene {

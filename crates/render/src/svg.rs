@@ -1,7 +1,7 @@
 //! A scene as an SVG document.
 
+use crate::backend::{MADE_BY, of_pixels};
 use crate::palette::{Colour, PAPER};
-use crate::png;
 use crate::scene::{Anchor, Item, Point, Scene, Stroke, Text};
 use base64::Engine;
 use std::fmt::{Display, Formatter, Result, Write};
@@ -24,6 +24,7 @@ fn document(scene: &Scene, out: &mut String) -> Result {
         r#"<svg xmlns="http://www.w3.org/2000/svg" width="{w}" height="{h}" viewBox="0 0 {w} {h}" role="img" font-family="{FAMILY}">"#
     )?;
     writeln!(out, "<title>{}</title>", Escaped(&scene.caption))?;
+    writeln!(out, "<metadata>{MADE_BY}</metadata>")?;
     writeln!(out, r#"<rect width="{w}" height="{h}" fill="{PAPER}"/>"#)?;
     for item in &scene.items {
         match item {
@@ -72,7 +73,7 @@ fn patch(from: Point, to: Point, colour: Colour, out: &mut String) -> Result {
 /// Pixels, as a PNG within the document.
 fn image(at: Point, side: f64, pixels: &[u8], columns: usize, out: &mut String) -> Result {
     // Pixels that make no picture are left out.
-    let Some(bytes) = png::of_pixels(pixels, columns) else { return Ok(()) };
+    let Some(bytes) = of_pixels(pixels, columns) else { return Ok(()) };
     let side = Number(side);
     write!(out, r#"<image x="{}" y="{}" width="{side}" height="{side}""#, Number(at.0), Number(at.1))?;
     let text = base64::engine::general_purpose::STANDARD.encode(bytes);

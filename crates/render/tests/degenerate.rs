@@ -10,7 +10,7 @@ const STYLES: [Style; 3] = [Style::Line, Style::Dashed, Style::Dots];
 
 fn one_series(style: Style, points: Vec<(f64, Option<f64>)>) -> Figure {
     let series = vec![Series { name: "s".into(), style, points }];
-    Figure { panels: vec![Panel { y_label: "y".into(), series }], ..Figure::default() }
+    Figure { panels: vec![Panel { y_label: "y".into(), series, ..Panel::default() }], ..Figure::default() }
 }
 
 /// A well-formed document with every place on the page; its texts.
@@ -136,13 +136,17 @@ fn random_figure(random: &mut StdRng) -> Figure {
         style: *STYLES.choose(random).expect("not empty"),
         points: points(random),
     };
+    let limits =
+        |random: &mut StdRng| random.random_bool(0.3).then(|| (random_number(random), random_number(random)));
     let panel = |random: &mut StdRng| Panel {
+        y_limits: limits(random),
         y_label: random_words(random),
         series: (0..random.random_range(0..5)).map(|_| series(random)).collect(),
     };
     let mark = |random: &mut StdRng| Mark { x: random_number(random), label: random_words(random) };
     Figure {
         title: random_words(random),
+        x_limits: limits(random),
         subtitle: random_words(random),
         x_label: random_words(random),
         panels: (0..random.random_range(0..4)).map(|_| panel(random)).collect(),
@@ -158,6 +162,9 @@ fn whatever_is_in_it_a_figure_is_drawn() {
         sound(&figure);
         if i % 8 == 0 {
             figure.to_png(0.5).unwrap_or_else(|e| panic!("{e}: {figure:?}"));
+        }
+        if i % 80 == 0 {
+            figure.to_pdf().unwrap_or_else(|e| panic!("{e}: {figure:?}"));
         }
     }
 }

@@ -1,8 +1,8 @@
 //! The picture: what is on it, where, and that both back ends draw the same.
 
 use percuss_render::{Figure, Mark, Panel, RenderError, Series, Style};
+use resvg::tiny_skia::Pixmap;
 use roxmltree::Document;
-use tiny_skia::Pixmap;
 
 const BLUE: (u8, u8, u8) = (0, 114, 178);
 const VERMILION: (u8, u8, u8) = (213, 94, 0);
@@ -27,16 +27,19 @@ fn sweep() -> Figure {
                     series("formula", Style::Line, gap),
                     series("estimate", Style::Dashed, move |x| Some(mass(x) - 3.0)),
                 ],
+                ..Panel::default()
             },
             Panel {
                 y_label: "Motion ratio".into(),
                 series: vec![series("ratio", Style::Line, |x| Some(2.2 - 1e-3 * x))],
+                ..Panel::default()
             },
         ],
         marks: vec![
             Mark { x: 30.0, label: "singular pose".into() },
             Mark { x: 90.0, label: "beyond".into() },
         ],
+        ..Figure::default()
     }
 }
 
@@ -186,7 +189,12 @@ fn more_points_do_not_make_a_longer_document() {
         let wave = |i: u32| (f64::from(i), Some((f64::from(i) * 0.37).sin()));
         let points = (0..n).map(wave).collect();
         let series = vec![Series { name: "wave".into(), style: Style::Line, points }];
-        Figure { panels: vec![Panel { y_label: "y".into(), series }], ..Figure::default() }.to_svg().len()
+        Figure {
+            panels: vec![Panel { y_label: "y".into(), series, ..Panel::default() }],
+            ..Figure::default()
+        }
+        .to_svg()
+        .len()
     };
     assert!(with(1_000_000) < 150_000, "{}", with(1_000_000));
     assert!(with(1_000_000) < 2 * with(20_000));
@@ -201,4 +209,37 @@ fn a_scale_that_cannot_be_is_an_error_that_says_so() {
     let RenderError::TooLarge { fitting, .. } = error else { panic!("{error}") };
     assert!(sweep().to_png((fitting * 0.99) as f32).is_ok());
     assert!(error.to_string().contains("take a scale below 7.2"), "{error}");
+}
+
+#[test]
+fn limits_are_the_ends_of_the_axes_and_cut_what_is_beyond() {
+    let mut figure = sweep();
+    figure.x_limits = Some((-60.0, 60.0));
+    figure.panels[0].y_limits = Some((202.0, 206.0));
+    let (svg, texts) = (figure.to_svg(), texts(&figure.to_svg()));
+    assert!(texts.iter().any(|t| t == "60") && !texts.iter().any(|t| t == "−80"), "{texts:?}");
+    let document = Document::parse(&svg).unwrap();
+    let place = |words: &str, axis: &str| {
+        let text = document.descendants().find(|n| n.text() == Some(words) && n.has_tag_name("text"));
+        text.unwrap().attribute(axis).unwrap().parse::<f64>().unwrap()
+    };
+    let (left, right) = (place("−60", "x"), place("60", "x"));
+    let room = 0.02;
+    let (top, bottom) = (place("206", "y") - 4.3, place("202", "y") - 4.3);
+    for chain in curve(&svg, VERMILION) {
+        for (x, y) in chain {
+            assert!(
+                x >= left - room && x <= right + room && y >= top - 0.02 && y <= bottom + 0.02,
+                "({x}, {y})"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_pdf_has_its_fonts_and_its_mark() {
+    let bytes = sweep().to_pdf().unwrap();
+    assert!(bytes.starts_with(b"%PDF-"));
+    let has = |word: &[u8]| bytes.windows(word.len()).any(|w| w == word);
+    assert!(has(b"Roboto") && has(b"/FontFile") && has(percuss_render::MADE_BY.as_bytes()));
 }

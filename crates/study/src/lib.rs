@@ -15,6 +15,7 @@ mod damped_contact;
 mod damping;
 mod damping_question;
 mod design;
+mod drawn;
 mod driver;
 mod error;
 mod estimate;
@@ -85,6 +86,7 @@ pub use damped_contact::{damp_contact, damp_stop};
 pub use damping::{BodyAlone, DamperRecord, DampingReport, Drift, damp, damper, impact_history};
 pub use damping_question::DampingQuestion;
 pub use design::DesignError;
+pub use drawn::DrawnLink;
 pub use error::{Fault, StudyError};
 pub use estimate::EstimateRecord;
 pub use explain::{
@@ -99,7 +101,7 @@ pub use map_question::{MapLinks, MapQuestion, MapShapes};
 pub use map_report::{
     Extreme, FacetRecord, LeftOut, LinkMap, MapAnswer, MapReport, OrientationRecord, SkinFacets,
 };
-pub use mass::{mass, mass_with_damper};
+pub use mass::{mass, mass_drawn, mass_with_damper};
 pub use mass_report::{
     BodyShare, ConditionsRecord, ContactRecord, HoldRecord, MassReport, RotorShare, Status, TravelRecord,
 };

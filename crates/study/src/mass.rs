@@ -3,6 +3,7 @@
 use crate::answer::Answered;
 use crate::damped_contact::damping_of;
 use crate::damping_question::DampingQuestion;
+use crate::drawn::{DrawnLink, drawn};
 use crate::error::StudyError;
 use crate::mass_report::MassReport;
 use crate::model::Model;
@@ -34,9 +35,29 @@ pub fn mass_with_damper(
     question: &MassQuestion,
     damping: &DampingQuestion,
 ) -> Result<MassReport, StudyError> {
+    with_damper(&Answered::new(model, question)?, damping)
+}
+
+/// The same with the mechanism at its pose, to be drawn.
+///
+/// # Errors
+/// As for [`mass_with_damper`].
+pub fn mass_drawn(
+    model: &Model,
+    question: &MassQuestion,
+    damping: Option<&DampingQuestion>,
+) -> Result<(MassReport, Vec<DrawnLink>), StudyError> {
     let answered = Answered::new(model, question)?;
-    let mut report = report_of(&answered)?;
-    match damping_of(&answered, damping) {
+    let report = match damping {
+        Some(damping) => with_damper(&answered, damping)?,
+        None => report_of(&answered)?,
+    };
+    Ok((report, drawn(&answered)))
+}
+
+fn with_damper(answered: &Answered, damping: &DampingQuestion) -> Result<MassReport, StudyError> {
+    let mut report = report_of(answered)?;
+    match damping_of(answered, damping) {
         Ok(mut damper) => {
             report.diagnostics = std::mem::take(&mut damper.diagnostics);
             report.damper = Some(damper);

@@ -15,7 +15,7 @@ use crate::study_text::{DampingText, ModelText, StudyText, SweepText};
 use crate::variant::{Variant, changes};
 use percuss_formats::{LoadError, LoadOptions, Source};
 use percuss_mechanism::{Accept, BuildError, ClosureDescription, ClosureKind, Severity, Subject};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// A study, read but not yet run.
 #[derive(Clone, Debug)]
@@ -32,6 +32,8 @@ pub struct StudyFile {
     pub sweep: Option<RowSource>,
     /// Where the sweep's rows go, relative to the study file; none: stdout.
     pub output: Option<String>,
+    /// The study's folder: what its paths are relative to.
+    pub folder: PathBuf,
 }
 
 /// A study that cannot be run.
@@ -135,7 +137,7 @@ impl StudyFile {
         let sweep = study.sweep.as_ref().map(source).transpose().map_err(refused)?;
         let output =
             study.sweep.and_then(|s| s.output).map(|o| folder.join(o).to_string_lossy().into_owned());
-        Ok(Self { model, question, variants, damping, sweep, output })
+        Ok(Self { model, question, variants, damping, sweep, output, folder: folder.to_owned() })
     }
 
     /// Whether a file is a study: TOML with a table `model`.

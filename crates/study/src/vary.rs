@@ -128,6 +128,21 @@ impl Values {
     /// The value of a row, the first being 0.
     pub fn of_row(&self, row: usize) -> f64 {
         let steps = self.count.saturating_sub(1).max(1) as f64;
-        self.from + (self.to - self.from) * (row as f64 / steps)
+        let value = self.from + (self.to - self.from) * (row as f64 / steps);
+        let largest = self.from.abs().max(self.to.abs());
+        // Of ends that are not decimals, such as 5 degrees in radians, no value is rounded.
+        let is_decimal = |end: f64| rounded(end, largest) == end;
+        if is_decimal(self.from) && is_decimal(self.to) { rounded(value, largest) } else { value }
     }
+}
+
+/// A value to fifteen digits of the largest of its range: 0.05, not 0.050000000000000044.
+fn rounded(value: f64, largest: f64) -> f64 {
+    let decimals = 14.0 - largest.log10().floor();
+    // Beyond this, powers of ten are not exact.
+    if !(0.0..=22.0).contains(&decimals) {
+        return value;
+    }
+    let scale = 10_f64.powi(decimals as i32);
+    (value * scale).round() / scale
 }

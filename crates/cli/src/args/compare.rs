@@ -21,6 +21,8 @@ pub struct CompareArgs {
     /// The figure, or the table, of the ranges.
     #[arg(long, short, value_name = "FILE.svg|.png|.csv|.json")]
     pub output: Option<String>,
+    #[command(flatten)]
+    pub writing: super::WritingArgs,
     /// How the result is shown.
     #[arg(long, value_enum, default_value_t = MassFormat::Text)]
     pub format: MassFormat,

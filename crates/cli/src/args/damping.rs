@@ -7,6 +7,7 @@ use super::words::{
     Tools, area, energy, force, joint_stop, kilograms, law, momentum, normal, plain, plain_kilograms,
     pressure, ratio, speed, stiffness, time, tools,
 };
+use super::writing::WritingArgs;
 use crate::failure::Failure;
 use clap::{Args, ValueEnum};
 use percuss_study::contact::Separation;
@@ -169,8 +170,10 @@ pub struct DampArgs {
     #[arg(long, exclusive = true)]
     pub list_tools: bool,
     /// Draws force over time and over penetration.
-    #[arg(long, short, value_name = "FILE.svg|.png|.csv", requires = "speed")]
+    #[arg(long, short, value_name = "FILE.svg|.png|.pdf|.csv", requires = "speed")]
     pub output: Option<String>,
+    #[command(flatten)]
+    pub writing: WritingArgs,
     /// How the result is shown.
     #[arg(long, value_enum, default_value_t = CheckFormat::Text)]
     pub format: CheckFormat,

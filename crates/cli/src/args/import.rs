@@ -1,6 +1,7 @@
 //! Flags of `percuss import` and `percuss template`.
 
 use super::words::{kilograms, metres, moments, moved_point};
+use super::writing::WritingArgs;
 use clap::{Args, ValueEnum};
 use percuss_formats::DEFAULT_MAX_SIZE;
 
@@ -46,6 +47,11 @@ pub struct ImportArgs {
     /// The URDF+ file to write; - writes to stdout.
     #[arg(long, short, value_name = "MODEL.urdf")]
     pub output: String,
+    /// Draws what was understood from the front and from the side, to check it against the drawing.
+    #[arg(long, value_name = "FILE.svg|.png|.pdf")]
+    pub picture: Option<String>,
+    #[command(flatten)]
+    pub writing: WritingArgs,
     /// Unit of the file's lengths; a sheet says it itself, a JSON is in m without this.
     #[arg(long, value_enum)]
     pub unit: Option<UnitArg>,

@@ -1,7 +1,7 @@
 //! Flags of `percuss map`.
 
 use super::words::{edge, package};
-use super::{ContactArgs, MassFormat, ModelArgs};
+use super::{ContactArgs, MassFormat, ModelArgs, WritingArgs};
 use crate::failure::Failure;
 use clap::{Args, ValueEnum};
 use percuss_formats::DEFAULT_MAX_MESH_SIZE;
@@ -48,6 +48,8 @@ pub struct MapArgs {
     /// An output file; may be given again. PLY and glTF have the effective mass as a property, pictures show two sides.
     #[arg(long, short, value_name = "FILE.ply|.glb|.gltf|.png|.svg|.csv|.json")]
     pub output: Vec<String>,
+    #[command(flatten)]
+    pub writing: WritingArgs,
     /// How the result is shown on stdout.
     #[arg(long, value_enum, default_value_t = MassFormat::Text)]
     pub format: MassFormat,

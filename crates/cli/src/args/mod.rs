@@ -8,7 +8,9 @@ mod format;
 mod import;
 mod map;
 mod model;
+mod table;
 mod words;
+mod writing;
 
 pub use compare::CompareArgs;
 pub use contact::ContactArgs;
@@ -17,6 +19,8 @@ pub use format::{CheckFormat, MassFormat};
 pub use import::{AxesArg, ImportArgs, SideArg, TemplateArgs, UnitArg};
 pub use map::MapArgs;
 pub use model::ModelArgs;
+pub use table::{FigureArgs, TableArgs};
+pub use writing::WritingArgs;
 
 use crate::failure::Failure;
 use clap::builder::Resettable;
@@ -192,8 +196,14 @@ pub struct SweepArgs {
     #[arg(long, value_name = "NUMBER")]
     pub seed: Option<u64>,
     /// The output file.
-    #[arg(long, short, value_name = "FILE.csv|.parquet|.json|.jsonl|.svg|.png")]
+    #[arg(long, short, value_name = "FILE.csv|.xlsx|.parquet|.json|.jsonl|.svg|.png|.pdf")]
     pub output: Option<String>,
+    #[command(flatten)]
+    pub table: TableArgs,
+    #[command(flatten)]
+    pub figure: FigureArgs,
+    #[command(flatten)]
+    pub writing: WritingArgs,
     /// How many threads compute; by default as many as there are processors. No answer depends on it.
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
@@ -242,4 +252,13 @@ pub struct RunArgs {
     /// Make warnings errors (exit 2).
     #[arg(long)]
     pub strict: bool,
+    #[command(flatten)]
+    pub writing: WritingArgs,
+    /// Write a report: one HTML file with the mechanism, contributions, sweep and damper; the answer as JSON and the sweep as CSV
+    /// beside it.
+    #[arg(long, value_name = "FILE.html", conflicts_with = "format")]
+    pub report: Option<String>,
+    /// Let the study write outside its own folder.
+    #[arg(long)]
+    pub allow_outside: bool,
 }

@@ -55,6 +55,8 @@ pub struct Imported {
     pub comments: Comments,
     /// What was understood of the file, to be checked against the drawing.
     pub understood: Understood,
+    /// The files that were read: the one that was named, and a table that it names.
+    pub inputs: Vec<String>,
     /// Warnings and notes, in the order of the file.
     pub diagnostics: Vec<Diagnostic>,
 }
@@ -109,11 +111,12 @@ fn import_sheet(source: &Source, text: &str, options: &ImportOptions) -> Result<
         finish(&mut findings, built.left, built.middle, &described, source, options)
     });
     let failed = findings.has_errors();
+    let inputs = files.iter().map(|(name, _)| name.clone()).collect();
     let files: Vec<(&str, &str)> = files.iter().map(|(name, text)| (&**name, &**text)).collect();
     let diagnostics = findings.finish(&files);
     match imported {
         Some((mechanism, comments, understood)) if !failed => {
-            Ok(Imported { mechanism, comments, understood, diagnostics })
+            Ok(Imported { mechanism, comments, understood, inputs, diagnostics })
         }
         Some(_) | None => Err(LoadError { diagnostics }),
     }
@@ -139,7 +142,7 @@ fn import_chrono(
     let diagnostics = reader.finish(&source.name);
     match imported {
         Some((mechanism, comments, understood)) if !failed => {
-            Ok(Imported { mechanism, comments, understood, diagnostics })
+            Ok(Imported { mechanism, comments, understood, inputs: vec![source.name.clone()], diagnostics })
         }
         Some(_) | None => Err(LoadError { diagnostics }),
     }

@@ -3,9 +3,9 @@
 use super::Skin;
 use super::colour::{Scale, at};
 use super::raster::View;
+use crate::backend::{self, RenderError};
 use crate::limits::MOST_MARKS;
 use crate::palette::{INK, PAPER, SOFT_INK, ZERO};
-use crate::png::{self, RenderError};
 use crate::scene::{Anchor, Item, Scene, solid};
 use crate::svg;
 use crate::text::{fit, medium, regular, width};
@@ -32,7 +32,7 @@ impl Skin {
     /// # Errors
     /// `scale` not a positive number, or a picture of more than 2^25 pixels.
     pub fn to_png(&self, scale: f32) -> Result<Vec<u8>, RenderError> {
-        png::draw(&self.arrange(), scale)
+        backend::png(&self.to_svg(), scale)
     }
 
     fn arrange(&self) -> Scene {

@@ -2,6 +2,7 @@
 
 use super::Skin;
 use super::colour::Scale;
+use crate::backend::MADE_BY;
 use std::io::{self, Write};
 
 impl Skin {
@@ -13,7 +14,7 @@ impl Skin {
     pub fn write_ply(&self, out: &mut impl Write) -> io::Result<()> {
         let count = self.facets().count();
         let name = if self.property.is_empty() { "value" } else { &self.property };
-        writeln!(out, "ply\nformat binary_little_endian 1.0")?;
+        writeln!(out, "ply\nformat binary_little_endian 1.0\ncomment {MADE_BY}")?;
         for piece in &self.pieces {
             writeln!(out, "comment {} facets of {}", piece.facets.len(), one_line(&piece.name))?;
         }

@@ -1,0 +1,80 @@
+//! How tables and figures are written.
+
+use crate::table_style::{Angle, Length, TableStyle};
+use clap::{Args, ValueEnum};
+
+/// A unit of a table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum TableUnit {
+    /// Lengths in metres.
+    M,
+    /// Lengths in millimetres.
+    Mm,
+    /// Angles in radians.
+    Rad,
+    /// Angles in degrees.
+    Deg,
+}
+
+/// The sign before the decimals.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Decimal {
+    /// A point; cells are separated by commas.
+    #[default]
+    Point,
+    /// A comma; cells are separated by semicolons.
+    Comma,
+}
+
+/// How tables are written.
+#[derive(Debug, Args)]
+pub struct TableArgs {
+    /// Units of the table's lengths and angles, given again for both. Columns then name their units, and numbers are rounded to
+    /// what is known of them.
+    #[arg(long, value_enum, value_delimiter = ',', help_heading = "Table")]
+    pub unit: Vec<TableUnit>,
+    /// The sign before the decimals in CSV.
+    #[arg(long, value_enum, default_value_t, help_heading = "Table")]
+    pub decimal: Decimal,
+}
+
+impl TableArgs {
+    /// As a style; of two units of one kind the last counts.
+    pub fn style(&self) -> TableStyle {
+        let mut style = TableStyle { comma: self.decimal == Decimal::Comma, ..TableStyle::default() };
+        for unit in &self.unit {
+            style.names_units = true;
+            match unit {
+                TableUnit::M => style.length = Length::Metre,
+                TableUnit::Mm => style.length = Length::Millimetre,
+                TableUnit::Rad => style.angle = Angle::Radian,
+                TableUnit::Deg => style.angle = Angle::Degree,
+            }
+        }
+        style
+    }
+}
+
+/// How figures are drawn.
+#[derive(Debug, Default, Args)]
+pub struct FigureArgs {
+    /// The figure's heading.
+    #[arg(long, value_name = "TEXT", help_heading = "Figure")]
+    pub title: Option<String>,
+    /// Ends of the horizontal axis, in its unit.
+    #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true, value_parser = ends, help_heading = "Figure")]
+    pub x_limits: Option<(f64, f64)>,
+    /// Ends of the axis of the effective mass (kg).
+    #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true, value_parser = ends, help_heading = "Figure")]
+    pub y_limits: Option<(f64, f64)>,
+}
+
+fn ends(text: &str) -> Result<(f64, f64), String> {
+    let number = |text: &str| text.trim().parse::<f64>().ok().filter(|x| x.is_finite());
+    let ends = text.split_once(':').and_then(|(from, to)| Some((number(from)?, number(to)?)));
+    match ends {
+        Some((from, to)) if from < to => Ok((from, to)),
+        Some((from, to)) => Err(format!("{from} is not below {to}")),
+        None => Err("expected FROM:TO, two numbers such as -80:80".into()),
+    }
+}

@@ -1,0 +1,18 @@
+//! How files are written.
+
+use clap::Args;
+
+/// How files are written.
+#[derive(Debug, Args)]
+pub struct WritingArgs {
+    /// Replace an output file that percuss did not write.
+    #[arg(long)]
+    pub force: bool,
+}
+
+impl WritingArgs {
+    /// Makes it so.
+    pub fn apply(&self) {
+        crate::output::force(self.force);
+    }
+}

@@ -1,0 +1,97 @@
+//! Text from files on its way to a terminal: what would move the cursor, reverse the reading order or begin a line of its own
+//! is shown as an escape.
+
+use std::borrow::Cow;
+use std::io::{self, Write};
+
+/// Characters that are not shown as they are: controls (C0, DEL, C1), ends of lines and paragraphs, marks of direction,
+/// characters without width, tags.
+pub fn is_unsafe(c: char) -> bool {
+    c.is_control()
+        || matches!(c, '\u{061C}' | '\u{200B}'..='\u{200F}' | '\u{2028}'..='\u{202E}' | '\u{2060}'..='\u{206F}'
+            | '\u{FEFF}' | '\u{FFF9}'..='\u{FFFB}' | '\u{E0000}'..='\u{E007F}')
+}
+
+/// A text on one line.
+pub fn line(text: &str) -> Cow<'_, str> {
+    escaped(text, is_unsafe, |c| c.escape_default().to_string())
+}
+
+/// A text of several lines, which it keeps.
+pub fn lines(text: &str) -> Cow<'_, str> {
+    escaped(text, |c| c != '\n' && is_unsafe(c), |c| c.escape_default().to_string())
+}
+
+/// JSON: outside strings there is nothing to escape, inside them this is another spelling.
+pub fn json(text: &str) -> Cow<'_, str> {
+    escaped(
+        text,
+        |c| c != '\n' && is_unsafe(c),
+        |c| c.encode_utf16(&mut [0; 2]).iter().map(|unit| format!("\\u{unit:04x}")).collect(),
+    )
+}
+
+fn escaped(text: &str, is_unsafe: impl Fn(char) -> bool, escape: impl Fn(char) -> String) -> Cow<'_, str> {
+    if !text.contains(&is_unsafe) {
+        return Cow::Borrowed(text);
+    }
+    let mut out = String::with_capacity(text.len() + 16);
+    for c in text.chars() {
+        if is_unsafe(c) { out += &escape(c) } else { out.push(c) }
+    }
+    Cow::Owned(out)
+}
+
+/// A terminal to which tables are written as they are made.
+pub struct Terminal<W> {
+    to: W,
+    /// The begun bytes of a character.
+    begun: Vec<u8>,
+}
+
+impl<W> Terminal<W> {
+    pub fn new(to: W) -> Self {
+        Self { to, begun: Vec::new() }
+    }
+}
+
+impl<W: Write> Write for Terminal<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.begun.extend_from_slice(bytes);
+        let whole = match std::str::from_utf8(&self.begun) {
+            Ok(text) => text.len(),
+            Err(error) => error.valid_up_to(),
+        };
+        let text = String::from_utf8_lossy(&self.begun[..whole]);
+        self.to.write_all(lines(&text).as_bytes())?;
+        self.begun.drain(..whole);
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.to.flush()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_would_forge_a_line_is_shown() {
+        assert_eq!(line("arm\neffective mass 0.001 kg"), "arm\\neffective mass 0.001 kg");
+        assert_eq!(line("\u{1b}[2J\u{9b}2J\u{202e}x\u{7f}"), "\\u{1b}[2J\\u{9b}2J\\u{202e}x\\u{7f}");
+        assert_eq!(lines("a\nb\r"), "a\nb\\r");
+        assert_eq!(json("\"\u{85}\u{e0041}\""), "\"\\u0085\\udb40\\udc41\"");
+        assert_eq!(line("Längsträger m̄ → 質量"), "Längsträger m̄ → 質量");
+    }
+
+    #[test]
+    fn a_character_may_come_in_parts() {
+        let mut terminal = Terminal::new(Vec::new());
+        for byte in "m̄ \u{9b} 質".as_bytes() {
+            terminal.write_all(&[*byte]).expect("a list of bytes");
+        }
+        assert_eq!(terminal.to, "m̄ \\u{9b} 質".as_bytes());
+    }
+}

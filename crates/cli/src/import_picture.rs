@@ -1,0 +1,20 @@
+//! The picture of an import: hardpoints, links and wheels.
+
+use percuss_formats::suspension::Understood;
+use percuss_render::{Drawing, DrawnCircle, DrawnLine};
+
+/// From the front and from the left.
+pub fn picture(of: &Understood, source: &str) -> Drawing {
+    let line = |line: &percuss_formats::suspension::Line| DrawnLine { ends: line.ends, part: None };
+    let circle = |wheel: &percuss_formats::suspension::WheelCircle| {
+        let (centre, axis) = (wheel.centre, wheel.axis);
+        Some(DrawnCircle { centre, axis, radius: wheel.radius? })
+    };
+    Drawing {
+        title: format!("{} ({})", of.name, of.template),
+        subtitle: source.to_owned(),
+        lines: of.lines.iter().map(line).collect(),
+        circles: of.wheels.iter().filter_map(circle).collect(),
+        ..Drawing::default()
+    }
+}

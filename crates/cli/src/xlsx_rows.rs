@@ -1,0 +1,70 @@
+//! The rows of a sweep as a workbook (ECMA-376): the table of the CSV on one sheet.
+
+use crate::csv::{Cell, SweepTable};
+use crate::failure::Failure;
+use crate::output::write_file;
+use crate::table_style::TableStyle;
+use indicatif::ProgressBar;
+use percuss_render::MADE_BY;
+use percuss_study::{Model, Sweep, SweepEnd};
+use rust_xlsxwriter::{DocProperties, Format, Workbook, XlsxError};
+use std::ops::ControlFlow;
+
+/// Rows of a sheet, the names of the columns among them.
+const MOST_ROWS: usize = 1 << 20;
+/// Columns of a sheet.
+const MOST_COLUMNS: usize = 1 << 14;
+
+/// Writes rows as XLSX. They are kept until all are there.
+pub fn write(
+    sweep: Sweep,
+    model: &Model,
+    style: TableStyle,
+    path: &str,
+    bar: &ProgressBar,
+) -> Result<SweepEnd, Failure> {
+    let table = SweepTable::new(sweep.heading(), &model.mechanism, style);
+    let (columns, rows) = (table.names().len(), sweep.count());
+    if columns > MOST_COLUMNS || rows.is_some_and(|rows| rows >= MOST_ROWS) {
+        let rows = rows.map_or_else(String::new, |rows| format!("{rows} rows, "));
+        return Err(Failure::bad_input(format!(
+            "--output {path}: {rows}{columns} columns; a sheet has at most {} rows and {MOST_COLUMNS} columns; write .csv or \
+             .parquet",
+            MOST_ROWS - 1
+        )));
+    }
+    let unwritten = |error: XlsxError| Failure::bad_input(format!("{path} cannot be written: {error}"));
+    let mut workbook = Workbook::new();
+    // No date: the same sweep gives the same file.
+    let dated = rust_xlsxwriter::ExcelDateTime::from_ymd(2000, 1, 1).map_err(unwritten)?;
+    workbook.set_properties(&DocProperties::new().set_author(MADE_BY).set_creation_datetime(&dated));
+    let sheet = workbook.add_worksheet();
+    sheet.set_name("sweep").map_err(unwritten)?;
+    let heading = Format::new().set_bold();
+    for (column, name) in (0..).zip(table.names()) {
+        // A text, whatever it begins with.
+        sheet.write_string_with_format(0, column, name, &heading).map_err(unwritten)?;
+    }
+    sheet.set_freeze_panes(1, 0).map_err(unwritten)?;
+    let mut written = Ok(());
+    let end = sweep.run(&mut |row| {
+        bar.inc(1);
+        let line = row.row as u32 + 1;
+        for (column, cell) in (0..).zip(table.cells(&row)) {
+            let put = match cell {
+                Cell::Number(x) => sheet.write_number(line, column, x),
+                Cell::Text(text) => sheet.write_string(line, column, text),
+                Cell::Logical(value) => sheet.write_boolean(line, column, value),
+                Cell::Empty => continue,
+            };
+            if let Err(error) = put {
+                written = Err(error);
+                return ControlFlow::Break(());
+            }
+        }
+        ControlFlow::Continue(())
+    })?;
+    written.map_err(unwritten)?;
+    write_file(path, &workbook.save_to_buffer().map_err(unwritten)?)?;
+    Ok(end)
+}

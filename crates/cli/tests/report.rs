@@ -1,0 +1,162 @@
+//! The report of a study: one page that needs nothing beside it, with the numbers of the answer.
+
+mod support;
+
+use base64::Engine;
+use std::fs;
+use support::{Scratch, percuss, root};
+
+/// The pictures of a page, decoded.
+fn pictures(page: &str) -> Vec<String> {
+    let data = page.split("data:image/svg+xml;base64,").skip(1).filter_map(|rest| rest.split('"').next());
+    data.map(|text| base64::engine::general_purpose::STANDARD.decode(text).expect("base64"))
+        .map(|bytes| String::from_utf8(bytes).expect("text"))
+        .collect()
+}
+
+#[test]
+fn every_shipped_study_has_a_report() {
+    let folder = Scratch::new("reports");
+    let mut studies = 0;
+    for entry in fs::read_dir(root().join("models")).expect("there").flatten() {
+        let name = entry.file_name().to_string_lossy().into_owned();
+        if name.ends_with(".toml") || name.ends_with(".urdf") {
+            fs::copy(entry.path(), folder.path(&name)).expect("copied");
+        }
+    }
+    for entry in fs::read_dir(folder.path("")).expect("there").flatten() {
+        let study = entry.path().to_string_lossy().into_owned();
+        if !study.ends_with(".toml") {
+            continue;
+        }
+        let html = study.replace(".toml", "-report.html");
+        let json = percuss(&format!("run {study} --format json"));
+        if json.code != 0 {
+            continue;
+        }
+        // The second replaces the first: it is of percuss.
+        for _ in 0..2 {
+            let outcome = percuss(&format!("run {study} --report {html}"));
+            assert_eq!(outcome.code, 0, "{study}: {}", outcome.stderr);
+        }
+        let page = fs::read_to_string(&html).expect("written");
+        assert!(page.starts_with("<!DOCTYPE html>") && page.ends_with("</html>\n"));
+        // Nothing is fetched and nothing runs.
+        for word in ["http://", "https://", "<script", "<link rel=\"stylesheet", "@import", "url("] {
+            assert!(!page.contains(word), "{study}: {word}");
+        }
+        let pictures = pictures(&page);
+        assert!(
+            !pictures.is_empty()
+                && pictures.iter().all(|svg| svg.starts_with("<svg") && svg.ends_with("</svg>\n"))
+        );
+        assert!(pictures[0].contains("from the front") && pictures[0].contains("from the left"));
+        // The answer beside it is that of the command, and stands in the page.
+        assert_eq!(fs::read_to_string(html.replace(".html", ".json")).expect("written"), json.stdout);
+        let answer: serde_json::Value = serde_json::from_str(&json.stdout).expect("JSON");
+        if let Some(mass) = answer["effective_mass"].as_f64() {
+            let digits = format!("{mass:.3}");
+            assert!(page.contains(&format!("m̄ = {}", &digits[..digits.len() - 2])), "{study}: {digits}");
+        }
+        for input in answer["inputs"].as_array().expect("a list") {
+            assert!(page.contains(input["sha256"].as_str().expect("a hash")));
+        }
+        if fs::read_to_string(&study).expect("there").contains("[sweep]") {
+            let csv = fs::read_to_string(html.replace(".html", ".csv")).expect("written");
+            assert!(csv.starts_with("row,") && csv.lines().count() > 2, "{study}");
+            assert!(page.contains("The sweep"));
+        }
+        studies += 1;
+    }
+    assert!(studies > 5, "only {studies} studies were reported");
+}
+
+const STUDY: &str = "[model]\npath = \"MODEL\"\n[contact]\nlink = \"rod\"\npoint = [0, 0, -0.8]\nnormal = [1, 0, 0]\n\
+    [damping]\nrestitution = 0.3\nstiffness = 2e5\nspeed = 0.5\nfor = [\"mujoco\"]\n\
+    [sweep]\nvary = [\"hinge=0:1:3\"]\n";
+
+#[test]
+fn the_damper_its_snippets_and_the_diagnostics_are_in_it() {
+    let folder = Scratch::new("report-damper");
+    let model = fs::read_to_string(root().join("models/point_mass_pendulum.urdf")).expect("there");
+    folder.write("model.urdf", &model.replacen("</robot>", "<surplus/></robot>", 1));
+    let study = folder.write("study.toml", &STUDY.replace("MODEL", "model.urdf"));
+    let outcome = percuss(&format!("run {study} --report {}", folder.path("r.html")));
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    let page = fs::read_to_string(folder.path("r.html")).expect("written");
+    for words in
+        ["The damper", "solref", "surplus", "percuss run study.toml --report r.html", "m̄ = 0.78125 kg"]
+    {
+        assert!(page.contains(words), "{words}");
+    }
+    assert_eq!(pictures(&page).len(), 3, "the mechanism, the sweep, the force");
+}
+
+#[test]
+fn markup_in_names_is_text() {
+    let folder = Scratch::new("report-markup");
+    let model = fs::read_to_string(root().join("models/point_mass_pendulum.urdf")).expect("there");
+    let name = "&lt;script&gt;alert(1)&lt;/script&gt;&quot; onload=&quot;x\u{202e}";
+    folder.write("model.urdf", &model.replace("\"rod\"", &format!("\"{name}\"")));
+    let study = STUDY
+        .replace("MODEL", "model.urdf")
+        .replace("\"rod\"", "'<script>alert(1)</script>\" onload=\"x\u{202e}'");
+    let study = folder.write("study.toml", &study);
+    let outcome = percuss(&format!("run {study} --report {}", folder.path("r.html")));
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    let page = fs::read_to_string(folder.path("r.html")).expect("written");
+    assert!(page.contains("&lt;script&gt;") && !page.contains("<script") && !page.contains('\u{202e}'));
+    assert!(!page.contains("\" onload=\""));
+}
+
+#[test]
+fn a_report_keeps_to_its_folder_and_its_name() {
+    let folder = Scratch::new("report-places");
+    fs::copy(root().join("models/point_mass_pendulum.urdf"), folder.path("model.urdf")).expect("copied");
+    fs::create_dir_all(folder.path("inner")).expect("a folder");
+    let study = folder.write("inner/study.toml", &STUDY.replace("MODEL", "../model.urdf"));
+    for (report, words) in [
+        (folder.path("inner/r.pdf"), "must end in .html"),
+        (folder.path("r.html"), "--allow-outside"),
+        // Beside it goes the answer: over the study's own file it does not.
+        (folder.path("inner/foreign.html"), "--force"),
+    ] {
+        folder.write("inner/foreign.json", "of somebody else");
+        let outcome = percuss(&format!("run {study} --report {report}"));
+        assert!(outcome.code == 2 && outcome.stderr.contains(words), "{report}: {}", outcome.stderr);
+        assert!(!std::path::Path::new(&report).exists());
+    }
+    let outcome = percuss(&format!("run {study} --report {} --allow-outside", folder.path("r.html")));
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+}
+
+#[test]
+fn an_import_draws_what_it_understood() {
+    let folder = Scratch::new("import-picture");
+    let mut drawn = 0;
+    for entry in fs::read_dir(root().join("models/suspensions")).expect("there").flatten() {
+        let sheet = entry.path().to_string_lossy().into_owned();
+        if !sheet.ends_with(".toml") {
+            continue;
+        }
+        let (model, picture) = (folder.path("model.urdf"), folder.path("picture.svg"));
+        let outcome = percuss(&format!("import {sheet} -o {model} --picture {picture}"));
+        assert_eq!(outcome.code, 0, "{sheet}: {}", outcome.stderr);
+        let svg = fs::read_to_string(&picture).expect("written");
+        // Lines of links, dots at their ends, and the wheel from both sides.
+        assert!(svg.matches("stroke-linecap").count() > 4 && svg.contains("from the front"), "{sheet}");
+        drawn += 1;
+    }
+    assert!(drawn >= 6, "only {drawn} sheets were drawn");
+    let sheet = "models/suspensions/double-wishbone.toml";
+    for ending in ["png", "pdf"] {
+        let line = format!(
+            "import {sheet} -o {} --picture {}",
+            folder.path("m.urdf"),
+            folder.path(&format!("p.{ending}"))
+        );
+        assert_eq!(percuss(&line).code, 0);
+    }
+    let outcome = percuss(&format!("import {sheet} -o {} --picture p.gif", folder.path("m.urdf")));
+    assert!(outcome.code == 2 && outcome.stderr.contains(".svg, .png or .pdf"), "{}", outcome.stderr);
+}

@@ -1,0 +1,135 @@
+//! The SVG in other formats: pixels by resvg, PDF by svg2pdf, with the faces of `assets/`; none of the machine's are looked for.
+
+use crate::limits;
+use resvg::tiny_skia::{Pixmap, Transform};
+use resvg::usvg::fontdb::{Database, Language, Source};
+use resvg::usvg::{Options, Tree};
+use std::sync::{Arc, LazyLock};
+use thiserror::Error;
+
+/// What stands in every file that this crate writes, where its format has room for it.
+pub const MADE_BY: &str = "made by percuss";
+
+/// The two faces, as one family.
+static FONTS: LazyLock<Arc<Database>> = LazyLock::new(|| {
+    let mut all = Database::new();
+    for (bytes, _) in crate::font::FACES {
+        all.load_font_source(Source::Binary(Arc::new(bytes)));
+    }
+    // The medium face calls itself a family of its own.
+    let mut fonts = Database::new();
+    for face in all.faces() {
+        let mut face = face.clone();
+        face.families = vec![(crate::font::FAMILY.into(), Language::English_UnitedStates)];
+        fonts.push_face_info(face);
+    }
+    fonts.set_sans_serif_family(crate::font::FAMILY);
+    Arc::new(fonts)
+});
+
+/// Why there is no PNG or PDF.
+#[derive(Debug, Error)]
+pub enum RenderError {
+    /// The scale was not a positive number.
+    #[error("the scale of a PNG is {scale}; it must be a positive number, such as 2")]
+    Scale {
+        /// As given.
+        scale: f32,
+    },
+    /// The picture would be larger than 2^25 pixels.
+    #[error(
+        "a PNG of {width:.0} by {height:.0} pixels was asked for, and {most:.0} pixels are the most: \
+         take a scale below {fitting:.2}, or write an SVG"
+    )]
+    TooLarge {
+        /// In pixels.
+        width: f64,
+        /// In pixels.
+        height: f64,
+        /// The limit, in pixels.
+        most: f64,
+        /// The scale that just fits.
+        fitting: f64,
+    },
+    /// The SVG could not be read back.
+    #[error("the SVG could not be read back")]
+    Svg {
+        /// The reader's error.
+        #[source]
+        source: resvg::usvg::Error,
+    },
+    /// The encoder failed.
+    #[error("the PNG encoder failed")]
+    Encoder {
+        /// Its error.
+        #[source]
+        source: Box<dyn std::error::Error + Send + Sync>,
+    },
+    /// The PDF could not be made.
+    #[error("the PDF could not be made: {message}")]
+    Pdf {
+        /// What svg2pdf says.
+        message: String,
+    },
+}
+
+fn tree(svg: &str) -> Result<Tree, RenderError> {
+    let options =
+        Options { fontdb: FONTS.clone(), font_family: crate::font::FAMILY.into(), ..Options::default() };
+    Tree::from_str(svg, &options).map_err(|source| RenderError::Svg { source })
+}
+
+/// The picture with `scale` pixels to a unit.
+pub(crate) fn png(svg: &str, scale: f32) -> Result<Vec<u8>, RenderError> {
+    if !(scale.is_finite() && scale > 0.0) {
+        return Err(RenderError::Scale { scale });
+    }
+    let tree = tree(svg)?;
+    let size = [tree.size().width(), tree.size().height()].map(f64::from);
+    let [width, height] = size.map(|s| (s * f64::from(scale)).round().max(1.0));
+    let too_large = || {
+        let fitting = (limits::MOST_PIXELS / (size[0] * size[1])).sqrt();
+        RenderError::TooLarge { width, height, most: limits::MOST_PIXELS, fitting }
+    };
+    if width * height > limits::MOST_PIXELS {
+        return Err(too_large());
+    }
+    let mut pixmap = Pixmap::new(width as u32, height as u32).ok_or_else(too_large)?;
+    resvg::render(&tree, Transform::from_scale(scale, scale), &mut pixmap.as_mut());
+    // The page is opaque.
+    let pixels: Vec<u8> = pixmap.data().chunks_exact(4).flat_map(|p| [p[0], p[1], p[2]]).collect();
+    encoded(&pixels, pixmap.width(), pixmap.height())
+        .map_err(|source| RenderError::Encoder { source: Box::new(source) })
+}
+
+/// The picture as a PDF of one page; text stays text.
+pub(crate) fn pdf(svg: &str) -> Result<Vec<u8>, RenderError> {
+    let made = svg2pdf::to_pdf(
+        &tree(svg)?,
+        svg2pdf::ConversionOptions::default(),
+        // A unit of the SVG is 1/96 inch.
+        svg2pdf::PageOptions { dpi: 96.0 },
+    );
+    let mut bytes = made.map_err(|error| RenderError::Pdf { message: error.to_string() })?;
+    // A comment behind the end.
+    bytes.extend_from_slice(format!("\n% {MADE_BY}\n").as_bytes());
+    Ok(bytes)
+}
+
+/// Pixels of three bytes as a PNG; none where they make no rectangle.
+pub(crate) fn of_pixels(pixels: &[u8], columns: usize) -> Option<Vec<u8>> {
+    let rows = (pixels.len() / 3).checked_div(columns)?;
+    encoded(&pixels[..3 * columns * rows], u32::try_from(columns).ok()?, u32::try_from(rows).ok()?).ok()
+}
+
+fn encoded(pixels: &[u8], width: u32, height: u32) -> Result<Vec<u8>, png::EncodingError> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, width, height);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.add_text_chunk("Comment".into(), MADE_BY.into())?;
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(pixels)?;
+    writer.finish()?;
+    Ok(bytes)
+}

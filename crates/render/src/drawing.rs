@@ -1,0 +1,288 @@
+//! A mechanism from two sides: lines, circles, arrows and named places in space, as a technical drawing shows them.
+
+use crate::backend::{self, RenderError};
+use crate::palette::{Colour, GRID, INK, SOFT_INK};
+use crate::scene::{Anchor, Point, Scene, solid};
+use crate::svg;
+use crate::text::{fit, medium, regular, width};
+
+/// Units of the page.
+const WIDTH: f64 = 900.0;
+const MARGIN: f64 = 28.0;
+const BETWEEN: f64 = 34.0;
+/// The highest view.
+const HEIGHT: f64 = 430.0;
+/// Free around what is drawn: names stand there.
+const ROOM: f64 = 26.0;
+/// Segments of a circle.
+const SEGMENTS: usize = 64;
+/// The ends of the shading: nothing, and all.
+const NONE: Colour = Colour(186, 193, 203);
+const ALL: Colour = Colour(213, 94, 0);
+const BLUE: Colour = Colour(0, 114, 178);
+
+/// What is seen, in metres: x forward, y to the left, z up.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Drawing {
+    /// The heading; none where empty.
+    pub title: String,
+    /// A line below; none where empty.
+    pub subtitle: String,
+    /// What the shading says; none where empty.
+    pub shading: String,
+    /// Lines.
+    pub lines: Vec<DrawnLine>,
+    /// Circles, such as wheels.
+    pub circles: Vec<DrawnCircle>,
+    /// Arrows.
+    pub arrows: Vec<DrawnArrow>,
+    /// Places that are named.
+    pub marks: Vec<crate::SkinMark>,
+}
+
+/// A straight line.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct DrawnLine {
+    /// Its ends, m.
+    pub ends: [[f64; 3]; 2],
+    /// How much of the shading it has, from 0 to 1; none: drawn plain.
+    pub part: Option<f64>,
+}
+
+/// A circle in space.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct DrawnCircle {
+    /// Its centre, m.
+    pub centre: [f64; 3],
+    /// What it turns about, a unit vector.
+    pub axis: [f64; 3],
+    /// Its radius, m.
+    pub radius: f64,
+}
+
+/// An arrow; its length is what it says, not a distance.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct DrawnArrow {
+    /// Where it begins, m.
+    pub from: [f64; 3],
+    /// Where it points; the longest of a drawing is an eighth of it.
+    pub vector: [f64; 3],
+    /// Its name; none where empty. Named ones are drawn strong, and as long as the longest.
+    pub label: String,
+}
+
+/// A view: what is to the right and up on the page, and its words.
+struct View {
+    right: [f64; 3],
+    up: [f64; 3],
+    words: &'static str,
+}
+
+const VIEWS: [View; 2] = [
+    View { right: [0.0, 1.0, 0.0], up: [0.0, 0.0, 1.0], words: "from the front (y to the right, z up)" },
+    View { right: [-1.0, 0.0, 0.0], up: [0.0, 0.0, 1.0], words: "from the left (x to the left, z up)" },
+];
+
+fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+fn length(v: &[f64; 3]) -> f64 {
+    dot(v, v).sqrt()
+}
+
+impl Drawing {
+    /// The drawing as an SVG document.
+    pub fn to_svg(&self) -> String {
+        svg::write(&self.arrange())
+    }
+
+    /// The same picture as a PNG, `scale` pixels for each unit of the SVG.
+    ///
+    /// # Errors
+    /// `scale` not a positive number, or a picture of more than 2^25 pixels.
+    pub fn to_png(&self, scale: f32) -> Result<Vec<u8>, RenderError> {
+        backend::png(&self.to_svg(), scale)
+    }
+
+    /// The same picture as a PDF of one page, its fonts embedded.
+    ///
+    /// # Errors
+    /// Those of the PDF writer.
+    pub fn to_pdf(&self) -> Result<Vec<u8>, RenderError> {
+        backend::pdf(&self.to_svg())
+    }
+
+    /// Every place that a view must hold.
+    fn places(&self) -> Vec<[f64; 3]> {
+        let lines = self.lines.iter().flat_map(|line| line.ends);
+        let circles = self.circles.iter().flat_map(around);
+        let arrows = self.arrows.iter().map(|arrow| arrow.from);
+        let all = lines.chain(circles).chain(arrows).chain(self.marks.iter().map(|mark| mark.at));
+        all.filter(|p| p.iter().all(|x| x.is_finite() && x.abs() < 1e9)).collect()
+    }
+
+    fn arrange(&self) -> Scene {
+        let room = WIDTH - 2.0 * MARGIN;
+        let title = fit(&self.title, medium(19.0), room);
+        let subtitle = fit(&self.subtitle, regular(13.0), room);
+        let mut scene = Scene { width: WIDTH, height: 0.0, caption: title.clone(), items: Vec::new() };
+        let mut top = 16.0;
+        for (words, font, colour) in [(title, medium(19.0), INK), (subtitle, regular(13.0), SOFT_INK)] {
+            if !words.is_empty() {
+                top += 24.0;
+                scene.text(words, (MARGIN, top), Anchor::Start, font, colour);
+            }
+        }
+        top += 34.0;
+        let places = self.places();
+        let side = 0.5 * (room - BETWEEN);
+        // Both views at one scale, and at one height.
+        let seen: Vec<[(f64, f64); 2]> = VIEWS
+            .iter()
+            .map(|view| [&view.right, &view.up].map(|axis| extent(places.iter().map(|p| dot(axis, p)))))
+            .collect();
+        let span = |i: usize| seen.iter().map(|s| s[i].1 - s[i].0).fold(0.0, f64::max);
+        let free = [side - 2.0 * ROOM, HEIGHT - 2.0 * ROOM];
+        let scales = [0, 1].map(|i| if span(i) > 0.0 { free[i] / span(i) } else { f64::INFINITY });
+        let per_metre = scales[0].min(scales[1]);
+        let per_metre = if per_metre.is_finite() { per_metre } else { 1.0 };
+        let height = per_metre * span(1) + 2.0 * ROOM;
+        for (i, view) in VIEWS.iter().enumerate() {
+            let left = MARGIN + (side + BETWEEN) * i as f64;
+            scene.text(view.words.into(), (left, top - 12.0), Anchor::Start, medium(13.0), INK);
+            let middle = |k: usize| 0.5 * (seen[i][k].0 + seen[i][k].1);
+            let (across, up) = (middle(0), middle(1));
+            let place = |p: &[f64; 3]| {
+                let x = left + 0.5 * side + per_metre * (dot(&view.right, p) - across);
+                let y = top + 0.5 * height - per_metre * (dot(&view.up, p) - up);
+                (x, y)
+            };
+            let (right, bottom) = (left + side, top + height);
+            let frame = vec![(left, top), (right, top), (right, bottom), (left, bottom), (left, top)];
+            scene.lines(vec![frame], solid(GRID, 1.0));
+            self.draw(&mut scene, &place, per_metre, (left, right));
+        }
+        ruler(&mut scene, per_metre, (MARGIN, top + height + 26.0));
+        if !self.shading.is_empty() {
+            let right = WIDTH - MARGIN;
+            let words = fit(&self.shading, regular(12.0), 0.5 * room);
+            let start = right - 100.0;
+            for step in 0..20 {
+                let x = start + 5.0 * f64::from(step);
+                let line = vec![(x, top + height + 22.0), (x + 5.0, top + height + 22.0)];
+                scene.lines(vec![line], solid(shade(f64::from(step) / 19.0), 6.0));
+            }
+            let at = (start - 8.0, top + height + 26.0);
+            scene.text(words + ": 0 to 100 %", at, Anchor::End, regular(12.0), SOFT_INK);
+        }
+        scene.height = (top + height + 44.0).ceil();
+        scene
+    }
+
+    fn draw(&self, scene: &mut Scene, place: &dyn Fn(&[f64; 3]) -> Point, per_metre: f64, sides: (f64, f64)) {
+        for circle in &self.circles {
+            scene.lines(vec![around(circle).iter().map(place).collect()], solid(SOFT_INK, 1.2));
+            scene.dots(vec![place(&circle.centre)], 2.0, SOFT_INK);
+        }
+        // The greatest part on top.
+        let mut lines: Vec<&DrawnLine> = self.lines.iter().collect();
+        lines.sort_by(|a, b| a.part.unwrap_or(-1.0).total_cmp(&b.part.unwrap_or(-1.0)));
+        for line in lines {
+            let (colour, thick) = line.part.map_or((INK, 1.6), |part| (shade(part), 3.0));
+            let ends = line.ends.map(|end| place(&end));
+            scene.lines(vec![ends.to_vec()], solid(colour, thick));
+            scene.dots(ends.to_vec(), 0.5 * thick + 0.8, colour);
+        }
+        let longest = self.arrows.iter().map(|arrow| length(&arrow.vector)).fold(0.0, f64::max);
+        for arrow in &self.arrows {
+            let own = length(&arrow.vector);
+            if !(own > 0.0 && own.is_finite()) {
+                continue;
+            }
+            let strong = !arrow.label.is_empty();
+            let of_longest = if strong { 1.0 } else { own / longest };
+            let reach = of_longest * 54.0 / own / per_metre;
+            let tip: [f64; 3] = std::array::from_fn(|k| arrow.from[k] + reach * arrow.vector[k]);
+            let (from, to) = (place(&arrow.from), place(&tip));
+            let (colour, thick) = if strong { (INK, 2.0) } else { (BLUE, 1.2) };
+            scene.lines(vec![vec![from, to]], solid(colour, thick));
+            head(scene, from, to, colour);
+            if strong {
+                named(scene, &arrow.label, to, sides, colour);
+            }
+        }
+        for mark in &self.marks {
+            let at = place(&mark.at);
+            scene.dots(vec![at], 3.5, INK);
+            named(scene, &mark.label, at, sides, INK);
+        }
+    }
+}
+
+/// From nothing to all.
+fn shade(part: f64) -> Colour {
+    let part = part.clamp(0.0, 1.0).sqrt();
+    let mix = |a: u8, b: u8| (f64::from(a) + part * (f64::from(b) - f64::from(a))).round() as u8;
+    Colour(mix(NONE.0, ALL.0), mix(NONE.1, ALL.1), mix(NONE.2, ALL.2))
+}
+
+/// The tip of an arrow; nothing where it points at the eye.
+fn head(scene: &mut Scene, from: Point, to: Point, colour: Colour) {
+    let (dx, dy) = (to.0 - from.0, to.1 - from.1);
+    let long = dx.hypot(dy);
+    if long < 4.0 {
+        return;
+    }
+    let (ux, uy) = (dx / long, dy / long);
+    let wing = |side: f64| (to.0 - 7.0 * ux + 3.5 * side * uy, to.1 - 7.0 * uy - 3.5 * side * ux);
+    scene.lines(vec![vec![wing(1.0), to, wing(-1.0)]], solid(colour, 1.6));
+}
+
+/// A name above its place, within the view.
+fn named(scene: &mut Scene, words: &str, at: Point, (left, right): (f64, f64), colour: Colour) {
+    let font = medium(12.0);
+    let words = fit(words, font, right - left - 8.0);
+    let half = 0.5 * width(&words, font) + 4.0;
+    let x = at.0.clamp(left + half, (right - half).max(left + half));
+    scene.text_on_paper(words, (x, at.1 - 9.0), font, colour);
+}
+
+/// A length of 1, 2 or 5 times a power of ten, about a sixth of the page.
+fn ruler(scene: &mut Scene, per_metre: f64, (x, y): Point) {
+    let wanted = 150.0 / per_metre;
+    let power = 10_f64.powf(wanted.log10().floor());
+    let long = [5.0, 2.0, 1.0].map(|m| m * power).into_iter().find(|l| *l <= wanted).unwrap_or(power);
+    let end = x + long * per_metre;
+    let line = vec![(x, y - 8.0), (x, y), (end, y), (end, y - 8.0)];
+    scene.lines(vec![line], solid(SOFT_INK, 1.0));
+    let words =
+        if long < 1.0 { format!("{} mm", (1e3 * long * 1e6).round() / 1e6) } else { format!("{long} m") };
+    scene.text(words, (end + 8.0, y), Anchor::Start, regular(12.0), SOFT_INK);
+}
+
+fn extent(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    crate::axis::extent(values).unwrap_or((0.0, 0.0))
+}
+
+/// A circle as a closed chain.
+fn around(circle: &DrawnCircle) -> Vec<[f64; 3]> {
+    let axis = circle.axis;
+    // The coordinate axis farthest from it.
+    let least = (0..3).min_by(|a, b| axis[*a].abs().total_cmp(&axis[*b].abs())).unwrap_or(0);
+    let mut first = [0.0; 3];
+    first[least] = 1.0;
+    let along = dot(&first, &axis);
+    let first: [f64; 3] = std::array::from_fn(|k| first[k] - along * axis[k]);
+    let size = length(&first).max(f64::MIN_POSITIVE);
+    let first = first.map(|x| x / size);
+    let second: [f64; 3] = std::array::from_fn(|k| {
+        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+        axis[i] * first[j] - axis[j] * first[i]
+    });
+    let at = |i: usize| {
+        let (s, c) = (std::f64::consts::TAU * i as f64 / SEGMENTS as f64).sin_cos();
+        std::array::from_fn(|k| circle.centre[k] + circle.radius * (c * first[k] + s * second[k]))
+    };
+    (0..=SEGMENTS).map(at).collect()
+}
