@@ -13,11 +13,12 @@ use std::collections::{BTreeMap, BTreeSet};
 pub type Imports = BTreeMap<(String, String), BTreeSet<String>>;
 
 /// The imports between the files of one crate. `sources` holds its texts by path below `src`; the crate's roots are
-/// `lib.rs` and `main.rs`, as far as they exist.
+/// `lib.rs`, `main.rs` and the files in `bin/`, as far as they exist.
 pub fn imports(sources: &BTreeMap<String, String>) -> Imports {
     let mut found = Imports::new();
     let mut reached = BTreeSet::new();
-    for root in ["lib.rs", "main.rs"].into_iter().filter(|root| sources.contains_key(*root)) {
+    let is_root = |file: &&String| matches!(file.as_str(), "lib.rs" | "main.rs") || file.starts_with("bin/");
+    for root in sources.keys().filter(is_root) {
         let mut tree = Tree { sources, modules: Vec::new(), reached: BTreeSet::new() };
         tree.read_file(root, "", None);
         tree.collect(&mut found);
@@ -166,7 +167,13 @@ impl Tree<'_> {
             found.extend(self.resolve(module, &binding.path, depth + 1).0);
         }
         if found.is_empty() {
-            for glob in &within.globs {
+            // A glob that begins with a name of no module here is one of another crate.
+            let is_here = |name: &String| {
+                matches!(name.as_str(), "crate" | "self" | "super")
+                    || within.children.contains_key(name)
+                    || within.bindings.iter().any(|binding| binding.name == *name)
+            };
+            for glob in within.globs.iter().filter(|glob| is_here(&glob[0])) {
                 for target in self.resolve(module, glob, depth + 1).0 {
                     if let Target::Module(other) = target
                         && other != module

@@ -100,12 +100,12 @@ fn an_input_is_no_output_by_any_path() {
     let folder = Scratch::new("inputs");
     let model = fs::read_to_string(support::root().join("models/point_mass_pendulum.urdf")).expect("there");
     // Names that end as outputs do.
-    let model = folder.write("model.json", &model);
+    let model = folder.write("model.jsonl", &model);
     let [hard, soft, round] = ["hard.csv", "soft.csv", "round.csv"].map(|name| folder.path(name));
     fs::hard_link(&model, &hard).expect("a link");
     std::os::unix::fs::symlink(&model, &soft).expect("a link");
     std::os::unix::fs::symlink(folder.path("soft.csv"), &round).expect("a link");
-    let dotted = folder.path("../x/model.json").replace("../x", ".");
+    let dotted = folder.path("../x/model.jsonl").replace("../x", ".");
     let flags = "--link rod --point 0,0,-0.8 --normal 1,0,0 --vary hinge=0:1:3 --force";
     for output in [&model, &hard, &soft, &round, &dotted] {
         let before = fs::read(&model).expect("there");

@@ -92,7 +92,10 @@ fn what_no_grid_can_vary_is_refused() {
         (format!("{ARM} --vary elbow=0:1:1000000 --vary shoulder=0:1:1000000"), "1000000000000 combinations"),
         (format!("{ARM} --vary elbow=0:1:3 --vary shoulder=0:1mm:3"), "expected an angle (rad)"),
         (format!("{ARM} --vary elbow=0:1:3 --set elbow=1"), "set already (--set)"),
-        (format!("{ARM} --vary elbow=0:1:3 --vary shoulder=0:1:3 --output x.svg"), "a picture shows"),
+        (
+            format!("{ARM} --vary elbow=0:1:3 --vary shoulder=0:1:3 --vary yaw=0:1:3 --output x.svg"),
+            "a picture shows",
+        ),
         (format!("{ARM} --vary elbow=0:1:3 --random 3"), "cannot be used with"),
         (format!("{ARM} --vary elbow=0:1:3 --input x.csv"), "cannot be used with"),
         (format!("{ARM} --vary elbow=0:1:3 --threads 0"), "--threads"),

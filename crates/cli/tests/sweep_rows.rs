@@ -101,7 +101,7 @@ fn a_file_is_replaced_when_there_is_a_row_for_it() {
         ("rows.json", "--vary crank_hinge=0:1kg:3"),
     ] {
         let path = scratch.write(name, "of last time, and longer than what comes now: ".repeat(99).as_str());
-        let line = format!("{COUPLER} --vary crank_hinge=0:1:3 --output {path}");
+        let line = format!("{COUPLER} --vary crank_hinge=0:1:3 --force --output {path}");
         let (flag, value) = wrong.split_once(' ').expect("a flag and its value");
         let mut words: Vec<&str> = line.split_whitespace().collect();
         let at = words.iter().position(|w| *w == flag).expect("it is there");
@@ -123,7 +123,7 @@ fn a_file_is_replaced_when_all_of_it_is_written() {
     let scratch = Scratch::new("rows-renamed");
     for name in ["rows.csv", "rows.json", "rows.jsonl"] {
         let path = scratch.write(name, "of last time");
-        let line = format!("{COUPLER} --vary crank_hinge=0:360deg:20000 --output {path}");
+        let line = format!("{COUPLER} --vary crank_hinge=0:360deg:20000 --force --output {path}");
         // The size of files is limited: the disk is full, as it were, in the middle.
         let script = format!("trap '' XFSZ; ulimit -f 100; exec \"$0\" {line}");
         let outcome = std::process::Command::new("/bin/sh")
@@ -140,7 +140,7 @@ fn a_file_is_replaced_when_all_of_it_is_written() {
         std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o640)).unwrap();
         let link = scratch.path(&format!("link-{name}"));
         std::os::unix::fs::symlink(&path, &link).expect("a link");
-        let outcome = percuss(&format!("{COUPLER} --vary crank_hinge=0:1:3 --output {link}"));
+        let outcome = percuss(&format!("{COUPLER} --vary crank_hinge=0:1:3 --force --output {link}"));
         assert_eq!(outcome.code, 0, "{}", outcome.stderr);
         assert!(std::fs::symlink_metadata(&link).unwrap().is_symlink());
         assert_eq!(rights(), 0o640);

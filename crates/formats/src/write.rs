@@ -37,14 +37,14 @@ pub fn write_urdf(mechanism: &Mechanism) -> String {
 /// As [`write_urdf`], with comments. Those for names that do not occur are left out.
 pub fn write_urdf_with(mechanism: &Mechanism, comments: &Comments) -> String {
     let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
-    for line in &comments.heading {
-        put(&mut out, format_args!("<!-- {} -->\n", comment(line)));
-    }
-    // A name that an instruction cannot hold has its warning again.
+    // Some parsers take instructions above the first comment alone. A name that one cannot hold has its warning again.
     let holds =
         |name: &str| !name.contains("?>") && !name.chars().any(char::is_control) && name.trim() == name;
     for (code, name) in comments.known.iter().filter(|(_, name)| holds(name)) {
         put(&mut out, format_args!("<?percuss-known {code} {name}?>\n"));
+    }
+    for line in &comments.heading {
+        put(&mut out, format_args!("<!-- {} -->\n", comment(line)));
     }
     put(&mut out, format_args!("<robot name=\"{}\">\n", escaped(mechanism.name())));
     for link in mechanism.links() {
