@@ -1,24 +1,21 @@
 //! An articulated inertia in its 21 numbers, moved from frame to frame by turns about coordinate axes and shifts along
 //! them: what the recursion in the bodies' own axes runs on.
 
+mod vector;
 mod wrench;
 
-pub use wrench::{PackedWrench, turn_vector};
+pub use vector::{rotate_back, rotation_rows, splat, turn_vector};
+pub use wrench::PackedWrench;
 
 use crate::lanes::Lanes;
 use crate::{Scalar, SpatialInertia};
+use vector::{after, rotated, turned};
 
 /// Where the entry (i, j) of a symmetric 3×3 matrix stands among its six.
 #[inline(always)]
 const fn at(i: usize, j: usize) -> usize {
     const PLACE: [[usize; 3]; 3] = [[0, 1, 2], [1, 3, 4], [2, 4, 5]];
     PLACE[i][j]
-}
-
-/// The two axes after `Z`, in cyclic order.
-#[inline(always)]
-const fn after(z: usize) -> (usize, usize) {
-    ((z + 1) % 3, (z + 2) % 3)
 }
 
 /// A symmetric 6×6 map from twist to wrench: moment = A ω + C v, force = Cᵀ ω + L v.
@@ -43,13 +40,6 @@ pub struct Pivot<T> {
     pub over: T,
     /// The armature's part of D: what is left of U along s is U times this.
     pub armature_part: T,
-}
-
-/// The same vector in all lanes. Closures and iterators are left out on the hot path: only what is certainly inlined is
-/// compiled for the instruction set.
-#[inline(always)]
-pub fn splat<T: Scalar>(v: &[f64; 3]) -> [T; 3] {
-    [T::from_f64(v[0]), T::from_f64(v[1]), T::from_f64(v[2])]
 }
 
 /// Number `k` of those that stand in a slice, each as wide as the lanes.
@@ -139,44 +129,6 @@ fn rotate_symmetric<T: Lanes>(m: &mut [T; 6], r: &[[T; 3]; 3]) {
             m[at(i, k)] = a.mul_add(half[0][k], b.mul_add(half[1][k], c * half[2][k]));
         }
     }
-}
-
-/// R v, for R by rows.
-#[inline(always)]
-fn rotated<T: Lanes>(v: &[T; 3], r: &[[T; 3]; 3]) -> [T; 3] {
-    let mut out = *v;
-    for i in 0..3 {
-        out[i] = r[i][0].mul_add(v[0], r[i][1].mul_add(v[1], r[i][2] * v[2]));
-    }
-    out
-}
-
-/// The rows of the rotation by a unit quaternion [w, x, y, z].
-#[inline(always)]
-pub fn rotation_rows<T: Lanes>([w, x, y, z]: [T; 4]) -> [[T; 3]; 3] {
-    let (dx, dy, dz) = (x + x, y + y, z + z);
-    let (xx, yy, zz) = (dx * x, dy * y, dz * z);
-    let one = T::one();
-    [
-        [one - (yy + zz), dx.mul_add(y, -(dz * w)), dx.mul_add(z, dy * w)],
-        [dx.mul_add(y, dz * w), one - (xx + zz), dy.mul_add(z, -(dx * w))],
-        [dx.mul_add(z, -(dy * w)), dy.mul_add(z, dx * w), one - (xx + yy)],
-    ]
-}
-
-/// Components in the frame that a rotation, given by rows, takes the vector's own to: Rᵀ v.
-#[inline(always)]
-pub fn rotate_back<T: Lanes>(v: &mut [T; 3], r: &[[T; 3]; 3]) {
-    let [x, y, z] = *v;
-    for k in 0..3 {
-        v[k] = r[0][k].mul_add(x, r[1][k].mul_add(y, r[2][k] * z));
-    }
-}
-
-/// (c x − s y, s x + c y).
-#[inline(always)]
-fn turned<T: Lanes>(x: T, y: T, c: T, s: T) -> (T, T) {
-    (c.mul_add(x, -(s * y)), s.mul_add(x, c * y))
 }
 
 impl<T: Lanes> PackedInertia<T> {

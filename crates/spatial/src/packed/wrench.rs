@@ -1,6 +1,6 @@
 //! A wrench in plain arrays, moved as the inertia is.
 
-use super::{after, rotated, splat, turned};
+use super::vector::{after, rotated, splat, turn_vector};
 use crate::Scalar;
 use crate::lanes::Lanes;
 
@@ -90,11 +90,4 @@ impl<T: Lanes> PackedWrench<T> {
             self.force[k] += other.force[k];
         }
     }
-}
-
-/// Components in a frame in which the vector's own is turned about axis `Z`.
-#[inline(always)]
-pub fn turn_vector<T: Lanes, const Z: usize>(v: &mut [T; 3], c: T, s: T) {
-    let (x, y) = after(Z);
-    (v[x], v[y]) = turned(v[x], v[y], c, s);
 }

@@ -1,0 +1,62 @@
+//! Vectors in lanes: turns about coordinate axes, and rotations by rows.
+
+use crate::Scalar;
+use crate::lanes::Lanes;
+
+/// The two axes after `Z`, in cyclic order.
+#[inline(always)]
+pub(super) const fn after(z: usize) -> (usize, usize) {
+    ((z + 1) % 3, (z + 2) % 3)
+}
+
+/// The same vector in all lanes. Closures and iterators are left out on the hot path: only what is certainly inlined is
+/// compiled for the instruction set.
+#[inline(always)]
+pub fn splat<T: Scalar>(v: &[f64; 3]) -> [T; 3] {
+    [T::from_f64(v[0]), T::from_f64(v[1]), T::from_f64(v[2])]
+}
+
+/// R v, for R by rows.
+#[inline(always)]
+pub(super) fn rotated<T: Lanes>(v: &[T; 3], r: &[[T; 3]; 3]) -> [T; 3] {
+    let mut out = *v;
+    for i in 0..3 {
+        out[i] = r[i][0].mul_add(v[0], r[i][1].mul_add(v[1], r[i][2] * v[2]));
+    }
+    out
+}
+
+/// The rows of the rotation by a unit quaternion [w, x, y, z].
+#[inline(always)]
+pub fn rotation_rows<T: Lanes>([w, x, y, z]: [T; 4]) -> [[T; 3]; 3] {
+    let (dx, dy, dz) = (x + x, y + y, z + z);
+    let (xx, yy, zz) = (dx * x, dy * y, dz * z);
+    let one = T::one();
+    [
+        [one - (yy + zz), dx.mul_add(y, -(dz * w)), dx.mul_add(z, dy * w)],
+        [dx.mul_add(y, dz * w), one - (xx + zz), dy.mul_add(z, -(dx * w))],
+        [dx.mul_add(z, -(dy * w)), dy.mul_add(z, dx * w), one - (xx + yy)],
+    ]
+}
+
+/// Components in the frame that a rotation, given by rows, takes the vector's own to: Rᵀ v.
+#[inline(always)]
+pub fn rotate_back<T: Lanes>(v: &mut [T; 3], r: &[[T; 3]; 3]) {
+    let [x, y, z] = *v;
+    for k in 0..3 {
+        v[k] = r[0][k].mul_add(x, r[1][k].mul_add(y, r[2][k] * z));
+    }
+}
+
+/// (c x − s y, s x + c y).
+#[inline(always)]
+pub(super) fn turned<T: Lanes>(x: T, y: T, c: T, s: T) -> (T, T) {
+    (c.mul_add(x, -(s * y)), s.mul_add(x, c * y))
+}
+
+/// Components in a frame in which the vector's own is turned about axis `Z`.
+#[inline(always)]
+pub fn turn_vector<T: Lanes, const Z: usize>(v: &mut [T; 3], c: T, s: T) {
+    let (x, y) = after(Z);
+    (v[x], v[y]) = turned(v[x], v[y], c, s);
+}
