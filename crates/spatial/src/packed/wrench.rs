@@ -28,14 +28,14 @@ impl<T: Lanes> PackedWrench<T> {
         Self { moment: [T::zero(); 3], force: [T::zero(); 3] }
     }
 
-    /// As [`PackedInertia::turn`].
+    /// As [`PackedInertia::turn`](crate::PackedInertia::turn).
     #[inline(always)]
     pub fn turn<const Z: usize>(&mut self, c: T, s: T) {
         turn_vector::<T, Z>(&mut self.moment, c, s);
         turn_vector::<T, Z>(&mut self.force, c, s);
     }
 
-    /// As [`PackedInertia::turn_right`].
+    /// As [`PackedInertia::turn_right`](crate::PackedInertia::turn_right).
     #[inline(always)]
     pub fn turn_right<const Z: usize>(&mut self) {
         let (x, y) = after(Z);
@@ -44,14 +44,14 @@ impl<T: Lanes> PackedWrench<T> {
         (f[x], f[y]) = (-f[y], f[x]);
     }
 
-    /// As [`PackedInertia::rotate`].
+    /// As [`PackedInertia::rotate`](crate::PackedInertia::rotate).
     #[inline(always)]
     pub fn rotate(&mut self, r: &[[T; 3]; 3]) {
         self.moment = rotated(&self.moment, r);
         self.force = rotated(&self.force, r);
     }
 
-    /// As [`PackedInertia::shift`].
+    /// As [`PackedInertia::shift`](crate::PackedInertia::shift).
     #[inline(always)]
     pub fn shift<const Z: usize>(&mut self, d: T) {
         let (x, y) = after(Z);
@@ -59,7 +59,7 @@ impl<T: Lanes> PackedWrench<T> {
         self.moment[y] = d.mul_add(self.force[x], self.moment[y]);
     }
 
-    /// As [`PackedInertia::screw`].
+    /// As [`PackedInertia::screw`](crate::PackedInertia::screw).
     #[inline(always)]
     pub fn screw<const Z: usize>(&mut self, c: T, s: T, d: T) {
         self.turn::<Z>(c, s);
