@@ -4,8 +4,9 @@
 //! has. A lane that is not sure (massless, immovable, near either, too much rounding) is asked again by itself,
 //! by [`Workspace`], and so is every configuration of other mechanisms: the answers are the same, one by one.
 
+use crate::aligned::Aligned;
+use crate::answered::{Answered, Answers, Columns};
 use crate::assembly::Assembly;
-use crate::clear_mass::{ClearMass, Columns, WIDEST};
 use crate::contact::Contact;
 use crate::in_lanes::InLanes;
 use crate::outcome::{EffectiveMass, ResponseError};
@@ -19,6 +20,8 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 /// How many configurations a thread takes at once.
 const PORTION: usize = 512;
+/// How many of them go through lanes in one call: a multiple of every instruction set's lanes.
+const BLOCK: usize = 64;
 /// Shares of the portions that a thread may get: more even out what others on the machine take.
 const SHARES: usize = 8;
 
@@ -106,8 +109,8 @@ struct Worker {
     in_lanes: Option<InLanes>,
     /// Which positions lanes read.
     read: Vec<usize>,
-    /// Positions of some lanes by columns.
-    columns: Vec<f64>,
+    /// Positions of a block by columns, [`BLOCK`] apart.
+    columns: Aligned,
     /// Positions of one configuration.
     row: Vec<f64>,
     workspace: Workspace,
@@ -125,7 +128,7 @@ impl Assembly {
         let in_lanes = InLanes::of(self).and_then(|mut lanes| lanes.aim(model, contact).then_some(lanes));
         let worker = Worker {
             read: in_lanes.iter().flat_map(InLanes::read).collect(),
-            columns: vec![0.0; if in_lanes.is_some() { model.positions * WIDEST } else { 0 }],
+            columns: Aligned::zeros(if in_lanes.is_some() { model.positions * BLOCK } else { 0 }),
             row: vec![0.0; model.positions],
             workspace: self.workspace(),
             in_lanes,
@@ -135,8 +138,8 @@ impl Assembly {
     }
 }
 
-impl From<ClearMass> for BatchAnswer {
-    fn from(clear: ClearMass) -> Self {
+impl From<Answered> for BatchAnswer {
+    fn from(clear: Answered) -> Self {
         Self { mass: Some(EffectiveMass::Finite(clear.mass)), error: Some(clear.error) }
     }
 }
@@ -259,34 +262,45 @@ impl Batch {
         first: usize,
         answers: &mut [BatchAnswer],
     ) {
-        let width = self.instructions.width();
         let Worker { in_lanes, read, columns, row, workspace } = worker;
-        for (number, answers) in answers.chunks_mut(width).enumerate() {
-            let start = first + number * width;
-            let mut clear = [None; WIDEST];
+        for (number, answers) in answers.chunks_mut(BLOCK).enumerate() {
+            let start = first + number * BLOCK;
+            let [mut masses, mut errors] = [[f64::NAN; BLOCK]; 2];
             if let Some(lanes) = in_lanes {
-                let (columns, first) = match positions {
-                    BatchPositions::Columns { values, stride } if answers.len() == width => {
-                        (Columns { values, stride }, start)
-                    }
-                    _ => {
-                        // The last lanes repeat the last configuration.
-                        for (lane, c) in (0..width).map(|lane| (lane, start + lane.min(answers.len() - 1))) {
-                            read.iter().for_each(|&q| columns[q * width + lane] = positions.at(c, q));
-                        }
-                        (Columns { values: columns, stride: width }, 0)
-                    }
+                let width = self.instructions.width();
+                let mut ask = |columns, first, from: usize, count: usize| {
+                    let (masses, errors) = (&mut masses[from..][..count], &mut errors[from..][..count]);
+                    lanes.lanes(columns, first, Answers { masses, errors });
                 };
-                clear = lanes.lanes(columns, first);
+                let mut done = 0;
+                if let BatchPositions::Columns { values, stride } = positions {
+                    done = answers.len() - answers.len() % width;
+                    ask(Columns { values, stride }, start, 0, done);
+                }
+                if done < answers.len() {
+                    let left = answers.len() - done;
+                    let padded = left.next_multiple_of(width);
+                    // The last lanes repeat the last configuration.
+                    for lane in 0..padded {
+                        positions.put(start + done + lane.min(left - 1), read, &mut columns[lane..]);
+                    }
+                    ask(Columns { values: columns, stride: BLOCK }, 0, done, padded);
+                }
+            }
+            let mut all_clear = true;
+            for ((answer, mass), error) in answers.iter_mut().zip(masses).zip(errors) {
+                let answered = Answered { mass, error };
+                *answer = answered.into();
+                all_clear &= answered.is_clear();
+            }
+            if all_clear {
+                continue;
             }
             for (lane, answer) in answers.iter_mut().enumerate() {
-                *answer = match clear[lane] {
-                    Some(clear) => clear.into(),
-                    None => {
-                        row.iter_mut().enumerate().for_each(|(q, to)| *to = positions.at(start + lane, q));
-                        by_itself(workspace, &self.contact, row)
-                    }
-                };
+                if !(Answered { mass: masses[lane], error: errors[lane] }).is_clear() {
+                    row.iter_mut().enumerate().for_each(|(q, to)| *to = positions.at(start + lane, q));
+                    *answer = by_itself(workspace, &self.contact, row);
+                }
             }
         }
     }
@@ -298,6 +312,19 @@ impl BatchPositions<'_> {
         match self {
             BatchPositions::Rows { values, stride } => values[configuration * stride + q],
             BatchPositions::Columns { values, stride } => values[q * stride + configuration],
+        }
+    }
+
+    /// Writes some positions of a configuration, [`BLOCK`] apart.
+    fn put(&self, configuration: usize, read: &[usize], to: &mut [f64]) {
+        match self {
+            BatchPositions::Rows { values, stride } => {
+                let row = &values[configuration * stride..];
+                read.iter().for_each(|&q| to[q * BLOCK] = row[q]);
+            }
+            BatchPositions::Columns { .. } => {
+                read.iter().for_each(|&q| to[q * BLOCK] = self.at(configuration, q));
+            }
         }
     }
 }

@@ -1,8 +1,8 @@
 //! What answers many configurations at once: trees in their bodies' own axes, for contacts with the ground; linkages of few
 //! freedoms by their velocities, for all contacts.
 
+use crate::answered::{Answered, Answers, Columns};
 use crate::assembly::Assembly;
-use crate::clear_mass::{ClearMass, Columns, WIDEST};
 use crate::contact::Contact;
 use crate::linkage::Linkage;
 use crate::model::Model;
@@ -43,18 +43,18 @@ impl InLanes {
     }
 
     /// m̄ at one configuration, of the contact that it is aimed at.
-    pub fn one(&mut self, positions: &[f64]) -> Option<ClearMass> {
+    pub fn one(&mut self, positions: &[f64]) -> Option<Answered> {
         match self {
             Self::Tree(tree) => tree.one(positions),
             Self::Linkage(linkage) => linkage.one(positions),
         }
     }
 
-    /// m̄ at as many configurations, from `first` on, as the instruction set has lanes.
-    pub fn lanes(&mut self, columns: Columns<'_>, first: usize) -> [Option<ClearMass>; WIDEST] {
+    /// m̄ at the configurations from `first` on, as many as there are answers: a multiple of the instruction set's lanes.
+    pub fn lanes(&mut self, columns: Columns<'_>, first: usize, answers: Answers<'_>) {
         match self {
-            Self::Tree(tree) => tree.lanes(columns, first),
-            Self::Linkage(linkage) => linkage.lanes(columns, first),
+            Self::Tree(tree) => tree.lanes(columns, first, answers),
+            Self::Linkage(linkage) => linkage.lanes(columns, first, answers),
         }
     }
 

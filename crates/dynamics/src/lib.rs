@@ -9,11 +9,12 @@
 //! mechanism stands ten kilometres from the world's origin. This crate knows no files and no contact laws.
 
 mod advance;
+mod aligned;
+mod answered;
 mod assembling;
 mod assembly;
 mod batch;
 mod careful;
-mod clear_mass;
 mod closing;
 mod closing_speed;
 mod conditions;

@@ -28,6 +28,8 @@ pub struct Workspace {
     recursion: RecursionRoom,
     /// For trees without mimics, and for linkages of few freedoms.
     in_lanes: Option<InLanes>,
+    /// The contact that lanes are aimed at.
+    aimed: Option<Contact>,
     /// Whether the frames are those of positions given before the last ones.
     stale: bool,
     /// Whether there is room already for what is not answered in lanes.
@@ -58,6 +60,7 @@ impl Assembly {
             room: MobilityRoom::default(),
             recursion: RecursionRoom::new(model),
             in_lanes: InLanes::of(self),
+            aimed: None,
             stale: false,
             has_room: false,
         };
@@ -101,10 +104,14 @@ impl Workspace {
     /// [`ResponseError`]: a contact that means nothing; motions of negative mass that leave none that is positive; too large
     /// a cluster of bodies.
     pub fn effective_mass(&mut self, contact: &Contact) -> Result<EffectiveMass, ResponseError> {
-        let model = self.assembly.model();
-        model.check_contact(contact)?;
-        if self.in_lanes.as_mut().is_none_or(|lanes| !lanes.aim(model, contact)) {
-            return self.by_recursion(contact);
+        if self.aimed.as_ref() != Some(contact) {
+            self.aimed = None;
+            let model = self.assembly.model();
+            model.check_contact(contact)?;
+            if self.in_lanes.as_mut().is_none_or(|lanes| !lanes.aim(model, contact)) {
+                return self.by_recursion(contact);
+            }
+            self.aimed = Some(*contact);
         }
         let Some(clear) = self.in_lanes.as_mut().and_then(|lanes| lanes.one(&self.kinematics.q)) else {
             return self.by_recursion(contact);

@@ -1,7 +1,7 @@
 //! What is done for each contact, in lanes.
 
 use super::scale::Factor;
-use crate::clear_mass::WIDEST;
+use crate::answered::WIDEST;
 use crate::tolerances::{MAP_TRUSTED_ERROR, SHORTEST_DIRECTION};
 use nalgebra::{SMatrix, Vector3};
 use percuss_spatial::lanes::{Lanes, Work};

@@ -5,8 +5,8 @@ use super::plan::{
 };
 use super::room::Layout;
 use super::rows::rows_at;
+use crate::answered::is_positive;
 use crate::assembly::Assembly;
-use crate::clear_mass::is_positive;
 use crate::model::{Body, CompiledClosure, Constraint, ConstraintRows, LinkFrame, Model};
 use crate::tolerances::{LINKAGE_COORDINATES, LINKAGE_FREEDOMS, LINKAGE_PIVOT, ROW_ROUNDINGS};
 use nalgebra::{Matrix3, Vector3};

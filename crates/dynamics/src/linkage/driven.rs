@@ -14,8 +14,9 @@ use super::place::place;
 use super::plan::{Motion, Plan};
 use super::room::{get, put};
 use super::rows::{eliminate, fill_rows, fill_steps};
+use crate::aligned::Aligned;
+use crate::answered::{Answered, Answers, Columns, WIDEST};
 use crate::assembly::Assembly;
-use crate::clear_mass::{ClearMass, Columns, WIDEST};
 use crate::contact::Contact;
 use crate::tolerances::{
     CLOSED, CLOSED_IN_LANES, CLOSING_PASSES, LONGEST_BRANCH_STEP, SMALL_CORRECTION, STRAIGHT,
@@ -52,7 +53,7 @@ struct Stand {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Followed {
     /// None where rounding leaves a doubt.
-    pub mass: Option<ClearMass>,
+    pub mass: Option<Answered>,
     /// How far the farthest loop is from closed, m.
     pub residual: f64,
 }
@@ -68,8 +69,8 @@ pub(crate) struct Driven {
     here: Stand,
     before: Stand,
     /// Positions, and steps of what depends (m), of some lanes by columns.
-    positions: Vec<f64>,
-    steps: Vec<f64>,
+    positions: Aligned,
+    steps: Aligned,
     /// Displacements of what is given, of some lanes (m).
     moved: Vec<f64>,
 }
@@ -118,8 +119,8 @@ impl Driven {
             size: model.groups.iter().map(|group| group.size).fold(f64::INFINITY, f64::min),
             here: Stand::default(),
             before: Stand::default(),
-            positions: vec![0.0; positions.len() * WIDEST],
-            steps: vec![0.0; rank * WIDEST],
+            positions: Aligned::zeros(positions.len() * WIDEST),
+            steps: Aligned::zeros(rank * WIDEST),
             moved: vec![0.0; given.len() * WIDEST],
             linkage,
             following,
@@ -206,7 +207,7 @@ impl Driven {
             }
         }
         let unknown = [f64::NAN; WIDEST];
-        let mut seen = Outcome { responses: unknown, errors: unknown, open: unknown, corrected: unknown };
+        let mut seen = Outcome { masses: unknown, errors: unknown, open: unknown, corrected: unknown };
         if let Some(struck) = struck.as_ref() {
             let closed = CLOSED_IN_LANES * *size;
             let outcome = &mut seen;
@@ -218,7 +219,8 @@ impl Driven {
 
     /// What a lane is answered, where its branch is beyond doubt.
     fn followed(&self, seen: &Outcome, lane: usize, lanes: usize) -> Option<Followed> {
-        let mass = ClearMass::within(seen.responses[lane], seen.errors[lane]);
+        let answered = Answered { mass: seen.masses[lane], error: seen.errors[lane] };
+        let mass = Some(answered).filter(Answered::is_clear);
         self.is_on_branch(seen, lane, lanes).then_some(Followed { mass, residual: seen.open[lane] })
     }
 
@@ -268,8 +270,8 @@ impl Driven {
 
 /// How some lanes ended.
 struct Outcome {
-    /// 1/m̄, 1/kg, and how many ε of that it may be off.
-    responses: [f64; WIDEST],
+    /// As in [`Answers`].
+    masses: [f64; WIDEST],
     errors: [f64; WIDEST],
     /// How far the farthest row is from closed, m.
     open: [f64; WIDEST],
@@ -334,8 +336,8 @@ impl Work for Closing<'_> {
             passes += 1;
         };
         let answer = answer(plan, struck, placed, seen.roundings, least, room);
-        answer.response.store(&mut outcome.responses);
-        answer.error.store(&mut outcome.errors);
+        let mut answers = Answers { masses: &mut outcome.masses, errors: &mut outcome.errors };
+        answers.put(0, answer.response, answer.error);
         seen.open.store(&mut outcome.open);
         corrected.store(&mut outcome.corrected);
     }

@@ -15,8 +15,9 @@ mod rows;
 
 pub(crate) use driven::Driven;
 
+use crate::aligned::Aligned;
+use crate::answered::{Answered, Answers, Columns, WIDEST};
 use crate::assembly::Assembly;
-use crate::clear_mass::{ClearMass, Columns, WIDEST};
 use crate::contact::{Contact, Direction, Frame};
 use crate::model::Model;
 use motion::{Answer, Normal, Struck, evaluate};
@@ -30,7 +31,7 @@ use std::sync::Arc;
 pub(crate) struct Linkage {
     plan: Arc<Plan>,
     struck: Option<Struck>,
-    room: Vec<f64>,
+    room: Aligned,
     pub instructions: Instructions,
 }
 
@@ -41,7 +42,7 @@ impl Linkage {
     }
 
     fn with(plan: Plan) -> Self {
-        let room = vec![0.0; plan.layout.total * WIDEST];
+        let room = Aligned::zeros(plan.layout.total * WIDEST);
         Self { plan: Arc::new(plan), struck: None, room, instructions: Instructions::best() }
     }
 
@@ -74,22 +75,22 @@ impl Linkage {
     }
 
     /// m̄ at one configuration, of the contact that it is aimed at.
-    pub fn one(&mut self, positions: &[f64]) -> Option<ClearMass> {
-        let (mut response, mut error) = ([0.0], [0.0]);
-        let columns = Columns { values: positions, stride: 1 };
-        let instructions = self.instructions;
-        instructions.run_one(self.group(columns, 0, [&mut response, &mut error])?);
-        ClearMass::within(response[0], error[0])
+    pub fn one(&mut self, positions: &[f64]) -> Option<Answered> {
+        Answered::of_one(|answers| {
+            let columns = Columns { values: positions, stride: 1 };
+            let instructions = self.instructions;
+            if let Some(groups) = self.groups(columns, 0, answers) {
+                instructions.run_one(groups);
+            }
+        })
     }
 
-    /// m̄ at as many configurations, from `first` on, as the instruction set has lanes.
-    pub fn lanes(&mut self, columns: Columns<'_>, first: usize) -> [Option<ClearMass>; WIDEST] {
-        let [mut responses, mut errors] = [[f64::NAN; WIDEST]; 2];
+    /// m̄ at the configurations from `first` on, as many as there are answers: a multiple of the instruction set's lanes.
+    pub fn lanes(&mut self, columns: Columns<'_>, first: usize, answers: Answers<'_>) {
         let instructions = self.instructions;
-        if let Some(group) = self.group(columns, first, [&mut responses, &mut errors]) {
-            instructions.run(group);
+        if let Some(groups) = self.groups(columns, first, answers) {
+            instructions.run(groups);
         }
-        std::array::from_fn(|lane| ClearMass::within(responses[lane], errors[lane]))
     }
 
     /// Which positions are read.
@@ -101,34 +102,36 @@ impl Linkage {
         })
     }
 
-    fn group<'a>(
+    fn groups<'a>(
         &'a mut self,
         columns: Columns<'a>,
         first: usize,
-        answers: [&'a mut [f64]; 2],
-    ) -> Option<Group<'a>> {
+        answers: Answers<'a>,
+    ) -> Option<Groups<'a>> {
         let Self { plan, struck, room, .. } = self;
-        Some(Group { plan, struck: struck.as_ref()?, columns, first, room, answers })
+        Some(Groups { plan, struck: struck.as_ref()?, columns, first, room, answers })
     }
 }
 
-/// Some lanes.
-struct Group<'a> {
+/// Configurations, as many at once as there are lanes.
+struct Groups<'a> {
     plan: &'a Plan,
     struck: &'a Struck,
     columns: Columns<'a>,
     first: usize,
     room: &'a mut [f64],
-    /// Responses and their errors.
-    answers: [&'a mut [f64]; 2],
+    answers: Answers<'a>,
 }
 
-impl Work for Group<'_> {
+impl Work for Groups<'_> {
     #[inline(always)]
     fn run<T: Lanes>(self) {
-        let answer: Answer<T> = evaluate(self.plan, self.struck, self.columns, self.first, self.room);
-        let [responses, errors] = self.answers;
-        answer.response.store(responses);
-        answer.error.store(errors);
+        let Self { plan, struck, columns, first, room, mut answers } = self;
+        let mut done = 0;
+        while done < answers.masses.len() {
+            let answer: Answer<T> = evaluate(plan, struck, columns, first + done, room);
+            answers.put(done, answer.response, answer.error);
+            done += T::WIDTH;
+        }
     }
 }

@@ -12,7 +12,7 @@ use super::place::{direction, frame, place, point};
 use super::plan::{BodyDirection, BodyPoint, Motion, Moving, Plan};
 use super::room::{FRAME, along, cross, dot, get, get_vector, minus, plus, put_vector, size, times};
 use super::rows::{eliminate, fill_rates, fill_rows};
-use crate::clear_mass::Columns;
+use crate::answered::Columns;
 use crate::tolerances::{FAR_ROUNDINGS, LINKAGE_FREEDOMS, ROUTE_ROUNDINGS};
 use percuss_spatial::lanes::Lanes;
 

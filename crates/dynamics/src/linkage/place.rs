@@ -2,7 +2,7 @@
 
 use super::plan::{BodyDirection, BodyPoint, Motion, Plan, Position};
 use super::room::{FRAME, along, dot, get, get_vector, plus, put_vector, size, times};
-use crate::clear_mass::Columns;
+use crate::answered::Columns;
 use percuss_spatial::lanes::{LARGEST_ANGLE, Lanes};
 use percuss_spatial::{rotation_rows, splat};
 

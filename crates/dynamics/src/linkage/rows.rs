@@ -3,7 +3,7 @@
 use super::place::{axis, direction, place, point};
 use super::plan::{Block, Form, Motion, Moving, Plan, Term};
 use super::room::{FRAME, cross, dot, get, get_vector, minus, plus, put, size, times};
-use crate::clear_mass::Columns;
+use crate::answered::Columns;
 use crate::tolerances::{FAR_ROUNDINGS, OPEN_ROUNDINGS};
 use percuss_spatial::lanes::{Lanes, Portable};
 

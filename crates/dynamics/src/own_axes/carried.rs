@@ -52,6 +52,13 @@ impl Leaf {
 }
 
 impl<T: Lanes> Carried<T> {
+    /// No wrench.
+    #[inline(always)]
+    pub fn none() -> Self {
+        let (o, one) = (T::zero(), T::one());
+        Self { wrench: PackedWrench::zero(), about: o, along: o, response: o, terms: o, loss: one }
+    }
+
     /// What a pivot loses of the inertia that it is an entry of.
     #[inline(always)]
     pub fn lose(&mut self, size: T, pivot: &Pivot<T>) {

@@ -7,10 +7,14 @@ mod carried;
 mod hinge;
 mod plan;
 mod recursion;
+mod slid;
+mod way;
 
-use crate::clear_mass::{ClearMass, Columns, WIDEST};
+use crate::aligned::Aligned;
+use crate::answered::{Answered, Answers, Columns, WIDEST};
 use crate::contact::{Contact, Direction, Frame};
 use crate::model::Model;
+use crate::tolerances::ROUTE_ROUNDINGS;
 use carried::ROOM;
 use nalgebra::Vector3;
 use percuss_spatial::lanes::{Instructions, Lanes, Work};
@@ -23,7 +27,7 @@ use std::sync::Arc;
 pub(crate) struct OwnAxes {
     steps: Arc<[Placed]>,
     selection: Selection,
-    room: Vec<f64>,
+    room: Aligned,
     pub instructions: Instructions,
 }
 
@@ -32,8 +36,10 @@ impl OwnAxes {
     pub fn of(model: &Model) -> Option<Self> {
         let plan = Plan::of(model)?;
         let selection = Selection::none(plan.steps.len(), plan.travel);
-        let steps: Arc<[Placed]> = plan.placed().into();
-        let room = vec![0.0; steps.len() * ROOM * WIDEST];
+        let mut steps = plan.placed();
+        slid::find(&mut steps);
+        let steps: Arc<[Placed]> = steps.into();
+        let room = Aligned::zeros(steps.len() * ROOM * WIDEST);
         Some(Self { steps, selection, room, instructions: Instructions::best() })
     }
 
@@ -71,20 +77,18 @@ impl OwnAxes {
     }
 
     /// m̄ at one configuration, by what it is aimed at.
-    pub fn one(&mut self, positions: &[f64]) -> Option<ClearMass> {
-        let (mut response, mut terms, mut loss) = ([0.0], [0.0], [0.0]);
-        let columns = Columns { values: positions, stride: 1 };
-        let instructions = self.instructions;
-        instructions.run_one(self.group(columns, 0, [&mut response, &mut terms, &mut loss]));
-        ClearMass::of(response[0], terms[0], loss[0])
+    pub fn one(&mut self, positions: &[f64]) -> Option<Answered> {
+        Answered::of_one(|answers| {
+            let columns = Columns { values: positions, stride: 1 };
+            let instructions = self.instructions;
+            instructions.run_one(self.groups(columns, 0, answers));
+        })
     }
 
-    /// m̄ at as many configurations, from `first` on, as the instruction set has lanes.
-    pub fn lanes(&mut self, columns: Columns<'_>, first: usize) -> [Option<ClearMass>; WIDEST] {
-        let [mut responses, mut terms, mut losses] = [[f64::NAN; WIDEST]; 3];
+    /// m̄ at the configurations from `first` on, as many as there are answers: a multiple of the instruction set's lanes.
+    pub fn lanes(&mut self, columns: Columns<'_>, first: usize, answers: Answers<'_>) {
         let instructions = self.instructions;
-        instructions.run(self.group(columns, first, [&mut responses, &mut terms, &mut losses]));
-        std::array::from_fn(|lane| ClearMass::of(responses[lane], terms[lane], losses[lane]))
+        instructions.run(self.groups(columns, first, answers));
     }
 
     /// Which positions are read.
@@ -95,30 +99,32 @@ impl OwnAxes {
         read.flat_map(|(placed, _)| placed.step.positions())
     }
 
-    fn group<'a>(&'a mut self, columns: Columns<'a>, first: usize, answers: [&'a mut [f64]; 3]) -> Group<'a> {
+    fn groups<'a>(&'a mut self, columns: Columns<'a>, first: usize, answers: Answers<'a>) -> Groups<'a> {
         let Self { steps, selection, room, .. } = self;
-        Group { steps, selection, columns, first, room, answers }
+        Groups { steps, selection, columns, first, room, answers }
     }
 }
 
-/// Some lanes.
-struct Group<'a> {
+/// Configurations, as many at once as there are lanes.
+struct Groups<'a> {
     steps: &'a [Placed],
     selection: &'a Selection,
     columns: Columns<'a>,
     first: usize,
     room: &'a mut [f64],
-    /// Responses, terms, losses.
-    answers: [&'a mut [f64]; 3],
+    answers: Answers<'a>,
 }
 
-impl Work for Group<'_> {
+impl Work for Groups<'_> {
     #[inline(always)]
     fn run<T: Lanes>(self) {
-        let answer: Answer<T> = evaluate(self.steps, self.selection, self.columns, self.first, self.room);
-        let [responses, terms, losses] = self.answers;
-        answer.response.store(responses);
-        answer.terms.store(terms);
-        answer.loss.store(losses);
+        let Self { steps, selection, columns, first, room, mut answers } = self;
+        let mut done = 0;
+        while done < answers.masses.len() {
+            let answer: Answer<T> = evaluate(steps, selection, columns, first + done, room);
+            let roundings = T::from_f64(ROUTE_ROUNDINGS).max(answer.loss);
+            answers.put(done, answer.response, roundings * answer.terms);
+            done += T::WIDTH;
+        }
     }
 }

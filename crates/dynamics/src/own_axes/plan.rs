@@ -2,13 +2,13 @@
 //! entry of the inertia, and the way from each to the frame that carries it by as few turns about and shifts along
 //! coordinate axes as there are (Denavit and Hartenberg 1955).
 
-use crate::clear_mass::is_positive;
+use crate::answered::is_positive;
 use crate::joint_motion::JointMotion;
 use crate::model::{Body, Model};
 use crate::tolerances::{NO_TURN, PARALLEL_AXES, SLIDE_REACH};
 use nalgebra::{Matrix3, Vector3};
 use percuss_mechanism::JointKind;
-use percuss_spatial::lanes::{Lanes, Portable};
+use percuss_spatial::lanes::Portable;
 use percuss_spatial::{PackedInertia, PackedWrench, Scalar, Transform};
 use std::ops::Range;
 
@@ -154,6 +154,19 @@ pub(super) struct Leaf {
     pub loss: f64,
 }
 
+/// What a slide that carries nothing leaves to its carrier, in the carrier's frame: I₀ + q I₁ + q² I₂.
+#[derive(Clone, Debug)]
+pub(super) struct Slid {
+    /// I₀, with the carrier's own inertia where this is the first that it carries.
+    pub constant: PackedInertia<f64>,
+    /// I₁, whose L is zero.
+    pub slope: PackedInertia<f64>,
+    /// A of I₂, the rest of which is zero.
+    pub bend: [f64; 6],
+    /// Of [`Leaf`].
+    pub loss: f64,
+}
+
 /// Steps of one form go through code without a branch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Form {
@@ -161,6 +174,8 @@ pub(super) enum Form {
     Top,
     /// A hinge whose way is not [`Shape::General`].
     Hinge(HingeForm),
+    /// A slide that carries nothing.
+    Slid,
     /// Any other.
     Any,
 }
@@ -192,6 +207,7 @@ pub(super) struct Placed {
     /// matter to it.
     pub top: usize,
     pub form: Form,
+    pub slid: Option<Slid>,
 }
 
 /// The bodies of a tree in the model's order.
@@ -264,6 +280,7 @@ impl Plan {
                     .is_some_and(|p| !std::mem::replace(&mut met[p], true)),
                 top: tops[number],
                 form: self.form(step),
+                slid: None,
                 step: step.clone(),
             }
         };
@@ -315,11 +332,7 @@ impl Plan {
 impl Leaf {
     fn of(step: &Step) -> Option<Self> {
         type One = Portable<1>;
-        let value = |x: One| {
-            let mut out = [0.0];
-            x.store(&mut out);
-            out[0]
-        };
+        let value = One::number;
         let mut left: PackedInertia<One> = step.inertia.cast();
         let pivot = match step.motion {
             Motion::Turn { .. } => left.turn_pivot::<2>(One::from_f64(step.armature[2])),
@@ -341,13 +354,8 @@ impl Leaf {
         let wrench =
             |w: &PackedWrench<One>| PackedWrench { moment: w.moment.map(value), force: w.force.map(value) };
         Some(Self {
-            left: PackedInertia {
-                angular: left.angular.map(value),
-                coupling: left.coupling.map(|row| row.map(value)),
-                linear: left.linear.map(value),
-            },
+            left: left.plain(),
             u: wrench(&pivot.u),
-
             d: value(pivot.d),
             over: value(pivot.over),
             loss: if is_massless { 1.0 } else { size * value(pivot.over).abs() },

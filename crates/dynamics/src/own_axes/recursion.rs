@@ -10,11 +10,13 @@
 
 use super::carried::{COSINE, Carried, ROOM, SINE, number, pass, spend};
 use super::hinge::hinge;
-use super::plan::{Form, Motion, Placed, Step, Turn};
-use crate::clear_mass::Columns;
+use super::plan::{Form, Motion, Placed, Shape, Step, Turn};
+use super::slid;
+use super::way::{At, go};
+use crate::answered::Columns;
 use crate::tolerances::UNIT_QUATERNION;
 use percuss_spatial::lanes::{LARGEST_ANGLE, Lanes};
-use percuss_spatial::{PackedInertia, PackedWrench, rotate_back, rotation_rows, splat, turn_vector};
+use percuss_spatial::{PackedInertia, PackedWrench, rotate_back, splat, turn_vector};
 
 /// The struck point and what wrench it gives, in the frames of the plan.
 #[derive(Clone, Debug)]
@@ -71,25 +73,6 @@ pub(super) struct Answer<T> {
     /// The largest that the size of what a pivot is the sum of is over the pivot: so many times more its rounding counts in
     /// what it leaves.
     pub loss: T,
-}
-
-/// Where the positions of the lanes stand.
-#[derive(Clone, Copy)]
-struct At<'a> {
-    columns: Columns<'a>,
-    first: usize,
-}
-
-impl At<'_> {
-    #[inline(always)]
-    fn position<T: Lanes>(&self, q: usize) -> T {
-        self.columns.at(q, self.first)
-    }
-
-    #[inline(always)]
-    fn rotation<T: Lanes>(&self, q: usize) -> [[T; 3]; 3] {
-        rotation_rows([self.position(q), self.position(q + 1), self.position(q + 2), self.position(q + 3)])
-    }
 }
 
 /// 1/m̄ of configurations `first` and those after it.
@@ -236,8 +219,14 @@ fn turn_back<T: Lanes>(step: &Step, n: &mut [T; 3], at: At<'_>, slot: &[f64]) {
         let (c, s) = back::<T>(turn);
         turn_vector::<T, 2>(n, c, s);
     }
-    let (c, s) = back::<T>(step.way.tilt);
-    turn_vector::<T, 0>(n, c, s);
+    match step.way.shape {
+        Shape::Parallel => {}
+        Shape::Right => (n[1], n[2]) = (n[2], -n[1]),
+        Shape::Skew | Shape::General => {
+            let (c, s) = back::<T>(step.way.tilt);
+            turn_vector::<T, 0>(n, c, s);
+        }
+    }
     match (step.motion, step.way.turn_z) {
         // The way's turn is in its angle.
         (Motion::Turn { .. }, _) | (_, None) => {}
@@ -281,7 +270,13 @@ fn advance<T: Lanes, const ON_PATH: bool>(
             let slot = &mut rest[parent * ROOM * T::WIDTH..][..ROOM * T::WIDTH];
             hinge::<T, ON_PATH>(form, placed, carried, own, slot);
         }
-        Form::Any => any::<T>(placed, ON_PATH, at, carried, rest, own),
+        Form::Slid if !ON_PATH => {
+            let (Some(parent), Some(slid)) = (step.parent, &placed.slid) else { return };
+            carried.loss = carried.loss.max(T::from_f64(slid.loss));
+            let slot = &mut rest[parent * ROOM * T::WIDTH..][..ROOM * T::WIDTH];
+            slid::pass::<T>(slid, number(own, SINE), placed.is_first, slot);
+        }
+        Form::Slid | Form::Any => any::<T>(placed, ON_PATH, at, carried, rest, own),
     }
 }
 
@@ -361,73 +356,4 @@ fn eliminated<T: Lanes>(
     velocity!(1, moment_size, turn_pivot, eliminate_turn, 1);
     velocity!(2, moment_size, turn_pivot, eliminate_turn, 2);
     inertia
-}
-
-/// The way to the carrier's frame.
-#[inline(always)]
-fn go<T: Lanes>(
-    step: &Step,
-    inertia: &mut PackedInertia<T>,
-    on_path: bool,
-    at: At<'_>,
-    carried: &mut Carried<T>,
-    own: &[f64],
-) {
-    let of = T::from_f64;
-    let (way, wrench) = (&step.way, &mut carried.wrench);
-    macro_rules! both {
-        ($what:ident::<$axis:literal>($($by:expr),*)) => {
-            inertia.$what::<$axis>($($by),*);
-            if on_path {
-                wrench.$what::<$axis>($($by),*);
-            }
-        };
-    }
-    macro_rules! rotate {
-        ($q:expr) => {
-            let rotation = at.rotation($q);
-            inertia.rotate(&rotation);
-            if on_path {
-                wrench.rotate(&rotation);
-            }
-        };
-    }
-    let along_z = of(way.along_z);
-    match step.motion {
-        Motion::Turn { .. } => {
-            let (s, c): (T, T) = (number(own, SINE), number(own, COSINE));
-            both!(screw::<2>(c, s, along_z));
-        }
-        Motion::Slide { .. } => {
-            both!(shift::<2>(number::<T>(own, SINE) + along_z));
-        }
-        Motion::Planar { q } => {
-            both!(shift::<0>(at.position(q)));
-            both!(shift::<1>(at.position(q + 1)));
-            both!(shift::<2>(along_z));
-        }
-        Motion::Ball { q } => {
-            rotate!(q);
-            both!(shift::<2>(along_z));
-        }
-        Motion::Floating { q } => {
-            rotate!(q + 3);
-            both!(shift::<0>(at.position(q)));
-            both!(shift::<1>(at.position(q + 1)));
-            both!(shift::<2>(at.position::<T>(q + 2) + along_z));
-        }
-        Motion::Base => {}
-    }
-    match (step.motion, way.turn_z) {
-        (Motion::Turn { .. }, _) | (_, None) => {}
-        (_, Some(turn)) => {
-            both!(turn::<2>(of(turn.cos), of(turn.sin)));
-        }
-    }
-    both!(screw::<0>(of(way.tilt.cos), of(way.tilt.sin), of(way.along[0])));
-    both!(shift::<1>(of(way.along[1])));
-    both!(shift::<2>(of(way.along[2])));
-    if let Some(turn) = way.last_turn_z {
-        both!(turn::<2>(of(turn.cos), of(turn.sin)));
-    }
 }

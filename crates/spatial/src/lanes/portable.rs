@@ -22,6 +22,13 @@ impl<const N: usize> Portable<N> {
     }
 }
 
+impl Portable<1> {
+    /// The number.
+    pub fn number(self) -> f64 {
+        self.0[0]
+    }
+}
+
 macro_rules! operator {
     ($trait:ident, $method:ident, $assign:ident, $assign_method:ident, $operator:tt) => {
         impl<const N: usize> $trait for Portable<N> {

@@ -12,6 +12,7 @@ use crate::Scalar;
 use num_traits::{One, Zero};
 use std::arch::is_x86_feature_detected;
 use std::arch::x86_64::*;
+use std::hint::black_box;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 pub(super) fn has_avx2() -> bool {
@@ -25,6 +26,10 @@ pub(super) fn has_avx512() -> bool {
         && is_x86_feature_detected!("avx512vl")
 }
 
+/// Stands in a function's frame: registers that are put aside there then cross no cache line.
+#[repr(align(64))]
+struct Line(#[allow(dead_code, reason = "only where it stands matters")] [u8; 1]);
+
 pub(super) fn run_two<W: Work>(work: W) {
     work.run::<Two>();
 }
@@ -33,6 +38,8 @@ pub(super) fn run_two<W: Work>(work: W) {
 pub(super) fn run_four<W: Work>(work: W) {
     #[target_feature(enable = "avx2,fma")]
     fn inside<W: Work>(work: W) {
+        let mut line = Line([0]);
+        black_box(&mut line);
         work.run::<Four>();
     }
     if has_avx2() {
@@ -46,6 +53,8 @@ pub(super) fn run_four<W: Work>(work: W) {
 pub(super) fn run_eight<W: Work>(work: W) {
     #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2,fma")]
     fn inside<W: Work>(work: W) {
+        let mut line = Line([0]);
+        black_box(&mut line);
         work.run::<Eight>();
     }
     if has_avx512() {

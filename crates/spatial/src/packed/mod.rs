@@ -7,7 +7,7 @@ mod wrench;
 pub use vector::{rotate_back, rotation_rows, splat, turn_vector};
 pub use wrench::PackedWrench;
 
-use crate::lanes::Lanes;
+use crate::lanes::{Lanes, Portable};
 use crate::{Scalar, SpatialInertia};
 use vector::{after, rotated, turned};
 
@@ -65,6 +65,22 @@ impl PackedInertia<f64> {
             coupling: [[0.0, -h.z, h.y], [h.z, 0.0, -h.x], [-h.y, h.x, 0.0]],
             linear: [m, 0.0, 0.0, m, 0.0, m],
         }
+    }
+
+    /// What a shift by d (m) along axis `Z` adds, over d and over d²: C is linear and A quadratic in it.
+    pub fn along<const Z: usize>(&self) -> [Self; 2] {
+        let (x, y) = after(Z);
+        let (c, l) = (&self.coupling, &self.linear);
+        let [mut slope, mut bend] = [Self::zero(); 2];
+        for k in 0..3 {
+            (slope.coupling[x][k], slope.coupling[y][k]) = (-l[at(y, k)], l[at(x, k)]);
+        }
+        let a = &mut slope.angular;
+        (a[at(x, x)], a[at(y, y)], a[at(x, y)]) = (-2.0 * c[x][y], 2.0 * c[y][x], c[x][x] - c[y][y]);
+        (a[at(x, Z)], a[at(y, Z)]) = (-c[Z][y], c[Z][x]);
+        let a = &mut bend.angular;
+        (a[at(x, x)], a[at(y, y)], a[at(x, y)]) = (l[at(y, y)], l[at(x, x)], -l[at(x, y)]);
+        [slope, bend]
     }
 
     /// The same over lanes.
@@ -128,6 +144,25 @@ fn rotate_symmetric<T: Lanes>(m: &mut [T; 6], r: &[[T; 3]; 3]) {
             let (a, b, c) = (r[i][0], r[i][1], r[i][2]);
             m[at(i, k)] = a.mul_add(half[0][k], b.mul_add(half[1][k], c * half[2][k]));
         }
+    }
+}
+
+impl PackedInertia<Portable<1>> {
+    /// Its plain numbers.
+    pub fn plain(&self) -> PackedInertia<f64> {
+        PackedInertia {
+            angular: self.angular.map(Portable::number),
+            coupling: self.coupling.map(|row| row.map(Portable::number)),
+            linear: self.linear.map(Portable::number),
+        }
+    }
+}
+
+impl<T: Scalar> PackedInertia<T> {
+    #[inline(always)]
+    fn zero() -> Self {
+        let o = T::zero();
+        Self { angular: [o; 6], coupling: [[o; 3]; 3], linear: [o; 6] }
     }
 }
 
@@ -399,12 +434,6 @@ impl<T: Lanes> PackedInertia<T> {
         packed
     }
 
-    #[inline(always)]
-    fn zero() -> Self {
-        let o = T::zero();
-        Self { angular: [o; 6], coupling: [[o; 3]; 3], linear: [o; 6] }
-    }
-
     /// Sum.
     #[inline(always)]
     pub fn add(&mut self, other: &Self) {
@@ -439,16 +468,13 @@ impl<T: Lanes> PackedInertia<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lanes::Portable;
     use crate::{ArticulatedInertia, Transform, Vector3, Wrench, rotation_about};
     use nalgebra::Matrix3;
 
     type One = Portable<1>;
 
     fn value(x: One) -> f64 {
-        let mut out = [0.0];
-        x.store(&mut out);
-        out[0]
+        x.number()
     }
 
     fn body() -> SpatialInertia<f64> {
@@ -483,6 +509,7 @@ mod tests {
         packed.shift::<Z>(One::from_f64(d));
         assert_eq!(packed, at_once);
         right::<Z>(packed);
+        along::<Z>();
         let x = Transform::new(rotation_about(&axis, angle), axis * d);
         assert_same(&packed, &ArticulatedInertia::from(&x.inertia(&body())));
         let f = Wrench::new(Vector3::new(0.3, -0.8, 0.5), Vector3::new(1.0, 0.2, -0.4));
@@ -494,6 +521,25 @@ mod tests {
         for k in 0..3 {
             assert!((value(wrench.moment[k]) - there.moment[k]).abs() < 1e-15);
             assert!((value(wrench.force[k]) - there.force[k]).abs() < 1e-15);
+        }
+    }
+
+    /// I + d I₁ + d² I₂ is I shifted by d.
+    fn along<const Z: usize>() {
+        let at_rest = PackedInertia::of_body(&body());
+        let d = -0.35;
+        let mut shifted: PackedInertia<One> = at_rest.cast();
+        let pivot = shifted.turn_pivot::<0>(One::from_f64(0.1));
+        let over_d = pivot.u.scaled(pivot.over);
+        shifted.eliminate_turn::<0>(&pivot, &over_d);
+        let left = shifted.plain();
+        shifted.shift::<Z>(One::from_f64(d));
+        let [slope, bend] = left.along::<Z>();
+        let terms = [left, slope, bend].map(|term| numbers(&term.cast()).collect::<Vec<_>>());
+        for (k, number) in numbers(&shifted).enumerate() {
+            let sum = terms[0][k] + d * (terms[1][k] + d * terms[2][k]);
+            // A few roundings of numbers of order one.
+            assert!((sum - number).abs() < 1e-15, "{k}: {sum} {number}");
         }
     }
 

@@ -1,0 +1,64 @@
+//! Room for lanes, where loads and stores of whole registers cross no cache line.
+
+use std::ops::{Deref, DerefMut};
+
+/// Bytes of the widest register, and of a cache line.
+const LINE: usize = 64;
+/// Numbers that are in a line.
+const NUMBERS: usize = LINE / size_of::<f64>();
+
+/// Numbers of which the first stands at the start of a cache line.
+#[derive(Debug)]
+pub(crate) struct Aligned {
+    /// With some before and after.
+    values: Vec<f64>,
+    first: usize,
+    count: usize,
+}
+
+impl Aligned {
+    /// As many zeros.
+    pub fn zeros(count: usize) -> Self {
+        let values = vec![0.0; count + NUMBERS];
+        let first = values.as_ptr().align_offset(LINE).min(NUMBERS);
+        Self { values, first, count }
+    }
+}
+
+impl Deref for Aligned {
+    type Target = [f64];
+
+    fn deref(&self) -> &[f64] {
+        &self.values[self.first..][..self.count]
+    }
+}
+
+impl DerefMut for Aligned {
+    fn deref_mut(&mut self) -> &mut [f64] {
+        &mut self.values[self.first..][..self.count]
+    }
+}
+
+impl Clone for Aligned {
+    fn clone(&self) -> Self {
+        let mut clone = Self::zeros(self.count);
+        clone.copy_from_slice(self);
+        clone
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_clone_holds_the_same_and_stands_at_a_line_too() {
+        for count in 0..40 {
+            let mut room = Aligned::zeros(count);
+            room.iter_mut().enumerate().for_each(|(k, x)| *x = k as f64);
+            let clone = room.clone();
+            assert_eq!(room[..], clone[..]);
+            assert_eq!((clone.len(), clone.as_ptr().addr() % LINE), (count, 0));
+        }
+    }
+}

@@ -1,0 +1,77 @@
+//! What mechanisms that are answered in lanes share: positions by columns, and answers that rounding leaves no doubt of.
+
+use crate::tolerances::TRUSTED_ERROR;
+use nalgebra::Matrix3;
+use percuss_spatial::SpatialInertia;
+use percuss_spatial::lanes::Lanes;
+
+/// The widest lanes.
+pub(crate) const WIDEST: usize = 8;
+
+/// m̄, and what rounding may amount to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Answered {
+    /// m̄, kg.
+    pub mass: f64,
+    /// Its error, kg.
+    pub error: f64,
+}
+
+impl Answered {
+    /// Whether it is a finite m̄ that rounding leaves no doubt of. NaN is not small.
+    #[inline]
+    pub fn is_clear(&self) -> bool {
+        (self.mass > 0.0) & (self.mass <= f64::MAX) & (self.error <= TRUSTED_ERROR * self.mass)
+    }
+
+    /// What work on one lane puts, where it is beyond doubt.
+    #[inline]
+    pub fn of_one(work: impl FnOnce(Answers<'_>)) -> Option<Self> {
+        let (mut mass, mut error) = ([f64::NAN], [f64::NAN]);
+        work(Answers { masses: &mut mass, errors: &mut error });
+        Some(Self { mass: mass[0], error: error[0] }).filter(Self::is_clear)
+    }
+}
+
+/// What lanes answer, in doubt or not: divided while they are side by side.
+pub(crate) struct Answers<'a> {
+    /// m̄, kg.
+    pub masses: &'a mut [f64],
+    /// Their errors, kg.
+    pub errors: &'a mut [f64],
+}
+
+impl Answers<'_> {
+    /// Of the lanes from `first` on: 1/m̄ (1/kg), and how many ε, 1/kg, that may be off by.
+    #[inline(always)]
+    pub fn put<T: Lanes>(&mut self, first: usize, response: T, error: T) {
+        let mass = T::one() / response;
+        mass.store(&mut self.masses[first..]);
+        (T::from_f64(f64::EPSILON) * error * mass * mass).store(&mut self.errors[first..]);
+    }
+}
+
+/// Positions by columns: that of configuration `c` and position `q` stands at `q · stride + c`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Columns<'a> {
+    pub values: &'a [f64],
+    pub stride: usize,
+}
+
+impl Columns<'_> {
+    #[inline(always)]
+    pub fn at<T: Lanes>(&self, q: usize, first: usize) -> T {
+        T::load(&self.values[q * self.stride + first..])
+    }
+}
+
+/// Whether no motion has a negative energy, to rounding.
+pub(crate) fn is_positive(inertia: &SpatialInertia<f64>) -> bool {
+    if inertia.mass <= 0.0 {
+        return inertia.mass == 0.0 && inertia.first_moment.norm() == 0.0 && inertia.rotational.norm() == 0.0;
+    }
+    let h = inertia.first_moment;
+    let steiner = (Matrix3::identity() * h.norm_squared() - h * h.transpose()) / inertia.mass;
+    let least = (inertia.rotational - steiner).symmetric_eigenvalues().min();
+    least >= -f64::EPSILON * 16.0 * inertia.rotational.norm()
+}
