@@ -252,11 +252,21 @@ impl Rows {
             }
             out += "</joint>\n";
         }
-        for (before, at, after, there, axis) in &self.loops {
-            let _ = write!(out, "<loop name=\"loop\" type=\"revolute\">");
+        for (number, (before, at, after, there, axis)) in self.loops.iter().enumerate() {
+            let kind = match axis.split_whitespace().count() {
+                0 => "spherical",
+                1 => "distance",
+                _ => "revolute",
+            };
+            let _ = write!(out, "<loop name=\"loop{number}\" type=\"{kind}\">");
             let _ = write!(out, "<predecessor link=\"l{before}\"><origin xyz=\"{at}\"/></predecessor>");
             let _ = write!(out, "<successor link=\"l{after}\"><origin xyz=\"{there}\"/></successor>");
-            let _ = writeln!(out, "<axis xyz=\"{axis}\"/></loop>");
+            out += &match kind {
+                "spherical" => String::new(),
+                "distance" => format!("<distance value=\"{axis}\"/>"),
+                _ => format!("<axis xyz=\"{axis}\"/>"),
+            };
+            out += "</loop>\n";
         }
         out + "</robot>\n"
     }
@@ -569,6 +579,11 @@ fn rings_of_ten_to_three_hundred_links() {
 #[test]
 fn small_pivots_light_contacts_and_lines() {
     judge("pivots.json", |_| Wanted::default(), nothing);
+}
+
+#[test]
+fn linkages_in_space_without_a_redundant_row() {
+    judge("spatial.json", |_| Wanted::default(), nothing);
 }
 
 #[test]

@@ -125,12 +125,14 @@ impl Assembly {
     pub fn batch(self: &Arc<Self>, contact: &Contact) -> Result<Batch, ResponseError> {
         let model = self.model();
         model.check_contact(contact)?;
-        let in_lanes = InLanes::of(self).and_then(|mut lanes| lanes.aim(model, contact).then_some(lanes));
+        let mut workspace = self.workspace();
+        let in_lanes =
+            workspace.take_lanes().and_then(|mut lanes| lanes.aim(model, contact).then_some(lanes));
         let worker = Worker {
             read: in_lanes.iter().flat_map(InLanes::read).collect(),
-            columns: Aligned::zeros(if in_lanes.is_some() { model.positions * BLOCK } else { 0 }),
+            columns: Aligned::zeros(if in_lanes.is_some() { model.positions.max(1) * BLOCK } else { 0 }),
             row: vec![0.0; model.positions],
-            workspace: self.workspace(),
+            workspace,
             in_lanes,
         };
         let instructions = Instructions::best();

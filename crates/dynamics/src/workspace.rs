@@ -83,6 +83,12 @@ impl Workspace {
         Ok(())
     }
 
+    /// What it answers in lanes with: it goes by the recursion from now on.
+    pub(crate) fn take_lanes(&mut self) -> Option<InLanes> {
+        self.aimed = None;
+        self.in_lanes.take()
+    }
+
     fn refill(&mut self) {
         self.stale = false;
         let model = self.assembly.model();

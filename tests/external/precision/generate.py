@@ -11,6 +11,7 @@ from mpmath import mp, mpf
 import families
 import self_test
 from mechanics import Mechanism, Position, closed, masses
+from spatial import FAMILIES
 
 OUT = Path(__file__).resolve().parents[2] / "data" / "precision"
 
@@ -75,9 +76,9 @@ def main():
         self_test.conditions(position)
         return
     OUT.mkdir(parents=True, exist_ok=True)
-    for name in names or families.FAMILIES:
+    for name in names or FAMILIES:
         began = time.time()
-        mechanisms, contacts, groups = fixture(families.FAMILIES[name]())
+        mechanisms, contacts, groups = fixture(FAMILIES[name]())
         inside = ",\n".join(f"{json.dumps(group)}:[\n{listed(cases)}]" for group, cases in groups.items())
         path = OUT / f"{name}.json"
         path.write_text(f'{{"mechanisms":[\n{listed(mechanisms)}],\n"contacts":[\n{listed(contacts)}],\n'

@@ -115,11 +115,18 @@ class Body:
 
 
 class Loop:
-    """A revolute closure: frames are parallel to their links' axes."""
+    """A closure: frames are parallel to their links' axes. An axis makes it revolute, one number, the distance of the two
+    points, a rod, nothing a ball."""
 
     def __init__(self, row):
-        self.predecessor, before, self.successor, after, axis = row
-        self.before, self.after, self.axis = numbers(before), numbers(after), unit(numbers(axis))
+        self.predecessor, before, self.successor, after, words = row
+        self.before, self.after = numbers(before), numbers(after)
+        of = numbers(words)
+        self.axis = unit(of) if len(of) == 3 else None
+        self.length = of[0] if len(of) == 1 else None
+
+    def ends(self, position):
+        return position.point(self.predecessor, self.before), position.point(self.successor, self.after)
 
 
 class Mechanism:
@@ -280,11 +287,15 @@ def by_closing(position, contacts):
     closing = []
     for loop in position.mechanism.loops:
         before, after = loop.predecessor, loop.successor
-        p = position.point(before, loop.before)
-        assert max(map(abs, sub(position.point(after, loop.after), p))) < mpf(10) ** (10 - mp.dps)
+        p, s = loop.ends(position)
+        if loop.length is not None:
+            along = unit(sub(s, p))
+            closing.append({after: cross(s, along) + along, before: times(-1, cross(p, along) + along)})
+            continue
+        assert max(map(abs, sub(s, p))) < mpf(10) ** (10 - mp.dps)
         pushes = [[mpf(int(a == b)) for a in range(3)] for b in range(3)]
         wrenches = [cross(p, push) + push for push in pushes]
-        turns = perpendiculars(apply(position.r[before], loop.axis))
+        turns = perpendiculars(apply(position.r[before], loop.axis)) if loop.axis else []
         wrenches += [list(turn) + [mpf(0)] * 3 for turn in turns]
         closing += [{after: w, before: times(-1, w)} for w in wrenches]
     k = len(contacts)
@@ -380,12 +391,19 @@ def closure_rows(position, path, columns):
     rows, residual = [], []
     for loop in position.mechanism.loops:
         before, after = loop.predecessor, loop.successor
-        p, s = position.point(before, loop.before), position.point(after, loop.after)
+        p, s = loop.ends(position)
         one = velocity_rows(position, path[before], columns, p)
         two = velocity_rows(position, path[after], columns, s)
         difference = [sub(b, a) for a, b in zip(one, two)]
+        if loop.length is not None:
+            along = unit(sub(s, p))
+            rows.append([dot(along, column) for column in zip(*difference[3:])])
+            residual.append(dot(along, sub(s, p)) - loop.length)
+            continue
         rows += difference[3:]
         residual += sub(s, p)
+        if loop.axis is None:
+            continue
         axis, other = apply(position.r[before], loop.axis), apply(position.r[after], loop.axis)
         for t in perpendiculars(axis):
             # d(t . other) = (turning of the successor - of the predecessor) . (other x t)
@@ -503,8 +521,15 @@ def by_bodies(position, contacts):
     for i, joint in enumerate(mechanism.joints[1:], 1):
         alike(joint.parent, i, position.p[i], position.axis[i], joint.kind == "c", joint.kind == "p")
     for loop in mechanism.loops:
-        p = position.point(loop.predecessor, loop.before)
-        alike(loop.predecessor, loop.successor, p, apply(position.r[loop.predecessor], loop.axis), True, False)
+        one, two = loop.predecessor, loop.successor
+        p, s = loop.ends(position)
+        if loop.length is not None:
+            along = unit(sub(s, p))
+            rows.append(row([point(two, s, along), point(one, p, along, -1)]))
+        elif loop.axis is None:
+            rows += [row([point(one, p, e), point(two, p, e, -1)]) for e in axes]
+        else:
+            alike(one, two, p, apply(position.r[one], loop.axis), True, False)
     pivots, _ = eliminate(rows)
     rows = [rows[i] for i, _ in pivots]
     size, m = 6 * n, len(rows)

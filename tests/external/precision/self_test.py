@@ -2,10 +2,10 @@
 
 from mpmath import mp, mpf
 
-import families
 import mechanics
 from families import COUPLER, CRANK, THIRD, Draw, contact
 from mechanics import Mechanism, Position, by_bodies, by_joints, by_recursion, closed, masses
+from spatial import FAMILIES
 
 
 def near(what, got, expected, digits=60):
@@ -72,7 +72,7 @@ def crank_formula():
 def other_equations(position):
     """Samples of the families: other equations, and half as many digits again."""
     count = 0
-    for name, make in families.FAMILIES.items():
+    for name, make in FAMILIES.items():
         if name == "rings_1000":
             # As the smaller rings, a minute a sample.
             continue
@@ -131,7 +131,7 @@ def conditions(position):
         # Zeros, ones and the heights of planar linkages stay, so that these remain planar.
         return [x if x * 16 == int(x * 16) else x * (1 + size * draw.real(-1, 1)) for x in usual(text)]
 
-    for name, make in families.FAMILIES.items():
+    for name, make in FAMILIES.items():
         if name == "rings_1000":
             # As the smaller rings, a minute a sample.
             continue

@@ -112,7 +112,7 @@ fn place<T: Lanes>(
     first: usize,
     room: &mut [f64],
 ) -> (T, T) {
-    let (mut beyond, mut travels) = (T::zero(), T::zero());
+    let (mut beyond, mut angles, mut travels) = (T::zero(), T::zero(), T::zero());
     for (placed, on_path) in steps.iter().zip(&selection.on_path) {
         // What carries the top turns normals of the root's.
         if placed.top != selection.top && !on_path {
@@ -123,7 +123,7 @@ fn place<T: Lanes>(
         match step.motion {
             Motion::Turn { q } => {
                 let angle: T = columns.at(q, first);
-                beyond += over(angle, LARGEST_ANGLE);
+                angles = angles.max(angle.abs());
                 let (mut sin, mut cos) = angle.sin_cos();
                 if let Some(turn) = step.way.turn_z {
                     let (s, c) = (T::from_f64(turn.sin), T::from_f64(turn.cos));
@@ -142,7 +142,7 @@ fn place<T: Lanes>(
                     travels = travels.max(columns.at::<T>(q + k, first).abs());
                 }
                 let angle: T = columns.at(q + 2, first);
-                beyond += over(angle, LARGEST_ANGLE);
+                angles = angles.max(angle.abs());
                 let (sin, cos) = angle.sin_cos();
                 sin.store(&mut slot[SINE * T::WIDTH..]);
                 cos.store(&mut slot[COSINE * T::WIDTH..]);
@@ -157,7 +157,8 @@ fn place<T: Lanes>(
             Motion::Base => {}
         }
     }
-    (beyond, travels)
+    // An angle that is no number has no sine either.
+    (beyond + over(angles, LARGEST_ANGLE), travels)
 }
 
 /// How far a quaternion is from a unit one, beyond rounding.
