@@ -5,10 +5,11 @@ use crate::csv;
 use crate::failure::Failure;
 use crate::output::{is_input, write_file};
 use crate::report::{write_diagnostics, write_json, write_out};
+use crate::table_style::{ColumnUnit, TableStyle};
 use crate::text::{Table, number};
 use percuss_render::{Figure, Panel, Series, Style};
 use percuss_study::{
-    CompareError, ComparisonReport, Design, DesignRecord, Names, RowSource, StudyFile, compare,
+    CompareError, ComparisonReport, Design, DesignRecord, Names, RowSource, StudyFigure, StudyFile, compare,
 };
 use std::fmt::Write as _;
 use std::path::Path;
@@ -29,7 +30,14 @@ pub fn run(args: &CompareArgs) -> Result<(), Failure> {
         of_models(args)?
     };
     let names = if studies[0] { Names::Keys } else { Names::Flags };
-    show(&designs, names, args.output.as_deref(), args.format, args.reading.strict)
+    let written = Written {
+        output: args.output.as_deref(),
+        table: args.table.style(),
+        figure: &args.figure.figure(),
+        format: args.format,
+        strict: args.reading.strict,
+    };
+    show(&designs, names, &written)
 }
 
 fn of_studies(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
@@ -46,7 +54,13 @@ fn of_studies(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
     }
     let mut designs = Vec::new();
     for (path, name) in args.designs.iter().zip(names_of(&args.designs)) {
-        designs.extend(StudyFile::load(path, args.reading.max_size)?.designs(&name));
+        let of_study = StudyFile::load(path, args.reading.max_size)?.designs(&name);
+        if of_study.is_empty() {
+            return Err(Failure::bad_input(format!(
+                "{path}: the study has no [contact], and designs are compared at one"
+            )));
+        }
+        designs.extend(of_study);
     }
     Ok(designs)
 }
@@ -59,6 +73,11 @@ fn of_models(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
         Ok(Design { name, model: args.reading.load(path)?, question, rows })
     };
     args.designs.iter().zip(names_of(&args.designs)).map(design).collect()
+}
+
+/// A study's own name, for its model among variants.
+pub fn study_name(path: &str) -> String {
+    Path::new(path).file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into())
 }
 
 /// The files' names without folders and endings, or as given where two are alike.
@@ -75,24 +94,29 @@ fn names_of(paths: &[String]) -> Vec<String> {
         .collect()
 }
 
+/// How a comparison is written.
+#[derive(Clone, Copy)]
+pub struct Written<'a> {
+    pub output: Option<&'a str>,
+    pub table: TableStyle,
+    pub figure: &'a StudyFigure,
+    pub format: MassFormat,
+    pub strict: bool,
+}
+
 /// Compares designs and writes what comes of it.
-pub fn show(
-    designs: &[Design],
-    names: Names,
-    output: Option<&str>,
-    format: MassFormat,
-    strict: bool,
-) -> Result<(), Failure> {
+pub fn show(designs: &[Design], names: Names, written: &Written) -> Result<(), Failure> {
+    let Written { output, table: style, format, strict, figure: asked } = *written;
     let report = compare(designs).map_err(|error| failure(&error, names))?;
     write_diagnostics(&report.diagnostics, strict)?;
     if let Some(path) = output {
-        let bytes = file(&report, path)?;
+        let bytes = file(&report, path, style, asked)?;
         designs.iter().flat_map(|design| &design.model.inputs).for_each(|input| is_input(&input.path));
         write_file(path, &bytes)?;
     }
     match format {
         MassFormat::Json => write_json(&report)?,
-        MassFormat::Csv => write_out(&table(&report))?,
+        MassFormat::Csv => write_out(&table(&report, style))?,
         MassFormat::Text => write_out(&text(&report))?,
     }
     if report.designs.iter().all(|design| design.status.is_none()) {
@@ -146,51 +170,66 @@ pub fn text(report: &ComparisonReport) -> String {
 }
 
 /// Of the ranges where there are any, else of the designs.
-fn table(report: &ComparisonReport) -> String {
+fn table(report: &ComparisonReport, style: TableStyle) -> String {
     let mut out = String::new();
     if report.varied.is_empty() {
-        out += &csv::line(&["design", "status", "effective_mass", "difference_percent"].map(str::to_owned));
+        let mass = style.named("effective_mass", "kg");
+        let names = ["design", "status", &mass, "difference_percent"].map(str::to_owned);
+        out += &csv::line_in(&names, style);
         for design in &report.designs {
             let status = design.status.map_or("no answer", |status| status.name());
-            let cells = [csv::cell(design.effective_mass), csv::cell(design.difference_percent)];
-            out += &csv::line(&[&[design.name.clone(), status.to_owned()][..], &cells].concat());
+            let mass = csv::mass_in(design.effective_mass, design.effective_mass_error, style);
+            let cells = [mass, csv::mass_in(design.difference_percent, None, style)];
+            out += &csv::line_in(&[&[design.name.clone(), status.to_owned()][..], &cells].concat(), style);
         }
         return out;
     }
     let mut header = vec!["row".to_owned()];
-    header.extend(report.varied.iter().map(|column| column.name.clone()));
-    header.extend(report.designs.iter().map(|design| design.name.clone()));
+    let units: Vec<ColumnUnit> = report.varied.iter().map(|column| style.unit(column.unit)).collect();
+    header.extend(report.varied.iter().zip(&units).map(|(column, unit)| match &column.joint {
+        _ if !style.names_units => column.name.clone(),
+        Some(_) => csv::with_unit(&column.name, unit),
+        None => format!("travel_{}", unit.name),
+    }));
+    header.extend(report.designs.iter().map(|design| style.named(&design.name, "kg")));
     header.extend(report.designs.iter().skip(1).map(|design| format!("{} difference_percent", design.name)));
-    out += &csv::line(&header);
+    out += &csv::line_in(&header, style);
     for row in &report.rows {
         let mut cells = vec![row.row.to_string()];
-        cells.extend(row.varied.iter().map(|value| csv::number(*value)));
-        cells.extend(row.effective_mass.iter().map(|mass| csv::cell(*mass)));
-        cells.extend(row.difference_percent.iter().skip(1).map(|x| csv::cell(*x)));
-        out += &csv::line(&cells);
+        let varied = row.varied.iter().zip(&units);
+        cells.extend(varied.map(|(value, unit)| csv::mass_in(Some(value * unit.factor), None, style)));
+        cells.extend(row.effective_mass.iter().map(|mass| csv::mass_in(*mass, None, style)));
+        cells.extend(row.difference_percent.iter().skip(1).map(|x| csv::mass_in(*x, None, style)));
+        out += &csv::line_in(&cells, style);
     }
     out
 }
 
-fn file(report: &ComparisonReport, path: &str) -> Result<Vec<u8>, Failure> {
+fn file(
+    report: &ComparisonReport,
+    path: &str,
+    style: TableStyle,
+    asked: &StudyFigure,
+) -> Result<Vec<u8>, Failure> {
     let ending = Path::new(path).extension().and_then(|ending| ending.to_str()).unwrap_or("");
     match ending.to_ascii_lowercase().as_str() {
-        "csv" => Ok(table(report).into_bytes()),
+        "csv" => Ok(table(report, style).into_bytes()),
         "json" => {
             let text = serde_json::to_string_pretty(report);
             let text = text.map_err(|e| Failure::NoAnswer(format!("the result has no JSON form: {e}")))?;
             Ok((text + "\n").into_bytes())
         }
-        "svg" => Ok(figure(report)?.to_svg().into_bytes()),
-        "png" => figure(report)?.to_png(2.0).map_err(|e| Failure::NoAnswer(e.to_string())),
+        "svg" => Ok(figure(report, asked)?.to_svg().into_bytes()),
+        "png" => figure(report, asked)?.to_png(2.0).map_err(|e| Failure::NoAnswer(e.to_string())),
+        "pdf" => figure(report, asked)?.to_pdf().map_err(|e| Failure::NoAnswer(e.to_string())),
         _ => Err(Failure::bad_input(format!(
-            "--output {path}: its name must end in .csv, .json, .svg or .png"
+            "--output {path}: its name must end in .csv, .json, .svg, .png or .pdf"
         ))),
     }
 }
 
 /// m̄ of all designs over the range, and below it their differences from the first.
-fn figure(report: &ComparisonReport) -> Result<Figure, Failure> {
+pub fn figure(report: &ComparisonReport, asked: &StudyFigure) -> Result<Figure, Failure> {
     let [varied] = &report.varied[..] else {
         return Err(Failure::bad_input(
             "--output: a figure shows designs over one range; give --vary once (a study: [sweep] with one range), or a file \
@@ -213,11 +252,12 @@ fn figure(report: &ComparisonReport) -> Result<Figure, Failure> {
     let differences = all.skip(1).map(|i| series(i, &|row| report.rows[row].difference_percent[i])).collect();
     let first = report.designs.first().map_or("", |design| &design.name);
     Ok(Figure {
-        title: "Effective mass of designs".into(),
+        title: asked.title.clone().unwrap_or_else(|| "Effective mass of designs".into()),
+        x_limits: asked.x_limits,
         subtitle: report.designs.iter().map(|d| d.name.clone()).collect::<Vec<_>>().join(", "),
         x_label: format!("{} ({unit})", varied.name),
         panels: vec![
-            Panel { y_label: "m̄ (kg)".into(), series: masses, ..Panel::default() },
+            Panel { y_label: "m̄ (kg)".into(), series: masses, y_limits: asked.y_limits },
             Panel {
                 y_label: format!("difference from {first} (%)"),
                 series: differences,

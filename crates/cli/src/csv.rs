@@ -203,7 +203,7 @@ impl SweepTable {
 }
 
 /// A column's name with the unit that `--input` reads.
-fn with_unit(name: &str, unit: &ColumnUnit) -> String {
+pub fn with_unit(name: &str, unit: &ColumnUnit) -> String {
     if unit.name.is_empty() { name.to_owned() } else { format!("{name} [{}]", unit.name) }
 }
 
@@ -253,6 +253,33 @@ fn write_number(text: &mut String, x: f64) {
 
 pub fn line(cells: &[String]) -> String {
     cells.iter().map(|c| quoted(c)).collect::<Vec<_>>().join(",") + "\n"
+}
+
+/// A number with the style's sign before its decimals.
+pub fn number_in(x: f64, style: TableStyle) -> String {
+    if style.comma { number(x).replace('.', ",") } else { number(x) }
+}
+
+/// A mass, rounded to its error where the style rounds; empty where there is none.
+pub fn mass_in(mass: Option<f64>, error: Option<f64>, style: TableStyle) -> String {
+    mass.map_or_else(String::new, |mass| number_in(style.number(mass, error), style))
+}
+
+/// An error, to three digits where the style rounds.
+pub fn error_in(error: Option<f64>, style: TableStyle) -> String {
+    let rounded = |error: f64| if style.names_units { digits(error, 3) } else { error };
+    error.map_or_else(String::new, |error| number_in(rounded(error), style))
+}
+
+/// A line of cells, separated by semicolons where commas are decimal. Numbers are written by [`number_in`].
+pub fn line_in(cells: &[String], style: TableStyle) -> String {
+    if !style.comma {
+        return line(cells);
+    }
+    // A comma in a number is no separator here.
+    let is_number = |cell: &str| cell.replace(',', ".").parse::<f64>().is_ok();
+    let cell = |cell: &String| if is_number(cell) { cell.clone() } else { quoted(cell) };
+    cells.iter().map(cell).collect::<Vec<_>>().join(";") + "\n"
 }
 
 /// Quotes where a separator, a quote or a line break asks for them. What a spreadsheet would take for a formula gets the

@@ -34,14 +34,14 @@ pub fn run(args: &DampArgs) -> Result<(), Failure> {
         question.tools = Tool::ALL.to_vec();
     }
     if args.limit.is_none() {
-        args.damping.check_units(false)?;
+        args.damping.check_units(&question, false)?;
     }
     let report = match (args.mass, &args.mass_from, &args.contact) {
         (Some(mass), None, None) => damp(&question, mass)?,
         (None, Some(path), contact) => match &args.limit {
             Some(stop) => {
                 let model = args.reading.load(path)?;
-                args.damping.check_units(stop.motion(&model)? == StopMotion::Turn)?;
+                args.damping.check_units(&question, stop.motion(&model)? == StopMotion::Turn)?;
                 let conditions = contact.as_ref().map(ContactArgs::conditions).transpose()?;
                 let conditions = conditions.unwrap_or_else(MassQuestion::anywhere);
                 damp_stop(&model, stop, conditions, &question)?
@@ -67,12 +67,17 @@ pub fn run(args: &DampArgs) -> Result<(), Failure> {
     if let Some(path) = &args.output {
         draw(&report, &question, path)?;
     }
-    match args.format {
-        CheckFormat::Json => write_json(&report),
+    print(&report, args.format)
+}
+
+/// Writes a report.
+pub fn print(report: &DampingReport, format: CheckFormat) -> Result<(), Failure> {
+    match format {
+        CheckFormat::Json => write_json(report),
         CheckFormat::Text => {
-            let units = Units::of(&report);
+            let units = Units::of(report);
             let mut out = format!("{:<20} {} {}\n", units.name, number(report.effective_mass), units.mass);
-            out += &damper(&report);
+            out += &damper(report);
             write_out(&out)
         }
     }
@@ -270,7 +275,8 @@ fn tools() -> String {
 }
 
 /// Writes the force history of the impact: a plot, or its numbers.
-fn draw(report: &DampingReport, question: &DampingQuestion, path: &str) -> Result<(), Failure> {
+pub fn draw(report: &DampingReport, question: &DampingQuestion, path: &str) -> Result<(), Failure> {
+    report.inputs.iter().for_each(|input| is_input(&input.path));
     let ending = Path::new(path).extension().and_then(|e| e.to_str()).unwrap_or("").to_ascii_lowercase();
     let samples = || {
         impact_history(question, report.effective_mass, limits::HISTORY_SAMPLES)

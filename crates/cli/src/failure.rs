@@ -5,7 +5,7 @@ use crate::escape;
 use percuss_formats::LoadError;
 use percuss_study::contact::ContactLawError;
 use percuss_study::contact::exports::ExportError;
-use percuss_study::{DesignError, DiagnosticRecord, Names, StudyError, StudyFileError};
+use percuss_study::{DesignError, DiagnosticRecord, Names, StudyError, StudyFileError, StudyKeys};
 use std::io::{self, Write};
 
 /// No answer.
@@ -27,24 +27,37 @@ impl Failure {
         Failure::BadInput(vec![format!("error: {}", message.into())])
     }
 
-    /// The same, naming the file whose question it is.
-    pub fn in_file(self, path: &str) -> Self {
+    /// The same, naming the study whose question it is, and the line of the key that is at fault.
+    pub fn in_study(self, path: &str, keys: &StudyKeys) -> Self {
+        // A message begins with its key.
+        let place = |key: &str| match keys.line_of(key) {
+            Some(line) => format!("{path}:{line}"),
+            None => path.to_owned(),
+        };
         match self {
-            Failure::BadInput(lines) => Failure::BadInput(
-                lines
-                    .into_iter()
-                    .map(|line| if line.starts_with("error: ") { format!("{path}: {line}") } else { line })
-                    .collect(),
-            ),
+            Failure::BadInput(lines) => {
+                let of_study = |line: String| match line.strip_prefix("error: ") {
+                    Some(message) => {
+                        // Of a design, its name stands before.
+                        let named = message.strip_prefix('"').and_then(|rest| rest.split_once("\": "));
+                        let key =
+                            named.map_or(message, |(_, rest)| rest).split(':').next().unwrap_or_default();
+                        format!("{}: error: {message}", place(key))
+                    }
+                    None => line,
+                };
+                Failure::BadInput(lines.into_iter().map(of_study).collect())
+            }
             Failure::NoAnswer(message) => Failure::NoAnswer(format!("{path}: {message}")),
             Failure::Question(error) if error.is_no_answer() => {
                 Failure::NoAnswer(format!("{path}: {}", error.message(Names::Keys)))
             }
-            Failure::Question(error) => Failure::BadInput(vec![format!(
-                "{path}: error: {}{}",
-                error.message(Names::Keys),
-                key_of(&error)
-            )]),
+            Failure::Question(error) => {
+                let key = error.field().map(|field| field.key()).or(lacking(&error).map(|(_, key)| key));
+                let message = error.message(Names::Keys);
+                let key = key.unwrap_or_else(|| message.split(':').next().unwrap_or_default());
+                Failure::BadInput(vec![format!("{}: error: {message}{}", place(key), key_of(&error))])
+            }
             Failure::Unread => Failure::Unread,
         }
     }
@@ -104,7 +117,7 @@ fn lacking(error: &StudyError) -> Option<(&'static str, &'static str)> {
         StudyError::Damping(ContactLawError::OutOfRange { what, .. }) => {
             NUMBERS.iter().find(|(number, ..)| number == what).map(|(_, flag, key)| (*flag, *key))
         }
-        StudyError::Damping(ContactLawError::UnknownRegion { .. }) => Some(("--region", "region")),
+        StudyError::Damping(ContactLawError::UnknownRegion { .. }) => Some(("--region", "safe_speed.region")),
         _ => None,
     }
 }
@@ -116,12 +129,12 @@ const NUMBERS: [(&str, &str, &str); 11] = [
     ("exponent of the spring", "--exponent", "damping.exponent"),
     ("approach speed, m/s", "--speed", "damping.speed"),
     ("effective mass, kg", "--mass", "damping.mass"),
-    ("load, kg", "--load", "load"),
-    ("greatest force, N", "--force", "force"),
-    ("greatest pressure, Pa", "--pressure", "pressure"),
-    ("area of the contact, m^2", "--area", "area"),
-    ("greatest energy, J", "--energy", "energy"),
-    ("greatest momentum, N·s", "--momentum", "momentum"),
+    ("load, kg", "--load", "safe_speed.load"),
+    ("greatest force, N", "--force", "safe_speed.force"),
+    ("greatest pressure, Pa", "--pressure", "safe_speed.pressure"),
+    ("area of the contact, m^2", "--area", "safe_speed.area"),
+    ("greatest energy, J", "--energy", "safe_speed.energy"),
+    ("greatest momentum, N·s", "--momentum", "safe_speed.momentum"),
 ];
 
 fn flag_of(error: &StudyError) -> String {
@@ -143,6 +156,10 @@ impl From<StudyFileError> for Failure {
                 let indented =
                     |(i, line): (usize, &str)| if i == 0 { line.to_owned() } else { format!("  {line}") };
                 Failure::BadInput(lines.map(indented).collect())
+            }
+            StudyFileError::Keys { .. } => {
+                // Keys are shown in quotes, line ends in them as escapes.
+                Failure::BadInput(error.to_string().lines().map(str::to_owned).collect())
             }
             other => Failure::BadInput(vec![other.to_string()]),
         }

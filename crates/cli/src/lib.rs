@@ -16,6 +16,7 @@ mod html;
 mod import;
 mod import_picture;
 mod import_text;
+mod init;
 mod limits;
 mod map;
 mod map_files;
@@ -63,6 +64,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Damp(args) => damp::run(args),
         Command::SafeSpeed(args) => safe_speed::run(args),
         Command::Run(args) => run::run(args),
+        Command::Init(args) => init::run(args),
+        Command::Schema => init::schema(),
         Command::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(*shell, &mut Cli::definition(), "percuss", &mut script);

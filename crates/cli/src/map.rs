@@ -7,71 +7,103 @@ use crate::map_files::{self, MapFormat};
 use crate::output::{Output, is_input, may_be_written};
 use crate::report::{note, write_diagnostics, write_json, write_out};
 use crate::sweep::use_threads;
+use crate::table_style::TableStyle;
 use crate::text::{Table, number, short, triple};
-use percuss_study::{DirectionMass, Extreme, LinkMap, MapAnswer, MapReport, PointMapReport, map, map_point};
+use percuss_study::{
+    DirectionMass, Extreme, LinkMap, MapAnswer, MapReport, Model, PointMapReport, StudyMapQuestion, map,
+    map_point,
+};
 use std::fmt::Write;
 
 /// Runs the command.
 pub fn run(args: &MapArgs) -> Result<(), Failure> {
     args.check()?;
-    let formats = args
-        .output
-        .iter()
-        .map(|path| Ok((path, MapFormat::of(path)?)))
-        .collect::<Result<Vec<_>, Failure>>()?;
+    let (formats, strict) = (formats(&args.output)?, args.model.reading.strict);
     use_threads(args.threads);
     args.writing.apply();
     let model = args.model.load()?;
-    is_input(&args.model.model);
+    let question = match args.directions {
+        Some(count) => StudyMapQuestion::Directions(args.contact.conditions()?, count),
+        None => StudyMapQuestion::Surfaces(args.question()?),
+    };
+    show(&model, &question, &Written { formats, table: args.table.style(), format: args.format, strict })
+}
+
+/// How a map is written.
+pub struct Written {
+    pub formats: Vec<(String, MapFormat)>,
+    pub table: TableStyle,
+    pub format: MassFormat,
+    pub strict: bool,
+}
+
+/// Files by the endings of their names.
+pub fn formats(outputs: &[String]) -> Result<Vec<(String, MapFormat)>, Failure> {
+    outputs.iter().map(|path| Ok((path.clone(), MapFormat::of(path)?))).collect()
+}
+
+/// Answers a map and writes it.
+pub fn show(model: &Model, question: &StudyMapQuestion, written: &Written) -> Result<(), Failure> {
+    model.inputs.iter().for_each(|input| is_input(&input.path));
     // Before it is computed.
-    formats.iter().try_for_each(|(path, _)| may_be_written(path))?;
-    if let Some(count) = args.directions {
-        let report = map_point(&model, &args.contact.conditions()?, count)?;
-        write_diagnostics(&report.diagnostics, args.model.reading.strict)?;
-        for (path, format) in formats {
-            let mut out = Output::open(Some(path))?;
-            map_files::write_point(&report, format, &mut out).map_err(|error| error.failure(path, &out))?;
-            out.finish()?;
+    written.formats.iter().try_for_each(|(path, _)| may_be_written(path))?;
+    match question {
+        StudyMapQuestion::Surfaces(question) => surfaces(&map(model, question)?, written),
+        StudyMapQuestion::Directions(question, count) => {
+            directions(&map_point(model, question, *count)?, written)
         }
-        return match args.format {
-            MassFormat::Text => write_out(&point_text(&report)),
-            MassFormat::Json => write_json(&report),
-            MassFormat::Csv => {
-                let mut bytes = Vec::new();
-                map_files::point_csv(&report, &mut bytes)?;
-                write_out(&String::from_utf8_lossy(&bytes))
-            }
-        };
     }
-    let answer = map(&model, &args.question()?)?;
-    write_diagnostics(&answer.report.diagnostics, args.model.reading.strict)?;
+}
+
+fn directions(report: &PointMapReport, written: &Written) -> Result<(), Failure> {
+    write_diagnostics(&report.diagnostics, written.strict)?;
+    for (path, format) in &written.formats {
+        let mut out = Output::open(Some(path))?;
+        map_files::write_point(report, *format, written.table, &mut out)
+            .map_err(|error| error.failure(path, &out))?;
+        out.finish()?;
+    }
+    match written.format {
+        MassFormat::Text => write_out(&point_text(report)),
+        MassFormat::Json => write_json(report),
+        MassFormat::Csv => {
+            let mut bytes = Vec::new();
+            map_files::point_csv(report, written.table, &mut bytes)?;
+            write_out(&String::from_utf8_lossy(&bytes))
+        }
+    }
+}
+
+fn surfaces(answer: &MapAnswer, written: &Written) -> Result<(), Failure> {
+    // The meshes are known now.
+    answer.report.inputs.iter().for_each(|input| is_input(&input.path));
+    write_diagnostics(&answer.report.diagnostics, written.strict)?;
     for left in &answer.report.left_out {
         note(&format!("left out: {}", left.reason));
     }
-    for (path, format) in formats {
+    for (path, format) in &written.formats {
         let mut out = Output::open(Some(path))?;
-        map_files::write(&answer, format, &mut out).map_err(|error| error.failure(path, &out))?;
+        map_files::write(answer, *format, written.table, &mut out)
+            .map_err(|error| error.failure(path, &out))?;
         out.finish()?;
     }
-    match args.format {
-        MassFormat::Text => write_out(&text(&answer)),
+    match written.format {
+        MassFormat::Text => write_out(&text(answer)),
         MassFormat::Json => write_json(&answer.report),
         MassFormat::Csv => {
             let mut out = Output::open(None)?;
-            map_files::csv(&answer, &mut out).map_err(|error| out.failure(error))?;
+            map_files::csv(answer, written.table, &mut out).map_err(|error| out.failure(error))?;
             out.finish()
         }
     }
 }
 
-fn text(answer: &MapAnswer) -> String {
+pub fn text(answer: &MapAnswer) -> String {
     let report = &answer.report;
     let mut table =
-        Table::new(["link", "contacts", "smallest", "at (m)", "largest", "at (m)", "area mean", "other"]);
+        Table::new(["link", "contacts", "least kg", "at (m)", "largest kg", "at (m)", "mean kg", "other"]);
     for link in &report.links {
-        let mass = |e: &Option<Extreme>| {
-            e.as_ref().map_or_else(|| "–".into(), |e| format!("{} kg", short(e.effective_mass)))
-        };
+        let mass = |e: &Option<Extreme>| e.as_ref().map_or_else(|| "–".into(), |e| short(e.effective_mass));
         let place = |e: &Option<Extreme>| e.as_ref().map_or_else(String::new, |e| rounded(&e.point_link));
         table.row([
             link.link.clone(),
@@ -80,7 +112,7 @@ fn text(answer: &MapAnswer) -> String {
             place(&link.smallest),
             mass(&link.largest),
             place(&link.largest),
-            link.area_mean.map_or_else(|| "–".into(), |m| format!("{} kg", short(m))),
+            link.area_mean.map_or_else(|| "–".into(), short),
             others(link),
         ]);
     }
@@ -144,7 +176,7 @@ fn rounded(p: &[f64; 3]) -> String {
     triple(&p.map(|x| (x * 1e4).round() / 1e4))
 }
 
-fn point_text(report: &PointMapReport) -> String {
+pub fn point_text(report: &PointMapReport) -> String {
     let mut out = String::new();
     let _ = writeln!(
         out,

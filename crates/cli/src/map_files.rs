@@ -3,6 +3,7 @@
 use crate::csv;
 use crate::failure::Failure;
 use crate::output::Output;
+use crate::table_style::TableStyle;
 use crate::text::short;
 use percuss_dynamics::ContactStatus;
 use percuss_render::{Skin, SkinFacet, SkinMark, SkinPiece};
@@ -18,6 +19,7 @@ pub enum MapFormat {
     Gltf,
     Svg,
     Png,
+    Pdf,
     Csv,
     Json,
 }
@@ -32,10 +34,11 @@ impl MapFormat {
             "gltf" => Ok(MapFormat::Gltf),
             "svg" => Ok(MapFormat::Svg),
             "png" => Ok(MapFormat::Png),
+            "pdf" => Ok(MapFormat::Pdf),
             "csv" => Ok(MapFormat::Csv),
             "json" => Ok(MapFormat::Json),
             _ => Err(Failure::bad_input(format!(
-                "--output {path}: its name must end in .ply, .glb, .gltf, .png, .svg, .csv or .json"
+                "--output {path}: its name must end in .ply, .glb, .gltf, .png, .svg, .pdf, .csv or .json"
             ))),
         }
     }
@@ -65,7 +68,12 @@ impl From<io::Error> for NotWritten {
 }
 
 /// Writes a map.
-pub fn write(answer: &MapAnswer, format: MapFormat, out: &mut Output) -> Result<(), NotWritten> {
+pub fn write(
+    answer: &MapAnswer,
+    format: MapFormat,
+    table: TableStyle,
+    out: &mut Output,
+) -> Result<(), NotWritten> {
     match format {
         MapFormat::Ply => skin(answer).write_ply(out)?,
         MapFormat::Glb => out.write_all(&skin(answer).to_glb())?,
@@ -75,18 +83,32 @@ pub fn write(answer: &MapAnswer, format: MapFormat, out: &mut Output) -> Result<
             let png = skin(answer).to_png(2.0).map_err(|e| NotWritten::Other(e.to_string()))?;
             out.write_all(&png)?;
         }
-        MapFormat::Csv => csv(answer, out)?,
+        MapFormat::Pdf => {
+            let pdf = skin(answer).to_pdf().map_err(|e| NotWritten::Other(e.to_string()))?;
+            out.write_all(&pdf)?;
+        }
+        MapFormat::Csv => csv(answer, table, out)?,
         MapFormat::Json => json(answer, out)?,
     }
     Ok(())
 }
 
 /// Writes a map at a point.
-pub fn write_point(report: &PointMapReport, format: MapFormat, out: &mut Output) -> Result<(), NotWritten> {
+pub fn write_point(
+    report: &PointMapReport,
+    format: MapFormat,
+    table: TableStyle,
+    out: &mut Output,
+) -> Result<(), NotWritten> {
     match format {
-        MapFormat::Csv => point_csv(report, out)?,
+        MapFormat::Csv => point_csv(report, table, out)?,
         MapFormat::Json => json(report, out)?,
-        MapFormat::Ply | MapFormat::Glb | MapFormat::Gltf | MapFormat::Svg | MapFormat::Png => {
+        MapFormat::Ply
+        | MapFormat::Glb
+        | MapFormat::Gltf
+        | MapFormat::Svg
+        | MapFormat::Png
+        | MapFormat::Pdf => {
             let message = "directions at a point are written as .csv or .json";
             return Err(NotWritten::Other(message.into()));
         }
@@ -100,37 +122,61 @@ fn json(value: &impl serde::Serialize, out: &mut Output) -> io::Result<()> {
 }
 
 /// Every contact, a row each.
-pub fn csv(answer: &MapAnswer, out: &mut impl Write) -> io::Result<()> {
-    writeln!(
-        out,
-        "link,x,y,z,normal_x,normal_y,normal_z,world_x,world_y,world_z,area,status,effective_mass,effective_mass_error"
-    )?;
+pub fn csv(answer: &MapAnswer, style: TableStyle, out: &mut impl Write) -> io::Result<()> {
+    let length = style.unit("m");
+    let square = format!("{}2", length.name);
+    let named = |name: &str| match name {
+        "x" | "y" | "z" | "world_x" | "world_y" | "world_z" => style.named(name, length.name),
+        "area" => style.named(name, &square),
+        "effective_mass" | "effective_mass_error" => style.named(name, "kg"),
+        _ => name.to_owned(),
+    };
+    let names = "link,x,y,z,normal_x,normal_y,normal_z,world_x,world_y,world_z,area,status,effective_mass,effective_mass_error";
+    out.write_all(csv::line_in(&names.split(',').map(named).collect::<Vec<_>>(), style).as_bytes())?;
     for record in answer.skins.iter().flat_map(|skin| skin.records()) {
         let mut cells = vec![record.link.to_owned()];
-        let places = [record.point_link, record.normal_link, record.point_world];
-        cells.extend(places.iter().flatten().map(|x| csv::number(*x)));
+        let places = [
+            (record.point_link, length.factor),
+            (record.normal_link, 1.0),
+            (record.point_world, length.factor),
+        ];
+        let shown = |x: f64, factor: f64| csv::number_in(style.number(x * factor, None), style);
+        for (place, factor) in places {
+            cells.extend(place.map(|x| shown(x, factor)));
+        }
         cells.extend([
-            csv::number(record.area),
+            shown(record.area, length.factor * length.factor),
             record.status.to_owned(),
-            csv::cell(record.effective_mass),
-            csv::cell(record.effective_mass_error),
+            csv::mass_in(record.effective_mass, record.effective_mass_error, style),
+            csv::error_in(record.effective_mass_error, style),
         ]);
-        out.write_all(csv::line(&cells).as_bytes())?;
+        out.write_all(csv::line_in(&cells, style).as_bytes())?;
     }
     Ok(())
 }
 
 /// The principal directions first, then the others.
-pub fn point_csv(report: &PointMapReport, out: &mut impl Write) -> io::Result<()> {
-    writeln!(out, "kind,x,y,z,world_x,world_y,world_z,status,effective_mass,effective_mass_error")?;
+pub fn point_csv(report: &PointMapReport, style: TableStyle, out: &mut impl Write) -> io::Result<()> {
+    // Directions have no unit.
+    let named = |name: &str| match name {
+        "effective_mass" | "effective_mass_error" => style.named(name, "kg"),
+        _ => name.to_owned(),
+    };
+    let names = "kind,x,y,z,world_x,world_y,world_z,status,effective_mass,effective_mass_error";
+    out.write_all(csv::line_in(&names.split(',').map(named).collect::<Vec<_>>(), style).as_bytes())?;
     let principal = report.principal.iter().map(|d| ("principal", d));
     for (kind, d) in principal.chain(report.directions.iter().map(|d| ("direction", d))) {
         let DirectionMass { direction_link, direction_world, status, effective_mass, effective_mass_error } =
             d;
         let mut cells = vec![kind.to_owned()];
-        cells.extend(direction_link.iter().chain(direction_world).map(|x| csv::number(*x)));
-        cells.extend([(*status).to_owned(), csv::cell(*effective_mass), csv::cell(*effective_mass_error)]);
-        out.write_all(csv::line(&cells).as_bytes())?;
+        let shown = |x: &f64| csv::number_in(style.number(*x, None), style);
+        cells.extend(direction_link.iter().chain(direction_world).map(shown));
+        cells.extend([
+            (*status).to_owned(),
+            csv::mass_in(*effective_mass, *effective_mass_error, style),
+            csv::error_in(*effective_mass_error, style),
+        ]);
+        out.write_all(csv::line_in(&cells, style).as_bytes())?;
     }
     Ok(())
 }

@@ -9,8 +9,8 @@ use crate::limits;
 use crate::report::{note, write_diagnostics, write_json, write_out};
 use crate::text::{bar, number, triple};
 use percuss_study::{
-    DampingQuestion, EstimateRecord, MassQuestion, MassReport, Model, Sampling, Status, Tolerance, explain,
-    mass, mass_with_damper, tolerate,
+    DampingQuestion, EstimateRecord, MassQuestion, MassReport, Model, Sampling, Status, StudyMass, Tolerance,
+    explain, mass, mass_with_damper, tolerate,
 };
 use std::fmt::Write;
 
@@ -20,6 +20,9 @@ pub fn run(args: &MassArgs) -> Result<(), Failure> {
     let (of_expected, of_parts) = tolerances(args)?;
     let expected = args.expect.map(|mass| Expected { mass, tolerance: of_expected });
     let damping = args.damping.question()?;
+    if let Some(question) = &damping {
+        args.damping.check_units(question, false)?;
+    }
     show(
         &model,
         &args.contact.question()?,
@@ -37,6 +40,36 @@ pub struct Asked {
     explain: bool,
     tolerance: Option<Tolerance>,
     sampling: Option<Sampling>,
+}
+
+impl Asked {
+    /// As a study asks.
+    pub fn of_study(study: &StudyMass) -> Self {
+        let tolerance = study.expect_tolerance.unwrap_or(limits::DEFAULT_TOLERANCE);
+        let expected = study.expect.map(|mass| Expected { mass, tolerance });
+        Self { expected, explain: study.explain, tolerance: study.tolerance, sampling: study.sampling }
+    }
+
+    /// Adds what is asked beside the mass.
+    pub fn add_to(
+        &self,
+        report: &mut MassReport,
+        model: &Model,
+        question: &MassQuestion,
+    ) -> Result<(), Failure> {
+        if self.explain {
+            report.explanation = explain(model, question)?;
+        }
+        if let Some(tolerance) = self.tolerance {
+            report.tolerance = tolerate(model, question, tolerance, self.sampling)?;
+        }
+        Ok(())
+    }
+
+    /// Whether the expectation is met; exit code 1 where it is missed.
+    pub fn is_met(&self, report: &MassReport) -> Result<(), Failure> {
+        self.expected.map_or(Ok(()), |e| compare(report, e.mass, e.tolerance))
+    }
 }
 
 /// The tolerance of --expect, and those of the model's parts.
@@ -87,12 +120,7 @@ pub fn show(
         Some(damping) => mass_with_damper(model, question, damping)?,
         None => mass(model, question)?,
     };
-    if asked.explain {
-        report.explanation = explain(model, question)?;
-    }
-    if let Some(tolerance) = asked.tolerance {
-        report.tolerance = tolerate(model, question, tolerance, asked.sampling)?;
-    }
+    asked.add_to(&mut report, model, question)?;
     write_diagnostics(&report.diagnostics, strict)?;
     let unanswered = asked.explain && report.explanation.is_none()
         || asked.tolerance.is_some() && report.tolerance.is_none();
@@ -111,7 +139,7 @@ pub fn show(
         MassFormat::Csv => write_out(&csv::of_mass(&report, &report.assumptions.set))?,
         MassFormat::Text => write_out(&text(&report, expected.map(|e| e.mass)))?,
     }
-    expected.map_or(Ok(()), |e| compare(&report, e.mass, e.tolerance))
+    asked.is_met(&report)
 }
 
 /// Exit code 1 where the expectation is missed.

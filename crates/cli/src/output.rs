@@ -5,7 +5,8 @@
 use crate::escape::Terminal;
 use crate::failure::Failure;
 use crate::own_files::is_own;
-use std::fs::{self, File, OpenOptions};
+use std::ffi::OsString;
+use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
@@ -168,21 +169,68 @@ fn file(path: &Path) -> io::Result<(File, Option<Beside>)> {
     Ok((file, Some(kept)))
 }
 
-/// A new file in the same folder: `.NAME.PROCESS.part`.
+/// A new file in the same folder, `.NAME.NUMBER.percuss-part`, locked as long as it is written. Those that killed runs left of
+/// the same output go first.
 fn beside(path: &Path) -> io::Result<(PathBuf, File)> {
+    remove_left(path);
     let name = |attempt: u32| {
-        let mut name = std::ffi::OsString::from(".");
-        name.push(path.file_name().unwrap_or_default());
-        name.push(format!(".{}.part", u64::from(std::process::id()) + (u64::from(attempt) << 32)));
+        let number = u64::from(std::process::id()) + (u64::from(attempt) << 32);
+        let mut name = part_of(path);
+        name.push(format!("{number}{PART}"));
         path.with_file_name(name)
     };
-    // What a process of the same number left behind when it was killed is not taken over.
     let mut attempt = 0;
     loop {
         let temporary = name(attempt);
         match OpenOptions::new().write(true).create_new(true).open(&temporary) {
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists && attempt < 100 => attempt += 1,
-            opened => return Ok((temporary, opened?)),
+            opened => {
+                let file = opened?;
+                // Another run may have taken it for one that was left, before it was locked.
+                let is_taken =
+                    matches!(file.try_lock(), Err(TryLockError::WouldBlock)) || !temporary.exists();
+                if is_taken && attempt < 100 {
+                    attempt += 1;
+                    continue;
+                }
+                return Ok((temporary, file));
+            }
+        }
+    }
+}
+
+/// How the names of files that are not finished end.
+const PART: &str = ".percuss-part";
+/// Files left by killed runs that are removed at once.
+const MOST_LEFT: usize = 1000;
+
+/// How the names of files that are to be an output begin: `.NAME.`.
+fn part_of(path: &Path) -> OsString {
+    let mut name = OsString::from(".");
+    name.push(path.file_name().unwrap_or_default());
+    name.push(".");
+    name
+}
+
+/// Removes what killed runs left of an output: regular files of the very name that percuss gives, which no run has locked. One
+/// that cannot be locked, or that another system's lock may hold, stays.
+fn remove_left(path: &Path) {
+    let begin = part_of(path);
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let Ok(entries) = fs::read_dir(folder) else { return };
+    let is_part = |entry: &fs::DirEntry| {
+        let name = entry.file_name();
+        let number = name.as_encoded_bytes().strip_prefix(begin.as_encoded_bytes());
+        let number = number.and_then(|rest| rest.strip_suffix(PART.as_bytes()));
+        // Not through a link: that is none of ours.
+        number.is_some_and(|n| !n.is_empty() && n.len() <= 20 && n.iter().all(u8::is_ascii_digit))
+            && entry.file_type().is_ok_and(|kind| kind.is_file())
+    };
+    for entry in entries.flatten().filter(is_part).take(MOST_LEFT) {
+        let Ok(file) = OpenOptions::new().read(true).write(true).open(entry.path()) else { continue };
+        if file.try_lock().is_ok() {
+            // Who may not remove it leaves it there.
+            let _ = fs::remove_file(entry.path());
         }
     }
 }

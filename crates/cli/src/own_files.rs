@@ -65,6 +65,8 @@ fn has_marked_head(head: &str) -> bool {
         // Tables have no place for a mark: their columns are it.
         || first.starts_with("row,") && [",status,effective_mass", " difference_percent"].iter().any(|name| first.contains(name))
         || first == "design,status,effective_mass,difference_percent"
+        || first == "design,status,effective_mass_kg,difference_percent"
+        || ["link,x_m", "kind,x,"].iter().any(|begin| first.starts_with(begin)) && first.contains(",effective_mass_kg,")
         || ["link,x,y,z,normal_x,", "kind,x,y,z,world_x,", "time,penetration,rate,force", "time_s,penetration_"]
             .iter()
             .any(|columns| first.starts_with(columns))

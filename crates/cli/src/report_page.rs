@@ -1,23 +1,27 @@
 //! The report of a study: one HTML page, with the answer as JSON and the sweep as CSV beside it.
 
-use crate::args::{FigureArgs, RunArgs};
+use crate::args::RunArgs;
 use crate::csv::SweepTable;
-use crate::damp;
 use crate::escape;
+use crate::explanation;
 use crate::failure::Failure;
 use crate::html::Page;
 use crate::limits;
-use crate::mass::{facts, headline};
+use crate::map_files;
+use crate::mass::{Asked, facts, headline};
 use crate::output::{is_input, may_be_written, write_file};
 use crate::report::{write_diagnostics, write_out};
+use crate::safe_speed;
 use crate::sweep_figure::drawn;
 use crate::table_style::TableStyle;
-use crate::text::number;
+use crate::text::{number, short};
+use crate::{compare, damp, map};
 use indicatif::ProgressBar;
-use percuss_render::{Drawing, DrawnArrow, DrawnLine, SkinMark};
+use percuss_render::{Drawing, DrawnArrow, DrawnFacet, DrawnLine, SkinMark};
 use percuss_study::{
-    DiagnosticRecord, DrawnLink, MassReport, RowSource, StudyError, StudyFile, Sweep, SweepEnd,
-    impact_history, mass_drawn,
+    ComparisonReport, DampingQuestion, DampingReport, DiagnosticRecord, DrawnLink, DrawnMechanism, Input,
+    MapAnswer, MassReport, Names, PointMapReport, RowSource, SafeSpeedReport, StudyError, StudyFile,
+    StudyMapQuestion, StudySweep, Sweep, SweepEnd, impact_history, map as map_of, map_point, mass_drawn,
 };
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -26,9 +30,26 @@ use std::path::Path;
 struct Swept {
     csv: String,
     end: SweepEnd,
+    inputs: Vec<Input>,
     svg: Result<String, String>,
     least: Option<f64>,
     greatest: Option<f64>,
+}
+
+/// What a map came to.
+enum Mapped {
+    Surfaces(Box<MapAnswer>),
+    Directions(Box<PointMapReport>),
+}
+
+/// Everything that the study asks, answered.
+struct Answers {
+    mass: MassReport,
+    mechanism: DrawnMechanism,
+    swept: Option<Swept>,
+    compared: Option<ComparisonReport>,
+    mapped: Option<Mapped>,
+    speeds: Option<Vec<SafeSpeedReport>>,
 }
 
 /// Writes the report of a study.
@@ -38,8 +59,8 @@ pub fn write(study: &StudyFile, args: &RunArgs, path: &str) -> Result<(), Failur
     if !is_html {
         return Err(Failure::bad_input(format!("--report {path}: its name must end in .html")));
     }
-    study.model.inputs.iter().for_each(|input| is_input(&input.path));
-    if let Some(RowSource::File(file)) = &study.sweep {
+    study.variants.iter().flat_map(|v| &v.model.inputs).for_each(|input| is_input(&input.path));
+    if let Some(StudySweep { rows: RowSource::File(file), .. }) = &study.sweep {
         is_input(&file.path);
     }
     // Before anything is computed.
@@ -48,35 +69,34 @@ pub fn write(study: &StudyFile, args: &RunArgs, path: &str) -> Result<(), Failur
         files.push(beside("csv"));
     }
     files.iter().try_for_each(|file| may_be_written(file))?;
-    let (report, links) = mass_drawn(&study.model, &study.question, study.damping.as_ref())?;
-    let swept = study.sweep.as_ref().map(|source| sweep(study, source)).transpose()?;
-    let mut diagnostics = report.diagnostics.clone();
-    for record in swept.iter().flat_map(|swept| &swept.end.diagnostics) {
-        if !diagnostics.contains(record) {
-            diagnostics.push(record.clone());
-        }
-    }
+    let answers = Answers::of(study, args)?;
+    let inputs = answers.inputs();
+    inputs.iter().for_each(|input| is_input(&input.path));
+    let diagnostics = answers.diagnostics();
     write_diagnostics(&diagnostics, args.strict)?;
-    let page = page(study, args, path, &report, &links, swept.as_ref(), &diagnostics)?;
-    let json = serde_json::to_string_pretty(&report)
+    let page = answers.page(study, args, path, &inputs, &diagnostics)?;
+    let json = serde_json::to_string_pretty(&answers.mass)
         .map_err(|error| Failure::NoAnswer(format!("the result has no JSON form: {error}")))?;
     write_file(&beside("json"), (json + "\n").as_bytes())?;
-    if let Some(swept) = &swept {
+    if let Some(swept) = &answers.swept {
         write_file(&beside("csv"), swept.csv.as_bytes())?;
     }
     write_file(path, page.as_bytes())?;
     write_out(&format!(
         "{:<20} {}\n{:<20} {}\n",
         "effective mass",
-        headline(&report),
+        headline(&answers.mass),
         "written",
         escape::line(&files.join(", "))
-    ))
+    ))?;
+    Asked::of_study(&study.mass).is_met(&answers.mass)
 }
 
-fn sweep(study: &StudyFile, source: &RowSource) -> Result<Swept, Failure> {
-    let sweep = Sweep::new(&study.model, &study.question, source)?;
-    let table = SweepTable::new(sweep.heading(), &study.model.mechanism, TableStyle::default());
+fn sweep(study: &StudyFile, asked: &StudySweep) -> Result<Swept, Failure> {
+    let Some(question) = &study.question else { return Err(no_contact()) };
+    let sweep = Sweep::new(&study.model, question, &asked.rows)?;
+    let table = SweepTable::new(sweep.heading(), &study.model.mechanism, TableStyle::of(&asked.table));
+    let inputs = sweep.heading().inputs.clone();
     let mut csv = table.header().to_owned();
     let (mut least, mut greatest) = (None::<f64>, None::<f64>);
     let end = sweep.run(&mut |row| {
@@ -87,116 +107,251 @@ fn sweep(study: &StudyFile, source: &RowSource) -> Result<Swept, Failure> {
         }
         ControlFlow::Continue(())
     })?;
-    let again = Sweep::new(&study.model, &study.question, source)?;
-    let svg = match drawn(again, &study.question, &FigureArgs::default(), &ProgressBar::hidden()) {
+    let again = Sweep::new(&study.model, question, &asked.rows)?;
+    let svg = match drawn(again, question, &asked.figure, &ProgressBar::hidden()) {
         Ok((figure, _)) => Ok(figure.to_svg()),
         // More than a picture shows; the table has it.
         Err(_) => Err("No picture: it shows one range, or a curve for each value of a first one.".to_owned()),
     };
-    Ok(Swept { csv, end, svg, least, greatest })
+    Ok(Swept { csv, end, inputs, svg, least, greatest })
 }
 
-fn page(
-    study: &StudyFile,
-    args: &RunArgs,
-    path: &str,
-    report: &MassReport,
-    links: &[DrawnLink],
-    swept: Option<&Swept>,
-    diagnostics: &[DiagnosticRecord],
-) -> Result<String, Failure> {
-    let name = |path: &str| {
-        Path::new(path).file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned())
-    };
-    let mut page = Page::new(&format!("Effective mass at {}", report.contact.link));
-    page.paragraph("soft", &format!("Study {}, percuss {}", name(&args.study), report.percuss));
-    page.paragraph("lead", &format!("m̄ = {}", headline(report)));
-    page.facts(facts(report));
-    page.heading("The mechanism at this pose");
-    page.picture(&drawing(report, links).to_svg(), "The mechanism from the front and from the left");
-    page.paragraph(
-        "soft",
-        "A line joins the joints, the loops' ends and the centre of mass of each link. Blue arrows are the velocities of the centres \
-         of mass per unit closing speed, the longest as long as the normal n.",
-    );
-    if report.effective_mass.is_some() {
-        page.heading("Contribution of each link");
-        let links = report.bodies.iter().filter_map(|b| Some((b.link.clone(), b.share?)));
-        let rotors = report.rotors.iter().filter_map(|r| Some((format!("rotor of {}", r.joint), r.share?)));
-        let other = report.other_mass_share.map(|share| ("the other body".to_owned(), share));
-        let mut parts: Vec<(String, f64)> = links.chain(rotors).chain(other).collect();
-        parts.sort_by(|a, b| b.1.total_cmp(&a.1));
-        let all = parts.len();
-        parts.retain(|(_, share)| share.abs() >= limits::LEAST_CONTRIBUTION);
-        page.parts("share of the kinetic energy", &parts);
-        if parts.len() < all {
-            let least = 100.0 * limits::LEAST_CONTRIBUTION;
-            page.paragraph("soft", &format!("and {} of less than {least} %", all - parts.len()));
+fn no_contact() -> Failure {
+    Failure::bad_input(
+        "--report: the study has no [contact] with a normal, and a report is about one; percuss run STUDY --format json has the \
+         answer",
+    )
+}
+
+/// A file's name without its folder.
+fn name(path: &str) -> String {
+    Path::new(path).file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned())
+}
+
+/// A word as a shell takes it.
+fn word(text: &str) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "._-/".contains(c);
+    if text.chars().all(is_plain) { text.to_owned() } else { format!("'{}'", text.replace('\'', "'\\''")) }
+}
+
+impl Answers {
+    fn of(study: &StudyFile, args: &RunArgs) -> Result<Self, Failure> {
+        let Some(question) = &study.question else { return Err(no_contact()) };
+        let damping = study.damping.as_ref().map(|damping| &damping.question);
+        let (mut mass, mechanism) = mass_drawn(&study.model, question, damping)?;
+        Asked::of_study(&study.mass).add_to(&mut mass, &study.model, question)?;
+        let compared = if study.variants.is_empty() {
+            None
+        } else {
+            let compared = percuss_study::compare(&study.designs(&compare::study_name(&args.study)));
+            Some(compared.map_err(|error| compare::failure(&error, Names::Keys))?)
+        };
+        let mapped = match study.map.as_ref().map(|map| &map.question) {
+            None => None,
+            Some(StudyMapQuestion::Surfaces(asked)) => {
+                Some(Mapped::Surfaces(Box::new(map_of(&study.model, asked)?)))
+            }
+            Some(StudyMapQuestion::Directions(asked, count)) => {
+                Some(Mapped::Directions(Box::new(map_point(&study.model, asked, *count)?)))
+            }
+        };
+        let speeds = study.safe_speed.as_ref().map(|asked| asked.reports(&study.model)).transpose()?;
+        let swept = study.sweep.as_ref().map(|asked| sweep(study, asked)).transpose()?;
+        Ok(Self { mass, mechanism, swept, compared, mapped, speeds })
+    }
+
+    /// The files that all of it stands on, each once.
+    fn inputs(&self) -> Vec<Input> {
+        let swept = self.swept.iter().flat_map(|swept| &swept.inputs);
+        let compared = self.compared.iter().flat_map(|c| c.designs.iter().flat_map(|design| &design.inputs));
+        let mapped = self.mapped.iter().flat_map(|mapped| match mapped {
+            Mapped::Surfaces(answer) => &answer.report.inputs,
+            Mapped::Directions(report) => &report.inputs,
+        });
+        let speeds = self.speeds.iter().flatten().flat_map(|report| &report.inputs);
+        let all = self.mass.inputs.iter().chain(&self.mechanism.meshes).chain(swept).chain(compared);
+        let mut each: Vec<Input> = Vec::new();
+        for input in all.chain(mapped).chain(speeds) {
+            if !each.contains(input) {
+                each.push(input.clone());
+            }
         }
+        each
     }
-    if let Some(estimate) = &report.estimate {
-        page.heading("The classical estimate");
-        let value =
-            |x: Option<f64>, unit: &str| x.map_or("–".to_owned(), |x| format!("{} {unit}", number(x)));
-        page.facts([
-            ("takes", format!("{} kg of {}", number(estimate.mass), estimate.links.join(", "))),
-            ("motion ratio", value(estimate.motion_ratio, "(A over contact)")),
-            ("estimate", value(estimate.estimate, "kg")),
-            ("off by", value(estimate.error_percent, "%")),
-        ]);
+
+    /// Everything that was found, each once.
+    fn diagnostics(&self) -> Vec<DiagnosticRecord> {
+        let swept = self.swept.iter().flat_map(|swept| &swept.end.diagnostics);
+        let compared = self.compared.iter().flat_map(|compared| &compared.diagnostics);
+        let mapped = self.mapped.iter().flat_map(|mapped| match mapped {
+            Mapped::Surfaces(answer) => &answer.report.diagnostics,
+            Mapped::Directions(report) => &report.diagnostics,
+        });
+        let speeds = self.speeds.iter().flatten().flat_map(|report| &report.diagnostics);
+        let all = self.mass.diagnostics.iter().chain(&self.mechanism.diagnostics).chain(swept);
+        let mut each: Vec<DiagnosticRecord> = Vec::new();
+        for record in all.chain(compared).chain(mapped).chain(speeds) {
+            if !each.contains(record) {
+                each.push(record.clone());
+            }
+        }
+        each
     }
-    if let Some(swept) = swept {
+
+    fn page(
+        &self,
+        study: &StudyFile,
+        args: &RunArgs,
+        path: &str,
+        inputs: &[Input],
+        diagnostics: &[DiagnosticRecord],
+    ) -> Result<String, Failure> {
+        let report = &self.mass;
+        let mut page = Page::new(&format!("Effective mass at {}", report.contact.link));
+        page.paragraph("soft", &format!("Study {}, percuss {}", name(&args.study), report.percuss));
+        page.paragraph("lead", &format!("m̄ = {}", headline(report)));
+        page.facts(facts(report));
+        page.heading("The mechanism at this pose");
+        page.picture(
+            &drawing(report, &self.mechanism.links).to_svg(),
+            "The mechanism from the front and from the left",
+        );
+        page.paragraph(
+            "soft",
+            "A line joins the joints, the loops' ends and the centre of mass of each link, over its shapes where the model states \
+             some. The dot is the contact point. Blue arrows are the velocities v* of the centres of mass per unit closing speed, the \
+             longest as long as the normal n.",
+        );
+        contributions(report, &mut page);
+        estimate(report, &mut page);
+        if let Some(explained) = &report.explanation {
+            page.heading("What it depends on");
+            page.code(explanation::explanation(explained).trim_start());
+        }
+        if let Some(tolerances) = &report.tolerance {
+            page.heading("Tolerances");
+            page.code(explanation::tolerances(tolerances).trim_start());
+        }
+        if let Some(swept) = &self.swept {
+            swept.on(&mut page, &name(&Path::new(path).with_extension("csv").to_string_lossy()));
+        }
+        if let Some(compared) = &self.compared {
+            page.heading("Variants");
+            page.code(&compare::text(compared));
+            // Ranges of which there is no figure have the sweep's table.
+            let figure = study.sweep.as_ref().map(|sweep| sweep.figure.clone()).unwrap_or_default();
+            if let Ok(figure) = compare::figure(compared, &figure) {
+                page.picture(&figure.to_svg(), "Effective mass of the variants over what is varied");
+            }
+        }
+        if let (Some(damper), Some(damping)) = (&report.damper, &study.damping) {
+            damping_on(damper, &damping.question, &mut page)?;
+        }
+        match &self.mapped {
+            None => {}
+            Some(Mapped::Surfaces(answer)) => {
+                page.heading("Over the surface");
+                page.picture(&map_files::skin(answer).to_svg(), "Effective mass over the surface");
+                page.code(&map::text(answer));
+            }
+            Some(Mapped::Directions(directions)) => {
+                page.heading("In all directions at a point");
+                page.code(&map::point_text(directions));
+            }
+        }
+        if let Some(reports) = &self.speeds {
+            page.heading("Safe speed");
+            page.facts(safe_speed::facts(safe_speed::slowest(reports)));
+            let others = safe_speed::directions(reports);
+            if !others.is_empty() {
+                page.code(others.trim());
+            }
+            page.paragraph("soft", &safe_speed::CLOSING.trim().replace('\n', " "));
+        }
+        page.heading("What it rests on");
+        page.facts(
+            inputs.iter().map(|input| ("SHA-256", format!("{}  {}", input.sha256, name(&input.path)))),
+        );
+        if diagnostics.is_empty() {
+            page.paragraph("soft", "No diagnostics.");
+        } else {
+            let lines: Vec<String> =
+                diagnostics.iter().map(|d| escape::line(&d.line()).into_owned()).collect();
+            page.code(&lines.join("\n"));
+        }
+        page.paragraph("", "The same again, in the study's folder:");
+        page.code(&format!("percuss run {} --report {}", word(&name(&args.study)), word(&name(path))));
+        page.paragraph(
+            "soft",
+            "Not included: friction, compliance of the links, several impacts at once. Gravity, springs, dampers and speed do not \
+             enter: a finite force does no work in an instantaneous impact.",
+        );
+        Ok(page.finish())
+    }
+}
+
+fn contributions(report: &MassReport, page: &mut Page) {
+    if report.effective_mass.is_none() {
+        return;
+    }
+    page.heading("Contribution of each link");
+    let links = report.bodies.iter().filter_map(|b| Some((b.link.clone(), b.share?)));
+    let rotors = report.rotors.iter().filter_map(|r| Some((format!("rotor of {}", r.joint), r.share?)));
+    let other = report.other_mass_share.map(|share| ("the other body".to_owned(), share));
+    let mut parts: Vec<(String, f64)> = links.chain(rotors).chain(other).collect();
+    parts.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let all = parts.len();
+    parts.retain(|(_, share)| share.abs() >= limits::LEAST_CONTRIBUTION);
+    page.parts("share of the kinetic energy", &parts);
+    if parts.len() < all {
+        let least = 100.0 * limits::LEAST_CONTRIBUTION;
+        page.paragraph("soft", &format!("and {} of less than {least} %", all - parts.len()));
+    }
+}
+
+fn estimate(report: &MassReport, page: &mut Page) {
+    let Some(estimate) = &report.estimate else { return };
+    page.heading("The classical estimate");
+    let value = |x: Option<f64>, unit: &str| x.map_or("–".to_owned(), |x| format!("{} {unit}", number(x)));
+    page.facts([
+        ("takes", format!("{} kg of {}", number(estimate.mass), estimate.links.join(", "))),
+        ("motion ratio", value(estimate.motion_ratio, "(A over contact)")),
+        ("estimate", value(estimate.estimate, "kg")),
+        ("off by", estimate.error_percent.map_or("–".to_owned(), |x| format!("{} %", short(x)))),
+    ]);
+}
+
+impl Swept {
+    fn on(&self, page: &mut Page, table: &str) {
         page.heading("The sweep");
-        match &swept.svg {
+        match &self.svg {
             Ok(svg) => page.picture(svg, "Effective mass over what is varied"),
             Err(why) => page.paragraph("soft", why),
         }
         let mass = |m: Option<f64>| m.map_or("–".to_owned(), |m| format!("{} kg", number(m)));
         page.facts([
-            ("rows", format!("{}, of which {} have no answer", swept.end.rows, swept.end.unanswered)),
-            ("smallest", mass(swept.least)),
-            ("largest", mass(swept.greatest)),
-            ("all rows", name(&Path::new(path).with_extension("csv").to_string_lossy())),
+            ("rows", format!("{}, of which {} have no answer", self.end.rows, self.end.unanswered)),
+            ("smallest", mass(self.least)),
+            ("largest", mass(self.greatest)),
+            ("all rows", table.to_owned()),
         ]);
     }
-    if !study.variants.is_empty() {
-        let name =
-            Path::new(&args.study).file_stem().map_or_else(String::new, |n| n.to_string_lossy().into());
-        let compared = percuss_study::compare(&study.designs(&name))
-            .map_err(|error| crate::compare::failure(&error, percuss_study::Names::Keys))?;
-        page.heading("Variants");
-        page.code(&crate::compare::text(&compared));
-    }
-    if let (Some(damper), Some(question)) = (&report.damper, &study.damping) {
-        page.heading("The damper");
-        page.facts(damp::facts(damper));
-        if damper.damper.speed.is_some() {
-            let samples = impact_history(question, damper.effective_mass, limits::HISTORY_SAMPLES)
-                .map_err(StudyError::from)?;
-            page.picture(&damp::sheet(damper, &samples).to_svg(), "Force over time and over penetration");
-        }
-        for (name, export) in &damper.exports {
-            page.code(damp::exported(name, export).trim_start());
-        }
-    }
-    page.heading("What it rests on");
-    page.facts(
-        report.inputs.iter().map(|input| ("SHA-256", format!("{}  {}", input.sha256, name(&input.path)))),
-    );
-    if diagnostics.is_empty() {
-        page.paragraph("soft", "No diagnostics.");
+}
+
+fn damping_on(damper: &DampingReport, question: &DampingQuestion, page: &mut Page) -> Result<(), Failure> {
+    page.heading("The damper");
+    page.facts(damp::facts(damper));
+    if damper.damper.speed.is_some() {
+        let samples = impact_history(question, damper.effective_mass, limits::HISTORY_SAMPLES)
+            .map_err(StudyError::from)?;
+        page.picture(&damp::sheet(damper, &samples).to_svg(), "Force over time and over penetration");
     } else {
-        let lines: Vec<String> = diagnostics.iter().map(|d| escape::line(&d.line()).into_owned()).collect();
-        page.code(&lines.join("\n"));
+        page.paragraph("soft", "Without damping.speed there is no force to draw.");
     }
-    page.paragraph("", "The same again, in the study's folder:");
-    page.code(&format!("percuss run {} --report {}", name(&args.study), name(path)));
-    page.paragraph(
-        "soft",
-        "Not included: friction, compliance of the links, several impacts at once. Gravity, springs, dampers and speed do not \
-         enter: a finite force does no work in an instantaneous impact.",
-    );
-    Ok(page.finish())
+    for (name, export) in &damper.exports {
+        page.code(damp::exported(name, export).trim_start());
+    }
+    Ok(())
 }
 
 /// The mechanism, the contact, its normal, and how the centres of mass move.
@@ -205,12 +360,16 @@ fn drawing(report: &MassReport, links: &[DrawnLink]) -> Drawing {
     let lines = links.iter().flat_map(|link| {
         link.lines.iter().map(|ends| DrawnLine { ends: *ends, part: Some(link.share.unwrap_or(0.0)) })
     });
+    let facets = links.iter().flat_map(|link| {
+        link.facets.iter().map(|corners| DrawnFacet { corners: *corners, part: link.share })
+    });
     let moving = links.iter().filter_map(|link| {
         Some(DrawnArrow { from: link.com?, vector: link.velocity?, label: String::new() })
     });
     let normal = DrawnArrow { from: contact.point_world, vector: contact.normal_world, label: "n".into() };
     Drawing {
         shading: "contribution to the effective mass".into(),
+        facets: facets.collect(),
         lines: lines.collect(),
         arrows: moving.chain([normal]).collect(),
         marks: vec![SkinMark { at: contact.point_world, label: String::new() }],

@@ -1,70 +1,159 @@
 //! `percuss run`.
 
-use crate::args::{FigureArgs, MassFormat, RunArgs};
+use crate::args::{CheckFormat, MassFormat, RunArgs};
 use crate::failure::Failure;
 use crate::mass::Asked;
+use crate::output::is_input;
 use crate::report::note;
 use crate::sweep::Written;
 use crate::table_style::TableStyle;
-use crate::{compare, mass, report_page, sweep};
-use percuss_study::{Names, StudyFile};
+use crate::{compare, damp, map, mass, report_page, safe_speed, sweep};
+use percuss_study::{
+    DampingReport, MassQuestion, Names, StudyDamping, StudyFile, StudyMap, StudyMass, damp_contact, damp_stop,
+};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Runs the command: the contact at the study's pose, or its sweep.
+/// Runs the command: everything that the study asks.
 pub fn run(args: &RunArgs) -> Result<(), Failure> {
     let study = StudyFile::load(&args.study, args.max_size)?;
     args.writing.apply();
-    if let Some(path) = &args.report {
-        if !args.allow_outside {
-            inside(path, &study.folder, "--report")?;
-        }
-        sweep::use_threads(args.threads);
-        let written = report_page::write(&study, args, path);
-        return written.map_err(|failure| failure.in_file(&args.study));
+    study.model.inputs.iter().for_each(|input| is_input(&input.path));
+    if !args.allow_outside {
+        outputs(&study, args).try_for_each(|(name, path)| inside(&path, &study.folder, name))?;
     }
-    if let Some(path) = study.output.as_deref().filter(|_| !args.allow_outside) {
-        inside(path, &study.folder, "sweep.output")?;
-    }
-    if !study.variants.is_empty() && args.format.is_none() {
-        let name =
-            Path::new(&args.study).file_stem().map_or_else(String::new, |n| n.to_string_lossy().into());
-        let compared = compare::show(
-            &study.designs(&name),
-            Names::Keys,
-            study.output.as_deref(),
-            MassFormat::Text,
-            args.strict,
-        );
-        return compared.map_err(|failure| failure.in_file(&args.study));
-    }
-    let answered = match &study.sweep {
-        Some(vary) if args.format.is_none() => {
-            if study.damping.is_some() {
-                note("[damping] is of the contact at its pose, not of the sweep: --format text shows it");
-            }
-            sweep::use_threads(args.threads);
-            let written = Written {
-                output: study.output.as_deref(),
-                table: TableStyle::default(),
-                figure: &FigureArgs::default(),
-                strict: args.strict,
-            };
-            sweep::go_through(&study.model, &study.question, vary, &written)
-        }
-        _ => {
-            let format = args.format.unwrap_or(MassFormat::Text);
-            mass::show(
-                &study.model,
-                &study.question,
-                study.damping.as_ref(),
-                format,
-                &Asked::default(),
-                args.strict,
-            )
-        }
+    sweep::use_threads(args.threads);
+    let answered = match (&args.report, args.format) {
+        (Some(path), _) => report_page::write(&study, args, path),
+        (None, Some(format)) => in_format(&study, format, args.strict),
+        (None, None) => all(&study, args),
     };
-    answered.map_err(|failure| failure.in_file(&args.study))
+    answered.map_err(|failure| failure.in_study(&args.study, &study.keys))
+}
+
+/// The files that this run writes, by the keys and flags that name them.
+fn outputs<'a>(
+    study: &'a StudyFile,
+    args: &'a RunArgs,
+) -> Box<dyn Iterator<Item = (&'static str, String)> + 'a> {
+    if let Some(path) = &args.report {
+        return Box::new([("--report", path.clone())].into_iter());
+    }
+    if args.format.is_some() {
+        return Box::new(std::iter::empty());
+    }
+    let sweep = study.sweep.iter().filter_map(|sweep| Some(("sweep.output", sweep.output.clone()?)));
+    let damping = study.damping.iter().filter_map(|d| Some(("damping.output", d.output.clone()?)));
+    let map =
+        study.map.iter().flat_map(|map| map.outputs.iter().map(|output| ("map.output", output.clone())));
+    Box::new(sweep.chain(damping).chain(map))
+}
+
+/// The contact or what takes its place; then a stop, a map, a safe speed.
+fn all(study: &StudyFile, args: &RunArgs) -> Result<(), Failure> {
+    let strict = args.strict;
+    if let Some(question) = &study.question {
+        contact(study, question, args)?;
+    }
+    if let Some(damping) = &study.damping {
+        let is_drawn = damping.output.is_some() && study.question.is_some();
+        if damping.stop.is_some() || is_drawn {
+            let report = damped(study, damping)?;
+            if damping.stop.is_some() {
+                crate::report::write_diagnostics(&report.diagnostics, strict)?;
+                damp::print(&report, CheckFormat::Text)?;
+            }
+            if let Some(path) = &damping.output {
+                damp::draw(&report, &damping.question, path)?;
+            }
+        }
+    }
+    if let Some(asked) = &study.map {
+        map::show(&study.model, &asked.question, &of_map(asked, MassFormat::Text, strict)?)?;
+    }
+    if let Some(asked) = &study.safe_speed {
+        safe_speed::show(&asked.reports(&study.model)?, CheckFormat::Text, strict)?;
+    }
+    Ok(())
+}
+
+/// The contact: with its variants, over its rows, or at its pose.
+fn contact(study: &StudyFile, question: &MassQuestion, args: &RunArgs) -> Result<(), Failure> {
+    let strict = args.strict;
+    let of_pose = study.damping.is_some() || study.mass != StudyMass::default();
+    if of_pose && (study.sweep.is_some() || !study.variants.is_empty()) {
+        note(
+            "[damping] and [mass] are of the contact at its pose, not of rows and variants: --format text shows them",
+        );
+    }
+    let output = study.sweep.as_ref().and_then(|sweep| sweep.output.as_deref());
+    let table = study.sweep.as_ref().map_or_else(TableStyle::default, |sweep| TableStyle::of(&sweep.table));
+    let figure = study.sweep.as_ref().map(|sweep| sweep.figure.clone()).unwrap_or_default();
+    if !study.variants.is_empty() {
+        let format = MassFormat::Text;
+        let written = compare::Written { output, table, figure: &figure, format, strict };
+        return compare::show(&study.designs(&compare::study_name(&args.study)), Names::Keys, &written);
+    }
+    match &study.sweep {
+        Some(sweep) => {
+            let written = Written { output, table, figure: &figure, strict };
+            sweep::go_through(&study.model, question, &sweep.rows, &written)
+        }
+        None => of_mass(study, question, MassFormat::Text, strict),
+    }
+}
+
+fn of_mass(
+    study: &StudyFile,
+    question: &MassQuestion,
+    format: MassFormat,
+    strict: bool,
+) -> Result<(), Failure> {
+    let damping = study.damping.as_ref().map(|damping| &damping.question);
+    mass::show(&study.model, question, damping, format, &Asked::of_study(&study.mass), strict)
+}
+
+/// What the study is about, in a format: the contact at its pose; without one the stop, the map or the safe speed.
+fn in_format(study: &StudyFile, format: MassFormat, strict: bool) -> Result<(), Failure> {
+    if let Some(question) = &study.question {
+        return of_mass(study, question, format, strict);
+    }
+    let plain = match format {
+        MassFormat::Text => Ok(CheckFormat::Text),
+        MassFormat::Json => Ok(CheckFormat::Json),
+        MassFormat::Csv => Err(Failure::bad_input(
+            "--format csv: a contact and a map have a table; the study asks for neither",
+        )),
+    };
+    match (&study.damping, &study.map, &study.safe_speed) {
+        (Some(damping), ..) => {
+            let report = damped(study, damping)?;
+            crate::report::write_diagnostics(&report.diagnostics, strict)?;
+            damp::print(&report, plain?)
+        }
+        (None, Some(asked), _) => {
+            let written = map::Written { formats: Vec::new(), ..of_map(asked, format, strict)? };
+            map::show(&study.model, &asked.question, &written)
+        }
+        (None, None, Some(asked)) => safe_speed::show(&asked.reports(&study.model)?, plain?, strict),
+        // The reader of studies leaves none that ask for nothing.
+        (None, None, None) => Ok(()),
+    }
+}
+
+fn of_map(asked: &StudyMap, format: MassFormat, strict: bool) -> Result<map::Written, Failure> {
+    let formats = map::formats(&asked.outputs)?;
+    Ok(map::Written { formats, table: TableStyle::of(&asked.table), format, strict })
+}
+
+/// The damper of the stop, or of the contact.
+pub fn damped(study: &StudyFile, damping: &StudyDamping) -> Result<DampingReport, Failure> {
+    let StudyDamping { question, stop, .. } = damping;
+    Ok(match (stop, &study.question) {
+        (Some((stop, conditions)), _) => damp_stop(&study.model, stop, conditions.clone(), question)?,
+        (None, Some(contact)) => damp_contact(&study.model, contact, question)?,
+        (None, None) => return Err(Failure::bad_input("damping: a contact or a joint's stop is required")),
+    })
 }
 
 /// Refuses an output that is not in the study's folder or below it, wherever links lead.

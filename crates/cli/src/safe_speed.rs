@@ -7,8 +7,7 @@ use crate::report::{write_diagnostics, write_json, write_out};
 use crate::text::{Table, number, triple};
 use percuss_study::contact::BodyRegion;
 use percuss_study::{
-    Limit, PositionFile, RowSource, SafeSpeedQuestion, SafeSpeedReport, SpeedRecord, safe_speed,
-    safe_speed_along, safe_speed_directions,
+    Limit, PositionFile, RowSource, SafeSpeedQuestion, SafeSpeedReport, SpeedRecord, StudySafeSpeed,
 };
 use std::fmt::Write;
 
@@ -25,36 +24,44 @@ pub fn run(args: &SafeSpeedArgs) -> Result<(), Failure> {
     let limit = limit(args)?;
     let model = args.reading.load(path)?;
     let asked = SafeSpeedQuestion { region: args.region.clone(), limit, load: args.load };
-    let reports = if args.direction.is_empty() && !args.worst_direction {
-        let question = ContactArgs::needed(args.contact.as_ref())?.question()?;
-        let report = match &args.input {
-            None => safe_speed(&model, &question, &asked)?,
-            Some(path) => {
-                let (ignore, max_size) = (args.ignore.clone(), args.reading.max_size);
-                let rows = RowSource::File(PositionFile { path: path.clone(), ignore, max_size });
-                safe_speed_along(&model, &question, &asked, &rows)?
-            }
-        };
-        vec![report]
+    let contact = if args.direction.is_empty() && !args.worst_direction {
+        ContactArgs::needed(args.contact.as_ref())?.question()?
     } else {
         let contact =
             args.contact.as_ref().filter(|contact| contact.link.is_some() && contact.point.is_some());
         let contact = contact.ok_or_else(|| {
             Failure::bad_input("--direction: --link LINK and --point X,Y,Z are required beside it")
         })?;
-        safe_speed_directions(&model, &contact.conditions()?, &asked, &args.direction, args.worst_direction)?
+        contact.conditions()?
     };
+    let rows = args.input.as_ref().map(|path| {
+        let (ignore, max_size) = (args.ignore.clone(), args.reading.max_size);
+        RowSource::File(PositionFile { path: path.clone(), ignore, max_size })
+    });
+    let (directions, worst_direction) = (args.direction.clone(), args.worst_direction);
+    let study = StudySafeSpeed { contact, asked, directions, worst_direction, rows };
+    show(&study.reports(&model)?, args.format, args.reading.strict)
+}
+
+/// The report with the least speed.
+pub fn slowest(reports: &[SafeSpeedReport]) -> &SafeSpeedReport {
     let mut slowest = &reports[0];
     for report in &reports[1..] {
         if report.reflected.speed < slowest.reflected.speed {
             slowest = report;
         }
     }
-    write_diagnostics(&slowest.diagnostics, args.reading.strict)?;
-    match args.format {
+    slowest
+}
+
+/// Writes the slowest of the reports, and the others in a table.
+pub fn show(reports: &[SafeSpeedReport], format: CheckFormat, strict: bool) -> Result<(), Failure> {
+    let slowest = slowest(reports);
+    write_diagnostics(&slowest.diagnostics, strict)?;
+    match format {
         CheckFormat::Json if reports.len() > 1 => write_json(&reports),
         CheckFormat::Json => write_json(slowest),
-        CheckFormat::Text => write_out(&(text(slowest) + &directions(&reports) + CLOSING)),
+        CheckFormat::Text => write_out(&(text(slowest) + &directions(reports) + CLOSING)),
     }
 }
 
@@ -71,12 +78,12 @@ fn limit(args: &SafeSpeedArgs) -> Result<Limit, Failure> {
     }
 }
 
-const CLOSING: &str = "\nAn engineering aid, not a certification. v = F/√(μ k), the transient contact of ISO/TS 15066:2016, whose content went\n\
+pub const CLOSING: &str = "\nAn engineering aid, not a certification. v = F/√(μ k), the transient contact of ISO/TS 15066:2016, whose content went\n\
      into ISO 10218-2:2025; both are known here from public secondary sources, neither was opened. The standard's M/2 + m_L\n\
      knows neither pose nor direction. Check regions and limits against the purchased standard.\n";
 
 /// The other directions that were asked for.
-fn directions(reports: &[SafeSpeedReport]) -> String {
+pub fn directions(reports: &[SafeSpeedReport]) -> String {
     if reports.len() < 2 {
         return String::new();
     }
@@ -91,9 +98,16 @@ fn directions(reports: &[SafeSpeedReport]) -> String {
 
 fn text(report: &SafeSpeedReport) -> String {
     let mut out = String::new();
-    let mut fact = |name: &str, value: String| {
+    for (name, value) in facts(report) {
         let _ = writeln!(out, "{name:<20} {}", line(&value));
-    };
+    }
+    out
+}
+
+/// What is said of a speed.
+pub fn facts(report: &SafeSpeedReport) -> Vec<(&'static str, String)> {
+    let mut facts = Vec::new();
+    let mut fact = |name, value: String| facts.push((name, value));
     let speed = |record: &SpeedRecord, mass: &str| {
         let robot = record.robot_mass.map_or("no bounded mass".to_owned(), |m| format!("{} kg", number(m)));
         let reduced = record.reduced_mass.filter(|_| report.region.is_some());
@@ -122,7 +136,7 @@ fn text(report: &SafeSpeedReport) -> String {
     let force = report.force.map_or_else(String::new, |force| format!("force {} N, ", number(force)));
     fact("at that", format!("{force}energy {} J, limited by {}", number(report.energy), report.limited_by));
     fact("robot", format!("{} kg that move, load {} kg", number(report.moving_mass), number(report.load)));
-    out
+    facts
 }
 
 fn regions() -> String {

@@ -1,6 +1,6 @@
 //! `percuss sweep`, and the output of any sweep.
 
-use crate::args::{FigureArgs, SweepArgs};
+use crate::args::SweepArgs;
 use crate::failure::Failure;
 use crate::output::{Output, is_input, may_be_written, write_file};
 use crate::parquet_rows;
@@ -10,7 +10,7 @@ use crate::sweep_rows;
 use crate::table_style::TableStyle;
 use crate::xlsx_rows;
 use indicatif::{ProgressBar, ProgressStyle};
-use percuss_study::{MassQuestion, Model, RowSource, Sweep, SweepEnd};
+use percuss_study::{MassQuestion, Model, RowSource, StudyFigure, Sweep, SweepEnd};
 use std::path::Path;
 
 /// Runs the command.
@@ -25,7 +25,7 @@ pub fn run(args: &SweepArgs) -> Result<(), Failure> {
         &Written {
             output: args.output.as_deref(),
             table: args.table.style(),
-            figure: &args.figure,
+            figure: &args.figure.figure(),
             strict: args.model.reading.strict,
         },
     )
@@ -42,7 +42,7 @@ pub fn use_threads(count: Option<u16>) {
 pub struct Written<'a> {
     pub output: Option<&'a str>,
     pub table: TableStyle,
-    pub figure: &'a FigureArgs,
+    pub figure: &'a StudyFigure,
     pub strict: bool,
 }
 

@@ -1,11 +1,10 @@
 //! The picture of a sweep: effective mass with the estimate, and the motion ratio below it.
 
-use crate::args::FigureArgs;
 use crate::failure::Failure;
 use crate::text::short;
 use indicatif::ProgressBar;
 use percuss_render::{Figure, Mark, Panel, Series, Style};
-use percuss_study::{Continuation, MassQuestion, Sweep, SweepEnd, VariedColumn};
+use percuss_study::{Continuation, MassQuestion, StudyFigure, Sweep, SweepEnd, VariedColumn};
 use std::ops::ControlFlow;
 
 /// Points of a curve: what was varied, in the unit of the axis, and a value where there is one.
@@ -36,7 +35,7 @@ fn estimate_name(question: &MassQuestion) -> String {
 pub fn drawn(
     sweep: Sweep,
     question: &MassQuestion,
-    args: &FigureArgs,
+    asked: &StudyFigure,
     bar: &ProgressBar,
 ) -> Result<(Figure, SweepEnd), Failure> {
     let heading = sweep.heading().clone();
@@ -102,7 +101,7 @@ pub fn drawn(
     if alone && is_drawn(&estimates) {
         first.push(series(&estimate_name(question), Style::Dashed, estimates));
     }
-    let mut panels = vec![Panel { y_label: "m̄ (kg)".into(), series: first, y_limits: args.y_limits }];
+    let mut panels = vec![Panel { y_label: "m̄ (kg)".into(), series: first, y_limits: asked.y_limits }];
     if alone && is_drawn(&ratios) {
         let ratio = series("A over contact", Style::Line, ratios);
         panels.push(Panel {
@@ -112,8 +111,8 @@ pub fn drawn(
         });
     }
     let figure = Figure {
-        title: args.title.clone().unwrap_or_else(|| format!("Effective mass at {}", heading.link)),
-        x_limits: args.x_limits,
+        title: asked.title.clone().unwrap_or_else(|| format!("Effective mass at {}", heading.link)),
+        x_limits: asked.x_limits,
         subtitle: heading.inputs.first().map_or_else(String::new, |input| input.path.clone()),
         x_label: if unit.is_empty() { varied.name.clone() } else { format!("{} ({unit})", varied.name) },
         panels,

@@ -1,5 +1,6 @@
 //! In which units a table is written, and how many digits of its numbers are true.
 
+use percuss_study::{StudyTable, TableUnit};
 use std::f64::consts::PI;
 
 /// The unit of a table's lengths.
@@ -40,6 +41,26 @@ pub struct ColumnUnit {
 const DIGITS: i32 = 12;
 
 impl TableStyle {
+    /// Of two units of one kind the last counts.
+    pub fn of(table: &StudyTable) -> Self {
+        let mut style = Self { comma: table.comma, ..Self::default() };
+        for unit in &table.units {
+            style.names_units = true;
+            match unit {
+                TableUnit::Metre => style.length = Length::Metre,
+                TableUnit::Millimetre => style.length = Length::Millimetre,
+                TableUnit::Radian => style.angle = Angle::Radian,
+                TableUnit::Degree => style.angle = Angle::Degree,
+            }
+        }
+        style
+    }
+
+    /// A name with the unit behind it, where columns name their units.
+    pub fn named(&self, name: &str, unit: &str) -> String {
+        if self.names_units && !unit.is_empty() { format!("{name}_{unit}") } else { name.to_owned() }
+    }
+
     /// The unit of numbers that are `rad`, `m`, or anything else in SI.
     pub fn unit(&self, si: &'static str) -> ColumnUnit {
         match (si, self.length, self.angle) {

@@ -44,6 +44,16 @@ pub struct LoadError {
     pub diagnostics: Vec<Diagnostic>,
 }
 
+impl LoadError {
+    /// One error about a whole file.
+    pub fn of_file(path: &str, code: &'static str, message: impl Into<String>) -> Self {
+        let (path, message) = (path.to_owned(), message.into());
+        let (line, column, element) = (None, None, None);
+        let severity = Severity::Error;
+        Self { diagnostics: vec![Diagnostic { severity, code, path, line, column, element, message }] }
+    }
+}
+
 /// The errors, one a line.
 impl fmt::Display for LoadError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -1,7 +1,7 @@
 //! Where a model's bytes come from, and whether they are text.
 
+use crate::LoadError;
 use crate::report::{Place, Report};
-use crate::{Diagnostic, LoadError};
 use std::fs::File;
 use std::io::{self, Read};
 
@@ -29,7 +29,7 @@ impl Source {
         } else {
             open(path).and_then(|file| read_bounded(file, max_size))
         };
-        let refuse = |code, message| Err(refusal(name, code, message));
+        let refuse = |code, message: String| Err(LoadError::of_file(name, code, message));
         match bytes {
             Ok(bytes) if bytes.len() as u64 > max_size => {
                 refuse("too-large-file", format!("larger than the limit of {max_size} bytes"))
@@ -106,20 +106,4 @@ fn read_bounded(reader: impl Read, max_size: u64) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     reader.take(max_size.saturating_add(1)).read_to_end(&mut bytes)?;
     Ok(bytes)
-}
-
-fn refusal(name: &str, code: &'static str, message: String) -> LoadError {
-    let severity = percuss_mechanism::Severity::Error;
-    let path = name.to_owned();
-    LoadError {
-        diagnostics: vec![Diagnostic {
-            severity,
-            code,
-            path,
-            line: None,
-            column: None,
-            element: None,
-            message,
-        }],
-    }
 }

@@ -200,17 +200,37 @@ pub fn run_study(py: Python<'_>, path: PathBuf) -> PyResult<String> {
     let path = path.to_string_lossy().into_owned();
     let study = py.detach(|| StudyFile::load(&path, DEFAULT_MAX_SIZE)).map_err(errors::study_file)?;
     errors::warn(py, &study.model.diagnostics)?;
-    match &study.sweep {
-        Some(source) => {
-            let source = source.clone();
-            json(&watched(py, &study.model, || Sweep::new(&study.model, &study.question, source))?)
+    match (&study.question, &study.sweep) {
+        (Some(question), Some(sweep)) => {
+            let rows = sweep.rows.clone();
+            json(&watched(py, &study.model, || Sweep::new(&study.model, question, rows))?)
         }
-        None => {
+        (Some(question), None) => {
             let report = py.detach(|| match &study.damping {
-                Some(damping) => study::mass_with_damper(&study.model, &study.question, damping),
-                None => study::mass(&study.model, &study.question),
+                Some(damping) => study::mass_with_damper(&study.model, question, &damping.question),
+                None => study::mass(&study.model, question),
             });
             json(&report.map_err(errors::study)?)
         }
+        (None, _) => without_contact(py, &study),
+    }
+}
+
+/// A study that asks for something else than a contact: a stop, a map, a safe speed.
+fn without_contact(py: Python<'_>, study: &StudyFile) -> PyResult<String> {
+    if let Some(study::StudyDamping { question, stop: Some((stop, conditions)), .. }) = &study.damping {
+        let report = py.detach(|| study::damp_stop(&study.model, stop, conditions.clone(), question));
+        return json(&report.map_err(errors::study)?);
+    }
+    match (study.map.as_ref().map(|map| &map.question), &study.safe_speed) {
+        (Some(study::StudyMapQuestion::Surfaces(question)), _) => {
+            json(&py.detach(|| study::map(&study.model, question)).map_err(errors::study)?.report)
+        }
+        (Some(study::StudyMapQuestion::Directions(question, count)), _) => {
+            let report = py.detach(|| study::map_point(&study.model, question, *count));
+            json(&report.map_err(errors::study)?)
+        }
+        (None, Some(asked)) => json(&py.detach(|| asked.reports(&study.model)).map_err(errors::study)?),
+        (None, None) => Err(errors::input("the study asks for nothing")),
     }
 }

@@ -1,4 +1,4 @@
-//! The SVG in other formats: pixels by resvg, PDF by svg2pdf, with the faces of `assets/`; none of the machine's are looked for.
+//! The SVG as pixels, by resvg, with the faces of `assets/`; none of the machine's are looked for.
 
 use crate::limits;
 use resvg::tiny_skia::{Pixmap, Transform};
@@ -73,7 +73,7 @@ pub enum RenderError {
     },
 }
 
-fn tree(svg: &str) -> Result<Tree, RenderError> {
+pub(crate) fn tree(svg: &str) -> Result<Tree, RenderError> {
     let options =
         Options { fontdb: FONTS.clone(), font_family: crate::font::FAMILY.into(), ..Options::default() };
     Tree::from_str(svg, &options).map_err(|source| RenderError::Svg { source })
@@ -100,20 +100,6 @@ pub(crate) fn png(svg: &str, scale: f32) -> Result<Vec<u8>, RenderError> {
     let pixels: Vec<u8> = pixmap.data().chunks_exact(4).flat_map(|p| [p[0], p[1], p[2]]).collect();
     encoded(&pixels, pixmap.width(), pixmap.height())
         .map_err(|source| RenderError::Encoder { source: Box::new(source) })
-}
-
-/// The picture as a PDF of one page; text stays text.
-pub(crate) fn pdf(svg: &str) -> Result<Vec<u8>, RenderError> {
-    let made = svg2pdf::to_pdf(
-        &tree(svg)?,
-        svg2pdf::ConversionOptions::default(),
-        // A unit of the SVG is 1/96 inch.
-        svg2pdf::PageOptions { dpi: 96.0 },
-    );
-    let mut bytes = made.map_err(|error| RenderError::Pdf { message: error.to_string() })?;
-    // A comment behind the end.
-    bytes.extend_from_slice(format!("\n% {MADE_BY}\n").as_bytes());
-    Ok(bytes)
 }
 
 /// Pixels of three bytes as a PNG; none where they make no rectangle.

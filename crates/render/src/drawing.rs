@@ -1,10 +1,11 @@
 //! A mechanism from two sides: lines, circles, arrows and named places in space, as a technical drawing shows them.
 
 use crate::backend::{self, RenderError};
-use crate::palette::{Colour, GRID, INK, SOFT_INK};
-use crate::scene::{Anchor, Point, Scene, solid};
-use crate::svg;
+use crate::palette::{Colour, GRID, INK, PAPER, SOFT_INK};
+use crate::raster::Raster;
+use crate::scene::{Anchor, Item, Point, Scene, solid};
 use crate::text::{fit, medium, regular, width};
+use crate::{pdf, svg};
 
 /// Units of the page.
 const WIDTH: f64 = 900.0;
@@ -19,6 +20,10 @@ const SEGMENTS: usize = 64;
 /// The ends of the shading: nothing, and all.
 const NONE: Colour = Colour(186, 193, 203);
 const ALL: Colour = Colour(213, 94, 0);
+/// Pixels of shapes for each unit.
+const SHARP: f64 = 2.0;
+/// How much of the shading's colour a shape has; the rest is paper, so that the lines on it can be seen.
+const TINT: f64 = 0.42;
 const BLUE: Colour = Colour(0, 114, 178);
 
 /// What is seen, in metres: x forward, y to the left, z up.
@@ -30,6 +35,8 @@ pub struct Drawing {
     pub subtitle: String,
     /// What the shading says; none where empty.
     pub shading: String,
+    /// Triangles of shapes, below the lines.
+    pub facets: Vec<DrawnFacet>,
     /// Lines.
     pub lines: Vec<DrawnLine>,
     /// Circles, such as wheels.
@@ -38,6 +45,15 @@ pub struct Drawing {
     pub arrows: Vec<DrawnArrow>,
     /// Places that are named.
     pub marks: Vec<crate::SkinMark>,
+}
+
+/// A triangle of a shape.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct DrawnFacet {
+    /// Its corners, m.
+    pub corners: [[f64; 3]; 3],
+    /// How much of the shading it has, from 0 to 1; none: as nothing.
+    pub part: Option<f64>,
 }
 
 /// A straight line.
@@ -87,6 +103,14 @@ fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
+fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+fn difference(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
 fn length(v: &[f64; 3]) -> f64 {
     dot(v, v).sqrt()
 }
@@ -110,12 +134,13 @@ impl Drawing {
     /// # Errors
     /// Those of the PDF writer.
     pub fn to_pdf(&self) -> Result<Vec<u8>, RenderError> {
-        backend::pdf(&self.to_svg())
+        pdf::write(&self.arrange())
     }
 
     /// Every place that a view must hold.
     fn places(&self) -> Vec<[f64; 3]> {
-        let lines = self.lines.iter().flat_map(|line| line.ends);
+        let facets = self.facets.iter().flat_map(|facet| facet.corners);
+        let lines = facets.chain(self.lines.iter().flat_map(|line| line.ends));
         let circles = self.circles.iter().flat_map(around);
         let arrows = self.arrows.iter().map(|arrow| arrow.from);
         let all = lines.chain(circles).chain(arrows).chain(self.marks.iter().map(|mark| mark.at));
@@ -159,6 +184,7 @@ impl Drawing {
                 (x, y)
             };
             let (right, bottom) = (left + side, top + height);
+            self.shapes(&mut scene, view, &place, per_metre, ((left, top), (side, height)));
             let frame = vec![(left, top), (right, top), (right, bottom), (left, bottom), (left, top)];
             scene.lines(vec![frame], solid(GRID, 1.0));
             self.draw(&mut scene, &place, per_metre, (left, right));
@@ -178,6 +204,42 @@ impl Drawing {
         }
         scene.height = (top + height + 44.0).ceil();
         scene
+    }
+
+    /// The shapes as pixels, between two corners of a view.
+    fn shapes(
+        &self,
+        scene: &mut Scene,
+        view: &View,
+        place: &dyn Fn(&[f64; 3]) -> Point,
+        per_metre: f64,
+        (corner, size): (Point, (f64, f64)),
+    ) {
+        if self.facets.is_empty() {
+            return;
+        }
+        let mut raster = Raster::new((SHARP * size.0).ceil() as usize, (SHARP * size.1).ceil() as usize);
+        let eye = cross(&view.right, &view.up);
+        for facet in &self.facets {
+            let [a, b, c] = &facet.corners;
+            let normal = cross(&difference(b, a), &difference(c, a));
+            let facing = (dot(&normal, &eye) / length(&normal).max(f64::MIN_POSITIVE)).abs();
+            // Faces turned aside are darker, so that the form shows.
+            let light = 0.82 + 0.18 * facing;
+            let colour = shade(facet.part.unwrap_or(0.0));
+            let tint = |c: u8, paper: u8| {
+                (light * (TINT * f64::from(c) + (1.0 - TINT) * f64::from(paper))).round() as u8
+            };
+            let colour = Colour(tint(colour.0, PAPER.0), tint(colour.1, PAPER.1), tint(colour.2, PAPER.2));
+            let places = facet.corners.map(|p| {
+                let (x, y) = place(&p);
+                [SHARP * (x - corner.0), SHARP * (y - corner.1), SHARP * per_metre * dot(&eye, &p)]
+            });
+            raster.triangle(&places, colour);
+        }
+        let size = (raster.columns as f64 / SHARP, raster.rows as f64 / SHARP);
+        let (columns, pixels) = (raster.columns, raster.pixels);
+        scene.items.push(Item::Image { at: corner, size, pixels, columns });
     }
 
     fn draw(&self, scene: &mut Scene, place: &dyn Fn(&[f64; 3]) -> Point, per_metre: f64, sides: (f64, f64)) {

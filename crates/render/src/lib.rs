@@ -41,6 +41,8 @@ mod legend;
 mod limits;
 mod marks;
 mod palette;
+mod pdf;
+mod raster;
 mod scene;
 mod sheet;
 mod skin;
@@ -48,7 +50,7 @@ mod svg;
 mod text;
 
 pub use backend::{MADE_BY, RenderError};
-pub use drawing::{Drawing, DrawnArrow, DrawnCircle, DrawnLine};
+pub use drawing::{Drawing, DrawnArrow, DrawnCircle, DrawnFacet, DrawnLine};
 pub use figure::{Figure, Mark, Panel, Series, Style};
 pub use sheet::Sheet;
 pub use skin::{Skin, SkinFacet, SkinMark, SkinPiece};

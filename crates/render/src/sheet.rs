@@ -3,7 +3,7 @@
 use crate::backend::RenderError;
 use crate::figure::Figure;
 use crate::scene::{Item, Point, Scene};
-use crate::{backend, layout, svg};
+use crate::{backend, layout, pdf, svg};
 
 impl Figure {
     /// The figure as an SVG document, 900 units wide and about 300 high for each panel.
@@ -27,7 +27,7 @@ impl Figure {
     /// # Errors
     /// Those of the PDF writer.
     pub fn to_pdf(&self) -> Result<Vec<u8>, RenderError> {
-        backend::pdf(&self.to_svg())
+        pdf::write(&layout::arrange(self))
     }
 }
 
@@ -57,7 +57,7 @@ impl Sheet {
     /// # Errors
     /// Those of the PDF writer.
     pub fn to_pdf(&self) -> Result<Vec<u8>, RenderError> {
-        backend::pdf(&self.to_svg())
+        pdf::write(&self.arrange())
     }
 
     fn arrange(&self) -> Scene {
@@ -85,7 +85,7 @@ fn lowered(item: Item, down: f64) -> Item {
             Item::Dots { centres: centres.into_iter().map(lower).collect(), radius, colour }
         }
         Item::Patch { from, to, colour } => Item::Patch { from: lower(from), to: lower(to), colour },
-        Item::Image { at, side, pixels, columns } => Item::Image { at: lower(at), side, pixels, columns },
+        Item::Image { at, size, pixels, columns } => Item::Image { at: lower(at), size, pixels, columns },
         Item::Text(mut text) => {
             text.at = lower(text.at);
             Item::Text(text)

@@ -17,21 +17,38 @@ pub(crate) fn write(scene: &Scene) -> String {
     out
 }
 
+/// The document without its paper and its images, to be put over these.
+pub(crate) fn write_over(scene: &Scene) -> String {
+    let mut out = String::new();
+    let _ = head(scene, &mut out).and_then(|()| items(scene, false, &mut out));
+    out
+}
+
 fn document(scene: &Scene, out: &mut String) -> Result {
+    head(scene, out)?;
+    let (w, h) = (Number(scene.width), Number(scene.height));
+    writeln!(out, r#"<rect width="{w}" height="{h}" fill="{PAPER}"/>"#)?;
+    items(scene, true, out)
+}
+
+fn head(scene: &Scene, out: &mut String) -> Result {
     let (w, h) = (Number(scene.width), Number(scene.height));
     writeln!(
         out,
         r#"<svg xmlns="http://www.w3.org/2000/svg" width="{w}" height="{h}" viewBox="0 0 {w} {h}" role="img" font-family="{FAMILY}">"#
     )?;
     writeln!(out, "<title>{}</title>", Escaped(&scene.caption))?;
-    writeln!(out, "<metadata>{MADE_BY}</metadata>")?;
-    writeln!(out, r#"<rect width="{w}" height="{h}" fill="{PAPER}"/>"#)?;
+    writeln!(out, "<metadata>{MADE_BY}</metadata>")
+}
+
+fn items(scene: &Scene, with_images: bool, out: &mut String) -> Result {
     for item in &scene.items {
         match item {
             Item::Lines { chains, stroke } => lines(chains, stroke, out)?,
             Item::Dots { centres, radius, colour } => dots(centres, *radius, *colour, out)?,
             Item::Patch { from, to, colour } => patch(*from, *to, *colour, out)?,
-            Item::Image { at, side, pixels, columns } => image(*at, *side, pixels, *columns, out)?,
+            Item::Image { .. } if !with_images => {}
+            Item::Image { at, size, pixels, columns } => image(*at, *size, pixels, *columns, out)?,
             Item::Text(text) => words(text, out)?,
         }
     }
@@ -71,11 +88,11 @@ fn patch(from: Point, to: Point, colour: Colour, out: &mut String) -> Result {
 }
 
 /// Pixels, as a PNG within the document.
-fn image(at: Point, side: f64, pixels: &[u8], columns: usize, out: &mut String) -> Result {
+fn image(at: Point, size: (f64, f64), pixels: &[u8], columns: usize, out: &mut String) -> Result {
     // Pixels that make no picture are left out.
     let Some(bytes) = of_pixels(pixels, columns) else { return Ok(()) };
-    let side = Number(side);
-    write!(out, r#"<image x="{}" y="{}" width="{side}" height="{side}""#, Number(at.0), Number(at.1))?;
+    write!(out, r#"<image x="{}" y="{}""#, Number(at.0), Number(at.1))?;
+    write!(out, r#" width="{}" height="{}""#, Number(size.0), Number(size.1))?;
     let text = base64::engine::general_purpose::STANDARD.encode(bytes);
     writeln!(out, r#" href="data:image/png;base64,{text}"/>"#)
 }

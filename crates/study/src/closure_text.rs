@@ -1,34 +1,59 @@
 //! A closure in a study file.
 
 use crate::refusal::Refusal;
-use crate::study_value;
+use crate::study_value::{self, NumberOrText, Triple};
 use nalgebra::Vector3;
 use percuss_mechanism::{ClosureDescription, ClosureKind};
 use percuss_spatial::{Transform, rotation_from_rpy};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
-#[derive(Deserialize)]
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct ClosureText {
+    /// Its name.
     pub name: String,
+    /// What it leaves free.
     #[serde(rename = "type")]
+    #[schemars(extend("enum" = kinds()))]
     pub kind: String,
+    /// The first link.
     pub predecessor: String,
+    /// Origin of the loop's frame in the first link, m.
     #[serde(default, deserialize_with = "study_value::lengths")]
+    #[schemars(with = "Option<Triple>")]
     pub predecessor_xyz: [f64; 3],
+    /// Its axes: roll, pitch, yaw, rad.
     #[serde(default, deserialize_with = "study_value::angles")]
+    #[schemars(with = "Option<Triple>")]
     pub predecessor_rpy: [f64; 3],
+    /// The second link.
     pub successor: String,
+    /// Origin of the loop's frame in the second link, m.
     #[serde(default, deserialize_with = "study_value::lengths")]
+    #[schemars(with = "Option<Triple>")]
     pub successor_xyz: [f64; 3],
+    /// Its axes: roll, pitch, yaw, rad.
     #[serde(default, deserialize_with = "study_value::angles")]
+    #[schemars(with = "Option<Triple>")]
     pub successor_rpy: [f64; 3],
+    /// The axis, in the first frame.
     #[serde(default, deserialize_with = "study_value::plain")]
+    #[schemars(with = "Option<Triple>")]
     pub axis: Option<[f64; 3]>,
+    /// The second axis of a universal loop, in the second frame.
     #[serde(default, deserialize_with = "study_value::plain")]
+    #[schemars(with = "Option<Triple>")]
     pub axis2: Option<[f64; 3]>,
+    /// The distance of a rod, m; that with all joints at 0 without this.
     #[serde(default, deserialize_with = "study_value::length")]
+    #[schemars(with = "Option<NumberOrText>")]
     pub distance: Option<f64>,
+}
+
+/// Names of kinds of loops.
+fn kinds() -> Vec<&'static str> {
+    ClosureKind::ALL.iter().map(|kind| kind.name()).chain(["continuous"]).collect()
 }
 
 impl ClosureText {

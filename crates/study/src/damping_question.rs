@@ -1,5 +1,8 @@
 //! Which damper is asked for.
 
+use crate::error::{Fault, StudyError};
+use crate::field::Field;
+use crate::measure::{Measure, Measured};
 use percuss_contact::exports::{Options, Tool};
 use percuss_contact::{ContactLawError, Law, Separation};
 
@@ -77,4 +80,30 @@ impl DampingQuestion {
         self.separation = fixed_end.or(separation).unwrap_or(self.separation);
         Ok(())
     }
+}
+
+/// Refuses units of a turn for what does not turn, the other way round, and units of a linear spring for another.
+///
+/// # Errors
+/// [`StudyError`]: which of stiffness and speed, and the unit that is expected.
+pub fn check_units(
+    question: &DampingQuestion,
+    stiffness: Measured,
+    speed: Option<Measured>,
+    turns: bool,
+) -> Result<(), StudyError> {
+    let exponent = question.exponent;
+    if stiffness.unit.is_some() && exponent != 1.0 {
+        return Err(StudyError::input(Field::Stiffness, Fault::UnitOfLinearSpring { exponent }));
+    }
+    let stiffness_unit =
+        if turns { (Measure::TurnStiffness, "N·m/rad") } else { (Measure::Stiffness, "N/m") };
+    let speed_unit = if turns { (Measure::TurnSpeed, "rad/s") } else { (Measure::Speed, "m/s") };
+    let given = [(Field::Stiffness, Some(stiffness), stiffness_unit), (Field::Speed, speed, speed_unit)];
+    for (field, given, (measure, expected)) in given {
+        if given.and_then(|given| given.unit).is_some_and(|unit| unit != measure) {
+            return Err(StudyError::input(field, Fault::UnitOfMotion { turns, expected }));
+        }
+    }
+    Ok(())
 }

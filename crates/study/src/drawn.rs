@@ -1,9 +1,14 @@
 //! A mechanism at the pose of an answer, as lines to draw: where its links are, what they contribute, how they move.
 
 use crate::answer::Answered;
-use percuss_dynamics::PointVelocity;
-use percuss_mechanism::LinkId;
+use crate::model::{Input, Model};
+use crate::record::DiagnosticRecord;
+use crate::thresholds::FACETS;
+use percuss_dynamics::{PointVelocity, Pose};
+use percuss_formats::{DEFAULT_MAX_MESH_SIZE, MeshFolders, Purpose, Shape, Surface};
+use percuss_mechanism::{LinkId, Severity};
 use percuss_spatial::Vector3;
+use std::path::Path;
 
 /// A link as lines, in the world, m.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,12 +21,83 @@ pub struct DrawnLink {
     pub lines: Vec<[[f64; 3]; 2]>,
     /// Its centre of mass; none without mass.
     pub com: Option<[f64; 3]>,
+    /// The triangles of its shapes, in the world, m; none where the model states no shape, or it cannot be read.
+    pub facets: Vec<[[f64; 3]; 3]>,
     /// v* of the centre of mass over the ground: m/s per unit closing speed; none where it is not determined.
     pub velocity: Option<[f64; 3]>,
 }
 
+/// A mechanism at the pose of an answer, and what was found while its shapes were read.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct DrawnMechanism {
+    /// Its links; none without extent.
+    pub links: Vec<DrawnLink>,
+    /// The files of meshes.
+    pub meshes: Vec<Input>,
+    /// Shapes that are not drawn, and why.
+    pub diagnostics: Vec<DiagnosticRecord>,
+}
+
+/// A root's shape that reaches farther than this many sizes of the mechanism is no part of it: a floor, a room.
+const FAR_SHAPE: f64 = 5.0;
+
+/// The shapes of links, read for a drawing.
+struct Shapes<'a> {
+    model: &'a Model,
+    folders: MeshFolders,
+    room: usize,
+    drawn: DrawnMechanism,
+}
+
+impl Shapes<'_> {
+    /// Those of a link as triangles in the world: `<visual>`, else `<collision>`.
+    fn of(&mut self, link: LinkId, pose: &Pose) -> Vec<[[f64; 3]; 3]> {
+        let all = self.model.shapes.get(link.index()).map_or(&[][..], Vec::as_slice);
+        let of = |purpose| all.iter().filter(move |shape: &&Shape| shape.purpose == purpose);
+        let any_visual = of(Purpose::Visual).next().is_some();
+        let shapes = of(if any_visual { Purpose::Visual } else { Purpose::Collision });
+        let surface = match Surface::read(shapes, &self.folders, DEFAULT_MAX_MESH_SIZE) {
+            Ok(surface) => surface,
+            Err(error) => {
+                self.left_out(link, error.to_string());
+                return Vec::new();
+            }
+        };
+        // A floor would leave the mechanism no room.
+        let far = FAR_SHAPE * self.model.mechanism.characteristic_length();
+        let reach = surface.bounds().map_or(0.0, |(centre, radius)| centre.norm() + radius);
+        if link == self.model.mechanism.root() && reach > far {
+            self.left_out(link, format!("it reaches {reach:.3} m, far beyond the mechanism"));
+            return Vec::new();
+        }
+        for file in surface.files() {
+            let input = Input::of_file(file);
+            self.drawn.meshes.extend(input.filter(|input| !self.drawn.meshes.contains(input)));
+        }
+        // As few as there can be: a drawing asks for no edge.
+        match surface.facets(f64::INFINITY, self.room) {
+            Ok(facets) => {
+                self.room -= facets.len();
+                let frame = pose.link(link);
+                facets.iter().map(|facet| facet.corners.map(|corner| frame.point(&corner).into())).collect()
+            }
+            Err(error) => {
+                self.left_out(link, error.to_string());
+                Vec::new()
+            }
+        }
+    }
+
+    fn left_out(&mut self, link: LinkId, why: String) {
+        let link = self.model.mechanism.link(link).name();
+        let message = format!("link \"{link}\" is drawn without its shape: {why}");
+        let note = DiagnosticRecord::about_answer(Severity::Note, "shape-not-drawn", message);
+        self.drawn.diagnostics.push(note);
+    }
+}
+
 /// Every link but those without extent.
-pub(crate) fn drawn(answered: &Answered) -> Vec<DrawnLink> {
+pub(crate) fn drawn(answered: &Answered) -> DrawnMechanism {
     let Answered { prepared, pose, answer, .. } = answered;
     let mechanism = &prepared.model.mechanism;
     let response = &answer.response;
@@ -68,11 +144,26 @@ pub(crate) fn drawn(answered: &Answered) -> Vec<DrawnLink> {
             name: link.name().to_owned(),
             share: shares.and_then(|s| s.links.get(id.index()).copied()),
             lines,
+            facets: Vec::new(),
             com: com.map(Into::into),
             velocity,
         }
     };
     // The root is the ground, as long as it does not move.
     let is_drawn = |id: &LinkId| *id != mechanism.root() || shares.is_some_and(|s| s.links[id.index()] > 0.0);
-    mechanism.link_ids().filter(is_drawn).map(of_link).filter(|link| !link.lines.is_empty()).collect()
+    let model = prepared.model;
+    let path = model.inputs.first().map_or("", |input| &input.path);
+    let folders = MeshFolders::of_model(Path::new(path), Vec::new());
+    let mut shapes = Shapes { model, folders, room: FACETS, drawn: DrawnMechanism::default() };
+    for id in mechanism.link_ids() {
+        let facets = shapes.of(id, pose);
+        let mut link = of_link(id);
+        if !is_drawn(&id) {
+            link.lines.clear();
+        }
+        if !(link.lines.is_empty() && facets.is_empty()) {
+            shapes.drawn.links.push(DrawnLink { facets, ..link });
+        }
+    }
+    shapes.drawn
 }

@@ -259,6 +259,30 @@ pub enum Fault {
          random positions, or another travel"
     )]
     TravelOfRows,
+    /// A unit of a linear spring for one that is not.
+    #[error(
+        "its unit is that of a linear spring; with the exponent {exponent} a plain number in N/m^{exponent} is expected \
+         (1 N/mm^{exponent} is {:e} N/m^{exponent})",
+        1e3_f64.powf(*exponent)
+    )]
+    UnitOfLinearSpring {
+        /// The exponent of the spring.
+        exponent: f64,
+    },
+    /// A unit of a turn for what does not turn, or the other way round.
+    #[error(
+        "its unit is not that of {}; expected {expected}",
+        if *turns { "a joint that turns" } else { "what does not turn" }
+    )]
+    UnitOfMotion {
+        /// Whether it turns.
+        turns: bool,
+        /// The unit it should have.
+        expected: &'static str,
+    },
+    /// A joint that is varied and follows from others.
+    #[error(transparent)]
+    Dependent(Box<AssemblyError>),
     /// A point is given in a frame that is looked up at a pose out of reach.
     #[error("{}", no_reference_pose(source, Names::Fields))]
     NoReferencePose {
@@ -275,6 +299,7 @@ impl Fault {
             Fault::NoReferencePose { source } => no_reference_pose(source, names),
             Fault::Table(error) => error.message(names),
             Fault::NothingToSampleBetween { joint, kind } => no_limits(joint, *kind, names),
+            Fault::Dependent(error) => about_assembly(error, names),
             Fault::Travel(TravelError::Assembly(error)) => about_assembly(error, names),
             other => other.to_string(),
         }
@@ -402,6 +427,27 @@ impl StudyError {
         StudyError::Input { field, fault: Box::new(fault.into()) }
     }
 
+    /// The part of the question that means nothing, where it is one.
+    pub fn field(&self) -> Option<Field> {
+        match self {
+            StudyError::Input { field, .. } => Some(*field),
+            _ => None,
+        }
+    }
+
+    /// The same where the joint that follows from others is not set but varied.
+    pub(crate) fn of_varied(self, is_varied: impl Fn(&str) -> bool) -> Self {
+        match self {
+            StudyError::Assembly(error @ AssemblyError::Dependent { .. }) => match &error {
+                AssemblyError::Dependent { joint, .. } if is_varied(joint) => {
+                    StudyError::input(Field::Vary, Fault::Dependent(Box::new(error)))
+                }
+                _ => StudyError::Assembly(error),
+            },
+            other => other,
+        }
+    }
+
     /// Whether the question was fine and yet has no answer (exit code 1, not 2).
     pub fn is_no_answer(&self) -> bool {
         match self {
@@ -421,6 +467,9 @@ impl StudyError {
     pub fn message(&self, names: Names) -> String {
         match self {
             StudyError::Input { field, fault } => format!("{}: {}", field.named(names), fault.message(names)),
+            StudyError::Assembly(error @ AssemblyError::Dependent { .. }) if names != Names::Fields => {
+                format!("{}: {}", Field::Set.named(names), about_assembly(error, names))
+            }
             StudyError::Assembly(error) => about_assembly(error, names),
             StudyError::TravelNotReached { why } => format!("{}: {why}", Field::Travel.named(names)),
             StudyError::PersonIsTheOther => person_is_the_other(names),

@@ -71,6 +71,10 @@ pub enum Field {
     Random,
     /// A joint's stop.
     Limit,
+    /// The stiffness of a contact or a stop.
+    Stiffness,
+    /// Its approach speed.
+    Speed,
     /// The longest edge of a facet of a map.
     Edge,
     /// How many directions of a map at a point.
@@ -97,8 +101,8 @@ impl Field {
             Field::LinkCom => ("--link-com", "model.link_com"),
             Field::Move => ("--move", "model.move"),
             Field::RatioAt => ("--ratio-at", "contact.ratio_at"),
-            Field::Tolerance => ("--tolerance", "tolerance"),
-            Field::Samples => ("--samples", "samples"),
+            Field::Tolerance => ("--tolerance", "mass.tolerance"),
+            Field::Samples => ("--samples", "mass.samples"),
             Field::Lock => ("--lock", "conditions.lock"),
             Field::Hold => ("--hold", "hold"),
             Field::Armature => ("--armature", "conditions.armature"),
@@ -108,6 +112,8 @@ impl Field {
             Field::Ignore => ("--ignore", "sweep.ignore"),
             Field::Random => ("--random", "sweep.random"),
             Field::Limit => ("--limit", "damping.limit"),
+            Field::Stiffness => ("--stiffness", "damping.stiffness"),
+            Field::Speed => ("--speed", "damping.speed"),
             Field::Edge => ("--edge", "map.edge"),
             Field::Directions => ("--directions", "map.directions"),
         }

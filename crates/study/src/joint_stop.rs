@@ -40,6 +40,22 @@ pub struct StopRecord {
 }
 
 impl JointStop {
+    /// Reads `JOINT`, `JOINT:lower` or `JOINT:upper`.
+    ///
+    /// # Errors
+    /// How it should look.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        let (joint, end) = match text.rsplit_once(':') {
+            Some((joint, "lower")) => (joint, Some(StopEnd::Lower)),
+            Some((joint, "upper")) => (joint, Some(StopEnd::Upper)),
+            _ => (text, None),
+        };
+        match joint {
+            "" => Err("expected JOINT, JOINT:lower or JOINT:upper, such as elbow:upper".into()),
+            _ => Ok(JointStop { joint: joint.to_owned(), end }),
+        }
+    }
+
     /// How the joint moves into its stop.
     ///
     /// # Errors

@@ -7,7 +7,7 @@ use crate::findings::about_pose;
 use crate::map_question::{MapLinks, MapQuestion, MapShapes};
 use crate::map_report::{Extreme, LeftOut, LinkMap, MapAnswer, MapReport, OrientationRecord, SkinFacets};
 use crate::mass_report::ConditionsRecord;
-use crate::model::Model;
+use crate::model::{Input, Model};
 use crate::positions::{PoseLayout, Positions};
 use crate::question::{MassQuestion, Normal};
 use crate::record::DiagnosticRecord;
@@ -16,6 +16,7 @@ use percuss_dynamics::{ContactColumns, ContactMap, ContactStatus, MapAnswers, Po
 use percuss_formats::{Facet, MeshFolders, Purpose, Shape, Surface};
 use percuss_mechanism::{LinkId, Severity};
 use rayon::prelude::*;
+use std::cell::RefCell;
 use std::path::Path;
 
 /// Contacts that a thread takes at once.
@@ -54,7 +55,8 @@ pub fn map(model: &Model, question: &MapQuestion) -> Result<MapAnswer, StudyErro
     diagnostics.extend(found.into_iter().map(DiagnosticRecord::from));
     let path = model.inputs.first().map_or("", |input| &input.path);
     let folders = MeshFolders::of_model(Path::new(path), question.packages.clone());
-    let asked = Asked { model, question, folders, prepared: &prepared, pose: &pose };
+    let meshes = RefCell::new(Vec::new());
+    let asked = Asked { model, question, folders, meshes: &meshes, prepared: &prepared, pose: &pose };
     let (mut maps, mut skins, mut left_out) = (Vec::new(), Vec::new(), Vec::new());
     let mut room = FACETS;
     for link in links {
@@ -85,7 +87,7 @@ pub fn map(model: &Model, question: &MapQuestion) -> Result<MapAnswer, StudyErro
     let report = MapReport {
         schema: "percuss.map/1",
         percuss: env!("CARGO_PKG_VERSION"),
-        inputs: prepared.inputs(),
+        inputs: prepared.inputs().into_iter().chain(meshes.take()).collect(),
         links: maps,
         left_out,
         edge: question.edge,
@@ -127,6 +129,8 @@ struct Asked<'a> {
     model: &'a Model,
     question: &'a MapQuestion,
     folders: MeshFolders,
+    /// The files of meshes that were read.
+    meshes: &'a RefCell<Vec<Input>>,
     prepared: &'a Prepared<'a>,
     pose: &'a Pose,
 }
@@ -143,6 +147,11 @@ impl Asked<'_> {
         let (purpose, shapes) = chosen(shapes, question.shapes);
         let surface = Surface::read(shapes, &self.folders, question.max_mesh_size)
             .map_err(|source| NoMap::Link(Fault::Mesh { link: name.to_owned(), source }))?;
+        for file in surface.files() {
+            let mut meshes = self.meshes.borrow_mut();
+            let input = Input::of_file(file).filter(|input| !meshes.contains(input));
+            meshes.extend(input);
+        }
         let (centre, radius) = surface.bounds().ok_or_else(no_shape)?;
         let edge = question.edge.unwrap_or(2.0 * radius / EDGES_ACROSS).max(f64::MIN_POSITIVE);
         let too_many = |source| {

@@ -3,7 +3,7 @@
 use crate::answer::Answered;
 use crate::damped_contact::damping_of;
 use crate::damping_question::DampingQuestion;
-use crate::drawn::{DrawnLink, drawn};
+use crate::drawn::{DrawnMechanism, drawn};
 use crate::error::StudyError;
 use crate::mass_report::MassReport;
 use crate::model::Model;
@@ -46,7 +46,7 @@ pub fn mass_drawn(
     model: &Model,
     question: &MassQuestion,
     damping: Option<&DampingQuestion>,
-) -> Result<(MassReport, Vec<DrawnLink>), StudyError> {
+) -> Result<(MassReport, DrawnMechanism), StudyError> {
     let answered = Answered::new(model, question)?;
     let report = match damping {
         Some(damping) => with_damper(&answered, damping)?,

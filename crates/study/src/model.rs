@@ -4,10 +4,11 @@ use crate::changes::Changes;
 use crate::record::DiagnosticRecord;
 use crate::sheet::Sheet;
 use percuss_formats::suspension::Imported;
-use percuss_formats::{Diagnostic, LoadError, LoadOptions, Shape, Source, load};
-use percuss_mechanism::{ClosureDescription, Mechanism, Severity};
+use percuss_formats::{DEFAULT_MAX_SIZE, LoadError, LoadOptions, Shape, Source, load};
+use percuss_mechanism::{ClosureDescription, Mechanism};
 use serde::Serialize;
 use sha2::{Digest, Sha256};
+use std::path::Path;
 use std::sync::Arc;
 
 /// Which bytes an answer stands on.
@@ -24,26 +25,18 @@ impl Input {
     pub fn of(source: &Source) -> Self {
         Self { path: source.name.clone(), sha256: hexadecimal(&Sha256::digest(&source.bytes)) }
     }
+
+    /// Names a file and its bytes; none where it cannot be read.
+    pub(crate) fn of_file(path: &Path) -> Option<Self> {
+        let mut digest = Sha256::new();
+        std::io::copy(&mut std::fs::File::open(path).ok()?, &mut digest).ok()?;
+        Some(Self { path: path.to_string_lossy().into_owned(), sha256: hexadecimal(&digest.finalize()) })
+    }
 }
 
 /// What is said of a study in the place of a model.
-fn a_study(path: &str) -> LoadError {
-    let message = "this is a study, which names a model of its own: percuss run and percuss compare take it; give the model \
-                   or the suspension's sheet here"
-        .to_owned();
-    let (severity, code, path) = (Severity::Error, "study", path.to_owned());
-    LoadError {
-        diagnostics: vec![Diagnostic {
-            severity,
-            code,
-            path,
-            line: None,
-            column: None,
-            element: None,
-            message,
-        }],
-    }
-}
+const A_STUDY: &str = "this is a study, which names a model of its own: percuss run and percuss compare take it; give the model or \
+                       the suspension's sheet here";
 
 /// Bytes in hexadecimal.
 pub(crate) fn hexadecimal(bytes: &[u8]) -> String {
@@ -94,9 +87,14 @@ impl Model {
         let input = Input::of(source);
         if let Some(sheet) = Sheet::of(source, options.accept) {
             if sheet.is_study() {
-                return Err(a_study(&source.name));
+                return Err(LoadError::of_file(&source.name, "study", A_STUDY));
             }
-            return Self::of_sheet(&sheet, &[], vec![input]);
+            let (mut model, tables) = Self::imported(&sheet, &[], vec![input])?;
+            for table in tables.iter().filter(|table| **table != source.name) {
+                // It was read a moment ago.
+                model.inputs.push(Input::of(&Source::read(table, DEFAULT_MAX_SIZE)?));
+            }
+            return Ok(model);
         }
         let loaded = load(source, options)?;
         Ok(Self {
@@ -114,14 +112,24 @@ impl Model {
         moves: &[(String, [f64; 3])],
         inputs: Vec<Input>,
     ) -> Result<Self, LoadError> {
-        let Imported { mechanism, understood, diagnostics, .. } = sheet.import(moves)?;
+        Self::imported(sheet, moves, inputs).map(|(model, _)| model)
+    }
+
+    /// The same with the names of all files that were read.
+    fn imported(
+        sheet: &Sheet,
+        moves: &[(String, [f64; 3])],
+        inputs: Vec<Input>,
+    ) -> Result<(Self, Vec<String>), LoadError> {
+        let Imported { mechanism, understood, diagnostics, inputs: files, .. } = sheet.import(moves)?;
         let sheet = Some(Arc::new((sheet.clone(), understood.points)));
-        Ok(Self {
+        let model = Self {
             shapes: Arc::new(vec![Vec::new(); mechanism.links().len()]),
             mechanism: Arc::new(mechanism),
             inputs,
             diagnostics: diagnostics.into_iter().map(Into::into).collect(),
             origin: Origin { sheet, ..Origin::default() },
-        })
+        };
+        Ok((model, files))
     }
 }

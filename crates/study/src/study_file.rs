@@ -2,17 +2,25 @@
 
 use crate::closure_text::ClosureText;
 use crate::compare::Design;
-use crate::damping_question::DampingQuestion;
+use crate::damping_question::{DampingQuestion, check_units};
 use crate::design::DesignError;
+use crate::error::StudyError;
 use crate::field::Names;
+use crate::joint_stop::JointStop;
 use crate::model::{Input, Model, Origin};
 use crate::question::MassQuestion;
 use crate::record::DiagnosticRecord;
 use crate::refusal::Refusal;
 use crate::row_source::RowSource;
 use crate::sheet::is_study;
-use crate::study_text::{DampingText, ModelText, StudyText, SweepText};
+use crate::study_keys::{StudyKeys, UnknownKey};
+use crate::study_map::StudyMap;
+use crate::study_mass::StudyMass;
+use crate::study_safe_speed::StudySafeSpeed;
+use crate::study_sweep::{StudyFigure, StudyTable};
+use crate::study_text::{ModelText, StudyText};
 use crate::variant::{Variant, changes};
+use percuss_contact::exports::StopMotion;
 use percuss_formats::{LoadError, LoadOptions, Source};
 use percuss_mechanism::{Accept, BuildError, ClosureDescription, ClosureKind, Severity, Subject};
 use std::path::{Path, PathBuf};
@@ -22,18 +30,48 @@ use std::path::{Path, PathBuf};
 pub struct StudyFile {
     /// The model with the study's closures.
     pub model: Model,
-    /// The contact and the conditions.
-    pub question: MassQuestion,
+    /// The contact and the conditions; none where the study asks for no contact with a normal.
+    pub question: Option<MassQuestion>,
+    /// What is asked of the contact beside its mass.
+    pub mass: StudyMass,
     /// The same with something changed.
     pub variants: Vec<Variant>,
     /// The damper to give, if a restitution is asked for.
-    pub damping: Option<DampingQuestion>,
+    pub damping: Option<StudyDamping>,
     /// The rows to go through, if any.
-    pub sweep: Option<RowSource>,
-    /// Where the sweep's rows go, relative to the study file; none: stdout.
-    pub output: Option<String>,
+    pub sweep: Option<StudySweep>,
+    /// The surfaces or directions to map, if any.
+    pub map: Option<StudyMap>,
+    /// The safe speed to find, if any.
+    pub safe_speed: Option<StudySafeSpeed>,
     /// The study's folder: what its paths are relative to.
     pub folder: PathBuf,
+    /// Where its keys stand.
+    pub keys: StudyKeys,
+}
+
+/// The damper that a study asks for.
+#[derive(Clone, Debug)]
+pub struct StudyDamping {
+    /// The restitution, the spring, the law.
+    pub question: DampingQuestion,
+    /// In place of the contact: the stop of a joint, and the conditions.
+    pub stop: Option<(JointStop, MassQuestion)>,
+    /// Where the force over time goes.
+    pub output: Option<String>,
+}
+
+/// The rows that a study goes through.
+#[derive(Clone, Debug)]
+pub struct StudySweep {
+    /// Where they come from.
+    pub rows: RowSource,
+    /// Where they go; none: stdout.
+    pub output: Option<String>,
+    /// How their table is written.
+    pub table: StudyTable,
+    /// How their figure is drawn.
+    pub figure: StudyFigure,
 }
 
 /// A study that cannot be run.
@@ -49,19 +87,31 @@ pub enum StudyFileError {
         /// The file.
         path: String,
     },
-    /// It is no TOML, or has keys that mean nothing; the message has the place.
-    #[error("{path}: error: {message}")]
+    /// It is no TOML, or a value has the wrong type; the lines that follow show the place.
+    #[error("{path}:{line}: error: {message}")]
     Toml {
         /// The file.
         path: String,
-        /// What and where.
+        /// The line, from 1.
+        line: usize,
+        /// What, and the lines of the file.
         message: String,
     },
+    /// Keys that mean nothing.
+    #[error("{}", lines_of(path, keys))]
+    Keys {
+        /// The file.
+        path: String,
+        /// All of them.
+        keys: Vec<UnknownKey>,
+    },
     /// A value that cannot be.
-    #[error("{path}: error: {key}: {why}")]
+    #[error("{path}{}: error: {key}: {why}", at_line(*line))]
     Value {
         /// The file.
         path: String,
+        /// The line, from 1, where it has one.
+        line: Option<usize>,
         /// The key.
         key: &'static str,
         /// What is wrong.
@@ -77,6 +127,29 @@ pub enum StudyFileError {
     },
 }
 
+fn at_line(line: Option<usize>) -> String {
+    line.map_or_else(String::new, |line| format!(":{line}"))
+}
+
+/// A line for each key that means nothing; what is in the keys does not begin one.
+fn lines_of(path: &str, keys: &[UnknownKey]) -> String {
+    let line = |k: &UnknownKey| format!("{path}:{}: error: unknown key {:?}; {}", k.line, k.key, k.hint);
+    keys.iter().map(line).collect::<Vec<_>>().join("\n")
+}
+
+/// What the parser or a reader of values says, with the line and the key.
+fn not_read(path: &str, keys: &StudyKeys, text: &str, error: &toml::de::Error) -> StudyFileError {
+    let span = error.span().unwrap_or_default();
+    let key = keys.key_at(&span).map_or_else(String::new, |key| format!("{key}: "));
+    // Before the keys are known, lines are counted in the text.
+    let line = 1 + text.bytes().take(span.start).filter(|byte| *byte == b'\n').count();
+    let shown = error.to_string();
+    // Of "TOML parse error at …", the lines of the file.
+    let lines: Vec<&str> = shown.trim_end().lines().skip(1).filter(|l| l.contains('|')).collect();
+    let message = format!("{key}{}\n{}", error.message().trim().replace('\n', "; "), lines.join("\n"));
+    StudyFileError::Toml { path: path.to_owned(), line, message: message.trim_end().to_owned() }
+}
+
 impl StudyFile {
     /// Reads a study and the model it names (relative to the study's folder). At most `max_size` bytes each.
     ///
@@ -87,57 +160,20 @@ impl StudyFile {
         let path = source.name.clone();
         let text = String::from_utf8(source.bytes.clone())
             .map_err(|_| StudyFileError::NotText { path: path.clone() })?;
-        let study: StudyText = toml::from_str(&text).map_err(|e| StudyFileError::Toml {
-            path: path.clone(),
-            message: e.to_string().trim().to_owned(),
+        let (keys, unknown) = StudyKeys::of(&text).map_err(|error| {
+            let StudyFileError::Toml { path, line, message } =
+                not_read(&path, &StudyKeys::default(), &text, &error)
+            else {
+                unreachable!("it is one");
+            };
+            StudyFileError::Toml { path, line, message: format!("not TOML: {message}") }
         })?;
-        let value = |key: &'static str, why: String| StudyFileError::Value { path: path.clone(), key, why };
-        let refused = |refusal: Refusal| value(refusal.key, refusal.why);
-        let mut accept = Accept::default();
-        for word in &study.model.accept {
-            match word.as_str() {
-                "indefinite-inertia" => accept.indefinite_inertia = true,
-                _ => {
-                    return Err(value(
-                        "model.accept",
-                        format!("\"{word}\"; known is \"indefinite-inertia\""),
-                    ));
-                }
-            }
+        if !unknown.is_empty() {
+            return Err(StudyFileError::Keys { path, keys: unknown });
         }
-        let folder = Path::new(&path).parent().unwrap_or(Path::new(""));
-        let model_path = folder.join(&study.model.path);
-        let options = LoadOptions { accept };
-        let mut model = Model::load(&model_path.to_string_lossy(), max_size, &options)?;
-        model.inputs.push(Input::of(&source));
-        let of_model = |error: DesignError| refused_design(&path, "", error);
-        let ModelText { link_mass, link_com, moves, .. } = &study.model;
-        model = model.changed(&changes(link_mass, link_com, moves)).map_err(of_model)?;
-        if !study.closure.is_empty() {
-            let closures = study
-                .closure
-                .iter()
-                .map(ClosureText::describe)
-                .collect::<Result<Vec<_>, _>>()
-                .map_err(refused)?;
-            model = with_closures(model, &path, closures)
-                .map_err(|source| StudyFileError::Build { path: path.clone(), source })?;
-        }
-        let question = study.question(folder, max_size).map_err(refused)?;
-        let mut variants: Vec<Variant> = Vec::new();
-        for text in &study.variant {
-            if variants.iter().any(|variant| variant.name == text.name) {
-                return Err(value("variant.name", format!("\"{}\" is given twice", text.name)));
-            }
-            let variant = text.variant(&model, &question, folder, max_size, &options);
-            variants.push(variant.map_err(|error| refused_design(&path, &text.name, error))?);
-        }
-        let damping = study.damping.as_ref().map(DampingText::question).transpose().map_err(refused)?;
-        let source = |sweep: &SweepText| sweep.source(folder, max_size);
-        let sweep = study.sweep.as_ref().map(source).transpose().map_err(refused)?;
-        let output =
-            study.sweep.and_then(|s| s.output).map(|o| folder.join(o).to_string_lossy().into_owned());
-        Ok(Self { model, question, variants, damping, sweep, output, folder: folder.to_owned() })
+        let study: StudyText =
+            toml::from_str(&text).map_err(|error| not_read(&path, &keys, &text, &error))?;
+        Reading { path: &path, keys: &keys, max_size }.study(&study, &source)
     }
 
     /// Whether a file is a study: TOML with a table `model`.
@@ -145,32 +181,191 @@ impl StudyFile {
         Source::read(path, max_size).is_ok_and(|source| is_study(&source))
     }
 
-    /// The designs of the study: its model under a name, then its variants.
+    /// The designs of the study: its model under a name, then its variants; none where it asks for no contact.
     pub fn designs(&self, name: &str) -> Vec<Design> {
-        let rows = &self.sweep;
+        let Some(question) = &self.question else { return Vec::new() };
+        let rows = self.sweep.as_ref().map(|sweep| &sweep.rows);
         let design = |name: String, model: &Model, question: &MassQuestion| Design {
             name,
             model: model.clone(),
             question: question.clone(),
-            rows: rows.clone(),
+            rows: rows.cloned(),
         };
-        let own = design(name.to_owned(), &self.model, &self.question);
+        let own = design(name.to_owned(), &self.model, question);
         let variants = self.variants.iter().map(|v| design(v.name.clone(), &v.model, &v.question));
         [own].into_iter().chain(variants).collect()
     }
 }
 
-/// A design that cannot be had, with the name of the variant.
-fn refused_design(path: &str, variant: &str, error: DesignError) -> StudyFileError {
-    let (key, of) = match variant {
-        "" => ("model", String::new()),
-        name => ("variant", format!("\"{name}\": ")),
-    };
-    let why = match error {
-        DesignError::Load(error) => error.to_string(),
-        DesignError::Change(error) => error.message(Names::Keys).replace("model.", ""),
-    };
-    StudyFileError::Value { path: path.to_owned(), key, why: format!("{of}{why}") }
+/// A study that is being read.
+struct Reading<'a> {
+    path: &'a str,
+    keys: &'a StudyKeys,
+    max_size: u64,
+}
+
+impl Reading<'_> {
+    fn refused(&self, refusal: Refusal) -> StudyFileError {
+        self.value(refusal.key, refusal.key, refusal.why)
+    }
+
+    /// A value that cannot be, at the line of a place.
+    fn value(&self, key: &'static str, place: &str, why: String) -> StudyFileError {
+        StudyFileError::Value { path: self.path.to_owned(), line: self.keys.line_of(place), key, why }
+    }
+
+    /// A part of a question that means nothing.
+    fn input(&self, error: &StudyError) -> StudyFileError {
+        let key = error.field().map_or("model", |field| field.key());
+        let why = error.message(Names::Keys);
+        let why = why.strip_prefix(&format!("{key}: ")).unwrap_or(&why).to_owned();
+        self.value(key, key, why)
+    }
+
+    /// A design that cannot be had, with the name of the variant.
+    fn design(&self, variant: Option<(usize, &str)>, error: DesignError) -> StudyFileError {
+        let (key, place, of) = match variant {
+            None => ("model", "model".to_owned(), String::new()),
+            Some((i, name)) => ("variant", format!("variant[{i}]"), format!("\"{name}\": ")),
+        };
+        let why = match error {
+            DesignError::Load(error) => error.to_string(),
+            DesignError::Change(error) => error.message(Names::Keys).replace("model.", ""),
+        };
+        self.value(key, &place, format!("{of}{why}"))
+    }
+
+    fn study(&self, study: &StudyText, source: &Source) -> Result<StudyFile, StudyFileError> {
+        let max_size = self.max_size;
+        let folder = Path::new(self.path).parent().unwrap_or(Path::new(""));
+        let refused = |refusal| self.refused(refusal);
+        let mut accept = Accept::default();
+        for word in &study.model.accept {
+            match word.as_str() {
+                "indefinite-inertia" => accept.indefinite_inertia = true,
+                _ => {
+                    let why = format!("\"{word}\"; known is \"indefinite-inertia\"");
+                    return Err(self.value("model.accept", "model.accept", why));
+                }
+            }
+        }
+        let options = LoadOptions { accept };
+        let model = self.model(study, source, folder, &options)?;
+        let question = study.question(folder, max_size).map_err(refused)?;
+        let mut variants: Vec<Variant> = Vec::new();
+        for (i, text) in study.variant.iter().enumerate() {
+            if variants.iter().any(|variant| variant.name == text.name) {
+                let why = format!("\"{}\" is given twice", text.name);
+                return Err(self.value("variant.name", &format!("variant[{i}].name"), why));
+            }
+            let variant = text.variant(&model, &question, folder, max_size, &options);
+            variants.push(variant.map_err(|error| self.design(Some((i, &text.name)), error))?);
+        }
+        let place = |path: &String| folder.join(path).to_string_lossy().into_owned();
+        let sweep = match &study.sweep {
+            None => None,
+            Some(text) => Some(StudySweep {
+                rows: text.source(folder, max_size).map_err(refused)?,
+                output: text.output.as_ref().map(place),
+                table: text.table().map_err(refused)?,
+                figure: text.figure(),
+            }),
+        };
+        let damping = self.damping(study, &model, &question, folder)?;
+        let map = study.map.as_ref().map(|map| map.map(&question, folder)).transpose().map_err(refused)?;
+        let safe_speed = match &study.safe_speed {
+            None => None,
+            Some(text) => {
+                let missing = study.contact.missing();
+                if let Some(part) = missing.filter(|part| !(text.has_directions() && part.contains("normal")))
+                {
+                    return Err(self.value("contact", "contact", format!("{part} is missing")));
+                }
+                Some(text.safe_speed(&question, folder, max_size).map_err(refused)?)
+            }
+        };
+        // Without a contact, something else is asked.
+        let stops = damping.as_ref().is_some_and(|damping: &StudyDamping| damping.stop.is_some());
+        let of_contact = study.mass.is_some()
+            || !variants.is_empty()
+            || sweep.is_some()
+            || (damping.is_some() && !stops)
+            || (map.is_none() && safe_speed.is_none() && !stops);
+        let asks = match study.contact.missing() {
+            None => !stops,
+            Some(part) if of_contact => {
+                let why = match (study.contact.is_empty(), part) {
+                    (false, "normal or along_line") => "give either normal or along_line".to_owned(),
+                    (false, part) => format!("{part} is missing"),
+                    (true, _) => "it is missing; expected link, point, and normal or along_line (or a study of [map] or \
+                                  damping.limit alone)"
+                        .to_owned(),
+                };
+                return Err(self.value("contact", "contact", why));
+            }
+            Some(_) => false,
+        };
+        if stops && (!study.contact.is_empty() || of_contact) {
+            let why = "a joint's stop takes the place of a contact: leave [contact] with [sweep], [mass] and [[variant]] out";
+            return Err(self.value("damping.limit", "damping.limit", why.to_owned()));
+        }
+        let mass = study.mass.as_ref().map(|mass| mass.asked()).transpose().map_err(refused)?;
+        Ok(StudyFile {
+            model,
+            question: asks.then_some(question),
+            mass: mass.unwrap_or_default(),
+            variants,
+            damping,
+            sweep,
+            map,
+            safe_speed,
+            folder: folder.to_owned(),
+            keys: self.keys.clone(),
+        })
+    }
+
+    /// The model with what the study changes, and with its closures.
+    fn model(
+        &self,
+        study: &StudyText,
+        source: &Source,
+        folder: &Path,
+        options: &LoadOptions,
+    ) -> Result<Model, StudyFileError> {
+        let model_path = folder.join(&study.model.path);
+        let mut model = Model::load(&model_path.to_string_lossy(), self.max_size, options)?;
+        model.inputs.push(Input::of(source));
+        let ModelText { link_mass, link_com, moves, .. } = &study.model;
+        model =
+            model.changed(&changes(link_mass, link_com, moves)).map_err(|error| self.design(None, error))?;
+        if study.closure.is_empty() {
+            return Ok(model);
+        }
+        let closures = study.closure.iter().map(ClosureText::describe);
+        let closures = closures.collect::<Result<Vec<_>, _>>().map_err(|refusal| self.refused(refusal))?;
+        with_closures(model, self.path, closures)
+            .map_err(|source| StudyFileError::Build { path: self.path.to_owned(), source })
+    }
+
+    fn damping(
+        &self,
+        study: &StudyText,
+        model: &Model,
+        conditions: &MassQuestion,
+        folder: &Path,
+    ) -> Result<Option<StudyDamping>, StudyFileError> {
+        let Some(text) = &study.damping else { return Ok(None) };
+        let question = text.question().map_err(|refusal| self.refused(refusal))?;
+        let stop = text.stop().map_err(|refusal| self.refused(refusal))?;
+        let motion = stop.as_ref().map(|stop| stop.motion(model)).transpose();
+        let turns = motion.map_err(|error| self.input(&error))? == Some(StopMotion::Turn);
+        check_units(&question, text.stiffness, text.speed, turns).map_err(|error| self.input(&error))?;
+        Ok(Some(StudyDamping {
+            question,
+            stop: stop.map(|stop| (stop, conditions.clone())),
+            output: text.output.as_ref().map(|output| folder.join(output).to_string_lossy().into_owned()),
+        }))
+    }
 }
 
 /// The model with more closures than its file has, and the findings about them.

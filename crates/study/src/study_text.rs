@@ -1,123 +1,192 @@
-//! The text of a study file: its keys, and what they mean.
+//! The text of a study file: its keys, and what they mean. Their descriptions here are those of the schema.
 
 use crate::closure_text::ClosureText;
-use crate::damping_question::DampingQuestion;
 use crate::field::Names;
 use crate::given_pose::GivenPose;
 use crate::given_travel::GivenTravel;
 use crate::position::GivenPosition;
 use crate::question::{EstimateQuestion, Hold, MassQuestion, Normal, RatioPoint, UPWARDS};
 use crate::refusal::Refusal;
-use crate::row_source::{PositionFile, RowSource};
-use crate::study_value;
+use crate::study_damping::DampingText;
+use crate::study_map::MapText;
+use crate::study_mass::MassText;
+use crate::study_safe_speed::SafeSpeedText;
+use crate::study_sweep::SweepText;
+use crate::study_value::{self, NumberOrText, OneOrMany, PositionText, Triple, Words};
 use crate::variant::VariantText;
-use crate::vary::Vary;
-use percuss_contact::exports::Tool;
-use percuss_contact::{Law, Separation};
 use percuss_dynamics::{Base, Frame};
+use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-#[derive(Deserialize)]
+/// A study of percuss: questions about a mechanism, kept in a TOML file. Numbers are in SI units; text with a unit may stand in
+/// their place ("350 mm", "30 deg"). Paths are relative to the study.
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "percuss study")]
 pub(crate) struct StudyText {
+    /// The mechanism.
     pub model: ModelText,
+    /// What is held, and how the root stands.
     #[serde(default)]
     pub conditions: ConditionsText,
+    /// Where the joints stand.
     #[serde(default)]
     pub pose: PoseText,
+    /// The contact that is asked about.
+    #[serde(default)]
     pub contact: ContactText,
+    /// What percuss mass is asked beside the answer.
+    pub mass: Option<MassText>,
+    /// Loops that the model does not have.
     #[serde(default)]
     pub closure: Vec<ClosureText>,
+    /// Points that stay where they are.
     #[serde(default)]
     pub hold: Vec<HoldText>,
+    /// The same question with something changed: percuss compare.
     #[serde(default)]
     pub variant: Vec<VariantText>,
+    /// The damper that gives a restitution: percuss damp.
     pub damping: Option<DampingText>,
+    /// The contact over rows of positions: percuss sweep.
     pub sweep: Option<SweepText>,
+    /// The surface of links, or all directions at a point: percuss map.
+    pub map: Option<MapText>,
+    /// How fast the contact may go where it may hit a person: percuss safe-speed.
+    pub safe_speed: Option<SafeSpeedText>,
 }
 
-#[derive(Deserialize)]
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct ModelText {
+    /// A URDF, or a suspension's sheet or table.
     pub path: String,
+    /// Findings in spite of which the model is accepted.
     #[serde(default)]
+    #[schemars(extend("items" = { "type": "string", "enum": ["indefinite-inertia"] }))]
     pub accept: Vec<String>,
+    /// Other masses by link, kg; moments about the centre of mass change in proportion.
     #[serde(default, deserialize_with = "study_value::masses")]
+    #[schemars(with = "BTreeMap<String, NumberOrText>")]
     pub link_mass: BTreeMap<String, f64>,
+    /// Other centres of mass by link, m, in the link's frame.
     #[serde(default, deserialize_with = "study_value::places")]
+    #[schemars(with = "BTreeMap<String, Triple>")]
     pub link_com: BTreeMap<String, [f64; 3]>,
+    /// By how much hardpoints of a sheet are moved, m, in the sheet's axes.
     #[serde(default, rename = "move", deserialize_with = "study_value::places")]
+    #[schemars(with = "BTreeMap<String, Triple>")]
     pub moves: BTreeMap<String, [f64; 3]>,
 }
 
-#[derive(Default, Deserialize)]
+#[derive(Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct ConditionsText {
+    /// Whether the root link is fixed or moves; fixed without this.
+    #[schemars(extend("enum" = ["fixed", "floating"]))]
     pub base: Option<String>,
+    /// Joints that are held.
     #[serde(default)]
     pub lock: Vec<String>,
+    /// Rotor inertia reflected to joints, kg·m² or kg; a list for joints with several velocities.
     #[serde(default, deserialize_with = "study_value::armatures")]
+    #[schemars(with = "BTreeMap<String, OneOrMany>")]
     pub armature: BTreeMap<String, Vec<f64>>,
 }
 
-#[derive(Default, Deserialize)]
+#[derive(Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct PoseText {
+    /// Driving joints and their positions, rad or m.
     #[serde(default, deserialize_with = "study_value::positions")]
+    #[schemars(with = "BTreeMap<String, PositionText>")]
     pub set: BTreeMap<String, GivenPosition>,
+    /// Where joints that follow from loops are looked for.
     #[serde(default, deserialize_with = "study_value::positions")]
+    #[schemars(with = "BTreeMap<String, PositionText>")]
     pub guess: BTreeMap<String, GivenPosition>,
+    /// Displacements that drive the pose from there: LINK:X,Y,Z:DX,DY,DZ=DISTANCE.
     #[serde(default, deserialize_with = "study_value::words")]
+    #[schemars(with = "Option<Words>")]
     pub travel: Vec<String>,
+    /// A file with the positions of all joints, as --format json wrote it; set and guess go over it.
     pub file: Option<String>,
 }
 
-#[derive(Deserialize)]
+#[derive(Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct ContactText {
-    pub link: String,
-    #[serde(deserialize_with = "study_value::lengths")]
-    pub point: [f64; 3],
+    /// The struck link.
+    pub link: Option<String>,
+    /// The contact point, m.
+    #[serde(default, deserialize_with = "study_value::some_lengths")]
+    #[schemars(with = "Option<Triple>")]
+    pub point: Option<[f64; 3]>,
+    /// The normal, out of the struck link into the other side; its length does not matter.
     #[serde(default, deserialize_with = "study_value::plain")]
+    #[schemars(with = "Option<Triple>")]
     pub normal: Option<[f64; 3]>,
+    /// In place of normal: it points from the contact point towards this point.
     pub along_line: Option<LineText>,
+    /// The frame of point and normal; link without this.
+    #[schemars(extend("enum" = ["link", "world", "against"]))]
     pub frame: Option<String>,
+    /// The frame of the normal, where it differs from that of the point.
+    #[schemars(extend("enum" = ["link", "world", "against"]))]
     pub normal_frame: Option<String>,
+    /// The other link; the ground without it.
     pub against: Option<String>,
+    /// In place of against: a free body of this mass, kg.
     #[serde(default, deserialize_with = "study_value::mass")]
+    #[schemars(with = "Option<NumberOrText>")]
     pub against_mass: Option<f64>,
+    /// The classical estimate beside the answer.
     pub estimate: Option<EstimateText>,
+    /// Points whose speed is set beside that of the contact.
     #[serde(default)]
     pub ratio_at: Vec<RatioText>,
 }
 
-#[derive(Deserialize)]
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct LineText {
+    /// The link whose frame the point is in.
     pub link: String,
+    /// The point, m.
     #[serde(deserialize_with = "study_value::lengths")]
+    #[schemars(with = "Triple")]
     pub point: [f64; 3],
 }
 
-#[derive(Deserialize)]
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct EstimateText {
+    /// The links whose mass it takes.
     pub links: Vec<String>,
+    /// Point A, m, in the first link's frame; its origin without this.
     #[serde(default, deserialize_with = "study_value::lengths")]
+    #[schemars(with = "Option<Triple>")]
     pub point: [f64; 3],
+    /// Takes the component of A's velocity along this direction, world axes.
     #[serde(default, deserialize_with = "study_value::plain")]
+    #[schemars(with = "Option<Triple>")]
     pub direction: Option<[f64; 3]>,
 }
 
-#[derive(Deserialize)]
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct RatioText {
+    /// The link.
     pub link: String,
+    /// The point, m, in the link's frame.
     #[serde(default, deserialize_with = "study_value::lengths")]
+    #[schemars(with = "Option<Triple>")]
     pub point: [f64; 3],
+    /// Along which direction, world axes; z without this.
     #[serde(default, deserialize_with = "study_value::plain")]
+    #[schemars(with = "Option<Triple>")]
     pub direction: Option<[f64; 3]>,
 }
 
@@ -128,114 +197,57 @@ impl RatioText {
     }
 }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct DampingText {
-    #[serde(deserialize_with = "study_value::ratio")]
-    pub restitution: f64,
-    #[serde(deserialize_with = "study_value::stiffness")]
-    pub stiffness: f64,
-    pub exponent: Option<f64>,
-    #[serde(default, deserialize_with = "study_value::speed")]
-    pub speed: Option<f64>,
-    #[serde(default = "kelvin_voigt")]
-    pub law: String,
-    pub separation: Option<String>,
-    #[serde(default, rename = "for", deserialize_with = "study_value::words")]
-    pub tools: Vec<String>,
-    pub accuracy: Option<f64>,
-    #[serde(default, deserialize_with = "study_value::time")]
-    pub time_step: Option<f64>,
-    #[serde(default, deserialize_with = "study_value::mass")]
-    pub own_mass: Option<f64>,
-}
-
-fn kelvin_voigt() -> String {
-    Law::KelvinVoigt.name().to_owned()
-}
-
-impl DampingText {
-    /// As a question.
-    pub fn question(&self) -> Result<DampingQuestion, Refusal> {
-        let mut question = DampingQuestion::new(self.restitution, self.stiffness);
-        let end = |word: &String| {
-            let known = Separation::ALL.into_iter().find(|s| s.name() == word);
-            known.ok_or_else(|| {
-                Refusal::new("damping.separation", format!("\"{word}\"; expected force or gap"))
-            })
-        };
-        let separation = self.separation.as_ref().map(end).transpose()?;
-        question
-            .choose(&self.law, self.exponent, separation)
-            .map_err(|e| Refusal::new("damping.law", e.to_string()))?;
-        question.speed = self.speed;
-        question.options.accuracy = self.accuracy.unwrap_or(question.options.accuracy);
-        question.options.time_step = self.time_step;
-        question.options.own_mass = self.own_mass;
-        for tool in &self.tools {
-            match tool.as_str() {
-                "all" => question.tools.extend(Tool::ALL),
-                name => question
-                    .tools
-                    .push(Tool::from_name(name).map_err(|e| Refusal::new("damping.for", e.to_string()))?),
-            }
-        }
-        Ok(question)
-    }
-}
-
-#[derive(Deserialize)]
+#[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct HoldText {
+    /// The link.
     pub link: String,
+    /// The point, m, in the link's frame.
     #[serde(deserialize_with = "study_value::lengths")]
+    #[schemars(with = "Triple")]
     pub point: [f64; 3],
+    /// World axes, out of the link; without it all directions are held.
     #[serde(default, deserialize_with = "study_value::plain")]
+    #[schemars(with = "Option<Triple>")]
     pub normal: Option<[f64; 3]>,
 }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct SweepText {
-    #[serde(default, deserialize_with = "study_value::words")]
-    pub vary: Vec<String>,
-    pub input: Option<String>,
-    #[serde(default, deserialize_with = "study_value::words")]
-    pub ignore: Vec<String>,
-    pub random: Option<usize>,
-    pub seed: Option<u64>,
-    pub output: Option<String>,
+impl ContactText {
+    /// The first part that a contact needs and that is missing.
+    pub fn missing(&self) -> Option<&'static str> {
+        let normal = self.normal.is_some() || self.along_line.is_some();
+        let parts = [
+            ("link", self.link.is_some()),
+            ("point", self.point.is_some()),
+            ("normal or along_line", normal),
+        ];
+        parts.into_iter().find(|(_, is_there)| !is_there).map(|(part, _)| part)
+    }
+
+    /// Whether anything is said of it.
+    pub fn is_empty(&self) -> bool {
+        let Self { link, point, normal, along_line, frame, normal_frame, .. } = self;
+        link.is_none()
+            && point.is_none()
+            && normal.is_none()
+            && along_line.is_none()
+            && frame.is_none()
+            && normal_frame.is_none()
+    }
 }
 
-impl SweepText {
-    /// Where the rows come from. Paths are relative to the study's folder.
-    pub fn source(&self, folder: &Path, max_size: u64) -> Result<RowSource, Refusal> {
-        let refuse = |why: &str| Err(Refusal::new("sweep", why));
-        if self.input.is_none() && !self.ignore.is_empty() {
-            return refuse("ignore leaves out columns of input; give input");
-        }
-        if self.random.is_none() && self.seed.is_some() {
-            return refuse("seed is that of random; give random");
-        }
-        match (&self.vary[..], &self.input, self.random) {
-            ([_, ..], None, None) => {
-                let range = |text: &String| {
-                    Vary::parse(text).map_err(|error| Refusal::new("sweep.vary", error.to_string()))
-                };
-                self.vary.iter().map(range).collect::<Result<_, _>>().map(RowSource::Grid)
-            }
-            ([], Some(path), None) => {
-                let path = folder.join(path).to_string_lossy().into_owned();
-                Ok(RowSource::File(PositionFile { path, ignore: self.ignore.clone(), max_size }))
-            }
-            ([], None, Some(count)) => Ok(RowSource::Random { count, seed: self.seed.unwrap_or_default() }),
-            _ => refuse("give one of vary, input and random"),
-        }
+fn frame_of(key: &'static str, name: Option<&str>, default: Frame) -> Result<Frame, Refusal> {
+    match name {
+        None => Ok(default),
+        Some("link") => Ok(Frame::Link),
+        Some("world") => Ok(Frame::World),
+        Some("against") => Ok(Frame::Against),
+        Some(other) => Err(Refusal::new(key, format!("\"{other}\"; expected link, world or against"))),
     }
 }
 
 impl StudyText {
-    /// The question. Paths are relative to the study's folder.
+    /// The question, whose contact may lack parts. Paths are relative to the study's folder.
     pub fn question(&self, folder: &Path, max_size: u64) -> Result<MassQuestion, Refusal> {
         let contact = &self.contact;
         let travel = |text: &String| {
@@ -249,26 +261,17 @@ impl StudyText {
         };
         let normal = match (&contact.along_line, contact.normal) {
             (Some(line), None) => Normal::Toward(line.link.clone(), line.point),
-            (None, Some(normal)) => Normal::Along(normal),
-            _ => return Err(Refusal::new("contact", "give either normal or along_line")),
+            (None, normal) => Normal::Along(normal.unwrap_or_default()),
+            (Some(_), Some(_)) => return Err(Refusal::new("contact", "give either normal or along_line")),
         };
-        let frame_of = |key: &'static str, name: &Option<String>, default: Frame| match name.as_deref() {
-            None => Ok(default),
-            Some("link") => Ok(Frame::Link),
-            Some("world") => Ok(Frame::World),
-            Some("against") => Ok(Frame::Against),
-            Some(other) => Err(Refusal::new(key, format!("\"{other}\"; expected link, world or against"))),
-        };
-        let frame = frame_of("contact.frame", &contact.frame, Frame::Link)?;
-        let normal_frame = frame_of("contact.normal_frame", &contact.normal_frame, frame)?;
+        let frame = frame_of("contact.frame", contact.frame.as_deref(), Frame::Link)?;
+        let normal_frame = frame_of("contact.normal_frame", contact.normal_frame.as_deref(), frame)?;
         let base = match self.conditions.base.as_deref() {
             None | Some("fixed") => Base::Fixed,
             Some("floating") => Base::Floating,
             Some(other) => {
-                return Err(Refusal::new(
-                    "conditions.base",
-                    format!("\"{other}\"; expected fixed or floating"),
-                ));
+                let why = format!("\"{other}\"; expected fixed or floating");
+                return Err(Refusal::new("conditions.base", why));
             }
         };
         if contact.against.is_some() && contact.against_mass.is_some() {
@@ -277,9 +280,11 @@ impl StudyText {
         let given = |map: &BTreeMap<String, GivenPosition>| {
             map.iter().map(|(joint, position)| (joint.clone(), position.clone())).collect()
         };
+        let hold = |h: &HoldText| Hold { link: h.link.clone(), point: h.point, normal: h.normal };
+        let armature = |(joint, values): (&String, &Vec<f64>)| (joint.clone(), values.clone());
         Ok(MassQuestion {
-            link: contact.link.clone(),
-            point: contact.point,
+            link: contact.link.clone().unwrap_or_default(),
+            point: contact.point.unwrap_or_default(),
             normal,
             frame,
             normal_frame,
@@ -290,24 +295,13 @@ impl StudyText {
             pose: self.pose.file.as_ref().map(pose).transpose()?,
             travel: self.pose.travel.iter().map(travel).collect::<Result<_, _>>()?,
             lock: self.conditions.lock.clone(),
-            hold: self
-                .hold
-                .iter()
-                .map(|h| Hold { link: h.link.clone(), point: h.point, normal: h.normal })
-                .collect(),
-            armature: self
-                .conditions
-                .armature
-                .iter()
-                .map(|(joint, values)| (joint.clone(), values.clone()))
-                .collect(),
+            hold: self.hold.iter().map(hold).collect(),
+            armature: self.conditions.armature.iter().map(armature).collect(),
             base,
             estimate: match &contact.estimate {
                 Some(e) if e.links.is_empty() => {
-                    return Err(Refusal::new(
-                        "contact.estimate.links",
-                        "it is empty; name at least one link",
-                    ));
+                    let why = "it is empty; name at least one link";
+                    return Err(Refusal::new("contact.estimate.links", why));
                 }
                 Some(e) => {
                     Some(EstimateQuestion { links: e.links.clone(), point: e.point, direction: e.direction })

@@ -1,15 +1,20 @@
 //! Numbers of a study file: plain (SI), or text with a unit (`"350 mm"`).
 
-use crate::measure::Measure;
+use crate::measure::{Measure, Measured};
 use crate::position::GivenPosition;
 use crate::quantity::{Dimension, Quantity};
+use schemars::JsonSchema;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
 
-#[derive(Deserialize)]
+/// Three numbers, or texts with units.
+pub(crate) type Triple = [NumberOrText; 3];
+
+/// A number in SI units, or text with a unit.
+#[derive(Deserialize, JsonSchema)]
 #[serde(untagged, expecting = "a number, or text with a unit such as \"350mm\"")]
-enum NumberOrText {
+pub(crate) enum NumberOrText {
     Number(f64),
     Text(String),
 }
@@ -26,9 +31,9 @@ impl NumberOrText {
 }
 
 /// A position: a number, numbers, or text with units.
-#[derive(Deserialize)]
+#[derive(Deserialize, JsonSchema)]
 #[serde(untagged, expecting = "a number, a list of numbers, or text with units")]
-enum PositionText {
+pub(crate) enum PositionText {
     Text(String),
     One(f64),
     Many(Vec<f64>),
@@ -69,6 +74,11 @@ pub(crate) fn lengths<'de, D: Deserializer<'de>>(from: D) -> Result<[f64; 3], D:
     triple(from, Dimension::Length)
 }
 
+/// Three lengths, m.
+pub(crate) fn some_lengths<'de, D: Deserializer<'de>>(from: D) -> Result<Option<[f64; 3]>, D::Error> {
+    lengths(from).map(Some)
+}
+
 /// Three angles, rad.
 pub(crate) fn angles<'de, D: Deserializer<'de>>(from: D) -> Result<[f64; 3], D::Error> {
     triple(from, Dimension::Angle)
@@ -86,14 +96,68 @@ pub(crate) fn ratio<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error>
     measured(from, Measure::Ratio)
 }
 
-/// A stiffness, N/m.
-pub(crate) fn stiffness<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
-    measured(from, Measure::Stiffness)
+/// The same where it may be missing.
+pub(crate) fn some_ratio<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
+    ratio(from).map(Some)
 }
 
-/// A speed, m/s.
-pub(crate) fn speed<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
-    measured(from, Measure::Speed).map(Some)
+/// Of a contact, or of a joint that turns: what it belongs to is known later.
+fn of_either<'de, D: Deserializer<'de>>(
+    from: D,
+    measure: Measure,
+    turn: Measure,
+) -> Result<Measured, D::Error> {
+    match NumberOrText::deserialize(from)? {
+        NumberOrText::Number(value) => Ok(Measured { value, unit: None }),
+        NumberOrText::Text(text) => {
+            let read = measure.parse(&text).or_else(|error| turn.parse(&text).map_err(|_| error));
+            read.map_err(D::Error::custom)
+        }
+    }
+}
+
+/// A stiffness, N/m, or N·m/rad.
+pub(crate) fn stiffness<'de, D: Deserializer<'de>>(from: D) -> Result<Measured, D::Error> {
+    of_either(from, Measure::Stiffness, Measure::TurnStiffness)
+}
+
+/// A speed, m/s, or rad/s.
+pub(crate) fn speed<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Measured>, D::Error> {
+    of_either(from, Measure::Speed, Measure::TurnSpeed).map(Some)
+}
+
+/// A force, N.
+pub(crate) fn force<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
+    measured_as(from, Measure::Force).map(Some)
+}
+
+/// A pressure: a number is in N/cm²; the value is in Pa.
+pub(crate) fn pressure<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
+    measured_as(from, Measure::Pressure).map(Some)
+}
+
+/// An area: a number is in cm²; the value is in m².
+pub(crate) fn area<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
+    measured_as(from, Measure::Area).map(Some)
+}
+
+/// An energy, J.
+pub(crate) fn energy<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
+    measured_as(from, Measure::Energy).map(Some)
+}
+
+/// A momentum, N·s.
+pub(crate) fn momentum<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
+    measured_as(from, Measure::Momentum).map(Some)
+}
+
+/// A number in the first of the measure's units, as on the command line, or text with one.
+fn measured_as<'de, D: Deserializer<'de>>(from: D, measure: Measure) -> Result<f64, D::Error> {
+    let text = match NumberOrText::deserialize(from)? {
+        NumberOrText::Number(number) => number.to_string(),
+        NumberOrText::Text(text) => text,
+    };
+    measure.parse(&text).map(|m| m.value).map_err(D::Error::custom)
 }
 
 /// A time, s.
@@ -102,17 +166,37 @@ pub(crate) fn time<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D:
 }
 
 /// One word, or several.
+#[derive(Deserialize, JsonSchema)]
+#[serde(untagged, expecting = "a name, or a list of names")]
+pub(crate) enum Words {
+    One(String),
+    Many(Vec<String>),
+}
+
+/// One word, or several.
 pub(crate) fn words<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<String>, D::Error> {
-    #[derive(Deserialize)]
-    #[serde(untagged, expecting = "a name, or a list of names")]
-    enum Words {
-        One(String),
-        Many(Vec<String>),
-    }
     Ok(match Words::deserialize(from)? {
         Words::One(word) => vec![word],
         Words::Many(words) => words,
     })
+}
+
+/// Directions without a unit.
+pub(crate) fn directions<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<[f64; 3]>, D::Error> {
+    let read = |numbers: Vec<f64>| {
+        <[f64; 3]>::try_from(numbers)
+            .map_err(|given| D::Error::custom(format!("{} numbers; expected 3", given.len())))
+    };
+    Vec::<Vec<f64>>::deserialize(from)?.into_iter().map(read).collect()
+}
+
+/// Ends of an axis.
+pub(crate) fn ends<'de, D: Deserializer<'de>>(from: D) -> Result<Option<(f64, f64)>, D::Error> {
+    match Vec::<f64>::deserialize(from)?[..] {
+        [from, to] if from < to && from.is_finite() && to.is_finite() => Ok(Some((from, to))),
+        [from, to] => Err(D::Error::custom(format!("{from} is not below {to}"))),
+        ref other => Err(D::Error::custom(format!("{} numbers; expected 2, from and to", other.len()))),
+    }
 }
 
 /// Masses by link, kg.
@@ -147,9 +231,10 @@ pub(crate) fn armatures<'de, D: Deserializer<'de>>(from: D) -> Result<BTreeMap<S
     Ok(BTreeMap::<String, OneOrMany>::deserialize(from)?.into_iter().map(read).collect())
 }
 
-#[derive(Deserialize)]
+/// A number, or a list of numbers.
+#[derive(Deserialize, JsonSchema)]
 #[serde(untagged, expecting = "a number, or a list of numbers")]
-enum OneOrMany {
+pub(crate) enum OneOrMany {
     One(f64),
     Many(Vec<f64>),
 }
@@ -162,4 +247,9 @@ pub(crate) fn length<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, 
 /// A mass, kg.
 pub(crate) fn mass<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
     NumberOrText::deserialize(from)?.of(Dimension::Mass).map(Some)
+}
+
+/// A mass of 0 or more by its number, kg.
+pub(crate) fn load<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
+    NumberOrText::deserialize(from)?.of(Dimension::Mass)
 }

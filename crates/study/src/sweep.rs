@@ -21,6 +21,7 @@ use crate::sweep_report::{Continuation, SweepEnd, SweepHeading, SweepReport, Swe
 use crate::swept::Swept;
 use crate::thresholds::{GRID_ROWS, ROWS};
 use crate::trajectory::Trajectory;
+use crate::varied_values::VariedColumn;
 use crate::vary::{Varied, Vary};
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -115,7 +116,9 @@ impl<'a> Sweep<'a> {
             Some(contact) => contact,
             None => {
                 let travel = travel.as_ref().map(|travel| &travel.0);
-                prepared.contact_at(&line::reference(&prepared.system, &setting, travel)?)
+                let reference = line::reference(&prepared.system, &setting, travel);
+                let is_varied = |joint: &str| is_varied(&setting.columns, joint);
+                prepared.contact_at(&reference.map_err(|error| error.of_varied(is_varied))?)
             }
         };
         let about_point = prepared.about_point(&contact, &format!("where {} is 0", setting.what()));
@@ -162,7 +165,8 @@ impl<'a> Sweep<'a> {
         each: &mut dyn FnMut(T) -> ControlFlow<()>,
     ) -> Result<SweepEnd, StudyError> {
         let Self { swept, rows, about_point } = self;
-        let came = stages::run(&swept, rows, made, each)?;
+        let came = stages::run(&swept, rows, made, each)
+            .map_err(|error| error.of_varied(|joint| is_varied(&swept.heading.varied, joint)))?;
         let mut end = came.end;
         let of_all =
             about_point.into_iter().chain(about_continuation(&swept.prepared, swept.heading.continuation));
@@ -171,6 +175,10 @@ impl<'a> Sweep<'a> {
             of_all.map(DiagnosticRecord::from).chain(came.tally.into_records(end.rows)).collect();
         Ok(end)
     }
+}
+
+fn is_varied(columns: &[VariedColumn], joint: &str) -> bool {
+    columns.iter().any(|column| column.joint.as_deref() == Some(joint))
 }
 
 /// A travel of the question is the last range, of one value.

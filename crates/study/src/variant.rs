@@ -5,28 +5,40 @@ use crate::design::DesignError;
 use crate::model::{Input, Model};
 use crate::position::GivenPosition;
 use crate::question::MassQuestion;
-use crate::study_value;
+use crate::study_value::{self, NumberOrText, OneOrMany, PositionText, Triple};
 use percuss_formats::LoadOptions;
+use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::Path;
 
 /// What is changed of a model, as a study says it.
-#[derive(Clone, Debug, Default, Deserialize)]
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct VariantText {
+    /// Its name, in tables and figures.
     pub name: String,
     /// Another model's file.
     pub model: Option<String>,
+    /// Masses by link, kg, over those of [model].
     #[serde(default, deserialize_with = "study_value::masses")]
+    #[schemars(with = "BTreeMap<String, NumberOrText>")]
     pub link_mass: BTreeMap<String, f64>,
+    /// Centres of mass by link, m.
     #[serde(default, deserialize_with = "study_value::places")]
+    #[schemars(with = "BTreeMap<String, Triple>")]
     pub link_com: BTreeMap<String, [f64; 3]>,
+    /// Hardpoints of a sheet that are moved, m.
     #[serde(default, rename = "move", deserialize_with = "study_value::places")]
+    #[schemars(with = "BTreeMap<String, Triple>")]
     pub moves: BTreeMap<String, [f64; 3]>,
+    /// Armatures by joint.
     #[serde(default, deserialize_with = "study_value::armatures")]
+    #[schemars(with = "BTreeMap<String, OneOrMany>")]
     pub armature: BTreeMap<String, Vec<f64>>,
+    /// Positions of driving joints.
     #[serde(default, deserialize_with = "study_value::positions")]
+    #[schemars(with = "BTreeMap<String, PositionText>")]
     pub set: BTreeMap<String, GivenPosition>,
 }
 

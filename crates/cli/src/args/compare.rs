@@ -3,6 +3,7 @@
 use super::contact::ContactArgs;
 use super::format::MassFormat;
 use super::model::ReadingArgs;
+use super::{FigureArgs, TableArgs};
 use clap::Args;
 use percuss_study::Vary;
 
@@ -19,8 +20,12 @@ pub struct CompareArgs {
     #[arg(long, value_name = "JOINT=FROM:TO:COUNT | travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT", value_parser = Vary::parse)]
     pub vary: Vec<Vary>,
     /// The figure, or the table, of the ranges.
-    #[arg(long, short, value_name = "FILE.svg|.png|.csv|.json")]
+    #[arg(long, short, value_name = "FILE.svg|.png|.pdf|.csv|.json")]
     pub output: Option<String>,
+    #[command(flatten)]
+    pub table: TableArgs,
+    #[command(flatten)]
+    pub figure: FigureArgs,
     #[command(flatten)]
     pub writing: super::WritingArgs,
     /// How the result is shown.

@@ -12,7 +12,7 @@ use crate::failure::Failure;
 use clap::{Args, ValueEnum};
 use percuss_study::contact::Separation;
 use percuss_study::contact::exports::Options;
-use percuss_study::{DampingQuestion, JointStop, Measure, Measured, StudyError};
+use percuss_study::{DampingQuestion, JointStop, Measured, StudyError, check_units};
 
 /// The damper of the contact: what `percuss damp` and `percuss mass` share.
 #[derive(Debug, Args)]
@@ -85,14 +85,6 @@ impl DampingArgs {
             SeparationArg::Gap => Separation::GapCloses,
         });
         question.choose(&self.law, self.exponent, separation).map_err(StudyError::from)?;
-        if stiffness.unit.is_some() && question.exponent != 1.0 {
-            return Err(Failure::bad_input(format!(
-                "--stiffness: its unit is that of a linear spring; with the exponent {0} a plain number in N/m^{0} is \
-                 expected (1 N/mm^{0} is {1:e} N/m^{0})",
-                question.exponent,
-                1e3_f64.powf(question.exponent)
-            )));
-        }
         question.speed = self.speed.map(|speed| speed.value);
         for tool in self.tools.iter().flatten() {
             if !question.tools.contains(tool) {
@@ -113,24 +105,9 @@ impl DampingArgs {
 
 impl DampingArgs {
     /// Refuses units of a turn for what does not turn, and the other way round.
-    pub fn check_units(&self, turns: bool) -> Result<(), Failure> {
-        let expected =
-            |linear, turn, at_turn, at_linear| if turns { (turn, at_turn) } else { (linear, at_linear) };
-        let (stiffness, in_stiffness) =
-            expected(Measure::Stiffness, Measure::TurnStiffness, "N·m/rad", "N/m");
-        let (speed, in_speed) = expected(Measure::Speed, Measure::TurnSpeed, "rad/s", "m/s");
-        let of = if turns { "a joint that turns" } else { "what does not turn" };
-        for (flag, given, measure, unit) in [
-            ("--stiffness", self.stiffness, stiffness, in_stiffness),
-            ("--speed", self.speed, speed, in_speed),
-        ] {
-            if given.and_then(|g| g.unit).is_some_and(|unit| unit != measure) {
-                return Err(Failure::bad_input(format!(
-                    "{flag}: its unit is not that of {of}; expected {unit}"
-                )));
-            }
-        }
-        Ok(())
+    pub fn check_units(&self, question: &DampingQuestion, turns: bool) -> Result<(), Failure> {
+        let Some(stiffness) = self.stiffness else { return Ok(()) };
+        Ok(check_units(question, stiffness, self.speed, turns)?)
     }
 }
 

@@ -177,12 +177,28 @@ An engineering aid, not a certification: the limits of force or pressure are
 input, to be taken from the edition of the standard that applies to you, and
 the table of regions is informative.";
 
+pub const INIT: &str = "\
+Examples:
+  percuss init models/six_r_arm.urdf -o arm.toml
+  percuss run arm.toml
+  percuss run arm.toml --report arm.html
+  A suspension's sheet has its bump stop asked:
+    percuss init models/suspensions/double-wishbone.toml -o stop.toml
+
+The model is named relative to the study. What else can be asked stands in the
+study, commented out; docs/STUDIES.md has every key.";
+
 pub const RUN: &str = "\
 Examples:
   Its sweep, if it has one, else the contact:
     percuss run models/four_bar.toml
   The contact at its pose, and its damper if it has one:
-    percuss run models/four_bar.toml --format json";
+    percuss run models/four_bar.toml --format json
+  One page with all of it, beside the study:
+    percuss run arm.toml --report arm.html
+
+What the study asks is answered in this order: the contact (over its [sweep]
+or with its [[variant]]s), the stop of a joint, the [map], the [safe_speed].";
 
 #[cfg(test)]
 mod tests {
@@ -198,6 +214,7 @@ mod tests {
             super::IMPORT,
             super::DAMP,
             super::SAFE_SPEED,
+            super::INIT,
             super::RUN,
         ] {
             for line in text.lines() {

@@ -1,7 +1,7 @@
 //! Flags of `percuss map`.
 
 use super::words::{edge, package};
-use super::{ContactArgs, MassFormat, ModelArgs, WritingArgs};
+use super::{ContactArgs, MassFormat, ModelArgs, TableArgs, WritingArgs};
 use crate::failure::Failure;
 use clap::{Args, ValueEnum};
 use percuss_formats::DEFAULT_MAX_MESH_SIZE;
@@ -46,8 +46,10 @@ pub struct MapArgs {
     #[arg(long, default_value_t = DEFAULT_MAX_MESH_SIZE, value_name = "BYTES")]
     pub max_mesh_size: u64,
     /// An output file; may be given again. PLY and glTF have the effective mass as a property, pictures show two sides.
-    #[arg(long, short, value_name = "FILE.ply|.glb|.gltf|.png|.svg|.csv|.json")]
+    #[arg(long, short, value_name = "FILE.ply|.glb|.gltf|.png|.svg|.pdf|.csv|.json")]
     pub output: Vec<String>,
+    #[command(flatten)]
+    pub table: TableArgs,
     #[command(flatten)]
     pub writing: WritingArgs,
     /// How the result is shown on stdout.

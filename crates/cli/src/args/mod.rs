@@ -109,6 +109,12 @@ pub enum Command {
     /// Run a study: the flags of mass, sweep and damp, kept in a TOML file.
     #[command(after_help = examples::RUN)]
     Run(RunArgs),
+    /// Write a commented study of a model to start from: its links and joints by name, and a contact that has an answer.
+    #[command(after_help = examples::INIT)]
+    Init(Box<InitArgs>),
+    /// Print the JSON schema of studies: every key with what it means, for editors and other programs.
+    #[command(after_help = "Example:\n  percuss schema > study.schema.json")]
+    Schema,
     /// Print a completion script for a shell.
     #[command(after_help = "Examples:\n  percuss completions bash\n  percuss completions zsh > _percuss")]
     Completions {
@@ -233,6 +239,18 @@ impl SweepArgs {
             (None, None) => RowSource::Grid(self.vary.clone()),
         })
     }
+}
+
+/// Flags of `percuss init`.
+#[derive(Debug, Args)]
+pub struct InitArgs {
+    #[command(flatten)]
+    pub model: ModelArgs,
+    /// The study; without it stdout.
+    #[arg(long, short, value_name = "STUDY.toml")]
+    pub output: Option<String>,
+    #[command(flatten)]
+    pub writing: WritingArgs,
 }
 
 /// Flags of `percuss run`.

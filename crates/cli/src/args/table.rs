@@ -1,7 +1,8 @@
 //! How tables and figures are written.
 
-use crate::table_style::{Angle, Length, TableStyle};
+use crate::table_style::TableStyle;
 use clap::{Args, ValueEnum};
+use percuss_study as study;
 
 /// A unit of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -39,19 +40,16 @@ pub struct TableArgs {
 }
 
 impl TableArgs {
-    /// As a style; of two units of one kind the last counts.
+    /// As a style.
     pub fn style(&self) -> TableStyle {
-        let mut style = TableStyle { comma: self.decimal == Decimal::Comma, ..TableStyle::default() };
-        for unit in &self.unit {
-            style.names_units = true;
-            match unit {
-                TableUnit::M => style.length = Length::Metre,
-                TableUnit::Mm => style.length = Length::Millimetre,
-                TableUnit::Rad => style.angle = Angle::Radian,
-                TableUnit::Deg => style.angle = Angle::Degree,
-            }
-        }
-        style
+        let unit = |unit: &TableUnit| match unit {
+            TableUnit::M => study::TableUnit::Metre,
+            TableUnit::Mm => study::TableUnit::Millimetre,
+            TableUnit::Rad => study::TableUnit::Radian,
+            TableUnit::Deg => study::TableUnit::Degree,
+        };
+        let units = self.unit.iter().map(unit).collect();
+        TableStyle::of(&study::StudyTable { units, comma: self.decimal == Decimal::Comma })
     }
 }
 
@@ -67,6 +65,14 @@ pub struct FigureArgs {
     /// Ends of the axis of the effective mass (kg).
     #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true, value_parser = ends, help_heading = "Figure")]
     pub y_limits: Option<(f64, f64)>,
+}
+
+impl FigureArgs {
+    /// As a study has them.
+    pub fn figure(&self) -> study::StudyFigure {
+        let Self { title, x_limits, y_limits } = self;
+        study::StudyFigure { title: title.clone(), x_limits: *x_limits, y_limits: *y_limits }
+    }
 }
 
 fn ends(text: &str) -> Result<(f64, f64), String> {

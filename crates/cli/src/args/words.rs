@@ -4,7 +4,7 @@ use percuss_study::contact::Law;
 use percuss_study::contact::exports::Tool;
 use percuss_study::{
     Dimension, EstimateQuestion, GivenPosition, GivenTravel, Hold, JointStop, Measure, Measured, Quantity,
-    RatioPoint, StopEnd, Tolerance, UPWARDS, parse_triple,
+    RatioPoint, Tolerance, UPWARDS, parse_triple,
 };
 
 /// What `--for` names: one tool, or all.
@@ -73,15 +73,7 @@ pub fn speed(text: &str) -> Result<Measured, String> {
 
 /// `JOINT`, `JOINT:lower` or `JOINT:upper`.
 pub fn joint_stop(text: &str) -> Result<JointStop, String> {
-    let (joint, end) = match text.rsplit_once(':') {
-        Some((joint, "lower")) => (joint, Some(StopEnd::Lower)),
-        Some((joint, "upper")) => (joint, Some(StopEnd::Upper)),
-        _ => (text, None),
-    };
-    match joint {
-        "" => Err("expected JOINT, JOINT:lower or JOINT:upper, such as elbow:upper".into()),
-        _ => Ok(JointStop { joint: joint.to_owned(), end }),
-    }
+    JointStop::parse(text)
 }
 
 pub fn time(text: &str) -> Result<f64, String> {

@@ -14,6 +14,7 @@ use grid::Patch;
 use nalgebra::Vector3;
 use percuss_spatial::Transform;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::path::PathBuf;
 
 /// Why a surface is not divided.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -34,6 +35,7 @@ pub enum SurfaceError {
 pub struct Surface {
     parts: Vec<Part>,
     orientation: Orientation,
+    files: Vec<PathBuf>,
 }
 
 #[derive(Clone, Debug)]
@@ -58,7 +60,9 @@ impl Surface {
                 surface.parts.push(Part::Round(shape.solid.clone(), shape.frame));
                 continue;
             };
-            let triangles = read_mesh(&folders.find(file)?, max_size)?;
+            let path = folders.find(file)?;
+            let triangles = read_mesh(&path, max_size)?;
+            surface.files.push(path);
             let placed = |p: [f64; 3]| {
                 shape.frame.point(&Vector3::new(p[0] * scale[0], p[1] * scale[1], p[2] * scale[2]))
             };
@@ -68,6 +72,11 @@ impl Surface {
             surface.parts.push(Part::Mesh(triangles));
         }
         Ok(surface)
+    }
+
+    /// The meshes' files that were read.
+    pub fn files(&self) -> &[PathBuf] {
+        &self.files
     }
 
     /// What was done so that normals of meshes point outward.

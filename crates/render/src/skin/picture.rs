@@ -7,8 +7,8 @@ use crate::backend::{self, RenderError};
 use crate::limits::MOST_MARKS;
 use crate::palette::{INK, PAPER, SOFT_INK, ZERO};
 use crate::scene::{Anchor, Item, Scene, solid};
-use crate::svg;
 use crate::text::{fit, medium, regular, width};
+use crate::{pdf, svg};
 
 /// Units of the page.
 const WIDTH: f64 = 1000.0;
@@ -35,6 +35,14 @@ impl Skin {
         backend::png(&self.to_svg(), scale)
     }
 
+    /// The same picture as a PDF of one page, its fonts embedded; the views in it are pixels.
+    ///
+    /// # Errors
+    /// Those of the PDF writer.
+    pub fn to_pdf(&self) -> Result<Vec<u8>, RenderError> {
+        pdf::write(&self.arrange())
+    }
+
     fn arrange(&self) -> Scene {
         let scale = Scale::of(self);
         let height = TOP + SIDE + 64.0;
@@ -51,8 +59,8 @@ impl Skin {
         views.iter_mut().for_each(|view| view.draw(self, &scale));
         for i in 0..views.len() {
             let left = MARGIN + (SIDE + 8.0) * i as f64;
-            let pixels = std::mem::take(&mut views[i].pixels);
-            scene.items.push(Item::Image { at: (left, TOP), side: SIDE, pixels, columns: size });
+            let pixels = std::mem::take(&mut views[i].raster.pixels);
+            scene.items.push(Item::Image { at: (left, TOP), size: (SIDE, SIDE), pixels, columns: size });
             self.named(&views, i, left, &mut scene);
             let words = format!("seen from {}° about z, {HEIGHT}° above", AZIMUTHS[i]);
             let middle = left + 0.5 * SIDE;

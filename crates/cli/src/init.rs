@@ -1,0 +1,56 @@
+//! `percuss init`, and `percuss schema`: studies to start from, and what may stand in them.
+
+use crate::args::InitArgs;
+use crate::failure::Failure;
+use crate::output::{is_input, write_file};
+use crate::report::{write_as_is, write_diagnostics, write_out};
+use percuss_study::{starting_study, study_schema};
+use std::fs;
+use std::path::Path;
+
+/// Writes a study of a model.
+pub fn run(args: &InitArgs) -> Result<(), Failure> {
+    args.writing.apply();
+    if args.model.model == "-" {
+        return Err(Failure::bad_input("MODEL -: a study names its model; give the model's file"));
+    }
+    if !args.model.reading.changes().is_empty() {
+        return Err(Failure::bad_input(
+            "--link-mass, --link-com and --move: write them into the study, as model.link_mass, model.link_com and model.move",
+        ));
+    }
+    let model = args.model.load()?;
+    model.inputs.iter().for_each(|input| is_input(&input.path));
+    write_diagnostics(&model.diagnostics, args.model.reading.strict)?;
+    let path = match &args.output {
+        Some(output) => from_folder_of(output, &args.model.model),
+        None => args.model.model.clone(),
+    };
+    let study = starting_study(&model, &path)?;
+    match &args.output {
+        None => write_as_is(study.as_bytes()),
+        Some(output) => {
+            write_file(output, study.as_bytes())?;
+            write_out(&format!("{:<20} {output}; run it with: percuss run {output}\n", "written"))
+        }
+    }
+}
+
+/// Prints the JSON schema of studies.
+pub fn schema() -> Result<(), Failure> {
+    let text = serde_json::to_string_pretty(study_schema());
+    let text = text.map_err(|error| Failure::NoAnswer(format!("the schema has no JSON form: {error}")))?;
+    write_as_is((text + "\n").as_bytes())
+}
+
+/// The model's path as the study names it: relative to the study's folder, where both are known.
+fn from_folder_of(study: &str, model: &str) -> String {
+    let folder = Path::new(study).parent().filter(|folder| !folder.as_os_str().is_empty());
+    let folder = fs::canonicalize(folder.unwrap_or(Path::new(".")));
+    let relative = match (folder, fs::canonicalize(model)) {
+        (Ok(folder), Ok(model)) => pathdiff::diff_paths(model, folder),
+        _ => None,
+    };
+    // TOML in any system: Windows reads slashes too.
+    relative.map_or_else(|| model.to_owned(), |path| path.to_string_lossy().replace('\\', "/"))
+}

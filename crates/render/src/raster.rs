@@ -1,0 +1,58 @@
+//! Triangles as pixels: the nearest wins.
+
+use crate::palette::{Colour, PAPER};
+
+/// A rectangle of pixels, three bytes each, with how near each is.
+pub(crate) struct Raster {
+    pub columns: usize,
+    pub rows: usize,
+    pub pixels: Vec<u8>,
+    depth: Vec<f32>,
+}
+
+impl Raster {
+    /// Paper.
+    pub fn new(columns: usize, rows: usize) -> Self {
+        let mut pixels = vec![0; 3 * columns * rows];
+        pixels.chunks_exact_mut(3).for_each(|p| p.copy_from_slice(&[PAPER.0, PAPER.1, PAPER.2]));
+        Self { columns, rows, pixels, depth: vec![f32::NEG_INFINITY; columns * rows] }
+    }
+
+    /// How near the pixel at a place is; none beside the picture.
+    pub fn depth_at(&self, x: f64, y: f64) -> Option<f64> {
+        let inside = |v: f64, size: usize| v >= 0.0 && v < size as f64;
+        let at = || y as usize * self.columns + x as usize;
+        (inside(x, self.columns) && inside(y, self.rows)).then(|| f64::from(self.depth[at()]))
+    }
+
+    /// A triangle between places in pixels from the upper left, each with how near it is.
+    pub fn triangle(&mut self, [a, b, c]: &[[f64; 3]; 3], colour: Colour) {
+        let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+        // NaN is no area.
+        if area.is_nan() || area.abs() <= 1e-12 || self.pixels.is_empty() {
+            return;
+        }
+        let last = [(self.columns - 1) as f64, (self.rows - 1) as f64];
+        let least = |k: usize| a[k].min(b[k]).min(c[k]).floor().clamp(0.0, last[k]) as usize;
+        let most = |k: usize| a[k].max(b[k]).max(c[k]).ceil().clamp(0.0, last[k]) as usize;
+        for row in least(1)..=most(1) {
+            for column in least(0)..=most(0) {
+                let (x, y) = (column as f64 + 0.5, row as f64 + 0.5);
+                let part = |p: &[f64; 3], q: &[f64; 3]| {
+                    ((q[0] - p[0]) * (y - p[1]) - (q[1] - p[1]) * (x - p[0])) / area
+                };
+                let (wa, wb, wc) = (part(b, c), part(c, a), part(a, b));
+                // Neighbours may both take the pixels of their edge: no gap is left.
+                if wa < -1e-9 || wb < -1e-9 || wc < -1e-9 {
+                    continue;
+                }
+                let depth = (wa * a[2] + wb * b[2] + wc * c[2]) as f32;
+                let at = row * self.columns + column;
+                if depth > self.depth[at] {
+                    self.depth[at] = depth;
+                    self.pixels[3 * at..3 * at + 3].copy_from_slice(&[colour.0, colour.1, colour.2]);
+                }
+            }
+        }
+    }
+}
