@@ -9,6 +9,7 @@ mod compare;
 mod csv;
 mod damp;
 mod diagnostics;
+mod ellipsoid;
 mod escape;
 mod explanation;
 mod failure;

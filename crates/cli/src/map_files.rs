@@ -1,12 +1,13 @@
 //! The files of a map: PLY, glTF, pictures, tables.
 
 use crate::csv;
+use crate::ellipsoid;
 use crate::failure::Failure;
 use crate::output::Output;
 use crate::table_style::TableStyle;
 use crate::text::short;
 use percuss_dynamics::ContactStatus;
-use percuss_render::{Skin, SkinFacet, SkinMark, SkinPiece};
+use percuss_render::{RenderError, Skin, SkinFacet, SkinMark, SkinPiece};
 use percuss_study::{DirectionMass, Extreme, MapAnswer, PointMapReport};
 use std::io::{self, Write};
 use std::path::Path;
@@ -75,20 +76,24 @@ pub fn write(
     out: &mut Output,
 ) -> Result<(), NotWritten> {
     match format {
-        MapFormat::Ply => skin(answer).write_ply(out)?,
-        MapFormat::Glb => out.write_all(&skin(answer).to_glb())?,
-        MapFormat::Gltf => out.write_all(skin(answer).to_gltf().as_bytes())?,
-        MapFormat::Svg => out.write_all(skin(answer).to_svg().as_bytes())?,
-        MapFormat::Png => {
-            let png = skin(answer).to_png(2.0).map_err(|e| NotWritten::Other(e.to_string()))?;
-            out.write_all(&png)?;
-        }
-        MapFormat::Pdf => {
-            let pdf = skin(answer).to_pdf().map_err(|e| NotWritten::Other(e.to_string()))?;
-            out.write_all(&pdf)?;
-        }
         MapFormat::Csv => csv(answer, table, out)?,
         MapFormat::Json => json(answer, out)?,
+        surface => write_skin(&skin(answer), surface, out)?,
+    }
+    Ok(())
+}
+
+/// Writes a surface. No table.
+fn write_skin(skin: &Skin, format: MapFormat, out: &mut Output) -> Result<(), NotWritten> {
+    let failed = |error: RenderError| NotWritten::Other(error.to_string());
+    match format {
+        MapFormat::Ply => skin.write_ply(out)?,
+        MapFormat::Glb => out.write_all(&skin.to_glb())?,
+        MapFormat::Gltf => out.write_all(skin.to_gltf().as_bytes())?,
+        MapFormat::Svg => out.write_all(skin.to_svg().as_bytes())?,
+        MapFormat::Png => out.write_all(&skin.to_png(2.0).map_err(failed)?)?,
+        MapFormat::Pdf => out.write_all(&skin.to_pdf().map_err(failed)?)?,
+        MapFormat::Csv | MapFormat::Json => {}
     }
     Ok(())
 }
@@ -103,14 +108,9 @@ pub fn write_point(
     match format {
         MapFormat::Csv => point_csv(report, table, out)?,
         MapFormat::Json => json(report, out)?,
-        MapFormat::Ply
-        | MapFormat::Glb
-        | MapFormat::Gltf
-        | MapFormat::Svg
-        | MapFormat::Png
-        | MapFormat::Pdf => {
-            let message = "directions at a point are written as .csv or .json";
-            return Err(NotWritten::Other(message.into()));
+        surface => {
+            let skin = ellipsoid::skin(report).map_err(|why| NotWritten::Other(why.into()))?;
+            write_skin(&skin, surface, out)?;
         }
     }
     Ok(())
