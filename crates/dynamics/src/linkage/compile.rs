@@ -52,6 +52,7 @@ impl Plan {
             bodies: Vec::with_capacity(bodies),
             blocks: Vec::new(),
             pivots: Vec::new(),
+            filled_in: Vec::new(),
             follows: Vec::new(),
             scale: 0.0,
             length,
@@ -130,6 +131,7 @@ impl Plan {
     }
 
     fn terms(&self, model: &Model, constraint: &ConstraintRows, scale: f64) -> Option<Vec<Term>> {
+        let mut seen = vec![false; self.columns];
         let term = |term: &crate::model::Term| {
             let body = &model.bodies[term.body];
             let velocity = self.bodies[term.body].velocities.get(term.component)?;
@@ -139,6 +141,7 @@ impl Plan {
                 slides: !body.motion.turns(term.component),
                 column: velocity.column,
                 factor: scale * term.factor * velocity.factor,
+                is_first: !std::mem::replace(&mut seen[velocity.column], true),
             })
         };
         constraint.terms.iter().map(term).collect()
@@ -226,6 +229,7 @@ impl Plan {
                 block.terms.iter().for_each(|term| filled[row * n + term.column] = true);
             }
         }
+        let given = filled.clone();
         for k in 0..rank {
             let rows: Vec<usize> = (k + 1..rank).filter(|r| filled[r * n + k]).collect();
             let columns: Vec<usize> = (k + 1..n).filter(|c| filled[k * n + c]).collect();
@@ -234,6 +238,7 @@ impl Plan {
             }
             self.pivots.push(Pivot { rows, columns });
         }
+        self.filled_in = (0..rank * n).filter(|&entry| filled[entry] && !given[entry]).collect();
         let mut follows = vec![false; n * f];
         for y in 0..f {
             follows[(rank + y) * f + y] = true;

@@ -95,6 +95,8 @@ pub(super) struct Term {
     pub slides: bool,
     pub column: usize,
     pub factor: f64,
+    /// Whether no term of the same column is before it in its block.
+    pub is_first: bool,
 }
 
 /// Rows that bind the same velocities.
@@ -121,6 +123,8 @@ pub(super) struct Plan {
     pub bodies: Vec<Moving>,
     pub blocks: Vec<Block>,
     pub pivots: Vec<Pivot>,
+    /// Entries of A, row by row, that have no term, but are filled in when it is eliminated.
+    pub filled_in: Vec<usize>,
     /// For each coordinate, for each independent one: whether its rate can be other than zero.
     pub follows: Vec<bool>,
     /// The largest pivot at the pose that it is compiled at.

@@ -27,8 +27,9 @@ pub(super) struct Seen<T> {
 /// A; and how far each row is from closed (m), where that is to be `KEPT`.
 #[inline(always)]
 pub(super) fn fill_rows<T: Lanes, const KEPT: bool>(plan: &Plan, room: &mut [f64]) -> Seen<T> {
-    let (from, to) = (plan.layout.rows * T::WIDTH, plan.layout.over * T::WIDTH);
-    room[from..to].fill(0.0);
+    for entry in &plan.filled_in {
+        put(room, plan.layout.rows + entry, T::zero());
+    }
     macro_rules! keep {
         ($row:expr, $residual:expr) => {
             if KEPT && let Some(row) = $row {
@@ -82,7 +83,7 @@ pub(super) fn fill_rows<T: Lanes, const KEPT: bool>(plan: &Plan, room: &mut [f64
                     let Some(row) = rows[0] else { continue };
                     for term in &block.terms {
                         let to = plan.layout.rows + row * plan.columns + term.column;
-                        put(room, to, get::<T>(room, to) + T::from_f64(term.factor));
+                        put(room, to, before::<T>(term, to, room) + T::from_f64(term.factor));
                     }
                 }
             }
@@ -104,6 +105,12 @@ fn lever<T: Lanes>(term: &Term, bodies: &[Moving], at: &[T; 3], room: &[f64]) ->
     (axis(room, term.body, k), minus(at, &place))
 }
 
+/// What an entry holds before a term is added: nothing, where this is its first.
+#[inline(always)]
+fn before<T: Lanes>(term: &Term, entry: usize, room: &[f64]) -> T {
+    if term.is_first { T::zero() } else { get(room, entry) }
+}
+
 /// Three rows: the velocity of a point.
 #[inline(always)]
 fn add_point<T: Lanes>(plan: &Plan, block: &Block, rows: &[Option<usize>; 3], at: &[T; 3], room: &mut [f64]) {
@@ -114,7 +121,7 @@ fn add_point<T: Lanes>(plan: &Plan, block: &Block, rows: &[Option<usize>; 3], at
         while k < 3 {
             if let Some(row) = rows[k] {
                 let to = plan.layout.rows + row * plan.columns + term.column;
-                put(room, to, velocity[k].mul_add(T::from_f64(term.factor), get(room, to)));
+                put(room, to, velocity[k].mul_add(T::from_f64(term.factor), before(term, to, room)));
             }
             k += 1;
         }
@@ -137,7 +144,7 @@ fn add_row<T: Lanes>(
         let (a, arm) = lever(term, &plan.bodies, at, room);
         let power = if term.slides { dot(&a, force) } else { dot(&a, &plus(moment, &cross(&arm, force))) };
         let to = plan.layout.rows + row * plan.columns + term.column;
-        put(room, to, power.mul_add(T::from_f64(term.factor), get(room, to)));
+        put(room, to, power.mul_add(T::from_f64(term.factor), before(term, to, room)));
     }
 }
 

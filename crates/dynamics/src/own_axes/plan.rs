@@ -477,9 +477,11 @@ impl Turn {
     const NONE: Self = Self { cos: 1.0, sin: 0.0 };
     const RIGHT: Self = Self { cos: 0.0, sin: 1.0 };
 
+    /// A right angle to rounding is one.
     fn of(x: f64, y: f64) -> Self {
         let length = x.hypot(y);
-        Self { cos: x / length, sin: y / length }
+        let (cos, sin) = (x / length, y / length);
+        if cos.abs() <= NO_TURN { Self { cos: 0.0, sin: sin.signum() } } else { Self { cos, sin } }
     }
 
     fn unless_none(self) -> Option<Self> {

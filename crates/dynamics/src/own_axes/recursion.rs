@@ -125,9 +125,14 @@ fn place<T: Lanes>(
                 let angle: T = columns.at(q, first);
                 angles = angles.max(angle.abs());
                 let (mut sin, mut cos) = angle.sin_cos();
-                if let Some(turn) = step.way.turn_z {
-                    let (s, c) = (T::from_f64(turn.sin), T::from_f64(turn.cos));
-                    (sin, cos) = (s.mul_add(cos, c * sin), c.mul_add(cos, -(s * sin)));
+                match step.way.turn_z {
+                    None => {}
+                    Some(Turn { cos: 0.0, sin: 1.0 }) => (sin, cos) = (cos, -sin),
+                    Some(Turn { cos: 0.0, sin: -1.0 }) => (sin, cos) = (-cos, sin),
+                    Some(turn) => {
+                        let (s, c) = (T::from_f64(turn.sin), T::from_f64(turn.cos));
+                        (sin, cos) = (s.mul_add(cos, c * sin), c.mul_add(cos, -(s * sin)));
+                    }
                 }
                 sin.store(&mut slot[SINE * T::WIDTH..]);
                 cos.store(&mut slot[COSINE * T::WIDTH..]);
