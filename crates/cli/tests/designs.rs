@@ -128,7 +128,7 @@ fn a_study_changes_its_model_and_its_variants_change_that() {
     refused(&format!("compare {alone} {study} --link rod"), &["--link"]);
     refused(&format!("compare {SHEETS}"), &["--link LINK"]);
     refused(&format!("compare {SHEETS} {STOP} --output both.svg"), &["--vary"]);
-    refused(&format!("compare {SHEETS} {STOP} --output both.pdf"), &[".csv"]);
+    refused(&format!("compare {SHEETS} {STOP} --output both.gif"), &[".csv"]);
     let swept = folder.write("swept.toml", &(text("", "") + "[sweep]\nvary = \"hinge=0:1:3\"\n"));
     refused(&format!("compare {alone} {swept}"), &["\"swept\"", "the first has no range"]);
 }
