@@ -101,7 +101,7 @@ fn surfaces(answer: &MapAnswer, written: &Written) -> Result<(), Failure> {
 /// The links, a row each.
 pub fn links(report: &MapReport) -> Table<8> {
     let mut table =
-        Table::new(["link", "contacts", "least kg", "at (m)", "largest kg", "at (m)", "mean kg", "other"]);
+        Table::new(["link", "contacts", "smallest kg", "at (m)", "largest kg", "at (m)", "mean kg", "other"]);
     for link in &report.links {
         let mass = |e: &Option<Extreme>| e.as_ref().map_or_else(|| "–".into(), |e| short(e.effective_mass));
         let place = |e: &Option<Extreme>| e.as_ref().map_or_else(String::new, |e| rounded(&e.point_link));

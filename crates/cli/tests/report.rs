@@ -188,7 +188,7 @@ fn the_page_has_all_that_the_study_asks() {
         "<th>difference</th>",
         "<td>lighter</td>",
         "Over the surface",
-        "<th>least kg</th>",
+        "<th>smallest kg</th>",
         "Safe speed",
         "chest: 40 kg",
         "percuss run &#39;my study.toml&#39; --report r.html",
