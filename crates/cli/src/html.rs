@@ -16,7 +16,7 @@ h1{font-size:1.6rem;margin:0 0 .2rem}h2{font-size:1.15rem;margin:2rem 0 .6rem;bo
 p.lead{font-size:1.4rem;margin:.8rem 0}p.soft,td.soft{color:#5c636e}\
 table{border-collapse:collapse;width:100%}td,th{padding:.22rem .8rem .22rem 0;text-align:left;vertical-align:top;\
 border-bottom:1px solid #eef0f3}th{font-weight:500}td.number{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}\
-td.name{width:13rem;color:#5c636e}td.wrap,code{overflow-wrap:anywhere}\
+td.name{width:13rem;color:#5c636e}td.wrap{white-space:pre-wrap}td.wrap,code{overflow-wrap:anywhere}\
 .bar{display:inline-block;height:.7em;background:#d55e00;print-color-adjust:exact;-webkit-print-color-adjust:exact}\
 pre{background:#f6f7f9;padding:.7rem;white-space:pre-wrap;overflow-wrap:anywhere;font-size:.82rem}\
 table.data{font-size:.9rem;font-variant-numeric:tabular-nums}\
