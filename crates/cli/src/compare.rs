@@ -146,7 +146,8 @@ fn percent(x: f64) -> String {
     format!("{x:+.2} %")
 }
 
-pub fn text(report: &ComparisonReport) -> String {
+/// The designs, a row each.
+pub fn designs(report: &ComparisonReport) -> Table<5> {
     let mut table = Table::new(["design", "kg", "difference", "over the range", "most of it"]);
     for (i, design) in report.designs.iter().enumerate() {
         let difference = match design.difference_percent {
@@ -160,7 +161,11 @@ pub fn text(report: &ComparisonReport) -> String {
         let most: Vec<String> = most.collect();
         table.row([design.name.clone(), answer(design), difference, range, most.join(", ")]);
     }
-    let mut out = format!("effective mass of {} designs\n\n{table}", report.designs.len());
+    table
+}
+
+fn text(report: &ComparisonReport) -> String {
+    let mut out = format!("effective mass of {} designs\n\n{}", report.designs.len(), designs(report));
     for design in &report.designs {
         if let Some(error) = &design.error {
             let _ = writeln!(out, "\n{}: {error}", design.name);

@@ -114,16 +114,29 @@ fn lacking(error: &StudyError) -> Option<(&'static str, &'static str)> {
         StudyError::Export(error) if matches!(**error, ExportError::Missing { .. }) => {
             Some(("--own-mass", "damping.own_mass"))
         }
-        StudyError::Damping(ContactLawError::OutOfRange { what, .. }) => {
-            NUMBERS.iter().find(|(number, ..)| number == what).map(|(_, flag, key)| (*flag, *key))
-        }
+        StudyError::Export(error) => match &**error {
+            ExportError::Contact(ContactLawError::OutOfRange { what, .. }) => number_of(what),
+            ExportError::StepTooLong { .. } => Some(("--time-step", "damping.time_step")),
+            ExportError::Exponent { .. } => Some(("--exponent", "damping.exponent")),
+            _ => None,
+        },
+        StudyError::Damping(ContactLawError::OutOfRange { what, .. }) => number_of(what),
         StudyError::Damping(ContactLawError::UnknownRegion { .. }) => Some(("--region", "safe_speed.region")),
         _ => None,
     }
 }
 
+fn number_of(what: &str) -> Option<(&'static str, &'static str)> {
+    NUMBERS.iter().find(|(number, ..)| *number == what).map(|(_, flag, key)| (*flag, *key))
+}
+
 /// The numbers of contact laws that a user gives: their flags and keys.
-const NUMBERS: [(&str, &str, &str); 11] = [
+const NUMBERS: [(&str, &str, &str); 16] = [
+    ("time step, s", "--time-step", "damping.time_step"),
+    ("struck body's own mass, kg", "--own-mass", "damping.own_mass"),
+    ("other body's own mass, kg", "--other-own-mass", "damping.other_own_mass"),
+    ("MuJoCo's diagonal ratio", "--diagonal-ratio", "damping.diagonal_ratio"),
+    ("accuracy of the restitution", "--accuracy", "damping.accuracy"),
     ("stiffness, N/m^p", "--stiffness", "damping.stiffness"),
     ("restitution", "--restitution", "damping.restitution"),
     ("exponent of the spring", "--exponent", "damping.exponent"),

@@ -5,6 +5,9 @@ use base64::Engine;
 use percuss_render::MADE_BY;
 use std::fmt::Write;
 
+/// Rows of a table that are kept together in print.
+const SHORT: usize = 16;
+
 /// Readable on a screen and on A4.
 const STYLE: &str = "\
 :root{color-scheme:light}\
@@ -13,12 +16,13 @@ h1{font-size:1.6rem;margin:0 0 .2rem}h2{font-size:1.15rem;margin:2rem 0 .6rem;bo
 p.lead{font-size:1.4rem;margin:.8rem 0}p.soft,td.soft{color:#5c636e}\
 table{border-collapse:collapse;width:100%}td,th{padding:.22rem .8rem .22rem 0;text-align:left;vertical-align:top;\
 border-bottom:1px solid #eef0f3}th{font-weight:500}td.number{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}\
-td.name{width:13rem;color:#5c636e}td.wrap,code{overflow-wrap:anywhere}\
+td.name{width:13rem;color:#5c636e}td.wrap{white-space:pre-wrap}td.wrap,code{overflow-wrap:anywhere}\
 .bar{display:inline-block;height:.7em;background:#d55e00;print-color-adjust:exact;-webkit-print-color-adjust:exact}\
 pre{background:#f6f7f9;padding:.7rem;white-space:pre-wrap;overflow-wrap:anywhere;font-size:.82rem}\
+table.data{font-size:.9rem;font-variant-numeric:tabular-nums}\
 img{max-width:100%;height:auto}figure{margin:.6rem 0;break-inside:avoid}\
 @page{size:A4;margin:16mm}@media print{body{margin:0;max-width:none;font-size:10.5pt}h2{break-after:avoid}\
-tr,figure{break-inside:avoid}}";
+tr,figure,table.short{break-inside:avoid}pre{font-size:7.6pt}table.data{font-size:8.4pt}}";
 
 /// Text between tags.
 pub fn text(words: &str) -> String {
@@ -81,9 +85,27 @@ impl Page {
         self.out += "</table>\n";
     }
 
+    /// Rows of cells under a header.
+    pub fn table<const N: usize>(&mut self, rows: &[[String; N]]) {
+        self.out += "<table class=\"data\">\n";
+        for (i, row) in rows.iter().enumerate() {
+            let tag = if i == 0 { "th" } else { "td" };
+            let cells: String = row.iter().map(|cell| format!("<{tag}>{}</{tag}>", text(cell))).collect();
+            let (begin, end) = if i == 0 { ("<thead>", "</thead>") } else { ("", "") };
+            let _ = writeln!(self.out, "{begin}<tr>{cells}</tr>{end}");
+        }
+        self.out += "</table>\n";
+    }
+
     /// Parts of a whole, with bars.
     pub fn parts(&mut self, names: &str, parts: &[(String, f64)]) {
-        let _ = writeln!(self.out, "<table>\n<tr><th>{}</th><th></th><th></th></tr>", text(names));
+        // A short one stays on one sheet.
+        let class = if parts.len() <= SHORT { "short" } else { "long" };
+        let _ = writeln!(
+            self.out,
+            "<table class=\"{class}\">\n<tr><th>{}</th><th></th><th></th></tr>",
+            text(names)
+        );
         for (name, part) in parts {
             let width = 16.0 * part.clamp(0.0, 1.0);
             let _ = writeln!(

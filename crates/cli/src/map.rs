@@ -98,10 +98,10 @@ fn surfaces(answer: &MapAnswer, written: &Written) -> Result<(), Failure> {
     }
 }
 
-pub fn text(answer: &MapAnswer) -> String {
-    let report = &answer.report;
+/// The links, a row each.
+pub fn links(report: &MapReport) -> Table<8> {
     let mut table =
-        Table::new(["link", "contacts", "least kg", "at (m)", "largest kg", "at (m)", "mean kg", "other"]);
+        Table::new(["link", "contacts", "smallest kg", "at (m)", "largest kg", "at (m)", "mean kg", "other"]);
     for link in &report.links {
         let mass = |e: &Option<Extreme>| e.as_ref().map_or_else(|| "–".into(), |e| short(e.effective_mass));
         let place = |e: &Option<Extreme>| e.as_ref().map_or_else(String::new, |e| rounded(&e.point_link));
@@ -116,9 +116,18 @@ pub fn text(answer: &MapAnswer) -> String {
             others(link),
         ]);
     }
-    let mut out = table.to_string();
-    out += "\nOne contact in each facet, along its outward normal; places in the link's frame. The mean is 1 over\n\
-            the mean of 1/m over the area.\n";
+    table
+}
+
+/// What is said of the links beside their numbers.
+pub const OF_LINKS: &str = "One contact in each facet, along its outward normal; places in the link's frame. The mean is 1 over\n\
+                            the mean of 1/m over the area.\n";
+
+fn text(answer: &MapAnswer) -> String {
+    let report = &answer.report;
+    let mut out = links(report).to_string();
+    out += "\n";
+    out += OF_LINKS;
     out += &windings(report);
     let against = report.against.clone().unwrap_or_else(|| match report.conditions.against_mass {
         Some(mass) => format!("a free body of {} kg", number(mass)),

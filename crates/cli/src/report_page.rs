@@ -237,7 +237,12 @@ impl Answers {
         }
         if let Some(compared) = &self.compared {
             page.heading("Variants");
-            page.code(&compare::text(compared));
+            page.table(compare::designs(compared).rows());
+            for design in &compared.designs {
+                if let Some(error) = &design.error {
+                    page.paragraph("soft", &format!("{}: {error}", design.name));
+                }
+            }
             // Ranges of which there is no figure have the sweep's table.
             let figure = study.sweep.as_ref().map(|sweep| sweep.figure.clone()).unwrap_or_default();
             if let Ok(figure) = compare::figure(compared, &figure) {
@@ -252,7 +257,11 @@ impl Answers {
             Some(Mapped::Surfaces(answer)) => {
                 page.heading("Over the surface");
                 page.picture(&map_files::skin(answer).to_svg(), "Effective mass over the surface");
-                page.code(&map::text(answer));
+                page.table(map::links(&answer.report).rows());
+                page.paragraph("soft", &map::OF_LINKS.replace('\n', " "));
+                for left in &answer.report.left_out {
+                    page.paragraph("soft", &format!("left out: {}", left.reason));
+                }
             }
             Some(Mapped::Directions(directions)) => {
                 page.heading("In all directions at a point");
@@ -269,9 +278,9 @@ impl Answers {
             page.paragraph("soft", &safe_speed::CLOSING.trim().replace('\n', " "));
         }
         page.heading("What it rests on");
-        page.facts(
-            inputs.iter().map(|input| ("SHA-256", format!("{}  {}", input.sha256, name(&input.path)))),
-        );
+        let names: Vec<String> = inputs.iter().map(|input| name(&input.path)).collect();
+        let hashes = inputs.iter().map(|input| format!("SHA-256 {}", input.sha256));
+        page.facts(names.iter().map(String::as_str).zip(hashes));
         if diagnostics.is_empty() {
             page.paragraph("soft", "No diagnostics.");
         } else {

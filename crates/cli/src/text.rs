@@ -71,6 +71,11 @@ impl<const N: usize> Table<N> {
     pub fn row(&mut self, cells: [String; N]) {
         self.rows.push(cells.map(|cell| line(&cell).into_owned()));
     }
+
+    /// The header, and what was added.
+    pub fn rows(&self) -> &[[String; N]] {
+        &self.rows
+    }
 }
 
 impl<const N: usize> fmt::Display for Table<N> {

@@ -128,7 +128,7 @@ fn a_study_changes_its_model_and_its_variants_change_that() {
     refused(&format!("compare {alone} {study} --link rod"), &["--link"]);
     refused(&format!("compare {SHEETS}"), &["--link LINK"]);
     refused(&format!("compare {SHEETS} {STOP} --output both.svg"), &["--vary"]);
-    refused(&format!("compare {SHEETS} {STOP} --output both.pdf"), &[".csv"]);
+    refused(&format!("compare {SHEETS} {STOP} --output both.gif"), &[".csv"]);
     let swept = folder.write("swept.toml", &(text("", "") + "[sweep]\nvary = \"hinge=0:1:3\"\n"));
     refused(&format!("compare {alone} {swept}"), &["\"swept\"", "the first has no range"]);
 }
@@ -151,6 +151,17 @@ fn wrong_inputs_say_which_flag_or_file_they_are_from() {
         (damp("-1", "1", "0.3"), ["(--mass)", "above 0"]),
         (damp("1", "-1", "0.3"), ["(--stiffness)", "above 0"]),
         (damp("1", "1", "3"), ["(--restitution)", "0 to 1"]),
+        (damp("1", "1", "0.3 --for mujoco --accuracy 0"), ["(--accuracy)", "0.1"]),
+        (damp("1", "1", "0.3 --for mujoco --time-step -1"), ["(--time-step)", "above 0"]),
+        (damp("1", "1", "0.3 --for bullet --other-own-mass -1"), ["--other-own-mass", "above 0"]),
+        (damp("1", "1", "0.3 --for mujoco --diagonal-ratio -1"), ["(--diagonal-ratio)", "above 0"]),
+        (damp("1", "3Nm/rad", "0.3"), ["--stiffness: ", "expected N/m"]),
+        (format!("mass {four_bar} --set rocker_hinge=1"), ["--set: ", "\"crank_hinge\""]),
+        (
+            format!("mass {four_bar} --set crank_hinge=1 --set rocker_hinge=1"),
+            ["--set: ", "too many joints are set"],
+        ),
+        (format!("sweep {four_bar} --vary rocker_hinge=0:1:3"), ["--vary: ", "\"crank_hinge\""]),
         (format!("{ARM} --normal 1,0,0 --region chest --force 1 --load -1"), ["(--load)", "0 or above"]),
         (format!("{ARM} --normal 1,0,0 --region chst --force 1"), ["(--region)", "chest"]),
         (format!("{ARM} --normal 1,0,0 --region chest --pressure -1 --area 1"), ["(--pressure)", "above 0"]),

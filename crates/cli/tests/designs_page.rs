@@ -1,12 +1,18 @@
-//! docs/DESIGNS.md shows what the commands print: every line under a `$ percuss …` stands in its output, in that order.
+//! The pages show what the commands print: every line under a `$ percuss …` stands in its output, in that order.
 
 mod support;
 
 use support::{percuss, root};
 
 #[test]
-fn the_page_shows_what_is_printed() {
-    let page = std::fs::read_to_string(root().join("docs/DESIGNS.md")).expect("the page");
+fn the_pages_show_what_is_printed() {
+    assert_eq!(commands_of("docs/DESIGNS.md"), 7);
+    assert_eq!(commands_of("docs/STUDIES.md"), 1);
+}
+
+/// Runs the commands of a page; how many there are.
+fn commands_of(page: &str) -> usize {
+    let page = std::fs::read_to_string(root().join(page)).expect("the page");
     let mut commands = 0;
     for block in page.split("```console\n").skip(1) {
         let block = block.split("```").next().unwrap_or("");
@@ -26,5 +32,5 @@ fn the_page_shows_what_is_printed() {
         assert!(shown > 0, "{command} shows nothing");
         commands += 1;
     }
-    assert_eq!(commands, 7);
+    commands
 }

@@ -51,6 +51,26 @@ fn a_killed_run_leaves_the_old_file_or_the_new_one() {
             if after == before { kept += 1 } else { replaced += 1 }
         }
     }
+    // What killed runs left is gone with the next run to the same output, and nothing else.
+    let others = [
+        ".rows.csv.12.part",
+        ".rows.csv.x.percuss-part",
+        ".other.csv.12.percuss-part",
+        "rows.csv.12.percuss-part",
+    ];
+    others.iter().for_each(|name| drop(folder.write(name, "of somebody else")));
+    fs::create_dir_all(folder.path(".rows.csv.13.percuss-part")).expect("a folder");
+    for ending in ["csv", "json", "jsonl", "parquet", "svg", "xlsx"] {
+        assert_eq!(percuss(&sweep(RANGES[0], &folder.path(&format!("rows.{ending}")))).code, 0);
+    }
+    let names = fs::read_dir(folder.path("")).expect("a folder").flatten();
+    let mut names: Vec<String> = names.map(|e| e.file_name().to_string_lossy().into_owned()).collect();
+    names.retain(|name| name.contains("part"));
+    names.sort();
+    let mut expected: Vec<String> = others.iter().map(|name| (*name).to_owned()).collect();
+    expected.push(".rows.csv.13.percuss-part".into());
+    expected.sort();
+    assert_eq!(names, expected);
     assert!(kept > 0 && replaced > 0, "{kept} kept, {replaced} replaced: no run was killed while it wrote");
 }
 
@@ -92,6 +112,86 @@ fn a_full_device_is_said() {
     let run = command(line.split_whitespace()).stdout(full).stderr(Stdio::piped()).output().expect("it runs");
     assert_eq!(run.status.code(), Some(1));
     assert!(String::from_utf8_lossy(&run.stderr).contains("cannot be written"));
+}
+
+/// A file that another run is writing, which has it locked, stays.
+#[test]
+fn what_another_run_is_writing_stays() {
+    let folder = Scratch::new("locked");
+    let (open, left) = (folder.path(".rows.csv.7.percuss-part"), folder.path(".rows.csv.8.percuss-part"));
+    let file = fs::File::create(&open).expect("written");
+    file.try_lock().expect("nobody else has it");
+    fs::write(&left, "row,").expect("written");
+    #[cfg(unix)]
+    std::os::unix::fs::symlink(folder.path("aim"), folder.path(".rows.csv.9.percuss-part")).expect("a link");
+    fs::write(folder.path("aim"), "of somebody else").expect("written");
+    assert_eq!(percuss(&sweep(RANGES[0], &folder.path("rows.csv"))).code, 0);
+    assert!(fs::exists(&open).expect("looked at") && !fs::exists(&left).expect("looked at"));
+    assert_eq!(fs::read_to_string(folder.path("aim")).expect("there"), "of somebody else");
+    drop(file);
+    assert_eq!(percuss(&sweep(RANGES[0], &folder.path("rows.csv"))).code, 0);
+    assert!(!fs::exists(&open).expect("looked at"));
+}
+
+/// Many runs write one output at a time: none fails, and one of them wins whole.
+#[test]
+fn runs_to_one_output_do_not_hinder_one_another() {
+    let folder = Scratch::new("together");
+    let path = folder.path("rows.csv");
+    let start = |i: usize| {
+        let line = sweep(RANGES[i % 2], &path);
+        let quiet = || Stdio::null();
+        command(line.split_whitespace()).stdout(quiet()).stderr(quiet()).spawn().expect("it starts")
+    };
+    let runs: Vec<_> = (0..24).map(start).collect();
+    let ended = runs.into_iter().map(|mut run| run.wait().expect("it ends").code());
+    assert!(ended.collect::<Vec<_>>().iter().all(|code| *code == Some(0)));
+    let rows = fs::read_to_string(&path).expect("written").lines().count();
+    assert!(rows == 401 || rows == 301, "{rows} lines");
+    assert_eq!(fs::read_dir(folder.path("")).expect("a folder").count(), 1);
+}
+
+/// Meshes and a sheet's table of points are inputs: named with their hashes, and no outputs.
+#[test]
+fn meshes_and_tables_of_points_are_inputs() {
+    let folder = Scratch::new("more-inputs");
+    let models = support::root().join("models");
+    fs::create_dir_all(folder.path("meshes")).expect("a folder");
+    fs::copy(models.join("meshes/finger.obj"), folder.path("meshes/finger.ply")).expect("copied");
+    fs::copy(models.join("meshes/finger.obj"), folder.path("meshes/finger.obj")).expect("copied");
+    let model = fs::read_to_string(models.join("shaped_arm.urdf")).expect("there");
+    let model = folder.write("arm.urdf", &model);
+    let report = support::json(&format!("map {model} --link finger --format json"));
+    let inputs: Vec<&str> =
+        report["inputs"].as_array().expect("a list").iter().filter_map(|i| i["path"].as_str()).collect();
+    assert!(inputs.len() == 2 && inputs[1].ends_with("finger.obj"), "{inputs:?}");
+    assert_eq!(report["inputs"][1]["sha256"].as_str().map(str::len), Some(64));
+    #[cfg(unix)]
+    {
+        // By another name, whose ending is an output's.
+        std::os::unix::fs::symlink(folder.path("meshes/finger.obj"), folder.path("skin.ply"))
+            .expect("a link");
+        let line = format!("map {model} --link finger --force -o {}", folder.path("skin.ply"));
+        let refused = percuss(&line);
+        assert!(
+            refused.code == 2 && refused.stderr.contains("an input of the same run"),
+            "{}",
+            refused.stderr
+        );
+    }
+    let suspensions = models.join("suspensions");
+    for name in ["double-wishbone-with-table.toml", "double-wishbone-points.xlsx"] {
+        fs::copy(suspensions.join(name), folder.path(name)).expect("copied");
+    }
+    let sheet = folder.path("double-wishbone-with-table.toml");
+    let stop = "--link bump_stop_pad --point 0,0,0 --along-line bump_stop:0,0,0 --against chassis";
+    let report = support::json(&format!("mass {sheet} {stop} --format json"));
+    let inputs = report["inputs"].as_array().expect("a list");
+    assert!(inputs.len() == 2 && inputs[1]["path"].as_str().is_some_and(|p| p.ends_with("points.xlsx")));
+    let table = folder.path("double-wishbone-points.xlsx");
+    let vary = "--vary travel:wheel_centre:0,0,0:0,0,1=-5mm:5mm:3";
+    let refused = percuss(&format!("sweep {sheet} {stop} {vary} --force -o {table}"));
+    assert!(refused.code == 2 && refused.stderr.contains("an input of the same run"), "{}", refused.stderr);
 }
 
 #[cfg(unix)]
@@ -147,12 +247,23 @@ fn what_percuss_did_not_write_is_replaced_on_demand_only() {
             assert_eq!(outcome.code, 0, "{ending}: {}", outcome.stderr);
         }
     }
-    let map = "map models/scara.urdf --all";
-    if support::root().join("models/scara.urdf").is_file() {
-        for ending in ["ply", "glb", "gltf", "svg", "png", "csv", "json"] {
-            let path = folder.path(&format!("map.{ending}"));
-            for _ in 0..2 {
-                let outcome = percuss(&format!("{map} -o {path}"));
+    let map = "map models/shaped_arm.urdf --all --edge 50mm";
+    for ending in ["ply", "glb", "gltf", "svg", "png", "pdf", "csv", "json"] {
+        let path = folder.path(&format!("map.{ending}"));
+        for style in ["", "--unit mm", "--unit m --decimal comma", ""] {
+            let outcome = percuss(&format!("{map} {style} -o {path}"));
+            assert_eq!(outcome.code, 0, "{ending}: {}", outcome.stderr);
+        }
+    }
+    let compare = "compare models/suspensions/double-wishbone.toml models/suspensions/double-wishbone-rods.toml \
+        --link bump_stop_pad --point 0,0,0 --along-line bump_stop:0,0,0 --against chassis";
+    for vary in ["", "--vary travel:spindle:0,0,0:0,0,1=-20mm:20mm:3"] {
+        for ending in
+            if vary.is_empty() { &["csv", "json"][..] } else { &["csv", "json", "svg", "png", "pdf"] }
+        {
+            let path = folder.path(&format!("designs.{ending}"));
+            for style in ["", "--unit mm", "--unit m --decimal comma", ""] {
+                let outcome = percuss(&format!("{compare} {vary} {style} -o {path}"));
                 assert_eq!(outcome.code, 0, "{ending}: {}", outcome.stderr);
             }
         }

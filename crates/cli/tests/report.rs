@@ -160,3 +160,71 @@ fn an_import_draws_what_it_understood() {
     let outcome = percuss(&format!("import {sheet} -o {} --picture p.gif", folder.path("m.urdf")));
     assert!(outcome.code == 2 && outcome.stderr.contains(".svg, .png or .pdf"), "{}", outcome.stderr);
 }
+
+/// Everything that a study may ask, on one page: shapes, sensitivities, tolerances, variants, the map, the safe speed.
+#[test]
+fn the_page_has_all_that_the_study_asks() {
+    let folder = Scratch::new("report-all");
+    let models = root().join("models");
+    fs::create_dir_all(folder.path("meshes")).expect("a folder");
+    fs::copy(models.join("meshes/finger.obj"), folder.path("meshes/finger.obj")).expect("copied");
+    fs::copy(models.join("shaped_arm.urdf"), folder.path("arm.urdf")).expect("copied");
+    let text = "[model]\npath = \"arm.urdf\"\n[contact]\nlink = \"finger\"\npoint = [0.1, 0, 0]\nnormal = [0, 1, 0]\n\
+        [mass]\nexplain = true\ntolerance = \"mass=2%\"\n[sweep]\nvary = \"elbow=-1:1:5\"\ntitle = \"Over the elbow\"\n\
+        [map]\nlink = \"finger\"\nedge = 0.02\n[safe_speed]\nregion = \"chest\"\nforce = 280\n\
+        [[variant]]\nname = \"lighter\"\nlink_mass = { forearm = 1.5 }\n";
+    let study = folder.write("my study.toml", text);
+    let run = |study: &str, report: &str| {
+        let words = ["run", study, "--report", report];
+        support::Outcome::from(support::command(words).output().expect("it runs"))
+    };
+    let outcome = run(&study, &folder.path("r.html"));
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    let page = fs::read_to_string(folder.path("r.html")).expect("written");
+    for words in [
+        "What it depends on",
+        "most per kilogram",
+        "root sum square",
+        "<th>difference</th>",
+        "<td>lighter</td>",
+        "Over the surface",
+        "<th>smallest kg</th>",
+        "Safe speed",
+        "chest: 40 kg",
+        "percuss run &#39;my study.toml&#39; --report r.html",
+    ] {
+        let words = words.replace("&#39;", "'");
+        assert!(page.contains(&words), "{words}");
+    }
+    let pictures = pictures(&page);
+    assert_eq!(pictures.len(), 4, "the mechanism, the sweep, the variants, the map");
+    // The shapes are pixels below the lines, in both views; the rest is drawn.
+    assert_eq!(pictures[0].matches("<image ").count(), 2);
+    assert!(pictures[1].contains("Over the elbow") && !pictures[1].contains("<image "));
+    assert_eq!(pictures[3].matches("<image ").count(), 2);
+    // The mesh is among what it rests on; its hash is that of the file.
+    let at = page.find("finger.obj").expect("the mesh's name");
+    let hash = page[at..].split("SHA-256 ").nth(1).expect("its hash");
+    let mut sum = std::process::Command::new("sha256sum");
+    if let Ok(sum) = sum.arg(folder.path("meshes/finger.obj")).output() {
+        assert!(String::from_utf8_lossy(&sum.stdout).starts_with(&hash[..64]), "{}", &hash[..64]);
+    }
+    // The answer beside it is that of the command.
+    let json = support::command(["run", &study, "--format", "json"]).output().expect("it runs");
+    assert_eq!(fs::read(folder.path("r.json")).expect("written"), json.stdout);
+    // Without its mesh a link is drawn as lines, and a note says so.
+    fs::remove_file(folder.path("meshes/finger.obj")).expect("removed");
+    let study = folder.write("bare.toml", &text.replace("[map]\nlink = \"finger\"\nedge = 0.02\n", ""));
+    let outcome = run(&study, &folder.path("bare.html"));
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    let page = fs::read_to_string(folder.path("bare.html")).expect("written");
+    assert!(page.contains("link &quot;finger&quot; is drawn without its shape"), "no note");
+    // A study without a contact says that a report is of one.
+    let study = folder.write("map.toml", "[model]\npath = \"arm.urdf\"\n[map]\nlink = \"forearm\"\n");
+    let outcome = run(&study, &folder.path("map.html"));
+    assert!(
+        outcome.code == 2 && outcome.stderr.contains("--report: the study has no [contact]"),
+        "{}",
+        outcome.stderr
+    );
+}

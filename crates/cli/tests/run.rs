@@ -188,13 +188,16 @@ fn mistakes_in_a_study_are_told_with_exit_code_2() {
             + &format!("[[closure]]\nname = \"x\"\npredecessor = \"ground\"\nsuccessor = \"coupler\"\n{keys}")
     };
     let cases = [
-        ("x = 1".to_owned(), "unknown field `x`"),
+        ("x = 1".to_owned(), "unknown key \"x\""),
         ("not toml".into(), "TOML"),
         (String::new(), "missing field `model`"),
-        (of(COUPLER, "").replace("[contact]", "[contacts]"), "unknown field `contacts`"),
-        (of(COUPLER, "").replace("normal", "norml"), "unknown field `norml`"),
-        (of(COUPLER, "").replace("path = ", "path = 3 #"), "expected a string"),
-        (of(&COUPLER.replace("[0.35, 0.1, 0]", "[0.35, 0.1]"), ""), "2 numbers; expected 3"),
+        (of(COUPLER, "").replace("[contact]", "[contacts]"), "unknown key \"contacts\""),
+        (of(COUPLER, "").replace("normal", "norml"), "unknown key \"contact.norml\""),
+        (of(COUPLER, "").replace("path = ", "path = 3 #"), "error: model.path: "),
+        (
+            of(&COUPLER.replace("[0.35, 0.1, 0]", "[0.35, 0.1]"), ""),
+            "error: contact.point: 2 numbers; expected 3",
+        ),
         (of(&COUPLER.replace("0.35", "\"a\""), ""), "is no number"),
         (of(&COUPLER.replace("0.35", "nan"), ""), "NaN"),
         (of(&COUPLER.replace("[0, 1, 0]", "[0, 0, 0]"), ""), "the normal has length"),
@@ -220,12 +223,12 @@ fn mistakes_in_a_study_are_told_with_exit_code_2() {
         (of(COUPLER, "") + "[[hold]]\nlink = \"coupler\"\npoint = [0, 0, inf]", "no coordinate"),
         (of(COUPLER, "") + "[sweep]\nvary = \"crank_hinge=0:1:0\"", "COUNT is 0"),
         (of(COUPLER, "") + "[sweep]\nvary = \"rocker_hinge=0:1:3\"", "\"crank_hinge\""),
-        (of(COUPLER, "") + "[sweep]\nsteps = 3", "unknown field `steps`"),
+        (of(COUPLER, "") + "[sweep]\nsteps = 3", "unknown key \"sweep.steps\""),
         (of(COUPLER, "").replace("[contact]", "accept = [\"anything\"]\n[contact]"), "indefinite-inertia"),
         (closure("type = \"weld\""), "\"weld\"; known are fixed, revolute"),
         (closure("type = \"revolute\"\naxis = [0, 0, 0]"), "the axis is zero"),
         (closure("type = \"distance\"\ndistance = -1"), "distance"),
-        (closure("type = \"revolute\"\nsize = 3"), "unknown field `size`"),
+        (closure("type = \"revolute\"\nsize = 3"), "unknown key \"closure.size\""),
         (closure("type = \"revolute\"").replace("\"ground\"", "\"grund\""), "did you mean \"ground\""),
         (closure("type = \"revolute\"").replace("\"x\"", "\"rocker_pin\""), "names must be unique"),
     ];

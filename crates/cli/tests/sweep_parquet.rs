@@ -323,6 +323,7 @@ fn damaged_files_are_refused() {
         model.display()
     );
     let study = StudyFile::load(&scratch.write("study.toml", &text), DEFAULT_MAX_SIZE).expect("a study");
+    let question = study.question.as_ref().expect("a contact");
     let names: Vec<String> =
         study.model.mechanism.joints().iter().map(|joint| joint.name().to_owned()).collect();
     let path = scratch.path("table.parquet");
@@ -355,7 +356,7 @@ fn damaged_files_are_refused() {
         };
         write(&path, &columns, turn % 3 == 0, None, 12, properties);
         let good = std::fs::read(&path).expect("a file");
-        assert!(Prepared::new(&study.model, &study.question, source.clone()).is_ok());
+        assert!(Prepared::new(&study.model, question, source.clone()).is_ok());
         for _ in 0..600 {
             let mut bytes = good.clone();
             for _ in 0..random.random_range(1..4) {
@@ -372,7 +373,7 @@ fn damaged_files_are_refused() {
                 bytes.drain(4.min(from)..from);
             }
             std::fs::write(&path, bytes).expect("a temporary file");
-            match Prepared::new(&study.model, &study.question, source.clone()) {
+            match Prepared::new(&study.model, question, source.clone()) {
                 Ok(_) => read += 1,
                 Err(_) => refused += 1,
             }

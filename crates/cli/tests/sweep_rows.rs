@@ -31,7 +31,8 @@ fn json_is_that_of_the_whole_report() {
         assert_eq!(outcome.code, 0, "{}", outcome.stderr);
         let written = std::fs::read_to_string(&path).expect("it was written");
         let whole: serde_json::Value = serde_json::from_str(&written).expect("JSON");
-        let StudyFile { mut model, mut question, .. } = study(&scratch);
+        let StudyFile { mut model, question, .. } = study(&scratch);
+        let mut question = question.expect("a contact");
         question.names = Names::Flags;
         // The command was given the model alone, by its path from the root.
         model.inputs.truncate(1);
@@ -272,6 +273,7 @@ fn a_first_row_out_of_reach_says_nothing_of_the_others() {
 fn a_number_of_rows_that_cannot_be_is_refused() {
     let scratch = Scratch::new("rows-count");
     let StudyFile { model, question, .. } = study(&scratch);
+    let question = question.expect("a contact");
     for count in [0, usize::MAX] {
         let vary = Vary { count, ..Vary::parse("crank_hinge=0:1:2").expect("a range") };
         match sweep_report(&model, &question, &vary) {
@@ -317,8 +319,8 @@ fn remedies_are_those_of_where_the_question_was_asked() {
             "{}",
             kept.stderr
         );
-        let StudyFile { model, mut question, .. } =
-            StudyFile::load(&path, DEFAULT_MAX_SIZE).expect("a study");
+        let StudyFile { model, question, .. } = StudyFile::load(&path, DEFAULT_MAX_SIZE).expect("a study");
+        let mut question = question.expect("a contact");
         question.names = Names::Fields;
         let said = match percuss_study::mass(&model, &question) {
             Err(error) => error.to_string(),

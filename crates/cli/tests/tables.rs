@@ -121,3 +121,69 @@ fn command(words: &[&str]) -> support::Outcome {
     let split = words.iter().flat_map(|w| w.split_whitespace().collect::<Vec<_>>());
     support::command(split.chain(["Our bump stop"])).output().expect("it runs").into()
 }
+
+#[test]
+fn maps_and_comparisons_name_their_units_too() {
+    let map = "map models/shaped_arm.urdf --link forearm --edge 60mm --format csv";
+    let (si, mm) =
+        (Sweep::read(&percuss(map).stdout), Sweep::read(&percuss(&format!("{map} --unit mm")).stdout));
+    for name in ["x_mm", "world_z_mm", "normal_x", "area_mm2", "effective_mass_kg", "effective_mass_error_kg"]
+    {
+        assert!(mm.header.iter().any(|h| h == name), "{name} is not in {:?}", mm.header);
+    }
+    assert!(si.rows.len() > 20 && si.rows.len() == mm.rows.len());
+    for row in 0..si.rows.len() {
+        for (plain, named, factor) in [
+            ("x", "x_mm", 1e3),
+            ("world_y", "world_y_mm", 1e3),
+            ("area", "area_mm2", 1e6),
+            ("effective_mass", "effective_mass_kg", 1.0),
+        ] {
+            let (a, b) = (si.number(row, plain).expect("a number"), mm.number(row, named).expect("a number"));
+            // Rounded to twelve digits, or to the stated error of the mass.
+            assert!((a * factor - b).abs() <= 1e-9 * b.abs() + 1e-12, "{named} {row}: {a} {b}");
+        }
+    }
+    let directions = "map models/shaped_arm.urdf --link forearm --point 0.3,0,0 --directions 20 --format csv --unit mm --decimal comma";
+    let text = percuss(directions).stdout;
+    assert!(text.starts_with("kind;x;y;z;world_x;world_y;world_z;status;effective_mass_kg;"), "{text}");
+    let columns = |line: &str| line.split(';').count();
+    assert!(
+        text.lines().count() > 20 && text.lines().all(|line| columns(line) == 10 && !line.contains('.')),
+        "{text}"
+    );
+    let compare = "compare models/suspensions/double-wishbone.toml models/suspensions/double-wishbone-rods.toml \
+        --link bump_stop_pad --point 0,0,0 --along-line bump_stop:0,0,0 --against chassis --format csv";
+    let rows = format!("{compare} --vary travel:spindle:0,0,0:0,0,1=-20mm:20mm:5");
+    let (si, mm) =
+        (Sweep::read(&percuss(&rows).stdout), Sweep::read(&percuss(&format!("{rows} --unit mm")).stdout));
+    assert_eq!(mm.header[..4], ["row", "travel_mm", "double-wishbone_kg", "double-wishbone-rods_kg"]);
+    for row in 0..5 {
+        assert_eq!(mm.cell(row, "travel_mm"), (-20 + 10 * row as i32).to_string());
+        let (a, b) =
+            (si.number(row, "double-wishbone").unwrap(), mm.number(row, "double-wishbone_kg").unwrap());
+        assert!((a / b - 1.0).abs() < 1e-11, "{a} {b}");
+    }
+    let plain = percuss(&format!("{compare} --unit mm --decimal comma")).stdout;
+    assert!(
+        plain.starts_with(
+            "design;status;effective_mass_kg;difference_percent\ndouble-wishbone;finite;137,8187"
+        ),
+        "{plain}"
+    );
+}
+
+/// The views of a map are pixels in its PDF, its words text.
+#[test]
+fn a_map_as_a_pdf_has_its_views() {
+    let folder = Scratch::new("map-pdf");
+    let path = folder.path("map.pdf");
+    let outcome = percuss(&format!("map models/shaped_arm.urdf --all --edge 50mm -o {path}"));
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    let bytes = std::fs::read(&path).expect("written");
+    let count = |word: &[u8]| bytes.windows(word.len()).filter(|window| *window == word).count();
+    assert!(bytes.starts_with(b"%PDF-") && bytes.ends_with(b"made by percuss\n"));
+    assert_eq!(count(b"/Subtype /Image"), 2);
+    assert!(count(b"/Width 860") == 2 && count(b"/FontFile") >= 1);
+    assert!(count(b"/I0 Do") == 1 && count(b"/I1 Do") == 1 && count(b"/S Do") == 1);
+}

@@ -169,7 +169,7 @@ impl Starter<'_> {
 
     fn write(&self, path: &str, out: &mut String) -> std::fmt::Result {
         let question = self.question;
-        writeln!(out, "# A study to start from, made by percuss init.")?;
+        writeln!(out, "# A study to start from, as percuss init writes it.")?;
         writeln!(out, "#   percuss run STUDY.toml                          the answer")?;
         writeln!(out, "#   percuss run STUDY.toml --report report.html     all of it, on one page")?;
         writeln!(
@@ -283,9 +283,11 @@ impl Starter<'_> {
     /// The range of a sweep: the wheel's travel where there is one, else a joint that carries the contact, with its name.
     fn vary(&self) -> Option<(Option<&str>, String)> {
         let mechanism = &self.model.mechanism;
-        let wheel = mechanism.find_link("wheel_centre").is_ok() && self.seen.drivers.len() <= 2;
-        if wheel && !self.model.mechanism.closures().is_empty() {
-            return Some((None, "travel:wheel_centre:0,0,0:0,0,1=-20mm:20mm:21".into()));
+        let mut names = mechanism.links().iter().map(|link| link.name());
+        if let Some(wheel) = names.find(|name| name.starts_with("wheel_centre"))
+            && !mechanism.closures().is_empty()
+        {
+            return Some((None, format!("travel:{wheel}:0,0,0:0,0,1=-10mm:10mm:21")));
         }
         let free = self.free();
         let link = mechanism.find_link(&self.question.link).ok()?;

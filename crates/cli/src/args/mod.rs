@@ -8,6 +8,8 @@ mod format;
 mod import;
 mod map;
 mod model;
+#[cfg(test)]
+mod study_keys_tests;
 mod table;
 mod words;
 mod writing;

@@ -1,0 +1,273 @@
+//! The keys of a study: every one misspelt is refused with the right one and its line; the page about studies has them all.
+
+mod support;
+
+use serde_json::Value;
+use std::collections::BTreeSet;
+use support::{Scratch, command, percuss, root};
+
+/// The keys of a table of the schema, tables below it first: dotted, with whether each is a table of keys or a list of such.
+fn keys(schema: &Value, path: &str, found: &mut Vec<(String, String)>) {
+    let of = |word: &str| schema.get(word).and_then(Value::as_array).cloned().unwrap_or_default();
+    for one in [vec![schema.clone()], of("anyOf")].concat() {
+        for (key, below) in one.get("properties").and_then(Value::as_object).into_iter().flatten() {
+            found.push((path.to_owned(), key.clone()));
+            let path = if path.is_empty() { key.clone() } else { format!("{path}.{key}") };
+            keys(below, &path, found);
+        }
+        if let Some(items) = one.get("items") {
+            keys(items, path, found);
+        }
+    }
+}
+
+fn all_keys() -> Vec<(String, String)> {
+    let outcome = percuss("schema");
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    let mut found = Vec::new();
+    keys(&serde_json::from_str(&outcome.stdout).expect("JSON"), "", &mut found);
+    assert!(found.len() > 100, "only {} keys", found.len());
+    found
+}
+
+/// A key with one letter missing, doubled, exchanged or two in the wrong order; capitals and hyphens besides.
+fn misspelt(key: &str) -> Vec<String> {
+    let letters: Vec<char> = key.chars().collect();
+    let mut found = BTreeSet::new();
+    for i in 0..letters.len() {
+        let mut without = letters.clone();
+        without.remove(i);
+        let mut doubled = letters.clone();
+        doubled.insert(i, letters[i]);
+        let mut other = letters.clone();
+        other[i] = if letters[i] == 'x' { 'y' } else { 'x' };
+        let mut swapped = letters.clone();
+        swapped.swap(i, (i + 1).min(letters.len() - 1));
+        for changed in [without, doubled, other, swapped] {
+            found.insert(changed.into_iter().collect::<String>());
+        }
+    }
+    found.insert(key.replace('_', "-"));
+    found.insert(key[..1].to_uppercase() + &key[1..]);
+    found.remove(key);
+    found.remove("");
+    found.into_iter().collect()
+}
+
+#[test]
+fn every_key_misspelt_by_a_letter_is_refused_with_the_right_one_and_its_line() {
+    let folder = Scratch::new("misspelt");
+    let all = all_keys();
+    let (mut tried, mut at_once) = (0, 0);
+    for (table, key) in &all {
+        let siblings: BTreeSet<&str> =
+            all.iter().filter(|(t, _)| t == table).map(|(_, k)| k.as_str()).collect();
+        // Another key, such as axis of axis2, is no mistake that can be seen.
+        let wrong: Vec<String> =
+            misspelt(key).into_iter().filter(|w| !siblings.contains(w.as_str())).collect();
+        // All at once, each on a line of its own: the reader reports every one.
+        let mut text = String::from("# a study\n\n");
+        let mut lines = Vec::new();
+        for word in &wrong {
+            if table.is_empty() {
+                text += &format!("{word} = 1\n");
+            } else {
+                let dots: Vec<&str> = table.split('.').collect();
+                // Lists of tables begin anew; others would be given twice.
+                let lists = ["closure", "hold", "variant", "contact.ratio_at"];
+                match &dots[..] {
+                    [one] if lists.contains(one) => text += &format!("[[{one}]]\n{word} = 1\n"),
+                    [one] if lines.is_empty() => text += &format!("[{one}]\n{word} = 1\n"),
+                    [_] => text += &format!("{word} = 1\n"),
+                    [_, _] if lists.contains(&table.as_str()) => {
+                        text += &format!("[[{table}]]\n{word} = 1\n")
+                    }
+                    [one, two] if lines.is_empty() => text += &format!("[{one}.{two}]\n{word} = 1\n"),
+                    [_, _] => text += &format!("{word} = 1\n"),
+                    other => panic!("a table of more than two names: {other:?}"),
+                }
+            }
+            lines.push((word, text.lines().count()));
+        }
+        let path = folder.write("study.toml", &text);
+        let outcome = percuss(&format!("run {path}"));
+        assert_eq!(outcome.code, 2, "{text}");
+        let whole = |key: &str| if table.is_empty() { key.to_owned() } else { format!("{table}.{key}") };
+        for (word, line) in lines {
+            let begin = format!("{path}:{line}: error: unknown key \"{}\"; did you mean ", whole(word));
+            let found = outcome.stderr.lines().find(|shown| shown.starts_with(&begin));
+            let found = found.unwrap_or_else(|| panic!("{begin} is not in\n{}", outcome.stderr));
+            assert!(found.contains(&format!("\"{}\"", whole(key))), "{found}: {key} was meant");
+            tried += 1;
+        }
+        at_once += 1;
+    }
+    assert!(tried > 2000 && at_once == all.len(), "{tried} keys misspelt of {at_once}");
+}
+
+#[test]
+fn keys_of_other_tables_and_of_no_table_say_what_there_is() {
+    let folder = Scratch::new("other-keys");
+    for (text, words) in [
+        (
+            "[sweep]\nalong_line = 1\n",
+            ":2: error: unknown key \"sweep.along_line\"; there is \"contact.along_line\"",
+        ),
+        (
+            "\n\n[pose]\nset.elbow = 1\ngravity = 9.81\n",
+            ":5: error: unknown key \"pose.gravity\"; the keys of [pose] are ",
+        ),
+        (
+            "[contact]\nlink = \"a\"\npoint = [1, 2]\n[model]\npath = \"x\"\n",
+            ":3: error: contact.point: 2 numbers; expected 3",
+        ),
+        ("[contact]\nlink = 3\n[model]\npath = \"x\"\n", ":2: error: contact.link: invalid type"),
+        ("[model]\npath = \"x\"\n[model]\n", ":3: error: not TOML: "),
+        ("[model]\npath = \"models/four_bar.urdf\"\n[damping]\n", ":3: error: damping: missing field"),
+    ] {
+        let path = folder.write("study.toml", text);
+        let outcome = percuss(&format!("run {path}"));
+        assert!(outcome.code == 2 && outcome.stderr.contains(words), "{text}\n{}", outcome.stderr);
+    }
+    // The lines of what means nothing to the model.
+    let model = root().join("models/four_bar.urdf");
+    let head = format!(
+        "[model]\npath = {:?}\n[contact]\nlink = \"coupler\"\npoint = [0.35, 0.1, 0]\nnormal = [0, 1, 0]\n",
+        model.display()
+    );
+    for (more, words) in [
+        (
+            "[pose]\nset = { rocker_hinge = 1 }\n",
+            ":8: error: pose.set: joint \"rocker_hinge\" depends on others",
+        ),
+        ("[pose]\nset = { crank_hinge = 1, rocker_hinge = 1 }\n", ":8: error: pose.set: "),
+        ("[sweep]\nvary = \"rocker_hinge=0:1:3\"\n", ":8: error: sweep.vary: "),
+        ("[sweep]\nvary = \"crank_hinge=0:1:0\"\n", ":8: error: sweep.vary: "),
+        ("against = \"nobody\"\n", ":7: error: contact.against: no link is named"),
+        ("[conditions]\nlock = [\n  \"nothing\"]\n", ":8: error: conditions.lock: "),
+        (
+            "[damping]\nrestitution = 0.3\nstiffness = \"3 Nm/rad\"\n",
+            ":9: error: damping.stiffness: its unit",
+        ),
+        (
+            "[damping]\nrestitution = 0.3\nstiffness = \"3 N/mm\"\nexponent = 1.5\n",
+            ":9: error: damping.stiffness: its unit",
+        ),
+        ("[damping]\nrestitution = 1.3\nstiffness = 3\n", ":8: error: "),
+        ("[damping]\nrestitution = 0.3\nstiffness = 3\nlaw = \"none\"\n", ":10: error: damping.law: "),
+        ("[damping]\nrestitution = 0.3\nstiffness = 3\noutput = \"a.svg\"\n", ":10: error: damping.output: "),
+        (
+            "[damping]\nrestitution = 0.3\nstiffness = 3\nlimit = \"crank_hinge\"\n",
+            ":10: error: damping.limit: ",
+        ),
+        ("[mass]\nsamples = 3\n", ":8: error: mass.samples: "),
+        ("[mass]\ntolerance = 1e-3\n", ":8: error: mass.tolerance: "),
+        ("[mass]\ntolerance = \"point=1mm\"\n", ":8: error: mass.tolerance: "),
+        ("[sweep]\nvary = \"crank_hinge=0:1:3\"\nunit = \"inch\"\n", ":9: error: sweep.unit: "),
+        (
+            "[sweep]\nvary = \"crank_hinge=0:1:3\"\nx_limits = [3, 1]\n",
+            ":9: error: sweep.x_limits: 3 is not below 1",
+        ),
+        ("[map]\ndirections = 3\nall = true\n", ":8: error: map.directions: "),
+        ("[map]\nshapes = \"none\"\n", ":8: error: map.shapes: "),
+        ("[map]\nedge = -1\nall = true\n", ":8: error: map.edge: "),
+        ("[safe_speed]\nregion = \"chest\"\n", ":7: error: safe_speed: one limit"),
+        ("[safe_speed]\nregion = \"tail\"\nforce = 3\n", ":8: error: "),
+        ("[[variant]]\nname = \"a\"\n[[variant]]\nname = \"a\"\n", ":10: error: variant.name: "),
+        (
+            "[[variant]]\nname = \"a\"\n[[variant]]\nname = \"b\"\nlink_mass = { none = 1 }\n",
+            ":9: error: variant: \"b\": ",
+        ),
+    ] {
+        let path = folder.write("study.toml", &format!("{head}{more}"));
+        let outcome = percuss(&format!("run {path}"));
+        assert!(outcome.code == 2 && outcome.stderr.contains(words), "{more}\n{}", outcome.stderr);
+    }
+}
+
+/// The block of all keys in docs/STUDIES.md.
+#[test]
+fn the_page_has_every_key() {
+    let page = std::fs::read_to_string(root().join("docs/STUDIES.md")).expect("the page");
+    let block = page.split("```toml\n").nth(1).and_then(|rest| rest.split("```").next()).expect("a block");
+    let folder = Scratch::new("page");
+    let path = folder.write("study.toml", block);
+    // It fits no model; its keys are known, and every one is in it.
+    let outcome = percuss(&format!("run {path}"));
+    assert!(outcome.code == 2 && !outcome.stderr.contains("unknown key"), "{}", outcome.stderr);
+    assert!(!outcome.stderr.contains("not TOML"), "{}", outcome.stderr);
+    for (table, key) in all_keys() {
+        let first = table.split('.').next().unwrap_or("");
+        let at = if table.is_empty() { Some(block) } else { block.split(&format!("[{first}]")).nth(1) };
+        let at =
+            at.unwrap_or_else(|| panic!("[{first}] is not on the page")).split("\n[").next().unwrap_or("");
+        let at = if table.is_empty() { block } else { at };
+        assert!(at.contains(&key), "{table}.{key} is not on the page");
+    }
+}
+
+/// The new parts of a study, run; what they print is what the commands print.
+#[test]
+fn a_study_answers_as_the_commands_do() {
+    let folder = Scratch::new("as-commands");
+    let model = root().join("models/shaped_arm.urdf");
+    let model = model.to_string_lossy();
+    let run = |text: &str| {
+        let path = folder.write("study.toml", &format!("[model]\npath = {model:?}\n{text}"));
+        let outcome = percuss(&format!("run {path}"));
+        assert_eq!(outcome.code, 0, "{text}\n{}", outcome.stderr);
+        outcome.stdout
+    };
+    let printed = |line: &str| {
+        let outcome = support::Outcome::from(command(line.split_whitespace()).output().expect("it runs"));
+        assert_eq!(outcome.code, 0, "{line}\n{}", outcome.stderr);
+        outcome.stdout
+    };
+    let contact = "[contact]\nlink = \"finger\"\npoint = [0.1, 0, 0]\nnormal = [0, 1, 0]\n";
+    let flags = "--link finger --point 0.1,0,0 --normal 0,1,0";
+    let mass = printed(&format!("mass {model} {flags} --explain --tolerance mass=2% --samples 20 --seed 3"));
+    let of_mass = "[mass]\nexplain = true\ntolerance = \"mass=2%\"\nsamples = 20\nseed = 3\n";
+    assert_eq!(run(&format!("{contact}{of_mass}")), mass);
+    // Without a contact: a stop, a map, directions.
+    let stop = "[damping]\nlimit = \"elbow:upper\"\nrestitution = 0.3\nstiffness = \"50 Nm/rad\"\nspeed = \"30 deg/s\"\n";
+    let flags_of_stop = "--limit elbow:upper --restitution 0.3 --stiffness 50Nm/rad --speed 30deg/s";
+    assert_eq!(run(stop), printed(&format!("damp --mass-from {model} {flags_of_stop}")));
+    assert_eq!(
+        run("[map]\nall = true\nedge = \"50 mm\"\n"),
+        printed(&format!("map {model} --all --edge 50mm"))
+    );
+    let directions = "[map]\nlink = \"forearm\"\npoint = [0.3, 0, 0]\ndirections = 50\n";
+    assert_eq!(
+        run(directions),
+        printed(&format!("map {model} --link forearm --point 0.3,0,0 --directions 50"))
+    );
+    // Beside a contact: its answer first.
+    let safe = printed(&format!("safe-speed {model} {flags} --region chest --force 280 --load 1kg"));
+    let of_safe = "[safe_speed]\nregion = \"chest\"\nforce = 280\nload = \"1 kg\"\n";
+    let both = run(&format!("{contact}{of_safe}"));
+    assert!(both.starts_with("effective mass") && both.ends_with(&safe), "{both}");
+    let worst = printed(&format!(
+        "safe-speed {model} --link finger --point 0.1,0,0 --worst-direction --direction 1,0,0 --energy 3"
+    ));
+    let of_worst = "[contact]\nlink = \"finger\"\npoint = [0.1, 0, 0]\n[safe_speed]\nworst_direction = true\ndirection = [[1, 0, 0]]\nenergy = 3\n";
+    assert_eq!(run(of_worst), worst);
+    // Tables and figures as the flags make them.
+    let style = "--unit mm,deg --decimal comma";
+    let rows = printed(&format!("sweep {model} {flags} --vary elbow=-1:1:5 {style}"));
+    let of_rows = "[sweep]\nvary = \"elbow=-1:1:5\"\nunit = [\"mm\", \"deg\"]\ndecimal = \"comma\"\n";
+    assert_eq!(run(&format!("{contact}{of_rows}")), rows);
+    let svg = folder.path("flags.svg");
+    printed(&format!(
+        "sweep {model} {flags} --vary elbow=-1:1:5 --title Elbow --x-limits -50:50 --y-limits 0:9 -o {svg}"
+    ));
+    let of_figure = "[sweep]\nvary = \"elbow=-1:1:5\"\ntitle = \"Elbow\"\nx_limits = [-50, 50]\ny_limits = [0, 9]\noutput = \"study.svg\"\n";
+    run(&format!("{contact}{of_figure}"));
+    let read = |name: &str| std::fs::read_to_string(folder.path(name)).expect("written");
+    assert_eq!(read("study.svg"), read("flags.svg"));
+    // An expectation that is missed.
+    let missed = folder.write(
+        "missed.toml",
+        &format!("[model]\npath = {model:?}\n{contact}[mass]\nexpect = 3\ntolerance = 0.01\n"),
+    );
+    assert_eq!(percuss(&format!("run {missed}")).code, 1);
+}
