@@ -453,6 +453,10 @@ fn messages_name_the_flag_or_the_key() {
             scratch.write("s.toml", &format!("[model]\npath = {:?}\n[contact]\n{keys}", model.display()));
         let by_keys = percuss(&format!("run {path}"));
         assert_eq!(by_keys.code, 2, "{keys}: {}", by_keys.stderr);
-        assert!(by_keys.stderr.contains(&format!("{path}: error: {key}: ")), "{keys}: {}", by_keys.stderr);
+        // With the line of the key.
+        let (place, message) = by_keys.stderr.split_once(": error: ").expect("an error");
+        let line = place.strip_prefix(&format!("{path}:")).and_then(|line| line.parse::<usize>().ok());
+        assert!(line.is_some_and(|line| line > 3), "{keys}: {}", by_keys.stderr);
+        assert!(message.starts_with(&format!("{key}: ")), "{keys}: {}", by_keys.stderr);
     }
 }
