@@ -8,6 +8,7 @@ use crate::output::{Output, is_input, may_be_written};
 use crate::report::{note, write_diagnostics, write_json, write_out};
 use crate::sweep::use_threads;
 use crate::text::{Table, number, short, triple};
+use crate::wrap::{fact, hanging};
 use percuss_study::{DirectionMass, Extreme, LinkMap, MapAnswer, MapReport, PointMapReport, map, map_point};
 use std::fmt::Write;
 
@@ -66,8 +67,16 @@ pub fn run(args: &MapArgs) -> Result<(), Failure> {
 
 fn text(answer: &MapAnswer) -> String {
     let report = &answer.report;
-    let mut table =
-        Table::new(["link", "contacts", "smallest", "at (m)", "largest", "at (m)", "area mean", "other"]);
+    let mut table = Table::new([
+        "link",
+        "contacts",
+        "smallest",
+        "largest",
+        "area mean",
+        "other",
+        "smallest at (m)",
+        "largest at (m)",
+    ]);
     for link in &report.links {
         let mass = |e: &Option<Extreme>| {
             e.as_ref().map_or_else(|| "–".into(), |e| format!("{} kg", short(e.effective_mass)))
@@ -77,28 +86,30 @@ fn text(answer: &MapAnswer) -> String {
             link.link.clone(),
             link.contacts.to_string(),
             mass(&link.smallest),
-            place(&link.smallest),
             mass(&link.largest),
-            place(&link.largest),
             link.area_mean.map_or_else(|| "–".into(), |m| format!("{} kg", short(m))),
             others(link),
+            place(&link.smallest),
+            place(&link.largest),
         ]);
     }
     let mut out = table.to_string();
-    out += "\nOne contact in each facet, along its outward normal; places in the link's frame. The mean is 1 over\n\
-            the mean of 1/m over the area.\n";
+    out += "\nOne contact in each facet, along its outward normal; places in the link's frame.\n\
+            The mean is 1 over the mean of 1/m over the area.\n";
     out += &windings(report);
     let against = report.against.clone().unwrap_or_else(|| match report.conditions.against_mass {
         Some(mass) => format!("a free body of {} kg", number(mass)),
         None => "the ground".into(),
     });
-    let _ = writeln!(out, "\n{:<20} {}", "against", line(&against));
-    let _ = writeln!(out, "{:<20} {}", "base", report.conditions.base);
+    out.push('\n');
+    out += &fact("against", &line(&against));
+    out += &fact("base", &report.conditions.base);
     let worst = report.links.iter().filter_map(|l| l.worst_relative_error).reduce(f64::max);
     if let Some(worst) = worst {
-        let _ = writeln!(out, "{:<20} below {worst:.0e}", "relative errors");
+        out += &fact("relative errors", &format!("below {worst:.0e}"));
     }
-    out + "\nNot included: friction, compliance of the links, several impacts at once. See docs/LIMITS.md and docs/MAPS.md.\n"
+    out + "\nNot included: friction, compliance of the links, several impacts at once.\n\
+           See docs/LIMITS.md and docs/MAPS.md.\n"
 }
 
 /// Contacts without a mass.
@@ -129,12 +140,9 @@ fn windings(report: &MapReport) -> String {
         if o.conflicting > 0 {
             done.push(format!("{} pieces cannot be turned alike", o.conflicting));
         }
-        let _ = writeln!(
-            out,
-            "{}: {}; the sign of a normal does not change the mass.",
-            link.link,
-            done.join("; ")
-        );
+        let text =
+            format!("{}: {}; the sign of a normal does not change the mass.", link.link, done.join("; "));
+        out += &(hanging(&text, 2) + "\n");
     }
     out
 }
@@ -146,14 +154,9 @@ fn rounded(p: &[f64; 3]) -> String {
 
 fn point_text(report: &PointMapReport) -> String {
     let mut out = String::new();
-    let _ = writeln!(
-        out,
-        "{:<20} {} at {} m, in its own frame",
-        "point",
-        report.link,
-        triple(&report.point_link)
-    );
-    let _ = writeln!(out, "{:<20} {} m", "in the world", triple(&report.point_world));
+    let place = format!("{} at {} m, in its own frame", report.link, triple(&report.point_link));
+    out += &fact("point", &place);
+    out += &fact("in the world", &format!("{} m", triple(&report.point_world)));
     out += "\nprincipal effective masses (the belted ellipsoid)\n";
     let mut table = Table::new(["  mass", "direction (link)", "direction (world)"]);
     for p in &report.principal {
@@ -176,15 +179,12 @@ fn point_text(report: &PointMapReport) -> String {
     let _ = writeln!(out, "\n{:<20} {} evenly over the sphere", "directions", report.directions.len());
     for (name, found) in [("smallest of them", least), ("largest of them", most)] {
         if let Some((m, d)) = found {
-            let _ = writeln!(
-                out,
-                "{name:<20} {} kg along {} (link)",
-                number(m),
-                triple(&d.direction_link.map(tidy))
-            );
+            let along = triple(&d.direction_link.map(tidy));
+            out += &fact(name, &format!("{} kg along {along} (link)", number(m)));
         }
     }
-    out + "\n1/m = n·Λ⁻¹n over unit normals n; the principal directions are the axes of Λ⁻¹. See docs/MAPS.md.\n"
+    out + "\n1/m = n·Λ⁻¹n over unit normals n; the principal directions are the axes of Λ⁻¹.\n\
+           See docs/MAPS.md.\n"
 }
 
 fn mass(d: &DirectionMass) -> String {
