@@ -52,6 +52,7 @@ class Checker:
         return done.returncode, done.stdout, done.stderr
 
     def verdict(self, good, what):
+        good = bool(good)
         self.passed, self.failed = self.passed + good, self.failed + (not good)
         if not good:
             print(f"FAILED {what}", flush=True)

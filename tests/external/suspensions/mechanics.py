@@ -170,7 +170,8 @@ class Twin:
             self.joint(kind, parent, child, at, None if kind in ("spherical", "fixed") else along)
 
     def loop(self, joint):
-        kind = {"ball": "spherical", "hinge": "revolute", "cylinder": "cylindrical", "rod": "distance"}.get(joint.kind, joint.kind)
+        spelled = {"ball": "spherical", "hinge": "revolute", "cylinder": "cylindrical", "rod": "distance", "slide": "prismatic"}
+        kind = spelled.get(joint.kind, joint.kind)
         first_at, second_at = joint.at, joint.at
         extra = ""
         if kind == "distance":
@@ -178,7 +179,7 @@ class Twin:
         elif kind == "universal":
             one, other = across(joint.along)
             extra = f'<axis xyz="{numbers(one)}"/><axis2 xyz="{numbers(other)}"/>'
-        elif kind in ("revolute", "cylindrical"):
+        elif kind in ("revolute", "cylindrical", "prismatic"):
             extra = f'<axis xyz="{numbers(joint.along)}"/>'
         name = quoteattr(f"loop_{len(self.text)}")
         self.text.append(
