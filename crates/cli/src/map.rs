@@ -103,7 +103,7 @@ fn text(answer: &MapAnswer) -> String {
     });
     out.push('\n');
     out += &fact("against", &line(&against));
-    out += &fact("base", &report.conditions.base);
+    out += &fact("base", report.conditions.base);
     let worst = report.links.iter().filter_map(|l| l.worst_relative_error).reduce(f64::max);
     if let Some(worst) = worst {
         out += &fact("relative errors", &format!("below {worst:.0e}"));

@@ -1,8 +1,8 @@
 //! Flags of `percuss compare`.
 
-use super::OUTPUT;
-use super::contact::{ContactArgs, POSE};
+use super::contact::ContactArgs;
 use super::format::MassFormat;
+use super::headings::{OUTPUT, POSE};
 use super::model::ReadingArgs;
 use clap::Args;
 use percuss_study::Vary;

@@ -1,5 +1,6 @@
 //! The contact and its conditions.
 
+use super::headings::{BESIDE, CONDITIONS, CONTACT, POSE};
 use super::words::{armature, estimate, hold, kilograms, line, normal, point, position, ratio_at, travel};
 use crate::failure::Failure;
 use clap::{Args, ValueEnum};
@@ -8,13 +9,6 @@ use percuss_formats::DEFAULT_MAX_SIZE;
 use percuss_study::{
     EstimateQuestion, GivenPose, GivenPosition, GivenTravel, Hold, MassQuestion, Names, Normal, RatioPoint,
 };
-
-/// Headings of the help.
-pub const CONTACT: &str = "Contact";
-pub const POSE: &str = "Pose";
-pub const CONDITIONS: &str = "Conditions";
-/// What is shown beside the answer.
-pub const BESIDE: &str = "Beside the answer";
 
 /// The frame of point and normal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -1,6 +1,6 @@
 //! Flags of `percuss import` and `percuss template`.
 
-use super::OUTPUT;
+use super::headings::OUTPUT;
 use super::words::{kilograms, metres, moments, moved_point};
 use super::writing::WritingArgs;
 use clap::{Args, ValueEnum};

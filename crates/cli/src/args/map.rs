@@ -1,8 +1,8 @@
 //! Flags of `percuss map`.
 
-use super::model::READING;
+use super::headings::{OUTPUT, READING};
 use super::words::{edge, package};
-use super::{ContactArgs, MassFormat, ModelArgs, OUTPUT, WritingArgs};
+use super::{ContactArgs, MassFormat, ModelArgs, WritingArgs};
 use crate::failure::Failure;
 use clap::{Args, ValueEnum};
 use percuss_formats::DEFAULT_MAX_MESH_SIZE;

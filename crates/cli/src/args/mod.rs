@@ -5,6 +5,7 @@ mod contact;
 mod damping;
 mod examples;
 mod format;
+mod headings;
 mod import;
 mod map;
 mod model;
@@ -27,15 +28,12 @@ pub use writing::WritingArgs;
 use crate::failure::Failure;
 use clap::builder::Resettable;
 use clap::{Args, CommandFactory, Parser, Subcommand};
-use contact::BESIDE;
+use headings::{ANSWER, BESIDE, OUTPUT};
 use percuss_formats::DEFAULT_MAX_SIZE;
 use percuss_study::{PositionFile, RowSource, Sampling, Vary};
 pub use words::ToleranceArg;
 use words::{any_tolerance, kilograms};
 
-/// Headings of the help.
-pub const ANSWER: &str = "Answer";
-pub const OUTPUT: &str = "Output";
 /// Where the rows of a sweep come from.
 const ROWS: &str = "Rows";
 

@@ -1,15 +1,12 @@
 //! Which model, and how it is read.
 
+use super::headings::{CHANGES, READING};
 use super::words::{link_com, link_mass, moved_point};
 use crate::failure::Failure;
 use clap::{Args, ValueEnum};
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions};
 use percuss_mechanism::Accept;
 use percuss_study::{Changes, Model};
-
-/// Headings of the help.
-pub const CHANGES: &str = "Changes to the model";
-pub const READING: &str = "Reading";
 
 /// Which model, and how it is read.
 #[derive(Debug, Args)]

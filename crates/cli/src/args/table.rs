@@ -1,6 +1,6 @@
 //! How tables and figures are written.
 
-use super::OUTPUT;
+use super::headings::OUTPUT;
 use crate::table_style::{Angle, Length, TableStyle};
 use clap::{Args, ValueEnum};
 

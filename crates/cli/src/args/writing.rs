@@ -1,6 +1,6 @@
 //! How files are written.
 
-use super::OUTPUT;
+use super::headings::OUTPUT;
 use clap::Args;
 
 /// How files are written.
