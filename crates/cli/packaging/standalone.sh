@@ -7,6 +7,10 @@
 #
 # Needs rustup, and as Debian packages: musl-tools (linux); gcc-mingw-w64-x86-64, wine, wine64 (windows). What it makes is in
 # target/standalone, with checksums.
+#
+# Not run whole: a static binary and percuss.exe were built, unoptimised, with the targets named here; the former answered and wrote
+# every kind of table and figure in an empty root, the latter went through windows.sh. The release build of this script, its
+# archives, and the suites of `cargo test` under Wine were not run.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 cd "$here/../../.."

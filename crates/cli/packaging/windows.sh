@@ -77,7 +77,7 @@ P:
 percuss.exe mass "P:\Fahrwerk vorne *" >nul 2>nul
 percuss.exe mass P:\crlf.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0 > P:\redirected.txt
 percuss.exe mass P:\crlf.urdf --link nope --point 0.35,0.1,0 --normal 0,1,0 2> P:\errors.txt
-echo %ERRORLEVEL%> P:\level.txt
+>P:\level.txt echo %ERRORLEVEL%
 type P:\crlf.urdf | percuss.exe check - > P:\piped.txt
 BATCH
 sed -i 's/$/\r/' "$folder/run.bat"
