@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Compares percuss with Pinocchio, MuJoCo and Drake: robots of example-robot-data, closed linkages, contacts that bounce (there
-# and, by engines.sh, in other engines), reference files. README.md says what and how.
+# and, by engines.sh, in other engines), suspensions and designs, reference files. README.md says what and how.
 # Needs python3 and, the first time, the network. Options go to compare.py (--only NAME, --update-ledger, …).
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
@@ -51,6 +51,8 @@ export PYTHONDONTWRITEBYTECODE=1 OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 failed=0
 "$venv/bin/python" "$here/compare.py" --probe "$target/release/percuss-probe" "$@" || failed=1
 "$venv/bin/python" "$here/loops.py" --percuss "$target/release/percuss" || failed=1
+"$venv/bin/python" "$here/suspensions/check.py" --percuss "$target/release/percuss" --count 4 || failed=1
+"$venv/bin/python" "$here/designs.py" --percuss "$target/release/percuss" --count 30 || failed=1
 PYTHONPATH=$here "$drake/bin/python" "$here/contact/check.py" --percuss "$target/release/percuss" || failed=1
 "$here/engines.sh" "$target/release/percuss" || failed=1
 PYTHONPATH=$here "$venv/bin/python" "$here/contact/integrators.py" --percuss "$target/release/percuss" || failed=1

@@ -5,6 +5,7 @@ use crate::escape::line;
 use crate::failure::Failure;
 use crate::report::{write_diagnostics, write_json, write_out};
 use crate::text::{Table, number};
+use crate::wrap::hanging;
 use percuss_study::{CheckReport, check};
 use std::fmt::Write;
 
@@ -33,7 +34,7 @@ fn text(report: &CheckReport) -> String {
         ("diagnostics", summary(report)),
     ];
     for (name, value) in facts {
-        let _ = writeln!(out, "{name:<22} {}", line(&value));
+        out += &(hanging(&format!("{name:<22} {}", line(&value)), 23) + "\n");
     }
     let mut links = Table::new(["link", "mass", "centre of mass"]);
     for link in &report.links {

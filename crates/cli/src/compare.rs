@@ -7,6 +7,7 @@ use crate::output::{is_input, write_file};
 use crate::report::{write_diagnostics, write_json, write_out};
 use crate::table_style::{ColumnUnit, TableStyle};
 use crate::text::{Table, number};
+use crate::wrap::message;
 use percuss_render::{Figure, Panel, Series, Style};
 use percuss_study::{
     CompareError, ComparisonReport, Design, DesignRecord, Names, RowSource, StudyFigure, StudyFile, compare,
@@ -168,7 +169,7 @@ fn text(report: &ComparisonReport) -> String {
     let mut out = format!("effective mass of {} designs\n\n{}", report.designs.len(), designs(report));
     for design in &report.designs {
         if let Some(error) = &design.error {
-            let _ = writeln!(out, "\n{}: {error}", design.name);
+            let _ = writeln!(out, "\n{}", message(&format!("{}: {error}", design.name)));
         }
     }
     out

@@ -7,6 +7,7 @@ use crate::limits;
 use crate::output::{is_input, write_file};
 use crate::report::{write_diagnostics, write_json, write_out};
 use crate::text::{Table, number};
+use crate::wrap::{fact, hanging};
 use percuss_render::{Figure, Mark, Panel, Series, Sheet, Style};
 use percuss_study::contact::exports::{Measurement, StopMotion, Tool};
 use percuss_study::contact::{Law, Sample};
@@ -76,8 +77,9 @@ pub fn print(report: &DampingReport, format: CheckFormat) -> Result<(), Failure>
         CheckFormat::Json => write_json(report),
         CheckFormat::Text => {
             let units = Units::of(report);
-            let mut out = format!("{:<20} {} {}\n", units.name, number(report.effective_mass), units.mass);
+            let mut out = fact(units.name, &format!("{} {}", number(report.effective_mass), units.mass));
             out += &damper(report);
+            out += &exports(report);
             write_out(&out)
         }
     }
@@ -103,16 +105,14 @@ impl Units {
     }
 }
 
-/// The damper, the impact, the validity over the travel, and text for simulators.
+/// The damper, the impact, the validity over the travel.
 pub fn damper(report: &DampingReport) -> String {
-    let mut out = String::new();
-    for (name, value) in facts(report) {
-        let _ = writeln!(out, "{name:<20} {}", escape::line(&value));
-    }
-    for (name, export) in &report.exports {
-        out += &exported(name, export);
-    }
-    out
+    facts(report).iter().map(|(name, value)| fact(name, &escape::line(value))).collect()
+}
+
+/// Text for simulators.
+pub fn exports(report: &DampingReport) -> String {
+    report.exports.iter().map(|(name, export)| exported(name, export)).collect()
 }
 
 pub fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
@@ -198,10 +198,10 @@ fn power(exponent: f64) -> String {
 pub fn exported(name: &str, export: &ExportRecord) -> String {
     let mut out = format!("\n{} ({name})\n", export.title);
     if let Some(error) = &export.error {
-        return out + &format!("  cannot: {error}\n");
+        return out + &hanging(&format!("  cannot: {error}"), 4) + "\n";
     }
     let mut line = |what: &str, text: &str| {
-        let _ = writeln!(out, "  {what:<18} {}", escape::line(text));
+        out += &fact(&format!("  {what}"), &escape::line(text));
     };
     line("integrates", export.law);
     for (name, value) in &export.parameters {
@@ -237,7 +237,7 @@ pub fn exported(name: &str, export: &ExportRecord) -> String {
         }
     }
     if !export.sources.is_empty() {
-        let _ = writeln!(out, "  sources: {}", export.sources.join("; "));
+        out += &(hanging(&format!("  sources: {}", export.sources.join("; ")), 4) + "\n");
     }
     out
 }
@@ -258,9 +258,11 @@ fn laws() -> String {
         let kind = if law.is_exact() { "exact" } else { "approximation" };
         let speed = if law.needs_speed() { ", needs --speed" } else { "" };
         let _ = writeln!(out, "{}  ({kind}{speed})", law.name());
-        let _ = writeln!(out, "    {}\n    {}\n    {}", law.title(), law.formula(), law.source());
+        for text in [law.title(), law.formula(), law.source()] {
+            out += &(hanging(&format!("    {text}"), 6) + "\n");
+        }
         for alias in Law::ALIASES.iter().filter(|alias| alias.law == law) {
-            let _ = writeln!(out, "    also {}: {}", alias.name, alias.note);
+            out += &(hanging(&format!("    also {}: {}", alias.name, alias.note), 6) + "\n");
         }
     }
     out

@@ -1,18 +1,23 @@
 //! What an effective mass depends on, and what tolerances leave of it, as text.
 
+use crate::escape::line;
 use crate::text::{Table, number, short, triple};
+use crate::wrap::fact;
 use percuss_study::{Explanation, MotionRatioRecord, ToleranceReport};
 use std::fmt::Write;
 
 /// Rates with masses, rotors and hardpoints, and what lowers m̄ most.
 pub fn explanation(explained: &Explanation) -> String {
     let mut out = String::from("\nwhat it depends on (first order; the opposite change does the opposite)\n");
-    let list = |items: Vec<String>| items.join("\n                     ");
+    let list = |name: &str, items: Vec<String>| {
+        let names = std::iter::once(name).chain(std::iter::repeat(""));
+        names.zip(items).map(|(name, item)| fact(name, &line(&item))).collect::<String>()
+    };
     let masses = explained.most_per_kilogram.iter();
     let masses: Vec<String> =
         masses.map(|c| format!("1 kg less of {}: {} kg less", c.link, short(c.lowers_by))).collect();
     if !masses.is_empty() {
-        let _ = writeln!(out, "most per kilogram    {}", list(masses));
+        out += &list("most per kilogram", masses);
     }
     let moves = explained.most_per_millimetre.iter().map(|c| {
         let direction = c.direction.map(|x| (x * 1e4).round() / 1e4);
@@ -20,7 +25,7 @@ pub fn explanation(explained: &Explanation) -> String {
     });
     let moves: Vec<String> = moves.collect();
     if !moves.is_empty() {
-        let _ = writeln!(out, "most per millimetre  {}", list(moves));
+        out += &list("most per millimetre", moves);
     }
     let mut table = Table::new(["link", "kg", "share %", "per kg", "per mm of its centre of mass (x, y, z)"]);
     for link in &explained.links {
@@ -75,21 +80,19 @@ pub fn tolerances(report: &ToleranceReport) -> String {
     let mut out = String::from("\nwith the tolerances given\n");
     let _ = writeln!(out, "  root sum square    ± {}", percent(report.root_sum_square));
     let _ = writeln!(out, "  all at the limit   ± {}", percent(report.worst_case));
-    let _ = writeln!(out, "  of which           {}", words.join("; "));
+    out += &fact("  of which", &words.join("; "));
     if let Some(samples) = &report.samples {
-        let _ = writeln!(
-            out,
-            "  {} samples{} {} ± {} kg (mean, standard deviation), 95 % within {} to {} kg, seed {}",
-            samples.count,
-            " ".repeat(10_usize.saturating_sub(samples.count.to_string().len())),
+        let text = format!(
+            "{} ± {} kg (mean, standard deviation), 95 % within {} to {} kg, seed {}",
             number(samples.mean),
             short(samples.standard_deviation),
             number(samples.percentile_2_5),
             number(samples.percentile_97_5),
             samples.seed
         );
+        out += &fact(&format!("  {} samples", samples.count), &text);
         if samples.unanswered > 0 {
-            let _ = writeln!(out, "                     {} more had no answer", samples.unanswered);
+            out += &fact("", &format!("{} more had no answer", samples.unanswered));
         }
     }
     out

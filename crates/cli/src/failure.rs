@@ -2,6 +2,7 @@
 
 use crate::diagnostics::lines;
 use crate::escape;
+use crate::wrap;
 use percuss_formats::LoadError;
 use percuss_study::contact::ContactLawError;
 use percuss_study::contact::exports::ExportError;
@@ -76,7 +77,7 @@ impl Failure {
         let mut stderr = io::stderr().lock();
         for line in lines {
             // A closed stderr changes nothing about the exit code.
-            let _ = writeln!(stderr, "{}", escape::line(&line));
+            let _ = writeln!(stderr, "{}", wrap::message(&escape::line(&line)));
         }
         code
     }

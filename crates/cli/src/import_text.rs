@@ -1,6 +1,7 @@
 //! What an import understood, as text.
 
 use crate::escape::line;
+use crate::wrap;
 use percuss_formats::suspension::{Side, Understood};
 use std::fmt::Write;
 
@@ -8,7 +9,7 @@ use std::fmt::Write;
 pub fn understood(of: &Understood, output: &str) -> String {
     let mut out = String::new();
     let mut fact = |name: &str, value: String| {
-        let _ = writeln!(out, "{name:<20} {}", line(&value));
+        out += &wrap::fact(name, &line(&value));
     };
     let side = match of.side {
         Side::Left => "the left side",
@@ -47,7 +48,7 @@ pub fn understood(of: &Understood, output: &str) -> String {
     }
     let _ = writeln!(out, "{:<28} {:>12} {:>10.3}", "all", "", of.total_mass);
     out.push_str(
-        "\nThe length of an arm is from its hinge's line to its outer point, of a rod from end to end.\n",
+        "\nThe length of an arm is from its hinge's line to its outer point, of a rod from\nend to end.\n",
     );
     out
 }

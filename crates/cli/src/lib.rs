@@ -36,13 +36,15 @@ mod sweep_rows;
 mod table_style;
 mod template;
 mod text;
+mod wrap;
 mod xlsx_rows;
 
 /// The picture of a map, for the faces that show one.
 pub use map_files::skin as map_skin;
 
-use args::{Cli, Command};
+use args::{Cli, Command, asked_of, short_help};
 use clap::FromArgMatches;
+use clap::error::ErrorKind;
 use std::ffi::OsString;
 
 /// Runs the command with these arguments, the program's name the first of them, and gives the exit code. Help, the version and
@@ -50,7 +52,17 @@ use std::ffi::OsString;
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     let matches = Cli::definition().try_get_matches_from(&arguments);
-    let matches = matches.unwrap_or_else(|error| refuse(&error, &arguments));
+    let matches = match matches {
+        Ok(matches) => matches,
+        Err(error) if error.kind() == ErrorKind::DisplayHelp => return help(&error, &arguments),
+        Err(error) if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
+            let mut definition = Cli::definition();
+            definition.build();
+            eprint!("{}", short_help(&definition));
+            return 2;
+        }
+        Err(error) => refuse(&error, &arguments),
+    };
     let parsed = Cli::from_arg_matches(&matches);
     let cli = parsed.unwrap_or_else(|error| refuse(&error.format(&mut Cli::definition()), &arguments));
     report::show_notes(cli.notes);
@@ -79,13 +91,27 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     }
 }
 
+/// What `-h` or `--help` shows.
+fn help(error: &clap::Error, arguments: &[OsString]) -> u8 {
+    let mut definition = Cli::definition();
+    definition.build();
+    let text = match asked_of(&definition, arguments) {
+        Some(command) => short_help(command),
+        None => wrap::lines(&error.render().to_string()),
+    };
+    match report::write_as_is(text.as_bytes()) {
+        Ok(()) => 0,
+        Err(failure) => failure.report(),
+    }
+}
+
 /// Says what is wrong with the arguments, and ends. Names of files among them may hold what a terminal obeys.
 fn refuse(error: &clap::Error, arguments: &[OsString]) -> ! {
+    let mut text = error.render().to_string();
     let is_plain = arguments.iter().all(|a| !a.to_string_lossy().contains(escape::is_unsafe));
-    if is_plain {
+    if is_plain && text.lines().all(|line| wrap::width(line) <= wrap::WIDTH) {
         error.exit();
     }
-    let mut text = error.render().to_string();
     for argument in arguments.iter().skip(1) {
         let argument = argument.to_string_lossy();
         // Of --flag=value, the value too.
@@ -94,6 +120,8 @@ fn refuse(error: &clap::Error, arguments: &[OsString]) -> ! {
             text = text.replace(part, &escape::line(part));
         }
     }
-    eprint!("{}", escape::lines(&text));
+    for line in escape::lines(&text).lines() {
+        eprintln!("{}", wrap::message(line));
+    }
     std::process::exit(error.exit_code())
 }

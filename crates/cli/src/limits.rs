@@ -10,6 +10,10 @@ pub const JOINTS_SHOWN: usize = 8;
 pub const LEAST_CONTRIBUTION: f64 = 5e-4;
 /// Length of the bar of a contribution of 100 %, in characters: half of a terminal of 80 columns is left for names.
 pub const BAR_WIDTH: usize = 30;
+/// A last column of text is divided between words down to this width, in characters: some four words on a line.
+pub const LEAST_COLUMN: usize = 24;
+/// Columns of a table that go on in a further line are indented by this many characters, to tell it from the next row.
+pub const BAND_INDENT: usize = 4;
 /// An error of the estimate, in percent, below which it is shown as zero: half of the last digit shown (two decimals).
 pub const ESTIMATE_ROUNDING: f64 = 0.005;
 /// A drift of the mass, in percent, below which it is shown as zero: half of the last digit shown (three decimals).

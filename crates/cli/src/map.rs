@@ -9,6 +9,7 @@ use crate::report::{note, write_diagnostics, write_json, write_out};
 use crate::sweep::use_threads;
 use crate::table_style::TableStyle;
 use crate::text::{Table, number, short, triple};
+use crate::wrap::{fact, hanging};
 use percuss_study::{
     DirectionMass, Extreme, LinkMap, MapAnswer, MapReport, Model, PointMapReport, StudyMapQuestion, map,
     map_point,
@@ -100,8 +101,16 @@ fn surfaces(answer: &MapAnswer, written: &Written) -> Result<(), Failure> {
 
 /// The links, a row each.
 pub fn links(report: &MapReport) -> Table<8> {
-    let mut table =
-        Table::new(["link", "contacts", "smallest kg", "at (m)", "largest kg", "at (m)", "mean kg", "other"]);
+    let mut table = Table::new([
+        "link",
+        "contacts",
+        "smallest kg",
+        "largest kg",
+        "mean kg",
+        "other",
+        "smallest at (m)",
+        "largest at (m)",
+    ]);
     for link in &report.links {
         let mass = |e: &Option<Extreme>| e.as_ref().map_or_else(|| "–".into(), |e| short(e.effective_mass));
         let place = |e: &Option<Extreme>| e.as_ref().map_or_else(String::new, |e| rounded(&e.point_link));
@@ -109,19 +118,19 @@ pub fn links(report: &MapReport) -> Table<8> {
             link.link.clone(),
             link.contacts.to_string(),
             mass(&link.smallest),
-            place(&link.smallest),
             mass(&link.largest),
-            place(&link.largest),
             link.area_mean.map_or_else(|| "–".into(), short),
             others(link),
+            place(&link.smallest),
+            place(&link.largest),
         ]);
     }
     table
 }
 
 /// What is said of the links beside their numbers.
-pub const OF_LINKS: &str = "One contact in each facet, along its outward normal; places in the link's frame. The mean is 1 over\n\
-                            the mean of 1/m over the area.\n";
+pub const OF_LINKS: &str = "One contact in each facet, along its outward normal; places in the link's frame.\n\
+                            The mean is 1 over the mean of 1/m over the area.\n";
 
 fn text(answer: &MapAnswer) -> String {
     let report = &answer.report;
@@ -133,13 +142,15 @@ fn text(answer: &MapAnswer) -> String {
         Some(mass) => format!("a free body of {} kg", number(mass)),
         None => "the ground".into(),
     });
-    let _ = writeln!(out, "\n{:<20} {}", "against", line(&against));
-    let _ = writeln!(out, "{:<20} {}", "base", report.conditions.base);
+    out.push('\n');
+    out += &fact("against", &line(&against));
+    out += &fact("base", report.conditions.base);
     let worst = report.links.iter().filter_map(|l| l.worst_relative_error).reduce(f64::max);
     if let Some(worst) = worst {
-        let _ = writeln!(out, "{:<20} below {worst:.0e}", "relative errors");
+        out += &fact("relative errors", &format!("below {worst:.0e}"));
     }
-    out + "\nNot included: friction, compliance of the links, several impacts at once. See docs/LIMITS.md and docs/MAPS.md.\n"
+    out + "\nNot included: friction, compliance of the links, several impacts at once.\n\
+           See docs/LIMITS.md and docs/MAPS.md.\n"
 }
 
 /// Contacts without a mass.
@@ -170,12 +181,9 @@ fn windings(report: &MapReport) -> String {
         if o.conflicting > 0 {
             done.push(format!("{} pieces cannot be turned alike", o.conflicting));
         }
-        let _ = writeln!(
-            out,
-            "{}: {}; the sign of a normal does not change the mass.",
-            link.link,
-            done.join("; ")
-        );
+        let text =
+            format!("{}: {}; the sign of a normal does not change the mass.", link.link, done.join("; "));
+        out += &(hanging(&text, 2) + "\n");
     }
     out
 }
@@ -187,14 +195,9 @@ fn rounded(p: &[f64; 3]) -> String {
 
 pub fn point_text(report: &PointMapReport) -> String {
     let mut out = String::new();
-    let _ = writeln!(
-        out,
-        "{:<20} {} at {} m, in its own frame",
-        "point",
-        report.link,
-        triple(&report.point_link)
-    );
-    let _ = writeln!(out, "{:<20} {} m", "in the world", triple(&report.point_world));
+    let place = format!("{} at {} m, in its own frame", report.link, triple(&report.point_link));
+    out += &fact("point", &place);
+    out += &fact("in the world", &format!("{} m", triple(&report.point_world)));
     out += "\nprincipal effective masses (the belted ellipsoid)\n";
     let mut table = Table::new(["  mass", "direction (link)", "direction (world)"]);
     for p in &report.principal {
@@ -217,15 +220,12 @@ pub fn point_text(report: &PointMapReport) -> String {
     let _ = writeln!(out, "\n{:<20} {} evenly over the sphere", "directions", report.directions.len());
     for (name, found) in [("smallest of them", least), ("largest of them", most)] {
         if let Some((m, d)) = found {
-            let _ = writeln!(
-                out,
-                "{name:<20} {} kg along {} (link)",
-                number(m),
-                triple(&d.direction_link.map(tidy))
-            );
+            let along = triple(&d.direction_link.map(tidy));
+            out += &fact(name, &format!("{} kg along {along} (link)", number(m)));
         }
     }
-    out + "\n1/m = n·Λ⁻¹n over unit normals n; the principal directions are the axes of Λ⁻¹. See docs/MAPS.md.\n"
+    out + "\n1/m = n·Λ⁻¹n over unit normals n; the principal directions are the axes of Λ⁻¹.\n\
+           See docs/MAPS.md.\n"
 }
 
 fn mass(d: &DirectionMass) -> String {

@@ -8,6 +8,7 @@ use crate::failure::Failure;
 use crate::limits;
 use crate::report::{note, write_diagnostics, write_json, write_out};
 use crate::text::{bar, number, triple};
+use crate::wrap::{self, fact};
 use percuss_study::{
     DampingQuestion, EstimateRecord, MassQuestion, MassReport, Model, Sampling, Status, StudyMass, Tolerance,
     explain, mass, mass_with_damper, tolerate,
@@ -159,14 +160,14 @@ fn compare(report: &MassReport, expected: f64, tolerance: f64) -> Result<(), Fai
 
 fn text(report: &MassReport, expected: Option<f64>) -> String {
     let mut out = String::new();
-    let _ = writeln!(out, "{:<20} {}", "effective mass", headline(report));
+    out += &fact("effective mass", &headline(report));
     if let (Some(expected), Some(m)) = (expected, report.effective_mass) {
         let off = (m / expected - 1.0).abs();
-        let _ = writeln!(out, "{:<20} {} kg   (relative difference {off:.1e})", "expected", number(expected));
+        out += &fact("expected", &format!("{} kg   (relative difference {off:.1e})", number(expected)));
     }
     out.push('\n');
     for (name, value) in facts(report) {
-        let _ = writeln!(out, "{name:<20} {}", line(&value));
+        out += &fact(name, &line(&value));
     }
     if let Some(estimate) = &report.estimate {
         out += &estimated(estimate);
@@ -180,8 +181,12 @@ fn text(report: &MassReport, expected: Option<f64>) -> String {
     }
     out += &report.explanation.as_ref().map_or_else(String::new, explanation);
     out += &report.tolerance.as_ref().map_or_else(String::new, crate::explanation::tolerances);
-    out += "\nNot included: friction, compliance of the links, several impacts at once. Gravity, springs, dampers and speed\n\
-            do not enter: a finite force does no work in an instantaneous impact. See docs/LIMITS.md.\n";
+    out += "\nNot included: friction, compliance of the links, several impacts at once.\n\
+            Gravity, springs, dampers and speed do not enter: a finite force does no work\n\
+            in an instantaneous impact. See docs/LIMITS.md.\n";
+    if let Some(damper) = &report.damper {
+        out += &crate::damp::exports(damper);
+    }
     out
 }
 
@@ -198,35 +203,25 @@ fn estimated(record: &EstimateRecord) -> String {
     let links = line(&record.links.join(", ")).into_owned();
     let first = line(&record.links[0]);
     let (Some(ratio), Some(estimate)) = (record.motion_ratio, record.estimate) else {
-        return format!("\nestimate             none: the speed of point A on {} is undetermined\n", first);
+        let none = format!("none: the speed of point A on {first} is undetermined");
+        return format!("\n{}", fact("estimate", &none));
     };
     let off = record.error_percent.map_or_else(String::new, |p| {
         // A value that rounds to zero is shown without a sign.
         let p = if p.abs() < limits::ESTIMATE_ROUNDING { 0.0 } else { p };
         format!("   ({p:+.2} %)")
     });
-    let mut out = format!("\n{:<20} {} kg{off}\n", "estimate m_K/l²", number(estimate));
+    let mut out = format!("\n{}", fact("estimate m_K/l²", &format!("{} kg{off}", number(estimate))));
     let lever = record.lever.map_or_else(|| "–".to_owned(), number);
-    let _ = writeln!(
-        out,
-        "{:<20} {} kg of {links}, at {} m of {}",
-        "  takes",
-        number(record.mass),
-        triple(&record.point_link),
-        first
-    );
-    let _ = writeln!(
-        out,
-        "{:<20} {} (A over contact), {lever} (contact over A)",
-        "  motion ratio",
-        number(ratio)
-    );
+    let takes =
+        format!("{} kg of {links}, at {} m of {first}", number(record.mass), triple(&record.point_link));
+    out += &fact("  takes", &takes);
+    out += &fact("  motion ratio", &format!("{} (A over contact), {lever} (contact over A)", number(ratio)));
     if let Some(share) = record.share_left_out {
-        let _ = writeln!(
-            out,
-            "{:<20} {:.2} % of the effective mass, contributed by other links",
+        let percent = 100.0 * share;
+        out += &fact(
             "  leaves out",
-            100.0 * share
+            &format!("{percent:.2} % of the effective mass, contributed by other links"),
         );
     }
     out
@@ -334,11 +329,14 @@ fn shares(report: &MassReport) -> String {
     all.sort_by(|a, b| b.1.total_cmp(&a.1));
     let (shown, rest): (Vec<_>, Vec<_>) =
         all.into_iter().partition(|(_, share)| share.abs() >= limits::LEAST_CONTRIBUTION);
-    let width = shown.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0).max(20);
+    let width = shown.iter().map(|(name, _)| wrap::width(name)).max().unwrap_or(0).max(20);
     let mut out = "\ncontribution of each link (share of the kinetic energy)\n".to_owned();
+    // Beside long names the bars are shorter.
+    let bars = limits::BAR_WIDTH.min(wrap::WIDTH.saturating_sub(width + 13));
     for (name, share) in &shown {
-        let pad = " ".repeat(width - name.chars().count());
-        let _ = writeln!(out, "  {name}{pad} {:>6.2} %  {}", share * 100.0, bar(*share, limits::BAR_WIDTH));
+        let pad = " ".repeat(width - wrap::width(name));
+        let row = format!("  {name}{pad} {:>6.2} %  {}", share * 100.0, bar(*share, bars));
+        let _ = writeln!(out, "{}", row.trim_end());
     }
     if !rest.is_empty() {
         let _ = writeln!(out, "  and {} of less than {} %", rest.len(), 100.0 * limits::LEAST_CONTRIBUTION);

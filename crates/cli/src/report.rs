@@ -3,6 +3,7 @@
 use crate::diagnostics::lines;
 use crate::escape;
 use crate::failure::Failure;
+use crate::wrap;
 use percuss_study::DiagnosticRecord;
 use std::io::{self, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -50,7 +51,8 @@ pub fn warn(message: &str) {
 }
 
 fn remark(severity: &str, message: &str) {
-    let _ = writeln!(io::stderr().lock(), "{severity}: {}", escape::line(message));
+    let _ =
+        writeln!(io::stderr().lock(), "{}", wrap::message(&format!("{severity}: {}", escape::line(message))));
 }
 
 /// Writes diagnostics to stderr; under `strict`, a warning is an error and ends it.
@@ -63,7 +65,7 @@ pub fn write_diagnostics(diagnostics: &[DiagnosticRecord], strict: bool) -> Resu
     }
     let mut stderr = io::stderr().lock();
     for line in lines {
-        let _ = writeln!(stderr, "{}", escape::line(&line));
+        let _ = writeln!(stderr, "{}", wrap::message(&escape::line(&line)));
     }
     Ok(())
 }

@@ -5,11 +5,11 @@ use crate::escape::line;
 use crate::failure::Failure;
 use crate::report::{write_diagnostics, write_json, write_out};
 use crate::text::{Table, number, triple};
+use crate::wrap;
 use percuss_study::contact::BodyRegion;
 use percuss_study::{
     Limit, PositionFile, RowSource, SafeSpeedQuestion, SafeSpeedReport, SpeedRecord, StudySafeSpeed,
 };
-use std::fmt::Write;
 
 /// Runs the command.
 pub fn run(args: &SafeSpeedArgs) -> Result<(), Failure> {
@@ -78,9 +78,11 @@ fn limit(args: &SafeSpeedArgs) -> Result<Limit, Failure> {
     }
 }
 
-pub const CLOSING: &str = "\nAn engineering aid, not a certification. v = F/√(μ k), the transient contact of ISO/TS 15066:2016, whose content went\n\
-     into ISO 10218-2:2025; both are known here from public secondary sources, neither was opened. The standard's M/2 + m_L\n\
-     knows neither pose nor direction. Check regions and limits against the purchased standard.\n";
+pub const CLOSING: &str = "\nAn engineering aid, not a certification. v = F/√(μ k), the transient contact of\n\
+     ISO/TS 15066:2016, whose content went into ISO 10218-2:2025; both are known here\n\
+     from public secondary sources, neither was opened. The standard's M/2 + m_L\n\
+     knows neither pose nor direction. Check regions and limits against the\n\
+     purchased standard.\n";
 
 /// The other directions that were asked for.
 pub fn directions(reports: &[SafeSpeedReport]) -> String {
@@ -99,7 +101,7 @@ pub fn directions(reports: &[SafeSpeedReport]) -> String {
 fn text(report: &SafeSpeedReport) -> String {
     let mut out = String::new();
     for (name, value) in facts(report) {
-        let _ = writeln!(out, "{name:<20} {}", line(&value));
+        out += &wrap::fact(name, &line(&value));
     }
     out
 }
@@ -145,5 +147,5 @@ fn regions() -> String {
         let note = r.note.clone().unwrap_or_default();
         table.row([r.name.clone(), r.title.clone(), number(r.mass), number(r.stiffness), note]);
     }
-    format!("{table}\nInformative, from public secondary sources: check against the purchased standard.\n")
+    format!("{table}\nInformative, from public secondary sources: check against the purchased\nstandard.\n")
 }

@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::import::{axes, unit};
 use crate::output::{force, write_file};
 use crate::report::write_out;
+use crate::wrap::hanging;
 use percuss_formats::suspension::{TemplateOptions, template_names, template_sheet};
 use percuss_mechanism::near_names;
 use std::path::Path;
@@ -12,7 +13,8 @@ use std::path::Path;
 /// Runs the command.
 pub fn run(args: &TemplateArgs) -> Result<(), Failure> {
     let Some(name) = &args.name else {
-        let rows = template_names().into_iter().map(|(name, title)| format!("{name:<24} {title}\n"));
+        let row = |(name, title)| hanging(&format!("{name:<24} {title}"), 25) + "\n";
+        let rows = template_names().into_iter().map(row);
         return write_out(&rows.collect::<String>());
     };
     let options = TemplateOptions { unit: unit(args.unit), axes: axes(args.axes) };

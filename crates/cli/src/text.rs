@@ -2,6 +2,7 @@
 
 use crate::escape::line;
 use crate::limits;
+use crate::wrap::{WIDTH, hanging, width};
 use std::fmt;
 
 /// Nine significant digits, without trailing zeros; scientific where that is shorter to read.
@@ -56,7 +57,8 @@ pub fn bar(share: f64, width: usize) -> String {
     text
 }
 
-/// Columns under a header, as wide as they must be.
+/// Columns under a header, as wide as they must be. Where a line of all of them is too wide, the last column is divided
+/// between words; where that would leave it no room, columns go on in further lines of the row.
 pub struct Table<const N: usize> {
     rows: Vec<[String; N]>,
 }
@@ -76,23 +78,49 @@ impl<const N: usize> Table<N> {
     pub fn rows(&self) -> &[[String; N]] {
         &self.rows
     }
+
+    /// The columns of each line of a row.
+    fn bands(&self, widths: &[usize; N]) -> Vec<std::ops::Range<usize>> {
+        let words = self.rows.iter().flat_map(|row| row[N - 1].split(' ').map(width));
+        let last = words.max().unwrap_or(0).max(limits::LEAST_COLUMN);
+        let (mut bands, mut start, mut used) = (Vec::new(), 0, 0);
+        for i in 0..N {
+            let needed = if i + 1 == N { widths[i].min(last) } else { widths[i] };
+            if i > start && used + needed > WIDTH {
+                bands.push(start..i);
+                (start, used) = (i, limits::BAND_INDENT);
+            }
+            used += needed + 2;
+        }
+        bands.push(start..N);
+        bands
+    }
 }
 
 impl<const N: usize> fmt::Display for Table<N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut widths = [0; N];
         for row in &self.rows {
-            for (width, cell) in widths.iter_mut().zip(row) {
-                *width = (*width).max(cell.chars().count());
+            for (widest, cell) in widths.iter_mut().zip(row) {
+                *widest = (*widest).max(width(cell));
             }
         }
+        let bands = self.bands(&widths);
         for row in &self.rows {
-            let mut line = String::new();
-            for (width, cell) in widths.iter().zip(row) {
-                line += cell;
-                line.extend(std::iter::repeat_n(' ', width + 2 - cell.chars().count()));
+            for band in &bands {
+                let mut text = " ".repeat(if band.start == 0 { 0 } else { limits::BAND_INDENT });
+                let (mut column, mut last) = (0, 0);
+                for i in band.clone() {
+                    (column, last) = (width(&text), i);
+                    text += &row[i];
+                    text.extend(std::iter::repeat_n(' ', widths[i] + 2 - width(&row[i])));
+                }
+                let text = text.trim_end();
+                // Of a further line there may be nothing.
+                if band.start == 0 || !text.is_empty() {
+                    writeln!(f, "{}", if last + 1 == N { hanging(text, column) } else { text.to_owned() })?;
+                }
             }
-            writeln!(f, "{}", line.trim_end())?;
         }
         Ok(())
     }
@@ -120,6 +148,33 @@ mod tests {
         for (x, text) in cases {
             assert_eq!(number(x), text);
         }
+    }
+
+    #[test]
+    fn tables_are_no_wider_than_a_terminal() {
+        let mut table = Table::new(["link", "mass", "notes"]);
+        table.row(["arm".into(), "1 kg".into(), "a word ".repeat(30).trim().into()]);
+        let text = table.to_string();
+        assert!(text.lines().all(|line| width(line) <= WIDTH), "{text}");
+        // The notes stay in their column.
+        assert!(
+            text.lines()
+                .skip(2)
+                .all(|line| line.starts_with("            a") || line.starts_with("            w")),
+            "{text}"
+        );
+        let long = |letter: char| String::from(letter).repeat(30);
+        let mut table = Table::new(["joint", "from", "to"]);
+        table.row([long('a'), long('b'), long('c')]);
+        table.row([long('d'), String::new(), String::new()]);
+        let expected = [
+            format!("{:<30}  from", "joint"),
+            "    to".to_owned(),
+            format!("{}  {}", long('a'), long('b')),
+            format!("    {}", long('c')),
+            long('d'),
+        ];
+        assert_eq!(table.to_string().lines().collect::<Vec<_>>(), expected);
     }
 
     #[test]

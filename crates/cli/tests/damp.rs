@@ -9,8 +9,9 @@ const STOP: &str = "--link bump_stop_pad --point 0,0,0 --along-line bump_stop:0,
 const WISHBONE: &str = "models/double_wishbone.urdf";
 
 /// Lines that a command prints.
+/// How many rows a table has with its header, some of which go on in lines that are indented.
 fn lines(line: &str) -> usize {
-    percuss(line).stdout.lines().count()
+    percuss(line).stdout.lines().filter(|text| !text.starts_with(' ')).count()
 }
 
 #[track_caller]

@@ -3,21 +3,13 @@
 mod support;
 
 use serde_json::Value;
-use support::{Scratch, Sweep, json, percuss, root};
+use support::{Scratch, Sweep, json, percuss, refused, root};
 
 const STOP: &str = "--link bump_stop_pad --point 0,0,0 --along-line bump_stop:0,0,0 --against chassis";
 const SHEETS: &str = "models/suspensions/double-wishbone.toml models/suspensions/double-wishbone-rods.toml";
 
 fn number(value: &Value) -> f64 {
     value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
-}
-
-fn refused(line: &str, words: &[&str]) {
-    let outcome = percuss(line);
-    assert_eq!(outcome.code, 2, "{line}: {}", outcome.stderr);
-    for word in words {
-        assert!(outcome.stderr.contains(word), "{line}: {word} is not in {}", outcome.stderr);
-    }
 }
 
 #[test]

@@ -3,7 +3,7 @@
 
 mod support;
 
-use support::{Outcome, Scratch, json, percuss, percuss_with_stdin};
+use support::{Outcome, Scratch, json, percuss, percuss_with_stdin, root};
 
 const SPINDLE: &str = r#""Spindle": {"Mass": 2, "COM": [0, 0.9, -0.02], "Inertia": [0.02, 0.03, 0.025]}, "Axle": {"Inertia": 0.01}"#;
 const UPRIGHT: &str = r#""Upright": {"Mass": 3, "COM": [0.01, 0.8, 0], "Inertia": [0.05, 0.04, 0.03]}"#;
@@ -294,4 +294,48 @@ fn a_sheet_of_ones_own_becomes_a_model_that_answers() {
     assert_eq!(answer.code, 1, "another car: {}", answer.stdout);
     assert_eq!(percuss("template no-such").code, 2);
     assert!(percuss("template --list").stdout.contains("swing-axle"));
+}
+
+/// README's file in Chrono's format: the car of the sheet, but for the anti-roll bar, which the format does not have.
+#[test]
+fn the_shipped_file_of_chrono_is_the_car_of_the_sheet() {
+    let folder = Scratch::new("import-chrono");
+    let text =
+        std::fs::read_to_string(root().join("models/suspensions/double-wishbone.toml")).expect("a sheet");
+    let mut is_bar = false;
+    let without: Vec<&str> = text
+        .lines()
+        .filter(|line| {
+            if line.starts_with('[') {
+                is_bar = ["[anti_roll_bar]", "[drop_link]"].contains(line);
+            }
+            !is_bar && !line.starts_with("anti_roll_bar") && !line.starts_with("drop_link")
+        })
+        .collect();
+    let sheet = folder.write("my.toml", &(without.join("\n") + "\n"));
+    let (of_sheet, of_chrono) = (folder.path("sheet.urdf"), folder.path("chrono.urdf"));
+    let wheel = "--wheel-mass 18.5kg --wheel-inertia 0.62,1.05,0.62 --wheel-radius 0.3";
+    let file = "models/suspensions/double-wishbone-chrono.json";
+    for side in ["left", "both"] {
+        let ending = if side == "left" { "" } else { "_right" };
+        for line in [
+            format!("import {sheet} -o {of_sheet} --side {side} --strict"),
+            format!("import {file} -o {of_chrono} --side {side} {wheel} --strict"),
+        ] {
+            let outcome = percuss(&line);
+            assert_eq!(outcome.code, 0, "{line}: {}", outcome.stderr);
+        }
+        let mass = |model: &str, contact: &str| {
+            let report = json(&format!("mass {model} {contact} --format json"));
+            report["effective_mass"].as_f64().unwrap_or_else(|| panic!("{contact}: {report}"))
+        };
+        for (seat, above) in [("spring_seat", "spring_chassis_seat"), ("contact_patch", "wheel_centre")] {
+            let contact = format!(
+                "--link {seat}{ending} --point 0,0,0 --along-line {above}{ending}:0,0,0 --against chassis"
+            );
+            let (a, b) = (mass(&of_sheet, &contact), mass(&of_chrono, &contact));
+            // The same figures, once in mm and once in m: they round apart by 1e-16, and m̄ by some hundred times that.
+            assert!((a / b - 1.0).abs() < 1e-12, "{side} {seat}: {a} {b}");
+        }
+    }
 }

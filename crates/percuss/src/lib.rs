@@ -25,8 +25,11 @@
 //!
 //! [`study`] asks what the command line asks, and answers with its JSON; [`contact`] has the contact laws.
 
+// Links to the pages of the crates, not copies: a copy shows `Matrix<f64, Const<3>, Const<1>, ArrayStorage<f64, 3, 1>>` where the
+// crate's own page has `Vector3<f64>`, since compiled crates do not keep the names of type aliases.
 pub use nalgebra;
 pub use percuss_contact as contact;
+#[doc(no_inline)]
 pub use percuss_dynamics::{
     Accelerations, Assembly, AssemblyError, Base, Batch, BatchAnswer, BatchError, BatchPositions,
     BranchLimits, CarefulReason, ConditionOfJoint, Conditions, ConditionsError, Configuration,
@@ -38,12 +41,14 @@ pub use percuss_dynamics::{
     RouteChoice, RouteError, ScalarWorkspace, Singularity, System, Travel, TravelError, VelocityError,
     Workspace, effective_mass,
 };
+#[doc(no_inline)]
 pub use percuss_formats::{
     Comments, DEFAULT_MAX_MESH_SIZE, DEFAULT_MAX_SIZE, Diagnostic, Facet, LoadError, LoadOptions, Loaded,
     MeshError, MeshFolders, Orientation, Purpose, Shape, Solid, Source, Surface, SurfaceError, Triangles,
     load, read_mesh, suspension, write_urdf, write_urdf_with,
 };
 pub use percuss_mechanism as mechanism;
+#[doc(no_inline)]
 pub use percuss_mechanism::{
     Accept, BuildError, Built, Closure, ClosureDescription, ClosureId, ClosureKind, Coupling,
     CouplingDescription, Geometry, Inertial, Joint, JointDescription, JointId, JointKind, Limits, Link,

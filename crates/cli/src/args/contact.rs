@@ -1,5 +1,6 @@
 //! The contact and its conditions.
 
+use super::headings::{BESIDE, CONDITIONS, CONTACT, POSE};
 use super::words::{armature, estimate, hold, kilograms, line, normal, point, position, ratio_at, travel};
 use crate::failure::Failure;
 use clap::{Args, ValueEnum};
@@ -43,69 +44,90 @@ pub enum BaseArg {
 #[derive(Debug, Args)]
 pub struct ContactArgs {
     /// The struck link.
-    #[arg(long, value_name = "LINK")]
+    #[arg(long, value_name = "LINK", help_heading = CONTACT)]
     pub link: Option<String>,
     /// The contact point (m).
-    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = point)]
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = point, help_heading = CONTACT)]
     pub point: Option<[f64; 3]>,
-    /// The normal, out of the struck link into the other side.
+    /// The normal, out of the struck link.
+    ///
+    /// It points into the other side; neither its length nor its sign matters.
     #[arg(
         long,
         value_name = "X,Y,Z",
         allow_hyphen_values = true,
         value_parser = normal,
-        conflicts_with = "along_line"
+        conflicts_with = "along_line",
+        help_heading = CONTACT
     )]
     pub normal: Option<[f64; 3]>,
+    /// Or the normal towards a point of a link.
+    ///
     /// The normal points from the contact point towards this point (m) of a link, in that link's frame.
-    #[arg(long, value_name = "LINK:X,Y,Z", value_parser = line)]
+    #[arg(long, value_name = "LINK:X,Y,Z", value_parser = line, help_heading = CONTACT)]
     pub along_line: Option<(String, [f64; 3])>,
-    /// In which frame the point and the normal are given, both. A point in another frame than the link's is converted
-    /// once, at the pose of --set with what is varied at 0, and moves with the link; a normal keeps its axes.
-    #[arg(long, value_enum, default_value_t = FrameArg::Link)]
+    /// In which frame the point and the normal are given.
+    ///
+    /// Both are. A point in another frame than the link's is converted once, at the pose of --set with what is varied at 0,
+    /// and moves with the link; a normal keeps its axes.
+    #[arg(long, value_enum, default_value_t = FrameArg::Link, help_heading = CONTACT)]
     pub frame: FrameArg,
     /// The frame of the normal, where it differs from that of the point.
-    #[arg(long, value_enum)]
+    #[arg(long, value_enum, help_heading = CONTACT)]
     pub normal_frame: Option<FrameArg>,
     /// The other link; the ground if none is given.
-    #[arg(long, value_name = "LINK")]
+    #[arg(long, value_name = "LINK", help_heading = CONTACT)]
     pub against: Option<String>,
     /// A free body of this mass (kg) on the other side.
-    #[arg(long, value_name = "KG", allow_hyphen_values = true, value_parser = kilograms, conflicts_with = "against")]
+    #[arg(
+        long,
+        value_name = "KG",
+        allow_hyphen_values = true,
+        value_parser = kilograms,
+        conflicts_with = "against",
+        help_heading = CONTACT
+    )]
     pub against_mass: Option<f64>,
-    /// Sets a driving joint; the others stand at 0. Spherical: w,x,y,z; planar: x,y,angle; floating: x,y,z,w,x,y,z.
-    #[arg(long, value_name = "JOINT=VALUE", value_parser = position)]
+    /// Sets a driving joint (m, rad; 30deg, 5mm).
+    ///
+    /// The others stand at 0. Spherical: w,x,y,z; planar: x,y,angle; floating: x,y,z,w,x,y,z.
+    #[arg(long, value_name = "JOINT=VALUE", value_parser = position, help_heading = POSE)]
     pub set: Vec<(String, GivenPosition)>,
     /// First guess of a joint that depends on others through loops: selects the assembly mode.
-    #[arg(long, value_name = "JOINT=VALUE", value_parser = position)]
+    #[arg(long, value_name = "JOINT=VALUE", value_parser = position, help_heading = POSE)]
     pub guess: Vec<(String, GivenPosition)>,
-    /// Drives the pose until a point (m, link's frame) of a link is displaced by so much along a direction (world axes) from
-    /// where --set puts it, as sweep --vary does; once for each point that is driven.
-    #[arg(long, value_name = "LINK:X,Y,Z:DX,DY,DZ=DISTANCE", value_parser = travel)]
+    /// Drives the pose until a point is displaced so far.
+    ///
+    /// The point (m, link's frame) of a link is displaced by so much along a direction (world axes) from where --set puts it,
+    /// as sweep --vary does; once for each point that is driven.
+    #[arg(long, value_name = "LINK:X,Y,Z:DX,DY,DZ=DISTANCE", value_parser = travel, help_heading = POSE)]
     pub travel: Vec<GivenTravel>,
     /// A whole configuration: what --format json wrote, or JSON with a position for each joint; --set and --guess go over it.
-    #[arg(long, value_name = "FILE.json")]
+    #[arg(long, value_name = "FILE.json", help_heading = POSE)]
     pub pose: Option<String>,
     /// Holds a joint where it stands.
-    #[arg(long, value_name = "JOINT")]
+    #[arg(long, value_name = "JOINT", help_heading = CONDITIONS)]
     pub lock: Vec<String>,
     /// Holds a point (m, link's frame) of a link to the ground: along a normal (world axes, out of the link), or in all
     /// directions.
-    #[arg(long, value_name = "LINK:X,Y,Z[:NX,NY,NZ]", value_parser = hold)]
+    #[arg(long, value_name = "LINK:X,Y,Z[:NX,NY,NZ]", value_parser = hold, help_heading = CONDITIONS)]
     pub hold: Vec<Hold>,
     /// Rotor inertia reflected to a joint (kg·m² or kg): one value, or one for each velocity between commas.
-    #[arg(long, value_name = "JOINT=VALUE", value_parser = armature)]
+    #[arg(long, value_name = "JOINT=VALUE", value_parser = armature, help_heading = CONDITIONS)]
     pub armature: Vec<(String, Vec<f64>)>,
     /// Whether the root link is fixed or moves.
-    #[arg(long, value_enum, default_value_t = BaseArg::Fixed)]
+    #[arg(long, value_enum, default_value_t = BaseArg::Fixed, help_heading = CONDITIONS)]
     pub base: BaseArg,
-    /// Shows the classical estimate next to the result: the mass of these links, moved with point A (m, first link's frame;
-    /// default its origin), by A's full speed or its component along a direction (world axes).
-    #[arg(long, value_name = "LINK[,LINK…][:X,Y,Z[:DX,DY,DZ]]", value_parser = estimate)]
+    /// The classical estimate next to the result.
+    ///
+    /// The mass of these links, moved with point A (m, first link's frame; default its origin), by A's full speed or its
+    /// component along a direction (world axes).
+    #[arg(long, value_name = "LINK[,LINK…][:X,Y,Z[:DX,DY,DZ]]", value_parser = estimate, help_heading = BESIDE)]
     pub estimate: Option<EstimateQuestion>,
-    /// Shows the motion ratio at this point (m, link's frame), along a direction (world axes; default z): its speed beside
-    /// the contact's. The wheel's centre and contact patch are shown where the model has them and one travel.
-    #[arg(long, value_name = "LINK:X,Y,Z[:DX,DY,DZ]", value_parser = ratio_at)]
+    /// The motion ratio at this point (m, link's frame), along a direction (world axes; default z).
+    ///
+    /// Its speed beside the contact's. The wheel's centre and contact patch are shown where the model has them and one travel.
+    #[arg(long, value_name = "LINK:X,Y,Z[:DX,DY,DZ]", value_parser = ratio_at, help_heading = BESIDE)]
     pub ratio_at: Vec<RatioPoint>,
 }
 

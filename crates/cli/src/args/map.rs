@@ -1,5 +1,6 @@
 //! Flags of `percuss map`.
 
+use super::headings::{OUTPUT, READING};
 use super::words::{edge, package};
 use super::{ContactArgs, MassFormat, ModelArgs, TableArgs, WritingArgs};
 use crate::failure::Failure;
@@ -19,6 +20,9 @@ pub enum ShapesArg {
     Visual,
 }
 
+/// A heading of the help.
+const SURFACE: &str = "Surface or directions";
+
 /// Flags of `percuss map`.
 #[derive(Debug, Args)]
 pub struct MapArgs {
@@ -26,37 +30,51 @@ pub struct MapArgs {
     pub model: ModelArgs,
     #[command(flatten)]
     pub contact: ContactArgs,
-    /// Every link that has a shape; those that cannot be mapped are left out, and listed.
-    #[arg(long, conflicts_with_all = ["link", "point"])]
+    /// Every link that has a shape.
+    ///
+    /// Those that cannot be mapped are left out, and listed.
+    #[arg(long, conflicts_with_all = ["link", "point"], help_heading = SURFACE)]
     pub all: bool,
-    /// Instead of the surface: so many directions at --point, and the principal ones (the belted ellipsoid).
-    #[arg(long, value_name = "COUNT", requires = "point")]
+    /// Or so many directions at --point.
+    ///
+    /// Instead of the surface; the principal ones too (the belted ellipsoid).
+    #[arg(long, value_name = "COUNT", requires = "point", help_heading = SURFACE)]
     pub directions: Option<usize>,
     /// Which shapes of the URDF make the surface.
-    #[arg(long, value_enum, default_value_t = ShapesArg::Auto)]
+    #[arg(long, value_enum, default_value_t = ShapesArg::Auto, help_heading = SURFACE)]
     pub shapes: ShapesArg,
-    /// Longest edge of a facet (m); by default 1/60 of the link. Triangles of meshes are divided, never joined.
-    #[arg(long, value_name = "M", value_parser = edge)]
+    /// Longest edge of a facet (m).
+    ///
+    /// By default 1/60 of the link. Triangles of meshes are divided, never joined.
+    #[arg(long, value_name = "M", value_parser = edge, help_heading = SURFACE)]
     pub edge: Option<f64>,
-    /// The folder of a ROS package, for meshes named package://NAME/…; else ROS_PACKAGE_PATH, AMENT_PREFIX_PATH, and the
-    /// folders above the model are searched.
-    #[arg(long, value_name = "NAME=FOLDER", value_parser = package)]
+    /// The folder of a ROS package of meshes.
+    ///
+    /// For meshes named package://NAME/…; else ROS_PACKAGE_PATH, AMENT_PREFIX_PATH, and the folders above the model are searched.
+    #[arg(long, value_name = "NAME=FOLDER", value_parser = package, help_heading = SURFACE)]
     pub package: Vec<(String, PathBuf)>,
     /// Refuse mesh files larger than this many bytes.
-    #[arg(long, default_value_t = DEFAULT_MAX_MESH_SIZE, value_name = "BYTES")]
+    #[arg(long, default_value_t = DEFAULT_MAX_MESH_SIZE, value_name = "BYTES", help_heading = READING)]
     pub max_mesh_size: u64,
+    /// .ply .glb .gltf .png .svg .pdf .csv .json
+    ///
     /// An output file; may be given again. PLY and glTF have the effective mass as a property, pictures show two sides.
-    #[arg(long, short, value_name = "FILE.ply|.glb|.gltf|.png|.svg|.pdf|.csv|.json")]
+use super::{ContactArgs, MassFormat, ModelArgs, TableArgs, WritingArgs};
     pub output: Vec<String>,
     #[command(flatten)]
     pub table: TableArgs,
     #[command(flatten)]
     pub writing: WritingArgs,
     /// How the result is shown on stdout.
-    #[arg(long, value_enum, default_value_t = MassFormat::Text)]
+    #[arg(long, value_enum, default_value_t = MassFormat::Text, help_heading = OUTPUT)]
     pub format: MassFormat,
     /// How many threads compute; by default as many as there are processors. No answer depends on it.
-    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(
+        long,
+        value_name = "COUNT",
+        value_parser = clap::value_parser!(u16).range(1..=1024),
+        help_heading = OUTPUT
+    )]
     pub threads: Option<u16>,
 }
 

@@ -5,9 +5,11 @@ mod contact;
 mod damping;
 mod examples;
 mod format;
+mod headings;
 mod import;
 mod map;
 mod model;
+mod short_help;
 #[cfg(test)]
 mod study_keys_tests;
 mod table;
@@ -21,22 +23,27 @@ pub use format::{CheckFormat, MassFormat};
 pub use import::{AxesArg, ImportArgs, SideArg, TemplateArgs, UnitArg};
 pub use map::MapArgs;
 pub use model::ModelArgs;
+pub use short_help::{asked_of, short_help};
 pub use table::{FigureArgs, TableArgs};
 pub use writing::WritingArgs;
 
 use crate::failure::Failure;
 use clap::builder::Resettable;
 use clap::{Args, CommandFactory, Parser, Subcommand};
+use headings::{ANSWER, BESIDE, OUTPUT};
 use percuss_formats::DEFAULT_MAX_SIZE;
 use percuss_study::{PositionFile, RowSource, Sampling, Vary};
 pub use words::ToleranceArg;
 use words::{any_tolerance, kilograms};
 
+/// Where the rows of a sweep come from.
+const ROWS: &str = "Rows";
+
 /// The effective mass of a mechanism at a contact.
 ///
 /// percuss reads a URDF and computes the effective mass at a contact point along the impact normal.
 #[derive(Debug, Parser)]
-#[command(name = "percuss", version, arg_required_else_help = true, after_help = examples::TOP)]
+#[command(name = "percuss", version, arg_required_else_help = true, max_term_width = 80, after_help = examples::TOP)]
 pub struct Cli {
     /// What to do.
     #[command(subcommand)]
@@ -73,39 +80,53 @@ pub enum Command {
     #[command(after_help = examples::CHECK)]
     Check(CheckArgs),
     /// Effective mass at a contact point along the normal.
-    #[command(after_help = examples::MASS)]
+    #[command(
+        after_help = examples::MASS,
+        override_usage = "percuss mass MODEL --link L --point X,Y,Z\n                    (--normal X,Y,Z | --along-line LINK:X,Y,Z) …"
+    )]
     Mass(Box<MassArgs>),
     /// The same contact over a range of positions, loops closed along one branch.
-    #[command(after_help = examples::SWEEP)]
+    #[command(
+        after_help = examples::SWEEP,
+        override_usage = "percuss sweep MODEL --link L --point X,Y,Z\n                     (--normal X,Y,Z | --along-line LINK:X,Y,Z)\n                     (--vary RANGE… | --input FILE | --random COUNT) …"
+    )]
     Sweep(Box<SweepArgs>),
-    /// The same question asked of several designs: one table, one figure, differences in per cent.
+    /// The same question asked of several designs, with differences in per cent.
+    ///
+    /// In one table, and one figure.
     #[command(
         after_help = examples::COMPARE,
-        override_usage = "percuss compare STUDY.toml…\n       percuss compare MODEL… --link L --point X,Y,Z --normal X,Y,Z [--vary RANGE] …"
+        override_usage = "percuss compare STUDY.toml…\n       percuss compare MODEL… --link L --point X,Y,Z --normal X,Y,Z\n                       [--vary RANGE] …"
     )]
     Compare(Box<CompareArgs>),
-    /// Effective mass over the surface of a link, or of a whole robot; or over all directions at a point.
+    /// Effective mass over a surface, or over all directions at a point.
+    ///
+    /// Over the surface of a link, or of a whole robot.
     #[command(
         after_help = examples::MAP,
-        override_usage = "percuss map MODEL (--link L | --all) [--set JOINT=VALUE]… [--output FILE]…\n       percuss map MODEL --link L --point X,Y,Z --directions COUNT …"
+        override_usage = "percuss map MODEL (--link L | --all) [--output FILE]… …\n       percuss map MODEL --link L --point X,Y,Z --directions COUNT …"
     )]
     Map(Box<MapArgs>),
     /// Write a suspension's sheet to fill in: hardpoints, masses, units, axes.
     #[command(after_help = examples::TEMPLATE)]
     Template(TemplateArgs),
-    /// Turn a suspension's sheet, table of hardpoints or Chrono::Vehicle JSON into a commented URDF+ model.
+    /// Turn a suspension's sheet, table or Chrono::Vehicle JSON into a URDF+ model.
+    ///
+    /// The model is commented.
     #[command(after_help = examples::IMPORT)]
     Import(Box<ImportArgs>),
-    /// The damper that gives a contact a required restitution, and the parameters for simulators.
+    /// The damper of a required restitution, and the parameters for simulators.
     #[command(
         after_help = examples::DAMP,
-        override_usage = "percuss damp (--mass KG | --mass-from MODEL --link L --point X,Y,Z --normal X,Y,Z …)\n                    --stiffness K --restitution E [--speed V] [--law NAME] [--for TOOL] …"
+        override_usage = "percuss damp (--mass KG | --mass-from MODEL --link L --point X,Y,Z\n                    --normal X,Y,Z …) --stiffness K --restitution E [--speed V]\n                    [--law NAME] [--for TOOL] …"
     )]
     Damp(Box<DampArgs>),
-    /// The greatest speed of a robot where it may hit a person: transient contact as in ISO/TS 15066, with the effective mass.
+    /// The greatest speed of a robot where it may hit a person.
+    ///
+    /// Transient contact as in ISO/TS 15066, with the effective mass.
     #[command(
         after_help = examples::SAFE_SPEED,
-        override_usage = "percuss safe-speed MODEL --link L --point X,Y,Z --normal X,Y,Z … --region NAME\n                          (--force F | --pressure P --area A) [--load KG]"
+        override_usage = "percuss safe-speed MODEL --link L --point X,Y,Z --normal X,Y,Z …\n                          --region NAME (--force F | --pressure P --area A)\n                          [--load KG]"
     )]
     SafeSpeed(Box<SafeSpeedArgs>),
     /// Run a study: the flags of mass, sweep and damp, kept in a TOML file.
@@ -131,7 +152,7 @@ pub struct CheckArgs {
     #[command(flatten)]
     pub model: ModelArgs,
     /// How the result is shown.
-    #[arg(long, value_enum, default_value_t = CheckFormat::Text)]
+    #[arg(long, value_enum, default_value_t = CheckFormat::Text, help_heading = ANSWER)]
     pub format: CheckFormat,
 }
 
@@ -143,26 +164,30 @@ pub struct MassArgs {
     #[command(flatten)]
     pub contact: ContactArgs,
     /// Compare with this effective mass (kg); exit 1 if it is missed.
-    #[arg(long, value_name = "KG", value_parser = kilograms)]
+    #[arg(long, value_name = "KG", value_parser = kilograms, help_heading = ANSWER)]
     pub expect: Option<f64>,
-    /// The relative tolerance of --expect (1e-9 without this); or how far off the model's parts may be, and what that leaves
-    /// of the effective mass: mass and armature in per cent, com and point (of a sheet) as lengths.
-    #[arg(long, value_name = "RELATIVE | mass=2%,com=1mm,point=0.5mm,armature=10%", value_parser = any_tolerance)]
+    /// ± on it: mass=2%,com=1mm,point=0.5mm,armature=10%.
+    ///
+    /// How far off the model's parts may be, and what that leaves of the effective mass: mass and armature in per cent, com and
+    /// point (of a sheet) as lengths. Or a number: the relative tolerance of --expect (1e-9 without this).
+    #[arg(long, value_name = "PART=VALUE,…", value_parser = any_tolerance, help_heading = BESIDE)]
     pub tolerance: Vec<ToleranceArg>,
     /// So many random designs within --tolerance, beside the first order.
-    #[arg(long, value_name = "COUNT", requires = "tolerance")]
+    #[arg(long, value_name = "COUNT", requires = "tolerance", help_heading = BESIDE)]
     pub samples: Option<usize>,
     /// The seed of --samples, 0 without it.
-    #[arg(long, value_name = "NUMBER", requires = "samples")]
+    #[arg(long, value_name = "NUMBER", requires = "samples", help_heading = BESIDE)]
     pub seed: Option<u64>,
-    /// Shows what the effective mass depends on: its rate with each link's mass and centre of mass, each armature and each
-    /// hardpoint of a sheet, and the changes that lower it most.
-    #[arg(long)]
+    /// What it depends on, and what lowers it most.
+    ///
+    /// Its rate with each link's mass and centre of mass, each armature and each hardpoint of a sheet, and the changes that lower
+    /// it most.
+    #[arg(long, help_heading = BESIDE)]
     pub explain: bool,
     /// How the result is shown.
-    #[arg(long, value_enum, default_value_t = MassFormat::Text)]
+    #[arg(long, value_enum, default_value_t = MassFormat::Text, help_heading = ANSWER)]
     pub format: MassFormat,
-    #[command(flatten, next_help_heading = "The damper of the contact")]
+    #[command(flatten)]
     pub damping: DampingArgs,
 }
 
@@ -181,30 +206,45 @@ pub struct SweepArgs {
     pub model: ModelArgs,
     #[command(flatten)]
     pub contact: ContactArgs,
-    /// The varied quantity: a driving joint, or the travel of a point (m, link's frame) along a direction (world axes).
-    /// Given again it makes a grid: every combination, the first the slowest; a travel is given last.
+    /// A joint's range, or a point's travel.
+    ///
+    /// The varied quantity: a driving joint, or travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT, the travel of a point (m, link's
+    /// frame) along a direction (world axes). Given again it makes a grid: every combination, the first the slowest; a travel is
+    /// given last.
     #[arg(
         long,
-        value_name = "JOINT=FROM:TO:COUNT | travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT",
+        value_name = "JOINT=FROM:TO:COUNT",
         value_parser = Vary::parse,
-        required_unless_present_any = ["input", "random"]
+        required_unless_present_any = ["input", "random"],
+        help_heading = ROWS
     )]
     pub vary: Vec<Vary>,
-    /// A file of positions, row by row along a path: a column for each joint (JOINT[0], JOINT[1], … for several numbers),
-    /// a unit behind its name where it is not SI: "elbow [deg]". - reads the standard input.
-    #[arg(long, value_name = "FILE.csv|.parquet", conflicts_with_all = ["vary", "random"])]
+    /// Positions from a file, row by row.
+    ///
+    /// Along a path: a column for each joint (JOINT[0], JOINT[1], … for several numbers), a unit behind its name where it is not
+    /// SI: "elbow [deg]". - reads the standard input.
+    #[arg(
+        long,
+        value_name = "FILE.csv|.parquet",
+        conflicts_with_all = ["vary", "random"],
+        help_heading = ROWS
+    )]
     pub input: Option<String>,
     /// Leaves a column of --input out.
-    #[arg(long, value_name = "COLUMN")]
+    #[arg(long, value_name = "COLUMN", help_heading = ROWS)]
     pub ignore: Vec<String>,
-    /// So many random positions within the limits of the joints; joints of --set stay where they are.
-    #[arg(long, value_name = "COUNT", conflicts_with = "vary")]
+    /// Random positions within the joints' limits.
+    ///
+    /// So many; joints of --set stay where they are.
+    #[arg(long, value_name = "COUNT", conflicts_with = "vary", help_heading = ROWS)]
     pub random: Option<usize>,
     /// The seed of --random, 0 without it: the same numbers on every machine.
-    #[arg(long, value_name = "NUMBER")]
+    #[arg(long, value_name = "NUMBER", help_heading = ROWS)]
     pub seed: Option<u64>,
-    /// The output file.
-    #[arg(long, short, value_name = "FILE.csv|.xlsx|.parquet|.json|.jsonl|.svg|.png|.pdf")]
+    /// .csv .xlsx .parquet .json .jsonl .svg .png .pdf
+    ///
+    /// The output file; its ending chooses the format. Without it, CSV goes to the standard output.
+    #[arg(long, short, value_name = "FILE", help_heading = OUTPUT)]
     pub output: Option<String>,
     #[command(flatten)]
     pub table: TableArgs,
@@ -213,7 +253,12 @@ pub struct SweepArgs {
     #[command(flatten)]
     pub writing: WritingArgs,
     /// How many threads compute; by default as many as there are processors. No answer depends on it.
-    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(
+        long,
+        value_name = "COUNT",
+        value_parser = clap::value_parser!(u16).range(1..=1024),
+        help_heading = OUTPUT
+    )]
     pub threads: Option<u16>,
 }
 
@@ -260,13 +305,17 @@ pub struct InitArgs {
 pub struct RunArgs {
     /// The study; - reads the standard input.
     pub study: String,
-    /// Show the contact at the study's pose in this format; its sweep is left out.
+    /// Show the contact at the study's pose in this format.
+    ///
+    /// Its sweep is left out.
     #[arg(long, value_enum)]
     pub format: Option<MassFormat>,
     /// Refuse files larger than this many bytes.
     #[arg(long, default_value_t = DEFAULT_MAX_SIZE, value_name = "BYTES")]
     pub max_size: u64,
-    /// How many threads compute a sweep; by default as many as there are processors.
+    /// How many threads compute a sweep.
+    ///
+    /// By default as many as there are processors.
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
     /// Make warnings errors (exit 2).
@@ -274,8 +323,9 @@ pub struct RunArgs {
     pub strict: bool,
     #[command(flatten)]
     pub writing: WritingArgs,
-    /// Write a report: one HTML file with the mechanism, contributions, sweep and damper; the answer as JSON and the sweep as CSV
-    /// beside it.
+    /// Write a report: one HTML file.
+    ///
+    /// With the mechanism, contributions, sweep and damper; the answer as JSON and the sweep as CSV beside it.
     #[arg(long, value_name = "FILE.html", conflicts_with = "format")]
     pub report: Option<String>,
     /// Let the study write outside its own folder.

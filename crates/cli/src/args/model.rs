@@ -1,5 +1,6 @@
 //! Which model, and how it is read.
 
+use super::headings::{CHANGES, READING};
 use super::words::{link_com, link_mass, moved_point};
 use crate::failure::Failure;
 use clap::{Args, ValueEnum};
@@ -10,8 +11,9 @@ use percuss_study::{Changes, Model};
 /// Which model, and how it is read.
 #[derive(Debug, Args)]
 pub struct ModelArgs {
-    /// The model: a URDF (- reads the standard input), or a suspension's sheet or table as `percuss import` reads it
-    /// (.toml, .csv, .xlsx, .json).
+    /// A URDF file, or a suspension's sheet or table.
+    ///
+    /// URDF: - reads the standard input. A sheet or table (.toml, .csv, .xlsx, .json) is read as `percuss import` reads it.
     pub model: String,
     #[command(flatten)]
     pub reading: ReadingArgs,
@@ -20,23 +22,45 @@ pub struct ModelArgs {
 /// How a model is read.
 #[derive(Debug, Args)]
 pub struct ReadingArgs {
-    /// Accept a model in spite of this finding.
-    #[arg(long, value_enum, value_name = "FINDING")]
-    pub accept: Vec<Acceptable>,
-    /// Gives a link another mass (kg); its moments about the centre of mass change in proportion.
-    #[arg(long, value_name = "LINK=KG", value_parser = link_mass, allow_hyphen_values = true)]
+    /// Gives a link another mass (kg).
+    ///
+    /// Its moments about the centre of mass change in proportion.
+    #[arg(
+        long,
+        value_name = "LINK=KG",
+        value_parser = link_mass,
+        allow_hyphen_values = true,
+        help_heading = CHANGES
+    )]
     pub link_mass: Vec<(String, f64)>,
     /// Gives a link another centre of mass (m, link's frame).
-    #[arg(long, value_name = "LINK=X,Y,Z", value_parser = link_com, allow_hyphen_values = true)]
+    #[arg(
+        long,
+        value_name = "LINK=X,Y,Z",
+        value_parser = link_com,
+        allow_hyphen_values = true,
+        help_heading = CHANGES
+    )]
     pub link_com: Vec<(String, [f64; 3])>,
-    /// Moves a hardpoint of a suspension's sheet, in the sheet's axes; numbers without a unit are m.
-    #[arg(long = "move", value_name = "POINT=X,Y,Z", value_parser = moved_point, allow_hyphen_values = true)]
+    /// Moves a hardpoint of a suspension's sheet (m; 5mm).
+    ///
+    /// In the sheet's axes; numbers without a unit are m.
+    #[arg(
+        long = "move",
+        value_name = "POINT=X,Y,Z",
+        value_parser = moved_point,
+        allow_hyphen_values = true,
+        help_heading = CHANGES
+    )]
     pub moves: Vec<(String, [f64; 3])>,
+    /// Accept a model in spite of this finding.
+    #[arg(long, value_enum, value_name = "FINDING", help_heading = READING)]
+    pub accept: Vec<Acceptable>,
     /// Refuse files larger than this many bytes.
-    #[arg(long, default_value_t = DEFAULT_MAX_SIZE, value_name = "BYTES")]
+    #[arg(long, default_value_t = DEFAULT_MAX_SIZE, value_name = "BYTES", help_heading = READING)]
     pub max_size: u64,
     /// Make warnings errors (exit 2).
-    #[arg(long)]
+    #[arg(long, help_heading = READING)]
     pub strict: bool,
 }
 

@@ -1,5 +1,6 @@
 //! How tables and figures are written.
 
+use super::headings::OUTPUT;
 use crate::table_style::TableStyle;
 use clap::{Args, ValueEnum};
 use percuss_study as study;
@@ -30,12 +31,14 @@ pub enum Decimal {
 /// How tables are written.
 #[derive(Debug, Args)]
 pub struct TableArgs {
-    /// Units of the table's lengths and angles, given again for both. Columns then name their units, and numbers are rounded to
-    /// what is known of them.
-    #[arg(long, value_enum, value_delimiter = ',', help_heading = "Table")]
+    /// Units of a table: mm,deg.
+    ///
+    /// Of its lengths and angles, given again for both. Columns then name their units, and numbers are rounded to what is known
+    /// of them.
+    #[arg(long, value_name = "UNIT", value_enum, value_delimiter = ',', help_heading = OUTPUT)]
     pub unit: Vec<TableUnit>,
     /// The sign before the decimals in CSV.
-    #[arg(long, value_enum, default_value_t, help_heading = "Table")]
+    #[arg(long, value_enum, default_value_t, help_heading = OUTPUT)]
     pub decimal: Decimal,
 }
 
@@ -57,13 +60,13 @@ impl TableArgs {
 #[derive(Debug, Default, Args)]
 pub struct FigureArgs {
     /// The figure's heading.
-    #[arg(long, value_name = "TEXT", help_heading = "Figure")]
+    #[arg(long, value_name = "TEXT", help_heading = OUTPUT)]
     pub title: Option<String>,
     /// Ends of the horizontal axis, in its unit.
-    #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true, value_parser = ends, help_heading = "Figure")]
+    #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true, value_parser = ends, help_heading = OUTPUT)]
     pub x_limits: Option<(f64, f64)>,
     /// Ends of the axis of the effective mass (kg).
-    #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true, value_parser = ends, help_heading = "Figure")]
+    #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true, value_parser = ends, help_heading = OUTPUT)]
     pub y_limits: Option<(f64, f64)>,
 }
 

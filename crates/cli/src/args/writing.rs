@@ -1,12 +1,13 @@
 //! How files are written.
 
+use super::headings::OUTPUT;
 use clap::Args;
 
 /// How files are written.
 #[derive(Debug, Args)]
 pub struct WritingArgs {
     /// Replace an output file that percuss did not write.
-    #[arg(long)]
+    #[arg(long, help_heading = OUTPUT)]
     pub force: bool,
 }
 

@@ -21,15 +21,20 @@ pub fn command<S: AsRef<std::ffi::OsStr>>(arguments: impl IntoIterator<Item = S>
 pub struct Outcome {
     pub code: i32,
     pub stdout: String,
+    /// Each message on one line.
     pub stderr: String,
+    /// As it is shown: messages go on in lines that are indented.
+    pub shown: String,
 }
 
 impl From<Output> for Outcome {
     fn from(output: Output) -> Self {
+        let shown = String::from_utf8(output.stderr).expect("text on stderr");
         Outcome {
             code: output.status.code().expect("an exit code, not a signal"),
             stdout: String::from_utf8(output.stdout).expect("text on stdout"),
-            stderr: String::from_utf8(output.stderr).expect("text on stderr"),
+            stderr: shown.replace("\n  ", " "),
+            shown,
         }
     }
 }
@@ -58,6 +63,40 @@ pub fn json(line: &str) -> serde_json::Value {
     let outcome = percuss(line);
     assert_eq!(outcome.code, 0, "{line}\n{}", outcome.stderr);
     serde_json::from_str(&outcome.stdout).expect("JSON on stdout")
+}
+
+/// Asserts that a command is refused as bad input, with these words in the message.
+pub fn refused(line: &str, words: &[&str]) {
+    let outcome = percuss(line);
+    assert_eq!(outcome.code, 2, "{line}: {}", outcome.stderr);
+    for word in words {
+        assert!(outcome.stderr.contains(word), "{line}: {word} is not in {}", outcome.stderr);
+    }
+}
+
+/// Asserts that every line of a page under a `$ percuss …` stands in what that command prints, in that order.
+pub fn assert_page_shows_what_is_printed(page: &str, expected: usize) {
+    let page = std::fs::read_to_string(root().join(page)).expect("the page");
+    let mut commands = 0;
+    for block in page.split("```console\n").skip(1) {
+        let block = block.split("```").next().unwrap_or("");
+        let mut lines = block.lines();
+        let command = lines.next().and_then(|l| l.strip_prefix("$ percuss ")).expect("a command");
+        let outcome = percuss(command);
+        assert_eq!(outcome.code, 0, "{command}: {}", outcome.stderr);
+        let mut rest = outcome.stdout.as_str();
+        let mut shown = 0;
+        for line in lines {
+            let at = rest
+                .find(line)
+                .unwrap_or_else(|| panic!("{line:?} is not, or not there, in\n{}", outcome.stdout));
+            rest = &rest[at + line.len()..];
+            shown += 1;
+        }
+        assert!(shown > 0, "{command} shows nothing");
+        commands += 1;
+    }
+    assert_eq!(commands, expected);
 }
 
 /// The rows of a sweep's CSV, by column.

@@ -69,6 +69,10 @@ impl Corner {
         self.origins.insert(link.to_owned(), at);
     }
 
+    fn is_shared(&self, link: &str) -> bool {
+        self.shared.contains(&link)
+    }
+
     /// The rack's frame, once there is one.
     pub fn rack(&self) -> Option<Vector3<f64>> {
         self.origins.get(RACK).copied()
@@ -187,6 +191,14 @@ impl Corner {
     pub fn mirrored(&self) -> Corner {
         let point = |p: &Vector3<f64>| Vector3::new(p.x, flip(p.y), p.z);
         let turning = |a: &Vector3<f64>| Vector3::new(flip(a.x), a.y, flip(a.z));
+        // The frame of what both sides share stays where it is: from there S p is at S p − o, not at S (p − o).
+        let stays = |link: &str| {
+            if self.is_shared(link) {
+                Vector3::new(0.0, -2.0 * self.origin(link).y, 0.0)
+            } else {
+                Vector3::zeros()
+            }
+        };
         let mut corner = self.clone();
         for link in &mut corner.links {
             if let Some(inertial) = &mut link.inertial {
@@ -197,7 +209,7 @@ impl Corner {
             }
         }
         for joint in &mut corner.joints {
-            joint.origin.translation = point(&joint.origin.translation);
+            joint.origin.translation = point(&joint.origin.translation) + stays(&joint.parent);
             joint.axis = match joint.kind {
                 JointKind::Prismatic => point(&joint.axis),
                 JointKind::Fixed
@@ -209,14 +221,18 @@ impl Corner {
             };
         }
         for closure in &mut corner.closures {
-            for frame in [&mut closure.predecessor_frame, &mut closure.successor_frame] {
-                frame.translation = point(&frame.translation);
+            for (frame, link) in [
+                (&mut closure.predecessor_frame, &closure.predecessor),
+                (&mut closure.successor_frame, &closure.successor),
+            ] {
+                frame.translation = point(&frame.translation) + stays(link);
             }
             // A line, whose sense does not matter.
             closure.axis = turning(&closure.axis);
             closure.axis2 = turning(&closure.axis2);
         }
-        corner.origins.values_mut().for_each(|at| *at = point(at));
+        let of_this_side = corner.origins.iter_mut().filter(|(link, _)| !self.is_shared(link));
+        of_this_side.for_each(|(_, at)| *at = point(at));
         corner.drawing = self.drawing.mirrored();
         corner
     }

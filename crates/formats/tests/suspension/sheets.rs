@@ -463,3 +463,23 @@ fn an_example_of_each_template_is_shipped() {
         assert!(text == sheet(name), "{} is to be what `percuss template {name}` prints", path.display());
     }
 }
+
+/// Watt's crank stays where it is, also beside the middle: a seat on it is mirrored all the same.
+#[test]
+fn seats_of_both_sides_may_be_on_a_link_that_both_share() {
+    let text = sheet("solid-axle-watt");
+    let changed = text
+        .replace("[spring]\non = \"axle\"", "[spring]\non = \"watt_crank\"")
+        .replace("watt_pivot = [-130.0, 0.0,", "watt_pivot = [-130.0, 40.0,");
+    assert_eq!(changed.len(), text.len() + 7, "both were replaced");
+    let mechanism = built(&changed, &ImportOptions::default()).mechanism;
+    let [left, right] = ["spring_seat_left", "spring_seat_right"].map(|seat| {
+        let joint = mechanism.parent_joint(mechanism.find_link(seat).unwrap()).unwrap();
+        assert_eq!(mechanism.link(mechanism.joint(joint).parent()).name(), "watt_crank");
+        place(&mechanism, seat)
+    });
+    // Some roundings of lengths below 1 m.
+    let mirrored = Vector3::new(right.x, -right.y, right.z);
+    assert!((left - mirrored).amax() < 1e-15, "{left} {right}");
+    assert!((left - Vector3::new(-0.02, 0.48, 0.4)).amax() < 1e-15, "{left}");
+}

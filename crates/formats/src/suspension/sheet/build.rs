@@ -34,7 +34,13 @@ pub(in super::super) fn build(sheet: &Sheet, findings: &mut Findings) -> Option<
     let bar = BAR_PARTS.iter().filter(|_| with_bar);
     for part in sheet.template.parts.iter().chain(bar) {
         let corner = match &mut middle {
-            Some(middle) if is_central(sheet, part) => middle,
+            Some(middle) if is_central(sheet, part) => {
+                // A spring, a stop or a drop link of either side may be on it.
+                if let Part::Swivel { link, at, .. } = part {
+                    left.share(link, sheet.at(at).unwrap_or_default());
+                }
+                middle
+            }
             Some(_) | None => &mut left,
         };
         Building { sheet, findings, corner }.part(part, &spindle);

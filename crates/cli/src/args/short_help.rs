@@ -1,0 +1,276 @@
+//! What `-h` shows: one screen. The flags of a usual question are explained, the others named beside what they belong to;
+//! `--help` explains all.
+
+use crate::wrap::{hanging, lines, width};
+use clap::{Arg, Command};
+
+/// Where explanations begin.
+const COLUMN: usize = 30;
+
+/// The flags that are explained, by the command. The others of a command are only named.
+const EXPLAINED: [(&str, &[&str]); 12] = [
+    ("percuss", &[]),
+    ("check", &["format", "strict"]),
+    (
+        "mass",
+        &[
+            "link",
+            "point",
+            "normal",
+            "along_line",
+            "against",
+            "set",
+            "travel",
+            "lock",
+            "link_mass",
+            "moves",
+            "restitution",
+            "stiffness",
+            "speed",
+            "tools",
+            "explain",
+            "tolerance",
+            "format",
+        ],
+    ),
+    (
+        "sweep",
+        &[
+            "vary",
+            "input",
+            "random",
+            "link",
+            "point",
+            "normal",
+            "along_line",
+            "against",
+            "set",
+            "output",
+            "unit",
+            "estimate",
+        ],
+    ),
+    (
+        "compare",
+        &["link", "point", "normal", "along_line", "against", "vary", "set", "moves", "output", "format"],
+    ),
+    (
+        "map",
+        &[
+            "link",
+            "all",
+            "point",
+            "directions",
+            "set",
+            "against",
+            "shapes",
+            "edge",
+            "package",
+            "output",
+            "format",
+        ],
+    ),
+    ("template", &["list", "unit", "axes", "output", "force"]),
+    ("import", &["output", "unit", "axes", "side", "template", "moves", "picture", "wheel_mass"]),
+    (
+        "damp",
+        &[
+            "mass",
+            "mass_from",
+            "limit",
+            "stiffness",
+            "restitution",
+            "speed",
+            "law",
+            "exponent",
+            "tools",
+            "link",
+            "point",
+            "normal",
+            "along_line",
+            "set",
+            "output",
+            "list_laws",
+            "list_tools",
+        ],
+    ),
+    (
+        "safe-speed",
+        &[
+            "region",
+            "force",
+            "pressure",
+            "area",
+            "energy",
+            "momentum",
+            "link",
+            "point",
+            "normal",
+            "set",
+            "direction",
+            "worst_direction",
+            "input",
+            "load",
+            "list_regions",
+        ],
+    ),
+    ("run", &["report", "format", "threads", "allow_outside"]),
+    ("completions", &[]),
+];
+
+/// The short help of a command whose names are built.
+pub fn short_help(command: &Command) -> String {
+    let name = command.get_name();
+    let explained = EXPLAINED.iter().find(|(known, _)| *known == name).map_or(&[][..], |(_, ids)| ids);
+    let mut out = String::new();
+    if let Some(about) = command.get_about() {
+        out += &(hanging(&about.to_string(), 0) + "\n\n");
+    }
+    let usage = command.clone().render_usage().to_string();
+    out += &(lines(&usage) + "\n");
+    let arguments: Vec<&Arg> = command.get_positionals().filter(|a| !a.is_hide_set()).collect();
+    if !arguments.is_empty() {
+        out.push('\n');
+    }
+    for argument in arguments {
+        out += &explanation(argument);
+    }
+    let subcommands: Vec<&Command> = command.get_subcommands().filter(|c| c.get_name() != "help").collect();
+    if !subcommands.is_empty() {
+        out += "\nCommands\n";
+    }
+    for subcommand in &subcommands {
+        let about = subcommand.get_about().map_or_else(String::new, ToString::to_string);
+        out += &row(subcommand.get_name(), &about, 14);
+    }
+    out.push('\n');
+    for heading in headings(command) {
+        let of_heading = |a: &&Arg| a.get_help_heading().unwrap_or("Options") == heading;
+        let flags: Vec<&Arg> = command.get_opts().chain(switches(command)).filter(of_heading).collect();
+        let (main, rest): (Vec<&Arg>, Vec<&Arg>) =
+            flags.into_iter().partition(|a| explained.contains(&a.get_id().as_str()));
+        let names: Vec<String> = rest.into_iter().filter_map(spelling).collect();
+        out += &match (names.is_empty(), main.is_empty()) {
+            (true, _) => format!("{heading}\n"),
+            (false, false) => hanging(&format!("{heading}, also {}", names.join(" ")), 4) + "\n",
+            (false, true) => hanging(&format!("{heading}: {}", names.join(" ")), 4) + "\n",
+        };
+        // In the order of the table: a question is asked in that one.
+        for id in explained {
+            out += &main.iter().find(|a| a.get_id() == id).map_or_else(String::new, |a| explanation(a));
+        }
+    }
+    if let Some(example) = first_example(command) {
+        out += &format!("\nExample\n{example}");
+    }
+    out + &format!(
+        "{} --help explains all, with examples.\n",
+        command.get_bin_name().unwrap_or_else(|| command.get_name())
+    )
+}
+
+/// Flags without a value.
+fn switches(command: &Command) -> impl Iterator<Item = &Arg> {
+    command.get_arguments().filter(|a| !a.is_positional() && !a.get_action().takes_values())
+}
+
+/// The headings in the order of their first flags, that of all commands last.
+fn headings(command: &Command) -> Vec<&str> {
+    let mut headings = Vec::new();
+    for argument in command.get_arguments().filter(|a| !a.is_positional() && !a.is_hide_set()) {
+        let heading = argument.get_help_heading().unwrap_or("Options");
+        if !headings.contains(&heading) {
+            headings.push(heading);
+        }
+    }
+    headings.sort_by_key(|heading| *heading == "Options");
+    headings
+}
+
+fn spelling(argument: &Arg) -> Option<String> {
+    match (argument.get_long(), argument.is_hide_set()) {
+        (Some(long), false) => Some(format!("--{long}")),
+        _ => None,
+    }
+}
+
+/// One flag or argument with its value, and what it does.
+fn explanation(argument: &Arg) -> String {
+    let values = argument.get_value_names().unwrap_or_default();
+    let value = values.first().map_or_else(String::new, ToString::to_string);
+    let mut name = match spelling(argument) {
+        Some(flag) if argument.get_action().takes_values() => format!("{flag} {value}"),
+        Some(flag) => flag,
+        None => value,
+    };
+    if let Some(short) = argument.get_short() {
+        name = format!("-{short}, {name}");
+    }
+    let help = argument.get_help().map_or_else(String::new, ToString::to_string);
+    row(&name, &help, COLUMN)
+}
+
+fn row(name: &str, help: &str, column: usize) -> String {
+    let name = format!("  {name}");
+    if width(&name) + 2 > column {
+        return format!("{name}\n{}\n", hanging(&(" ".repeat(column) + help), column));
+    }
+    let padding = " ".repeat(column - width(&name));
+    hanging(&format!("{name}{padding}{help}"), column) + "\n"
+}
+
+/// The first command of the examples, with the lines that it goes on in.
+fn first_example(command: &Command) -> Option<String> {
+    let text = command.get_after_help()?.to_string();
+    let mut example = String::new();
+    for line in text.lines().skip_while(|line| !line.trim_start().starts_with("percuss ")) {
+        example += &format!("{line}\n");
+        if !line.ends_with('\\') {
+            return Some(example);
+        }
+    }
+    None
+}
+
+/// The command that `-h` is asked of: the first argument that is no flag names it, for no flag before it has a value.
+pub fn asked_of<'c>(definition: &'c Command, arguments: &[std::ffi::OsString]) -> Option<&'c Command> {
+    let words: Vec<&str> = arguments.iter().skip(1).filter_map(|a| a.to_str()).collect();
+    let is_short = words.iter().find(|w| ["-h", "--help", "help"].contains(w)).is_none_or(|w| *w == "-h");
+    let named = words.iter().find_map(|word| definition.find_subcommand(word));
+    is_short.then(|| named.unwrap_or(definition))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::args::Cli;
+    use crate::wrap::WIDTH;
+
+    #[test]
+    fn every_command_fits_one_screen_and_names_every_flag() {
+        let mut definition = Cli::definition();
+        definition.build();
+        let subcommands: Vec<&Command> =
+            definition.get_subcommands().filter(|c| c.get_name() != "help").collect();
+        assert_eq!(subcommands.len() + 1, EXPLAINED.len());
+        for command in subcommands.into_iter().chain([&definition]) {
+            let text = short_help(command);
+            let count = text.lines().count();
+            assert!(count <= 40, "{} lines:\n{text}", count);
+            for line in text.lines() {
+                assert!(width(line) <= WIDTH, "{line}");
+            }
+            for flag in command.get_arguments().filter_map(spelling) {
+                let named = text.split_whitespace().any(|word| word == flag);
+                assert!(named, "{}: {flag} is not in\n{text}", command.get_name());
+            }
+            let (_, explained) = EXPLAINED
+                .iter()
+                .find(|(name, _)| *name == command.get_name())
+                .unwrap_or_else(|| panic!("{} is not in the table", command.get_name()));
+            for id in *explained {
+                assert!(command.get_arguments().any(|a| a.get_id() == id), "{}: {id}", command.get_name());
+            }
+        }
+    }
+}

@@ -1,0 +1,310 @@
+"""What a suspension's sheet means, from docs/SUSPENSIONS.md and nothing else: bodies and joints of each template.
+
+A car is in metres and kilograms, in axes of ISO 8855 (x forward, y left, z up), and describes its left side:
+
+    points   name: position
+    bodies   section: Given, or none where the sheet leaves the section out
+    on       what is on which link: spring, damper, bump_stop, rebound_stop, drop_link, pushrod
+"""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+MIRROR = np.diag([1.0, -1.0, 1.0])
+CHASSIS = "chassis"
+
+# Points of the axle as a whole: they stay where they are, whichever side the others describe.
+SHARED = {
+    "middle_link_chassis", "middle_link_axle", "panhard_chassis", "panhard_axle", "watt_pivot", "watt_left_chassis",
+    "watt_left_crank", "watt_right_chassis", "watt_right_crank",
+}  # fmt: skip
+SHARED_BODIES = {"axle", "middle_link", "panhard_rod", "watt_crank", "watt_left_rod", "watt_right_rod", "rack"}
+
+# The links that a spring, a stop or a drop link may be on.
+CARRIERS = {
+    "double-wishbone": ["lower_arm", "upper_arm", "upright"],
+    "double-wishbone-rods": ["upright"],
+    "macpherson-strut": ["lower_arm", "upright", "strut"],
+    "semi-trailing-arm": ["trailing_arm"],
+    "three-link": ["trailing_arm"],
+    "multi-link": ["upper_arm", "upright", "trailing_link"],
+    "pushrod-rocker": ["lower_arm", "upper_arm", "upright", "rocker"],
+    "solid-axle-four-links": ["axle"],
+    "solid-axle-panhard": ["axle"],
+    "solid-axle-watt": ["axle", "watt_crank"],
+    "twist-beam": ["trailing_arm", "beam"],
+    "swing-axle": ["axle_tube"],
+}
+AXLES = {"solid-axle-four-links", "solid-axle-panhard", "solid-axle-watt"}
+# Rods: the points of their ends, first that which a universal joint holds.
+RODS = {
+    "tie_rod": ("tie_rod_inner", "tie_rod_outer"),
+    "upper_link": ("upper_link_chassis", "upper_link_outer"),
+    "lower_link": ("lower_link_chassis", "lower_link_outer"),
+    "lateral": ("lateral_chassis", "lateral_outer"),
+    "trailing_link": ("trailing_link_chassis", "trailing_link_outer"),
+    "upper_front_rod": ("upper_front", "upper_ball"),
+    "upper_back_rod": ("upper_back", "upper_ball"),
+    "lower_front_rod": ("lower_front", "lower_ball"),
+    "lower_back_rod": ("lower_back", "lower_ball"),
+    "pushrod": ("pushrod_outer", "pushrod_rocker"),
+    "drop_link": ("drop_link_bar", "drop_link_end"),
+    "middle_link": ("middle_link_chassis", "middle_link_axle"),
+    "panhard_rod": ("panhard_chassis", "panhard_axle"),
+    "watt_left_rod": ("watt_left_chassis", "watt_left_crank"),
+    "watt_right_rod": ("watt_right_chassis", "watt_right_crank"),
+}
+
+
+@dataclass
+class Given:
+    """What a section says of a body: inertia about the centre of mass, in the vehicle's axes; of a rod the mass may be all."""
+
+    mass: float
+    com: np.ndarray | None = None
+    inertia: np.ndarray | None = None
+
+
+@dataclass
+class Wheel:
+    mass: float
+    inertia: np.ndarray
+    radius: float
+    camber: float
+    toe: float
+
+
+@dataclass
+class Car:
+    template: str
+    points: dict
+    bodies: dict
+    on: dict
+    wheel: Wheel
+    axle_inertia: float
+    rack_slides: bool
+    rack_mass: float
+
+
+@dataclass
+class Body:
+    mass: float
+    com: np.ndarray
+    inertia: np.ndarray
+
+
+@dataclass
+class Joint:
+    """Holds the second body to the first: kind, where, and a direction (the axis; of a universal joint that about which
+    nothing turns; of a rod its line, `at` being its end on the first body)."""
+
+    kind: str
+    first: str
+    second: str
+    at: np.ndarray
+    along: np.ndarray | None = None
+
+
+@dataclass
+class Built:
+    bodies: dict = field(default_factory=dict)
+    joints: list = field(default_factory=list)
+    # Of the command's frames: on which body, and where.
+    frames: dict = field(default_factory=dict)
+
+
+def turned_about(axis, angle):
+    c, s = np.cos(angle), np.sin(angle)
+    if axis == "x":
+        return np.array([[1, 0, 0], [0, c, -s], [0, s, c]])
+    return np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
+
+
+def unit(v):
+    return v / np.linalg.norm(v)
+
+
+class Side:
+    """Puts one side of a car together, or what belongs to both."""
+
+    def __init__(self, car, built, right, ending):
+        self.car, self.built, self.ending = car, built, ending
+        self.mirror = MIRROR if right else np.eye(3)
+
+    def name(self, link):
+        return link if link in SHARED_BODIES or link == CHASSIS else link + self.ending
+
+    def point(self, name):
+        at = self.car.points[name]
+        return at if name in SHARED else self.mirror @ at
+
+    def has(self, name):
+        return name in self.car.points
+
+    def body(self, link, given=None):
+        given = given or self.car.bodies[link]
+        mirror = np.eye(3) if link in SHARED_BODIES else self.mirror
+        self.built.bodies[self.name(link)] = Body(given.mass, mirror @ given.com, mirror @ given.inertia @ mirror)
+
+    def join(self, kind, first, second, at, along=None):
+        at = self.point(at) if isinstance(at, str) else at
+        along = None if along is None else unit(along)
+        self.built.joints.append(Joint(kind, self.name(first), self.name(second), at, along))
+
+    def arm(self, link, one, other, carrier=CHASSIS):
+        """A body on a hinge through two points."""
+        self.body(link)
+        self.join("hinge", carrier, link, one, self.point(other) - self.point(one))
+
+    def rod(self, link, first, second):
+        """Between its two ends: massless, slender, or any body; it does not turn about its line as seen from its first end."""
+        inner, outer = RODS[link]
+        a, b = self.point(inner), self.point(outer)
+        given = self.car.bodies.get(link)
+        if given is None:
+            self.built.joints.append(Joint("rod", self.name(first), self.name(second), a, b - a))
+            return
+        if given.inertia is None:
+            line = b - a
+            across = line @ line * np.eye(3) - np.outer(line, line)
+            self.built.bodies[self.name(link)] = Body(given.mass, (a + b) / 2, given.mass / 12 * across)
+        else:
+            self.body(link)
+        self.join("universal", first, link, a, b - a)
+        self.join("ball", link, second, b)
+
+    def wheel(self, carrier):
+        car, at = self.car, self.point("wheel_centre")
+        axes = turned_about("z", -car.wheel.toe) @ turned_about("x", -car.wheel.camber)
+        axes = self.mirror @ axes @ self.mirror
+        spin = axes[:, 1]
+        hub = car.bodies["spindle"]
+        about_axes = lambda inertia: axes @ inertia @ axes.T  # noqa: E731
+        com = at if hub.com is None else self.mirror @ hub.com
+        inertia = about_axes(hub.inertia) + car.axle_inertia * np.outer(spin, spin)
+        self.built.bodies[self.name("spindle")] = Body(hub.mass, com, inertia)
+        self.join("hinge", carrier, "spindle", at, spin)
+        self.built.bodies[self.name("wheel")] = Body(car.wheel.mass, at, about_axes(car.wheel.inertia))
+        self.join("fixed", "spindle", "wheel", at)
+        self.frame("wheel_centre", "spindle", at)
+        self.frame("contact_patch", "spindle", at - car.wheel.radius * axes[:, 2])
+
+    def frame(self, name, link, at):
+        self.built.frames[name + self.ending] = (self.name(link), at)
+
+    def seats(self):
+        for what, seat, on_chassis in [
+            ("spring", "spring_seat", "spring_chassis_seat"),
+            ("damper", "damper_seat", "damper_chassis_seat"),
+            ("bump_stop", "bump_stop_pad", "bump_stop"),
+            ("rebound_stop", "rebound_stop_pad", "rebound_stop"),
+        ]:
+            if self.has(seat):
+                self.frame(seat, self.car.on[what], self.point(seat))
+                self.frame(on_chassis, CHASSIS, self.point(on_chassis))
+
+    def anti_roll_bar(self):
+        if self.has("anti_roll_bar_outer"):
+            self.arm("anti_roll_bar", "anti_roll_bar_outer", "anti_roll_bar_inner")
+            self.rod("drop_link", "anti_roll_bar", self.car.on["drop_link"])
+
+    def steering(self):
+        self.rod("tie_rod", "rack" if self.car.rack_slides else CHASSIS, "upright")
+
+
+def corner(side):
+    """One side of an independent suspension."""
+    template = side.car.template
+    if template in ("double-wishbone", "pushrod-rocker"):
+        side.arm("lower_arm", "lower_front", "lower_back")
+        side.arm("upper_arm", "upper_front", "upper_back")
+        side.body("upright")
+        side.join("ball", "lower_arm", "upright", "lower_ball")
+        side.join("ball", "upper_arm", "upright", "upper_ball")
+        side.steering()
+        side.wheel("upright")
+        if template == "pushrod-rocker":
+            side.arm("rocker", "rocker_front", "rocker_back")
+            side.rod("pushrod", side.car.on["pushrod"], "rocker")
+    elif template == "double-wishbone-rods":
+        side.body("upright")
+        for rod in ("upper_front_rod", "upper_back_rod", "lower_front_rod", "lower_back_rod"):
+            side.rod(rod, CHASSIS, "upright")
+        side.steering()
+        side.wheel("upright")
+    elif template == "macpherson-strut":
+        side.arm("lower_arm", "lower_front", "lower_back")
+        side.body("upright")
+        side.body("strut")
+        line = side.point("strut_top") - side.point("strut_bottom")
+        side.join("ball", "lower_arm", "upright", "lower_ball")
+        side.join("universal", CHASSIS, "strut", "strut_top", line)
+        side.join("cylinder", "strut", "upright", "strut_bottom", line)
+        side.steering()
+        side.wheel("upright")
+    elif template in ("semi-trailing-arm", "twist-beam"):
+        side.arm("trailing_arm", "arm_outer", "arm_inner")
+        if template == "twist-beam" and "beam" in side.car.bodies:
+            side.body("beam")
+            side.join("fixed", "trailing_arm", "beam", side.car.bodies["beam"].com)
+        side.wheel("trailing_arm")
+    elif template == "three-link":
+        side.body("trailing_arm")
+        side.join("ball", CHASSIS, "trailing_arm", "arm_chassis")
+        side.rod("upper_link", CHASSIS, "trailing_arm")
+        side.rod("lower_link", CHASSIS, "trailing_arm")
+        side.wheel("trailing_arm")
+    elif template == "multi-link":
+        side.arm("upper_arm", "upper_front", "upper_back")
+        side.body("upright")
+        side.join("ball", "upper_arm", "upright", "upper_ball")
+        side.rod("lateral", CHASSIS, "upright")
+        side.rod("trailing_link", CHASSIS, "upright")
+        side.steering()
+        side.wheel("upright")
+    elif template == "swing-axle":
+        side.arm("axle_tube", "pivot_front", "pivot_back")
+        side.wheel("axle_tube")
+    else:
+        raise ValueError(template)
+    side.seats()
+    side.anti_roll_bar()
+
+
+def axle(car, built, sides):
+    """A solid axle with both its wheels."""
+    both = sides[0]
+    both.body("axle")
+    for side in sides:
+        side.rod("lower_link", CHASSIS, "axle")
+        if car.template == "solid-axle-four-links":
+            side.rod("upper_link", CHASSIS, "axle")
+        side.wheel("axle")
+        side.seats()
+        side.anti_roll_bar()
+    if car.template != "solid-axle-four-links":
+        both.rod("middle_link", CHASSIS, "axle")
+    if car.template == "solid-axle-panhard":
+        both.rod("panhard_rod", CHASSIS, "axle")
+    if car.template == "solid-axle-watt":
+        both.body("watt_crank")
+        both.join("hinge", "axle", "watt_crank", "watt_pivot", np.array([1.0, 0, 0]))
+        both.rod("watt_left_rod", CHASSIS, "watt_crank")
+        both.rod("watt_right_rod", CHASSIS, "watt_crank")
+
+
+def build(car, which):
+    """The bodies and joints of `left`, `right` or `both`; with both, names end in _left and _right."""
+    built = Built()
+    endings = {"left": [(False, "")], "right": [(True, "")], "both": [(False, "_left"), (True, "_right")]}[which]
+    sides = [Side(car, built, right, ending) for right, ending in endings]
+    if car.rack_slides and "tie_rod_inner" in car.points:
+        built.bodies["rack"] = Body(car.rack_mass, np.zeros(3), 1e-3 * np.eye(3))
+        built.joints.append(Joint("slide", CHASSIS, "rack", np.zeros(3), np.array([0.0, 1, 0])))
+    if car.template in AXLES:
+        axle(car, built, sides)
+    else:
+        for side in sides:
+            corner(side)
+    return built
