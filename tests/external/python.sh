@@ -21,7 +21,7 @@ fi
 bin=$work/venv/bin
 export PATH=$bin:$PATH PIP_DISABLE_PIP_VERSION_CHECK=1 PYTHONDONTWRITEBYTECODE=1 OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 rm -rf "$work/wheel" "$work/site"
-"$bin/pip" wheel --quiet --no-build-isolation --no-deps --wheel-dir "$work/wheel" "./$package"
+CARGO=$here/cargo.sh "$bin/pip" wheel --quiet --no-build-isolation --no-deps --wheel-dir "$work/wheel" "./$package"
 "$bin/pip" install --quiet --no-deps --force-reinstall "$work"/wheel/percuss-*.whl
 "$bin/pip" install --quiet --no-deps --target "$work/site" "$work"/wheel/percuss-*.whl
 failed=0

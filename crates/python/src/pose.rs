@@ -3,19 +3,24 @@
 use crate::arrays::{matrix, triple};
 use crate::contact::Contact;
 use crate::errors::{self, input};
+use crate::maps::{Answers, contact_map, principal_masses};
 use crate::model::Model;
+use crate::motion::{Accelerations, accelerations, effective_mass_rate};
 use crate::response::{Response, route_choice};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use percuss::nalgebra::Vector3;
-use percuss::{LocatedContact, Pose as Posed};
+use percuss::{LocatedContact, Pose as Posed, System};
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
+use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// A mechanism at one configuration, its loops closed. Cannot be changed: threads may share it.
 #[pyclass(frozen, module = "percuss")]
 #[derive(Clone, Debug)]
 pub struct Pose {
     pub model: Model,
+    pub system: System,
     pub pose: Posed,
 }
 
@@ -119,6 +124,94 @@ impl Pose {
         let phi = self.pose.inverse_operational_inertia(&located).map_err(errors::route)?;
         let rows: Vec<f64> = phi.matrix().transpose().as_slice().to_vec();
         PyArray1::from_vec(py, rows).reshape([12, 12])
+    }
+
+    /// m̄ of many contacts of a link with the ground or with another link: points (N, 3) m and normals (N, 3), out of the link, of
+    /// any length that is not zero, in the link's frame. Some nanoseconds each, by Φ about the middle of the points. Gives
+    /// effective_mass (N,) kg, NaN unless finite; error (N,) kg, NaN where it is not known; status (N,) uint8: 0 finite, 1 immovable,
+    /// 2 massless, 3 no answer.
+    #[pyo3(signature = (link, points, normals, *, against=None))]
+    fn contact_map<'py>(
+        &self,
+        py: Python<'py>,
+        link: &str,
+        points: &Bound<'py, PyAny>,
+        normals: &Bound<'py, PyAny>,
+        against: Option<&str>,
+    ) -> PyResult<Answers<'py>> {
+        contact_map(py, self, link, points, normals, against)
+    }
+
+    /// The three directions along which m̄ is stationary among all directions at a point (3,) m of a link, the lightest first, as
+    /// dicts: "effective_mass" (kg; None unless finite), "status", "error" (kg) and "direction" (a unit vector, link's frame, (3,)).
+    /// None where a mass has no answer.
+    #[pyo3(signature = (link, point, *, against=None))]
+    fn principal_masses<'py>(
+        &self,
+        py: Python<'py>,
+        link: &str,
+        point: &Bound<'py, PyAny>,
+        against: Option<&str>,
+    ) -> PyResult<Option<Vec<Bound<'py, PyDict>>>> {
+        principal_masses(py, self, link, point, against)
+    }
+
+    /// dm̄/dt at a contact, kg/s, where the joints move at velocities: a dict of joints to rates (rad/s, m/s), those that are
+    /// not named at rest, mimics following. Of loops all that move are to be given: velocities under which loops open are refused;
+    /// those of a Response, which are admissible, are taken as they are. Exact to rounding, by dual numbers. None unless m̄ is finite.
+    fn effective_mass_rate(
+        &self,
+        py: Python<'_>,
+        contact: &Contact,
+        velocities: &Bound<'_, PyDict>,
+    ) -> PyResult<Option<f64>> {
+        effective_mass_rate(py, self, contact, Some(velocities))
+    }
+
+    /// Accelerations of a tree at joint velocities (a dict; those that are not named are 0), base (6,): the twist of a floating root
+    /// (angular, linear; root link's axes), gravity (3,) m/s², root link's axes, none by default, and forces: (link, point (3,) m in
+    /// the link's frame, force (3,) N in the root link's axes) of each. Raises InputError with loops, mimics or held points.
+    #[pyo3(signature = (velocities=None, *, base=None, gravity=None, forces=Vec::new()))]
+    fn accelerations(
+        &self,
+        py: Python<'_>,
+        velocities: Option<&Bound<'_, PyDict>>,
+        base: Option<&Bound<'_, PyAny>>,
+        gravity: Option<&Bound<'_, PyAny>>,
+        forces: Vec<Bound<'_, PyAny>>,
+    ) -> PyResult<Accelerations> {
+        accelerations(py, self, velocities, base, gravity, &forces)
+    }
+
+    /// The pose after the mechanism has gone along v* of a response at this pose until the gap has closed by a distance (m;
+    /// negative: opened), loops closed again: exact to second order. None where they do not close there, or where nothing moves.
+    fn advanced_along(&self, py: Python<'_>, response: &Response, distance: f64) -> PyResult<Option<Self>> {
+        if !Arc::ptr_eq(&response.model.read.mechanism, &self.model.read.mechanism) {
+            return Err(input("the response is of another model; expected one of this pose"));
+        }
+        if !distance.is_finite() {
+            return Err(input(format_args!("distance is {distance}; expected a finite number")));
+        }
+        let pose = py.detach(|| self.pose.advanced_along(&response.response, distance));
+        Ok(pose.map(|pose| Self { pose, ..self.clone() }))
+    }
+
+    /// Joints that stand outside their limits: joint to (position, (lower, upper)), rad or m.
+    fn outside_limits(&self) -> BTreeMap<String, (f64, (f64, f64))> {
+        let name = |joint| self.model.read.mechanism.joint(joint).name().to_owned();
+        let outside = self.pose.outside_limits();
+        outside.map(|(joint, at, limits)| (name(joint), (at, (limits.lower, limits.upper)))).collect()
+    }
+
+    /// Of the rows of A here: "rank"; "gap", the least between singular values that count and those that do not (None without
+    /// rows); "is_clear"; "is_singular".
+    fn rank<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let (report, rank) = (PyDict::new(py), self.pose.rank());
+        report.set_item("rank", rank.rank)?;
+        report.set_item("gap", rank.gap)?;
+        report.set_item("is_clear", rank.clear)?;
+        report.set_item("is_singular", rank.singular)?;
+        Ok(report)
     }
 
     /// m̄ at a contact, and what follows from it. route: "auto", "dense" (O(n³)) or "articulated" (O(n)).
