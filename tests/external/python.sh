@@ -28,6 +28,7 @@ failed=0
 (cd "$package" && "$bin/python" -m pytest -q -p no:cacheprovider tests "$@") || failed=1
 "$bin/python" -m mypy --config-file "$package/pyproject.toml" --cache-dir "$work/mypy" -p percuss || failed=1
 "$bin/python" -m mypy --config-file "$package/pyproject.toml" --cache-dir "$work/mypy" "$package"/tests/*.py "$package"/examples/*.py || failed=1
+"$bin/python" -m mypy --config-file "$package/pyproject.toml" --cache-dir "$work/mypy" "$package"/examples/cluster/*.py || failed=1
 "$bin/python" -m mypy.stubtest percuss --mypy-config-file "$package/pyproject.toml" || failed=1
 "$bin/pyright" --project "$package/pyproject.toml" --pythonpath "$bin/python" || failed=1
 # The peers have environments of their own; the same extension serves every Python from 3.10 on.

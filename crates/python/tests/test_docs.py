@@ -35,7 +35,7 @@ def test_examples(name: str, tmp_path: Path) -> None:
 
 
 def test_the_notebook(tmp_path: Path) -> None:
-    notebook = nbformat.read(EXAMPLES / "arm.ipynb", as_version=4)
+    notebook = nbformat.read(EXAMPLES / "arm.ipynb", as_version=4)  # type: ignore[no-untyped-call]
     assert all(not cell.get("outputs") for cell in notebook.cells), "it is kept without its outputs"
     client = nbclient.NotebookClient(notebook, timeout=120, resources={"metadata": {"path": str(ROOT)}})
     client.execute()

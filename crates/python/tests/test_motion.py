@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 import pytest
@@ -124,6 +125,9 @@ def seeded(model: percuss.Model, seed: int) -> Iterator[tuple[dict[str, float], 
 def test_the_rate_of_m_on_a_tree() -> None:
     model = percuss.load(ROOT / "models/six_r_arm.urdf")
     contact, h = percuss.Contact("tool", [0.08, 0, 0], [0, 1, 0]), 1e-5
+    place: dict[str, float] = {}
+    rates: dict[str, float] = {}
+    rate: float | None = None
     for place, rates in seeded(model, 4):
         rate = model.pose(place).effective_mass_rate(contact, rates)
         ends = [
@@ -147,7 +151,7 @@ def test_the_rate_of_m_on_a_linkage(name: str, link: str) -> None:
     rate = pose.effective_mass_rate(contact, response.joint_velocities)
     ends = [pose.advanced_along(response, step) for step in (h, -h)]
     assert ends[0] is not None and ends[1] is not None
-    masses = [end.respond(contact).effective_mass for end in ends]
+    masses = [end.respond(contact).effective_mass for end in ends if end]
     assert rate == pytest.approx((masses[0] - masses[1]) / (2 * h), rel=1e-4)  # type: ignore[operator]
     with pytest.raises(percuss.InputError, match="loops open"):
         first = next(joint for joint, rates in response.joint_velocities.items() if rates.any())
@@ -158,12 +162,13 @@ def test_rates_that_mean_nothing() -> None:
     model = percuss.load(ROOT / "models/six_r_arm.urdf")
     contact = percuss.Contact("tool", [0.08, 0, 0], [0, 1, 0])
     locked = model.system(lock=["yaw"]).pose()
-    for pose, rates, words in [
+    wrong: list[tuple[percuss.Pose, dict[str, Any], str]] = [
         (model.pose(), {"yaw": [1.0, 2.0]}, "2 numbers; expected 1"),
         (model.pose(), {"yaw": np.nan}, "finite"),
         (model.pose(), {"yaww": 1.0}, "yaww"),
         (locked, {"yaw": 1.0}, "locked"),
-    ]:
+    ]
+    for pose, rates, words in wrong:
         with pytest.raises(percuss.InputError, match=words):
             pose.effective_mass_rate(contact, rates)
     pendulum = percuss.load(ROOT / "models/physical_pendulum.urdf").pose()
@@ -252,7 +257,7 @@ def test_what_a_mass_depends_on() -> None:
         assert link["per_kilogram"] == pytest.approx((ends[0] - ends[1]) / (2 * h), rel=1e-5, abs=1e-7)
     left = percuss.tolerate(model, contact, "mass=2%", samples=400, seed=5)
     assert left is not None and left.samples["count"] == 400
-    assert m - left.worst_case * 1.01 <= left.samples["least"] <= left.samples["greatest"] <= m + left.worst_case * 1.01  # type: ignore[operator]
+    assert m - left.worst_case * 1.01 <= left.samples["least"] <= left.samples["greatest"] <= m + left.worst_case * 1.01
     # Uniform numbers: the standard deviation is the root sum square over √3.
     assert left.samples["standard_deviation"] == pytest.approx(left.root_sum_square / np.sqrt(3), rel=0.15)
     pendulum = percuss.load(ROOT / "models/physical_pendulum.urdf")
@@ -326,7 +331,7 @@ def test_safe_speeds_by_energy_momentum_and_rows() -> None:
         for at in np.linspace(-0.5, 0.5, 5).tolist()
     ]
     assert along["slowest"]["speed"] == pytest.approx(min(each), rel=1e-9) and along["row"] == int(np.argmin(each))
-    directions = [[1, 0, 0], [0, 1, 0], [0, 0, 1], [0.3, -0.8, 0.5]]
+    directions = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.3, -0.8, 0.5]]
     *some, worst = percuss.safe_speed_directions(model, contact, region, directions, force=140.0, worst=True)
     assert len(some) == 4 and worst.reflected["speed"] <= min(one.reflected["speed"] for one in some) * (1 + 1e-9)
     for limit in ({}, {"force": 1.0, "energy": 1.0}, {"pressure": 1e6}):
