@@ -102,10 +102,10 @@ def compare(answered: pa.Table, expected: pa.Table, rows: int) -> None:
         assert np.array_equal(there, here, equal_nan=name != "status"), f"{name} differs from the plain call"
 
 
-def ran(engine: types.ModuleType, model: percuss.Model, source: Path, target: Path) -> float:
+def ran(engine: types.ModuleType, model: percuss.Model, source: Path, target: Path, batch: int) -> float:
     begun = time.perf_counter()
     if engine.__name__ == "ray_sweep":
-        engine.sweep(model, CONTACT, str(source), str(target), workers=WORKERS, blocks=len(list(source.iterdir())))
+        engine.sweep(model, CONTACT, str(source), str(target), workers=WORKERS, batch=batch)
     else:
         engine.sweep(model, CONTACT, str(source), str(target))
     return time.perf_counter() - begun
@@ -131,15 +131,16 @@ def main() -> None:
     alone = min(plain(model, source, given.folder / f"plain-{turn}") for turn in range(2))
     expected = read(given.folder / "plain-0")
     connection = engine.start(None, WORKERS)
+    batch = -(-given.rows // given.files)
     # The workers' own first batch: modules, the model.
-    whole = ran(engine, model, source, given.folder / "whole")
+    whole = ran(engine, model, source, given.folder / "whole", batch)
     answered = read(given.folder / "whole")
     compare(answered, expected, given.rows)
     workers = set(answered["worker"].to_numpy().tolist())
     assert len(workers) == WORKERS, f"{len(workers)} workers answered"
     killer = Killer(given.folder / "killed")
     killer.start()
-    killed = ran(engine, model, source, given.folder / "killed")
+    killed = ran(engine, model, source, given.folder / "killed", batch)
     killer.over.set()
     killer.join()
     answered = read(given.folder / "killed")

@@ -50,11 +50,11 @@ def sweep(
     *,
     workers: int,
     batch: int = 1 << 17,
-    blocks: int | None = None,
 ) -> None:
     """By so many workers at once. A worker that dies is replaced, and what it was doing is done again: every file of the
-    table is written under one name, so that nothing is doubled. blocks: parts that the table is read in; None: as Ray finds best."""
-    table = ray.data.read_parquet(source, override_num_blocks=blocks)
+    table is written under one name, so that nothing is doubled. batch: rows of what is handed out, and of each file."""
+    # Small files are read together: without this one worker might get all.
+    table = ray.data.read_parquet(source).repartition(target_num_rows_per_block=batch)
     answered = table.map_batches(
         Sweeper,
         fn_constructor_args=(model, contact),
@@ -70,8 +70,8 @@ def start(address: str | None, workers: int) -> None:
     """A worker has one processor, and takes no more."""
     environment = {"env_vars": {"RAYON_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}}
     logging.getLogger("ray.data").setLevel(logging.WARNING)
-    # Reading and writing share a processor more.
-    local = {} if address else {"num_cpus": workers + 1, "include_dashboard": False}
+    # Reading and writing have two places more.
+    local = {} if address else {"num_cpus": workers + 2, "include_dashboard": False}
     ray.init(address=address, runtime_env=environment, log_to_driver=False, **local)
 
 
