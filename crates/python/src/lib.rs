@@ -13,6 +13,7 @@ mod model;
 mod model_methods;
 mod motion;
 mod pose;
+mod pose_methods;
 mod question;
 mod reports;
 mod response;
