@@ -1,7 +1,14 @@
 #!/usr/bin/env bash
 # The C interface: its test programs and its example under the address sanitizer and under valgrind (no leak, no error), and programs
 # built by pkg-config and by CMake from an installed copy. Installs what is missing, as root: gcc, g++, valgrind, cmake, pkg-config.
+#   capi.sh [--libraries DIR]     those of `cargo test`: target/debug/deps; without it they are built as for users
 set -euo pipefail
+libraries=()
+case ${1-} in
+  --libraries) libraries=(--libraries "$(cd "$2" && pwd)") ;;
+  "") ;;
+  *) echo "capi.sh: unknown argument $1; expected [--libraries DIR]" >&2; exit 2 ;;
+esac
 here=$(cd "$(dirname "$0")" && pwd)
 cd "$here/../.."
 root=$PWD
@@ -20,26 +27,36 @@ done
 work=$root/target/external/capi
 rm -rf "$work"
 mkdir -p "$work"
-crates/capi/packaging/install.sh --prefix "$work/prefix" > "$work/install.log" 2>&1 || { cat "$work/install.log"; exit 1; }
+crates/capi/packaging/install.sh --prefix "$work/prefix" "${libraries[@]}" > "$work/install.log" 2>&1 || { cat "$work/install.log"; exit 1; }
 export PKG_CONFIG_PATH=$work/prefix/lib/pkgconfig LD_LIBRARY_PATH=$work/prefix/lib
 flags=(-g -O1 -Wall -Wextra -Wpedantic -Werror)
 system=$(sed -n 's/^Libs.private: //p' "$PKG_CONFIG_PATH/percuss.pc")
-ran=0
-for source in crates/capi/tests/c/*.c crates/capi/tests/c/wrapper.cc crates/capi/examples/*.c; do
+# check SOURCE: with the sanitizers against the static library, under valgrind with the shared one.
+check() {
+  local source=$1 name compiler=(gcc -std=c11)
   name=$(basename "$source")
-  compiler=(gcc -std=c11)
   case $name in *.cc) compiler=(g++ -std=c++17) ;; esac
   # shellcheck disable=SC2086
   "${compiler[@]}" "${flags[@]}" -fsanitize=address,undefined -fno-sanitize-recover=all -I "$work/prefix/include" "$source" \
     "$work/prefix/lib/libpercuss.a" $system -o "$work/$name.sanitized"
-  ASAN_OPTIONS=detect_leaks=1 "$work/$name.sanitized" > "$work/$name.log" 2>&1 || { cat "$work/$name.log"; echo "$name: address sanitizer"; exit 1; }
+  ASAN_OPTIONS=detect_leaks=1 "$work/$name.sanitized" > "$work/$name.log" 2>&1 || { cat "$work/$name.log"; echo "$name: address sanitizer"; return 1; }
   # shellcheck disable=SC2046
   "${compiler[@]}" "${flags[@]}" "$source" $(pkg-config --cflags --libs percuss) -lm -lpthread -o "$work/$name.plain"
   # What threads of the library keep until the program ends is "possibly lost"; what nothing points to is lost.
   valgrind --quiet --error-exitcode=9 --leak-check=full --errors-for-leak-kinds=definite,indirect --show-leak-kinds=definite,indirect \
-    "$work/$name.plain" > "$work/$name.log" 2>&1 || { cat "$work/$name.log"; echo "$name: valgrind"; exit 1; }
-  ran=$((ran + 1))
+    "$work/$name.plain" > "$work/$name.log" 2>&1 || { cat "$work/$name.log"; echo "$name: valgrind"; return 1; }
   echo "$name: address sanitizer, valgrind"
+}
+
+ran=0
+jobs=()
+for source in crates/capi/tests/c/*.c crates/capi/tests/c/wrapper.cc crates/capi/examples/*.c; do
+  (check "$source") &
+  jobs+=($!)
+done
+for job in "${jobs[@]}"; do
+  wait "$job" || exit 1
+  ran=$((ran + 1))
 done
 [ "$ran" -ge 6 ] || { echo "only $ran programs were found"; exit 1; }
 # CMake, both libraries.

@@ -21,13 +21,14 @@ fi
 bin=$work/venv/bin
 export PATH=$bin:$PATH PIP_DISABLE_PIP_VERSION_CHECK=1 PYTHONDONTWRITEBYTECODE=1 OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 rm -rf "$work/wheel" "$work/site"
-"$bin/pip" wheel --quiet --no-build-isolation --no-deps --wheel-dir "$work/wheel" "./$package"
+CARGO=$here/cargo.sh "$bin/pip" wheel --quiet --no-build-isolation --no-deps --wheel-dir "$work/wheel" "./$package"
 "$bin/pip" install --quiet --no-deps --force-reinstall "$work"/wheel/percuss-*.whl
 "$bin/pip" install --quiet --no-deps --target "$work/site" "$work"/wheel/percuss-*.whl
 failed=0
 (cd "$package" && "$bin/python" -m pytest -q -p no:cacheprovider tests "$@") || failed=1
 "$bin/python" -m mypy --config-file "$package/pyproject.toml" --cache-dir "$work/mypy" -p percuss || failed=1
 "$bin/python" -m mypy --config-file "$package/pyproject.toml" --cache-dir "$work/mypy" "$package"/tests/*.py "$package"/examples/*.py || failed=1
+"$bin/python" -m mypy --config-file "$package/pyproject.toml" --cache-dir "$work/mypy" "$package"/examples/cluster/*.py || failed=1
 "$bin/python" -m mypy.stubtest percuss --mypy-config-file "$package/pyproject.toml" || failed=1
 "$bin/pyright" --project "$package/pyproject.toml" --pythonpath "$bin/python" || failed=1
 # The peers have environments of their own; the same extension serves every Python from 3.10 on.

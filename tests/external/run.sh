@@ -46,6 +46,7 @@ environment "$drake" "$here/requirements-drake.txt" "$(first "${newer[@]}")"
 host=$(rustc -vV | sed -n 's/^host: //p')
 cargo fetch --quiet --locked --target "$host" --manifest-path "$here/contact/headers/Cargo.toml"
 "$here/packages.sh"
+# With the Python package, which python.sh builds: cargo.sh says why.
 cargo build --quiet --release -p percuss-tests --bins -p percuss-cli
 export PYTHONDONTWRITEBYTECODE=1 OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 failed=0
@@ -56,7 +57,7 @@ failed=0
 PYTHONPATH=$here "$drake/bin/python" "$here/contact/check.py" --percuss "$target/release/percuss" || failed=1
 "$here/engines.sh" "$target/release/percuss" || failed=1
 PYTHONPATH=$here "$venv/bin/python" "$here/contact/integrators.py" --percuss "$target/release/percuss" || failed=1
-# The C interface under valgrind and the address sanitizer is checked by hand: capi.sh.
+# The C interface under valgrind and the address sanitizer, and the Python package, are checked by hand: capi.sh, python.sh.
 # The shipped models: route A against the oracle's route C.
 "$target/release/percuss-reference" "shipped models" models/*.urdf || failed=1
 # Reference files of the loop dialect, where they are at hand: beside the repository, or where PERCUSS_REFERENCE says.

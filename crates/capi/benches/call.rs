@@ -1,9 +1,16 @@
 //! What the C interface costs: one m̄ from a warm workspace, called as a C program calls it, over the same call in Rust; CPU time of
-//! the thread, the two in turn. `cargo bench -p percuss-capi --bench call`
+//! the thread, the two in turn, the least of many blocks each.
+//!
+//!     packaging/install.sh --prefix PREFIX
+//!     PERCUSS_LIBRARY=PREFIX/lib/libpercuss.so cargo bench -p percuss-capi --bench call
+//!
+//! Without PERCUSS_LIBRARY the functions are those that are linked into this program: what the interface adds, without what
+//! a library of its own changes.
 
 use cpu_time::ThreadTime;
 use percuss::{Conditions, Contact, EffectiveMass, LoadOptions, Source, System, load};
 use percuss_c::*;
+use std::ffi::{CString, c_char, c_int, c_void};
 use std::fmt::Write;
 use std::hint::black_box;
 use std::ptr::{null, null_mut};
@@ -36,16 +43,88 @@ fn time(mut call: impl FnMut(usize)) -> f64 {
     start.elapsed().as_nanos() as f64 / CALLS as f64
 }
 
-fn median(values: &mut [f64]) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
+fn least(values: &[f64]) -> f64 {
+    values.iter().copied().fold(f64::INFINITY, f64::min)
+}
+
+unsafe extern "C" {
+    fn dlopen(path: *const c_char, flags: c_int) -> *mut c_void;
+    fn dlsym(library: *mut c_void, name: *const c_char) -> *mut c_void;
+}
+
+/// Resolve everything at once.
+const RTLD_NOW: c_int = 2;
+
+/// A new handle made from another, and from something that is null here.
+type Make<From, To> = unsafe extern "C" fn(*const From, *const c_void, *mut *mut To) -> percuss_status;
+type Load =
+    unsafe extern "C" fn(*const c_char, *const c_char, usize, *mut *mut percuss_model) -> percuss_status;
+type MakeWorkspace =
+    unsafe extern "C" fn(*const percuss_assembly, *mut *mut percuss_workspace) -> percuss_status;
+type Ask = unsafe extern "C" fn(
+    *mut percuss_workspace,
+    *const f64,
+    usize,
+    *const percuss_contact,
+    *mut percuss_outcome,
+    *mut f64,
+) -> percuss_status;
+
+/// The functions that are called, of the library or of this program.
+struct Interface {
+    load: Load,
+    system: Make<percuss_model, percuss_system>,
+    assembly: Make<percuss_system, percuss_assembly>,
+    workspace: MakeWorkspace,
+    effective_mass: Ask,
+}
+
+/// The address of a function: of the library, else the one that is linked in.
+fn address(library: *mut c_void, name: &str, linked: *const c_void) -> *const c_void {
+    if library.is_null() {
+        return linked;
+    }
+    let text = CString::new(name).expect("a name");
+    // SAFETY: the library was opened and is never closed; the name ends with a zero byte.
+    let found = unsafe { dlsym(library, text.as_ptr()) };
+    assert!(!found.is_null(), "the library has no {name}");
+    found
+}
+
+macro_rules! function {
+    ($library:expr, $name:ident as $kind:ty) => {{
+        let linked = $name as *const c_void;
+        let found = black_box(address($library, stringify!($name), linked));
+        // SAFETY: both are the function of this name of one version of the interface; pointers to conditions and guesses, which are null
+        // here, are of another type only.
+        unsafe { std::mem::transmute::<*const c_void, $kind>(found) }
+    }};
+}
+
+impl Interface {
+    fn new() -> Self {
+        let mut library = std::ptr::null_mut();
+        if let Ok(path) = std::env::var("PERCUSS_LIBRARY") {
+            let text = CString::new(path.clone()).expect("a path");
+            // SAFETY: the path ends with a zero byte.
+            library = unsafe { dlopen(text.as_ptr(), RTLD_NOW) };
+            assert!(!library.is_null(), "{path} cannot be opened");
+        }
+        Self {
+            load: function!(library, percuss_model_load_memory as Load),
+            system: function!(library, percuss_system_new as Make<percuss_model, percuss_system>),
+            assembly: function!(library, percuss_assembly_new as Make<percuss_system, percuss_assembly>),
+            workspace: function!(library, percuss_workspace_new as MakeWorkspace),
+            effective_mass: function!(library, percuss_workspace_effective_mass as Ask),
+        }
+    }
 }
 
 fn ok(status: percuss_status) {
     assert_eq!(status, PERCUSS_OK);
 }
 
-fn compare(name: &str, text: &str, link: &str) {
+fn compare(c: &Interface, name: &str, text: &str, link: &str) {
     let mechanism = load(&Source::from_text(name, text), &LoadOptions::default()).expect("a model").mechanism;
     let count: usize = mechanism.joints().iter().map(|joint| joint.kind().positions()).sum();
     let on = mechanism.find_link(link).expect("a link");
@@ -69,21 +148,15 @@ fn compare(name: &str, text: &str, link: &str) {
         normal_given: PERCUSS_NORMAL_LINK,
         toward: 0,
     };
-    // SAFETY: every pointer is to a value of this function, or a handle that these calls made.
-    unsafe {
-        ok(percuss_model_load_memory(c"arm.urdf".as_ptr(), text.as_ptr().cast(), text.len(), &mut model));
-    }
+    // SAFETY: every pointer is to a value of this function, or a handle that these calls made; the handles live as long as the program.
+    unsafe { ok((c.load)(c"arm.urdf".as_ptr(), text.as_ptr().cast(), text.len(), &mut model)) };
     // SAFETY: as above.
-    unsafe { ok(percuss_system_new(model, null(), &mut compiled)) };
+    unsafe { ok((c.system)(model, null(), &mut compiled)) };
     // SAFETY: as above.
-    unsafe { ok(percuss_assembly_new(compiled, null(), &mut assembly)) };
+    unsafe { ok((c.assembly)(compiled, null(), &mut assembly)) };
     // SAFETY: as above.
-    unsafe { ok(percuss_workspace_new(assembly, &mut room)) };
-    // As a C program has it: nothing is known of the function but its address.
-    let call = black_box(
-        percuss_workspace_effective_mass
-            as unsafe extern "C" fn(*mut _, *const f64, usize, *const _, *mut i32, *mut f64) -> i32,
-    );
+    unsafe { ok((c.workspace)(assembly, &mut room)) };
+    let call = c.effective_mass;
     let (mut outcome, mut mass) = (0, 0.0);
     let mut by_rust = |i: usize| {
         workspace.set_positions(black_box(&positions[i % 256])).expect("positions that fit");
@@ -100,7 +173,7 @@ fn compare(name: &str, text: &str, link: &str) {
         let EffectiveMass::Finite(expected) = by_rust(i) else { panic!("a finite answer") };
         assert_eq!(by_c(i), expected);
     }
-    let (mut rust, mut c, mut ratios) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut rust, mut c) = (Vec::new(), Vec::new());
     for block in 0..BLOCKS {
         // Each first as often as the other.
         let (r, s) = if block % 2 == 0 {
@@ -126,23 +199,16 @@ fn compare(name: &str, text: &str, link: &str) {
         };
         rust.push(r);
         c.push(s);
-        ratios.push(s / r);
     }
-    let (rust, c, ratio) = (median(&mut rust), median(&mut c), median(&mut ratios));
-    println!("{name:12} Rust {rust:8.1} ns, C {c:8.1} ns, ratio {ratio:.3}");
-    // SAFETY: made above, used by nobody any more.
-    unsafe { ok(percuss_workspace_free(&mut room)) };
-    // SAFETY: as above.
-    unsafe { ok(percuss_assembly_free(&mut assembly)) };
-    // SAFETY: as above.
-    unsafe { ok(percuss_system_free(&mut compiled)) };
-    // SAFETY: as above.
-    unsafe { ok(percuss_model_free(&mut model)) };
+    let (rust, c) = (least(&rust), least(&c));
+    println!("{name:12} Rust {rust:8.1} ns, C {c:8.1} ns, ratio {:.3}", c / rust);
 }
 
 fn main() {
-    compare("2 hinges", &arm(2), "link_2");
-    compare("7 hinges", &arm(7), "link_7");
-    compare("30 hinges", &arm(30), "link_30");
-    compare("four-bar", include_str!("../../../models/four_bar.urdf"), "coupler");
+    let c = Interface::new();
+    compare(&c, "2 hinges", &arm(2), "link_2");
+    compare(&c, "7 hinges", &arm(7), "link_7");
+    compare(&c, "30 hinges", &arm(30), "link_30");
+    compare(&c, "four-bar", include_str!("../../../models/four_bar.urdf"), "coupler");
+    compare(&c, "double wishbone", include_str!("../../../models/double_wishbone.urdf"), "wheel_centre");
 }

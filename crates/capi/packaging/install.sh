@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs the header files, the static and the shared library, the pkg-config file and the CMake package.
 #   install.sh --prefix DIR [--libraries DIR]
-# Without --libraries they are built: cargo build --release -p percuss-capi. Linux and macOS.
+# Without --libraries they are built, optimised as a whole (--crate-type: beside a library for Rust they would not be). Linux and macOS.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 prefix=
@@ -16,7 +16,7 @@ done
 [ -n "$prefix" ] || { echo "install.sh: --prefix DIR is missing" >&2; exit 2; }
 root=$(cd "$here/../../.." && pwd)
 if [ -z "$libraries" ]; then
-  cargo build --release --manifest-path "$root/Cargo.toml" -p percuss-capi
+  cargo rustc --release --manifest-path "$root/Cargo.toml" -p percuss-capi --lib --crate-type staticlib,cdylib
   libraries=${CARGO_TARGET_DIR:-$root/target}/release
 fi
 header=$here/../include/percuss.h

@@ -4,9 +4,9 @@ use crate::arrays::{input, text};
 use crate::handle::{Handle, clear, free, get, give, take};
 use crate::model::{Model, percuss_model};
 use crate::status::{Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_CONDITIONS, guarded, percuss_status};
-use percuss::Configuration;
 use percuss::nalgebra::Vector3;
 use percuss::spatial::{Transform, rotation_from_quaternion};
+use percuss::{Configuration, ConfigurationError};
 use std::ffi::c_char;
 use std::sync::{Arc, Mutex};
 
@@ -83,6 +83,25 @@ pub unsafe extern "C" fn percuss_configuration_reset(
     })
 }
 
+/// What is done with a joint's values.
+type OfJoint =
+    for<'a> fn(&'a mut Configuration, &str, &[f64]) -> Result<&'a mut Configuration, ConfigurationError>;
+
+fn of_joint(
+    handle: *mut percuss_configuration,
+    joint: *const c_char,
+    values: *const f64,
+    count: usize,
+    how: OfJoint,
+) -> percuss_status {
+    guarded(|| {
+        let (joint, values) = (text(joint, "joint")?, input(values, count, "values")?);
+        let mut given = take(get(handle)?, "percuss_configuration")?;
+        how(&mut given.values, joint, values).map_err(Failure::of(PERCUSS_ERROR_CONDITIONS))?;
+        Ok(())
+    })
+}
+
 /// Sets a driving joint to count values (layouts of percuss_joint_kind). Joints of loops that are not set follow.
 ///
 /// Errors: PERCUSS_ERROR_CONDITIONS: no such joint, set twice, a mimic, another number of values, a value that is none.
@@ -96,12 +115,7 @@ pub unsafe extern "C" fn percuss_configuration_set(
     values: *const f64,
     count: usize,
 ) -> percuss_status {
-    guarded(|| {
-        let (joint, values) = (text(joint, "joint")?, input(values, count, "values")?);
-        let mut given = take(get(configuration)?, "percuss_configuration")?;
-        given.values.set(joint, values).map_err(Failure::of(PERCUSS_ERROR_CONDITIONS))?;
-        Ok(())
-    })
+    of_joint(configuration, joint, values, count, Configuration::set)
 }
 
 /// Sets where to look for a joint that follows from loops: which assembly mode is meant.
@@ -117,12 +131,7 @@ pub unsafe extern "C" fn percuss_configuration_guess(
     values: *const f64,
     count: usize,
 ) -> percuss_status {
-    guarded(|| {
-        let (joint, values) = (text(joint, "joint")?, input(values, count, "values")?);
-        let mut given = take(get(configuration)?, "percuss_configuration")?;
-        given.values.guess(joint, values).map_err(Failure::of(PERCUSS_ERROR_CONDITIONS))?;
-        Ok(())
-    })
+    of_joint(configuration, joint, values, count, Configuration::guess)
 }
 
 /// Sets a whole configuration: the positions of all joints one after another, in joint order; those of mimics are not read. Loops

@@ -1,4 +1,4 @@
-"""percuss.sweep on (1,000,000, p) beside the same batch in Rust, in turns on the same machine.
+"""percuss.sweep on (1,000,000, p) beside the same batch in Rust: CPU time of all threads, in turns on the same machine.
 
     cargo bench -p percuss-python --no-run      prints the program's path
     sweep.py PROGRAM                            prints the best of some runs each, and the ratio
@@ -53,9 +53,9 @@ def main() -> None:
                 best["Rust"] = min(best["Rust"], float(ran.stdout))
                 for what, array in (("Python", q), ("Python, F order", by_columns)):
                     for _ in range(5):
-                        begun = time.perf_counter()
+                        begun = time.process_time()
                         percuss.sweep(assembly, contact, array)
-                        best[what] = min(best[what], time.perf_counter() - begun)
+                        best[what] = min(best[what], time.process_time() - begun)
         times = ", ".join(f"{what} {1e3 * seconds:.1f} ms" for what, seconds in best.items())
         print(f"{name}: {times}; Python over Rust {best['Python'] / best['Rust']:.3f}")
 

@@ -1,7 +1,10 @@
 //! Numbers of the caller's: what is no array of float64 is made one, or refused with what it is and what is expected.
 
 use crate::errors::input;
-use numpy::{PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
+use numpy::{
+    PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyReadonlyArray2, PyReadonlyArrayDyn,
+    PyUntypedArrayMethods,
+};
 use percuss::nalgebra::DMatrix;
 use pyo3::prelude::*;
 use pyo3::types::PyAny;
@@ -20,6 +23,17 @@ pub fn float64<'py>(
     if !dimensions.contains(&found.ndim()) {
         return Err(input(format_args!("{what} has shape {}; expected {expected}", shape(found.shape()))));
     }
+    found.try_readonly().map_err(|error| input(format_args!("{what}: {error}")))
+}
+
+/// The same with two dimensions.
+pub fn float64_matrix<'py>(
+    value: &Bound<'py, PyAny>,
+    what: &str,
+    expected: &str,
+) -> PyResult<PyReadonlyArray2<'py, f64>> {
+    let found = float64(value, what, &[2], expected)?;
+    let found = found.cast::<PyArray2<f64>>()?.clone();
     found.try_readonly().map_err(|error| input(format_args!("{what}: {error}")))
 }
 

@@ -1,8 +1,8 @@
 //! Errors of the library as exceptions of `percuss._errors`, with the same messages.
 
 use crate::diagnostic::Diagnostic;
-use percuss::study::{DiagnosticRecord, Names, StudyError, StudyFileError};
-use percuss::{AssemblyError, LoadError as Refused, ResponseError, RouteError};
+use percuss::study::{DesignError, DiagnosticRecord, Names, StudyError, StudyFileError};
+use percuss::{AssemblyError, LoadError as Refused, ResponseError, RouteError, TravelError};
 use pyo3::prelude::*;
 use std::fmt::Display;
 
@@ -50,6 +50,17 @@ pub fn route(error: RouteError) -> PyErr {
     }
 }
 
+/// A travel that means nothing, or that the mechanism does not make.
+pub fn travel(error: TravelError) -> PyErr {
+    match error {
+        TravelError::Assembly(error) => assembly(error),
+        TravelError::NothingMoves { .. } | TravelError::Unreachable { .. } | TravelError::TooFar { .. } => {
+            no_answer(error)
+        }
+        other => input(other),
+    }
+}
+
 /// A file that cannot be read: every error of it in the message, everything that was found as objects.
 pub fn load(error: Refused) -> PyErr {
     let records: Vec<DiagnosticRecord> = error.diagnostics.into_iter().map(Into::into).collect();
@@ -66,6 +77,15 @@ pub fn study(error: StudyError) -> PyErr {
         StudyError::Assembly(_) => LoopsError::new_err(message),
         error if error.is_no_answer() => no_answer(message),
         _ => input(message),
+    }
+}
+
+/// A change of a model that cannot be had.
+pub fn design(error: DesignError) -> PyErr {
+    match error {
+        DesignError::Load(error) => load(error),
+        DesignError::Change(error) => study(error),
+        other => input(other),
     }
 }
 

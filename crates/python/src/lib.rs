@@ -7,10 +7,13 @@ mod contact;
 mod damping;
 mod diagnostic;
 mod errors;
+mod maps;
 mod matrices;
 mod model;
 mod model_methods;
+mod motion;
 mod pose;
+mod pose_methods;
 mod question;
 mod reports;
 mod response;
@@ -34,10 +37,13 @@ mod module {
     #[pymodule_export]
     use crate::model::{Joint, Model, load, loads, model_of_bytes};
     #[pymodule_export]
+    use crate::motion::{Accelerations, Travel};
+    #[pymodule_export]
     use crate::pose::Pose;
     #[pymodule_export]
     use crate::reports::{
-        check, map_point_report, map_report, mass_report, run_study, safe_speed, sweep_report,
+        check, compare, compare_study, explain, map_point_report, map_report, mass_report, run_study,
+        safe_speed, safe_speed_directions, sweep_report, tolerate,
     };
     #[pymodule_export]
     use crate::response::Response;

@@ -1,12 +1,15 @@
 //! What Python asks of a model: its names, and the steps from it on.
 
 use crate::diagnostic::Diagnostic;
+use crate::errors;
 use crate::model::{Joint, Model};
 use crate::pose::Pose;
 use crate::system::{Assembly, System};
+use percuss::study::Changes;
 use percuss::{JointKind, write_urdf};
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
+use std::collections::BTreeMap;
 
 /// A function, and what it is called with.
 type Rebuilt<'py> = (Bound<'py, PyAny>, (Vec<u8>, String, Vec<String>));
@@ -88,6 +91,32 @@ impl Model {
     /// The mechanism as URDF.
     fn to_urdf(&self) -> String {
         write_urdf(&self.read.mechanism)
+    }
+
+    /// Names of the hardpoints that `changed` can move: those of a sheet that `load` read.
+    #[getter]
+    fn hardpoints(&self) -> Vec<String> {
+        self.read.hardpoints().to_vec()
+    }
+
+    /// The model with something changed, after what was changed before. link_mass: link to kg, moments about its centre of mass
+    /// in proportion. link_com: link to centre of mass, (3,) m in the link's frame, moments about it as they are. move:
+    /// hardpoint of a sheet to how far it is moved, (3,) m, sheet's axes.
+    #[pyo3(signature = (*, link_mass=BTreeMap::new(), link_com=BTreeMap::new(), r#move=BTreeMap::new()))]
+    fn changed(
+        &self,
+        py: Python<'_>,
+        link_mass: BTreeMap<String, f64>,
+        link_com: BTreeMap<String, [f64; 3]>,
+        r#move: BTreeMap<String, [f64; 3]>,
+    ) -> PyResult<Self> {
+        let changes = Changes {
+            link_mass: link_mass.into_iter().collect(),
+            link_com: link_com.into_iter().collect(),
+            moves: r#move.into_iter().collect(),
+        };
+        let read = py.detach(|| self.read.changed(&changes)).map_err(errors::design)?;
+        Model::new(py, read)
     }
 
     /// The mechanism under conditions.

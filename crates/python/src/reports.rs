@@ -2,13 +2,15 @@
 
 use crate::contact::Contact;
 use crate::errors::{self, input};
+use crate::maps::code;
 use crate::model::Model;
 use crate::question::{Conditions, Damping, rows};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
+use percuss::DEFAULT_MAX_SIZE;
 use percuss::study::{
-    self, Limit, MapLinks, MapQuestion, MapShapes, SafeSpeedQuestion, SkinFacets, StudyFile, Sweep,
+    self, Limit, MapLinks, MapQuestion, MapShapes, MassQuestion, Names, SafeSpeedQuestion, Sampling,
+    SkinFacets, StudyError, StudyFile, Sweep, Tolerance,
 };
-use percuss::{ContactStatus, DEFAULT_MAX_SIZE};
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 use serde::Serialize;
@@ -18,6 +20,18 @@ use std::path::PathBuf;
 /// A report as JSON.
 pub fn json(report: &impl Serialize) -> PyResult<String> {
     serde_json::to_string(report).map_err(errors::no_answer)
+}
+
+/// What is answered to a contact of a model under conditions, as JSON.
+fn asked<R: Serialize + Send>(
+    py: Python<'_>,
+    model: &Model,
+    contact: &Contact,
+    conditions: &Conditions<'_>,
+    answer: impl FnOnce(&study::Model, &MassQuestion) -> Result<R, StudyError> + Send,
+) -> PyResult<String> {
+    let question = conditions.of_contact(&model.read.mechanism, contact)?;
+    json(&py.detach(|| answer(&model.read, &question)).map_err(errors::study)?)
 }
 
 /// What is in a model.
@@ -35,13 +49,39 @@ pub fn mass_report(
     conditions: Conditions<'_>,
     damping: Option<Damping>,
 ) -> PyResult<String> {
-    let question = conditions.of_contact(&model.read.mechanism, contact)?;
     let damping = damping.map(|damping| damping.question()).transpose()?;
-    let report = py.detach(|| match &damping {
-        Some(damping) => study::mass_with_damper(&model.read, &question, damping),
-        None => study::mass(&model.read, &question),
-    });
-    json(&report.map_err(errors::study)?)
+    asked(py, model, contact, &conditions, |model, question| match &damping {
+        Some(damping) => study::mass_with_damper(model, question, damping),
+        None => study::mass(model, question),
+    })
+}
+
+/// What the mass of a contact depends on; null where it has none.
+#[pyfunction]
+pub fn explain(
+    py: Python<'_>,
+    model: &Model,
+    contact: &Contact,
+    conditions: Conditions<'_>,
+) -> PyResult<String> {
+    asked(py, model, contact, &conditions, study::explain)
+}
+
+/// What tolerances leave of the mass of a contact; null where it has none. samples: how many, and their seed.
+#[pyfunction]
+pub fn tolerate(
+    py: Python<'_>,
+    model: &Model,
+    contact: &Contact,
+    conditions: Conditions<'_>,
+    tolerance: &str,
+    samples: Option<(usize, u64)>,
+) -> PyResult<String> {
+    let tolerance = Tolerance::parse(tolerance).map_err(input)?;
+    let sampling = samples.map(|(count, seed)| Sampling { count, seed });
+    asked(py, model, contact, &conditions, |model, question| {
+        study::tolerate(model, question, tolerance, sampling)
+    })
 }
 
 /// The same contact at many rows of positions.
@@ -66,7 +106,7 @@ pub fn sweep_report<'py>(
 fn watched<'a>(
     py: Python<'_>,
     model: &study::Model,
-    sweep: impl FnOnce() -> Result<Sweep<'a>, percuss::study::StudyError> + Send,
+    sweep: impl FnOnce() -> Result<Sweep<'a>, StudyError> + Send,
 ) -> PyResult<study::SweepReport> {
     let mut interrupted = None;
     let report = py.detach(|| {
@@ -107,12 +147,7 @@ fn facets<'py>(py: Python<'py>, skin: &SkinFacets) -> PyResult<Bound<'py, PyDict
     arrays.set_item("area", numbers(&|record| record.area))?;
     arrays.set_item("effective_mass", numbers(&|record| record.effective_mass.unwrap_or(f64::NAN)))?;
     arrays.set_item("error", numbers(&|record| record.effective_mass_error.unwrap_or(f64::NAN)))?;
-    let codes = skin.statuses.iter().map(|status| match status {
-        ContactStatus::Finite => 0,
-        ContactStatus::Immovable => 1,
-        ContactStatus::Massless => 2,
-        ContactStatus::Unanswered => 3_u8,
-    });
+    let codes = skin.statuses.iter().map(|status| code(*status));
     arrays.set_item("status", PyArray1::from_vec(py, codes.collect()))?;
     Ok(arrays)
 }
@@ -164,34 +199,130 @@ pub fn map_point_report(
     conditions: Conditions<'_>,
     directions: usize,
 ) -> PyResult<String> {
-    let question = conditions.of_contact(&model.read.mechanism, contact)?;
-    let report = py.detach(|| study::map_point(&model.read, &question, directions));
-    json(&report.map_err(errors::study)?)
+    asked(py, model, contact, &conditions, |model, question| study::map_point(model, question, directions))
 }
 
-/// How fast the contact of a robot may go. limit: force, N; or pressure, Pa, with area, m².
+/// `percuss._reports._Limit`: one of the first four.
+#[derive(FromPyObject)]
+pub struct SpeedLimit {
+    force: Option<f64>,
+    pressure: Option<f64>,
+    area: Option<f64>,
+    energy: Option<f64>,
+    momentum: Option<f64>,
+    load: f64,
+}
+
+impl SpeedLimit {
+    fn question(&self, region: Option<String>) -> PyResult<SafeSpeedQuestion> {
+        let limit = match (self.force, self.pressure, self.area, self.energy, self.momentum) {
+            (Some(force), None, None, None, None) => Limit::Force(force),
+            (None, Some(pressure), Some(area), None, None) => Limit::Pressure(pressure, area),
+            (None, None, None, Some(energy), None) => Limit::Energy(energy),
+            (None, None, None, None, Some(momentum)) => Limit::Momentum(momentum),
+            _ => {
+                return Err(input(
+                    "give one of force (N), pressure (Pa) with area (m²), energy (J) and momentum (N·s)",
+                ));
+            }
+        };
+        Ok(SafeSpeedQuestion { region, limit, load: self.load })
+    }
+}
+
+/// How fast the contact of a robot may go: at its pose, or at the slowest of rows of positions.
 #[pyfunction]
-#[allow(clippy::too_many_arguments, reason = "the question of a safe speed")]
+#[allow(clippy::too_many_arguments, clippy::type_complexity, reason = "the question of a safe speed")]
 pub fn safe_speed(
     py: Python<'_>,
     model: &Model,
     contact: &Contact,
     conditions: Conditions<'_>,
-    region: String,
-    force: Option<f64>,
-    pressure: Option<f64>,
-    area: Option<f64>,
-    load: f64,
+    region: Option<String>,
+    limit: SpeedLimit,
+    vary: Option<Vec<Bound<'_, PyAny>>>,
+    input: Option<(String, Vec<String>)>,
+    random: Option<(usize, u64)>,
 ) -> PyResult<String> {
-    let question = conditions.of_contact(&model.read.mechanism, contact)?;
-    let limit = match (force, pressure, area) {
-        (Some(force), None, None) => Limit::Force(force),
-        (None, Some(pressure), Some(area)) => Limit::Pressure(pressure, area),
-        _ => return Err(input("give force (N), or pressure (Pa) with area (m²)")),
+    let limit = limit.question(region)?;
+    if vary.is_none() && input.is_none() && random.is_none() {
+        return asked(py, model, contact, &conditions, |model, question| {
+            study::safe_speed(model, question, &limit)
+        });
+    }
+    let source = rows(vary, input, random)?;
+    asked(py, model, contact, &conditions, |model, question| {
+        study::safe_speed_along(model, question, &limit, &source)
+    })
+}
+
+/// The same in several directions of the world, and in the worst of all.
+#[pyfunction]
+#[allow(clippy::too_many_arguments, reason = "the question of a safe speed")]
+pub fn safe_speed_directions(
+    py: Python<'_>,
+    model: &Model,
+    contact: &Contact,
+    conditions: Conditions<'_>,
+    region: Option<String>,
+    limit: SpeedLimit,
+    directions: Vec<[f64; 3]>,
+    worst: bool,
+) -> PyResult<String> {
+    let limit = limit.question(region)?;
+    asked(py, model, contact, &conditions, |model, question| {
+        study::safe_speed_directions(model, question, &limit, &directions, worst)
+    })
+}
+
+/// `percuss.Design`.
+#[derive(FromPyObject)]
+pub struct Design<'py> {
+    name: String,
+    model: Bound<'py, Model>,
+    contact: Bound<'py, Contact>,
+    conditions: Conditions<'py>,
+}
+
+/// One question asked of several designs, at the same rows of positions where there are some.
+#[pyfunction]
+#[allow(clippy::type_complexity, reason = "where rows come from")]
+pub fn compare(
+    py: Python<'_>,
+    designs: Vec<Design<'_>>,
+    vary: Option<Vec<Bound<'_, PyAny>>>,
+    input: Option<(String, Vec<String>)>,
+    random: Option<(usize, u64)>,
+) -> PyResult<String> {
+    let source = match vary.is_none() && input.is_none() && random.is_none() {
+        true => None,
+        false => Some(rows(vary, input, random)?),
     };
-    let asked = SafeSpeedQuestion { region: Some(region), limit, load };
-    let report = py.detach(|| study::safe_speed(&model.read, &question, &asked));
-    json(&report.map_err(errors::study)?)
+    let design = |design: &Design<'_>| {
+        let model = &design.model.get().read;
+        PyResult::Ok(study::Design {
+            name: design.name.clone(),
+            model: study::Model::clone(model),
+            question: design.conditions.of_contact(&model.mechanism, design.contact.get())?,
+            rows: source.clone(),
+        })
+    };
+    let designs: Vec<study::Design> = designs.iter().map(design).collect::<PyResult<_>>()?;
+    compared(py, &designs)
+}
+
+/// The designs of a study: its model under a name, then its variants.
+#[pyfunction]
+pub fn compare_study(py: Python<'_>, path: PathBuf, name: &str) -> PyResult<String> {
+    let path = path.to_string_lossy().into_owned();
+    let study = py.detach(|| StudyFile::load(&path, DEFAULT_MAX_SIZE)).map_err(errors::study_file)?;
+    errors::warn(py, &study.model.diagnostics)?;
+    compared(py, &study.designs(name))
+}
+
+fn compared(py: Python<'_>, designs: &[study::Design]) -> PyResult<String> {
+    let report = py.detach(|| study::compare(designs));
+    json(&report.map_err(|error| input(error.message(Names::Fields)))?)
 }
 
 /// Runs a study: its sweep's report where it has one, else that of its contact.

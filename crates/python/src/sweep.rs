@@ -1,29 +1,37 @@
 //! m̄ of one contact at many configurations: arrays in and out, the interpreter released.
 
-use crate::arrays::{float64, shape};
+use crate::arrays::{float64_matrix as matrix, shape};
 use crate::contact::Contact;
 use crate::errors::{self, input};
 use crate::matrices::coded;
 use crate::model::Model;
 use crate::system::{Assembly, System};
-use numpy::{PyArray1, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
+use numpy::ndarray::{ArrayView2, s};
+use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
 use percuss::{
-    Assembly as Assembled, Batch, BatchAnswer, BatchPositions, Configuration, Contact as Resolved,
-    DrivenPath, JointId, PathAnswer, Pose as Posed, RouteChoice,
+    Assembly as Assembled, Batch, BatchAnswer, BatchError, BatchPositions, Configuration,
+    Contact as Resolved, DrivenPath, JointId, PathAnswer, Pose as Posed, RouteChoice,
 };
 use percuss_render::{Figure, Panel, Series, Style};
 use pyo3::prelude::*;
 use pyo3::types::PyAny;
 use rayon::prelude::*;
+use std::cell::RefCell;
+use std::ops::Range;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-/// Configurations between two looks for Ctrl-C: at first, and at most.
-const PORTIONS: (usize, usize) = (1024, 1 << 17);
-/// A portion that takes longer is the largest.
+/// Configurations of the first portion, at most of one, and by how much portions grow. Between portions Ctrl-C is looked for.
+const FIRST: usize = 1024;
+const LARGEST: usize = 1 << 22;
+const GROWTH: f64 = 8.0;
+/// How long a portion should take.
 const LOOK_AFTER: Duration = Duration::from_millis(50);
-/// Answers that a thread makes columns of at once.
-const AT_ONCE: usize = 1024;
+/// Configurations that a thread takes at once: at least so many, since each time its room is made anew; at most so many, for which
+/// positions and answers stay in its cache.
+const AT_ONCE: (usize, usize) = (512, 1 << 14);
+/// Blocks of a portion for each thread: more even out what others on the machine take.
+const SHARES: usize = 8;
 
 /// m̄ of a contact at many configurations.
 #[pyclass(frozen, module = "percuss")]
@@ -42,7 +50,7 @@ pub struct Sweep {
     link: String,
 }
 
-#[derive(Default)]
+/// What is answered, by columns.
 struct Columns {
     masses: Vec<f64>,
     errors: Vec<f64>,
@@ -50,27 +58,14 @@ struct Columns {
 }
 
 impl Columns {
+    /// To be written all over: of memory that is zero already, whose pages come as they are written.
     fn of(count: usize) -> Self {
-        Self { masses: vec![f64::NAN; count], errors: vec![f64::NAN; count], codes: vec![3; count] }
+        Self { masses: vec![0.0; count], errors: vec![0.0; count], codes: vec![0; count] }
     }
 
     fn set(&mut self, at: usize, mass: Option<percuss::EffectiveMass>, error: Option<f64>) {
         (self.masses[at], self.codes[at]) = coded(mass);
         self.errors[at] = error.unwrap_or(f64::NAN);
-    }
-
-    fn fill(&mut self, first: usize, answers: &[BatchAnswer]) {
-        let rows = first..first + answers.len();
-        let masses = self.masses[rows.clone()].par_chunks_mut(AT_ONCE);
-        let errors = self.errors[rows.clone()].par_chunks_mut(AT_ONCE);
-        let codes = self.codes[rows].par_chunks_mut(AT_ONCE);
-        let of = answers.par_chunks(AT_ONCE);
-        masses.zip(errors).zip(codes).zip(of).for_each(|(((masses, errors), codes), answers)| {
-            for (i, answer) in answers.iter().enumerate() {
-                (masses[i], codes[i]) = coded(answer.mass);
-                errors[i] = answer.error.unwrap_or(f64::NAN);
-            }
-        });
     }
 }
 
@@ -114,7 +109,7 @@ pub fn sweep(
 ) -> PyResult<Sweep> {
     let (model, assembly) = model.assembly(py)?;
     let resolved = contact.on(&model.read.mechanism)?;
-    let q = float64(q, "q", &[2], "(N, p): a row for each configuration")?;
+    let q = matrix(q, "q", "(N, p): a row for each configuration")?;
     let batch = assembly.batch(&resolved).map_err(errors::response)?;
     let columns = match joints {
         None => {
@@ -172,74 +167,161 @@ fn drivers(model: &Model, names: &[String], given: &[usize]) -> PyResult<Vec<(Jo
     names.iter().map(find).collect()
 }
 
-/// Refuses what is no number; by rows of a block.
-fn refuse_nan(values: &[f64], place: impl Fn(usize) -> (usize, usize)) -> PyResult<()> {
-    // NaN and infinity make NaN of zero.
-    let is_bad = |part: &[f64]| part.iter().fold(0.0, |sum, x| sum + 0.0 * x) != 0.0;
-    let size = 1 << 15;
-    let Some(number) = values.par_chunks(size).position_first(is_bad) else { return Ok(()) };
-    let at = values.iter().skip(number * size).position(|x| !x.is_finite());
-    let at = number * size + at.unwrap_or_default();
-    let (row, column) = place(at);
-    Err(input(format_args!("q[{row}, {column}] is {}; expected finite numbers", values[at])))
+/// Whether every number is finite. All are looked at, so that many are at once: a sum, or an end at the first, would take as long as the
+/// answers of an arm.
+fn is_finite(values: &[f64]) -> bool {
+    !values.iter().fold(false, |bad, x| bad | !x.is_finite())
+}
+
+/// Names the first number of some rows that is not finite.
+fn refuse(q: ArrayView2<'_, f64>, rows: Range<usize>) -> PyErr {
+    let places = rows.flat_map(|row| (0..q.ncols()).map(move |column| (row, column)));
+    let mut bad = places.filter(|place| !q[*place].is_finite());
+    let (row, column) = bad.next().unwrap_or_default();
+    input(format_args!("q[{row}, {column}] is {}; expected finite numbers", q[(row, column)]))
 }
 
 /// Portions of configurations that grow while they are quick; looks for Ctrl-C between them.
 fn portions(
     py: Python<'_>,
     count: usize,
-    mut portion: impl FnMut(usize, usize) -> PyResult<()> + Send,
+    mut portion: impl FnMut(Range<usize>) -> PyResult<()> + Send,
 ) -> PyResult<()> {
-    let (mut first, mut size) = (0, PORTIONS.0);
+    let (mut first, mut size) = (0, FIRST);
     while first < count {
         let here = size.min(count - first);
         let begun = Instant::now();
-        py.detach(|| portion(first, here))?;
+        py.detach(|| portion(first..first + here))?;
         py.check_signals()?;
         first += here;
-        if begun.elapsed() < LOOK_AFTER {
-            size = (2 * size).min(PORTIONS.1);
-        } else if begun.elapsed() > 4 * LOOK_AFTER {
-            size = (size / 2).max(16);
-        }
+        let spent = begun.elapsed().as_secs_f64().max(1e-9);
+        let factor = (LOOK_AFTER.as_secs_f64() / spent).clamp(1.0 / GROWTH, GROWTH);
+        size = ((here as f64 * factor) as usize).clamp(16, LARGEST);
     }
     Ok(())
 }
 
-/// All positions of every row.
-fn whole(py: Python<'_>, batch: &Batch, q: &PyReadonlyArrayDyn<'_, f64>) -> PyResult<Columns> {
-    let (count, width) = (q.shape()[0], q.shape()[1]);
+/// What a thread of a sweep works with, kept from one block to the next.
+#[derive(Default)]
+struct Room {
+    answers: Vec<BatchAnswer>,
+    positions: Vec<f64>,
+}
+
+thread_local! {
+    static ROOM: RefCell<Room> = RefCell::default();
+}
+
+/// Where the rows of q stand.
+#[derive(Clone, Copy)]
+enum Rows<'a> {
+    /// All positions of a row, one row after another.
+    One(&'a [f64]),
+    /// All positions, one column after another.
+    Columns(&'a [f64]),
+    /// All positions, anywhere.
+    Apart,
+    /// Some positions: where each column belongs, and what the others are.
+    Some { places: &'a [usize], others: &'a [f64] },
+}
+
+/// Answers rows of q, block by block, all threads at once: each number is read, checked, answered and written while it is in
+/// the cache.
+fn answer(py: Python<'_>, batch: &Batch, q: ArrayView2<'_, f64>, stand: Rows<'_>) -> PyResult<Columns> {
+    let count = q.nrows();
     let mut columns = Columns::of(count);
-    let mut answers = vec![BatchAnswer::NONE; count.min(PORTIONS.1)];
-    let mut run = |first: usize, here: usize, positions: BatchPositions<'_>| {
-        batch.run(positions, &mut answers[..here]).map_err(input)?;
-        columns.fill(first, &answers[..here]);
-        Ok(())
-    };
-    match q.as_slice() {
-        Ok(values) if q.is_c_contiguous() => portions(py, count, |first, here| {
-            let part = &values[first * width..(first + here) * width];
-            refuse_nan(part, |at| (first + at / width, at % width))?;
-            run(first, here, BatchPositions::Rows { values: part, stride: width })
-        })?,
-        Ok(values) => {
-            py.detach(|| refuse_nan(values, |at| (at % count, at / count)))?;
-            portions(py, count, |first, here| {
-                run(first, here, BatchPositions::Columns { values: &values[first..], stride: count })
-            })?;
-        }
-        Err(_) => {
-            let view = q.as_array();
-            let mut part = Vec::new();
-            portions(py, count, |first, here| {
-                part.clear();
-                (first..first + here).for_each(|row| part.extend((0..width).map(|c| view[[row, c]])));
-                refuse_nan(&part, |at| (first + at / width, at % width))?;
-                run(first, here, BatchPositions::Rows { values: &part, stride: width })
-            })?;
-        }
-    }
+    let threads = rayon::current_num_threads();
+    portions(py, count, |rows| {
+        let block = rows.len().div_ceil(threads * SHARES).clamp(AT_ONCE.0, AT_ONCE.1);
+        let masses = columns.masses[rows.clone()].par_chunks_mut(block);
+        let errors = columns.errors[rows.clone()].par_chunks_mut(block);
+        let codes = columns.codes[rows.clone()].par_chunks_mut(block);
+        let blocks = masses.zip(errors).zip(codes).enumerate();
+        let done = blocks.try_for_each(|(number, ((masses, errors), codes))| {
+            let first = rows.start + number * block;
+            let own = first..first + masses.len();
+            ROOM.with_borrow_mut(|room| {
+                let Room { answers, positions } = room;
+                answers.resize(answers.len().max(own.len()), BatchAnswer::NONE);
+                let answers = &mut answers[..own.len()];
+                let Some(positions) = stand.of_block(q, own.clone(), positions) else {
+                    return Err(Stopped::NotFinite);
+                };
+                batch.run_here(positions, answers).map_err(Stopped::Refused)?;
+                for (i, answer) in answers.iter().enumerate() {
+                    (masses[i], codes[i]) = coded(answer.mass);
+                    errors[i] = answer.error.unwrap_or(f64::NAN);
+                }
+                Ok(())
+            })
+        });
+        done.map_err(|stopped| match stopped {
+            Stopped::NotFinite => refuse(q, rows),
+            Stopped::Refused(error) => input(error),
+        })
+    })?;
     Ok(columns)
+}
+
+/// Why a block was not answered.
+enum Stopped {
+    NotFinite,
+    Refused(BatchError),
+}
+
+impl<'a> Rows<'a> {
+    /// The positions of some rows; none where a number is not finite.
+    fn of_block<'b>(
+        self,
+        q: ArrayView2<'_, f64>,
+        rows: Range<usize>,
+        room: &'b mut Vec<f64>,
+    ) -> Option<BatchPositions<'b>>
+    where
+        'a: 'b,
+    {
+        let (count, width, here) = (q.nrows(), q.ncols(), rows.len());
+        let (values, positions) = match self {
+            Rows::One(values) => {
+                let values = &values[rows.start * width..rows.end * width];
+                (values, BatchPositions::Rows { values, stride: width })
+            }
+            Rows::Columns(values) => {
+                let column = |c: usize| &values[c * count..][rows.clone()];
+                let positions = BatchPositions::Columns {
+                    values: values.get(rows.start..).unwrap_or_default(),
+                    stride: count,
+                };
+                return (0..width).all(|c| is_finite(column(c))).then_some(positions);
+            }
+            Rows::Apart => {
+                room.clear();
+                q.slice(s![rows, ..]).rows().into_iter().for_each(|row| room.extend(row));
+                (&room[..], BatchPositions::Rows { values: room, stride: width })
+            }
+            // By columns, the fastest.
+            Rows::Some { places, others } => {
+                room.clear();
+                others.iter().for_each(|x| room.extend(std::iter::repeat_n(*x, here)));
+                for (column, place) in places.iter().enumerate() {
+                    let to = &mut room[place * here..(place + 1) * here];
+                    to.iter_mut().zip(q.slice(s![rows.clone(), column])).for_each(|(to, x)| *to = *x);
+                }
+                (&room[..], BatchPositions::Columns { values: room, stride: here })
+            }
+        };
+        is_finite(values).then_some(positions)
+    }
+}
+
+/// All positions of every row.
+fn whole(py: Python<'_>, batch: &Batch, q: &PyReadonlyArray2<'_, f64>) -> PyResult<Columns> {
+    let stand = match q.as_slice() {
+        Ok(values) if q.is_c_contiguous() => Rows::One(values),
+        Ok(values) => Rows::Columns(values),
+        Err(_) => Rows::Apart,
+    };
+    answer(py, batch, q.as_array(), stand)
 }
 
 /// Some positions of every row, the others at 0, where nothing closes a loop.
@@ -247,36 +329,14 @@ fn of_tree(
     py: Python<'_>,
     batch: &Batch,
     model: &Model,
-    q: &PyReadonlyArrayDyn<'_, f64>,
+    q: &PyReadonlyArray2<'_, f64>,
     places: &[(JointId, usize)],
 ) -> PyResult<Columns> {
-    let (count, given) = (q.shape()[0], places.len());
-    let zero: Vec<f64> = {
-        let mechanism = &model.read.mechanism;
-        let zero = Configuration::zero(mechanism);
-        mechanism.joint_ids().flat_map(|joint| zero.get(joint).to_vec()).collect()
-    };
-    let width = zero.len();
-    let mut columns = Columns::of(count);
-    let mut answers = vec![BatchAnswer::NONE; count.min(PORTIONS.1)];
-    // By columns, the fastest; those that are not given stay as they are.
-    let size = count.min(PORTIONS.1).max(1);
-    let mut part: Vec<f64> = zero.iter().flat_map(|x| std::iter::repeat_n(*x, size)).collect();
-    let view = q.as_array();
-    portions(py, count, |first, here| {
-        for (column, (_, place)) in places.iter().enumerate() {
-            let to = &mut part[place * size..place * size + here];
-            to.iter_mut().enumerate().for_each(|(row, to)| *to = view[[first + row, column]]);
-            refuse_nan(to, |at| (first + at, column))?;
-        }
-        batch
-            .run(BatchPositions::Columns { values: &part, stride: size }, &mut answers[..here])
-            .map_err(input)?;
-        columns.fill(first, &answers[..here]);
-        Ok(())
-    })?;
-    debug_assert_eq!((part.len(), given), (width * size, q.shape()[1]));
-    Ok(columns)
+    let mechanism = &model.read.mechanism;
+    let zero = Configuration::zero(mechanism);
+    let others: Vec<f64> = mechanism.joint_ids().flat_map(|joint| zero.get(joint).to_vec()).collect();
+    let places: Vec<usize> = places.iter().map(|(_, place)| *place).collect();
+    answer(py, batch, q.as_array(), Rows::Some { places: &places, others: &others })
 }
 
 /// Rows of the drivers of a linkage, each followed from the row before.
@@ -303,20 +363,25 @@ impl<'a> Path<'a> {
         Ok(Self { model, assembly, contact, joints, stands, driven: None })
     }
 
-    fn follow(mut self, py: Python<'_>, q: &PyReadonlyArrayDyn<'_, f64>) -> PyResult<Columns> {
+    fn follow(mut self, py: Python<'_>, q: &PyReadonlyArray2<'_, f64>) -> PyResult<Columns> {
         let (count, width) = (q.shape()[0], self.joints.len());
         let mut columns = Columns::of(count);
         let view = q.as_array();
-        let mut rows = Vec::new();
-        portions(py, count, |first, here| {
-            rows.clear();
-            (first..first + here).for_each(|row| rows.extend((0..width).map(|c| view[[row, c]])));
-            refuse_nan(&rows, |at| (first + at / width, at % width))?;
+        let mut values = Vec::new();
+        portions(py, count, |rows| {
+            let (first, here) = (rows.start, rows.len());
+            values.clear();
+            view.slice(s![rows.clone(), ..]).rows().into_iter().for_each(|row| values.extend(row));
+            if !is_finite(&values) {
+                return Err(refuse(view, rows));
+            }
             let mut done = 0;
             while done < here {
-                done += self.in_lanes(&rows[done * width..], first + done, &mut columns);
+                done += self.in_lanes(&values[done * width..], first + done, &mut columns);
                 if done < here {
-                    self.by_itself(&rows[done * width..(done + 1) * width], first + done, &mut columns);
+                    // No answer, unless there is one.
+                    columns.set(first + done, None, None);
+                    self.by_itself(&values[done * width..(done + 1) * width], first + done, &mut columns);
                     done += 1;
                 }
             }
@@ -331,6 +396,7 @@ impl<'a> Path<'a> {
         let (mut answers, mut positions): (Vec<PathAnswer>, Vec<f64>) = (Vec::new(), Vec::new());
         let reached = driven.follow(rows, &mut answers, &mut positions);
         let width = positions.len() / reached.max(1);
+        (first..first + reached).for_each(|row| columns.set(row, None, None));
         for (number, answer) in answers.iter().enumerate() {
             let own = &positions[number * width..(number + 1) * width];
             match answer.mass {

@@ -6,11 +6,12 @@ use crate::errors::{self, input};
 use crate::model::Model;
 use crate::pose::Pose;
 use crate::response::status;
+use numpy::PyArray1;
 use percuss::nalgebra::Vector3;
 use percuss::spatial::{Transform, rotation_from_quaternion};
 use percuss::{
-    Assembly as Assembled, Base, Batch, Conditions, Configuration, EffectiveMass, Mechanism,
-    System as Compiled,
+    Assembly as Assembled, Base, Batch, Conditions, Configuration, DepartingAxis, DrawnGap, EffectiveMass,
+    Mechanism, RigidLoops, System as Compiled,
 };
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
@@ -29,6 +30,7 @@ pub struct System {
 #[derive(Clone, Debug)]
 pub struct Assembly {
     pub model: Model,
+    pub system: Compiled,
     pub assembly: Arc<Assembled>,
 }
 
@@ -177,7 +179,7 @@ impl System {
                 py.detach(|| self.system.assemble(&given)).map_err(errors::assembly)?
             }
         };
-        Ok(Assembly { model: self.model.clone(), assembly })
+        Ok(Assembly { model: self.model.clone(), system: self.system.clone(), assembly })
     }
 
     /// The pose at a configuration, the loops closed.
@@ -198,7 +200,7 @@ impl System {
             given.set_base(root_frame(frame)?);
         }
         let pose = py.detach(|| self.system.pose(&given)).map_err(errors::assembly)?;
-        Ok(Pose { model: self.model.clone(), pose })
+        Ok(Pose { model: self.model.clone(), system: self.system.clone(), pose })
     }
 
     fn __repr__(&self) -> String {
@@ -247,6 +249,49 @@ impl Assembly {
         self.assembly.drivers().into_iter().map(name).collect()
     }
 
+    /// Loops and couplings that leave the joints that they bind no motion at a generic pose, whatever is locked or held, as
+    /// dicts: "loops" and "joints" (names), and "departing": in each loop whose other axes fit a motion in a plane, the one that
+    /// does not, with "closure", "joint" (None: the loop's own axis), "slides" (whether it is a slide's, which should be normal
+    /// to the direction), "angle" (rad) and "direction" that the other hinges share ((3,), root link's axes).
+    fn rigid_loops<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
+        let name = |joint| self.model.read.mechanism.joint(joint).name();
+        let departing = |axis: &DepartingAxis| {
+            let found = PyDict::new(py);
+            found.set_item("closure", &axis.closure)?;
+            found.set_item("joint", axis.joint.map(name))?;
+            found.set_item("slides", axis.slides)?;
+            found.set_item("angle", axis.angle)?;
+            found.set_item("direction", PyArray1::from_slice(py, axis.direction.as_slice()))?;
+            PyResult::Ok(found)
+        };
+        let one = |rigid: RigidLoops| {
+            let found = PyDict::new(py);
+            found.set_item("loops", &rigid.loops)?;
+            found.set_item("joints", rigid.joints.iter().map(|joint| name(*joint)).collect::<Vec<_>>())?;
+            let departing = rigid.departing.iter().map(departing).collect::<PyResult<Vec<_>>>()?;
+            found.set_item("departing", departing)?;
+            Ok(found)
+        };
+        self.assembly.rigid_loops().into_iter().map(one).collect()
+    }
+
+    /// Loops and couplings that are not closed where they are drawn (all joints at 0, or as guessed), as dicts: "constraint",
+    /// "gap" (m), "size" of its group (m), "moved" (the joint that moved most to close it, and by how much, rad or m; or None),
+    /// "is_wide": more than a hundredth of the size, which is no rounding.
+    fn drawn_gaps<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
+        let one = |gap: DrawnGap| {
+            let found = PyDict::new(py);
+            found.set_item("constraint", gap.constraint)?;
+            found.set_item("gap", gap.gap)?;
+            found.set_item("size", gap.size)?;
+            let name = |(joint, by)| (self.model.read.mechanism.joint(joint).name(), by);
+            found.set_item("moved", gap.moved.map(name))?;
+            found.set_item("is_wide", gap.is_wide)?;
+            Ok(found)
+        };
+        self.assembly.drawn_gaps().into_iter().map(one).collect()
+    }
+
     /// The pose at a configuration of this assembly; as System.pose.
     #[pyo3(signature = (q=None, *, guess=None, base_pose=None))]
     fn pose(
@@ -261,7 +306,7 @@ impl Assembly {
             given.set_base(root_frame(frame)?);
         }
         let pose = py.detach(|| self.assembly.pose(&given)).map_err(errors::assembly)?;
-        Ok(Pose { model: self.model.clone(), pose })
+        Ok(Pose { model: self.model.clone(), system: self.system.clone(), pose })
     }
 
     /// A contact, ready for one configuration after another.

@@ -1,4 +1,4 @@
-"""The Python of docs/PYTHON.md runs, block after block, and so do the examples."""
+"""The Python of docs/PYTHON.md runs, block after block, and so do the examples and the notebook."""
 
 from __future__ import annotations
 
@@ -7,6 +7,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import nbclient
+import nbformat
 import pytest
 from cases import ROOT
 
@@ -30,3 +32,17 @@ def test_examples(name: str, tmp_path: Path) -> None:
     )
     assert ran.returncode == 0, ran.stderr
     assert "kg" in ran.stdout
+
+
+def test_the_notebook(tmp_path: Path) -> None:
+    notebook = nbformat.read(EXAMPLES / "arm.ipynb", as_version=4)  # type: ignore[no-untyped-call]
+    assert all(not cell.get("outputs") for cell in notebook.cells), "it is kept without its outputs"
+    client = nbclient.NotebookClient(notebook, timeout=120, resources={"metadata": {"path": str(ROOT)}})
+    client.execute()
+    shown = [output for cell in notebook.cells for output in cell.get("outputs", [])]
+    pages = [output["data"]["text/html"] for output in shown if "text/html" in output.get("data", {})]
+    # The curve of the motion, the surface of the map; tables of the reports.
+    assert sum("<svg" in page for page in pages) == 2, len(pages)
+    assert sum("<table" in page for page in pages) == 3
+    printed = "".join(output["text"] for output in shown if output["output_type"] == "stream")
+    assert "kg ±" in printed and "m/s with the effective mass" in printed

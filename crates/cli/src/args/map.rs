@@ -59,7 +59,7 @@ pub struct MapArgs {
     /// .ply .glb .gltf .png .svg .pdf .csv .json
     ///
     /// An output file; may be given again. PLY and glTF have the effective mass as a property, pictures show two sides.
-use super::{ContactArgs, MassFormat, ModelArgs, TableArgs, WritingArgs};
+    #[arg(long, short, value_name = "FILE", help_heading = OUTPUT)]
     pub output: Vec<String>,
     #[command(flatten)]
     pub table: TableArgs,

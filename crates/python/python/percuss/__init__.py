@@ -7,7 +7,7 @@
     >>> response.effective_mass  # kg
 
 load, pose, respond: one contact. sweep: one contact at many configurations, arrays in and out. effective_mass: matrices of your own
-solver. mass, sweep_report, map, damp, safe_speed, run_study: the reports of the command line. SI units throughout; quaternions are w, x, y, z.
+solver. mass, sweep_report, map, damp, safe_speed, compare, explain, run_study: the reports of the command line. SI units throughout; quaternions are w, x, y, z.
 """
 
 from __future__ import annotations
@@ -23,6 +23,7 @@ from ._errors import (
     PercussError,
 )
 from ._percuss import (
+    Accelerations,
     Assembly,
     Contact,
     Diagnostic,
@@ -33,6 +34,7 @@ from ._percuss import (
     Response,
     Sweep,
     System,
+    Travel,
     Workspace,
     effective_mass,
     effective_masses,
@@ -50,19 +52,25 @@ from ._percuss import model_of_bytes as _model_of_bytes
 from ._reports import (
     Conditions,
     Damping,
+    Design,
     MapReport,
     Report,
     check,
+    compare,
+    compare_study,
     damp,
     damp_contact,
     damp_stop,
+    explain,
     impact_history,
     map,
     map_point,
     mass,
     run_study,
     safe_speed,
+    safe_speed_directions,
     sweep_report,
+    tolerate,
 )
 
 __version__ = _version("percuss")
@@ -75,11 +83,13 @@ __all__ = [
     "IMMOVABLE",
     "MASSLESS",
     "NO_ANSWER",
+    "Accelerations",
     "Assembly",
     "AssemblyError",
     "Conditions",
     "Contact",
     "Damping",
+    "Design",
     "Diagnostic",
     "InputError",
     "Joint",
@@ -95,13 +105,17 @@ __all__ = [
     "Response",
     "Sweep",
     "System",
+    "Travel",
     "Workspace",
     "check",
+    "compare",
+    "compare_study",
     "damp",
     "damp_contact",
     "damp_stop",
     "effective_mass",
     "effective_masses",
+    "explain",
     "impact_history",
     "laws",
     "load",
@@ -113,10 +127,12 @@ __all__ = [
     "regions",
     "run_study",
     "safe_speed",
+    "safe_speed_directions",
     "suspension_template",
     "suspension_templates",
     "sweep",
     "sweep_report",
+    "tolerate",
     "tools",
 ]
 

@@ -6,9 +6,10 @@ from typing import Any, Literal, NoReturn, TypedDict, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._reports import Conditions, Damping
+from ._reports import Conditions, Damping, Design, _Limit
 
 __all__ = [
+    "Accelerations",
     "Assembly",
     "Contact",
     "Diagnostic",
@@ -19,12 +20,16 @@ __all__ = [
     "Response",
     "Sweep",
     "System",
+    "Travel",
     "Workspace",
     "check",
+    "compare",
+    "compare_study",
     "damp",
     "damp_mass",
     "effective_mass",
     "effective_masses",
+    "explain",
     "impact_history",
     "laws",
     "load",
@@ -38,10 +43,12 @@ __all__ = [
     "run_command",
     "run_study",
     "safe_speed",
+    "safe_speed_directions",
     "suspension_template",
     "suspension_templates",
     "sweep",
     "sweep_report",
+    "tolerate",
     "tools",
 ]
 
@@ -56,6 +63,37 @@ class _ErrorBudget(TypedDict):
     rounding: float | None
     closing: float | None
     file: float | None
+
+class _PoseRank(TypedDict):
+    rank: int
+    gap: float | None
+    is_clear: bool
+    is_singular: bool
+
+class _DepartingAxis(TypedDict):
+    closure: str
+    joint: str | None
+    slides: bool
+    angle: float
+    direction: _Array
+
+class _RigidLoops(TypedDict):
+    loops: list[str]
+    joints: list[str]
+    departing: list[_DepartingAxis]
+
+class _DrawnGap(TypedDict):
+    constraint: str
+    gap: float
+    size: float
+    moved: tuple[str, float] | None
+    is_wide: bool
+
+class _PrincipalMass(TypedDict):
+    effective_mass: float | None
+    status: _Status
+    error: float | None
+    direction: _Array
 
 class _RankReport(TypedDict):
     rank: int
@@ -144,6 +182,15 @@ class Model:
     def total_mass(self) -> float: ...
     @property
     def diagnostics(self) -> list[Diagnostic]: ...
+    @property
+    def hardpoints(self) -> list[str]: ...
+    def changed(
+        self,
+        *,
+        link_mass: Mapping[str, float] = ...,
+        link_com: Mapping[str, Sequence[float]] = ...,
+        move: Mapping[str, Sequence[float]] = ...,
+    ) -> Model: ...
     def to_urdf(self) -> str: ...
     def system(
         self,
@@ -186,6 +233,8 @@ class Assembly:
     def redundant_loops(self) -> list[list[str]]: ...
     @property
     def drivers(self) -> list[str]: ...
+    def rigid_loops(self) -> list[_RigidLoops]: ...
+    def drawn_gaps(self) -> list[_DrawnGap]: ...
     def pose(
         self,
         q: _Positions | ArrayLike | None = None,
@@ -221,7 +270,47 @@ class Pose:
     def contact_row(self, contact: Contact) -> _Array: ...
     def point_jacobian(self, link: str, point: ArrayLike) -> _Array: ...
     def inverse_operational_inertia(self, contact: Contact) -> _Array: ...
+    def contact_map(
+        self, link: str, points: ArrayLike, normals: ArrayLike, *, against: str | None = None
+    ) -> tuple[_Array, _Array, NDArray[np.uint8]]: ...
+    def principal_masses(
+        self, link: str, point: ArrayLike, *, against: str | None = None
+    ) -> list[_PrincipalMass] | None: ...
+    def effective_mass_rate(self, contact: Contact, velocities: _Positions) -> float | None: ...
+    def accelerations(
+        self,
+        velocities: _Positions | None = None,
+        *,
+        base: ArrayLike | None = None,
+        gravity: ArrayLike | None = None,
+        forces: Sequence[tuple[str, ArrayLike, ArrayLike]] = ...,
+    ) -> Accelerations: ...
+    def advanced_along(self, response: Response, distance: float) -> Pose | None: ...
+    def outside_limits(self) -> dict[str, tuple[float, tuple[float, float]]]: ...
+    def rank(self) -> _PoseRank: ...
     def respond(self, contact: Contact, *, route: _Route = "auto") -> Response: ...
+
+@final
+class Travel:
+    def __new__(cls, pose: Pose, link: str, point: ArrayLike, direction: ArrayLike) -> Travel: ...
+    @property
+    def link(self) -> str: ...
+    @property
+    def point(self) -> _Array: ...
+    @property
+    def direction(self) -> _Array: ...
+    def displacement(self, pose: Pose) -> float: ...
+    def rate(self, pose: Pose, joint: str) -> float | None: ...
+    def driver(self, pose: Pose, *, set: Sequence[str] = ...) -> str: ...
+    def pose(
+        self, start: Pose, displacement: float, *, driver: str | None = None, q: _Positions | None = None
+    ) -> Pose: ...
+
+@final
+class Accelerations:
+    @property
+    def joints(self) -> dict[str, _Array]: ...
+    def point(self, link: str, point: ArrayLike) -> _Array: ...
 
 @final
 class Response:
@@ -351,16 +440,36 @@ def map_report(
     packages: Sequence[tuple[str, str]],
 ) -> tuple[str, dict[str, dict[str, NDArray[Any]]], str]: ...
 def map_point_report(model: Model, contact: Contact, conditions: Conditions, directions: int) -> str: ...
+def explain(model: Model, contact: Contact, conditions: Conditions) -> str: ...
+def tolerate(
+    model: Model, contact: Contact, conditions: Conditions, tolerance: str, samples: tuple[int, int] | None
+) -> str: ...
 def safe_speed(
     model: Model,
     contact: Contact,
     conditions: Conditions,
-    region: str,
-    force: float | None,
-    pressure: float | None,
-    area: float | None,
-    load: float,
+    region: str | None,
+    limit: _Limit,
+    vary: Sequence[str | tuple[str, float, float, int]] | None,
+    input: tuple[str, Sequence[str]] | None,
+    random: tuple[int, int] | None,
 ) -> str: ...
+def safe_speed_directions(
+    model: Model,
+    contact: Contact,
+    conditions: Conditions,
+    region: str | None,
+    limit: _Limit,
+    directions: Sequence[Sequence[float]],
+    worst: bool,
+) -> str: ...
+def compare(
+    designs: Sequence[Design],
+    vary: Sequence[str | tuple[str, float, float, int]] | None,
+    input: tuple[str, Sequence[str]] | None,
+    random: tuple[int, int] | None,
+) -> str: ...
+def compare_study(path: str | os.PathLike[str], name: str) -> str: ...
 def run_study(path: str | os.PathLike[str]) -> str: ...
 def damp_mass(mass: float, damping: Damping) -> str: ...
 def damp(

@@ -69,6 +69,54 @@ class Damping:
     diagonal_ratio: float | None = None
 
 
+@dataclass(frozen=True)
+class Design:
+    """A model, and what is asked of it, under a name: one of those that ``compare`` sets side by side."""
+
+    name: str
+    model: Model
+    contact: Contact
+    conditions: Conditions | None = None
+
+
+@dataclass(frozen=True)
+class _Limit:
+    """What limits a safe speed, as the extension reads it."""
+
+    force: float | None = None
+    pressure: float | None = None
+    area: float | None = None
+    energy: float | None = None
+    momentum: float | None = None
+    load: float = 0.0
+
+
+#: Where rows come from, as the extension reads it.
+_Rows = tuple[
+    Union[Sequence[Range], None], Union[tuple[str, list[str]], None], Union[tuple[int, int], None]
+]
+
+
+def _rows(
+    vary: Range | Sequence[Range] | None,
+    input: str | os.PathLike[str] | None,
+    ignore: Sequence[str],
+    random: int | None,
+    seed: int,
+) -> _Rows:
+    ranges: list[Range] | None
+    if vary is None:
+        ranges = None
+    elif isinstance(vary, str):
+        ranges = [vary]
+    elif isinstance(vary, tuple) and len(vary) == 4 and not isinstance(vary[1], (str, tuple)):
+        ranges = [cast("Range", vary)]
+    else:
+        ranges = list(cast("Sequence[Range]", vary))
+    file = None if input is None else (os.fspath(input), list(ignore))
+    return ranges, file, None if random is None else (random, seed)
+
+
 class Report(dict[str, Any]):
     """A report: the dict that ``--format json`` of the command prints. Keys are attributes too."""
 
@@ -168,18 +216,8 @@ def sweep_report(
     (joint, from, to, count). input: a file of positions, .csv or .parquet, without the columns of ignore. random: so many random
     rows within the limits of the joints, by a seed. One of the three.
     """
-    ranges: list[Range] | None
-    if vary is None:
-        ranges = None
-    elif isinstance(vary, str):
-        ranges = [vary]
-    elif isinstance(vary, tuple) and len(vary) == 4 and not isinstance(vary[1], (str, tuple)):
-        ranges = [cast("Range", vary)]
-    else:
-        ranges = list(cast("Sequence[Range]", vary))
-    file = None if input is None else (os.fspath(input), list(ignore))
-    rows = None if random is None else (random, seed)
-    return Report(json.loads(_percuss.sweep_report(model, contact, _asked(conditions), ranges, file, rows)))
+    rows = _rows(vary, input, ignore, random, seed)
+    return Report(json.loads(_percuss.sweep_report(model, contact, _asked(conditions), *rows)))
 
 
 def map(
@@ -241,24 +279,97 @@ def impact_history(mass: float, damping: Damping, samples: int = 200) -> NDArray
     return _percuss.impact_history(mass, damping, samples)
 
 
+def explain(model: Model, contact: Contact, conditions: Conditions | None = None) -> Report | None:
+    """What m̄ depends on: its rate with the mass and the centre of mass of each link, with each armature, and with each
+    hardpoint of a sheet. None where it has no finite mass, or another on each branch. As ``percuss mass --explain``."""
+    found = json.loads(_percuss.explain(model, contact, _asked(conditions)))
+    return None if found is None else Report(found)
+
+
+def tolerate(
+    model: Model,
+    contact: Contact,
+    tolerance: str,
+    conditions: Conditions | None = None,
+    *,
+    samples: int | None = None,
+    seed: int = 0,
+) -> Report | None:
+    """What tolerances leave of m̄, to first order and by random samples. tolerance: "mass=2%,com=1mm,armature=10%,point=0.5mm",
+    or some of these. None as for ``explain``. As ``percuss mass --tolerance``."""
+    drawn = None if samples is None else (samples, seed)
+    found = json.loads(_percuss.tolerate(model, contact, _asked(conditions), tolerance, drawn))
+    return None if found is None else Report(found)
+
+
+def compare(
+    designs: Sequence[Design],
+    *,
+    vary: Range | Sequence[Range] | None = None,
+    input: str | os.PathLike[str] | None = None,
+    ignore: Sequence[str] = (),
+    random: int | None = None,
+    seed: int = 0,
+) -> Report:
+    """One question asked of several designs, two at least: each answer, and by how much it differs from the first. vary, input,
+    random: rows to go through, as of ``sweep_report``; none at all: at the pose alone. As ``percuss compare``."""
+    asked = [Design(d.name, d.model, d.contact, _asked(d.conditions)) for d in designs]
+    return Report(json.loads(_percuss.compare(asked, *_rows(vary, input, ignore, random, seed))))
+
+
+def compare_study(path: str | os.PathLike[str], name: str = "as given") -> Report:
+    """Compares the variants of a study (TOML) with its model, which is called by the name. As ``percuss compare STUDY``."""
+    return Report(json.loads(_percuss.compare_study(path, name)))
+
+
 def safe_speed(
     model: Model,
     contact: Contact,
-    region: str,
+    region: str | None,
     conditions: Conditions | None = None,
     *,
     force: float | None = None,
     pressure: float | None = None,
     area: float | None = None,
+    energy: float | None = None,
+    momentum: float | None = None,
     load: float = 0.0,
+    vary: Range | Sequence[Range] | None = None,
+    input: str | os.PathLike[str] | None = None,
+    ignore: Sequence[str] = (),
+    random: int | None = None,
+    seed: int = 0,
 ) -> Report:
-    """How fast a robot may move where it may hit a person. region: a name of regions(). The limit, from the edition of the standard
-    that applies: force (N), or pressure (Pa) with area (m²). load: kg. As ``percuss safe-speed``."""
-    return Report(
-        json.loads(
-            _percuss.safe_speed(model, contact, _asked(conditions), region, force, pressure, area, load)
-        )
-    )
+    """How fast a robot may move where it may hit a person. region: a name of regions(); None: what is struck does not give way,
+    which an energy or a momentum may limit. The limit, from the edition of the standard that applies, one of: force (N), pressure (Pa)
+    with area (m²), energy (J), momentum (N·s). load: kg. vary, input, random: rows as of ``sweep_report``; the slowest of them is
+    under "along". As ``percuss safe-speed``."""
+    limit = _Limit(force, pressure, area, energy, momentum, load)
+    rows = _rows(vary, input, ignore, random, seed)
+    return Report(json.loads(_percuss.safe_speed(model, contact, _asked(conditions), region, limit, *rows)))
+
+
+def safe_speed_directions(
+    model: Model,
+    contact: Contact,
+    region: str | None,
+    directions: Sequence[Sequence[float]],
+    conditions: Conditions | None = None,
+    *,
+    worst: bool = False,
+    force: float | None = None,
+    pressure: float | None = None,
+    area: float | None = None,
+    energy: float | None = None,
+    momentum: float | None = None,
+    load: float = 0.0,
+) -> list[Report]:
+    """``safe_speed`` in several directions, (3,) each, world axes, and with worst, last, in the worst of all: that of the greatest
+    effective mass at the point. The contact's normal is not read."""
+    limit = _Limit(force, pressure, area, energy, momentum, load)
+    along = [[float(x) for x in direction] for direction in directions]
+    found = _percuss.safe_speed_directions(model, contact, _asked(conditions), region, limit, along, worst)
+    return [Report(report) for report in json.loads(found)]
 
 
 def run_study(path: str | os.PathLike[str]) -> Report:

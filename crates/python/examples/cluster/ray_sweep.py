@@ -1,0 +1,102 @@
+"""m̄ of a contact at the rows of a Parquet table, shared out by Ray Data: each worker takes the model once, then one batch after another.
+
+    ray_sweep.py MODEL.urdf LINK X,Y,Z NX,NY,NZ IN OUT [--workers N] [--batch ROWS] [--address ADDRESS]
+
+IN has a column "row" that names each row, and a column for each position of the model (Model.position_names), rad, m. OUT gets "row",
+"effective_mass" (kg; NaN unless finite), "error" (kg), "status" (0 finite, 1 immovable, 2 massless, 3 no answer) and "worker" (a
+process). Without an address the cluster is this machine.
+"""
+
+from __future__ import annotations
+
+import argparse
+import logging
+import os
+import time
+
+import numpy as np
+import ray
+import ray.data
+from numpy.typing import NDArray
+
+import percuss
+
+
+class Sweeper:
+    """A worker's own: the assembly, made once."""
+
+    def __init__(self, model: percuss.Model, contact: percuss.Contact) -> None:
+        self.assembly, self.contact, self.columns = model.assemble(), contact, model.position_names
+
+    def __call__(self, batch: dict[str, NDArray[np.generic]]) -> dict[str, NDArray[np.generic]]:
+        # Column after column, as Parquet has them: that is the fastest.
+        q = np.array([batch[name] for name in self.columns], dtype=np.float64).T
+        swept = percuss.sweep(self.assembly, self.contact, q)
+        worker = np.full(len(swept), os.getpid(), dtype=np.int32)
+        return {
+            "row": batch["row"],
+            "effective_mass": swept.effective_mass,
+            "error": swept.error,
+            "status": swept.status,
+            "worker": worker,
+        }
+
+
+def sweep(
+    model: percuss.Model,
+    contact: percuss.Contact,
+    source: str,
+    target: str,
+    *,
+    workers: int,
+    batch: int = 1 << 17,
+) -> None:
+    """By so many workers at once. A worker that dies is replaced, and what it was doing is done again: every file of the
+    table is written under one name, so that nothing is doubled. batch: rows of what is handed out, and of each file."""
+    # Small files are read together: without this one worker might get all.
+    table = ray.data.read_parquet(source).repartition(target_num_rows_per_block=batch)
+    answered = table.map_batches(
+        Sweeper,
+        fn_constructor_args=(model, contact),
+        batch_size=batch,
+        batch_format="numpy",
+        compute=ray.data.ActorPoolStrategy(size=workers),
+        num_cpus=1,
+    )
+    answered.write_parquet(target)
+
+
+def start(address: str | None, workers: int) -> None:
+    """A worker has one processor, and takes no more."""
+    environment = {"env_vars": {"RAYON_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}}
+    logging.getLogger("ray.data").setLevel(logging.WARNING)
+    # Reading and writing have two places more.
+    local = {} if address else {"num_cpus": workers + 2, "include_dashboard": False}
+    ray.init(address=address, runtime_env=environment, log_to_driver=False, **local)
+
+
+def triple(text: str) -> list[float]:
+    return [float(x) for x in text.split(",")]
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    for name in ("model", "link"):
+        parser.add_argument(name)
+    for name in ("point", "normal"):
+        parser.add_argument(name, type=triple)
+    for name in ("source", "target"):
+        parser.add_argument(name)
+    parser.add_argument("--workers", type=int, default=2)
+    parser.add_argument("--batch", type=int, default=1 << 17)
+    parser.add_argument("--address")
+    given = parser.parse_args()
+    start(given.address, given.workers)
+    model, contact = percuss.load(given.model), percuss.Contact(given.link, given.point, given.normal)
+    begun = time.perf_counter()
+    sweep(model, contact, given.source, given.target, workers=given.workers, batch=given.batch)
+    print(f"{time.perf_counter() - begun:.1f} s")
+
+
+if __name__ == "__main__":
+    main()

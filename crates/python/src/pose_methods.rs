@@ -1,0 +1,225 @@
+//! What Python asks of a pose.
+
+use crate::arrays::{matrix, triple};
+use crate::contact::Contact;
+use crate::errors::{self, input};
+use crate::maps::{Answers, contact_map, principal_masses};
+use crate::model::Model;
+use crate::motion::{Accelerations, accelerations, effective_mass_rate};
+use crate::pose::Pose;
+use crate::response::{Response, route_choice};
+use numpy::{PyArray1, PyArray2, PyArrayMethods};
+use percuss::LocatedContact;
+use percuss::nalgebra::Vector3;
+use pyo3::prelude::*;
+use pyo3::types::{PyAny, PyDict};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+impl Pose {
+    fn located(&self, contact: &Contact) -> PyResult<LocatedContact> {
+        self.pose.locate(&contact.on(&self.model.read.mechanism)?).map_err(input)
+    }
+}
+
+#[pymethods]
+impl Pose {
+    /// The model.
+    #[getter]
+    fn model(&self) -> Model {
+        self.model.clone()
+    }
+
+    /// Positions of all joints one after another, in the order of the file; (p,).
+    #[getter]
+    fn positions<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_slice(py, self.pose.positions())
+    }
+
+    /// Position of each movable joint, by its name; (1,), or as many as it has.
+    #[getter]
+    fn joints<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let (by_name, mechanism) = (PyDict::new(py), &self.model.read.mechanism);
+        for id in mechanism.joint_ids() {
+            let joint = mechanism.joint(id);
+            if joint.kind().positions() > 0 {
+                by_name.set_item(joint.name(), PyArray1::from_slice(py, self.pose.joint(id)))?;
+            }
+        }
+        Ok(by_name)
+    }
+
+    /// Degrees of freedom here; a floating base counts 6.
+    #[getter]
+    fn degrees_of_freedom(&self) -> usize {
+        self.pose.degrees_of_freedom()
+    }
+
+    /// Whether branches cross here.
+    #[getter]
+    fn is_singular(&self) -> bool {
+        self.pose.rank().singular
+    }
+
+    /// How far the farthest loop is from closed, m; None without loops.
+    #[getter]
+    fn closure_residual(&self) -> Option<f64> {
+        self.pose.loops().map(|loops| loops.residual)
+    }
+
+    /// Where a link stands in the root link's frame, homogeneous; (4, 4).
+    fn link_frame<'py>(&self, py: Python<'py>, link: &str) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let frame = self.pose.link(self.model.read.mechanism.find_link(link).map_err(input)?);
+        let mut values = Vec::with_capacity(16);
+        for row in 0..3 {
+            values.extend(frame.rotation.row(row).iter());
+            values.push(frame.translation[row]);
+        }
+        values.extend([0.0, 0.0, 0.0, 1.0]);
+        PyArray1::from_vec(py, values).reshape([4, 4])
+    }
+
+    /// M over the coordinates, kg, kg·m, kg·m²; (n, n), armatures included.
+    fn mass_matrix<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        matrix(py, &self.pose.mass_matrix())
+    }
+
+    /// A: Jacobian of closures, couplings and held points over the coordinates; (m, n).
+    fn constraint_matrix<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        matrix(py, &self.pose.constraint_matrix())
+    }
+
+    /// j: closing speed of the gap at unit rates, m, 1; (n,).
+    fn contact_row<'py>(&self, py: Python<'py>, contact: &Contact) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        Ok(PyArray1::from_vec(py, self.pose.contact_row(&self.located(contact)?)))
+    }
+
+    /// Jacobian of a point (m, link's frame) over the coordinates, root link's axes, m, 1; (3, n).
+    fn point_jacobian<'py>(
+        &self,
+        py: Python<'py>,
+        link: &str,
+        point: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let link = self.model.read.mechanism.find_link(link).map_err(input)?;
+        matrix(py, &self.pose.point_jacobian(link, &Vector3::from(triple(point, "point")?)))
+    }
+
+    /// Φ = J M⁻¹ Jᵀ of both sides of a contact at its point, constraints included; (12, 12), 1/kg and so on: six rows, angular
+    /// then linear (root link's axes), for the struck link, six for the other; 1/m̄ = wᵀΦw with w = (0, n̂, 0, −n̂).
+    fn inverse_operational_inertia<'py>(
+        &self,
+        py: Python<'py>,
+        contact: &Contact,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let located = self.located(contact)?;
+        let phi = self.pose.inverse_operational_inertia(&located).map_err(errors::route)?;
+        let rows: Vec<f64> = phi.matrix().transpose().as_slice().to_vec();
+        PyArray1::from_vec(py, rows).reshape([12, 12])
+    }
+
+    /// m̄ of many contacts of a link with the ground or with another link: points (N, 3) m and normals (N, 3), out of the link, of
+    /// any length that is not zero, in the link's frame. Some nanoseconds each, by Φ about the middle of the points. Gives
+    /// effective_mass (N,) kg, NaN unless finite; error (N,) kg, NaN where it is not known; status (N,) uint8: 0 finite, 1 immovable,
+    /// 2 massless, 3 no answer.
+    #[pyo3(signature = (link, points, normals, *, against=None))]
+    fn contact_map<'py>(
+        &self,
+        py: Python<'py>,
+        link: &str,
+        points: &Bound<'py, PyAny>,
+        normals: &Bound<'py, PyAny>,
+        against: Option<&str>,
+    ) -> PyResult<Answers<'py>> {
+        contact_map(py, self, link, points, normals, against)
+    }
+
+    /// The three directions along which m̄ is stationary among all directions at a point (3,) m of a link, the lightest first, as
+    /// dicts: "effective_mass" (kg; None unless finite), "status", "error" (kg) and "direction" (a unit vector, link's frame, (3,)).
+    /// None where a mass has no answer.
+    #[pyo3(signature = (link, point, *, against=None))]
+    fn principal_masses<'py>(
+        &self,
+        py: Python<'py>,
+        link: &str,
+        point: &Bound<'py, PyAny>,
+        against: Option<&str>,
+    ) -> PyResult<Option<Vec<Bound<'py, PyDict>>>> {
+        principal_masses(py, self, link, point, against)
+    }
+
+    /// dm̄/dt at a contact, kg/s, where the joints move at velocities: a dict of joints to rates (rad/s, m/s), those that are
+    /// not named at rest, mimics following. Of loops all that move are to be given: velocities under which loops open are refused;
+    /// those of a Response, which are admissible, are taken as they are. Exact to rounding, by dual numbers. None unless m̄ is finite.
+    fn effective_mass_rate(
+        &self,
+        py: Python<'_>,
+        contact: &Contact,
+        velocities: &Bound<'_, PyDict>,
+    ) -> PyResult<Option<f64>> {
+        effective_mass_rate(py, self, contact, Some(velocities))
+    }
+
+    /// Accelerations of a tree at joint velocities (a dict; those that are not named are 0), base (6,): the twist of a floating root
+    /// (angular, linear; root link's axes), gravity (3,) m/s², root link's axes, none by default, and forces: (link, point (3,) m in
+    /// the link's frame, force (3,) N in the root link's axes) of each. Raises InputError with loops, mimics or held points.
+    #[pyo3(signature = (velocities=None, *, base=None, gravity=None, forces=Vec::new()))]
+    fn accelerations(
+        &self,
+        py: Python<'_>,
+        velocities: Option<&Bound<'_, PyDict>>,
+        base: Option<&Bound<'_, PyAny>>,
+        gravity: Option<&Bound<'_, PyAny>>,
+        forces: Vec<Bound<'_, PyAny>>,
+    ) -> PyResult<Accelerations> {
+        accelerations(py, self, velocities, base, gravity, &forces)
+    }
+
+    /// The pose after the mechanism has gone along v* of a response at this pose until the gap has closed by a distance (m;
+    /// negative: opened), loops closed again: exact to second order. None where they do not close there, or where nothing moves.
+    fn advanced_along(&self, py: Python<'_>, response: &Response, distance: f64) -> PyResult<Option<Self>> {
+        if !Arc::ptr_eq(&response.model.read.mechanism, &self.model.read.mechanism) {
+            return Err(input("the response is of another model; expected one of this pose"));
+        }
+        if !distance.is_finite() {
+            return Err(input(format_args!("distance is {distance}; expected a finite number")));
+        }
+        let pose = py.detach(|| self.pose.advanced_along(&response.response, distance));
+        Ok(pose.map(|pose| Self { pose, ..self.clone() }))
+    }
+
+    /// Joints that stand outside their limits: joint to (position, (lower, upper)), rad or m.
+    fn outside_limits(&self) -> BTreeMap<String, (f64, (f64, f64))> {
+        let name = |joint| self.model.read.mechanism.joint(joint).name().to_owned();
+        let outside = self.pose.outside_limits();
+        outside.map(|(joint, at, limits)| (name(joint), (at, (limits.lower, limits.upper)))).collect()
+    }
+
+    /// Of the rows of A here: "rank"; "gap", the least between singular values that count and those that do not (None without
+    /// rows); "is_clear"; "is_singular".
+    fn rank<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let (report, rank) = (PyDict::new(py), self.pose.rank());
+        report.set_item("rank", rank.rank)?;
+        report.set_item("gap", rank.gap)?;
+        report.set_item("is_clear", rank.clear)?;
+        report.set_item("is_singular", rank.singular)?;
+        Ok(report)
+    }
+
+    /// m̄ at a contact, and what follows from it. route: "auto", "dense" (O(n³)) or "articulated" (O(n)).
+    #[pyo3(signature = (contact, *, route="auto"))]
+    fn respond(&self, py: Python<'_>, contact: &Contact, route: &str) -> PyResult<Response> {
+        let (contact, route) = (contact.on(&self.model.read.mechanism)?, route_choice(route)?);
+        let response = py.detach(|| self.pose.respond(&contact, route)).map_err(errors::response)?;
+        Ok(Response { model: self.model.clone(), pose: self.pose.clone(), response })
+    }
+
+    fn __repr__(&self) -> String {
+        let singular = if self.is_singular() { ", singular" } else { "" };
+        format!(
+            "<Pose of \"{}\": {} degrees of freedom{singular}>",
+            self.model.read.mechanism.name(),
+            self.pose.degrees_of_freedom()
+        )
+    }
+}

@@ -1,0 +1,81 @@
+"""docs/PYTHON_NAMES.md: everything public of the Rust façade has a name in Python, or the reason why not."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+from cases import ROOT
+
+import percuss
+
+PAGE = ROOT / "docs/PYTHON_NAMES.md"
+#: Sections of the page, and the files whose public names they have.
+SECTIONS = {
+    "percuss": "crates/percuss/src/lib.rs",
+    "percuss::study": "crates/study/src/lib.rs",
+    "percuss::contact": "crates/contact/src/lib.rs",
+    "percuss::suspension": "crates/formats/src/suspension/mod.rs",
+}
+
+
+def public_names(path: Path) -> set[str]:
+    """Names that a file re-exports or declares for all."""
+    text = re.sub(r"//.*", "", path.read_text())
+    found: set[str] = set()
+    for used in re.findall(r"^pub use ([^;]+);", text, flags=re.M):
+        # a::b::{C, d as e}: what stands last in each.
+        inside = re.sub(r"^.*\{|\}$", "", used.strip(), flags=re.S) if "{" in used else used
+        for item in filter(None, (part.strip() for part in inside.split(","))):
+            found.add(re.split(r"::|\s+as\s+", item)[-1])
+    found |= set(re.findall(r"^pub (?:fn|struct|enum|trait|mod|const|type) (\w+)", text, flags=re.M))
+    return found
+
+
+def rows() -> dict[str, list[tuple[list[str], str]]]:
+    """Of each section: names in Rust, and the cell beside them."""
+    found: dict[str, list[tuple[list[str], str]]] = {}
+    section = ""
+    for line in PAGE.read_text().splitlines():
+        if line.startswith("## "):
+            section = line[3:].strip("`")
+            found[section] = []
+        elif line.startswith("| `"):
+            rust, python = (cell.strip() for cell in line.strip("|").split(" | "))
+            found[section].append((re.findall(r"`(\w+)`", rust), python))
+    return found
+
+
+ROWS = rows()
+
+
+@pytest.mark.parametrize("section", SECTIONS)
+def test_every_name_stands_once(section: str) -> None:
+    expected = public_names(ROOT / SECTIONS[section])
+    assert len(expected) >= 10, f"only {len(expected)} names were found"
+    listed = [name for names, _ in ROWS[section] for name in names]
+    assert sorted(listed) == sorted(set(listed)), "a name stands twice"
+    assert expected - set(listed) == set(), "without a row"
+    assert set(listed) - expected == set(), "no longer there"
+
+
+@pytest.mark.parametrize(("names", "cell"), [row for table in ROWS.values() for row in table], ids=lambda x: x[0] if isinstance(x, list) else "")
+def test_the_names_of_python_are_there(names: list[str], cell: str) -> None:
+    found = re.findall(r"`percuss\.([\w.]+)`", cell)
+    if cell.startswith("–"):
+        assert len(cell) > 20, f"{names}: no reason"
+    else:
+        assert found or cell == "below", f"{names}: no name of Python's"
+    for name in found:
+        at: object = percuss
+        for part in name.split("."):
+            assert hasattr(at, part), f"{names}: percuss.{name} is not there"
+            at = getattr(at, part)
+
+
+def test_everything_of_python_stands_on_the_page() -> None:
+    """The other way round: what the package exports is somebody's."""
+    text = PAGE.read_text() + (ROOT / "docs/PYTHON.md").read_text()
+    for name in percuss.__all__:
+        assert re.search(rf"\b{name}\b", text), f"{name} stands on neither page"
