@@ -8,7 +8,7 @@ use clap::{Arg, Command};
 const COLUMN: usize = 30;
 
 /// The flags that are explained, by the command. The others of a command are only named.
-const EXPLAINED: [(&str, &[&str]); 12] = [
+const EXPLAINED: [(&str, &[&str]); 14] = [
     ("percuss", &[]),
     ("check", &["format", "strict"]),
     (
@@ -115,6 +115,8 @@ const EXPLAINED: [(&str, &[&str]); 12] = [
         ],
     ),
     ("run", &["report", "format", "threads", "allow_outside"]),
+    ("init", &["output", "force"]),
+    ("schema", &[]),
     ("completions", &[]),
 ];
 
