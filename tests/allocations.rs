@@ -194,8 +194,9 @@ fn a_batch_allocates_nothing() {
             .expect("enough");
         allocations() - before
     };
-    // The room of a thread.
-    assert_eq!(of(8), of(400));
+    // The room of a thread, once.
+    assert!(of(8) > 0);
+    assert_eq!((of(8), of(400)), (0, 0));
 }
 
 #[test]

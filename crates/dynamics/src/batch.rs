@@ -8,6 +8,7 @@ use crate::aligned::Aligned;
 use crate::answered::{Answered, Answers, Columns};
 use crate::assembly::Assembly;
 use crate::contact::Contact;
+use crate::idle::Idle;
 use crate::in_lanes::InLanes;
 use crate::outcome::{EffectiveMass, ResponseError};
 use crate::velocities::{VelocityError, check_positions};
@@ -22,8 +23,6 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 const PORTION: usize = 512;
 /// How many of them go through lanes in one call: a multiple of every instruction set's lanes.
 const BLOCK: usize = 64;
-/// Shares of the portions that a thread may get: more even out what others on the machine take.
-const SHARES: usize = 8;
 
 /// Configurations: the positions of all joints one after another, in joint order, for each.
 #[derive(Clone, Copy, Debug)]
@@ -101,6 +100,7 @@ pub struct Batch {
     contact: Contact,
     instructions: Instructions,
     worker: Worker,
+    idle: Idle<Worker>,
 }
 
 /// What a thread works with.
@@ -136,7 +136,13 @@ impl Assembly {
             in_lanes,
         };
         let instructions = Instructions::best();
-        Ok(Batch { assembly: Arc::clone(self), contact: *contact, instructions, worker })
+        Ok(Batch {
+            assembly: Arc::clone(self),
+            contact: *contact,
+            instructions,
+            worker,
+            idle: Idle::default(),
+        })
     }
 }
 
@@ -158,6 +164,7 @@ impl Batch {
         if let Some(lanes) = &mut self.worker.in_lanes {
             lanes.set_instructions(self.instructions);
         }
+        self.idle = Idle::default();
         self
     }
 
@@ -188,7 +195,7 @@ impl Batch {
         self.run_watched(positions, answers, |_| ControlFlow::Continue(()))
     }
 
-    /// As [`run`](Self::run), by the calling thread alone.
+    /// As [`run`](Self::run), by the calling thread alone. Allocates nothing after the first time, where nothing is in doubt.
     ///
     /// # Errors
     /// As [`run`](Self::run).
@@ -198,7 +205,7 @@ impl Batch {
         answers: &mut [BatchAnswer],
     ) -> Result<(), BatchError> {
         self.check(positions, answers.len())?;
-        self.portion(&mut self.worker.clone(), positions, 0, answers);
+        self.idle.with(&self.worker, |worker| self.portion(worker, positions, 0, answers));
         Ok(())
     }
 
@@ -214,22 +221,16 @@ impl Batch {
     ) -> Result<(), BatchError> {
         self.check(positions, answers.len())?;
         let (done, stopped) = (AtomicUsize::new(0), AtomicBool::new(false));
-        // Each share of portions has a worker of its own, which takes as long to make as hundreds of configurations.
-        let shares = rayon::current_num_threads() * SHARES;
-        let least = answers.len().div_ceil(PORTION).div_ceil(shares);
-        answers.par_chunks_mut(PORTION).enumerate().with_min_len(least).for_each_init(
-            || self.worker.clone(),
-            |worker, (number, portion)| {
-                if stopped.load(Ordering::Relaxed) {
-                    return;
-                }
-                self.portion(worker, positions, number * PORTION, portion);
-                let done = done.fetch_add(portion.len(), Ordering::Relaxed) + portion.len();
-                if watch(done).is_break() {
-                    stopped.store(true, Ordering::Relaxed);
-                }
-            },
-        );
+        answers.par_chunks_mut(PORTION).enumerate().for_each(|(number, portion)| {
+            if stopped.load(Ordering::Relaxed) {
+                return;
+            }
+            self.idle.with(&self.worker, |worker| self.portion(worker, positions, number * PORTION, portion));
+            let done = done.fetch_add(portion.len(), Ordering::Relaxed) + portion.len();
+            if watch(done).is_break() {
+                stopped.store(true, Ordering::Relaxed);
+            }
+        });
         let done = done.into_inner();
         if done < answers.len() { Err(BatchError::Stopped { done }) } else { Ok(()) }
     }

@@ -25,6 +25,7 @@ mod displacement;
 mod driven_path;
 mod error_budget;
 mod forward_dynamics;
+mod idle;
 mod in_lanes;
 mod joint_motion;
 mod kinematics;
