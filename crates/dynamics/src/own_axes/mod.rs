@@ -52,7 +52,7 @@ impl OwnAxes {
             return false;
         }
         let last = self.steps.len() - 1;
-        let own = &self.steps[last - body].step.frame;
+        let own = &self.steps[last - body].step.own.frame;
         let link = &model.link_frames[contact.link.index()].frame;
         let n = n.normalize();
         let normal = match (frame, other) {

@@ -334,7 +334,7 @@ fn eliminated<T: Lanes>(
         return leaf.left.cast();
     }
     let mut inertia: PackedInertia<T> =
-        if step.carries { PackedInertia::load(own) } else { step.inertia.cast() };
+        if step.carries { PackedInertia::load(own) } else { step.own.inertia.cast() };
     if let Motion::Planar { .. } = step.motion {
         // Its slides do not turn with it.
         let (s, c): (T, T) = (number(own, SINE), number(own, COSINE));
