@@ -196,6 +196,15 @@ fn a_batch_allocates_nothing() {
     };
     // The room of a thread.
     assert_eq!(of(8), of(400));
+    // The batch's own room.
+    let (mut masses, mut errors) = ([0.0; 400], [0.0; 400]);
+    let before = allocations();
+    let rows = BatchPositions::Rows { values: &rows, stride: 6 };
+    batch
+        .run_columns(rows, &mut masses, &mut errors, |at, _| panic!("{at} is not answered in lanes"))
+        .expect("enough");
+    assert_eq!(allocations() - before, 0);
+    assert!(masses.iter().all(|m| *m > 0.0));
 }
 
 #[test]
