@@ -197,6 +197,14 @@ fn a_batch_allocates_nothing() {
     // The room of a thread, once.
     assert!(of(8) > 0);
     assert_eq!((of(8), of(400)), (0, 0));
+    let (mut masses, mut errors) = ([0.0; 400], [0.0; 400]);
+    let before = allocations();
+    let rows = BatchPositions::Rows { values: &rows, stride: 6 };
+    batch
+        .run_columns(rows, &mut masses, &mut errors, |at, _| panic!("{at} is not answered in lanes"))
+        .expect("enough");
+    assert_eq!(allocations() - before, 0);
+    assert!(masses.iter().all(|m| *m > 0.0));
 }
 
 #[test]

@@ -1,8 +1,8 @@
 #!/bin/sh
-# cargo as maturin calls it (CARGO): the Python package together with the programs that run.sh builds. By itself it has other features of
-# some dependencies, and everything below would be compiled once more.
+# cargo as maturin calls it (CARGO) for `python.sh --tested`: the extension with the features with which `cargo test --workspace` has built
+# everything below it, so that it alone is compiled. Features of tests count where a test is asked for: any will do, and is there.
 if [ "$1" = rustc ]; then
   shift
-  exec cargo build --package percuss-python --package percuss-tests --package percuss-cli --bins "$@"
+  exec cargo build --workspace --test header "$@"
 fi
 exec cargo "$@"

@@ -1,40 +1,57 @@
 #!/usr/bin/env bash
 # The Python package: built and installed as a user would, its tests, its types (mypy, pyright; the stubs held against the module by
-# stubtest), its examples; then the peers' matrices, where run.sh has made their environments: Pinocchio and MuJoCo, Drake.
-# Needs python3 (3.10 or later), cargo, node for pyright, and the first time the network. Options go to pytest.
+# stubtest), its examples, a notebook among them; then the peers' matrices, where run.sh has made their environments: Pinocchio and MuJoCo,
+# Drake. Needs python3 (3.10 or later), cargo, node for pyright, and the first time the network.
+#   python.sh [--tested] [PYTEST OPTION...]     --tested: in the profile of `cargo test --workspace`, with what that has built
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 cd "$here/../.."
+. "$here/environment.sh"
+build=()
+if [ "${1-}" = --tested ]; then
+  shift
+  build=(CARGO="$here/cargo.sh" MATURIN_PEP517_ARGS=--profile=dev)
+fi
 root=$PWD
 work=$root/target/external/python
 package=crates/python
-if ! cmp -s "$here/requirements-python.txt" "$work/venv/requirements.txt"; then
-  rm -rf "$work/venv"
-  python=python3
-  for candidate in python3.11 python3.12 python3.13; do
-    if "$candidate" -c 'import venv, ensurepip' 2> /dev/null; then python=$candidate && break; fi
-  done
-  "$python" -m venv "$work/venv"
-  "$work/venv/bin/pip" install --quiet --disable-pip-version-check --requirement "$here/requirements-python.txt"
-  cp "$here/requirements-python.txt" "$work/venv/requirements.txt"
-fi
+environment "$work/venv" "$here/requirements-python.txt" "$(first python3.11 python3.12 python3.13)"
 bin=$work/venv/bin
 export PATH=$bin:$PATH PIP_DISABLE_PIP_VERSION_CHECK=1 PYTHONDONTWRITEBYTECODE=1 OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
-rm -rf "$work/wheel" "$work/site"
-CARGO=$here/cargo.sh "$bin/pip" wheel --quiet --no-build-isolation --no-deps --wheel-dir "$work/wheel" "./$package"
-"$bin/pip" install --quiet --no-deps --force-reinstall "$work"/wheel/percuss-*.whl
-"$bin/pip" install --quiet --no-deps --target "$work/site" "$work"/wheel/percuss-*.whl
 failed=0
-(cd "$package" && "$bin/python" -m pytest -q -p no:cacheprovider tests "$@") || failed=1
-"$bin/python" -m mypy --config-file "$package/pyproject.toml" --cache-dir "$work/mypy" -p percuss || failed=1
-"$bin/python" -m mypy --config-file "$package/pyproject.toml" --cache-dir "$work/mypy" "$package"/tests/*.py "$package"/examples/*.py || failed=1
-"$bin/python" -m mypy --config-file "$package/pyproject.toml" --cache-dir "$work/mypy" "$package"/examples/cluster/*.py || failed=1
-"$bin/python" -m mypy.stubtest percuss --mypy-config-file "$package/pyproject.toml" || failed=1
-"$bin/pyright" --project "$package/pyproject.toml" --pythonpath "$bin/python" || failed=1
+# step NAME COMMAND...: what fails does not keep the rest from running.
+step() {
+  local name=$1 start=$SECONDS
+  shift
+  "$@" || failed=1
+  echo "Python: $name, $((SECONDS - start)) s"
+}
+wheel() {
+  rm -rf "$work/wheel" "$work/site"
+  env ${build[@]+"${build[@]}"} "$bin/pip" wheel --quiet --no-build-isolation --no-deps --wheel-dir "$work/wheel" "./$package" &&
+    "$bin/pip" install --quiet --no-deps --force-reinstall "$work"/wheel/percuss-*.whl &&
+    "$bin/pip" install --quiet --no-deps --target "$work/site" "$work"/wheel/percuss-*.whl
+}
+check() {
+  (cd "$package" && "$bin/python" -m pytest -q -p no:cacheprovider tests "$@")
+}
+types() {
+  local mypy=("$bin/python" -m mypy --config-file "$package/pyproject.toml" --cache-dir "$work/mypy")
+  "${mypy[@]}" -p percuss && "${mypy[@]}" "$package"/tests/*.py "$package"/examples/*.py && "${mypy[@]}" "$package"/examples/cluster/*.py
+}
+stubs() {
+  "$bin/python" -m mypy.stubtest percuss --mypy-config-file "$package/pyproject.toml"
+}
+step wheel wheel
+[ $failed = 0 ] || exit 1
+step tests check "$@"
+step mypy types
+step stubtest stubs
+step pyright "$bin/pyright" --project "$package/pyproject.toml" --pythonpath "$bin/python"
 # The peers have environments of their own; the same extension serves every Python from 3.10 on.
 for peer in venv drake; do
   python=$root/target/external/$peer/bin/python
-  [ -x "$python" ] || { echo "peers: no $peer environment; run.sh makes it"; continue; }
-  "$python" "$package/tests/peers/matrices.py" --package "$work/site" || failed=1
+  [ -x "$python" ] || { echo "Python: no matrices of peers, run.sh makes target/external/$peer"; continue; }
+  step "matrices of peers ($peer)" "$python" "$package/tests/peers/matrices.py" --package "$work/site"
 done
 exit $failed

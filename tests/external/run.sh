@@ -8,29 +8,7 @@ cd "$here/../.."
 target=${CARGO_TARGET_DIR:-$PWD/target}
 venv=$PWD/target/external/venv
 drake=$PWD/target/external/drake
-
-# environment FOLDER REQUIREMENTS PYTHON: makes the virtual environment where its requirements have changed. Their copy is written
-# last, so that an environment that was only half made is made again.
-environment() {
-  if ! cmp -s "$2" "$1/requirements.txt"; then
-    rm -rf "$1"
-    "$3" -m venv "$1"
-    "$1/bin/pip" install --quiet --disable-pip-version-check --requirement "$2"
-    cp "$2" "$1/requirements.txt"
-  fi
-}
-
-# The first that runs (pyenv puts programs into the path that do not), else python3.
-first() {
-  local python
-  for python in "$@"; do
-    if "$python" -c "import venv, ensurepip" 2> /dev/null; then
-      echo "$python"
-      return
-    fi
-  done
-  echo python3
-}
+. "$here/environment.sh"
 
 # PyBullet has no wheel for later ones.
 environment "$venv" "$here/requirements.txt" "$(first python3.11)"
@@ -56,7 +34,6 @@ failed=0
 PYTHONPATH=$here "$drake/bin/python" "$here/contact/check.py" --percuss "$target/release/percuss" || failed=1
 "$here/engines.sh" "$target/release/percuss" || failed=1
 PYTHONPATH=$here "$venv/bin/python" "$here/contact/integrators.py" --percuss "$target/release/percuss" || failed=1
-# The C interface under valgrind and the address sanitizer, and the Python package, are checked by hand: capi.sh, python.sh.
 # The shipped models: route A against the oracle's route C.
 "$target/release/percuss-reference" "shipped models" models/*.urdf || failed=1
 # Reference files of the loop dialect, where they are at hand: beside the repository, or where PERCUSS_REFERENCE says.

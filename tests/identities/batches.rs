@@ -4,7 +4,7 @@
 use nalgebra::Vector3;
 use percuss_dynamics::{
     Base, Batch, BatchAnswer, BatchError, BatchPositions, Conditions, Contact, Direction, EffectiveMass,
-    Frame, Pose, RouteChoice, System,
+    Frame, Pose, ResponseError, RouteChoice, System,
 };
 use percuss_mechanism::{
     Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder,
@@ -185,6 +185,24 @@ fn check(name: &str, system: &System, contact: &Contact, rows: &[f64], seen: &mu
             batch.run(positions, &mut answers).expect("enough");
             for (a, b) in answers.iter().zip(&expected) {
                 assert!(same(a, b), "{name}, {}: {a:?}, alone {b:?}", set.name());
+            }
+            let (mut masses, mut errors) = (vec![0.0; count], vec![0.0; count]);
+            let mut others = vec![None; count];
+            one.run_columns(positions, &mut masses, &mut errors, |at, answer| others[at] = Some(answer))
+                .expect("enough");
+            for (at, answer) in answers.iter().enumerate() {
+                let lanes =
+                    BatchAnswer { mass: Some(EffectiveMass::Finite(masses[at])), error: Some(errors[at]) };
+                let found = others[at].unwrap_or(lanes);
+                assert!(
+                    same(&found, answer) && found.error == answer.error,
+                    "{name}: {found:?} in columns, {answer:?}"
+                );
+                let in_column = matches!(answer.mass, Some(EffectiveMass::Finite(m)) if m == masses[at]);
+                assert!(
+                    in_column != masses[at].is_nan() && answer.error.is_none() == errors[at].is_nan(),
+                    "{name}"
+                );
             }
         }
     }
@@ -383,6 +401,8 @@ fn one_lane_spoils_no_other() {
     for (c, answer) in answers.iter().enumerate() {
         if c % 9 != 5 || c > 32 {
             assert!(same(answer, &batch.effective_mass(&rows[6 * c..6 * c + 6]).expect("six")), "{c}");
+        } else if c <= 14 {
+            assert_eq!(*answer, BatchAnswer::NONE, "{c}");
         } else {
             assert!(!matches!(answer.mass, Some(EffectiveMass::Finite(m)) if m.is_nan()), "{c}: {answer:?}");
         }
@@ -455,6 +475,25 @@ fn wrong_shapes_are_errors_and_a_watcher_stops_it() {
     let Err(BatchError::Stopped { done }) = stopped else { panic!("{stopped:?}") };
     assert_eq!(done, told.into_inner());
     assert!((1000..5000).contains(&done), "{done}");
+    // What is no number has no answer, and is not what nothing moves.
+    let mut spoilt = values[..12].to_vec();
+    spoilt[9] = f64::NAN;
+    batch.run(BatchPositions::Rows { values: &spoilt, stride: 6 }, &mut answers[..2]).expect("enough");
+    assert!(answers[0].error.is_some() && answers[1] == BatchAnswer::NONE, "{answers:?}");
+    let mut workspace = system.reference_or_open().workspace();
+    for (row, is_number) in [(&spoilt[..6], true), (&spoilt[6..], false), (&spoilt[..6], true)] {
+        workspace.set_positions(row).expect("six");
+        match workspace.effective_mass(&contact) {
+            Err(ResponseError::NotFinite { index: 3, value }) => assert!(value.is_nan() && !is_number),
+            other => assert!(is_number && matches!(other, Ok(EffectiveMass::Finite(_))), "{other:?}"),
+        }
+    }
+    // Columns of different lengths, and fewer numbers than they ask for.
+    let (mut batch, rows) = (batch, BatchPositions::Rows { values: &values[..12], stride: 6 });
+    let uneven = batch.run_columns(rows, &mut [0.0; 2], &mut [0.0; 3], |_, _| {});
+    assert_eq!(uneven, Err(BatchError::Columns { masses: 2, errors: 3 }));
+    let short = batch.run_columns(rows, &mut [0.0; 3], &mut [0.0; 3], |_, _| {});
+    assert!(matches!(short, Err(BatchError::Short { needed: 18, got: 12, .. })), "{short:?}");
 }
 
 /// Sine and cosine in lanes, against the standard library: a hinge of a mass on an arm, whose m̄ along a fixed normal is

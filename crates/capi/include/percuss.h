@@ -1205,7 +1205,8 @@ percuss_status percuss_workspace_free(struct percuss_workspace **workspace);
  after the first call, but where the recursion is not accurate enough. Points and normals in the world are taken with the
  root link at the world's origin.
 
- Errors: PERCUSS_ERROR_LENGTH, PERCUSS_ERROR_CONTACT; PERCUSS_ERROR_BUSY where another thread uses the workspace.
+ Errors: PERCUSS_ERROR_LENGTH, PERCUSS_ERROR_CONTACT; PERCUSS_ERROR_ARGUMENT: a position that matters is not finite;
+ PERCUSS_ERROR_BUSY where another thread uses the workspace.
 
  Pointers:
  workspace is a handle; positions is null or has count numbers; contact is null or points to a contact; the other pointers are null
@@ -1250,6 +1251,7 @@ percuss_status percuss_batch_free(struct percuss_batch **batch);
  rounding may amount to, kg; NaN where it was not counted. watch: null, or asked now and then with user.
 
  Errors: PERCUSS_ERROR_LENGTH; PERCUSS_ERROR_STOPPED: what was answered until then is there, the rest is PERCUSS_NO_ANSWER.
+ PERCUSS_ERROR_HANDLE: the process was forked since the batch was made, whose threads are the parent's.
 
  Pointers:
  batch is a handle; every array has as many values as is said; watch may be called with user.

@@ -6,6 +6,7 @@ use crate::status::{
 use std::ffi::{CStr, c_char};
 
 /// `length` values that the caller lends; an empty array may be null.
+#[inline]
 pub(crate) fn input<'a, T>(values: *const T, length: usize, name: &str) -> Result<&'a [T], Failure> {
     check(values, length, name)?;
     if length == 0 {
@@ -35,8 +36,15 @@ pub(crate) fn optional_output<'a, T>(
     if values.is_null() { Ok(None) } else { output(values, length, name).map(Some) }
 }
 
+#[inline]
 fn check<T>(values: *const T, length: usize, name: &str) -> Result<(), Failure> {
-    if length > isize::MAX as usize / size_of::<T>().max(1) {
+    let fits = length <= isize::MAX as usize / size_of::<T>().max(1);
+    if fits && !values.is_null() && values.is_aligned() { Ok(()) } else { refuse(values, length, fits, name) }
+}
+
+#[cold]
+fn refuse<T>(values: *const T, length: usize, fits: bool, name: &str) -> Result<(), Failure> {
+    if !fits {
         let message = format_args!("{name}: {length} values are more than any memory holds");
         return Err(Failure::new(PERCUSS_ERROR_LENGTH, message));
     }

@@ -5,8 +5,8 @@ use crate::contact::{PERCUSS_NO_ANSWER, outcome, percuss_contact, percuss_outcom
 use crate::handle::{Handle, clear, free, get, give, value};
 use crate::pose::{PERCUSS_COLUMN_MAJOR, PERCUSS_ROW_MAJOR, percuss_layout};
 use crate::status::{
-    Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_INTERNAL, PERCUSS_ERROR_LENGTH,
-    PERCUSS_ERROR_STOPPED, guarded, percuss_status,
+    Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_HANDLE, PERCUSS_ERROR_INTERNAL,
+    PERCUSS_ERROR_LENGTH, PERCUSS_ERROR_STOPPED, guarded, percuss_status,
 };
 use crate::system::percuss_assembly;
 use percuss::{Batch, BatchAnswer, BatchError, BatchPositions};
@@ -18,11 +18,11 @@ pub struct percuss_batch {
     _opaque: [u8; 0],
 }
 
-/// A batch, and its own threads; none where the calling thread works alone.
+/// A batch, and its own threads, with the process that they are in; none where the calling thread works alone.
 pub(crate) struct Threaded {
     batch: Batch,
     positions: usize,
-    pool: Option<ThreadPool>,
+    pool: Option<(u32, ThreadPool)>,
 }
 
 impl Handle for percuss_batch {
@@ -68,7 +68,7 @@ pub unsafe extern "C" fn percuss_batch_new(
             1 => None,
             _ => {
                 let pool = ThreadPoolBuilder::new().num_threads(threads).build();
-                Some(pool.map_err(Failure::of(PERCUSS_ERROR_INTERNAL))?)
+                Some((std::process::id(), pool.map_err(Failure::of(PERCUSS_ERROR_INTERNAL))?))
             }
         };
         give(Threaded { batch: ready, positions: assembled.model.positions, pool }, batch)
@@ -92,6 +92,7 @@ pub unsafe extern "C" fn percuss_batch_free(batch: *mut *mut percuss_batch) -> p
 /// rounding may amount to, kg; NaN where it was not counted. watch: null, or asked now and then with user.
 ///
 /// Errors: PERCUSS_ERROR_LENGTH; PERCUSS_ERROR_STOPPED: what was answered until then is there, the rest is PERCUSS_NO_ANSWER.
+/// PERCUSS_ERROR_HANDLE: the process was forked since the batch was made, whose threads are the parent's.
 ///
 /// # Safety
 /// batch is a handle; every array has as many values as is said; watch may be called with user.
@@ -116,6 +117,7 @@ pub unsafe extern "C" fn percuss_batch_run(
         let masses = output(effective_masses, count, "effective_masses")?;
         let mut errors = optional_output(errors, count, "errors")?;
         threaded.check(length, layout, stride, count)?;
+        let pool = threaded.pool()?;
         outcomes.fill(PERCUSS_NO_ANSWER);
         masses.fill(f64::NAN);
         if let Some(errors) = &mut errors {
@@ -130,7 +132,7 @@ pub unsafe extern "C" fn percuss_batch_run(
                 PERCUSS_ROW_MAJOR => BatchPositions::Rows { values: &values[done * stride..], stride },
                 _ => BatchPositions::Columns { values: &values[done..], stride },
             };
-            let run = match &threaded.pool {
+            let run = match pool {
                 None => threaded.batch.run_here(part, answers),
                 Some(pool) => pool.install(|| threaded.batch.run(part, answers)),
             };
@@ -156,6 +158,17 @@ pub unsafe extern "C" fn percuss_batch_run(
 }
 
 impl Threaded {
+    /// Its threads. A process that was forked has none of those of its parent, and would wait for them for ever.
+    fn pool(&self) -> Result<Option<&ThreadPool>, Failure> {
+        let Some((process, pool)) = &self.pool else { return Ok(None) };
+        if *process == std::process::id() {
+            return Ok(Some(pool));
+        }
+        let message =
+            "this percuss_batch has threads of the process that this one was forked from; make it after fork";
+        Err(Failure::new(PERCUSS_ERROR_HANDLE, message))
+    }
+
     /// Whether so many numbers hold the configurations.
     fn check(&self, length: usize, layout: i32, stride: usize, count: usize) -> Result<(), Failure> {
         let (outer, inner) = match layout {

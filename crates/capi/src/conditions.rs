@@ -1,12 +1,11 @@
 //! Conditions of an analysis: the base, locks, armatures, held contacts.
 
 use crate::arrays::{choice, input, text};
-use crate::handle::{Handle, clear, free, get, give, take};
+use crate::handle::{Exclusive, Handle, clear, free, get, give, take};
 use crate::status::{Failure, PERCUSS_ERROR_NULL, guarded, percuss_status};
 use percuss::nalgebra::Vector3;
 use percuss::{Base, Conditions};
 use std::ffi::c_char;
-use std::sync::Mutex;
 
 /// Conditions of an analysis. One thread at a time.
 pub struct percuss_conditions {
@@ -14,7 +13,7 @@ pub struct percuss_conditions {
 }
 
 impl Handle for percuss_conditions {
-    type Object = Mutex<Conditions>;
+    type Object = Exclusive<Conditions>;
     const TAG: u64 = 0x7063_5f63_6f6e_6469;
     const NAME: &'static str = "percuss_conditions";
 }
@@ -32,7 +31,7 @@ pub const PERCUSS_BASE_FLOATING: i32 = 1;
 pub unsafe extern "C" fn percuss_conditions_new(conditions: *mut *mut percuss_conditions) -> percuss_status {
     guarded(|| {
         clear(conditions)?;
-        give(Mutex::new(Conditions::new()), conditions)
+        give(Exclusive::new(Conditions::new()), conditions)
     })
 }
 

@@ -1,14 +1,14 @@
 //! Configurations: where the joints stand, as the user gives it.
 
 use crate::arrays::{input, text};
-use crate::handle::{Handle, clear, free, get, give, take};
+use crate::handle::{Exclusive, Handle, clear, free, get, give, take};
 use crate::model::{Model, percuss_model};
 use crate::status::{Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_CONDITIONS, guarded, percuss_status};
 use percuss::nalgebra::Vector3;
 use percuss::spatial::{Transform, rotation_from_quaternion};
 use percuss::{Configuration, ConfigurationError};
 use std::ffi::c_char;
-use std::sync::{Arc, Mutex};
+use std::sync::Arc;
 
 /// Positions of the joints, and where the root link stands in the world. One thread at a time.
 pub struct percuss_configuration {
@@ -35,7 +35,7 @@ impl Given {
 }
 
 impl Handle for percuss_configuration {
-    type Object = Mutex<Given>;
+    type Object = Exclusive<Given>;
     const TAG: u64 = 0x7063_5f63_6f6e_6669;
     const NAME: &'static str = "percuss_configuration";
 }
@@ -53,7 +53,7 @@ pub unsafe extern "C" fn percuss_configuration_new(
         clear(configuration)?;
         let model = Arc::clone(get(model)?);
         let values = Configuration::zero(&model.mechanism);
-        give(Mutex::new(Given { model, values }), configuration)
+        give(Exclusive::new(Given { model, values }), configuration)
     })
 }
 

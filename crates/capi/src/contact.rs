@@ -25,7 +25,7 @@ pub const PERCUSS_NORMAL_TOWARD: percuss_normal = 3;
 
 /// A contact between a point of a link and another link, or the ground. Fill it with percuss_contact_init first.
 #[repr(C)]
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct percuss_contact {
     /// The struck link: a number of percuss_model_find_link.
     pub link: usize,

@@ -2,12 +2,14 @@
 
 use crate::arrays::input;
 use crate::contact::{outcome, percuss_contact, percuss_outcome};
-use crate::handle::{Handle, clear, free, get, give, place, take, value};
+use crate::handle::{Exclusive, Handle, clear, free, get, give, lent, place, take};
 use crate::model::Model;
-use crate::status::{Failure, PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_LENGTH, guarded, percuss_status};
+use crate::status::{
+    Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_LENGTH, guarded, percuss_status,
+};
 use crate::system::percuss_assembly;
-use percuss::Workspace;
-use std::sync::{Arc, Mutex};
+use percuss::{Contact, ResponseError, Workspace};
+use std::sync::Arc;
 
 /// Room to pose an assembly again and again and to ask for m̄. One thread at a time: each thread its own.
 pub struct percuss_workspace {
@@ -18,10 +20,12 @@ pub struct percuss_workspace {
 pub(crate) struct Room {
     model: Arc<Model>,
     workspace: Workspace,
+    /// The contact that was asked for last, as it was given and as it is on the model.
+    asked: Option<(percuss_contact, Contact)>,
 }
 
 impl Handle for percuss_workspace {
-    type Object = Mutex<Room>;
+    type Object = Exclusive<Room>;
     const TAG: u64 = 0x7063_5f77_6f72_6b73;
     const NAME: &'static str = "percuss_workspace";
 }
@@ -38,8 +42,9 @@ pub unsafe extern "C" fn percuss_workspace_new(
     guarded(|| {
         clear(workspace)?;
         let assembled = get(assembly)?;
-        let room = Room { model: Arc::clone(&assembled.model), workspace: assembled.assembly.workspace() };
-        give(Mutex::new(room), workspace)
+        let (model, inside) = (Arc::clone(&assembled.model), assembled.assembly.workspace());
+        let room = Room { model, workspace: inside, asked: None };
+        give(Exclusive::new(room), workspace)
     })
 }
 
@@ -59,7 +64,8 @@ pub unsafe extern "C" fn percuss_workspace_free(workspace: *mut *mut percuss_wor
 /// after the first call, but where the recursion is not accurate enough. Points and normals in the world are taken with the
 /// root link at the world's origin.
 ///
-/// Errors: PERCUSS_ERROR_LENGTH, PERCUSS_ERROR_CONTACT; PERCUSS_ERROR_BUSY where another thread uses the workspace.
+/// Errors: PERCUSS_ERROR_LENGTH, PERCUSS_ERROR_CONTACT; PERCUSS_ERROR_ARGUMENT: a position that matters is not finite;
+/// PERCUSS_ERROR_BUSY where another thread uses the workspace.
 ///
 /// # Safety
 /// workspace is a handle; positions is null or has count numbers; contact is null or points to a contact; the other pointers are null
@@ -77,12 +83,20 @@ pub unsafe extern "C" fn percuss_workspace_effective_mass(
         let mut room = take(get(workspace)?, "percuss_workspace")?;
         let (to_outcome, to_mass) =
             (place(outcome_place, "outcome")?, place(effective_mass, "effective_mass")?);
-        let contact = value(contact, "contact")?.on(&room.model)?;
+        let given = lent(contact, "contact")?;
+        let Room { model, workspace, asked } = &mut *room;
+        let (_, contact) = match asked {
+            Some(last) if last.0 == *given => last,
+            _ => asked.insert((*given, given.on(model)?)),
+        };
         if !positions.is_null() {
             let positions = input(positions, count, "positions")?;
-            room.workspace.set_positions(positions).map_err(Failure::of(PERCUSS_ERROR_LENGTH))?;
+            workspace.set_positions(positions).map_err(Failure::of(PERCUSS_ERROR_LENGTH))?;
         }
-        let mass = room.workspace.effective_mass(&contact).map_err(Failure::of(PERCUSS_ERROR_CONTACT))?;
+        let mass = workspace.effective_mass(contact).map_err(|error| {
+            let of_positions = matches!(error, ResponseError::NotFinite { .. });
+            Failure::new(if of_positions { PERCUSS_ERROR_ARGUMENT } else { PERCUSS_ERROR_CONTACT }, error)
+        })?;
         (*to_outcome, *to_mass) = outcome(mass);
         Ok(())
     })

@@ -8,7 +8,8 @@ use crate::text::{Table, number, triple};
 use crate::wrap;
 use percuss_study::contact::BodyRegion;
 use percuss_study::{
-    Limit, PositionFile, RowSource, SafeSpeedQuestion, SafeSpeedReport, SpeedRecord, StudySafeSpeed,
+    Limit, PositionFile, RowSource, SafeSpeedQuestion, SafeSpeedReport, SpeedRecord, StatedLimits,
+    StudySafeSpeed,
 };
 
 /// Runs the command.
@@ -66,16 +67,14 @@ pub fn show(reports: &[SafeSpeedReport], format: CheckFormat, strict: bool) -> R
 }
 
 fn limit(args: &SafeSpeedArgs) -> Result<Limit, Failure> {
-    match (args.force, args.pressure, args.area, args.energy, args.momentum) {
-        (Some(force), None, None, None, None) => Ok(Limit::Force(force)),
-        (None, Some(pressure), Some(area), None, None) => Ok(Limit::Pressure(pressure, area)),
-        (None, None, None, Some(energy), None) => Ok(Limit::Energy(energy)),
-        (None, None, None, None, Some(momentum)) => Ok(Limit::Momentum(momentum)),
-        _ => Err(Failure::bad_input(
+    let SafeSpeedArgs { force, pressure, area, energy, momentum, .. } = *args;
+    // Several are refused as flags already.
+    StatedLimits { force, pressure, area, energy, momentum }.one().map_err(|_| {
+        Failure::bad_input(
             "one limit is required: either --force N or --pressure N/cm² with --area cm² of the region, --energy J, or \
              --momentum N·s, from the edition of the standard that applies to you",
-        )),
-    }
+        )
+    })
 }
 
 pub const CLOSING: &str = "\nAn engineering aid, not a certification. v = F/√(μ k), the transient contact of\n\

@@ -46,7 +46,7 @@ pub enum BatchPositions<'a> {
 /// What one configuration is answered.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BatchAnswer {
-    /// None: there is no answer; [`Pose::respond`](crate::Pose::respond) at that configuration says why.
+    /// None: there is no answer; a position is not finite, or [`Pose::respond`](crate::Pose::respond) at that configuration says why.
     pub mass: Option<EffectiveMass>,
     /// What rounding may amount to, kg; none where it was not counted.
     pub error: Option<f64>,
@@ -84,6 +84,14 @@ pub enum BatchError {
         stride: usize,
         /// The least.
         least: usize,
+    },
+    /// Columns of different lengths.
+    #[error("there is room for {masses} masses and {errors} errors; expected as many of both")]
+    Columns {
+        /// How many masses there is room for.
+        masses: usize,
+        /// How many errors.
+        errors: usize,
     },
     /// The caller stopped it.
     #[error("stopped after {done} configurations")]
@@ -205,7 +213,29 @@ impl Batch {
         answers: &mut [BatchAnswer],
     ) -> Result<(), BatchError> {
         self.check(positions, answers.len())?;
-        self.idle.with(&self.worker, |worker| self.portion(worker, positions, 0, answers));
+        self.idle.with(&self.worker, |worker| worker.portion(&self.contact, positions, 0, answers));
+        Ok(())
+    }
+
+    /// As [`run_here`](Self::run_here), into columns: m̄, kg, NaN unless finite, and what rounding may amount
+    /// to, kg, NaN where it was not counted, for as many configurations as they are long. A configuration that lanes leave in doubt is
+    /// asked by itself, and `other` gets its number and its answer: all that are not finite are among them.
+    ///
+    /// # Errors
+    /// As [`run`](Self::run); `errors` is not as long as `masses`.
+    pub fn run_columns(
+        &self,
+        positions: BatchPositions<'_>,
+        masses: &mut [f64],
+        errors: &mut [f64],
+        other: impl FnMut(usize, BatchAnswer),
+    ) -> Result<(), BatchError> {
+        if errors.len() != masses.len() {
+            return Err(BatchError::Columns { masses: masses.len(), errors: errors.len() });
+        }
+        self.check(positions, masses.len())?;
+        let mut columns = AnswerColumns { masses, errors, other };
+        self.idle.with(&self.worker, |worker| worker.portion(&self.contact, positions, 0, &mut columns));
         Ok(())
     }
 
@@ -225,7 +255,8 @@ impl Batch {
             if stopped.load(Ordering::Relaxed) {
                 return;
             }
-            self.idle.with(&self.worker, |worker| self.portion(worker, positions, number * PORTION, portion));
+            let first = number * PORTION;
+            self.idle.with(&self.worker, |worker| worker.portion(&self.contact, positions, first, portion));
             let done = done.fetch_add(portion.len(), Ordering::Relaxed) + portion.len();
             if watch(done).is_break() {
                 stopped.store(true, Ordering::Relaxed);
@@ -256,32 +287,88 @@ impl Batch {
             }
         }
     }
+}
 
-    /// Configurations `first` and those after it.
+/// Where answers go.
+trait Places {
+    fn count(&self) -> usize;
+
+    /// What lanes answer from a configuration on, in doubt or not.
+    fn put(&mut self, first: usize, masses: &[f64], errors: &[f64]);
+
+    /// What one that was asked by itself is answered.
+    fn put_one(&mut self, at: usize, answer: BatchAnswer);
+}
+
+impl Places for [BatchAnswer] {
+    fn count(&self) -> usize {
+        self.len()
+    }
+
+    #[inline]
+    fn put(&mut self, first: usize, masses: &[f64], errors: &[f64]) {
+        for ((answer, mass), error) in self[first..].iter_mut().zip(masses).zip(errors) {
+            *answer = Answered { mass: *mass, error: *error }.into();
+        }
+    }
+
+    fn put_one(&mut self, at: usize, answer: BatchAnswer) {
+        self[at] = answer;
+    }
+}
+
+struct AnswerColumns<'a, F> {
+    masses: &'a mut [f64],
+    errors: &'a mut [f64],
+    other: F,
+}
+
+impl<F: FnMut(usize, BatchAnswer)> Places for AnswerColumns<'_, F> {
+    fn count(&self) -> usize {
+        self.masses.len()
+    }
+
+    #[inline]
+    fn put(&mut self, first: usize, masses: &[f64], errors: &[f64]) {
+        self.masses[first..][..masses.len()].copy_from_slice(masses);
+        self.errors[first..][..errors.len()].copy_from_slice(errors);
+    }
+
+    fn put_one(&mut self, at: usize, answer: BatchAnswer) {
+        let finite = |mass| if let EffectiveMass::Finite(m) = mass { m } else { f64::NAN };
+        self.masses[at] = answer.mass.map_or(f64::NAN, finite);
+        self.errors[at] = answer.error.unwrap_or(f64::NAN);
+        (self.other)(at, answer);
+    }
+}
+
+impl Worker {
+    /// As many configurations as there are places, `first` and those after it.
     fn portion(
-        &self,
-        worker: &mut Worker,
+        &mut self,
+        contact: &Contact,
         positions: BatchPositions<'_>,
         first: usize,
-        answers: &mut [BatchAnswer],
+        places: &mut (impl Places + ?Sized),
     ) {
-        let Worker { in_lanes, read, columns, row, workspace } = worker;
-        for (number, answers) in answers.chunks_mut(BLOCK).enumerate() {
-            let start = first + number * BLOCK;
+        let Worker { in_lanes, read, columns, row, workspace } = self;
+        let count = places.count();
+        for block in (0..count).step_by(BLOCK) {
+            let (start, here) = (first + block, BLOCK.min(count - block));
             let [mut masses, mut errors] = [[f64::NAN; BLOCK]; 2];
             if let Some(lanes) = in_lanes {
-                let width = self.instructions.width();
+                let width = lanes.width();
                 let mut ask = |columns, first, from: usize, count: usize| {
                     let (masses, errors) = (&mut masses[from..][..count], &mut errors[from..][..count]);
                     lanes.lanes(columns, first, Answers { masses, errors });
                 };
                 let mut done = 0;
                 if let BatchPositions::Columns { values, stride } = positions {
-                    done = answers.len() - answers.len() % width;
+                    done = here - here % width;
                     ask(Columns { values, stride }, start, 0, done);
                 }
-                if done < answers.len() {
-                    let left = answers.len() - done;
+                if done < here {
+                    let left = here - done;
                     let padded = left.next_multiple_of(width);
                     // The last lanes repeat the last configuration.
                     for lane in 0..padded {
@@ -290,20 +377,15 @@ impl Batch {
                     ask(Columns { values: columns, stride: BLOCK }, 0, done, padded);
                 }
             }
-            let mut all_clear = true;
-            for ((answer, mass), error) in answers.iter_mut().zip(masses).zip(errors) {
-                let answered = Answered { mass, error };
-                *answer = answered.into();
-                all_clear &= answered.is_clear();
-            }
-            if all_clear {
+            let (masses, errors) = (&masses[..here], &errors[..here]);
+            places.put(block, masses, errors);
+            let clear = |lane: usize| Answered { mass: masses[lane], error: errors[lane] }.is_clear();
+            if (0..here).fold(true, |all, lane| all & clear(lane)) {
                 continue;
             }
-            for (lane, answer) in answers.iter_mut().enumerate() {
-                if !(Answered { mass: masses[lane], error: errors[lane] }).is_clear() {
-                    row.iter_mut().enumerate().for_each(|(q, to)| *to = positions.at(start + lane, q));
-                    *answer = by_itself(workspace, &self.contact, row);
-                }
+            for lane in (0..here).filter(|lane| !clear(*lane)) {
+                row.iter_mut().enumerate().for_each(|(q, to)| *to = positions.at(start + lane, q));
+                places.put_one(block + lane, by_itself(workspace, contact, row));
             }
         }
     }

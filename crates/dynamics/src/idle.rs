@@ -1,19 +1,20 @@
 //! Workers that stand by until somebody has work for them: where none does, one is made.
 
-use std::sync::{Mutex, PoisonError};
+use std::sync::Mutex;
 
 /// Workers that nobody uses now: at most as many as were ever used at once.
 #[derive(Debug)]
 pub(crate) struct Idle<W>(Mutex<Vec<Box<W>>>);
 
 impl<W: Clone> Idle<W> {
-    /// Does work by a worker that stands by, or by a copy of `model`. One that panics is not used again.
+    /// Does work by a worker that stands by, or by a copy of `model`; waits for nobody. One that panics is not used again.
     pub fn with<A>(&self, model: &W, work: impl FnOnce(&mut W) -> A) -> A {
-        let idle = || self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        let waiting = idle().pop();
+        let waiting = self.0.try_lock().ok().and_then(|mut idle| idle.pop());
         let mut worker = waiting.unwrap_or_else(|| Box::new(model.clone()));
         let answer = work(&mut worker);
-        idle().push(worker);
+        if let Ok(mut idle) = self.0.try_lock() {
+            idle.push(worker);
+        }
         answer
     }
 }

@@ -42,6 +42,14 @@ impl InLanes {
         }
     }
 
+    /// How many configurations go side by side.
+    pub fn width(&self) -> usize {
+        match self {
+            Self::Tree(tree) => tree.instructions.width(),
+            Self::Linkage(linkage) => linkage.instructions.width(),
+        }
+    }
+
     /// m̄ at one configuration, of the contact that it is aimed at.
     pub fn one(&mut self, positions: &[f64]) -> Option<Answered> {
         match self {

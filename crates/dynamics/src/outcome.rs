@@ -159,6 +159,14 @@ pub enum ResponseError {
     /// The route does not take the mechanism.
     #[error(transparent)]
     Route(#[from] RouteError),
+    /// A workspace stands at a position that is no number.
+    #[error("position {index} (from 0, of all joints in joint order) is {value}; expected finite numbers")]
+    NotFinite {
+        /// Its number.
+        index: usize,
+        /// NaN or infinite.
+        value: f64,
+    },
 }
 
 /// Something about an answer that its reader should know.

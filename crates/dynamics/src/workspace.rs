@@ -107,8 +107,8 @@ impl Workspace {
     /// with the root link at the world's origin. States no error: [`Pose::respond`] does.
     ///
     /// # Errors
-    /// [`ResponseError`]: a contact that means nothing; motions of negative mass that leave none that is positive; too large
-    /// a cluster of bodies.
+    /// [`ResponseError`]: a contact that means nothing; a position that is not finite, where it matters; motions of negative mass
+    /// that leave none that is positive; too large a cluster of bodies.
     pub fn effective_mass(&mut self, contact: &Contact) -> Result<EffectiveMass, ResponseError> {
         if self.aimed.as_ref() != Some(contact) {
             self.aimed = None;
@@ -131,6 +131,10 @@ impl Workspace {
 
     /// The same, whatever lanes may know.
     pub(crate) fn by_recursion(&mut self, contact: &Contact) -> Result<EffectiveMass, ResponseError> {
+        // Lanes are sure of no answer that comes of these; the recursion would find nothing that moves.
+        if let Some(index) = self.kinematics.q.iter().position(|q| !q.is_finite()) {
+            return Err(ResponseError::NotFinite { index, value: self.kinematics.q[index] });
+        }
         self.has_room = true;
         if self.stale {
             self.refill();

@@ -1,7 +1,8 @@
-"""percuss.sweep on (1,000,000, p) beside the same batch in Rust: CPU time of all threads, in turns on the same machine.
+"""percuss.sweep on (1,000,000, p) beside the same batch in Rust: CPU time of all threads, in turns on the same machine. Rust's answers
+go into a new vector, as Python's go into new arrays; and, for what that costs, into one that is kept.
 
     cargo bench -p percuss-python --no-run      prints the program's path
-    sweep.py PROGRAM                            prints the best of some runs each, and the ratio
+    sweep.py PROGRAM                            prints the median over turns of the best of five runs each, and the ratios
 """
 
 from __future__ import annotations
@@ -19,7 +20,8 @@ import percuss
 
 ROOT = Path(__file__).resolve().parents[3]
 COUNT = 1_000_000
-TURNS = 4
+TURNS = 9
+REPETITIONS = 5
 
 CASES = [
     ("six_r_arm", "tool", (0.08, 0.0, 0.0), (0.0, 1.0, 0.0)),
@@ -44,20 +46,25 @@ def main() -> None:
         model = percuss.load(path)
         q, contact = configurations(model), percuss.Contact(link, point, normal)
         by_columns, assembly = np.asfortranarray(q), model.assemble()
-        best = {"Rust": np.inf, "Python": np.inf, "Python, F order": np.inf}
+        spent: dict[str, list[float]] = {"Rust, new": [], "Rust, kept": [], "Python": [], "Python, F order": []}
         with tempfile.NamedTemporaryFile() as file:
             q.tofile(file.name)
             words = [sys.argv[1], str(path), link, ",".join(map(str, point)), ",".join(map(str, normal)), file.name]
             for _ in range(TURNS):
                 ran = subprocess.run(words, capture_output=True, text=True, check=True)
-                best["Rust"] = min(best["Rust"], float(ran.stdout))
+                for what, seconds in zip(("Rust, new", "Rust, kept"), ran.stdout.split()):
+                    spent[what].append(float(seconds))
                 for what, array in (("Python", q), ("Python, F order", by_columns)):
-                    for _ in range(5):
+                    best = np.inf
+                    for _ in range(REPETITIONS):
                         begun = time.process_time()
                         percuss.sweep(assembly, contact, array)
-                        best[what] = min(best[what], time.process_time() - begun)
-        times = ", ".join(f"{what} {1e3 * seconds:.1f} ms" for what, seconds in best.items())
-        print(f"{name}: {times}; Python over Rust {best['Python'] / best['Rust']:.3f}")
+                        best = min(best, time.process_time() - begun)
+                    spent[what].append(best)
+        median = {what: float(np.median(seconds)) for what, seconds in spent.items()}
+        times = ", ".join(f"{what} {1e3 * seconds:.1f} ms" for what, seconds in median.items())
+        ratios = [median["Python"] / median[what] for what in ("Rust, new", "Rust, kept")]
+        print(f"{name}: {times}; Python over Rust {ratios[0]:.3f} (new), {ratios[1]:.3f} (kept)")
 
 
 if __name__ == "__main__":

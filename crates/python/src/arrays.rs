@@ -2,12 +2,13 @@
 
 use crate::errors::input;
 use numpy::{
-    PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyReadonlyArray2, PyReadonlyArrayDyn,
+    PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyReadonlyArray2, PyReadonlyArrayDyn, PyUntypedArray,
     PyUntypedArrayMethods,
 };
 use percuss::nalgebra::DMatrix;
+use pyo3::PyTypeInfo;
 use pyo3::prelude::*;
-use pyo3::types::PyAny;
+use pyo3::types::{PyAny, PyString};
 
 /// An array of float64 of so many dimensions, where it lies if it is one already. Sparse matrices become dense.
 pub fn float64<'py>(
@@ -16,6 +17,7 @@ pub fn float64<'py>(
     dimensions: &[usize],
     expected: &str,
 ) -> PyResult<PyReadonlyArrayDyn<'py, f64>> {
+    refuse_hidden(value, what)?;
     let found = match value.cast::<PyArrayDyn<f64>>() {
         Ok(array) => array.clone(),
         Err(_) => converted(value, what)?,
@@ -37,8 +39,24 @@ pub fn float64_matrix<'py>(
     found.try_readonly().map_err(|error| input(format_args!("{what}: {error}")))
 }
 
+/// Refuses entries that a mask hides: as plain numbers they would count.
+fn refuse_hidden(value: &Bound<'_, PyAny>, what: &str) -> PyResult<()> {
+    let py = value.py();
+    if value.get_type().is(PyUntypedArray::type_object(py)) || !value.hasattr("mask")? {
+        return Ok(());
+    }
+    match py.import("numpy")?.getattr("ma")?.call_method1("is_masked", (value,))?.is_truthy()? {
+        true => Err(input(format_args!("{what} has masked entries; fill them or leave their rows away"))),
+        false => Ok(()),
+    }
+}
+
 fn converted<'py>(value: &Bound<'py, PyAny>, what: &str) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
     let py = value.py();
+    if value.is_instance_of::<PyString>() {
+        let text = value.repr()?;
+        return Err(input(format_args!("{what} is the text {text}; expected numbers, in SI (m, rad)")));
+    }
     let numpy = py.import("numpy")?;
     let dense = if value.hasattr("toarray")? { value.call_method0("toarray")? } else { value.clone() };
     // Rows of different lengths.

@@ -5,6 +5,7 @@ use crate::errors::{self, input};
 use crate::model::Model;
 use crate::question::{Conditions, Damping};
 use crate::reports::json;
+use crate::threads::detached;
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use percuss::contact::exports::Tool;
 use percuss::contact::{BodyRegion, Law};
@@ -31,7 +32,7 @@ pub fn damp(
     let report = match (contact, stop) {
         (Some(contact), None) => {
             let question = conditions.of_contact(&model.read.mechanism, contact)?;
-            py.detach(|| study::damp_contact(&model.read, &question, &damping))
+            detached(py, || study::damp_contact(&model.read, &question, &damping))
         }
         (None, Some((joint, end))) => {
             let end = match end.as_deref() {
@@ -43,7 +44,7 @@ pub fn damp(
                 }
             };
             let (question, stop) = (conditions.question()?, JointStop { joint, end });
-            py.detach(|| study::damp_stop(&model.read, &stop, question, &damping))
+            detached(py, || study::damp_stop(&model.read, &stop, question, &damping))
         }
         _ => return Err(input("give one of contact and stop")),
     };

@@ -20,6 +20,7 @@ mod response;
 mod suspension;
 mod sweep;
 mod system;
+mod threads;
 
 /// Everything that the package re-exports.
 #[pyo3::pymodule(name = "_percuss")]
@@ -43,14 +44,20 @@ mod module {
     #[pymodule_export]
     use crate::reports::{
         check, compare, compare_study, explain, map_point_report, map_report, mass_report, run_study,
-        safe_speed, safe_speed_directions, sweep_report, tolerate,
+        safe_speed, starting_study, study_schema, sweep_report, tolerate,
     };
     #[pymodule_export]
     use crate::response::Response;
     #[pymodule_export]
     use crate::suspension::{load_suspension, suspension_template, suspension_templates};
     #[pymodule_export]
-    use crate::sweep::{Sweep, sweep};
+    use crate::sweep::{Sweep, sweep, sweep_of_arrays};
     #[pymodule_export]
     use crate::system::{Assembly, System, Workspace};
+
+    #[pymodule_init]
+    fn begin(_module: &pyo3::Bound<'_, pyo3::types::PyModule>) -> pyo3::PyResult<()> {
+        crate::threads::begin();
+        Ok(())
+    }
 }

@@ -4,6 +4,7 @@ use crate::arrays::{float64_matrix, shape, triple};
 use crate::errors::input;
 use crate::pose::Pose;
 use crate::response::{status, value};
+use crate::threads::detached;
 use numpy::ndarray::ArrayView2;
 use numpy::{PyArray1, PyUntypedArrayMethods};
 use percuss::nalgebra::Vector3;
@@ -100,7 +101,7 @@ pub fn contact_map<'py>(
             points: [&points[0], &points[1], &points[2]],
             normals: [&normals[0], &normals[1], &normals[2]],
         };
-        py.detach(|| map.fill_answers(contacts, &mut answers)).map_err(input)?;
+        detached(py, || map.fill_answers(contacts, &mut answers)).map_err(input)?;
         py.check_signals()?;
     }
     for ((mass, error), status) in masses.iter_mut().zip(&mut errors).zip(&statuses) {

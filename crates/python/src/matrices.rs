@@ -3,6 +3,7 @@
 use crate::arrays::{float64, shape};
 use crate::errors::input;
 use crate::response::{remark, status, value};
+use crate::threads::detached;
 use numpy::{PyArray1, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use percuss::{
     EffectiveMass, MatrixOptions, MatrixResponse as Found, MatrixView, effective_mass as of_matrices,
@@ -243,7 +244,7 @@ pub fn effective_masses<'py>(
     // A few hundred at a time, so that Ctrl-C is heard.
     let (mut masses, mut errors, mut codes) = (Vec::new(), Vec::new(), Vec::new());
     for first in (0..count).step_by(256) {
-        let part = py.detach(|| {
+        let part = detached(py, || {
             (first..count.min(first + 256)).into_par_iter().map(one).collect::<PyResult<Vec<_>>>()
         })?;
         for (mass, error, code) in part {

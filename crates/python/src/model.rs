@@ -80,6 +80,9 @@ fn options(accept: &[String]) -> PyResult<LoadOptions> {
 #[pyo3(signature = (path, *, accept=Vec::new(), max_size=DEFAULT_MAX_SIZE))]
 pub fn load(py: Python<'_>, path: PathBuf, accept: Vec<String>, max_size: u64) -> PyResult<Model> {
     let path = path.to_string_lossy();
+    if path.trim_start().starts_with('<') {
+        return Err(errors::input("path is URDF text; percuss.loads reads text"));
+    }
     Model::of(py, Source::read(&path, max_size).map_err(errors::load)?, accept)
 }
 
@@ -87,6 +90,11 @@ pub fn load(py: Python<'_>, path: PathBuf, accept: Vec<String>, max_size: u64) -
 #[pyfunction]
 #[pyo3(signature = (text, *, name="<text>", accept=Vec::new()))]
 pub fn loads(py: Python<'_>, text: &str, name: &str, accept: Vec<String>) -> PyResult<Model> {
+    if !text.contains('<') && !text.trim().is_empty() {
+        return Err(errors::input(format_args!(
+            "text is {text:?}, without an element; expected URDF text: percuss.load reads files"
+        )));
+    }
     Model::of(py, Source::from_text(name, text), accept)
 }
 

@@ -167,6 +167,18 @@ pub fn vary(given: &Bound<'_, PyAny>) -> PyResult<Vary> {
     Ok(Vary { what: Varied::Joint(joint), from: number(from)?, to: number(to)?, count })
 }
 
+/// Where rows come from, if any are asked for.
+pub fn optional_rows(
+    ranges: Option<Vec<Bound<'_, PyAny>>>,
+    file: Option<(String, Vec<String>)>,
+    random: Option<(usize, u64)>,
+) -> PyResult<Option<RowSource>> {
+    if ranges.is_none() && file.is_none() && random.is_none() {
+        return Ok(None);
+    }
+    rows(ranges, file, random).map(Some)
+}
+
 /// Where the rows of a sweep come from: exactly one.
 pub fn rows(
     ranges: Option<Vec<Bound<'_, PyAny>>>,

@@ -4,12 +4,13 @@ use crate::contact::Contact;
 use crate::errors::{self, input};
 use crate::maps::code;
 use crate::model::Model;
-use crate::question::{Conditions, Damping, rows};
+use crate::question::{Conditions, Damping, optional_rows, rows};
+use crate::threads::detached;
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use percuss::DEFAULT_MAX_SIZE;
 use percuss::study::{
-    self, Limit, MapLinks, MapQuestion, MapShapes, MassQuestion, Names, SafeSpeedQuestion, Sampling,
-    SkinFacets, StudyError, StudyFile, Sweep, Tolerance,
+    self, MapLinks, MapQuestion, MapShapes, MassQuestion, Names, SafeSpeedQuestion, Sampling, SkinFacets,
+    StatedLimits, StudyError, StudyFile, StudySafeSpeed, Sweep, Tolerance,
 };
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
@@ -31,13 +32,13 @@ fn asked<R: Serialize + Send>(
     answer: impl FnOnce(&study::Model, &MassQuestion) -> Result<R, StudyError> + Send,
 ) -> PyResult<String> {
     let question = conditions.of_contact(&model.read.mechanism, contact)?;
-    json(&py.detach(|| answer(&model.read, &question)).map_err(errors::study)?)
+    json(&detached(py, || answer(&model.read, &question)).map_err(errors::study)?)
 }
 
 /// What is in a model.
 #[pyfunction]
 pub fn check(py: Python<'_>, model: &Model) -> PyResult<String> {
-    json(&py.detach(|| study::check(&model.read)).map_err(errors::study)?)
+    json(&detached(py, || study::check(&model.read)).map_err(errors::study)?)
 }
 
 /// One contact of a model, with the damper where one is asked for.
@@ -109,7 +110,7 @@ fn watched<'a>(
     sweep: impl FnOnce() -> Result<Sweep<'a>, StudyError> + Send,
 ) -> PyResult<study::SweepReport> {
     let mut interrupted = None;
-    let report = py.detach(|| {
+    let report = detached(py, || {
         let sweep = sweep()?;
         let heading = sweep.heading().clone();
         let mut rows = Vec::new();
@@ -181,12 +182,12 @@ pub fn map_report<'py>(
         }
     };
     (question.edge, question.packages) = (edge, packages);
-    let answer = py.detach(|| study::map(&model.read, &question)).map_err(errors::study)?;
+    let answer = detached(py, || study::map(&model.read, &question)).map_err(errors::study)?;
     let by_link = PyDict::new(py);
     for skin in &answer.skins {
         by_link.set_item(&skin.link, facets(py, skin)?)?;
     }
-    let picture = py.detach(|| percuss_cli::map_skin(&answer).to_svg());
+    let picture = detached(py, || percuss_cli::map_skin(&answer).to_svg());
     Ok((json(&answer.report)?, by_link, picture))
 }
 
@@ -202,35 +203,22 @@ pub fn map_point_report(
     asked(py, model, contact, &conditions, |model, question| study::map_point(model, question, directions))
 }
 
-/// `percuss._reports._Limit`: one of the first four.
+/// `percuss._reports._SafeSpeed`.
 #[derive(FromPyObject)]
-pub struct SpeedLimit {
+pub struct SpeedQuestion {
+    region: Option<String>,
     force: Option<f64>,
     pressure: Option<f64>,
     area: Option<f64>,
     energy: Option<f64>,
     momentum: Option<f64>,
     load: f64,
+    directions: Vec<[f64; 3]>,
+    worst: bool,
 }
 
-impl SpeedLimit {
-    fn question(&self, region: Option<String>) -> PyResult<SafeSpeedQuestion> {
-        let limit = match (self.force, self.pressure, self.area, self.energy, self.momentum) {
-            (Some(force), None, None, None, None) => Limit::Force(force),
-            (None, Some(pressure), Some(area), None, None) => Limit::Pressure(pressure, area),
-            (None, None, None, Some(energy), None) => Limit::Energy(energy),
-            (None, None, None, None, Some(momentum)) => Limit::Momentum(momentum),
-            _ => {
-                return Err(input(
-                    "give one of force (N), pressure (Pa) with area (m²), energy (J) and momentum (N·s)",
-                ));
-            }
-        };
-        Ok(SafeSpeedQuestion { region, limit, load: self.load })
-    }
-}
-
-/// How fast the contact of a robot may go: at its pose, or at the slowest of rows of positions.
+/// How fast the contact of a robot may go, as a list: at its pose, or at the slowest of rows of positions; or in each of several
+/// directions of the world, the worst of all last.
 #[pyfunction]
 #[allow(clippy::too_many_arguments, clippy::type_complexity, reason = "the question of a safe speed")]
 pub fn safe_speed(
@@ -238,40 +226,18 @@ pub fn safe_speed(
     model: &Model,
     contact: &Contact,
     conditions: Conditions<'_>,
-    region: Option<String>,
-    limit: SpeedLimit,
+    speed: SpeedQuestion,
     vary: Option<Vec<Bound<'_, PyAny>>>,
     input: Option<(String, Vec<String>)>,
     random: Option<(usize, u64)>,
 ) -> PyResult<String> {
-    let limit = limit.question(region)?;
-    if vary.is_none() && input.is_none() && random.is_none() {
-        return asked(py, model, contact, &conditions, |model, question| {
-            study::safe_speed(model, question, &limit)
-        });
-    }
-    let source = rows(vary, input, random)?;
+    let SpeedQuestion { region, force, pressure, area, energy, momentum, load, directions, worst } = speed;
+    let limit = StatedLimits { force, pressure, area, energy, momentum }.one().map_err(errors::input)?;
+    let rows = optional_rows(vary, input, random)?;
+    let asked_for = SafeSpeedQuestion { region, limit, load };
     asked(py, model, contact, &conditions, |model, question| {
-        study::safe_speed_along(model, question, &limit, &source)
-    })
-}
-
-/// The same in several directions of the world, and in the worst of all.
-#[pyfunction]
-#[allow(clippy::too_many_arguments, reason = "the question of a safe speed")]
-pub fn safe_speed_directions(
-    py: Python<'_>,
-    model: &Model,
-    contact: &Contact,
-    conditions: Conditions<'_>,
-    region: Option<String>,
-    limit: SpeedLimit,
-    directions: Vec<[f64; 3]>,
-    worst: bool,
-) -> PyResult<String> {
-    let limit = limit.question(region)?;
-    asked(py, model, contact, &conditions, |model, question| {
-        study::safe_speed_directions(model, question, &limit, &directions, worst)
+        let contact = question.clone();
+        StudySafeSpeed { contact, asked: asked_for, directions, worst_direction: worst, rows }.reports(model)
     })
 }
 
@@ -294,10 +260,7 @@ pub fn compare(
     input: Option<(String, Vec<String>)>,
     random: Option<(usize, u64)>,
 ) -> PyResult<String> {
-    let source = match vary.is_none() && input.is_none() && random.is_none() {
-        true => None,
-        false => Some(rows(vary, input, random)?),
-    };
+    let source = optional_rows(vary, input, random)?;
     let design = |design: &Design<'_>| {
         let model = &design.model.get().read;
         PyResult::Ok(study::Design {
@@ -315,21 +278,34 @@ pub fn compare(
 #[pyfunction]
 pub fn compare_study(py: Python<'_>, path: PathBuf, name: &str) -> PyResult<String> {
     let path = path.to_string_lossy().into_owned();
-    let study = py.detach(|| StudyFile::load(&path, DEFAULT_MAX_SIZE)).map_err(errors::study_file)?;
+    let study = detached(py, || StudyFile::load(&path, DEFAULT_MAX_SIZE)).map_err(errors::study_file)?;
     errors::warn(py, &study.model.diagnostics)?;
     compared(py, &study.designs(name))
 }
 
 fn compared(py: Python<'_>, designs: &[study::Design]) -> PyResult<String> {
-    let report = py.detach(|| study::compare(designs));
+    let report = detached(py, || study::compare(designs));
     json(&report.map_err(|error| input(error.message(Names::Fields)))?)
+}
+
+/// The JSON schema of studies.
+#[pyfunction]
+pub fn study_schema() -> PyResult<String> {
+    json(study::study_schema())
+}
+
+/// A study of a model, which it calls by a path.
+#[pyfunction]
+pub fn starting_study(py: Python<'_>, model: &Model, path: PathBuf) -> PyResult<String> {
+    let path = path.to_string_lossy();
+    detached(py, || study::starting_study(&model.read, &path)).map_err(errors::study)
 }
 
 /// Runs a study: its sweep's report where it has one, else that of its contact.
 #[pyfunction]
 pub fn run_study(py: Python<'_>, path: PathBuf) -> PyResult<String> {
     let path = path.to_string_lossy().into_owned();
-    let study = py.detach(|| StudyFile::load(&path, DEFAULT_MAX_SIZE)).map_err(errors::study_file)?;
+    let study = detached(py, || StudyFile::load(&path, DEFAULT_MAX_SIZE)).map_err(errors::study_file)?;
     errors::warn(py, &study.model.diagnostics)?;
     match (&study.question, &study.sweep) {
         (Some(question), Some(sweep)) => {
@@ -337,7 +313,7 @@ pub fn run_study(py: Python<'_>, path: PathBuf) -> PyResult<String> {
             json(&watched(py, &study.model, || Sweep::new(&study.model, question, rows))?)
         }
         (Some(question), None) => {
-            let report = py.detach(|| match &study.damping {
+            let report = detached(py, || match &study.damping {
                 Some(damping) => study::mass_with_damper(&study.model, question, &damping.question),
                 None => study::mass(&study.model, question),
             });
@@ -350,18 +326,18 @@ pub fn run_study(py: Python<'_>, path: PathBuf) -> PyResult<String> {
 /// A study that asks for something else than a contact: a stop, a map, a safe speed.
 fn without_contact(py: Python<'_>, study: &StudyFile) -> PyResult<String> {
     if let Some(study::StudyDamping { question, stop: Some((stop, conditions)), .. }) = &study.damping {
-        let report = py.detach(|| study::damp_stop(&study.model, stop, conditions.clone(), question));
+        let report = detached(py, || study::damp_stop(&study.model, stop, conditions.clone(), question));
         return json(&report.map_err(errors::study)?);
     }
     match (study.map.as_ref().map(|map| &map.question), &study.safe_speed) {
         (Some(study::StudyMapQuestion::Surfaces(question)), _) => {
-            json(&py.detach(|| study::map(&study.model, question)).map_err(errors::study)?.report)
+            json(&detached(py, || study::map(&study.model, question)).map_err(errors::study)?.report)
         }
         (Some(study::StudyMapQuestion::Directions(question, count)), _) => {
-            let report = py.detach(|| study::map_point(&study.model, question, *count));
+            let report = detached(py, || study::map_point(&study.model, question, *count));
             json(&report.map_err(errors::study)?)
         }
-        (None, Some(asked)) => json(&py.detach(|| asked.reports(&study.model)).map_err(errors::study)?),
+        (None, Some(asked)) => json(&detached(py, || asked.reports(&study.model)).map_err(errors::study)?),
         (None, None) => Err(errors::input("the study asks for nothing")),
     }
 }

@@ -6,19 +6,20 @@ use crate::errors::{self, input};
 use crate::matrices::coded;
 use crate::model::Model;
 use crate::system::{Assembly, System};
+use crate::threads::detached;
 use numpy::ndarray::{ArrayView2, s};
-use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
+use numpy::{Element, PyArray1, PyArrayMethods, PyReadonlyArray2, PyReadwriteArray1, PyUntypedArrayMethods};
 use percuss::{
     Assembly as Assembled, Batch, BatchAnswer, BatchError, BatchPositions, Configuration,
     Contact as Resolved, DrivenPath, JointId, PathAnswer, Pose as Posed, RouteChoice,
 };
 use percuss_render::{Figure, Panel, Series, Style};
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyAny;
 use rayon::prelude::*;
-use std::cell::RefCell;
 use std::ops::Range;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 /// Configurations of the first portion, at most of one, and by how much portions grow. Between portions Ctrl-C is looked for.
@@ -27,9 +28,8 @@ const LARGEST: usize = 1 << 22;
 const GROWTH: f64 = 8.0;
 /// How long a portion should take.
 const LOOK_AFTER: Duration = Duration::from_millis(50);
-/// Configurations that a thread takes at once: at least so many, since each time its room is made anew; at most so many, for which
-/// positions and answers stay in its cache.
-const AT_ONCE: (usize, usize) = (512, 1 << 14);
+/// Configurations that a thread takes at once: at least so many; at most so many, for which positions and answers stay in its cache.
+const AT_ONCE: (usize, usize) = (256, 1 << 11);
 /// Blocks of a portion for each thread: more even out what others on the machine take.
 const SHARES: usize = 8;
 
@@ -51,18 +51,20 @@ pub struct Sweep {
 }
 
 /// What is answered, by columns.
-struct Columns {
-    masses: Vec<f64>,
-    errors: Vec<f64>,
-    codes: Vec<u8>,
+struct Columns<'a> {
+    masses: &'a mut [f64],
+    errors: &'a mut [f64],
+    codes: &'a mut [u8],
 }
 
-impl Columns {
-    /// To be written all over: of memory that is zero already, whose pages come as they are written.
-    fn of(count: usize) -> Self {
-        Self { masses: vec![0.0; count], errors: vec![0.0; count], codes: vec![0; count] }
-    }
+/// An array of zeros, of numpy's memory: it takes large ones in large pages, whose first writing costs next to nothing. By pages of
+/// 4 kB it would take as long as a third of an arm's answers.
+fn zeros<T: Element>(py: Python<'_>, count: usize) -> (Bound<'_, PyArray1<T>>, PyReadwriteArray1<'_, T>) {
+    let array = PyArray1::zeros(py, count, false);
+    (array.clone(), array.readwrite())
+}
 
+impl Columns<'_> {
     fn set(&mut self, at: usize, mass: Option<percuss::EffectiveMass>, error: Option<f64>) {
         (self.masses[at], self.codes[at]) = coded(mass);
         self.errors[at] = error.unwrap_or(f64::NAN);
@@ -70,21 +72,20 @@ impl Columns {
 }
 
 /// What a sweep goes over.
-#[derive(FromPyObject)]
-pub enum Swept<'py> {
-    Assembly(Bound<'py, Assembly>),
-    System(Bound<'py, System>),
-    Model(Bound<'py, Model>),
-}
-
-impl Swept<'_> {
-    fn assembly(&self, py: Python<'_>) -> PyResult<(Model, Arc<Assembled>)> {
-        let of_system = |system: &System| PyResult::Ok((system.model.clone(), system.reference(py)?));
-        match self {
-            Swept::Assembly(found) => Ok((found.get().model.clone(), Arc::clone(&found.get().assembly))),
-            Swept::System(found) => of_system(found.get()),
-            Swept::Model(model) => of_system(&System::plain(model.get())?),
-        }
+fn swept(over: &Bound<'_, PyAny>) -> PyResult<(Model, Arc<Assembled>)> {
+    let of_system = |system: &System| PyResult::Ok((system.model.clone(), system.reference(over.py())?));
+    if let Ok(found) = over.cast::<Assembly>() {
+        Ok((found.get().model.clone(), Arc::clone(&found.get().assembly)))
+    } else if let Ok(found) = over.cast::<System>() {
+        of_system(found.get())
+    } else if let Ok(model) = over.cast::<Model>() {
+        of_system(&System::plain(model.get())?)
+    } else {
+        Err(PyTypeError::new_err(format!(
+            "model is {} ({}); expected a Model, as percuss.load reads it from a file, a System or an Assembly",
+            over.repr()?,
+            over.get_type().name()?
+        )))
     }
 }
 
@@ -102,40 +103,59 @@ impl Swept<'_> {
 #[pyo3(signature = (model, contact, q, *, joints=None))]
 pub fn sweep(
     py: Python<'_>,
-    model: Swept<'_>,
+    model: &Bound<'_, PyAny>,
     contact: &Contact,
     q: &Bound<'_, PyAny>,
-    joints: Option<Vec<String>>,
+    joints: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Sweep> {
-    let (model, assembly) = model.assembly(py)?;
+    let (model, assembly) = swept(model)?;
     let resolved = contact.on(&model.read.mechanism)?;
     let q = matrix(q, "q", "(N, p): a row for each configuration")?;
     let batch = assembly.batch(&resolved).map_err(errors::response)?;
-    let columns = match joints {
+    let count = q.shape()[0];
+    let (effective_mass, mut masses) = zeros(py, count);
+    let (error, mut errors) = zeros(py, count);
+    let (status, mut codes) = zeros(py, count);
+    let columns = Columns {
+        masses: masses.as_slice_mut()?,
+        errors: errors.as_slice_mut()?,
+        codes: codes.as_slice_mut()?,
+    };
+    match joints.map(words).transpose()? {
         None => {
             let (width, expected) = (q.shape()[1], model.position_count());
             if width != expected {
                 return Err(input(format_args!(
                     "q has shape {}; expected {expected} columns, the positions of all joints (Model.position_names), or \
-                     joints=[…] with the names of the columns",
-                    shape(q.shape())
+                     joints=[…] with the names of the columns{}",
+                    shape(q.shape()),
+                    if count == expected { "; of its transpose, q.T, there are as many" } else { "" }
                 )));
             }
-            whole(py, &batch, &q)?
+            whole(py, &batch, &q, columns)?;
         }
         Some(names) => {
             let places = drivers(&model, &names, q.shape())?;
             match assembly.groups().is_empty() {
-                true => of_tree(py, &batch, &model, &q, &places)?,
-                false => Path::new(&model, &assembly, resolved, &places)?.follow(py, &q)?,
+                true => of_tree(py, &batch, &model, &q, &places, columns)?,
+                false => Path::new(&model, &assembly, resolved, &places)?.follow(py, &q, columns)?,
             }
         }
-    };
+    }
+    drop((masses, errors, codes));
     Ok(Sweep {
-        effective_mass: PyArray1::from_vec(py, columns.masses).unbind(),
-        error: PyArray1::from_vec(py, columns.errors).unbind(),
-        status: PyArray1::from_vec(py, columns.codes).unbind(),
+        effective_mass: effective_mass.unbind(),
+        error: error.unbind(),
+        status: status.unbind(),
         link: contact.link.clone(),
+    })
+}
+
+/// Names, as a list or another sequence of texts; one text is none.
+fn words(names: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
+    names.extract().map_err(|_| {
+        let given = names.repr().map_or_else(|_| "no text".to_owned(), |text| text.to_string());
+        input(format_args!("joints is {given}; expected a list of names, one for each column"))
     })
 }
 
@@ -191,7 +211,7 @@ fn portions(
     while first < count {
         let here = size.min(count - first);
         let begun = Instant::now();
-        py.detach(|| portion(first..first + here))?;
+        detached(py, || portion(first..first + here))?;
         py.check_signals()?;
         first += here;
         let spent = begun.elapsed().as_secs_f64().max(1e-9);
@@ -199,17 +219,6 @@ fn portions(
         size = ((here as f64 * factor) as usize).clamp(16, LARGEST);
     }
     Ok(())
-}
-
-/// What a thread of a sweep works with, kept from one block to the next.
-#[derive(Default)]
-struct Room {
-    answers: Vec<BatchAnswer>,
-    positions: Vec<f64>,
-}
-
-thread_local! {
-    static ROOM: RefCell<Room> = RefCell::default();
 }
 
 /// Where the rows of q stand.
@@ -227,9 +236,17 @@ enum Rows<'a> {
 
 /// Answers rows of q, block by block, all threads at once: each number is read, checked, answered and written while it is in
 /// the cache.
-fn answer(py: Python<'_>, batch: &Batch, q: ArrayView2<'_, f64>, stand: Rows<'_>) -> PyResult<Columns> {
+fn answer(
+    py: Python<'_>,
+    batch: &Batch,
+    q: ArrayView2<'_, f64>,
+    stand: Rows<'_>,
+    columns: Columns<'_>,
+) -> PyResult<()> {
     let count = q.nrows();
-    let mut columns = Columns::of(count);
+    // Rooms for positions that no block uses: kept from one to the next.
+    let rooms = Mutex::new(Vec::new());
+    let rooms = || rooms.lock().unwrap_or_else(PoisonError::into_inner);
     let threads = rayon::current_num_threads();
     portions(py, count, |rows| {
         let block = rows.len().div_ceil(threads * SHARES).clamp(AT_ONCE.0, AT_ONCE.1);
@@ -240,27 +257,21 @@ fn answer(py: Python<'_>, batch: &Batch, q: ArrayView2<'_, f64>, stand: Rows<'_>
         let done = blocks.try_for_each(|(number, ((masses, errors), codes))| {
             let first = rows.start + number * block;
             let own = first..first + masses.len();
-            ROOM.with_borrow_mut(|room| {
-                let Room { answers, positions } = room;
-                answers.resize(answers.len().max(own.len()), BatchAnswer::NONE);
-                let answers = &mut answers[..own.len()];
-                let Some(positions) = stand.of_block(q, own.clone(), positions) else {
-                    return Err(Stopped::NotFinite);
-                };
-                batch.run_here(positions, answers).map_err(Stopped::Refused)?;
-                for (i, answer) in answers.iter().enumerate() {
-                    (masses[i], codes[i]) = coded(answer.mass);
-                    errors[i] = answer.error.unwrap_or(f64::NAN);
-                }
-                Ok(())
-            })
+            let mut room = rooms().pop().unwrap_or_default();
+            let Some(positions) = stand.of_block(q, own.clone(), &mut room) else {
+                return Err(Stopped::NotFinite);
+            };
+            // Codes are those of finite masses already.
+            let other = |at: usize, answer: BatchAnswer| codes[at] = coded(answer.mass).1;
+            batch.run_columns(positions, masses, errors, other).map_err(Stopped::Refused)?;
+            rooms().push(room);
+            Ok(())
         });
         done.map_err(|stopped| match stopped {
             Stopped::NotFinite => refuse(q, rows),
             Stopped::Refused(error) => input(error),
         })
-    })?;
-    Ok(columns)
+    })
 }
 
 /// Why a block was not answered.
@@ -315,13 +326,13 @@ impl<'a> Rows<'a> {
 }
 
 /// All positions of every row.
-fn whole(py: Python<'_>, batch: &Batch, q: &PyReadonlyArray2<'_, f64>) -> PyResult<Columns> {
+fn whole(py: Python<'_>, batch: &Batch, q: &PyReadonlyArray2<'_, f64>, columns: Columns<'_>) -> PyResult<()> {
     let stand = match q.as_slice() {
         Ok(values) if q.is_c_contiguous() => Rows::One(values),
         Ok(values) => Rows::Columns(values),
         Err(_) => Rows::Apart,
     };
-    answer(py, batch, q.as_array(), stand)
+    answer(py, batch, q.as_array(), stand, columns)
 }
 
 /// Some positions of every row, the others at 0, where nothing closes a loop.
@@ -331,12 +342,13 @@ fn of_tree(
     model: &Model,
     q: &PyReadonlyArray2<'_, f64>,
     places: &[(JointId, usize)],
-) -> PyResult<Columns> {
+    columns: Columns<'_>,
+) -> PyResult<()> {
     let mechanism = &model.read.mechanism;
     let zero = Configuration::zero(mechanism);
     let others: Vec<f64> = mechanism.joint_ids().flat_map(|joint| zero.get(joint).to_vec()).collect();
     let places: Vec<usize> = places.iter().map(|(_, place)| *place).collect();
-    answer(py, batch, q.as_array(), Rows::Some { places: &places, others: &others })
+    answer(py, batch, q.as_array(), Rows::Some { places: &places, others: &others }, columns)
 }
 
 /// Rows of the drivers of a linkage, each followed from the row before.
@@ -363,9 +375,13 @@ impl<'a> Path<'a> {
         Ok(Self { model, assembly, contact, joints, stands, driven: None })
     }
 
-    fn follow(mut self, py: Python<'_>, q: &PyReadonlyArray2<'_, f64>) -> PyResult<Columns> {
+    fn follow(
+        mut self,
+        py: Python<'_>,
+        q: &PyReadonlyArray2<'_, f64>,
+        mut columns: Columns<'_>,
+    ) -> PyResult<()> {
         let (count, width) = (q.shape()[0], self.joints.len());
-        let mut columns = Columns::of(count);
         let view = q.as_array();
         let mut values = Vec::new();
         portions(py, count, |rows| {
@@ -386,12 +402,11 @@ impl<'a> Path<'a> {
                 }
             }
             Ok(())
-        })?;
-        Ok(columns)
+        })
     }
 
     /// As many rows as the branch is beyond doubt.
-    fn in_lanes(&mut self, rows: &[f64], first: usize, columns: &mut Columns) -> usize {
+    fn in_lanes(&mut self, rows: &[f64], first: usize, columns: &mut Columns<'_>) -> usize {
         let Some(driven) = &mut self.driven else { return 0 };
         let (mut answers, mut positions): (Vec<PathAnswer>, Vec<f64>) = (Vec::new(), Vec::new());
         let reached = driven.follow(rows, &mut answers, &mut positions);
@@ -417,7 +432,7 @@ impl<'a> Path<'a> {
     }
 
     /// One row; where it is not reached the path goes on from where it stands.
-    fn by_itself(&mut self, row: &[f64], at: usize, columns: &mut Columns) {
+    fn by_itself(&mut self, row: &[f64], at: usize, columns: &mut Columns<'_>) {
         let mechanism = &self.model.read.mechanism;
         let mut there = Configuration::zero(mechanism);
         for (joint, value) in self.joints.iter().zip(row) {
@@ -435,16 +450,38 @@ impl<'a> Path<'a> {
     }
 }
 
-fn respond(pose: &Posed, contact: &Resolved, at: usize, columns: &mut Columns) {
+fn respond(pose: &Posed, contact: &Resolved, at: usize, columns: &mut Columns<'_>) {
     if let Ok(response) = pose.respond(contact, RouteChoice::Auto) {
         columns.set(at, Some(response.effective_mass), response.effective_mass_error());
     }
+}
+
+/// A sweep of another process.
+#[pyfunction]
+pub fn sweep_of_arrays(
+    effective_mass: Py<PyArray1<f64>>,
+    error: Py<PyArray1<f64>>,
+    status: Py<PyArray1<u8>>,
+    link: String,
+) -> Sweep {
+    Sweep { effective_mass, error, status, link }
 }
 
 #[pymethods]
 impl Sweep {
     fn __len__(&self, py: Python<'_>) -> usize {
         self.status.bind(py).len()
+    }
+
+    /// Its arrays, for another process.
+    #[allow(clippy::type_complexity, reason = "what pickle calls, and with what")]
+    fn __reduce__<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<(Bound<'py, PyAny>, (Py<PyArray1<f64>>, Py<PyArray1<f64>>, Py<PyArray1<u8>>, String))> {
+        let [effective_mass, error] = [&self.effective_mass, &self.error].map(|array| array.clone_ref(py));
+        let arrays = (effective_mass, error, self.status.clone_ref(py), self.link.clone());
+        Ok((py.import("percuss")?.getattr("_sweep")?, arrays))
     }
 
     fn __repr__(&self, py: Python<'_>) -> String {

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -136,8 +137,11 @@ def test_safe_speeds() -> None:
     )
     by_pressure = percuss.safe_speed(model, contact, region, pressure=1.4e6, area=1e-4)
     assert by_pressure.reflected["speed"] == pytest.approx(report.reflected["speed"])
-    with pytest.raises(percuss.InputError, match="force"):
-        percuss.safe_speed(model, contact, region)
+    for given, words in (({}, "given: none"), ({"force": 1.0, "energy": 1.0}, "given: force and energy"), ({"area": 1e-4}, "given: area")):
+        with pytest.raises(percuss.InputError, match=words):
+            percuss.safe_speed(model, contact, region, **given)  # type: ignore[arg-type]
+    with pytest.raises(percuss.InputError, match="directions: none"):
+        percuss.safe_speed_directions(model, contact, region, [], force=1.0)
     with pytest.raises(percuss.InputError, match="nose"):
         percuss.safe_speed(model, contact, "nose", force=1.0)
 
@@ -199,3 +203,14 @@ def test_suspension_options_and_templates() -> None:
         percuss.load_suspension(path, side="front")
     with pytest.raises(percuss.LoadError, match="none.toml"):
         percuss.load_suspension("none.toml")
+
+
+def test_a_study_to_begin_with(tmp_path: Path) -> None:
+    path = ROOT / "models/four_bar.urdf"
+    text = percuss.starting_study(percuss.load(path), path)
+    ran = command("init", str(path))
+    assert ran.returncode == 0 and text == ran.stdout
+    (tmp_path / "study.toml").write_text(text)
+    report = percuss.run_study(tmp_path / "study.toml")
+    assert report.effective_mass > 0
+    assert percuss.study_schema() == printed("schema") and "safe_speed" in percuss.study_schema()["properties"]

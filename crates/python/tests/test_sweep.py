@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import copy
 import os
+import pickle
 import signal
 import subprocess
 import sys
@@ -176,12 +178,65 @@ def test_outcomes_in_arrays() -> None:
         ([[0.0]], ["yaw", "shoulder"], "joints names 2 columns"),
         ([[0.0]], ["yaw_"], "yaw"),
         ([[0.0, 0.0]], ["yaw", "yaw"], "set twice"),
+        ([[0.0]], "yaw", "joints is 'yaw'; expected a list of names"),
+        (np.zeros((6, 9)), None, r"q has shape \(6, 9\).*of its transpose, q.T, there are as many"),
+        ("0,0,0,0,0,0", None, "q is the text '0,0,0,0,0,0'; expected numbers"),
+        (np.ma.masked_array(np.zeros((2, 6)), mask=np.eye(2, 6)), None, "q has masked entries"),
     ],
 )
-def test_arrays_that_mean_nothing(q: object, joints: list[str] | None, words: str) -> None:
+def test_arrays_that_mean_nothing(q: object, joints: list[str] | str | None, words: str) -> None:
     model = percuss.load(ROOT / "models/six_r_arm.urdf")
     with pytest.raises(percuss.InputError, match=words):
         percuss.sweep(model, percuss.Contact("tool", [0.08, 0, 0], [0, 1, 0]), q, joints=joints)  # type: ignore[arg-type]
+
+
+def test_a_mask_that_hides_nothing_is_none() -> None:
+    model, contact = percuss.load(ROOT / "models/six_r_arm.urdf"), percuss.Contact("tool", [0.08, 0, 0], [0, 1, 0])
+    plain = percuss.sweep(model, contact, np.zeros((2, 6)))
+    masked = np.ma.masked_array(np.zeros((2, 6)), mask=False)
+    assert np.array_equal(percuss.sweep(model, contact, masked).effective_mass, plain.effective_mass)
+
+
+def test_what_no_sweep_goes_over() -> None:
+    contact = percuss.Contact("tool", [0.08, 0, 0], [0, 1, 0])
+    with pytest.raises(TypeError, match=r"model is 'arm.urdf' \(str\); expected a Model, as percuss.load reads it"):
+        percuss.sweep("arm.urdf", contact, np.zeros((2, 6)))  # type: ignore[arg-type]
+
+
+def test_a_sweep_comes_from_another_process() -> None:
+    model, contact = percuss.load(ROOT / "models/six_r_arm.urdf"), percuss.Contact("tool", [0.08, 0, 0], [0, 1, 0])
+    swept = percuss.sweep(model, contact, np.random.default_rng(0).uniform(-1, 1, (9, 6)))
+    for found in (pickle.loads(pickle.dumps(swept)), copy.deepcopy(swept)):
+        assert repr(found) == repr(swept) and found.to_svg() == swept.to_svg()
+        for name in ("effective_mass", "error", "status"):
+            assert np.array_equal(getattr(found, name), getattr(swept, name))
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="processes are not forked on Windows")
+def test_forked_processes_have_threads_of_their_own() -> None:
+    # A forked process has none of the threads of its parent: it would wait for them for ever.
+    program = textwrap.dedent(f"""
+        import multiprocessing, numpy as np, percuss
+        model = percuss.load({str(ROOT / "models/six_r_arm.urdf")!r})
+        contact = percuss.Contact("tool", [0.08, 0, 0], [0, 1, 0])
+        q = np.random.default_rng(0).uniform(-1, 1, (5000, 6))
+        def work(_):
+            swept = percuss.sweep(model, contact, q)
+            rows = percuss.sweep_report(model, contact, random=50).rows
+            masses, _, _ = percuss.effective_masses(np.broadcast_to(np.eye(3), (600, 3, 3)), np.ones(3))
+            return swept, len(rows), masses.sum()
+        here = work(0)
+        for _ in range(2):
+            with multiprocessing.get_context("fork").Pool(2) as pool:
+                for there in pool.map(work, range(4)):
+                    assert np.array_equal(there[0].effective_mass, here[0].effective_mass) and there[1:] == here[1:]
+        print("all answered")
+    """)
+    # Well above the seconds that it takes; a process that waits for threads never ends.
+    ran = subprocess.run(
+        [sys.executable, "-W", "ignore", "-c", program], capture_output=True, text=True, timeout=300
+    )
+    assert ran.stdout == "all answered\n", ran.stderr
 
 
 def test_other_threads_run_meanwhile() -> None:

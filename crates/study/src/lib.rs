@@ -124,8 +124,8 @@ pub use question::{EstimateQuestion, Hold, MassQuestion, Normal, RatioPoint, UPW
 pub use record::DiagnosticRecord;
 pub use row_source::{PositionFile, RowSource};
 pub use safe_speed::{
-    AlongRecord, Limit, SafeSpeedQuestion, SafeSpeedReport, SpeedRecord, safe_speed, safe_speed_along,
-    safe_speed_directions,
+    AlongRecord, Limit, LimitError, SafeSpeedQuestion, SafeSpeedReport, SpeedRecord, StatedLimits,
+    safe_speed, safe_speed_along, safe_speed_directions,
 };
 pub use sheet::Sheet;
 pub use simulators::ExportRecord;

@@ -30,6 +30,59 @@ pub enum Limit {
     Momentum(f64),
 }
 
+/// The numbers that limits are stated by, of which one limit is to be given.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StatedLimits {
+    /// Greatest force, N.
+    pub force: Option<f64>,
+    /// Greatest pressure, Pa; with area.
+    pub pressure: Option<f64>,
+    /// Contact area, m²; with pressure.
+    pub area: Option<f64>,
+    /// Greatest energy of the impact, J.
+    pub energy: Option<f64>,
+    /// Greatest momentum that is exchanged, N·s.
+    pub momentum: Option<f64>,
+}
+
+/// Not one limit is given, but none, several, or half of one.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error(
+    "one limit is required: force, pressure with area, energy or momentum, from the edition of the standard that applies to you; \
+     given: {}",
+    if given.is_empty() { "none".to_owned() } else { given.join(" and ") }
+)]
+pub struct LimitError {
+    /// The names of the numbers that are given.
+    pub given: Vec<&'static str>,
+}
+
+impl StatedLimits {
+    /// The limit that is given.
+    ///
+    /// # Errors
+    /// [`LimitError`]: none, several, a pressure without its area or an area without a pressure.
+    pub fn one(&self) -> Result<Limit, LimitError> {
+        match (self.force, self.pressure, self.area, self.energy, self.momentum) {
+            (Some(force), None, None, None, None) => Ok(Limit::Force(force)),
+            (None, Some(pressure), Some(area), None, None) => Ok(Limit::Pressure(pressure, area)),
+            (None, None, None, Some(energy), None) => Ok(Limit::Energy(energy)),
+            (None, None, None, None, Some(momentum)) => Ok(Limit::Momentum(momentum)),
+            (force, pressure, area, energy, momentum) => {
+                let numbers = [
+                    ("force", force),
+                    ("pressure", pressure),
+                    ("area", area),
+                    ("energy", energy),
+                    ("momentum", momentum),
+                ];
+                let given = numbers.iter().filter(|(_, number)| number.is_some()).map(|(name, _)| *name);
+                Err(LimitError { given: given.collect() })
+            }
+        }
+    }
+}
+
 /// Who is struck, and what may happen.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SafeSpeedQuestion {

@@ -6,7 +6,7 @@ use crate::question::MassQuestion;
 use crate::refusal::Refusal;
 use crate::row_source::{PositionFile, RowSource};
 use crate::safe_speed::{
-    Limit, SafeSpeedQuestion, SafeSpeedReport, safe_speed, safe_speed_along, safe_speed_directions,
+    SafeSpeedQuestion, SafeSpeedReport, StatedLimits, safe_speed, safe_speed_along, safe_speed_directions,
 };
 use crate::study_value::{self, NumberOrText, Words};
 use schemars::JsonSchema;
@@ -103,17 +103,9 @@ impl SafeSpeedText {
         max_size: u64,
     ) -> Result<StudySafeSpeed, Refusal> {
         let refuse = |key, why: &str| Err(Refusal::new(key, why));
-        let limit = match (self.force, self.pressure, self.area, self.energy, self.momentum) {
-            (Some(force), None, None, None, None) => Limit::Force(force),
-            (None, Some(pressure), Some(area), None, None) => Limit::Pressure(pressure, area),
-            (None, None, None, Some(energy), None) => Limit::Energy(energy),
-            (None, None, None, None, Some(momentum)) => Limit::Momentum(momentum),
-            _ => {
-                let why = "one limit is required: force, pressure with area, energy or momentum, from the edition of the \
-                           standard that applies to you";
-                return refuse("safe_speed", why);
-            }
-        };
+        let Self { force, pressure, area, energy, momentum, .. } = *self;
+        let limit = StatedLimits { force, pressure, area, energy, momentum }.one();
+        let limit = limit.map_err(|error| Refusal::new("safe_speed", error.to_string()))?;
         if self.input.is_none() && !self.ignore.is_empty() {
             return refuse("safe_speed.ignore", "it leaves out columns of input; give input");
         }

@@ -129,6 +129,9 @@ static void nulls(void)
   FAILS(percuss_batch_new(assembly, &contact, 5000, &(percuss_batch *){NULL}), argument, "5000");
   const double nan = NAN;
   FAILS(percuss_configuration_set(configuration, "hinge", &nan, 1), PERCUSS_ERROR_CONDITIONS, "finite");
+  FAILS(percuss_workspace_effective_mass(workspace, &nan, 1, &contact, &outcome, &value), argument, "position 0");
+  OK(percuss_batch_run(batch, &nan, 1, PERCUSS_ROW_MAJOR, 1, 1, &outcome, &value, NULL, NULL, NULL));
+  CHECK(outcome == PERCUSS_NO_ANSWER && isnan(value));
   const double quaternion[4] = {2.0, 0.0, 0.0, 0.0};
   FAILS(percuss_configuration_set_base(configuration, values, quaternion), argument, "unit quaternion");
   contact.normal_given = 4;

@@ -1,8 +1,11 @@
 /* Threads: what cannot be changed is shared, each thread has its own workspace; one workspace used by two gives an error. */
+#define _POSIX_C_SOURCE 200809L
 #include "check.h"
 
 #include <pthread.h>
 #include <stdatomic.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 enum { THREADS = 2, CALLS = 2000 };
 
@@ -80,6 +83,30 @@ static int while_running(size_t done, void *user)
   return 0;
 }
 
+/* A forked process has none of its parent's threads: a batch that has some says so there, and does not wait for them. */
+static void forked(void)
+{
+  percuss_batch *threaded = NULL;
+  const double angles[3] = {0.1, 0.2, 0.3};
+  percuss_outcome outcomes[3];
+  double masses[3];
+  OK(percuss_batch_new(assembly, &contact, THREADS, &threaded));
+  OK(percuss_batch_run(threaded, angles, 3, PERCUSS_ROW_MAJOR, 1, 3, outcomes, masses, NULL, NULL, NULL));
+  const pid_t child = fork();
+  CHECK(child >= 0);
+  if (child == 0) {
+    percuss_status status =
+        percuss_batch_run(threaded, angles, 3, PERCUSS_ROW_MAJOR, 1, 3, outcomes, masses, NULL, NULL, NULL);
+    int wrong = status != PERCUSS_ERROR_HANDLE || strstr(percuss_error_message(), "after fork") == NULL;
+    /* The one of this thread alone has no others. */
+    status = percuss_batch_run(batch, angles, 3, PERCUSS_ROW_MAJOR, 1, 3, outcomes, masses, NULL, NULL, NULL);
+    _exit(wrong || status != PERCUSS_OK);
+  }
+  int ended = -1;
+  CHECK(waitpid(child, &ended, 0) == child && WIFEXITED(ended) && WEXITSTATUS(ended) == 0);
+  OK(percuss_batch_free(&threaded));
+}
+
 int main(void)
 {
   percuss_model *model = loaded(PENDULUM);
@@ -103,6 +130,7 @@ int main(void)
   double masses[3];
   OK(percuss_batch_run(batch, angles, 3, PERCUSS_ROW_MAJOR, 1, 3, outcomes, masses, NULL, while_running, &calls));
   CHECK(calls == 1);
+  forked();
   OK(percuss_workspace_free(&shared));
   OK(percuss_batch_free(&batch));
   OK(percuss_assembly_free(&assembly));

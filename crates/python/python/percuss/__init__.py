@@ -13,6 +13,7 @@ solver. mass, sweep_report, map, damp, safe_speed, compare, explain, run_study: 
 from __future__ import annotations
 
 from importlib.metadata import version as _version
+from typing import Any as _Any
 
 from ._errors import (
     AssemblyError,
@@ -49,6 +50,7 @@ from ._percuss import (
     tools,
 )
 from ._percuss import model_of_bytes as _model_of_bytes
+from ._percuss import sweep_of_arrays as _sweep_of_arrays
 from ._reports import (
     Conditions,
     Damping,
@@ -69,6 +71,8 @@ from ._reports import (
     run_study,
     safe_speed,
     safe_speed_directions,
+    starting_study,
+    study_schema,
     sweep_report,
     tolerate,
 )
@@ -128,6 +132,8 @@ __all__ = [
     "run_study",
     "safe_speed",
     "safe_speed_directions",
+    "starting_study",
+    "study_schema",
     "suspension_template",
     "suspension_templates",
     "sweep",
@@ -156,3 +162,8 @@ def _model(text: bytes, name: str, accept: list[str]) -> Model:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ModelWarning)
         return _model_of_bytes(text, name, accept)
+
+
+def _sweep(effective_mass: _Any, error: _Any, status: _Any, link: str) -> Sweep:
+    """A sweep that came from another process."""
+    return _sweep_of_arrays(effective_mass, error, status, link)

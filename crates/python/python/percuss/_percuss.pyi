@@ -6,7 +6,7 @@ from typing import Any, Literal, NoReturn, TypedDict, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._reports import Conditions, Damping, Design, _Limit
+from ._reports import Conditions, Damping, Design, _SafeSpeed
 
 __all__ = [
     "Accelerations",
@@ -43,10 +43,12 @@ __all__ = [
     "run_command",
     "run_study",
     "safe_speed",
-    "safe_speed_directions",
+    "starting_study",
+    "study_schema",
     "suspension_template",
     "suspension_templates",
     "sweep",
+    "sweep_of_arrays",
     "sweep_report",
     "tolerate",
     "tools",
@@ -374,11 +376,13 @@ class Sweep:
     def to_svg(self) -> str: ...
     def _repr_html_(self) -> str: ...
     def __len__(self) -> int: ...
+    def __reduce__(self) -> tuple[Any, ...]: ...
 
 def load(
     path: str | os.PathLike[str], *, accept: Sequence[str] = ..., max_size: int = ...
 ) -> Model: ...
 def loads(text: str, *, name: str = "<text>", accept: Sequence[str] = ...) -> Model: ...
+def sweep_of_arrays(effective_mass: _Array, error: _Array, status: NDArray[np.uint8], link: str) -> Sweep: ...
 def model_of_bytes(bytes: bytes, name: str, accept: Sequence[str]) -> Model: ...
 def effective_mass(
     M: Any,
@@ -448,20 +452,10 @@ def safe_speed(
     model: Model,
     contact: Contact,
     conditions: Conditions,
-    region: str | None,
-    limit: _Limit,
+    speed: _SafeSpeed,
     vary: Sequence[str | tuple[str, float, float, int]] | None,
     input: tuple[str, Sequence[str]] | None,
     random: tuple[int, int] | None,
-) -> str: ...
-def safe_speed_directions(
-    model: Model,
-    contact: Contact,
-    conditions: Conditions,
-    region: str | None,
-    limit: _Limit,
-    directions: Sequence[Sequence[float]],
-    worst: bool,
 ) -> str: ...
 def compare(
     designs: Sequence[Design],
@@ -471,6 +465,8 @@ def compare(
 ) -> str: ...
 def compare_study(path: str | os.PathLike[str], name: str) -> str: ...
 def run_study(path: str | os.PathLike[str]) -> str: ...
+def starting_study(model: Model, path: str | os.PathLike[str]) -> str: ...
+def study_schema() -> str: ...
 def damp_mass(mass: float, damping: Damping) -> str: ...
 def damp(
     model: Model,

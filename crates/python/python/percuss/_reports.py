@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _percuss
+from ._errors import InputError
 from ._percuss import Contact, Model
 
 #: Where a joint stands: a number (rad, m), several, or text with a unit: "30deg", "12mm".
@@ -80,15 +81,18 @@ class Design:
 
 
 @dataclass(frozen=True)
-class _Limit:
-    """What limits a safe speed, as the extension reads it."""
+class _SafeSpeed:
+    """A safe speed, as the extension reads it."""
 
-    force: float | None = None
-    pressure: float | None = None
-    area: float | None = None
-    energy: float | None = None
-    momentum: float | None = None
-    load: float = 0.0
+    region: str | None
+    force: float | None
+    pressure: float | None
+    area: float | None
+    energy: float | None
+    momentum: float | None
+    load: float
+    directions: Sequence[Sequence[float]] = ()
+    worst: bool = False
 
 
 #: Where rows come from, as the extension reads it.
@@ -344,9 +348,9 @@ def safe_speed(
     which an energy or a momentum may limit. The limit, from the edition of the standard that applies, one of: force (N), pressure (Pa)
     with area (m²), energy (J), momentum (N·s). load: kg. vary, input, random: rows as of ``sweep_report``; the slowest of them is
     under "along". As ``percuss safe-speed``."""
-    limit = _Limit(force, pressure, area, energy, momentum, load)
+    speed = _SafeSpeed(region, force, pressure, area, energy, momentum, load)
     rows = _rows(vary, input, ignore, random, seed)
-    return Report(json.loads(_percuss.safe_speed(model, contact, _asked(conditions), region, limit, *rows)))
+    return Report(json.loads(_percuss.safe_speed(model, contact, _asked(conditions), speed, *rows))[0])
 
 
 def safe_speed_directions(
@@ -366,9 +370,11 @@ def safe_speed_directions(
 ) -> list[Report]:
     """``safe_speed`` in several directions, (3,) each, world axes, and with worst, last, in the worst of all: that of the greatest
     effective mass at the point. The contact's normal is not read."""
-    limit = _Limit(force, pressure, area, energy, momentum, load)
     along = [[float(x) for x in direction] for direction in directions]
-    found = _percuss.safe_speed_directions(model, contact, _asked(conditions), region, limit, along, worst)
+    if not along and not worst:
+        raise InputError("directions: none is given; give at least one, or worst=True")
+    speed = _SafeSpeed(region, force, pressure, area, energy, momentum, load, along, worst)
+    found = _percuss.safe_speed(model, contact, _asked(conditions), speed, None, None, None)
     return [Report(report) for report in json.loads(found)]
 
 
@@ -376,3 +382,13 @@ def run_study(path: str | os.PathLike[str]) -> Report:
     """Runs a study (TOML): the report of its sweep where it has one, else of its contact. Writes no file. As ``percuss run``."""
     return Report(json.loads(_percuss.run_study(path)))
 
+
+def starting_study(model: Model, path: str | os.PathLike[str]) -> str:
+    """A study of a model as TOML, complete, with a contact to begin with; path: the model's file as the study names it, relative to
+    the study's folder. As ``percuss init``."""
+    return _percuss.starting_study(model, path)
+
+
+def study_schema() -> dict[str, Any]:
+    """The JSON schema of studies: which tables and keys there are. As ``percuss schema``."""
+    return cast("dict[str, Any]", json.loads(_percuss.study_schema()))
