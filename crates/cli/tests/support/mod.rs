@@ -7,7 +7,9 @@ use std::process::{Command, Output, Stdio};
 
 /// The repository's root.
 pub fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().expect("the repository is there")
+    let crates = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the folder of the crates");
+    // With a drive where there are drives; not canonical, which on Windows is no path that others take.
+    std::path::absolute(crates.parent().expect("the repository")).expect("a working directory")
 }
 
 /// `percuss` with these arguments, run from the root.
