@@ -147,14 +147,13 @@ windows() {
   needs wine wine wine64
   needs "$python" python3
   with_target $triple
-  cargo build --locked --release -p percuss-cli --target $triple
-  only_system_libraries "$target/$triple/release/percuss.exe"
   export WINEPREFIX=$target/wine WINEDEBUG=-all WINEDLLOVERRIDES="mscoree,mshtml="
   wineboot --init > /dev/null 2>&1
   stub=$WINEPREFIX/drive_c/windows/system32/bcryptprimitives.dll
   # Later versions of Wine have it.
   [ -e "$stub" ] || x86_64-w64-mingw32-gcc -shared -O2 -o "$stub" "$here/bcryptprimitives.c" -ladvapi32
   CARGO_TARGET_X86_64_PC_WINDOWS_GNU_RUNNER=wine tested --target $triple
+  only_system_libraries "$target/$triple/release/percuss.exe"
   package x86_64-windows $triple "$target/$triple/release/percuss.exe"
   folder=$(unpacked x86_64-windows)
   "$here/windows.sh" "$folder/percuss.exe"
@@ -168,7 +167,7 @@ only_system_libraries() {
   [ -z "$foreign" ] || fails "$1 loads what is no part of Windows: $foreign"
 }
 
-# tested ARGUMENT…: the command's own tests, counted.
+# tested ARGUMENT…: the command's own tests, counted. The program that they run is the one that is packed then.
 tested() {
   local code=0
   cargo test --locked --release -p percuss-cli --no-fail-fast "$@" > "$room/tests" 2>&1 || code=$?
@@ -187,7 +186,6 @@ native() {
     *) fails "no name for the system of $triple" ;;
   esac
   system=${triple%%-*}-$system
-  cargo build --locked --release -p percuss-cli
   tested
   package "$system" "$triple" "$target/release/$binary"
   (cd "$(unpacked "$system")" && "./$binary" mass models/suspensions/double-wishbone.toml --link bump_stop_pad --point 0,0,0 \

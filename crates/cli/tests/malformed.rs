@@ -141,7 +141,9 @@ fn a_file_cut_short_is_refused_wherever_it_is_cut() {
 
 #[test]
 fn what_is_no_file_is_refused() {
-    assert_refused("a directory", &percuss("check tests"));
+    let directory = percuss("check tests");
+    assert_refused("a directory", &directory);
+    assert!(directory.stderr.contains("this is a directory"), "{}", directory.stderr);
     assert_refused("a missing file", &percuss("check no/such/file.urdf"));
     assert_refused("an empty name", &command(["check", ""]).output().unwrap().into());
     assert_refused("no stdin", &percuss("check -"));
