@@ -8,7 +8,11 @@
 #
 # Needs rustup with a toolchain. What else is missing is installed where there is apt-get: musl-tools (linux);
 # gcc-mingw-w64-x86-64, wine, wine64, zip (windows); python3. What it makes is in target/standalone: archives with their
-# checksums. On two cores it takes half an hour.
+# checksums.
+#
+# Not run whole. Run, one by one, on Debian 12: the release build for Windows, its archive, windows.sh on what was unpacked from it;
+# the command's tests under Wine but for those of its library and for sweep_rows and sweep_parquet. Not run: the release build for
+# Linux in an empty root (an unoptimised one was), `native`, apt-get on a machine without the packages.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 cd "$here/../../.."
