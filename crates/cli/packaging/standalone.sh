@@ -1,69 +1,128 @@
 #!/usr/bin/env bash
-# Builds the command for machines without Rust, and tries it.
+# Builds the command for machines without Rust, tries what it built, and packs it.
 #
-#   standalone.sh linux      a static binary, tried in an empty chroot
-#   standalone.sh windows    percuss.exe; the command's own tests run on it under Wine
-#   standalone.sh            both
+#   standalone.sh linux      a static binary for Linux; what is packed is run in an empty root
+#   standalone.sh windows    percuss.exe; the command's own tests and what is packed run under Wine
+#   standalone.sh native     the system that it runs on, with the command's own tests (the release workflow does so)
+#   standalone.sh            linux and windows
 #
-# Needs rustup, and as Debian packages: musl-tools (linux); gcc-mingw-w64-x86-64, wine, wine64 (windows). What it makes is in
-# target/standalone, with checksums.
+# Needs rustup with a toolchain. What else is missing is installed where there is apt-get: musl-tools (linux);
+# gcc-mingw-w64-x86-64, wine, wine64, zip (windows); python3. What it makes is in target/standalone: archives with their
+# checksums.
 #
-# Not run whole: a static binary and percuss.exe were built, unoptimised, with the targets named here; the former answered and wrote
-# every kind of table and figure in an empty root, the latter went through windows.sh. The release build of this script, its
-# archives, and the suites of `cargo test` under Wine were not run.
+# Not run whole. Run, one by one, on Debian 12: the release build for Windows, its archive, windows.sh on what was unpacked from it;
+# the command's tests under Wine but for those of its library and for sweep_rows and sweep_parquet. Not run: the release build for
+# Linux in an empty root (an unoptimised one was), `native`, apt-get on a machine without the packages.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 cd "$here/../../.."
 target=${CARGO_TARGET_DIR:-$PWD/target}
 out=$target/standalone
 version=$(sed -n 's/^version = "\(.*\)"$/\1/p' Cargo.toml | head -n 1)
+python=$(command -v python3 || command -v python || echo python3)
+room=$(mktemp -d)
+trap 'rm -rf "$room"' EXIT
 mkdir -p "$out"
 
+fails() {
+  echo "standalone.sh: $*" >&2
+  exit 1
+}
+
+# needs COMMAND PACKAGE…: the command is there, or Debian's packages are installed.
 needs() {
-  command -v "$1" > /dev/null || { echo "standalone.sh: $1 is missing; Debian's package: $2" >&2; exit 2; }
+  local command=$1 as=()
+  shift
+  command -v "$command" > /dev/null && return
+  [ "$(id -u)" = 0 ] || as=(sudo)
+  if command -v apt-get > /dev/null; then
+    # Without ${…+…} an empty list is an unset name in older shells.
+    ${as[@]+"${as[@]}"} apt-get update -qq
+    ${as[@]+"${as[@]}"} apt-get install --yes -qq --no-install-recommends "$@"
+  fi
+  command -v "$command" > /dev/null || { echo "standalone.sh: $command is missing; Debian's package: $*" >&2; exit 2; }
 }
 
 # with_target NAME: the standard library of a target.
 with_target() {
+  command -v rustup > /dev/null || { echo "standalone.sh: rustup is missing; it installs the target $1" >&2; exit 2; }
   rustup target list --installed | grep -qx "$1" || rustup target add "$1"
+}
+
+# package SYSTEM TRIPLE BINARY: the binary with what a user needs beside it, as an archive that the system opens.
+package() {
+  local name=percuss-$version-$1 triple=$2 binary=$3 archive
+  mkdir -p "$room/packed/$name"
+  cp "$binary" "$room/packed/$name/"
+  cp -r models docs README.md CHANGELOG.md LICENSE-MIT LICENSE-APACHE "$room/packed/$name/"
+  "$python" "$here/licences.py" "$triple" > "$room/packed/$name/LICENSES-OF-PARTS.txt"
+  case $triple in
+    *windows*) archive=$name.zip ;;
+    *) archive=$name.tar.gz ;;
+  esac
+  rm -f "$out/$archive" "$out/$archive.sha256"
+  if [ "${archive##*.}" = zip ]; then
+    (cd "$room/packed" && "$python" -m zipfile -c "$out/$archive" "$name")
+  else
+    tar -czf "$out/$archive" -C "$room/packed" "$name"
+  fi
+  (cd "$out" && checksum "$archive" > "$archive.sha256")
+  echo "made $out/$archive: $(wc -c < "$out/$archive") bytes, the binary $(wc -c < "$binary")"
+}
+
+checksum() {
+  if command -v sha256sum > /dev/null; then sha256sum "$@"; else shasum -a 256 "$@"; fi
+}
+
+# unpacked SYSTEM: the folder that a user has after unpacking; what is in it is checked.
+unpacked() {
+  local name=percuss-$version-$1 file
+  mkdir -p "$room/user"
+  (cd "$out" && checksum -c "$name".*.sha256 > "$room/checked") || fails "the checksum of $name is wrong"
+  if [ -e "$out/$name.zip" ]; then
+    "$python" -m zipfile -e "$out/$name.zip" "$room/user"
+  else
+    tar -xzf "$out/$name.tar.gz" -C "$room/user"
+  fi
+  for file in README.md LICENSE-MIT LICENSE-APACHE LICENSES-OF-PARTS.txt docs/OUTPUTS.md models/four_bar.urdf \
+    models/suspensions/double-wishbone.toml; do
+    [ -s "$room/user/$name/$file" ] || fails "$name has no $file"
+  done
+  echo "$room/user/$name"
 }
 
 linux() {
   local triple=x86_64-unknown-linux-musl
   needs musl-gcc musl-tools
+  needs "$python" python3
   with_target $triple
   CC_x86_64_unknown_linux_musl=musl-gcc cargo build --locked --release -p percuss-cli --target $triple
-  local binary=$target/$triple/release/percuss
+  local binary=$target/$triple/release/percuss folder
   # Nothing is loaded with it.
-  if ! LC_ALL=C ldd "$binary" 2>&1 | grep -qE "not a dynamic executable|statically linked"; then
-    echo "standalone.sh: $binary is not static" >&2
-    exit 1
-  fi
-  in_empty_root "$binary"
-  package linux "$binary" percuss
+  LC_ALL=C ldd "$binary" 2>&1 | grep -qE "not a dynamic executable|statically linked" || fails "$binary is not static"
+  package x86_64-linux $triple "$binary"
+  folder=$(unpacked x86_64-linux)
+  in_empty_root "$folder"
 }
 
-# in_empty_root BINARY: a root that holds the binary and some models, no shell, no libraries, no /proc, no fonts.
+# in_empty_root FOLDER: the folder as a root: no shell, no libraries, no /proc, no fonts.
 in_empty_root() {
-  local room passed=0
-  room=$(mktemp -d)
-  cp "$1" "$room/percuss"
-  cp -r models "$room/models"
-  mkdir "$room/out"
+  local folder=$1 passed=0
+  mkdir "$folder/out"
   inside() {
-    if [ "$(id -u)" = 0 ]; then chroot "$room" /percuss "$@"; else unshare -r chroot "$room" /percuss "$@"; fi
+    if [ "$(id -u)" = 0 ]; then chroot "$folder" /percuss "$@"; else unshare -r chroot "$folder" /percuss "$@"; fi
   }
   # shows WORD COMMAND…: the command ends well and shows the word.
   shows() {
     local word=$1 text
     shift
-    text=$(inside "$@") || { echo "standalone.sh: percuss $* fails in an empty root" >&2; exit 1; }
-    grep -qF -- "$word" <<< "$text" || { echo "standalone.sh: percuss $* does not show $word: $text" >&2; exit 1; }
+    text=$(inside "$@") || fails "percuss $* fails in an empty root"
+    grep -qF -- "$word" <<< "$text" || fails "percuss $* does not show $word: $text"
     passed=$((passed + 1))
   }
   # made FILE: it is there and not empty.
   made() {
-    [ -s "$room/out/$1" ] || { echo "standalone.sh: $1 was not written in an empty root" >&2; exit 1; }
+    [ -s "$folder/out/$1" ] || fails "$1 was not written in an empty root"
     passed=$((passed + 1))
   }
   local stop="--link bump_stop_pad --point 0,0,0 --along-line bump_stop:0,0,0 --against chassis"
@@ -83,41 +142,64 @@ in_empty_root() {
   done
   inside run models/four_bar.toml --report out/report.html --allow-outside > /dev/null
   made report.html
-  rm -rf "$room"
   echo "static binary in an empty root: $passed passed, 0 failed"
 }
 
 windows() {
-  local triple=x86_64-pc-windows-gnu
+  local triple=x86_64-pc-windows-gnu folder stub
   needs x86_64-w64-mingw32-gcc gcc-mingw-w64-x86-64
-  needs wine "wine and wine64"
+  needs wine wine wine64
+  needs "$python" python3
   with_target $triple
-  cargo build --locked --release -p percuss-cli --target $triple
-  package windows "$target/$triple/release/percuss.exe" percuss.exe
   export WINEPREFIX=$target/wine WINEDEBUG=-all WINEDLLOVERRIDES="mscoree,mshtml="
   wineboot --init > /dev/null 2>&1
-  x86_64-w64-mingw32-gcc -shared -O2 -o "$WINEPREFIX/drive_c/windows/system32/bcryptprimitives.dll" \
-    "$here/bcryptprimitives.c" -ladvapi32
-  CARGO_TARGET_X86_64_PC_WINDOWS_GNU_RUNNER=wine cargo test --locked --release -p percuss-cli --target $triple --no-fail-fast
-  "$here/windows.sh" "$target/$triple/release/percuss.exe"
+  stub=$WINEPREFIX/drive_c/windows/system32/bcryptprimitives.dll
+  # Later versions of Wine have it.
+  [ -e "$stub" ] || x86_64-w64-mingw32-gcc -shared -O2 -o "$stub" "$here/bcryptprimitives.c" -ladvapi32
+  CARGO_TARGET_X86_64_PC_WINDOWS_GNU_RUNNER=wine tested --target $triple
+  only_system_libraries "$target/$triple/release/percuss.exe"
+  package x86_64-windows $triple "$target/$triple/release/percuss.exe"
+  folder=$(unpacked x86_64-windows)
+  "$here/windows.sh" "$folder/percuss.exe"
 }
 
-# package SYSTEM BINARY NAME: the binary with what a user needs beside it.
-package() {
-  local name=percuss-$version-x86_64-$1 folder
-  folder=$out/$name
-  rm -rf "$folder"
-  mkdir -p "$folder"
-  cp "$2" "$folder/$3"
-  cp -r models README.md LICENSE-MIT LICENSE-APACHE "$folder/"
-  (cd "$out" && tar -czf "$name.tar.gz" "$name" && sha256sum "$name.tar.gz" > "$name.tar.gz.sha256")
-  rm -rf "$folder"
-  echo "made $out/$name.tar.gz"
+# only_system_libraries EXE: it loads nothing that Windows does not have.
+only_system_libraries() {
+  local foreign
+  foreign=$(x86_64-w64-mingw32-objdump -p "$1" | sed -n 's/.*DLL Name: //p' | grep -viE \
+    '^(advapi32|bcrypt|bcryptprimitives|kernel32|msvcrt|ntdll|ole32|shell32|user32|userenv|ws2_32|api-ms-win-.*)\.dll$' || true)
+  [ -z "$foreign" ] || fails "$1 loads what is no part of Windows: $foreign"
+}
+
+# tested ARGUMENT…: the command's own tests, counted. The program that they run is the one that is packed then.
+tested() {
+  local code=0
+  cargo test --locked --release -p percuss-cli --no-fail-fast "$@" > "$room/tests" 2>&1 || code=$?
+  awk '/^test result:/ { passed += $4; failed += $6; ignored += $8 }
+       END { printf "the command'"'"'s own tests: %d passed, %d failed, %d ignored\n", passed, failed, ignored; exit passed == 0 }' "$room/tests" || code=1
+  [ $code -eq 0 ] || { grep -vE "^test .* ok$" "$room/tests" >&2; fails "the command's own tests fail"; }
+}
+
+native() {
+  local triple system binary
+  triple=$(rustc -vV | sed -n 's/^host: //p')
+  case $triple in
+    *-linux-*) system=linux binary=percuss ;;
+    *-apple-darwin) system=macos binary=percuss ;;
+    *-windows-*) system=windows binary=percuss.exe ;;
+    *) fails "no name for the system of $triple" ;;
+  esac
+  system=${triple%%-*}-$system
+  tested
+  package "$system" "$triple" "$target/release/$binary"
+  (cd "$(unpacked "$system")" && "./$binary" mass models/suspensions/double-wishbone.toml --link bump_stop_pad --point 0,0,0 \
+    --along-line bump_stop:0,0,0 --against chassis --expect 137.818755 --tolerance 1e-8)
 }
 
 case ${1:-all} in
   linux) linux ;;
   windows) windows ;;
+  native) native ;;
   all) linux; windows ;;
-  *) echo "standalone.sh: unknown argument $1; expected linux, windows or nothing" >&2; exit 2 ;;
+  *) echo "standalone.sh: unknown argument $1; expected linux, windows, native or nothing" >&2; exit 2 ;;
 esac

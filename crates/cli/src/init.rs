@@ -5,7 +5,6 @@ use crate::failure::Failure;
 use crate::output::{is_input, write_file};
 use crate::report::{write_as_is, write_diagnostics, write_out};
 use percuss_study::{starting_study, study_schema};
-use std::fs;
 use std::path::Path;
 
 /// Writes a study of a model.
@@ -43,14 +42,15 @@ pub fn schema() -> Result<(), Failure> {
     write_as_is((text + "\n").as_bytes())
 }
 
-/// The model's path as the study names it: relative to the study's folder, where both are known.
+/// The model's path as the study names it: relative to the study's folder, where both are known and on one drive.
 fn from_folder_of(study: &str, model: &str) -> String {
     let folder = Path::new(study).parent().filter(|folder| !folder.as_os_str().is_empty());
-    let folder = fs::canonicalize(folder.unwrap_or(Path::new(".")));
-    let relative = match (folder, fs::canonicalize(model)) {
+    let folder = dunce::canonicalize(folder.unwrap_or(Path::new(".")));
+    let relative = match (folder, dunce::canonicalize(model)) {
         (Ok(folder), Ok(model)) => pathdiff::diff_paths(model, folder),
         _ => None,
     };
-    // TOML in any system: Windows reads slashes too.
-    relative.map_or_else(|| model.to_owned(), |path| path.to_string_lossy().replace('\\', "/"))
+    let path = relative.map_or_else(|| model.to_owned(), |path| path.to_string_lossy().into_owned());
+    // The same study on any system: Windows reads slashes too, but where a path begins with \\?\.
+    if cfg!(windows) && !path.starts_with(r"\\?\") { path.replace('\\', "/") } else { path }
 }

@@ -16,6 +16,16 @@ use std::time::{Duration, Instant};
 /// What is written is passed on at least this often, so that whoever reads stdout sees that there is some.
 const PASSED_ON: Duration = Duration::from_millis(200);
 
+/// How long a file that another program holds is waited for: longer than a scanner takes, not so long that one who has the
+/// table open in a spreadsheet wonders.
+const HELD: Duration = Duration::from_secs(2);
+/// Between two attempts.
+const HELD_PAUSE: Duration = Duration::from_millis(10);
+/// What Windows says where a file that is open is to be replaced.
+const ACCESS_DENIED: i32 = 5;
+/// What it says where a file is opened that another program shares with nobody.
+const SHARING_VIOLATION: i32 = 32;
+
 /// The files that this run has read: none of them is an output.
 static INPUTS: Mutex<Vec<String>> = Mutex::new(Vec::new());
 /// Whether files that percuss did not write are replaced; set once, from the command line.
@@ -79,7 +89,7 @@ impl Output {
             Some(Beside { temporary, path, file }) => {
                 // A name that stands for bytes that a power cut loses would be the part of a file.
                 file.sync_all()?;
-                fs::rename(temporary, path)
+                when_free(&[ACCESS_DENIED, SHARING_VIOLATION], || fs::rename(temporary, path))
             }
             None => Ok(()),
         });
@@ -156,7 +166,7 @@ fn file(path: &Path) -> io::Result<(File, Option<Beside>)> {
     let path = match &found {
         Ok(_) => {
             // One that may not be written is not replaced either.
-            OpenOptions::new().write(true).open(path)?;
+            when_free(&[SHARING_VIOLATION], || OpenOptions::new().write(true).open(path))?;
             fs::canonicalize(path)?
         }
         Err(_) => path.to_owned(),
@@ -167,6 +177,23 @@ fn file(path: &Path) -> io::Result<(File, Option<Beside>)> {
         file.set_permissions(found.permissions())?;
     }
     Ok((file, Some(kept)))
+}
+
+/// Does it again for a while where the error says that another program holds the file: on Windows, scanners, indexes and other runs that replace it
+/// have it open for a moment, and nothing takes the place of an open file there.
+fn when_free<T>(held: &[i32], mut action: impl FnMut() -> io::Result<T>) -> io::Result<T> {
+    let begun = Instant::now();
+    let is_held = |error: &io::Error| {
+        cfg!(windows)
+            && error.raw_os_error().is_some_and(|code| held.contains(&code))
+            && begun.elapsed() < HELD
+    };
+    loop {
+        match action() {
+            Err(error) if is_held(&error) => std::thread::sleep(HELD_PAUSE),
+            done => return done,
+        }
+    }
 }
 
 /// A new file in the same folder, `.NAME.NUMBER.percuss-part`, locked as long as it is written. Those that killed runs left of

@@ -128,10 +128,14 @@ fn name(path: &str) -> String {
     Path::new(path).file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned())
 }
 
-/// A word as a shell takes it.
+/// A word as the shell of this system takes it.
 fn word(text: &str) -> String {
     let is_plain = |c: char| c.is_alphanumeric() || "._-/".contains(c);
-    if text.chars().all(is_plain) { text.to_owned() } else { format!("'{}'", text.replace('\'', "'\\''")) }
+    if text.chars().all(is_plain) {
+        return text.to_owned();
+    }
+    // cmd.exe and PowerShell both take double quotes, which no name of a file holds there.
+    if cfg!(windows) { format!("\"{text}\"") } else { format!("'{}'", text.replace('\'', "'\\''")) }
 }
 
 impl Answers {

@@ -71,7 +71,10 @@ fn every_shipped_model_has_a_study_that_runs() {
 fn a_study_made_is_the_users_own_and_finds_its_model() {
     let folder = Scratch::new("init-places");
     let model = fs::read_to_string(root().join("models/point_mass_pendulum.urdf")).expect("there");
-    let model = folder.write("a pendulum\".urdf", &model);
+    // Windows has no double quotes in names.
+    let (name, written) =
+        if cfg!(unix) { ("a pendulum\"", "a pendulum\\\"") } else { ("a pendulum's", "a pendulum's") };
+    let model = folder.write(&format!("{name}.urdf"), &model);
     fs::create_dir_all(folder.path("inner/most")).expect("a folder");
     let study = folder.path("inner/most/study.toml");
     let init = |more: &[&str]| {
@@ -80,7 +83,7 @@ fn a_study_made_is_the_users_own_and_finds_its_model() {
     };
     assert_eq!(init(&[]).code, 0);
     let text = fs::read_to_string(&study).expect("written");
-    assert!(text.contains("path = \"../../a pendulum\\\".urdf\""), "{text}");
+    assert!(text.contains(&format!("path = \"../../{written}.urdf\"")), "{text}");
     assert_eq!(percuss(&format!("run {study}")).code, 0);
     // It is filled in by hand: not replaced unasked.
     let again = init(&[]);

@@ -63,7 +63,7 @@ fn rows_are_written_as_they_are_computed() {
     assert_eq!(code, Some(0), "a reader that leaves early is no error");
 }
 
-/// A hundred thousand rows in an address space that holds the program and little else.
+/// A hundred thousand rows in an address space that holds the program and little else. Linux: other systems set no such limit.
 #[cfg(target_os = "linux")]
 #[test]
 fn rows_are_not_kept() {
@@ -117,7 +117,8 @@ fn a_file_is_replaced_when_there_is_a_row_for_it() {
     }
 }
 
-/// A run that fails on its way leaves the file of the last one whole, and nothing beside it.
+/// A run that fails on its way leaves the file of the last one whole, and nothing beside it. Unix: Windows' shells set no limit of
+/// the size of files; what a killed run leaves is tested there too.
 #[cfg(unix)]
 #[test]
 fn a_file_is_replaced_when_all_of_it_is_written() {
@@ -170,7 +171,7 @@ fn json_lines_are_the_rows_of_the_json() {
     assert!(rows[4]["error"].is_string() && rows[0]["error"].is_null());
 }
 
-/// A disk that is full ends a sweep with a message that names the file.
+/// A disk that is full ends a sweep with a message that names the file. Linux: no other system has a device that is full.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_file_that_cannot_take_the_rows_is_named() {

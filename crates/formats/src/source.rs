@@ -98,8 +98,12 @@ impl Source {
 }
 
 fn open(path: &str) -> io::Result<File> {
-    let file = File::open(path)?;
-    if file.metadata()?.is_dir() { Err(io::ErrorKind::IsADirectory.into()) } else { Ok(file) }
+    let file = File::open(path);
+    // Windows does not open a directory at all; elsewhere only reading it fails.
+    if std::fs::metadata(path).is_ok_and(|found| found.is_dir()) {
+        return Err(io::ErrorKind::IsADirectory.into());
+    }
+    file
 }
 
 fn read_bounded(reader: impl Read, max_size: u64) -> io::Result<Vec<u8>> {

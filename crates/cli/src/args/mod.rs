@@ -68,7 +68,10 @@ impl Cli {
         };
         ["damp", "safe-speed", "compare"]
             .into_iter()
-            .fold(Self::command(), |cli, name| cli.mut_subcommand(name, |c| c.mut_args(optional)))
+            // Not the file's name, which on Windows has an ending.
+            .fold(Self::command().bin_name("percuss"), |cli, name| {
+                cli.mut_subcommand(name, |c| c.mut_args(optional))
+            })
             .mut_subcommand("map", |c| c.mut_args(hidden))
     }
 }

@@ -49,7 +49,7 @@ impl MeshFolders {
         let Some(rest) = packaged else {
             let plain =
                 file.strip_prefix("file://").map(|rest| rest.strip_prefix("localhost").unwrap_or(rest));
-            return vec![self.model.join(plain.unwrap_or(file))];
+            return vec![self.model.join(plain.map_or(file, without_root_of_drive))];
         };
         let (name, within) = rest.split_once('/').unwrap_or((rest, ""));
         let mut places: Vec<PathBuf> = self
@@ -65,7 +65,8 @@ impl MeshFolders {
             }
             places.push(holder.join(name).join(within));
         }
-        let model = std::fs::canonicalize(&self.model).unwrap_or_else(|_| self.model.clone());
+        // On Windows without `\\?\`, since places that were tried are shown.
+        let model = dunce::canonicalize(&self.model).unwrap_or_else(|_| self.model.clone());
         for folder in model.ancestors() {
             if named(folder) {
                 places.push(folder.join(within));
@@ -73,5 +74,28 @@ impl MeshFolders {
             places.push(folder.join(name).join(within));
         }
         places
+    }
+}
+
+/// The path of a `file://` name: on Windows `/C:/…` is `C:/…`.
+fn without_root_of_drive(path: &str) -> &str {
+    match path.as_bytes() {
+        [b'/', letter, b':', ..] if cfg!(windows) && letter.is_ascii_alphabetic() => &path[1..],
+        _ => path,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_files_are_places() {
+        let folders = MeshFolders { model: PathBuf::from("models"), ..MeshFolders::default() };
+        let place = |name: &str| folders.places(name).remove(0);
+        assert_eq!(place("meshes/tip.stl"), Path::new("models/meshes/tip.stl"));
+        for name in ["file:///meshes/tip.stl", "file://localhost/meshes/tip.stl"] {
+            assert_eq!(place(name), Path::new("/meshes/tip.stl"), "{name}");
+        }
     }
 }

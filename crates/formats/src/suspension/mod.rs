@@ -381,7 +381,8 @@ fn heading(described: &Described<'_>, source: &Source) -> Vec<String> {
     };
     vec![
         format!("{}: {} {}, {side}, {wheel}", quoted(described.name), described.kind, described.template),
-        format!("imported by percuss from {}", quoted(&source.name)),
+        // Whole: of a path that is cut, the file's name is what is missing.
+        format!("imported by percuss from \"{}\"", source.name),
         "the chassis' frame: x forward, y left, z up; joints at 0 are the design position".to_owned(),
     ]
 }
