@@ -14,8 +14,9 @@ use percuss_mechanism::JointId;
 
 /// The pose that a question asks about.
 ///
-/// Each travel is driven by the joint that moves its point most among those that are not set and drive no other travel, as a
-/// sweep over it is; it starts where the joints as set put the point. Several are driven together, by Newton's method.
+/// Each travel is driven by the joint that turns furthest with its point among those that are not set and drive no other
+/// travel, as a sweep over it is; it starts where the joints as set put the point. Several are driven together, by Newton's
+/// method.
 ///
 /// # Errors
 /// [`StudyError`]: loops that do not close there, a travel that means nothing, or that is not reached.

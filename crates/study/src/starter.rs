@@ -287,7 +287,7 @@ impl Starter<'_> {
         if let Some(wheel) = names.find(|name| name.starts_with("wheel_centre"))
             && !mechanism.closures().is_empty()
         {
-            return Some((None, format!("travel:{wheel}:0,0,0:0,0,1=-10mm:10mm:21")));
+            return Some((None, format!("travel:{wheel}:0,0,0:0,0,1=-30mm:30mm:25")));
         }
         let free = self.free();
         let link = mechanism.find_link(&self.question.link).ok()?;
@@ -323,7 +323,13 @@ impl Starter<'_> {
         )?;
         let lighter = (0.9 * mass * 1e6).round() / 1e6;
         let name = quoted(&format!("{link} 10 % lighter"));
-        writeln!(out, "# [[variant]]\n# name = {name}\n# link_mass = {{ {} = {lighter:?} }}", key(link))
+        writeln!(out, "# [[variant]]\n# name = {name}\n# link_mass = {{ {} = {lighter:?} }}", key(link))?;
+        let points = self.model.hardpoints();
+        let Some(point) = points.iter().find(|point| point.contains("ball")).or(points.first()) else {
+            return Ok(());
+        };
+        let name = quoted(&format!("{point} 5 mm higher"));
+        writeln!(out, "# [[variant]]\n# name = {name}\n# move = {{ {} = [0, 0, \"5 mm\"] }}", key(point))
     }
 
     fn map(&self, out: &mut String) -> std::fmt::Result {
