@@ -4,6 +4,7 @@ use crate::args::InitArgs;
 use crate::failure::Failure;
 use crate::output::{is_input, write_file};
 use crate::report::{write_as_is, write_diagnostics, write_out};
+use crate::text::word;
 use percuss_study::{starting_study, study_schema};
 use std::fs;
 use std::path::Path;
@@ -31,7 +32,7 @@ pub fn run(args: &InitArgs) -> Result<(), Failure> {
         None => write_as_is(study.as_bytes()),
         Some(output) => {
             write_file(output, study.as_bytes())?;
-            write_out(&format!("{:<20} {output}; run it with: percuss run {output}\n", "written"))
+            write_out(&format!("{:<20} {output}; run it with: percuss run {}\n", "written", word(output)))
         }
     }
 }
@@ -51,6 +52,7 @@ fn from_folder_of(study: &str, model: &str) -> String {
         (Ok(folder), Ok(model)) => pathdiff::diff_paths(model, folder),
         _ => None,
     };
-    // TOML in any system: Windows reads slashes too.
-    relative.map_or_else(|| model.to_owned(), |path| path.to_string_lossy().replace('\\', "/"))
+    let relative = relative.map_or_else(|| model.to_owned(), |path| path.to_string_lossy().into_owned());
+    // The same study in any system: Windows reads slashes too. Elsewhere a backslash is part of a name.
+    if cfg!(windows) { relative.replace('\\', "/") } else { relative }
 }

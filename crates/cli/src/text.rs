@@ -126,6 +126,12 @@ impl<const N: usize> fmt::Display for Table<N> {
     }
 }
 
+/// A word as a shell takes it.
+pub fn word(text: &str) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "._-/".contains(c);
+    if text.chars().all(is_plain) { text.to_owned() } else { format!("'{}'", text.replace('\'', "'\\''")) }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -23,6 +23,9 @@ const STATED: [(&str, &str); 3] = [
     ("damper_seat", "damper_chassis_seat"),
 ];
 
+/// What stands behind the names of a side's links.
+const SIDES: [&str; 3] = ["", "_left", "_right"];
+
 /// A study of a model, as TOML with comments: the first contact found that has a finite effective mass, stated ones (bump stops,
 /// springs of suspensions) first, then tips of the mechanism; and what else could be asked, commented out. `path` is written as
 /// the model's path.
@@ -89,8 +92,12 @@ fn candidates(model: &Model, base: Base) -> Vec<MassQuestion> {
     let mut found = Vec::new();
     for (ending, toward) in STATED {
         for link in mechanism.link_ids() {
-            let Some(before) = name(link).strip_suffix(ending) else { continue };
-            let Ok(other) = mechanism.find_link(&format!("{before}{toward}")) else { continue };
+            // Of two sides each has its name behind its links'.
+            let split = SIDES
+                .iter()
+                .find_map(|side| Some((name(link).strip_suffix(side)?.strip_suffix(ending)?, side)));
+            let Some((before, side)) = split else { continue };
+            let Ok(other) = mechanism.find_link(&format!("{before}{toward}{side}")) else { continue };
             let against = mechanism.parent_joint(other).map(|joint| mechanism.joint(joint).parent());
             let normal = Normal::Toward(name(other).to_owned(), [0.0; 3]);
             let against = against.filter(|against| *against != link).map(|against| name(against).to_owned());

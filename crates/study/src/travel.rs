@@ -105,13 +105,28 @@ impl Travel {
         };
         let mut rates: Vec<(JointId, f64)> = mechanism.joint_ids().filter_map(rate).collect();
         rates.sort_by(|a, b| a.1.total_cmp(&b.1));
+        // What drove beside it stays where it is.
+        let mut base = driver.base.clone();
+        for held in driven.iter().filter(|joint| **joint != driver.joint) {
+            base.set(mechanism.joint(*held).name(), posed.joint(*held)).ok()?;
+        }
         rates.into_iter().take(OTHER_DRIVERS).find_map(|(joint, _)| {
-            let pose = self.travel.pose(&posed, &driver.base, joint, requested).ok()?;
+            let pose = self.travel.pose(&posed, &base, joint, requested).ok()?;
             let mut expected = driven.clone();
             expected[place] = joint;
             expected.sort_unstable();
             (drivers(&pose) == expected).then_some(pose)
         })
+    }
+
+    /// The joint that would drive it at a pose beside others.
+    pub fn driver_at(&self, pose: &Pose, others: &[JointId]) -> Option<JointId> {
+        self.travel.driver(pose, &|joint| others.contains(&joint)).ok()
+    }
+
+    /// Joints that do not drive it.
+    pub fn set(&self) -> &[JointId] {
+        &self.set
     }
 
     /// How fast a joint displaces the point, m/rad or m/m; none where that is not determined.
