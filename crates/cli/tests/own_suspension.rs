@@ -185,7 +185,7 @@ fn what_is_left_of_the_example_is_said() {
             ("spring_seat = [0.0, 570.0", "spring_seat = [1350.0, 570.0"),
             ["points.spring_seat", "spring_seat at"],
         ),
-        (("drop_link_end = [-50.0,", "drop_link_end = [1050.0,"), ["drop_link", "the joint of drop_link"]),
+        (("drop_link_end = [-50.0,", "drop_link_end = [1450.0,"), ["drop_link", "the joint of drop_link"]),
     ] {
         let (from, to) = change;
         assert!(sheet.contains(from), "{from}");

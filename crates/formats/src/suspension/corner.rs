@@ -230,7 +230,7 @@ impl Corner {
         };
         // A rod's two ends are told by its length.
         let astray: Vec<usize> =
-            (0..joints.len()).filter(|i| joints.len() > 2 && off(*i) > OFF_ITS_LINK).collect();
+            (0..joints.len()).filter(|i| joints.len() > 2 && off(*i) > 2.0 * OFF_ITS_LINK).collect();
         let near: Vec<Vector3<f64>> =
             joints.iter().enumerate().filter(|(i, _)| !astray.contains(i)).map(|(_, (_, at))| *at).collect();
         let mut warn = |code: &'static str, of: &str, what: String, at: &Vector3<f64>, distance: f64| {
