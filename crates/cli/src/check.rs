@@ -20,10 +20,10 @@ pub fn run(args: &CheckArgs) -> Result<(), Failure> {
     }
 }
 
-fn text(report: &CheckReport) -> String {
+/// What is in a model, in one line each.
+pub fn facts(report: &CheckReport) -> [(&'static str, String); 8] {
     let movable = report.pose.len();
-    let mut out = String::new();
-    let facts = [
+    [
         ("mechanism", report.name.clone()),
         ("root link", report.root.clone()),
         ("links", format!("{} ({} kg in all)", report.links.len(), number(report.total_mass))),
@@ -32,10 +32,18 @@ fn text(report: &CheckReport) -> String {
         ("degrees of freedom", freedom(report)),
         ("redundant constraints", redundancy(report)),
         ("diagnostics", summary(report)),
-    ];
-    for (name, value) in facts {
-        out += &(hanging(&format!("{name:<22} {}", line(&value)), 23) + "\n");
-    }
+    ]
+}
+
+/// Links, joints and loops.
+pub struct Tables {
+    pub links: Table<3>,
+    pub joints: Table<6>,
+    pub loops: Table<4>,
+}
+
+/// All of them as tables.
+pub fn tables(report: &CheckReport) -> Tables {
     let mut links = Table::new(["link", "mass", "centre of mass"]);
     for link in &report.links {
         let mass = if link.has_inertial { format!("{} kg", number(link.mass)) } else { "massless".into() };
@@ -58,16 +66,25 @@ fn text(report: &CheckReport) -> String {
             notes.join("; "),
         ]);
     }
+    let mut loops = Table::new(["loop", "kind", "predecessor → successor", "rows"]);
+    for closure in &report.closures {
+        let kind =
+            closure.ratio.map_or(closure.kind.to_owned(), |r| format!("{} {}", closure.kind, number(r)));
+        let ends = format!("{} → {}", closure.predecessor, closure.successor);
+        loops.row([closure.name.clone(), kind, ends, closure.rows.to_string()]);
+    }
+    Tables { links, joints, loops }
+}
+
+fn text(report: &CheckReport) -> String {
+    let mut out = String::new();
+    for (name, value) in facts(report) {
+        out += &(hanging(&format!("{name:<22} {}", line(&value)), 23) + "\n");
+    }
+    let Tables { links, joints, loops } = tables(report);
     let _ = write!(out, "\n{links}\n{joints}");
     if !report.closures.is_empty() {
-        let mut closures = Table::new(["loop", "kind", "predecessor → successor", "rows"]);
-        for closure in &report.closures {
-            let kind =
-                closure.ratio.map_or(closure.kind.to_owned(), |r| format!("{} {}", closure.kind, number(r)));
-            let ends = format!("{} → {}", closure.predecessor, closure.successor);
-            closures.row([closure.name.clone(), kind, ends, closure.rows.to_string()]);
-        }
-        let _ = write!(out, "\n{closures}");
+        let _ = write!(out, "\n{loops}");
     }
     out
 }

@@ -1,16 +1,18 @@
 //! `percuss compare`, and the variants of a study.
 
 use crate::args::{CompareArgs, ContactArgs, MassFormat};
-use crate::csv;
+use crate::csv::{self, Cell};
 use crate::failure::Failure;
 use crate::output::{is_input, write_file};
 use crate::report::{write_diagnostics, write_json, write_out};
 use crate::table_style::{ColumnUnit, TableStyle};
 use crate::text::{Table, number};
 use crate::wrap::message;
+use crate::xlsx_rows;
 use percuss_render::{Figure, Panel, Series, Style};
 use percuss_study::{
-    CompareError, ComparisonReport, Design, DesignRecord, Names, RowSource, StudyFigure, StudyFile, compare,
+    CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, Names, RowSource, StudyFigure,
+    StudyFile, compare,
 };
 use std::fmt::Write as _;
 use std::path::Path;
@@ -144,7 +146,8 @@ fn answer(design: &DesignRecord) -> String {
 }
 
 fn percent(x: f64) -> String {
-    format!("{x:+.2} %")
+    // What rounds to zero has no sign.
+    if x.abs() < 0.005 { "0.00 %".to_owned() } else { format!("{x:+.2} %") }
 }
 
 /// The designs, a row each.
@@ -175,20 +178,22 @@ fn text(report: &ComparisonReport) -> String {
     out
 }
 
-/// Of the ranges where there are any, else of the designs.
-fn table(report: &ComparisonReport, style: TableStyle) -> String {
-    let mut out = String::new();
+/// The table of the ranges where there are any, else of the designs: the names of its columns, and its rows.
+fn cells(report: &ComparisonReport, style: TableStyle) -> (Vec<String>, Vec<Vec<Cell>>) {
+    let rounded = |x: Option<f64>, error| Cell::of(x.map(|x| style.number(x, error)));
     if report.varied.is_empty() {
         let mass = style.named("effective_mass", "kg");
-        let names = ["design", "status", &mass, "difference_percent"].map(str::to_owned);
-        out += &csv::line_in(&names, style);
-        for design in &report.designs {
+        let names = ["design", "status", &mass, "difference_percent"].map(str::to_owned).to_vec();
+        let row = |design: &DesignRecord| {
             let status = design.status.map_or("no answer", |status| status.name());
-            let mass = csv::mass_in(design.effective_mass, design.effective_mass_error, style);
-            let cells = [mass, csv::mass_in(design.difference_percent, None, style)];
-            out += &csv::line_in(&[&[design.name.clone(), status.to_owned()][..], &cells].concat(), style);
-        }
-        return out;
+            vec![
+                Cell::Text(design.name.clone().into()),
+                Cell::Text(status.into()),
+                rounded(design.effective_mass, design.effective_mass_error),
+                rounded(design.difference_percent, None),
+            ]
+        };
+        return (names, report.designs.iter().map(row).collect());
     }
     let mut header = vec!["row".to_owned()];
     let units: Vec<ColumnUnit> = report.varied.iter().map(|column| style.unit(column.unit)).collect();
@@ -199,16 +204,24 @@ fn table(report: &ComparisonReport, style: TableStyle) -> String {
     }));
     header.extend(report.designs.iter().map(|design| style.named(&design.name, "kg")));
     header.extend(report.designs.iter().skip(1).map(|design| format!("{} difference_percent", design.name)));
-    out += &csv::line_in(&header, style);
-    for row in &report.rows {
-        let mut cells = vec![row.row.to_string()];
+    let row = |row: &ComparisonRow| {
+        let mut cells = vec![Cell::Number(row.row as f64)];
         let varied = row.varied.iter().zip(&units);
-        cells.extend(varied.map(|(value, unit)| csv::mass_in(Some(value * unit.factor), None, style)));
-        cells.extend(row.effective_mass.iter().map(|mass| csv::mass_in(*mass, None, style)));
-        cells.extend(row.difference_percent.iter().skip(1).map(|x| csv::mass_in(*x, None, style)));
-        out += &csv::line_in(&cells, style);
-    }
-    out
+        cells.extend(varied.map(|(value, unit)| rounded(Some(value * unit.factor), None)));
+        cells.extend(row.effective_mass.iter().map(|mass| rounded(*mass, None)));
+        cells.extend(row.difference_percent.iter().skip(1).map(|x| rounded(*x, None)));
+        cells
+    };
+    (header, report.rows.iter().map(row).collect())
+}
+
+fn table(report: &ComparisonReport, style: TableStyle) -> String {
+    let (header, rows) = cells(report, style);
+    let line = |row: &Vec<Cell>| {
+        let cells: Vec<String> = row.iter().map(|cell| csv::cell_in(cell, style)).collect();
+        csv::line_in(&cells, style)
+    };
+    csv::line_in(&header, style) + &rows.iter().map(line).collect::<String>()
 }
 
 fn file(
@@ -220,6 +233,10 @@ fn file(
     let ending = Path::new(path).extension().and_then(|ending| ending.to_str()).unwrap_or("");
     match ending.to_ascii_lowercase().as_str() {
         "csv" => Ok(table(report, style).into_bytes()),
+        "xlsx" => {
+            let (columns, rows) = cells(report, style);
+            xlsx_rows::book(path, "comparison", &columns, rows)
+        }
         "json" => {
             let text = serde_json::to_string_pretty(report);
             let text = text.map_err(|e| Failure::NoAnswer(format!("the result has no JSON form: {e}")))?;
@@ -229,7 +246,7 @@ fn file(
         "png" => figure(report, asked)?.to_png(2.0).map_err(|e| Failure::NoAnswer(e.to_string())),
         "pdf" => figure(report, asked)?.to_pdf().map_err(|e| Failure::NoAnswer(e.to_string())),
         _ => Err(Failure::bad_input(format!(
-            "--output {path}: its name must end in .csv, .json, .svg, .png or .pdf"
+            "--output {path}: its name must end in .csv, .xlsx, .json, .svg, .png or .pdf"
         ))),
     }
 }
@@ -239,7 +256,7 @@ pub fn figure(report: &ComparisonReport, asked: &StudyFigure) -> Result<Figure, 
     let [varied] = &report.varied[..] else {
         return Err(Failure::bad_input(
             "--output: a figure shows designs over one range; give --vary once (a study: [sweep] with one range), or a file \
-             that ends in .csv or .json",
+             that ends in .csv, .xlsx or .json",
         ));
     };
     let (scale, unit) = if varied.unit == "m" { (1e3, "mm") } else { (180.0 / std::f64::consts::PI, "deg") };

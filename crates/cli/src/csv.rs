@@ -4,6 +4,7 @@ use crate::limits;
 use crate::table_style::{ColumnUnit, TableStyle, digits};
 use percuss_mechanism::{JointKind, Mechanism};
 use percuss_study::{MassReport, SweepHeading, SweepRow};
+use std::borrow::Cow;
 use std::fmt::Write;
 use std::ops::Range;
 
@@ -65,13 +66,13 @@ pub struct SweepTable {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cell {
     Number(f64),
-    Text(&'static str),
+    Text(Cow<'static, str>),
     Logical(bool),
     Empty,
 }
 
 impl Cell {
-    fn of(value: Option<f64>) -> Self {
+    pub fn of(value: Option<f64>) -> Self {
         value.map_or(Cell::Empty, Cell::Number)
     }
 }
@@ -169,14 +170,14 @@ impl SweepTable {
     /// The cells of a row.
     pub fn cells(&self, row: &SweepRow) -> Vec<Cell> {
         let style = &self.style;
-        let scaled = |value: f64, unit: &ColumnUnit| style.number(value * unit.factor, None);
+        let scaled = |value: f64, unit: &ColumnUnit| style.position(value, unit);
         let mut cells = vec![Cell::Number(row.row as f64)];
         let varied = row.varied.values().iter().zip(&self.varied_units);
         cells.extend(varied.map(|(value, unit)| Cell::Number(scaled(*value, unit))));
         let few = |value: f64, count| if style.names_units { digits(value, count) } else { value };
         let length = style.unit("m");
         cells.extend([
-            Cell::Text(row.status),
+            Cell::Text(row.status.into()),
             Cell::of(row.effective_mass.map(|m| style.number(m, row.effective_mass_error))),
             Cell::of(row.closure_residual.map(|r| few(r * length.factor, 3))),
             row.singular_pose.map_or(Cell::Empty, Cell::Logical),
@@ -190,14 +191,7 @@ impl SweepTable {
     }
 
     fn styled(&self, row: &SweepRow) -> String {
-        let text = |cell| match cell {
-            Cell::Number(x) if self.style.comma => number(x).replace('.', ","),
-            Cell::Number(x) => number(x),
-            Cell::Text(text) => text.to_owned(),
-            Cell::Logical(value) => value.to_string(),
-            Cell::Empty => String::new(),
-        };
-        let cells: Vec<String> = self.cells(row).into_iter().map(text).collect();
+        let cells: Vec<String> = self.cells(row).iter().map(|cell| cell_in(cell, self.style)).collect();
         cells.join(if self.style.comma { ";" } else { "," }) + "\n"
     }
 }
@@ -258,6 +252,16 @@ pub fn line(cells: &[String]) -> String {
 /// A number with the style's sign before its decimals.
 pub fn number_in(x: f64, style: TableStyle) -> String {
     if style.comma { number(x).replace('.', ",") } else { number(x) }
+}
+
+/// A cell of a line; numbers are as the style has them already.
+pub fn cell_in(cell: &Cell, style: TableStyle) -> String {
+    match cell {
+        Cell::Number(x) => number_in(*x, style),
+        Cell::Text(text) => text.clone().into_owned(),
+        Cell::Logical(value) => value.to_string(),
+        Cell::Empty => String::new(),
+    }
 }
 
 /// A mass, rounded to its error where the style rounds; empty where there is none.

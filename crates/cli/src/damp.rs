@@ -12,7 +12,8 @@ use percuss_render::{Figure, Mark, Panel, Series, Sheet, Style};
 use percuss_study::contact::exports::{Measurement, StopMotion, Tool};
 use percuss_study::contact::{Law, Sample};
 use percuss_study::{
-    DampingQuestion, DampingReport, ExportRecord, MassQuestion, damp, damp_contact, damp_stop, impact_history,
+    DampingQuestion, DampingReport, ExportRecord, MassQuestion, StudyDamping, StudyFile, damp, damp_contact,
+    damp_stop, impact_history,
 };
 use std::fmt::Write;
 use std::path::Path;
@@ -71,18 +72,34 @@ pub fn run(args: &DampArgs) -> Result<(), Failure> {
     print(&report, args.format)
 }
 
+/// What a study asks: the damper of a joint's stop, or of its contact.
+pub fn of_study(study: &StudyFile, damping: &StudyDamping) -> Result<DampingReport, Failure> {
+    let StudyDamping { question, stop, .. } = damping;
+    Ok(match (stop, &study.question) {
+        (Some((stop, conditions)), _) => damp_stop(&study.model, stop, conditions.clone(), question)?,
+        (None, Some(contact)) => damp_contact(&study.model, contact, question)?,
+        (None, None) => return Err(Failure::bad_input("damping: a contact or a joint's stop is required")),
+    })
+}
+
 /// Writes a report.
 pub fn print(report: &DampingReport, format: CheckFormat) -> Result<(), Failure> {
     match format {
         CheckFormat::Json => write_json(report),
         CheckFormat::Text => {
-            let units = Units::of(report);
-            let mut out = fact(units.name, &format!("{} {}", number(report.effective_mass), units.mass));
+            let (name, value) = headline(report);
+            let mut out = fact(name, &value);
             out += &damper(report);
             out += &exports(report);
             write_out(&out)
         }
     }
+}
+
+/// The mass, or the inertia of a stop that turns, that the damper is for.
+pub fn headline(report: &DampingReport) -> (&'static str, String) {
+    let units = Units::of(report);
+    (units.name, format!("{} {}", number(report.effective_mass), units.mass))
 }
 
 /// What the numbers of a report are measured in.

@@ -4,6 +4,7 @@ use crate::args::InitArgs;
 use crate::failure::Failure;
 use crate::output::{is_input, write_file};
 use crate::report::{write_as_is, write_diagnostics, write_out};
+use crate::text::word;
 use percuss_study::{starting_study, study_schema};
 use std::path::Path;
 
@@ -30,7 +31,7 @@ pub fn run(args: &InitArgs) -> Result<(), Failure> {
         None => write_as_is(study.as_bytes()),
         Some(output) => {
             write_file(output, study.as_bytes())?;
-            write_out(&format!("{:<20} {output}; run it with: percuss run {output}\n", "written"))
+            write_out(&format!("{:<20} {output}; run it with: percuss run {}\n", "written", word(output)))
         }
     }
 }

@@ -1,4 +1,5 @@
-//! The report of a study: one HTML page, with the answer as JSON and the sweep as CSV beside it.
+//! The report of a study: one HTML page, with the answer as JSON and the sweep as CSV beside it. A study without a contact has
+//! one too: the mechanism, what is in it, and what the study asks in the contact's place.
 
 use crate::args::RunArgs;
 use crate::csv::SweepTable;
@@ -14,14 +15,15 @@ use crate::report::{write_diagnostics, write_out};
 use crate::safe_speed;
 use crate::sweep_figure::drawn;
 use crate::table_style::TableStyle;
-use crate::text::{number, short};
-use crate::{compare, damp, map};
+use crate::text::{number, short, word};
+use crate::{check, compare, damp, map};
 use indicatif::ProgressBar;
-use percuss_render::{Drawing, DrawnArrow, DrawnFacet, DrawnLine, SkinMark};
+use percuss_render::{Drawing, DrawnArrow, DrawnCircle, DrawnFacet, DrawnLine, SkinMark};
 use percuss_study::{
-    ComparisonReport, DampingQuestion, DampingReport, DiagnosticRecord, DrawnLink, DrawnMechanism, Input,
+    CheckReport, ComparisonReport, DampingQuestion, DampingReport, DiagnosticRecord, DrawnMechanism, Input,
     MapAnswer, MassReport, Names, PointMapReport, RowSource, SafeSpeedReport, StudyError, StudyFile,
-    StudyMapQuestion, StudySweep, Sweep, SweepEnd, impact_history, map as map_of, map_point, mass_drawn,
+    StudyMapQuestion, StudySweep, Sweep, SweepEnd, check as check_of, drawn_at, impact_history,
+    map as map_of, map_point, mass_drawn,
 };
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -44,8 +46,12 @@ enum Mapped {
 
 /// Everything that the study asks, answered.
 struct Answers {
-    mass: MassReport,
+    mass: Option<MassReport>,
     mechanism: DrawnMechanism,
+    /// What is in the model, where no contact says it.
+    seen: Option<CheckReport>,
+    /// The damper of a joint's stop.
+    stop: Option<DampingReport>,
     swept: Option<Swept>,
     compared: Option<ComparisonReport>,
     mapped: Option<Mapped>,
@@ -75,25 +81,20 @@ pub fn write(study: &StudyFile, args: &RunArgs, path: &str) -> Result<(), Failur
     let diagnostics = answers.diagnostics();
     write_diagnostics(&diagnostics, args.strict)?;
     let page = answers.page(study, args, path, &inputs, &diagnostics)?;
-    let json = serde_json::to_string_pretty(&answers.mass)
-        .map_err(|error| Failure::NoAnswer(format!("the result has no JSON form: {error}")))?;
-    write_file(&beside("json"), (json + "\n").as_bytes())?;
+    let json = answers.json()?;
+    write_file(&beside("json"), json.as_bytes())?;
     if let Some(swept) = &answers.swept {
         write_file(&beside("csv"), swept.csv.as_bytes())?;
     }
     write_file(path, page.as_bytes())?;
-    write_out(&format!(
-        "{:<20} {}\n{:<20} {}\n",
-        "effective mass",
-        headline(&answers.mass),
-        "written",
-        escape::line(&files.join(", "))
-    ))?;
-    Asked::of_study(&study.mass).is_met(&answers.mass)
+    let headline = answers.mass.as_ref().map(|mass| format!("{:<20} {}\n", "effective mass", headline(mass)));
+    let written = format!("{:<20} {}\n", "written", escape::line(&files.join(", ")));
+    write_out(&(headline.unwrap_or_default() + &written))?;
+    answers.mass.map_or(Ok(()), |mass| Asked::of_study(&study.mass).is_met(&mass))
 }
 
 fn sweep(study: &StudyFile, asked: &StudySweep) -> Result<Swept, Failure> {
-    let Some(question) = &study.question else { return Err(no_contact()) };
+    let question = study.question.as_ref().unwrap_or(&study.conditions);
     let sweep = Sweep::new(&study.model, question, &asked.rows)?;
     let table = SweepTable::new(sweep.heading(), &study.model.mechanism, TableStyle::of(&asked.table));
     let inputs = sweep.heading().inputs.clone();
@@ -116,34 +117,25 @@ fn sweep(study: &StudyFile, asked: &StudySweep) -> Result<Swept, Failure> {
     Ok(Swept { csv, end, inputs, svg, least, greatest })
 }
 
-fn no_contact() -> Failure {
-    Failure::bad_input(
-        "--report: the study has no [contact] with a normal, and a report is about one; percuss run STUDY --format json has the \
-         answer",
-    )
-}
-
 /// A file's name without its folder.
 fn name(path: &str) -> String {
     Path::new(path).file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned())
 }
 
-/// A word as the shell of this system takes it.
-fn word(text: &str) -> String {
-    let is_plain = |c: char| c.is_alphanumeric() || "._-/".contains(c);
-    if text.chars().all(is_plain) {
-        return text.to_owned();
-    }
-    // cmd.exe and PowerShell both take double quotes, which no name of a file holds there.
-    if cfg!(windows) { format!("\"{text}\"") } else { format!("'{}'", text.replace('\'', "'\\''")) }
-}
-
 impl Answers {
     fn of(study: &StudyFile, args: &RunArgs) -> Result<Self, Failure> {
-        let Some(question) = &study.question else { return Err(no_contact()) };
-        let damping = study.damping.as_ref().map(|damping| &damping.question);
-        let (mut mass, mechanism) = mass_drawn(&study.model, question, damping)?;
-        Asked::of_study(&study.mass).add_to(&mut mass, &study.model, question)?;
+        let damping = study.damping.as_ref();
+        let (mass, mechanism, seen) = match &study.question {
+            Some(question) => {
+                let damping = damping.map(|damping| &damping.question);
+                let (mut mass, mechanism) = mass_drawn(&study.model, question, damping)?;
+                Asked::of_study(&study.mass).add_to(&mut mass, &study.model, question)?;
+                (Some(mass), mechanism, None)
+            }
+            None => (None, drawn_at(&study.model, &study.conditions)?, Some(check_of(&study.model)?)),
+        };
+        let stop = damping.filter(|damping| damping.stop.is_some());
+        let stop = stop.map(|damping| damp::of_study(study, damping)).transpose()?;
         let compared = if study.variants.is_empty() {
             None
         } else {
@@ -161,7 +153,7 @@ impl Answers {
         };
         let speeds = study.safe_speed.as_ref().map(|asked| asked.reports(&study.model)).transpose()?;
         let swept = study.sweep.as_ref().map(|asked| sweep(study, asked)).transpose()?;
-        Ok(Self { mass, mechanism, swept, compared, mapped, speeds })
+        Ok(Self { mass, mechanism, seen, stop, swept, compared, mapped, speeds })
     }
 
     /// The files that all of it stands on, each once.
@@ -173,7 +165,10 @@ impl Answers {
             Mapped::Directions(report) => &report.inputs,
         });
         let speeds = self.speeds.iter().flatten().flat_map(|report| &report.inputs);
-        let all = self.mass.inputs.iter().chain(&self.mechanism.meshes).chain(swept).chain(compared);
+        let own = self.mass.iter().flat_map(|mass| &mass.inputs);
+        let own = own.chain(self.seen.iter().flat_map(|seen| &seen.inputs));
+        let own = own.chain(self.stop.iter().flat_map(|stop| &stop.inputs));
+        let all = own.chain(&self.mechanism.meshes).chain(swept).chain(compared);
         let mut each: Vec<Input> = Vec::new();
         for input in all.chain(mapped).chain(speeds) {
             if !each.contains(input) {
@@ -192,7 +187,10 @@ impl Answers {
             Mapped::Directions(report) => &report.diagnostics,
         });
         let speeds = self.speeds.iter().flatten().flat_map(|report| &report.diagnostics);
-        let all = self.mass.diagnostics.iter().chain(&self.mechanism.diagnostics).chain(swept);
+        let own = self.mass.iter().flat_map(|mass| &mass.diagnostics);
+        let own = own.chain(self.seen.iter().flat_map(|seen| &seen.diagnostics));
+        let own = own.chain(self.stop.iter().flat_map(|stop| &stop.diagnostics));
+        let all = own.chain(&self.mechanism.diagnostics).chain(swept);
         let mut each: Vec<DiagnosticRecord> = Vec::new();
         for record in all.chain(compared).chain(mapped).chain(speeds) {
             if !each.contains(record) {
@@ -210,31 +208,17 @@ impl Answers {
         inputs: &[Input],
         diagnostics: &[DiagnosticRecord],
     ) -> Result<String, Failure> {
-        let report = &self.mass;
-        let mut page = Page::new(&format!("Effective mass at {}", report.contact.link));
-        page.paragraph("soft", &format!("Study {}, percuss {}", name(&args.study), report.percuss));
-        page.paragraph("lead", &format!("m̄ = {}", headline(report)));
-        page.facts(facts(report));
-        page.heading("The mechanism at this pose");
-        page.picture(
-            &drawing(report, &self.mechanism.links).to_svg(),
-            "The mechanism from the front and from the left",
-        );
-        page.paragraph(
-            "soft",
-            "A line joins the joints, the loops' ends and the centre of mass of each link, over its shapes where the model states \
-             some. The dot is the contact point. Blue arrows are the velocities v* of the centres of mass per unit closing speed, the \
-             longest as long as the normal n.",
-        );
-        contributions(report, &mut page);
-        estimate(report, &mut page);
-        if let Some(explained) = &report.explanation {
-            page.heading("What it depends on");
-            page.code(explanation::explanation(explained).trim_start());
+        let mut page = Page::new(&match &self.mass {
+            Some(report) => format!("Effective mass at {}", report.contact.link),
+            None => format!("Model {}", study.model.mechanism.name()),
+        });
+        let version = env!("CARGO_PKG_VERSION");
+        page.paragraph("soft", &format!("Study {}, percuss {version}", name(&args.study)));
+        if let Some(report) = &self.mass {
+            self.contact_on(report, &mut page);
         }
-        if let Some(tolerances) = &report.tolerance {
-            page.heading("Tolerances");
-            page.code(explanation::tolerances(tolerances).trim_start());
+        if let Some(seen) = &self.seen {
+            self.model_on(seen, &mut page);
         }
         if let Some(swept) = &self.swept {
             swept.on(&mut page, &name(&Path::new(path).with_extension("csv").to_string_lossy()));
@@ -253,7 +237,8 @@ impl Answers {
                 page.picture(&figure.to_svg(), "Effective mass of the variants over what is varied");
             }
         }
-        if let (Some(damper), Some(damping)) = (&report.damper, &study.damping) {
+        let damper = self.mass.as_ref().and_then(|report| report.damper.as_ref()).or(self.stop.as_ref());
+        if let (Some(damper), Some(damping)) = (damper, &study.damping) {
             damping_on(damper, &damping.question, &mut page)?;
         }
         match &self.mapped {
@@ -301,7 +286,86 @@ impl Answers {
         );
         Ok(page.finish())
     }
+
+    /// A contact: the answer, the mechanism, what it depends on.
+    fn contact_on(&self, report: &MassReport, page: &mut Page) {
+        page.paragraph("lead", &format!("m̄ = {}", headline(report)));
+        page.facts(facts(report));
+        page.heading("The mechanism at this pose");
+        page.picture(
+            &drawing(Some(report), &self.mechanism).to_svg(),
+            "The mechanism from the front and from the left",
+        );
+        page.paragraph(
+            "soft",
+            &format!(
+                "{OF_LINES} The dot is the contact point. Blue arrows are the velocities v* of the centres of mass per unit \
+                 closing speed, the longest as long as the normal n."
+            ),
+        );
+        contributions(report, page);
+        estimate(report, page);
+        if let Some(explained) = &report.explanation {
+            page.heading("What it depends on");
+            page.code(explanation::explanation(explained).trim_start());
+        }
+        if let Some(tolerances) = &report.tolerance {
+            page.heading("Tolerances");
+            page.code(explanation::tolerances(tolerances).trim_start());
+        }
+    }
+
+    /// A model of which no contact is asked: the mechanism, what is in it, what can be asked.
+    fn model_on(&self, seen: &CheckReport, page: &mut Page) {
+        page.facts(check::facts(seen));
+        page.heading("The mechanism at this pose");
+        page.picture(
+            &drawing(None, &self.mechanism).to_svg(),
+            "The mechanism from the front and from the left",
+        );
+        page.paragraph("soft", OF_LINES);
+        let tables = check::tables(seen);
+        page.heading("Links");
+        page.table(tables.links.rows());
+        if !seen.joints.is_empty() {
+            page.heading("Joints");
+            page.table(tables.joints.rows());
+        }
+        if !seen.closures.is_empty() {
+            page.heading("Loops");
+            page.table(tables.loops.rows());
+        }
+        page.heading("What can be asked of it");
+        page.paragraph(
+            "",
+            "The study has no [contact] with a normal, so no effective mass stands here. A contact is a link, a point of it and a \
+             normal (or a line towards a point of another link); one of this model that has an answer, with sweeps, variants and \
+             dampers to choose from, is in the study that this writes:",
+        );
+        let model = seen.inputs.first().map_or_else(String::new, |input| name(&input.path));
+        page.code(&format!("percuss init {} -o contact.toml", word(&model)));
+    }
+
+    /// What stands beside the page: as with --format json, the contact's answer, or what takes its place.
+    fn json(&self) -> Result<String, Failure> {
+        let text = match (&self.mass, &self.stop, &self.mapped, &self.speeds) {
+            (Some(mass), ..) => serde_json::to_string_pretty(mass),
+            (None, Some(stop), ..) => serde_json::to_string_pretty(stop),
+            (None, None, Some(Mapped::Surfaces(answer)), _) => serde_json::to_string_pretty(&answer.report),
+            (None, None, Some(Mapped::Directions(report)), _) => serde_json::to_string_pretty(report),
+            (None, None, None, Some(reports)) if reports.len() > 1 => serde_json::to_string_pretty(reports),
+            (None, None, None, Some(reports)) => serde_json::to_string_pretty(safe_speed::slowest(reports)),
+            // The reader of studies leaves none that ask for nothing.
+            (None, None, None, None) => serde_json::to_string_pretty(&self.seen),
+        };
+        let text = text.map_err(|error| Failure::NoAnswer(format!("the result has no JSON form: {error}")));
+        text.map(|text| text + "\n")
+    }
 }
+
+/// What the lines of the picture are.
+const OF_LINES: &str = "A line joins the joints, the loops' ends and the centre of mass of each link, over its shapes where the \
+                        model states some; a wheel of an imported suspension has its circle.";
 
 fn contributions(report: &MassReport, page: &mut Page) {
     if report.effective_mass.is_none() {
@@ -353,6 +417,9 @@ impl Swept {
 
 fn damping_on(damper: &DampingReport, question: &DampingQuestion, page: &mut Page) -> Result<(), Failure> {
     page.heading("The damper");
+    if damper.stop.is_some() {
+        page.facts([damp::headline(damper)]);
+    }
     page.facts(damp::facts(damper));
     if damper.damper.speed.is_some() {
         let samples = impact_history(question, damper.effective_mass, limits::HISTORY_SAMPLES)
@@ -367,11 +434,14 @@ fn damping_on(damper: &DampingReport, question: &DampingQuestion, page: &mut Pag
     Ok(())
 }
 
-/// The mechanism, the contact, its normal, and how the centres of mass move.
-fn drawing(report: &MassReport, links: &[DrawnLink]) -> Drawing {
-    let contact = &report.contact;
+/// The mechanism; the contact, its normal, and how the centres of mass move, where there is one.
+fn drawing(report: Option<&MassReport>, mechanism: &DrawnMechanism) -> Drawing {
+    let links = &mechanism.links;
+    let contact = report.map(|report| &report.contact);
     let lines = links.iter().flat_map(|link| {
-        link.lines.iter().map(|ends| DrawnLine { ends: *ends, part: Some(link.share.unwrap_or(0.0)) })
+        link.lines
+            .iter()
+            .map(|ends| DrawnLine { ends: *ends, part: report.map(|_| link.share.unwrap_or(0.0)) })
     });
     let facets = links.iter().flat_map(|link| {
         link.facets.iter().map(|corners| DrawnFacet { corners: *corners, part: link.share })
@@ -379,13 +449,24 @@ fn drawing(report: &MassReport, links: &[DrawnLink]) -> Drawing {
     let moving = links.iter().filter_map(|link| {
         Some(DrawnArrow { from: link.com?, vector: link.velocity?, label: String::new() })
     });
-    let normal = DrawnArrow { from: contact.point_world, vector: contact.normal_world, label: "n".into() };
+    let circles = mechanism.wheels.iter().map(|wheel| DrawnCircle {
+        centre: wheel.centre,
+        axis: wheel.axis,
+        radius: wheel.radius.unwrap_or_default(),
+    });
+    let normal = contact.map(|contact| DrawnArrow {
+        from: contact.point_world,
+        vector: contact.normal_world,
+        label: "n".into(),
+    });
+    let mark = contact.map(|contact| SkinMark { at: contact.point_world, label: String::new() });
     Drawing {
-        shading: "contribution to the effective mass".into(),
+        shading: report.map_or("", |_| "contribution to the effective mass").into(),
+        circles: circles.collect(),
         facets: facets.collect(),
         lines: lines.collect(),
-        arrows: moving.chain([normal]).collect(),
-        marks: vec![SkinMark { at: contact.point_world, label: String::new() }],
+        arrows: moving.chain(normal).collect(),
+        marks: mark.into_iter().collect(),
         ..Drawing::default()
     }
 }

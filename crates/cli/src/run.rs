@@ -8,9 +8,7 @@ use crate::report::note;
 use crate::sweep::Written;
 use crate::table_style::TableStyle;
 use crate::{compare, damp, map, mass, report_page, safe_speed, sweep};
-use percuss_study::{
-    DampingReport, MassQuestion, Names, StudyDamping, StudyFile, StudyMap, StudyMass, damp_contact, damp_stop,
-};
+use percuss_study::{MassQuestion, Names, RowSource, StudyFile, StudyMap, StudyMass};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -18,7 +16,8 @@ use std::path::{Path, PathBuf};
 pub fn run(args: &RunArgs) -> Result<(), Failure> {
     let study = StudyFile::load(&args.study, args.max_size)?;
     args.writing.apply();
-    study.model.inputs.iter().for_each(|input| is_input(&input.path));
+    inputs(&study).for_each(|path| is_input(&path));
+    different(outputs(&study, args))?;
     if !args.allow_outside {
         outputs(&study, args).try_for_each(|(name, path)| inside(&path, &study.folder, name))?;
     }
@@ -29,6 +28,39 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
         (None, None) => all(&study, args),
     };
     answered.map_err(|failure| failure.in_study(&args.study, &study.keys))
+}
+
+/// The files that the study names to be read, of whatever part it is that reads them.
+fn inputs(study: &StudyFile) -> impl Iterator<Item = String> + '_ {
+    let models = [&study.model].into_iter().chain(study.variants.iter().map(|variant| &variant.model));
+    let of_models = models.flat_map(|model| &model.inputs).map(|input| input.path.clone());
+    let poses = study.conditions.pose.iter().map(|pose| pose.input.path.clone());
+    let rows = study.sweep.iter().map(|sweep| &sweep.rows);
+    let rows = rows.chain(study.safe_speed.iter().filter_map(|asked| asked.rows.as_ref()));
+    let of_rows =
+        rows.filter_map(|rows| if let RowSource::File(file) = rows { Some(file.path.clone()) } else { None });
+    of_models.chain(poses).chain(of_rows)
+}
+
+/// Refuses two outputs of one name: the second would take the place of the first.
+fn different(outputs: impl Iterator<Item = (&'static str, String)>) -> Result<(), Failure> {
+    let mut seen: Vec<(&str, PathBuf)> = Vec::new();
+    for (name, path) in outputs {
+        // Of a file that is not there yet the folder is known.
+        let target = Path::new(&path);
+        let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty());
+        let folder = fs::canonicalize(folder.unwrap_or(Path::new(".")));
+        let at = match (folder, target.file_name()) {
+            (Ok(folder), Some(file)) => folder.join(file),
+            _ => target.to_owned(),
+        };
+        if let Some((other, _)) = seen.iter().find(|(_, known)| *known == at) {
+            let other = if *other == name { "is given twice".into() } else { format!("is {other} too") };
+            return Err(Failure::bad_input(format!("{name}: {path} {other}; give each its own file")));
+        }
+        seen.push((name, at));
+    }
+    Ok(())
 }
 
 /// The files that this run writes, by the keys and flags that name them.
@@ -58,7 +90,7 @@ fn all(study: &StudyFile, args: &RunArgs) -> Result<(), Failure> {
     if let Some(damping) = &study.damping {
         let is_drawn = damping.output.is_some() && study.question.is_some();
         if damping.stop.is_some() || is_drawn {
-            let report = damped(study, damping)?;
+            let report = damp::of_study(study, damping)?;
             if damping.stop.is_some() {
                 crate::report::write_diagnostics(&report.diagnostics, strict)?;
                 damp::print(&report, CheckFormat::Text)?;
@@ -127,7 +159,7 @@ fn in_format(study: &StudyFile, format: MassFormat, strict: bool) -> Result<(), 
     };
     match (&study.damping, &study.map, &study.safe_speed) {
         (Some(damping), ..) => {
-            let report = damped(study, damping)?;
+            let report = damp::of_study(study, damping)?;
             crate::report::write_diagnostics(&report.diagnostics, strict)?;
             damp::print(&report, plain?)
         }
@@ -144,16 +176,6 @@ fn in_format(study: &StudyFile, format: MassFormat, strict: bool) -> Result<(), 
 fn of_map(asked: &StudyMap, format: MassFormat, strict: bool) -> Result<map::Written, Failure> {
     let formats = map::formats(&asked.outputs)?;
     Ok(map::Written { formats, table: TableStyle::of(&asked.table), format, strict })
-}
-
-/// The damper of the stop, or of the contact.
-pub fn damped(study: &StudyFile, damping: &StudyDamping) -> Result<DampingReport, Failure> {
-    let StudyDamping { question, stop, .. } = damping;
-    Ok(match (stop, &study.question) {
-        (Some((stop, conditions)), _) => damp_stop(&study.model, stop, conditions.clone(), question)?,
-        (None, Some(contact)) => damp_contact(&study.model, contact, question)?,
-        (None, None) => return Err(Failure::bad_input("damping: a contact or a joint's stop is required")),
-    })
 }
 
 /// Refuses an output that is not in the study's folder or below it, wherever links lead.

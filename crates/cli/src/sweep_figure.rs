@@ -103,9 +103,10 @@ pub fn drawn(
     }
     let mut panels = vec![Panel { y_label: "m̄ (kg)".into(), series: first, y_limits: asked.y_limits }];
     if alone && is_drawn(&ratios) {
-        let ratio = series("A over contact", Style::Line, ratios);
+        let of = if question.estimate.is_some() { "A over contact" } else { "travel over contact" };
+        let ratio = series(of, Style::Line, ratios);
         panels.push(Panel {
-            y_label: "motion ratio, A over contact".into(),
+            y_label: format!("motion ratio, {of}"),
             series: vec![ratio],
             ..Panel::default()
         });

@@ -39,6 +39,8 @@ pub struct ColumnUnit {
 
 /// Digits of a number of which no error is known.
 const DIGITS: i32 = 12;
+/// A position below this is where loops were closed to rounding, rad or m.
+const NO_POSITION: f64 = 1e-14;
 
 impl TableStyle {
     /// Of two units of one kind the last counts.
@@ -79,6 +81,12 @@ impl TableStyle {
             Some(error) if error > 0.0 => to_decimals(value, (-error.log10()).floor() as i32),
             _ => digits(value, DIGITS),
         }
+    }
+
+    /// The same of a position, rad or m: what is less than rounding of the loops is none.
+    pub fn position(&self, value: f64, unit: &ColumnUnit) -> f64 {
+        let shown = if self.names_units && value.abs() < NO_POSITION { 0.0 } else { value };
+        self.number(shown * unit.factor, None)
     }
 }
 

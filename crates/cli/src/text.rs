@@ -126,6 +126,16 @@ impl<const N: usize> fmt::Display for Table<N> {
     }
 }
 
+/// A word as the shell of this system takes it.
+pub fn word(text: &str) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "._-/".contains(c);
+    if text.chars().all(is_plain) {
+        return text.to_owned();
+    }
+    // cmd.exe and PowerShell both take double quotes, which no name of a file holds there.
+    if cfg!(windows) { format!("\"{text}\"") } else { format!("'{}'", text.replace('\'', "'\\''")) }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

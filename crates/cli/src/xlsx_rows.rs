@@ -1,4 +1,4 @@
-//! The rows of a sweep as a workbook (ECMA-376): the table of the CSV on one sheet.
+//! Tables as a workbook (ECMA-376): the table of the CSV on one sheet.
 
 use crate::csv::{Cell, SweepTable};
 use crate::failure::Failure;
@@ -7,7 +7,7 @@ use crate::table_style::TableStyle;
 use indicatif::ProgressBar;
 use percuss_render::MADE_BY;
 use percuss_study::{Model, Sweep, SweepEnd};
-use rust_xlsxwriter::{DocProperties, Format, Workbook, XlsxError};
+use rust_xlsxwriter::{DocProperties, Format, Workbook, Worksheet, XlsxError};
 use std::ops::ControlFlow;
 
 /// Rows of a sheet, the names of the columns among them.
@@ -33,38 +33,70 @@ pub fn write(
             MOST_ROWS - 1
         )));
     }
-    let unwritten = |error: XlsxError| Failure::bad_input(format!("{path} cannot be written: {error}"));
-    let mut workbook = Workbook::new();
-    // No date: the same sweep gives the same file.
-    let dated = rust_xlsxwriter::ExcelDateTime::from_ymd(2000, 1, 1).map_err(unwritten)?;
-    workbook.set_properties(&DocProperties::new().set_author(MADE_BY).set_creation_datetime(&dated));
-    let sheet = workbook.add_worksheet();
-    sheet.set_name("sweep").map_err(unwritten)?;
-    let heading = Format::new().set_bold();
-    for (column, name) in (0..).zip(table.names()) {
-        // A text, whatever it begins with.
-        sheet.write_string_with_format(0, column, name, &heading).map_err(unwritten)?;
-    }
-    sheet.set_freeze_panes(1, 0).map_err(unwritten)?;
+    let unwritten = |error: XlsxError| unwritten(path, &error);
+    let mut workbook = begun("sweep", table.names()).map_err(unwritten)?;
+    let sheet = workbook.worksheet_from_index(0).map_err(unwritten)?;
     let mut written = Ok(());
     let end = sweep.run(&mut |row| {
         bar.inc(1);
         let line = row.row as u32 + 1;
-        for (column, cell) in (0..).zip(table.cells(&row)) {
-            let put = match cell {
-                Cell::Number(x) => sheet.write_number(line, column, x),
-                Cell::Text(text) => sheet.write_string(line, column, text),
-                Cell::Logical(value) => sheet.write_boolean(line, column, value),
-                Cell::Empty => continue,
-            };
-            if let Err(error) = put {
-                written = Err(error);
-                return ControlFlow::Break(());
-            }
-        }
-        ControlFlow::Continue(())
+        written = put(sheet, line, table.cells(&row));
+        if written.is_err() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     })?;
     written.map_err(unwritten)?;
     write_file(path, &workbook.save_to_buffer().map_err(unwritten)?)?;
     Ok(end)
+}
+
+/// A table as a workbook of one sheet.
+pub fn book(path: &str, name: &str, columns: &[String], rows: Vec<Vec<Cell>>) -> Result<Vec<u8>, Failure> {
+    if columns.len() > MOST_COLUMNS || rows.len() >= MOST_ROWS {
+        return Err(Failure::bad_input(format!(
+            "--output {path}: {} rows, {} columns; a sheet has at most {} rows and {MOST_COLUMNS} columns; write .csv",
+            rows.len(),
+            columns.len(),
+            MOST_ROWS - 1
+        )));
+    }
+    let unwritten = |error: XlsxError| unwritten(path, &error);
+    let mut workbook = begun(name, columns).map_err(unwritten)?;
+    let sheet = workbook.worksheet_from_index(0).map_err(unwritten)?;
+    for (line, cells) in (1..).zip(rows) {
+        put(sheet, line, cells).map_err(unwritten)?;
+    }
+    workbook.save_to_buffer().map_err(unwritten)
+}
+
+fn unwritten(path: &str, error: &XlsxError) -> Failure {
+    Failure::bad_input(format!("{path} cannot be written: {error}"))
+}
+
+/// A workbook whose sheet has the names of its columns.
+fn begun(name: &str, columns: &[String]) -> Result<Workbook, XlsxError> {
+    let mut workbook = Workbook::new();
+    // No date: the same question gives the same file.
+    let dated = rust_xlsxwriter::ExcelDateTime::from_ymd(2000, 1, 1)?;
+    workbook.set_properties(&DocProperties::new().set_author(MADE_BY).set_creation_datetime(&dated));
+    let sheet = workbook.add_worksheet();
+    sheet.set_name(name)?;
+    let heading = Format::new().set_bold();
+    for (column, name) in (0..).zip(columns) {
+        // A text, whatever it begins with.
+        sheet.write_string_with_format(0, column, name, &heading)?;
+    }
+    sheet.set_freeze_panes(1, 0)?;
+    Ok(workbook)
+}
+
+/// A row of cells.
+fn put(sheet: &mut Worksheet, line: u32, cells: Vec<Cell>) -> Result<(), XlsxError> {
+    for (column, cell) in (0..).zip(cells) {
+        match cell {
+            Cell::Number(x) => sheet.write_number(line, column, x)?,
+            Cell::Text(text) => sheet.write_string(line, column, text)?,
+            Cell::Logical(value) => sheet.write_boolean(line, column, value)?,
+            Cell::Empty => continue,
+        };
+    }
+    Ok(())
 }

@@ -223,12 +223,77 @@ fn the_page_has_all_that_the_study_asks() {
     assert_eq!(outcome.code, 0, "{}", outcome.stderr);
     let page = fs::read_to_string(folder.path("bare.html")).expect("written");
     assert!(page.contains("link &quot;finger&quot; is drawn without its shape"), "no note");
-    // A study without a contact says that a report is of one.
-    let study = folder.write("map.toml", "[model]\npath = \"arm.urdf\"\n[map]\nlink = \"forearm\"\n");
-    let outcome = run(&study, &folder.path("map.html"));
-    assert!(
-        outcome.code == 2 && outcome.stderr.contains("--report: the study has no [contact]"),
-        "{}",
-        outcome.stderr
-    );
+}
+
+/// Without a contact: the mechanism, what is in it, and what the study asks in the contact's place.
+#[test]
+fn a_study_without_a_contact_has_a_report() {
+    let folder = Scratch::new("report-contactless");
+    fs::create_dir_all(folder.path("meshes")).expect("a folder");
+    let models = root().join("models");
+    fs::copy(models.join("meshes/finger.obj"), folder.path("meshes/finger.obj")).expect("copied");
+    for (from, to) in
+        [("shaped_arm.urdf", "arm.urdf"), ("six_r_arm.urdf", "six.urdf"), ("four_bar.urdf", "bar.urdf")]
+    {
+        fs::copy(models.join(from), folder.path(to)).expect("copied");
+    }
+    let speed = "[contact]\nlink = \"tool\"\npoint = [0.08, 0, 0]\n[pose]\nset = { elbow = \"70deg\" }\n\
+                 [safe_speed]\nregion = \"chest\"\nforce = 280\nworst_direction = true\n";
+    let stop =
+        "[damping]\nrestitution = 0.3\nstiffness = \"50 Nm/rad\"\nspeed = 0.5\nlimit = \"elbow:upper\"\n";
+    for (model, asked, words, pictures_expected) in [
+        ("arm.urdf", "[map]\nlink = \"forearm\"\n", "Over the surface", 2),
+        (
+            "bar.urdf",
+            "[map]\ndirections = 200\nlink = \"coupler\"\npoint = [0, 0, 0]\n",
+            "In all directions",
+            1,
+        ),
+        ("six.urdf", speed, "Safe speed", 1),
+        ("arm.urdf", stop, "effective inertia", 2),
+    ] {
+        let study = folder.write("study.toml", &format!("[model]\npath = \"{model}\"\n{asked}"));
+        let outcome = percuss(&format!("run {study} --report {}", folder.path("r.html")));
+        assert_eq!(outcome.code, 0, "{asked}: {}", outcome.stderr);
+        let page = fs::read_to_string(folder.path("r.html")).expect("written");
+        let init = format!("percuss init {model} -o contact.toml");
+        for words in
+            [words, "degrees of freedom", "Links", "Joints", "What can be asked of it", &init, "SHA-256"]
+        {
+            assert!(page.contains(words), "{asked}: {words}");
+        }
+        assert!(
+            !page.contains("m̄ = ") && !outcome.stdout.contains("effective mass"),
+            "{asked}: {}",
+            outcome.stdout
+        );
+        let drawn = pictures(&page);
+        assert_eq!(drawn.len(), pictures_expected, "{asked}");
+        assert!(drawn[0].contains("from the front") && drawn[0].contains("from the left"));
+        let json = percuss(&format!("run {study} --format json"));
+        assert_eq!(fs::read_to_string(folder.path("r.json")).expect("written"), json.stdout, "{asked}");
+    }
+}
+
+/// A wheel that the importer named is drawn as a circle about its bearing's axis: as wide as high from the left.
+#[test]
+fn wheels_are_drawn() {
+    let folder = Scratch::new("report-wheel");
+    let sheet = root().join("models/suspensions/double-wishbone.toml");
+    fs::copy(sheet, folder.path("my.toml")).expect("copied");
+    let text = "[model]\npath = \"my.toml\"\n[contact]\nlink = \"bump_stop_pad\"\npoint = [0, 0, 0]\n\
+                along_line = { link = \"bump_stop\", point = [0, 0, 0] }\nagainst = \"chassis\"\n";
+    let lines = |sheet: &str| {
+        folder.write("my.toml", sheet);
+        let study = folder.write("study.toml", text);
+        let outcome = percuss(&format!("run {study} --report {}", folder.path("r.html")));
+        assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+        let page = fs::read_to_string(folder.path("r.html")).expect("written");
+        pictures(&page)[0].len()
+    };
+    let sheet = fs::read_to_string(folder.path("my.toml")).expect("there");
+    let with = lines(&sheet);
+    let without = lines(&sheet.replacen("radius = 300.0", "# radius", 1));
+    // A closed chain of some fifty places in either view, of ten characters each; the link of the lowest point is a line.
+    assert!(with >= without + 1000, "{with} and {without}");
 }

@@ -103,7 +103,17 @@ enum Drive {
     /// The loops do not determine it to first order: at a change point, or at a dead centre of the joint.
     Open { weak: bool },
     /// At this rate; `weak`: near a dead centre of the joint.
-    At { rate: f64, weak: bool },
+    At { rate: f64, motion: f64, weak: bool },
+}
+
+/// A joint that may drive the point.
+struct Candidate {
+    joint: JointId,
+    /// ds/dq, m/rad or m/m.
+    rate: f64,
+    /// Σ u² of all joints with it, radians and sizes of the mechanism, where its own is 1 in its unit.
+    motion: f64,
+    weak: bool,
 }
 
 impl Travel {
@@ -183,11 +193,12 @@ impl Travel {
         }
     }
 
-    /// The joint that moves the point most among those that can drive it, a radian against the size of the mechanism:
-    /// joints of one position that are not set, follow no other by a mimic, and drive their loops beside those that are
-    /// set. `is_set`: the joints that are set at the pose.
+    /// The joint that moves the point most for the motion of all joints that it brings about, a radian against the size of
+    /// the mechanism: joints of one position that are not set, follow no other by a mimic, and drive their loops beside those
+    /// that are set. `is_set`: the joints that are set at the pose.
     ///
-    /// By their rates; where these are not determined, or all zero (a change point, the end of a travel), by a small
+    /// The greatest |ds/dq| / Σ u², u as for the rate: of joints that move together it is the one that turns furthest
+    /// over the travel, not one that hardly turns and stands still before the others do. By their rates; where these are not determined, or all zero (a change point, the end of a travel), by a small
     /// step. A joint near its dead centre, where everything is fast, drives only where no other does.
     ///
     /// # Errors
@@ -199,19 +210,19 @@ impl Travel {
             match self.beside(pose, joint, is_set) {
                 Drive::None => {}
                 Drive::Open { weak } => {
-                    known.extend(self.rate_of_step(pose, joint, is_set).map(|rate| (joint, rate, weak)));
+                    known.extend(self.step_of(pose, joint, is_set, weak));
                 }
-                Drive::At { rate, weak } => {
-                    known.push((joint, rate, weak));
+                Drive::At { rate, motion, weak } => {
+                    known.push(Candidate { joint, rate, motion, weak });
                     resting.push((joint, weak));
                 }
             }
         }
         let stepped = || {
-            let rate = |(joint, weak)| Some((joint, self.rate_of_step(pose, joint, is_set)?, weak));
-            fastest(mechanism, resting.into_iter().filter_map(rate))
+            let stepped = |(joint, weak)| self.step_of(pose, joint, is_set, weak);
+            best(mechanism, resting.into_iter().filter_map(stepped))
         };
-        fastest(mechanism, known)
+        best(mechanism, known)
             .or_else(stepped)
             .ok_or_else(|| TravelError::NothingMoves { link: mechanism.link(self.link).name().to_owned() })
     }
@@ -282,7 +293,7 @@ impl Travel {
                 None => Drive::None,
                 Some(c) => {
                     u[c] = 1.0;
-                    Drive::At { rate: self.speed(pose, &u), weak: false }
+                    Drive::At { rate: self.speed(pose, &u), motion: motion(pose, &u), weak: false }
                 }
             };
         };
@@ -330,7 +341,7 @@ impl Travel {
             u[*c] = rate;
         }
         u[group.coordinates[at]] = 1.0;
-        Drive::At { rate: self.speed(pose, &u), weak }
+        Drive::At { rate: self.speed(pose, &u), motion: motion(pose, &u), weak }
     }
 
     /// Speed of the point along the direction at rates of the coordinates, m/s.
@@ -345,8 +356,14 @@ impl Travel {
             .sum()
     }
 
-    /// Displacement per motion of a joint in a small step, all other drivers where they are; none where there is no pose.
-    fn rate_of_step(&self, pose: &Pose, joint: JointId, is_set: &dyn Fn(JointId) -> bool) -> Option<f64> {
+    /// How a joint moves the point in a small step, all other drivers where they are; none where there is no pose.
+    fn step_of(
+        &self,
+        pose: &Pose,
+        joint: JointId,
+        is_set: &dyn Fn(JointId) -> bool,
+        weak: bool,
+    ) -> Option<Candidate> {
         let mechanism = pose.mechanism();
         let mut configuration = Configuration::zero(mechanism);
         configuration.base = pose.base;
@@ -358,9 +375,23 @@ impl Travel {
         [step, -step].into_iter().find_map(|step| {
             configuration.values[joint.index()] = vec![pose.joint(joint)[0] + step];
             let moved = pose.assembly.pose_from(pose, &configuration).ok()?;
-            Some((self.displacement(&moved) - self.displacement(pose)) / step)
+            let single = mechanism.joint_ids().filter(|id| mechanism.joint(*id).kind().positions() == 1);
+            let turned = single.map(|id| {
+                let change = (moved.joint(id)[0] - pose.joint(id)[0]) / step;
+                (change / unit(mechanism, id)).powi(2)
+            });
+            let rate = (self.displacement(&moved) - self.displacement(pose)) / step;
+            Some(Candidate { joint, rate, motion: turned.sum(), weak })
         })
     }
+}
+
+/// Σ u², with a slide's rate in sizes of the mechanism.
+fn motion(pose: &Pose, u: &[f64]) -> f64 {
+    let size = pose.mechanism().characteristic_length();
+    let coordinates = &pose.assembly.posing().coordinates;
+    let scaled = coordinates.iter().zip(u).map(|(c, u)| if c.turns { *u } else { *u / size });
+    scaled.map(|u| u * u).sum()
 }
 
 /// Whether a joint has one position, and one of its own.
@@ -392,18 +423,21 @@ fn coordinate(model: &Model, joint: JointId) -> Option<usize> {
     model.follows[body.v.clone().next()?].map(|follows| follows.index)
 }
 
-/// The joint that moves the point most, and fast enough to drive it.
-fn fastest(mechanism: &Mechanism, rates: impl IntoIterator<Item = (JointId, f64, bool)>) -> Option<JointId> {
+/// The joint that moves the point most for all that moves with it, and fast enough to drive it.
+fn best(mechanism: &Mechanism, candidates: impl IntoIterator<Item = Candidate>) -> Option<JointId> {
     let least = UNMOVED * mechanism.characteristic_length();
     let mut best: Option<(JointId, f64, bool)> = None;
-    for (joint, rate, weak) in rates {
-        let speed = (rate * unit(mechanism, joint)).abs();
+    for Candidate { joint, rate, motion, weak } in candidates {
+        let own = unit(mechanism, joint);
+        let speed = (rate * own).abs();
+        // All that moves, where the joint's own motion is 1: no less than that.
+        let merit = speed / (motion * own * own).max(1.0);
         let is_better = best.is_none_or(|(_, most, other_is_weak)| match weak == other_is_weak {
-            true => speed > most * (1.0 + SAME_RATE),
+            true => merit > most * (1.0 + SAME_RATE),
             false => other_is_weak,
         });
         if speed > least && is_better {
-            best = Some((joint, speed, weak));
+            best = Some((joint, merit, weak));
         }
     }
     best.map(|(joint, ..)| joint)

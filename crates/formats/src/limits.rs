@@ -117,3 +117,6 @@ pub(crate) const ASTRAY: f64 = 2.5;
 pub(crate) const LEAST_ASTRAY: f64 = 0.6;
 /// No control arm or link of a corner is longer, m.
 pub(crate) const LONGEST_ARM: f64 = 1.8;
+/// A centre of mass or a seat so far outside of the box around its link's joints, m, looks like one that was left from another
+/// vehicle, or stands in other axes; a joint twice as far: trailing arms have one end 0.7 m away from all others.
+pub(crate) const OFF_ITS_LINK: f64 = 0.5;

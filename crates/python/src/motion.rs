@@ -91,7 +91,7 @@ impl Travel {
         Ok(self.travel.rate(&pose.pose, joint))
     }
 
-    /// The joint that moves the point most at a pose, among those that can drive it; `set` are not available. Raises
+    /// The joint that turns furthest with the point at a pose, among those that can drive it; `set` are not available. Raises
     /// NoAnswerError where nothing moves it.
     #[pyo3(signature = (pose, *, set=Vec::new()))]
     fn driver(&self, pose: &Pose, set: Vec<String>) -> PyResult<String> {

@@ -246,7 +246,7 @@ impl<'a> Answered<'a> {
 }
 
 /// The mechanism under the conditions of the question, but for one held contact.
-fn compile(
+pub(crate) fn compile(
     mechanism: &Arc<Mechanism>,
     question: &MassQuestion,
     skipped: Option<usize>,
@@ -272,7 +272,10 @@ fn compile(
 }
 
 /// Positions asked for.
-fn configuration(mechanism: &Arc<Mechanism>, question: &MassQuestion) -> Result<Configuration, StudyError> {
+pub(crate) fn configuration(
+    mechanism: &Arc<Mechanism>,
+    question: &MassQuestion,
+) -> Result<Configuration, StudyError> {
     let values = |field: Field, joint: &String, given: &GivenPosition| {
         let id = mechanism.find_joint(joint).map_err(|error| StudyError::input(field, error))?;
         let wrong = |source| StudyError::input(field, Fault::Position { joint: joint.clone(), source });

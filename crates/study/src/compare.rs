@@ -10,6 +10,7 @@ use crate::record::DiagnosticRecord;
 use crate::row_source::RowSource;
 use crate::sweep::sweep_report;
 use crate::varied_values::VariedColumn;
+use percuss_mechanism::Severity;
 use serde::Serialize;
 
 /// A model, and what is asked of it.
@@ -234,6 +235,16 @@ fn rows(
             .map_err(|source| CompareError::Question { design: design.name.clone(), source })?;
         let of_rows = report.diagnostics.into_iter().filter(|d| d.path.is_none()).collect();
         collect(diagnostics, of_rows, &design.name);
+        let missing = || report.rows.iter().filter_map(|row| Some((row.row, row.error.as_ref()?)));
+        if let Some((row, why)) = missing().next() {
+            let message = format!(
+                "{} of {} rows have no answer; the first, row {row}: {why}",
+                missing().count(),
+                report.rows.len()
+            );
+            let warning = DiagnosticRecord::about_answer(Severity::Warning, "rows-unanswered", message);
+            collect(diagnostics, vec![warning], &design.name);
+        }
         if number == 0 {
             varied.clone_from(&report.heading.varied);
         } else if varied != report.heading.varied {

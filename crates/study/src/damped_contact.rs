@@ -44,6 +44,8 @@ pub fn damp_stop(
     report.stop = Some(record);
     // What the child link would weigh by itself says nothing about a stop.
     report.body_alone = None;
+    // The point is percuss's own, 1 m beside the axis.
+    report.diagnostics.retain(|found| found.code != "far-point");
     Ok(report)
 }
 

@@ -1,12 +1,16 @@
 //! A mechanism at the pose of an answer, as lines to draw: where its links are, what they contribute, how they move.
 
-use crate::answer::Answered;
+use crate::answer::{Answered, compile, configuration};
+use crate::error::StudyError;
 use crate::model::{Input, Model};
+use crate::posing;
+use crate::question::MassQuestion;
 use crate::record::DiagnosticRecord;
 use crate::thresholds::FACETS;
-use percuss_dynamics::{PointVelocity, Pose};
+use percuss_dynamics::{ContactResponse, PointVelocity, Pose};
+use percuss_formats::suspension::WheelCircle;
 use percuss_formats::{DEFAULT_MAX_MESH_SIZE, MeshFolders, Purpose, Shape, Surface};
-use percuss_mechanism::{LinkId, Severity};
+use percuss_mechanism::{LinkId, Mechanism, Severity};
 use percuss_spatial::Vector3;
 use std::path::Path;
 
@@ -32,6 +36,8 @@ pub struct DrawnLink {
 pub struct DrawnMechanism {
     /// Its links; none without extent.
     pub links: Vec<DrawnLink>,
+    /// The wheels of an imported suspension, in the world, m.
+    pub wheels: Vec<WheelCircle>,
     /// The files of meshes.
     pub meshes: Vec<Input>,
     /// Shapes that are not drawn, and why.
@@ -99,9 +105,22 @@ impl Shapes<'_> {
 /// Every link but those without extent.
 pub(crate) fn drawn(answered: &Answered) -> DrawnMechanism {
     let Answered { prepared, pose, answer, .. } = answered;
-    let mechanism = &prepared.model.mechanism;
-    let response = &answer.response;
-    let shares = response.contributions.as_ref();
+    mechanism_at(prepared.model, pose, Some(&answer.response))
+}
+
+/// The mechanism where the joints of a question stand, whatever contact it asks about.
+///
+/// # Errors
+/// [`StudyError`]: names that nothing bears, loops that do not close there, a travel that is not reached.
+pub fn drawn_at(model: &Model, question: &MassQuestion) -> Result<DrawnMechanism, StudyError> {
+    let system = compile(&model.mechanism, question, None)?;
+    let pose = posing::pose(&system, &configuration(&model.mechanism, question)?, question)?;
+    Ok(mechanism_at(model, &pose, None))
+}
+
+fn mechanism_at(model: &Model, pose: &Pose, response: Option<&ContactResponse>) -> DrawnMechanism {
+    let mechanism = &model.mechanism;
+    let shares = response.and_then(|response| response.contributions.as_ref());
     let mut places: Vec<Vec<Vector3<f64>>> = vec![Vec::new(); mechanism.links().len()];
     for joint in mechanism.joints() {
         // The child's frame is where the joint is.
@@ -117,10 +136,11 @@ pub(crate) fn drawn(answered: &Answered) -> DrawnMechanism {
             places[link.index()].push(at);
         }
     }
-    let contact = &response.contact;
-    places[contact.link.index()].push(contact.point_world);
-    if let Some(against) = contact.against {
-        places[against.index()].push(contact.point_world);
+    if let Some(contact) = response.map(|response| &response.contact) {
+        places[contact.link.index()].push(contact.point_world);
+        if let Some(against) = contact.against {
+            places[against.index()].push(contact.point_world);
+        }
     }
     let of_link = |id: LinkId| {
         let link = mechanism.link(id);
@@ -134,7 +154,7 @@ pub(crate) fn drawn(answered: &Answered) -> DrawnMechanism {
             _ => ends.iter().map(|end| [middle.into(), (*end).into()]).collect(),
         };
         lines.retain(|[a, b]| a != b);
-        let velocity = inertial.and_then(|inertial| {
+        let velocity = response.zip(inertial).and_then(|(response, inertial)| {
             match pose.point_velocity_over_ground(response, id, &inertial.com)? {
                 PointVelocity::Known(v) => Some(pose.base().vector(&v).into()),
                 PointVelocity::Undetermined => None,
@@ -151,10 +171,10 @@ pub(crate) fn drawn(answered: &Answered) -> DrawnMechanism {
     };
     // The root is the ground, as long as it does not move.
     let is_drawn = |id: &LinkId| *id != mechanism.root() || shares.is_some_and(|s| s.links[id.index()] > 0.0);
-    let model = prepared.model;
     let path = model.inputs.first().map_or("", |input| &input.path);
     let folders = MeshFolders::of_model(Path::new(path), Vec::new());
     let mut shapes = Shapes { model, folders, room: FACETS, drawn: DrawnMechanism::default() };
+    shapes.drawn.wheels = mechanism.link_ids().filter_map(|id| wheel(mechanism, pose, id)).collect();
     for id in mechanism.link_ids() {
         let facets = shapes.of(id, pose);
         let mut link = of_link(id);
@@ -166,4 +186,18 @@ pub(crate) fn drawn(answered: &Answered) -> DrawnMechanism {
         }
     }
     shapes.drawn
+}
+
+/// The circle of a wheel, where a link is one as the suspensions' importer names it: about the axis of its bearing, through its
+/// lowest point at the design position.
+fn wheel(mechanism: &Mechanism, pose: &Pose, link: LinkId) -> Option<WheelCircle> {
+    let side = mechanism.link(link).name().strip_prefix("wheel_centre")?;
+    let patch = mechanism.find_link(&format!("contact_patch{side}")).ok()?;
+    let bearing = mechanism.joint(mechanism.find_joint(&format!("spin{side}")).ok()?);
+    let at = |link: LinkId| pose.link(link).point(&Vector3::zeros());
+    let axis = pose.link(bearing.child()).vector(bearing.axis());
+    let spoke = at(patch) - at(link);
+    let radius = (spoke - axis * axis.dot(&spoke)).norm();
+    let is_one = radius > 0.0 && radius.is_finite();
+    is_one.then(|| WheelCircle { centre: at(link).into(), axis: axis.into(), radius: Some(radius) })
 }

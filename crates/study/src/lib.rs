@@ -79,6 +79,7 @@ mod thresholds;
 mod tolerance;
 mod trajectory;
 mod travel;
+mod turned_line;
 mod variant;
 mod varied_values;
 mod vary;
@@ -94,7 +95,7 @@ pub use damped_contact::{damp_contact, damp_stop};
 pub use damping::{BodyAlone, DamperRecord, DampingReport, Drift, damp, damper, impact_history};
 pub use damping_question::{DampingQuestion, check_units};
 pub use design::DesignError;
-pub use drawn::{DrawnLink, DrawnMechanism};
+pub use drawn::{DrawnLink, DrawnMechanism, drawn_at};
 pub use error::{Fault, StudyError};
 pub use estimate::EstimateRecord;
 pub use explain::{

@@ -6,7 +6,7 @@ use crate::field::{Field, Names};
 use crate::given_travel::GivenTravel;
 use crate::question::MassQuestion;
 use crate::reach::Missed;
-use crate::thresholds::{HALVINGS, LEAST_PART, TRAVEL_MET, TRAVEL_PARTS, TRAVEL_ROUNDS};
+use crate::thresholds::{HALVINGS, LEAST_PART, OTHER_DRIVERS, TRAVEL_MET, TRAVEL_PARTS, TRAVEL_ROUNDS};
 use crate::travel::Travel;
 use nalgebra::{DMatrix, DVector, Vector3};
 use percuss_dynamics::{Configuration, Pose, System};
@@ -14,8 +14,9 @@ use percuss_mechanism::JointId;
 
 /// The pose that a question asks about.
 ///
-/// Each travel is driven by the joint that moves its point most among those that are not set and drive no other travel, as a
-/// sweep over it is; it starts where the joints as set put the point. Several are driven together, by Newton's method.
+/// Each travel is driven by the joint that turns furthest with its point among those that are not set and drive no other
+/// travel, as a sweep over it is; it starts where the joints as set put the point. Several are driven together, by Newton's
+/// method.
 ///
 /// # Errors
 /// [`StudyError`]: loops that do not close there, a travel that means nothing, or that is not reached.
@@ -50,15 +51,25 @@ fn together(
     names: Names,
 ) -> Result<Pose, StudyError> {
     let within = TRAVEL_MET * system.mechanism().characteristic_length();
-    let mut at: Vec<f64> = travels.iter().map(|travel| start.joint(travel.driver.joint)[0]).collect();
-    let mut pose = moved(system, configuration, travels, &start, &at)?;
-    let (mut reached, mut part) = (0.0, 1.0 / TRAVEL_PARTS);
+    let mut drivers: Vec<JointId> = travels.iter().map(|travel| travel.driver.joint).collect();
+    let mut at = positions(&start, &drivers);
+    let mut pose = moved(system, configuration, &drivers, &start, &at)?;
+    let (mut reached, mut part, mut changes) = (0.0, 1.0 / TRAVEL_PARTS, 0);
     while reached < 1.0 {
         let to = f64::min(reached + part, 1.0);
-        match met(system, configuration, travels, (&pose, &at), to, within) {
+        match met(system, configuration, travels, &drivers, (&pose, &at), to, within) {
             Ok((next, there)) => {
                 (pose, at, reached) = (next, there, to);
                 part *= 2.0;
+            }
+            Err(_) if part < LEAST_PART && changes < OTHER_DRIVERS => {
+                // A driver may be at a dead centre of its own: others take their place from here.
+                changes = if reached > 0.0 { changes + 1 } else { OTHER_DRIVERS };
+                let Some(others) = drivers_at(travels, &pose) else { continue };
+                let there = positions(&pose, &others);
+                if let Ok(same) = moved(system, configuration, &others, &pose, &there) {
+                    (drivers, at, pose, part) = (others, there, same, 1.0 / TRAVEL_PARTS);
+                }
             }
             Err(error) if part < LEAST_PART => {
                 let why = match error {
@@ -83,6 +94,7 @@ fn met(
     system: &System,
     configuration: &Configuration,
     travels: &[Driven],
+    drivers: &[JointId],
     (from, at): (&Pose, &[f64]),
     part: f64,
     within: f64,
@@ -96,14 +108,14 @@ fn met(
         }
         let mut rates = DMatrix::zeros(count, count);
         for (i, travel) in travels.iter().enumerate() {
-            for (j, other) in travels.iter().enumerate() {
-                rates[(i, j)] = travel.travel.rate(&pose, other.driver.joint).ok_or(None)?;
+            for (j, driver) in drivers.iter().enumerate() {
+                rates[(i, j)] = travel.travel.rate(&pose, *driver).ok_or(None)?;
             }
         }
         let step =
             rates.lu().solve(&missing).filter(|step| step.iter().all(|x| x.is_finite())).ok_or(None)?;
         at.iter_mut().zip(step.iter()).for_each(|(at, step)| *at += step);
-        pose = moved(system, configuration, travels, &pose, &at).map_err(Some)?;
+        pose = moved(system, configuration, drivers, &pose, &at).map_err(Some)?;
     }
     Err(None)
 }
@@ -112,16 +124,32 @@ fn met(
 fn moved(
     system: &System,
     configuration: &Configuration,
-    travels: &[Driven],
+    drivers: &[JointId],
     from: &Pose,
     at: &[f64],
 ) -> Result<Pose, StudyError> {
     let mut set = configuration.clone().without_guesses();
-    for (travel, value) in travels.iter().zip(at) {
-        set.set(system.mechanism().joint(travel.driver.joint).name(), &[*value])
+    for (driver, value) in drivers.iter().zip(at) {
+        set.set(system.mechanism().joint(*driver).name(), &[*value])
             .map_err(|error| StudyError::input(Field::Travel, error))?;
     }
     Ok(system.pose_from(from, &set)?)
+}
+
+/// Where joints of one position stand.
+fn positions(pose: &Pose, joints: &[JointId]) -> Vec<f64> {
+    joints.iter().map(|joint| pose.joint(*joint)[0]).collect()
+}
+
+/// The joints that would drive travels from a pose on, each beside those before it and what is set.
+fn drivers_at(travels: &[Driven], pose: &Pose) -> Option<Vec<JointId>> {
+    // The first was chosen beside what is set alone.
+    let set = travels.first()?.travel.set();
+    let mut drivers = Vec::new();
+    for travel in travels {
+        drivers.push(travel.travel.driver_at(pose, &[set, &drivers].concat())?);
+    }
+    Some(drivers)
 }
 
 /// A travel with the joint that drives it.

@@ -23,6 +23,9 @@ const STATED: [(&str, &str); 3] = [
     ("damper_seat", "damper_chassis_seat"),
 ];
 
+/// What stands behind the names of a side's links.
+const SIDES: [&str; 3] = ["", "_left", "_right"];
+
 /// A study of a model, as TOML with comments: the first contact found that has a finite effective mass, stated ones (bump stops,
 /// springs of suspensions) first, then tips of the mechanism; and what else could be asked, commented out. `path` is written as
 /// the model's path.
@@ -89,8 +92,12 @@ fn candidates(model: &Model, base: Base) -> Vec<MassQuestion> {
     let mut found = Vec::new();
     for (ending, toward) in STATED {
         for link in mechanism.link_ids() {
-            let Some(before) = name(link).strip_suffix(ending) else { continue };
-            let Ok(other) = mechanism.find_link(&format!("{before}{toward}")) else { continue };
+            // Of two sides each has its name behind its links'.
+            let split = SIDES
+                .iter()
+                .find_map(|side| Some((name(link).strip_suffix(side)?.strip_suffix(ending)?, side)));
+            let Some((before, side)) = split else { continue };
+            let Ok(other) = mechanism.find_link(&format!("{before}{toward}{side}")) else { continue };
             let against = mechanism.parent_joint(other).map(|joint| mechanism.joint(joint).parent());
             let normal = Normal::Toward(name(other).to_owned(), [0.0; 3]);
             let against = against.filter(|against| *against != link).map(|against| name(against).to_owned());
@@ -287,7 +294,7 @@ impl Starter<'_> {
         if let Some(wheel) = names.find(|name| name.starts_with("wheel_centre"))
             && !mechanism.closures().is_empty()
         {
-            return Some((None, format!("travel:{wheel}:0,0,0:0,0,1=-10mm:10mm:21")));
+            return Some((None, format!("travel:{wheel}:0,0,0:0,0,1=-30mm:30mm:25")));
         }
         let free = self.free();
         let link = mechanism.find_link(&self.question.link).ok()?;
@@ -323,7 +330,13 @@ impl Starter<'_> {
         )?;
         let lighter = (0.9 * mass * 1e6).round() / 1e6;
         let name = quoted(&format!("{link} 10 % lighter"));
-        writeln!(out, "# [[variant]]\n# name = {name}\n# link_mass = {{ {} = {lighter:?} }}", key(link))
+        writeln!(out, "# [[variant]]\n# name = {name}\n# link_mass = {{ {} = {lighter:?} }}", key(link))?;
+        let points = self.model.hardpoints();
+        let Some(point) = points.iter().find(|point| point.contains("ball")).or(points.first()) else {
+            return Ok(());
+        };
+        let name = quoted(&format!("{point} 5 mm higher"));
+        writeln!(out, "# [[variant]]\n# name = {name}\n# move = {{ {} = [0, 0, \"5 mm\"] }}", key(point))
     }
 
     fn map(&self, out: &mut String) -> std::fmt::Result {

@@ -32,6 +32,8 @@ pub struct StudyFile {
     pub model: Model,
     /// The contact and the conditions; none where the study asks for no contact with a normal.
     pub question: Option<MassQuestion>,
+    /// The pose and the conditions, whether or not it asks for a contact.
+    pub conditions: MassQuestion,
     /// What is asked of the contact beside its mass.
     pub mass: StudyMass,
     /// The same with something changed.
@@ -312,7 +314,8 @@ impl Reading<'_> {
         let mass = study.mass.as_ref().map(|mass| mass.asked()).transpose().map_err(refused)?;
         Ok(StudyFile {
             model,
-            question: asks.then_some(question),
+            question: asks.then(|| question.clone()),
+            conditions: question,
             mass: mass.unwrap_or_default(),
             variants,
             damping,

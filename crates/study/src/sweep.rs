@@ -21,6 +21,7 @@ use crate::sweep_report::{Continuation, SweepEnd, SweepHeading, SweepReport, Swe
 use crate::swept::Swept;
 use crate::thresholds::{GRID_ROWS, ROWS};
 use crate::trajectory::Trajectory;
+use crate::turned_line::TurnedLine;
 use crate::varied_values::VariedColumn;
 use crate::vary::{Varied, Vary};
 use std::ops::ControlFlow;
@@ -133,7 +134,8 @@ impl<'a> Sweep<'a> {
             joints: PoseLayout::new(&model.mechanism),
         };
         let (along, lanes) = (rows.along(), InLanes::new(&prepared, &setting, &contact));
-        let swept = Swept { prepared, setting, travel, contact, heading, along, lanes };
+        let line = travel.as_ref().and_then(|travel| TurnedLine::new(&prepared, &travel.0.start, &contact));
+        let swept = Swept { prepared, setting, travel, contact, heading, along, line, lanes };
         Ok(Self { swept, rows, about_point })
     }
 

@@ -7,6 +7,13 @@ use std::ops::RangeInclusive;
 /// A shorter vector has no direction: one typed with a few digits is longer, the difference of equal points shorter.
 /// Any unit.
 pub(crate) const SHORTEST_DIRECTION: f64 = 1e-9;
+/// Joints that are tried in the place of one that came to its end before the travel did.
+pub(crate) const OTHER_DRIVERS: usize = 4;
+/// A joint that moves a point by less than this part of the mechanism's size a radian does not drive it.
+pub(crate) const UNMOVED: f64 = 1e-6;
+/// Cosine of the angle that a contact's line may turn by over a travel before that is said: 30°. Springs and dampers of
+/// suspensions turn by less than 15°.
+pub(crate) const LINE_TURNED: f64 = 0.866;
 /// Largest coordinate, m: its square is still a number, with room for sums.
 pub(crate) const LARGEST_COORDINATE: f64 = 1e100;
 /// Least mass of a free body on the other side, kg: its inverse is still a number, with room for sums.

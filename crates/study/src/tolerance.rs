@@ -229,19 +229,22 @@ fn sampled(
     let of_sample = |number: usize| {
         let mut uniform = Uniform::new(asked.seed, number as u64);
         let mut off = |most: f64| most * (2.0 * uniform.next() - 1.0);
+        let mut moved = Changes::default();
+        if tolerance.point > 0.0 {
+            let points = model.hardpoints().iter();
+            moved.moves =
+                points.map(|point| (point.clone(), [(); 3].map(|()| off(tolerance.point)))).collect();
+        }
+        // A centre of mass stays in the vehicle while the frame of its link goes with a hardpoint.
+        let model = &model.changed(&moved).ok()?;
         let mut changes = Changes::default();
         for link in &explanation.links {
-            let mass = link.mass * (1.0 + off(tolerance.mass));
-            let by = [(); 3].map(|()| off(tolerance.com));
-            changes.link_mass.push((link.link.clone(), mass));
-            let id = model.mechanism.find_link(&link.link).ok()?;
-            let com = model.mechanism.link(id).inertial()?.com;
-            changes.link_com.push((link.link.clone(), [0, 1, 2].map(|i| com[i] + by[i])));
-        }
-        for point in model.hardpoints() {
-            let by = [(); 3].map(|()| off(tolerance.point));
-            if tolerance.point > 0.0 {
-                changes.moves.push((point.clone(), by));
+            changes.link_mass.push((link.link.clone(), link.mass * (1.0 + off(tolerance.mass))));
+            if tolerance.com > 0.0 {
+                let id = model.mechanism.find_link(&link.link).ok()?;
+                let com = model.mechanism.link(id).inertial()?.com;
+                let com = [com.x, com.y, com.z].map(|x| x + off(tolerance.com));
+                changes.link_com.push((link.link.clone(), com));
             }
         }
         let mut question = question.clone();

@@ -4,9 +4,10 @@ use crate::driver::Driver;
 use crate::error::{Fault, StudyError};
 use crate::field::{Field, Names, about_assembly};
 use crate::reach::{Extent, Missed};
+use crate::thresholds::{OTHER_DRIVERS, UNMOVED};
 use nalgebra::Vector3;
 use percuss_dynamics::{Configuration, ContactResponse, PointVelocity, Pose, System, TravelError};
-use percuss_mechanism::{JointId, LinkId};
+use percuss_mechanism::{JointId, JointKind, LinkId};
 
 /// The travel of a point from where it starts, and the joint that drives it.
 #[derive(Debug)]
@@ -16,6 +17,15 @@ pub(crate) struct Travel {
     pub start: Pose,
     /// What asked for it.
     field: Field,
+    /// Joints that do not drive it.
+    set: Vec<JointId>,
+}
+
+/// The joints that drive the loops of a pose, in order.
+fn drivers(pose: &Pose) -> Vec<JointId> {
+    let mut all = pose.loops().map_or_else(Vec::new, |loops| loops.drivers.to_vec());
+    all.sort_unstable();
+    all
 }
 
 impl Travel {
@@ -36,7 +46,8 @@ impl Travel {
         let start = system.pose(base)?;
         let travel = percuss_dynamics::Travel::new(&start, link, point, direction).map_err(refuse)?;
         let joint = travel.driver(&start, is_set).map_err(refuse)?;
-        Ok((Self { travel, start, field }, Driver { joint, base: base.clone() }))
+        let set = system.mechanism().joint_ids().filter(|joint| is_set(*joint)).collect();
+        Ok((Self { travel, start, field, set }, Driver { joint, base: base.clone() }))
     }
 
     /// The pose where the point is displaced as requested, on the branch of the last one.
@@ -51,6 +62,14 @@ impl Travel {
             Ok(pose) => return Ok(Ok(pose)),
             Err(error) => error,
         };
+        let ended = match &error {
+            TravelError::Unreachable { .. } => true,
+            TravelError::Assembly(error) => !error.is_bad_input(),
+            _ => false,
+        };
+        if let Some(pose) = ended.then(|| self.by_another(driver, last, requested)).flatten() {
+            return Ok(Ok(pose));
+        }
         let extent = match &error {
             TravelError::Unreachable { nearest, .. } => Extent::Probably(*nearest),
             TravelError::TooFar { reached, .. } => Extent::TooFar(*reached),
@@ -65,6 +84,49 @@ impl Travel {
             other => other.to_string(),
         };
         Ok(Err(Missed { why, extent }))
+    }
+
+    /// The pose where another joint drives the point past a dead centre of its driver, all other drivers being the same.
+    ///
+    /// Joints that move together have one ds/dq each: the least is that of the one that turns furthest, which comes to a dead
+    /// centre of its own last.
+    fn by_another(&self, driver: &Driver, last: &Pose, requested: f64) -> Option<Pose> {
+        let mechanism = last.mechanism();
+        let size = mechanism.characteristic_length();
+        let here = self.travel.displacement(last);
+        let posed = self.travel.pose(last, &driver.base, driver.joint, here).ok()?;
+        let driven = drivers(&posed);
+        let place = driven.iter().position(|joint| *joint == driver.joint)?;
+        let rate = |joint: JointId| {
+            let unit = if mechanism.joint(joint).kind() == JointKind::Prismatic { size } else { 1.0 };
+            let rate = (self.travel.rate(&posed, joint)? * unit).abs();
+            let is_free = !driven.contains(&joint) && !self.set.contains(&joint);
+            (is_free && rate > UNMOVED * size).then_some((joint, rate))
+        };
+        let mut rates: Vec<(JointId, f64)> = mechanism.joint_ids().filter_map(rate).collect();
+        rates.sort_by(|a, b| a.1.total_cmp(&b.1));
+        // What drove beside it stays where it is.
+        let mut base = driver.base.clone();
+        for held in driven.iter().filter(|joint| **joint != driver.joint) {
+            base.set(mechanism.joint(*held).name(), posed.joint(*held)).ok()?;
+        }
+        rates.into_iter().take(OTHER_DRIVERS).find_map(|(joint, _)| {
+            let pose = self.travel.pose(&posed, &base, joint, requested).ok()?;
+            let mut expected = driven.clone();
+            expected[place] = joint;
+            expected.sort_unstable();
+            (drivers(&pose) == expected).then_some(pose)
+        })
+    }
+
+    /// The joint that would drive it at a pose beside others.
+    pub fn driver_at(&self, pose: &Pose, others: &[JointId]) -> Option<JointId> {
+        self.travel.driver(pose, &|joint| others.contains(&joint)).ok()
+    }
+
+    /// Joints that do not drive it.
+    pub fn set(&self) -> &[JointId] {
+        &self.set
     }
 
     /// How fast a joint displaces the point, m/rad or m/m; none where that is not determined.

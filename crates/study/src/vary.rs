@@ -132,7 +132,8 @@ impl Values {
         let largest = self.from.abs().max(self.to.abs());
         // Of ends that are not decimals, such as 5 degrees in radians, no value is rounded.
         let is_decimal = |end: f64| rounded(end, largest) == end;
-        if is_decimal(self.from) && is_decimal(self.to) { rounded(value, largest) } else { value }
+        // Zero has no sign.
+        0.0 + if is_decimal(self.from) && is_decimal(self.to) { rounded(value, largest) } else { value }
     }
 }
 

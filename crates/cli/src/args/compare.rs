@@ -25,7 +25,7 @@ pub struct CompareArgs {
     #[arg(long, value_name = "JOINT=FROM:TO:COUNT", value_parser = Vary::parse, help_heading = POSE)]
     pub vary: Vec<Vary>,
     /// The figure, or the table, of the ranges.
-    #[arg(long, short, value_name = "FILE.svg|.png|.pdf|.csv|.json", help_heading = OUTPUT)]
+    #[arg(long, short, value_name = "FILE.svg|.png|.pdf|.csv|.xlsx|.json", help_heading = OUTPUT)]
     pub output: Option<String>,
     #[command(flatten)]
     pub table: TableArgs,

@@ -1,8 +1,9 @@
 //! One corner of a vehicle while it is put together: everything by its place at the design position.
 
-use super::drawing::Drawing;
-use super::findings::Spot;
+use super::drawing::{Drawing, rounded};
+use super::findings::{Findings, Spot};
 use crate::Comments;
+use crate::limits::OFF_ITS_LINK;
 use percuss_mechanism::{
     ClosureDescription, ClosureKind, Inertial, JointDescription, JointKind, LinkDescription, MechanismBuilder,
 };
@@ -184,6 +185,82 @@ impl Corner {
         self.closures.push(closure);
     }
 
+    /// Where a name's figures stand, of a link that states none of its own.
+    pub fn stated(&mut self, name: &str, spot: Spot) {
+        self.spots.insert(name.to_owned(), spot);
+    }
+
+    /// Warns of points and centres of mass that look astray.
+    pub fn check(&self, findings: &mut Findings) {
+        self.drawing.check(findings);
+        let moving = self.origins.keys().filter(|name| ![CHASSIS, RACK].contains(&name.as_str()));
+        let mut moving: Vec<&String> = moving.collect();
+        moving.sort();
+        for link in moving {
+            self.check_link(link, findings);
+        }
+    }
+
+    /// Warns of what is far from all joints of its link: seats, joints where there are others, the centre of mass.
+    fn check_link(&self, link: &str, findings: &mut Findings) {
+        let origin = self.origin(link);
+        let (mut joints, mut seats) = (Vec::new(), Vec::new());
+        // A frame that floats, or is the other corner's, is no joint.
+        if self.joints.iter().any(|joint| joint.child == link && joint.kind != JointKind::Floating) {
+            joints.push((link, origin));
+        }
+        for joint in self.joints.iter().filter(|joint| joint.parent == link) {
+            let place = (joint.child.as_str(), origin + joint.origin.translation);
+            let list = if joint.kind == JointKind::Fixed { &mut seats } else { &mut joints };
+            list.push(place);
+        }
+        for closure in &self.closures {
+            for (of, frame) in [
+                (&closure.predecessor, &closure.predecessor_frame),
+                (&closure.successor, &closure.successor_frame),
+            ] {
+                if of == link {
+                    joints.push((closure.name.as_str(), origin + frame.translation));
+                }
+            }
+        }
+        let off = |i: usize| {
+            let others = joints.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, (_, at))| at);
+            distance_from_box(&joints[i].1, others)
+        };
+        // A rod's two ends are told by its length.
+        let astray: Vec<usize> =
+            (0..joints.len()).filter(|i| joints.len() > 2 && off(*i) > 2.0 * OFF_ITS_LINK).collect();
+        let near: Vec<Vector3<f64>> =
+            joints.iter().enumerate().filter(|(i, _)| !astray.contains(i)).map(|(_, (_, at))| *at).collect();
+        let mut warn = |code: &'static str, of: &str, what: String, at: &Vector3<f64>, distance: f64| {
+            let [x, y, z] = [at.x, at.y, at.z].map(rounded);
+            let message = format!(
+                "{what} at ({x}, {y}, {z}) m (x forward, y left, z up) is {} m away from the joints of {link}: left from \
+                 another vehicle, in other axes or another unit?",
+                rounded(distance)
+            );
+            findings.warning(code, &self.spots.get(of).cloned().unwrap_or_default(), message);
+        };
+        for (name, at) in astray.into_iter().map(|i| joints[i]) {
+            warn("astray-point", name, format!("the joint of {name}"), &at, distance_from_box(&at, &near));
+        }
+        for (name, at) in seats {
+            let distance = distance_from_box(&at, &near);
+            if distance > OFF_ITS_LINK {
+                warn("astray-point", name, name.to_owned(), &at, distance);
+            }
+        }
+        let own = self.links.iter().find(|own| own.name == link).and_then(|own| own.inertial.as_ref());
+        if let Some(inertial) = own.filter(|inertial| inertial.mass > 0.0) {
+            let at = origin + inertial.com;
+            let distance = distance_from_box(&at, &near);
+            if distance > OFF_ITS_LINK {
+                warn("astray-com", link, format!("the centre of mass of {link}"), &at, distance);
+            }
+        }
+    }
+
     /// Its mirror image in the vehicle's middle plane, y → −y, with equal coordinates for mirrored motions.
     ///
     /// With S = diag(1, −1, 1): points p → S p, inertias I → S I S, directions of sliding a → S a, axes of turning
@@ -280,6 +357,14 @@ impl Corner {
         }
         builder
     }
+}
+
+/// How far a point lies outside of the box around others, whose edges are along the vehicle's axes; m.
+fn distance_from_box<'p>(at: &Vector3<f64>, others: impl IntoIterator<Item = &'p Vector3<f64>>) -> f64 {
+    let mut others = others.into_iter();
+    let Some(first) = others.next() else { return 0.0 };
+    let (low, high) = others.fold((*first, *first), |(low, high), at| (low.inf(at), high.sup(at)));
+    (at - at.sup(&low).inf(&high)).norm()
 }
 
 /// −x, but 0 for 0.

@@ -137,6 +137,6 @@ impl Drawing {
 }
 
 /// To a tenth of a millimetre.
-fn rounded(x: f64) -> f64 {
+pub(super) fn rounded(x: f64) -> f64 {
     (x * 1e4).round() / 1e4 + 0.0
 }

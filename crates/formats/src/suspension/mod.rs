@@ -231,7 +231,7 @@ fn finish(
     source: &Source,
     options: &ImportOptions,
 ) -> Option<(Mechanism, Comments, Understood)> {
-    corner.drawing.check(findings);
+    corner.check(findings);
     let drawing = corner.drawing.clone();
     let middle_drawing = middle.as_ref().map(|m| m.drawing.clone());
     let (builder, about) = assemble(findings, corner, middle, described);

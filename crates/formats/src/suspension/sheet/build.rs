@@ -53,6 +53,7 @@ pub(in super::super) fn build(sheet: &Sheet, findings: &mut Findings) -> Option<
         let Some((link, _)) = sheet.on.get(section) else { continue };
         if line.is_some() {
             left.seats([seat, chassis_seat], link, [at, above]);
+            left.stated(seat, spot);
         }
     }
     (!findings.has_errors()).then_some(Built { left, middle })

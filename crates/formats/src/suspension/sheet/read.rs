@@ -329,6 +329,17 @@ impl Taking<'_> {
         given: Side,
     ) -> BTreeMap<&'static str, (Vector3<f64>, Spot)> {
         let mut points = BTreeMap::new();
+        if !self.entries.has_section("points") {
+            let message = format!(
+                "no hardpoint is given; the section [points] is expected, or in the head points = \"FILE.csv\", with {} and \
+                 what else percuss template {} has",
+                template.points.iter().take(3).map(|(key, _)| *key).collect::<Vec<_>>().join(", "),
+                template.name
+            );
+            let spot = Spot { path: Some("points".to_owned()), ..Spot::default() };
+            self.findings.error("missing-key", &spot, message);
+            return points;
+        }
         let (mut far, mut far_spot): (f64, Spot) = (0.0, Spot::default());
         for (key, _) in template.points {
             let path = format!("points.{key}");

@@ -3,10 +3,12 @@
 //!
 //! A row is a key and its values: `lower_ball; 5; 720; 180`. What is no point is written with its section,
 //! `lower_arm.mass; 4.2`, and the head's keys as they are, `unit; mm`. A first row that names columns x, y and z, with
-//! a unit where there is one (`x [mm]`), says where these stand; columns of other names are passed over. Rows
+//! a unit where there is one (`x [mm]`), says where these stand; columns of other names are passed over. The unit is that
+//! of the points in it, and of all lengths where none else is said. Rows
 //! that begin with # are comments.
 
 use super::super::findings::{Findings, Spot};
+use super::super::units::LengthUnit;
 use super::entries::{Cell, Entries, number};
 use crate::limits::{LARGEST_WORKBOOK, LARGEST_WORKSHEET, MOST_SHEET_KEYS, WIDEST_TABLE};
 use crate::report::{cut, quoted, shortened};
@@ -155,14 +157,22 @@ fn take(rows: Vec<Row>, entries: &mut Entries, findings: &mut Findings) {
         !comment && !row.cells.iter().all(is_blank)
     });
     let mut columns: Option<[usize; 3]> = None;
+    let mut of_points: Option<(String, Spot)> = None;
     for (i, row) in rows.enumerate() {
         if i == 0
             && let Some((found, unit)) = header(&row.cells)
         {
             columns = Some(found);
-            if let Some(unit) = unit {
-                let spot = Spot { path: Some("unit".to_owned()), ..row.spot };
-                entries.add(findings, "unit".to_owned(), vec![Cell::Text(unit)], spot);
+            let spot = Spot { path: Some("unit".to_owned()), ..row.spot };
+            match unit {
+                Some(unit) if LengthUnit::from_name(&unit).is_none() => {
+                    let message = format!(
+                        "{} is not known; a unit of length (m, cm, mm, in) is expected",
+                        quoted(&unit)
+                    );
+                    findings.error("unknown-word", &spot, message);
+                }
+                unit => of_points = unit.map(|unit| (unit, spot)),
             }
             continue;
         }
@@ -180,6 +190,9 @@ fn take(rows: Vec<Row>, entries: &mut Entries, findings: &mut Findings) {
             Some(columns) => columns.iter().filter_map(|i| row.cells.get(*i).cloned()).collect(),
             None => row.cells.into_iter().skip(1).collect(),
         };
+        if let (Some(_), Some((unit, _))) = (of_columns, &of_points) {
+            values.iter_mut().for_each(|cell| in_unit(cell, unit));
+        }
         while values.last().is_some_and(is_blank) {
             values.pop();
         }
@@ -190,6 +203,19 @@ fn take(rows: Vec<Row>, entries: &mut Entries, findings: &mut Findings) {
         let spot = Spot { path: Some(path), ..row.spot };
         entries.add(findings, key, values, spot);
     }
+    if let Some((unit, spot)) = of_points.filter(|_| !entries.has("unit")) {
+        entries.add(findings, "unit".to_owned(), vec![Cell::Text(unit)], spot);
+    }
+}
+
+/// A number in the unit of its column; one that has its own keeps that.
+fn in_unit(cell: &mut Cell, unit: &str) {
+    let with_unit = match &*cell {
+        Cell::Number(x) => format!("{x} {unit}"),
+        Cell::Text(text) if number(text).is_some() => format!("{} {unit}", text.trim()),
+        Cell::Text(_) | Cell::Switch(_) => return,
+    };
+    *cell = Cell::Text(with_unit);
 }
 
 /// Where x, y and z stand, and their unit, if the row names them.

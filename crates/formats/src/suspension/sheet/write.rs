@@ -1,8 +1,8 @@
 //! Sheets to fill in, and the tables of the documentation.
 
 use super::super::units::{LengthUnit, VehicleAxes};
-use super::catalogue::{BODIES, POINTS, templates, text_of};
-use super::parts::{Shape, Template};
+use super::catalogue::{BAR_PARTS, BODIES, POINTS, templates, text_of};
+use super::parts::{Part, Shape, Template};
 use super::table::HEAD;
 use percuss_spatial::{Matrix3, Vector3};
 use std::fmt::Write;
@@ -36,7 +36,7 @@ pub fn template_sheet(name: &str, options: &TemplateOptions) -> Option<String> {
     sheet.head(template);
     sheet.points(template);
     sheet.bodies(template);
-    sheet.wheel();
+    sheet.wheel(template);
     sheet.attachments(template);
     Some(sheet.out)
 }
@@ -122,7 +122,10 @@ impl Sheet<'_> {
             self.line("");
             self.line(&format!("# {}", text_of(BODIES, body.key)));
             match body.shape {
-                Shape::Rod => self.line("# A slender rod between its points; any body with com and inertia; massless without this section."),
+                Shape::Rod => {
+                    self.line("# A slender rod between its points; any body with com and inertia; massless without this section.");
+                    self.held(template, body.key);
+                }
                 Shape::Optional => self.line("# May be left out."),
                 Shape::Spindle => self.line("# Its centre of mass is the wheel's centre unless com is given; inertia in the wheel's axes, y that of spin."),
                 Shape::Any => {}
@@ -153,13 +156,25 @@ impl Sheet<'_> {
         }
     }
 
-    fn wheel(&mut self) {
+    /// At which end a rod is held about its own line, which matters where it has an inertia about that.
+    fn held(&mut self, template: &Template, rod: &str) {
+        let first = template.parts.iter().chain(&BAR_PARTS).find_map(|part| match part {
+            Part::Rod { link, ends: [(_, first), _] } if *link == rod => Some(*first),
+            _ => None,
+        });
+        if let Some(first) = first {
+            self.line(&format!("# Its universal joint is at {first}, its ball joint at the other end."));
+        }
+    }
+
+    fn wheel(&mut self, template: &Template) {
         self.line("");
         self.line("# the wheel with its tyre; inertia about its centre, y along the axis of spin");
         self.line("[wheel]");
         self.key("mass", "18.5", "");
         self.key("inertia", "[0.62, 1.05, 0.62]", "");
-        let radius = self.length(300.0);
+        let centre = template.points.iter().find(|(key, _)| *key == "wheel_centre");
+        let radius = self.length(centre.map_or(300.0, |(_, at)| at[2]));
         self.key("radius", &radius, "its lowest point is named contact_patch");
         self.key("camber", "\"0 deg\"", "positive: the top leans outward");
         self.key("toe", "\"0 deg\"", "positive: toe-in");
