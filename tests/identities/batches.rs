@@ -489,7 +489,7 @@ fn wrong_shapes_are_errors_and_a_watcher_stops_it() {
         }
     }
     // Columns of different lengths, and fewer numbers than they ask for.
-    let (mut batch, rows) = (batch, BatchPositions::Rows { values: &values[..12], stride: 6 });
+    let rows = BatchPositions::Rows { values: &values[..12], stride: 6 };
     let uneven = batch.run_columns(rows, &mut [0.0; 2], &mut [0.0; 3], |_, _| {});
     assert_eq!(uneven, Err(BatchError::Columns { masses: 2, errors: 3 }));
     let short = batch.run_columns(rows, &mut [0.0; 3], &mut [0.0; 3], |_, _| {});

@@ -45,7 +45,7 @@ impl TurnedLine {
             Field::AlongLine.hint(names),
         );
         let finding = Finding::warning("line-turned", Subject::Link(contact.link), message);
-        Some(Self { contact: contact.clone(), toward: (link, point), first, finding })
+        Some(Self { contact: *contact, toward: (link, point), first, finding })
     }
 
     /// What is to be said at a pose.
