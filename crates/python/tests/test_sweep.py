@@ -181,7 +181,7 @@ def test_outcomes_in_arrays() -> None:
         ([[0.0]], "yaw", "joints is 'yaw'; expected a list of names"),
         (np.zeros((6, 9)), None, r"q has shape \(6, 9\).*of its transpose, q.T, there are as many"),
         ("0,0,0,0,0,0", None, "q is the text '0,0,0,0,0,0'; expected numbers"),
-        (np.ma.masked_array(np.zeros((2, 6)), mask=np.eye(2, 6)), None, "q has masked entries"),
+        (np.ma.masked_array(np.zeros((2, 6)), mask=np.eye(2, 6, dtype=bool)), None, "q has masked entries"),
     ],
 )
 def test_arrays_that_mean_nothing(q: object, joints: list[str] | str | None, words: str) -> None:
