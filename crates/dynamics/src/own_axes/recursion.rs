@@ -17,6 +17,7 @@ use crate::answered::Columns;
 use crate::tolerances::UNIT_QUATERNION;
 use percuss_spatial::lanes::{LARGEST_ANGLE, Lanes};
 use percuss_spatial::{PackedInertia, PackedWrench, rotate_back, splat, turn_vector};
+use std::ops::Range;
 
 /// The struck point and what wrench it gives, in the frames of the plan.
 #[derive(Clone, Debug)]
@@ -119,6 +120,10 @@ fn place<T: Lanes>(
             continue;
         }
         let step = &placed.step;
+        if placed.number == selection.top {
+            // What moves all the rest may leave m̄ as it is, but has to be a number.
+            beyond += off_numbers::<T>(columns, step.positions(), first);
+        }
         let slot = &mut room[placed.number * ROOM * T::WIDTH..][..ROOM * T::WIDTH];
         match step.motion {
             Motion::Turn { q } => {
@@ -164,6 +169,18 @@ fn place<T: Lanes>(
     }
     // An angle that is no number has no sine either.
     (beyond + over(angles, LARGEST_ANGLE), travels)
+}
+
+/// Zero where all positions are finite, else NaN.
+#[inline(always)]
+fn off_numbers<T: Lanes>(columns: Columns<'_>, positions: Range<usize>, first: usize) -> T {
+    let (mut q, mut sum) = (positions.start, T::zero());
+    while q < positions.end {
+        let position: T = columns.at(q, first);
+        sum += position - position;
+        q += 1;
+    }
+    sum
 }
 
 /// How far a quaternion is from a unit one, beyond rounding.
