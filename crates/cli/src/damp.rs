@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::limits;
 use crate::output::{is_input, write_file};
 use crate::report::{write_diagnostics, write_json, write_out};
-use crate::text::{Table, number};
+use crate::text::{Table, bound, number};
 use crate::wrap::{fact, hanging};
 use percuss_render::{Figure, Mark, Panel, Series, Sheet, Style};
 use percuss_study::contact::exports::{Measurement, StopMotion, Tool};
@@ -227,7 +227,8 @@ pub fn exported(name: &str, export: &ExportRecord) -> String {
         line(name, format!("{value} {unit}").trim_end());
     }
     if let Some(step) = export.time_step {
-        let bound = export.error_bound.map_or_else(String::new, |b| format!(", restitution within {b:.0e}"));
+        let bound =
+            export.error_bound.map_or_else(String::new, |b| format!(", restitution within {}", bound(b)));
         line("time step", &format!("{} s{bound}", number(step)));
     }
     line("two sides", export.combines);

@@ -8,7 +8,7 @@ use crate::output::{Output, is_input, may_be_written};
 use crate::report::{note, write_diagnostics, write_json, write_out};
 use crate::sweep::use_threads;
 use crate::table_style::TableStyle;
-use crate::text::{Table, number, short, triple};
+use crate::text::{Table, bound, number, short, triple};
 use crate::wrap::{fact, hanging};
 use percuss_study::{
     DirectionMass, Extreme, LinkMap, MapAnswer, MapReport, Model, PointMapReport, StudyMapQuestion, map,
@@ -147,7 +147,7 @@ fn text(answer: &MapAnswer) -> String {
     out += &fact("base", report.conditions.base);
     let worst = report.links.iter().filter_map(|l| l.worst_relative_error).reduce(f64::max);
     if let Some(worst) = worst {
-        out += &fact("relative errors", &format!("below {worst:.0e}"));
+        out += &fact("relative errors", &format!("below {}", bound(worst)));
     }
     out + "\nNot included: friction, compliance of the links, several impacts at once.\n\
            See docs/LIMITS.md and docs/MAPS.md.\n"

@@ -7,7 +7,7 @@ use crate::explanation::{explanation, motion_ratio};
 use crate::failure::Failure;
 use crate::limits;
 use crate::report::{note, write_diagnostics, write_json, write_out};
-use crate::text::{bar, number, triple};
+use crate::text::{bar, bound, number, triple};
 use crate::wrap::{self, fact};
 use percuss_study::{
     DampingQuestion, EstimateRecord, MassQuestion, MassReport, Model, Sampling, Status, StudyMass, Tolerance,
@@ -313,7 +313,7 @@ fn freedom(report: &MassReport) -> String {
 fn uncertainty(report: &MassReport) -> String {
     match (report.effective_mass_error, report.effective_mass) {
         (Some(error), Some(m)) => {
-            format!(", relative error below {:.0e}", (error / m).max(f64::EPSILON))
+            format!(", relative error below {}", bound((error / m).max(f64::EPSILON)))
         }
         _ => String::new(),
     }

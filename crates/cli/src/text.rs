@@ -31,6 +31,20 @@ pub fn short(x: f64) -> String {
     number(rounded)
 }
 
+/// One digit, rounded up: of what is not exceeded.
+pub fn bound(x: f64) -> String {
+    let nearest = format!("{x:.0e}");
+    let above = || {
+        let (digit, exponent) = nearest.split_once('e')?;
+        let above: f64 = format!("{}e{exponent}", digit.parse::<u8>().ok()? + 1).parse().ok()?;
+        Some(format!("{above:.0e}"))
+    };
+    match nearest.parse::<f64>() {
+        Ok(shown) if shown < x => above().unwrap_or(nearest),
+        _ => nearest,
+    }
+}
+
 fn trimmed(digits: &str) -> String {
     if digits.contains('.') {
         digits.trim_end_matches('0').trim_end_matches('.').into()
@@ -139,6 +153,22 @@ pub fn word(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_bound_is_never_less_than_what_it_bounds() {
+        let cases =
+            [(1e-13, "1e-13"), (1.4e-13, "2e-13"), (1.6e-13, "2e-13"), (9.4e-14, "1e-13"), (0.0, "0e0")];
+        for (x, shown) in cases {
+            assert_eq!(bound(x), shown);
+        }
+        for k in -3000..3000 {
+            let x = (0.1 * f64::from(k)).exp();
+            let shown: f64 = bound(x).parse().expect("a number");
+            assert!(x <= shown && shown <= 2.0 * x, "{x} by {shown}");
+        }
+        assert_eq!(bound(f64::NAN), "NaN");
+        assert_eq!(bound(f64::INFINITY), "inf");
+    }
 
     #[test]
     fn numbers_are_short_and_keep_nine_digits() {
