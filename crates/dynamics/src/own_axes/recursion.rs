@@ -177,7 +177,7 @@ fn off_numbers<T: Lanes>(columns: Columns<'_>, positions: Range<usize>, first: u
     let (mut q, mut sum) = (positions.start, T::zero());
     while q < positions.end {
         let position: T = columns.at(q, first);
-        sum += position - position;
+        sum = position.mul_add(T::zero(), sum);
         q += 1;
     }
     sum

@@ -192,17 +192,18 @@ impl Corner {
 
     /// Warns of points and centres of mass that look astray.
     pub fn check(&self, findings: &mut Findings) {
-        self.drawing.check(findings);
+        let is_odd = self.drawing.check(findings);
         let moving = self.origins.keys().filter(|name| ![CHASSIS, RACK].contains(&name.as_str()));
         let mut moving: Vec<&String> = moving.collect();
         moving.sort();
         for link in moving {
-            self.check_link(link, findings);
+            self.check_link(link, is_odd, findings);
         }
     }
 
-    /// Warns of what is far from all joints of its link: seats, joints where there are others, the centre of mass.
-    fn check_link(&self, link: &str, findings: &mut Findings) {
+    /// Warns of what is far from all joints of its link: seats, the centre of mass, and joints where there are others, unless
+    /// what is odd was said of the points that they stand at.
+    fn check_link(&self, link: &str, is_odd: bool, findings: &mut Findings) {
         let origin = self.origin(link);
         let (mut joints, mut seats) = (Vec::new(), Vec::new());
         // A frame that floats, or is the other corner's, is no joint.
@@ -242,7 +243,7 @@ impl Corner {
             );
             findings.warning(code, &self.spots.get(of).cloned().unwrap_or_default(), message);
         };
-        for (name, at) in astray.into_iter().map(|i| joints[i]) {
+        for (name, at) in astray.into_iter().filter(|_| !is_odd).map(|i| joints[i]) {
             warn("astray-point", name, format!("the joint of {name}"), &at, distance_from_box(&at, &near));
         }
         for (name, at) in seats {

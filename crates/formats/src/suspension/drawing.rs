@@ -77,9 +77,10 @@ impl Drawing {
         self.points.push((name.to_owned(), at, spot.clone()));
     }
 
-    /// Warns of points on the other side of the vehicle, and of lengths out of proportion.
-    pub fn check(&self, findings: &mut Findings) {
-        let Some(wheel) = self.wheels.first() else { return };
+    /// Warns of points on the other side of the vehicle, and of lengths out of proportion. Whether there are any.
+    pub fn check(&self, findings: &mut Findings) -> bool {
+        let Some(wheel) = self.wheels.first() else { return false };
+        let mut is_odd = false;
         let side = wheel.centre[1].signum();
         let astray = |at: &Vector3<f64>| at.y * side < -WRONG_SIDE;
         // Where most are, the wheel is on the wrong side, which is said elsewhere.
@@ -95,11 +96,12 @@ impl Drawing {
                     self.lengths()
                 );
                 findings.warning("mirrored-point", spot, message);
+                is_odd = true;
             }
         }
         let mut sorted: Vec<f64> = self.arms.iter().map(|arm| arm.length).collect();
         sorted.sort_by(f64::total_cmp);
-        let Some(median) = sorted.get(sorted.len() / 2) else { return };
+        let Some(median) = sorted.get(sorted.len() / 2) else { return is_odd };
         for arm in &self.arms {
             let long = arm.length > ASTRAY * median && arm.length > LEAST_ASTRAY && self.arms.len() > 2;
             if long || arm.length > LONGEST_ARM {
@@ -110,8 +112,10 @@ impl Drawing {
                     self.lengths()
                 );
                 findings.warning("astray-point", &arm.spot, message);
+                is_odd = true;
             }
         }
+        is_odd
     }
 
     fn lengths(&self) -> String {
