@@ -129,10 +129,17 @@ impl Workspace {
         Ok(EffectiveMass::Finite(clear.mass))
     }
 
+    /// The first position that is not finite, of those that are read.
+    fn not_finite(&self) -> Option<usize> {
+        let (q, bodies) = (&self.kinematics.q, &self.assembly.model().bodies);
+        let is_mimic = |at: usize| bodies.iter().any(|body| body.mimic.is_some() && body.q.start == at);
+        (0..q.len()).find(|&at| !q[at].is_finite() && !is_mimic(at))
+    }
+
     /// The same, whatever lanes may know.
     pub(crate) fn by_recursion(&mut self, contact: &Contact) -> Result<EffectiveMass, ResponseError> {
         // Lanes are sure of no answer that comes of these; the recursion would find nothing that moves.
-        if let Some(index) = self.kinematics.q.iter().position(|q| !q.is_finite()) {
+        if let Some(index) = self.not_finite() {
             return Err(ResponseError::NotFinite { index, value: self.kinematics.q[index] });
         }
         self.has_room = true;
