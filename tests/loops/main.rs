@@ -2,6 +2,7 @@
 
 mod against_the_oracle;
 mod assembly;
+mod branches;
 mod closed_forms;
 mod kinds;
 mod many_freedoms;

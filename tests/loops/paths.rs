@@ -4,7 +4,10 @@ use percuss_dynamics::{
     Conditions, Contact, Direction, EffectiveMass, PathAnswer, Pose, RouteChoice, System,
 };
 use percuss_formats::{LoadOptions, Source, load};
-use percuss_mechanism::JointId;
+use percuss_mechanism::{Inertial, JointDescription, JointId, JointKind, LinkDescription};
+use percuss_oracle::alter;
+use percuss_oracle::linkage::Linkage;
+use percuss_tests::rig::Rig;
 use percuss_tests::subjects::{Subject, of_linkages};
 
 /// What was seen of a family.
@@ -145,4 +148,35 @@ fn rows_in_lanes_stand_where_the_general_way_leads() {
     }
     println!("{seen:?}");
     assert!(seen.linkages > 60 && seen.in_lanes * 2 > seen.rows, "{seen:?}");
+}
+
+/// Joints that follow a driver or a follower by a mimic are where their master puts them, in every row.
+#[test]
+fn mimics_follow_in_lanes() {
+    let four_bar = percuss_oracle::linkage::branching(1).linkage;
+    let (mut links, mut joints) = alter::describe(&four_bar.mechanism);
+    let (closures, couplings) = alter::describe_loops(&four_bar.mechanism);
+    for (name, parent, master, factor, offset) in
+        [("needle", "crank", "crank_hinge", 2.0, 0.3), ("pointer", "rocker", "rocker_hinge", -0.7, 0.1)]
+    {
+        links.push(LinkDescription::new(name, Inertial::diagonal(0.3, [0.1, 0.02, 0.0], [1e-3, 2e-3, 2e-3])));
+        let joint = JointDescription::new(format!("{name}_hinge"), JointKind::Continuous, parent, name);
+        joints.push(joint.at([0.05, 0.0, 0.0]).axis([0.0, 0.0, 1.0]).mimic(master, factor, offset));
+    }
+    let mechanism = alter::build_with_loops("mimics", links, joints, closures, couplings);
+    let rig = Rig::new(Linkage { mechanism, ..four_bar });
+    let start = rig.closed();
+    let value = rig.start_drivers()[0];
+    let contact = rig.contact("rocker", [0.1, 0.05, 0.0], [0.3, 0.8, 0.1].into());
+    let path = start.driven_path(&contact, &[rig.joint("crank_hinge")]).expect("a contact");
+    let mut path = path.expect("a linkage in lanes");
+    let rows: Vec<f64> = (0..40).map(|k| value + 1e-3 * f64::from(k)).collect();
+    let (mut answers, mut positions) = (Vec::new(), Vec::new());
+    assert_eq!(path.follow(&rows, &mut answers, &mut positions), rows.len());
+    for (row, own) in rows.iter().zip(positions.chunks(start.positions().len())) {
+        let pose = rig.reach(&start, &[*row]);
+        for (got, wanted) in own.iter().zip(pose.positions()) {
+            assert!((got - wanted).abs() < 1e-11, "{row}: {own:?} for {:?}", pose.positions());
+        }
+    }
 }

@@ -200,6 +200,21 @@ pub(crate) const BRANCH_STEPS: usize = 100_000;
 pub(crate) const FEWEST_BRANCH_STEPS: usize = 500;
 /// The tangent turns by less than about 25° in a step.
 pub(crate) const STRAIGHT: f64 = 0.9;
+/// Largest change of the linearised curve, ‖X₀⁺(X − X₀)‖, from one point of a branch to the next: at 1 another branch may cross.
+pub(crate) const CHART_DRIFT: f64 = 0.5;
+/// Square of a step, as a part of the size, over the least singular value of X: terms of the second order of that change.
+pub(crate) const TURNING_DRIFT: f64 = 0.5;
+/// Power iterations for norms of these changes: a tenth of the norm suffices.
+pub(crate) const DRIFT_ITERATIONS: usize = 4;
+/// Least slope of the drivers in the middle of a step, as a part of that at its ends: 1 along a straight branch.
+pub(crate) const LEAST_MIDDLE_SLOPE: f64 = 0.25;
+/// Square of the least singular value at its minimum beside a point, relative: below, branches cross; branches that come within the
+/// root of the closing tolerance of each other leave 0.01 or more.
+pub(crate) const SAME_CROSSING: f64 = 1e-3;
+/// Length of a step over a crossing, as a multiple of the distance at which branches are one crossing.
+pub(crate) const LEAP_OVER: f64 = 1e3;
+/// How many lengths of such a step are tried, each an eighth of the last.
+pub(crate) const LEAP_LENGTHS: usize = 3;
 /// Followers' Jacobians whose least pivot is below this part of its size at the generic pose are near-singular.
 pub(crate) const NEARLY_SINGULAR: f64 = 1e-2;
 /// Places on each side of a crossing from which a pose there is interpolated.
@@ -320,6 +335,13 @@ pub(crate) const CLOSED_IN_LANES: f64 = 4e-15;
 pub(crate) const CLOSING_PASSES: usize = 5;
 /// How far what depends may go beyond its prediction, as a part of the step.
 pub(crate) const SMALL_CORRECTION: f64 = 0.25;
+/// Largest change of the followers' Jacobian, ‖A₀⁻¹(A − A₀)‖, over rows that are followed from one pose without another check: at 1 a
+/// second branch may come near. The followers' rates change by a half at most.
+pub(crate) const FOLLOWERS_DRIFT: f64 = 1.0 / 3.0;
+/// How much longer a branch may be than its tangent over such rows: rates g grow to (g + 1/3)·3/2 at most.
+pub(crate) const LONGEST_FOLLOWED: f64 = 2.0;
+/// Step of the differences that give ‖A′‖, as a part of the size: leaves five digits.
+pub(crate) const CURVATURE_STEP: f64 = 1e-5;
 /// By how many times as much as its loops are open, over its least length, the rows of a linkage are taken to be off.
 pub(crate) const OPEN_ROUNDINGS: f64 = 8.0;
 /// Roundings of a place, over the length that counts there, by which an arm between two places is off.

@@ -49,6 +49,22 @@ pub enum AssemblyError {
         /// How far they came.
         reached: Vec<(String, f64)>,
     },
+    /// Two branches come so close to each other on the path that they cannot be told apart.
+    #[error(
+        "branch uncertain: on the way to {} two assembly modes of {} meet within the closing tolerance at {}, and which of them \
+         goes on is not known; start on the other side with a guess",
+        positions(requested),
+        quoted(loops),
+        positions(reached)
+    )]
+    BranchUncertain {
+        /// Driving joints and the positions asked for.
+        requested: Vec<(String, f64)>,
+        /// The drivers where the branches meet.
+        reached: Vec<(String, f64)>,
+        /// The loops of the group.
+        loops: Vec<String>,
+    },
     /// A pose of another system.
     #[error("the pose was made by another system; ask it for a pose of its own")]
     ForeignPose,
@@ -117,6 +133,7 @@ impl AssemblyError {
         match self {
             AssemblyError::DoesNotClose { .. }
             | AssemblyError::TooFar { .. }
+            | AssemblyError::BranchUncertain { .. }
             | AssemblyError::Dependent { .. } => true,
             AssemblyError::Unreachable { .. }
             | AssemblyError::ForeignPose

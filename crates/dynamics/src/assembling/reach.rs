@@ -335,6 +335,9 @@ impl Closer<'_> {
         if arrival.too_far {
             return Err(self.too_far(group, drivers));
         }
+        if arrival.uncertain {
+            return Err(self.uncertain(group, drivers));
+        }
         if !arrival.there {
             return Err(self.unreachable(group, divided, drivers));
         }
@@ -478,6 +481,15 @@ impl Closer<'_> {
                 .map(|d| (name(d.joint), self.kinematics.q[d.q]))
                 .chain(several.iter().flat_map(reached))
                 .collect(),
+        }
+    }
+
+    fn uncertain(&self, group: &Group, drivers: &[Driver]) -> AssemblyError {
+        let name = |id: JointId| self.model.joint_name(id).to_owned();
+        AssemblyError::BranchUncertain {
+            requested: drivers.iter().map(|d| (name(d.joint), d.requested)).collect(),
+            reached: drivers.iter().map(|d| (name(d.joint), self.kinematics.q[d.q])).collect(),
+            loops: self.model.group_names(group),
         }
     }
 

@@ -4,12 +4,16 @@
 //! points like others: found, and found exactly. Source: Allgower and Georg, Introduction to Numerical Continuation
 //! Methods, 2003, ch. 2, 6 and 8; a step is corrected by the shortest motion (their Moore–Penrose correction).
 
-use super::correct::{Directions, Linearised, norm};
+use super::chart::Chart;
+use super::crossing::Leap;
+use super::correct::{Correction, Directions, Linearised, norm};
 use crate::kinematics::Kinematics;
 use crate::linear::dense::dot;
+use crate::linear::jacobian::Jacobian;
 use crate::model::{Group, Model};
 use crate::tolerances::{
-    BRANCH_STEPS, FEWEST_BRANCH_STEPS, LONGEST_BRANCH_STEP, NEARLY_SINGULAR, SHORTEST_BRANCH_STEP, STRAIGHT,
+    BRANCH_STEPS, FEWEST_BRANCH_STEPS, LEAST_MIDDLE_SLOPE, LONGEST_BRANCH_STEP, NEARLY_SINGULAR,
+    SHORTEST_BRANCH_STEP, STRAIGHT,
 };
 
 /// A straight path of a group's drivers.
@@ -38,17 +42,23 @@ pub(crate) struct Arrival {
     pub anchor: Option<Vec<f64>>,
     /// Whether the path was too long, and nothing but that stopped it.
     pub too_far: bool,
+    /// True if branches come so close to each other here that they cannot be told apart.
+    pub uncertain: bool,
     /// The group where it stands now, where that is known.
     pub here: Option<Linearised>,
 }
 
 impl Arrival {
     fn at_end(anchor: Option<Vec<f64>>) -> Self {
-        Self { there: true, anchor, too_far: false, here: None }
+        Self { there: true, anchor, too_far: false, uncertain: false, here: None }
     }
 
     fn short_of_end(anchor: Option<Vec<f64>>, too_far: bool) -> Self {
-        Self { there: false, anchor, too_far, here: None }
+        Self { there: false, anchor, too_far, uncertain: false, here: None }
+    }
+
+    fn uncertain() -> Self {
+        Self { uncertain: true, ..Self::short_of_end(None, false) }
     }
 }
 
@@ -60,6 +70,36 @@ pub(super) struct Point {
     pub gone: f64,
     /// Unit tangent over the moves: followers, then the drivers' path.
     pub tangent: Vec<f64>,
+    /// A over the moves.
+    pub jacobian: Jacobian,
+}
+
+/// What shows that a step stays on its branch.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Trust {
+    /// No other branch comes near.
+    Chart,
+    /// Branches cross within the closing tolerance, and each goes straight on.
+    Crossing,
+}
+
+/// How a direct step to the target ended.
+pub(super) enum Landing {
+    /// `singular`: the followers' Jacobian is nearly singular there.
+    Landed { singular: bool, here: Linearised },
+    /// The target may lie on another branch, which comes near in between.
+    Doubtful,
+    /// The correction did not converge, or was too long.
+    Failed,
+}
+
+/// How a step along the branch ended.
+pub(super) enum Step {
+    Taken(Point),
+    /// The other end may lie on another branch, which comes near in between.
+    Doubtful,
+    /// The correction did not converge, or was too long.
+    Failed,
 }
 
 impl<'a> DriverPath<'a> {
@@ -81,7 +121,7 @@ impl<'a> DriverPath<'a> {
         Some(Self { model, group, unknown, direction, length, tolerance, conditioning, ends })
     }
 
-    fn directions(&self) -> Directions<'_> {
+    pub(super) fn directions(&self) -> Directions<'_> {
         Directions { unknown: self.unknown, path: Some(&self.direction) }
     }
 
@@ -89,7 +129,7 @@ impl<'a> DriverPath<'a> {
         Directions { unknown: self.unknown, path: None }
     }
 
-    fn size(&self) -> f64 {
+    pub(super) fn size(&self) -> f64 {
         self.group.size
     }
 
@@ -103,10 +143,17 @@ impl<'a> DriverPath<'a> {
     pub(super) fn start(&self, kinematics: &Kinematics<f64>) -> Point {
         let mut ahead = vec![0.0; self.unknown.len() + 1];
         ahead[self.unknown.len()] = 1.0;
-        Point { q: kinematics.q.clone(), gone: 0.0, tangent: self.tangent(kinematics, &ahead) }
+        self.point(kinematics, 0.0, &ahead)
     }
 
-    fn stand(&self, kinematics: &mut Kinematics<f64>, q: &[f64]) {
+    /// The curve's point where the group is now; `before`: a vector that its tangent points along.
+    pub(super) fn point(&self, kinematics: &Kinematics<f64>, gone: f64, before: &[f64]) -> Point {
+        let here = Linearised::at(self.model, kinematics, self.group);
+        let jacobian = self.directions().jacobian(self.group, &here.rows);
+        Point { q: kinematics.q.clone(), gone, tangent: self.tangent(&jacobian, before), jacobian }
+    }
+
+    pub(super) fn stand(&self, kinematics: &mut Kinematics<f64>, q: &[f64]) {
         if kinematics.q != q {
             kinematics.q.copy_from_slice(q);
             self.model.refill_group(kinematics, self.group);
@@ -137,20 +184,46 @@ impl<'a> DriverPath<'a> {
         let mut too_far = true;
         for _ in 0..steps {
             let left = (target - here.gone).abs();
+            // Crossing branches ahead: shorter steps do not separate them.
+            let mut crossing = None;
+            let mut doubtful = false;
             if slope(&here) > 0.0 && left <= step * slope(&here) {
-                if let Some((singular, landed)) = self.land(kinematics, &here, target) {
-                    if !singular {
-                        return Arrival { here: Some(landed), ..Arrival::at_end(None) };
+                match self.land(kinematics, &here, target, Trust::Chart) {
+                    Landing::Landed { singular, here: landed } => {
+                        return self.landed(kinematics, here, target, singular, landed, careful);
                     }
-                    if !careful {
-                        return Arrival::at_end(Some(here.q));
-                    }
-                    let anchor = self.across(kinematics, &here, target).unwrap_or(here.q);
-                    return Arrival::at_end(Some(anchor));
+                    Landing::Doubtful => doubtful = true,
+                    Landing::Failed => {}
                 }
                 self.stand(kinematics, &here.q);
             }
-            let next = self.step(kinematics, &here, step);
+            let next = if doubtful { Step::Doubtful } else { self.step(kinematics, &here, step, Trust::Chart) };
+            let next = match next {
+                Step::Taken(next) => Some(next),
+                Step::Doubtful if step <= self.narrowest() => {
+                    crossing = Some(self.crosses_near(kinematics, &here));
+                    None
+                }
+                Step::Doubtful | Step::Failed => None,
+            };
+            match crossing {
+                Some(false) => {
+                    self.stand(kinematics, &here.q);
+                    return Arrival::uncertain();
+                }
+                Some(true) => match self.leap(kinematics, &here, target) {
+                    Leap::Beyond(next, length) => {
+                        here = next;
+                        step = 0.5 * length;
+                        continue;
+                    }
+                    Leap::Target(landed) => {
+                        return self.landed(kinematics, here, target, true, landed, careful);
+                    }
+                    Leap::None => {}
+                },
+                None => {}
+            }
             match next {
                 Some(next) if slope(&next) <= 0.0 => {
                     let limit = self.limit(kinematics, &here, step, &slope);
@@ -185,12 +258,38 @@ impl<'a> DriverPath<'a> {
         Arrival::short_of_end(None, too_far)
     }
 
-    fn longest(&self, tangent: &[f64]) -> f64 {
+    /// The end of the path, where the group is now.
+    fn landed(
+        &self,
+        kinematics: &mut Kinematics<f64>,
+        here: Point,
+        target: f64,
+        singular: bool,
+        landed: Linearised,
+        careful: bool,
+    ) -> Arrival {
+        if !singular {
+            return Arrival { here: Some(landed), ..Arrival::at_end(None) };
+        }
+        if !careful {
+            return Arrival::at_end(Some(here.q));
+        }
+        let anchor = self.across(kinematics, &here, target).unwrap_or(here.q);
+        Arrival::at_end(Some(anchor))
+    }
+
+    pub(super) fn longest(&self, tangent: &[f64]) -> f64 {
         LONGEST_BRANCH_STEP * self.size() / tangent.iter().fold(0.0, |most: f64, t| most.max(t.abs()))
     }
 
-    /// A step along the tangent, corrected by the shortest motion; none where it would leave the branch.
-    fn step(&self, kinematics: &mut Kinematics<f64>, here: &Point, step: f64) -> Option<Point> {
+    /// A step along the tangent, corrected by the shortest motion.
+    pub(super) fn step(
+        &self,
+        kinematics: &mut Kinematics<f64>,
+        here: &Point,
+        step: f64,
+        trust: Trust,
+    ) -> Step {
         self.stand(kinematics, &here.q);
         let directions = self.directions();
         self.model.advance_group(
@@ -200,22 +299,58 @@ impl<'a> DriverPath<'a> {
         );
         let correction = self.model.correct(kinematics, self.group, directions, self.tolerance);
         if !correction.closed || correction.moved > 0.25 * step + self.tolerance {
-            return None;
+            return Step::Failed;
         }
-        let tangent = self.tangent_at(&correction.here, &here.tangent);
         let gone = here.gone + step * here.tangent[self.unknown.len()] + correction.along;
-        let point = Point { q: kinematics.q.clone(), gone, tangent };
-        (dot(&point.tangent, &here.tangent) > STRAIGHT).then_some(point)
+        let point = self.corrected(kinematics, &correction, gone, &here.tangent);
+        if dot(&point.tangent, &here.tangent) <= STRAIGHT {
+            return Step::Failed;
+        }
+        match trust == Trust::Crossing || self.is_same_branch(here, &point, step) {
+            true => Step::Taken(point),
+            false => Step::Doubtful,
+        }
     }
 
-    /// Goes from a point straight to the target, followers alone being corrected. None where that is not the branch;
-    /// else whether the end is nearly singular, and the group there.
-    fn land(
+    fn corrected(
         &self,
-        kinematics: &mut Kinematics<f64>,
-        here: &Point,
-        target: f64,
-    ) -> Option<(bool, Linearised)> {
+        kinematics: &Kinematics<f64>,
+        correction: &Correction,
+        gone: f64,
+        before: &[f64],
+    ) -> Point {
+        let jacobian = self.directions().jacobian(self.group, &correction.here.rows);
+        Point { q: kinematics.q.clone(), gone, tangent: self.tangent(&jacobian, before), jacobian }
+    }
+
+    /// True if no other branch comes between two points that are about `step` metres apart.
+    fn is_same_branch(&self, here: &Point, point: &Point, step: f64) -> bool {
+        let chart = Chart::of(&here.jacobian, &here.tangent, self.tolerance / self.size());
+        // At a crossing itself there is no chart: all that is known of its branches is that they go straight on.
+        chart.is_none_or(|chart| chart.reaches(&point.jacobian, &point.tangent, step, self.size()))
+            && self.keeps_direction(here, point)
+    }
+
+    /// True if the drivers do not turn back twice between two points where they go the same way. The slope in the middle of a
+    /// cubic through both points is 3/2 of the mean slope less a quarter of the slopes at the ends.
+    fn keeps_direction(&self, here: &Point, point: &Point) -> bool {
+        let n = self.unknown.len();
+        let (first, last) = (here.tangent[n], point.tangent[n]);
+        let ahead = (point.gone - here.gone).signum();
+        let least = f64::min(ahead * first, ahead * last);
+        if least <= 0.0 {
+            return true;
+        }
+        let gone = point.gone - here.gone;
+        let before = self.model.group_positions(self.group, &here.q);
+        let moved = self.model.displacement_from(self.group, &before, &point.q);
+        let square: f64 = self.unknown.iter().map(|&at| (moved[at] * self.group.lengths[at]).powi(2)).sum();
+        let mean = gone.abs() / (square + gone * gone).sqrt();
+        1.5 * mean - 0.25 * ahead * (first + last) >= LEAST_MIDDLE_SLOPE * least
+    }
+
+    /// Goes from a point straight to the target, followers alone being corrected.
+    pub(super) fn land(&self, kinematics: &mut Kinematics<f64>, here: &Point, target: f64, trust: Trust) -> Landing {
         self.stand(kinematics, &here.q);
         let n = self.unknown.len();
         let step = (target - here.gone) / here.tangent[n];
@@ -229,11 +364,22 @@ impl<'a> DriverPath<'a> {
         // A root that is nearly double is found to the root of the tolerance.
         let blurred = (self.tolerance * self.size()).sqrt();
         if !correction.closed || correction.moved > 0.25 * step.abs() + blurred {
-            return None;
+            return Landing::Failed;
         }
         let singular = self.is_narrow(&correction.here);
-        let straight = || dot(&self.tangent_at(&correction.here, &here.tangent), &here.tangent) > STRAIGHT;
-        (singular || straight()).then_some((singular, correction.here))
+        let point = self.corrected(kinematics, &correction, target, &here.tangent);
+        let slopes = here.tangent[n] * point.tangent[n];
+        let straight = dot(&point.tangent, &here.tangent) > STRAIGHT;
+        if trust == Trust::Chart && slopes <= 0.0 {
+            return Landing::Failed;
+        }
+        if trust == Trust::Chart && !(straight && self.is_same_branch(here, &point, step.abs())) {
+            return if straight { Landing::Doubtful } else { Landing::Failed };
+        }
+        match singular || straight {
+            true => Landing::Landed { singular, here: correction.here },
+            false => Landing::Failed,
+        }
     }
 
     /// Whether the followers' Jacobian is nearly singular here.
@@ -243,12 +389,7 @@ impl<'a> DriverPath<'a> {
 
     /// The unit tangent of the curve that is nearest to `before`: J t = 0, `before`·t > 0. Where branches cross, the part
     /// of `before` in the plane of their tangents.
-    pub(super) fn tangent(&self, kinematics: &Kinematics<f64>, before: &[f64]) -> Vec<f64> {
-        self.tangent_at(&Linearised::at(self.model, kinematics, self.group), before)
-    }
-
-    fn tangent_at(&self, here: &Linearised, before: &[f64]) -> Vec<f64> {
-        let jacobian = self.directions().jacobian(self.group, &here.rows);
+    fn tangent(&self, jacobian: &Jacobian, before: &[f64]) -> Vec<f64> {
         let mut t = jacobian.projected(before, self.tolerance / self.size());
         let length = norm(&t);
         t.iter_mut().for_each(|t| *t /= length);
@@ -264,13 +405,17 @@ impl<'a> DriverPath<'a> {
         step: f64,
         slope: &dyn Fn(&Point) -> f64,
     ) -> Option<Point> {
-        let far = self.step(kinematics, here, step)?;
+        let mut taken = |at: f64| match self.step(kinematics, here, at, Trust::Chart) {
+            Step::Taken(point) => Some(point),
+            Step::Doubtful | Step::Failed => None,
+        };
+        let far = taken(step)?;
         let (mut low, mut high) = ((0.0, slope(here)), (step, slope(&far)));
         let mut best = far;
         let mut side = 0;
         for _ in 0..80 {
             let at = (low.0 * high.1 - high.0 * low.1) / (high.1 - low.1);
-            let point = self.step(kinematics, here, at)?;
+            let point = taken(at)?;
             let value = slope(&point);
             let done = value.abs() < 1e-13 || (high.0 - low.0).abs() < 1e-15 * self.size();
             best = point;

@@ -3,11 +3,76 @@
 //! There the followers' Jacobian is singular, and closing finds them to the root of the tolerance only. Along the branch
 //! they are smooth functions of the drivers all the same: taken at eight places around, they are interpolated.
 
-use super::branch::{DriverPath, Point};
+use super::branch::{DriverPath, Landing, Point, Step, Trust};
+use super::correct::Linearised;
 use crate::kinematics::Kinematics;
-use crate::tolerances::{CROSSING_PLACES, CROSSING_STEP};
+use crate::linear::dense::singular_values;
+use crate::tolerances::{
+    CROSSING_PLACES, CROSSING_STEP, DENSE_LIMIT, LEAP_LENGTHS, LEAP_OVER, SAME_CROSSING,
+};
+
+/// How a step over a crossing ended.
+pub(super) enum Leap {
+    /// A point on the other side, and the length of the step, m.
+    Beyond(Point, f64),
+    /// The target lies at the crossing: the group there.
+    Target(Linearised),
+    None,
+}
 
 impl DriverPath<'_> {
+    /// Distance (m) below which two branches are one crossing: the root of the closing tolerance.
+    pub(super) fn narrowest(&self) -> f64 {
+        (self.tolerance * self.size()).sqrt()
+    }
+
+    /// True if branches cross near a point; false if they only come close to each other. The square of the least singular value
+    /// of [J; tᵀ] is a parabola along the tangent, whose least value is 0 at a crossing.
+    pub(super) fn crosses_near(&self, kinematics: &mut Kinematics<f64>, here: &Point) -> bool {
+        let columns = here.tangent.len();
+        if columns > DENSE_LIMIT {
+            return true;
+        }
+        let apart = self.narrowest();
+        let mut square = |place: f64| {
+            self.stand(kinematics, &here.q);
+            let rates = self.directions().expand(self.group, |k| place * here.tangent[k]);
+            self.model.advance_group(kinematics, self.group, &rates);
+            let jacobian = self.directions().jacobian(self.group, &Linearised::at(self.model, kinematics, self.group).rows);
+            let mut stacked = vec![0.0; (jacobian.rows + 1) * columns];
+            jacobian.entries.iter().for_each(|(r, c, a)| stacked[r * columns + c] += a);
+            stacked[jacobian.rows * columns..].copy_from_slice(&here.tangent);
+            let mut values = Vec::new();
+            singular_values(&mut stacked, columns, &mut values);
+            values.last().map_or(0.0, |least| least * least)
+        };
+        let [first, second, third] = [0.0, apart, 2.0 * apart].map(&mut square);
+        self.stand(kinematics, &here.q);
+        let curvature = (third - 2.0 * second + first) / (2.0 * apart * apart);
+        let slope = (second - first) / apart - curvature * apart;
+        curvature > 0.0 && first - slope * slope / (4.0 * curvature) <= SAME_CROSSING * first
+    }
+
+    /// Steps straight over a crossing, or onto the target where that lies there.
+    pub(super) fn leap(&self, kinematics: &mut Kinematics<f64>, here: &Point, target: f64) -> Leap {
+        let sign = (target - here.gone).signum();
+        let mut length = f64::min(LEAP_OVER * self.narrowest(), self.longest(&here.tangent));
+        for _ in 0..LEAP_LENGTHS {
+            match self.step(kinematics, here, length, Trust::Crossing) {
+                Step::Taken(next) if sign * (next.gone - target) < 0.0 => return Leap::Beyond(next, length),
+                Step::Taken(_) | Step::Doubtful | Step::Failed => length /= 8.0,
+            }
+        }
+        let slope = here.tangent[self.unknown.len()].abs();
+        if (target - here.gone).abs() <= LEAP_OVER * self.narrowest() * slope
+            && let Landing::Landed { here, .. } = self.land(kinematics, here, target, Trust::Crossing)
+        {
+            return Leap::Target(here);
+        }
+        self.stand(kinematics, &here.q);
+        Leap::None
+    }
+
     /// Puts the group at the target on the branch of a regular point `here`. Gives a regular pose beside it; none, and
     /// the pose left as it was, where the branch does not run through (a limit).
     pub(super) fn across(
@@ -46,7 +111,7 @@ impl DriverPath<'_> {
             if !arrival.there || arrival.anchor.is_some() {
                 return None;
             }
-            from = Point { q: kinematics.q.clone(), gone, tangent: self.tangent(kinematics, &from.tangent) };
+            from = self.point(kinematics, gone, &from.tangent);
             known.push((offset, from.q.clone()));
         }
         kinematics.q.copy_from_slice(&self.at_zero(&known));

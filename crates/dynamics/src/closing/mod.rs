@@ -1,6 +1,7 @@
 //! Closing a group of loops: one correction, following a branch, a pose where branches cross.
 
 mod branch;
+mod chart;
 mod correct;
 mod crossing;
 mod tolerance;

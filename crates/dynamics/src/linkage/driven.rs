@@ -5,23 +5,26 @@
 //! q₀ = q + G Δx + ½ G′ Δx²,   A[d] δ = −r(q),  q ← q + δ  until r is rounding;  then 1/m̄ by the A that is eliminated already
 //! ```
 //!
-//! Source: Allgower and Georg, Introduction to Numerical Continuation Methods, 2003, ch. 2. A row is answered where the motion
-//! from the prediction is small beside the step and the tangent turns little, so that it stands on the same branch.
+//! Source: Allgower and Georg, Introduction to Numerical Continuation Methods, 2003, ch. 2. A row is answered if it lies in a
+//! neighbourhood of a pose of the branch that holds no other branch (Newton and Kantorovich): ‖A\[d\]⁻¹‖ · ‖A′‖ · distance is
+//! below a third. There the followers are one smooth function of the drivers, without a limit.
 
 use super::Linkage;
 use super::motion::{Struck, answer};
 use super::place::place;
 use super::plan::{Motion, Plan};
 use super::room::{get, put};
-use super::rows::{eliminate, fill_rows, fill_steps};
+use super::rows::{eliminate, fill_rows, fill_steps, rows_at};
 use crate::aligned::Aligned;
 use crate::answered::{Answered, Answers, Columns, WIDEST};
 use crate::assembly::Assembly;
 use crate::contact::Contact;
 use crate::tolerances::{
-    CLOSED, CLOSED_IN_LANES, CLOSING_PASSES, LONGEST_BRANCH_STEP, SMALL_CORRECTION, STRAIGHT,
+    CLOSED, CLOSED_IN_LANES, CLOSING_PASSES, CURVATURE_STEP, DRIFT_ITERATIONS, FOLLOWERS_DRIFT, LONGEST_BRANCH_STEP,
+    LONGEST_FOLLOWED, SMALL_CORRECTION, STRAIGHT,
 };
-use percuss_spatial::lanes::{Lanes, Work};
+use percuss_spatial::Scalar;
+use percuss_spatial::lanes::{Lanes, Portable, Work};
 
 /// How positions follow the coordinates that depend.
 #[derive(Clone, Copy, Debug)]
@@ -39,6 +42,29 @@ struct Given {
     /// Which independent coordinate, and its change (m) at a unit of the position.
     y: usize,
     length: f64,
+}
+
+/// A position of a mimic joint: `multiplier · positions[master] + offset`.
+#[derive(Clone, Copy, Debug)]
+struct Mimicked {
+    q: usize,
+    master: usize,
+    multiplier: f64,
+    offset: f64,
+}
+
+/// The neighbourhood of a pose of the branch that holds no other branch, distances over all coordinates in metres.
+#[derive(Clone, Debug, Default)]
+struct Neighbourhood {
+    /// ‖A′‖, 1/m: change of A over a motion.
+    curvature: f64,
+    /// m.
+    radius: f64,
+    /// Largest distance of the last settled pose from its centre, m.
+    gone: f64,
+    /// Product of 1/pivots at the pose where following began: its sign is that of det A\[d\], the assembly mode.
+    orientation: f64,
+    scratch: Vec<f64>,
 }
 
 /// A closed pose, and how what depends follows there.
@@ -64,6 +90,8 @@ pub(crate) struct Driven {
     linkage: Linkage,
     following: Vec<Following>,
     given: Vec<Given>,
+    mimics: Vec<Mimicked>,
+    neighbourhood: Neighbourhood,
     /// The least size of a group, m.
     size: f64,
     here: Stand,
@@ -113,6 +141,11 @@ impl Driven {
         }
         let given = given.iter().map(|&q| free.iter().find(|free| free.q == q).copied());
         let given: Vec<Given> = given.collect::<Option<_>>()?;
+        let mimicked = model.bodies.iter().filter_map(|body| {
+            let mimic = body.mimic?;
+            let (master, multiplier, offset) = (mimic.master, mimic.multiplier, mimic.offset);
+            Some(Mimicked { q: body.q.start, master, multiplier, offset })
+        });
         let mut linkage = Linkage::with(plan);
         linkage.aim(model, contact);
         let mut driven = Self {
@@ -125,6 +158,8 @@ impl Driven {
             linkage,
             following,
             given,
+            mimics: mimicked.collect(),
+            neighbourhood: Neighbourhood::default(),
         };
         driven.stand(positions).then_some(driven)
     }
@@ -136,10 +171,101 @@ impl Driven {
             Stand { positions: positions.to_vec(), rates: vec![0.0; plan.layout.count * plan.freedoms] };
         self.before = Stand::default();
         let row: Vec<f64> = self.given.iter().map(|given| positions[given.q]).collect();
+        self.neighbourhood.radius = f64::INFINITY;
         let seen = self.go(&row, 1, 1);
+        self.neighbourhood.orientation = seen.orientation[0];
         let stands = self.is_on_branch(&seen, 0, 1);
         self.settle(0, 1);
+        self.neighbourhood.curvature = self.curvature(positions);
+        self.centre(0, 1);
         stands
+    }
+
+    /// ‖A′‖ (1/m) at a pose, by differences over every coordinate that moves.
+    fn curvature(&self, positions: &[f64]) -> f64 {
+        let plan = &self.linkage.plan;
+        let step = CURVATURE_STEP * self.size;
+        let here = rows_at(plan, positions);
+        let mut moved = positions.to_vec();
+        let mut square = 0.0;
+        let mut change = |moved: &[f64]| {
+            let differences = rows_at(plan, moved).iter().zip(&here).map(|(a, b)| a - b).collect::<Vec<f64>>();
+            square += differences.iter().map(|d| d * d).sum::<f64>() / (step * step);
+        };
+        for one in &self.following {
+            match one {
+                Following::Single { q, factor, .. } => {
+                    moved[*q] += factor * step;
+                    change(&moved);
+                    moved[*q] = positions[*q];
+                }
+                Following::Ball { q, turns } => {
+                    for (k, turn) in turns.iter().enumerate() {
+                        let Some((_, factor)) = turn else { continue };
+                        let mut half = [Portable::<1>::from_f64(0.0); 3];
+                        half[k] = Portable::from_f64(0.5 * factor * step);
+                        turn_further(&mut moved, *q, &half);
+                        change(&moved);
+                        moved[*q..*q + 4].copy_from_slice(&positions[*q..*q + 4]);
+                    }
+                }
+            }
+        }
+        for one in &self.given {
+            moved[one.q] += step / one.length;
+            change(&moved);
+            moved[one.q] = positions[one.q];
+        }
+        square.sqrt()
+    }
+
+    /// Centres the neighbourhood at a lane whose A is eliminated.
+    fn centre(&mut self, lane: usize, lanes: usize) {
+        let inverse = self.inverse_norm(lane, lanes);
+        let own = &mut self.neighbourhood;
+        own.gone = 0.0;
+        // NaN follows nothing.
+        own.radius = FOLLOWERS_DRIFT / (own.curvature * inverse).max(f64::MIN_POSITIVE);
+    }
+
+    /// ‖A\[d\]⁻¹‖ at a lane, by power iterations with the factors that elimination left.
+    fn inverse_norm(&mut self, lane: usize, lanes: usize) -> f64 {
+        let plan = &self.linkage.plan;
+        let (n, rank, rows) = (plan.columns, plan.layout.count, plan.layout.rows);
+        let room = &self.linkage.room;
+        let entry = |r: usize, c: usize| room[(rows + r * n + c) * lanes + lane];
+        let over = |k: usize| room[(plan.layout.over + k) * lanes + lane];
+        let v = &mut self.neighbourhood.scratch;
+        v.clear();
+        v.extend((0..rank).map(|k| 1.0 + 0.1 * k as f64));
+        let mut norm = 0.0;
+        for _ in 0..DRIFT_ITERATIONS {
+            let length = v.iter().map(|v| v * v).sum::<f64>().sqrt();
+            v.iter_mut().for_each(|v| *v /= length);
+            // L y = v, U x = y.
+            for k in 0..rank {
+                let known = v[k] * over(k);
+                plan.pivots[k].rows.iter().for_each(|&r| v[r] -= entry(r, k) * known);
+            }
+            for k in (0..rank).rev() {
+                let ahead = plan.pivots[k].columns.iter().filter(|c| **c < rank);
+                let known: f64 = ahead.map(|&c| entry(k, c) * v[c]).sum();
+                v[k] = (v[k] - known) * over(k);
+            }
+            norm = v.iter().map(|v| v * v).sum::<f64>().sqrt();
+            // Uᵀ y = x, Lᵀ z = y.
+            for k in 0..rank {
+                v[k] *= over(k);
+                let known = v[k];
+                let ahead = plan.pivots[k].columns.iter().filter(|c| **c < rank);
+                ahead.for_each(|&c| v[c] -= entry(k, c) * known);
+            }
+            for k in (0..rank).rev() {
+                let known: f64 = plan.pivots[k].rows.iter().map(|&r| entry(r, k) * v[r]).sum();
+                v[k] -= known * over(k);
+            }
+        }
+        norm
     }
 
     /// The positions where it stands.
@@ -169,6 +295,9 @@ impl Driven {
                 break;
             }
             self.settle(answered - 1, lanes);
+            if self.neighbourhood.gone > 0.5 * self.neighbourhood.radius {
+                self.centre(answered - 1, lanes);
+            }
             done += answered;
         }
         done
@@ -176,7 +305,7 @@ impl Driven {
 
     /// Predicts some rows and closes their loops.
     fn go(&mut self, values: &[f64], count: usize, lanes: usize) -> Outcome {
-        let Self { linkage, following, given, here, before, positions, steps, moved, size } = self;
+        let Self { linkage, following, given, mimics, here, before, positions, steps, moved, size, .. } = self;
         let Linkage { plan, struck, room, instructions } = linkage;
         let (rank, f) = (plan.layout.count, plan.freedoms);
         for (lanes, value) in positions.chunks_exact_mut(lanes).zip(&here.positions) {
@@ -207,12 +336,24 @@ impl Driven {
             }
         }
         let unknown = [f64::NAN; WIDEST];
-        let mut seen = Outcome { masses: unknown, errors: unknown, open: unknown, corrected: unknown };
+        let mut seen = Outcome {
+            masses: unknown,
+            errors: unknown,
+            open: unknown,
+            corrected: unknown,
+            orientation: unknown,
+        };
         if let Some(struck) = struck.as_ref() {
             let closed = CLOSED_IN_LANES * *size;
             let outcome = &mut seen;
             let group = Closing { plan, struck, following, positions, steps, closed, room, outcome };
             if lanes == 1 { instructions.run_one(group) } else { instructions.run(group) }
+        }
+        for mimic in mimics {
+            for lane in 0..lanes {
+                let master = positions[mimic.master * lanes + lane];
+                positions[mimic.q * lanes + lane] = mimic.multiplier * master + mimic.offset;
+            }
         }
         seen
     }
@@ -245,14 +386,32 @@ impl Driven {
             most = f64::max(most, old.abs());
         }
         let blurred = (CLOSED * self.size * self.size).sqrt();
+        let own = &self.neighbourhood;
         seen.open[lane] <= CLOSED * self.size
+            && seen.orientation[lane] * own.orientation > 0.0
+            && own.gone + LONGEST_FOLLOWED * ahead.sqrt() <= own.radius
             && seen.corrected[lane] <= SMALL_CORRECTION * ahead.sqrt() + blurred
             && most <= LONGEST_BRANCH_STEP * self.size
             && (driven == 0.0 || both >= STRAIGHT * (ahead * now).sqrt())
     }
 
+    /// Largest distance of a lane's pose from the last one, m: the followers' rates grow by less than half of themselves, and half
+    /// of the drivers', inside of the neighbourhood.
+    fn distance(&self, lane: usize, lanes: usize) -> f64 {
+        let (rank, f) = (self.linkage.plan.layout.count, self.linkage.plan.freedoms);
+        let moved = |number: usize| self.moved[number * lanes + lane];
+        let mut square: f64 = (0..self.given.len()).map(|number| moved(number) * moved(number)).sum();
+        for k in 0..rank {
+            let given = self.given.iter().enumerate();
+            let own: f64 = given.map(|(number, one)| self.here.rates[k * f + one.y] * moved(number)).sum();
+            square += own * own;
+        }
+        LONGEST_FOLLOWED * square.sqrt()
+    }
+
     /// Stands where a lane does.
     fn settle(&mut self, lane: usize, lanes: usize) {
+        self.neighbourhood.gone += self.distance(lane, lanes);
         std::mem::swap(&mut self.here, &mut self.before);
         let plan = &self.linkage.plan;
         let count = plan.layout.count * plan.freedoms;
@@ -277,6 +436,8 @@ struct Outcome {
     open: [f64; WIDEST],
     /// How far what depends went beyond its prediction, m.
     corrected: [f64; WIDEST],
+    /// Product of 1/pivots.
+    orientation: [f64; WIDEST],
 }
 
 /// All positions of a row, among those of some lanes.
@@ -335,6 +496,11 @@ impl Work for Closing<'_> {
             go::<T>(plan, following, positions, room);
             passes += 1;
         };
+        let mut orientation = T::one();
+        for k in 0..plan.layout.count {
+            orientation = orientation * get::<T>(room, plan.layout.over + k);
+        }
+        orientation.store(&mut outcome.orientation);
         let answer = answer(plan, struck, placed, seen.roundings, least, room);
         let mut answers = Answers { masses: &mut outcome.masses, errors: &mut outcome.errors };
         answers.put(0, answer.response, answer.error);

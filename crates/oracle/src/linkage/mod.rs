@@ -3,6 +3,7 @@
 //! The planar ones lie in the x-y plane of [`plane`], which is parallel to no axis, so that nothing vanishes by chance. Their
 //! closures are spatial: three of the five rows of a revolute one are redundant.
 
+mod branching;
 mod driven;
 mod every_closure;
 mod extremes;
@@ -14,6 +15,7 @@ mod spatial;
 mod suspension;
 mod trains;
 
+pub use branching::{Branching, apart, branching};
 pub use driven::Linkage;
 pub use every_closure::{every_closure, foot_on_the_world};
 pub use extremes::{CrankRow, contradicting};

@@ -1,0 +1,412 @@
+//! Linkages with neighbouring assembly modes, and where each of their branches leads: by closed forms, and by continuation of a
+//! platform along its curve of closed poses.
+
+use super::Linkage;
+use super::planar::{link, on_ground};
+use crate::alter::build_with_loops;
+use crate::closed_form::{Crossing, FourBar, PlanarBody};
+use crate::parts::{frame, ground, joint, lump};
+use nalgebra::{Matrix3, Quaternion, Rotation3, SMatrix, SVector, UnitQuaternion, Vector2, Vector3};
+use percuss_mechanism::{ClosureDescription, ClosureKind, JointKind};
+use percuss_spatial::Transform;
+use rand::{Rng, SeedableRng, rngs::StdRng};
+use std::f64::consts::{PI, TAU};
+
+use JointKind::{Continuous, Spherical};
+
+const Z: [f64; 3] = [0.0, 0.0, 1.0];
+/// Places of a range at which it is looked for limits.
+const PLACES: i32 = 20_000;
+
+/// A linkage and its branch.
+pub struct Branching {
+    /// What it is.
+    pub label: String,
+    /// Driven by its first driver; the start lies on the branch.
+    pub linkage: Linkage,
+    /// The driver's values at the two ends of the branch around its start; infinite without a limit.
+    pub ends: [f64; 2],
+    exact: Exact,
+}
+
+/// Positions of joints on the branch, by name.
+type Positions = Vec<(&'static str, Vec<f64>)>;
+type Exact = Box<dyn Fn(f64) -> Option<Positions> + Send + Sync>;
+
+impl std::fmt::Debug for Branching {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Branching").field("label", &self.label).field("ends", &self.ends).finish_non_exhaustive()
+    }
+}
+
+impl Branching {
+    /// Positions of some joints on the branch; `None` beyond its ends, and where the continuation has no value.
+    pub fn at(&self, driver: f64) -> Option<Positions> {
+        if driver <= self.ends[0] || driver >= self.ends[1] { None } else { (self.exact)(driver) }
+    }
+}
+
+/// Number `seed` of the family: five kinds in turn.
+pub fn branching(seed: u64) -> Branching {
+    let mut rng = StdRng::seed_from_u64(seed);
+    match seed % 5 {
+        0 => four_bar(&mut rng, false),
+        1 => four_bar(&mut rng, true),
+        2 => two_four_bars(&mut rng),
+        3 => spatial_four_bar(&mut rng),
+        _ => platform(&mut rng),
+    }
+}
+
+/// Lengths of a four-bar, a near-parallelogram or any, and the mismatch.
+fn lengths(rng: &mut StdRng) -> (FourBar, f64) {
+    let size = rng.random_range(0.2..2.0);
+    let mut bar = FourBar::parallelogram(size, size * rng.random_range(0.2..0.8));
+    if rng.random_range(0..8) == 0 {
+        bar.coupler *= rng.random_range(0.6..1.4);
+        bar.rocker *= rng.random_range(0.6..1.4);
+        return (bar, 1.0);
+    }
+    let mismatch = 10f64.powf(rng.random_range(-6.0..-1.0));
+    let mut off = || 1.0 + mismatch * rng.random_range(-1.0..1.0);
+    let [g, b, c] = [off(), off(), off()];
+    (bar.ground, bar.coupler, bar.rocker) = (bar.ground * g, bar.coupler * b, bar.rocker * c);
+    (bar, mismatch)
+}
+
+/// The crank's angles at the limits around one at which a four-bar can be assembled.
+fn limits(bar: &FourBar, theta: f64) -> [f64; 2] {
+    let cosine = |d: f64| (bar.ground.powi(2) + bar.crank.powi(2) - d * d) / (2.0 * bar.ground * bar.crank);
+    let angles = [bar.coupler + bar.rocker, (bar.coupler - bar.rocker).abs()]
+        .into_iter()
+        .map(cosine)
+        .filter(|c| c.abs() <= 1.0)
+        .map(f64::acos);
+    let all = angles.flat_map(|a| (-4..=4).flat_map(move |k| [TAU * f64::from(k) + a, TAU * f64::from(k) - a]));
+    all.fold([f64::NEG_INFINITY, f64::INFINITY], |[low, high], end| {
+        if end < theta { [low.max(end), high] } else { [low, high.min(end)] }
+    })
+}
+
+fn assembled(rng: &mut StdRng) -> (FourBar, f64, Crossing, f64) {
+    loop {
+        let (bar, mismatch) = lengths(rng);
+        let theta = rng.random_range(0.6..2.4);
+        let crossing = if rng.random_range(0..2) == 0 { Crossing::Left } else { Crossing::Right };
+        if bar.poses(theta, crossing).is_some_and(|[_, c, r]| (r.angle - c.angle).sin().abs() > 0.1) {
+            return (bar, mismatch, crossing, theta);
+        }
+    }
+}
+
+const BODIES: [PlanarBody; 3] = super::FOUR_BAR_BODIES;
+
+fn four_bar(rng: &mut StdRng, rod: bool) -> Branching {
+    let (bar, mismatch, crossing, theta) = assembled(rng);
+    let range = [theta - 5.0, theta + 5.0];
+    let exact: Exact = Box::new(move |theta| {
+        let [_, _, rocker] = bar.poses(theta, crossing)?;
+        Some(vec![("rocker_hinge", vec![rocker.angle])])
+    });
+    let linkage = match rod {
+        false => super::four_bar_of("four_bar", bar, BODIES, crossing, theta, range),
+        true => {
+            let links = vec![ground(), link("crank", &BODIES[0]), link("rocker", &BODIES[2])];
+            let joints = vec![
+                joint("crank_hinge", Continuous, "ground", "crank").origin(on_ground(0.0, 0.0)).axis(Z),
+                joint("rocker_hinge", Continuous, "ground", "rocker").origin(on_ground(bar.ground, 0.0)).axis(Z),
+            ];
+            let closure = ClosureDescription::new("coupler", ClosureKind::Distance, "crank", "rocker")
+                .at([bar.crank, 0.0, 0.0], [bar.rocker, 0.0, 0.0])
+                .distance(bar.coupler);
+            let mechanism = build_with_loops("four_bar_with_rod", links, joints, vec![closure], Vec::new());
+            let psi = bar.poses(theta, crossing).map_or(0.0, |[_, _, rocker]| rocker.angle);
+            let start = [("crank_hinge", theta), ("rocker_hinge", psi)];
+            Linkage::new(mechanism, "four_bar_with_rod", [("crank_hinge", range)], start)
+        }
+    };
+    let label = format!("four-bar, rod {rod}, mismatch {mismatch:.1e}, {bar:?} {crossing:?} from {theta}");
+    Branching { label, linkage, ends: limits(&bar, theta), exact }
+}
+
+/// Two four-bars with rods: the rocker of the first is the crank of the second.
+fn two_four_bars(rng: &mut StdRng) -> Branching {
+    let (first, mismatch, crossing, theta) = assembled(rng);
+    let psi = |theta: f64| first.poses(theta, crossing).map(|[_, _, rocker]| rocker.angle);
+    let (second, apart, other, turn) = loop {
+        let (second, apart, other, angle) = assembled(rng);
+        if let Some(psi) = psi(theta) {
+            break (second, apart, other, angle - psi);
+        }
+    };
+    let links = ["crank", "rocker", "output"];
+    let links = links.iter().zip(&BODIES).map(|(name, body)| link(name, body));
+    let links = std::iter::once(ground()).chain(links).collect();
+    let pivots = [0.0, first.ground, first.ground + second.ground];
+    let joints = [("crank_hinge", "crank"), ("rocker_hinge", "rocker"), ("output_hinge", "output")];
+    let joints = joints.into_iter().zip(pivots);
+    let joints = joints.map(|((name, child), x)| {
+        joint(name, Continuous, "ground", child).origin(on_ground(x, 0.0)).axis(Z)
+    });
+    let arm = second.crank * Vector2::new(turn.cos(), turn.sin());
+    let rod = |name: &str, before: (&str, [f64; 3]), after: (&str, [f64; 3]), length: f64| {
+        ClosureDescription::new(name, ClosureKind::Distance, before.0, after.0)
+            .at(before.1, after.1)
+            .distance(length)
+    };
+    let closures = vec![
+        rod("first_rod", ("crank", [first.crank, 0.0, 0.0]), ("rocker", [first.rocker, 0.0, 0.0]), first.coupler),
+        rod("second_rod", ("rocker", [arm.x, arm.y, 0.0]), ("output", [second.rocker, 0.0, 0.0]), second.coupler),
+    ];
+    let mechanism = build_with_loops("two_four_bars", links, joints.collect(), closures, Vec::new());
+    let positions = move |theta: f64| {
+        let psi = psi(theta)?;
+        let [_, _, output] = second.poses(psi + turn, other)?;
+        Some([psi, output.angle])
+    };
+    let range = [theta - 4.0, theta + 4.0];
+    let own = limits(&first, theta);
+    let ends = scanned(theta, range, own, &|theta| positions(theta).is_some());
+    let [psi, output] = positions(theta).unwrap_or_default();
+    let start = [("crank_hinge", theta), ("rocker_hinge", psi), ("output_hinge", output)];
+    let linkage = Linkage::new(mechanism, "two_four_bars", [("crank_hinge", range)], start);
+    let exact: Exact = Box::new(move |theta| {
+        let [psi, output] = positions(theta)?;
+        Some(vec![("rocker_hinge", vec![psi]), ("output_hinge", vec![output])])
+    });
+    let label = format!("six-bar with rods, mismatches {mismatch:.1e} {apart:.1e}, from {theta}");
+    Branching { label, linkage, ends, exact }
+}
+
+/// The ends of the range around a start in which something holds, within known ends.
+fn scanned(start: f64, range: [f64; 2], known: [f64; 2], holds: &dyn Fn(f64) -> bool) -> [f64; 2] {
+    let end = |to: f64, known: f64| {
+        let mut last = start;
+        for k in 1..=PLACES {
+            let next = start + (to - start) * f64::from(k) / f64::from(PLACES);
+            if (next - known) * (to - start) >= 0.0 {
+                return known;
+            }
+            if !holds(next) {
+                let (mut inside, mut outside) = (last, next);
+                for _ in 0..60 {
+                    let middle = 0.5 * (inside + outside);
+                    if holds(middle) { inside = middle } else { outside = middle }
+                }
+                return inside;
+            }
+            last = next;
+        }
+        known
+    };
+    [end(range[0] - 0.1, known[0]), end(range[1] + 0.1, known[1])]
+}
+
+/// Crank and rocker about skew axes with a rod between: p cos ψ + q sin ψ = r.
+fn spatial_four_bar(rng: &mut StdRng) -> Branching {
+    let mut number = |low: f64, high: f64| rng.random_range(low..high);
+    loop {
+        let [a, c] = [number(0.2, 0.5), number(0.4, 0.9)];
+        let base = frame([number(-1.0, 1.0), number(-1.0, 1.0), 0.0], [number(0.6, 1.2), number(-0.3, 0.3), number(-0.3, 0.3)]);
+        let [theta, psi] = [number(0.3, 2.8), number(-3.0, 3.0)];
+        let crank = move |theta: f64| Vector3::new(a * theta.cos(), a * theta.sin(), 0.0);
+        let rocker = move |psi: f64| base.point(&Vector3::new(c * psi.cos(), c * psi.sin(), 0.0));
+        let length = (crank(theta) - rocker(psi)).norm();
+        // |A − B|² = |A'|² + c² − 2c (A'x cos ψ + A'y sin ψ), A' in the rocker's base.
+        let terms = move |theta: f64| {
+            let own = base.inverse_point(&crank(theta));
+            let r = (own.norm_squared() + c * c - length * length) / (2.0 * c);
+            (own.x.hypot(own.y), own.y.atan2(own.x), r)
+        };
+        let (h, middle, r) = terms(theta);
+        let side = (psi - middle).sin().signum();
+        if (r / h).abs() > 0.95 {
+            continue;
+        }
+        let solved = move |theta: f64| {
+            let (h, middle, r) = terms(theta);
+            let cosine = r / h;
+            (cosine.abs() < 1.0).then(|| middle + side * cosine.acos())
+        };
+        let range = [theta - 5.0, theta + 5.0];
+        let free = [f64::NEG_INFINITY, f64::INFINITY];
+        let ends = scanned(theta, range, free, &|theta| solved(theta).is_some());
+        let links = vec![ground(), lump("crank", 1.2, [0.1, 0.0, 0.02], 0.3), lump("rocker", 2.0, [0.2, 0.1, 0.0], 0.4)];
+        let joints = vec![
+            joint("crank_hinge", Continuous, "ground", "crank").axis(Z),
+            joint("rocker_hinge", Continuous, "ground", "rocker").origin(base).axis(Z),
+        ];
+        let rod = ClosureDescription::new("rod", ClosureKind::Distance, "crank", "rocker")
+            .at([a, 0.0, 0.0], [c, 0.0, 0.0])
+            .distance(length);
+        let mechanism = build_with_loops("spatial_four_bar", links, joints, vec![rod], Vec::new());
+        let start = [("crank_hinge", theta), ("rocker_hinge", psi)];
+        let linkage = Linkage::new(mechanism, "spatial_four_bar", [("crank_hinge", range)], start);
+        let exact: Exact = Box::new(move |theta| Some(vec![("rocker_hinge", vec![solved(theta)?])]));
+        let label = format!("spatial four-bar, crank {a}, rocker {c}, rod {length}, from {theta}");
+        return Branching { label, linkage, ends, exact };
+    }
+}
+
+/// A body on a ball at the end of an arm, held by three rods.
+#[derive(Clone, Copy)]
+struct Platform {
+    arm: f64,
+    /// Ends of the rods on the body, and on the ground.
+    points: [Vector3<f64>; 3],
+    feet: [Vector3<f64>; 3],
+    rods: [f64; 3],
+}
+
+/// The arm's angle, and the body's orientation in the arm.
+type Posed = (f64, UnitQuaternion<f64>);
+
+impl Platform {
+    fn place(&self, (theta, turn): &Posed, k: usize) -> Vector3<f64> {
+        let arm = Rotation3::from_axis_angle(&Vector3::z_axis(), *theta);
+        arm * (Vector3::new(self.arm, 0.0, 0.0) + turn * self.points[k])
+    }
+
+    /// Residuals, and their rates over the arm's angle and the body's spin in its own axes.
+    fn linearised(&self, pose: &Posed) -> (Vector3<f64>, SMatrix<f64, 3, 4>) {
+        let arm = Rotation3::from_axis_angle(&Vector3::z_axis(), pose.0);
+        let (mut residuals, mut rows) = (Vector3::zeros(), SMatrix::<f64, 3, 4>::zeros());
+        for k in 0..3 {
+            let place = self.place(pose, k);
+            let apart = place - self.feet[k];
+            let along = apart / apart.norm();
+            residuals[k] = apart.norm() - self.rods[k];
+            rows[(k, 0)] = along.dot(&Vector3::z().cross(&place));
+            let spin = self.points[k].cross(&(pose.1.inverse() * (arm.inverse() * along)));
+            (0..3).for_each(|c| rows[(k, 1 + c)] = spin[c]);
+        }
+        (residuals, rows)
+    }
+
+    /// The tangent by cofactors: its direction along a branch never turns round.
+    fn tangent(rows: &SMatrix<f64, 3, 4>) -> SVector<f64, 4> {
+        SVector::from_fn(|skipped, _| {
+            let minor = Matrix3::from_fn(|r, c| rows[(r, if c < skipped { c } else { c + 1 })]);
+            if skipped % 2 == 0 { minor.determinant() } else { -minor.determinant() }
+        })
+    }
+
+    fn moved(pose: &Posed, by: &SVector<f64, 4>) -> Posed {
+        let spin = UnitQuaternion::from_scaled_axis(Vector3::new(by[1], by[2], by[3]));
+        (pose.0 + by[0], pose.1 * spin)
+    }
+
+    /// Closed with the arm where it is.
+    fn closed(&self, mut pose: Posed) -> Option<Posed> {
+        for _ in 0..30 {
+            let (residuals, rows) = self.linearised(&pose);
+            if residuals.amax() < 1e-15 {
+                return Some(pose);
+            }
+            let step = rows.fixed_view::<3, 3>(0, 1).clone_owned().lu().solve(&-residuals)?;
+            if step.amax() < 1e-14 {
+                return Some(pose);
+            }
+            pose = Self::moved(&pose, &SVector::from([0.0, step.x, step.y, step.z]));
+        }
+        None
+    }
+
+    /// Poses along the branch until the arm turns back or has gone so far, and the arm's angle at the end if it turned back.
+    fn branch(&self, start: Posed, sign: f64, far: f64) -> (Vec<Posed>, f64) {
+        let mut poses = vec![start];
+        let mut here = start;
+        let mut direction = None;
+        loop {
+            let (_, rows) = self.linearised(&here);
+            let own = Self::tangent(&rows);
+            let regular = own.norm() / rows.norm().powi(3);
+            let direction = *direction.get_or_insert(if own[0] * sign > 0.0 { 1.0 } else { -1.0 });
+            let tangent = own * direction / own.norm();
+            if tangent[0] * sign <= 0.0 {
+                return (poses, here.0);
+            }
+            let step = (0.3 * regular).clamp(1e-5, 4e-3);
+            let mut next = Self::moved(&here, &(tangent * step));
+            for _ in 0..6 {
+                let (residuals, rows) = self.linearised(&next);
+                let Some(inverse) = (rows * rows.transpose()).try_inverse() else { break };
+                next = Self::moved(&next, &-(rows.transpose() * (inverse * residuals)));
+            }
+            if (next.0 - here.0) * sign <= 0.0 {
+                return (poses, here.0);
+            }
+            here = next;
+            poses.push(here);
+            if (here.0 - start.0).abs() > far {
+                return (poses, sign * f64::INFINITY);
+            }
+            if poses.len() > 60_000 {
+                return (poses, here.0);
+            }
+        }
+    }
+}
+
+fn platform(rng: &mut StdRng) -> Branching {
+    loop {
+        let mut vector = |size: f64| Vector3::from_fn(|_, _| rng.random_range(-size..size));
+        let mut own = Platform {
+            arm: 0.0,
+            points: [vector(0.4), vector(0.4), vector(0.4)],
+            feet: [vector(1.0), vector(1.0), vector(1.0)],
+            rods: [0.0; 3],
+        };
+        let turn = UnitQuaternion::from_scaled_axis(vector(1.0));
+        let theta = rng.random_range(-1.0..1.0);
+        own.arm = rng.random_range(0.3..0.8);
+        for k in 0..3 {
+            own.rods[k] = (own.place(&(theta, turn), k) - own.feet[k]).norm();
+        }
+        let (_, rows) = own.linearised(&(theta, turn));
+        let tangent = Platform::tangent(&rows);
+        let least = own.points.iter().map(Vector3::norm).chain(own.rods).fold(f64::INFINITY, f64::min);
+        if least < 0.15 || (tangent[0] / tangent.norm()).abs() < 0.1 || tangent.norm() < 0.02 * rows.norm().powi(3) {
+            continue;
+        }
+        let far = 2.0;
+        let (before, low) = own.branch((theta, turn), -1.0, far);
+        let (after, high) = own.branch((theta, turn), 1.0, far);
+        let poses: Vec<Posed> = before.into_iter().rev().chain(after.into_iter().skip(1)).collect();
+        let links = vec![ground(), lump("arm", 1.5, [0.2, 0.0, 0.0], 0.4), lump("body", 3.0, [0.02, 0.05, 0.0], 0.4)];
+        let joints = vec![
+            joint("arm_hinge", Continuous, "ground", "arm").axis(Z),
+            joint("ball", Spherical, "arm", "body").origin(Transform::from_translation(Vector3::new(own.arm, 0.0, 0.0))),
+        ];
+        let rods = (0..3).map(|k| {
+            ClosureDescription::new(format!("rod_{k}"), ClosureKind::Distance, "body", "ground")
+                .at(own.points[k].into(), own.feet[k].into())
+                .distance(own.rods[k])
+        });
+        let mechanism = build_with_loops("platform", links, joints, rods.collect(), Vec::new());
+        let range = [theta - far, theta + far];
+        let mut linkage = Linkage::new(mechanism, "platform", [("arm_hinge", range)], [("arm_hinge", theta)]);
+        let numbers = |turn: &UnitQuaternion<f64>| vec![turn.w, turn.i, turn.j, turn.k];
+        linkage.start.push(("ball".into(), numbers(&turn)));
+        let exact: Exact = Box::new(move |theta| {
+            let next = poses.partition_point(|pose| pose.0 < theta);
+            let (before, after) = (poses.get(next.checked_sub(1)?)?, poses.get(next)?);
+            let part = (theta - before.0) / (after.0 - before.0);
+            let turn = before.1.slerp(&after.1, part);
+            let closed = own.closed((theta, turn))?;
+            // Newton's method stays beside the curve.
+            (closed.1.angle_to(&turn) < 1e-3).then(|| vec![("ball", numbers(&closed.1))])
+        });
+        let label = format!("platform from {theta}, ends {low:.6} {high:.6}");
+        return Branching { label, linkage, ends: [low, high], exact };
+    }
+}
+
+/// How far two positions of a joint are apart: rad, whole turns left out, or the angle between two orientations.
+pub fn apart(one: &[f64], other: &[f64]) -> f64 {
+    if let ([a], [b]) = (one, other) {
+        return ((a - b + PI).rem_euclid(TAU) - PI).abs();
+    }
+    let unit = |q: &[f64]| UnitQuaternion::from_quaternion(Quaternion::new(q[0], q[1], q[2], q[3]));
+    unit(one).angle_to(&unit(other))
+}

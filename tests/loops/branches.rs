@@ -1,0 +1,197 @@
+//! Branches that come near others: every row of a sweep lies on the branch it began on, whatever rows are between, or is refused.
+//!
+//! `PERCUSS_FAMILY=10000 cargo test -p percuss-tests --test loops -- --nocapture branches` takes as many linkages as it says, with
+//! up to 6,001 rows each.
+
+use percuss_dynamics::{AssemblyError, Contact, DrivenPath, Pose};
+use percuss_mechanism::JointId;
+use percuss_oracle::linkage::{Branching, apart, branching};
+use percuss_tests::rig::Rig;
+use std::collections::BTreeMap;
+
+/// Linkages of the short version: 40 of each kind.
+const COUNT: u64 = 200;
+/// Rad: branches of a mismatch of 1e-6 come to 1e-3 of one another, and rounding leaves 1e-12 over that.
+const SAME: f64 = 1e-6;
+/// Rows as near to a limit as this are not judged, rad: the platform's limits are known to a step of its continuation.
+const AT_END: f64 = 5e-3;
+/// Rows so near to a limit of a closed form are not judged, rad: the root of the rounding of its lengths.
+const AT_EXACT_END: f64 = 1e-9;
+
+#[derive(Debug, Default)]
+struct Seen {
+    rows: usize,
+    answered: usize,
+    in_lanes: usize,
+    refused: usize,
+    uncertain: usize,
+    wrong: Vec<String>,
+    /// Refused within the branch.
+    lost: Vec<String>,
+    worst: f64,
+}
+
+impl Seen {
+    fn merge(mut self, other: Self) -> Self {
+        self.rows += other.rows;
+        self.answered += other.answered;
+        self.in_lanes += other.in_lanes;
+        self.refused += other.refused;
+        self.uncertain += other.uncertain;
+        self.wrong.extend(other.wrong);
+        self.lost.extend(other.lost);
+        self.worst = self.worst.max(other.worst);
+        self
+    }
+}
+
+/// The rows of a sweep in their order: forwards, backwards, from the middle to one side and the other.
+fn sweeps([from, to]: [f64; 2], count: usize) -> [Vec<f64>; 4] {
+    let at = |k: usize| from + (to - from) * k as f64 / (count - 1) as f64;
+    let middle = count / 2;
+    [(0..count).map(at).collect(), (0..count).rev().map(at).collect(), (middle..count).map(at).collect(), (0..=middle).rev().map(at).collect()]
+}
+
+struct Sweep<'a> {
+    rig: &'a Rig,
+    case: &'a Branching,
+    contact: Contact,
+    driver: JointId,
+}
+
+impl Sweep<'_> {
+    fn judge(&self, value: f64, positions: Option<&[f64]>, line: &str, seen: &mut Seen) {
+        seen.rows += 1;
+        let near = if self.case.label.starts_with("platform") { AT_END } else { AT_EXACT_END };
+        if self.case.ends.iter().any(|end| (value - end).abs() < near) {
+            return;
+        }
+        let expected = self.case.at(value);
+        let within = value > self.case.ends[0] && value < self.case.ends[1];
+        let Some(positions) = positions else {
+            seen.refused += 1;
+            if expected.is_some() {
+                seen.lost.push(format!("{} {line}: {value} refused", self.case.label));
+            }
+            return;
+        };
+        seen.answered += 1;
+        let Some(expected) = expected else {
+            if !within {
+                seen.wrong.push(format!("{} {line}: {value} answered beyond the limit", self.case.label));
+            }
+            return;
+        };
+        let mechanism = &self.rig.mechanism;
+        let places: Vec<usize> = mechanism.joints().iter().scan(0, |next, joint| {
+            let own = *next;
+            *next += joint.kind().positions();
+            Some(own)
+        }).collect();
+        for (name, position) in expected {
+            let place = places[self.rig.joint(name).index()];
+            let far = apart(&positions[place..place + position.len()], &position);
+            if far > SAME {
+                seen.wrong.push(format!("{} {line}: {name} at {value} off by {far:.2e}", self.case.label));
+            } else {
+                seen.worst = seen.worst.max(far);
+            }
+        }
+    }
+
+    /// As a sweep poses its rows: several at once where they are followed, one by one elsewhere.
+    fn run(&self, rows: &[f64], line: &str, seen: &mut Seen) {
+        let mut last = self.rig.closed();
+        let mut path: Option<DrivenPath> = None;
+        let mut next = 0;
+        while next < rows.len() {
+            if let Some(path) = &mut path {
+                let (mut answers, mut positions) = (Vec::new(), Vec::new());
+                let reached = path.follow(&rows[next..], &mut answers, &mut positions);
+                for (value, own) in rows[next..].iter().zip(positions.chunks(last.positions().len())) {
+                    self.judge(*value, Some(own), line, seen);
+                }
+                seen.in_lanes += reached;
+                next += reached;
+                if reached > 0 {
+                    last = path.pose();
+                }
+                if next == rows.len() {
+                    break;
+                }
+            }
+            let value = rows[next];
+            next += 1;
+            match self.rig.go(&last, &[value]) {
+                Ok(pose) => {
+                    self.judge(value, Some(pose.positions()), line, seen);
+                    let restarted = path.as_mut().is_some_and(|path| path.restart(&pose));
+                    if !restarted {
+                        path = pose.driven_path(&self.contact, &[self.driver]).expect("a contact");
+                    }
+                    last = pose;
+                }
+                Err(error) => {
+                    seen.uncertain += usize::from(matches!(error, AssemblyError::BranchUncertain { .. }));
+                    self.judge(value, None, line, seen);
+                    path = None;
+                }
+            }
+        }
+    }
+}
+
+fn judged(seed: u64, counts: &[usize]) -> Seen {
+    let mut case = branching(seed);
+    let range = case.linkage.range[0];
+    let linkage = std::mem::replace(&mut case.linkage, percuss_oracle::linkage::parallelogram());
+    let rig = Rig::new(linkage);
+    let link = rig.mechanism.links().last().expect("a link").name().to_owned();
+    let contact = rig.contact(&link, [0.1, 0.05, 0.0], [0.3, 0.8, 0.1].into());
+    let driver = rig.joint(&rig.drivers[0]);
+    let sweep = Sweep { rig: &rig, case: &case, contact, driver };
+    let mut seen = Seen::default();
+    for &count in counts {
+        for (way, rows) in ["forwards", "backwards", "up", "down"].iter().zip(sweeps(range, count)) {
+            sweep.run(&rows, &format!("{count} {way} seed {seed}"), &mut seen);
+        }
+    }
+    seen
+}
+
+#[test]
+fn every_row_lies_on_the_branch_it_began_on() {
+    let asked: Option<u64> = std::env::var("PERCUSS_FAMILY").ok().and_then(|count| count.parse().ok());
+    let counts: &[usize] = if asked.is_some() { &[3, 7, 13, 61, 601, 6001] } else { &[3, 7, 13, 61] };
+    let count = asked.unwrap_or(COUNT);
+    let own = |thread: u64| -> Vec<(u64, Seen)> {
+        let seeds = (0..count).filter(move |seed| (seed / 5) % 2 == thread);
+        seeds.map(|seed| (seed % 5, judged(seed, counts))).collect()
+    };
+    let mut all = std::thread::scope(|scope| {
+        let other = scope.spawn(|| own(1));
+        let mut all = own(0);
+        all.extend(other.join().expect("no panic"));
+        all
+    });
+    all.sort_by_key(|(kind, _)| *kind);
+    let mut kinds: BTreeMap<u64, Seen> = BTreeMap::new();
+    for (kind, seen) in all {
+        let so_far = kinds.remove(&kind).unwrap_or_default();
+        kinds.insert(kind, so_far.merge(seen));
+    }
+    let total = kinds.into_iter().fold(Seen::default(), |total, (kind, seen)| {
+        let Seen { rows, answered, in_lanes, refused, uncertain, worst, .. } = &seen;
+        let (wrong, lost) = (seen.wrong.len(), seen.lost.len());
+        println!(
+            "kind {kind}: {rows} rows, {answered} answered ({in_lanes} in lanes), {refused} refused, {uncertain} uncertain, \
+             {wrong} wrong, {lost} lost, off by {worst:.1e} at most"
+        );
+        total.merge(seen)
+    });
+    total.wrong.iter().take(20).for_each(|line| println!("wrong: {line}"));
+    total.lost.iter().take(20).for_each(|line| println!("lost: {line}"));
+    assert!(total.wrong.is_empty(), "{} of {} rows", total.wrong.len(), total.rows);
+    assert!(total.lost.len() * 1000 <= total.rows, "{} of {} rows", total.lost.len(), total.rows);
+    assert!(total.answered * 2 > total.rows && total.in_lanes * 20 > total.rows, "{} {}", total.answered, total.in_lanes);
+}
