@@ -202,6 +202,8 @@ pub(crate) const FEWEST_BRANCH_STEPS: usize = 500;
 pub(crate) const STRAIGHT: f64 = 0.9;
 /// Largest change of the linearised curve, ‖X₀⁺(X − X₀)‖, from one point of a branch to the next: at 1 another branch may cross.
 pub(crate) const CHART_DRIFT: f64 = 0.5;
+/// The same of the followers' Jacobian alone, over the slope of the drivers, from which on it is not looked at more closely.
+pub(crate) const BESIDE_DRIFT: f64 = 0.25;
 /// Square of a step, as a part of the size, over the least singular value of X: terms of the second order of that change.
 pub(crate) const TURNING_DRIFT: f64 = 0.5;
 /// Power iterations for norms of these changes: a tenth of the norm suffices.

@@ -9,6 +9,12 @@ use std::ops::RangeInclusive;
 pub(crate) const SHORTEST_DIRECTION: f64 = 1e-9;
 /// Joints that are tried in the place of one that came to its end before the travel did.
 pub(crate) const OTHER_DRIVERS: usize = 4;
+/// Joints that drive a travel one after another past each other's dead centres, at most: one turn of a linkage passes some four.
+pub(crate) const TRAVEL_STAGES: usize = 6;
+/// Part of the way to a joint's end that it drives before another takes over: near its dead centre digits are lost.
+pub(crate) const SHORT_OF_END: f64 = 0.98;
+/// A joint that advances a travel by less than this part of the mechanism's size does not take it further.
+pub(crate) const LEAST_ADVANCE: f64 = 1e-4;
 /// A joint that moves a point by less than this part of the mechanism's size a radian does not drive it.
 pub(crate) const UNMOVED: f64 = 1e-6;
 /// Cosine of the angle that a contact's line may turn by over a travel before that is said: 30°. Springs and dampers of

@@ -4,7 +4,7 @@ use crate::driver::Driver;
 use crate::error::{Fault, StudyError};
 use crate::field::{Field, Names, about_assembly};
 use crate::reach::{Extent, Missed};
-use crate::thresholds::{OTHER_DRIVERS, UNMOVED};
+use crate::thresholds::{LEAST_ADVANCE, OTHER_DRIVERS, SHORT_OF_END, TRAVEL_STAGES, UNMOVED};
 use nalgebra::Vector3;
 use percuss_dynamics::{Configuration, ContactResponse, PointVelocity, Pose, System, TravelError};
 use percuss_mechanism::{JointId, JointKind, LinkId};
@@ -19,6 +19,13 @@ pub(crate) struct Travel {
     field: Field,
     /// Joints that do not drive it.
     set: Vec<JointId>,
+}
+
+/// A pose on the way of a travel, the joint that drives it there, and where the others are wanted.
+struct Stage {
+    joint: JointId,
+    base: Configuration,
+    pose: Pose,
 }
 
 /// The joints that drive the loops of a pose, in order.
@@ -86,37 +93,83 @@ impl Travel {
         Ok(Err(Missed { why, extent }))
     }
 
-    /// The pose where another joint drives the point past a dead centre of its driver, all other drivers being the same.
+    /// The pose where other joints drive the point past the dead centres of its driver and of each other, all other drivers being
+    /// the same.
     ///
     /// Joints that move together have one ds/dq each: the least is that of the one that turns furthest, which comes to a dead
-    /// centre of its own last.
+    /// centre of its own last. A joint whose own end comes first goes near to it, and the next one takes over there.
     fn by_another(&self, driver: &Driver, last: &Pose, requested: f64) -> Option<Pose> {
-        let mechanism = last.mechanism();
+        let mut stage = Stage { joint: driver.joint, base: driver.base.clone(), pose: last.clone() };
+        let least = LEAST_ADVANCE * last.mechanism().characteristic_length();
+        for _ in 0..TRAVEL_STAGES {
+            let here = self.travel.displacement(&stage.pose);
+            stage.pose = self.travel.pose(&stage.pose, &stage.base, stage.joint, here).ok()?;
+            let mut furthest: Option<(f64, Stage)> = None;
+            for (joint, base) in self.others(&stage)? {
+                let end = match self.driven_by(&stage, joint, &base, requested) {
+                    Ok(pose) => return Some(pose),
+                    Err(end) => end,
+                };
+                if furthest.as_ref().is_none_or(|(best, _)| (requested - end).abs() < (requested - best).abs()) {
+                    furthest = Some((end, Stage { joint, base, pose: stage.pose.clone() }));
+                }
+            }
+            let (end, next) = furthest?;
+            let advance = SHORT_OF_END * (end - here);
+            if advance * (requested - here).signum() < least {
+                return None;
+            }
+            let pose = self.driven_by(&stage, next.joint, &next.base, here + advance).ok()?;
+            stage = Stage { pose, ..next };
+        }
+        None
+    }
+
+    /// Joints that may drive a stage, its own last: each with where the others are wanted. `None` if its joint does not drive it.
+    fn others(&self, stage: &Stage) -> Option<Vec<(JointId, Configuration)>> {
+        let mechanism = stage.pose.mechanism();
         let size = mechanism.characteristic_length();
-        let here = self.travel.displacement(last);
-        let posed = self.travel.pose(last, &driver.base, driver.joint, here).ok()?;
-        let driven = drivers(&posed);
-        let place = driven.iter().position(|joint| *joint == driver.joint)?;
+        let driven = drivers(&stage.pose);
+        if !driven.contains(&stage.joint) {
+            return None;
+        }
         let rate = |joint: JointId| {
             let unit = if mechanism.joint(joint).kind() == JointKind::Prismatic { size } else { 1.0 };
-            let rate = (self.travel.rate(&posed, joint)? * unit).abs();
+            let rate = (self.travel.rate(&stage.pose, joint)? * unit).abs();
             let is_free = !driven.contains(&joint) && !self.set.contains(&joint);
             (is_free && rate > UNMOVED * size).then_some((joint, rate))
         };
         let mut rates: Vec<(JointId, f64)> = mechanism.joint_ids().filter_map(rate).collect();
         rates.sort_by(|a, b| a.1.total_cmp(&b.1));
         // What drove beside it stays where it is.
-        let mut base = driver.base.clone();
-        for held in driven.iter().filter(|joint| **joint != driver.joint) {
-            base.set(mechanism.joint(*held).name(), posed.joint(*held)).ok()?;
+        let mut base = stage.base.clone();
+        for held in driven.iter().filter(|joint| **joint != stage.joint) {
+            base.set(mechanism.joint(*held).name(), stage.pose.joint(*held)).ok()?;
         }
-        rates.into_iter().take(OTHER_DRIVERS).find_map(|(joint, _)| {
-            let pose = self.travel.pose(&posed, &base, joint, requested).ok()?;
-            let mut expected = driven.clone();
-            expected[place] = joint;
-            expected.sort_unstable();
-            (drivers(&pose) == expected).then_some(pose)
-        })
+        let mut others: Vec<_> =
+            rates.into_iter().take(OTHER_DRIVERS).map(|(joint, _)| (joint, base.clone())).collect();
+        others.push((stage.joint, stage.base.clone()));
+        Some(others)
+    }
+
+    /// The pose where a joint drives the point from a stage, in the place of its joint; else the displacement that it comes to.
+    fn driven_by(
+        &self,
+        stage: &Stage,
+        joint: JointId,
+        base: &Configuration,
+        requested: f64,
+    ) -> Result<Pose, f64> {
+        let pose = match self.travel.pose(&stage.pose, base, joint, requested) {
+            Ok(pose) => pose,
+            Err(TravelError::Unreachable { nearest, .. }) => return Err(nearest),
+            // Not the end of the others.
+            Err(_) => return Err(self.travel.displacement(&stage.pose)),
+        };
+        let mut expected: Vec<JointId> =
+            drivers(&stage.pose).into_iter().map(|own| if own == stage.joint { joint } else { own }).collect();
+        expected.sort_unstable();
+        if drivers(&pose) == expected { Ok(pose) } else { Err(self.travel.displacement(&stage.pose)) }
     }
 
     /// The joint that would drive it at a pose beside others.

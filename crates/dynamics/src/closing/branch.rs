@@ -12,7 +12,7 @@ use crate::linear::dense::dot;
 use crate::linear::jacobian::Jacobian;
 use crate::model::{Group, Model};
 use crate::tolerances::{
-    BRANCH_STEPS, FEWEST_BRANCH_STEPS, LEAST_MIDDLE_SLOPE, LONGEST_BRANCH_STEP, NEARLY_SINGULAR,
+    BESIDE_DRIFT, BRANCH_STEPS, FEWEST_BRANCH_STEPS, LEAST_MIDDLE_SLOPE, LONGEST_BRANCH_STEP, NEARLY_SINGULAR,
     SHORTEST_BRANCH_STEP, STRAIGHT,
 };
 
@@ -366,7 +366,12 @@ impl<'a> DriverPath<'a> {
         if !correction.closed || correction.moved > 0.25 * step.abs() + blurred {
             return Landing::Failed;
         }
-        let singular = self.is_narrow(&correction.here);
+        let followers = self.followers().jacobian(self.group, &correction.here.rows);
+        let pivots = followers.pivot_ratio();
+        let singular = pivots < NEARLY_SINGULAR * self.conditioning;
+        if trust == Trust::Chart && !singular && self.is_beside(here, &followers, pivots) {
+            return Landing::Landed { singular, here: correction.here };
+        }
         let point = self.corrected(kinematics, &correction, target, &here.tangent);
         let slopes = here.tangent[n] * point.tangent[n];
         let straight = dot(&point.tangent, &here.tangent) > STRAIGHT;
@@ -382,9 +387,17 @@ impl<'a> DriverPath<'a> {
         }
     }
 
-    /// Whether the followers' Jacobian is nearly singular here.
-    fn is_narrow(&self, here: &Linearised) -> bool {
-        self.followers().jacobian(self.group, &here.rows).pivot_ratio() < NEARLY_SINGULAR * self.conditioning
+    /// True if the followers' Jacobian changes so little from a point to another that neither another branch nor a turn of the
+    /// drivers lies between, by its least pivot there: `pivots`, least over largest.
+    fn is_beside(&self, here: &Point, followers: &Jacobian, pivots: f64) -> bool {
+        let n = self.unknown.len();
+        let before = here.jacobian.entries.iter().filter(|(_, c, _)| *c < n);
+        let (mut change, mut largest) = (0.0, 0.0f64);
+        for ((.., a), (.., b)) in followers.entries.iter().zip(before) {
+            change += (a - b) * (a - b);
+            largest = largest.max(a.abs());
+        }
+        (change * n as f64).sqrt() <= BESIDE_DRIFT * here.tangent[n].abs() * pivots * largest
     }
 
     /// The unit tangent of the curve that is nearest to `before`: J t = 0, `before`·t > 0. Where branches cross, the part
