@@ -3,9 +3,8 @@
 //! `PERCUSS_FAMILY=10000 cargo test -p percuss-tests --test loops -- --nocapture branches` takes as many linkages as it says, with
 //! up to 6,001 rows each.
 
-use percuss_dynamics::{AssemblyError, Contact, DrivenPath, Pose};
+use percuss_dynamics::{AssemblyError, Contact, DrivenPath};
 use percuss_mechanism::JointId;
-use percuss_oracle::closed_form::{Crossing, FourBar};
 use percuss_oracle::linkage::{self, Branching, apart, branching};
 use percuss_tests::rig::Rig;
 use std::collections::BTreeMap;
@@ -195,24 +194,4 @@ fn every_row_lies_on_the_branch_it_began_on() {
     assert!(total.wrong.is_empty(), "{} of {} rows", total.wrong.len(), total.rows);
     assert!(total.lost.len() * 1000 <= total.rows, "{} of {} rows", total.lost.len(), total.rows);
     assert!(total.answered * 2 > total.rows && total.in_lanes * 20 > total.rows, "{} {}", total.answered, total.in_lanes);
-}
-
-/// A crank that turns fully, with a least transmission angle of 2.9°: the row at 3.1 rad is the same whatever rows are before it.
-#[test]
-fn a_row_does_not_depend_on_the_rows_before_it() {
-    let bar = FourBar { ground: 1.0003, crank: 0.3, coupler: 1.0, rocker: 0.3006 };
-    for crossing in [Crossing::Left, Crossing::Right] {
-        let [_, _, expected] = bar.poses(3.1, crossing).expect("a full turn");
-        for count in [3, 7, 13, 31, 61, 601] {
-            let rig = Rig::new(linkage::four_bar_of("four_bar", bar, linkage::FOUR_BAR_BODIES, crossing, 1.2, [0.0, 6.2]));
-            let mut pose = rig.closed();
-            for k in 0..count {
-                pose = rig.reach(&pose, &[6.2 * f64::from(k) / f64::from(count - 1)]);
-                if 2 * k == count - 1 {
-                    let off = apart(pose.joint(rig.joint("rocker_hinge")), &[expected.angle]);
-                    assert!(off < 1e-10, "{crossing:?} {count}: {off}");
-                }
-            }
-        }
-    }
 }

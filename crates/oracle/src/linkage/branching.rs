@@ -101,38 +101,49 @@ fn assembled(rng: &mut StdRng) -> (FourBar, f64, Crossing, f64) {
 
 const BODIES: [PlanarBody; 3] = super::FOUR_BAR_BODIES;
 
+/// A turn about z. Linkages are drawn at their start, far from singular poses, and all joints are 0 there.
+fn turned(angle: f64) -> Transform<f64> {
+    frame([0.0, 0.0, angle], [0.0; 3])
+}
+
 fn four_bar(rng: &mut StdRng, rod: bool) -> Branching {
     let (bar, mismatch, crossing, theta) = assembled(rng);
-    let range = [theta - 5.0, theta + 5.0];
-    let exact: Exact = Box::new(move |theta| {
-        let [_, _, rocker] = bar.poses(theta, crossing)?;
-        Some(vec![("rocker_hinge", vec![rocker.angle])])
-    });
-    let linkage = match rod {
-        false => super::four_bar_of("four_bar", bar, BODIES, crossing, theta, range),
-        true => {
-            let links = vec![ground(), link("crank", &BODIES[0]), link("rocker", &BODIES[2])];
-            let joints = vec![
-                joint("crank_hinge", Continuous, "ground", "crank").origin(on_ground(0.0, 0.0)).axis(Z),
-                joint("rocker_hinge", Continuous, "ground", "rocker").origin(on_ground(bar.ground, 0.0)).axis(Z),
-            ];
-            let closure = ClosureDescription::new("coupler", ClosureKind::Distance, "crank", "rocker")
-                .at([bar.crank, 0.0, 0.0], [bar.rocker, 0.0, 0.0])
-                .distance(bar.coupler);
-            let mechanism = build_with_loops("four_bar_with_rod", links, joints, vec![closure], Vec::new());
-            let psi = bar.poses(theta, crossing).map_or(0.0, |[_, _, rocker]| rocker.angle);
-            let start = [("crank_hinge", theta), ("rocker_hinge", psi)];
-            Linkage::new(mechanism, "four_bar_with_rod", [("crank_hinge", range)], start)
-        }
+    let [phi, psi] = bar.poses(theta, crossing).map_or([0.0; 2], |[_, phi, psi]| [phi.angle, psi.angle]);
+    let range = [-5.0, 5.0];
+    let mut links = vec![ground(), link("crank", &BODIES[0])];
+    let crank = joint("crank_hinge", Continuous, "ground", "crank").origin(on_ground(0.0, 0.0) * turned(theta));
+    let mut joints = vec![crank.axis(Z)];
+    let closure = if rod {
+        ClosureDescription::new("coupler", ClosureKind::Distance, "crank", "rocker")
+            .at([bar.crank, 0.0, 0.0], [bar.rocker, 0.0, 0.0])
+            .distance(bar.coupler)
+    } else {
+        links.push(link("coupler", &BODIES[1]));
+        let pin = Transform::from_translation(Vector3::new(bar.crank, 0.0, 0.0)) * turned(phi - theta);
+        joints.push(joint("crank_pin", Continuous, "crank", "coupler").origin(pin).axis(Z));
+        pin_of(("coupler", [bar.coupler, 0.0]), ("rocker", [bar.rocker, 0.0]))
     };
+    links.push(link("rocker", &BODIES[2]));
+    let rocker = joint("rocker_hinge", Continuous, "ground", "rocker").origin(on_ground(bar.ground, 0.0) * turned(psi));
+    joints.push(rocker.axis(Z));
+    let mechanism = build_with_loops("four_bar", links, joints, vec![closure], Vec::new());
+    let linkage = Linkage::new(mechanism, "four_bar", [("crank_hinge", range)], [("crank_hinge", 0.0)]);
+    let exact: Exact = Box::new(move |turn| {
+        let [_, _, rocker] = bar.poses(theta + turn, crossing)?;
+        Some(vec![("rocker_hinge", vec![rocker.angle - psi])])
+    });
     let label = format!("four-bar, rod {rod}, mismatch {mismatch:.1e}, {bar:?} {crossing:?} from {theta}");
-    Branching { label, linkage, ends: limits(&bar, theta), exact }
+    Branching { label, linkage, ends: limits(&bar, theta).map(|end| end - theta), exact }
+}
+
+fn pin_of(before: (&str, [f64; 2]), after: (&str, [f64; 2])) -> ClosureDescription {
+    super::planar::pin("rocker_pin", before, after)
 }
 
 /// Two four-bars with rods: the rocker of the first is the crank of the second.
 fn two_four_bars(rng: &mut StdRng) -> Branching {
     let (first, mismatch, crossing, theta) = assembled(rng);
-    let psi = |theta: f64| first.poses(theta, crossing).map(|[_, _, rocker]| rocker.angle);
+    let psi = move |theta: f64| first.poses(theta, crossing).map(|[_, _, rocker]| rocker.angle);
     let (second, apart, other, turn) = loop {
         let (second, apart, other, angle) = assembled(rng);
         if let Some(psi) = psi(theta) {
@@ -144,9 +155,11 @@ fn two_four_bars(rng: &mut StdRng) -> Branching {
     let links = std::iter::once(ground()).chain(links).collect();
     let pivots = [0.0, first.ground, first.ground + second.ground];
     let joints = [("crank_hinge", "crank"), ("rocker_hinge", "rocker"), ("output_hinge", "output")];
-    let joints = joints.into_iter().zip(pivots);
-    let joints = joints.map(|((name, child), x)| {
-        joint(name, Continuous, "ground", child).origin(on_ground(x, 0.0)).axis(Z)
+    let drawn = psi(theta).and_then(|psi| Some([theta, psi, second.poses(psi + turn, other)?[2].angle]));
+    let drawn = drawn.unwrap_or_default();
+    let joints = joints.into_iter().zip(pivots).zip(drawn);
+    let joints = joints.map(|(((name, child), x), angle)| {
+        joint(name, Continuous, "ground", child).origin(on_ground(x, 0.0) * turned(angle)).axis(Z)
     });
     let arm = second.crank * Vector2::new(turn.cos(), turn.sin());
     let rod = |name: &str, before: (&str, [f64; 3]), after: (&str, [f64; 3]), length: f64| {
@@ -166,13 +179,12 @@ fn two_four_bars(rng: &mut StdRng) -> Branching {
     };
     let range = [theta - 4.0, theta + 4.0];
     let own = limits(&first, theta);
-    let ends = scanned(theta, range, own, &|theta| positions(theta).is_some());
-    let [psi, output] = positions(theta).unwrap_or_default();
-    let start = [("crank_hinge", theta), ("rocker_hinge", psi), ("output_hinge", output)];
-    let linkage = Linkage::new(mechanism, "two_four_bars", [("crank_hinge", range)], start);
-    let exact: Exact = Box::new(move |theta| {
-        let [psi, output] = positions(theta)?;
-        Some(vec![("rocker_hinge", vec![psi]), ("output_hinge", vec![output])])
+    let ends = scanned(theta, range, own, &|theta| positions(theta).is_some()).map(|end| end - theta);
+    let (crank, range) = ([("crank_hinge", 0.0)], range.map(|end| end - theta));
+    let linkage = Linkage::new(mechanism, "two_four_bars", [("crank_hinge", range)], crank);
+    let exact: Exact = Box::new(move |crank| {
+        let [psi, output] = positions(theta + crank)?;
+        Some(vec![("rocker_hinge", vec![psi - drawn[1]]), ("output_hinge", vec![output - drawn[2]])])
     });
     let label = format!("six-bar with rods, mismatches {mismatch:.1e} {apart:.1e}, from {theta}");
     Branching { label, linkage, ends, exact }
