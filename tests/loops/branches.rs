@@ -49,7 +49,12 @@ impl Seen {
 fn sweeps([from, to]: [f64; 2], count: usize) -> [Vec<f64>; 4] {
     let at = |k: usize| from + (to - from) * k as f64 / (count - 1) as f64;
     let middle = count / 2;
-    [(0..count).map(at).collect(), (0..count).rev().map(at).collect(), (middle..count).map(at).collect(), (0..=middle).rev().map(at).collect()]
+    [
+        (0..count).map(at).collect(),
+        (0..count).rev().map(at).collect(),
+        (middle..count).map(at).collect(),
+        (0..=middle).rev().map(at).collect(),
+    ]
 }
 
 struct Sweep<'a> {
@@ -83,11 +88,15 @@ impl Sweep<'_> {
             return;
         };
         let mechanism = &self.rig.mechanism;
-        let places: Vec<usize> = mechanism.joints().iter().scan(0, |next, joint| {
-            let own = *next;
-            *next += joint.kind().positions();
-            Some(own)
-        }).collect();
+        let places: Vec<usize> = mechanism
+            .joints()
+            .iter()
+            .scan(0, |next, joint| {
+                let own = *next;
+                *next += joint.kind().positions();
+                Some(own)
+            })
+            .collect();
         for (name, position) in expected {
             let place = places[self.rig.joint(name).index()];
             let far = apart(&positions[place..place + position.len()], &position);
@@ -193,5 +202,10 @@ fn every_row_lies_on_the_branch_it_began_on() {
     total.lost.iter().take(20).for_each(|line| println!("lost: {line}"));
     assert!(total.wrong.is_empty(), "{} of {} rows", total.wrong.len(), total.rows);
     assert!(total.lost.len() * 1000 <= total.rows, "{} of {} rows", total.lost.len(), total.rows);
-    assert!(total.answered * 2 > total.rows && total.in_lanes * 20 > total.rows, "{} {}", total.answered, total.in_lanes);
+    assert!(
+        total.answered * 2 > total.rows && total.in_lanes * 20 > total.rows,
+        "{} {}",
+        total.answered,
+        total.in_lanes
+    );
 }

@@ -110,7 +110,10 @@ impl Travel {
                     Ok(pose) => return Some(pose),
                     Err(end) => end,
                 };
-                if furthest.as_ref().is_none_or(|(best, _)| (requested - end).abs() < (requested - best).abs()) {
+                if furthest
+                    .as_ref()
+                    .is_none_or(|(best, _)| (requested - end).abs() < (requested - best).abs())
+                {
                     furthest = Some((end, Stage { joint, base, pose: stage.pose.clone() }));
                 }
             }
@@ -166,8 +169,10 @@ impl Travel {
             // Not the end of the others.
             Err(_) => return Err(self.travel.displacement(&stage.pose)),
         };
-        let mut expected: Vec<JointId> =
-            drivers(&stage.pose).into_iter().map(|own| if own == stage.joint { joint } else { own }).collect();
+        let mut expected: Vec<JointId> = drivers(&stage.pose)
+            .into_iter()
+            .map(|own| if own == stage.joint { joint } else { own })
+            .collect();
         expected.sort_unstable();
         if drivers(&pose) == expected { Ok(pose) } else { Err(self.travel.displacement(&stage.pose)) }
     }

@@ -5,15 +5,15 @@
 //! Methods, 2003, ch. 2, 6 and 8; a step is corrected by the shortest motion (their Moore–Penrose correction).
 
 use super::chart::Chart;
-use super::crossing::Leap;
 use super::correct::{Correction, Directions, Linearised, norm};
+use super::crossing::Leap;
 use crate::kinematics::Kinematics;
 use crate::linear::dense::dot;
 use crate::linear::jacobian::Jacobian;
 use crate::model::{Group, Model};
 use crate::tolerances::{
-    BESIDE_DRIFT, BRANCH_STEPS, FEWEST_BRANCH_STEPS, LEAST_MIDDLE_SLOPE, LONGEST_BRANCH_STEP, NEARLY_SINGULAR,
-    SHORTEST_BRANCH_STEP, STRAIGHT,
+    BESIDE_DRIFT, BRANCH_STEPS, FEWEST_BRANCH_STEPS, LEAST_MIDDLE_SLOPE, LONGEST_BRANCH_STEP,
+    NEARLY_SINGULAR, SHORTEST_BRANCH_STEP, STRAIGHT,
 };
 
 /// A straight path of a group's drivers.
@@ -197,7 +197,8 @@ impl<'a> DriverPath<'a> {
                 }
                 self.stand(kinematics, &here.q);
             }
-            let next = if doubtful { Step::Doubtful } else { self.step(kinematics, &here, step, Trust::Chart) };
+            let next =
+                if doubtful { Step::Doubtful } else { self.step(kinematics, &here, step, Trust::Chart) };
             let next = match next {
                 Step::Taken(next) => Some(next),
                 Step::Doubtful if step <= self.narrowest() => {
@@ -350,7 +351,13 @@ impl<'a> DriverPath<'a> {
     }
 
     /// Goes from a point straight to the target, followers alone being corrected.
-    pub(super) fn land(&self, kinematics: &mut Kinematics<f64>, here: &Point, target: f64, trust: Trust) -> Landing {
+    pub(super) fn land(
+        &self,
+        kinematics: &mut Kinematics<f64>,
+        here: &Point,
+        target: f64,
+        trust: Trust,
+    ) -> Landing {
         self.stand(kinematics, &here.q);
         let n = self.unknown.len();
         let step = (target - here.gone) / here.tangent[n];

@@ -51,7 +51,8 @@ impl<'a> Chart<'a> {
 
     /// The spectral radius of J₀⁺(J − J₀), from the tangent on.
     fn sparse_drift(&self, other: &Jacobian) -> f64 {
-        let mut v: Vec<f64> = self.tangent.iter().enumerate().map(|(k, t)| t + 0.1 + 0.01 * (k % 7) as f64).collect();
+        let mut v: Vec<f64> =
+            self.tangent.iter().enumerate().map(|(k, t)| t + 0.1 + 0.01 * (k % 7) as f64).collect();
         let mut norm = 0.0;
         for _ in 0..DRIFT_ITERATIONS {
             let length = dot(&v, &v).sqrt();

@@ -38,7 +38,9 @@ impl DriverPath<'_> {
             self.stand(kinematics, &here.q);
             let rates = self.directions().expand(self.group, |k| place * here.tangent[k]);
             self.model.advance_group(kinematics, self.group, &rates);
-            let jacobian = self.directions().jacobian(self.group, &Linearised::at(self.model, kinematics, self.group).rows);
+            let jacobian = self
+                .directions()
+                .jacobian(self.group, &Linearised::at(self.model, kinematics, self.group).rows);
             let mut stacked = vec![0.0; (jacobian.rows + 1) * columns];
             jacobian.entries.iter().for_each(|(r, c, a)| stacked[r * columns + c] += a);
             stacked[jacobian.rows * columns..].copy_from_slice(&here.tangent);

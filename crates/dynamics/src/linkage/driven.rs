@@ -20,8 +20,8 @@ use crate::answered::{Answered, Answers, Columns, WIDEST};
 use crate::assembly::Assembly;
 use crate::contact::Contact;
 use crate::tolerances::{
-    CLOSED, CLOSED_IN_LANES, CLOSING_PASSES, CURVATURE_STEP, DRIFT_ITERATIONS, FOLLOWERS_DRIFT, LONGEST_BRANCH_STEP,
-    LONGEST_FOLLOWED, SMALL_CORRECTION, STRAIGHT,
+    CLOSED, CLOSED_IN_LANES, CLOSING_PASSES, CURVATURE_STEP, DRIFT_ITERATIONS, FOLLOWERS_DRIFT,
+    LONGEST_BRANCH_STEP, LONGEST_FOLLOWED, SMALL_CORRECTION, STRAIGHT,
 };
 use percuss_spatial::Scalar;
 use percuss_spatial::lanes::{Lanes, Portable, Work};
@@ -189,7 +189,8 @@ impl Driven {
         let mut moved = positions.to_vec();
         let mut square = 0.0;
         let mut change = |moved: &[f64]| {
-            let differences = rows_at(plan, moved).iter().zip(&here).map(|(a, b)| a - b).collect::<Vec<f64>>();
+            let differences =
+                rows_at(plan, moved).iter().zip(&here).map(|(a, b)| a - b).collect::<Vec<f64>>();
             square += differences.iter().map(|d| d * d).sum::<f64>() / (step * step);
         };
         for one in &self.following {
@@ -305,7 +306,8 @@ impl Driven {
 
     /// Predicts some rows and closes their loops.
     fn go(&mut self, values: &[f64], count: usize, lanes: usize) -> Outcome {
-        let Self { linkage, following, given, mimics, here, before, positions, steps, moved, size, .. } = self;
+        let Self { linkage, following, given, mimics, here, before, positions, steps, moved, size, .. } =
+            self;
         let Linkage { plan, struck, room, instructions } = linkage;
         let (rank, f) = (plan.layout.count, plan.freedoms);
         for (lanes, value) in positions.chunks_exact_mut(lanes).zip(&here.positions) {

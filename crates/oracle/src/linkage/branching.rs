@@ -35,7 +35,10 @@ type Exact = Box<dyn Fn(f64) -> Option<Positions> + Send + Sync>;
 
 impl std::fmt::Debug for Branching {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Branching").field("label", &self.label).field("ends", &self.ends).finish_non_exhaustive()
+        f.debug_struct("Branching")
+            .field("label", &self.label)
+            .field("ends", &self.ends)
+            .finish_non_exhaustive()
     }
 }
 
@@ -82,7 +85,8 @@ fn limits(bar: &FourBar, theta: f64) -> [f64; 2] {
         .map(cosine)
         .filter(|c| c.abs() <= 1.0)
         .map(f64::acos);
-    let all = angles.flat_map(|a| (-4..=4).flat_map(move |k| [TAU * f64::from(k) + a, TAU * f64::from(k) - a]));
+    let all =
+        angles.flat_map(|a| (-4..=4).flat_map(move |k| [TAU * f64::from(k) + a, TAU * f64::from(k) - a]));
     all.fold([f64::NEG_INFINITY, f64::INFINITY], |[low, high], end| {
         if end < theta { [low.max(end), high] } else { [low, high.min(end)] }
     })
@@ -111,7 +115,8 @@ fn four_bar(rng: &mut StdRng, rod: bool) -> Branching {
     let [phi, psi] = bar.poses(theta, crossing).map_or([0.0; 2], |[_, phi, psi]| [phi.angle, psi.angle]);
     let range = [-5.0, 5.0];
     let mut links = vec![ground(), link("crank", &BODIES[0])];
-    let crank = joint("crank_hinge", Continuous, "ground", "crank").origin(on_ground(0.0, 0.0) * turned(theta));
+    let crank =
+        joint("crank_hinge", Continuous, "ground", "crank").origin(on_ground(0.0, 0.0) * turned(theta));
     let mut joints = vec![crank.axis(Z)];
     let closure = if rod {
         ClosureDescription::new("coupler", ClosureKind::Distance, "crank", "rocker")
@@ -124,7 +129,8 @@ fn four_bar(rng: &mut StdRng, rod: bool) -> Branching {
         pin_of(("coupler", [bar.coupler, 0.0]), ("rocker", [bar.rocker, 0.0]))
     };
     links.push(link("rocker", &BODIES[2]));
-    let rocker = joint("rocker_hinge", Continuous, "ground", "rocker").origin(on_ground(bar.ground, 0.0) * turned(psi));
+    let rocker = joint("rocker_hinge", Continuous, "ground", "rocker")
+        .origin(on_ground(bar.ground, 0.0) * turned(psi));
     joints.push(rocker.axis(Z));
     let mechanism = build_with_loops("four_bar", links, joints, vec![closure], Vec::new());
     let linkage = Linkage::new(mechanism, "four_bar", [("crank_hinge", range)], [("crank_hinge", 0.0)]);
@@ -168,8 +174,18 @@ fn two_four_bars(rng: &mut StdRng) -> Branching {
             .distance(length)
     };
     let closures = vec![
-        rod("first_rod", ("crank", [first.crank, 0.0, 0.0]), ("rocker", [first.rocker, 0.0, 0.0]), first.coupler),
-        rod("second_rod", ("rocker", [arm.x, arm.y, 0.0]), ("output", [second.rocker, 0.0, 0.0]), second.coupler),
+        rod(
+            "first_rod",
+            ("crank", [first.crank, 0.0, 0.0]),
+            ("rocker", [first.rocker, 0.0, 0.0]),
+            first.coupler,
+        ),
+        rod(
+            "second_rod",
+            ("rocker", [arm.x, arm.y, 0.0]),
+            ("output", [second.rocker, 0.0, 0.0]),
+            second.coupler,
+        ),
     ];
     let mechanism = build_with_loops("two_four_bars", links, joints.collect(), closures, Vec::new());
     let positions = move |theta: f64| {
@@ -219,7 +235,10 @@ fn spatial_four_bar(rng: &mut StdRng) -> Branching {
     let mut number = |low: f64, high: f64| rng.random_range(low..high);
     loop {
         let [a, c] = [number(0.2, 0.5), number(0.4, 0.9)];
-        let base = frame([number(-1.0, 1.0), number(-1.0, 1.0), 0.0], [number(0.6, 1.2), number(-0.3, 0.3), number(-0.3, 0.3)]);
+        let base = frame(
+            [number(-1.0, 1.0), number(-1.0, 1.0), 0.0],
+            [number(0.6, 1.2), number(-0.3, 0.3), number(-0.3, 0.3)],
+        );
         let [theta, psi] = [number(0.3, 2.8), number(-3.0, 3.0)];
         let crank = move |theta: f64| Vector3::new(a * theta.cos(), a * theta.sin(), 0.0);
         let rocker = move |psi: f64| base.point(&Vector3::new(c * psi.cos(), c * psi.sin(), 0.0));
@@ -243,7 +262,11 @@ fn spatial_four_bar(rng: &mut StdRng) -> Branching {
         let range = [theta - 5.0, theta + 5.0];
         let free = [f64::NEG_INFINITY, f64::INFINITY];
         let ends = scanned(theta, range, free, &|theta| solved(theta).is_some());
-        let links = vec![ground(), lump("crank", 1.2, [0.1, 0.0, 0.02], 0.3), lump("rocker", 2.0, [0.2, 0.1, 0.0], 0.4)];
+        let links = vec![
+            ground(),
+            lump("crank", 1.2, [0.1, 0.0, 0.02], 0.3),
+            lump("rocker", 2.0, [0.2, 0.1, 0.0], 0.4),
+        ];
         let joints = vec![
             joint("crank_hinge", Continuous, "ground", "crank").axis(Z),
             joint("rocker_hinge", Continuous, "ground", "rocker").origin(base).axis(Z),
@@ -378,17 +401,22 @@ fn platform(rng: &mut StdRng) -> Branching {
         let (_, rows) = own.linearised(&(theta, turn));
         let tangent = Platform::tangent(&rows);
         let least = own.points.iter().map(Vector3::norm).chain(own.rods).fold(f64::INFINITY, f64::min);
-        if least < 0.15 || (tangent[0] / tangent.norm()).abs() < 0.1 || tangent.norm() < 0.02 * rows.norm().powi(3) {
+        if least < 0.15
+            || (tangent[0] / tangent.norm()).abs() < 0.1
+            || tangent.norm() < 0.02 * rows.norm().powi(3)
+        {
             continue;
         }
         let far = 2.0;
         let (before, low) = own.branch((theta, turn), -1.0, far);
         let (after, high) = own.branch((theta, turn), 1.0, far);
         let poses: Vec<Posed> = before.into_iter().rev().chain(after.into_iter().skip(1)).collect();
-        let links = vec![ground(), lump("arm", 1.5, [0.2, 0.0, 0.0], 0.4), lump("body", 3.0, [0.02, 0.05, 0.0], 0.4)];
+        let links =
+            vec![ground(), lump("arm", 1.5, [0.2, 0.0, 0.0], 0.4), lump("body", 3.0, [0.02, 0.05, 0.0], 0.4)];
         let joints = vec![
             joint("arm_hinge", Continuous, "ground", "arm").axis(Z),
-            joint("ball", Spherical, "arm", "body").origin(Transform::from_translation(Vector3::new(own.arm, 0.0, 0.0))),
+            joint("ball", Spherical, "arm", "body")
+                .origin(Transform::from_translation(Vector3::new(own.arm, 0.0, 0.0))),
         ];
         let rods = (0..3).map(|k| {
             ClosureDescription::new(format!("rod_{k}"), ClosureKind::Distance, "body", "ground")
