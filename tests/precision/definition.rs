@@ -215,7 +215,8 @@ impl Exact {
                     return None;
                 }
                 for (c, change) in first.columns.iter().zip(solve(&rows, &first.columns, &residuals)?) {
-                    fine[*c] -= change;
+                    // Joints of one position each; a base's velocities come first, and close nothing.
+                    fine[c.checked_sub(if self.floating { 6 } else { 0 })?] -= change;
                 }
                 posed = self.place(&fine);
             }

@@ -191,7 +191,8 @@ fn aligned(rng: &mut StdRng) -> Exact {
     let mut tree = chain(rng, &links[first..], floating);
     let from = 1 - first;
     for i in from..tree.joints.len() {
-        let tilt = decades(rng, -16.0, -1.0);
+        // Axes of a file are known to 1e-16, those of a pose to some 1e-14: below, they count as aligned.
+        let tilt = if rng.random_bool(0.2) { 0.0 } else { decades(rng, -12.0, -1.0) };
         let joint = &mut tree.joints[i];
         joint.rpy = [0.0; 3];
         joint.axis = [0.0, 0.0, 1.0];
@@ -228,9 +229,9 @@ fn linkage(rng: &mut StdRng) -> Exact {
     linkage
 }
 
-/// Closes a chain at positions: a ball at the last link, rods elsewhere; to the root, beside the chain.
-fn close(rng: &mut StdRng, linkage: &mut Exact, positions: &[f64], freedoms: usize) {
-    let mut open = positions.to_vec();
+/// Closes a chain as it is drawn: a ball at the last link, rods elsewhere, to the root.
+fn close(rng: &mut StdRng, linkage: &mut Exact, freedoms: usize) {
+    let mut open = vec![0.0; linkage.joints.len()];
     let posed = linkage.pose(&mut open).expect("a tree");
     let last = linkage.links.len() - 1;
     let at = scaled(any(rng), 0.3);
@@ -310,7 +311,7 @@ fn ask(label: &str, tree: &Exact, row: &mut [f64], touches: &[Touch], report: &m
             (BatchAnswer { mass: Some(EffectiveMass::Finite(mass)), error: Some(error) }, Outcome::Finite(truth)) => {
                 report.lanes.take(name, (mass, error), truth);
             }
-            (BatchAnswer { mass, error: Some(_) }, truth) => {
+            (BatchAnswer { mass: mass @ Some(EffectiveMass::Finite(_)), error: Some(_) }, truth) => {
                 report.outcomes.push(format!("{}: lanes {mass:?}, true {truth:?}", name()));
             }
             _ => report.again += 1,
@@ -419,9 +420,10 @@ fn by_definition_aligned_axes() {
 fn by_definition_linkages() {
     let make = |rng: &mut StdRng| {
         let mut chain = linkage(rng);
-        let row = positions(rng, &chain);
         let freedoms = rng.random_range(1..3usize);
-        close(rng, &mut chain, &row, freedoms);
+        close(rng, &mut chain, freedoms);
+        // Near the pose that it is drawn at.
+        let row = positions(rng, &chain).iter().map(|q| 0.1 * q).collect();
         (chain, row)
     };
     judge("linkages", 400, make, 0.1);

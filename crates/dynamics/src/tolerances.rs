@@ -124,6 +124,12 @@ pub(crate) const NOTHING_LEFT: f64 = 1.0;
 /// errors are counted: those of a sum of a few products, three times over; more where a pivot is smaller than its terms by a
 /// larger factor.
 pub(crate) const ROUTE_ROUNDINGS: f64 = 16.0;
+/// Roundings of a pivot's largest term that the pivot and what it leaves are off by in lanes: those of the products and sums
+/// of an elimination and of two turns and shifts.
+pub(crate) const LOSS_ROUNDINGS: f64 = 4.0;
+/// Ratio of a pivot's terms to the pivot above which the elimination amplifies the errors of the subtree, in lanes. Pivots of
+/// common arms and long chains are below it, or amplify nothing.
+pub(crate) const COMMON_LOSS: f64 = 64.0;
 /// Relative error of a bound cluster's response from which on it is held to its stationary value: a tenth of what is trusted.
 pub(crate) const VAGUE_RESPONSE: f64 = 1e-12;
 /// A part of the mechanism's mass that does not matter.
