@@ -120,7 +120,7 @@ fn about(e: &Vector, angle: f64) -> Matrix {
     let mut matrix = [[Wide::ZERO; 3]; 3];
     for i in 0..3 {
         for k in 0..3 {
-            matrix[i][k] = e[i] * e[k] * (one - c);
+            matrix[i][k] += e[i] * e[k] * (one - c);
         }
         matrix[i][i] += c;
         let (x, y) = ((i + 1) % 3, (i + 2) % 3);
@@ -137,7 +137,7 @@ fn of_quaternion(q: &[f64]) -> Matrix {
     let mut matrix = [[Wide::ZERO; 3]; 3];
     for i in 0..3 {
         for k in 0..3 {
-            matrix[i][k] = (v[i] * v[k]).shifted(1) * over;
+            matrix[i][k] += (v[i] * v[k]).shifted(1) * over;
         }
         matrix[i][i] += (q[0] * q[0] - dot(&v, &v)) * over;
         let (x, y) = ((i + 1) % 3, (i + 2) % 3);
@@ -328,7 +328,7 @@ fn about_small(e: &Vector, angle: Wide) -> Matrix {
     let versine = square.shifted(-1) * (one - square / Wide::new(12.0));
     for i in 0..3 {
         for k in 0..3 {
-            matrix[i][k] = e[i] * e[k] * versine;
+            matrix[i][k] += e[i] * e[k] * versine;
         }
         matrix[i][i] += one - versine;
         let (x, y) = ((i + 1) % 3, (i + 2) % 3);
