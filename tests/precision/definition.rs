@@ -4,7 +4,8 @@
 use super::wide::Wide;
 use nalgebra::{Matrix3, Vector3};
 use percuss_mechanism::{
-    ClosureDescription, ClosureKind, Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder,
+    ClosureDescription, ClosureKind, Inertial, JointDescription, JointKind, LinkDescription, Mechanism,
+    MechanismBuilder,
 };
 use percuss_spatial::{Transform, rotation_from_rpy};
 
@@ -177,11 +178,16 @@ impl Exact {
             let [a, b, c, d, e, f] = link.moments;
             let about_com = Matrix3::new(a, b, c, b, d, e, c, e, f);
             let inertial = Inertial { mass: link.mass, com: link.com.into(), about_com };
-            let described = if link.mass > 0.0 { LinkDescription::new(name(i), inertial) } else { LinkDescription::massless(name(i)) };
+            let described = if link.mass > 0.0 {
+                LinkDescription::new(name(i), inertial)
+            } else {
+                LinkDescription::massless(name(i))
+            };
             builder = builder.link(described);
         }
         for (i, joint) in self.joints.iter().enumerate() {
-            let mut described = JointDescription::new(format!("j{i}"), joint.kind, name(joint.parent), name(i + 1));
+            let mut described =
+                JointDescription::new(format!("j{i}"), joint.kind, name(joint.parent), name(i + 1));
             described.origin = Transform::new(rotation_from_rpy(joint.rpy), Vector3::from(joint.xyz));
             described.axis = joint.axis.into();
             builder = builder.joint(described);
@@ -229,7 +235,11 @@ impl Exact {
 
     fn place(&self, q: &[Wide]) -> Posed {
         let (zero, one) = (Wide::ZERO, Wide::new(1.0));
-        let axis = |k: usize| { let mut e = [zero; 3]; e[k] = one; e };
+        let axis = |k: usize| {
+            let mut e = [zero; 3];
+            e[k] = one;
+            e
+        };
         let identity = [axis(0), axis(1), axis(2)];
         let mut posed = Posed {
             parents: vec![None],
@@ -265,11 +275,16 @@ impl Exact {
                 JointKind::Fixed => moved(&[zero; 3], &identity),
                 JointKind::Revolute | JointKind::Continuous => moved(&[zero; 3], &angle(next)),
                 JointKind::Prismatic => moved(&times(&e, q[next]), &identity),
-                JointKind::Planar => moved(&plus(&times(&x, q[next]), &times(&y, q[next + 1])), &angle(next + 2)),
-                JointKind::Spherical => moved(&[zero; 3], &of_quaternion(&[0, 1, 2, 3].map(|k| double(next + k)))),
-                JointKind::Floating => {
-                    moved(&[q[next], q[next + 1], q[next + 2]], &of_quaternion(&[3, 4, 5, 6].map(|k| double(next + k))))
+                JointKind::Planar => {
+                    moved(&plus(&times(&x, q[next]), &times(&y, q[next + 1])), &angle(next + 2))
                 }
+                JointKind::Spherical => {
+                    moved(&[zero; 3], &of_quaternion(&[0, 1, 2, 3].map(|k| double(next + k))))
+                }
+                JointKind::Floating => moved(
+                    &[q[next], q[next + 1], q[next + 2]],
+                    &of_quaternion(&[3, 4, 5, 6].map(|k| double(next + k))),
+                ),
             };
             let mut turns = |e: &Vector, about: &Matrix, at: &Vector| {
                 let angular = apply(about, e);
@@ -277,7 +292,9 @@ impl Exact {
             };
             match joint.kind {
                 JointKind::Fixed | JointKind::Prismatic => {}
-                JointKind::Revolute | JointKind::Continuous | JointKind::Planar => turns(&e, &frame.0, &frame.1),
+                JointKind::Revolute | JointKind::Continuous | JointKind::Planar => {
+                    turns(&e, &frame.0, &frame.1)
+                }
                 JointKind::Spherical | JointKind::Floating => {
                     (0..3).for_each(|k| turns(&axis(k), &frame.0, &frame.1));
                 }
@@ -305,7 +322,13 @@ impl Exact {
             let places = closure.ends.map(|(link, at)| posed.point(link, &at));
             let apart = minus(&places[1], &places[0]);
             let directions = match closure.rod {
-                None => (0..3).map(|k| { let mut e = [Wide::ZERO; 3]; e[k] = Wide::new(1.0); e }).collect(),
+                None => (0..3)
+                    .map(|k| {
+                        let mut e = [Wide::ZERO; 3];
+                        e[k] = Wide::new(1.0);
+                        e
+                    })
+                    .collect(),
                 Some(_) => vec![unit(&apart)],
             };
             for e in &directions {
@@ -472,7 +495,8 @@ impl Posed {
             let half: Vec<Vec<Wide>> = mass.iter().map(|row| self.over_basis(row.clone())).collect();
             mass = (0..count)
                 .map(|y| {
-                    let sum = |z: usize| half.iter().zip(basis).fold(Wide::ZERO, |sum, (h, b)| sum + b[y] * h[z]);
+                    let sum =
+                        |z: usize| half.iter().zip(basis).fold(Wide::ZERO, |sum, (h, b)| sum + b[y] * h[z]);
                     (0..count).map(sum).collect()
                 })
                 .collect();
@@ -489,7 +513,8 @@ impl Posed {
         let zero = Wide::new(1e-66);
         let mut open: Vec<usize> = (0..n).collect();
         loop {
-            let larger = |a: &&usize, b: &&usize| mass[**a][**a].partial_cmp(&mass[**b][**b]).expect("numbers");
+            let larger =
+                |a: &&usize, b: &&usize| mass[**a][**a].partial_cmp(&mass[**b][**b]).expect("numbers");
             let Some(&pivot) = open.iter().max_by(larger).filter(|k| mass[**k][**k] > zero) else { break };
             open.retain(|k| *k != pivot);
             let (d, over) = (mass[pivot][pivot], Wide::new(1.0) / mass[pivot][pivot]);

@@ -146,9 +146,15 @@ fn wrist(rng: &mut StdRng) -> Exact {
     let span = rng.random_range(0.0..6.0);
     let [slide, hand] = [0; 2].map(|_| decades(rng, -1.0, span + 0.1));
     let links = [0; 2].map(|_| if rng.random_bool(0.1) { 0.0 } else { decades(rng, -span, 0.1) });
-    let mut tree = chain(rng, &[(Prismatic, slide), (Revolute, links[0]), (Revolute, links[1]), (Revolute, hand)], false);
+    let mut tree = chain(
+        rng,
+        &[(Prismatic, slide), (Revolute, links[0]), (Revolute, links[1]), (Revolute, hand)],
+        false,
+    );
     if rng.random_bool(0.7) {
-        for (joint, axis) in tree.joints[1..].iter_mut().zip([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]) {
+        for (joint, axis) in
+            tree.joints[1..].iter_mut().zip([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
+        {
             (joint.rpy, joint.axis) = ([0.0; 3], axis);
         }
         tree.joints[2].xyz = [0.0; 3];
@@ -199,7 +205,11 @@ fn aligned(rng: &mut StdRng) -> Exact {
         if i > from {
             let [x, y, _] = any(rng);
             joint.axis = [tilt * x, tilt * y, 1.0];
-            joint.xyz = if rng.random_bool(0.5) { [0.0, 0.0, 0.1] } else { scaled([x, y, 0.0], decades(rng, -12.0, 0.0)) };
+            joint.xyz = if rng.random_bool(0.5) {
+                [0.0, 0.0, 0.1]
+            } else {
+                scaled([x, y, 0.0], decades(rng, -12.0, 0.0))
+            };
         }
     }
     tree
@@ -212,7 +222,8 @@ fn linkage(rng: &mut StdRng) -> Exact {
     let rods = rng.random_range(0..3usize);
     let count = 4 + rods + rng.random_range(0..2usize);
     let root = decades(rng, -1.0, 1.0);
-    let mut linkage = Exact { links: vec![body(rng, root)], floating: rng.random_bool(0.3), ..Exact::default() };
+    let mut linkage =
+        Exact { links: vec![body(rng, root)], floating: rng.random_bool(0.3), ..Exact::default() };
     for i in 0..count {
         let mass = decades(rng, -span, span);
         let link = body(rng, mass);
@@ -281,7 +292,11 @@ fn pose_at(system: &System, tree: &Exact, row: &[f64]) -> Option<Pose> {
         let count = joint.kind().positions();
         if count > 0 {
             let position = &row[at..at + count];
-            let put = if closed { configuration.guess(joint.name(), position) } else { configuration.set(joint.name(), position) };
+            let put = if closed {
+                configuration.guess(joint.name(), position)
+            } else {
+                configuration.set(joint.name(), position)
+            };
             put.expect("a position");
         }
         at += count;
@@ -308,7 +323,10 @@ fn ask(label: &str, tree: &Exact, row: &mut [f64], touches: &[Touch], report: &m
         let answer = batch.effective_mass(row).expect("positions");
         report.lanes.rows += 1;
         match (answer, truth) {
-            (BatchAnswer { mass: Some(EffectiveMass::Finite(mass)), error: Some(error) }, Outcome::Finite(truth)) => {
+            (
+                BatchAnswer { mass: Some(EffectiveMass::Finite(mass)), error: Some(error) },
+                Outcome::Finite(truth),
+            ) => {
                 report.lanes.take(name, (mass, error), truth);
             }
             (BatchAnswer { mass: mass @ Some(EffectiveMass::Finite(_)), error: Some(_) }, truth) => {
@@ -322,7 +340,10 @@ fn ask(label: &str, tree: &Exact, row: &mut [f64], touches: &[Touch], report: &m
             continue;
         };
         report.poses.rows += 1;
-        let up_to = response.remarks.iter().map(|r| if let Remark::MasslessToRounding { up_to } = r { *up_to } else { 0.0 });
+        let up_to = response
+            .remarks
+            .iter()
+            .map(|r| if let Remark::MasslessToRounding { up_to } = r { *up_to } else { 0.0 });
         let up_to = up_to.fold(NEGLIGIBLE * all, f64::max);
         let nearly = response.remarks.iter().any(|r| matches!(r, Remark::NearlyImmovable { .. }));
         match (response.effective_mass, truth) {
@@ -330,15 +351,20 @@ fn ask(label: &str, tree: &Exact, row: &mut [f64], touches: &[Touch], report: &m
                 let error = response.effective_mass_error().unwrap_or(f64::INFINITY);
                 report.poses.take(name, (mass, error), truth);
             }
-            (EffectiveMass::Massless, Outcome::Massless) | (EffectiveMass::Immovable, Outcome::Immovable) => {}
+            (EffectiveMass::Massless, Outcome::Massless) | (EffectiveMass::Immovable, Outcome::Immovable) => {
+            }
             (EffectiveMass::Massless, Outcome::Finite(truth)) if truth.to_f64() <= up_to => {}
             (EffectiveMass::Finite(mass), Outcome::Massless)
                 if response.effective_mass_error().is_some_and(|error| error >= mass) => {}
             // Closing speeds below 1e-10 of their terms count as none.
-            (EffectiveMass::Immovable, Outcome::Finite(truth)) if truth.to_f64() > 1e9 * NEGLIGIBLE * all => {}
+            (EffectiveMass::Immovable, Outcome::Finite(truth)) if truth.to_f64() > 1e9 * NEGLIGIBLE * all => {
+            }
             (EffectiveMass::Finite(_), Outcome::Immovable) if nearly => {}
             (mass, truth) => {
-                let truth = match truth { Outcome::Finite(m) => format!("{}", m.to_f64()), other => format!("{other:?}") };
+                let truth = match truth {
+                    Outcome::Finite(m) => format!("{}", m.to_f64()),
+                    other => format!("{other:?}"),
+                };
                 report.outcomes.push(format!("{}: {mass:?}, true {truth}", name()));
             }
         }
@@ -359,7 +385,11 @@ fn judge(name: &str, short: usize, make: impl Fn(&mut StdRng) -> (Exact, Vec<f64
         assert!(seed < 20 * rows as u64, "{name}: hardly a mechanism closes");
         let (tree, mut row) = make(&mut rng);
         let touches: Vec<Touch> = (0..CONTACTS)
-            .map(|_| Touch { link: rng.random_range(1..tree.links.len()), point: scaled(any(&mut rng), 0.3), normal: any(&mut rng) })
+            .map(|_| Touch {
+                link: rng.random_range(1..tree.links.len()),
+                point: scaled(any(&mut rng), 0.3),
+                normal: any(&mut rng),
+            })
             .collect();
         ask(&format!("{name} {}", seed - 1), &tree, &mut row, &touches, &mut report);
     }
@@ -372,7 +402,12 @@ fn judge(name: &str, short: usize, make: impl Fn(&mut StdRng) -> (Exact, Vec<f64
             tally.rows, tally.stated, tally.exceeded, tally.worst
         );
     }
-    let _ = writeln!(text, "{name:<10} {} rows asked again, {} wrong outcomes", report.again, report.outcomes.len());
+    let _ = writeln!(
+        text,
+        "{name:<10} {} rows asked again, {} wrong outcomes",
+        report.again,
+        report.outcomes.len()
+    );
     println!("{text}");
     let complaints = [&report.lanes.complaints, &report.poses.complaints, &report.outcomes];
     for (kind, complaints) in ["lanes", "poses", "outcome"].iter().zip(complaints) {

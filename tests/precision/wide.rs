@@ -85,7 +85,11 @@ impl Wide {
         let (words, bits) = ((by / 64) as usize, (by % 64) as u32);
         for i in 0..WORDS - words {
             let low = self.mantissa[i + words] >> bits;
-            let above = if bits > 0 && i + words + 1 < WORDS { self.mantissa[i + words + 1] << (64 - bits) } else { 0 };
+            let above = if bits > 0 && i + words + 1 < WORDS {
+                self.mantissa[i + words + 1] << (64 - bits)
+            } else {
+                0
+            };
             shifted[i] = low | above;
         }
         shifted

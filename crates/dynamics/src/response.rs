@@ -9,9 +9,7 @@ use crate::outcome::{CarefulReason, EffectiveMass, Remark, ResponseError, Route,
 use crate::pose::Pose;
 use crate::recursion::Decisions;
 use crate::routes::{Found, Question, RecursionRoom};
-use crate::tolerances::{
-    FILE_MISFITS, IMMOVABLE, LEAST_OTHER_MASS, NEARLY_IMMOVABLE, SAME_BOTH_WAYS,
-};
+use crate::tolerances::{FILE_MISFITS, IMMOVABLE, LEAST_OTHER_MASS, NEARLY_IMMOVABLE, SAME_BOTH_WAYS};
 use nalgebra::Vector3;
 use percuss_mechanism::{JointId, LinkId};
 use percuss_spatial::Twist;

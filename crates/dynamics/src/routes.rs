@@ -113,7 +113,8 @@ impl RecursionRoom {
 
     /// The largest m̄ (kg) that a contact may have that was found massless; `None` if that is negligible.
     pub fn massless_to(&self, model: &Model) -> Option<f64> {
-        let (up_to, all) = (self.deciding.massless_to[0], model.bodies.iter().map(|b| b.inertia.mass.abs()).sum::<f64>());
+        let (up_to, all) =
+            (self.deciding.massless_to[0], model.bodies.iter().map(|b| b.inertia.mass.abs()).sum::<f64>());
         (up_to > NEGLIGIBLE_MASS * all).then_some(up_to)
     }
 
@@ -230,7 +231,14 @@ impl Question<'_> {
             return self.careful(room);
         }
         let recursive = self.recursive(room, errors);
-        Ok(match self.careful(room) {
+        let careful = self.careful(room).map(|found| {
+            // What the recursion froze beyond doubt of rounding, the dense route has left out too where it left out any motion.
+            let drops = found.remarks.iter().any(|remark| matches!(remark, Remark::MasslessMotions { .. }));
+            let doubted = drops && errors.frozen >= 1.0;
+            let errors = if doubted { found.errors.with_all_in_doubt() } else { found.errors };
+            Found { errors, ..found }
+        });
+        Ok(match careful {
             Ok(careful) if recursive.mass == EffectiveMass::Massless => careful,
             // A dropped motion that couples to its parent or to the contact has a mass, if an uncertain one.
             Ok(careful)
@@ -368,7 +376,8 @@ impl Question<'_> {
         let twists = self.twists(&velocities);
         let sizes = model.mass_sizes(self.kinematics);
         let RecursionRoom { recursion, budget, .. } = room;
-        let errors = self.impulse(&twists, &velocities).of_least_energy(budget, recursion, &sizes, &u, 1.0 / m);
+        let errors =
+            self.impulse(&twists, &velocities).of_least_energy(budget, recursion, &sizes, &u, 1.0 / m);
         if solution.couples { errors.with_all_in_doubt() } else { errors }
     }
 

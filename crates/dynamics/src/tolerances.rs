@@ -95,6 +95,8 @@ pub(crate) const WEAK_DRIVER: f64 = 1e-2;
 pub(crate) const NO_TURN: f64 = 2.0 * f64::EPSILON;
 /// The sine of an angle between axes below which their common normal is too far away to be of use.
 pub(crate) const PARALLEL_AXES: f64 = 0.05;
+/// Distance between parallel axes below which it is rounding, relative to the distance of the points that they are given by.
+pub(crate) const NO_ACROSS: f64 = 16.0 * f64::EPSILON;
 /// The travels of slides, in lengths of the mechanism, that sizes are bounded with once for all; larger ones stretch them.
 pub(crate) const SLIDE_REACH: f64 = 0.5;
 /// How far the square of a quaternion may be from 1 by rounding; beyond, what it turns by is no rotation.

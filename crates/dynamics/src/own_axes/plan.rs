@@ -6,7 +6,7 @@ use super::sizes::Sizes;
 use crate::answered::is_positive;
 use crate::joint_motion::JointMotion;
 use crate::model::{Body, Model};
-use crate::tolerances::{NO_TURN, PARALLEL_AXES, SLIDE_REACH};
+use crate::tolerances::{NO_ACROSS, NO_TURN, PARALLEL_AXES, SLIDE_REACH};
 use nalgebra::{Matrix3, Vector3};
 use percuss_mechanism::JointKind;
 use percuss_spatial::lanes::Portable;
@@ -440,7 +440,9 @@ fn common_normal(
         return (Some(x), z * z.dot(&(point + direction * s)));
     }
     let length = across.norm();
-    ((length > 0.0).then(|| across / length), z * z.dot(point))
+    // The difference above is orthogonal to z to the rounding of the point only: what is left of z is taken off once more.
+    let x = (length > NO_ACROSS * point.norm()).then(|| across - z * z.dot(&across));
+    (x.map(|x| x.normalize()), z * z.dot(point))
 }
 
 impl Way {

@@ -25,7 +25,10 @@ impl<T: Lanes> Sizes<T> {
         if !carries {
             return Self { moment, mass };
         }
-        Self { moment: moment.max(T::load(&slot[SIZES * T::WIDTH..])), mass: mass.max(T::load(&slot[(SIZES + 1) * T::WIDTH..])) }
+        Self {
+            moment: moment.max(T::load(&slot[SIZES * T::WIDTH..])),
+            mass: mass.max(T::load(&slot[(SIZES + 1) * T::WIDTH..])),
+        }
     }
 
     /// Sizes after the elimination of a pivot whose loss is this: errors of U D⁻¹ Uᵀ are larger by the factor |U|/D.
