@@ -5,6 +5,12 @@
 
 #[path = "precision/alone.rs"]
 mod alone;
+#[path = "precision/definition.rs"]
+mod definition;
+#[path = "precision/families.rs"]
+mod families;
+#[path = "precision/wide.rs"]
+mod wide;
 
 use percuss::{Answer, Model};
 use serde::Deserialize;

@@ -651,6 +651,11 @@ typedef struct percuss_rank {
 #define PERCUSS_NO_ANSWER 3
 
 /*
+ In batches: massless to rounding only; the error is the largest m̄, kg, that the contact may have.
+ */
+#define PERCUSS_MASSLESS_TO_ROUNDING 4
+
+/*
  The recursion where it is accurate, else the careful route.
  */
 #define PERCUSS_ROUTE_AUTO 0
@@ -1247,8 +1252,9 @@ percuss_status percuss_batch_free(struct percuss_batch **batch);
 
  positions: length numbers; PERCUSS_ROW_MAJOR: configuration c begins at c · stride, stride ≥ p; PERCUSS_COLUMN_MAJOR: position q of
  configuration c stands at q · stride + c, stride ≥ count: the fastest. outcomes and effective_masses: count values each, as
- percuss_workspace_effective_mass has them; PERCUSS_NO_ANSWER where there is none. errors: null, or room for count numbers: what
- rounding may amount to, kg; NaN where it was not counted. watch: null, or asked now and then with user.
+ percuss_workspace_effective_mass has them; PERCUSS_NO_ANSWER where there is none, PERCUSS_MASSLESS_TO_ROUNDING where rounding
+ may hide a mass. errors: null, or room for count numbers: what rounding may amount to, kg; NaN where it was not counted. watch:
+ null, or asked now and then with user.
 
  Errors: PERCUSS_ERROR_LENGTH; PERCUSS_ERROR_STOPPED: what was answered until then is there, the rest is PERCUSS_NO_ANSWER.
  PERCUSS_ERROR_HANDLE: the process was forked since the batch was made, whose threads are the parent's.

@@ -1,7 +1,9 @@
 //! Batches: one contact at many configurations, in lanes and by threads.
 
 use crate::arrays::{expect_length, input, known, optional_output, output};
-use crate::contact::{PERCUSS_NO_ANSWER, outcome, percuss_contact, percuss_outcome};
+use crate::contact::{
+    PERCUSS_MASSLESS_TO_ROUNDING, PERCUSS_NO_ANSWER, outcome, percuss_contact, percuss_outcome,
+};
 use crate::handle::{Handle, clear, free, get, give, value};
 use crate::pose::{PERCUSS_COLUMN_MAJOR, PERCUSS_ROW_MAJOR, percuss_layout};
 use crate::status::{
@@ -88,8 +90,9 @@ pub unsafe extern "C" fn percuss_batch_free(batch: *mut *mut percuss_batch) -> p
 ///
 /// positions: length numbers; PERCUSS_ROW_MAJOR: configuration c begins at c · stride, stride ≥ p; PERCUSS_COLUMN_MAJOR: position q of
 /// configuration c stands at q · stride + c, stride ≥ count: the fastest. outcomes and effective_masses: count values each, as
-/// percuss_workspace_effective_mass has them; PERCUSS_NO_ANSWER where there is none. errors: null, or room for count numbers: what
-/// rounding may amount to, kg; NaN where it was not counted. watch: null, or asked now and then with user.
+/// percuss_workspace_effective_mass has them; PERCUSS_NO_ANSWER where there is none, PERCUSS_MASSLESS_TO_ROUNDING where rounding
+/// may hide a mass. errors: null, or room for count numbers: what rounding may amount to, kg; NaN where it was not counted. watch:
+/// null, or asked now and then with user.
 ///
 /// Errors: PERCUSS_ERROR_LENGTH; PERCUSS_ERROR_STOPPED: what was answered until then is there, the rest is PERCUSS_NO_ANSWER.
 /// PERCUSS_ERROR_HANDLE: the process was forked since the batch was made, whose threads are the parent's.
@@ -140,6 +143,9 @@ pub unsafe extern "C" fn percuss_batch_run(
             for (at, answer) in (done..).zip(&*answers) {
                 if let Some(mass) = answer.mass {
                     (outcomes[at], masses[at]) = outcome(mass);
+                }
+                if answer.is_massless_to_rounding() {
+                    outcomes[at] = PERCUSS_MASSLESS_TO_ROUNDING;
                 }
                 if let Some(errors) = &mut errors {
                     errors[at] = known(answer.error);

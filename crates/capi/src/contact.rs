@@ -92,6 +92,8 @@ pub const PERCUSS_IMMOVABLE: percuss_outcome = 1;
 pub const PERCUSS_MASSLESS: percuss_outcome = 2;
 /// In batches: no answer; percuss_pose_effective_mass at that configuration says why.
 pub const PERCUSS_NO_ANSWER: percuss_outcome = 3;
+/// In batches: massless to rounding only; the error is the largest m̄, kg, that the contact may have.
+pub const PERCUSS_MASSLESS_TO_ROUNDING: percuss_outcome = 4;
 
 /// How m̄ is computed.
 pub type percuss_route = i32;

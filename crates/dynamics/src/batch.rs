@@ -48,13 +48,19 @@ pub enum BatchPositions<'a> {
 pub struct BatchAnswer {
     /// None: there is no answer; a position is not finite, or [`Pose::respond`](crate::Pose::respond) at that configuration says why.
     pub mass: Option<EffectiveMass>,
-    /// What rounding may amount to, kg; none where it was not counted.
+    /// The error by rounding, kg; `None` if it was not counted. Of a massless contact: the largest m̄ that it may have, if it
+    /// is massless to rounding only ([`Remark::MasslessToRounding`](crate::Remark::MasslessToRounding) of a pose).
     pub error: Option<f64>,
 }
 
 impl BatchAnswer {
     /// No answer yet.
     pub const NONE: Self = Self { mass: None, error: None };
+
+    /// True if the contact is massless to rounding only: masses left out in sums of larger ones may be there.
+    pub fn is_massless_to_rounding(&self) -> bool {
+        self.mass == Some(EffectiveMass::Massless) && self.error.is_some()
+    }
 }
 
 /// Why a batch does not run.
@@ -417,5 +423,6 @@ impl BatchPositions<'_> {
 /// The answer of a workspace.
 fn by_itself(workspace: &mut Workspace, contact: &Contact, positions: &[f64]) -> BatchAnswer {
     let mass = workspace.set_positions(positions).ok().and_then(|()| workspace.by_recursion(contact).ok());
-    BatchAnswer { mass, error: None }
+    let error = if mass == Some(EffectiveMass::Massless) { workspace.massless_to() } else { None };
+    BatchAnswer { mass, error }
 }

@@ -102,6 +102,8 @@ pub(crate) struct BudgetRoom {
     /// For every body: the size of all that it carries, were its joints frozen: moment (kg·m²) and mass (kg). Filled where it
     /// is asked for.
     composites: Vec<(f64, f64)>,
+    /// The change of 1/m̄ by motions that were frozen, 1/kg.
+    frozen: f64,
     /// Of the cluster at hand, over its coordinates: the forces that the tree leaves, and the rates.
     forces: Vec<f64>,
     rates: Vec<f64>,
@@ -142,6 +144,8 @@ pub(crate) struct RelativeErrors {
     pub rounding: f64,
     /// What of it is the route's own: another route has the rest too.
     pub route: f64,
+    /// What of that is due to motions that were frozen because their mass is below rounding, though they couple to the contact.
+    pub frozen: f64,
     /// What rows of A do that are off by as much as their loops are from fitting.
     pub file: f64,
     /// The greatest misfit of a group that moves.
@@ -150,6 +154,14 @@ pub(crate) struct RelativeErrors {
     pub is_measured: bool,
     /// The response (1/kg) by its energy, where the recursion's own is vague; `rounding` is its then.
     pub stationary: Option<f64>,
+}
+
+impl RelativeErrors {
+    /// The same where a motion without mass may take all of m̄ away.
+    pub fn with_all_in_doubt(self) -> Self {
+        let Self { rounding, route, frozen, .. } = self;
+        Self { rounding: rounding + 1.0, route: route + 1.0, frozen: frozen + 1.0, ..self }
+    }
 }
 
 impl UnitImpulse<'_> {
@@ -176,6 +188,7 @@ impl UnitImpulse<'_> {
         let mut sum = self.of_data(room, recursion, places);
         sum.rounding += route;
         sum.route = route;
+        sum.frozen = room.frozen;
         sum.stationary = stationary;
         self.relative(sum, response)
     }
@@ -188,6 +201,7 @@ impl UnitImpulse<'_> {
 
     fn of_eliminations(&self, room: &mut BudgetRoom, recursion: &Recursion<f64, 1>) -> f64 {
         room.composites.clear();
+        room.frozen = 0.0;
         let of_cluster = |(number, cluster): (usize, &Cluster)| match recursion.place[number] {
             None => self.of_joint(room, recursion, cluster.bodies[0]),
             Some(place) => self.of_cluster(room, recursion, cluster, &recursion.clusters[place]),
@@ -212,6 +226,7 @@ impl UnitImpulse<'_> {
         RelativeErrors {
             rounding: f64::EPSILON * sum.rounding / response,
             route: f64::EPSILON * sum.route / response,
+            frozen: sum.frozen / response,
             file: sum.file / response,
             is_measured: sum.is_measured,
             misfit: sum.misfit,
@@ -406,7 +421,9 @@ impl UnitImpulse<'_> {
         let own = energy_root(&roots, &components(&self.twists[i]));
         sum += SUM_ROUNDINGS * own * own;
         if body.v.clone().any(|v| !recursion.joints[v].counts) {
-            sum += self.of_frozen(room, recursion, i, &roots) / f64::EPSILON;
+            let frozen = self.of_frozen(room, recursion, i, &roots);
+            room.frozen += frozen;
+            sum += frozen / f64::EPSILON;
         }
         sum + 2.0 * SUM_ROUNDINGS * dot_abs(&recursion.wrenches[i][0], &components(&self.twists[i]))
     }

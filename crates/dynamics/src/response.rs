@@ -9,9 +9,7 @@ use crate::outcome::{CarefulReason, EffectiveMass, Remark, ResponseError, Route,
 use crate::pose::Pose;
 use crate::recursion::Decisions;
 use crate::routes::{Found, Question, RecursionRoom};
-use crate::tolerances::{
-    FILE_MISFITS, IMMOVABLE, LEAST_OTHER_MASS, NEARLY_IMMOVABLE, NEGLIGIBLE_MASS, SAME_BOTH_WAYS,
-};
+use crate::tolerances::{FILE_MISFITS, IMMOVABLE, LEAST_OTHER_MASS, NEARLY_IMMOVABLE, SAME_BOTH_WAYS};
 use nalgebra::Vector3;
 use percuss_mechanism::{JointId, LinkId};
 use percuss_spatial::Twist;
@@ -157,10 +155,9 @@ impl Asked<'_> {
         question.model.refuse_large_clusters::<f64>(&self.pose.groups)?;
         question.run(&mut self.room);
         let found = question.answer(&mut self.room, choice)?;
-        let up_to = self.room.deciding.massless_to[0];
-        let all: f64 = question.model.bodies.iter().map(|b| b.inertia.mass.abs()).sum();
+        let up_to = self.room.massless_to(question.model);
         let mut response = self.finish(found);
-        if response.effective_mass == EffectiveMass::Massless && up_to > NEGLIGIBLE_MASS * all {
+        if let (EffectiveMass::Massless, Some(up_to)) = (response.effective_mass, up_to) {
             response.remarks.push(Remark::MasslessToRounding { up_to });
         }
         Ok(response)

@@ -10,8 +10,8 @@ use crate::model::Model;
 use crate::outcome::{CarefulReason, EffectiveMass, Remark, Route, RouteChoice, RouteError};
 use crate::recursion::{ClusterElimination, Deciding, Motion, Recursion};
 use crate::tolerances::{
-    CAREFUL_LIMIT, IMMOVABLE, KEPT_BODIES, KEPT_NUMBERS, KEPT_ROOMS, NEARLY_IMMOVABLE, NOTHING_LEFT,
-    ROUTE_ROUNDINGS, TRUSTED_ERROR,
+    CAREFUL_LIMIT, IMMOVABLE, KEPT_BODIES, KEPT_NUMBERS, KEPT_ROOMS, NEARLY_IMMOVABLE, NEGLIGIBLE_MASS,
+    NOTHING_LEFT, ROUTE_ROUNDINGS, TRUSTED_ERROR,
 };
 use nalgebra::Vector3;
 use percuss_spatial::{Twist, Wrench};
@@ -108,7 +108,14 @@ impl RecursionRoom {
     /// Whether the recursion's rounding is beyond doubt, before its errors are counted: what is left is the data's, and every
     /// route's.
     fn is_clear(&self) -> bool {
-        !self.deciding.felt && self.is_small(self.deciding.roundings)
+        !self.deciding.felt && !self.deciding.closes_faintly && self.is_small(self.deciding.roundings)
+    }
+
+    /// The largest m̄ (kg) that a contact may have that was found massless; `None` if that is negligible.
+    pub fn massless_to(&self, model: &Model) -> Option<f64> {
+        let (up_to, all) =
+            (self.deciding.massless_to[0], model.bodies.iter().map(|b| b.inertia.mass.abs()).sum::<f64>());
+        (up_to > NEGLIGIBLE_MASS * all).then_some(up_to)
     }
 
     /// Whether so many roundings, 1/kg, leave a finite answer whole.
@@ -215,7 +222,7 @@ impl Question<'_> {
         }
         recursion.velocities(self.model, &self.located.point_root, motion);
         let impulse = self.impulse(&motion.twists, &motion.velocities);
-        impulse.of_route(budget, recursion) <= TRUSTED_ERROR
+        impulse.of_route(budget, recursion) <= TRUSTED_ERROR && !room.deciding.closes_faintly
     }
 
     /// The careful route's answer where it is better than the recursion's, which there is a reason not to trust.
@@ -224,10 +231,22 @@ impl Question<'_> {
             return self.careful(room);
         }
         let recursive = self.recursive(room, errors);
-        Ok(match self.careful(room) {
+        let careful = self.careful(room).map(|found| {
+            // What the recursion froze beyond doubt of rounding, the dense route has left out too where it left out any motion.
+            let drops = found.remarks.iter().any(|remark| matches!(remark, Remark::MasslessMotions { .. }));
+            let doubted = drops && errors.frozen >= 1.0;
+            let errors = if doubted { found.errors.with_all_in_doubt() } else { found.errors };
+            Found { errors, ..found }
+        });
+        Ok(match careful {
             Ok(careful) if recursive.mass == EffectiveMass::Massless => careful,
-            // What carries the motion that was dropped feels it: it has a mass, if an uncertain one.
-            Ok(careful) if careful.mass == EffectiveMass::Massless && room.deciding.felt => recursive,
+            // A dropped motion that couples to its parent or to the contact has a mass, if an uncertain one.
+            Ok(careful)
+                if careful.mass == EffectiveMass::Massless
+                    && (room.deciding.felt || room.deciding.closes_faintly) =>
+            {
+                recursive
+            }
             // An error that is NaN is beaten by any.
             Ok(careful) if careful.errors.rounding.total_cmp(&recursive.errors.rounding).is_lt() => careful,
             _ => recursive,
@@ -240,9 +259,11 @@ impl Question<'_> {
             return RelativeErrors::default();
         }
         let is_clear = room.is_clear();
-        let RecursionRoom { recursion, motion, budget, .. } = room;
+        let RecursionRoom { recursion, motion, budget, deciding, .. } = room;
         recursion.velocities(self.model, &self.located.point_root, motion);
-        self.impulse(&motion.twists, &motion.velocities).of_recursion(budget, recursion, is_clear)
+        let errors =
+            self.impulse(&motion.twists, &motion.velocities).of_recursion(budget, recursion, is_clear);
+        if deciding.closes_faintly { errors.with_all_in_doubt() } else { errors }
     }
 
     /// The response by its energy, after the recursion ran; none where motions have no mass.
@@ -260,7 +281,7 @@ impl Question<'_> {
         match mass {
             EffectiveMass::Finite(m) => {
                 velocities.iter_mut().zip(&room.motion.velocities).for_each(|(to, v)| *to = v * m);
-                if room.own_error(&errors) > NOTHING_LEFT
+                if room.own_error(&errors) - errors.frozen > NOTHING_LEFT
                     && !room.is_small(ROUTE_ROUNDINGS * room.deciding.terms)
                 {
                     // The energy that is left is rounding.
@@ -355,7 +376,9 @@ impl Question<'_> {
         let twists = self.twists(&velocities);
         let sizes = model.mass_sizes(self.kinematics);
         let RecursionRoom { recursion, budget, .. } = room;
-        self.impulse(&twists, &velocities).of_least_energy(budget, recursion, &sizes, &u, 1.0 / m)
+        let errors =
+            self.impulse(&twists, &velocities).of_least_energy(budget, recursion, &sizes, &u, 1.0 / m);
+        if solution.couples { errors.with_all_in_doubt() } else { errors }
     }
 
     /// Twists of the bodies, root axes at the contact point.

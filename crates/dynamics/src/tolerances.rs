@@ -95,6 +95,8 @@ pub(crate) const WEAK_DRIVER: f64 = 1e-2;
 pub(crate) const NO_TURN: f64 = 2.0 * f64::EPSILON;
 /// The sine of an angle between axes below which their common normal is too far away to be of use.
 pub(crate) const PARALLEL_AXES: f64 = 0.05;
+/// Distance between parallel axes below which it is rounding, relative to the distance of the points that they are given by.
+pub(crate) const NO_ACROSS: f64 = 16.0 * f64::EPSILON;
 /// The travels of slides, in lengths of the mechanism, that sizes are bounded with once for all; larger ones stretch them.
 pub(crate) const SLIDE_REACH: f64 = 0.5;
 /// How far the square of a quaternion may be from 1 by rounding; beyond, what it turns by is no rotation.
@@ -124,6 +126,12 @@ pub(crate) const NOTHING_LEFT: f64 = 1.0;
 /// errors are counted: those of a sum of a few products, three times over; more where a pivot is smaller than its terms by a
 /// larger factor.
 pub(crate) const ROUTE_ROUNDINGS: f64 = 16.0;
+/// Roundings of a pivot's largest term that the pivot and what it leaves are off by in lanes: those of the products and sums
+/// of an elimination and of two turns and shifts.
+pub(crate) const LOSS_ROUNDINGS: f64 = 4.0;
+/// Ratio of a pivot's terms to the pivot above which the elimination amplifies the errors of the subtree, in lanes. Pivots of
+/// common arms and long chains are below it, or amplify nothing.
+pub(crate) const COMMON_LOSS: f64 = 64.0;
 /// Relative error of a bound cluster's response from which on it is held to its stationary value: a tenth of what is trusted.
 pub(crate) const VAGUE_RESPONSE: f64 = 1e-12;
 /// A part of the mechanism's mass that does not matter.

@@ -136,6 +136,11 @@ impl Workspace {
         (0..q.len()).find(|&at| !q[at].is_finite() && !is_mimic(at))
     }
 
+    /// The largest m̄ (kg) that the contact may have that the recursion last found massless; `None` if that is negligible.
+    pub(crate) fn massless_to(&self) -> Option<f64> {
+        self.recursion.massless_to(self.assembly.model())
+    }
+
     /// The same, whatever lanes may know.
     pub(crate) fn by_recursion(&mut self, contact: &Contact) -> Result<EffectiveMass, ResponseError> {
         // Lanes are sure of no answer that comes of these; the recursion would find nothing that moves.

@@ -11,7 +11,7 @@ use numpy::ndarray::{ArrayView2, s};
 use numpy::{Element, PyArray1, PyArrayMethods, PyReadonlyArray2, PyReadwriteArray1, PyUntypedArrayMethods};
 use percuss::{
     Assembly as Assembled, Batch, BatchAnswer, BatchError, BatchPositions, Configuration,
-    Contact as Resolved, DrivenPath, JointId, PathAnswer, Pose as Posed, RouteChoice,
+    Contact as Resolved, DrivenPath, JointId, PathAnswer, Pose as Posed, Remark, RouteChoice,
 };
 use percuss_render::{Figure, Panel, Series, Style};
 use pyo3::exceptions::PyTypeError;
@@ -43,12 +43,16 @@ pub struct Sweep {
     /// What it may be off by, kg; NaN where that was not counted; (N,).
     #[pyo3(get)]
     error: Py<PyArray1<f64>>,
-    /// 0 finite, 1 immovable, 2 massless, 3 no answer: the pose does not exist, or no route takes it; uint8, (N,).
+    /// 0 finite, 1 immovable, 2 massless, 3 no answer: the pose does not exist, or no route takes it; 4 massless to rounding only,
+    /// where the error is the largest m̄ that the contact may have; uint8, (N,).
     #[pyo3(get)]
     status: Py<PyArray1<u8>>,
     /// What the picture is headed by.
     link: String,
 }
+
+/// Status of a contact that is massless to rounding only: masses left out in sums of larger ones may be there.
+const MASSLESS_TO_ROUNDING: u8 = 4;
 
 /// What is answered, by columns.
 struct Columns<'a> {
@@ -262,7 +266,10 @@ fn answer(
                 return Err(Stopped::NotFinite);
             };
             // Codes are those of finite masses already.
-            let other = |at: usize, answer: BatchAnswer| codes[at] = coded(answer.mass).1;
+            let other = |at: usize, answer: BatchAnswer| {
+                let rounding = answer.is_massless_to_rounding();
+                codes[at] = if rounding { MASSLESS_TO_ROUNDING } else { coded(answer.mass).1 };
+            };
             batch.run_columns(positions, masses, errors, other).map_err(Stopped::Refused)?;
             rooms().push(room);
             Ok(())
@@ -453,6 +460,11 @@ impl<'a> Path<'a> {
 fn respond(pose: &Posed, contact: &Resolved, at: usize, columns: &mut Columns<'_>) {
     if let Ok(response) = pose.respond(contact, RouteChoice::Auto) {
         columns.set(at, Some(response.effective_mass), response.effective_mass_error());
+        for remark in &response.remarks {
+            if let Remark::MasslessToRounding { up_to } = remark {
+                (columns.codes[at], columns.errors[at]) = (MASSLESS_TO_ROUNDING, *up_to);
+            }
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Route A's heart: the least kinetic energy at unit closing speed, for any semi-definite M.
 
-use crate::tolerances::{IMMOVABLE, ROOT_ENERGY};
+use crate::tolerances::{IMMOVABLE, ROOT_ENERGY, ROUTE_ROUNDINGS};
 use faer::{Mat, MatRef, Side};
 use nalgebra::DMatrix;
 
@@ -45,6 +45,8 @@ pub(crate) struct Solution {
     pub closing_speed: f64,
     /// How many directions of motion carry no mass.
     pub massless_directions: usize,
+    /// True if a direction whose energy is below rounding couples to the motion found: free, it may take away all of m̄.
+    pub couples: bool,
 }
 
 /// M = L Lᵀ with pivots; zero pivots end it.
@@ -71,6 +73,7 @@ impl LeastEnergy<'_> {
             is_open: false,
             closing_speed: self.closing_speed(&kernel, &scales),
             massless_directions: n - rank,
+            couples: false,
         };
         if solution.closing_speed <= IMMOVABLE {
             return solution;
@@ -83,11 +86,29 @@ impl LeastEnergy<'_> {
         } else {
             let found = least_squares(&factor.transpose, &kernel, &row);
             solution.is_open = found.is_open && matches!(found.minimum, Minimum::Finite(_));
+            solution.couples = solution.is_open && self.couples(&scales, &found);
             (found.minimum, found.velocity)
         };
         solution.minimum = minimum;
         solution.velocity = (0..n).map(|k| scaled[(k, 0)] * scales[k]).collect();
         solution
+    }
+
+    /// True if the energy changes along a direction that counts as massless: its gradient there, zᵀMv, exceeds the rounding of
+    /// M's entries, those left out of the factor included.
+    fn couples(&self, scales: &[f64], found: &Found) -> bool {
+        let n = self.row.len();
+        let momentum: Vec<f64> = (0..n)
+            .map(|r| (0..n).map(|c| self.mass[(r, c)] * scales[r] * scales[c] * found.velocity[(c, 0)]).sum())
+            .collect();
+        let roots: Vec<f64> = (0..n).map(|k| scales[k] * self.mass_size[k].abs().sqrt()).collect();
+        let moving: f64 = (0..n).map(|k| roots[k] * found.velocity[(k, 0)].abs()).sum();
+        (0..found.open.ncols()).any(|i| {
+            let z = found.open.col(i);
+            let gradient: f64 = (0..n).map(|k| z[k] * momentum[k]).sum();
+            let size: f64 = (0..n).map(|k| roots[k] * z[k].abs()).sum();
+            gradient.abs() > ROUTE_ROUNDINGS * f64::EPSILON * n as f64 * size * moving
+        })
     }
 
     /// Whether coordinate `k` moves any mass, beyond the rounding of its diagonal entry.
@@ -205,6 +226,8 @@ struct Found {
     velocity: Mat<f64>,
     /// Whether some motion has no energy.
     is_open: bool,
+    /// These motions, in scaled coordinates.
+    open: Mat<f64>,
 }
 
 /// min ‖Lᵀ(v₀ + Z z)‖² with v₀ along j and Z the admissible motions that leave the gap as it is.
@@ -219,7 +242,7 @@ fn least_squares(factor: &Mat<f64>, kernel: &Mat<f64>, row: &Mat<f64>) -> Found 
     // Nothing to choose from, or nothing that matters (faer's pivoted QR of a zero matrix is NaN).
     if energies.norm_max() == 0.0 {
         let minimum = minimum(target.squared_norm_l2(), norm, rows);
-        return Found { minimum, velocity: particular, is_open: motions.ncols() > 0 };
+        return Found { minimum, velocity: particular, is_open: motions.ncols() > 0, open: motions };
     }
     let qr = energies.col_piv_qr();
     let r = qr.R();
@@ -234,7 +257,17 @@ fn least_squares(factor: &Mat<f64>, kernel: &Mat<f64>, row: &Mat<f64>) -> Found 
         weights[(order[i], 0)] = (-rotated[(i, 0)] - known) / r[(i, i)];
     }
     let velocity = particular + &motions * weights;
-    Found { minimum: minimum(energy, norm, rows), velocity, is_open: rank < motions.ncols() }
+    // Each motion that is left over, with those that count following so that it has no energy.
+    let mut follow: Mat<f64> = Mat::zeros(motions.ncols(), motions.ncols() - rank);
+    for (k, column) in (rank..motions.ncols()).enumerate() {
+        follow[(order[column], k)] = 1.0;
+        for i in (0..rank).rev() {
+            let known: f64 = (i + 1..rank).map(|c| r[(i, c)] * follow[(order[c], k)]).sum();
+            follow[(order[i], k)] = (-r[(i, column)] - known) / r[(i, i)];
+        }
+    }
+    let open = motions * follow;
+    Found { minimum: minimum(energy, norm, rows), velocity, is_open: open.ncols() > 0, open }
 }
 
 /// `energy` at unit closing speed, where a motion along j of unit size closes at `norm`.

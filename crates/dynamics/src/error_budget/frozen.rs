@@ -11,7 +11,7 @@ impl UnitImpulse<'_> {
     /// What the pivots of a plain joint that do not count may change 1/m̄ by, 1/kg.
     ///
     /// Iᴬ ≥ U Uᵀ/D: a motion without mass has no U. One that has, beyond rounding, has a mass that is smaller than rounding, and
-    /// was frozen; the energy of all that it carries may be what it takes away.
+    /// was frozen. Free, it may take away all of m̄, since what is left of its mass beside other free motions is unknown.
     pub(super) fn of_frozen(
         &self,
         room: &mut BudgetRoom,
@@ -41,7 +41,7 @@ impl UnitImpulse<'_> {
             let passed = e.u.power(&twist).abs();
             sum += 2.0
                 * if passed > PIVOT * own * carried {
-                    frozen
+                    frozen.max(recursion.response(0, 0))
                 } else {
                     // What is left of U is as small as the rounding of D lets it be, or there is none.
                     let most = passed + SUM_ROUNDINGS * f64::EPSILON * own * carried;

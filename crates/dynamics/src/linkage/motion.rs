@@ -11,7 +11,7 @@
 use super::place::{direction, frame, place, point};
 use super::plan::{BodyDirection, BodyPoint, Motion, Moving, Plan};
 use super::room::{FRAME, along, cross, dot, get, get_vector, minus, plus, put_vector, size, times};
-use super::rows::{eliminate, fill_rates, fill_rows};
+use super::rows::{RowRoundings, eliminate, fill_rates, fill_rows};
 use crate::answered::Columns;
 use crate::tolerances::{FAR_ROUNDINGS, LINKAGE_FREEDOMS, ROUTE_ROUNDINGS};
 use percuss_spatial::lanes::Lanes;
@@ -52,7 +52,7 @@ pub(super) fn evaluate<T: Lanes>(
     room: &mut [f64],
 ) -> Answer<T> {
     let placed = place(plan, columns, first, room);
-    let rows: T = fill_rows::<T, false>(plan, room).roundings;
+    let rows: RowRoundings<T> = fill_rows::<T, false>(plan, room).roundings;
     let least: T = eliminate::<T, false>(plan, room);
     answer(plan, struck, placed, rows, least, room)
 }
@@ -64,16 +64,21 @@ pub(super) fn answer<T: Lanes>(
     plan: &Plan,
     struck: &Struck,
     (beyond, far): (T, T),
-    rows: T,
+    rows: RowRoundings<T>,
     least: T,
     room: &mut [f64],
 ) -> Answer<T> {
     fill_rates::<T>(plan, room);
     fill_twists::<T>(plan, room);
     // By how many ε of all rates each rate is off: the roundings of the entries of A, over its pivots.
+    // Frames fixed to the root link are rounded at their distance from its origin.
+    let far = far + T::from_f64(plan.centre.norm() / 2.0);
     let distant = far * T::from_f64(1.0 / plan.length);
-    let entries = rows + distant.mul_add(T::from_f64(FAR_ROUNDINGS), T::from_f64(plan.roundings));
-    let mut answer: Answer<T> = respond(plan, struck, entries * least * T::from_f64(plan.scale), room);
+    let amplified = least * T::from_f64(plan.scale);
+    // Positions are off by what the loops are open, over the pivots; no less than the loops themselves.
+    let open = rows.open * amplified.max(T::one());
+    let entries = rows.rods + open + distant.mul_add(T::from_f64(FAR_ROUNDINGS), T::from_f64(plan.roundings));
+    let mut answer: Answer<T> = respond(plan, struck, entries * amplified, room);
     answer.error = beyond.mul_add(T::from_f64(f64::MAX), answer.error);
     answer
 }

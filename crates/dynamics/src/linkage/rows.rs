@@ -21,7 +21,16 @@ pub(super) struct Seen<T> {
     /// How far the farthest row is from closed, m.
     pub open: T,
     /// By how many roundings the entries of A are off because of that, or because rods are short.
-    pub roundings: T,
+    pub roundings: RowRoundings<T>,
+}
+
+/// Errors of the entries of A, in roundings.
+#[derive(Clone, Copy)]
+pub(super) struct RowRoundings<T> {
+    /// By short rods.
+    pub rods: T,
+    /// By loops that are open: over the pivots they are also how far the positions are off, and with them the entries.
+    pub open: T,
 }
 
 /// A; and how far each row is from closed (m), where that is to be `KEPT`.
@@ -90,7 +99,7 @@ pub(super) fn fill_rows<T: Lanes, const KEPT: bool>(plan: &Plan, room: &mut [f64
         }
     }
     let of_open = open * T::from_f64(OPEN_ROUNDINGS / (f64::EPSILON * plan.length));
-    Seen { open, roundings: rods.mul_add(T::from_f64(FAR_ROUNDINGS), of_open) }
+    Seen { open, roundings: RowRoundings { rods: rods * T::from_f64(FAR_ROUNDINGS), open: of_open } }
 }
 
 /// The axis of a term, root axes, and how far the acting point is from its body's origin.

@@ -1,11 +1,13 @@
 //! What the steps of the recursion share: the struck point's wrench on its way to the ground, and the room of the bodies.
 
 use super::plan::{Leaf, Step};
+use super::sizes::SIZES;
+use crate::tolerances::{LOSS_ROUNDINGS, ROUTE_ROUNDINGS};
 use percuss_spatial::lanes::Lanes;
 use percuss_spatial::{PackedInertia, PackedWrench, Pivot};
 
-/// How many numbers of room a step takes, for each lane: its inertia, sine and cosine (or travel).
-pub(super) const ROOM: usize = 23;
+/// How many numbers of room a step takes, for each lane: its inertia, sine and cosine (or travel), sizes of terms.
+pub(super) const ROOM: usize = SIZES + 2;
 pub(super) const SINE: usize = 21;
 pub(super) const COSINE: usize = 22;
 
@@ -59,10 +61,18 @@ impl<T: Lanes> Carried<T> {
         Self { wrench: PackedWrench::zero(), about: o, along: o, response: o, terms: o, loss: one }
     }
 
-    /// What a pivot loses of the inertia that it is an entry of.
+    /// Counts the ratio of a pivot's summed terms to the pivot. Returns that ratio.
     #[inline(always)]
-    pub fn lose(&mut self, size: T, pivot: &Pivot<T>) {
-        self.loss = self.loss.max(size * pivot.over.abs());
+    pub fn lose(&mut self, size: T, pivot: &Pivot<T>) -> T {
+        let loss = size * pivot.over.abs();
+        self.loss = self.loss.max(loss);
+        loss
+    }
+
+    /// Roundings by which the terms of the response are off.
+    #[inline(always)]
+    pub fn roundings(&self) -> T {
+        T::from_f64(ROUTE_ROUNDINGS).max(self.loss * T::from_f64(LOSS_ROUNDINGS))
     }
 
     /// t²/D, and its terms. Gives t/D.

@@ -2,6 +2,7 @@
 
 use super::carried::{COSINE, Carried, SINE, number, pass, spend};
 use super::plan::{HingeForm, Placed, Shape};
+use super::sizes::Sizes;
 use percuss_spatial::PackedInertia;
 use percuss_spatial::lanes::Lanes;
 
@@ -59,7 +60,7 @@ fn formed<
 ) {
     let of = T::from_f64;
     let Placed { step, above, is_first, .. } = placed;
-    let mut inertia = if LEAF {
+    let (mut inertia, sizes) = if LEAF {
         let Some(leaf) = &step.leaf else { return };
         carried.loss = carried.loss.max(of(leaf.loss));
         if ON_PATH {
@@ -69,11 +70,12 @@ fn formed<
         if BARE {
             left.clear_row::<2>();
         }
-        left
+        (left, leaf.sizes.cast())
     } else {
         let mut inertia = PackedInertia::load(own);
         let pivot = inertia.turn_pivot::<2>(of(step.armature[2]));
-        carried.lose(inertia.moment_size(), &pivot);
+        let sizes = Sizes::of(&inertia, true, own);
+        let loss = carried.lose(sizes.moment, &pivot);
         if ON_PATH {
             spend::<T, 2>(step, &pivot, carried);
         }
@@ -83,7 +85,7 @@ fn formed<
         } else {
             inertia.eliminate_turn::<2>(&pivot, &over_d);
         }
-        inertia
+        (inertia, sizes.amplified(loss))
     };
     let way = &step.way;
     let (s, c): (T, T) = (number(own, SINE), number(own, COSINE));
@@ -124,5 +126,6 @@ fn formed<
         (known + inertia.angular[5]).store(&mut slot[5 * T::WIDTH..]);
     } else {
         pass(&mut inertia, above, *is_first, slot);
+        sizes.pass(step.reach, *is_first, slot);
     }
 }

@@ -7,6 +7,7 @@ mod carried;
 mod hinge;
 mod plan;
 mod recursion;
+mod sizes;
 mod slid;
 mod way;
 
@@ -14,7 +15,6 @@ use crate::aligned::Aligned;
 use crate::answered::{Answered, Answers, Columns, WIDEST};
 use crate::contact::{Contact, Direction, Frame};
 use crate::model::Model;
-use crate::tolerances::ROUTE_ROUNDINGS;
 use carried::ROOM;
 use nalgebra::Vector3;
 use percuss_spatial::lanes::{Instructions, Lanes, Work};
@@ -122,8 +122,7 @@ impl Work for Groups<'_> {
         let mut done = 0;
         while done < answers.masses.len() {
             let answer: Answer<T> = evaluate(steps, selection, columns, first + done, room);
-            let roundings = T::from_f64(ROUTE_ROUNDINGS).max(answer.loss);
-            answers.put(done, answer.response, roundings * answer.terms);
+            answers.put(done, answer.response, answer.roundings * answer.terms);
             done += T::WIDTH;
         }
     }

@@ -2,10 +2,11 @@
 //! entry of the inertia, and the way from each to the frame that carries it by as few turns about and shifts along
 //! coordinate axes as there are (Denavit and Hartenberg 1955).
 
+use super::sizes::Sizes;
 use crate::answered::is_positive;
 use crate::joint_motion::JointMotion;
 use crate::model::{Body, Model};
-use crate::tolerances::{NO_TURN, PARALLEL_AXES, SLIDE_REACH};
+use crate::tolerances::{NO_ACROSS, NO_TURN, PARALLEL_AXES, SLIDE_REACH};
 use nalgebra::{Matrix3, Vector3};
 use percuss_mechanism::JointKind;
 use percuss_spatial::lanes::Portable;
@@ -158,6 +159,8 @@ pub(super) struct Leaf {
     pub armature_part: f64,
     /// What the pivot loses: the size of its inertia over the pivot.
     pub loss: f64,
+    /// Sizes of the terms of what is left.
+    pub sizes: Sizes<f64>,
 }
 
 /// What a slide that carries nothing leaves to its carrier, in the carrier's frame: I₀ + q I₁ + q² I₂.
@@ -171,6 +174,8 @@ pub(super) struct Slid {
     pub bend: [f64; 6],
     /// Of [`Leaf`].
     pub loss: f64,
+    /// Of [`Leaf`].
+    pub sizes: Sizes<f64>,
 }
 
 /// Steps of one form go through code without a branch.
@@ -350,9 +355,12 @@ impl Leaf {
             }
         };
         let turns = matches!(step.motion, Motion::Turn { .. });
-        let size = value(if turns { left.moment_size() } else { left.mass_size() });
+        let sizes = Sizes::of(&left, false, &[]);
+        let size = value(if turns { sizes.moment } else { sizes.mass });
         // What has no mass at all leaves none, and loses nothing; asked for m̄ itself, it is not a number.
         let is_massless = size == 0.0 && value(pivot.d) == 0.0;
+        let loss = if is_massless { 1.0 } else { size * value(pivot.over).abs() };
+        let sizes = sizes.amplified(One::from_f64(loss));
         let over_d = pivot.u.scaled(pivot.over);
         match turns {
             _ if is_massless => {}
@@ -366,7 +374,8 @@ impl Leaf {
             u: wrench(&pivot.u),
             d: value(pivot.d),
             over: value(pivot.over),
-            loss: if is_massless { 1.0 } else { size * value(pivot.over).abs() },
+            loss,
+            sizes: Sizes { moment: value(sizes.moment), mass: value(sizes.mass) },
             armature_part: value(pivot.armature_part),
         })
     }
@@ -431,7 +440,9 @@ fn common_normal(
         return (Some(x), z * z.dot(&(point + direction * s)));
     }
     let length = across.norm();
-    ((length > 0.0).then(|| across / length), z * z.dot(point))
+    // The difference above is orthogonal to z to the rounding of the point only: what is left of z is taken off once more.
+    let x = (length > NO_ACROSS * point.norm()).then(|| across - z * z.dot(&across));
+    (x.map(|x| x.normalize()), z * z.dot(point))
 }
 
 impl Way {

@@ -11,6 +11,7 @@
 use super::carried::{COSINE, Carried, ROOM, SINE, number, pass, spend};
 use super::hinge::hinge;
 use super::plan::{Form, Motion, Placed, Shape, Step, Turn};
+use super::sizes::Sizes;
 use super::slid;
 use super::way::{At, go};
 use crate::answered::Columns;
@@ -71,9 +72,8 @@ pub(super) struct Answer<T> {
     pub response: T,
     /// What the response would be off by, were all that its pivots and tests are sums of off by as much as themselves, 1/kg.
     pub terms: T,
-    /// The largest that the size of what a pivot is the sum of is over the pivot: so many times more its rounding counts in
-    /// what it leaves.
-    pub loss: T,
+    /// How many roundings of the terms count.
+    pub roundings: T,
 }
 
 /// 1/m̄ of configurations `first` and those after it.
@@ -99,9 +99,10 @@ pub(super) fn evaluate<T: Lanes>(
         }
     }
     // What lies beyond the angles that this is right for is doubted.
-    let Carried { response, terms, loss, .. } = carried;
+    let roundings = carried.roundings();
+    let Carried { response, terms, .. } = carried;
     let stretch = (travels * T::from_f64(selection.over_travel)).max(T::one());
-    Answer { response, terms: beyond.mul_add(T::from_f64(f64::MAX), terms * stretch * stretch), loss }
+    Answer { response, terms: beyond.mul_add(T::from_f64(f64::MAX), terms * stretch * stretch), roundings }
 }
 
 /// Sines and cosines; how far angles and quaternions are beyond what they may be, and the largest travel (m).
@@ -298,6 +299,7 @@ fn advance<T: Lanes, const ON_PATH: bool>(
             carried.loss = carried.loss.max(T::from_f64(slid.loss));
             let slot = &mut rest[parent * ROOM * T::WIDTH..][..ROOM * T::WIDTH];
             slid::pass::<T>(slid, number(own, SINE), placed.is_first, slot);
+            slid.sizes.cast::<T>().pass(step.reach, placed.is_first, slot);
         }
         Form::Slid | Form::Any => any::<T>(placed, ON_PATH, at, carried, rest, own),
     }
@@ -323,7 +325,7 @@ fn any<T: Lanes>(
     own: &[f64],
 ) {
     let step = &placed.step;
-    let mut inertia = eliminated::<T>(step, on_path, carried, own);
+    let (mut inertia, sizes) = eliminated::<T>(step, on_path, carried, own);
     let Some(parent) = step.parent.filter(|_| !step.lets_go()) else { return };
     go::<T>(step, &mut inertia, on_path, at, carried, own);
     if on_path {
@@ -331,16 +333,17 @@ fn any<T: Lanes>(
     }
     let slot = &mut rest[parent * ROOM * T::WIDTH..][..ROOM * T::WIDTH];
     pass(&mut inertia, &placed.above, placed.is_first, slot);
+    sizes.pass(step.reach, placed.is_first, slot);
 }
 
-/// What a body's joint leaves of its inertia.
+/// What a body's joint leaves of its inertia, and the sizes of its terms.
 #[inline(always)]
 fn eliminated<T: Lanes>(
     step: &Step,
     on_path: bool,
     carried: &mut Carried<T>,
     own: &[f64],
-) -> PackedInertia<T> {
+) -> (PackedInertia<T>, Sizes<T>) {
     if let Some(leaf) = &step.leaf {
         carried.loss = carried.loss.max(T::from_f64(leaf.loss));
         match step.motion {
@@ -348,7 +351,7 @@ fn eliminated<T: Lanes>(
             _ if on_path => spend::<T, 2>(step, &leaf.pivot(), carried),
             _ => {}
         }
-        return leaf.left.cast();
+        return (leaf.left.cast(), leaf.sizes.cast());
     }
     let mut inertia: PackedInertia<T> =
         if step.carries { PackedInertia::load(own) } else { step.own.inertia.cast() };
@@ -360,23 +363,26 @@ fn eliminated<T: Lanes>(
             carried.wrench.turn::<2>(c, s);
         }
     }
+    // Before any of the joint's velocities is eliminated: the first pivots cancel what the last are differences of.
+    let mut sizes = Sizes::of(&inertia, step.carries, own);
     macro_rules! velocity {
         ($component:literal, $size:ident, $pivot:ident, $eliminate:ident, $axis:literal) => {
             if step.free[$component] {
                 let pivot = inertia.$pivot::<$axis>(T::from_f64(step.armature[$component]));
-                carried.lose(inertia.$size(), &pivot);
+                let loss = carried.lose(sizes.$size, &pivot);
                 if on_path {
                     spend::<T, $component>(step, &pivot, carried);
                 }
                 inertia.$eliminate::<$axis>(&pivot, &pivot.u.scaled(pivot.over));
+                sizes = sizes.amplified(loss);
             }
         };
     }
-    velocity!(3, mass_size, slide_pivot, eliminate_slide, 0);
-    velocity!(4, mass_size, slide_pivot, eliminate_slide, 1);
-    velocity!(5, mass_size, slide_pivot, eliminate_slide, 2);
-    velocity!(0, moment_size, turn_pivot, eliminate_turn, 0);
-    velocity!(1, moment_size, turn_pivot, eliminate_turn, 1);
-    velocity!(2, moment_size, turn_pivot, eliminate_turn, 2);
-    inertia
+    velocity!(3, mass, slide_pivot, eliminate_slide, 0);
+    velocity!(4, mass, slide_pivot, eliminate_slide, 1);
+    velocity!(5, mass, slide_pivot, eliminate_slide, 2);
+    velocity!(0, moment, turn_pivot, eliminate_turn, 0);
+    velocity!(1, moment, turn_pivot, eliminate_turn, 1);
+    velocity!(2, moment, turn_pivot, eliminate_turn, 2);
+    (inertia, sizes)
 }

@@ -21,7 +21,7 @@ pub(super) fn find(steps: &mut [Placed]) {
             }
             let [slope, bend] = leaf.left.along::<2>().map(|rate| in_the_carriers(placed, rate).plain());
             let constant = constant.plain();
-            let slid = Slid { constant, slope, bend: bend.angular, loss: leaf.loss };
+            let slid = Slid { constant, slope, bend: bend.angular, loss: leaf.loss, sizes: leaf.sizes };
             placed.slid = Some(Box::new(slid));
             placed.form = Form::Slid;
         }

@@ -119,6 +119,9 @@ pub(crate) struct Deciding<const K: usize> {
     cluster_loss: f64,
     /// Whether a motion was taken for massless that what carries it feels: its pivot is no rounding of nothing.
     pub felt: bool,
+    /// True if a motion of a plain joint without mass closes the gap beyond rounding, but by less than [`MASSLESS_CLOSING`]:
+    /// m̄ may be any number below the one found.
+    pub closes_faintly: bool,
     pub decisions: Decisions,
 }
 
@@ -154,6 +157,7 @@ impl<const K: usize> Deciding<K> {
             loss: vec![ROUTE_ROUNDINGS; bodies],
             cluster_loss: ROUTE_ROUNDINGS,
             felt: false,
+            closes_faintly: false,
             decisions: Decisions {
                 joints: vec![false; model.follows.len()],
                 place: vec![0; model.follows.len()],
@@ -173,6 +177,7 @@ impl<const K: usize> Deciding<K> {
         self.terms = 0.0;
         self.roundings = 0.0;
         self.felt = false;
+        self.closes_faintly = false;
         self.decisions.clusters.iter_mut().for_each(Vec::clear);
     }
 
@@ -290,6 +295,8 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
                 if t > MASSLESS_CLOSING * test_size {
                     self.massless[k] = true;
                     self.massless_to[k] = self.massless_to[k].max(PIVOT * size / (t * t));
+                } else if k == 0 && t > PIVOT * test_size {
+                    self.closes_faintly = true;
                 }
                 let size = test_size;
                 if k == 0 && t > self.best_closing * size {

@@ -80,12 +80,13 @@ from ._reports import (
 __version__ = _version("percuss")
 
 #: Numbers of outcomes in the arrays of sweep, effective_masses and maps.
-FINITE, IMMOVABLE, MASSLESS, NO_ANSWER = range(4)
+FINITE, IMMOVABLE, MASSLESS, NO_ANSWER, MASSLESS_TO_ROUNDING = range(5)
 
 __all__ = [
     "FINITE",
     "IMMOVABLE",
     "MASSLESS",
+    "MASSLESS_TO_ROUNDING",
     "NO_ANSWER",
     "Accelerations",
     "Assembly",

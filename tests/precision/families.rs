@@ -1,0 +1,475 @@
+//! Families of trees and linkages against 96 digits: no stated error is exceeded, by lanes or by poses.
+//!
+//! The short version runs with the suite. `PERCUSS_ROWS=100000 cargo test -p percuss-tests --test precision by_definition --
+//! --nocapture` asks so many rows of every family.
+
+use super::definition::{Closure, Exact, Joint, Link, Outcome, Touch};
+use super::wide::Wide;
+use nalgebra::Vector3;
+use percuss_dynamics::{
+    Base, BatchAnswer, Conditions, Contact, EffectiveMass, Pose, Remark, RouteChoice, System,
+};
+use percuss_mechanism::JointKind;
+use rand::{Rng, SeedableRng, rngs::StdRng};
+use std::fmt::Write;
+
+/// Contacts at every pose.
+const CONTACTS: usize = 4;
+/// A mass below this part of all is stated as none: the threshold of the remark that says how large it may be.
+const NEGLIGIBLE: f64 = 1e-9;
+
+/// What the rows of a family come to.
+#[derive(Default)]
+struct Tally {
+    rows: usize,
+    /// Numbers with a stated error.
+    stated: usize,
+    exceeded: usize,
+    /// The largest true over stated error.
+    worst: f64,
+    /// Stated over true errors, the latter at least half a rounding.
+    ratios: Vec<f64>,
+    complaints: Vec<String>,
+}
+
+impl Tally {
+    fn take(&mut self, label: impl Fn() -> String, (mass, error): (f64, f64), truth: Wide) {
+        self.stated += 1;
+        let off = (Wide::new(mass) - truth).abs().to_f64();
+        let rounding = f64::EPSILON / 2.0 * truth.to_f64();
+        // The number itself is a double.
+        let part = (off - rounding) / error;
+        self.worst = self.worst.max(part);
+        self.ratios.push(error / off.max(rounding));
+        if part.is_nan() || part > 1.0 {
+            self.exceeded += 1;
+            self.complaints.push(format!("{}: {mass} ± {error:.1e}, true {}", label(), truth.to_f64()));
+        }
+    }
+
+    fn median(&mut self) -> f64 {
+        self.ratios.sort_by(f64::total_cmp);
+        self.ratios.get(self.ratios.len() / 2).copied().unwrap_or(f64::NAN)
+    }
+}
+
+/// What lanes, poses and asked-again rows come to.
+#[derive(Default)]
+struct Report {
+    lanes: Tally,
+    poses: Tally,
+    /// Rows of a batch without a stated error.
+    again: usize,
+    /// Outcomes other than the definition's, that are not said to be so to rounding only.
+    outcomes: Vec<String>,
+}
+
+fn any(rng: &mut StdRng) -> [f64; 3] {
+    [0; 3].map(|_| rng.random_range(-1.0..1.0))
+}
+
+fn scaled(v: [f64; 3], x: f64) -> [f64; 3] {
+    v.map(|part| part * x)
+}
+
+/// A body of some mass, with an extent of about a decimetre.
+fn body(rng: &mut StdRng, mass: f64) -> Link {
+    let [a, b, c] = [0; 3].map(|_| mass * rng.random_range(0.02f64..0.2).powi(2));
+    // About axes a little askew: symmetric, and positive definite by a margin.
+    let askew = 0.2 * a.min(b).min(c);
+    let off = [0; 3].map(|_| askew * rng.random_range(-1.0..1.0));
+    Link { mass, com: scaled(any(rng), 0.2), moments: [b + c, off[0], off[1], a + c, off[2], a + b] }
+}
+
+fn decades(rng: &mut StdRng, from: f64, to: f64) -> f64 {
+    10f64.powf(rng.random_range(from..to))
+}
+
+fn joint(rng: &mut StdRng, kind: JointKind, parent: usize) -> Joint {
+    let square = rng.random_bool(0.4);
+    let mut axis = [0.0; 3];
+    if square {
+        axis[rng.random_range(0..3)] = 1.0;
+    } else {
+        axis = any(rng);
+    }
+    if kind == JointKind::Planar {
+        axis = [0.0, 0.0, 1.0];
+    }
+    let rpy = if rng.random_bool(0.4) { [0.0; 3] } else { scaled(any(rng), 3.0) };
+    Joint { kind, parent, xyz: scaled(any(rng), 0.3), rpy, axis }
+}
+
+fn kind(rng: &mut StdRng) -> JointKind {
+    match rng.random_range(0..14) {
+        0..=5 => JointKind::Revolute,
+        6..=7 => JointKind::Prismatic,
+        8..=10 => JointKind::Spherical,
+        11 => JointKind::Floating,
+        12 => JointKind::Planar,
+        _ => JointKind::Fixed,
+    }
+}
+
+/// Kinds of joints down a chain of links of these masses.
+fn chain(rng: &mut StdRng, links: &[(JointKind, f64)], floating: bool) -> Exact {
+    let root = decades(rng, -1.0, 1.0);
+    let mut tree = Exact { links: vec![body(rng, root)], floating, ..Exact::default() };
+    for (i, (kind, mass)) in links.iter().enumerate() {
+        let link = body(rng, *mass);
+        tree.links.push(if *mass > 0.0 { link } else { Link::default() });
+        let joint = joint(rng, *kind, i);
+        tree.joints.push(joint);
+    }
+    tree
+}
+
+/// A slide, a ball, a light fork, a hinge, a heavy body: the ball leaves the fork's moment alone about the hinge's axis.
+fn fork(rng: &mut StdRng) -> Exact {
+    let span = rng.random_range(0.0..9.0);
+    let (light, heavy) = (decades(rng, -span, 0.0), decades(rng, 0.0, span + 0.1));
+    let slide = decades(rng, -1.0, 1.0);
+    use JointKind::{Prismatic, Revolute, Spherical};
+    chain(rng, &[(Prismatic, slide), (Spherical, light), (Revolute, heavy)], false)
+}
+
+/// A floating base, a ball, a hinge.
+fn floating(rng: &mut StdRng) -> Exact {
+    let span = rng.random_range(0.0..9.0);
+    let (light, heavy) = (decades(rng, -span, 0.0), decades(rng, 0.0, span + 0.1));
+    chain(rng, &[(JointKind::Spherical, light), (JointKind::Revolute, heavy)], true)
+}
+
+/// A slide with a wrist of three hinges, which may meet in a point and nearly line up.
+fn wrist(rng: &mut StdRng) -> Exact {
+    use JointKind::{Prismatic, Revolute};
+    let span = rng.random_range(0.0..6.0);
+    let [slide, hand] = [0; 2].map(|_| decades(rng, -1.0, span + 0.1));
+    let links = [0; 2].map(|_| if rng.random_bool(0.1) { 0.0 } else { decades(rng, -span, 0.1) });
+    let mut tree = chain(
+        rng,
+        &[(Prismatic, slide), (Revolute, links[0]), (Revolute, links[1]), (Revolute, hand)],
+        false,
+    );
+    if rng.random_bool(0.7) {
+        for (joint, axis) in
+            tree.joints[1..].iter_mut().zip([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
+        {
+            (joint.rpy, joint.axis) = ([0.0; 3], axis);
+        }
+        tree.joints[2].xyz = [0.0; 3];
+        tree.joints[3].xyz = [0.0; 3];
+    }
+    tree
+}
+
+/// Joints of all kinds, masses over eighteen decades, some links massless.
+fn mixed(rng: &mut StdRng) -> Exact {
+    let span = if rng.random_bool(0.5) { 9.0 } else { rng.random_range(0.1..9.0) };
+    let bushy = rng.random_bool(0.4);
+    let root = decades(rng, -span, span);
+    let mut tree = Exact { links: vec![body(rng, root)], floating: rng.random_bool(0.3), ..Exact::default() };
+    for i in 0..rng.random_range(1..7usize) {
+        let parent = if bushy { rng.random_range(0..=i) } else { i };
+        let mass = decades(rng, -span, span);
+        let massless = rng.random_bool(0.08);
+        let link = body(rng, mass);
+        tree.links.push(if massless { Link::default() } else { link });
+        let kind = kind(rng);
+        let joint = joint(rng, kind, parent);
+        tree.joints.push(joint);
+    }
+    tree
+}
+
+/// Hinges and slides that nearly line up, with links between that are massless or light.
+fn aligned(rng: &mut StdRng) -> Exact {
+    let kind = if rng.random_bool(0.7) { JointKind::Revolute } else { JointKind::Prismatic };
+    let count = rng.random_range(2..4usize);
+    let mut links = vec![(self::kind(rng), decades(rng, -3.0, 3.0))];
+    for i in 0..count {
+        let last = i + 1 == count;
+        let mass = if last || rng.random_bool(0.3) { decades(rng, -2.0, 3.0) } else { 0.0 };
+        links.push((kind, mass));
+    }
+    let first = rng.random_range(0..2usize);
+    let floating = rng.random_bool(0.2);
+    let mut tree = chain(rng, &links[first..], floating);
+    let from = 1 - first;
+    for i in from..tree.joints.len() {
+        // Axes of a file are known to 1e-16, those of a pose to some 1e-14: below, they count as aligned.
+        let tilt = if rng.random_bool(0.2) { 0.0 } else { decades(rng, -12.0, -1.0) };
+        let joint = &mut tree.joints[i];
+        joint.rpy = [0.0; 3];
+        joint.axis = [0.0, 0.0, 1.0];
+        if i > from {
+            let [x, y, _] = any(rng);
+            joint.axis = [tilt * x, tilt * y, 1.0];
+            joint.xyz = if rng.random_bool(0.5) {
+                [0.0, 0.0, 0.1]
+            } else {
+                scaled([x, y, 0.0], decades(rng, -12.0, 0.0))
+            };
+        }
+    }
+    tree
+}
+
+/// A chain of hinges, slides apart, closed by a ball and held by up to two rods, as far from the root's origin as said.
+fn linkage(rng: &mut StdRng) -> Exact {
+    let span = if rng.random_bool(0.5) { 0.5 } else { 4.0 };
+    let far = decades(rng, -3.0, 6.0);
+    let rods = rng.random_range(0..3usize);
+    let count = 4 + rods + rng.random_range(0..2usize);
+    let root = decades(rng, -1.0, 1.0);
+    let mut linkage =
+        Exact { links: vec![body(rng, root)], floating: rng.random_bool(0.3), ..Exact::default() };
+    for i in 0..count {
+        let mass = decades(rng, -span, span);
+        let link = body(rng, mass);
+        linkage.links.push(link);
+        let kind = if rng.random_bool(0.15) { JointKind::Prismatic } else { JointKind::Revolute };
+        let mut joint = joint(rng, kind, i);
+        joint.xyz = scaled(any(rng), 0.4);
+        linkage.joints.push(joint);
+    }
+    let away = Vector3::from(any(rng)).normalize() * far;
+    for (to, by) in linkage.joints[0].xyz.iter_mut().zip(away.iter()) {
+        *to += by;
+    }
+    linkage
+}
+
+/// Closes a chain as it is drawn: a ball at the last link, rods elsewhere, to the root.
+fn close(rng: &mut StdRng, linkage: &mut Exact, freedoms: usize) {
+    let mut open = vec![0.0; linkage.joints.len()];
+    let posed = linkage.pose(&mut open).expect("a tree");
+    let last = linkage.links.len() - 1;
+    let at = scaled(any(rng), 0.3);
+    let ball = posed.place(last, &at);
+    linkage.closures.push(Closure { ends: [(0, ball), (last, at)], rod: None });
+    for _ in 0..(linkage.joints.len() - 3).saturating_sub(freedoms) {
+        let link = rng.random_range(2..last);
+        let at = scaled(any(rng), 0.3);
+        let place = posed.place(link, &at);
+        let away = scaled(any(rng), 0.5);
+        let ground = [0, 1, 2].map(|k| place[k] + away[k]);
+        // The length that the doubles leave.
+        let length = Vector3::from_fn(|k, _| ground[k] - place[k]).norm();
+        linkage.closures.push(Closure { ends: [(0, ground), (link, at)], rod: Some(length) });
+    }
+}
+
+fn positions(rng: &mut StdRng, tree: &Exact) -> Vec<f64> {
+    let mut all = Vec::new();
+    let quaternion = |rng: &mut StdRng| {
+        let q = nalgebra::Vector4::from_fn(|_, _| rng.random_range(-1.0..1.0)).normalize();
+        [q.x, q.y, q.z, q.w]
+    };
+    for joint in &tree.joints {
+        let slid = [0; 3].map(|_| rng.random_range(-0.5..0.5));
+        let angle = if rng.random_bool(0.2) { 0.0 } else { rng.random_range(-3.0..3.0) };
+        match joint.kind {
+            JointKind::Fixed => {}
+            JointKind::Revolute | JointKind::Continuous => all.push(angle),
+            JointKind::Prismatic => all.push(slid[0]),
+            JointKind::Planar => all.extend([slid[0], slid[1], angle]),
+            JointKind::Spherical => all.extend(quaternion(rng)),
+            JointKind::Floating => {
+                all.extend(slid);
+                all.extend(quaternion(rng));
+            }
+        }
+    }
+    all
+}
+
+/// Its pose; `None` where percuss has another.
+fn pose_at(system: &System, tree: &Exact, row: &[f64]) -> Option<Pose> {
+    let mut configuration = system.configuration();
+    let (mut at, closed) = (0, !tree.closures.is_empty());
+    for joint in system.mechanism().joints() {
+        let count = joint.kind().positions();
+        if count > 0 {
+            let position = &row[at..at + count];
+            let put = if closed {
+                configuration.guess(joint.name(), position)
+            } else {
+                configuration.set(joint.name(), position)
+            };
+            put.expect("a position");
+        }
+        at += count;
+    }
+    let pose = system.pose(&configuration).ok()?;
+    let near = pose.positions().iter().zip(row).all(|(a, b)| (a - b).abs() <= 1e-15 * b.abs().max(1.0));
+    (!closed || near).then_some(pose)
+}
+
+/// One mechanism at one pose: several contacts.
+fn ask(label: &str, tree: &Exact, row: &mut [f64], touches: &[Touch], report: &mut Report) -> bool {
+    let Some(exact) = tree.pose(row) else { return false };
+    let base = if tree.floating { Base::Floating } else { Base::Fixed };
+    let system = System::new(tree.mechanism(), &Conditions::new().base(base)).expect("a system");
+    let Ok(assembly) = system.reference() else { return false };
+    let pose = pose_at(&system, tree, row);
+    let all: f64 = tree.links.iter().map(|link| link.mass).sum();
+    for (number, touch) in touches.iter().enumerate() {
+        let link = system.mechanism().find_link(&format!("l{}", touch.link)).expect("a link");
+        let contact = Contact::new(link, touch.point, touch.normal);
+        let truth = exact.effective_mass(touch);
+        let name = || format!("{label}, contact {number}");
+        let mut batch = assembly.batch(&contact).expect("a contact");
+        let answer = batch.effective_mass(row).expect("positions");
+        report.lanes.rows += 1;
+        match (answer, truth) {
+            (
+                BatchAnswer { mass: Some(EffectiveMass::Finite(mass)), error: Some(error) },
+                Outcome::Finite(truth),
+            ) => {
+                report.lanes.take(name, (mass, error), truth);
+            }
+            (BatchAnswer { mass: mass @ Some(EffectiveMass::Finite(_)), error: Some(_) }, truth) => {
+                report.outcomes.push(format!("{}: lanes {mass:?}, true {truth:?}", name()));
+            }
+            _ => report.again += 1,
+        }
+        let Some(pose) = &pose else { continue };
+        let Ok(response) = pose.respond(&contact, RouteChoice::Auto) else {
+            report.outcomes.push(format!("{}: no answer", name()));
+            continue;
+        };
+        report.poses.rows += 1;
+        let up_to = response
+            .remarks
+            .iter()
+            .map(|r| if let Remark::MasslessToRounding { up_to } = r { *up_to } else { 0.0 });
+        let up_to = up_to.fold(NEGLIGIBLE * all, f64::max);
+        let nearly = response.remarks.iter().any(|r| matches!(r, Remark::NearlyImmovable { .. }));
+        match (response.effective_mass, truth) {
+            (EffectiveMass::Finite(mass), Outcome::Finite(truth)) => {
+                let error = response.effective_mass_error().unwrap_or(f64::INFINITY);
+                report.poses.take(name, (mass, error), truth);
+            }
+            (EffectiveMass::Massless, Outcome::Massless) | (EffectiveMass::Immovable, Outcome::Immovable) => {
+            }
+            (EffectiveMass::Massless, Outcome::Finite(truth)) if truth.to_f64() <= up_to => {}
+            (EffectiveMass::Finite(mass), Outcome::Massless)
+                if response.effective_mass_error().is_some_and(|error| error >= mass) => {}
+            // Closing speeds below 1e-10 of their terms count as none.
+            (EffectiveMass::Immovable, Outcome::Finite(truth)) if truth.to_f64() > 1e9 * NEGLIGIBLE * all => {
+            }
+            (EffectiveMass::Finite(_), Outcome::Immovable) if nearly => {}
+            (mass, truth) => {
+                let truth = match truth {
+                    Outcome::Finite(m) => format!("{}", m.to_f64()),
+                    other => format!("{other:?}"),
+                };
+                report.outcomes.push(format!("{}: {mass:?}, true {truth}", name()));
+            }
+        }
+    }
+    true
+}
+
+fn rows_asked(short: usize) -> usize {
+    std::env::var("PERCUSS_ROWS").ok().and_then(|rows| rows.parse().ok()).unwrap_or(short)
+}
+
+/// Asks so many rows of a family. `least`: the part of the rows that lanes answer at least; `not_yet`: rows of a thousand whose
+/// pose is known to state too little.
+fn judge(
+    name: &str,
+    short: usize,
+    make: impl Fn(&mut StdRng) -> (Exact, Vec<f64>),
+    least: f64,
+    not_yet: usize,
+) {
+    let (mut report, mut seed, rows) = (Report::default(), 0u64, rows_asked(short));
+    while report.lanes.rows < rows {
+        let mut rng = StdRng::seed_from_u64(seed);
+        seed += 1;
+        assert!(seed < 20 * rows as u64, "{name}: hardly a mechanism closes");
+        let (tree, mut row) = make(&mut rng);
+        let touches: Vec<Touch> = (0..CONTACTS)
+            .map(|_| Touch {
+                link: rng.random_range(1..tree.links.len()),
+                point: scaled(any(&mut rng), 0.3),
+                normal: any(&mut rng),
+            })
+            .collect();
+        ask(&format!("{name} {}", seed - 1), &tree, &mut row, &touches, &mut report);
+    }
+    let mut text = String::new();
+    for (kind, tally) in [("lanes", &mut report.lanes), ("poses", &mut report.poses)] {
+        let median = tally.median();
+        let _ = writeln!(
+            text,
+            "{name:<10} {kind}: {} rows, {} stated, {} exceeded, true/stated at most {:.2}, stated/true median {median:.0}",
+            tally.rows, tally.stated, tally.exceeded, tally.worst
+        );
+    }
+    let _ = writeln!(
+        text,
+        "{name:<10} {} rows asked again, {} wrong outcomes",
+        report.again,
+        report.outcomes.len()
+    );
+    println!("{text}");
+    let complaints = [&report.lanes.complaints, &report.poses.complaints, &report.outcomes];
+    for (kind, complaints) in ["lanes", "poses", "outcome"].iter().zip(complaints) {
+        complaints.iter().take(12).for_each(|complaint| println!("  {kind}: {complaint}"));
+    }
+    assert!(report.lanes.complaints.is_empty(), "{name}: printed above\n{text}");
+    // Poses of axes that nearly line up, where the dense route drops a motion that the recursion does not doubt.
+    let wrong = report.poses.complaints.len() + report.outcomes.len();
+    assert!(wrong * 1000 <= not_yet * rows, "{name}: printed above\n{text}");
+    assert!(report.lanes.stated as f64 >= least * report.lanes.rows as f64, "few by lanes\n{text}");
+    assert!(report.lanes.median() <= 1e4 && report.poses.median() <= 1e4, "loose\n{text}");
+}
+
+fn posed(make: impl Fn(&mut StdRng) -> Exact) -> impl Fn(&mut StdRng) -> (Exact, Vec<f64>) {
+    move |rng| {
+        let tree = make(rng);
+        let row = positions(rng, &tree);
+        (tree, row)
+    }
+}
+
+#[test]
+fn by_definition_forks() {
+    judge("forks", 400, posed(fork), 0.1, 0);
+}
+
+#[test]
+fn by_definition_floating_bases() {
+    judge("floating", 400, posed(floating), 0.1, 0);
+}
+
+#[test]
+fn by_definition_wrists() {
+    judge("wrists", 400, posed(wrist), 0.1, 0);
+}
+
+#[test]
+fn by_definition_mixed_trees() {
+    judge("mixed", 1200, posed(mixed), 0.1, 0);
+}
+
+#[test]
+fn by_definition_aligned_axes() {
+    judge("aligned", 800, posed(aligned), 0.02, 20);
+}
+
+#[test]
+fn by_definition_linkages() {
+    let make = |rng: &mut StdRng| {
+        let mut chain = linkage(rng);
+        let freedoms = rng.random_range(1..3usize);
+        close(rng, &mut chain, freedoms);
+        // Near the pose that it is drawn at.
+        let row = positions(rng, &chain).iter().map(|q| 0.1 * q).collect();
+        (chain, row)
+    };
+    judge("linkages", 400, make, 0.1, 0);
+}
