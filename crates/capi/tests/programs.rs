@@ -67,7 +67,7 @@ fn program(source: &str, linked: Linked) -> String {
         Linked::Static => {
             compile.arg(libraries.join("libpercuss.a")).args(["-lpthread", "-ldl", "-lm"]);
             if cfg!(target_os = "linux") {
-                compile.args(["-lgcc_s", "-lutil", "-lrt"]);
+                compile.args(["-lutil", "-lrt"]);
             }
         }
         Linked::Shared => {

@@ -1,5 +1,6 @@
 //! Where the mechanism is struck, and how fast the gap closes.
 
+use crate::input::{foreign_link, is_number};
 use crate::kinematics::Kinematics;
 use crate::model::Model;
 use crate::tolerances::SHORTEST_DIRECTION;
@@ -179,10 +180,9 @@ impl Model {
             Direction::Along(..) => None,
         };
         let links = self.mechanism.links().len();
-        for link in [Some(contact.link), contact.against, line].into_iter().flatten() {
-            if link.index() >= links {
-                return Err(ContactError::ForeignLink { index: link.index(), links });
-            }
+        let given = [Some(contact.link), contact.against, line];
+        if let Some(index) = foreign_link(&self.mechanism, given.into_iter().flatten()) {
+            return Err(ContactError::ForeignLink { index, links });
         }
         if contact.against == Some(contact.link) {
             let link = self.mechanism.link(contact.link).name().to_owned();
@@ -354,7 +354,7 @@ pub(crate) struct ContactRow {
 }
 
 fn finite(part: ContactPart, v: &Vector3<f64>) -> Result<(), ContactError> {
-    match v.iter().find(|x| !x.is_finite() || x.abs() > 1e100) {
+    match v.iter().find(|x| !is_number(**x)) {
         Some(&value) => Err(ContactError::NotFinite { part, value }),
         None => Ok(()),
     }

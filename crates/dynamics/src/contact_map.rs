@@ -190,7 +190,8 @@ impl ContactMap<'_> {
             ContactStatus::Unanswered => None,
         };
         let error = Some(error[0]).filter(|e| e.is_finite());
-        BatchAnswer { mass, error: error.map(|e| e * mass.map_or(0.0, finite)) }
+        let remarks = self.pose.remarks().iter().collect();
+        BatchAnswer { mass, error: error.map(|e| e * mass.map_or(0.0, finite)), remarks }
     }
 
     /// The belted ellipsoid at a point (m, the struck link's frame): the three directions along which m̄ is stationary, from the

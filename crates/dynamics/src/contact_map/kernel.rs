@@ -2,6 +2,7 @@
 
 use super::scale::Factor;
 use crate::answered::WIDEST;
+use crate::input::is_number;
 use crate::tolerances::{MAP_TRUSTED_ERROR, SHORTEST_DIRECTION};
 use nalgebra::{SMatrix, Vector3};
 use percuss_spatial::lanes::{Lanes, Work};
@@ -31,7 +32,7 @@ impl<'a> ContactColumns<'a> {
     pub(super) fn is_direction(&self, i: usize) -> bool {
         let (point, normal) = self.at(i);
         let length = normal.norm();
-        point.iter().all(|x| x.abs() <= 1e100) && length >= SHORTEST_DIRECTION && length.is_finite()
+        point.iter().all(|x| is_number(*x)) && length >= SHORTEST_DIRECTION && length.is_finite()
     }
 }
 
