@@ -131,12 +131,23 @@ pub unsafe extern "C" fn percuss_effective_mass(
         let mass = value(mass, "mass")?;
         let constraints = optional(constraints, "constraints")?;
         let given = optional(options, "options")?;
-        let rows = constraints.as_ref().map_or(0, |a| a.rows);
+        let row = input(contact_row, count, "contact_row")?;
+        expect_length(count, mass.rows, "contact_row")?;
+        let mut asked = MatrixOptions::new();
+        if let Some(options) = given {
+            asked = asked.rank_floor(options.rank_floor).accuracy(options.accuracy);
+            if !options.lengths.is_null() {
+                asked = asked.lengths(input(options.lengths, options.length_count, "lengths")?);
+            }
+        }
+        let rows = constraints.as_ref().map(|a| view(a, "constraints")).transpose()?;
+        let matrix = view(&mass, "mass")?;
+        let redundant = constraints.map_or(0, |a| a.rows);
         let written = [
             Span::of(mass_result, 1, "mass_result"),
             Span::of(velocities, count, "velocities"),
             Span::of(rank, 1, "rank"),
-            Span::of(redundant_rows, rows, "redundant_rows"),
+            Span::of(redundant_rows, redundant, "redundant_rows"),
         ];
         let (a, lengths) = (
             constraints.map_or(Span::of(contact_row, 0, "constraints"), |a| {
@@ -153,17 +164,7 @@ pub unsafe extern "C" fn percuss_effective_mass(
             lengths,
         ];
         refuse_overlaps(&written, &read)?;
-        let row = input(contact_row, count, "contact_row")?;
-        expect_length(count, mass.rows, "contact_row")?;
-        let mut asked = MatrixOptions::new();
-        if let Some(options) = given {
-            asked = asked.rank_floor(options.rank_floor).accuracy(options.accuracy);
-            if !options.lengths.is_null() {
-                asked = asked.lengths(input(options.lengths, options.length_count, "lengths")?);
-            }
-        }
-        let rows = constraints.as_ref().map(|a| view(a, "constraints")).transpose()?;
-        let found = effective_mass(view(&mass, "mass")?, row, rows, &asked).map_err(refusal)?;
+        let found = effective_mass(matrix, row, rows, &asked).map_err(refusal)?;
         let (outcome, m) = outcome(found.effective_mass);
         *place(mass_result, "mass_result")? = percuss_mass {
             outcome,

@@ -91,6 +91,21 @@ fn misuse_gives_errors() {
     assert!(program("tests/c/misuse.c", Linked::Static).contains("every misuse was noticed"));
 }
 
+/// Rules of input × entry points of C: that so many were tried is checked here.
+#[test]
+fn every_rule_holds_at_every_entry_point() {
+    let printed = program("tests/c/rules.c", Linked::Static);
+    assert!(printed.contains("RULES cases of rule and entry point"), "{printed}");
+}
+
+/// Traps of floating-point arithmetic are enabled by a function of glibc's.
+#[test]
+#[cfg(all(target_os = "linux", target_env = "gnu"))]
+fn callers_with_traps_meet_none() {
+    let printed = program("tests/c/traps.c", Linked::Static);
+    assert!(printed.contains("calls without a trap"), "{printed}");
+}
+
 #[test]
 fn two_threads() {
     assert!(program("tests/c/threads.c", Linked::Static).contains("two threads"));

@@ -2,9 +2,9 @@
 
 use nalgebra::{Matrix3, Vector3};
 use percuss_dynamics::{
-    Assembly, AssemblyError, Base, BatchAnswer, BatchPositions, Conditions, Contact, ContactColumns,
-    ContactStatus, Direction, EffectiveMass, Frame, MapAnswers, MatrixOptions, MatrixView, Pose, Remark,
-    RemarkFlags, ResponseError, RouteChoice, System, Travel, effective_mass, input,
+    Assembly, AssemblyError, Base, BatchAnswer, BatchPositions, Conditions, Configuration, Contact,
+    ContactColumns, ContactStatus, Direction, EffectiveMass, Frame, MapAnswers, MatrixOptions, MatrixView,
+    Pose, Remark, RemarkFlags, ResponseError, RouteChoice, System, Travel, effective_mass, input,
 };
 use percuss_mechanism::{
     ClosureDescription, ClosureKind, Inertial, JointDescription, JointKind, LinkDescription, LinkId,
@@ -199,7 +199,7 @@ fn every_rule_holds_at_every_entry_point() {
     let ball_set = |values: &[f64]| ball.system.configuration().set("ball", values).is_err();
     let whole = |row: &[f64]| {
         let mechanism = ball.system.mechanism();
-        percuss_dynamics::Configuration::from_positions(mechanism, row).is_err()
+        Configuration::from_positions(mechanism, row).is_err()
     };
     let guess = |values: &[f64]| ball.system.configuration().guess("ball", values).is_err();
     assert!(!ball_set(&[1.0, 0.0, 0.0, 0.0]) && !whole(&ball.good) && !guess(&[1.005, 0.0, 0.0, 0.0]));
@@ -299,7 +299,7 @@ fn every_rule_holds_at_every_entry_point() {
     }
     table.push(("own link", "map", pose.contact_map(foreign, None, Vector3::zeros(), 0.3).is_err()));
     table.push(("finite", "map", pose.contact_map(ball.contact.link, None, [f64::NAN; 3], 0.3).is_err()));
-    let short = ContactColumns { points: [&[0.0], &[0.0], &[]], normals: [&[0.0], &[0.0], &[1.0]] };
+    let short = ContactColumns { points: [&[0.0][..], &[0.0], &[]], normals: [&[0.0], &[0.0], &[1.0]] };
     let (mut masses, mut errors, mut statuses) = ([0.0], [0.0], [ContactStatus::Finite]);
     let mut answers = MapAnswers { masses: &mut masses, errors: &mut errors, statuses: &mut statuses };
     table.push(("length", "map", map.fill_answers(short, &mut answers).is_err()));
@@ -508,8 +508,7 @@ fn normals_in_the_world_go_by_the_base_that_is_given() {
     let assembly = system.reference().expect("a tree");
     let row = [0.5, 0.5, -0.5, 0.5, 0.3];
     let turned = Transform::new(rotation_from_rpy([0.4, -0.9, 1.3]), Vector3::new(5.0, 6.0, 7.0));
-    let mut configuration =
-        percuss_dynamics::Configuration::from_positions(system.mechanism(), &row).expect("positions");
+    let mut configuration = Configuration::from_positions(system.mechanism(), &row).expect("positions");
     let mut workspace = assembly.workspace();
     workspace.set_positions(&row).expect("positions");
     for base in [None, Some(turned)] {

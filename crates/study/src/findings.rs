@@ -46,7 +46,7 @@ pub(crate) fn outside_limits(mechanism: &Mechanism, joint: JointId, value: f64, 
 fn about_loops(system: &System, pose: &Pose, names: Names, found: &mut Vec<Finding>) {
     let mechanism = system.mechanism();
     let Some(loops) = pose.loops() else { return };
-    let (set, guess) = (Field::Set.hint(names), Field::Guess.named(names));
+    let set = Field::Set.hint(names);
     for name in system.reversed_axes() {
         let message = format!(
             "the axis of loop \"{name}\" points opposite ways in its two frames with all joints at 0; the successor's was \
@@ -77,13 +77,6 @@ fn about_loops(system: &System, pose: &Pose, names: Names, found: &mut Vec<Findi
             mechanism.joint(*joint).name()
         );
         found.push(Finding::warning("off-target", Subject::Joint(*joint), message));
-    }
-    if let Some(starts) = loops.starts_tried {
-        let message = format!(
-            "the branch of the first closed pose does not reach the driving joints as set: this is another assembly mode, \
-             found from {starts} of the seeded starts; {guess} chooses one"
-        );
-        found.push(Finding::warning("other-assembly", Subject::Answer, message));
     }
     for gap in pose.assembly().drawn_gaps() {
         found.push(about_gap(mechanism, &gap));

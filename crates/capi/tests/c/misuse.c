@@ -15,6 +15,7 @@ static void nulls(void)
   percuss_contact contact;
   percuss_mass mass;
   percuss_outcome outcome;
+  const double angle = 0.0;
   double value = 0.0;
   size_t count;
   OK(percuss_contact_init(&contact));
@@ -67,12 +68,12 @@ static void nulls(void)
   FAILS(percuss_response_mass(response, NULL), null, "mass");
   FAILS(percuss_response_velocities(response, NULL, 1), null, "velocities");
   FAILS(percuss_response_base_velocity(response, NULL), null, "twist");
-  FAILS(percuss_workspace_effective_mass(workspace, &value, 1, NULL, &outcome, &value, NULL), null, "contact");
-  FAILS(percuss_workspace_effective_mass(workspace, &value, 1, &contact, NULL, &value, NULL), null, "outcome");
-  FAILS(percuss_workspace_effective_mass(workspace, &value, 1, &contact, &outcome, NULL, NULL), null, "effective_mass");
+  FAILS(percuss_workspace_effective_mass(workspace, &angle, 1, NULL, &outcome, &value, NULL), null, "contact");
+  FAILS(percuss_workspace_effective_mass(workspace, &angle, 1, &contact, NULL, &value, NULL), null, "outcome");
+  FAILS(percuss_workspace_effective_mass(workspace, &angle, 1, &contact, &outcome, NULL, NULL), null, "effective_mass");
   FAILS(percuss_batch_run(batch, NULL, 1, PERCUSS_ROW_MAJOR, 1, 1, &outcome, &value, NULL, NULL, NULL, NULL), null,
         "positions");
-  FAILS(percuss_batch_run(batch, &value, 1, PERCUSS_ROW_MAJOR, 1, 1, NULL, &value, NULL, NULL, NULL, NULL), null,
+  FAILS(percuss_batch_run(batch, &angle, 1, PERCUSS_ROW_MAJOR, 1, 1, NULL, &value, NULL, NULL, NULL, NULL), null,
         "outcomes");
   FAILS(percuss_law_name(0, NULL), null, "name");
   FAILS(percuss_law_find(NULL, NULL), null, "name");

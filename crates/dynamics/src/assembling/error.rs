@@ -42,8 +42,8 @@ pub enum AssemblyError {
     /// assembly mode.
     #[error(
         "{} is on another assembly mode: the branch of the first closed pose ends at {}, and {} would open there (another mode \
-         was found from {starts} of the seeded starts); keep within the branch, accept other assembly modes, or give a \
-         starting pose on the mode that is meant",
+         was found from {starts} of the seeded starts); keep within the branch, or give a starting pose on the mode that is \
+         meant",
         positions(requested),
         positions(nearest),
         quoted(loops)

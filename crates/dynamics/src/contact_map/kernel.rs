@@ -28,6 +28,11 @@ impl<'a> ContactColumns<'a> {
         (point, normal)
     }
 
+    /// True if all coordinates of the points are finite and at most [`LARGEST_NUMBER`](crate::input::LARGEST_NUMBER).
+    pub(super) fn has_points(&self) -> bool {
+        self.points.iter().all(|column| column.iter().fold(true, |all, x| all & is_number(*x)))
+    }
+
     /// Whether the contact has a point and a direction.
     pub(super) fn is_direction(&self, i: usize) -> bool {
         let (point, normal) = self.at(i);
