@@ -343,7 +343,8 @@ fn every_rule_holds_at_every_entry_point() {
     assert_eq!(table.len(), COUNT);
 }
 
-const COUNT: usize = 0;
+/// Cases of the table: fewer, and a rule or an entry point is no longer tried.
+const COUNT: usize = 192;
 
 #[test]
 fn a_nearly_unit_quaternion_is_normalised() {

@@ -135,7 +135,7 @@ static void nulls(void)
   OK(percuss_batch_run(batch, &nan, 1, PERCUSS_ROW_MAJOR, 1, 1, &outcome, &value, NULL, NULL, NULL, NULL));
   CHECK(outcome == PERCUSS_NO_ANSWER && isnan(value));
   const double quaternion[4] = {2.0, 0.0, 0.0, 0.0};
-  FAILS(percuss_configuration_set_base(configuration, values, quaternion), argument, "unit quaternion");
+  FAILS(percuss_configuration_set_base(configuration, values, quaternion), argument, "norm 2");
   contact.normal_given = 4;
   FAILS(percuss_pose_effective_mass(pose, &contact, 0, &mass), argument, "normal_given");
   contact.normal_given = PERCUSS_NORMAL_TOWARD;

@@ -66,7 +66,7 @@ static void ask(const char *text, Answers *answers)
     OK(percuss_batch_new(assembly, &contact, 2, &threaded));
     for (size_t c = 0; c < 91; c++)
       for (size_t q = 0; q < positions; q++)
-        rows[c * positions + q] = c % 7 == 3 ? NAN : c % 7 == 5 ? 1e300 : c % 7 == 6 ? 0.1 * (double)c : closed[q];
+        rows[c * positions + q] = c % 7 == 3 ? NAN : c % 7 == 5 ? 1e300 : c % 7 == 6 ? 0.125 * (double)c : closed[q];
     OK(percuss_batch_run(batch, rows, 91 * positions, PERCUSS_ROW_MAJOR, positions, 91, answers->outcomes, answers->masses,
                          NULL, NULL, NULL, NULL));
     OK(percuss_batch_run(threaded, rows, 91 * positions, PERCUSS_ROW_MAJOR, positions, 91, answers->outcomes,
