@@ -771,7 +771,7 @@ typedef struct percuss_rank {
 
 #ifdef __cplusplus
 extern "C" {
-#endif  // __cplusplus
+#endif // __cplusplus
 
 /*
  The message of the last call that failed on this thread: what, where, got, expected; UTF-8, "" where none failed. It stays where it

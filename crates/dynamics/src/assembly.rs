@@ -2,6 +2,8 @@
 //! mobility. A value: nothing that is asked of it changes it.
 
 use crate::assembling::{Facts, GroupFacts};
+use crate::conditions::Base;
+use crate::contact::Contact;
 use crate::kinematics::Kinematics;
 use crate::mobility::{GroupMobility, MobilityRoom, Rank, Redundancy, rank_of_rows};
 use crate::model::{Constraint, ConstraintRows, Group, Model};
@@ -238,6 +240,12 @@ impl Assembly {
     /// Findings about the loops, whatever the pose is.
     pub fn remarks(&self) -> &[Remark] {
         &self.remarks
+    }
+
+    /// The remark on a contact whose normal is given in the world, where the base floats and its pose is not given.
+    pub(crate) fn base_remark(&self, contact: &Contact, base_is_given: bool) -> Option<Remark> {
+        let missing = self.model().base == Base::Floating && !base_is_given && contact.has_world_normal();
+        missing.then_some(Remark::BaseNotGiven)
     }
 
     /// Refuses positions at which a group of loops is open. `residuals`: reused.

@@ -59,6 +59,15 @@ impl Contact {
         self
     }
 
+    /// True if the normal is given in the world.
+    pub(crate) fn has_world_normal(&self) -> bool {
+        match self.normal {
+            Direction::Along(_, Frame::World) => true,
+            Direction::Along(_, Frame::Against) => self.against.is_none(),
+            Direction::Along(_, Frame::Link) | Direction::Toward(..) => false,
+        }
+    }
+
     /// Gives the normal otherwise.
     pub fn normal(mut self, normal: Direction) -> Self {
         self.normal = normal;

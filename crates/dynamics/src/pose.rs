@@ -6,6 +6,7 @@ use crate::careful::condition_of;
 use crate::contact::{Contact, ContactError, Frame, LocatedContact};
 use crate::kinematics::Kinematics;
 use crate::mobility::{GroupMobility, MobilityRoom};
+use crate::outcome::Remark;
 use crate::singular::Surroundings;
 use crate::tolerances::{BESIDE, CONDITION_LIMIT};
 use nalgebra::{DMatrix, Vector3};
@@ -70,6 +71,21 @@ impl Pose {
             }
         }
         groups
+    }
+
+    /// Findings about the pose and its assembly; they are among the [`remarks`](crate::ContactResponse::remarks) of every
+    /// response, and hold for maps, workspaces and batches from here.
+    pub fn remarks(&self) -> Vec<Remark> {
+        let mut remarks = self.assembly.remarks().to_vec();
+        if let Some(loops) = self.loops() {
+            remarks.extend(loops.starts_tried.map(|starts| Remark::OtherAssembly { starts }));
+            let off_zero = loops.off_zero.iter();
+            remarks.extend(off_zero.map(|&(joint, value)| Remark::DriverOffZero { joint, value }));
+            let off_target = loops.off_target.iter();
+            remarks.extend(off_target.map(|&(joint, distance)| Remark::OffTarget { joint, distance }));
+        }
+        remarks.extend(self.outside_limits().map(|(joint, value, _)| Remark::OutsideLimits { joint, value }));
+        remarks
     }
 
     /// The assembly it belongs to.

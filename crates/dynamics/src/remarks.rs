@@ -1,10 +1,6 @@
 //! Findings about an answer, as data: what a reader must know before a number is used.
 
-use crate::assembly::Assembly;
-use crate::conditions::Base;
-use crate::contact::{Contact, Direction, Frame};
 use crate::outcome::{Remark, ResponseError};
-use crate::pose::Pose;
 use std::fmt;
 use std::ops::{BitOr, BitOrAssign};
 
@@ -177,40 +173,5 @@ impl fmt::Display for Remark {
                 "the normal is given in the world and the base floats, but its pose was not given: it is at the world's origin"
             ),
         }
-    }
-}
-
-/// True if a contact's normal is given in the world.
-pub(crate) fn has_world_normal(contact: &Contact) -> bool {
-    match contact.normal {
-        Direction::Along(_, Frame::World) => true,
-        Direction::Along(_, Frame::Against) => contact.against.is_none(),
-        Direction::Along(_, Frame::Link) | Direction::Toward(..) => false,
-    }
-}
-
-impl Assembly {
-    /// The remark on a contact whose normal is given in the world, where the base floats and its pose is not given.
-    pub(crate) fn base_remark(&self, contact: &Contact, base_is_given: bool) -> Option<Remark> {
-        let missing = self.model().base == Base::Floating && !base_is_given && has_world_normal(contact);
-        missing.then_some(Remark::BaseNotGiven)
-    }
-}
-
-impl Pose {
-    /// Findings about the pose and its assembly; they are among the [`remarks`](crate::ContactResponse::remarks) of every
-    /// response, and hold for maps, workspaces and batches from here.
-    pub fn remarks(&self) -> Vec<Remark> {
-        let mut remarks = self.assembly.remarks().to_vec();
-        if let Some(loops) = self.loops() {
-            remarks.extend(loops.starts_tried.map(|starts| Remark::OtherAssembly { starts }));
-            remarks
-                .extend(loops.off_zero.iter().map(|&(joint, value)| Remark::DriverOffZero { joint, value }));
-            remarks.extend(
-                loops.off_target.iter().map(|&(joint, distance)| Remark::OffTarget { joint, distance }),
-            );
-        }
-        remarks.extend(self.outside_limits().map(|(joint, value, _)| Remark::OutsideLimits { joint, value }));
-        remarks
     }
 }

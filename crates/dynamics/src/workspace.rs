@@ -13,7 +13,7 @@ use crate::model::Model;
 use crate::outcome::{EffectiveMass, ResponseError};
 use crate::pose::Pose;
 use crate::recursion::{Decisions, Following, Recursion};
-use crate::remarks::{RemarkFlags, has_world_normal};
+use crate::remarks::RemarkFlags;
 use crate::routes::{Question, RecursionRoom};
 use crate::system::System;
 use crate::velocities::{VelocityError, check_positions};
@@ -124,7 +124,7 @@ impl Workspace {
             flags |= RemarkFlags::from(&remark);
         }
         match (self.base, contact.normal) {
-            (Some(x_wr), Direction::Along(normal, _)) if has_world_normal(contact) => {
+            (Some(x_wr), Direction::Along(normal, _)) if contact.has_world_normal() => {
                 let normal = Direction::Along(x_wr.inverse_vector(&normal), Frame::World);
                 (Contact { normal, ..*contact }, flags)
             }
