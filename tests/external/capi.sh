@@ -48,6 +48,22 @@ check() {
   echo "$name: address sanitizer, valgrind"
 }
 
+# A static program, the static library in a shared program, and the shared library, by pkg-config.
+api=crates/capi/tests/c/api.c
+# shellcheck disable=SC2046
+{
+  gcc -std=c11 -static "$api" $(pkg-config --static --cflags --libs percuss) -o "$work/api.static" 2> "$work/static.log" || { cat "$work/static.log"; exit 1; }
+  gcc -std=c11 "$api" $(pkg-config --cflags --libs percuss-static) -o "$work/api.archive"
+  gcc -std=c11 "$api" $(pkg-config --cflags --libs percuss) -lm -o "$work/api.shared"
+}
+needs() { readelf -d "$1" | grep -c 'NEEDED.*libpercuss' || true; }
+[ "$(readelf -d "$work/api.static" | grep -c NEEDED || true)" = 0 ] || { echo "a static program needs a shared library"; exit 1; }
+[ "$(needs "$work/api.archive")" = 0 ] || { echo "percuss-static links the shared library"; exit 1; }
+[ "$(needs "$work/api.shared")" = 1 ] || { echo "percuss links no shared library"; exit 1; }
+for linked in static archive shared; do
+  "$work/api.$linked" > "$work/api.$linked.log" || { cat "$work/api.$linked.log"; echo "pkg-config: $linked"; exit 1; }
+done
+echo "pkg-config: static, archive, shared"
 ran=0
 jobs=()
 for source in crates/capi/tests/c/*.c crates/capi/tests/c/wrapper.cc crates/capi/examples/*.c; do
@@ -58,7 +74,7 @@ for job in "${jobs[@]}"; do
   wait "$job" || exit 1
   ran=$((ran + 1))
 done
-[ "$ran" -ge 6 ] || { echo "only $ran programs were found"; exit 1; }
+[ "$ran" -ge 8 ] || { echo "only $ran programs were found"; exit 1; }
 # CMake, both libraries.
 mkdir -p "$work/cmake"
 cat > "$work/cmake/CMakeLists.txt" << END

@@ -4,7 +4,7 @@
 use nalgebra::Vector3;
 use percuss_dynamics::{
     Base, Batch, BatchAnswer, BatchError, BatchPositions, Conditions, Contact, Direction, EffectiveMass,
-    Frame, Pose, ResponseError, RouteChoice, System,
+    Frame, Pose, RemarkFlags, ResponseError, RouteChoice, System,
 };
 use percuss_mechanism::{
     Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder,
@@ -191,8 +191,11 @@ fn check(name: &str, system: &System, contact: &Contact, rows: &[f64], seen: &mu
             one.run_columns(positions, &mut masses, &mut errors, |at, answer| others[at] = Some(answer))
                 .expect("enough");
             for (at, answer) in answers.iter().enumerate() {
-                let lanes =
-                    BatchAnswer { mass: Some(EffectiveMass::Finite(masses[at])), error: Some(errors[at]) };
+                let lanes = BatchAnswer {
+                    mass: Some(EffectiveMass::Finite(masses[at])),
+                    error: Some(errors[at]),
+                    remarks: RemarkFlags::NONE,
+                };
                 let found = others[at].unwrap_or(lanes);
                 assert!(
                     same(&found, answer) && found.error == answer.error,

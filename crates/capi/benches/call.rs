@@ -68,6 +68,7 @@ type Ask = unsafe extern "C" fn(
     *const percuss_contact,
     *mut percuss_outcome,
     *mut f64,
+    *mut u32,
 ) -> percuss_status;
 
 /// The functions that are called, of the library or of this program.

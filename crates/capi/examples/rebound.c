@@ -178,7 +178,7 @@ int main(void)
     /* Two ways to ask: by the model, and by the program's own matrices. They agree to rounding. */
     percuss_outcome outcome;
     double mass;
-    check(percuss_workspace_effective_mass(workspace, touch.q, 2, &contact, &outcome, &mass));
+    check(percuss_workspace_effective_mass(workspace, touch.q, 2, &contact, &outcome, &mass, NULL));
     double m[4], row[2];
     mass_matrix(&touch, m);
     contact_row(&touch, row);

@@ -16,6 +16,9 @@
 /* No link: the ground. */
 #define PERCUSS_GROUND SIZE_MAX
 
+/* No link is given: the link of a contact before it is set. */
+#define PERCUSS_NO_LINK (SIZE_MAX - 1)
+
 /*
  Worth knowing; nothing is wrong.
  */
@@ -70,6 +73,72 @@
  Branches cross at this pose: m̄ is a lower bound that no branch attains.
  */
 #define PERCUSS_REMARK_SINGULAR_POSE 64
+
+/*
+ The pose is on another assembly mode than that of the first closed pose (percuss_configuration_allow_other_assembly).
+ */
+#define PERCUSS_REMARK_OTHER_ASSEMBLY 128
+
+/*
+ A loop is open as drawn by more than a hundredth of its size: a point may be mistyped.
+ */
+#define PERCUSS_REMARK_DRAWN_OPEN 256
+
+/*
+ The loops contradict one another by rounding: closed in least squares.
+ */
+#define PERCUSS_REMARK_INEXACT_LOOPS 512
+
+/*
+ A driving joint was not set, and 0 is out of reach.
+ */
+#define PERCUSS_REMARK_DRIVER_OFF_ZERO 1024
+
+/*
+ A joint was set to more numbers than its loops leave degrees of freedom: the nearest position is taken.
+ */
+#define PERCUSS_REMARK_OFF_TARGET 2048
+
+/*
+ A joint is outside its limits. Workspaces and batches do not look at limits.
+ */
+#define PERCUSS_REMARK_OUTSIDE_LIMITS 4096
+
+/*
+ A little off in the figures of the file, and the loops leave one motion more.
+ */
+#define PERCUSS_REMARK_WEAKLY_CONSTRAINED 8192
+
+/*
+ The generic rank of the constraints is unclear: the mobility may be another.
+ */
+#define PERCUSS_REMARK_UNCLEAR_MOBILITY 16384
+
+/*
+ The normal is given in the world and the base floats, but its pose was not given: it is taken at the world's origin
+ (percuss_configuration_set_base, percuss_workspace_set_base).
+ */
+#define PERCUSS_REMARK_BASE_NOT_GIVEN 32768
+
+/*
+ In batches, a row without an answer: a position is not finite.
+ */
+#define PERCUSS_REMARK_NOT_FINITE 65536
+
+/*
+ In batches, a row without an answer: a quaternion is not of unit length.
+ */
+#define PERCUSS_REMARK_NOT_UNIT_QUATERNION 131072
+
+/*
+ In batches, a row without an answer: its loops are open.
+ */
+#define PERCUSS_REMARK_OPEN_LOOPS 262144
+
+/*
+ In batches, a row without an answer for another reason.
+ */
+#define PERCUSS_REMARK_NO_ANSWER 524288
 
 /*
  F = k xᵖ + c x^((p−1)/2) ẋ.
@@ -226,7 +295,7 @@ typedef int32_t percuss_normal;
  */
 typedef struct percuss_contact {
   /*
-   The struck link: a number of percuss_model_find_link.
+   The struck link: a number of percuss_model_find_link. PERCUSS_NO_LINK, from percuss_contact_init, is an error.
    */
   size_t link;
   /*
@@ -243,7 +312,7 @@ typedef struct percuss_contact {
    */
   double normal[3];
   /*
-   Where the normal is given.
+   Where the normal is given: PERCUSS_NORMAL_LINK to PERCUSS_NORMAL_TOWARD.
    */
   percuss_normal normal_given;
   /*
@@ -571,6 +640,11 @@ typedef struct percuss_rank {
 #define PERCUSS_ERROR_STOPPED 14
 
 /*
+ Arrays or places that a call writes overlap one another, or what it reads.
+ */
+#define PERCUSS_ERROR_OVERLAP 15
+
+/*
  A defect of percuss. The object that was used may be freed, and should not be used otherwise.
  */
 #define PERCUSS_ERROR_INTERNAL 99
@@ -646,7 +720,7 @@ typedef struct percuss_rank {
 #define PERCUSS_MASSLESS 2
 
 /*
- In batches: no answer; percuss_pose_effective_mass at that configuration says why.
+ In batches: no answer; the remarks have the reason, percuss_workspace_effective_mass at that configuration states it.
  */
 #define PERCUSS_NO_ANSWER 3
 
@@ -930,7 +1004,10 @@ percuss_status percuss_configuration_set_positions(struct percuss_configuration 
                                                    size_t count);
 
 /*
- Sets where the root link stands in the world: its origin (3 numbers, m) and its orientation (a unit quaternion w, x, y, z).
+ Sets where the root link stands in the world: its origin (3 numbers, m) and its orientation (4 numbers, a unit quaternion w, x,
+ y, z: a norm within 0.01 of 1, which is normalised).
+
+ Errors: PERCUSS_ERROR_ARGUMENT: a number that is not finite, another norm.
 
  Pointers:
  position has 3 numbers, quaternion 4.
@@ -938,6 +1015,15 @@ percuss_status percuss_configuration_set_positions(struct percuss_configuration 
 percuss_status percuss_configuration_set_base(struct percuss_configuration *configuration,
                                               const double *position,
                                               const double *quaternion);
+
+/*
+ Accepts a pose on another assembly mode, where the branch of the first closed pose does not reach the driving joints. Such a
+ pose has PERCUSS_REMARK_OTHER_ASSEMBLY; without this it is PERCUSS_ERROR_ASSEMBLY. A guess chooses a mode by itself.
+
+ Pointers:
+ configuration is null or a handle.
+ */
+percuss_status percuss_configuration_allow_other_assembly(struct percuss_configuration *configuration);
 
 /*
  Compiles a mechanism with the conditions of an analysis; null: fixed base, everything free. The model and the conditions may be
@@ -1002,7 +1088,8 @@ percuss_status percuss_assembly_mobility(const struct percuss_assembly *assembly
                                          size_t *redundant_constraints);
 
 /*
- A contact of the origin of link 0 with the ground, along the link's z.
+ A contact with the ground at the origin of a link, which must be set (PERCUSS_NO_LINK), along a normal in the link's frame, which
+ must be set too (0, 0, 0).
 
  Pointers:
  contact is null or a place for a percuss_contact.
@@ -1204,13 +1291,16 @@ percuss_status percuss_workspace_free(struct percuss_workspace **workspace);
 
 /*
  m̄ of a contact at the positions of all joints (one after another, in joint order; unit quaternions; those of mimics are not
- read). Loops are taken as closed there: positions of a pose of the same assembly are. null: at the positions last given.
+ read): count numbers, as percuss_model_counts says. Loops must be closed there, to a millionth of their size: positions of a pose
+ of the same assembly are.
 
- effective_mass: kg; NaN unless the outcome is PERCUSS_FINITE. States no error: percuss_pose_effective_mass does. Allocates nothing
- after the first call, but where the recursion is not accurate enough. Points and normals in the world are taken with the
- root link at the world's origin.
+ effective_mass: kg; NaN unless the outcome is PERCUSS_FINITE. remarks: null, or a place for PERCUSS_REMARK_… added together. States
+ no error: percuss_pose_effective_mass does. Allocates nothing after the first call, but where the recursion is not accurate
+ enough. Normals in the world are taken with the root link where percuss_workspace_set_base has put it, else at the world's
+ origin.
 
- Errors: PERCUSS_ERROR_LENGTH, PERCUSS_ERROR_CONTACT; PERCUSS_ERROR_ARGUMENT: a position that matters is not finite;
+ Errors: PERCUSS_ERROR_NULL, PERCUSS_ERROR_LENGTH; PERCUSS_ERROR_ARGUMENT: a position that matters is not finite, a quaternion is not
+ of unit length; PERCUSS_ERROR_ASSEMBLY: a loop is open, with the gap and the tolerance; PERCUSS_ERROR_CONTACT; PERCUSS_ERROR_OVERLAP;
  PERCUSS_ERROR_BUSY where another thread uses the workspace.
 
  Pointers:
@@ -1221,13 +1311,40 @@ percuss_status percuss_workspace_effective_mass(struct percuss_workspace *worksp
                                                 const double *positions,
                                                 size_t count,
                                                 const struct percuss_contact *contact,
-                                                percuss_outcome *outcome_place,
-                                                double *effective_mass);
+                                                percuss_outcome *outcome,
+                                                double *effective_mass,
+                                                uint32_t *remarks);
 
 /*
- Room to ask for m̄ of one contact at many configurations of an assembly, by so many threads, which belong to the batch; 1: the
- calling thread alone, 0: as many as the machine has processors. Points and normals in the world are taken with the root link
- at the world's origin. Free it with percuss_batch_free.
+ The same of another contact at the positions last given to the workspace; at its first closed pose where none were.
+
+ Errors: as percuss_workspace_effective_mass.
+
+ Pointers:
+ As percuss_workspace_effective_mass.
+ */
+percuss_status percuss_workspace_effective_mass_again(struct percuss_workspace *workspace,
+                                                      const struct percuss_contact *contact,
+                                                      percuss_outcome *outcome,
+                                                      double *effective_mass,
+                                                      uint32_t *remarks);
+
+/*
+ Sets where the root link stands in the world, as percuss_configuration_set_base: for normals that are given in the world.
+
+ Errors: PERCUSS_ERROR_ARGUMENT.
+
+ Pointers:
+ workspace is a handle; position has 3 numbers, quaternion 4.
+ */
+percuss_status percuss_workspace_set_base(struct percuss_workspace *workspace,
+                                          const double *position,
+                                          const double *quaternion);
+
+/*
+ Room to ask for m̄ of one contact at many configurations of an assembly, by so many threads (at most 1024), which belong to the
+ batch; 1: the calling thread alone, 0: as many as the machine has processors. Normals in the world are taken with the root link
+ at the world's origin; percuss_workspace_batch has another base. Free it with percuss_batch_free.
 
  Errors: PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_ARGUMENT.
 
@@ -1238,6 +1355,20 @@ percuss_status percuss_batch_new(const struct percuss_assembly *assembly,
                                  const struct percuss_contact *contact,
                                  size_t threads,
                                  struct percuss_batch **batch);
+
+/*
+ The same with the assembly and the base of a workspace (percuss_workspace_set_base), for normals in the world. The workspace may be
+ used otherwise afterwards, or freed.
+
+ Errors: as percuss_batch_new; PERCUSS_ERROR_BUSY.
+
+ Pointers:
+ workspace is a handle; contact is null or points to a contact; batch is null or a place for a pointer.
+ */
+percuss_status percuss_workspace_batch(struct percuss_workspace *workspace,
+                                       const struct percuss_contact *contact,
+                                       size_t threads,
+                                       struct percuss_batch **batch);
 
 /*
  Ends the threads of a batch, frees it and sets the handle to null; nothing where it is null.
@@ -1252,11 +1383,13 @@ percuss_status percuss_batch_free(struct percuss_batch **batch);
 
  positions: length numbers; PERCUSS_ROW_MAJOR: configuration c begins at c · stride, stride ≥ p; PERCUSS_COLUMN_MAJOR: position q of
  configuration c stands at q · stride + c, stride ≥ count: the fastest. outcomes and effective_masses: count values each, as
- percuss_workspace_effective_mass has them; PERCUSS_NO_ANSWER where there is none, PERCUSS_MASSLESS_TO_ROUNDING where rounding
- may hide a mass. errors: null, or room for count numbers: what rounding may amount to, kg; NaN where it was not counted. watch:
- null, or asked now and then with user.
+  percuss_workspace_effective_mass has them; PERCUSS_NO_ANSWER where there is none, PERCUSS_MASSLESS_TO_ROUNDING where rounding
+  may hide a mass. errors: null, or room for count numbers: the error by rounding, kg; NaN where it was not counted; of a contact that
+  is massless to rounding only, the largest m̄ that it may have. remarks: null, or room for count numbers: PERCUSS_REMARK_… added
+  together, the reason of a row without an answer among them. watch: null, or asked now and then with user, in the default
+  floating-point environment. What is written must not overlap, and must not overlap the positions.
 
- Errors: PERCUSS_ERROR_LENGTH; PERCUSS_ERROR_STOPPED: what was answered until then is there, the rest is PERCUSS_NO_ANSWER.
+ Errors: PERCUSS_ERROR_LENGTH; PERCUSS_ERROR_OVERLAP; PERCUSS_ERROR_STOPPED: what was answered until then is there, the rest is PERCUSS_NO_ANSWER.
  PERCUSS_ERROR_HANDLE: the process was forked since the batch was made, whose threads are the parent's.
 
  Pointers:
@@ -1271,6 +1404,7 @@ percuss_status percuss_batch_run(const struct percuss_batch *batch,
                                  percuss_outcome *outcomes,
                                  double *effective_masses,
                                  double *errors,
+                                 uint32_t *remarks,
                                  percuss_watch watch,
                                  void *user);
 

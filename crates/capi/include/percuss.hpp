@@ -129,7 +129,8 @@ class Model {
   detail::Owner<percuss_model, percuss_model_free> handle_;
 };
 
-/// The base, locks, armatures and held contacts of an analysis.
+/// The base, locks, armatures and held contacts of an analysis. Setters return the object itself; of a temporary object they return
+/// a new one that it is moved into, so that `auto &&c = Conditions().lock("j")` does not dangle.
 class Conditions {
  public:
   Conditions() {
@@ -138,23 +139,39 @@ class Conditions {
     handle_.reset(handle);
   }
   /// Frees the root link.
-  Conditions &floating_base() {
+  Conditions &floating_base() & {
     check(percuss_conditions_base(get(), PERCUSS_BASE_FLOATING));
     return *this;
   }
-  Conditions &lock(const std::string &joint) {
+  Conditions floating_base() && {
+    floating_base();
+    return std::move(*this);
+  }
+  Conditions &lock(const std::string &joint) & {
     check(percuss_conditions_lock(get(), joint.c_str()));
     return *this;
   }
+  Conditions lock(const std::string &joint) && {
+    lock(joint);
+    return std::move(*this);
+  }
   /// kg·m² or kg: one value, or one for each velocity of the joint.
-  Conditions &armature(const std::string &joint, const std::vector<double> &values) {
+  Conditions &armature(const std::string &joint, const std::vector<double> &values) & {
     check(percuss_conditions_armature(get(), joint.c_str(), values.data(), values.size()));
     return *this;
   }
+  Conditions armature(const std::string &joint, const std::vector<double> &values) && {
+    armature(joint, values);
+    return std::move(*this);
+  }
   /// Holds a point (m, link's frame) to the ground, along a normal (root link's axes) or in all directions.
-  Conditions &hold(const std::string &link, const Vector3 &point, std::optional<Vector3> normal = std::nullopt) {
+  Conditions &hold(const std::string &link, const Vector3 &point, std::optional<Vector3> normal = std::nullopt) & {
     check(percuss_conditions_hold(get(), link.c_str(), point.data(), normal ? normal->data() : nullptr));
     return *this;
+  }
+  Conditions hold(const std::string &link, const Vector3 &point, std::optional<Vector3> normal = std::nullopt) && {
+    hold(link, point, normal);
+    return std::move(*this);
   }
   percuss_conditions *get() const noexcept { return handle_.get(); }
 
@@ -162,7 +179,7 @@ class Conditions {
   detail::Owner<percuss_conditions, percuss_conditions_free> handle_;
 };
 
-/// Positions of the joints.
+/// Positions of the joints. Setters as those of Conditions.
 class Configuration {
  public:
   explicit Configuration(const Model &model) {
@@ -171,33 +188,66 @@ class Configuration {
     handle_.reset(handle);
   }
   /// Sets a driving joint (rad or m; the layouts of percuss_joint_kind).
-  Configuration &set(const std::string &joint, const std::vector<double> &values) {
+  Configuration &set(const std::string &joint, const std::vector<double> &values) & {
     check(percuss_configuration_set(get(), joint.c_str(), values.data(), values.size()));
     return *this;
   }
-  Configuration &set(const std::string &joint, double value) {
+  Configuration set(const std::string &joint, const std::vector<double> &values) && {
+    set(joint, values);
+    return std::move(*this);
+  }
+  Configuration &set(const std::string &joint, double value) & {
     check(percuss_configuration_set(get(), joint.c_str(), &value, 1));
     return *this;
   }
+  Configuration set(const std::string &joint, double value) && {
+    set(joint, value);
+    return std::move(*this);
+  }
   /// Sets where to look for a joint that follows from loops.
-  Configuration &guess(const std::string &joint, const std::vector<double> &values) {
+  Configuration &guess(const std::string &joint, const std::vector<double> &values) & {
     check(percuss_configuration_guess(get(), joint.c_str(), values.data(), values.size()));
     return *this;
   }
+  Configuration guess(const std::string &joint, const std::vector<double> &values) && {
+    guess(joint, values);
+    return std::move(*this);
+  }
   /// The positions of all joints, in joint order.
-  Configuration &set_positions(const std::vector<double> &positions) {
+  Configuration &set_positions(const std::vector<double> &positions) & {
     check(percuss_configuration_set_positions(get(), positions.data(), positions.size()));
     return *this;
   }
+  Configuration set_positions(const std::vector<double> &positions) && {
+    set_positions(positions);
+    return std::move(*this);
+  }
   /// Where the root link stands in the world: m, and a unit quaternion w, x, y, z.
-  Configuration &set_base(const Vector3 &position, const std::array<double, 4> &quaternion) {
+  Configuration &set_base(const Vector3 &position, const std::array<double, 4> &quaternion) & {
     check(percuss_configuration_set_base(get(), position.data(), quaternion.data()));
     return *this;
   }
+  Configuration set_base(const Vector3 &position, const std::array<double, 4> &quaternion) && {
+    set_base(position, quaternion);
+    return std::move(*this);
+  }
   /// Every joint at zero again.
-  Configuration &reset() {
+  Configuration &reset() & {
     check(percuss_configuration_reset(get()));
     return *this;
+  }
+  Configuration reset() && {
+    reset();
+    return std::move(*this);
+  }
+  /// Accepts a pose on another assembly mode, where the branch of the first closed pose does not reach the driving joints.
+  Configuration &allow_other_assembly() & {
+    check(percuss_configuration_allow_other_assembly(get()));
+    return *this;
+  }
+  Configuration allow_other_assembly() && {
+    allow_other_assembly();
+    return std::move(*this);
   }
   percuss_configuration *get() const noexcept { return handle_.get(); }
 
@@ -321,18 +371,31 @@ class Pose {
 /// Room for one configuration after another. One thread at a time.
 class Workspace {
  public:
-  /// m̄ in kg at the positions of all joints; none unless finite. `outcome` says which it is.
+  /// m̄ in kg at the positions of all joints; none unless finite. `outcome` says which it is, `remarks` has PERCUSS_REMARK_….
   std::optional<double> effective_mass(const double *positions, std::size_t count, const Contact &contact,
-                                       percuss_outcome *outcome = nullptr) {
+                                       percuss_outcome *outcome = nullptr, std::uint32_t *remarks = nullptr) {
     percuss_outcome found = PERCUSS_NO_ANSWER;
     double mass = 0.0;
-    check(percuss_workspace_effective_mass(handle_.get(), positions, count, &contact, &found, &mass));
+    check(percuss_workspace_effective_mass(handle_.get(), positions, count, &contact, &found, &mass, remarks));
     if (outcome != nullptr) *outcome = found;
     return found == PERCUSS_FINITE ? std::optional<double>(mass) : std::nullopt;
   }
   std::optional<double> effective_mass(const std::vector<double> &positions, const Contact &contact,
-                                       percuss_outcome *outcome = nullptr) {
-    return effective_mass(positions.data(), positions.size(), contact, outcome);
+                                       percuss_outcome *outcome = nullptr, std::uint32_t *remarks = nullptr) {
+    return effective_mass(positions.data(), positions.size(), contact, outcome, remarks);
+  }
+  /// The same of another contact at the positions last given.
+  std::optional<double> effective_mass_again(const Contact &contact, percuss_outcome *outcome = nullptr,
+                                             std::uint32_t *remarks = nullptr) {
+    percuss_outcome found = PERCUSS_NO_ANSWER;
+    double mass = 0.0;
+    check(percuss_workspace_effective_mass_again(handle_.get(), &contact, &found, &mass, remarks));
+    if (outcome != nullptr) *outcome = found;
+    return found == PERCUSS_FINITE ? std::optional<double>(mass) : std::nullopt;
+  }
+  /// Where the root link stands in the world (m, and a unit quaternion w, x, y, z), for normals that are given in the world.
+  void set_base(const Vector3 &position, const std::array<double, 4> &quaternion) {
+    check(percuss_workspace_set_base(handle_.get(), position.data(), quaternion.data()));
   }
   percuss_workspace *get() const noexcept { return handle_.get(); }
 
@@ -351,6 +414,8 @@ class Batch {
     std::vector<double> effective_masses;
     /// kg; NaN where it was not counted.
     std::vector<double> errors;
+    /// PERCUSS_REMARK_… added together; of a row without an answer the reason among them.
+    std::vector<std::uint32_t> remarks;
   };
   /// Asked now and then with how many are done; false stops the work. An exception stops it too, and comes out of run.
   using Watch = std::function<bool(std::size_t)>;
@@ -362,11 +427,13 @@ class Batch {
   /// As percuss_batch_run.
   Answers run(const double *positions, std::size_t length, percuss_layout layout, std::size_t stride,
               std::size_t count, const Watch &watch = {}) const {
-    Answers answers{std::vector<percuss_outcome>(count), std::vector<double>(count), std::vector<double>(count)};
+    Answers answers{std::vector<percuss_outcome>(count), std::vector<double>(count), std::vector<double>(count),
+                    std::vector<std::uint32_t>(count)};
     Watching watching{&watch, nullptr};
     const percuss_status status =
         percuss_batch_run(handle_.get(), positions, length, layout, stride, count, answers.outcomes.data(),
-                          answers.effective_masses.data(), answers.errors.data(), watch ? &ask : nullptr, &watching);
+                          answers.effective_masses.data(), answers.errors.data(), answers.remarks.data(),
+                          watch ? &ask : nullptr, &watching);
     if (watching.thrown) std::rethrow_exception(watching.thrown);
     check(status);
     return answers;

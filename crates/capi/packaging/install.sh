@@ -38,9 +38,10 @@ else
   cp "$libraries/libpercuss_c.so" "$prefix/lib/libpercuss.so.$version"
   ln -sf "libpercuss.so.$version" "$prefix/lib/$shared"
   ln -sf "$shared" "$prefix/lib/libpercuss.so"
-  system="-lgcc_s -lutil -lrt -lpthread -lm -ldl"
+  # The unwinder is the compiler's own: libgcc_s, or libgcc_eh with -static.
+  system="-lutil -lrt -lpthread -lm -ldl"
 fi
-for file in percuss.pc:pkgconfig percuss-config.cmake:cmake/percuss percuss-config-version.cmake:cmake/percuss; do
+for file in percuss.pc:pkgconfig percuss-static.pc:pkgconfig percuss-config.cmake:cmake/percuss percuss-config-version.cmake:cmake/percuss; do
   name=${file%:*}
   sed -e "s|@PREFIX@|$prefix|g" -e "s|@VERSION@|$version|g" -e "s|@INTERFACE@|$interface|g" -e "s|@SHARED@|$shared|g" \
     -e "s|@SYSTEM@|$system|g" "$here/$name.in" > "$prefix/lib/${file#*:}/$name"

@@ -1,7 +1,8 @@
 //! Arrays and texts of the caller's.
 
 use crate::status::{
-    Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_LENGTH, PERCUSS_ERROR_NULL, PERCUSS_ERROR_TEXT,
+    Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_LENGTH, PERCUSS_ERROR_NULL, PERCUSS_ERROR_OVERLAP,
+    PERCUSS_ERROR_TEXT,
 };
 use std::ffi::{CStr, c_char};
 
@@ -58,6 +59,49 @@ fn refuse<T>(values: *const T, length: usize, fits: bool, name: &str) -> Result<
         return Err(Failure::new(PERCUSS_ERROR_NULL, format_args!("{name} is not aligned for its type")));
     }
     Ok(())
+}
+
+/// The bytes that an array or a place of the caller's spans.
+#[derive(Clone, Copy)]
+pub(crate) struct Span {
+    first: usize,
+    bytes: usize,
+    name: &'static str,
+}
+
+impl Span {
+    /// `length` values; none where the pointer is null.
+    #[inline]
+    pub fn of<T>(values: *const T, length: usize, name: &'static str) -> Self {
+        let length = if values.is_null() { 0 } else { length };
+        Self { first: values as usize, bytes: length.saturating_mul(size_of::<T>()), name }
+    }
+
+    #[inline]
+    fn overlaps(&self, other: &Self) -> bool {
+        self.bytes > 0
+            && other.bytes > 0
+            && self.first < other.first.saturating_add(other.bytes)
+            && other.first < self.first.saturating_add(self.bytes)
+    }
+}
+
+/// Refuses arrays and places that are written and overlap one another, or those that are read.
+#[inline]
+pub(crate) fn refuse_overlaps(written: &[Span], read: &[Span]) -> Result<(), Failure> {
+    for (i, own) in written.iter().enumerate() {
+        if let Some(other) = written[i + 1..].iter().chain(read).find(|other| own.overlaps(other)) {
+            return Err(overlap(own.name, other.name));
+        }
+    }
+    Ok(())
+}
+
+#[cold]
+fn overlap(written: &str, other: &str) -> Failure {
+    let message =
+        format_args!("{written} overlaps {other}; expected memory of its own for all that is written");
+    Failure::new(PERCUSS_ERROR_OVERLAP, message)
 }
 
 /// Whether an array has the length that is needed.

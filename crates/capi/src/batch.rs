@@ -1,16 +1,17 @@
 //! Batches: one contact at many configurations, in lanes and by threads.
 
-use crate::arrays::{expect_length, input, known, optional_output, output};
+use crate::arrays::{Span, expect_length, input, known, optional_output, output, refuse_overlaps};
 use crate::contact::{
     PERCUSS_MASSLESS_TO_ROUNDING, PERCUSS_NO_ANSWER, outcome, percuss_contact, percuss_outcome,
 };
-use crate::handle::{Handle, clear, free, get, give, value};
+use crate::handle::{Handle, clear, free, get, give, take, value};
 use crate::pose::{PERCUSS_COLUMN_MAJOR, PERCUSS_ROW_MAJOR, percuss_layout};
 use crate::status::{
     Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_HANDLE, PERCUSS_ERROR_INTERNAL,
     PERCUSS_ERROR_LENGTH, PERCUSS_ERROR_STOPPED, guarded, percuss_status,
 };
 use crate::system::percuss_assembly;
+use crate::workspace::percuss_workspace;
 use percuss::{Batch, BatchAnswer, BatchError, BatchPositions};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::ffi::c_void;
@@ -42,9 +43,9 @@ const MOST_THREADS: usize = 1024;
 /// not use the batch and must not throw.
 pub type percuss_watch = Option<unsafe extern "C" fn(done: usize, user: *mut c_void) -> i32>;
 
-/// Room to ask for m̄ of one contact at many configurations of an assembly, by so many threads, which belong to the batch; 1: the
-/// calling thread alone, 0: as many as the machine has processors. Points and normals in the world are taken with the root link
-/// at the world's origin. Free it with percuss_batch_free.
+/// Room to ask for m̄ of one contact at many configurations of an assembly, by so many threads (at most 1024), which belong to the
+/// batch; 1: the calling thread alone, 0: as many as the machine has processors. Normals in the world are taken with the root link
+/// at the world's origin; percuss_workspace_batch has another base. Free it with percuss_batch_free.
 ///
 /// Errors: PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_ARGUMENT.
 ///
@@ -62,6 +63,35 @@ pub unsafe extern "C" fn percuss_batch_new(
         let assembled = get(assembly)?;
         let contact = value(contact, "contact")?.on(&assembled.model)?;
         let ready = assembled.assembly.batch(&contact).map_err(Failure::of(PERCUSS_ERROR_CONTACT))?;
+        give(Threaded::new(ready, assembled.model.positions, threads)?, batch)
+    })
+}
+
+/// The same with the assembly and the base of a workspace (percuss_workspace_set_base), for normals in the world. The workspace may be
+/// used otherwise afterwards, or freed.
+///
+/// Errors: as percuss_batch_new; PERCUSS_ERROR_BUSY.
+///
+/// # Safety
+/// workspace is a handle; contact is null or points to a contact; batch is null or a place for a pointer.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_workspace_batch(
+    workspace: *mut percuss_workspace,
+    contact: *const percuss_contact,
+    threads: usize,
+    batch: *mut *mut percuss_batch,
+) -> percuss_status {
+    guarded(|| {
+        clear(batch)?;
+        let room = take(get(workspace)?, "percuss_workspace")?;
+        let contact = value(contact, "contact")?.on(&room.model)?;
+        let ready = room.workspace.batch(&contact).map_err(Failure::of(PERCUSS_ERROR_CONTACT))?;
+        give(Threaded::new(ready, room.model.positions, threads)?, batch)
+    })
+}
+
+impl Threaded {
+    fn new(batch: Batch, positions: usize, threads: usize) -> Result<Self, Failure> {
         if threads > MOST_THREADS {
             let message = format_args!("threads is {threads}; expected at most {MOST_THREADS}");
             return Err(Failure::new(PERCUSS_ERROR_ARGUMENT, message));
@@ -73,8 +103,8 @@ pub unsafe extern "C" fn percuss_batch_new(
                 Some((std::process::id(), pool.map_err(Failure::of(PERCUSS_ERROR_INTERNAL))?))
             }
         };
-        give(Threaded { batch: ready, positions: assembled.model.positions, pool }, batch)
-    })
+        Ok(Self { batch, positions, pool })
+    }
 }
 
 /// Ends the threads of a batch, frees it and sets the handle to null; nothing where it is null.
@@ -91,10 +121,12 @@ pub unsafe extern "C" fn percuss_batch_free(batch: *mut *mut percuss_batch) -> p
 /// positions: length numbers; PERCUSS_ROW_MAJOR: configuration c begins at c · stride, stride ≥ p; PERCUSS_COLUMN_MAJOR: position q of
 /// configuration c stands at q · stride + c, stride ≥ count: the fastest. outcomes and effective_masses: count values each, as
 /// percuss_workspace_effective_mass has them; PERCUSS_NO_ANSWER where there is none, PERCUSS_MASSLESS_TO_ROUNDING where rounding
-/// may hide a mass. errors: null, or room for count numbers: what rounding may amount to, kg; NaN where it was not counted. watch:
-/// null, or asked now and then with user.
+/// may hide a mass. errors: null, or room for count numbers: the error by rounding, kg; NaN where it was not counted; of a contact that
+/// is massless to rounding only, the largest m̄ that it may have. remarks: null, or room for count numbers: PERCUSS_REMARK_… added
+/// together, the reason of a row without an answer among them. watch: null, or asked now and then with user, in the default
+/// floating-point environment. What is written must not overlap, and must not overlap the positions.
 ///
-/// Errors: PERCUSS_ERROR_LENGTH; PERCUSS_ERROR_STOPPED: what was answered until then is there, the rest is PERCUSS_NO_ANSWER.
+/// Errors: PERCUSS_ERROR_LENGTH; PERCUSS_ERROR_OVERLAP; PERCUSS_ERROR_STOPPED: what was answered until then is there, the rest is PERCUSS_NO_ANSWER.
 /// PERCUSS_ERROR_HANDLE: the process was forked since the batch was made, whose threads are the parent's.
 ///
 /// # Safety
@@ -110,21 +142,33 @@ pub unsafe extern "C" fn percuss_batch_run(
     outcomes: *mut percuss_outcome,
     effective_masses: *mut f64,
     errors: *mut f64,
+    remarks: *mut u32,
     watch: percuss_watch,
     user: *mut c_void,
 ) -> percuss_status {
     guarded(|| {
         let threaded = get(batch)?;
+        let written = [
+            Span::of(outcomes, count, "outcomes"),
+            Span::of(effective_masses, count, "effective_masses"),
+            Span::of(errors, count, "errors"),
+            Span::of(remarks, count, "remarks"),
+        ];
+        refuse_overlaps(&written, &[Span::of(positions, length, "positions")])?;
         let values = input(positions, length, "positions")?;
         let outcomes = output(outcomes, count, "outcomes")?;
         let masses = output(effective_masses, count, "effective_masses")?;
         let mut errors = optional_output(errors, count, "errors")?;
+        let mut remarks = optional_output(remarks, count, "remarks")?;
         threaded.check(length, layout, stride, count)?;
         let pool = threaded.pool()?;
         outcomes.fill(PERCUSS_NO_ANSWER);
         masses.fill(f64::NAN);
         if let Some(errors) = &mut errors {
             errors.fill(f64::NAN);
+        }
+        if let Some(remarks) = &mut remarks {
+            remarks.fill(0);
         }
         let mut answers = vec![BatchAnswer::NONE; count.min(PORTION)];
         let mut done = 0;
@@ -149,6 +193,9 @@ pub unsafe extern "C" fn percuss_batch_run(
                 }
                 if let Some(errors) = &mut errors {
                     errors[at] = known(answer.error);
+                }
+                if let Some(remarks) = &mut remarks {
+                    remarks[at] = answer.remarks.bits();
                 }
             }
             done += here;

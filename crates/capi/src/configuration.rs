@@ -4,8 +4,7 @@ use crate::arrays::{input, text};
 use crate::handle::{Exclusive, Handle, clear, free, get, give, take};
 use crate::model::{Model, percuss_model};
 use crate::status::{Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_CONDITIONS, guarded, percuss_status};
-use percuss::nalgebra::Vector3;
-use percuss::spatial::{Transform, rotation_from_quaternion};
+use percuss::spatial::Transform;
 use percuss::{Configuration, ConfigurationError};
 use std::ffi::c_char;
 use std::sync::Arc;
@@ -156,7 +155,10 @@ pub unsafe extern "C" fn percuss_configuration_set_positions(
     })
 }
 
-/// Sets where the root link stands in the world: its origin (3 numbers, m) and its orientation (a unit quaternion w, x, y, z).
+/// Sets where the root link stands in the world: its origin (3 numbers, m) and its orientation (4 numbers, a unit quaternion w, x,
+/// y, z: a norm within 0.01 of 1, which is normalised).
+///
+/// Errors: PERCUSS_ERROR_ARGUMENT: a number that is not finite, another norm.
 ///
 /// # Safety
 /// position has 3 numbers, quaternion 4.
@@ -167,20 +169,32 @@ pub unsafe extern "C" fn percuss_configuration_set_base(
     quaternion: *const f64,
 ) -> percuss_status {
     guarded(|| {
-        let position = Vector3::from_column_slice(input(position, 3, "position")?);
-        let [w, x, y, z] = *input(quaternion, 4, "quaternion")? else { unreachable!("it has 4 values") };
-        let norm = w.hypot(x).hypot(y).hypot(z);
-        if norm.is_nan() || (norm - 1.0).abs() > 0.01 {
-            let message = format_args!("the quaternion w,x,y,z has norm {norm}; expected a unit quaternion");
-            return Err(Failure::new(PERCUSS_ERROR_ARGUMENT, message));
-        }
-        if let Some(value) = position.iter().find(|value| value.is_nan() || value.abs() > 1e100) {
-            let message = format_args!("position has {value:e}; expected a finite number of at most 1e100");
-            return Err(Failure::new(PERCUSS_ERROR_ARGUMENT, message));
-        }
-        let rotation = rotation_from_quaternion([w, x, y, z].map(|value| value / norm));
+        let x_wr = base_pose(position, quaternion)?;
         let mut given = take(get(configuration)?, "percuss_configuration")?;
-        given.values.set_base(Transform::new(rotation, position));
+        given.values.set_base(x_wr);
+        Ok(())
+    })
+}
+
+/// The pose of a base: its origin (3 numbers) and its orientation (4).
+pub(crate) fn base_pose(position: *const f64, quaternion: *const f64) -> Result<Transform<f64>, Failure> {
+    let (mut p, mut q) = ([0.0; 3], [0.0; 4]);
+    p.copy_from_slice(input(position, 3, "position")?);
+    q.copy_from_slice(input(quaternion, 4, "quaternion")?);
+    percuss::input::base_pose(p, q).map_err(Failure::of(PERCUSS_ERROR_ARGUMENT))
+}
+
+/// Accepts a pose on another assembly mode, where the branch of the first closed pose does not reach the driving joints. Such a
+/// pose has PERCUSS_REMARK_OTHER_ASSEMBLY; without this it is PERCUSS_ERROR_ASSEMBLY. A guess chooses a mode by itself.
+///
+/// # Safety
+/// configuration is null or a handle.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_configuration_allow_other_assembly(
+    configuration: *mut percuss_configuration,
+) -> percuss_status {
+    guarded(|| {
+        take(get(configuration)?, "percuss_configuration")?.values.allow_other_assembly();
         Ok(())
     })
 }

@@ -3,14 +3,18 @@
 use crate::arrays::{choice, known};
 use crate::handle::place;
 use crate::model::Model;
-use crate::status::{Failure, guarded, percuss_status};
+use crate::status::{Failure, PERCUSS_ERROR_CONTACT, guarded, percuss_status};
 use percuss::nalgebra::Vector3;
 use percuss::{
-    Contact, ContactResponse, Direction, EffectiveMass, ErrorBudget, Frame, Remark, Route, RouteChoice,
+    Contact, ContactResponse, Direction, EffectiveMass, ErrorBudget, Frame, LinkId, Remark, RemarkFlags,
+    Route, RouteChoice,
 };
 
 /// No link: the ground.
 pub const PERCUSS_GROUND: usize = usize::MAX;
+
+/// No link is given: the link of a contact before it is set.
+pub const PERCUSS_NO_LINK: usize = usize::MAX - 1;
 
 /// Where a normal is given.
 pub type percuss_normal = i32;
@@ -27,7 +31,7 @@ pub const PERCUSS_NORMAL_TOWARD: percuss_normal = 3;
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct percuss_contact {
-    /// The struck link: a number of percuss_model_find_link.
+    /// The struck link: a number of percuss_model_find_link. PERCUSS_NO_LINK, from percuss_contact_init, is an error.
     pub link: usize,
     /// The other side: a link, or PERCUSS_GROUND.
     pub against: usize,
@@ -36,13 +40,14 @@ pub struct percuss_contact {
     /// The normal, out of the struck link into the other side; its length does not matter. For PERCUSS_NORMAL_TOWARD the
     /// point that it points towards, m.
     pub normal: [f64; 3],
-    /// Where the normal is given.
+    /// Where the normal is given: PERCUSS_NORMAL_LINK to PERCUSS_NORMAL_TOWARD.
     pub normal_given: percuss_normal,
     /// For PERCUSS_NORMAL_TOWARD the link whose point is meant; not read otherwise.
     pub toward: usize,
 }
 
-/// A contact of the origin of link 0 with the ground, along the link's z.
+/// A contact with the ground at the origin of a link, which must be set (PERCUSS_NO_LINK), along a normal in the link's frame, which
+/// must be set too (0, 0, 0).
 ///
 /// # Safety
 /// contact is null or a place for a percuss_contact.
@@ -50,12 +55,12 @@ pub struct percuss_contact {
 pub unsafe extern "C" fn percuss_contact_init(contact: *mut percuss_contact) -> percuss_status {
     guarded(|| {
         *place(contact, "contact")? = percuss_contact {
-            link: 0,
+            link: PERCUSS_NO_LINK,
             against: PERCUSS_GROUND,
             point: [0.0; 3],
-            normal: [0.0, 0.0, 1.0],
+            normal: [0.0; 3],
             normal_given: PERCUSS_NORMAL_LINK,
-            toward: 0,
+            toward: PERCUSS_NO_LINK,
         };
         Ok(())
     })
@@ -66,20 +71,35 @@ impl percuss_contact {
     #[inline]
     pub(crate) fn on(&self, model: &Model) -> Result<Contact, Failure> {
         let vector = Vector3::from(self.normal);
-        let normal = match self.normal_given {
-            PERCUSS_NORMAL_TOWARD => Direction::Toward(model.link(self.toward)?, vector),
-            given => {
-                let frames = [Frame::Link, Frame::World, Frame::Against];
-                Direction::Along(vector, choice(&frames, given, "normal_given")?)
-            }
+        let frames = [Some(Frame::Link), Some(Frame::World), Some(Frame::Against), None];
+        let normal = match choice(&frames, self.normal_given, "normal_given")? {
+            Some(frame) => Direction::Along(vector, frame),
+            None => Direction::Toward(link(model, self.toward, "toward")?, vector),
         };
         Ok(Contact {
-            link: model.link(self.link)?,
-            against: if self.against == PERCUSS_GROUND { None } else { Some(model.link(self.against)?) },
+            link: link(model, self.link, "link")?,
+            against: if self.against == PERCUSS_GROUND {
+                None
+            } else {
+                Some(link(model, self.against, "against")?)
+            },
             point: self.point.into(),
             normal,
         })
     }
+}
+
+/// A link of a contact.
+#[inline]
+fn link(model: &Model, number: usize, field: &str) -> Result<LinkId, Failure> {
+    if number == PERCUSS_NO_LINK { Err(no_link(field)) } else { model.link(number) }
+}
+
+#[cold]
+fn no_link(field: &str) -> Failure {
+    let message =
+        format_args!("the contact's {field} is not set; expected a number of percuss_model_find_link");
+    Failure::new(PERCUSS_ERROR_CONTACT, message)
 }
 
 /// What the mechanism opposes to the contact.
@@ -90,7 +110,7 @@ pub const PERCUSS_FINITE: percuss_outcome = 0;
 pub const PERCUSS_IMMOVABLE: percuss_outcome = 1;
 /// A motion without energy closes the gap.
 pub const PERCUSS_MASSLESS: percuss_outcome = 2;
-/// In batches: no answer; percuss_pose_effective_mass at that configuration says why.
+/// In batches: no answer; the remarks have the reason, percuss_workspace_effective_mass at that configuration states it.
 pub const PERCUSS_NO_ANSWER: percuss_outcome = 3;
 /// In batches: massless to rounding only; the error is the largest m̄, kg, that the contact may have.
 pub const PERCUSS_MASSLESS_TO_ROUNDING: percuss_outcome = 4;
@@ -118,6 +138,33 @@ pub const PERCUSS_REMARK_UNCLEAR_RANK: u32 = 16;
 pub const PERCUSS_REMARK_INDEFINITE: u32 = 32;
 /// Branches cross at this pose: m̄ is a lower bound that no branch attains.
 pub const PERCUSS_REMARK_SINGULAR_POSE: u32 = 64;
+/// The pose is on another assembly mode than that of the first closed pose (percuss_configuration_allow_other_assembly).
+pub const PERCUSS_REMARK_OTHER_ASSEMBLY: u32 = 128;
+/// A loop is open as drawn by more than a hundredth of its size: a point may be mistyped.
+pub const PERCUSS_REMARK_DRAWN_OPEN: u32 = 256;
+/// The loops contradict one another by rounding: closed in least squares.
+pub const PERCUSS_REMARK_INEXACT_LOOPS: u32 = 512;
+/// A driving joint was not set, and 0 is out of reach.
+pub const PERCUSS_REMARK_DRIVER_OFF_ZERO: u32 = 1024;
+/// A joint was set to more numbers than its loops leave degrees of freedom: the nearest position is taken.
+pub const PERCUSS_REMARK_OFF_TARGET: u32 = 2048;
+/// A joint is outside its limits. Workspaces and batches do not look at limits.
+pub const PERCUSS_REMARK_OUTSIDE_LIMITS: u32 = 4096;
+/// A little off in the figures of the file, and the loops leave one motion more.
+pub const PERCUSS_REMARK_WEAKLY_CONSTRAINED: u32 = 8192;
+/// The generic rank of the constraints is unclear: the mobility may be another.
+pub const PERCUSS_REMARK_UNCLEAR_MOBILITY: u32 = 16384;
+/// The normal is given in the world and the base floats, but its pose was not given: it is taken at the world's origin
+/// (percuss_configuration_set_base, percuss_workspace_set_base).
+pub const PERCUSS_REMARK_BASE_NOT_GIVEN: u32 = 32768;
+/// In batches, a row without an answer: a position is not finite.
+pub const PERCUSS_REMARK_NOT_FINITE: u32 = 65536;
+/// In batches, a row without an answer: a quaternion is not of unit length.
+pub const PERCUSS_REMARK_NOT_UNIT_QUATERNION: u32 = 131072;
+/// In batches, a row without an answer: its loops are open.
+pub const PERCUSS_REMARK_OPEN_LOOPS: u32 = 262144;
+/// In batches, a row without an answer for another reason.
+pub const PERCUSS_REMARK_NO_ANSWER: u32 = 524288;
 
 /// An effective mass with what is known of it. A number that is not known, or that does not apply, is NaN.
 #[repr(C)]
@@ -156,28 +203,19 @@ pub(crate) fn outcome(mass: EffectiveMass) -> (percuss_outcome, f64) {
 }
 
 pub(crate) fn remark_bits(remarks: &[Remark]) -> u32 {
-    let bit = |remark: &Remark| match remark {
-        Remark::NearlyImmovable { .. } => PERCUSS_REMARK_NEARLY_IMMOVABLE,
-        Remark::MasslessMotions { .. } => PERCUSS_REMARK_MASSLESS_MOTIONS,
-        Remark::MasslessToRounding { .. } => PERCUSS_REMARK_MASSLESS_TO_ROUNDING,
-        Remark::UndeterminedMotion => PERCUSS_REMARK_UNDETERMINED_MOTION,
-        Remark::UnclearRank { .. } => PERCUSS_REMARK_UNCLEAR_RANK,
-        Remark::IndefiniteMassMatrix => PERCUSS_REMARK_INDEFINITE,
-    };
-    remarks.iter().map(bit).fold(0, |all, bit| all | bit)
+    remarks.iter().collect::<RemarkFlags>().bits()
 }
 
 pub(crate) fn summary(response: &ContactResponse) -> percuss_mass {
     let (outcome, effective_mass) = outcome(response.effective_mass);
     let budget = response.error.unwrap_or(ErrorBudget { rounding: None, closing: None, file: None });
-    let singular = if response.singular_pose { PERCUSS_REMARK_SINGULAR_POSE } else { 0 };
     percuss_mass {
         outcome,
         route: match response.route {
             Route::Dense => PERCUSS_ROUTE_DENSE,
             Route::Articulated => PERCUSS_ROUTE_ARTICULATED,
         },
-        remarks: remark_bits(&response.remarks) | singular,
+        remarks: response.remark_flags().bits(),
         reserved: 0,
         degrees_of_freedom: response.degrees_of_freedom,
         effective_mass,

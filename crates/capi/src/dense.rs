@@ -1,6 +1,6 @@
 //! The dense entry: m̄ of matrices that the caller has already.
 
-use crate::arrays::{expect_length, input, known, optional_output};
+use crate::arrays::{Span, expect_length, input, known, optional_output, refuse_overlaps};
 use crate::contact::{PERCUSS_ROUTE_DENSE, outcome, percuss_mass, remark_bits};
 use crate::handle::{optional, place, value};
 use crate::pose::{PERCUSS_COLUMN_MAJOR, PERCUSS_ROW_MAJOR, percuss_layout};
@@ -130,17 +130,41 @@ pub unsafe extern "C" fn percuss_effective_mass(
     guarded(|| {
         let mass = value(mass, "mass")?;
         let constraints = optional(constraints, "constraints")?;
+        let given = optional(options, "options")?;
         let row = input(contact_row, count, "contact_row")?;
         expect_length(count, mass.rows, "contact_row")?;
         let mut asked = MatrixOptions::new();
-        if let Some(options) = optional(options, "options")? {
+        if let Some(options) = given {
             asked = asked.rank_floor(options.rank_floor).accuracy(options.accuracy);
             if !options.lengths.is_null() {
                 asked = asked.lengths(input(options.lengths, options.length_count, "lengths")?);
             }
         }
         let rows = constraints.as_ref().map(|a| view(a, "constraints")).transpose()?;
-        let found = effective_mass(view(&mass, "mass")?, row, rows, &asked).map_err(refusal)?;
+        let matrix = view(&mass, "mass")?;
+        let redundant = constraints.map_or(0, |a| a.rows);
+        let written = [
+            Span::of(mass_result, 1, "mass_result"),
+            Span::of(velocities, count, "velocities"),
+            Span::of(rank, 1, "rank"),
+            Span::of(redundant_rows, redundant, "redundant_rows"),
+        ];
+        let (a, lengths) = (
+            constraints.map_or(Span::of(contact_row, 0, "constraints"), |a| {
+                Span::of(a.values, a.length, "constraints")
+            }),
+            given.map_or(Span::of(contact_row, 0, "lengths"), |options| {
+                Span::of(options.lengths, options.length_count, "lengths")
+            }),
+        );
+        let read = [
+            Span::of(mass.values, mass.length, "mass"),
+            Span::of(contact_row, count, "contact_row"),
+            a,
+            lengths,
+        ];
+        refuse_overlaps(&written, &read)?;
+        let found = effective_mass(matrix, row, rows, &asked).map_err(refusal)?;
         let (outcome, m) = outcome(found.effective_mass);
         *place(mass_result, "mass_result")? = percuss_mass {
             outcome,

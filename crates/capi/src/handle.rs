@@ -11,8 +11,8 @@ use try_lock::{Locked, TryLock};
 
 /// What a handle of C's stands for.
 pub(crate) trait Handle {
-    /// The object.
-    type Object;
+    /// The object: calls from several threads share it.
+    type Object: Send + Sync;
     /// A number that is in memory before the object: other handles have another one.
     const TAG: u64;
     /// The name of the type in C.

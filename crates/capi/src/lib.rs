@@ -16,6 +16,7 @@ mod conditions;
 mod configuration;
 mod contact;
 mod dense;
+mod floating_point;
 mod handle;
 mod laws;
 mod model;

@@ -1,6 +1,6 @@
 //! The whole response to a contact.
 
-use crate::arrays::{copy_out, expect_length, output};
+use crate::arrays::{Span, copy_out, expect_length, output, refuse_overlaps};
 use crate::contact::{percuss_mass, summary};
 use crate::handle::{Handle, free, get, place};
 use crate::model::Model;
@@ -114,6 +114,8 @@ pub unsafe extern "C" fn percuss_response_contributions(
 ) -> percuss_status {
     guarded(|| {
         let answered = get(response)?;
+        let written = [Span::of(links, link_count, "links"), Span::of(rotors, joint_count, "rotors")];
+        refuse_overlaps(&written, &[])?;
         let contributions = answered.response.contributions.as_ref().ok_or_else(|| {
             Failure::new(PERCUSS_ERROR_CONTACT, "m̄ is not finite: no link contributes to it")
         })?;

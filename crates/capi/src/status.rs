@@ -1,5 +1,6 @@
 //! What a call came to, and the message of a failure.
 
+use crate::floating_point::DefaultEnvironment;
 use std::cell::RefCell;
 use std::ffi::{CString, c_char};
 use std::fmt::Display;
@@ -38,6 +39,8 @@ pub const PERCUSS_ERROR_LAW: percuss_status = 12;
 pub const PERCUSS_ERROR_BUSY: percuss_status = 13;
 /// The caller stopped the work.
 pub const PERCUSS_ERROR_STOPPED: percuss_status = 14;
+/// Arrays or places that a call writes overlap one another, or what it reads.
+pub const PERCUSS_ERROR_OVERLAP: percuss_status = 15;
 /// A defect of percuss. The object that was used may be freed, and should not be used otherwise.
 pub const PERCUSS_ERROR_INTERNAL: percuss_status = 99;
 
@@ -63,9 +66,11 @@ thread_local! {
     static MESSAGE: RefCell<CString> = RefCell::default();
 }
 
-/// Runs a call; keeps the message of a failure for this thread. A panic, which is a defect, does not cross the border.
+/// Runs a call in the default floating-point environment; keeps the message of a failure for this thread. A panic, which is a
+/// defect, does not cross the border.
 #[inline]
 pub(crate) fn guarded(call: impl FnOnce() -> Result<(), Failure>) -> percuss_status {
+    let _environment = DefaultEnvironment::enter();
     match catch_unwind(AssertUnwindSafe(call)) {
         Ok(Ok(())) => PERCUSS_OK,
         Ok(Err(failure)) => fail(failure),

@@ -1,11 +1,13 @@
 //! Workspaces: one configuration after another, without allocations.
 
-use crate::arrays::input;
+use crate::arrays::{Span, input, refuse_overlaps};
+use crate::configuration::base_pose;
 use crate::contact::{outcome, percuss_contact, percuss_outcome};
 use crate::handle::{Exclusive, Handle, clear, free, get, give, lent, place, take};
 use crate::model::Model;
 use crate::status::{
-    Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_LENGTH, guarded, percuss_status,
+    Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_ASSEMBLY, PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_LENGTH,
+    guarded, percuss_status,
 };
 use crate::system::percuss_assembly;
 use percuss::{Contact, ResponseError, Workspace};
@@ -18,8 +20,8 @@ pub struct percuss_workspace {
 
 /// A workspace, with the names of links.
 pub(crate) struct Room {
-    model: Arc<Model>,
-    workspace: Workspace,
+    pub model: Arc<Model>,
+    pub workspace: Workspace,
     /// The contact that was asked for last, as it was given and as it is on the model.
     asked: Option<(percuss_contact, Contact)>,
 }
@@ -58,13 +60,16 @@ pub unsafe extern "C" fn percuss_workspace_free(workspace: *mut *mut percuss_wor
 }
 
 /// m̄ of a contact at the positions of all joints (one after another, in joint order; unit quaternions; those of mimics are not
-/// read). Loops are taken as closed there: positions of a pose of the same assembly are. null: at the positions last given.
+/// read): count numbers, as percuss_model_counts says. Loops must be closed there, to a millionth of their size: positions of a pose
+/// of the same assembly are.
 ///
-/// effective_mass: kg; NaN unless the outcome is PERCUSS_FINITE. States no error: percuss_pose_effective_mass does. Allocates nothing
-/// after the first call, but where the recursion is not accurate enough. Points and normals in the world are taken with the
-/// root link at the world's origin.
+/// effective_mass: kg; NaN unless the outcome is PERCUSS_FINITE. remarks: null, or a place for PERCUSS_REMARK_… added together. States
+/// no error: percuss_pose_effective_mass does. Allocates nothing after the first call, but where the recursion is not accurate
+/// enough. Normals in the world are taken with the root link where percuss_workspace_set_base has put it, else at the world's
+/// origin.
 ///
-/// Errors: PERCUSS_ERROR_LENGTH, PERCUSS_ERROR_CONTACT; PERCUSS_ERROR_ARGUMENT: a position that matters is not finite;
+/// Errors: PERCUSS_ERROR_NULL, PERCUSS_ERROR_LENGTH; PERCUSS_ERROR_ARGUMENT: a position that matters is not finite, a quaternion is not
+/// of unit length; PERCUSS_ERROR_ASSEMBLY: a loop is open, with the gap and the tolerance; PERCUSS_ERROR_CONTACT; PERCUSS_ERROR_OVERLAP;
 /// PERCUSS_ERROR_BUSY where another thread uses the workspace.
 ///
 /// # Safety
@@ -76,28 +81,111 @@ pub unsafe extern "C" fn percuss_workspace_effective_mass(
     positions: *const f64,
     count: usize,
     contact: *const percuss_contact,
-    outcome_place: *mut percuss_outcome,
+    outcome: *mut percuss_outcome,
     effective_mass: *mut f64,
+    remarks: *mut u32,
 ) -> percuss_status {
     guarded(|| {
+        let read = [Span::of(positions, count, "positions"), Span::of(contact, 1, "contact")];
+        refuse_overlaps(&Places::spans(outcome, effective_mass, remarks), &read)?;
         let mut room = take(get(workspace)?, "percuss_workspace")?;
-        let (to_outcome, to_mass) =
-            (place(outcome_place, "outcome")?, place(effective_mass, "effective_mass")?);
+        let places = Places::of(outcome, effective_mass, remarks)?;
         let given = lent(contact, "contact")?;
-        let Room { model, workspace, asked } = &mut *room;
+        let positions = input(positions, count, "positions")?;
+        room.workspace.set_positions(positions).map_err(Failure::of(PERCUSS_ERROR_LENGTH))?;
+        room.answer(given, places)
+    })
+}
+
+/// The same of another contact at the positions last given to the workspace; at its first closed pose where none were.
+///
+/// Errors: as percuss_workspace_effective_mass.
+///
+/// # Safety
+/// As percuss_workspace_effective_mass.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_workspace_effective_mass_again(
+    workspace: *mut percuss_workspace,
+    contact: *const percuss_contact,
+    outcome: *mut percuss_outcome,
+    effective_mass: *mut f64,
+    remarks: *mut u32,
+) -> percuss_status {
+    guarded(|| {
+        let read = [Span::of(contact, 1, "contact")];
+        refuse_overlaps(&Places::spans(outcome, effective_mass, remarks), &read)?;
+        let mut room = take(get(workspace)?, "percuss_workspace")?;
+        let places = Places::of(outcome, effective_mass, remarks)?;
+        room.answer(lent(contact, "contact")?, places)
+    })
+}
+
+/// Sets where the root link stands in the world, as percuss_configuration_set_base: for normals that are given in the world.
+///
+/// Errors: PERCUSS_ERROR_ARGUMENT.
+///
+/// # Safety
+/// workspace is a handle; position has 3 numbers, quaternion 4.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_workspace_set_base(
+    workspace: *mut percuss_workspace,
+    position: *const f64,
+    quaternion: *const f64,
+) -> percuss_status {
+    guarded(|| {
+        let x_wr = base_pose(position, quaternion)?;
+        let mut room = take(get(workspace)?, "percuss_workspace")?;
+        room.workspace.set_base(&x_wr).map_err(Failure::of(PERCUSS_ERROR_ARGUMENT))
+    })
+}
+
+/// Where an answer goes.
+struct Places<'a> {
+    outcome: &'a mut percuss_outcome,
+    mass: &'a mut f64,
+    remarks: Option<&'a mut u32>,
+}
+
+impl Places<'_> {
+    #[inline]
+    fn spans(outcome: *const percuss_outcome, mass: *const f64, remarks: *const u32) -> [Span; 3] {
+        [
+            Span::of(outcome, 1, "outcome"),
+            Span::of(mass, 1, "effective_mass"),
+            Span::of(remarks, 1, "remarks"),
+        ]
+    }
+
+    #[inline]
+    fn of(outcome: *mut percuss_outcome, mass: *mut f64, remarks: *mut u32) -> Result<Self, Failure> {
+        let remarks = if remarks.is_null() { None } else { Some(place(remarks, "remarks")?) };
+        Ok(Self { outcome: place(outcome, "outcome")?, mass: place(mass, "effective_mass")?, remarks })
+    }
+}
+
+impl Room {
+    #[inline]
+    fn answer(&mut self, given: &percuss_contact, places: Places<'_>) -> Result<(), Failure> {
+        let Room { model, workspace, asked } = self;
         let (_, contact) = match asked {
             Some(last) if last.0 == *given => last,
             _ => asked.insert((*given, given.on(model)?)),
         };
-        if !positions.is_null() {
-            let positions = input(positions, count, "positions")?;
-            workspace.set_positions(positions).map_err(Failure::of(PERCUSS_ERROR_LENGTH))?;
+        let mass = workspace.effective_mass(contact).map_err(refusal)?;
+        (*places.outcome, *places.mass) = outcome(mass);
+        if let Some(remarks) = places.remarks {
+            *remarks = workspace.remarks().bits();
         }
-        let mass = workspace.effective_mass(contact).map_err(|error| {
-            let of_positions = matches!(error, ResponseError::NotFinite { .. });
-            Failure::new(if of_positions { PERCUSS_ERROR_ARGUMENT } else { PERCUSS_ERROR_CONTACT }, error)
-        })?;
-        (*to_outcome, *to_mass) = outcome(mass);
         Ok(())
-    })
+    }
+}
+
+/// The status of a row that is refused.
+fn refusal(error: ResponseError) -> Failure {
+    let status = match &error {
+        ResponseError::NotFinite { .. } | ResponseError::Quaternion { .. } => PERCUSS_ERROR_ARGUMENT,
+        ResponseError::OpenLoops { .. } => PERCUSS_ERROR_ASSEMBLY,
+        _ => PERCUSS_ERROR_CONTACT,
+    };
+    Failure::new(status, error)
 }

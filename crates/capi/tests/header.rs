@@ -24,7 +24,8 @@ fn versions() -> String {
         "\n/* The version of this header. While the first number is 0, the second changes with every change that programs must be\n   \
          compiled again for. */\n#define PERCUSS_VERSION \"{version}\"\n#define PERCUSS_VERSION_MAJOR {major}\n\
          #define PERCUSS_VERSION_MINOR {minor}\n#define PERCUSS_VERSION_PATCH {patch}\n\n\
-         /* No link: the ground. */\n#define PERCUSS_GROUND SIZE_MAX"
+         /* No link: the ground. */\n#define PERCUSS_GROUND SIZE_MAX\n\n\
+         /* No link is given: the link of a contact before it is set. */\n#define PERCUSS_NO_LINK (SIZE_MAX - 1)"
     )
 }
 
@@ -60,7 +61,10 @@ fn generated() -> String {
         documentation: true,
         documentation_style: cbindgen::DocumentationStyle::C,
         sort_by: cbindgen::SortKey::None,
-        export: cbindgen::ExportConfig { exclude: vec!["PERCUSS_GROUND".into()], ..Default::default() },
+        export: cbindgen::ExportConfig {
+            exclude: vec!["PERCUSS_GROUND".into(), "PERCUSS_NO_LINK".into()],
+            ..Default::default()
+        },
         ..Default::default()
     };
     let mut builder = cbindgen::Builder::new().with_config(config);

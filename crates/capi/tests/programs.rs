@@ -67,7 +67,7 @@ fn program(source: &str, linked: Linked) -> String {
         Linked::Static => {
             compile.arg(libraries.join("libpercuss.a")).args(["-lpthread", "-ldl", "-lm"]);
             if cfg!(target_os = "linux") {
-                compile.args(["-lgcc_s", "-lutil", "-lrt"]);
+                compile.args(["-lutil", "-lrt"]);
             }
         }
         Linked::Shared => {
@@ -89,6 +89,21 @@ fn every_function_answers() {
 #[test]
 fn misuse_gives_errors() {
     assert!(program("tests/c/misuse.c", Linked::Static).contains("every misuse was noticed"));
+}
+
+/// Rules of input × entry points of C: that so many were tried is checked here.
+#[test]
+fn every_rule_holds_at_every_entry_point() {
+    let printed = program("tests/c/rules.c", Linked::Static);
+    assert!(printed.contains("205 cases of rule and entry point"), "{printed}");
+}
+
+/// Traps of floating-point arithmetic are enabled by a function of glibc's.
+#[test]
+#[cfg(all(target_os = "linux", target_env = "gnu"))]
+fn callers_with_traps_meet_none() {
+    let printed = program("tests/c/traps.c", Linked::Static);
+    assert!(printed.contains("calls without a trap"), "{printed}");
 }
 
 #[test]

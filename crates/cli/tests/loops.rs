@@ -292,7 +292,7 @@ fn findings(line: &str, code: &str) -> Vec<(String, String)> {
 /// The four-bar driven by its rocker, which has two separate ranges: the rocker's pin above the line of the hinges, and
 /// below it. The drawing stands above.
 #[test]
-fn another_assembly_mode_is_said() {
+fn another_assembly_mode_is_an_error_without_a_guess() {
     let scratch = Scratch::new("loops-other-assembly");
     let text = std::fs::read_to_string(root().join("models/four_bar.urdf")).expect("the model");
     let undeclared = text.replace(" independent=\"true\"", "");
@@ -301,17 +301,18 @@ fn another_assembly_mode_is_said() {
     let asked = |more: &str| format!("mass {model} --link coupler --point 0.35,0.1,0 --normal 0,1,0 {more}");
     // The drawing mirrored in the line of the hinges: the rocker turns by 2 atan2(-0.25, -0.6) on from (-0.25, 0.6).
     let mirrored = f64::atan2(-0.6, -0.25) - f64::atan2(0.6, -0.25) + std::f64::consts::TAU;
-    let found = findings(&asked(&format!("--set rocker_hinge={mirrored}")), "other-assembly");
-    let [(severity, message)] = &found[..] else { panic!("{found:?}") };
-    assert_eq!(severity, "warning");
-    for words in ["does not reach", "another assembly mode", "seeded starts", "--guess chooses one"] {
-        assert!(message.contains(words), "{words} is missing in {message}");
+    let refused = percuss(&asked(&format!("--set rocker_hinge={mirrored}")));
+    assert_eq!((refused.code, refused.stdout.as_str()), (1, ""), "{}", refused.stderr);
+    for words in
+        ["another assembly mode", "first closed pose ends at rocker_hinge", "seeded starts", "--guess"]
+    {
+        assert!(refused.stderr.contains(words), "{words} is missing in {}", refused.stderr);
     }
-    // On the branch of the drawing, or with a guess that chooses the mode, nothing is said.
-    assert_eq!(findings(&asked("--set rocker_hinge=0.2"), "other-assembly"), []);
+    // On the branch of the drawing, or with a guess that chooses the mode, it is answered.
+    assert_eq!(percuss(&asked("--set rocker_hinge=0.2")).code, 0);
     let guess = f64::atan2(-0.3, 0.0) - f64::atan2(0.3, 0.0);
     let chosen = asked(&format!("--set rocker_hinge={mirrored} --guess crank_hinge={guess}"));
-    assert_eq!(findings(&chosen, "other-assembly"), []);
+    assert_eq!(percuss(&chosen).code, 0);
     // No mode reaches the rocker's pin beyond both cranks' reach.
     let beyond = percuss(&asked("--set rocker_hinge=-1.9656"));
     assert_eq!((beyond.code, beyond.stdout.as_str()), (1, ""), "{}", beyond.stderr);

@@ -67,7 +67,7 @@ impl Pose {
             let residual = |group| model.group_residual(&kinematics, group).0;
             state.residual = model.groups.iter().map(residual).fold(0.0, f64::max);
         }
-        Ok(self.assembly.pose_at(kinematics, self.base * step, loops))
+        Ok(self.assembly.pose_at(kinematics, self.base * step, loops, self))
     }
 
     /// The pose after the mechanism has gone along v* until the gap has closed by `distance` (m; negative: opened).
@@ -88,7 +88,7 @@ impl Pose {
         }
         let mut kinematics = pose.kinematics;
         kinematics.refill(model);
-        Some(self.assembly.pose_at(kinematics, pose.base, pose.loops))
+        Some(self.assembly.pose_at(kinematics, pose.base, pose.loops, self))
     }
 }
 

@@ -1,6 +1,6 @@
 //! What mechanisms that are answered in lanes share: positions by columns, and answers that rounding leaves no doubt of.
 
-use crate::tolerances::TRUSTED_ERROR;
+use crate::tolerances::{TRUSTED_ERROR, UNIT_QUATERNION};
 use nalgebra::Matrix3;
 use percuss_spatial::SpatialInertia;
 use percuss_spatial::lanes::Lanes;
@@ -63,6 +63,24 @@ impl Columns<'_> {
     pub fn at<T: Lanes>(&self, q: usize, first: usize) -> T {
         T::load(&self.values[q * self.stride + first..])
     }
+}
+
+/// How far a quaternion is from a unit one, beyond rounding.
+#[inline(always)]
+pub(crate) fn off_unit<T: Lanes>(columns: Columns<'_>, q: usize, first: usize) -> T {
+    let mut square = -T::one();
+    for k in 0..4 {
+        let part: T = columns.at(q + k, first);
+        square = part.mul_add(part, square);
+    }
+    over(square, UNIT_QUATERNION)
+}
+
+/// Twice what |x| is above a limit.
+#[inline(always)]
+pub(crate) fn over<T: Lanes>(x: T, most: f64) -> T {
+    let above = x.abs() - T::from_f64(most);
+    above + above.abs()
 }
 
 /// Whether no motion has a negative energy, to rounding.

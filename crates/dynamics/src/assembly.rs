@@ -2,13 +2,18 @@
 //! mobility. A value: nothing that is asked of it changes it.
 
 use crate::assembling::{Facts, GroupFacts};
+use crate::conditions::Base;
+use crate::contact::Contact;
 use crate::kinematics::Kinematics;
 use crate::mobility::{GroupMobility, MobilityRoom, Rank, Redundancy, rank_of_rows};
-use crate::model::{Constraint, Group, Model};
+use crate::model::{Constraint, ConstraintRows, Group, Model};
+use crate::outcome::{Remark, ResponseError};
 use crate::routes::Rooms;
-use crate::rows::GroupRows;
+use crate::rows::{GroupRows, largest};
 use crate::singular::Surroundings;
-use crate::tolerances::{CLOSED_AS_DRAWN, DRAWN_OPEN, HELD_ASIDE, REDUNDANCY_LIMIT, ROUNDED};
+use crate::tolerances::{
+    CLOSED_AS_DRAWN, DRAWN_OPEN, HELD_ASIDE, OPEN_ROW, REDUNDANCY_LIMIT, ROUNDED, WEAKLY_CONSTRAINED,
+};
 use percuss_mechanism::JointId;
 use std::sync::{Arc, OnceLock};
 
@@ -28,6 +33,7 @@ pub struct Assembly {
     /// Found when first asked for, a function of the rest.
     redundant: OnceLock<Vec<Vec<String>>>,
     rooms: Rooms,
+    remarks: Vec<Remark>,
 }
 
 /// The two sides of a system: what answers, and what is posed. A lock or a held contact holds velocities, not the pose:
@@ -70,7 +76,8 @@ impl Assembly {
             rows.fill(model, group, &generic_kinematics);
             rank_of_rows(&rows, group, *floor).explained_by(ROUNDED * misfit)
         };
-        let generic = model.groups.iter().zip(&floors).zip(&misfits).map(rank).collect();
+        let generic: Vec<Rank> = model.groups.iter().zip(&floors).zip(&misfits).map(rank).collect();
+        let remarks = remarks_on(&models.posing, &facts, &generic);
         Self {
             models,
             facts,
@@ -80,6 +87,7 @@ impl Assembly {
             generic_kinematics,
             redundant: OnceLock::new(),
             rooms: Rooms::default(),
+            remarks,
         }
     }
 
@@ -224,6 +232,49 @@ impl Assembly {
         self.generic.iter().all(|g| g.clear)
     }
 
+    /// True if the mechanism is weakly constrained: figures rounded to four digits may leave one motion more.
+    pub fn is_weakly_constrained(&self) -> bool {
+        self.least_singular_value() < WEAKLY_CONSTRAINED
+    }
+
+    /// Findings about the loops, whatever the pose is.
+    pub fn remarks(&self) -> &[Remark] {
+        &self.remarks
+    }
+
+    /// The remark on a contact whose normal is given in the world, where the base floats and its pose is not given.
+    pub(crate) fn base_remark(&self, contact: &Contact, base_is_given: bool) -> Option<Remark> {
+        let missing = self.model().base == Base::Floating && !base_is_given && contact.has_world_normal();
+        missing.then_some(Remark::BaseNotGiven)
+    }
+
+    /// Refuses positions at which a group of loops is open. `residuals`: reused.
+    pub(crate) fn refuse_open_loops(
+        &self,
+        kinematics: &Kinematics<f64>,
+        residuals: &mut Vec<f64>,
+    ) -> Result<(), ResponseError> {
+        let model = self.posing();
+        for (number, group) in model.groups.iter().enumerate() {
+            model.group_residuals_into(kinematics, group, residuals);
+            let (gap, worst) = largest(residuals);
+            let accepted = OPEN_ROW * group.size;
+            // The tolerance of far and rounded loops costs more than the residuals.
+            if gap <= accepted {
+                continue;
+            }
+            let tolerance = accepted.max(self.tolerance(kinematics, number));
+            if gap > tolerance {
+                let mut loops = model.group_names(group);
+                if let Some(at) = loops.iter().position(|name| *name == model.row_name(group, worst)) {
+                    loops.swap(0, at);
+                }
+                return Err(ResponseError::OpenLoops { loops, gap, tolerance });
+            }
+        }
+        Ok(())
+    }
+
     /// How far each loop is from closed where it is drawn, beyond rounding.
     pub fn drawn_gaps(&self) -> Vec<DrawnGap> {
         let model = self.posing();
@@ -267,6 +318,32 @@ impl Assembly {
         let misfit = self.facts.groups[number].misfit_beyond(group, kinematics, model);
         model.rounded_tolerance(kinematics, group, misfit)
     }
+}
+
+/// Findings about loops that hold at every pose.
+fn remarks_on(posing: &Model, facts: &Facts, generic: &[Rank]) -> Vec<Remark> {
+    let mut remarks = Vec::new();
+    let gaps = posing.groups.iter().zip(&facts.groups).flat_map(|(group, facts)| {
+        let closes = |c: &&ConstraintRows| !matches!(c.constraint, Constraint::Hold(_));
+        let own = group.constraints.iter().zip(&facts.drawn_gaps).filter(move |(c, _)| closes(c));
+        own.map(|(_, &gap)| (gap, group.size))
+    });
+    let widest = gaps
+        .filter(|(gap, size)| *gap > DRAWN_OPEN * size)
+        .max_by(|(gap, size), (other, of)| (gap / size).total_cmp(&(other / of)));
+    remarks.extend(widest.map(|(gap, size)| Remark::DrawnOpen { gap, size }));
+    let inexactness = facts.groups.iter().map(|facts| facts.inexactness).fold(0.0, f64::max);
+    remarks.extend((inexactness > 0.0).then_some(Remark::InexactLoops { inexactness }));
+    if posing.groups.is_empty() {
+        return remarks;
+    }
+    let least = generic.iter().map(|rank| rank.least).fold(1.0, f64::min);
+    remarks.extend((least < WEAKLY_CONSTRAINED).then_some(Remark::WeaklyConstrained { least }));
+    if !generic.iter().all(|rank| rank.clear) {
+        let gap = generic.iter().map(|rank| rank.gap).fold(f64::INFINITY, f64::min);
+        remarks.push(Remark::UnclearMobility { gap });
+    }
+    remarks
 }
 
 /// The greatest of a fact of the groups of loops that a group of the answering model has constraints of.

@@ -11,6 +11,7 @@ use crate::contact::Contact;
 use crate::idle::Idle;
 use crate::in_lanes::InLanes;
 use crate::outcome::{EffectiveMass, ResponseError};
+use crate::remarks::RemarkFlags;
 use crate::velocities::{VelocityError, check_positions};
 use crate::workspace::Workspace;
 use percuss_spatial::lanes::Instructions;
@@ -46,16 +47,18 @@ pub enum BatchPositions<'a> {
 /// What one configuration is answered.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BatchAnswer {
-    /// None: there is no answer; a position is not finite, or [`Pose::respond`](crate::Pose::respond) at that configuration says why.
+    /// None: there is no answer: `remarks` has the reason, [`Workspace::effective_mass`] at that configuration states it.
     pub mass: Option<EffectiveMass>,
     /// The error by rounding, kg; `None` if it was not counted. Of a massless contact: the largest m̄ that it may have, if it
     /// is massless to rounding only ([`Remark::MasslessToRounding`](crate::Remark::MasslessToRounding) of a pose).
     pub error: Option<f64>,
+    /// The findings about the answer, or why there is none. Limits of joints are not looked at.
+    pub remarks: RemarkFlags,
 }
 
 impl BatchAnswer {
     /// No answer yet.
-    pub const NONE: Self = Self { mass: None, error: None };
+    pub const NONE: Self = Self { mass: None, error: None, remarks: RemarkFlags::NONE };
 
     /// True if the contact is massless to rounding only: masses left out in sums of larger ones may be there.
     pub fn is_massless_to_rounding(&self) -> bool {
@@ -128,18 +131,33 @@ struct Worker {
     /// Positions of one configuration.
     row: Vec<f64>,
     workspace: Workspace,
+    /// The findings that hold at every configuration.
+    remarks: RemarkFlags,
 }
 
 impl Assembly {
-    /// Room to ask for m̄ of one contact at many configurations of this assembly. Points and normals in the world are taken
-    /// with the root link at the world's origin.
+    /// Room to ask for m̄ of one contact at many configurations of this assembly. Normals in the world are taken with the root
+    /// link at the world's origin; [`Workspace::batch`] has another base.
     ///
     /// # Errors
     /// [`ResponseError`]: a contact that means nothing.
     pub fn batch(self: &Arc<Self>, contact: &Contact) -> Result<Batch, ResponseError> {
-        let model = self.model();
+        self.workspace().batch(contact)
+    }
+}
+
+impl Workspace {
+    /// Room to ask for m̄ of one contact at many configurations, with the assembly and the base of this workspace.
+    ///
+    /// # Errors
+    /// [`ResponseError`]: a contact that means nothing.
+    pub fn batch(&self, contact: &Contact) -> Result<Batch, ResponseError> {
+        let assembly = Arc::clone(self.assembly());
+        let model = assembly.model();
         model.check_contact(contact)?;
-        let mut workspace = self.workspace();
+        let (contact, remarks) = self.prepare(contact);
+        let contact = &contact;
+        let mut workspace = self.clone();
         let in_lanes =
             workspace.take_lanes().and_then(|mut lanes| lanes.aim(model, contact).then_some(lanes));
         let worker = Worker {
@@ -148,21 +166,16 @@ impl Assembly {
             row: vec![0.0; model.positions],
             workspace,
             in_lanes,
+            remarks,
         };
         let instructions = Instructions::best();
         Ok(Batch {
-            assembly: Arc::clone(self),
+            assembly: Arc::clone(&assembly),
             contact: *contact,
             instructions,
             worker,
             idle: Idle::default(),
         })
-    }
-}
-
-impl From<Answered> for BatchAnswer {
-    fn from(clear: Answered) -> Self {
-        Self { mass: Some(EffectiveMass::Finite(clear.mass)), error: Some(clear.error) }
     }
 }
 
@@ -195,9 +208,10 @@ impl Batch {
     pub fn effective_mass(&mut self, positions: &[f64]) -> Result<BatchAnswer, VelocityError> {
         check_positions(positions.len(), self.assembly.model().positions)?;
         if let Some(clear) = self.worker.in_lanes.as_mut().and_then(|lanes| lanes.one(positions)) {
-            return Ok(clear.into());
+            let mass = Some(EffectiveMass::Finite(clear.mass));
+            return Ok(BatchAnswer { mass, error: Some(clear.error), remarks: self.worker.remarks });
         }
-        Ok(by_itself(&mut self.worker.workspace, &self.contact, positions))
+        Ok(by_itself(&mut self.worker.workspace, &self.contact, positions, self.worker.remarks))
     }
 
     /// m̄ at as many configurations as there are answers, by all threads of rayon's pool. The order of the work has no
@@ -300,7 +314,7 @@ trait Places {
     fn count(&self) -> usize;
 
     /// What lanes answer from a configuration on, in doubt or not.
-    fn put(&mut self, first: usize, masses: &[f64], errors: &[f64]);
+    fn put(&mut self, first: usize, masses: &[f64], errors: &[f64], remarks: RemarkFlags);
 
     /// What one that was asked by itself is answered.
     fn put_one(&mut self, at: usize, answer: BatchAnswer);
@@ -312,9 +326,9 @@ impl Places for [BatchAnswer] {
     }
 
     #[inline]
-    fn put(&mut self, first: usize, masses: &[f64], errors: &[f64]) {
+    fn put(&mut self, first: usize, masses: &[f64], errors: &[f64], remarks: RemarkFlags) {
         for ((answer, mass), error) in self[first..].iter_mut().zip(masses).zip(errors) {
-            *answer = Answered { mass: *mass, error: *error }.into();
+            *answer = BatchAnswer { mass: Some(EffectiveMass::Finite(*mass)), error: Some(*error), remarks };
         }
     }
 
@@ -335,7 +349,7 @@ impl<F: FnMut(usize, BatchAnswer)> Places for AnswerColumns<'_, F> {
     }
 
     #[inline]
-    fn put(&mut self, first: usize, masses: &[f64], errors: &[f64]) {
+    fn put(&mut self, first: usize, masses: &[f64], errors: &[f64], _: RemarkFlags) {
         self.masses[first..][..masses.len()].copy_from_slice(masses);
         self.errors[first..][..errors.len()].copy_from_slice(errors);
     }
@@ -357,7 +371,7 @@ impl Worker {
         first: usize,
         places: &mut (impl Places + ?Sized),
     ) {
-        let Worker { in_lanes, read, columns, row, workspace } = self;
+        let Worker { in_lanes, read, columns, row, workspace, remarks } = self;
         let count = places.count();
         for block in (0..count).step_by(BLOCK) {
             let (start, here) = (first + block, BLOCK.min(count - block));
@@ -384,14 +398,14 @@ impl Worker {
                 }
             }
             let (masses, errors) = (&masses[..here], &errors[..here]);
-            places.put(block, masses, errors);
+            places.put(block, masses, errors, *remarks);
             let clear = |lane: usize| Answered { mass: masses[lane], error: errors[lane] }.is_clear();
             if (0..here).fold(true, |all, lane| all & clear(lane)) {
                 continue;
             }
             for lane in (0..here).filter(|lane| !clear(*lane)) {
                 row.iter_mut().enumerate().for_each(|(q, to)| *to = positions.at(start + lane, q));
-                places.put_one(block + lane, by_itself(workspace, contact, row));
+                places.put_one(block + lane, by_itself(workspace, contact, row, *remarks));
             }
         }
     }
@@ -421,8 +435,20 @@ impl BatchPositions<'_> {
 }
 
 /// The answer of a workspace.
-fn by_itself(workspace: &mut Workspace, contact: &Contact, positions: &[f64]) -> BatchAnswer {
-    let mass = workspace.set_positions(positions).ok().and_then(|()| workspace.by_recursion(contact).ok());
-    let error = if mass == Some(EffectiveMass::Massless) { workspace.massless_to() } else { None };
-    BatchAnswer { mass, error }
+fn by_itself(
+    workspace: &mut Workspace,
+    contact: &Contact,
+    positions: &[f64],
+    remarks: RemarkFlags,
+) -> BatchAnswer {
+    if workspace.set_positions(positions).is_err() {
+        return BatchAnswer { remarks: RemarkFlags::NO_ANSWER, ..BatchAnswer::NONE };
+    }
+    match workspace.by_recursion_with(contact, remarks) {
+        Ok(mass) => {
+            let error = if mass == EffectiveMass::Massless { workspace.massless_to() } else { None };
+            BatchAnswer { mass: Some(mass), error, remarks: workspace.remarks() }
+        }
+        Err(error) => BatchAnswer { remarks: RemarkFlags::from(&error), ..BatchAnswer::NONE },
+    }
 }

@@ -1,5 +1,6 @@
 //! What an analysis imposes on a mechanism, without rebuilding it.
 
+use crate::input::is_number;
 use crate::tolerances::SHORTEST_DIRECTION;
 use nalgebra::Vector3;
 use percuss_mechanism::{JointKind, LinkId, Mechanism, UnknownName};
@@ -134,7 +135,7 @@ impl Conditions {
         let resolve = |(name, point, normal): &(String, Vector3<f64>, Option<Vector3<f64>>)| {
             let link = mechanism.find_link(name)?;
             let numbers = point.iter().chain(normal.iter().flat_map(|n| n.iter()));
-            if let Some(&value) = numbers.into_iter().find(|x| !x.is_finite() || x.abs() > 1e100) {
+            if let Some(&value) = numbers.into_iter().find(|x| !is_number(**x)) {
                 return Err(ConditionsError::BadHold {
                     link: name.clone(),
                     why: format!("{value} is no coordinate"),

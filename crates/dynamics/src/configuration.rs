@@ -1,5 +1,6 @@
 //! Where the joints stand, as the user gives it.
 
+use crate::input::{normalise_quaternion, not_a_number, quaternion_of};
 use crate::tangent;
 use percuss_mechanism::{Joint, JointId, JointKind, Mechanism, UnknownName};
 use percuss_spatial::Transform;
@@ -15,6 +16,9 @@ pub struct Configuration {
     /// Where joints of loops are looked for.
     guesses: Vec<Option<Vec<f64>>>,
     pub(crate) base: Transform<f64>,
+    pub(crate) base_is_given: bool,
+    /// Whether another assembly mode than that of the first closed pose is accepted.
+    pub(crate) other_assembly: bool,
 }
 
 /// A position that cannot be set.
@@ -64,8 +68,11 @@ pub enum ConfigurationError {
         /// What was given.
         value: f64,
     },
-    /// The quaternion is more than 1 % from unit norm.
-    #[error("joint \"{joint}\": the quaternion w,x,y,z has norm {norm}; expected a unit quaternion")]
+    /// The quaternion is more than [`QUATERNION_TOLERANCE`](crate::input::QUATERNION_TOLERANCE) from unit norm.
+    #[error(
+        "joint \"{joint}\": the quaternion w,x,y,z has norm {norm}; expected a unit quaternion, 1 ± {}: divide it by its norm",
+        crate::input::QUATERNION_TOLERANCE
+    )]
     Quaternion {
         /// The joint.
         joint: String,
@@ -84,6 +91,8 @@ impl Configuration {
             given: vec![false; mechanism.joints().len()],
             guesses: vec![None; mechanism.joints().len()],
             base: Transform::identity(),
+            base_is_given: false,
+            other_assembly: false,
         }
     }
 
@@ -183,14 +192,28 @@ impl Configuration {
         Ok(configuration)
     }
 
-    /// Sets where the root link stands in the world: X_wr. Moves nothing relative to the root.
+    /// Sets where the root link stands in the world: X_wr. Moves nothing relative to the root. Checked when a pose is made: a
+    /// rigid frame ([`input::rigid_base_pose`](crate::input::rigid_base_pose)).
     pub fn set_base(&mut self, x_wr: Transform<f64>) -> &mut Self {
         self.base = x_wr;
+        self.base_is_given = true;
+        self
+    }
+
+    /// Accepts a pose on another assembly mode, where the branch of the first closed pose does not reach the driving joints.
+    /// Such a pose has the remark [`OtherAssembly`](crate::Remark::OtherAssembly); without this it is the error
+    /// [`OtherAssembly`](crate::AssemblyError::OtherAssembly). A guess chooses a mode by itself.
+    pub fn allow_other_assembly(&mut self) -> &mut Self {
+        self.other_assembly = true;
         self
     }
 
     /// The position of a joint that follows none; a mimic's is filled in by the pose.
+    ///
+    /// # Panics
+    /// A joint of another mechanism.
     pub fn get(&self, joint: JointId) -> &[f64] {
+        assert!(self.mechanism.has_joint(joint), "joint number {} is of another mechanism", joint.index());
         &self.values[joint.index()]
     }
 }
@@ -201,24 +224,14 @@ fn checked(joint: &Joint, values: &[f64]) -> Result<Vec<f64>, ConfigurationError
     if values.len() != kind.positions() || values.is_empty() {
         return Err(ConfigurationError::Count { joint: name, kind, got: values.len() });
     }
-    if let Some(&value) = values.iter().find(|v| !v.is_finite() || v.abs() > 1e100) {
+    if let Some((_, value)) = not_a_number(values) {
         return Err(ConfigurationError::NotFinite { joint: name, value });
     }
     let mut values = values.to_vec();
-    let quaternion = match kind {
-        JointKind::Spherical => &values[..4],
-        JointKind::Floating => &values[3..7],
-        JointKind::Fixed
-        | JointKind::Revolute
-        | JointKind::Continuous
-        | JointKind::Prismatic
-        | JointKind::Planar => return Ok(values),
-    };
-    let norm = quaternion.iter().fold(0.0, |n: f64, x| n.hypot(*x));
-    if (norm - 1.0).abs() > 0.01 {
-        return Err(ConfigurationError::Quaternion { joint: name, norm });
+    if let Some(range) = quaternion_of(kind) {
+        normalise_quaternion(&mut values[range])
+            .map_err(|norm| ConfigurationError::Quaternion { joint: name, norm })?;
     }
-    tangent::normalise(kind, &mut values);
     Ok(values)
 }
 

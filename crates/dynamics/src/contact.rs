@@ -1,5 +1,6 @@
 //! Where the mechanism is struck, and how fast the gap closes.
 
+use crate::input::{foreign_link, is_number};
 use crate::kinematics::Kinematics;
 use crate::model::Model;
 use crate::tolerances::SHORTEST_DIRECTION;
@@ -56,6 +57,15 @@ impl Contact {
     pub fn against(mut self, link: LinkId) -> Self {
         self.against = Some(link);
         self
+    }
+
+    /// True if the normal is given in the world.
+    pub(crate) fn has_world_normal(&self) -> bool {
+        match self.normal {
+            Direction::Along(_, Frame::World) => true,
+            Direction::Along(_, Frame::Against) => self.against.is_none(),
+            Direction::Along(_, Frame::Link) | Direction::Toward(..) => false,
+        }
     }
 
     /// Gives the normal otherwise.
@@ -179,10 +189,9 @@ impl Model {
             Direction::Along(..) => None,
         };
         let links = self.mechanism.links().len();
-        for link in [Some(contact.link), contact.against, line].into_iter().flatten() {
-            if link.index() >= links {
-                return Err(ContactError::ForeignLink { index: link.index(), links });
-            }
+        let given = [Some(contact.link), contact.against, line];
+        if let Some(index) = foreign_link(&self.mechanism, given.into_iter().flatten()) {
+            return Err(ContactError::ForeignLink { index, links });
         }
         if contact.against == Some(contact.link) {
             let link = self.mechanism.link(contact.link).name().to_owned();
@@ -354,7 +363,7 @@ pub(crate) struct ContactRow {
 }
 
 fn finite(part: ContactPart, v: &Vector3<f64>) -> Result<(), ContactError> {
-    match v.iter().find(|x| !x.is_finite() || x.abs() > 1e100) {
+    match v.iter().find(|x| !is_number(**x)) {
         Some(&value) => Err(ContactError::NotFinite { part, value }),
         None => Ok(()),
     }

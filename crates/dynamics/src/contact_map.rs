@@ -167,7 +167,7 @@ impl ContactMap<'_> {
             let errors = &mut answers.errors[first..end];
             let statuses = &mut answers.statuses[first..end];
             statuses.fill(ContactStatus::Finite);
-            if !self.in_lanes || self.evaluate(portion, masses, errors) {
+            if !self.in_lanes || self.evaluate(portion, masses, errors) || !portion.has_points() {
                 self.settle(portion, masses, errors, statuses);
             }
             first = end;
@@ -190,7 +190,8 @@ impl ContactMap<'_> {
             ContactStatus::Unanswered => None,
         };
         let error = Some(error[0]).filter(|e| e.is_finite());
-        BatchAnswer { mass, error: error.map(|e| e * mass.map_or(0.0, finite)) }
+        let remarks = self.pose.remarks().iter().collect();
+        BatchAnswer { mass, error: error.map(|e| e * mass.map_or(0.0, finite)), remarks }
     }
 
     /// The belted ellipsoid at a point (m, the struck link's frame): the three directions along which m̄ is stationary, from the
@@ -319,6 +320,9 @@ impl ContactMap<'_> {
 
     /// What Φ says beyond doubt of a contact whose relative error was found.
     fn known_status(&self, contacts: ContactColumns<'_>, i: usize, error: f64) -> Option<ContactStatus> {
+        if !contacts.is_direction(i) {
+            return None;
+        }
         if !self.free.is_empty() {
             let (point, normal) = contacts.at(i);
             let part = self.free.part(&(point - self.constants.centre()), &normal);
@@ -334,7 +338,7 @@ impl ContactMap<'_> {
             return Some(ContactStatus::Finite);
         }
         let is_still = self.is_clear && error >= self.constants.coefficient() / MAP_STILL;
-        (is_still && contacts.is_direction(i)).then_some(ContactStatus::Immovable)
+        is_still.then_some(ContactStatus::Immovable)
     }
 
     fn by_itself(&self, contacts: ContactColumns<'_>, i: usize) -> (ContactStatus, f64, f64) {

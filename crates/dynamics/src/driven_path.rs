@@ -107,7 +107,7 @@ impl DrivenPath {
         kinematics.q.copy_from_slice(positions);
         kinematics.refill(model);
         let loops = self.from.loops.as_ref().map(|l| LoopState { residual, ..l.clone() });
-        self.from.assembly.pose_at(kinematics, self.from.base, loops)
+        self.from.assembly.pose_at(kinematics, self.from.base, loops, &self.from)
     }
 
     /// Stands at another pose of the same path, which the rows after it are followed from; false where it does not go on from

@@ -1,5 +1,6 @@
 //! Accelerations under forces, by the articulated-body algorithm in body coordinates. Forms no matrix.
 
+use crate::input::foreign_link;
 use crate::model::Model;
 use crate::outcome::RouteError;
 use crate::pose::Pose;
@@ -53,8 +54,9 @@ fn refuse_bound(model: &Model) -> Result<(), RouteError> {
 }
 
 fn refuse_foreign(model: &Model, link: LinkId) -> Result<(), RouteError> {
-    let (index, links) = (link.index(), model.link_frames.len());
-    if index < links { Ok(()) } else { Err(RouteError::ForeignLink { index, links }) }
+    let links = model.link_frames.len();
+    foreign_link(&model.mechanism, [link])
+        .map_or(Ok(()), |index| Err(RouteError::ForeignLink { index, links }))
 }
 
 impl Pose {

@@ -1,6 +1,7 @@
 //! Φ, the seam: what a pair of links answers to any wrench at a point.
 
 use crate::contact::LocatedContact;
+use crate::input::foreign_link;
 use crate::outcome::RouteError;
 use crate::pose::Pose;
 use crate::recursion::{Deciding, Recursion};
@@ -43,6 +44,12 @@ impl Pose {
         contact: &LocatedContact,
     ) -> Result<InverseOperationalInertia, RouteError> {
         let model = self.assembly.model();
+        let links = model.mechanism.links().len();
+        if let Some(index) =
+            foreign_link(&model.mechanism, [Some(contact.link), contact.against].into_iter().flatten())
+        {
+            return Err(RouteError::ForeignLink { index, links });
+        }
         model.refuse_large_clusters::<f64>(&self.groups)?;
         let mut recursion = Recursion::<f64, 12>::new(model);
         let mut deciding = Deciding::<12>::new(model);

@@ -1,7 +1,9 @@
 //! What is answered to a contact, and why something is not.
 
 use crate::contact::ContactError;
+use crate::input::QUATERNION_TOLERANCE;
 use crate::velocities::VelocityError;
+use percuss_mechanism::JointId;
 
 /// What the mechanism opposes to the contact along its normal.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -160,12 +162,39 @@ pub enum ResponseError {
     #[error(transparent)]
     Route(#[from] RouteError),
     /// A workspace stands at a position that is no number.
-    #[error("position {index} (from 0, of all joints in joint order) is {value}; expected finite numbers")]
+    #[error(
+        "position {index} (from 0, of all joints in joint order) is {value:e}; expected a finite number of at most 1e100"
+    )]
     NotFinite {
         /// Its number.
         index: usize,
-        /// NaN or infinite.
+        /// NaN, infinite or too large.
         value: f64,
+    },
+    /// A workspace is given a quaternion that is not of unit length.
+    #[error(
+        "joint \"{joint}\": the quaternion w,x,y,z has norm {norm}; expected a unit quaternion, 1 ± {QUATERNION_TOLERANCE}: \
+         divide it by its norm"
+    )]
+    Quaternion {
+        /// The joint.
+        joint: String,
+        /// The norm of the quaternion.
+        norm: f64,
+    },
+    /// A workspace is given positions at which loops are open.
+    #[error(
+        "{} is open by {gap:.3e} m at these positions; expected closed loops, to {tolerance:.1e} m: give the positions of a \
+         pose of this assembly, or the driving joints to a pose, which closes the loops",
+        quoted(loops)
+    )]
+    OpenLoops {
+        /// The loops and couplings of the group, the worst first.
+        loops: Vec<String>,
+        /// The largest residual, m.
+        gap: f64,
+        /// What is accepted, m.
+        tolerance: f64,
     },
 }
 
@@ -198,6 +227,58 @@ pub enum Remark {
     },
     /// M has negative directions (accepted indefinite inertias): m̄ is a stationary value, no minimum.
     IndefiniteMassMatrix,
+    /// The pose is on another assembly mode than that of the first closed pose, as the configuration accepts.
+    OtherAssembly {
+        /// From how many seeded starts it was found.
+        starts: usize,
+    },
+    /// A loop is open as drawn by more than a hundredth of its size: a point may be mistyped. The widest;
+    /// [`Assembly::drawn_gaps`](crate::Assembly::drawn_gaps) has all.
+    DrawnOpen {
+        /// How far it is open, m.
+        gap: f64,
+        /// The size of its group of loops, m.
+        size: f64,
+    },
+    /// The loops contradict one another by rounding: closed in least squares.
+    InexactLoops {
+        /// How far they are from fitting, m.
+        inexactness: f64,
+    },
+    /// A driving joint was not set, and 0 is out of reach.
+    DriverOffZero {
+        /// The joint.
+        joint: JointId,
+        /// Its position, rad or m.
+        value: f64,
+    },
+    /// A joint was set to more numbers than its loops leave degrees of freedom.
+    OffTarget {
+        /// The joint.
+        joint: JointId,
+        /// How far it is from there, rad or m.
+        distance: f64,
+    },
+    /// A joint is outside its limits.
+    OutsideLimits {
+        /// The joint.
+        joint: JointId,
+        /// Its position, rad or m.
+        value: f64,
+    },
+    /// A little off in the figures of a file, and the loops leave one motion more.
+    WeaklyConstrained {
+        /// The least singular value of A that counts at a generic pose, as a part of the largest.
+        least: f64,
+    },
+    /// The generic rank of the constraints is unclear: the mobility may be another.
+    UnclearMobility {
+        /// Between the singular values that count and those that do not.
+        gap: f64,
+    },
+    /// The normal is given in the world and the base floats, but the pose of the base was not given: it is taken at the
+    /// world's origin.
+    BaseNotGiven,
 }
 
 fn quoted(names: &[String]) -> String {

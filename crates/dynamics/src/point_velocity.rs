@@ -1,5 +1,6 @@
 //! What the contact response does elsewhere: the velocity of any point at unit closing speed.
 
+use crate::input::foreign_link;
 use crate::outcome::{EffectiveMass, Remark};
 use crate::pose::Pose;
 use crate::recursion::{Deciding, Recursion};
@@ -19,7 +20,8 @@ pub enum PointVelocity {
 
 impl Pose {
     /// Velocity of a point (m, link's frame) of a link in the response, relative to the contact's other side, in the root
-    /// link's axes: its length is the motion ratio |v_A|/v_n. None where the response has no motion.
+    /// link's axes: its length is the motion ratio |v_A|/v_n. None where the response has no motion, and for a link of
+    /// another mechanism.
     pub fn point_velocity(
         &self,
         response: &ContactResponse,
@@ -48,6 +50,9 @@ impl Pose {
     ) -> Option<PointVelocity> {
         let EffectiveMass::Finite(_) = response.effective_mass else { return None };
         let model = self.assembly.model();
+        if foreign_link(&model.mechanism, [Some(link), against].into_iter().flatten()).is_some() {
+            return None;
+        }
         let at = self.kinematics.link_frame(model, link).point(point);
         let mut columns = vec![Vector3::zeros(); model.follows.len()];
         let against = against.and_then(|link| model.body_of(link));

@@ -6,6 +6,7 @@ use crate::careful::condition_of;
 use crate::contact::{Contact, ContactError, Frame, LocatedContact};
 use crate::kinematics::Kinematics;
 use crate::mobility::{GroupMobility, MobilityRoom};
+use crate::outcome::Remark;
 use crate::singular::Surroundings;
 use crate::tolerances::{BESIDE, CONDITION_LIMIT};
 use nalgebra::{DMatrix, Vector3};
@@ -20,6 +21,8 @@ pub struct Pose {
     pub(crate) assembly: Arc<Assembly>,
     pub(crate) kinematics: Kinematics<f64>,
     pub(crate) base: Transform<f64>,
+    /// Whether the pose of the root link in the world was given; else it is the world's origin.
+    pub(crate) base_is_given: bool,
     pub(crate) loops: Option<LoopState>,
     /// What is decided about each group of the model here: its rank, and which coordinates depend.
     pub(crate) groups: Vec<GroupMobility>,
@@ -49,7 +52,7 @@ impl Pose {
         loops: Option<LoopState>,
     ) -> Self {
         let groups = assembly.decide(&kinematics);
-        Self { assembly, kinematics, base, loops, groups, crossings: OnceLock::new() }
+        Self { assembly, kinematics, base, base_is_given: false, loops, groups, crossings: OnceLock::new() }
     }
 
     /// What is decided about the groups here, carried on to frames so near that it holds there too; elsewhere decided anew.
@@ -68,6 +71,21 @@ impl Pose {
             }
         }
         groups
+    }
+
+    /// Findings about the pose and its assembly; they are among the [`remarks`](crate::ContactResponse::remarks) of every
+    /// response, and hold for maps, workspaces and batches from here.
+    pub fn remarks(&self) -> Vec<Remark> {
+        let mut remarks = self.assembly.remarks().to_vec();
+        if let Some(loops) = self.loops() {
+            remarks.extend(loops.starts_tried.map(|starts| Remark::OtherAssembly { starts }));
+            let off_zero = loops.off_zero.iter();
+            remarks.extend(off_zero.map(|&(joint, value)| Remark::DriverOffZero { joint, value }));
+            let off_target = loops.off_target.iter();
+            remarks.extend(off_target.map(|&(joint, distance)| Remark::OffTarget { joint, distance }));
+        }
+        remarks.extend(self.outside_limits().map(|(joint, value, _)| Remark::OutsideLimits { joint, value }));
+        remarks
     }
 
     /// The assembly it belongs to.
@@ -91,7 +109,11 @@ impl Pose {
     }
 
     /// The position of a joint (layouts of [`JointKind`](percuss_mechanism::JointKind)), mimics included.
+    ///
+    /// # Panics
+    /// A joint of another mechanism: [`Mechanism::has_joint`] is false.
     pub fn joint(&self, joint: JointId) -> &[f64] {
+        assert!(self.mechanism().has_joint(joint), "joint number {} is of another mechanism", joint.index());
         &self.kinematics.q[self.assembly.model().joint_q[joint.index()].clone()]
     }
 
@@ -101,8 +123,16 @@ impl Pose {
     }
 
     /// X_wl: a link in the world.
+    ///
+    /// # Panics
+    /// A link of another mechanism: [`Mechanism::has_link`] is false.
     pub fn link(&self, link: LinkId) -> Transform<f64> {
+        self.refuse_foreign(link);
         self.base * self.kinematics.link_frame(self.assembly.model(), link)
+    }
+
+    fn refuse_foreign(&self, link: LinkId) {
+        assert!(self.mechanism().has_link(link), "link number {} is of another mechanism", link.index());
     }
 
     /// Joints that stand outside their limits.
@@ -183,6 +213,9 @@ impl Pose {
     }
 
     /// A point (m) given in a frame, in the coordinates of `link`.
+    ///
+    /// # Panics
+    /// A link of another mechanism.
     pub fn point_in_link(
         &self,
         link: LinkId,
@@ -190,6 +223,7 @@ impl Pose {
         frame: Frame,
         point: Vector3<f64>,
     ) -> Vector3<f64> {
+        [Some(link), against].into_iter().flatten().for_each(|link| self.refuse_foreign(link));
         let model = self.assembly.model();
         let x_rl = self.kinematics.link_frame(model, link);
         match (frame, against) {
@@ -216,7 +250,11 @@ impl Pose {
 
     /// Jacobian of a point of a link, 3×n over the coordinates: v_P = J u, in the root link's axes, relative to
     /// the ground (m for turns, 1 for slides).
+    ///
+    /// # Panics
+    /// A link of another mechanism.
     pub fn point_jacobian(&self, link: LinkId, point: &Vector3<f64>) -> DMatrix<f64> {
+        self.refuse_foreign(link);
         self.assembly.model().point_jacobian(&self.kinematics, link, point)
     }
 }

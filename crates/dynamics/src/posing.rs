@@ -3,6 +3,7 @@
 use crate::assembling::{AssemblyError, Closer, LoopState, Start};
 use crate::assembly::Assembly;
 use crate::configuration::Configuration;
+use crate::input::rigid_base_pose;
 use crate::kinematics::Kinematics;
 use crate::pose::Pose;
 use percuss_spatial::Transform;
@@ -13,8 +14,8 @@ impl Assembly {
     /// of the first closed pose, or of the configuration's guesses.
     ///
     /// # Errors
-    /// [`AssemblyError`]: drivers that cannot get there, a dependent joint that was set, a configuration of another
-    /// mechanism.
+    /// [`AssemblyError`]: drivers that cannot get there, or on another assembly mode only, which the configuration does not
+    /// accept; a dependent joint that was set; a configuration of another mechanism; a base that is no rigid frame.
     pub fn pose(self: &Arc<Self>, configuration: &Configuration) -> Result<Pose, AssemblyError> {
         self.pose_along(configuration, None)
     }
@@ -47,6 +48,7 @@ impl Assembly {
                 expected: model.mechanism.name().to_owned(),
             });
         }
+        let base = rigid_base_pose(&configuration.base)?;
         let mut kinematics = Kinematics::new(model);
         for (values, range) in configuration.values.iter().zip(&model.joint_q) {
             kinematics.q[range.clone()].copy_from_slice(values);
@@ -72,17 +74,22 @@ impl Assembly {
             kinematics.refill(model);
             loops = Some(closer.state);
         }
-        Ok(Pose::new(Arc::clone(self), kinematics, configuration.base, loops))
+        let mut pose = Pose::new(Arc::clone(self), kinematics, base, loops);
+        pose.base_is_given = configuration.base_is_given;
+        Ok(pose)
     }
 
-    /// The pose at some frames, whatever brought them about.
+    /// The pose at some frames, reached from another pose.
     pub(crate) fn pose_at(
         self: &Arc<Self>,
         kinematics: Kinematics<f64>,
         base: Transform<f64>,
         loops: Option<LoopState>,
+        from: &Pose,
     ) -> Pose {
-        Pose::new(Arc::clone(self), kinematics, base, loops)
+        let mut pose = Pose::new(Arc::clone(self), kinematics, base, loops);
+        pose.base_is_given = from.base_is_given;
+        pose
     }
 
     /// The frames of a pose moved by what its residuals leave open; none for a tree, or where that

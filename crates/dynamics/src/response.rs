@@ -8,6 +8,7 @@ use crate::error_budget::ErrorBudget;
 use crate::outcome::{CarefulReason, EffectiveMass, Remark, ResponseError, Route, RouteChoice, RouteError};
 use crate::pose::Pose;
 use crate::recursion::Decisions;
+use crate::remarks::RemarkFlags;
 use crate::routes::{Found, Question, RecursionRoom};
 use crate::tolerances::{FILE_MISFITS, IMMOVABLE, LEAST_OTHER_MASS, NEARLY_IMMOVABLE, SAME_BOTH_WAYS};
 use nalgebra::Vector3;
@@ -62,6 +63,12 @@ impl ContactResponse {
         self.joint_velocities.iter().flatten().any(|v| *v != 0.0)
             || self.base_velocity.linear.norm() > 0.0
             || self.base_velocity.angular.norm() > 0.0
+    }
+
+    /// The kinds of [`remarks`](Self::remarks), with [`RemarkFlags::SINGULAR_POSE`] where the pose is singular.
+    pub fn remark_flags(&self) -> RemarkFlags {
+        let singular = if self.singular_pose { RemarkFlags::SINGULAR_POSE } else { RemarkFlags::NONE };
+        self.remarks.iter().collect::<RemarkFlags>() | singular
     }
 
     /// What m̄ may be off by as far as that is known, kg: [`ErrorBudget::known`]. What a file's figures are off by is in it
@@ -155,11 +162,9 @@ impl Asked<'_> {
         question.model.refuse_large_clusters::<f64>(&self.pose.groups)?;
         question.run(&mut self.room);
         let found = question.answer(&mut self.room, choice)?;
-        let up_to = self.room.massless_to(question.model);
+        let up_to = question.massless_to_rounding(&self.room, found.mass);
         let mut response = self.finish(found);
-        if let (EffectiveMass::Massless, Some(up_to)) = (response.effective_mass, up_to) {
-            response.remarks.push(Remark::MasslessToRounding { up_to });
-        }
+        response.remarks.extend(up_to.map(|up_to| Remark::MasslessToRounding { up_to }));
         Ok(response)
     }
 
@@ -168,6 +173,8 @@ impl Asked<'_> {
         let model = pose.assembly.model();
         let rank = pose.rank();
         let mut remarks = std::mem::take(&mut found.remarks);
+        remarks.extend(pose.remarks());
+        remarks.extend(pose.assembly.base_remark(self.contact, pose.base_is_given));
         let mut error = None;
         let mut contributions = None;
         if let EffectiveMass::Finite(m) = found.mass {

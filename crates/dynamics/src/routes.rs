@@ -1,7 +1,7 @@
 //! The two routes to m̄, and which of them answers: what a pose and a workspace share.
 
 use crate::careful::{Minimum, Solution};
-use crate::closing_speed::{ClosingRoom, relative_closing_speed};
+use crate::closing_speed::{ClosingRoom, closing_floor, relative_closing_speed};
 use crate::contact::{ContactRow, LocatedContact};
 use crate::error_budget::{BudgetRoom, RelativeErrors, UnitImpulse};
 use crate::kinematics::Kinematics;
@@ -9,6 +9,7 @@ use crate::mobility::GroupMobility;
 use crate::model::Model;
 use crate::outcome::{CarefulReason, EffectiveMass, Remark, Route, RouteChoice, RouteError};
 use crate::recursion::{ClusterElimination, Deciding, Motion, Recursion};
+use crate::remarks::RemarkFlags;
 use crate::tolerances::{
     CAREFUL_LIMIT, IMMOVABLE, KEPT_BODIES, KEPT_NUMBERS, KEPT_ROOMS, NEARLY_IMMOVABLE, NEGLIGIBLE_MASS,
     NOTHING_LEFT, ROUTE_ROUNDINGS, TRUSTED_ERROR,
@@ -113,9 +114,9 @@ impl RecursionRoom {
 
     /// The largest m̄ (kg) that a contact may have that was found massless; `None` if that is negligible.
     pub fn massless_to(&self, model: &Model) -> Option<f64> {
-        let (up_to, all) =
-            (self.deciding.massless_to[0], model.bodies.iter().map(|b| b.inertia.mass.abs()).sum::<f64>());
-        (up_to > NEGLIGIBLE_MASS * all).then_some(up_to)
+        let up_to = self.deciding.massless_to[0];
+        let all = || model.bodies.iter().map(|b| b.inertia.mass.abs()).sum::<f64>();
+        (up_to > 0.0 && up_to > NEGLIGIBLE_MASS * all()).then_some(up_to)
     }
 
     /// Whether so many roundings, 1/kg, leave a finite answer whole.
@@ -201,16 +202,62 @@ impl Question<'_> {
 
     /// m̄ after the recursion ran, as [`Self::answer`] by the automatic choice has it; allocates nothing where the
     /// recursion answers.
-    pub fn effective_mass(&self, room: &mut RecursionRoom) -> Result<EffectiveMass, RouteError> {
+    pub fn effective_mass(
+        &self,
+        room: &mut RecursionRoom,
+    ) -> Result<(EffectiveMass, RemarkFlags), RouteError> {
         // Errors are counted once, for the room that they take to be there when they are needed.
         if room.budget.is_filled() && (room.is_clear() || self.is_trusted(room)) {
-            return Ok(room.mass());
+            return Ok((room.mass(), self.recursive_flags(room, room.mass())));
         }
         let errors = self.recursion_errors(room);
         match room.careful_reason(&errors) {
-            None => Ok(held(room.mass(), &errors)),
-            Some(_) => Ok(self.better(room, errors)?.mass),
+            None => {
+                let mass = held(room.mass(), &errors);
+                Ok((mass, self.recursive_flags(room, mass)))
+            }
+            Some(_) => {
+                let found = self.better(room, errors)?;
+                let own = found.remarks.iter().collect::<RemarkFlags>();
+                Ok((found.mass, own | self.remark_flags(room, found.mass, found.closing_speed)))
+            }
         }
+    }
+
+    /// [`remark_flags`](Self::remark_flags) of the recursion's answer.
+    fn recursive_flags(&self, room: &RecursionRoom, mass: EffectiveMass) -> RemarkFlags {
+        let mut flags = self.remark_flags(room, mass, room.closing_speed);
+        if room.deciding.dropped > 0 {
+            flags |= RemarkFlags::MASSLESS_MOTIONS;
+            if matches!(mass, EffectiveMass::Finite(_)) {
+                flags |= RemarkFlags::UNDETERMINED_MOTION;
+            }
+        }
+        flags
+    }
+
+    /// The mass that a massless answer leaves open by rounding, kg, where that is no negligible part of the mechanism's.
+    pub fn massless_to_rounding(&self, room: &RecursionRoom, mass: EffectiveMass) -> Option<f64> {
+        room.massless_to(self.model).filter(|_| mass == EffectiveMass::Massless)
+    }
+
+    /// The kinds of findings about an answer, as [`Pose::respond`](crate::Pose::respond) has them, but those of the route;
+    /// allocates nothing.
+    fn remark_flags(&self, room: &RecursionRoom, mass: EffectiveMass, closing_speed: f64) -> RemarkFlags {
+        let mut flags = RemarkFlags::NONE;
+        let is_finite = matches!(mass, EffectiveMass::Finite(_));
+        if is_finite
+            && closing_speed < NEARLY_IMMOVABLE.max(closing_floor(self.model, self.groups, &room.row))
+        {
+            flags |= RemarkFlags::NEARLY_IMMOVABLE;
+        }
+        if self.massless_to_rounding(room, mass).is_some() {
+            flags |= RemarkFlags::MASSLESS_TO_ROUNDING;
+        }
+        if self.groups.iter().any(|group| !group.rank.clear) {
+            flags |= RemarkFlags::UNCLEAR_RANK;
+        }
+        flags
     }
 
     /// Whether a tree's recursion leaves no doubt by its own error; leaves its motion in the room.

@@ -65,9 +65,10 @@ impl System {
         self.model().coordinates.iter().map(|c| (c.joint, c.component)).collect()
     }
 
-    /// Whether the joint cannot move: locked itself, or a mimic and its master where either is.
+    /// Whether the joint cannot move: locked itself, or a mimic and its master where either is. False for a joint of another
+    /// mechanism.
     pub fn is_locked(&self, joint: JointId) -> bool {
-        self.model().locked[joint.index()]
+        self.mechanism().has_joint(joint) && self.model().locked[joint.index()]
     }
 
     /// Whether a loop or a coupling binds a joint.
@@ -81,9 +82,11 @@ impl System {
         self.models.posing.closures.iter().filter(|l| l.successor_axis != l.axis).map(|l| l.name.as_str())
     }
 
-    /// Mass of the rigid body that a link belongs to, with all that fixed joints hold to it, kg; none for the ground.
+    /// Mass of the rigid body that a link belongs to, with all that fixed joints hold to it, kg; none for the ground, and for
+    /// a link of another mechanism.
     pub fn rigid_body_mass(&self, link: LinkId) -> Option<f64> {
-        let body = self.model().link_frames.get(link.index())?.body;
+        let body =
+            self.model().link_frames.get(link.index()).filter(|_| self.mechanism().has_link(link))?.body;
         body.map(|body| self.model().bodies[body].inertia.mass)
     }
 
@@ -164,6 +167,7 @@ impl System {
             pose.kinematics.clone(),
             pose.base,
             pose.loops.clone(),
+            pose,
         ))
     }
 

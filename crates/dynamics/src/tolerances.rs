@@ -1,5 +1,16 @@
 //! Every threshold and every budget of work of this crate, with its unit and its reason.
 
+/// Largest magnitude of a number that is given: sums of products of three of them are still finite. Any unit.
+pub const LARGEST_NUMBER: f64 = 1e100;
+/// A quaternion that is given may be this far from unit norm, and is normalised: two decimals. Relative.
+pub const QUATERNION_TOLERANCE: f64 = 0.01;
+/// A rotation matrix that is given may depart so far from RᵀR = 1, and is made orthonormal: numbers of single precision, and
+/// six decimals. Absolute.
+pub const ROTATION_TOLERANCE: f64 = 1e-5;
+/// Loops of a row of positions that is given as closed may be open by this part of their size: rows of single precision, and
+/// seven decimals. It changes m̄ by about as much. Relative.
+pub const OPEN_ROW: f64 = 1e-6;
+
 /// Below this, |j restricted to ker A| / |j| is immovable: rounding of j and of ker A leaves 1e-13 at most on the
 /// reference files. Relative.
 pub(crate) const IMMOVABLE: f64 = 1e-10;
@@ -59,6 +70,10 @@ pub(crate) const STEP_RANK: f64 = 1e-9;
 pub(crate) const SETTLED: f64 = 1e-8;
 /// A loop that is open by more than this part of its size as drawn is a warning: no rounding, a mistyped point.
 pub(crate) const DRAWN_OPEN: f64 = 0.01;
+
+/// Where the least singular value of the loops' rows that counts is below this part of the largest, figures rounded to four
+/// digits may leave one motion more. Relative.
+pub(crate) const WEAKLY_CONSTRAINED: f64 = 1e-4;
 
 // How the travel of a point is reached. Steps of the driving joint are in rad, or in parts of the size; rates are in
 // sizes a unit of these.
@@ -385,7 +400,7 @@ pub(crate) const MAP_FREE_CLEAR: f64 = 1e-6;
 // Matrices of the caller's.
 
 /// Numbers beyond this are no input. Any unit.
-pub(crate) const LARGEST_ENTRY: f64 = 1e100;
+pub(crate) const LARGEST_ENTRY: f64 = LARGEST_NUMBER;
 /// Entries below this count as zero: products of two are still numbers. Any unit.
 pub(crate) const LEAST_ENTRY: f64 = 1e-100;
 /// Lengths of coordinates from 1 over this to this: products with entries are still numbers.

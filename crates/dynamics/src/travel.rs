@@ -3,6 +3,7 @@
 use crate::assembling::AssemblyError;
 use crate::closing::Directions;
 use crate::configuration::Configuration;
+use crate::input::{foreign_link, is_number};
 use crate::joint_motion::turns;
 use crate::mobility::Singularity;
 use crate::model::Model;
@@ -129,11 +130,11 @@ impl Travel {
         direction: Vector3<f64>,
     ) -> Result<Self, TravelError> {
         let links = pose.mechanism().links().len();
-        if link.index() >= links {
-            return Err(TravelError::ForeignLink { index: link.index(), links });
+        if let Some(index) = foreign_link(pose.mechanism(), [link]) {
+            return Err(TravelError::ForeignLink { index, links });
         }
         for (what, vector) in [("point", &point), ("direction", &direction)] {
-            if let Some(&value) = vector.iter().find(|x| !x.is_finite() || x.abs() > 1e100) {
+            if let Some(&value) = vector.iter().find(|x| !is_number(**x)) {
                 return Err(TravelError::NotFinite { what, value });
             }
         }
@@ -367,6 +368,7 @@ impl Travel {
         let mechanism = pose.mechanism();
         let mut configuration = Configuration::zero(mechanism);
         configuration.base = pose.base;
+        configuration.base_is_given = pose.base_is_given;
         for id in mechanism.joint_ids() {
             configuration.values[id.index()] = pose.joint(id).to_vec();
             configuration.given[id.index()] = is_set(id) || id == joint;

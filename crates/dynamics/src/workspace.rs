@@ -2,19 +2,25 @@
 //! coordinates and no cluster more than 48 freedoms.
 
 use crate::assembly::Assembly;
-use crate::contact::{Contact, ContactError, ContactPoint};
+use crate::contact::{Contact, ContactError, ContactPoint, Direction, Frame};
 use crate::in_lanes::InLanes;
+use crate::input::{
+    InputError, foreign_link, is_number, normalise_quaternion, quaternion_of, rigid_base_pose,
+};
 use crate::kinematics::Kinematics;
 use crate::mobility::{GroupMobility, MobilityRoom};
+use crate::model::Model;
 use crate::outcome::{EffectiveMass, ResponseError};
 use crate::pose::Pose;
 use crate::recursion::{Decisions, Following, Recursion};
+use crate::remarks::RemarkFlags;
 use crate::routes::{Question, RecursionRoom};
 use crate::system::System;
 use crate::velocities::{VelocityError, check_positions};
 use nalgebra::Vector3;
-use percuss_mechanism::LinkId;
+use percuss_mechanism::{JointId, LinkId};
 use percuss_spatial::{Scalar, SpatialInertia, Transform, Wrench};
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Room to pose a system again and again and to ask for m̄: trees, mimics, loops and held contacts. Nothing is allocated
@@ -34,6 +40,14 @@ pub struct Workspace {
     stale: bool,
     /// Whether there is room already for what is not answered in lanes.
     has_room: bool,
+    /// Where quaternions are among the positions.
+    quaternions: Vec<(JointId, Range<usize>)>,
+    /// Residuals of a group of loops; refilled in place.
+    residuals: Vec<f64>,
+    /// The pose of the root link in the world, where it is given.
+    base: Option<Transform<f64>>,
+    /// The findings about the last answer.
+    remarks: RemarkFlags,
 }
 
 impl System {
@@ -63,6 +77,10 @@ impl Assembly {
             aimed: None,
             stale: false,
             has_room: false,
+            quaternions: quaternions(model),
+            residuals: Vec::new(),
+            base: None,
+            remarks: RemarkFlags::NONE,
         };
         workspace.refill();
         workspace
@@ -71,8 +89,8 @@ impl Assembly {
 
 impl Workspace {
     /// Moves to other positions: those of all joints one after another, in joint order (layouts of
-    /// [`JointKind`](percuss_mechanism::JointKind)); unit quaternions; entries of mimics are not read. Loops are taken as
-    /// closed there: positions of a [`Pose`] of the same assembly are.
+    /// [`JointKind`](percuss_mechanism::JointKind)); unit quaternions; entries of mimics are not read. Loops must be closed
+    /// there: positions of a [`Pose`] of the same assembly are. The values are checked when m̄ is asked.
     ///
     /// # Errors
     /// [`VelocityError::Positions`]: not as many as the mechanism has. The workspace stays where it was.
@@ -81,6 +99,37 @@ impl Workspace {
         self.kinematics.q.copy_from_slice(positions);
         self.stale = true;
         Ok(())
+    }
+
+    /// Sets the pose X_wr of the root link in the world, for normals that are given in the world. Moves nothing relative to
+    /// the root.
+    ///
+    /// # Errors
+    /// [`InputError`]: no rigid frame.
+    pub fn set_base(&mut self, x_wr: &Transform<f64>) -> Result<(), InputError> {
+        self.base = Some(rigid_base_pose(x_wr)?);
+        Ok(())
+    }
+
+    /// The findings about the last answer of [`effective_mass`](Self::effective_mass). Limits of joints are not looked at.
+    pub fn remarks(&self) -> RemarkFlags {
+        self.remarks
+    }
+
+    /// The contact with its normal in the root link's frame instead of the world's, and the findings that hold for it at
+    /// every configuration.
+    pub(crate) fn prepare(&self, contact: &Contact) -> (Contact, RemarkFlags) {
+        let mut flags: RemarkFlags = self.assembly.remarks().iter().collect();
+        if let Some(remark) = self.assembly.base_remark(contact, self.base.is_some()) {
+            flags |= RemarkFlags::from(&remark);
+        }
+        match (self.base, contact.normal) {
+            (Some(x_wr), Direction::Along(normal, _)) if contact.has_world_normal() => {
+                let normal = Direction::Along(x_wr.inverse_vector(&normal), Frame::World);
+                (Contact { normal, ..*contact }, flags)
+            }
+            _ => (*contact, flags),
+        }
     }
 
     /// What it answers in lanes with: it goes by the recursion from now on.
@@ -103,13 +152,17 @@ impl Workspace {
     /// m̄ of a contact at the positions last given: within rounding that of [`Pose::respond`] by the automatic choice, to the
     /// last bit where it does not go a way of its own, as trees without mimics against the ground do, and linkages of
     /// few freedoms. Where the recursion is not accurate the careful route
-    /// is asked, which allocates. Points and normals in the world are taken
-    /// with the root link at the world's origin. States no error: [`Pose::respond`] does.
+    /// is asked, which allocates. Normals in the world are taken with the root link where [`set_base`](Self::set_base) has put
+    /// it, else at the world's origin. States no error: [`Pose::respond`] does. [`remarks`](Self::remarks) has the findings.
     ///
     /// # Errors
-    /// [`ResponseError`]: a contact that means nothing; a position that is not finite, where it matters; motions of negative mass
-    /// that leave none that is positive; too large a cluster of bodies.
+    /// [`ResponseError`]: a contact that means nothing; a position that is not finite, a quaternion that is not of unit length,
+    /// loops that are open, where they matter; motions of negative mass that leave none that is positive; too large a cluster
+    /// of bodies.
     pub fn effective_mass(&mut self, contact: &Contact) -> Result<EffectiveMass, ResponseError> {
+        let (contact, flags) = self.prepare(contact);
+        self.remarks = flags;
+        let contact = &contact;
         if self.aimed.as_ref() != Some(contact) {
             self.aimed = None;
             let model = self.assembly.model();
@@ -125,6 +178,7 @@ impl Workspace {
         if !self.has_room && matches!(self.in_lanes, Some(InLanes::Linkage(_))) {
             // Once, so that nothing is allocated when it is needed.
             let _ = self.by_recursion(contact);
+            self.remarks = flags;
         }
         Ok(EffectiveMass::Finite(clear.mass))
     }
@@ -133,7 +187,22 @@ impl Workspace {
     fn not_finite(&self) -> Option<usize> {
         let (q, bodies) = (&self.kinematics.q, &self.assembly.model().bodies);
         let is_mimic = |at: usize| bodies.iter().any(|body| body.mimic.is_some() && body.q.start == at);
-        (0..q.len()).find(|&at| !q[at].is_finite() && !is_mimic(at))
+        (0..q.len()).find(|&at| !is_number(q[at]) && !is_mimic(at))
+    }
+
+    /// The assembly.
+    pub(crate) fn assembly(&self) -> &Arc<Assembly> {
+        &self.assembly
+    }
+
+    /// By the recursion, with findings that hold at every configuration.
+    pub(crate) fn by_recursion_with(
+        &mut self,
+        contact: &Contact,
+        remarks: RemarkFlags,
+    ) -> Result<EffectiveMass, ResponseError> {
+        self.remarks = remarks;
+        self.by_recursion(contact)
     }
 
     /// The largest m̄ (kg) that the contact may have that the recursion last found massless; `None` if that is negligible.
@@ -147,10 +216,17 @@ impl Workspace {
         if let Some(index) = self.not_finite() {
             return Err(ResponseError::NotFinite { index, value: self.kinematics.q[index] });
         }
+        for (joint, range) in &self.quaternions {
+            normalise_quaternion(&mut self.kinematics.q[range.clone()]).map_err(|norm| {
+                let joint = self.assembly.model().mechanism.joint(*joint).name().to_owned();
+                ResponseError::Quaternion { joint, norm }
+            })?;
+        }
         self.has_room = true;
         if self.stale {
             self.refill();
         }
+        self.assembly.refuse_open_loops(&self.kinematics, &mut self.residuals)?;
         let model = self.assembly.model();
         let located = model.locate(&self.kinematics, &Transform::identity(), contact)?;
         model.refuse_large_clusters::<f64>(&self.groups)?;
@@ -162,8 +238,20 @@ impl Workspace {
             located: &located,
         };
         question.run(&mut self.recursion);
-        Ok(question.effective_mass(&mut self.recursion)?)
+        let (mass, flags) = question.effective_mass(&mut self.recursion)?;
+        self.remarks |= flags;
+        Ok(mass)
     }
+}
+
+/// Where quaternions are among the positions of a mechanism.
+fn quaternions(model: &Model) -> Vec<(JointId, Range<usize>)> {
+    let of_joint = |id: JointId| {
+        let own = quaternion_of(model.mechanism.joint(id).kind())?;
+        let first = model.joint_q[id.index()].start;
+        Some((id, first + own.start..first + own.end))
+    };
+    model.mechanism.joint_ids().filter_map(of_joint).collect()
 }
 
 /// The whole answer over another scalar: dual numbers for derivatives, lanes for several configurations. Branches on no
@@ -227,8 +315,10 @@ impl<T: Scalar> ScalarWorkspace<T> {
     /// [`ContactError::ForeignLink`]: a link of another mechanism.
     pub fn add_inertia(&mut self, link: LinkId, change: &SpatialInertia<T>) -> Result<(), ContactError> {
         let frames = &self.assembly.model().link_frames;
-        let (index, links) = (link.index(), frames.len());
-        let on = frames.get(index).ok_or(ContactError::ForeignLink { index, links })?;
+        if let Some(index) = foreign_link(&self.assembly.model().mechanism, [link]) {
+            return Err(ContactError::ForeignLink { index, links: frames.len() });
+        }
+        let on = &frames[link.index()];
         if let Some(body) = on.body {
             self.recursion.bodies[body] += on.frame.cast().inertia(change);
         }

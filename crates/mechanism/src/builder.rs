@@ -2,6 +2,7 @@
 
 use crate::axis::unit;
 use crate::check::Check;
+use crate::numbering::Numbering;
 use crate::problem::{Problem, Severity, Subject};
 use crate::{
     ClosureDescription, ClosureKind, CouplingDescription, Geometry, Inertial, Joint, JointDescription,
@@ -135,13 +136,14 @@ impl MechanismBuilder {
         let second_parents = self.take_second_parents(check, &link_ids);
         self.closures.extend(second_parents);
         let joint_ids = self.joints.iter().enumerate().map(|(i, j)| (j.name.clone(), i)).collect();
-        let ends = self.ends(check, &link_ids);
-        let mimics = self.mimics(check, &joint_ids);
+        let numbering = Numbering::of(&self.links, &self.joints);
+        let ends = self.ends(check, &link_ids, numbering);
+        let mimics = self.mimics(check, &joint_ids, numbering);
         if check.has_errors() {
             return None;
         }
         let names: Vec<String> = self.links.iter().map(|l| l.name.clone()).collect();
-        let tree = match tree::build(&names, &ends) {
+        let tree = match tree::build(&names, &ends, numbering) {
             Ok(tree) => tree,
             Err(problem) => {
                 check.add(Subject::Mechanism, problem);
@@ -166,7 +168,7 @@ impl MechanismBuilder {
                 check.add(link_subject(i, &link.name), problem);
             }
         }
-        let mut mechanism = Mechanism::new(self.name, links, joints, tree, length);
+        let mut mechanism = Mechanism::new(self.name, links, joints, tree, numbering, length);
         closure_check::attach(&mut mechanism, &self.closures, &self.couplings, check);
         Some(mechanism)
     }
@@ -202,7 +204,12 @@ impl MechanismBuilder {
     }
 
     /// Parent and child of every joint; unknown names become link 0 beside the error.
-    fn ends(&self, check: &mut Check, ids: &HashMap<String, usize>) -> Vec<(LinkId, LinkId)> {
+    fn ends(
+        &self,
+        check: &mut Check,
+        ids: &HashMap<String, usize>,
+        numbering: Numbering,
+    ) -> Vec<(LinkId, LinkId)> {
         let mut ends = Vec::with_capacity(self.joints.len());
         for (i, joint) in self.joints.iter().enumerate() {
             let subject = self.tree_joint(i);
@@ -217,7 +224,7 @@ impl MechanismBuilder {
             if parent == child && parent != usize::MAX {
                 check.add(subject.clone(), Problem::JoinsItself { link: joint.child.clone() });
             }
-            ends.push((LinkId(parent as u32), LinkId(child as u32)));
+            ends.push((LinkId::new(parent, numbering), LinkId::new(child, numbering)));
         }
         ends
     }
@@ -228,7 +235,12 @@ impl MechanismBuilder {
     }
 
     /// Follows every mimic to the joint that is not a mimic itself. Linear: every joint is resolved once.
-    fn mimics(&self, check: &mut Check, ids: &HashMap<String, usize>) -> Vec<Option<Mimic>> {
+    fn mimics(
+        &self,
+        check: &mut Check,
+        ids: &HashMap<String, usize>,
+        numbering: Numbering,
+    ) -> Vec<Option<Mimic>> {
         let next: Vec<Option<usize>> = (0..self.joints.len()).map(|i| self.mimicked(check, ids, i)).collect();
         let mut resolved: Vec<Option<Mimic>> = vec![None; self.joints.len()];
         let mut done = vec![false; self.joints.len()];
@@ -253,7 +265,7 @@ impl MechanismBuilder {
                 (done[i], on_chain[i]) = (true, false);
                 let (Some(master), Some(mimic)) = (next[i], &self.joints[i].mimic) else { continue };
                 let own = Mimic {
-                    master: JointId(master as u32),
+                    master: JointId::new(master, numbering),
                     multiplier: mimic.multiplier,
                     offset: mimic.offset,
                 };

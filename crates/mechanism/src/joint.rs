@@ -1,16 +1,25 @@
 //! A joint of the tree: the motion a child link has in its parent.
 
 use crate::LinkId;
+use crate::numbering::Numbering;
 use percuss_spatial::{Transform, Vector3};
 
-/// Index of a joint in its mechanism, in the order the joints were given.
+/// Index of a joint in its mechanism, in the order the joints were given. It holds in every mechanism with the same links
+/// and joints; [`Mechanism::has_joint`](crate::Mechanism::has_joint) tells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct JointId(pub(crate) u32);
+pub struct JointId {
+    pub(crate) index: u32,
+    pub(crate) of: Numbering,
+}
 
 impl JointId {
+    pub(crate) fn new(index: usize, of: Numbering) -> Self {
+        Self { index: index as u32, of }
+    }
+
     /// Position in [`Mechanism::joints`](crate::Mechanism::joints).
     pub fn index(self) -> usize {
-        self.0 as usize
+        self.index as usize
     }
 }
 

@@ -1,16 +1,25 @@
 //! A rigid link.
 
 use crate::Inertial;
+use crate::numbering::Numbering;
 use percuss_spatial::SpatialInertia;
 
-/// Index of a link in its mechanism, in the order the links were given.
+/// Index of a link in its mechanism, in the order the links were given. It holds in every mechanism with the same links and
+/// joints, in variants with other masses too; [`Mechanism::has_link`](crate::Mechanism::has_link) tells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct LinkId(pub(crate) u32);
+pub struct LinkId {
+    pub(crate) index: u32,
+    pub(crate) of: Numbering,
+}
 
 impl LinkId {
+    pub(crate) fn new(index: usize, of: Numbering) -> Self {
+        Self { index: index as u32, of }
+    }
+
     /// Position in [`Mechanism::links`](crate::Mechanism::links).
     pub fn index(self) -> usize {
-        self.0 as usize
+        self.index as usize
     }
 }
 

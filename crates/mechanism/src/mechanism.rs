@@ -1,5 +1,6 @@
 //! The immutable mechanism.
 
+use crate::numbering::Numbering;
 use crate::tree::Tree;
 use crate::{Closure, ClosureId, Coupling, Joint, JointId, Link, LinkId, NameKind, UnknownName, near_names};
 use std::collections::HashMap;
@@ -18,6 +19,7 @@ pub struct Mechanism {
     pub(crate) order: Vec<LinkId>,
     pub(crate) link_by_name: HashMap<String, LinkId>,
     pub(crate) joint_by_name: HashMap<String, JointId>,
+    pub(crate) numbering: Numbering,
     pub(crate) characteristic_length: f64,
 }
 
@@ -27,12 +29,13 @@ impl Mechanism {
         links: Vec<Link>,
         joints: Vec<Joint>,
         tree: Tree,
+        numbering: Numbering,
         characteristic_length: f64,
     ) -> Self {
         let link_by_name =
-            links.iter().enumerate().map(|(i, l)| (l.name.clone(), LinkId(i as u32))).collect();
+            links.iter().enumerate().map(|(i, l)| (l.name.clone(), LinkId::new(i, numbering))).collect();
         let joint_by_name =
-            joints.iter().enumerate().map(|(i, j)| (j.name.clone(), JointId(i as u32))).collect();
+            joints.iter().enumerate().map(|(i, j)| (j.name.clone(), JointId::new(i, numbering))).collect();
         let Tree { root, parent_joint, child_joints, order } = tree;
         Self {
             name,
@@ -46,6 +49,7 @@ impl Mechanism {
             order,
             link_by_name,
             joint_by_name,
+            numbering,
             characteristic_length,
         }
     }
@@ -80,24 +84,44 @@ impl Mechanism {
         (0..self.closures.len() as u32).map(ClosureId)
     }
 
+    /// True if the index is of this mechanism, or of one with the same links and joints in the same order.
+    pub fn has_link(&self, id: LinkId) -> bool {
+        id.of == self.numbering && id.index() < self.links.len()
+    }
+
+    /// As [`has_link`](Self::has_link).
+    pub fn has_joint(&self, id: JointId) -> bool {
+        id.of == self.numbering && id.index() < self.joints.len()
+    }
+
     /// The link with this index.
+    ///
+    /// # Panics
+    /// An index of another mechanism: [`has_link`](Self::has_link) is false.
     pub fn link(&self, id: LinkId) -> &Link {
+        assert!(self.has_link(id), "link number {} is of another mechanism", id.index());
         &self.links[id.index()]
     }
 
     /// The joint with this index.
+    ///
+    /// # Panics
+    /// An index of another mechanism: [`has_joint`](Self::has_joint) is false.
     pub fn joint(&self, id: JointId) -> &Joint {
+        assert!(self.has_joint(id), "joint number {} is of another mechanism", id.index());
         &self.joints[id.index()]
     }
 
     /// Indices of all links, in the order given.
     pub fn link_ids(&self) -> impl Iterator<Item = LinkId> + use<> {
-        (0..self.links.len() as u32).map(LinkId)
+        let numbering = self.numbering;
+        (0..self.links.len()).map(move |index| LinkId::new(index, numbering))
     }
 
     /// Indices of all joints, in the order given.
     pub fn joint_ids(&self) -> impl Iterator<Item = JointId> + use<> {
-        (0..self.joints.len() as u32).map(JointId)
+        let numbering = self.numbering;
+        (0..self.joints.len()).map(move |index| JointId::new(index, numbering))
     }
 
     /// The link without a parent.

@@ -1,5 +1,6 @@
 //! Is it one tree? Which order visits parents before children?
 
+use crate::numbering::Numbering;
 use crate::{JointId, LinkId, Problem};
 
 /// The tree as lists, all indexed by link.
@@ -14,17 +15,21 @@ pub(crate) struct Tree {
 }
 
 /// Builds the tree of `links` links from the (parent, child) pairs of the joints, no link having two parents.
-pub(crate) fn build(links: &[String], joints: &[(LinkId, LinkId)]) -> Result<Tree, Problem> {
+pub(crate) fn build(
+    links: &[String],
+    joints: &[(LinkId, LinkId)],
+    numbering: Numbering,
+) -> Result<Tree, Problem> {
     let mut parent_joint = vec![None; links.len()];
     let mut child_joints = vec![Vec::new(); links.len()];
     for (i, (parent, child)) in joints.iter().enumerate() {
-        let id = JointId(i as u32);
+        let id = JointId::new(i, numbering);
         parent_joint[child.index()] = Some(id);
         child_joints[parent.index()].push(id);
     }
     let roots: Vec<usize> = (0..links.len()).filter(|&i| parent_joint[i].is_none()).collect();
     let root = match roots[..] {
-        [root] => LinkId(root as u32),
+        [root] => LinkId::new(root, numbering),
         [] => return Err(cycle(links, joints, &parent_joint, 0)),
         _ => {
             return Err(Problem::SeveralRoots { roots: roots.iter().map(|&i| links[i].clone()).collect() });

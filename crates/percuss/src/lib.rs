@@ -37,9 +37,9 @@ pub use percuss_dynamics::{
     ContactResponse, ContactStatus, Contributions, DepartingAxis, Direction, DrawnGap, DrivenPath,
     EffectiveMass, ErrorBudget, Frame, InverseOperationalInertia, LayoutError, LocatedContact, LoopState,
     MapAnswers, MapError, MatrixError, MatrixName, MatrixOptions, MatrixResponse, MatrixView, PathAnswer,
-    PointForce, PointVelocity, Pose, PoseRank, PrincipalMass, Remark, ResponseError, RigidLoops, Route,
-    RouteChoice, RouteError, ScalarWorkspace, Singularity, System, Travel, TravelError, VelocityError,
-    Workspace, effective_mass,
+    PointForce, PointVelocity, Pose, PoseRank, PrincipalMass, Remark, RemarkFlags, ResponseError, RigidLoops,
+    Route, RouteChoice, RouteError, ScalarWorkspace, Singularity, System, Travel, TravelError, VelocityError,
+    Workspace, effective_mass, input,
 };
 #[doc(no_inline)]
 pub use percuss_formats::{

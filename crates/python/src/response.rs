@@ -53,6 +53,7 @@ pub fn remark(remark: &Remark) -> String {
         Remark::UndeterminedMotion => "a motion without mass leaves the velocities open".to_owned(),
         Remark::UnclearRank { gap } => format!("the rank of the constraints is unclear: gap {gap:.1e}"),
         Remark::IndefiniteMassMatrix => "the mass matrix is indefinite: a stationary value".to_owned(),
+        _ => remark.to_string(),
     }
 }
 

@@ -5,7 +5,7 @@ use crate::field::{Field, Names};
 use crate::finding::{Finding, Subject};
 use crate::position::GivenPosition;
 use crate::quantity::{Dimension, position_dimension};
-use crate::thresholds::{FAR_FROM_GUESS, UNCERTAIN, WEAKLY_CONSTRAINED};
+use crate::thresholds::{FAR_FROM_GUESS, UNCERTAIN};
 use percuss_dynamics::{
     Assembly, BranchLimits, Configuration, Contact, ContactResponse, DrawnGap, EffectiveMass, Pose, Remark,
     RigidLoops, Singularity, System,
@@ -46,7 +46,7 @@ pub(crate) fn outside_limits(mechanism: &Mechanism, joint: JointId, value: f64, 
 fn about_loops(system: &System, pose: &Pose, names: Names, found: &mut Vec<Finding>) {
     let mechanism = system.mechanism();
     let Some(loops) = pose.loops() else { return };
-    let (set, guess) = (Field::Set.hint(names), Field::Guess.named(names));
+    let set = Field::Set.hint(names);
     for name in system.reversed_axes() {
         let message = format!(
             "the axis of loop \"{name}\" points opposite ways in its two frames with all joints at 0; the successor's was \
@@ -77,13 +77,6 @@ fn about_loops(system: &System, pose: &Pose, names: Names, found: &mut Vec<Findi
             mechanism.joint(*joint).name()
         );
         found.push(Finding::warning("off-target", Subject::Joint(*joint), message));
-    }
-    if let Some(starts) = loops.starts_tried {
-        let message = format!(
-            "the branch of the first closed pose does not reach the driving joints as set: this is another assembly mode, \
-             found from {starts} of the seeded starts; {guess} chooses one"
-        );
-        found.push(Finding::warning("other-assembly", Subject::Answer, message));
     }
     for gap in pose.assembly().drawn_gaps() {
         found.push(about_gap(mechanism, &gap));
@@ -137,7 +130,7 @@ fn about_rank(assembly: &Assembly, found: &mut Vec<Finding>) {
         found.push(Finding::warning("unclear-rank", Subject::Answer, message));
     }
     let least = assembly.least_singular_value();
-    if least < WEAKLY_CONSTRAINED {
+    if assembly.is_weakly_constrained() {
         let message = format!(
             "the mechanism is weakly constrained: the least singular value of the loops' rows that counts is {least:.1e} \
              of the largest; if the file's figures are rounded by as much, there is a degree of freedom more than the {} \
@@ -248,7 +241,7 @@ pub(crate) fn about_response(
     let finite = matches!(response.effective_mass, EffectiveMass::Finite(_));
     // A massless answer has it already.
     let reported = |r: &&Remark| finite || !matches!(r, Remark::MasslessMotions { .. });
-    found.extend(response.remarks.iter().filter(reported).map(remark));
+    found.extend(response.remarks.iter().filter(reported).filter_map(remark));
     if let (EffectiveMass::Finite(_), None) = (response.effective_mass, response.effective_mass_error()) {
         let message = "what the effective mass may be off by is not known: beside this pose the contact is not finite; do not \
                        trust its digits";
@@ -307,10 +300,11 @@ pub(crate) fn about_branches(
     Some(Finding::warning("singular-pose", Subject::Answer, message))
 }
 
-fn remark(remark: &Remark) -> Finding {
+/// The finding of a remark on the response; findings about the pose come from [`about_pose`].
+fn remark(remark: &Remark) -> Option<Finding> {
     let warning = |code, message: String| Finding::warning(code, Subject::Answer, message);
     let note = |code, message: String| Finding::note(code, Subject::Answer, message);
-    match remark {
+    Some(match remark {
         Remark::NearlyImmovable { closing_speed, uncertainty } => warning(
             "nearly-immovable",
             format!(
@@ -346,5 +340,15 @@ fn remark(remark: &Remark) -> Finding {
                  where mobility is another"
             ),
         ),
-    }
+        Remark::OtherAssembly { .. }
+        | Remark::DrawnOpen { .. }
+        | Remark::InexactLoops { .. }
+        | Remark::DriverOffZero { .. }
+        | Remark::OffTarget { .. }
+        | Remark::OutsideLimits { .. }
+        | Remark::WeaklyConstrained { .. }
+        | Remark::UnclearMobility { .. }
+        // The world of a question is its root link's frame.
+        | Remark::BaseNotGiven => return None,
+    })
 }

@@ -11,14 +11,13 @@ use percuss_mechanism::{JointId, Limits};
 use std::sync::Arc;
 
 /// What is said of every pose of a branch alike.
-const OF_THE_BRANCH: [&str; 11] = [
+const OF_THE_BRANCH: [&str; 10] = [
     "drawn-open",
     "driver-off-zero",
     "drivers-chosen",
     "far-point",
     "inexact-loops",
     "off-target",
-    "other-assembly",
     "reversed-axis",
     "rigid-loops",
     "unclear-rank",

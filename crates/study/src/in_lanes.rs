@@ -124,7 +124,7 @@ impl Asked {
     /// m̄ of a row and what rounding may amount to, kg; none where that is in doubt.
     pub fn mass(&self, i: usize) -> Option<(f64, f64)> {
         match self.answers[i] {
-            BatchAnswer { mass: Some(EffectiveMass::Finite(mass)), error: Some(error) } => {
+            BatchAnswer { mass: Some(EffectiveMass::Finite(mass)), error: Some(error), .. } => {
                 Some((mass, error))
             }
             _ => None,

@@ -104,9 +104,6 @@ pub(crate) const SAME_LIMIT: f64 = 1e-6;
 /// An assembly is far from its guess from this angle on (rad), or from this part of the size: assembly modes are
 /// further apart, a guess read off a drawing is nearer.
 pub(crate) const FAR_FROM_GUESS: f64 = 0.5;
-/// Where the least singular value of the loops' rows that counts is below this part of the largest, figures rounded to
-/// four digits may make the difference.
-pub(crate) const WEAKLY_CONSTRAINED: f64 = 1e-4;
 /// Velocity per unit closing speed from which a held point counts as leaving: the rounding of unit velocities is far
 /// below.
 pub(crate) const LEAVES: f64 = 1e-9;

@@ -42,6 +42,7 @@ static percuss_contact contact_of(const percuss_model *model, const char *link, 
   percuss_contact contact;
   OK(percuss_contact_init(&contact));
   OK(percuss_model_find_link(model, link, &contact.link));
+  contact.normal[2] = 1.0;
   contact.point[0] = x;
   contact.point[1] = y;
   contact.point[2] = z;
@@ -211,9 +212,9 @@ static void the_four_bar(void)
     expected[i] = mass.effective_mass;
     percuss_outcome outcome;
     double value;
-    OK(percuss_workspace_effective_mass(workspace, &positions[3 * i], 3, &contact, &outcome, &value));
+    OK(percuss_workspace_effective_mass(workspace, &positions[3 * i], 3, &contact, &outcome, &value, NULL));
     CHECK(outcome == PERCUSS_FINITE && near_to(value, mass.effective_mass, 1e-10));
-    OK(percuss_workspace_effective_mass(workspace, NULL, 0, &contact, &outcome, &value));
+    OK(percuss_workspace_effective_mass_again(workspace, &contact, &outcome, &value, NULL));
     CHECK(outcome == PERCUSS_FINITE && near_to(value, mass.effective_mass, 1e-10));
     /* The dense entry, from the pose's own matrices: in both layouts, with leading dimensions that leave gaps. */
     double m[5 * 3], a[5 * 6], j[3], v[3];
@@ -251,17 +252,17 @@ static void the_four_bar(void)
   CHECK(columns && masses && errors && outcomes);
   for (size_t c = 0; c < MANY; c++)
     for (size_t q = 0; q < 3; q++) columns[q * MANY + c] = positions[3 * (c % POSES) + q];
-  OK(percuss_batch_run(batch, positions, COUNT(positions), PERCUSS_ROW_MAJOR, 3, POSES, outcomes, masses, NULL, NULL,
+  OK(percuss_batch_run(batch, positions, COUNT(positions), PERCUSS_ROW_MAJOR, 3, POSES, outcomes, masses, NULL, NULL, NULL,
                        NULL));
   for (int i = 0; i < POSES; i++) CHECK(outcomes[i] == PERCUSS_FINITE && near_to(masses[i], expected[i], 1e-10));
-  OK(percuss_batch_run(threaded, columns, 3 * MANY, PERCUSS_COLUMN_MAJOR, MANY, MANY, outcomes, masses, errors, NULL,
+  OK(percuss_batch_run(threaded, columns, 3 * MANY, PERCUSS_COLUMN_MAJOR, MANY, MANY, outcomes, masses, errors, NULL, NULL,
                        NULL));
   for (size_t c = 0; c < MANY; c++) {
     CHECK(outcomes[c] == PERCUSS_FINITE && near_to(masses[c], expected[c % POSES], 1e-10));
     CHECK(isnan(errors[c]) || (errors[c] > 0.0 && errors[c] < 1e-6));
   }
   size_t done = 0;
-  FAILS(percuss_batch_run(batch, columns, 3 * MANY, PERCUSS_COLUMN_MAJOR, MANY, MANY, outcomes, masses, errors,
+  FAILS(percuss_batch_run(batch, columns, 3 * MANY, PERCUSS_COLUMN_MAJOR, MANY, MANY, outcomes, masses, errors, NULL,
                           stop_at_once, &done),
         PERCUSS_ERROR_STOPPED, "stopped");
   CHECK(done > 0 && done < MANY && outcomes[done - 1] == PERCUSS_FINITE && outcomes[done] == PERCUSS_NO_ANSWER);

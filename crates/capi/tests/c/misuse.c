@@ -15,10 +15,12 @@ static void nulls(void)
   percuss_contact contact;
   percuss_mass mass;
   percuss_outcome outcome;
+  const double angle = 0.0;
   double value = 0.0;
   size_t count;
   OK(percuss_contact_init(&contact));
   contact.link = 1;
+  contact.normal[2] = 1.0;
   OK(percuss_system_new(model, NULL, &system));
   OK(percuss_assembly_new(system, NULL, &assembly));
   OK(percuss_configuration_new(model, &configuration));
@@ -66,12 +68,12 @@ static void nulls(void)
   FAILS(percuss_response_mass(response, NULL), null, "mass");
   FAILS(percuss_response_velocities(response, NULL, 1), null, "velocities");
   FAILS(percuss_response_base_velocity(response, NULL), null, "twist");
-  FAILS(percuss_workspace_effective_mass(workspace, &value, 1, NULL, &outcome, &value), null, "contact");
-  FAILS(percuss_workspace_effective_mass(workspace, &value, 1, &contact, NULL, &value), null, "outcome");
-  FAILS(percuss_workspace_effective_mass(workspace, &value, 1, &contact, &outcome, NULL), null, "effective_mass");
-  FAILS(percuss_batch_run(batch, NULL, 1, PERCUSS_ROW_MAJOR, 1, 1, &outcome, &value, NULL, NULL, NULL), null,
+  FAILS(percuss_workspace_effective_mass(workspace, &angle, 1, NULL, &outcome, &value, NULL), null, "contact");
+  FAILS(percuss_workspace_effective_mass(workspace, &angle, 1, &contact, NULL, &value, NULL), null, "outcome");
+  FAILS(percuss_workspace_effective_mass(workspace, &angle, 1, &contact, &outcome, NULL, NULL), null, "effective_mass");
+  FAILS(percuss_batch_run(batch, NULL, 1, PERCUSS_ROW_MAJOR, 1, 1, &outcome, &value, NULL, NULL, NULL, NULL), null,
         "positions");
-  FAILS(percuss_batch_run(batch, &value, 1, PERCUSS_ROW_MAJOR, 1, 1, NULL, &value, NULL, NULL, NULL), null,
+  FAILS(percuss_batch_run(batch, &angle, 1, PERCUSS_ROW_MAJOR, 1, 1, NULL, &value, NULL, NULL, NULL, NULL), null,
         "outcomes");
   FAILS(percuss_law_name(0, NULL), null, "name");
   FAILS(percuss_law_find(NULL, NULL), null, "name");
@@ -103,15 +105,15 @@ static void nulls(void)
   FAILS(percuss_pose_mass_matrix(pose, values, 1, PERCUSS_ROW_MAJOR, 0), length, "leading dimension");
   FAILS(percuss_pose_contact_row(pose, &contact, values, 2), length, "expected 1");
   FAILS(percuss_response_velocities(response, values, 2), length, "expected 1");
-  FAILS(percuss_workspace_effective_mass(workspace, values, 2, &contact, &outcome, &value), length, "positions");
-  FAILS(percuss_batch_run(batch, values, 1, PERCUSS_ROW_MAJOR, 0, 1, &outcome, &value, NULL, NULL, NULL), length,
+  FAILS(percuss_workspace_effective_mass(workspace, values, 2, &contact, &outcome, &value, NULL), length, "positions");
+  FAILS(percuss_batch_run(batch, values, 1, PERCUSS_ROW_MAJOR, 0, 1, &outcome, &value, NULL, NULL, NULL, NULL), length,
         "stride");
-  FAILS(percuss_batch_run(batch, values, 0, PERCUSS_ROW_MAJOR, 1, 1, &outcome, &value, NULL, NULL, NULL), length,
+  FAILS(percuss_batch_run(batch, values, 0, PERCUSS_ROW_MAJOR, 1, 1, &outcome, &value, NULL, NULL, NULL, NULL), length,
         "positions");
   FAILS(percuss_batch_run(batch, values, 4, PERCUSS_ROW_MAJOR, (size_t)-1, 2, (percuss_outcome[2]){0},
-                          (double[2]){0}, NULL, NULL, NULL),
+                          (double[2]){0}, NULL, NULL, NULL, NULL),
         length, "positions");
-  OK(percuss_batch_run(batch, NULL, 0, PERCUSS_ROW_MAJOR, 1, 0, NULL, NULL, NULL, NULL, NULL));
+  OK(percuss_batch_run(batch, NULL, 0, PERCUSS_ROW_MAJOR, 1, 0, NULL, NULL, NULL, NULL, NULL, NULL));
   percuss_matrix one = {values, 4, 2, 2, 1, PERCUSS_COLUMN_MAJOR, 0};
   FAILS(percuss_effective_mass(&one, values, 2, NULL, NULL, &mass, NULL, NULL, NULL), length, "leading dimension");
   one.leading_dimension = 3;
@@ -129,17 +131,18 @@ static void nulls(void)
   FAILS(percuss_batch_new(assembly, &contact, 5000, &(percuss_batch *){NULL}), argument, "5000");
   const double nan = NAN;
   FAILS(percuss_configuration_set(configuration, "hinge", &nan, 1), PERCUSS_ERROR_CONDITIONS, "finite");
-  FAILS(percuss_workspace_effective_mass(workspace, &nan, 1, &contact, &outcome, &value), argument, "position 0");
-  OK(percuss_batch_run(batch, &nan, 1, PERCUSS_ROW_MAJOR, 1, 1, &outcome, &value, NULL, NULL, NULL));
+  FAILS(percuss_workspace_effective_mass(workspace, &nan, 1, &contact, &outcome, &value, NULL), argument, "position 0");
+  OK(percuss_batch_run(batch, &nan, 1, PERCUSS_ROW_MAJOR, 1, 1, &outcome, &value, NULL, NULL, NULL, NULL));
   CHECK(outcome == PERCUSS_NO_ANSWER && isnan(value));
   const double quaternion[4] = {2.0, 0.0, 0.0, 0.0};
-  FAILS(percuss_configuration_set_base(configuration, values, quaternion), argument, "unit quaternion");
+  FAILS(percuss_configuration_set_base(configuration, values, quaternion), argument, "norm 2");
   contact.normal_given = 4;
   FAILS(percuss_pose_effective_mass(pose, &contact, 0, &mass), argument, "normal_given");
   contact.normal_given = PERCUSS_NORMAL_TOWARD;
   contact.toward = 9;
   FAILS(percuss_pose_effective_mass(pose, &contact, 0, &mass), PERCUSS_ERROR_NAME, "link number 9");
   OK(percuss_contact_init(&contact));
+  contact.normal[2] = 1.0;
   contact.link = 2;
   FAILS(percuss_pose_effective_mass(pose, &contact, 0, &mass), PERCUSS_ERROR_NAME, "link number 2");
   contact.link = 1;
@@ -182,7 +185,7 @@ static void nulls(void)
   FAILS(percuss_response_mass(response, &mass), null, "percuss_response");
   OK(percuss_batch_free(&batch));
   OK(percuss_workspace_free(&workspace));
-  FAILS(percuss_workspace_effective_mass(workspace, values, 1, &contact, &outcome, &value), null, "workspace");
+  FAILS(percuss_workspace_effective_mass(workspace, values, 1, &contact, &outcome, &value, NULL), null, "workspace");
   OK(percuss_pose_free(&pose));
   OK(percuss_conditions_free(&conditions));
   OK(percuss_configuration_free(&configuration));

@@ -31,9 +31,9 @@ static void *own_workspace(void *argument)
   for (int i = 0; i < CALLS; i++) {
     const double angle = 0.001 * i;
     percuss_status status =
-        percuss_workspace_effective_mass(workspace, &angle, 1, &contact, &outcome, &mass);
+        percuss_workspace_effective_mass(workspace, &angle, 1, &contact, &outcome, &mass, NULL);
     check_mass(status, outcome, mass);
-    OK(percuss_batch_run(batch, &angle, 1, PERCUSS_ROW_MAJOR, 1, 1, &outcome, &mass, NULL, NULL, NULL));
+    OK(percuss_batch_run(batch, &angle, 1, PERCUSS_ROW_MAJOR, 1, 1, &outcome, &mass, NULL, NULL, NULL, NULL));
     check_mass(PERCUSS_OK, outcome, mass);
   }
   /* Messages are each thread's own: none failed here. */
@@ -52,7 +52,7 @@ static void *shared_workspace(void *argument)
     percuss_outcome outcome = -1;
     double mass = 0.0;
     const double angle = 0.001 * (double)(i % 1000);
-    percuss_status status = percuss_workspace_effective_mass(shared, &angle, 1, &contact, &outcome, &mass);
+    percuss_status status = percuss_workspace_effective_mass(shared, &angle, 1, &contact, &outcome, &mass, NULL);
     if (status == PERCUSS_ERROR_BUSY) {
       CHECK(strstr(percuss_error_message(), "another thread") != NULL);
       atomic_fetch_add(&busy, 1);
@@ -78,7 +78,7 @@ static int while_running(size_t done, void *user)
   percuss_outcome outcome = -1;
   double mass = 0.0;
   const double angle = 0.1;
-  percuss_status status = percuss_workspace_effective_mass(shared, &angle, 1, &contact, &outcome, &mass);
+  percuss_status status = percuss_workspace_effective_mass(shared, &angle, 1, &contact, &outcome, &mass, NULL);
   check_mass(status, outcome, mass);
   *(int *)user += 1;
   return 0;
@@ -92,17 +92,17 @@ static void forked(void)
   percuss_outcome outcomes[3];
   double masses[3];
   OK(percuss_batch_new(assembly, &contact, THREADS, &threaded));
-  OK(percuss_batch_run(threaded, angles, 3, PERCUSS_ROW_MAJOR, 1, 3, outcomes, masses, NULL, NULL, NULL));
+  OK(percuss_batch_run(threaded, angles, 3, PERCUSS_ROW_MAJOR, 1, 3, outcomes, masses, NULL, NULL, NULL, NULL));
   int told[2];
   CHECK(pipe(told) == 0);
   const pid_t child = fork();
   CHECK(child >= 0);
   if (child == 0) {
     percuss_status status =
-        percuss_batch_run(threaded, angles, 3, PERCUSS_ROW_MAJOR, 1, 3, outcomes, masses, NULL, NULL, NULL);
+        percuss_batch_run(threaded, angles, 3, PERCUSS_ROW_MAJOR, 1, 3, outcomes, masses, NULL, NULL, NULL, NULL);
     int wrong = status != PERCUSS_ERROR_HANDLE || strstr(percuss_error_message(), "after fork") == NULL;
     /* The one of this thread alone has no others. */
-    status = percuss_batch_run(batch, angles, 3, PERCUSS_ROW_MAJOR, 1, 3, outcomes, masses, NULL, NULL, NULL);
+    status = percuss_batch_run(batch, angles, 3, PERCUSS_ROW_MAJOR, 1, 3, outcomes, masses, NULL, NULL, NULL, NULL);
     const char right = !wrong && status == PERCUSS_OK ? 'y' : 'n';
     (void)!write(told[1], &right, 1);
     /* At once: what the threads of the parent held is lost here, which is nothing to look for. */
@@ -136,7 +136,7 @@ int main(void)
   const double angles[3] = {0.1, 0.2, 0.3};
   percuss_outcome outcomes[3];
   double masses[3];
-  OK(percuss_batch_run(batch, angles, 3, PERCUSS_ROW_MAJOR, 1, 3, outcomes, masses, NULL, while_running, &calls));
+  OK(percuss_batch_run(batch, angles, 3, PERCUSS_ROW_MAJOR, 1, 3, outcomes, masses, NULL, NULL, while_running, &calls));
   CHECK(calls == 1);
   forked();
   OK(percuss_workspace_free(&shared));

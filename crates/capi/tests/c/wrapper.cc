@@ -82,6 +82,45 @@ static void four_bar() {
   CHECK(caught);
 }
 
+/* What a chain on a temporary object returns is an object, not a reference to one that is gone. */
+static_assert(std::is_same_v<decltype(std::declval<percuss::Configuration>().set("j", 0.0)), percuss::Configuration>);
+static_assert(std::is_same_v<decltype(std::declval<percuss::Configuration &>().set("j", 0.0)), percuss::Configuration &>);
+static_assert(std::is_same_v<decltype(std::declval<percuss::Conditions>().lock("j")), percuss::Conditions>);
+
+static void rules() {
+  using namespace percuss;
+  const Model model = Model::load_text(FOUR_BAR);
+  const System system(model);
+  auto &&chained = Configuration(model).set("crank_hinge", 0.2).guess("coupler_hinge", {0.0});
+  const Assembly assembly = system.assemble();
+  const Contact contact = model.contact("coupler", {0.35, 0.1, 0}, {0, 1, 0});
+  const Pose pose = assembly.pose(chained);
+  Workspace workspace = assembly.workspace();
+  const std::vector<double> closed = pose.positions();
+  std::uint32_t remarks = 77;
+  const double m = workspace.effective_mass(closed, contact, nullptr, &remarks).value();
+  CHECK(near_to(m, pose.effective_mass(contact).effective_mass, 1e-10));
+  /* The drawing is not closed. */
+  CHECK(remarks == PERCUSS_REMARK_DRAWN_OPEN);
+  CHECK(workspace.effective_mass_again(contact).value() == m);
+  /* Rules of input: each with its status. */
+  throws(PERCUSS_ERROR_LENGTH, "0 positions", [&] { workspace.effective_mass(std::vector<double>{}, contact); });
+  throws(PERCUSS_ERROR_LENGTH, "2 positions", [&] { workspace.effective_mass({0.0, 0.0}, contact); });
+  throws(PERCUSS_ERROR_ASSEMBLY, "is open by", [&] { workspace.effective_mass({closed[0] + 0.1, closed[1], closed[2]}, contact); });
+  throws(PERCUSS_ERROR_ARGUMENT, "position 1", [&] { workspace.effective_mass({closed[0], NAN, closed[2]}, contact); });
+  throws(PERCUSS_ERROR_CONTACT, "length", [&] { pose.effective_mass(model.contact("coupler", {0, 0, 0}, {0, 0, 0})); });
+  throws(PERCUSS_ERROR_CONTACT, "length", [&] { assembly.batch(model.contact("coupler", {0, 0, 0}, {0, 0, 0})); });
+  throws(PERCUSS_ERROR_CONTACT, "point", [&] { pose.respond(model.contact("coupler", {NAN, 0, 0}, {0, 1, 0})); });
+  throws(PERCUSS_ERROR_ARGUMENT, "quaternion", [&] { Configuration(model).set_base({0, 0, 0}, {2, 0, 0, 0}); });
+  throws(PERCUSS_ERROR_ARGUMENT, "quaternion", [&] { workspace.set_base({0, 0, 0}, {0, 0, 0, 0}); });
+  throws(PERCUSS_ERROR_CONDITIONS, "0 positions", [&] { Configuration(model).set_positions({}); });
+  throws(PERCUSS_ERROR_LAW, "speed", [&] { damper(0, Spring{2.0, 1e5, 1.0}, 0.5, NAN); });
+  const Batch batch = assembly.batch(contact, 1);
+  const Batch::Answers answers = batch.run({closed[0] + 0.1, closed[1], closed[2]}, 1);
+  CHECK(answers.outcomes[0] == PERCUSS_NO_ANSWER && answers.remarks[0] == PERCUSS_REMARK_OPEN_LOOPS);
+  throws(PERCUSS_ERROR_LENGTH, "positions", [&] { batch.run({}, 1); });
+}
+
 static void laws() {
   using namespace percuss;
   const Spring spring{2.0, 1e5, 1.5};
@@ -96,6 +135,7 @@ static void laws() {
 int main() {
   pendulum();
   four_bar();
+  rules();
   laws();
   puts("C++");
   return 0;

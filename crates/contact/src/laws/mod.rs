@@ -207,7 +207,7 @@ impl Law {
     /// The damper of this law for the restitution e on this contact, at the approach speed in m/s where the law
     /// needs one ([`Law::needs_speed`]).
     ///
-    /// `separation` matters to Kelvin–Voigt alone. Errors: e or the speed out of range, the speed missing, an e that
+    /// `separation` matters to Kelvin–Voigt alone. Errors: e or the speed out of range, also where no speed is needed, the speed missing, an e that
     /// the law does not reach, a damping beyond a 64-bit float.
     pub fn damper(
         self,
@@ -216,6 +216,7 @@ impl Law {
         speed: Option<f64>,
         separation: Separation,
     ) -> Result<Damper, ContactLawError> {
+        let speed = speed.map(|speed| positive("approach speed, m/s", speed)).transpose()?;
         let number = match self {
             Self::KelvinVoigt => {
                 return Damper::kelvin_voigt(
@@ -227,7 +228,7 @@ impl Law {
             _ => self.number(restitution)?,
         };
         let speed = speed.ok_or(ContactLawError::SpeedNeeded { law: self.name() })?;
-        Damper::hunt_crossley(number / positive("approach speed, m/s", speed)?)
+        Damper::hunt_crossley(number / speed)
     }
 
     /// The restitution that the law's damping gives where e is asked for: e itself of an exact law.

@@ -1,5 +1,7 @@
 //! Loops that do not close, or not where the drivers are to go.
 
+use crate::input::InputError;
+
 /// Loops that do not close, or not where the drivers are to go.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -36,6 +38,29 @@ pub enum AssemblyError {
         /// From how many other starts it was tried.
         starts: usize,
     },
+    /// The branch of the first closed pose ends before the drivers are where they were set; the loops close there on another
+    /// assembly mode.
+    #[error(
+        "{} is on another assembly mode: the branch of the first closed pose ends at {}, and {} would open there (another mode \
+         was found from {starts} of the seeded starts); keep within the branch, or give a starting pose on the mode that is \
+         meant",
+        positions(requested),
+        positions(nearest),
+        quoted(loops)
+    )]
+    OtherAssembly {
+        /// Driving joints and the positions asked for.
+        requested: Vec<(String, f64)>,
+        /// The end of the branch of the first closed pose.
+        nearest: Vec<(String, f64)>,
+        /// The loops of the group.
+        loops: Vec<String>,
+        /// From how many other starts the other mode was found.
+        starts: usize,
+    },
+    /// The pose of the base is no rigid frame.
+    #[error(transparent)]
+    Base(#[from] InputError),
     /// The positions asked for are so far off that the branch cannot be followed there in one go.
     #[error(
         "{} is too far to follow the loops there in one go: they still closed at {}; whole turns can be left out if the \
@@ -128,14 +153,26 @@ impl AssemblyError {
         self
     }
 
+    /// The same where another assembly mode was found from so many starts.
+    pub(super) fn on_other_assembly(self, starts: usize) -> Self {
+        match self {
+            AssemblyError::Unreachable { requested, nearest, loops, .. } => {
+                AssemblyError::OtherAssembly { requested, nearest, loops, starts }
+            }
+            other => other,
+        }
+    }
+
     /// Whether a guess may help: the message ends in that, and whoever asks may add how a guess is given.
     pub fn ends_in_another_start(&self) -> bool {
         match self {
             AssemblyError::DoesNotClose { .. }
+            | AssemblyError::OtherAssembly { .. }
             | AssemblyError::TooFar { .. }
             | AssemblyError::BranchUncertain { .. }
             | AssemblyError::Dependent { .. } => true,
             AssemblyError::Unreachable { .. }
+            | AssemblyError::Base(_)
             | AssemblyError::ForeignPose
             | AssemblyError::ForeignConfiguration { .. }
             | AssemblyError::TooFarOut { .. }
@@ -149,6 +186,7 @@ impl AssemblyError {
             self,
             AssemblyError::Dependent { .. }
                 | AssemblyError::NoDistance { .. }
+                | AssemblyError::Base(_)
                 | AssemblyError::TooFarOut { .. }
                 | AssemblyError::ForeignPose
                 | AssemblyError::ForeignConfiguration { .. }

@@ -120,7 +120,7 @@ impl Closer<'_> {
     }
 
     /// Puts the drivers at the positions asked for and closes the dependent coordinates from seeded starts, when the branch of
-    /// the first closed pose does not reach there.
+    /// the first closed pose does not reach there. An error where another assembly mode was not accepted.
     fn close_from_elsewhere(
         &mut self,
         group: &Group,
@@ -141,6 +141,10 @@ impl Closer<'_> {
             );
             self.put(group, drivers);
             if self.correct(group, &divided.dependent, tolerance) && self.matches(group) {
+                if !self.configuration.other_assembly {
+                    self.kinematics = before;
+                    return Err(failed.on_other_assembly(attempt + 1));
+                }
                 self.state.starts_tried = Some(attempt + 1);
                 return Ok(Closed::default());
             }

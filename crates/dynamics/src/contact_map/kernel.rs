@@ -2,6 +2,7 @@
 
 use super::scale::Factor;
 use crate::answered::WIDEST;
+use crate::input::is_number;
 use crate::tolerances::{MAP_TRUSTED_ERROR, SHORTEST_DIRECTION};
 use nalgebra::{SMatrix, Vector3};
 use percuss_spatial::lanes::{Lanes, Work};
@@ -27,11 +28,16 @@ impl<'a> ContactColumns<'a> {
         (point, normal)
     }
 
+    /// True if all coordinates of the points are finite and at most [`LARGEST_NUMBER`](crate::input::LARGEST_NUMBER).
+    pub(super) fn has_points(&self) -> bool {
+        self.points.iter().all(|column| column.iter().fold(true, |all, x| all & is_number(*x)))
+    }
+
     /// Whether the contact has a point and a direction.
     pub(super) fn is_direction(&self, i: usize) -> bool {
         let (point, normal) = self.at(i);
         let length = normal.norm();
-        point.iter().all(|x| x.abs() <= 1e100) && length >= SHORTEST_DIRECTION && length.is_finite()
+        point.iter().all(|x| is_number(*x)) && length >= SHORTEST_DIRECTION && length.is_finite()
     }
 }
 

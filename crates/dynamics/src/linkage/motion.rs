@@ -12,7 +12,7 @@ use super::place::{direction, frame, place, point};
 use super::plan::{BodyDirection, BodyPoint, Motion, Moving, Plan};
 use super::room::{FRAME, along, cross, dot, get, get_vector, minus, plus, put_vector, size, times};
 use super::rows::{RowRoundings, eliminate, fill_rates, fill_rows};
-use crate::answered::Columns;
+use crate::answered::{Columns, off_unit};
 use crate::tolerances::{FAR_ROUNDINGS, LINKAGE_FREEDOMS, ROUTE_ROUNDINGS};
 use percuss_spatial::lanes::Lanes;
 
@@ -51,10 +51,15 @@ pub(super) fn evaluate<T: Lanes>(
     first: usize,
     room: &mut [f64],
 ) -> Answer<T> {
-    let placed = place(plan, columns, first, room);
+    let (mut beyond, far): (T, T) = place(plan, columns, first, room);
+    for body in &plan.bodies {
+        if let Motion::Ball(q) = body.motion {
+            beyond += off_unit(columns, q, first);
+        }
+    }
     let rows: RowRoundings<T> = fill_rows::<T, false>(plan, room).roundings;
     let least: T = eliminate::<T, false>(plan, room);
-    answer(plan, struck, placed, rows, least, room)
+    answer(plan, struck, (beyond, far), rows, least, room)
 }
 
 /// 1/m̄ where A is eliminated: `placed`, how far angles are beyond what they may be and the farthest place (m); `rows`, by how

@@ -14,8 +14,7 @@ use super::plan::{Form, Motion, Placed, Shape, Step, Turn};
 use super::sizes::Sizes;
 use super::slid;
 use super::way::{At, go};
-use crate::answered::Columns;
-use crate::tolerances::UNIT_QUATERNION;
+use crate::answered::{Columns, off_unit, over};
 use percuss_spatial::lanes::{LARGEST_ANGLE, Lanes};
 use percuss_spatial::{PackedInertia, PackedWrench, rotate_back, splat, turn_vector};
 use std::ops::Range;
@@ -182,24 +181,6 @@ fn off_numbers<T: Lanes>(columns: Columns<'_>, positions: Range<usize>, first: u
         q += 1;
     }
     sum
-}
-
-/// How far a quaternion is from a unit one, beyond rounding.
-#[inline(always)]
-fn off_unit<T: Lanes>(columns: Columns<'_>, q: usize, first: usize) -> T {
-    let mut square = -T::one();
-    for k in 0..4 {
-        let part: T = columns.at(q + k, first);
-        square = part.mul_add(part, square);
-    }
-    over(square, UNIT_QUATERNION)
-}
-
-/// Twice what |x| is above a limit.
-#[inline(always)]
-fn over<T: Lanes>(x: T, most: f64) -> T {
-    let above = x.abs() - T::from_f64(most);
-    above + above.abs()
 }
 
 /// The unit force at the struck point.

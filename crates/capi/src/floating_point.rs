@@ -1,0 +1,98 @@
+//! The floating-point environment of a call.
+//!
+//! The library divides by zero where lanes are masked afterwards, and computes with NaN: a caller that lets the processor trap on
+//! these (`feenableexcept`), rounds another way or flushes denormal numbers to zero would be ended by a signal, or get other
+//! numbers. Each call runs in the default environment: no traps, rounding to nearest, denormal numbers kept. Where the caller's
+//! is the default already, that is one read of the control register (about 2 ns); otherwise it is replaced, and restored with its
+//! flags at the end (about 20 ns). Threads of a batch are started in the default environment.
+
+/// The default environment, until it is dropped.
+#[must_use]
+pub(crate) struct DefaultEnvironment(Option<control::Register>);
+
+impl DefaultEnvironment {
+    #[inline]
+    pub fn enter() -> Self {
+        let found = control::read();
+        if found & !control::FLAGS == control::DEFAULT {
+            return Self(None);
+        }
+        control::write(control::DEFAULT);
+        Self(Some(found))
+    }
+}
+
+impl Drop for DefaultEnvironment {
+    #[inline]
+    fn drop(&mut self) {
+        if let Some(found) = self.0 {
+            control::write(found);
+        }
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+mod control {
+    use std::arch::asm;
+
+    pub type Register = u32;
+    /// All exceptions masked, rounding to nearest.
+    pub const DEFAULT: u32 = 0x1f80;
+    /// Exceptions that were met: they stay where no trap is enabled.
+    pub const FLAGS: u32 = 0x3f;
+
+    #[inline]
+    pub fn read() -> u32 {
+        let mut register = 0_u32;
+        // SAFETY: it stores four bytes at the address of a local number.
+        unsafe { asm!("stmxcsr [{}]", in(reg) &raw mut register, options(nostack, preserves_flags)) };
+        register
+    }
+
+    #[inline]
+    pub fn write(register: u32) {
+        // SAFETY: it loads four bytes from a local number, a value of this register or its default: no reserved bit is set.
+        unsafe { asm!("ldmxcsr [{}]", in(reg) &raw const register, options(nostack, preserves_flags)) };
+    }
+}
+
+#[cfg(target_arch = "aarch64")]
+mod control {
+    use std::arch::asm;
+
+    pub type Register = u64;
+    /// No traps, rounding to nearest.
+    pub const DEFAULT: u64 = 0;
+    /// The flags are in a register of their own.
+    pub const FLAGS: u64 = 0;
+
+    #[inline]
+    pub fn read() -> u64 {
+        let register: u64;
+        // SAFETY: it reads the control register of floating-point arithmetic.
+        unsafe { asm!("mrs {}, fpcr", out(reg) register, options(nostack, preserves_flags)) };
+        register
+    }
+
+    #[inline]
+    pub fn write(register: u64) {
+        // SAFETY: a value of this register, or its default.
+        unsafe { asm!("msr fpcr, {}", in(reg) register, options(nostack, preserves_flags)) };
+    }
+}
+
+/// Other processors: the environment is the caller's.
+#[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
+mod control {
+    pub type Register = u32;
+    pub const DEFAULT: u32 = 0;
+    pub const FLAGS: u32 = 0;
+
+    #[inline]
+    pub fn read() -> u32 {
+        DEFAULT
+    }
+
+    #[inline]
+    pub fn write(_: u32) {}
+}
