@@ -3,7 +3,7 @@
 use crate::closure;
 use crate::limits::MOST_BODIES;
 use crate::report::{Place, Report};
-use crate::survey::{child, children, is_named};
+use crate::survey::{child, children, is_gazebo_joint};
 use percuss_mechanism::{Problem, Subject};
 use roxmltree::Node;
 
@@ -20,7 +20,14 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
         Self {
             links: children(robot, "link").collect(),
             joints: children(robot, "joint").collect(),
-            closures: robot.children().filter(|n| n.is_element() && closure::is_loop(*n)).collect(),
+            closures: robot
+                .children()
+                .filter(Node::is_element)
+                .flat_map(|node| {
+                    let own = closure::is_loop(node).then_some(node);
+                    own.into_iter().chain(node.children().filter(|n| is_gazebo_joint(*n)))
+                })
+                .collect(),
             couplings: children(robot, "coupling").collect(),
         }
     }
@@ -81,8 +88,7 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
                 &["child"]
             }
             Problem::BadDistance { .. } => &["distance"],
-            Problem::ClosesOnItself { .. } if is_named(node, "loop_joint") => &["link2"],
-            Problem::ClosesOnItself { .. } => &["successor"],
+            Problem::ClosesOnItself { .. } => std::slice::from_ref(&closure::ends(node)[1]),
             // An open list of the builder's; the link or joint is place enough.
             _ => &[],
         };
