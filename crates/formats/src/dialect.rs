@@ -250,8 +250,7 @@ const IN_JOINT: &[Element] = &[
 ];
 
 /// SDF's joint in a `<gazebo>` of the robot. Values are texts and frames, which `gazebo_joint.rs` reads.
-pub(crate) const GAZEBO_JOINT: Element =
-    read("joint", &[("name", Read), ("type", Read)], IN_GAZEBO_JOINT);
+pub(crate) const GAZEBO_JOINT: Element = read("joint", &[("name", Read), ("type", Read)], IN_GAZEBO_JOINT);
 
 const fn text(name: &'static str) -> Element {
     Element { name, usage: Silent, single: true, attributes: &[], children: &[] }

@@ -116,12 +116,7 @@ impl<'a> Reader<'_, 'a> {
     }
 
     /// X_rj: the joint's frame in the root link.
-    fn pose<'i: 'a>(
-        &self,
-        node: Node<'a, 'i>,
-        x_rc: &Transform<f64>,
-        report: &mut Report,
-    ) -> Transform<f64> {
+    fn pose<'i: 'a>(&self, node: Node<'a, 'i>, x_rc: &Transform<f64>, report: &mut Report) -> Transform<f64> {
         let Some(pose) = child(node, "pose") else { return *x_rc };
         let base = pose.attribute("relative_to").or_else(|| pose.attribute("frame"));
         let base = self.frame(pose, base, x_rc, report);
@@ -234,11 +229,7 @@ fn kind(node: Node<'_, '_>, report: &mut Report) -> Option<ClosureKind> {
     let kind = read.iter().find(|(word, _)| *word == given).map(|(_, kind)| *kind);
     if kind.is_none() {
         refuse(node, report, || {
-            format!(
-                "its type is {}; {} are read",
-                quoted(given),
-                read.map(|(word, _)| word).join(", ")
-            )
+            format!("its type is {}; {} are read", quoted(given), read.map(|(word, _)| word).join(", "))
         });
     }
     kind
@@ -277,7 +268,8 @@ fn flag(node: Node<'_, '_>, text: &str, report: &mut Report) -> bool {
 fn numbers<const N: usize>(node: Node<'_, '_>, text: &str, report: &mut Report) -> Option<[f64; N]> {
     let values = parse::<N>(text);
     if let Err(defect) = &values {
-        report.error("bad-number", Place::Element(node), || format!("{}: {defect}", quoted(text.trim_ascii())));
+        report
+            .error("bad-number", Place::Element(node), || format!("{}: {defect}", quoted(text.trim_ascii())));
     }
     values.ok()
 }

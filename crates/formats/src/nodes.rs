@@ -75,9 +75,11 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
                 _ => &[],
             },
             Problem::NegativeMass { .. } => &["inertial", "mass"],
-            Problem::IndefiniteInertia { .. } | Problem::TriangleInequality { .. } => {
-                &["inertial", "inertia"]
-            }
+            Problem::IndefiniteInertia { .. }
+            | Problem::TriangleInequality { .. }
+            | Problem::WideInertia { .. }
+            | Problem::DenseInertia { .. } => &["inertial", "inertia"],
+            Problem::InertiaWithoutMass { .. } => &["inertial", "mass"],
             Problem::ZeroAxis | Problem::AxisNotUnit { .. } => &["axis"],
             Problem::LimitsReversed { .. } => &["limit"],
             Problem::NegativeArmature { .. } | Problem::ArmatureCount { .. } => &["dynamics"],

@@ -30,11 +30,7 @@ impl<'a> Texts<'a> {
         let index = index(links.iter().map(|l| l.name));
         let reader = Reader { drawn: &drawn, links: &index };
         let closure = |node: &Node<'a, 'i>| {
-            if is_gazebo_joint(*node) {
-                reader.check(*node, report)
-            } else {
-                closure::check(*node, report)
-            }
+            if is_gazebo_joint(*node) { reader.check(*node, report) } else { closure::check(*node, report) }
         };
         Texts {
             closures: nodes.closures.iter().map(closure).collect(),

@@ -209,7 +209,7 @@ fn indefinite_inertias_need_the_users_word() {
     let error = load_text(&text).unwrap_err();
     assert_eq!(error.diagnostics[0].code, "indefinite-inertia");
     assert_eq!(error.diagnostics[0].element.as_deref(), Some("robot/link[arm]/inertial/inertia"));
-    let options = LoadOptions { accept: Accept { indefinite_inertia: true } };
+    let options = LoadOptions { accept: Accept { indefinite_inertia: true, ..Accept::default() } };
     let loaded = load(&Source::from_text("model.urdf", text), &options).unwrap();
     assert_eq!(
         (loaded.diagnostics[0].severity, loaded.diagnostics[0].code),

@@ -18,6 +18,7 @@ mod limits;
 mod link;
 mod mechanism;
 mod names;
+mod plausibility;
 mod problem;
 mod tree;
 
