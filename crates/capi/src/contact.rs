@@ -41,7 +41,7 @@ pub struct percuss_contact {
     pub normal: [f64; 3],
     /// Where the normal is given.
     pub normal_given: percuss_normal,
-    /// For these two the link whose point is meant; not read otherwise.
+    /// For both of them the link whose point is meant; not read otherwise.
     pub toward: usize,
 }
 

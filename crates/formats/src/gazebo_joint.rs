@@ -6,7 +6,6 @@
 use crate::joint::JointText;
 use crate::limits::{OBLIQUE_PINS, QUATERNION_NORM_SLACK, SHORTEST_AXIS};
 use crate::link::name;
-use crate::loops::second_parents;
 use crate::numbers::parse;
 use crate::report::{Place, Report, quoted};
 use crate::survey::{child, refuse_gazebo_joint as refuse};
@@ -17,6 +16,33 @@ use std::collections::HashMap;
 
 /// SDF's name of the model's own frame, which is the root link's.
 const MODEL: &str = "__model__";
+const WORLD: &str = "world";
+
+/// True of a joint between the world and the root link: the model is fixed to the world by it, which closes no loop.
+/// `is_root` is asked of the name of the other link. Refused where it is not fixed: the root would move.
+pub(crate) fn holds_root(node: Node<'_, '_>, is_root: impl Fn(&str) -> bool, report: &mut Report) -> bool {
+    let [parent, child] = ["parent", "child"].map(|tag| child(node, tag).map(text_of).unwrap_or_default());
+    let root = match (parent.trim_ascii(), child.trim_ascii()) {
+        (WORLD, root) | (root, WORLD) => root,
+        _ => return false,
+    };
+    if !is_root(root) {
+        return false;
+    }
+    if node.attribute("type") == Some("fixed") {
+        report.note("gazebo-joint", Place::Element(node), || {
+            format!("the joint fixes the root link {} to the world, as a fixed base does", quoted(root))
+        });
+    } else {
+        refuse(node, report, || {
+            format!(
+                "it moves the root link {} on the world; make it a <joint> from a link \"world\" without mass",
+                quoted(root)
+            )
+        });
+    }
+    true
+}
 
 /// Frames of the links, and of the joints of the tree, in the root link, all joints at 0.
 pub(crate) struct DrawnFrames<'a> {
@@ -28,9 +54,16 @@ pub(crate) struct DrawnFrames<'a> {
 impl<'a> DrawnFrames<'a> {
     /// Frames of all links that these joints lead to, each found once.
     pub fn new(joints: &[JointText<'a>]) -> Self {
-        let second = second_parents(joints);
-        let tree = || joints.iter().zip(&second).filter(|(_, second)| !**second).map(|(joint, _)| joint);
-        let above: HashMap<&str, &JointText<'a>> = tree().map(|joint| (joint.child, joint)).collect();
+        // Later joints to the same link close loops.
+        let mut above: HashMap<&str, &JointText<'a>> = HashMap::new();
+        for joint in joints {
+            above.entry(joint.child).or_insert(joint);
+        }
+        let tree = || {
+            joints
+                .iter()
+                .filter(|joint| above.get(joint.child).is_some_and(|first| std::ptr::eq(*first, *joint)))
+        };
         let mut links = HashMap::new();
         for joint in tree() {
             let mut path = Vec::new();

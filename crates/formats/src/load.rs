@@ -72,7 +72,7 @@ fn read(text: &str, options: &LoadOptions, report: &mut Report) -> Option<(Mecha
     if report.is_xacro() {
         return None;
     }
-    let nodes = Nodes::of(robot);
+    let nodes = Nodes::of(robot, report);
     if !nodes.are_bounded(robot, report) {
         return None;
     }

@@ -1,11 +1,13 @@
 //! The elements that make the mechanism, and where a finding of the builder belongs among them.
 
 use crate::closure;
+use crate::gazebo_joint::holds_root;
 use crate::limits::MOST_BODIES;
 use crate::report::{Place, Report};
 use crate::survey::{child, children, is_gazebo_joint};
 use percuss_mechanism::{Problem, Subject};
 use roxmltree::Node;
+use std::collections::HashSet;
 
 /// The elements of links, joints, loops and couplings, in the order given.
 pub(crate) struct Nodes<'a, 'i> {
@@ -16,7 +18,12 @@ pub(crate) struct Nodes<'a, 'i> {
 }
 
 impl<'a, 'i: 'a> Nodes<'a, 'i> {
-    pub fn of(robot: Node<'a, 'i>) -> Self {
+    pub fn of(robot: Node<'a, 'i>, report: &mut Report) -> Self {
+        let names: HashSet<&str> =
+            children(robot, "link").filter_map(|link| link.attribute("name")).collect();
+        let link = |joint: Node<'a, 'i>| child(joint, "child").and_then(|child| child.attribute("link"));
+        let below: HashSet<&str> = children(robot, "joint").filter_map(link).collect();
+        let is_root = |link: &str| names.contains(link) && !below.contains(link) && !names.contains("world");
         Self {
             links: children(robot, "link").collect(),
             joints: children(robot, "joint").collect(),
@@ -27,6 +34,7 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
                     let own = closure::is_loop(node).then_some(node);
                     own.into_iter().chain(node.children().filter(|n| is_gazebo_joint(*n)))
                 })
+                .filter(|node| !is_gazebo_joint(*node) || !holds_root(*node, is_root, report))
                 .collect(),
             couplings: children(robot, "coupling").collect(),
         }

@@ -117,7 +117,6 @@ fn the_table_says_what_becomes_of_every_kind_of_element() {
         (at_robot("<transmission name=\"t\"><any/></transmission>"), None),
         (at_robot("<sensor/><ros2_control name=\"x\"><joint name=\"hinge\"/></ros2_control>"), None),
         (at_robot("<other:thing xmlns:other=\"http://example.org\"/>"), None),
-        (at_robot("<gazebo><joint name=\"j\"/></gazebo>"), Some((Warning, "simulator-joint"))),
         (at_robot("<thing/>"), Some((Warning, "unknown-element"))),
         (at_robot("<constraint name=\"c\"/>"), Some((Error, "loop-unsupported"))),
         (at_robot("<mujoco><compiler/></mujoco>"), None),
