@@ -193,3 +193,42 @@ fn sdf_joints_are_the_loops_that_they_close() {
     println!("{finite} of {MECHANISMS} finite, worst relative difference {worst:.1e}");
     assert!(finite > MECHANISMS * 8 / 10, "{finite} finite");
 }
+/// A parallelogram whose coupler is split, its halves held together by a fixed SDF joint, as Gazebo's page on loops has it:
+/// m̄ = (2 I_A + m_c l²)/r² at r on a crank. Left open it would be 1.707 kg.
+#[test]
+fn a_split_coupler_is_whole() {
+    let body = |name: &str, com: [f64; 3], mass: f64, moments: [f64; 3]| {
+        let [xx, yy, zz] = moments;
+        format!(
+            "<link name=\"{name}\"><inertial><origin xyz=\"{}\"/><mass value=\"{mass}\"/>\
+             <inertia ixx=\"{xx}\" iyy=\"{yy}\" izz=\"{zz}\"/></inertial></link>",
+            numbers(&com)
+        )
+    };
+    let hinge = |parent: &str, child: &str, at: [f64; 3]| {
+        format!(
+            "<joint name=\"{parent}_{child}\" type=\"continuous\"><origin xyz=\"{}\"/><parent link=\"{parent}\"/>\
+             <child link=\"{child}\"/><axis xyz=\"0 0 1\"/></joint>",
+            numbers(&at)
+        )
+    };
+    let (rod, half) = ([0.000_542_4, 4.8e-6, 0.000_542_4], [1.6e-6, 2.08e-5, 2.08e-5]);
+    let text = format!(
+        "<robot name=\"split\"><link name=\"world\"/>{}{}{}{}{}{}{}{}<gazebo><joint name=\"glue\" type=\"fixed\">\
+         <pose>-0.1 -0.01 0 0 0 0</pose><parent>front</parent><child>back</child></joint></gazebo></robot>",
+        body("left", [-0.01, -0.15, 0.0], 0.072, rod),
+        body("front", [0.05, -0.01, 0.0], 0.024, half),
+        body("back", [-0.05, -0.01, 0.0], 0.024, half),
+        body("right", [0.01, -0.15, 0.0], 0.072, rod),
+        hinge("world", "left", [0.0, 0.0, 0.04]),
+        hinge("left", "front", [0.0, -0.3, 0.0]),
+        hinge("world", "right", [0.2, 0.0, 0.04]),
+        hinge("right", "back", [0.0, -0.3, 0.0]),
+    );
+    let about_hinge = 0.000_542_4 + 0.072 * (0.15_f64.powi(2) + 0.01_f64.powi(2));
+    let expected = (2.0 * about_hinge + 0.048 * 0.3_f64.powi(2)) / 0.05_f64.powi(2);
+    let Ok(EffectiveMass::Finite(mass)) = answer(&text, "left", [0.0, -0.05, 0.0], [1.0, 0.0, 0.0]) else {
+        panic!("no mass")
+    };
+    assert!((expected - 3.46368).abs() < 1e-12 && (mass / expected - 1.0).abs() < AGREEMENT, "{mass}");
+}

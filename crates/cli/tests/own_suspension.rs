@@ -280,13 +280,28 @@ fn a_line_that_has_turned_is_refused() {
         assert_eq!(refused.code, 2, "{}", refused.stderr);
         let said = refused.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(said.contains("--along-line: the line towards \"bump_stop\""), "{said}");
-        let normal = said.split("--normal ").nth(1).expect("the remedy").split(' ').next().unwrap().to_owned();
+        let normal =
+            said.split("--normal ").nth(1).expect("the remedy").split(' ').next().unwrap().to_owned();
         for command in [
-            vec!["damp", "--mass-from", &sheet, "--stiffness", "2e5", "--restitution", "0.3", "--travel", &at],
+            vec![
+                "damp",
+                "--mass-from",
+                &sheet,
+                "--stiffness",
+                "2e5",
+                "--restitution",
+                "0.3",
+                "--travel",
+                &at,
+            ],
             vec!["compare", &sheet, &sheet, "--travel", &at],
         ] {
             let refused = run(&folder, &with(&command, &contact));
-            assert!(refused.code != 0 && refused.stderr.contains("--normal"), "{command:?}: {}", refused.stderr);
+            assert!(
+                refused.code != 0 && refused.stderr.contains("--normal"),
+                "{command:?}: {}",
+                refused.stderr
+            );
         }
         // With the fixed direction all rows answer, and as the line does where it is the stop's.
         let words = ["sweep", &sheet, "--link", "bump_stop_pad", "--point", "0,0,0", "--against", "chassis"];
@@ -294,10 +309,14 @@ fn a_line_that_has_turned_is_refused() {
         let words: Vec<&str> = words.into_iter().chain(fixed).collect();
         let kept = run(&folder, &words);
         assert_eq!(kept.code, 0, "{}", kept.stderr);
-        let masses: Vec<f64> = masses_of(&kept.stdout).into_iter().map(|mass| mass.expect("a number")).collect();
+        let masses: Vec<f64> =
+            masses_of(&kept.stdout).into_iter().map(|mass| mass.expect("a number")).collect();
         // Six decimals of a unit vector.
         assert!((masses[0] / by_line[0].expect("as drawn") - 1.0).abs() < 1e-4);
-        assert!(masses.windows(2).all(|pair| pair[1] / pair[0] < 1.3 && pair[0] / pair[1] < 1.3), "{masses:?}");
+        assert!(
+            masses.windows(2).all(|pair| pair[1] / pair[0] < 1.3 && pair[0] / pair[1] < 1.3),
+            "{masses:?}"
+        );
     }
 }
 
