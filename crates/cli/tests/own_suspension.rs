@@ -280,13 +280,28 @@ fn a_line_that_has_turned_is_refused() {
         let said = refused.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(said.contains("--along-line: the line towards \"bump_stop\""), "{said}");
         // The fixed direction, from the message.
-        let normal = said.split("--normal ").nth(1).expect("the remedy").split(' ').next().unwrap().to_owned();
+        let normal =
+            said.split("--normal ").nth(1).expect("the remedy").split(' ').next().unwrap().to_owned();
         for command in [
-            vec!["damp", "--mass-from", &sheet, "--stiffness", "2e5", "--restitution", "0.3", "--travel", &at],
+            vec![
+                "damp",
+                "--mass-from",
+                &sheet,
+                "--stiffness",
+                "2e5",
+                "--restitution",
+                "0.3",
+                "--travel",
+                &at,
+            ],
             vec!["compare", &sheet, &sheet, "--travel", &at],
         ] {
             let refused = run(&folder, &with(&command, &contact));
-            assert!(refused.code != 0 && refused.stderr.contains("--normal"), "{command:?}: {}", refused.stderr);
+            assert!(
+                refused.code != 0 && refused.stderr.contains("--normal"),
+                "{command:?}: {}",
+                refused.stderr
+            );
         }
         // With the fixed direction that row has an answer, and the first row that of the line.
         let words = ["sweep", &sheet, "--link", "bump_stop_pad", "--point", "0,0,0", "--against", "chassis"];

@@ -108,12 +108,13 @@ pub(crate) const DIFFERENCE: f64 = 1e-5;
 pub(crate) const FIRST_PENETRATION: f64 = 0.5;
 /// The next step over the last one that was good.
 pub(crate) const PENETRATION_GROWTH: f64 = 1.25;
-/// Relative difference of m̄ between one step and two halves that is good: some hundred steps leave six digits.
-pub(crate) const PENETRATION_MASS: f64 = 1e-8;
-/// Distance of the contact point between these, as a part of the step: depths are good to seven digits.
-pub(crate) const PENETRATION_MOTION: f64 = 1e-7;
-/// The least step over the penetration: where m̄ grows without bound, m̄ is there some million times that at the touch.
-pub(crate) const LEAST_PENETRATION: f64 = 1e-7;
+/// Relative difference of m̄ between one step and two halves that is good: some hundred steps leave four digits.
+pub(crate) const PENETRATION_MASS: f64 = 1e-6;
+/// Distance of the contact point between these, as a part of the step: depths are good to four digits.
+pub(crate) const PENETRATION_MOTION: f64 = 1e-5;
+/// The least step over the penetration: near a dead centre good steps are a hundredth of what is left of the motion, whose end is
+/// found to a few ten-thousandths, after some thousand steps.
+pub(crate) const LEAST_PENETRATION: f64 = 1e-6;
 /// Relative change of m̄ over the penetration from which one number comes with a warning: restitutions are measured to
 /// some per cent.
 pub(crate) const DRIFTING: f64 = 0.01;
