@@ -9,7 +9,7 @@ use rand::{Rng, SeedableRng, rngs::StdRng};
 use std::fmt::Write;
 use std::sync::Arc;
 
-const MECHANISMS: u64 = 400;
+const MECHANISMS: u64 = 200;
 /// Relative. Both files describe one mechanism; their frames are products of a few rotations in another order.
 const AGREEMENT: f64 = 1e-12;
 const LINKS_A_SIDE: usize = 4;

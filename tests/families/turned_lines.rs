@@ -145,11 +145,14 @@ fn lines_are_refused_where_they_have_turned() {
                 assert_eq!(found.mass.is_some(), expected.is_some(), "{found:?} for {expected:?}");
             }
             let drive = mechanism.find_joint("drive").expect("a joint");
-            let mut path = drawn.driven_path(&stop, &[drive]).expect("a contact").expect("a linkage");
-            let (mut reached, mut at) = (Vec::new(), Vec::new());
-            let count = path.follow(&rows[1..], &mut reached, &mut at);
-            for (found, expected) in reached[..count].iter().zip(&expected[1..]) {
-                assert!(found.mass.is_none() || expected.is_some(), "{found:?} for {expected:?}");
+            // Linkages with redundant rows have no path in lanes.
+            let path = drawn.driven_path(&stop, &[drive]).expect("a contact");
+            for mut path in path {
+                let (mut reached, mut at) = (Vec::new(), Vec::new());
+                let count = path.follow(&rows[1..], &mut reached, &mut at);
+                for (found, expected) in reached[..count].iter().zip(&expected[1..]) {
+                    assert!(found.mass.is_none() || expected.is_some(), "{found:?} for {expected:?}");
+                }
             }
         }
     }
