@@ -128,6 +128,7 @@ fn lines_are_refused_where_they_have_turned() {
                     (Ok(EffectiveMass::Finite(a)), Ok(EffectiveMass::Finite(b))) => {
                         assert!((a / b - 1.0).abs() < 1e-10, "{a} and {b}");
                     }
+                    (Ok(a), Ok(b)) => assert_eq!(a, *b),
                     (a, b) => assert!(a.is_err() && b.is_err(), "{a:?} and {b:?}"),
                 }
                 rows.push(step as f64 / 60.0 * 6.0);
