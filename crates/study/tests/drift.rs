@@ -9,7 +9,7 @@ use percuss_formats::{LoadOptions, Source};
 use percuss_study::{DampingQuestion, MassQuestion, Model, Normal, damp_contact};
 use rand::{Rng, SeedableRng, rngs::StdRng};
 
-const PENDULUMS: u64 = 100;
+const PENDULUMS: u64 = 40;
 /// Of m̄ at the depth, relative, times 1 − (δ/r)²: the depth is good to some 1e-5, and m̄ grows without bound at the dead centre.
 const AGREEMENT: f64 = 1e-4;
 
