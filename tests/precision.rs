@@ -80,7 +80,7 @@ mod percuss {
                 contact = contact.normal(Direction::Along(asked.normal.into(), Frame::World));
             }
             if let Some(end) = &asked.toward {
-                contact = contact.normal(Direction::Toward(find(end), asked.normal.into()));
+                contact = contact.normal(Direction::TurningToward(find(end), asked.normal.into()));
             }
             match &asked.against {
                 Some(other) => contact.against(find(other)),

@@ -112,7 +112,8 @@ fn a_short_line_on_a_rounded_file_is_as_uncertain_as_its_ends() {
                 exact_pose.locate(&Contact::new(touch.link, touch.point, touch.normal)).expect("a contact");
             let toward = |length: f64| {
                 let end = at.point_world + at.normal_world * length;
-                Contact::new(touch.link, touch.point, touch.normal).normal(Direction::Toward(root, end))
+                Contact::new(touch.link, touch.point, touch.normal)
+                    .normal(Direction::TurningToward(root, end))
             };
             let long = file_pose.respond(&toward(1.0), RouteChoice::Auto).expect("an answer");
             let short = file_pose.respond(&toward(1e-6), RouteChoice::Auto).expect("an answer");

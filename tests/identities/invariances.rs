@@ -84,7 +84,7 @@ fn short_lines_state_what_their_ends_are_off() {
             let (sin, cos) = (0.4 + f64::from(turn)).sin_cos();
             let beside = home.link(struck).point(&point) + Vector3::new(cos, sin, 0.0) * length;
             let at = home.link(end).inverse_point(&beside);
-            let contact = Contact::new(struck, point, Vector3::x()).normal(Direction::Toward(end, at));
+            let contact = Contact::new(struck, point, Vector3::x()).normal(Direction::TurningToward(end, at));
             let answer = |x: f64| {
                 let response = model(x).respond(&contact, RouteChoice::Auto).expect("an answer");
                 let EffectiveMass::Finite(m) = response.effective_mass else { panic!("{response:?}") };
@@ -308,7 +308,7 @@ fn the_frame_a_contact_is_given_in() {
         }
         // Along a line to a point of the root link, two metres off.
         let target = pose.base().inverse_point(&(located.point_world + located.normal_world * 2.0));
-        let toward = contact.normal(Direction::Toward(case.mechanism.root(), target));
+        let toward = contact.normal(Direction::TurningToward(case.mechanism.root(), target));
         let two = pose.respond(&toward, RouteChoice::Auto).expect("an answer");
         same(&mut gauge, &case.name, &two, &one, bound);
     }

@@ -127,7 +127,7 @@ fn the_shipped_wishbone_is_followed() {
     let link = |name: &str| mechanism.find_link(name).expect("a link of the model");
     let contact = Contact::new(link("bump_stop_pad"), [0.0; 3], [0.0, 0.0, 1.0])
         .against(link("chassis"))
-        .normal(Direction::Toward(link("bump_stop"), [0.0; 3].into()));
+        .normal(Direction::TurningToward(link("bump_stop"), [0.0; 3].into()));
     let joint = mechanism.find_joint("lower_arm_hinge").expect("a joint of the model");
     let system = System::new(mechanism, &Conditions::new()).expect("default conditions fit");
     let pose = system.pose(&system.configuration()).expect("closed");

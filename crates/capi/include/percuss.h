@@ -307,8 +307,8 @@ typedef struct percuss_contact {
    */
   double point[3];
   /*
-   The normal, out of the struck link into the other side; its length does not matter. For PERCUSS_NORMAL_TOWARD the
-   point that it points towards, m.
+   The normal, out of the struck link into the other side; its length does not matter. For PERCUSS_NORMAL_TOWARD and
+   PERCUSS_NORMAL_TURNING_TOWARD the point that it points towards, m.
    */
   double normal[3];
   /*
@@ -316,7 +316,7 @@ typedef struct percuss_contact {
    */
   percuss_normal normal_given;
   /*
-   For PERCUSS_NORMAL_TOWARD the link whose point is meant; not read otherwise.
+   For both of them the link whose point is meant; not read otherwise.
    */
   size_t toward;
 } percuss_contact;
@@ -701,8 +701,14 @@ typedef struct percuss_rank {
 
 /*
  From the contact point towards a point (m) of another link, in that link's frame.
+ Refused where that line has turned by more than 5° from the line as drawn, or is shorter than a tenth of it.
  */
 #define PERCUSS_NORMAL_TOWARD 3
+
+/*
+ The same line, which may turn: a spring, a damper or a rod. Refused where it is shorter than a tenth of the line as drawn.
+ */
+#define PERCUSS_NORMAL_TURNING_TOWARD 4
 
 /*
  A number.

@@ -25,7 +25,10 @@ pub const PERCUSS_NORMAL_WORLD: percuss_normal = 1;
 /// A vector in the other link's frame (the world's, where that is the ground).
 pub const PERCUSS_NORMAL_AGAINST: percuss_normal = 2;
 /// From the contact point towards a point (m) of another link, in that link's frame.
+/// Refused where that line has turned by more than 5° from the line as drawn, or is shorter than a tenth of it.
 pub const PERCUSS_NORMAL_TOWARD: percuss_normal = 3;
+/// The same line, which may turn: a spring, a damper or a rod. Refused where it is shorter than a tenth of the line as drawn.
+pub const PERCUSS_NORMAL_TURNING_TOWARD: percuss_normal = 4;
 
 /// A contact between a point of a link and another link, or the ground. Fill it with percuss_contact_init first.
 #[repr(C)]
@@ -37,12 +40,12 @@ pub struct percuss_contact {
     pub against: usize,
     /// The contact point in the struck link's frame, m.
     pub point: [f64; 3],
-    /// The normal, out of the struck link into the other side; its length does not matter. For PERCUSS_NORMAL_TOWARD the
-    /// point that it points towards, m.
+    /// The normal, out of the struck link into the other side; its length does not matter. For PERCUSS_NORMAL_TOWARD and
+    /// PERCUSS_NORMAL_TURNING_TOWARD the point that it points towards, m.
     pub normal: [f64; 3],
     /// Where the normal is given: PERCUSS_NORMAL_LINK to PERCUSS_NORMAL_TOWARD.
     pub normal_given: percuss_normal,
-    /// For PERCUSS_NORMAL_TOWARD the link whose point is meant; not read otherwise.
+    /// For both of them the link whose point is meant; not read otherwise.
     pub toward: usize,
 }
 
@@ -71,10 +74,15 @@ impl percuss_contact {
     #[inline]
     pub(crate) fn on(&self, model: &Model) -> Result<Contact, Failure> {
         let vector = Vector3::from(self.normal);
-        let frames = [Some(Frame::Link), Some(Frame::World), Some(Frame::Against), None];
-        let normal = match choice(&frames, self.normal_given, "normal_given")? {
-            Some(frame) => Direction::Along(vector, frame),
-            None => Direction::Toward(link(model, self.toward, "toward")?, vector),
+        let normal = match self.normal_given {
+            PERCUSS_NORMAL_TOWARD => Direction::Toward(link(model, self.toward, "toward")?, vector),
+            PERCUSS_NORMAL_TURNING_TOWARD => {
+                Direction::TurningToward(link(model, self.toward, "toward")?, vector)
+            }
+            given => {
+                let frames = [Frame::Link, Frame::World, Frame::Against];
+                Direction::Along(vector, choice(&frames, given, "normal_given")?)
+            }
         };
         Ok(Contact {
             link: link(model, self.link, "link")?,

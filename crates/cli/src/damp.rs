@@ -190,7 +190,10 @@ pub fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
         let percent = |p: f64| format!("{:+.3} %", if p.abs() < limits::DRIFT_ROUNDING { 0.0 } else { p });
         let slope = drift.per_metre.map(|s| percent(0.1 * s) + &format!(" per {shown} of penetration"));
         let over = drift.over_penetration.map(|o| percent(100.0 * o) + " over the penetration");
-        let text: Vec<String> = [over, slope].into_iter().flatten().collect();
+        let ends = drift
+            .ends_at
+            .map(|depth| format!("unknown: the motion ends after {} {shown}", number(factor * depth)));
+        let text: Vec<String> = [over, ends, slope].into_iter().flatten().collect();
         facts.push(("mass drifts by", if text.is_empty() { "unknown".into() } else { text.join(", ") }));
     }
     if let Some(alone) = report.body_alone {

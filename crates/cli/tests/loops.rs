@@ -256,11 +256,16 @@ fn more_constraints_never_lower_the_mass() {
     ] {
         assert!(kilograms(&format!("{MIDDLE_WHEEL} {more}")) >= free * (1.0 - 1e-13), "{more}");
     }
-    for model in ["rocker_bogie --link left_front", "four_bar --link rocker", "multi_link --link upright"] {
+    for (model, root_mass) in [
+        ("rocker_bogie --link left_front", ""),
+        ("four_bar --link rocker", "--link-mass ground=3kg"),
+        ("multi_link --link upright", "--link-mass chassis=800kg"),
+    ] {
         let (name, link) = model.split_once(' ').unwrap();
         assert!(root().join(format!("models/{name}.urdf")).exists());
         let line = format!("mass models/{name}.urdf {link} --point 0.01,0.1,0.02 --normal 0.3,0.5,0.7");
-        assert!(kilograms(&format!("{line} --base floating")) <= kilograms(&line) * (1.0 + 1e-12), "{model}");
+        let floating = format!("{line} --base floating {root_mass}");
+        assert!(kilograms(&floating) <= kilograms(&line) * (1.0 + 1e-12), "{model}");
     }
 }
 

@@ -27,7 +27,13 @@ fn number(v: &Value) -> f64 {
 
 #[test]
 fn extremes_are_what_mass_says_there() {
-    for others in ["", "--base floating", "--against pedestal", "--against-mass 3kg", "--lock elbow"] {
+    for others in [
+        "",
+        "--base floating --link-mass pedestal=20kg",
+        "--against pedestal",
+        "--against-mass 3kg",
+        "--lock elbow",
+    ] {
         let report = json(&format!("map {ARM} --all {POSE} {others} --edge 4cm --format json"));
         assert_eq!(report["schema"], "percuss.map/1");
         let links = report["links"].as_array().expect("links");

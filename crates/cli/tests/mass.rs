@@ -124,10 +124,13 @@ fn flags_mean_what_they_say() {
     assert!(kilograms(&format!("{ARM} --armature elbow=0.5")) > m * 1.001);
     let turret = "mass models/six_r_arm.urdf --link turret --point 0.1,0,0 --normal 0,1,0";
     let heavy_base = kilograms(turret);
-    assert!(
-        percuss(&format!("{turret} --base floating --format json")).stdout.contains("\"effective_mass\":")
-    );
-    assert!(heavy_base > 0.0);
+    assert!(kilograms(&format!("{turret} --base floating --link-mass pedestal=40kg")) < heavy_base);
+    // A base without mass is no body.
+    let massless = percuss(&format!("{turret} --base floating"));
+    assert_eq!(massless.code, 2);
+    let said = "--base: the root link \"pedestal\" has no mass; a body that floats needs one: give it its mass \
+                (--link-mass pedestal=KG)";
+    assert!(massless.stderr.contains(said), "{}", massless.stderr);
     // A free body in series.
     let other = kilograms(&format!("{ARM} --against-mass 500g"));
     assert!((1.0 / other - (1.0 / m + 2.0)).abs() < 1e-12 / m);

@@ -260,48 +260,68 @@ fn a_table_beside_a_sheet_has_its_own_unit() {
     assert!(outcome.code == 2 && outcome.stderr.contains("\"ell\" is not known"), "{}", outcome.stderr);
 }
 
-/// Where the pad comes past its stop the line between them turns round; a normal of the chassis does not.
+/// Where the pad comes past its stop the line between them turns round: it is refused, at a pose as in a row, and the message has
+/// the direction of the stop.
 #[test]
-fn a_line_that_turns_over_the_travel_is_said() {
+fn a_line_that_has_turned_is_refused() {
     let folder = Scratch::new("own-line");
-    done(&folder, &["template", "double-wishbone", "-o", "my.toml"]);
-    let contact = stop("");
-    let sweep = |to: &str| {
-        let vary = format!("travel:wheel_centre:0,0,0:0,0,1=0mm:{to}:26");
-        run(&folder, &with(&["sweep", "my.toml", "--vary", &vary, "-o", "rows.csv"], &contact))
-    };
-    let near = sweep("40mm");
-    assert!(near.code == 0 && !near.stderr.contains("has turned"), "{}", near.stderr);
-    let past = sweep("250mm");
-    assert!(
-        past.stderr.contains("has turned by more than 30°") && past.stderr.contains("(--along-line)"),
-        "{}",
-        past.stderr
-    );
-    // The normal that it names is that of the start, and draws no such warning.
-    let normal = past.stderr.split("--normal ").nth(1).unwrap().split(' ').next().unwrap();
-    let vary = "travel:wheel_centre:0,0,0:0,0,1=0mm:120mm:26";
-    let words = [
-        "sweep",
-        "my.toml",
-        "--link",
-        "bump_stop_pad",
-        "--point",
-        "0,0,0",
-        "--against",
-        "chassis",
-        "--vary",
-        vary,
-    ];
-    let words: Vec<&str> =
-        words.into_iter().chain(["--normal", normal, "--normal-frame", "against"]).collect();
-    let kept = run(&folder, &words);
-    assert!(kept.code == 0 && !kept.stderr.contains("has turned"), "{}", kept.stderr);
-    let first = Sweep::read(&kept.stdout).number(0, "effective_mass").expect("a number");
-    let by_line = Sweep::read(&fs::read_to_string(folder.path("rows.csv")).unwrap());
-    let by_line = by_line.number(0, "effective_mass").expect("a number");
-    // Six decimals of a unit vector.
-    assert!((first / by_line - 1.0).abs() < 1e-4, "{first} {by_line}");
+    for template in ["double-wishbone", "pushrod-rocker"] {
+        let sheet = format!("{template}.toml");
+        done(&folder, &["template", template, "-o", &sheet]);
+        let contact = stop("");
+        let vary = "travel:wheel_centre:0,0,0:0,0,1=0mm:100mm:26";
+        let swept = run(&folder, &with(&["sweep", &sheet, "--vary", vary, "-o", "rows.json"], &contact));
+        assert_eq!(swept.code, 0, "{}", swept.stderr);
+        let by_line = masses_of(&folder, "rows.json");
+        let row = by_line.iter().position(Option::is_none).expect("a refused row");
+        let at = format!("wheel_centre:0,0,0:0,0,1={}mm", 4 * row);
+        let refused = run(&folder, &with(&["mass", &sheet, "--travel", &at], &contact));
+        assert_eq!(refused.code, 2, "{}", refused.stderr);
+        let said = refused.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(said.contains("--along-line: the line towards \"bump_stop\""), "{said}");
+        // The fixed direction, from the message.
+        let normal =
+            said.split("--normal ").nth(1).expect("the remedy").split(' ').next().unwrap().to_owned();
+        for command in [
+            vec![
+                "damp",
+                "--mass-from",
+                &sheet,
+                "--stiffness",
+                "2e5",
+                "--restitution",
+                "0.3",
+                "--travel",
+                &at,
+            ],
+            vec!["compare", &sheet, &sheet, "--travel", &at],
+        ] {
+            let refused = run(&folder, &with(&command, &contact));
+            assert!(
+                refused.code != 0 && refused.stderr.contains("--normal"),
+                "{command:?}: {}",
+                refused.stderr
+            );
+        }
+        // With the fixed direction that row has an answer, and the first row that of the line.
+        let words = ["sweep", &sheet, "--link", "bump_stop_pad", "--point", "0,0,0", "--against", "chassis"];
+        let fixed = ["--normal", &normal, "--normal-frame", "against", "--vary", vary, "-o", "kept.json"];
+        let words: Vec<&str> = words.into_iter().chain(fixed).collect();
+        let kept = run(&folder, &words);
+        assert_eq!(kept.code, 0, "{}", kept.stderr);
+        let kept = masses_of(&folder, "kept.json");
+        assert!(kept[row].is_some(), "{kept:?}");
+        // Six decimals of a unit vector.
+        let ratio = kept[0].expect("as drawn") / by_line[0].expect("as drawn");
+        assert!((ratio - 1.0).abs() < 1e-4, "{ratio}");
+    }
+}
+
+/// m̄ of the rows of a sweep; none where a row has an error.
+fn masses_of(folder: &Scratch, file: &str) -> Vec<Option<f64>> {
+    let report = fs::read_to_string(folder.path(file)).expect("a file");
+    let report: Value = serde_json::from_str(&report).expect("JSON");
+    report["rows"].as_array().expect("rows").iter().map(|row| row["effective_mass"].as_f64()).collect()
 }
 
 /// Rows that a design does not reach are said, and a comparison is a workbook too.

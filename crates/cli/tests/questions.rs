@@ -267,7 +267,7 @@ fn explanations_are_the_rates_of_the_answer() {
     let arm = "models/six_r_arm.urdf --link tool --point 0.08,0,0 --normal 0,0,-1 --set elbow=70deg --set shoulder=-40deg";
     let lines = [
         arm.to_owned(),
-        format!("{arm} --base floating --against-mass 3"),
+        format!("{arm} --base floating --link-mass pedestal=30 --against-mass 3"),
         format!("{} --travel spindle:0,0,0:0,0,1=20mm", sheet("double-wishbone")),
         sheet("macpherson-strut"),
         "models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0 --set crank_hinge=1 --against crank".into(),

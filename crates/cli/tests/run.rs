@@ -23,18 +23,18 @@ fn a_study_without_a_sweep_answers_like_mass() {
     let cases = [
         (
             "four_bar",
-            "link = \"coupler\"\npoint = [0.35, 0.1, 0]\nalong_line = { link = \"rocker\", point = [0, 0, 0] }\nframe = \"link\"\n\
+            "link = \"coupler\"\npoint = [0.35, 0.1, 0]\nalong_line = { link = \"rocker\", point = [0, 0, 0] }\nturning_normal = true\nframe = \"link\"\n\
              against = \"crank\"\nestimate = { links = [\"coupler\"], point = [0.2, 0, 0], direction = [1, 0, 0] }",
-            "[pose]\nset = { crank_hinge = \"20deg\" }\nguess = { rocker_hinge = \"150deg\" }\n[conditions]\nbase = \"floating\"\n\
+            "[pose]\nset = { crank_hinge = \"20deg\" }\nguess = { rocker_hinge = \"150deg\" }\n[conditions]\n\
              armature = { crank_hinge = 0.3 }",
             "--link coupler --point 0.35,0.1,0 --frame link --against crank --set crank_hinge=20deg --guess rocker_hinge=150deg \
-             --armature crank_hinge=0.3 --base floating --estimate coupler:0.2,0,0:1,0,0 --along-line rocker:0,0,0",
+             --armature crank_hinge=0.3 --estimate coupler:0.2,0,0:1,0,0 --along-line rocker:0,0,0 --turning-normal",
         ),
         (
             "rocker_bogie",
             "link = \"right_middle\"\npoint = [0.5, 0, 0]\nnormal = [0, 0, -1]\nframe = \"world\"\nagainst_mass = 2",
-            "[conditions]\nlock = [\"left_bogie\"]\n[[hold]]\nlink = \"right_front\"\npoint = [0, 0, -0.1]\nnormal = [0, 0, -1]",
-            "--link right_middle --point 0.5,0,0 --normal 0,0,-1 --frame world --against-mass 2 --lock left_bogie \
+            "[conditions]\nbase = \"floating\"\nlock = [\"left_bogie\"]\n[[hold]]\nlink = \"right_front\"\npoint = [0, 0, -0.1]\nnormal = [0, 0, -1]",
+            "--link right_middle --point 0.5,0,0 --normal 0,0,-1 --frame world --against-mass 2 --lock left_bogie --base floating \
              --hold right_front:0,0,-0.1:0,0,-1",
         ),
     ];

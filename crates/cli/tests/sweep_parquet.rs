@@ -115,7 +115,7 @@ fn what_is_written_is_what_the_csv_has() {
     for (at, line) in [
         format!("{COUPLER} --vary crank_hinge=0:360deg:37"),
         // With rows that are not reached, and an estimate.
-        format!("{STOP} --vary lower_arm_hinge=-0.2:2:23 --vary spin=0:1:3 --estimate spindle,upright:0,0,0:0,0,1"),
+        format!("{STOP} --turning-normal --vary lower_arm_hinge=-0.2:2:23 --vary spin=0:1:3 --estimate spindle,upright:0,0,0:0,0,1"),
         // Several groups of rows.
         "sweep models/planar_2r.urdf --link outer --point 0.1,0.2,0 --normal 1,0.3,0 --random 150000 --seed 3".into(),
     ]

@@ -3,7 +3,8 @@
 use crate::input::{foreign_link, is_number};
 use crate::kinematics::Kinematics;
 use crate::model::Model;
-use crate::tolerances::SHORTEST_DIRECTION;
+use crate::tangent;
+use crate::tolerances::{LINE_TURNED, SHORTEST_DIRECTION, SHORTEST_LINE};
 use nalgebra::{DMatrix, Vector3};
 use percuss_mechanism::LinkId;
 use percuss_spatial::{Scalar, Transform};
@@ -25,8 +26,31 @@ pub enum Frame {
 pub enum Direction {
     /// Along a vector given in a frame; its length does not matter.
     Along(Vector3<f64>, Frame),
-    /// From the contact point towards a point (m) of another link, in that link's frame.
+    /// From the contact point towards a point (m) of another link, in that link's frame: the normal of a stop. Refused where
+    /// the line has turned by more than 5° from the line as drawn (all joints at 0), seen from the other side, or is shorter
+    /// than a tenth of it: where its points come past each other it is no longer the normal of anything.
     Toward(LinkId, Vector3<f64>),
+    /// The same line, which may turn: a spring, a damper or a rod between two points. Refused where it is shorter than a tenth
+    /// of the line as drawn.
+    TurningToward(LinkId, Vector3<f64>),
+}
+
+impl Direction {
+    /// The far end of the line that the normal is taken along, if it is: a link and a point (m) in its frame.
+    pub fn line(&self) -> Option<(LinkId, Vector3<f64>)> {
+        match *self {
+            Direction::Along(..) => None,
+            Direction::Toward(link, point) | Direction::TurningToward(link, point) => Some((link, point)),
+        }
+    }
+
+    /// The least cosine of the angle between the line and the line as drawn; below −1 where the line may turn.
+    pub(crate) fn least_cosine(&self) -> f64 {
+        match self {
+            Direction::Toward(..) => LINE_TURNED,
+            Direction::Along(..) | Direction::TurningToward(..) => -2.0,
+        }
+    }
 }
 
 /// A contact between a point of one link and another link, or the ground.
@@ -125,6 +149,40 @@ pub enum ContactError {
         /// How far the points are apart, m.
         distance: f64,
     },
+    /// The line's points come past each other: its direction says nothing.
+    #[error(
+        "the line towards \"{link}\" is {length:.3e} m long at this pose, less than a tenth of its {drawn:.3e} m as drawn: its \
+         direction is no normal. Give the direction as drawn as a fixed normal, {} in the frame of the {}",
+        triple(normal), side(*frame)
+    )]
+    LineShort {
+        /// The other link.
+        link: String,
+        /// Its length, m.
+        length: f64,
+        /// Its length as drawn, m.
+        drawn: f64,
+        /// Its unit vector as drawn.
+        normal: Vector3<f64>,
+        /// The frame of that: of the other side, or the world's.
+        frame: Frame,
+    },
+    /// The line of a stop has turned.
+    #[error(
+        "the line towards \"{link}\" has turned by {:.1}° from its direction as drawn; up to 5° is the normal of a stop. Give the \
+         direction as drawn as a fixed normal, {} in the frame of the {}, or state that the line may turn, as of a spring",
+        angle.to_degrees(), triple(normal), side(*frame)
+    )]
+    LineTurned {
+        /// The other link.
+        link: String,
+        /// By how much, rad.
+        angle: f64,
+        /// Its unit vector as drawn.
+        normal: Vector3<f64>,
+        /// The frame of that: of the other side, or the world's.
+        frame: Frame,
+    },
     /// A handle of another mechanism.
     #[error(
         "link number {index} is not of this mechanism, which has {links} links; ask it for the link by name"
@@ -149,6 +207,29 @@ pub enum ContactError {
         /// The link.
         link: String,
     },
+}
+
+/// A direction with six decimals: a millionth of a radian is 1e-12 of m̄.
+fn triple(v: &Vector3<f64>) -> String {
+    let [x, y, z] = [v.x, v.y, v.z].map(|x| (x * 1e6).round() / 1e6 + 0.0);
+    format!("({x}, {y}, {z})")
+}
+
+fn side(frame: Frame) -> &'static str {
+    match frame {
+        Frame::Link => "struck link",
+        Frame::World => "world",
+        Frame::Against => "other side",
+    }
+}
+
+/// The line of a contact as drawn, all joints at 0.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct DrawnLine {
+    /// Unit vector in the frame of the other side; the root link's, where that is the ground.
+    pub unit: Vector3<f64>,
+    /// Its length, m.
+    pub length: f64,
 }
 
 /// A contact at a pose: the point and the unit normal in the world and in the struck link.
@@ -184,10 +265,7 @@ pub(crate) struct ContactPoint<T: Scalar> {
 impl Model {
     /// Refuses a contact that means nothing on this mechanism.
     pub fn check_contact(&self, contact: &Contact) -> Result<(), ContactError> {
-        let line = match contact.normal {
-            Direction::Toward(link, _) => Some(link),
-            Direction::Along(..) => None,
-        };
+        let line = contact.normal.line().map(|(link, _)| link);
         let links = self.mechanism.links().len();
         let given = [Some(contact.link), contact.against, line];
         if let Some(index) = foreign_link(&self.mechanism, given.into_iter().flatten()) {
@@ -204,8 +282,78 @@ impl Model {
                 let length = normal.norm();
                 if length < SHORTEST_DIRECTION { Err(ContactError::NoNormal { length }) } else { Ok(()) }
             }
-            Direction::Toward(_, point) => finite(ContactPart::Line, &point),
+            Direction::Toward(_, point) | Direction::TurningToward(_, point) => {
+                finite(ContactPart::Line, &point)
+            }
         }
+    }
+
+    /// The line that the normal of a contact is taken along, all joints at 0. `None` for another normal, and where the line
+    /// has no length as drawn.
+    pub fn drawn_line(&self, contact: &Contact) -> Option<DrawnLine> {
+        let (link, to) = contact.normal.line()?;
+        let line = self.drawn_frame(link).point(&to) - self.drawn_frame(contact.link).point(&contact.point);
+        let unit = line.try_normalize(SHORTEST_DIRECTION)?;
+        let unit = contact.against.map_or(unit, |against| self.drawn_frame(against).inverse_vector(&unit));
+        Some(DrawnLine { unit, length: line.norm() })
+    }
+
+    /// X_rl of a link, all joints at 0.
+    fn drawn_frame(&self, link: LinkId) -> Transform<f64> {
+        let on = &self.link_frames[link.index()];
+        let (mut frame, mut at) = (on.frame, on.body);
+        while let Some(i) = at {
+            let body = &self.bodies[i];
+            if let Some(joint) = body.joint {
+                // A floating joint has the most positions.
+                let mut q = [0.0; 7];
+                let q = &mut q[..body.q.len()];
+                tangent::zero_position(self.mechanism.joint(joint).kind(), q);
+                if let Some(mimic) = body.mimic {
+                    q[0] = mimic.offset;
+                }
+                frame = body.origin * body.motion.transform(q) * frame;
+            }
+            at = body.parent;
+        }
+        frame
+    }
+
+    /// Refuses a line that is not, at this pose, the normal that it is as drawn.
+    fn check_line(
+        &self,
+        kinematics: &Kinematics<f64>,
+        base: &Transform<f64>,
+        contact: &Contact,
+    ) -> Result<(), ContactError> {
+        let Some((end, to)) = contact.normal.line() else { return Ok(()) };
+        let point = kinematics.link_frame(self, contact.link).point(&contact.point);
+        let line = kinematics.link_frame(self, end).point(&to) - point;
+        let link = || self.mechanism.link(end).name().to_owned();
+        let Some(drawn) = self.drawn_line(contact) else {
+            return Err(ContactError::NoLine { link: link(), distance: 0.0 });
+        };
+        let length = line.norm();
+        if length < SHORTEST_DIRECTION {
+            return Err(ContactError::NoLine { link: link(), distance: length });
+        }
+        let (frame, normal) = match contact.against {
+            Some(_) => (Frame::Against, drawn.unit),
+            None => (Frame::World, base.vector(&drawn.unit)),
+        };
+        if length < SHORTEST_LINE * drawn.length {
+            return Err(ContactError::LineShort { link: link(), length, drawn: drawn.length, normal, frame });
+        }
+        let unit = line / length;
+        let unit = contact
+            .against
+            .map_or(unit, |against| kinematics.link_frame(self, against).inverse_vector(&unit));
+        let cosine = unit.dot(&drawn.unit);
+        if cosine < contact.normal.least_cosine() {
+            let angle = unit.cross(&drawn.unit).norm().atan2(cosine);
+            return Err(ContactError::LineTurned { link: link(), angle, normal, frame });
+        }
+        Ok(())
     }
 
     /// The point and the normal of a checked contact. A line whose ends coincide has no normal: it comes out as zero.
@@ -227,7 +375,7 @@ impl Model {
                     (Frame::World, _) | (Frame::Against, None) => base.inverse_vector(&unit).map(T::from_f64),
                 }
             }
-            Direction::Toward(link, to) => {
+            Direction::Toward(link, to) | Direction::TurningToward(link, to) => {
                 let line = kinematics.link_frame(self, link).point(&to.map(T::from_f64)) - point;
                 let square = line.dot(&line) + T::from_f64(f64::MIN_POSITIVE);
                 line * (T::one() / square.sqrt())
@@ -246,13 +394,7 @@ impl Model {
         self.check_contact(contact)?;
         let ContactPoint { point, normal } = self.contact_point(kinematics, base, contact);
         let x_rl = kinematics.link_frame(self, contact.link);
-        if let Direction::Toward(link, to) = contact.normal {
-            let distance = (kinematics.link_frame(self, link).point(&to) - point).norm();
-            if distance < SHORTEST_DIRECTION {
-                let link = self.mechanism.link(link).name().to_owned();
-                return Err(ContactError::NoLine { link, distance });
-            }
-        }
+        self.check_line(kinematics, base, contact)?;
         Ok(LocatedContact {
             link: contact.link,
             against: contact.against,
@@ -262,10 +404,7 @@ impl Model {
             normal_link: x_rl.inverse_vector(&normal),
             point_root: point,
             normal_root: normal,
-            line: match contact.normal {
-                Direction::Toward(end, at) => Some((end, at)),
-                Direction::Along(..) => None,
-            },
+            line: contact.normal.line(),
         })
     }
 

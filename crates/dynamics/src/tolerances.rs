@@ -80,6 +80,11 @@ pub(crate) const WEAKLY_CONSTRAINED: f64 = 1e-4;
 
 /// A shorter vector has no direction. Any unit.
 pub(crate) const SHORTEST_DIRECTION: f64 = 1e-9;
+/// A contact's line that is shorter than this part of its length as drawn has no direction to go by: a millimetre aside turns
+/// the line of a stop drawn 30 mm away by more than 18°.
+pub(crate) const SHORTEST_LINE: f64 = 0.1;
+/// Cosine of the angle that the line of a stop may turn by from the line as drawn: 5°, which changes m̄ by some per cent.
+pub(crate) const LINE_TURNED: f64 = 0.996_194_698_091_745_5;
 /// First step where the rate is not determined, or none: long against rounding, short against what a mechanism bends.
 pub(crate) const FIRST_STEP: f64 = 1e-4;
 /// Longest step: about 11°, where the tangent still leads to the same solution.

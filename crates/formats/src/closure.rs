@@ -6,7 +6,7 @@ use crate::link::name;
 use crate::numbers::{number, required};
 use crate::origin::{self, Origin};
 use crate::report::{Place, Report, quoted};
-use crate::survey::{child, is_named};
+use crate::survey::{child, is_gazebo_joint, is_named};
 use percuss_mechanism::{ClosureDescription, ClosureKind, CouplingDescription, Problem, near_names};
 use percuss_spatial::{Transform, Vector3};
 use roxmltree::Node;
@@ -21,8 +21,14 @@ pub(crate) fn is_loop(node: Node<'_, '_>) -> bool {
 }
 
 /// The tags of the elements that name the links, the predecessor's first.
-pub(crate) fn ends(node: Node<'_, '_>) -> [&'static str; 2] {
-    if is_named(node, "loop_joint") { ["link1", "link2"] } else { ["predecessor", "successor"] }
+pub(crate) fn ends(node: Node<'_, '_>) -> &'static [&'static str; 2] {
+    if is_gazebo_joint(node) {
+        &["parent", "child"]
+    } else if is_named(node, "loop_joint") {
+        &["link1", "link2"]
+    } else {
+        &["predecessor", "successor"]
+    }
 }
 
 /// Checks a `<loop>` or `<loop_joint>`. Every number is good, or what is wrong with it was reported.

@@ -85,7 +85,7 @@ const IN_ROBOT: &[Element] = &[
     ),
     // Looked into for Drake's rotor inertias (armature.rs).
     other("transmission", Silent),
-    // Looked into for joints that close loops in the simulator (survey.rs).
+    // Its joints close loops: GAZEBO_JOINT.
     other("gazebo", Silent),
     other("material", Silent),
     other("sensor", Silent),
@@ -247,6 +247,32 @@ const IN_JOINT: &[Element] = &[
     other("physics", Silent),
     other("sensor", Silent),
     other("gazebo", Silent),
+];
+
+/// SDF's joint in a `<gazebo>` of the robot. Values are texts and frames, which `gazebo_joint.rs` reads.
+pub(crate) const GAZEBO_JOINT: Element = read("joint", &[("name", Read), ("type", Read)], IN_GAZEBO_JOINT);
+
+const fn text(name: &'static str) -> Element {
+    Element { name, usage: Silent, single: true, attributes: &[], children: &[] }
+}
+
+const IN_GAZEBO_JOINT: &[Element] = &[
+    text("pose"),
+    text("parent"),
+    text("child"),
+    one("axis", &[], IN_GAZEBO_AXIS),
+    one("axis2", &[], IN_GAZEBO_AXIS),
+    other("physics", Silent),
+    other("sensor", Silent),
+];
+
+const IN_GAZEBO_AXIS: &[Element] = &[
+    text("xyz"),
+    text("use_parent_model_frame"),
+    other("limit", UNWATCHED),
+    other("dynamics", Silent),
+    other("initial_position", Silent),
+    other("mimic", instead!("a <coupling>, or a <mimic> in a joint of the tree,")),
 ];
 
 const IN_ACTUATOR: &[Element] = &[

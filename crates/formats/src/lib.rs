@@ -10,7 +10,7 @@
 //!
 //! # The dialect
 //! Plain URDF 1.0 to 1.2, and what closes loops: URDF+ (`<loop>`, `<coupling>`, `independent`), `<loop_joint>`, and
-//! a link with two parent joints (the first in the file is the tree's). What does not affect the mechanics (looks,
+//! a link with two parent joints (the first in the file is the tree's), and SDF's `<joint>` in a `<gazebo>`. What does not affect the mechanics (looks,
 //! sensors, controllers, simulator settings) is ignored without a message; what is not known is ignored with a
 //! warning; what would change the answer and is not supported is an error. The table is `src/dialect.rs`.
 //!
@@ -34,6 +34,7 @@ mod closure;
 mod consistency;
 mod diagnostic;
 mod dialect;
+mod gazebo_joint;
 mod geometry;
 mod joint;
 mod limits;

@@ -7,7 +7,7 @@ use crate::shape::{Shape, shapes};
 use crate::survey::{macros, survey};
 use crate::texts::Texts;
 use crate::{Diagnostic, LoadError, Source, consistency, limits, prescan, standard};
-use percuss_mechanism::{Accept, Mechanism, MechanismBuilder, Severity, Subject};
+use percuss_mechanism::{Accept, Built, Mechanism, MechanismBuilder, Severity, Subject};
 use roxmltree::{Document, Node, ParsingOptions};
 use std::collections::HashSet;
 
@@ -72,7 +72,7 @@ fn read(text: &str, options: &LoadOptions, report: &mut Report) -> Option<(Mecha
     if report.is_xacro() {
         return None;
     }
-    let nodes = Nodes::of(robot);
+    let nodes = Nodes::of(robot, report);
     if !nodes.are_bounded(robot, report) {
         return None;
     }
@@ -90,7 +90,10 @@ fn read(text: &str, options: &LoadOptions, report: &mut Report) -> Option<(Mecha
     let builder = texts.closures.into_iter().fold(builder, MechanismBuilder::closure);
     let builder = texts.couplings.into_iter().fold(builder, MechanismBuilder::coupling);
     let (mechanism, findings) = match builder.build() {
-        Ok(built) => (Some(built.mechanism), built.findings),
+        Ok(Built { mechanism, mut findings }) => {
+            findings.extend(mechanism.implausible_inertias(options.accept));
+            (Some(mechanism), findings)
+        }
         Err(error) => (None, error.findings),
     };
     let known = known_warnings(&document);

@@ -66,9 +66,9 @@ impl<'a, 'i: 'a> Loops<'_, 'a, 'i> {
         suggestions: &mut Suggestions,
         report: &mut Report,
     ) {
-        for ((tag, role), name) in ends(node).into_iter().zip(["predecessor", "successor"]).zip(names) {
+        for ((tag, role), name) in ends(node).iter().zip(["predecessor", "successor"]).zip(names) {
             // An empty name is one that is missing, and reported already.
-            let element = child(node, tag).filter(|n| n.has_attribute("link"));
+            let element = child(node, tag).filter(|_| !name.is_empty());
             if let Some(element) = element
                 && !exists(name)
             {

@@ -1,11 +1,13 @@
 //! The elements that make the mechanism, and where a finding of the builder belongs among them.
 
 use crate::closure;
+use crate::gazebo_joint::holds_root;
 use crate::limits::MOST_BODIES;
 use crate::report::{Place, Report};
-use crate::survey::{child, children, is_named};
+use crate::survey::{child, children, is_gazebo_joint};
 use percuss_mechanism::{Problem, Subject};
 use roxmltree::Node;
+use std::collections::HashSet;
 
 /// The elements of links, joints, loops and couplings, in the order given.
 pub(crate) struct Nodes<'a, 'i> {
@@ -16,11 +18,24 @@ pub(crate) struct Nodes<'a, 'i> {
 }
 
 impl<'a, 'i: 'a> Nodes<'a, 'i> {
-    pub fn of(robot: Node<'a, 'i>) -> Self {
+    pub fn of(robot: Node<'a, 'i>, report: &mut Report) -> Self {
+        let names: HashSet<&str> =
+            children(robot, "link").filter_map(|link| link.attribute("name")).collect();
+        let link = |joint: Node<'a, 'i>| child(joint, "child").and_then(|child| child.attribute("link"));
+        let below: HashSet<&str> = children(robot, "joint").filter_map(link).collect();
+        let is_root = |link: &str| names.contains(link) && !below.contains(link) && !names.contains("world");
         Self {
             links: children(robot, "link").collect(),
             joints: children(robot, "joint").collect(),
-            closures: robot.children().filter(|n| n.is_element() && closure::is_loop(*n)).collect(),
+            closures: robot
+                .children()
+                .filter(Node::is_element)
+                .flat_map(|node| {
+                    let own = closure::is_loop(node).then_some(node);
+                    own.into_iter().chain(node.children().filter(|n| is_gazebo_joint(*n)))
+                })
+                .filter(|node| !is_gazebo_joint(*node) || !holds_root(*node, is_root, report))
+                .collect(),
             couplings: children(robot, "coupling").collect(),
         }
     }
@@ -68,9 +83,11 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
                 _ => &[],
             },
             Problem::NegativeMass { .. } => &["inertial", "mass"],
-            Problem::IndefiniteInertia { .. } | Problem::TriangleInequality { .. } => {
-                &["inertial", "inertia"]
-            }
+            Problem::IndefiniteInertia { .. }
+            | Problem::TriangleInequality { .. }
+            | Problem::WideInertia { .. }
+            | Problem::DenseInertia { .. } => &["inertial", "inertia"],
+            Problem::InertiaWithoutMass { .. } => &["inertial", "mass"],
             Problem::ZeroAxis | Problem::AxisNotUnit { .. } => &["axis"],
             Problem::LimitsReversed { .. } => &["limit"],
             Problem::NegativeArmature { .. } | Problem::ArmatureCount { .. } => &["dynamics"],
@@ -81,8 +98,7 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
                 &["child"]
             }
             Problem::BadDistance { .. } => &["distance"],
-            Problem::ClosesOnItself { .. } if is_named(node, "loop_joint") => &["link2"],
-            Problem::ClosesOnItself { .. } => &["successor"],
+            Problem::ClosesOnItself { .. } => std::slice::from_ref(&closure::ends(node)[1]),
             // An open list of the builder's; the link or joint is place enough.
             _ => &[],
         };

@@ -1,6 +1,6 @@
 //! Holds the file against the table of the dialect.
 
-use crate::dialect::{Element, Use};
+use crate::dialect::{Element, GAZEBO_JOINT, Use};
 use crate::report::{Place, Report, shortened};
 use percuss_mechanism::{Severity, near_names};
 use roxmltree::Node;
@@ -174,15 +174,38 @@ fn stray_text(parent: Node<'_, '_>, text: Node<'_, '_>, report: &mut Report) {
     }
 }
 
-/// Simulator settings do not matter here, but a joint hidden among them closes a loop.
+/// Simulator settings do not matter here, but a joint among them closes a loop.
 fn simulator_joints(gazebo: Node<'_, '_>, report: &mut Report) {
     for joint in children(gazebo, "joint") {
-        report.warning("simulator-joint", Place::Element(joint), || {
-            "a joint inside <gazebo> holds in that simulator only and is ignored; if it closes a loop, the answer \
-             is without that loop: write it as a <loop> too"
-                .to_owned()
-        });
+        if is_gazebo_joint(joint) {
+            survey(joint, &GAZEBO_JOINT, report);
+        } else {
+            refuse_gazebo_joint(joint, report, || {
+                "it belongs in a <gazebo> of <robot> that has no attribute \"reference\"".to_owned()
+            });
+        }
     }
+}
+
+/// True of a `<joint>` in a `<gazebo>` of the whole robot, which is read.
+pub(crate) fn is_gazebo_joint(node: Node<'_, '_>) -> bool {
+    let of_robot = |gazebo: Node<'_, '_>| {
+        is_named(gazebo, "gazebo")
+            && !gazebo.has_attribute("reference")
+            && gazebo.parent().is_some_and(|robot| robot.parent().is_some_and(|root| root.is_root()))
+    };
+    is_named(node, "joint") && node.parent().is_some_and(of_robot)
+}
+
+/// Refuses a joint that cannot be read: the model without it would be another mechanism.
+pub(crate) fn refuse_gazebo_joint(node: Node<'_, '_>, report: &mut Report, why: impl FnOnce() -> String) {
+    report.error("gazebo-joint", Place::Element(node), || {
+        format!(
+            "this joint inside <gazebo> closes a loop and is not read: {}. Correct it, or write the loop as a <loop> and \
+             remove it here",
+            why()
+        )
+    });
 }
 
 /// MuJoCo's settings do not matter here, but its equality constraints close loops and couple joints.

@@ -1,11 +1,15 @@
 //! Every element that makes the mechanism, checked by itself.
 
+use crate::gazebo_joint::{DrawnFrames, Reader};
 use crate::joint::JointText;
 use crate::link::LinkText;
 use crate::nodes::Nodes;
+use crate::references::index;
 use crate::report::Report;
+use crate::survey::is_gazebo_joint;
 use crate::{closure, joint, link};
 use percuss_mechanism::{ClosureDescription, CouplingDescription};
+use roxmltree::Node;
 
 /// What the file says, in the order of [`Nodes`]. Where the report has no error every number in it is good; whether the
 /// names lead somewhere, [`consistency::check`](crate::consistency::check) finds out.
@@ -19,10 +23,19 @@ pub(crate) struct Texts<'a> {
 impl<'a> Texts<'a> {
     /// Reads every element.
     pub fn read<'i: 'a>(nodes: &Nodes<'a, 'i>, report: &mut Report) -> Self {
+        let links: Vec<LinkText<'a>> = nodes.links.iter().map(|n| link::check(*n, report)).collect();
+        let joints: Vec<JointText<'a>> = nodes.joints.iter().map(|n| joint::check(*n, report)).collect();
+        let has_gazebo_joints = nodes.closures.iter().any(|n| is_gazebo_joint(*n));
+        let drawn = DrawnFrames::new(if has_gazebo_joints { &joints } else { &[] });
+        let index = index(links.iter().map(|l| l.name));
+        let reader = Reader { drawn: &drawn, links: &index };
+        let closure = |node: &Node<'a, 'i>| {
+            if is_gazebo_joint(*node) { reader.check(*node, report) } else { closure::check(*node, report) }
+        };
         Texts {
-            links: nodes.links.iter().map(|n| link::check(*n, report)).collect(),
-            joints: nodes.joints.iter().map(|n| joint::check(*n, report)).collect(),
-            closures: nodes.closures.iter().map(|n| closure::check(*n, report)).collect(),
+            closures: nodes.closures.iter().map(closure).collect(),
+            links,
+            joints,
             couplings: nodes.couplings.iter().map(|n| closure::check_coupling(*n, report)).collect(),
         }
     }

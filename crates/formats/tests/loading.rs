@@ -117,7 +117,6 @@ fn the_table_says_what_becomes_of_every_kind_of_element() {
         (at_robot("<transmission name=\"t\"><any/></transmission>"), None),
         (at_robot("<sensor/><ros2_control name=\"x\"><joint name=\"hinge\"/></ros2_control>"), None),
         (at_robot("<other:thing xmlns:other=\"http://example.org\"/>"), None),
-        (at_robot("<gazebo><joint name=\"j\"/></gazebo>"), Some((Warning, "simulator-joint"))),
         (at_robot("<thing/>"), Some((Warning, "unknown-element"))),
         (at_robot("<constraint name=\"c\"/>"), Some((Error, "loop-unsupported"))),
         (at_robot("<mujoco><compiler/></mujoco>"), None),
@@ -209,7 +208,7 @@ fn indefinite_inertias_need_the_users_word() {
     let error = load_text(&text).unwrap_err();
     assert_eq!(error.diagnostics[0].code, "indefinite-inertia");
     assert_eq!(error.diagnostics[0].element.as_deref(), Some("robot/link[arm]/inertial/inertia"));
-    let options = LoadOptions { accept: Accept { indefinite_inertia: true } };
+    let options = LoadOptions { accept: Accept { indefinite_inertia: true, ..Accept::default() } };
     let loaded = load(&Source::from_text("model.urdf", text), &options).unwrap();
     assert_eq!(
         (loaded.diagnostics[0].severity, loaded.diagnostics[0].code),

@@ -17,6 +17,8 @@ use std::fmt;
 pub struct Accept {
     /// Inertias with a negative principal moment.
     pub indefinite_inertia: bool,
+    /// Inertias far beyond what the size of the links allows.
+    pub implausible_inertia: bool,
 }
 
 /// A mechanism and what was noticed while building it.

@@ -39,8 +39,8 @@ impl Mechanism {
     }
 
     fn to_tree_builder(&self, mimics: bool) -> MechanismBuilder {
-        let mut builder =
-            MechanismBuilder::new(self.name.clone()).accept(Accept { indefinite_inertia: true });
+        let mut builder = MechanismBuilder::new(self.name.clone())
+            .accept(Accept { indefinite_inertia: true, implausible_inertia: true });
         for link in &self.links {
             let (name, inertial, geometry) = (link.name.clone(), link.inertial, link.geometry);
             builder = builder.link(LinkDescription { name, inertial, geometry });

@@ -22,7 +22,7 @@ pub(crate) fn check(inertial: &Inertial, size: f64, accept_indefinite: bool) -> 
 }
 
 /// Eigenvalues of the symmetric matrix, ascending.
-fn principal_moments(inertia: &Matrix3<f64>) -> [f64; 3] {
+pub(crate) fn principal_moments(inertia: &Matrix3<f64>) -> [f64; 3] {
     // Scaled to one, so that the smallest inertias do not underflow in the iteration.
     let scale = inertia.amax();
     if scale == 0.0 {

@@ -19,6 +19,7 @@ mod link;
 mod mechanism;
 mod names;
 mod numbering;
+mod plausibility;
 mod problem;
 mod tree;
 

@@ -29,3 +29,21 @@ pub(crate) const MOMENT_SLACK: f64 = 1e-9;
 /// Slack of principal moments as a part of m·size², dimensionless: a smaller moment is rounding of the parallel-axis
 /// theorem.
 pub(crate) const STEINER_SLACK: f64 = 1e-12;
+
+/// Largest radius of gyration, as a part of the reach of the link and of the largest link, without a warning, dimensionless: a
+/// wheel that is 4 times as large as any joint offset of its mechanism and has no shape stays below it.
+pub(crate) const WIDE_GYRATION: f64 = 3.0;
+
+/// The same for an error: kg·mm² read as kg·m² give 1000 times the radius. The greatest of 104 published files is 16, a base link
+/// of 0.1 kg with 1 kg·m².
+pub(crate) const FAR_GYRATION: f64 = 30.0;
+
+/// Radius of a solid sphere over its radius of gyration, √(5/2).
+pub(crate) const SPHERE_OVER_GYRATION: f64 = 1.581_138_830_084_19;
+
+/// Density from which on no body has this mass and radius of gyration, kg/m³: some ten times that of osmium. Grams read as
+/// kilograms give 1000 times the density of the body, or more where the inertia is in kg·m².
+pub(crate) const DENSEST: f64 = 2e5;
+
+/// A smaller radius of gyration, as a part of the reach, is that of a point mass, dimensionless.
+pub(crate) const LEAST_GYRATION: f64 = 1e-5;

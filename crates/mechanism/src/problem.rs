@@ -106,6 +106,31 @@ pub enum Problem {
         /// The joint that came first.
         first: String,
     },
+    /// A radius of gyration beyond the size of the link.
+    WideInertia {
+        /// Mass, kg; that of all links for a link without mass.
+        mass: f64,
+        /// Largest radius of gyration, m.
+        gyration: f64,
+        /// Reach of the link or of the largest link, m.
+        reach: f64,
+        /// Whether it is so far out that it is an error.
+        far: bool,
+    },
+    /// An inertia without a mass.
+    InertiaWithoutMass {
+        /// Largest principal moment, kg·m².
+        moment: f64,
+    },
+    /// More mass than any material has at this radius of gyration.
+    DenseInertia {
+        /// Mass, kg.
+        mass: f64,
+        /// Largest radius of gyration, m.
+        gyration: f64,
+        /// Density of the sphere of that, kg/m³.
+        density: f64,
+    },
     /// A second parent through a joint that cannot close a loop, or that has what a closure cannot have.
     NoClosure {
         /// The link.
@@ -257,11 +282,15 @@ impl Problem {
             | Problem::ZeroAxis
             | Problem::NotARotation { .. }
             | Problem::IndefiniteInertia { accepted: false, .. }
+            | Problem::WideInertia { far: true, .. }
             | Problem::NegativeArmature { .. }
             | Problem::ArmatureCount { .. }
             | Problem::MimicKind { .. }
             | Problem::MimicCycle { .. } => Severity::Error,
             Problem::IndefiniteInertia { accepted: true, .. }
+            | Problem::WideInertia { far: false, .. }
+            | Problem::InertiaWithoutMass { .. }
+            | Problem::DenseInertia { .. }
             | Problem::TriangleInequality { .. }
             | Problem::LimitsReversed { .. }
             | Problem::DanglingMimic { .. } => Severity::Warning,
@@ -293,6 +322,9 @@ impl Problem {
             Problem::AxisNotUnit { .. } => "axis-not-unit",
             Problem::NotARotation { .. } => "not-a-rotation",
             Problem::IndefiniteInertia { .. } => "indefinite-inertia",
+            Problem::WideInertia { .. }
+            | Problem::InertiaWithoutMass { .. }
+            | Problem::DenseInertia { .. } => "implausible-inertia",
             Problem::TriangleInequality { .. } => "triangle-inequality",
             Problem::Massless => "massless-link",
             Problem::NegativeArmature { .. } => "negative-armature",
@@ -377,6 +409,29 @@ impl fmt::Display for Problem {
                     f.write_str("; correct the file, or accept it with --accept indefinite-inertia")
                 }
             }
+            Problem::WideInertia { mass, gyration, reach, far } => {
+                write!(
+                    f,
+                    "the inertia with a mass of {mass:.4e} kg has a radius of gyration of {gyration:.4e} m, {:.0} times the \
+                     {reach:.4e} m that the links reach: expected kg·m² about the centre of mass, is it in kg·mm² or is the \
+                     mass too small?",
+                    gyration / reach
+                )?;
+                if *far {
+                    f.write_str(" Correct the file, or accept it with --accept implausible-inertia")?;
+                }
+                Ok(())
+            }
+            Problem::InertiaWithoutMass { moment } => write!(
+                f,
+                "the mass is 0, but the inertia has a principal moment of {moment:.4e} kg·m²: no body has these. Give the \
+                 mass; a rotor's inertia can be given as the armature of its joint"
+            ),
+            Problem::DenseInertia { mass, gyration, density } => write!(
+                f,
+                "the mass of {mass:.4e} kg with a radius of gyration of {gyration:.4e} m would have a density of {density:.0e} \
+                 kg/m³: expected kg and kg·m², is the mass in grams? (A point mass has inertia 0)"
+            ),
             Problem::TriangleInequality { principal: [a, b, c] } => write!(
                 f,
                 "the principal moments {a:.6e}, {b:.6e}, {c:.6e} kg·m² break the triangle inequality: no rigid \

@@ -90,7 +90,10 @@ fn cycles_are_named_with_and_without_a_root() {
 fn a_negative_moment_is_an_error_unless_accepted() {
     let bad = || LinkDescription::new("rod", Inertial::diagonal(1.0, [0.0; 3], [0.1, 0.1, -0.01]));
     assert_eq!(errors(with(bad(), hinge())), ["indefinite-inertia"]);
-    let built = with(bad(), hinge()).accept(Accept { indefinite_inertia: true }).build().unwrap();
+    let built = with(bad(), hinge())
+        .accept(Accept { indefinite_inertia: true, ..Accept::default() })
+        .build()
+        .unwrap();
     assert_eq!(built.findings[0].1.severity(), Severity::Warning);
 }
 

@@ -82,7 +82,8 @@ pub fn build_with_loops(
     closures: Vec<ClosureDescription>,
     couplings: Vec<CouplingDescription>,
 ) -> Mechanism {
-    let builder = MechanismBuilder::new(name).accept(Accept { indefinite_inertia: true });
+    let builder =
+        MechanismBuilder::new(name).accept(Accept { indefinite_inertia: true, ..Accept::default() });
     let builder = links.into_iter().fold(builder, MechanismBuilder::link);
     let builder = joints.into_iter().fold(builder, MechanismBuilder::joint);
     let builder = closures.into_iter().fold(builder, MechanismBuilder::closure);

@@ -33,6 +33,8 @@ pub struct Contact {
 enum Given {
     Along([f64; 3], Frame),
     Toward(String, [f64; 3]),
+    /// Toward a point, along a line that may turn.
+    TurningToward(String, [f64; 3]),
 }
 
 /// A frame by its name.
@@ -56,7 +58,7 @@ fn name(frame: Frame) -> &'static str {
 #[pymethods]
 impl Contact {
     #[new]
-    #[pyo3(signature = (link, point, normal=None, *, against=None, toward=None, normal_frame="link"))]
+    #[pyo3(signature = (link, point, normal=None, *, against=None, toward=None, normal_frame="link", turning=false))]
     fn new(
         link: String,
         point: &Bound<'_, PyAny>,
@@ -64,12 +66,19 @@ impl Contact {
         against: Option<String>,
         toward: Option<(String, Bound<'_, PyAny>)>,
         normal_frame: &str,
+        turning: bool,
     ) -> PyResult<Self> {
         let normal = match (normal, toward) {
+            (Some(_), None) if turning => {
+                return Err(input("turning is of toward: a given normal does not turn with a line"));
+            }
             (Some(normal), None) => {
                 Given::Along(triple(normal, "normal")?, frame(normal_frame, "normal_frame")?)
             }
-            (None, Some((link, point))) => Given::Toward(link, triple(&point, "point of toward")?),
+            (None, Some((link, point))) => {
+                let point = triple(&point, "point of toward")?;
+                if turning { Given::TurningToward(link, point) } else { Given::Toward(link, point) }
+            }
             _ => return Err(input("give one of normal and toward")),
         };
         Ok(Self { link, against, point: triple(point, "point")?, normal })
@@ -86,7 +95,7 @@ impl Contact {
     fn normal(&self) -> Option<(f64, f64, f64)> {
         match &self.normal {
             Given::Along(normal, _) => Some((*normal).into()),
-            Given::Toward(..) => None,
+            Given::Toward(..) | Given::TurningToward(..) => None,
         }
     }
 
@@ -95,8 +104,16 @@ impl Contact {
     fn toward(&self) -> Option<(String, (f64, f64, f64))> {
         match &self.normal {
             Given::Along(..) => None,
-            Given::Toward(link, point) => Some((link.clone(), (*point).into())),
+            Given::Toward(link, point) | Given::TurningToward(link, point) => {
+                Some((link.clone(), (*point).into()))
+            }
         }
+    }
+
+    /// True where the line of toward may turn: a spring, a damper, a rod.
+    #[getter]
+    fn turning(&self) -> bool {
+        matches!(self.normal, Given::TurningToward(..))
     }
 
     /// "link", "world" or "against".
@@ -104,7 +121,7 @@ impl Contact {
     fn normal_frame(&self) -> &'static str {
         match &self.normal {
             Given::Along(_, frame) => name(*frame),
-            Given::Toward(..) => name(Frame::Link),
+            Given::Toward(..) | Given::TurningToward(..) => name(Frame::Link),
         }
     }
 
@@ -120,6 +137,7 @@ impl Contact {
             contact.against.clone(),
             contact.toward(),
             contact.normal_frame(),
+            contact.turning(),
         );
         Ok((package.getattr("_contact")?, arguments.into_pyobject(py)?.into_any()))
     }
@@ -129,6 +147,9 @@ impl Contact {
             Given::Along(normal, Frame::Link) => format!("normal={normal:?}"),
             Given::Along(normal, frame) => format!("normal={normal:?}, normal_frame=\"{}\"", name(*frame)),
             Given::Toward(link, point) => format!("toward=(\"{link}\", {point:?})"),
+            Given::TurningToward(link, point) => {
+                format!("toward=(\"{link}\", {point:?}), turning=True")
+            }
         };
         let against = self.against.as_ref().map_or_else(String::new, |link| format!(", against=\"{link}\""));
         format!("Contact(\"{}\", point={:?}, {normal}{against})", self.link, self.point)
@@ -142,6 +163,7 @@ impl Contact {
         let normal = match &self.normal {
             Given::Along(normal, frame) => Direction::Along(Vector3::from(*normal), *frame),
             Given::Toward(link, point) => Direction::Toward(find(link)?, Vector3::from(*point)),
+            Given::TurningToward(link, point) => Direction::TurningToward(find(link)?, Vector3::from(*point)),
         };
         Ok(Resolved {
             link: find(&self.link)?,

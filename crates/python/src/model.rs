@@ -62,9 +62,10 @@ fn options(accept: &[String]) -> PyResult<LoadOptions> {
     for word in accept {
         match word.as_str() {
             "indefinite-inertia" => accepted.indefinite_inertia = true,
+            "implausible-inertia" => accepted.implausible_inertia = true,
             _ => {
                 return Err(errors::input(format_args!(
-                    "accept: \"{word}\"; known is \"indefinite-inertia\""
+                    "accept: \"{word}\"; known are \"indefinite-inertia\" and \"implausible-inertia\""
                 )));
             }
         }
@@ -74,7 +75,7 @@ fn options(accept: &[String]) -> PyResult<LoadOptions> {
 
 /// Reads a URDF file, closed loops and couplings included.
 ///
-/// accept: findings that are accepted: "indefinite-inertia". max_size: larger files are refused, bytes. Warnings go through
+/// accept: findings that are accepted: "indefinite-inertia", "implausible-inertia". max_size: larger files are refused, bytes. Warnings go through
 /// `warnings` (ModelWarning); warnings and notes are the model's diagnostics. Raises LoadError, with every error of the file.
 #[pyfunction]
 #[pyo3(signature = (path, *, accept=Vec::new(), max_size=DEFAULT_MAX_SIZE))]

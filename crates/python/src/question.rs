@@ -96,6 +96,9 @@ impl Conditions<'_> {
         let (normal, normal_frame) = match resolved.normal {
             Direction::Along(normal, frame) => (Normal::Along(normal.into()), frame),
             Direction::Toward(link, point) => (Normal::Toward(name(link), point.into()), Frame::Link),
+            Direction::TurningToward(link, point) => {
+                (Normal::TurningToward(name(link), point.into()), Frame::Link)
+            }
         };
         if resolved.against.is_some() && question.against_mass.is_some() {
             return Err(input("give one of against and against_mass"));

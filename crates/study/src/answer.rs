@@ -15,7 +15,7 @@ use crate::question::{MassQuestion, Normal};
 use crate::thresholds::LEAST_OTHER_MASS;
 use nalgebra::Vector3;
 use percuss_dynamics::{
-    BranchLimits, Conditions, Configuration, ConfigurationError, Contact, ContactResponse, Direction,
+    Base, BranchLimits, Conditions, Configuration, ConfigurationError, Contact, ContactResponse, Direction,
     EffectiveMass, Frame, Pose, ResponseError, RouteChoice, System,
 };
 use percuss_mechanism::{JointId, LinkId, Mechanism, UnknownName};
@@ -82,6 +82,9 @@ impl<'a> Prepared<'a> {
             Normal::Along(normal) => Direction::Along(Vector3::from(*normal), question.normal_frame),
             Normal::Toward(name, point) => {
                 Direction::Toward(find(Field::AlongLine, name)?, Vector3::from(*point))
+            }
+            Normal::TurningToward(name, point) => {
+                Direction::TurningToward(find(Field::AlongLine, name)?, Vector3::from(*point))
             }
         };
         if let Some(mass) = question.against_mass.filter(|m| !(m.is_finite() && *m > LEAST_OTHER_MASS)) {
@@ -213,13 +216,18 @@ impl<'a> Prepared<'a> {
         Ok(Answer { response: with_other, alone: Some(response), limits, estimate, findings })
     }
 
-    /// The effective mass at a pose and nothing beside it, a free body on the other side included.
-    pub fn effective_mass(&self, pose: &Pose, contact: &Contact) -> Result<EffectiveMass, StudyError> {
+    /// The contact response at a pose and nothing beside it, a free body on the other side included.
+    pub fn response(&self, pose: &Pose, contact: &Contact) -> Result<ContactResponse, StudyError> {
         let response = pose.respond(contact, RouteChoice::Auto)?;
         Ok(match self.other_mass() {
-            Some(other) => response.against_mass(other).map_err(ResponseError::from)?.effective_mass,
-            None => response.effective_mass,
+            Some(other) => response.against_mass(other).map_err(ResponseError::from)?,
+            None => response,
         })
+    }
+
+    /// The effective mass at a pose and nothing beside it, a free body on the other side included.
+    pub fn effective_mass(&self, pose: &Pose, contact: &Contact) -> Result<EffectiveMass, StudyError> {
+        Ok(self.response(pose, contact)?.effective_mass)
     }
 }
 
@@ -267,8 +275,14 @@ pub(crate) fn compile(
         mechanism.find_link(&hold.link).map_err(|error| StudyError::input(Field::Hold, error))?;
         conditions = conditions.hold(&hold.link, hold.point, hold.normal.map(Vector3::from));
     }
-    System::new(Arc::clone(mechanism), &conditions)
-        .map_err(|error| StudyError::input(Field::of_condition(&error), error))
+    let system = System::new(Arc::clone(mechanism), &conditions)
+        .map_err(|error| StudyError::input(Field::of_condition(&error), error))?;
+    let root = mechanism.root();
+    if question.base == Base::Floating && system.rigid_body_mass(root).is_some_and(|mass| mass <= 0.0) {
+        let link = mechanism.link(root).name().to_owned();
+        return Err(StudyError::input(Field::Base, Fault::MasslessBase { link }));
+    }
+    Ok(system)
 }
 
 /// Positions asked for.

@@ -4,9 +4,11 @@ use crate::answer::{Answer, Answered};
 use crate::damping::{DampingReport, Drift, about_exports, body_alone, damper, exports};
 use crate::damping_question::DampingQuestion;
 use crate::error::StudyError;
+use crate::field::Names;
 use crate::joint_stop::JointStop;
 use crate::mass_report::Status;
 use crate::model::Model;
+use crate::penetration::{Ended, Penetration};
 use crate::question::MassQuestion;
 use crate::record::DiagnosticRecord;
 use crate::thresholds::{DIFFERENCE, DRIFTING, SAME_LIMIT};
@@ -61,21 +63,14 @@ pub(crate) fn damping_of(
         return Err(StudyError::NoDamper { status: status.name() });
     };
     let record = damper(damping, mass)?;
-    let drift = drift(answered, mass, record.max_penetration);
+    let (drift, ended) = drift(answered, mass, record.max_penetration);
     let options = options(damping.options, answered, mass);
     let alone = damping.options.own_mass.or(prepared.system.rigid_body_mass(answered.contact.link));
     let body_alone = alone.filter(|m| *m > 0.0).map(|m| body_alone(damping, m, mass));
     let mut diagnostics = prepared.model.diagnostics.clone();
     diagnostics.extend(answer.findings.iter().cloned().map(DiagnosticRecord::from));
     diagnostics.extend(about_exports(damping));
-    if let Some(over) = drift.over_penetration.filter(|over| over.abs() > DRIFTING) {
-        let message = format!(
-            "the effective mass changes by {:+.1} % over the penetration: one number is no better than that here; a \
-             stiffer contact or a slower impact changes it less",
-            100.0 * over
-        );
-        diagnostics.push(DiagnosticRecord::about_answer(Severity::Warning, "mass-drifts", message));
-    }
+    diagnostics.extend(about_drift(&drift, ended, record.max_penetration, prepared.question.names));
     Ok(DampingReport {
         schema: "percuss.damp/1",
         percuss: env!("CARGO_PKG_VERSION"),
@@ -112,17 +107,18 @@ fn one_mass(answer: &Answer, other: Option<f64>) -> Result<EffectiveMass, StudyE
     }
 }
 
-/// m̄ along the motion of the contact response.
-fn drift(answered: &Answered, mass: f64, penetration: Option<f64>) -> Drift {
+/// m̄ along the motion of the contact response, and why it ends before the greatest penetration.
+fn drift(answered: &Answered, mass: f64, depth: Option<f64>) -> (Drift, Option<Ended>) {
     let Answered { prepared, pose, contact, answer } = answered;
     let (system, response) = (&prepared.system, &answer.response);
     if response.singular_pose {
         // The motion of the answer is along no branch.
-        return Drift { per_metre: None, over_penetration: None };
+        return (Drift { per_metre: None, over_penetration: None, ends_at: None }, None);
     }
     if !response.gives_way() {
         // The other body's mass is all there is.
-        return Drift { per_metre: Some(0.0), over_penetration: penetration.map(|_| 0.0) };
+        let none = depth.map(|_| 0.0);
+        return (Drift { per_metre: Some(0.0), over_penetration: none, ends_at: None }, None);
     }
     let at = |distance: f64| {
         let pushed = pose.advanced_along(response, distance)?;
@@ -132,8 +128,43 @@ fn drift(answered: &Answered, mass: f64, penetration: Option<f64>) -> Drift {
         }
     };
     let step = DIFFERENCE * system.mechanism().characteristic_length();
-    let slope = at(step).zip(at(-step)).map(|(more, less)| (more - less) / (2.0 * step * mass));
-    Drift { per_metre: slope, over_penetration: penetration.and_then(at).map(|there| there / mass - 1.0) }
+    let per_metre = at(step).zip(at(-step)).map(|(more, less)| (more - less) / (2.0 * step * mass));
+    let there = depth.map(|depth| Penetration { prepared, contact }.mass_at(pose, depth));
+    let (over_penetration, ended) = match there {
+        None => (None, None),
+        Some(Ok(there)) => (Some(there / mass - 1.0), None),
+        Some(Err(ended)) => (None, Some(ended)),
+    };
+    let ends_at = ended.as_ref().map(|ended| ended.depth);
+    (Drift { per_metre, over_penetration, ends_at }, ended)
+}
+
+/// Why one number is not good for the whole penetration.
+fn about_drift(
+    drift: &Drift,
+    ended: Option<Ended>,
+    depth: Option<f64>,
+    names: Names,
+) -> Option<DiagnosticRecord> {
+    if let Some((Ended { depth: reached, error }, depth)) = ended.zip(depth) {
+        let why = match error {
+            Some(error) => error.message(names),
+            None => "the gap closes no further on this branch (a dead centre, or loops that do not close)"
+                .to_owned(),
+        };
+        let message = format!(
+            "the greatest penetration, {depth:.4e} m or rad, is unreachable: the motion of the impact ends after {reached:.4e}: \
+             {why}. The effective mass is that at the touch; a stiffer contact or a slower impact penetrates less"
+        );
+        return Some(DiagnosticRecord::about_answer(Severity::Warning, "penetration-unreachable", message));
+    }
+    let over = drift.over_penetration.filter(|over| over.abs() > DRIFTING)?;
+    let message = format!(
+        "the effective mass changes by {:+.1} % over the penetration: one number is no better than that here; a \
+         stiffer contact or a slower impact changes it less",
+        100.0 * over
+    );
+    Some(DiagnosticRecord::about_answer(Severity::Warning, "mass-drifts", message))
 }
 
 /// What simulators need of the model, where the question does not have it.

@@ -62,8 +62,10 @@ pub struct DamperRecord {
 pub struct Drift {
     /// dm̄/dδ over m̄, along the direction of impact, 1/m.
     pub per_metre: Option<f64>,
-    /// m̄ at the greatest penetration over m̄ at the touch, less 1; null without a speed.
+    /// m̄ at the greatest penetration over m̄ at the touch, less 1; null without a speed, and where that is not reached.
     pub over_penetration: Option<f64>,
+    /// Where the motion of the impact ends before the greatest penetration, m; null where it does not.
+    pub ends_at: Option<f64>,
 }
 
 /// What people take instead of m̄: the mass of the struck rigid body.

@@ -1,6 +1,6 @@
 //! Why a question has no answer, and which flag or key is at fault.
 
-use crate::field::{Field, Names, about_assembly};
+use crate::field::{Field, Names, about_assembly, about_contact};
 use crate::given_pose::GivenPoseError;
 use crate::quantity::QuantityError;
 use crate::table_error::TableError;
@@ -30,6 +30,12 @@ pub enum Fault {
     /// A lock, a held contact or an armature that does not fit.
     #[error(transparent)]
     Conditions(#[from] ConditionsError),
+    /// A root link that floats and has no mass.
+    #[error("{}", massless_base(link, Names::Fields))]
+    MasslessBase {
+        /// The root link.
+        link: String,
+    },
     /// A contact that means nothing.
     #[error(transparent)]
     Contact(#[from] ContactError),
@@ -300,10 +306,23 @@ impl Fault {
             Fault::Table(error) => error.message(names),
             Fault::NothingToSampleBetween { joint, kind } => no_limits(joint, *kind, names),
             Fault::Dependent(error) => about_assembly(error, names),
+            Fault::Contact(error) => about_contact(error, names),
+            Fault::MasslessBase { link } => massless_base(link, names),
             Fault::Travel(TravelError::Assembly(error)) => about_assembly(error, names),
             other => other.to_string(),
         }
     }
+}
+
+fn massless_base(link: &str, names: Names) -> String {
+    let given = match names {
+        Names::Fields => String::new(),
+        Names::Flags => format!(" (--link-mass {link}=KG)"),
+        Names::Keys => format!(" (model.link_mass: {link} = KG)"),
+    };
+    format!(
+        "the root link \"{link}\" has no mass; a body that floats needs one: give it its mass{given}, or leave the base fixed"
+    )
 }
 
 fn varied_is_set(joint: &str, names: Names) -> String {

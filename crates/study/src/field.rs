@@ -1,6 +1,6 @@
 //! The parts of a question, and what they are called where it is asked: flags, keys of a study file, fields in code.
 
-use percuss_dynamics::{AssemblyError, ConditionOfJoint, ConditionsError, ContactError, ContactPart};
+use percuss_dynamics::{AssemblyError, ConditionOfJoint, ConditionsError, ContactError, ContactPart, Frame};
 
 /// By what names messages call the parts of a question.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -57,6 +57,8 @@ pub enum Field {
     Lock,
     /// A point that is held.
     Hold,
+    /// Whether the root link floats.
+    Base,
     /// A rotor's inertia.
     Armature,
     /// The classical estimate.
@@ -105,6 +107,7 @@ impl Field {
             Field::Samples => ("--samples", "mass.samples"),
             Field::Lock => ("--lock", "conditions.lock"),
             Field::Hold => ("--hold", "hold"),
+            Field::Base => ("--base", "conditions.base"),
             Field::Armature => ("--armature", "conditions.armature"),
             Field::Estimate => ("--estimate", "contact.estimate"),
             Field::Vary => ("--vary", "sweep.vary"),
@@ -155,7 +158,9 @@ impl Field {
                 ContactPart::Line => Field::AlongLine,
             },
             ContactError::NoNormal { .. } => Field::Normal,
-            ContactError::NoLine { .. } => Field::AlongLine,
+            ContactError::NoLine { .. }
+            | ContactError::LineShort { .. }
+            | ContactError::LineTurned { .. } => Field::AlongLine,
             ContactError::Itself { .. } => Field::Against,
             ContactError::OtherMass { .. } => Field::AgainstMass,
             // Handles of other mechanisms, which a question by names does not have.
@@ -169,6 +174,29 @@ impl Field {
             ConditionsError::BadHold { .. } => Field::Hold,
             ConditionsError::Twice { condition: ConditionOfJoint::Lock, .. } => Field::Lock,
             _ => Field::Armature,
+        }
+    }
+}
+
+/// What is wrong with a contact; with the flags or keys of a fixed normal, where a line is none.
+pub(crate) fn about_contact(error: &ContactError, names: Names) -> String {
+    let (ContactError::LineShort { normal, frame, .. } | ContactError::LineTurned { normal, frame, .. }) =
+        error
+    else {
+        return error.to_string();
+    };
+    let [x, y, z] = [normal.x, normal.y, normal.z].map(|x| (x * 1e6).round() / 1e6 + 0.0);
+    let frame = if *frame == Frame::Against { "against" } else { "world" };
+    let turns = matches!(error, ContactError::LineTurned { .. });
+    match names {
+        Names::Fields => error.to_string(),
+        Names::Flags => {
+            let turning = if turns { "; --turning-normal: the line may turn" } else { "" };
+            format!("{error}: --normal {x},{y},{z} --normal-frame {frame}{turning}")
+        }
+        Names::Keys => {
+            let turning = if turns { "; turning_normal = true: the line may turn" } else { "" };
+            format!("{error}: normal = [{x}, {y}, {z}], normal_frame = \"{frame}\"{turning}")
         }
     }
 }

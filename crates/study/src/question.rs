@@ -11,8 +11,10 @@ use percuss_dynamics::{Base, Frame};
 pub enum Normal {
     /// Along a vector in the normal's frame.
     Along([f64; 3]),
-    /// From the contact point towards a point (m) of a link, in that link's frame.
+    /// From the contact point towards a point (m) of a link, in that link's frame: a line near the line as drawn.
     Toward(String, [f64; 3]),
+    /// The same, along a line that may turn: of a spring, a damper or a rod.
+    TurningToward(String, [f64; 3]),
 }
 
 /// A held contact: a point (m, link's frame) of a link that stays where it is, along a normal (world axes, out of the

@@ -193,9 +193,12 @@ impl Starter<'_> {
         writeln!(out, "[contact]\nlink = {}\npoint = {}", quoted(&question.link), triple(&question.point))?;
         match &question.normal {
             Normal::Along(normal) => writeln!(out, "normal = {}", triple(normal))?,
-            Normal::Toward(link, point) => {
+            Normal::Toward(link, point) | Normal::TurningToward(link, point) => {
                 let link = quoted(link);
                 writeln!(out, "along_line = {{ link = {link}, point = {} }}", triple(point))?;
+                if matches!(question.normal, Normal::TurningToward(..)) {
+                    writeln!(out, "turning_normal = true")?;
+                }
             }
         }
         match &question.against {

@@ -245,8 +245,10 @@ impl Reading<'_> {
         for word in &study.model.accept {
             match word.as_str() {
                 "indefinite-inertia" => accept.indefinite_inertia = true,
+                "implausible-inertia" => accept.implausible_inertia = true,
                 _ => {
-                    let why = format!("\"{word}\"; known is \"indefinite-inertia\"");
+                    let why =
+                        format!("\"{word}\"; known are \"indefinite-inertia\" and \"implausible-inertia\"");
                     return Err(self.value("model.accept", "model.accept", why));
                 }
             }

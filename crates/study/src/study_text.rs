@@ -65,7 +65,7 @@ pub(crate) struct ModelText {
     pub path: String,
     /// Findings in spite of which the model is accepted.
     #[serde(default)]
-    #[schemars(extend("items" = { "type": "string", "enum": ["indefinite-inertia"] }))]
+    #[schemars(extend("items" = { "type": "string", "enum": ["indefinite-inertia", "implausible-inertia"] }))]
     pub accept: Vec<String>,
     /// Other masses by link, kg; moments about the centre of mass change in proportion.
     #[serde(default, deserialize_with = "study_value::masses")]
@@ -130,6 +130,9 @@ pub(crate) struct ContactText {
     pub normal: Option<[f64; 3]>,
     /// In place of normal: it points from the contact point towards this point.
     pub along_line: Option<LineText>,
+    /// Lets the line of along_line turn by more than 5° from the line as drawn: a spring, a damper or a rod.
+    #[serde(default)]
+    pub turning_normal: bool,
     /// The frame of point and normal; link without this.
     #[schemars(extend("enum" = ["link", "world", "against"]))]
     pub frame: Option<String>,
@@ -226,11 +229,12 @@ impl ContactText {
 
     /// Whether anything is said of it.
     pub fn is_empty(&self) -> bool {
-        let Self { link, point, normal, along_line, frame, normal_frame, .. } = self;
+        let Self { link, point, normal, along_line, turning_normal, frame, normal_frame, .. } = self;
         link.is_none()
             && point.is_none()
             && normal.is_none()
             && along_line.is_none()
+            && !turning_normal
             && frame.is_none()
             && normal_frame.is_none()
     }
@@ -260,6 +264,12 @@ impl StudyText {
                 .map_err(|error| Refusal::new("pose.file", error.to_string()))
         };
         let normal = match (&contact.along_line, contact.normal) {
+            (None, _) if contact.turning_normal => {
+                return Err(Refusal::new("contact.turning_normal", "it is of along_line, which is missing"));
+            }
+            (Some(line), None) if contact.turning_normal => {
+                Normal::TurningToward(line.link.clone(), line.point)
+            }
             (Some(line), None) => Normal::Toward(line.link.clone(), line.point),
             (None, normal) => Normal::Along(normal.unwrap_or_default()),
             (Some(_), Some(_)) => return Err(Refusal::new("contact", "give either normal or along_line")),

@@ -21,7 +21,6 @@ use crate::sweep_report::{Continuation, SweepEnd, SweepHeading, SweepReport, Swe
 use crate::swept::Swept;
 use crate::thresholds::{GRID_ROWS, ROWS};
 use crate::trajectory::Trajectory;
-use crate::turned_line::TurnedLine;
 use crate::varied_values::VariedColumn;
 use crate::vary::{Varied, Vary};
 use std::ops::ControlFlow;
@@ -134,8 +133,7 @@ impl<'a> Sweep<'a> {
             joints: PoseLayout::new(&model.mechanism),
         };
         let (along, lanes) = (rows.along(), InLanes::new(&prepared, &setting, &contact));
-        let line = travel.as_ref().and_then(|travel| TurnedLine::new(&prepared, &travel.0.start, &contact));
-        let swept = Swept { prepared, setting, travel, contact, heading, along, line, lanes };
+        let swept = Swept { prepared, setting, travel, contact, heading, along, lanes };
         Ok(Self { swept, rows, about_point })
     }
 

@@ -15,7 +15,6 @@ use crate::setting::Setting;
 use crate::sweep_report::{SweepHeading, SweepRow};
 use crate::thresholds::{FOLLOWED_BEGINNINGS, FOLLOWED_ROWS};
 use crate::travel::Travel;
-use crate::turned_line::TurnedLine;
 use crate::varied_values::VariedValues;
 use percuss_dynamics::{Contact, Pose};
 use std::ops::Range;
@@ -32,8 +31,6 @@ pub(crate) struct Swept<'a> {
     pub heading: SweepHeading,
     /// Which number tells how far out a row of a line lies.
     pub along: Along,
-    /// The line of the contact, where a travel may turn it.
-    pub line: Option<TurnedLine>,
     /// Where rows need no poses.
     pub lanes: Option<InLanes>,
 }
@@ -200,7 +197,6 @@ impl Swept<'_> {
                     Ok(answer) => {
                         let answered = self.answered(row, varied, &pose, &answer, travel);
                         portion.tally.add(row, answer.findings);
-                        portion.tally.add(row, self.line.as_ref().and_then(|line| line.at(&pose)));
                         Outcome::Row { made: made(answered), reached: true, error: None }
                     }
                 }

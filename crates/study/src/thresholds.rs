@@ -17,9 +17,6 @@ pub(crate) const SHORT_OF_END: f64 = 0.98;
 pub(crate) const LEAST_ADVANCE: f64 = 1e-4;
 /// A joint that moves a point by less than this part of the mechanism's size a radian does not drive it.
 pub(crate) const UNMOVED: f64 = 1e-6;
-/// Cosine of the angle that a contact's line may turn by over a travel before that is said: 30°. Springs and dampers of
-/// suspensions turn by less than 15°.
-pub(crate) const LINE_TURNED: f64 = 0.866;
 /// Largest coordinate, m: its square is still a number, with room for sums.
 pub(crate) const LARGEST_COORDINATE: f64 = 1e100;
 /// Least mass of a free body on the other side, kg: its inverse is still a number, with room for sums.
@@ -110,6 +107,17 @@ pub(crate) const LEAVES: f64 = 1e-9;
 /// Half the distance of the differences that give dm̄/dδ, in parts of the characteristic length: the cube root of
 /// rounding, where truncation and rounding are alike.
 pub(crate) const DIFFERENCE: f64 = 1e-5;
+/// First step of the motion over the penetration, as a part of it.
+pub(crate) const FIRST_PENETRATION: f64 = 0.5;
+/// The next step over the last one that was good.
+pub(crate) const PENETRATION_GROWTH: f64 = 1.25;
+/// Relative difference of m̄ between one step and two halves that is good: some hundred steps leave four digits.
+pub(crate) const PENETRATION_MASS: f64 = 1e-6;
+/// Distance of the contact point between these, as a part of the step: depths are good to four digits.
+pub(crate) const PENETRATION_MOTION: f64 = 1e-5;
+/// The least step over the penetration: near a dead centre good steps are a hundredth of what is left of the motion, whose end is
+/// found to a few ten-thousandths, after some thousand steps.
+pub(crate) const LEAST_PENETRATION: f64 = 1e-6;
 /// Relative change of m̄ over the penetration from which one number comes with a warning: restitutions are measured to
 /// some per cent.
 pub(crate) const DRIFTING: f64 = 0.01;

@@ -63,9 +63,17 @@ pub struct ContactArgs {
     pub normal: Option<[f64; 3]>,
     /// Or the normal towards a point of a link.
     ///
-    /// The normal points from the contact point towards this point (m) of a link, in that link's frame.
+    /// The normal points from the contact point towards this point (m) of a link, in that link's frame: the line of a spring, or
+    /// of a stop near the drawing. For a stop over a travel, give --normal.
     #[arg(long, value_name = "LINK:X,Y,Z", value_parser = line, help_heading = CONTACT)]
     pub along_line: Option<(String, [f64; 3])>,
+    /// Lets the line of --along-line turn: a spring, a damper or a rod.
+    ///
+    /// Without this a pose is refused where the line has turned by more than 5° from the line as drawn (all joints at 0, seen
+    /// from the other side): it is no longer the normal of a stop. A line shorter than a tenth of the line as drawn is refused
+    /// in any case.
+    #[arg(long, requires = "along_line", help_heading = CONTACT)]
+    pub turning_normal: bool,
     /// In which frame the point and the normal are given.
     ///
     /// Both are. A point in another frame than the link's is converted once, at the pose of --set with what is varied at 0,
@@ -152,6 +160,7 @@ impl ContactArgs {
     /// As a question whose contact may be missing.
     pub fn conditions(&self) -> Result<MassQuestion, Failure> {
         let normal = match (&self.along_line, self.normal) {
+            (Some((link, point)), _) if self.turning_normal => Normal::TurningToward(link.clone(), *point),
             (Some((link, point)), _) => Normal::Toward(link.clone(), *point),
             // `question` requires one of them.
             (None, normal) => Normal::Along(normal.unwrap_or_default()),

@@ -57,7 +57,7 @@ Examples:
   Over the travel of a wheel's centre, as a plot:
     percuss sweep models/double_wishbone.urdf --link spring_seat \\
         --point 0,0,0 --along-line spring_chassis_seat:0,0,0 \\
-        --vary travel:spindle:0,0,0:0,0,1=-80mm:80mm:161 \\
+        --turning-normal --vary travel:spindle:0,0,0:0,0,1=-80mm:80mm:161 \\
         --estimate wheel,spindle,upright --output travel.svg
   Every combination of two ranges, the first the slowest:
     percuss sweep models/six_r_arm.urdf --link tool --point 0.08,0,0 \\
@@ -66,7 +66,7 @@ Examples:
   Along a path from a file, a column for each joint:
     percuss sweep models/double_wishbone.urdf --link spring_seat \\
         --point 0,0,0 --along-line spring_chassis_seat:0,0,0 \\
-        --input path.csv --ignore time
+        --turning-normal --input path.csv --ignore time
   At random positions within the limits of the joints:
     percuss sweep models/six_r_arm.urdf --link tool --point 0.08,0,0 \\
         --normal 0,0,-1 --random 100000 --seed 1 --output rows.jsonl
@@ -88,8 +88,9 @@ Examples:
   Two suspensions at their bump stop, over the wheel's travel:
     percuss compare models/suspensions/double-wishbone.toml \\
         models/suspensions/double-wishbone-rods.toml \\
-        --link bump_stop_pad --point 0,0,0 --along-line bump_stop:0,0,0 \\
-        --against chassis --vary travel:spindle:0,0,0:0,0,1=-20mm:40mm:61 \\
+        --link bump_stop_pad --point 0,0,0 --normal 0,-15,80 \\
+        --normal-frame against --against chassis \\
+        --vary travel:spindle:0,0,0:0,0,1=-20mm:40mm:61 \\
         --output both.svg
   A study and its [[variant]]s, as a table:
     percuss compare models/studies/variants.toml --format csv

@@ -63,7 +63,7 @@ impl Cli {
             _ => argument,
         };
         let hidden = |argument: clap::Arg| match argument.get_id().as_str() {
-            "normal" | "along_line" | "normal_frame" | "estimate" => argument.hide(true),
+            "normal" | "along_line" | "turning_normal" | "normal_frame" | "estimate" => argument.hide(true),
             _ => argument,
         };
         ["damp", "safe-speed", "compare"]

@@ -69,6 +69,8 @@ pub struct ReadingArgs {
 pub enum Acceptable {
     /// Inertias with a negative principal moment.
     IndefiniteInertia,
+    /// Inertias far beyond what the size of the links allows.
+    ImplausibleInertia,
 }
 
 impl ModelArgs {
@@ -89,7 +91,8 @@ impl ReadingArgs {
     /// How it is read.
     pub fn options(&self) -> LoadOptions {
         let indefinite_inertia = self.accept.contains(&Acceptable::IndefiniteInertia);
-        LoadOptions { accept: Accept { indefinite_inertia } }
+        let implausible_inertia = self.accept.contains(&Acceptable::ImplausibleInertia);
+        LoadOptions { accept: Accept { indefinite_inertia, implausible_inertia } }
     }
 
     /// What is changed of it.

@@ -26,7 +26,7 @@ const WITHOUT_FLAG: [(&str, &str); 2] = [
 ];
 
 /// The keys of flags that all commands share.
-const SHARED: [(&str, &str); 49] = [
+const SHARED: [(&str, &str); 50] = [
     ("model", "model.path"),
     ("mass_from", "model.path"),
     ("accept", "model.accept"),
@@ -38,6 +38,7 @@ const SHARED: [(&str, &str); 49] = [
     ("normal", "contact.normal"),
     ("along_line", "contact.along_line.link"),
     ("along_line", "contact.along_line.point"),
+    ("turning_normal", "contact.turning_normal"),
     ("frame", "contact.frame"),
     ("normal_frame", "contact.normal_frame"),
     ("against", "contact.against"),

@@ -20,7 +20,9 @@ use crate::answered::{Answered, Answers, Columns, WIDEST};
 use crate::assembly::Assembly;
 use crate::contact::{Contact, Direction, Frame};
 use crate::model::Model;
+use crate::tolerances::SHORTEST_LINE;
 use motion::{Answer, Normal, Struck, evaluate};
+use nalgebra::Vector3;
 use percuss_mechanism::LinkId;
 use percuss_spatial::lanes::{Instructions, Lanes, Work};
 use plan::{BodyDirection, BodyPoint, Motion, Plan};
@@ -59,7 +61,20 @@ impl Linkage {
                     (Frame::World, _) | (Frame::Against, None) => BodyDirection { body: None, e: n.into() },
                 })
             }
-            Direction::Toward(link, to) => Normal::Toward(self.point(model, link, &to)),
+            Direction::Toward(link, to) | Direction::TurningToward(link, to) => {
+                let drawn = model.drawn_line(contact);
+                let length = drawn.map_or(f64::INFINITY, |drawn| drawn.length);
+                let unit = drawn.map_or_else(Vector3::x, |drawn| drawn.unit);
+                Normal::Toward {
+                    end: self.point(model, link, &to),
+                    drawn: match contact.against {
+                        Some(other) => self.direction(model, other, &unit),
+                        None => BodyDirection { body: None, e: unit.into() },
+                    },
+                    shortest: SHORTEST_LINE * length,
+                    least_cosine: contact.normal.least_cosine(),
+                }
+            }
         };
         self.struck = Some(Struck { on, against, normal });
     }

@@ -29,8 +29,16 @@ pub(super) struct Struck {
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Normal {
     Along(BodyDirection),
-    /// Toward a point.
-    Toward(BodyPoint),
+    /// Toward a point, near the line as drawn.
+    Toward {
+        end: BodyPoint,
+        /// Unit vector of the line as drawn.
+        drawn: BodyDirection,
+        /// The least length, m.
+        shortest: f64,
+        /// The least cosine of the angle to the line as drawn.
+        least_cosine: f64,
+    },
 }
 
 /// The answers of some lanes.
@@ -147,16 +155,22 @@ fn respond<T: Lanes>(plan: &Plan, struck: &Struck, lost: T, room: &[f64]) -> Ans
     }
     let (mut t, mut tests) = ([T::zero(); MOST], [T::zero(); MOST]);
     let at: [T; 3] = point(room, &struck.on);
-    let mut turned = T::one();
+    let (mut turned, mut refused) = (T::one(), T::zero());
     let normal = match &struck.normal {
         Normal::Along(heading) => direction(room, heading),
-        Normal::Toward(end) => {
+        Normal::Toward { end, drawn, shortest, least_cosine } => {
             let end = point(room, end);
             let line = minus(&end, &at);
             let over = T::one() / dot(&line, &line).sqrt();
             // It turns by what its ends are off.
             turned = (size(&end) + size(&at)).mul_add(over, turned);
-            times(&line, over)
+            let unit = times(&line, over);
+            let cosine = dot(&unit, &direction(room, drawn));
+            // A line that is refused is left to a pose, which states why.
+            let short = T::from_f64(*shortest) - dot(&line, &unit);
+            let aside = T::from_f64(*least_cosine) - cosine;
+            refused = short.max(T::zero()) + aside.max(T::zero());
+            unit
         }
     };
     let mut y = 0;
@@ -210,6 +224,7 @@ fn respond<T: Lanes>(plan: &Plan, struck: &Struck, lost: T, room: &[f64]) -> Ans
         }
         k += 1;
     }
+    answer.error = refused.mul_add(T::from_f64(f64::MAX), answer.error);
     answer
 }
 

@@ -37,7 +37,8 @@ pub use drawing::{Line, WheelCircle};
 use findings::{Findings, Spot};
 pub use options::{ImportOptions, Rack, Side, Wheel};
 use percuss_mechanism::{
-    Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder, Problem, Subject,
+    Built, Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder, Problem,
+    Subject,
 };
 use percuss_spatial::Vector3;
 use reader::{Reader, Section};
@@ -238,7 +239,10 @@ fn finish(
     let mut comments = about.comments;
     comments.heading = heading(described, source);
     let (mechanism, problems) = match builder.accept(options.accept).build() {
-        Ok(built) => (Some(built.mechanism), built.findings),
+        Ok(Built { mechanism, mut findings }) => {
+            findings.extend(mechanism.implausible_inertias(options.accept));
+            (Some(mechanism), findings)
+        }
         Err(error) => (None, error.findings),
     };
     for (subject, problem) in problems {

@@ -151,9 +151,12 @@ def _contact(
     against: str | None,
     toward: tuple[str, tuple[float, float, float]] | None,
     normal_frame: str,
+    turning: bool,
 ) -> Contact:
     """A contact that came from another process."""
-    return Contact(link, point, normal, against=against, toward=toward, normal_frame=normal_frame)
+    return Contact(
+        link, point, normal, against=against, toward=toward, normal_frame=normal_frame, turning=turning
+    )
 
 
 def _model(text: bytes, name: str, accept: list[str]) -> Model:

@@ -69,7 +69,15 @@ impl Sheet<'_> {
         self.line("#   percuss import THIS.toml -o my.urdf");
         let side = if template.axle { "_left" } else { "" };
         self.line(&format!("#   percuss mass my.urdf --link bump_stop_pad{side} --point 0,0,0 \\"));
-        self.line(&format!("#       --along-line bump_stop{side}:0,0,0 --against chassis"));
+        let at = |key: &str| {
+            template.points.iter().find(|(name, _)| *name == key).map(|(_, at)| Vector3::from(*at))
+        };
+        if let Some((pad, stop)) = at("bump_stop_pad").zip(at("bump_stop")) {
+            // Figures of a micron, free of the rounding of their difference.
+            let [x, y, z] = [0, 1, 2].map(|i| ((stop - pad)[i] * 1e3).round() / 1e3 + 0.0);
+            self.line(&format!("#       --normal {x},{y},{z} --normal-frame against --against chassis"));
+            self.line("# with the normal of the stop: from the pad to the stop, x forward, y left, z up.");
+        }
         self.line("");
         self.key("template", &format!("\"{}\"", template.name), "");
         self.key("name", &format!("\"{}\"", template.title), "yours");

@@ -1,0 +1,103 @@
+//! SDF joints in `<gazebo>`: read as loops where everything is there, refused with the element and the line where not.
+
+mod support;
+
+use percuss_formats::{LoadError, Loaded};
+use percuss_mechanism::{ClosureKind, Severity};
+use percuss_spatial::Vector3;
+use support::{changed, codes, told};
+
+/// The pendulum, hung 1 m up and turned by 0.1 rad, with a `<gazebo>`.
+fn with(gazebo: &str) -> Result<Loaded, LoadError> {
+    changed(&[("rpy=\"0 0 0\"", "rpy=\"0 0.1 0\""), ("</robot>", &format!("{gazebo}\n</robot>"))])
+}
+
+fn joint(attributes: &str, inside: &str) -> Result<Loaded, LoadError> {
+    with(&format!("<gazebo><joint {attributes}>{inside}</joint></gazebo>"))
+}
+
+const ENDS: &str = "<parent>base</parent><child>arm</child>";
+
+#[test]
+fn a_joint_is_placed_on_its_child_and_held_where_it_is_drawn() {
+    let loaded = joint("name=\"pin\" type=\"revolute\"", &format!("<pose>0 0 -0.5 0 0 0</pose>{ENDS}"));
+    let loaded = loaded.unwrap_or_else(|error| panic!("{error}"));
+    let [closure] = loaded.mechanism.closures() else { panic!("one closure") };
+    assert_eq!((closure.name(), closure.kind()), ("pin", ClosureKind::Revolute));
+    assert_eq!(*closure.axis(), Vector3::z());
+    let below = Vector3::new(0.0, 0.0, -0.5);
+    assert!((closure.successor().frame.translation - below).norm() < 1e-15);
+    let expected = Vector3::new(-0.5 * 0.1f64.sin(), 0.0, 1.0 - 0.5 * 0.1f64.cos());
+    let off = closure.predecessor().frame.translation - expected;
+    assert!(off.norm() < 1e-15, "{off}");
+    assert!(codes(&Ok(loaded)).contains(&(Severity::Note, "gazebo-joint")));
+}
+
+/// A model with a loop that is not read must not be answered as a tree.
+#[test]
+fn what_cannot_be_read_is_refused() {
+    let good = "name=\"pin\" type=\"revolute\"";
+    let cases = [
+        ("name=\"pin\" type=\"gearbox\"", ENDS.to_owned(), "its type is \"gearbox\""),
+        (
+            "name=\"pin\" type=\"screw\"",
+            ENDS.to_owned(),
+            "revolute, continuous, prismatic, ball, universal, fixed are read",
+        ),
+        ("name=\"pin\"", ENDS.to_owned(), "its type is \"\""),
+        (good, "<child>arm</child>".to_owned(), "<parent>LINK</parent>"),
+        (good, "<parent link=\"base\"/><child link=\"arm\"/>".to_owned(), "with the link's name as text"),
+        (good, "<parent>base</parent><child>hand</child>".to_owned(), "\"hand\""),
+        (good, format!("<pose>0 0 0</pose>{ENDS}"), "got 3"),
+        (
+            good,
+            format!("<pose relative_to=\"moon\">0 0 0 0 0 0</pose>{ENDS}"),
+            "the frame \"moon\" is not known",
+        ),
+        (good, format!("<pose rotation_format=\"matrix\">0 0 0 0 0 0</pose>{ENDS}"), "euler_rpy"),
+        (good, format!("<pose rotation_format=\"quat_xyzw\">0 0 0 0 0 0 2</pose>{ENDS}"), "norm 2"),
+        (good, format!("<axis><xyz>0 0 0</xyz></axis>{ENDS}"), "the axis is zero"),
+        (good, format!("<axis><xyz>0 nan 0</xyz></axis>{ENDS}"), "not finite"),
+        (good, format!("<axis><xyz expressed_in=\"moon\">0 1 0</xyz></axis>{ENDS}"), "\"moon\""),
+        (
+            good,
+            format!(
+                "<axis><xyz>0 1 0</xyz><use_parent_model_frame>tRUE</use_parent_model_frame></axis>{ENDS}"
+            ),
+            "neither true nor false",
+        ),
+        (good, format!("<axis><xyz>0 1 0</xyz><mimic joint=\"hinge\"/></axis>{ENDS}"), "<coupling>"),
+        ("name=\"pin\" type=\"universal\"", format!("<axis><xyz>0 1 0</xyz></axis>{ENDS}"), "has no <axis2>"),
+        (
+            "name=\"pin\" type=\"universal\"",
+            format!("<axis><xyz>0 1 0</xyz></axis><axis2><xyz>0 1 1</xyz></axis2>{ENDS}"),
+            "right angles",
+        ),
+        (good, "<parent>arm</parent><child>arm</child>".to_owned(), "to itself"),
+        (good, format!("<pose>0 0 0 0 0 0</pose><pose>0 0 1 0 0 0</pose>{ENDS}"), "a second <pose>"),
+        (good, "<parent>world</parent><child>base</child>".to_owned(), "root"),
+    ];
+    for (attributes, inside, said) in cases {
+        let loaded = joint(attributes, &inside);
+        assert!(loaded.is_err(), "{attributes} {inside}");
+        let errors = told(&loaded).iter().filter(|d| d.severity == Severity::Error);
+        let errors: Vec<_> = errors.collect();
+        assert!(errors.iter().any(|d| d.message.contains(said)), "{attributes} {inside}: {errors:?}");
+        assert!(errors.iter().all(|d| d.line.is_some() && d.element.is_some()), "{errors:?}");
+    }
+    let elsewhere = with(&format!("<gazebo reference=\"arm\"><joint {good}>{ENDS}</joint></gazebo>"));
+    assert!(told(&elsewhere)[0].message.contains("no attribute \"reference\""), "{:?}", told(&elsewhere));
+    let twice = format!("<joint {good}>{ENDS}</joint>");
+    let twice = with(&format!("<gazebo>{twice}{twice}</gazebo>"));
+    assert!(codes(&twice).contains(&(Severity::Error, "duplicate-name")), "{:?}", told(&twice));
+}
+
+/// A joint that fixes the root to the world says what `--base fixed` says: it is no loop.
+#[test]
+fn a_root_fixed_to_the_world_is_no_loop() {
+    for ends in ["<parent>world</parent><child>base</child>", "<parent>base</parent><child>world</child>"] {
+        let loaded = joint("name=\"foot\" type=\"fixed\"", ends).unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!(loaded.mechanism.closures().len(), 0);
+        assert!(codes(&Ok(loaded)).contains(&(Severity::Note, "gazebo-joint")));
+    }
+}
