@@ -360,6 +360,10 @@ pub(crate) const LEAST_ENTRY: f64 = 1e-100;
 pub(crate) const LENGTH_LIMIT: f64 = 1e30;
 /// How many times as much as one trial with entries off by their accuracy moves m̄ it may be off: signs that are worse.
 pub(crate) const MOVED_SAFETY: f64 = 8.0;
+/// Relative accuracy of entries above which errors beyond first order are looked for by several trials: half precision.
+pub(crate) const FEW_DIGITS: f64 = 1e-6;
+/// How many trials.
+pub(crate) const FEW_DIGITS_TRIALS: usize = 8;
 /// The greatest relative error that entries may be said to have: three decimals.
 pub(crate) const MOST_ACCURACY: f64 = 1e-3;
 /// Singular values of A below this many times the accuracy of its entries count as zero.

@@ -11,7 +11,7 @@ use crate::pose::Pose;
 use crate::response::{Response, route_choice};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use percuss::LocatedContact;
-use percuss::nalgebra::{Matrix3, Vector3};
+use percuss::nalgebra::{DMatrix, Matrix3, Vector3};
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 use std::collections::BTreeMap;
@@ -123,7 +123,8 @@ impl Pose {
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let link = self.model.read.mechanism.find_link(link).map_err(input)?;
         let rows = self.pose.point_jacobian(link, &Vector3::from(triple(point, "point")?));
-        matrix(py, &(self.axes(frame)? * rows))
+        let turned = self.axes(frame)? * rows;
+        matrix(py, &DMatrix::from_column_slice(3, turned.ncols(), turned.as_slice()))
     }
 
     /// Φ = J M⁻¹ Jᵀ of both sides of a contact at its point, constraints included; (12, 12), 1/kg and so on: six rows, angular

@@ -31,7 +31,8 @@ ZERO = gmpy2.mpfr("1e-40")
 
 def exact(values: Any) -> Exact:
     array = np.asarray(values)
-    found = np.array([gmpy2.mpfr(x.item()) for x in array.ravel()], dtype=object)
+    found = np.empty(array.size, dtype=object)
+    found[:] = [gmpy2.mpfr(x.item()) for x in array.ravel()]
     return found.reshape(array.shape)
 
 
@@ -62,10 +63,14 @@ def problem(random: np.random.Generator, number: int) -> Problem:
     masses[random.random(len(bodies)) < 0.15] = 0.0
     M = bodies.T @ (exact(masses)[:, None] * bodies) if len(bodies) else exact(np.zeros((n, n)))
     A = normal(int(random.integers(0, n)), n)
+    # By how much a row differs from a combination of others.
+    beside = 10.0 ** -random.uniform(0, {"float64": 8, "float32": 4, "float16": 1, "int64": 0}[kind])
+    if len(A) > 1 and random.random() < 0.2:
+        A[-1] = exact(beside) * A[-1] + normal(len(A) - 1) @ A[:-1]
     A = independent(A)
     j = normal(n)
-    if len(A) and random.random() < 0.08:
-        j = normal(len(A)) @ A
+    if len(A) and random.random() < 0.16:
+        j = normal(len(A)) @ A + exact(beside if random.random() < 0.5 and not whole else 0.0) * j
     combined = exact(random.integers(-2, 3, (int(random.integers(0, 3)) if len(A) else 0, len(A)))) @ A
     rows = np.concatenate([A, combined.reshape(-1, n)])
     span = {"float64": 12.0, "float32": 12.0, "float16": 1.0, "int64": 0.0}[kind]
@@ -87,7 +92,7 @@ def independent(rows: Exact) -> Exact:
         for column, other in reduced:
             left = left - left[column] * other
         column = int(np.argmax(abs(left)))
-        if size > 0 and abs(left[column]) > 1e-6 * size:
+        if size > 0 and abs(left[column]) > ZERO * size:
             reduced.append((column, left / left[column]))
             kept.append(row)
     return np.array(kept, dtype=object).reshape(-1, rows.shape[1])
@@ -153,8 +158,12 @@ class Tally:
     def judge(self, number: int, problem: Problem) -> None:
         outcome, truth = solved(problem)
         M, A, j = problem.arrays
-        found = percuss.effective_mass(M, j, A)
         name = f"problem {number} ({problem.kind})"
+        try:
+            found = percuss.effective_mass(M, j, A)
+        except percuss.InputError as refusal:
+            self.failures.append(f"{name}: {refusal}")
+            return
         what = f"{outcome} as {found.status}"
         if not found.rank["is_clear"]:
             self.counts[f"{problem.kind}: unclear rank"] += 1

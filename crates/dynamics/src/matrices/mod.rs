@@ -13,7 +13,7 @@ use self::rank::RankLimits;
 use crate::careful::{LeastEnergy, Minimum, Solution};
 use crate::outcome::{EffectiveMass, Remark};
 use crate::tolerances::{
-    FLOOR_ACCURACY, IMMOVABLE, MOVED_SAFETY, NEARLY_IMMOVABLE, NEGLIGIBLE_MASS, NOTHING_LEFT, RANK_FLOOR,
+    FEW_DIGITS, FEW_DIGITS_TRIALS, FLOOR_ACCURACY, IMMOVABLE, MOVED_SAFETY, NEARLY_IMMOVABLE, NEGLIGIBLE_MASS, NOTHING_LEFT, RANK_FLOOR,
     RANK_ROUNDING, SUM_ROUNDINGS,
 };
 use faer::Mat;
@@ -276,7 +276,8 @@ impl Asked<'_> {
             }
             EffectiveMass::Immovable => {
                 velocity = vec![0.0; n];
-                if closing_speed > IMMOVABLE {
+                // Above rounding: the gap may close, far more slowly than is decided.
+                if closing_speed > RANK_ROUNDING {
                     let uncertainty = open / closing_speed;
                     remarks.push(Remark::NearlyImmovable { closing_speed, uncertainty });
                 }
@@ -295,11 +296,18 @@ impl Asked<'_> {
         })
     }
 
-    /// Change of m̄ if the entries of M, A and j are off by their accuracy, in signs that follow no pattern; `None` if m̄ is no longer
+    /// Largest change of m̄ if the entries of M, A and j are off by their accuracy, in signs that follow no pattern; `None` if m̄ is no longer
     /// finite. Losses of the method beyond first order show here.
     fn moved_by_accuracy(&self, m: f64) -> Option<f64> {
+        // The fewer digits the entries have, the more is lost beyond first order.
+        let trials = if self.accuracy.mass.max(self.accuracy.of_rows()) > FEW_DIGITS { FEW_DIGITS_TRIALS } else { 1 };
+        (0..trials).map(|trial| self.moved_by(m, trial)).try_fold(0.0, |most, moved| Some(f64::max(most, moved?)))
+    }
+
+    /// The same for one pattern of signs.
+    fn moved_by(&self, m: f64, trial: usize) -> Option<f64> {
         let factor = |r: usize, c: usize, accuracy: f64| {
-            1.0 + [1.0, -1.0, 0.5, -0.5][(7 * r + 3 * c + r * c) % 4] * accuracy
+            1.0 + [1.0, -1.0, 0.5, -0.5][(7 * r + 3 * c + r * c + trial * (5 * r + c + 1)) % 4] * accuracy
         };
         let mut mass =
             Mass { matrix: self.mass.matrix.clone(), noise: self.mass.noise.clone(), ..*self.mass };

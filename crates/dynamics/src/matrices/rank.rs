@@ -3,7 +3,6 @@
 use crate::mobility::{Rank, Redundancy, decide, singular_values};
 use crate::tolerances::REDUNDANCY_LIMIT;
 use crate::union::Partition;
-use faer::Mat;
 use nalgebra::DMatrix;
 
 /// What was decided about the rows of A.
@@ -85,9 +84,7 @@ pub(super) fn decide_rows(mut a: DMatrix<f64>, lengths: &[f64], limits: &RankLim
         let counted: Vec<usize> = if rank.rank == rows.len() {
             rows.clone()
         } else {
-            let transposed = Mat::from_fn(columns.len(), rows.len(), |c, r| part[(r, c)] / own[c]);
-            let qr = transposed.col_piv_qr();
-            let order = qr.P().arrays().0;
+            let order = independent_first(&part, &own, rank.rank);
             report.redundant_rows.extend(order[rank.rank..].iter().map(|&r| rows[r]));
             if columns.len() <= REDUNDANCY_LIMIT {
                 let mut redundancy = Redundancy::default();
@@ -107,6 +104,32 @@ pub(super) fn decide_rows(mut a: DMatrix<f64>, lengths: &[f64], limits: &RankLim
     let matrix = a.select_rows(&counting);
     debug_assert_eq!(counting.len() + report.redundant_rows.len(), m);
     Decided { rows: matrix, least, report }
+}
+
+/// The rows of a matrix, `rank` independent ones first, columns divided by `lengths`. The norms of what is left of the rows are
+/// computed anew in each step: an elimination that updates them, as faer's, loses those below √ε of the row.
+fn independent_first(matrix: &DMatrix<f64>, lengths: &[f64], rank: usize) -> Vec<usize> {
+    let (m, n) = matrix.shape();
+    let mut left = DMatrix::from_fn(n, m, |c, r| matrix[(r, c)] / lengths[c]);
+    let mut order: Vec<usize> = (0..m).collect();
+    for k in 0..rank.min(m) {
+        let norm = |r: usize| left.column(r).norm();
+        let next = (k..m).max_by(|&a, &b| norm(order[a]).total_cmp(&norm(order[b]))).unwrap_or(k);
+        order.swap(k, next);
+        let size = norm(order[k]);
+        if size == 0.0 {
+            break;
+        }
+        let direction = left.column(order[k]) / size;
+        for &r in &order[k + 1..] {
+            // Twice: the first time leaves the rounding of what it takes away.
+            for _ in 0..2 {
+                let along = direction.dot(&left.column(r));
+                left.column_mut(r).axpy(-along, &direction, 1.0);
+            }
+        }
+    }
+    order
 }
 
 /// Rows that share columns, with these.
