@@ -331,7 +331,8 @@ fn the_unit_of_a_row_has_no_influence() {
     assert_eq!((rounding.rank.rank, rounding.rank.redundant_rows), (1, vec![1]));
     // A dropped singular value above rounding is reported, and no error is stated.
     let near = DMatrix::from_row_slice(2, 3, &[1.0, -1.0, 0.0, 1.0, -1.0, 1e-11]);
-    let got = effective_mass(&mass, &[1.0, 0.0, 0.0][..], Some((&near).into()), &MatrixOptions::new()).unwrap();
+    let got =
+        effective_mass(&mass, &[1.0, 0.0, 0.0][..], Some((&near).into()), &MatrixOptions::new()).unwrap();
     assert!(!got.rank.is_clear && got.error.is_none(), "{got:?}");
 }
 
@@ -345,10 +346,9 @@ fn the_accuracy_decides_the_rank() {
         effective_mass(&mass, &[1.0, 0.0][..], Some((&rows).into()), &options).unwrap()
     };
     assert_eq!(ask(MatrixOptions::new()).effective_mass, EffectiveMass::Immovable);
-    for options in [
-        MatrixOptions::new().accuracy(6e-8),
-        MatrixOptions::new().accuracy_of(MatrixName::Constraints, 6e-8),
-    ] {
+    for options in
+        [MatrixOptions::new().accuracy(6e-8), MatrixOptions::new().accuracy_of(MatrixName::Constraints, 6e-8)]
+    {
         let got = ask(options);
         let EffectiveMass::Finite(m) = got.effective_mass else { panic!("{got:?}") };
         let error = got.error.unwrap();

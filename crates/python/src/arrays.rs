@@ -22,12 +22,7 @@ pub struct Numbers<'py> {
 impl<'py> Numbers<'py> {
     /// An array of float64 of one of some numbers of dimensions, read where it lies if it is one already. Sparse matrices become
     /// dense.
-    pub fn of(
-        value: &Bound<'py, PyAny>,
-        what: &str,
-        dimensions: &[usize],
-        expected: &str,
-    ) -> PyResult<Self> {
+    pub fn of(value: &Bound<'py, PyAny>, what: &str, dimensions: &[usize], expected: &str) -> PyResult<Self> {
         refuse_hidden(value, what)?;
         let labels = Labels::of(value, what)?;
         let (found, accuracy) = match value.cast::<PyArrayDyn<f64>>() {
@@ -106,10 +101,7 @@ fn accuracy_of_type(name: &str) -> f64 {
 }
 
 /// As an array of float64, with the relative error of the type in which the numbers were held.
-fn converted<'py>(
-    value: &Bound<'py, PyAny>,
-    what: &str,
-) -> PyResult<(Bound<'py, PyArrayDyn<f64>>, f64)> {
+fn converted<'py>(value: &Bound<'py, PyAny>, what: &str) -> PyResult<(Bound<'py, PyArrayDyn<f64>>, f64)> {
     let py = value.py();
     if value.is_instance_of::<PyString>() {
         let text = value.repr()?;

@@ -164,12 +164,7 @@ impl<'py> Given<'_, 'py> {
             mass: mass.array,
             row: row.array,
             constraints: constraints.map(|a| a.array),
-            reading: Reading {
-                lengths,
-                rank_floor: self.rank_floor,
-                row_noise: self.row_noise,
-                accuracy,
-            },
+            reading: Reading { lengths, rank_floor: self.rank_floor, row_noise: self.row_noise, accuracy },
         })
     }
 }
@@ -292,7 +287,11 @@ pub fn effective_mass(
 #[pyfunction]
 #[pyo3(signature = (M, j, A=None, *, lengths=None, rank_floor=None, accuracy=None, row_noise=None))]
 #[allow(non_snake_case, reason = "the names that users of matrices expect")]
-#[allow(clippy::type_complexity, clippy::too_many_arguments, reason = "the options of the question, three arrays")]
+#[allow(
+    clippy::type_complexity,
+    clippy::too_many_arguments,
+    reason = "the options of the question, three arrays"
+)]
 pub fn effective_masses<'py>(
     py: Python<'py>,
     M: &Bound<'py, PyAny>,

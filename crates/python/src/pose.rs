@@ -30,9 +30,7 @@ impl Pose {
                 "the pose has a base_pose, so the root link's frame is not the world's; expected frame=\"root\" or \
                  frame=\"world\"",
             )),
-            Some(other) => {
-                Err(input(format_args!("frame is \"{other}\"; expected \"root\" or \"world\"")))
-            }
+            Some(other) => Err(input(format_args!("frame is \"{other}\"; expected \"root\" or \"world\""))),
         }
     }
 

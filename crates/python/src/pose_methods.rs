@@ -86,7 +86,8 @@ impl Pose {
         frame: Option<&str>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let own = self.pose.link(self.model.read.mechanism.find_link(link).map_err(input)?);
-        let frame = self.frame(frame)? * own;
+        // The pose has its links in the world.
+        let frame = self.frame(frame)? * (self.pose.base().inverse() * own);
         let mut values = Vec::with_capacity(16);
         for row in 0..3 {
             values.extend(frame.rotation.row(row).iter());

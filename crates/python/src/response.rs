@@ -125,8 +125,7 @@ impl Response {
     /// followed.
     #[getter]
     fn findings(&self, py: Python<'_>) -> Vec<Diagnostic> {
-        let found =
-            py.detach(|| response_findings(&self.system, &self.pose, &self.contact, &self.response));
+        let found = py.detach(|| response_findings(&self.system, &self.pose, &self.contact, &self.response));
         found.into_iter().map(Diagnostic).collect()
     }
 

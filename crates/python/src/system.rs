@@ -13,8 +13,8 @@ use percuss::nalgebra::Vector3;
 use percuss::spatial::{Transform, rotation_from_quaternion};
 use percuss::study::response_findings;
 use percuss::{
-    Assembly as Assembled, Base, Batch, Conditions, Configuration, Contact as Resolved, DepartingAxis, Direction,
-    DrawnGap, EffectiveMass, Frame, Mechanism, RigidLoops, RouteChoice, System as Compiled,
+    Assembly as Assembled, Base, Batch, Conditions, Configuration, Contact as Resolved, DepartingAxis,
+    Direction, DrawnGap, EffectiveMass, Frame, Mechanism, RigidLoops, RouteChoice, System as Compiled,
 };
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
@@ -341,11 +341,7 @@ impl Assembly {
     /// A contact, ready for one configuration after another. base_pose: pose of the root link in the world, for normals in the
     /// world; as for pose.
     #[pyo3(signature = (contact, *, base_pose=None))]
-    fn workspace(
-        &self,
-        contact: &Contact,
-        base_pose: Option<&Bound<'_, PyAny>>,
-    ) -> PyResult<Workspace> {
+    fn workspace(&self, contact: &Contact, base_pose: Option<&Bound<'_, PyAny>>) -> PyResult<Workspace> {
         let base = base_pose.map(root_frame).transpose()?;
         let contact = contact.on(&self.model.read.mechanism)?;
         let batch = self.assembly.batch(&in_root_axes(contact, base.as_ref())).map_err(errors::response)?;

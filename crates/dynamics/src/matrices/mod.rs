@@ -13,8 +13,8 @@ use self::rank::RankLimits;
 use crate::careful::{LeastEnergy, Minimum, Solution};
 use crate::outcome::{EffectiveMass, Remark};
 use crate::tolerances::{
-    FEW_DIGITS, FEW_DIGITS_TRIALS, FLOOR_ACCURACY, IMMOVABLE, MOVED_SAFETY, NEARLY_IMMOVABLE, NEGLIGIBLE_MASS, NOTHING_LEFT, RANK_FLOOR,
-    RANK_ROUNDING, SUM_ROUNDINGS,
+    FEW_DIGITS, FEW_DIGITS_TRIALS, FLOOR_ACCURACY, IMMOVABLE, MOVED_SAFETY, NEARLY_IMMOVABLE,
+    NEGLIGIBLE_MASS, NOTHING_LEFT, RANK_FLOOR, RANK_ROUNDING, SUM_ROUNDINGS,
 };
 use faer::Mat;
 use faer::linalg::solvers::SolveLstsq;
@@ -171,11 +171,8 @@ pub fn effective_mass<'a>(
     checks::options(rank_floor.unwrap_or(RANK_FLOOR), row_noise, [given.mass, given.constraints, given.row])?;
     let lengths = checks::lengths(options.lengths, n)?;
     let least = |accuracy: f64| accuracy.max(f64::EPSILON);
-    let accuracy = Accuracy {
-        mass: least(given.mass),
-        constraints: least(given.constraints),
-        row: least(given.row),
-    };
+    let accuracy =
+        Accuracy { mass: least(given.mass), constraints: least(given.constraints), row: least(given.row) };
     let matrix = checks::entries(MatrixName::Mass, &mass)?;
     let row = checks::entries(MatrixName::ContactRow, &row)?;
     let constraints = match &constraints {
@@ -300,8 +297,11 @@ impl Asked<'_> {
     /// finite. Losses of the method beyond first order show here.
     fn moved_by_accuracy(&self, m: f64) -> Option<f64> {
         // The fewer digits the entries have, the more is lost beyond first order.
-        let trials = if self.accuracy.mass.max(self.accuracy.of_rows()) > FEW_DIGITS { FEW_DIGITS_TRIALS } else { 1 };
-        (0..trials).map(|trial| self.moved_by(m, trial)).try_fold(0.0, |most, moved| Some(f64::max(most, moved?)))
+        let trials =
+            if self.accuracy.mass.max(self.accuracy.of_rows()) > FEW_DIGITS { FEW_DIGITS_TRIALS } else { 1 };
+        (0..trials)
+            .map(|trial| self.moved_by(m, trial))
+            .try_fold(0.0, |most, moved| Some(f64::max(most, moved?)))
     }
 
     /// The same for one pattern of signs.
