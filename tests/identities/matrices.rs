@@ -23,6 +23,8 @@ struct Slides {
     bodies: DMatrix<f64>,
     /// Combinations of the constraints that are stated as well.
     combined: DMatrix<f64>,
+    /// Decades over which the rows of A are scaled.
+    row_decades: f64,
 }
 
 impl Slides {
@@ -48,7 +50,9 @@ impl Slides {
         let rows = ratios.iter().flatten().count() + usize::from(is_held);
         let more = if rows > 0 { rng.random_range(0..4) } else { 0 };
         let combined = DMatrix::from_fn(more, rows, |_, _| f64::from(rng.random_range(-2..=2)));
-        Self { masses: (0..n).map(|_| mass(rng)).collect(), ratios, is_held, bodies, combined }
+        let row_decades = if rng.random_bool(0.5) { 24.0 } else { 0.0 };
+        let masses = (0..n).map(|_| mass(rng)).collect();
+        Self { masses, ratios, is_held, bodies, combined, row_decades }
     }
 
     /// m̄ = m_n + Σ r_i² m_i over the bodies that are geared to it.
@@ -78,7 +82,12 @@ impl Slides {
         let all = DMatrix::from_fn(rows.len() + self.combined.nrows(), n, |r, c| {
             if r < rows.len() { first[(r, c)] } else { (self.combined.row(r - rows.len()) * &first)[c] }
         });
-        all * &self.bodies
+        let mut all = all * &self.bodies;
+        // Each row in a unit of its own.
+        for (r, mut row) in all.row_iter_mut().enumerate() {
+            row *= 10f64.powf(self.row_decades * ((0.618 * (r + 1) as f64).fract() - 0.5));
+        }
+        all
     }
 
     fn mass(&self) -> DMatrix<f64> {
@@ -269,6 +278,84 @@ fn poses_from_their_own_matrices() {
     }
 }
 
+/// Slides with every entry rounded to single precision: the stated accuracy decides the rank and bounds the error.
+#[test]
+fn slides_in_single_precision_are_within_the_stated_error() {
+    let single = |matrix: &DMatrix<f64>| matrix.map(|x| f64::from(x as f32));
+    let mut rng = StdRng::seed_from_u64(7);
+    let mut stated = Gauge::new("error of slides in single precision, in units of what is stated");
+    let (mut finite, mut immovable) = (0, 0);
+    for number in 0..4000 {
+        let slides = Slides::random(&mut rng, f64::from(number % 6));
+        let (mass, rows) = (single(&slides.mass()), single(&(slides.rows() / 3.0)));
+        let row: Vec<f64> = slides.bodies.row(slides.masses.len() - 1).iter().copied().collect();
+        let options = MatrixOptions::new().accuracy(0.5f64.powi(24));
+        let got = effective_mass(&mass, &row, Some((&rows).into()), &options).expect("matrices in order");
+        let name = || format!("slides {number}, masses {:?}, ratios {:?}", slides.masses, slides.ratios);
+        let gears = slides.ratios.iter().flatten().count() + usize::from(slides.is_held);
+        assert!(got.rank.is_clear, "{}: {:?}", name(), got.rank);
+        assert_eq!(got.rank.rank, gears, "{}", name());
+        match (slides.exact(), got.effective_mass, got.error) {
+            (EffectiveMass::Finite(m), EffectiveMass::Finite(found), Some(error)) => {
+                stated.note(&name(), (found - m).abs() / error, 1.0);
+                finite += 1;
+            }
+            (EffectiveMass::Immovable, EffectiveMass::Immovable, _) => immovable += 1,
+            (EffectiveMass::Finite(_) | EffectiveMass::Massless, EffectiveMass::Massless, _)
+            | (EffectiveMass::Finite(_), EffectiveMass::Finite(_), None) => {}
+            (exact, found, _) => panic!("{}: {found:?}, exactly {exact:?}", name()),
+        }
+    }
+    stated.report();
+    assert!(finite > 2000 && immovable > 100, "{finite} {immovable}");
+}
+
+#[test]
+fn the_unit_of_a_row_has_no_influence() {
+    // The first body is geared to the second, and that to the third; the second gear is stated in small units.
+    let mass = DMatrix::identity(3, 3);
+    let ask = |scale: f64, options: &MatrixOptions<'_>| {
+        let rows = DMatrix::from_row_slice(2, 3, &[1.0, -1.0, 0.0, 0.0, scale, -scale]);
+        effective_mass(&mass, &[1.0, 0.0, 0.0][..], Some((&rows).into()), options).unwrap()
+    };
+    for decade in -90..=90 {
+        let got = ask(10f64.powi(decade), &MatrixOptions::new());
+        let EffectiveMass::Finite(m) = got.effective_mass else { panic!("{got:?}") };
+        assert!((m - 3.0).abs() <= got.error.unwrap() && got.rank.rank == 2, "1e{decade}: {got:?}");
+        let is_small = got.rank.small_rows.len() == 1;
+        assert_eq!(is_small, decade.abs() > 12, "1e{decade}: {:?}", got.rank);
+    }
+    // A row that is rounding is a constraint unless the caller excludes it.
+    let rounding = ask(1e-17, &MatrixOptions::new().row_noise(1e-15));
+    assert!(matches!(rounding.effective_mass, EffectiveMass::Finite(m) if (m - 2.0).abs() < 1e-14));
+    assert_eq!((rounding.rank.rank, rounding.rank.redundant_rows), (1, vec![1]));
+    // A dropped singular value above rounding is reported, and no error is stated.
+    let near = DMatrix::from_row_slice(2, 3, &[1.0, -1.0, 0.0, 1.0, -1.0, 1e-11]);
+    let got =
+        effective_mass(&mass, &[1.0, 0.0, 0.0][..], Some((&near).into()), &MatrixOptions::new()).unwrap();
+    assert!(!got.rank.is_clear && got.error.is_none(), "{got:?}");
+}
+
+/// A row that follows from another, both rounded to single precision, binds nothing by its rounding.
+#[test]
+fn the_accuracy_decides_the_rank() {
+    let third = f64::from(1.0_f32 / 3.0);
+    let rows = DMatrix::from_row_slice(2, 2, &[1.0, -3.0, third, -1.0]);
+    let mass = DMatrix::from_diagonal(&DVector::from_vec(vec![2.0, 9.0]));
+    let ask = |options: MatrixOptions<'_>| {
+        effective_mass(&mass, &[1.0, 0.0][..], Some((&rows).into()), &options).unwrap()
+    };
+    assert_eq!(ask(MatrixOptions::new()).effective_mass, EffectiveMass::Immovable);
+    for options in
+        [MatrixOptions::new().accuracy(6e-8), MatrixOptions::new().accuracy_of(MatrixName::Constraints, 6e-8)]
+    {
+        let got = ask(options);
+        let EffectiveMass::Finite(m) = got.effective_mass else { panic!("{got:?}") };
+        let error = got.error.unwrap();
+        assert!((m - 3.0).abs() <= error && error > 1e-8 && error < 1e-4, "{got:?}");
+    }
+}
+
 #[test]
 fn which_rows_are_redundant() {
     let mass = DMatrix::identity(4, 4);
@@ -371,6 +458,9 @@ fn what_asks_nothing_is_refused() {
         (default.accuracy(-1e-16), "accuracy"),
         (default.accuracy(f64::NAN), "accuracy"),
         (default.accuracy(0.1), "accuracy"),
+        (default.accuracy_of(MatrixName::ContactRow, f64::NAN), "accuracy"),
+        (default.row_noise(-1.0), "noise"),
+        (default.row_noise(f64::NAN), "noise"),
         (default.lengths(&[1.0, 0.0]), "length"),
         (default.lengths(&[1.0, f64::NAN]), "length"),
     ] {

@@ -43,7 +43,7 @@ pub struct percuss_contact {
     /// The normal, out of the struck link into the other side; its length does not matter. For PERCUSS_NORMAL_TOWARD and
     /// PERCUSS_NORMAL_TURNING_TOWARD the point that it points towards, m.
     pub normal: [f64; 3],
-    /// Where the normal is given: PERCUSS_NORMAL_LINK to PERCUSS_NORMAL_TOWARD.
+    /// Where the normal is given: PERCUSS_NORMAL_LINK to PERCUSS_NORMAL_TURNING_TOWARD.
     pub normal_given: percuss_normal,
     /// For both of them the link whose point is meant; not read otherwise.
     pub toward: usize,

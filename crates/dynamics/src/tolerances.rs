@@ -412,14 +412,22 @@ pub(crate) const LEAST_ENTRY: f64 = 1e-100;
 pub(crate) const LENGTH_LIMIT: f64 = 1e30;
 /// How many times as much as one trial with entries off by their accuracy moves m̄ it may be off: signs that are worse.
 pub(crate) const MOVED_SAFETY: f64 = 8.0;
+/// Relative accuracy of entries above which errors beyond first order are looked for by several trials: half precision.
+pub(crate) const FEW_DIGITS: f64 = 1e-6;
+/// How many trials.
+pub(crate) const FEW_DIGITS_TRIALS: usize = 8;
 /// The greatest relative error that entries may be said to have: three decimals.
 pub(crate) const MOST_ACCURACY: f64 = 1e-3;
 /// Singular values of A below this many times the accuracy of its entries count as zero.
 pub(crate) const FLOOR_ACCURACY: f64 = 10.0;
 /// M may differ from its transpose by this part of √(M_rr M_cc): two ways of summing it up differ by some 1e-13.
 pub(crate) const SYMMETRIC: f64 = 1e-9;
+/// The same in units of the accuracy of M's entries, where these are known to fewer digits: sums of a few products.
+pub(crate) const SYMMETRIC_ROUNDINGS: f64 = 16.0;
 /// An entry of M beyond this many times √(M_rr M_cc) is no rounding: a negative energy, or noise of a coordinate without mass.
 pub(crate) const PAIR_BOUND: f64 = 1.0 + 1e-6;
+/// The same excess over 1 in units of the accuracy of M's entries: that of the entry and of both diagonal entries, twice over.
+pub(crate) const PAIR_ROUNDINGS: f64 = 4.0;
 /// Noise of a coordinate without mass, in roundings of the largest mass: those of sums of a few products.
 pub(crate) const MATRIX_NOISE: f64 = 16.0;
 /// A negative eigenvalue of M scaled to unit diagonal beyond so many roundings (n of them, and the entries' accuracy) is a

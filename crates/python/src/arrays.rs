@@ -1,6 +1,7 @@
 //! Numbers of the caller's: what is no array of float64 is made one, or refused with what it is and what is expected.
 
 use crate::errors::input;
+use crate::labels::{AXES, Labels, reordered};
 use numpy::{
     PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyReadonlyArray2, PyReadonlyArrayDyn, PyUntypedArray,
     PyUntypedArrayMethods,
@@ -10,32 +11,65 @@ use pyo3::PyTypeInfo;
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyString};
 
-/// An array of float64 of so many dimensions, where it lies if it is one already. Sparse matrices become dense.
+/// Numbers of the caller.
+pub struct Numbers<'py> {
+    pub array: PyReadonlyArrayDyn<'py, f64>,
+    /// Relative error of each by the type in which they were held: a rounding of single or half precision, 0 for whole numbers.
+    pub accuracy: f64,
+    pub labels: Labels,
+}
+
+impl<'py> Numbers<'py> {
+    /// An array of float64 of one of some numbers of dimensions, read where it lies if it is one already. Sparse matrices become
+    /// dense.
+    pub fn of(value: &Bound<'py, PyAny>, what: &str, dimensions: &[usize], expected: &str) -> PyResult<Self> {
+        refuse_hidden(value, what)?;
+        let labels = Labels::of(value, what)?;
+        let (found, accuracy) = match value.cast::<PyArrayDyn<f64>>() {
+            Ok(array) => (array.clone(), f64::EPSILON),
+            Err(_) => converted(value, what)?,
+        };
+        if !dimensions.contains(&found.ndim()) {
+            return Err(input(format_args!(
+                "{what} has shape {}; expected {expected}",
+                shape(found.shape())
+            )));
+        }
+        let array = found.try_readonly().map_err(|error| input(format_args!("{what}: {error}")))?;
+        Ok(Self { array, accuracy, labels })
+    }
+
+    /// With the last axis in the order of these names, where it has labels.
+    pub fn in_order<S: AsRef<str>>(self, what: &str, names: &[S], hint: &str) -> PyResult<Self> {
+        let Some(order) = self.labels.order(what, names, hint)? else { return Ok(self) };
+        let found = reordered(&self.array.as_any().cast::<PyArrayDyn<f64>>()?.clone(), Some(order))?;
+        let array = found.try_readonly().map_err(|error| input(format_args!("{what}: {error}")))?;
+        Ok(Self { array, ..self })
+    }
+}
+
+/// The same for numbers that have no names.
 pub fn float64<'py>(
     value: &Bound<'py, PyAny>,
     what: &str,
     dimensions: &[usize],
     expected: &str,
 ) -> PyResult<PyReadonlyArrayDyn<'py, f64>> {
-    refuse_hidden(value, what)?;
-    let found = match value.cast::<PyArrayDyn<f64>>() {
-        Ok(array) => array.clone(),
-        Err(_) => converted(value, what)?,
-    };
-    if !dimensions.contains(&found.ndim()) {
-        return Err(input(format_args!("{what} has shape {}; expected {expected}", shape(found.shape()))));
-    }
-    found.try_readonly().map_err(|error| input(format_args!("{what}: {error}")))
+    let found = Numbers::of(value, what, dimensions, expected)?;
+    found.labels.refuse(what)?;
+    Ok(found.array)
 }
 
-/// The same with two dimensions.
-pub fn float64_matrix<'py>(
+/// The same with two dimensions, and with names of the columns.
+pub fn float64_matrix<'py, S: AsRef<str>>(
     value: &Bound<'py, PyAny>,
     what: &str,
     expected: &str,
+    names: &[S],
+    hint: &str,
 ) -> PyResult<PyReadonlyArray2<'py, f64>> {
-    let found = float64(value, what, &[2], expected)?;
-    let found = found.cast::<PyArray2<f64>>()?.clone();
+    let found = Numbers::of(value, what, &[2], expected)?.in_order(what, names, hint)?;
+    let found = found.array.cast::<PyArray2<f64>>()?.clone();
     found.try_readonly().map_err(|error| input(format_args!("{what}: {error}")))
 }
 
@@ -51,7 +85,23 @@ fn refuse_hidden(value: &Bound<'_, PyAny>, what: &str) -> PyResult<()> {
     }
 }
 
-fn converted<'py>(value: &Bound<'py, PyAny>, what: &str) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+/// Relative error of numbers by the name of their type; 0 where they are exact.
+fn accuracy_of_type(name: &str) -> f64 {
+    let name = name.to_ascii_lowercase();
+    let ends = |type_: &str| name.ends_with(type_);
+    if ends("float16") {
+        0.5f64.powi(11)
+    } else if ends("float32") {
+        0.5f64.powi(24)
+    } else if name.contains("float") {
+        f64::EPSILON
+    } else {
+        0.0
+    }
+}
+
+/// As an array of float64, with the relative error of the type in which the numbers were held.
+fn converted<'py>(value: &Bound<'py, PyAny>, what: &str) -> PyResult<(Bound<'py, PyArrayDyn<f64>>, f64)> {
     let py = value.py();
     if value.is_instance_of::<PyString>() {
         let text = value.repr()?;
@@ -69,8 +119,17 @@ fn converted<'py>(value: &Bound<'py, PyAny>, what: &str) -> PyResult<Bound<'py, 
         let name: String = dtype.getattr("name")?.extract()?;
         return Err(input(format_args!("{what} has dtype {name}; expected real numbers (float64)")));
     }
+    let mut accuracy = accuracy_of_type(&dtype.getattr("name")?.extract::<String>()?);
+    // Columns of a table have types of their own, of which the array has the widest.
+    if let Some(types) = value.getattr_opt("dtypes")?
+        && let Ok(types) = types.try_iter()
+    {
+        for column in types {
+            accuracy = accuracy.max(accuracy_of_type(&column?.str()?.to_string()));
+        }
+    }
     let array = array.call_method1("astype", ("float64",))?;
-    Ok(array.cast_into::<PyArrayDyn<f64>>()?)
+    Ok((array.cast_into::<PyArrayDyn<f64>>()?, accuracy))
 }
 
 /// As numpy writes it.
@@ -90,11 +149,16 @@ pub fn list(value: &Bound<'_, PyAny>, what: &str) -> PyResult<Vec<f64>> {
     Ok(array.as_array().iter().copied().collect())
 }
 
-/// Three numbers.
+/// Three components, by the names x, y, z where they have names; finite.
 pub fn triple(value: &Bound<'_, PyAny>, what: &str) -> PyResult<[f64; 3]> {
-    let found = list(value, what)?;
-    <[f64; 3]>::try_from(found)
-        .map_err(|found| input(format_args!("{what} has {} numbers; expected 3", found.len())))
+    let found = Numbers::of(value, what, &[1], "(3,)")?.in_order(what, &AXES, "")?;
+    let found: Vec<f64> = found.array.as_array().iter().copied().collect();
+    let found = <[f64; 3]>::try_from(found)
+        .map_err(|found| input(format_args!("{what} has {} numbers; expected 3", found.len())))?;
+    match found.iter().find(|x| !x.is_finite()) {
+        Some(bad) => Err(input(format_args!("{what} has {bad}; expected finite numbers"))),
+        None => Ok(found),
+    }
 }
 
 /// A matrix to Python, row by row.

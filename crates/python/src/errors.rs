@@ -27,6 +27,11 @@ pub fn no_answer(error: impl Display) -> PyErr {
 
 /// Loops that do not close, or not there.
 pub fn assembly(error: AssemblyError) -> PyErr {
+    loops(error)
+}
+
+/// The same, in words of this crate.
+pub fn loops(error: impl Display) -> PyErr {
     LoopsError::new_err(error.to_string())
 }
 

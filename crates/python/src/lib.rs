@@ -7,6 +7,7 @@ mod contact;
 mod damping;
 mod diagnostic;
 mod errors;
+mod labels;
 mod maps;
 mod matrices;
 mod model;

@@ -2,6 +2,7 @@
 
 use crate::arrays::{float64_matrix, shape, triple};
 use crate::errors::input;
+use crate::labels::AXES;
 use crate::pose::Pose;
 use crate::response::{status, value};
 use crate::threads::detached;
@@ -66,8 +67,8 @@ pub fn contact_map<'py>(
     normals: &Bound<'py, PyAny>,
     against: Option<&str>,
 ) -> PyResult<Answers<'py>> {
-    let points = float64_matrix(points, "points", "(N, 3)")?;
-    let normals = float64_matrix(normals, "normals", "(N, 3)")?;
+    let points = float64_matrix(points, "points", "(N, 3)", &AXES, "")?;
+    let normals = float64_matrix(normals, "normals", "(N, 3)", &AXES, "")?;
     let count = points.shape()[0];
     for (what, array) in [("points", &points), ("normals", &normals)] {
         if array.shape() != [count, 3] {

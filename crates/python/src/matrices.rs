@@ -1,12 +1,13 @@
 //! m̄ from matrices that the caller has: M, j and A of a solver of their own.
 
-use crate::arrays::{float64, shape};
+use crate::arrays::{Numbers, shape};
 use crate::errors::input;
 use crate::response::{remark, status, value};
 use crate::threads::detached;
 use numpy::{PyArray1, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use percuss::{
-    EffectiveMass, MatrixOptions, MatrixResponse as Found, MatrixView, effective_mass as of_matrices,
+    EffectiveMass, MatrixName, MatrixOptions, MatrixResponse as Found, MatrixView,
+    effective_mass as of_matrices,
 };
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
@@ -31,7 +32,8 @@ impl MatrixResponse {
         status(self.0.effective_mass)
     }
 
-    /// What m̄ may be off by, kg, by the accuracy of the entries and by rounding; None where it is not known.
+    /// Bound on the error of m̄ by the accuracy of the entries and by rounding, kg; None where it is not known, and where the rank
+    /// is unclear.
     #[getter]
     fn error(&self) -> Option<f64> {
         self.0.error
@@ -50,7 +52,8 @@ impl MatrixResponse {
     }
 
     /// Which rows of A count: "rank", "gap" (least gap between singular values that count and those that do not; None without
-    /// rows), "is_clear", "redundant_rows", "dependent_sets" (numbers of rows, from 0).
+    /// rows), "is_clear", "redundant_rows", "dependent_sets", "small_rows" (those that count and are below the rounding of others);
+    /// numbers of rows, from 0.
     #[getter]
     fn rank<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let (report, rank) = (PyDict::new(py), &self.0.rank);
@@ -59,13 +62,21 @@ impl MatrixResponse {
         report.set_item("is_clear", rank.is_clear)?;
         report.set_item("redundant_rows", &rank.redundant_rows)?;
         report.set_item("dependent_sets", &rank.dependent_sets)?;
+        report.set_item("small_rows", &rank.small_rows)?;
         Ok(report)
     }
 
     /// What the reader should know.
     #[getter]
     fn remarks(&self) -> Vec<String> {
-        self.0.remarks.iter().map(remark).collect()
+        let small = &self.0.rank.small_rows;
+        let small = (!small.is_empty()).then(|| {
+            format!(
+                "rows {small:?} of A count and are below the rounding of others: small units, or rounding to be excluded by \
+                 row_noise"
+            )
+        });
+        self.0.remarks.iter().map(remark).chain(small).collect()
     }
 
     fn __repr__(&self) -> String {
@@ -78,38 +89,101 @@ impl MatrixResponse {
     }
 }
 
-/// How matrices are read, kept while the interpreter is released.
+/// Options as they are given, kept while the interpreter is released.
 struct Reading {
     lengths: Option<Vec<f64>>,
     rank_floor: Option<f64>,
+    row_noise: Option<f64>,
+    /// Of M, A and j.
+    accuracy: [f64; 3],
+}
+
+/// M, j and A with the names of their coordinates in one order.
+struct Matrices<'py> {
+    mass: PyReadonlyArrayDyn<'py, f64>,
+    row: PyReadonlyArrayDyn<'py, f64>,
+    constraints: Option<PyReadonlyArrayDyn<'py, f64>>,
+    reading: Reading,
+}
+
+/// What a caller gives, before it is read.
+struct Given<'a, 'py> {
+    mass: &'a Bound<'py, PyAny>,
+    row: &'a Bound<'py, PyAny>,
+    constraints: Option<&'a Bound<'py, PyAny>>,
+    lengths: Option<&'a Bound<'py, PyAny>>,
+    rank_floor: Option<f64>,
     accuracy: Option<f64>,
+    row_noise: Option<f64>,
+}
+
+/// Expected shapes: the numbers of dimensions, and in words.
+struct Shapes {
+    mass: (&'static [usize], &'static str),
+    row: (&'static [usize], &'static str),
+    constraints: (&'static [usize], &'static str),
+}
+
+impl<'py> Given<'_, 'py> {
+    fn read(self, shapes: &Shapes) -> PyResult<Matrices<'py>> {
+        let mass = Numbers::of(self.mass, "M", shapes.mass.0, shapes.mass.1)?;
+        let names = &mass.labels.columns;
+        if let (Some(rows), Some(columns)) = (&mass.labels.rows, names)
+            && rows != columns
+        {
+            return Err(input(
+                "M has other labels on its rows than on its columns; expected the same coordinates in the same order",
+            ));
+        }
+        if names.is_none() && mass.labels.rows.is_some() {
+            return Err(input("M has labels on its rows and none on its columns; expected the same on both"));
+        }
+        let in_order = |found: Numbers<'py>, what: &str| match names {
+            Some(names) => found.in_order(what, names, ": the coordinates of M"),
+            None if found.labels.columns.is_some() => Err(input(format_args!(
+                "{what} names its coordinates and M does not; expected labels on both, or on none"
+            ))),
+            None => Ok(found),
+        };
+        let row = in_order(Numbers::of(self.row, "j", shapes.row.0, shapes.row.1)?, "j")?;
+        let constraints = self
+            .constraints
+            .map(|a| in_order(Numbers::of(a, "A", shapes.constraints.0, shapes.constraints.1)?, "A"))
+            .transpose()?;
+        let lengths = self
+            .lengths
+            .map(|lengths| {
+                let expected = "one dimension: a length for each coordinate";
+                let found = in_order(Numbers::of(lengths, "lengths", &[1], expected)?, "lengths")?;
+                PyResult::Ok(found.array.as_array().iter().copied().collect())
+            })
+            .transpose()?;
+        let own = |found: &Numbers<'_>| self.accuracy.unwrap_or(found.accuracy);
+        let accuracy = [own(&mass), constraints.as_ref().map_or(own(&mass), own), own(&row)];
+        Ok(Matrices {
+            mass: mass.array,
+            row: row.array,
+            constraints: constraints.map(|a| a.array),
+            reading: Reading { lengths, rank_floor: self.rank_floor, row_noise: self.row_noise, accuracy },
+        })
+    }
 }
 
 impl Reading {
-    fn new(
-        lengths: Option<&Bound<'_, PyAny>>,
-        rank_floor: Option<f64>,
-        accuracy: Option<f64>,
-    ) -> PyResult<Self> {
-        let lengths = lengths
-            .map(|lengths| {
-                let array = float64(lengths, "lengths", &[1], "one dimension: a length for each coordinate")?;
-                PyResult::Ok(array.as_array().iter().copied().collect())
-            })
-            .transpose()?;
-        Ok(Self { lengths, rank_floor, accuracy })
-    }
-
     fn options(&self) -> MatrixOptions<'_> {
-        let mut options = MatrixOptions::new();
+        let [mass, constraints, row] = self.accuracy;
+        let mut options = MatrixOptions::new()
+            .accuracy_of(MatrixName::Mass, mass)
+            .accuracy_of(MatrixName::Constraints, constraints)
+            .accuracy_of(MatrixName::ContactRow, row);
         if let Some(lengths) = &self.lengths {
             options = options.lengths(lengths);
         }
         if let Some(floor) = self.rank_floor {
             options = options.rank_floor(floor);
         }
-        if let Some(accuracy) = self.accuracy {
-            options = options.accuracy(accuracy);
+        if let Some(noise) = self.row_noise {
+            options = options.row_noise(noise);
         }
         options
     }
@@ -167,18 +241,20 @@ impl<'a> Block<'a> {
 /// Effective mass along a contact row of a system that is given by its matrices, in the unit of M (kg).
 ///
 /// m̄ = min { vᵀMv : Av = 0, jv = 1 }; 1/(j M⁻¹ jᵀ) where M is regular and there is no A. M: (n, n), symmetric, positive
-/// semi-definite, kg, kg·m, kg·m². j: (n,), closing speed per rate, m, 1. A: (m, n) or None, Jacobian of the constraints, rows
-/// scaled as wished. Dense, of any strides and read where they lie if they are one block, or sparse (made dense: the cost is
-/// O(n³ + m n²), up to 1000 coordinates).
+/// semi-definite, kg, kg·m, kg·m². j: (n,), closing speed per rate, m, 1. A: (m, n) or None, Jacobian of the constraints, each row in
+/// any unit. Dense, of any strides and read where they lie if they are one block, or sparse (made dense: the cost is
+/// O(n³ + m n²), up to 1000 coordinates). Labels of tables (pandas) name the coordinates: j, A and lengths are put in the order of M.
 ///
 /// lengths: (n,), how coordinates are scaled where ranks are decided, and whether the gap closes at all: how far a unit rate
 /// of each moves things, in one unit for all: 1 for a slide in metres, a typical length for an angle. Default: 1 for all. No
-/// finite m̄ depends on them beyond rounding. rank_floor: singular values of A below this part of the largest count as zero;
-/// default 1e-10, or 10 times the accuracy where that is more. accuracy: relative error of the entries, 0 to 1e-3; default
-/// 2.2e-16.
+/// finite m̄ depends on them beyond rounding. rank_floor: singular values of A below this part of the largest count as zero, each row
+/// scaled to 1; default 1e-10, or 10 times the accuracy where that is more. accuracy: relative error of the entries, 0 to 1e-3;
+/// default: by the type of each array, 2.2e-16 (float64), 6e-8 (float32), 4.9e-4 (float16), exact (integers). row_noise: rows
+/// of A with no entry above this, in A's unit, count as zero; default 0: a row that is only rounding is taken for a constraint.
 #[pyfunction]
-#[pyo3(signature = (M, j, A=None, *, lengths=None, rank_floor=None, accuracy=None))]
+#[pyo3(signature = (M, j, A=None, *, lengths=None, rank_floor=None, accuracy=None, row_noise=None))]
 #[allow(non_snake_case, reason = "the names that users of matrices expect")]
+#[allow(clippy::too_many_arguments, reason = "the options of the question")]
 pub fn effective_mass(
     py: Python<'_>,
     M: &Bound<'_, PyAny>,
@@ -187,11 +263,15 @@ pub fn effective_mass(
     lengths: Option<&Bound<'_, PyAny>>,
     rank_floor: Option<f64>,
     accuracy: Option<f64>,
+    row_noise: Option<f64>,
 ) -> PyResult<MatrixResponse> {
-    let reading = Reading::new(lengths, rank_floor, accuracy)?;
-    let mass = float64(M, "M", &[2], "(n, n); effective_masses takes a batch")?;
-    let row = float64(j, "j", &[1, 2], "(n,)")?;
-    let rows = A.map(|a| float64(a, "A", &[2], "(m, n)")).transpose()?;
+    let given = Given { mass: M, row: j, constraints: A, lengths, rank_floor, accuracy, row_noise };
+    let shapes = Shapes {
+        mass: (&[2], "(n, n); effective_masses takes a batch"),
+        row: (&[1, 2], "(n,)"),
+        constraints: (&[2], "(m, n)"),
+    };
+    let Matrices { mass, row, constraints: rows, reading } = given.read(&shapes)?;
     let (mass, rows) = (Block::of(&mass), rows.as_ref().map(Block::of));
     let row = Block::of(&row);
     let row = if row.shape.len() == 2 { row.matrix(0)? } else { row.row(0)? };
@@ -201,13 +281,17 @@ pub fn effective_mass(
     Ok(MatrixResponse(found))
 }
 
-/// m̄, its error and its outcome for a batch: M (b, n, n), j (b, n) or (n,), A (b, m, n), (m, n) or None; what has no batch
-/// axis is the same for all. Gives effective_mass (b,) kg, NaN unless finite; error (b,) kg, NaN where it is not known; status (b,) uint8:
+/// m̄, its error and its outcome for a batch: M (b, n, n), j (b, n) or (n,), A (b, m, n), (m, n) or None; an array without
+/// a batch axis is the same for all. Gives effective_mass (b,) kg, NaN unless finite; error (b,) kg, NaN where it is not known; status (b,) uint8:
 /// 0 finite, 1 immovable, 2 massless. The rest as effective_mass. An error of one names its number.
 #[pyfunction]
-#[pyo3(signature = (M, j, A=None, *, lengths=None, rank_floor=None, accuracy=None))]
+#[pyo3(signature = (M, j, A=None, *, lengths=None, rank_floor=None, accuracy=None, row_noise=None))]
 #[allow(non_snake_case, reason = "the names that users of matrices expect")]
-#[allow(clippy::type_complexity, reason = "three arrays")]
+#[allow(
+    clippy::type_complexity,
+    clippy::too_many_arguments,
+    reason = "the options of the question, three arrays"
+)]
 pub fn effective_masses<'py>(
     py: Python<'py>,
     M: &Bound<'py, PyAny>,
@@ -216,11 +300,15 @@ pub fn effective_masses<'py>(
     lengths: Option<&Bound<'py, PyAny>>,
     rank_floor: Option<f64>,
     accuracy: Option<f64>,
+    row_noise: Option<f64>,
 ) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<u8>>)> {
-    let reading = Reading::new(lengths, rank_floor, accuracy)?;
-    let mass = float64(M, "M", &[3], "(b, n, n)")?;
-    let row = float64(j, "j", &[1, 2], "(b, n) or (n,)")?;
-    let rows = A.map(|a| float64(a, "A", &[2, 3], "(b, m, n) or (m, n)")).transpose()?;
+    let given = Given { mass: M, row: j, constraints: A, lengths, rank_floor, accuracy, row_noise };
+    let shapes = Shapes {
+        mass: (&[3], "(b, n, n)"),
+        row: (&[1, 2], "(b, n) or (n,)"),
+        constraints: (&[2, 3], "(b, m, n) or (m, n)"),
+    };
+    let Matrices { mass, row, constraints: rows, reading } = given.read(&shapes)?;
     let (mass, row, rows) = (Block::of(&mass), Block::of(&row), rows.as_ref().map(Block::of));
     let count = mass.shape[0];
     let batches = |block: &Block<'_>, what: &str, axes: usize| match block.shape.len() == axes {

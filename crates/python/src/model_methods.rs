@@ -4,7 +4,7 @@ use crate::diagnostic::Diagnostic;
 use crate::errors;
 use crate::model::{Joint, Model};
 use crate::pose::Pose;
-use crate::system::{Assembly, System};
+use crate::system::{Assembly, System, position_names};
 use percuss::study::Changes;
 use percuss::{JointKind, write_urdf};
 use pyo3::prelude::*;
@@ -67,13 +67,7 @@ impl Model {
     /// Names of the positions, in order: the joint's, or JOINT[0], JOINT[1], … where it has several.
     #[getter]
     fn position_names(&self) -> Vec<String> {
-        let of = |joint: &percuss::Joint| -> Vec<String> {
-            match joint.kind().positions() {
-                1 => vec![joint.name().to_owned()],
-                count => (0..count).map(|i| format!("{}[{i}]", joint.name())).collect(),
-            }
-        };
-        self.read.mechanism.joints().iter().flat_map(of).collect()
+        position_names(&self.read.mechanism)
     }
 
     /// kg.
@@ -142,14 +136,16 @@ impl Model {
     }
 
     /// The pose at a configuration, every joint free, the base fixed: system().pose(…).
-    #[pyo3(signature = (q=None, *, guess=None))]
+    #[pyo3(signature = (q=None, *, guess=None, base_pose=None, other_assembly=false))]
     fn pose(
         &self,
         py: Python<'_>,
         q: Option<&Bound<'_, PyAny>>,
         guess: Option<&Bound<'_, PyDict>>,
+        base_pose: Option<&Bound<'_, PyAny>>,
+        other_assembly: bool,
     ) -> PyResult<Pose> {
-        System::plain(self)?.pose(py, q, guess, None)
+        System::plain(self)?.pose(py, q, guess, base_pose, other_assembly)
     }
 
     /// A model goes to another process as the text that it was read from; one that came of hardpoints as URDF.

@@ -7,7 +7,7 @@ use crate::model::Model;
 use crate::pose::Pose;
 use crate::system::{configuration, numbers};
 use numpy::PyArray1;
-use percuss::nalgebra::Vector3;
+use percuss::nalgebra::{Matrix3, Vector3};
 use percuss::spatial::Twist;
 use percuss::spatial::dual::Dual64;
 use percuss::{
@@ -124,6 +124,9 @@ impl Travel {
             None => self.driver(start, q.map_or(Ok(Vec::new()), |q| q.keys().extract())?)?,
         };
         let driver = mechanism.find_joint(&driver).map_err(input)?;
+        if !displacement.is_finite() {
+            return Err(input(format_args!("displacement is {displacement}; expected a finite number, m")));
+        }
         let pose = py.detach(|| self.travel.pose(&start.pose, &others, driver, displacement));
         Ok(Pose { pose: pose.map_err(errors::travel)?, ..start.clone() })
     }
@@ -266,17 +269,20 @@ impl Accelerations {
         Ok(by_name)
     }
 
-    /// Acceleration of a point (m, link's frame) of a link, root link's axes, m/s²; (3,).
+    /// Acceleration of a point (m, link's frame) of a link, m/s²; (3,). Axes of the root link or of the world, as for
+    /// Pose.link_frame.
+    #[pyo3(signature = (link, point, *, frame=None))]
     fn point<'py>(
         &self,
         py: Python<'py>,
         link: &str,
         point: &Bound<'py, PyAny>,
+        frame: Option<&str>,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let link = self.pose.model.read.mechanism.find_link(link).map_err(input)?;
         let point = Vector3::from(triple(point, "point")?);
         let found = self.pose.pose.point_acceleration(&self.found, link, &point).map_err(errors::route)?;
-        Ok(PyArray1::from_slice(py, found.as_slice()))
+        Ok(PyArray1::from_slice(py, (self.pose.axes(frame)? * found).as_slice()))
     }
 
     fn __repr__(&self) -> String {
@@ -284,7 +290,7 @@ impl Accelerations {
     }
 }
 
-/// Accelerations at a pose under gravity and forces: (link, point, force).
+/// Accelerations at a pose under gravity and forces: (link, point, force). axes: from the root link's to those of the vectors given.
 pub fn accelerations(
     py: Python<'_>,
     pose: &Pose,
@@ -292,31 +298,25 @@ pub fn accelerations(
     base: Option<&Bound<'_, PyAny>>,
     gravity: Option<&Bound<'_, PyAny>>,
     forces: &[Bound<'_, PyAny>],
+    axes: &Matrix3<f64>,
 ) -> PyResult<Accelerations> {
     let mechanism = &pose.model.read.mechanism;
     let velocities = velocities(mechanism, given)?;
+    let in_root = |vector: Vector3<f64>| axes.tr_mul(&vector);
     let base = twist(base, "base")?;
-    let gravity = finite(
-        gravity.map(|gravity| triple(gravity, "gravity")).transpose()?.unwrap_or_default(),
-        "gravity",
-    )?;
+    let base = Twist::new(in_root(base.angular), in_root(base.linear));
+    let gravity = gravity.map(|gravity| triple(gravity, "gravity")).transpose()?.unwrap_or_default();
+    let gravity = in_root(gravity.into());
     let force = |given: &Bound<'_, PyAny>| {
         let (link, point, force): (String, Bound<'_, PyAny>, Bound<'_, PyAny>) =
             given.extract().map_err(|_| input("forces: expected (link, point, force) of each"))?;
         PyResult::Ok(PointForce {
             link: mechanism.find_link(&link).map_err(input)?,
-            point: finite(triple(&point, "point of forces")?, "point of forces")?,
-            force: finite(triple(&force, "force")?, "force")?,
+            point: triple(&point, "point of forces")?.into(),
+            force: in_root(triple(&force, "force")?.into()),
         })
     };
     let forces: Vec<PointForce> = forces.iter().map(force).collect::<PyResult<_>>()?;
     let found = py.detach(|| pose.pose.accelerations(&velocities, &base, &gravity, &forces));
     Ok(Accelerations { pose: pose.clone(), found: found.map_err(errors::route)? })
-}
-
-fn finite(values: [f64; 3], what: &str) -> PyResult<Vector3<f64>> {
-    match values.iter().find(|x| !x.is_finite()) {
-        Some(bad) => Err(input(format_args!("{what} has {bad}; expected finite numbers"))),
-        None => Ok(values.into()),
-    }
 }

@@ -1,6 +1,9 @@
 //! Poses: a mechanism at one configuration. What Python asks of one: `pose_methods.rs`.
 
+use crate::errors::{self, input};
 use crate::model::Model;
+use percuss::nalgebra::Matrix3;
+use percuss::spatial::Transform;
 use percuss::{Pose as Posed, System};
 use pyo3::prelude::*;
 
@@ -11,4 +14,40 @@ pub struct Pose {
     pub model: Model,
     pub system: System,
     pub pose: Posed,
+}
+
+impl Pose {
+    /// The frame in which vectors of the root link's axes are given or wanted: the transform from the root link's frame to it.
+    ///
+    /// "root", "world", or `None`: accepted where both are one frame, because no base_pose turns or moves the root link.
+    pub fn frame(&self, frame: Option<&str>) -> PyResult<Transform<f64>> {
+        let base = self.pose.base();
+        match frame {
+            Some("root") => Ok(Transform::identity()),
+            Some("world") => Ok(*base),
+            None if *base == Transform::identity() => Ok(Transform::identity()),
+            None => Err(input(
+                "the pose has a base_pose, so the root link's frame is not the world's; expected frame=\"root\" or \
+                 frame=\"world\"",
+            )),
+            Some(other) => Err(input(format_args!("frame is \"{other}\"; expected \"root\" or \"world\""))),
+        }
+    }
+
+    /// The rotation of [`frame`](Self::frame).
+    pub fn axes(&self, frame: Option<&str>) -> PyResult<Matrix3<f64>> {
+        Ok(self.frame(frame)?.rotation)
+    }
+}
+
+/// Refuses a pose on another assembly mode that was not asked for.
+pub fn refuse_other_assembly(pose: &Posed, is_accepted: bool) -> PyResult<()> {
+    match pose.loops().and_then(|loops| loops.starts_tried) {
+        Some(starts) if !is_accepted => Err(errors::loops(format_args!(
+            "the branch of the first closed pose does not reach the driving joints as set: this is another assembly mode, found \
+             from {starts} of the seeded starts; expected positions on the branch, a guess on the mode that is meant, or \
+             other_assembly=True"
+        ))),
+        _ => Ok(()),
+    }
 }

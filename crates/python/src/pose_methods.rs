@@ -2,6 +2,7 @@
 
 use crate::arrays::{matrix, triple};
 use crate::contact::Contact;
+use crate::diagnostic::Diagnostic;
 use crate::errors::{self, input};
 use crate::maps::{Answers, contact_map, principal_masses};
 use crate::model::Model;
@@ -10,7 +11,7 @@ use crate::pose::Pose;
 use crate::response::{Response, route_choice};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use percuss::LocatedContact;
-use percuss::nalgebra::Vector3;
+use percuss::nalgebra::{DMatrix, Matrix3, Vector3};
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 use std::collections::BTreeMap;
@@ -67,9 +68,26 @@ impl Pose {
         self.pose.loops().map(|loops| loops.residual)
     }
 
-    /// Where a link stands in the root link's frame, homogeneous; (4, 4).
-    fn link_frame<'py>(&self, py: Python<'py>, link: &str) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let frame = self.pose.link(self.model.read.mechanism.find_link(link).map_err(input)?);
+    /// Findings about the pose, as the command line reports them: joints outside their limits, loops open as drawn, another
+    /// assembly mode, an unclear rank.
+    #[getter]
+    fn findings(&self, py: Python<'_>) -> Vec<Diagnostic> {
+        let found = py.detach(|| percuss::study::pose_findings(&self.system, &self.pose));
+        found.into_iter().map(Diagnostic).collect()
+    }
+
+    /// The frame of a link in the root link's frame (frame="root") or in the world (frame="world"), homogeneous; (4, 4). frame may
+    /// be left out where the pose has no base_pose: both are one then.
+    #[pyo3(signature = (link, *, frame=None))]
+    fn link_frame<'py>(
+        &self,
+        py: Python<'py>,
+        link: &str,
+        frame: Option<&str>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let own = self.pose.link(self.model.read.mechanism.find_link(link).map_err(input)?);
+        // The pose has its links in the world.
+        let frame = self.frame(frame)? * (self.pose.base().inverse() * own);
         let mut values = Vec::with_capacity(16);
         for row in 0..3 {
             values.extend(frame.rotation.row(row).iter());
@@ -94,27 +112,40 @@ impl Pose {
         Ok(PyArray1::from_vec(py, self.pose.contact_row(&self.located(contact)?)))
     }
 
-    /// Jacobian of a point (m, link's frame) over the coordinates, root link's axes, m, 1; (3, n).
+    /// Jacobian of a point (m, link's frame) over the coordinates, m, 1; (3, n). Axes of the root link or of the world, as for
+    /// link_frame.
+    #[pyo3(signature = (link, point, *, frame=None))]
     fn point_jacobian<'py>(
         &self,
         py: Python<'py>,
         link: &str,
         point: &Bound<'py, PyAny>,
+        frame: Option<&str>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let link = self.model.read.mechanism.find_link(link).map_err(input)?;
-        matrix(py, &self.pose.point_jacobian(link, &Vector3::from(triple(point, "point")?)))
+        let rows = self.pose.point_jacobian(link, &Vector3::from(triple(point, "point")?));
+        let turned = self.axes(frame)? * rows;
+        matrix(py, &DMatrix::from_column_slice(3, turned.ncols(), turned.as_slice()))
     }
 
     /// Φ = J M⁻¹ Jᵀ of both sides of a contact at its point, constraints included; (12, 12), 1/kg and so on: six rows, angular
-    /// then linear (root link's axes), for the struck link, six for the other; 1/m̄ = wᵀΦw with w = (0, n̂, 0, −n̂).
+    /// then linear, for the struck link, six for the other; 1/m̄ = wᵀΦw with w = (0, n̂, 0, −n̂). Axes of the root link or of the world,
+    /// as for link_frame.
+    #[pyo3(signature = (contact, *, frame=None))]
     fn inverse_operational_inertia<'py>(
         &self,
         py: Python<'py>,
         contact: &Contact,
+        frame: Option<&str>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let located = self.located(contact)?;
+        let (located, axes) = (self.located(contact)?, self.axes(frame)?);
         let phi = self.pose.inverse_operational_inertia(&located).map_err(errors::route)?;
-        let rows: Vec<f64> = phi.matrix().transpose().as_slice().to_vec();
+        let mut turned = phi.matrix().clone_owned();
+        for (row, column) in (0..12).step_by(3).flat_map(|row| (0..12).step_by(3).map(move |c| (row, c))) {
+            let block: Matrix3<f64> = turned.fixed_view::<3, 3>(row, column).into_owned();
+            turned.fixed_view_mut::<3, 3>(row, column).copy_from(&(axes * block * axes.transpose()));
+        }
+        let rows: Vec<f64> = turned.transpose().as_slice().to_vec();
         PyArray1::from_vec(py, rows).reshape([12, 12])
     }
 
@@ -161,9 +192,11 @@ impl Pose {
     }
 
     /// Accelerations of a tree at joint velocities (a dict; those that are not named are 0), base (6,): the twist of a floating root
-    /// (angular, linear; root link's axes), gravity (3,) m/s², root link's axes, none by default, and forces: (link, point (3,) m in
-    /// the link's frame, force (3,) N in the root link's axes) of each. Raises InputError with loops, mimics or held points.
-    #[pyo3(signature = (velocities=None, *, base=None, gravity=None, forces=Vec::new()))]
+    /// (angular, linear), gravity (3,) m/s², none by default, and forces: (link, point (3,) m in the link's frame, force (3,) N) of
+    /// each. base, gravity and forces have the axes of the root link or of the world, as for link_frame. Raises InputError with loops,
+    /// mimics or held points.
+    #[pyo3(signature = (velocities=None, *, base=None, gravity=None, forces=Vec::new(), frame=None))]
+    #[allow(clippy::too_many_arguments, reason = "what acts on the mechanism")]
     fn accelerations(
         &self,
         py: Python<'_>,
@@ -171,8 +204,11 @@ impl Pose {
         base: Option<&Bound<'_, PyAny>>,
         gravity: Option<&Bound<'_, PyAny>>,
         forces: Vec<Bound<'_, PyAny>>,
+        frame: Option<&str>,
     ) -> PyResult<Accelerations> {
-        accelerations(py, self, velocities, base, gravity, &forces)
+        let vectors = base.is_some() || gravity.is_some() || !forces.is_empty();
+        let axes = if vectors { self.axes(frame)? } else { Matrix3::identity() };
+        accelerations(py, self, velocities, base, gravity, &forces, &axes)
     }
 
     /// The pose after the mechanism has gone along v* of a response at this pose until the gap has closed by a distance (m;
@@ -211,7 +247,13 @@ impl Pose {
     fn respond(&self, py: Python<'_>, contact: &Contact, route: &str) -> PyResult<Response> {
         let (contact, route) = (contact.on(&self.model.read.mechanism)?, route_choice(route)?);
         let response = py.detach(|| self.pose.respond(&contact, route)).map_err(errors::response)?;
-        Ok(Response { model: self.model.clone(), pose: self.pose.clone(), response })
+        Ok(Response {
+            model: self.model.clone(),
+            system: self.system.clone(),
+            pose: self.pose.clone(),
+            contact,
+            response,
+        })
     }
 
     fn __repr__(&self) -> String {

@@ -129,6 +129,7 @@ pub struct Damping {
     own_mass: Option<f64>,
     other_own_mass: Option<f64>,
     diagonal_ratio: Option<f64>,
+    closed_loops: Option<bool>,
 }
 
 impl Damping {
@@ -148,6 +149,9 @@ impl Damping {
         options.own_mass = self.own_mass;
         options.other_own_mass = self.other_own_mass;
         options.diagonal_ratio = self.diagonal_ratio;
+        options.loops_unknown = self.closed_loops.is_none();
+        options.closed_loops = self.closed_loops.unwrap_or_default();
+        options.constrained = options.closed_loops;
         for name in &self.tools {
             match name.as_str() {
                 "all" => question.tools.extend(Tool::ALL),

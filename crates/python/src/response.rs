@@ -1,11 +1,16 @@
 //! What is answered to a contact at a pose.
 
 use crate::arrays::triple;
+use crate::diagnostic::Diagnostic;
 use crate::errors::input;
 use crate::model::Model;
+use crate::pose::Pose;
 use numpy::PyArray1;
 use percuss::nalgebra::Vector3;
-use percuss::{ContactResponse, EffectiveMass, PointVelocity, Pose as Posed, Remark, Route, RouteChoice};
+use percuss::study::response_findings;
+use percuss::{
+    Contact, ContactResponse, EffectiveMass, PointVelocity, Pose as Posed, Remark, Route, RouteChoice, System,
+};
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 
@@ -14,7 +19,9 @@ use pyo3::types::{PyAny, PyDict};
 #[derive(Clone, Debug)]
 pub struct Response {
     pub model: Model,
+    pub system: System,
     pub pose: Posed,
+    pub contact: Contact,
     pub response: ContactResponse,
 }
 
@@ -115,6 +122,14 @@ impl Response {
         self.response.remarks.iter().map(remark).collect()
     }
 
+    /// Findings about the pose and about the answer, as the command line reports them. At a singular pose its branches are
+    /// followed.
+    #[getter]
+    fn findings(&self, py: Python<'_>) -> Vec<Diagnostic> {
+        let found = py.detach(|| response_findings(&self.system, &self.pose, &self.contact, &self.response));
+        found.into_iter().map(Diagnostic).collect()
+    }
+
     /// v*: velocities of each joint at unit closing speed, by its name; (d,) rad or m, per m.
     #[getter]
     fn joint_velocities<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
@@ -126,7 +141,7 @@ impl Response {
         Ok(by_name)
     }
 
-    /// v* of a floating root link: 3 angular (rad/s), 3 linear (m/s), per unit closing speed; (6,).
+    /// v* of a floating root link: 3 angular (rad/s), 3 linear (m/s), per unit closing speed, root link's axes; (6,).
     #[getter]
     fn base_velocity<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         let twist = &self.response.base_velocity;
@@ -170,13 +185,7 @@ impl Response {
 
     /// Limits of m̄ along the branches that cross at a singular pose, kg; None for one along which the gap does not close.
     fn branch_limits(&self, py: Python<'_>) -> Vec<Option<f64>> {
-        let contact = percuss::Contact {
-            link: self.response.contact.link,
-            against: self.response.contact.against,
-            point: self.response.contact.point_link,
-            normal: percuss::Direction::Along(self.response.contact.normal_link, percuss::Frame::Link),
-        };
-        let limits = py.detach(|| self.pose.branch_limits(&contact).limits);
+        let limits = py.detach(|| self.pose.branch_limits(&self.contact).limits);
         let limit = |mass: EffectiveMass| match mass {
             EffectiveMass::Finite(m) => Some(m),
             EffectiveMass::Immovable => None,
@@ -185,18 +194,25 @@ impl Response {
         limits.into_iter().map(limit).collect()
     }
 
-    /// Velocity of a point of a link at unit closing speed, relative to the contact's other side, root link's axes; (3,). Its
-    /// length is the motion ratio. None where the response has no motion, or where a motion without mass leaves it open.
+    /// Velocity of a point of a link at unit closing speed, relative to the contact's other side; (3,). Its length is the motion
+    /// ratio. Axes of the root link or of the world, as for Pose.link_frame. None where the response has no motion, or where a motion
+    /// without mass leaves it open.
+    #[pyo3(signature = (link, point, *, frame=None))]
     fn point_velocity<'py>(
         &self,
         py: Python<'py>,
         link: &str,
         point: &Bound<'py, PyAny>,
+        frame: Option<&str>,
     ) -> PyResult<Option<Bound<'py, PyArray1<f64>>>> {
         let link = self.model.read.mechanism.find_link(link).map_err(input)?;
         let point = Vector3::from(triple(point, "point")?);
+        let pose = Pose { model: self.model.clone(), system: self.system.clone(), pose: self.pose.clone() };
+        let axes = pose.axes(frame)?;
         Ok(match self.pose.point_velocity(&self.response, link, &point) {
-            Some(PointVelocity::Known(velocity)) => Some(PyArray1::from_slice(py, velocity.as_slice())),
+            Some(PointVelocity::Known(velocity)) => {
+                Some(PyArray1::from_slice(py, (axes * velocity).as_slice()))
+            }
             Some(PointVelocity::Undetermined) | None => None,
         })
     }

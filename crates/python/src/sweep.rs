@@ -5,7 +5,8 @@ use crate::contact::Contact;
 use crate::errors::{self, input};
 use crate::matrices::coded;
 use crate::model::Model;
-use crate::system::{Assembly, System};
+use crate::pose::refuse_other_assembly;
+use crate::system::{Assembly, System, in_root_axes, position_names, root_frame};
 use crate::threads::detached;
 use numpy::ndarray::{ArrayView2, s};
 use numpy::{Element, PyArray1, PyArrayMethods, PyReadonlyArray2, PyReadwriteArray1, PyUntypedArrayMethods};
@@ -22,7 +23,11 @@ use std::ops::Range;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Configurations of the first portion, at most of one, and by how much portions grow. Between portions Ctrl-C is looked for.
+/// Rows of a path between two looks for Ctrl-C. Fixed, since a path that is followed in other portions differs in its last digits; by
+/// itself a row takes up to some milliseconds.
+const PATH_PORTION: usize = 512;
+/// Configurations of the first portion, at most of one, and by how much portions grow. Between portions Ctrl-C is looked for. Rows
+/// that are answered one by one do not depend on the portions.
 const FIRST: usize = 1024;
 const LARGEST: usize = 1 << 22;
 const GROWTH: f64 = 8.0;
@@ -102,19 +107,35 @@ fn swept(over: &Bound<'_, PyAny>) -> PyResult<(Model, Arc<Assembled>)> {
 /// joints: names of driving joints of one position each, when the columns of q are theirs: (N, len(joints)). Others are at 0 or
 /// follow; loops are closed, each row followed from the row before, on one branch. Rows that cannot be reached have no answer.
 ///
-/// Points and normals in the world are taken with the root link at the world's origin. Ctrl-C stops it.
+/// A DataFrame is matched by the names of its columns, those of joints or of Model.position_names, in any order.
+///
+/// base_pose: pose of the root link in the world, x, y, z (m), w, x, y, z, for normals in the world; default: the world's origin.
+/// other_assembly: rows on another assembly mode are answered too, where the branch of the first closed pose does not reach;
+/// otherwise they have no answer. Ctrl-C stops it.
 #[pyfunction]
-#[pyo3(signature = (model, contact, q, *, joints=None))]
+#[pyo3(signature = (model, contact, q, *, joints=None, base_pose=None, other_assembly=false))]
+#[allow(clippy::too_many_arguments, reason = "the question of a sweep")]
 pub fn sweep(
     py: Python<'_>,
     model: &Bound<'_, PyAny>,
     contact: &Contact,
     q: &Bound<'_, PyAny>,
     joints: Option<&Bound<'_, PyAny>>,
+    base_pose: Option<&Bound<'_, PyAny>>,
+    other_assembly: bool,
 ) -> PyResult<Sweep> {
     let (model, assembly) = swept(model)?;
-    let resolved = contact.on(&model.read.mechanism)?;
-    let q = matrix(q, "q", "(N, p): a row for each configuration")?;
+    let base = base_pose.map(root_frame).transpose()?;
+    let resolved = in_root_axes(contact.on(&model.read.mechanism)?, base.as_ref());
+    let joints = joints.map(words).transpose()?;
+    let (names, hint) = match &joints {
+        Some(names) => (names.clone(), ": those of joints"),
+        None => {
+            let hint = ": the positions of all joints (Model.position_names); or joints=[…] with the names of the columns";
+            (position_names(&model.read.mechanism), hint)
+        }
+    };
+    let q = matrix(q, "q", "(N, p): a row for each configuration", &names, hint)?;
     let batch = assembly.batch(&resolved).map_err(errors::response)?;
     let count = q.shape()[0];
     let (effective_mass, mut masses) = zeros(py, count);
@@ -125,7 +146,7 @@ pub fn sweep(
         errors: errors.as_slice_mut()?,
         codes: codes.as_slice_mut()?,
     };
-    match joints.map(words).transpose()? {
+    match joints {
         None => {
             let (width, expected) = (q.shape()[1], model.position_count());
             if width != expected {
@@ -142,7 +163,10 @@ pub fn sweep(
             let places = drivers(&model, &names, q.shape())?;
             match assembly.groups().is_empty() {
                 true => of_tree(py, &batch, &model, &q, &places, columns)?,
-                false => Path::new(&model, &assembly, resolved, &places)?.follow(py, &q, columns)?,
+                false => {
+                    let path = Path::new(&model, &assembly, resolved, &places, other_assembly)?;
+                    path.follow(py, &q, columns)?;
+                }
             }
         }
     }
@@ -221,6 +245,19 @@ fn portions(
         let spent = begun.elapsed().as_secs_f64().max(1e-9);
         let factor = (LOOK_AFTER.as_secs_f64() / spent).clamp(1.0 / GROWTH, GROWTH);
         size = ((here as f64 * factor) as usize).clamp(16, LARGEST);
+    }
+    Ok(())
+}
+
+/// Portions of a path, of [`PATH_PORTION`] rows; looks for Ctrl-C between them.
+fn fixed_portions(
+    py: Python<'_>,
+    count: usize,
+    mut portion: impl FnMut(Range<usize>) -> PyResult<()> + Send,
+) -> PyResult<()> {
+    for first in (0..count).step_by(PATH_PORTION) {
+        detached(py, || portion(first..count.min(first + PATH_PORTION)))?;
+        py.check_signals()?;
     }
     Ok(())
 }
@@ -367,6 +404,8 @@ struct Path<'a> {
     /// Where the last row that was reached stands.
     stands: Posed,
     driven: Option<DrivenPath>,
+    /// True if rows on another assembly mode are answered.
+    other_assembly: bool,
 }
 
 impl<'a> Path<'a> {
@@ -375,11 +414,12 @@ impl<'a> Path<'a> {
         assembly: &'a Arc<Assembled>,
         contact: Resolved,
         places: &[(JointId, usize)],
+        other_assembly: bool,
     ) -> PyResult<Self> {
         let joints = places.iter().map(|(joint, _)| *joint).collect();
         let zero = Configuration::zero(&model.read.mechanism);
         let stands = assembly.pose(&zero).map_err(errors::assembly)?;
-        Ok(Self { model, assembly, contact, joints, stands, driven: None })
+        Ok(Self { model, assembly, contact, joints, stands, driven: None, other_assembly })
     }
 
     fn follow(
@@ -391,7 +431,7 @@ impl<'a> Path<'a> {
         let (count, width) = (q.shape()[0], self.joints.len());
         let view = q.as_array();
         let mut values = Vec::new();
-        portions(py, count, |rows| {
+        fixed_portions(py, count, |rows| {
             let (first, here) = (rows.start, rows.len());
             values.clear();
             view.slice(s![rows.clone(), ..]).rows().into_iter().for_each(|row| values.extend(row));
@@ -448,6 +488,9 @@ impl<'a> Path<'a> {
             }
         }
         let Ok(pose) = self.assembly.pose_from(&self.stands, &there) else { return };
+        if refuse_other_assembly(&pose, self.other_assembly).is_err() {
+            return;
+        }
         respond(&pose, &self.contact, at, columns);
         let goes_on = self.driven.as_mut().is_some_and(|driven| driven.restart(&pose));
         if !goes_on {

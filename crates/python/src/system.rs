@@ -1,17 +1,20 @@
 //! Systems (a mechanism under conditions), assemblies (their loops put together), and m̄ at one configuration after another.
 
-use crate::arrays::{float64, list, triple};
+use crate::arrays::{Numbers, list, triple};
 use crate::contact::Contact;
+use crate::diagnostic::Diagnostic;
 use crate::errors::{self, input};
+use crate::labels::Labels;
 use crate::model::Model;
-use crate::pose::Pose;
+use crate::pose::{Pose, refuse_other_assembly};
 use crate::response::status;
 use numpy::PyArray1;
 use percuss::nalgebra::Vector3;
 use percuss::spatial::{Transform, rotation_from_quaternion};
+use percuss::study::response_findings;
 use percuss::{
-    Assembly as Assembled, Base, Batch, Conditions, Configuration, DepartingAxis, DrawnGap, EffectiveMass,
-    Mechanism, RigidLoops, System as Compiled,
+    Assembly as Assembled, Base, Batch, Conditions, Configuration, Contact as Resolved, DepartingAxis,
+    Direction, DrawnGap, EffectiveMass, Frame, Mechanism, RigidLoops, RouteChoice, System as Compiled,
 };
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
@@ -69,6 +72,17 @@ pub fn numbers(given: Option<&Bound<'_, PyDict>>, what: &str) -> PyResult<Vec<(S
     given.iter().map(one).collect()
 }
 
+/// Names of all positions, in order: the joint's, or JOINT[0], JOINT[1], … where it has several.
+pub fn position_names(mechanism: &Mechanism) -> Vec<String> {
+    let of = |joint: &percuss::Joint| -> Vec<String> {
+        match joint.kind().positions() {
+            1 => vec![joint.name().to_owned()],
+            count => (0..count).map(|i| format!("{}[{i}]", joint.name())).collect(),
+        }
+    };
+    mechanism.joints().iter().flat_map(of).collect()
+}
+
 /// A configuration of joints by name, or of all positions.
 pub fn configuration(
     mechanism: &Arc<Mechanism>,
@@ -77,8 +91,9 @@ pub fn configuration(
 ) -> PyResult<Configuration> {
     let mut found = match q {
         Some(q) if !q.is_instance_of::<PyDict>() => {
-            let q = float64(q, "q", &[1], "one dimension, or a dict of joints")?;
-            let q: Vec<f64> = q.as_array().iter().copied().collect();
+            let q = Numbers::of(q, "q", &[1], "one dimension, or a dict of joints")?;
+            let q = q.in_order("q", &position_names(mechanism), ": the positions of all joints")?;
+            let q: Vec<f64> = q.array.as_array().iter().copied().collect();
             Configuration::from_positions(mechanism, &q).map_err(input)?
         }
         _ => Configuration::zero(mechanism),
@@ -94,12 +109,20 @@ pub fn configuration(
     Ok(found)
 }
 
-/// Where the root link stands: 7 numbers, x, y, z (m), w, x, y, z (a unit quaternion).
-fn root_frame(given: &Bound<'_, PyAny>) -> PyResult<Transform<f64>> {
+/// Pose of the root link in the world: 7 numbers, x, y, z (m), w, x, y, z (a unit quaternion).
+pub fn root_frame(given: &Bound<'_, PyAny>) -> PyResult<Transform<f64>> {
     let values = list(given, "base_pose")?;
     let [x, y, z, quaternion @ ..] = &values[..] else {
         return Err(input(format_args!("base_pose has {} numbers; expected 7", values.len())));
     };
+    if let Ok(axes) = given.getattr("shape").and_then(|shape| shape.extract::<Vec<usize>>())
+        && axes != [7]
+    {
+        return Err(input(format_args!(
+            "base_pose has shape {}; expected (7,): x, y, z (m), w, x, y, z (unit quaternion)",
+            crate::arrays::shape(&axes)
+        )));
+    }
     let quaternion = <[f64; 4]>::try_from(quaternion)
         .map_err(|_| input(format_args!("base_pose has {} numbers; expected 7", values.len())))?;
     if let Some(value) = values.iter().find(|value| value.is_nan() || value.abs() > 1e100) {
@@ -185,21 +208,25 @@ impl System {
     /// The pose at a configuration, the loops closed.
     ///
     /// q: dict of driving joints to their positions (rad, m; quaternions w, x, y, z), others at 0; or the positions of all joints, (p,):
-    /// driving joints stand where they are given, the others next to it. guess: where dependent joints are looked for. base_pose:
-    /// where the root link stands, x, y, z (m), w, x, y, z. Raises AssemblyError.
-    #[pyo3(signature = (q=None, *, guess=None, base_pose=None))]
+    /// driving joints stand where they are given, the others next to it; a pandas Series is matched by name
+    /// (Model.position_names). guess: where dependent joints are looked for. base_pose: pose of the root link in the world, x, y, z (m),
+    /// w, x, y, z; contacts with normal_frame="world" and travels refer to that world. other_assembly: accepts a pose on another
+    /// assembly mode, where the branch of the first closed pose does not reach the driving joints. Raises AssemblyError.
+    #[pyo3(signature = (q=None, *, guess=None, base_pose=None, other_assembly=false))]
     pub fn pose(
         &self,
         py: Python<'_>,
         q: Option<&Bound<'_, PyAny>>,
         guess: Option<&Bound<'_, PyDict>>,
         base_pose: Option<&Bound<'_, PyAny>>,
+        other_assembly: bool,
     ) -> PyResult<Pose> {
         let mut given = configuration(&self.model.read.mechanism, q, guess)?;
         if let Some(frame) = base_pose {
             given.set_base(root_frame(frame)?);
         }
         let pose = py.detach(|| self.system.pose(&given)).map_err(errors::assembly)?;
+        refuse_other_assembly(&pose, other_assembly)?;
         Ok(Pose { model: self.model.clone(), system: self.system.clone(), pose })
     }
 
@@ -293,26 +320,32 @@ impl Assembly {
     }
 
     /// The pose at a configuration of this assembly; as System.pose.
-    #[pyo3(signature = (q=None, *, guess=None, base_pose=None))]
+    #[pyo3(signature = (q=None, *, guess=None, base_pose=None, other_assembly=false))]
     fn pose(
         &self,
         py: Python<'_>,
         q: Option<&Bound<'_, PyAny>>,
         guess: Option<&Bound<'_, PyDict>>,
         base_pose: Option<&Bound<'_, PyAny>>,
+        other_assembly: bool,
     ) -> PyResult<Pose> {
         let mut given = configuration(&self.model.read.mechanism, q, guess)?;
         if let Some(frame) = base_pose {
             given.set_base(root_frame(frame)?);
         }
         let pose = py.detach(|| self.assembly.pose(&given)).map_err(errors::assembly)?;
+        refuse_other_assembly(&pose, other_assembly)?;
         Ok(Pose { model: self.model.clone(), system: self.system.clone(), pose })
     }
 
-    /// A contact, ready for one configuration after another.
-    fn workspace(&self, contact: &Contact) -> PyResult<Workspace> {
+    /// A contact, ready for one configuration after another. base_pose: pose of the root link in the world, for normals in the
+    /// world; as for pose.
+    #[pyo3(signature = (contact, *, base_pose=None))]
+    fn workspace(&self, contact: &Contact, base_pose: Option<&Bound<'_, PyAny>>) -> PyResult<Workspace> {
+        let base = base_pose.map(root_frame).transpose()?;
         let contact = contact.on(&self.model.read.mechanism)?;
-        Ok(Workspace { batch: self.assembly.batch(&contact).map_err(errors::response)?, last: None })
+        let batch = self.assembly.batch(&in_root_axes(contact, base.as_ref())).map_err(errors::response)?;
+        Ok(Workspace { of: self.clone(), contact, base, batch, last: None, positions: Vec::new() })
     }
 
     fn __repr__(&self) -> String {
@@ -325,32 +358,75 @@ impl Assembly {
     }
 }
 
+/// The contact with a normal in the world turned into the root link's axes: batches take the root link at the world's origin.
+pub fn in_root_axes(contact: Resolved, base: Option<&Transform<f64>>) -> Resolved {
+    let normal = match (contact.normal, base, contact.against) {
+        (Direction::Along(normal, Frame::World), Some(base), _)
+        | (Direction::Along(normal, Frame::Against), Some(base), None) => {
+            Direction::Along(base.inverse_vector(&normal), Frame::World)
+        }
+        (normal, ..) => normal,
+    };
+    Resolved { normal, ..contact }
+}
+
 /// A contact, ready for one configuration after another. Two threads that use one at once get an error.
 #[pyclass(module = "percuss")]
 #[derive(Debug)]
 pub struct Workspace {
+    of: Assembly,
+    contact: Resolved,
+    base: Option<Transform<f64>>,
     batch: Batch,
     last: Option<EffectiveMass>,
+    /// Of the last configuration.
+    positions: Vec<f64>,
 }
 
 #[pymethods]
 impl Workspace {
-    /// m̄ in kg at the positions of all joints, (p,), loops closed; None unless finite: then status has the outcome.
-    /// Pose.respond says more.
+    /// m̄ in kg at the positions of all joints, (p,), loops closed; None unless finite: then status has the outcome. A pandas
+    /// Series is matched by name. findings has what is to be known about the last answer; Pose.respond gives more.
     fn effective_mass(&mut self, q: &Bound<'_, PyAny>) -> PyResult<Option<f64>> {
-        let q = float64(q, "q", &[1], "one dimension: the positions of all joints")?;
-        let answer = match q.as_slice() {
+        let mut q = Numbers::of(q, "q", &[1], "one dimension: the positions of all joints")?;
+        if q.labels != Labels::default() {
+            let names = position_names(&self.of.model.read.mechanism);
+            q = q.in_order("q", &names, ": the positions of all joints")?;
+        }
+        self.last = None;
+        let answer = match q.array.as_slice() {
             Ok(positions) => self.at(positions),
-            Err(_) => self.at(&q.as_array().iter().copied().collect::<Vec<f64>>()),
+            Err(_) => self.at(&q.array.as_array().iter().copied().collect::<Vec<f64>>()),
         }?;
         self.last = Some(answer);
         Ok(if let EffectiveMass::Finite(m) = answer { Some(m) } else { None })
     }
 
-    /// What the last configuration was answered: "finite", "immovable" or "massless"; None before the first.
+    /// Outcome of the last configuration: "finite", "immovable" or "massless"; None before the first, and after an error.
     #[getter]
     fn status(&self) -> Option<&'static str> {
         self.last.map(status)
+    }
+
+    /// Findings about the last configuration and its answer, as the command line reports them. They are found when they are read, by
+    /// Pose.respond at that configuration. None before the first, and after an error.
+    #[getter]
+    fn findings(&self, py: Python<'_>) -> PyResult<Option<Vec<Diagnostic>>> {
+        if self.last.is_none() {
+            return Ok(None);
+        }
+        let Assembly { model, system, assembly } = &self.of;
+        let mut there =
+            Configuration::from_positions(&model.read.mechanism, &self.positions).map_err(input)?;
+        if let Some(base) = self.base {
+            there.set_base(base);
+        }
+        py.detach(|| {
+            let pose = assembly.pose(&there).map_err(errors::assembly)?;
+            let response = pose.respond(&self.contact, RouteChoice::Auto).map_err(errors::response)?;
+            let found = response_findings(system, &pose, &self.contact, &response);
+            Ok(Some(found.into_iter().map(Diagnostic).collect()))
+        })
     }
 
     fn __repr__(&self) -> &'static str {
@@ -364,6 +440,8 @@ impl Workspace {
             return Err(input(format_args!("q[{at}] is {}; expected finite numbers", positions[at])));
         }
         let answer = self.batch.effective_mass(positions).map_err(input)?;
+        self.positions.clear();
+        self.positions.extend_from_slice(positions);
         answer
             .mass
             .ok_or_else(|| errors::no_answer("there is no answer at these positions; Pose.respond says why"))

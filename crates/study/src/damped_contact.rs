@@ -196,6 +196,7 @@ fn options(given: Options, answered: &Answered, mass: f64) -> Options {
         diagonal_ratio: given.diagonal_ratio.or_else(ratio),
         constrained: given.constrained || constrained,
         closed_loops: given.closed_loops || closed_loops,
+        loops_unknown: false,
         ..given
     }
 }

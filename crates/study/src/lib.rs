@@ -5,6 +5,7 @@
 //! on. Nothing here writes to a terminal.
 
 mod answer;
+mod answer_findings;
 mod assumptions;
 mod changes;
 mod check;
@@ -87,6 +88,7 @@ mod vary;
 /// Contact laws, simulators and safe speeds, for the faces that name them.
 pub use percuss_contact as contact;
 
+pub use answer_findings::{pose_findings, response_findings};
 pub use assumptions::Assumptions;
 pub use changes::Changes;
 pub use check::{CheckReport, ClosureRecord, JointRecord, LinkRecord, check};

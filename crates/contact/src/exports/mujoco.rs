@@ -72,13 +72,14 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     if let Some(pair) = standard {
         export.set("solref_standard", pair, "s, -");
     }
-    if request.options.constrained {
+    let equality = request.options.constrained || request.options.loops_unknown;
+    if equality {
         export.set("equality_solref", [2.0 * step, 1.0], "s, -");
         export.set("equality_solimp", [limits::MUJOCO_IMPEDANCE, limits::MUJOCO_IMPEDANCE, 1.0], "-, -, m");
     }
-    export.write("direct format", "xml", document(solref, solimp, step, request.options.constrained));
+    export.write("direct format", "xml", document(solref, solimp, step, equality));
     if let Some(pair) = standard {
-        export.write("standard format", "xml", document(pair, solimp, step, request.options.constrained));
+        export.write("standard format", "xml", document(pair, solimp, step, equality));
     }
     words(&mut export, request, &linear);
     Ok(export)
@@ -181,6 +182,12 @@ fn words(export: &mut Export, request: &Request, linear: &Linear) {
             limits::MUJOCO_IMPEDANCE,
             (1.0 - limits::MUJOCO_IMPEDANCE) / 2.0
         )),
+    }
+    if request.options.loops_unknown && !request.options.constrained {
+        export.assume(
+            "Closed loops: m̄ is that with the loops closed, α is Â·m̄ with Â of the open tree, and the equality constraints need \
+             their own solref and solimp as given, since the defaults are compliant. Without loops they have no effect.",
+        );
     }
     if request.options.constrained {
         export.assume(

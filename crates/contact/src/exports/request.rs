@@ -39,6 +39,9 @@ pub struct Options {
     pub constrained: bool,
     /// Of these, closed loops.
     pub closed_loops: bool,
+    /// It is not known whether loops are closed: a mass is given and no mechanism. MuJoCo's parameters for equality constraints are
+    /// exported too; without loops they have no effect.
+    pub loops_unknown: bool,
 }
 
 /// How a joint moves into its stop.
@@ -92,6 +95,7 @@ impl Default for Options {
             stop: None,
             constrained: false,
             closed_loops: false,
+            loops_unknown: false,
         }
     }
 }

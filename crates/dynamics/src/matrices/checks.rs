@@ -3,7 +3,7 @@
 use super::view::MatrixView;
 use crate::tolerances::{
     CAREFUL_LIMIT, LARGEST_ENTRY, LEAST_ENTRY, LENGTH_LIMIT, MATRIX_NOISE, MOST_ACCURACY, MOST_FLOOR,
-    NEGATIVE_MASS, PAIR_BOUND, SYMMETRIC,
+    NEGATIVE_MASS, PAIR_BOUND, PAIR_ROUNDINGS, SYMMETRIC, SYMMETRIC_ROUNDINGS,
 };
 use faer::{Mat, Side};
 use nalgebra::DMatrix;
@@ -212,17 +212,23 @@ pub(super) fn lengths(given: Option<&[f64]>, n: usize) -> Result<Vec<f64>, Matri
     }
 }
 
-/// The options' own ranges.
-pub(super) fn options(rank_floor: f64, accuracy: f64) -> Result<(), MatrixError> {
+/// Checks the ranges of the options.
+pub(super) fn options(rank_floor: f64, row_noise: f64, accuracies: [f64; 3]) -> Result<(), MatrixError> {
     if !(rank_floor > 0.0 && rank_floor <= MOST_FLOOR) {
         let expected = "a number above 0, at most 0.1";
         return Err(MatrixError::Option { option: "the floor of the rank", got: rank_floor, expected });
     }
-    if !(0.0..=MOST_ACCURACY).contains(&accuracy) {
-        let expected = "a number from 0 to 1e-3";
-        return Err(MatrixError::Option { option: "the accuracy of the entries", got: accuracy, expected });
+    if !(0.0..=LARGEST_ENTRY).contains(&row_noise) {
+        let expected = "a number from 0 to 1e100";
+        return Err(MatrixError::Option { option: "the noise of rows of A", got: row_noise, expected });
     }
-    Ok(())
+    match accuracies.into_iter().find(|accuracy| !(0.0..=MOST_ACCURACY).contains(accuracy)) {
+        Some(got) => {
+            let expected = "a number from 0 to 1e-3";
+            Err(MatrixError::Option { option: "the accuracy of the entries", got, expected })
+        }
+        None => Ok(()),
+    }
 }
 
 impl Mass {
@@ -232,8 +238,9 @@ impl Mass {
         let typical = (0..n).map(|k| matrix[(k, k)].abs() / lengths[k].powi(2)).fold(0.0, f64::max);
         // What a coordinate that moves no mass has for rounding, where all others are summed up with it.
         let noise = |r: usize, c: usize| MATRIX_NOISE * accuracy * typical * lengths[r] * lengths[c];
-        let mut off = symmetrize(&mut matrix, &noise)?;
+        let mut off = symmetrize(&mut matrix, accuracy, &noise)?;
         let mut is_noise = vec![false; n];
+        let pair_bound = PAIR_BOUND.max(1.0 + PAIR_ROUNDINGS * accuracy);
         for k in 0..n {
             let value = matrix[(k, k)];
             if value < 0.0 {
@@ -247,7 +254,7 @@ impl Mass {
             for r in 0..c {
                 let value = matrix[(r, c)];
                 let most = matrix[(r, r)].max(0.0).sqrt() * matrix[(c, c)].max(0.0).sqrt();
-                if value.abs() <= PAIR_BOUND * most || is_noise[r] || is_noise[c] {
+                if value.abs() <= pair_bound * most || is_noise[r] || is_noise[c] {
                     continue;
                 }
                 if value.abs() > noise(r, c) {
@@ -268,7 +275,8 @@ impl Mass {
         }
         off += accuracy;
         let negative = negative_energy(&matrix);
-        let least = NEGATIVE_MASS * (n as f64 * f64::EPSILON + off);
+        // Entries off by `off` of √(M_rr M_cc) move an eigenvalue by n times that at most.
+        let least = NEGATIVE_MASS * (n as f64 + 1.0) * f64::EPSILON + 2.0 * n as f64 * off;
         if negative > least {
             return Err(MatrixError::Indefinite { eigenvalue: -negative, least: -least });
         }
@@ -277,8 +285,13 @@ impl Mass {
 }
 
 /// Replaces M by the mean of it and its transpose; gives by how much of √(M_rr M_cc) they differ at most.
-fn symmetrize(matrix: &mut DMatrix<f64>, noise: &dyn Fn(usize, usize) -> f64) -> Result<f64, MatrixError> {
+fn symmetrize(
+    matrix: &mut DMatrix<f64>,
+    accuracy: f64,
+    noise: &dyn Fn(usize, usize) -> f64,
+) -> Result<f64, MatrixError> {
     let n = matrix.nrows();
+    let symmetric = SYMMETRIC.max(SYMMETRIC_ROUNDINGS * accuracy);
     let mut off = 0.0_f64;
     for c in 0..n {
         for r in 0..c {
@@ -288,14 +301,14 @@ fn symmetrize(matrix: &mut DMatrix<f64>, noise: &dyn Fn(usize, usize) -> f64) ->
                 continue;
             }
             let size = matrix[(r, r)].abs().sqrt() * matrix[(c, c)].abs().sqrt();
-            if difference > SYMMETRIC * size && difference > noise(r, c) {
+            if difference > symmetric * size && difference > noise(r, c) {
                 let zero = |upper: bool| {
                     (0..n).all(|c| (0..c).all(|r| matrix[if upper { (r, c) } else { (c, r) }] == 0.0))
                 };
                 let is_triangle = zero(true) || zero(false);
                 return Err(MatrixError::NotSymmetric { row: r, column: c, upper, lower, is_triangle });
             }
-            if difference <= SYMMETRIC * size {
+            if difference <= symmetric * size {
                 off = off.max(0.5 * difference / size);
             }
             let mean = 0.5 * (upper + lower);

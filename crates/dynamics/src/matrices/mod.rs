@@ -9,27 +9,48 @@ pub use rank::ConstraintRank;
 pub use view::{LayoutError, MatrixView};
 
 use self::checks::Mass;
+use self::rank::RankLimits;
 use crate::careful::{LeastEnergy, Minimum, Solution};
 use crate::outcome::{EffectiveMass, Remark};
 use crate::tolerances::{
-    FLOOR_ACCURACY, IMMOVABLE, MOVED_SAFETY, NEARLY_IMMOVABLE, NEGLIGIBLE_MASS, NOTHING_LEFT, RANK_FLOOR,
-    SUM_ROUNDINGS,
+    FEW_DIGITS, FEW_DIGITS_TRIALS, FLOOR_ACCURACY, IMMOVABLE, MOVED_SAFETY, NEARLY_IMMOVABLE,
+    NEGLIGIBLE_MASS, NOTHING_LEFT, RANK_FLOOR, RANK_ROUNDING, SUM_ROUNDINGS,
 };
 use faer::Mat;
 use faer::linalg::solvers::SolveLstsq;
 use nalgebra::{DMatrix, DVector};
 
-/// How matrices of the caller's are read. The default: every length 1, a floor of 1e-10, entries exact to a rounding.
+/// Options for reading the caller's matrices. The default: every length 1, a rank floor of 1e-10, entries exact to a rounding.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MatrixOptions<'a> {
     lengths: Option<&'a [f64]>,
-    rank_floor: f64,
-    accuracy: f64,
+    rank_floor: Option<f64>,
+    accuracy: Accuracy,
+    row_noise: f64,
+}
+
+/// Relative error of every entry, by matrix.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Accuracy {
+    mass: f64,
+    constraints: f64,
+    row: f64,
+}
+
+impl Accuracy {
+    fn all(accuracy: f64) -> Self {
+        Self { mass: accuracy, constraints: accuracy, row: accuracy }
+    }
+
+    /// The larger relative error of A and j, which both decide whether the gap closes.
+    fn of_rows(self) -> f64 {
+        self.constraints.max(self.row)
+    }
 }
 
 impl Default for MatrixOptions<'_> {
     fn default() -> Self {
-        Self { lengths: None, rank_floor: RANK_FLOOR, accuracy: f64::EPSILON }
+        Self { lengths: None, rank_floor: None, accuracy: Accuracy::all(f64::EPSILON), row_noise: 0.0 }
     }
 }
 
@@ -47,16 +68,35 @@ impl<'a> MatrixOptions<'a> {
         Self { lengths: Some(lengths), ..self }
     }
 
-    /// Singular values of A below this part of the largest count as zero; above 0, at most 0.1. Default: 1e-10, or 10 times the
-    /// [accuracy](Self::accuracy) where that is more.
+    /// Singular values of A below this part of the largest count as zero, with every row of A scaled to a largest entry
+    /// of about 1; above 0, at most 0.1. Default: 1e-10, or 10 times the [accuracy](Self::accuracy) of A where that is more. With the
+    /// default, a dropped singular value above rounding (3e-13, or 10 times the accuracy) makes the rank unclear.
     pub fn rank_floor(self, floor: f64) -> Self {
-        Self { rank_floor: floor, ..self }
+        Self { rank_floor: Some(floor), ..self }
     }
 
-    /// The relative error of every entry of M, A and j, from 0 to 1e-3: it enters the stated error. Default: 2.2e-16, a
-    /// rounding. Where entries are small differences of large terms, say so here.
+    /// Relative error of every entry of M, A and j, from 0 to 1e-3. The rank of A, the outcome and the stated error depend on it.
+    /// Default: 2.2e-16, a rounding. Matrices that were held in single precision have 6e-8. Give it too where entries are
+    /// small differences of large terms.
     pub fn accuracy(self, accuracy: f64) -> Self {
-        Self { accuracy, ..self }
+        Self { accuracy: Accuracy::all(accuracy), ..self }
+    }
+
+    /// The same of one matrix alone, after [`accuracy`](Self::accuracy).
+    pub fn accuracy_of(mut self, matrix: MatrixName, accuracy: f64) -> Self {
+        match matrix {
+            MatrixName::Mass => self.accuracy.mass = accuracy,
+            MatrixName::Constraints => self.accuracy.constraints = accuracy,
+            MatrixName::ContactRow => self.accuracy.row = accuracy,
+        }
+        self
+    }
+
+    /// Rows of A whose entries are all at most this count as rows of zeros; in the unit of A, entries divided by lengths.
+    /// Default: 0. A row that only holds the rounding of larger terms that cancel (the out-of-plane rows of a plane loop in
+    /// space, for example) looks like a constraint in small units: matrices do not tell the two apart.
+    pub fn row_noise(self, noise: f64) -> Self {
+        Self { row_noise: noise, ..self }
     }
 }
 
@@ -65,8 +105,8 @@ impl<'a> MatrixOptions<'a> {
 pub struct MatrixResponse {
     /// m̄, or why it is not finite.
     pub effective_mass: EffectiveMass,
-    /// What m̄ may be off by, kg, by the accuracy of the entries and by rounding; none unless finite, and where
-    /// it is finite no longer with entries of M that are off by so much.
+    /// Bound on the error of m̄ by the accuracy of the entries and by rounding, kg. `None` unless m̄ is finite; `None` too if m̄
+    /// is not finite with entries that are off by their accuracy, and if the rank of A is unclear.
     pub error: Option<f64>,
     /// v*: the velocities at unit closing speed, in the units of the caller's coordinates; zero where immovable.
     pub velocity: Vec<f64>,
@@ -93,8 +133,13 @@ pub struct MatrixResponse {
 /// without energy does). M may be singular, rows of A may be redundant. Nothing is added to M, and nothing is cut off
 /// but rounding: a pivot of M scaled to unit diagonal counts as zero below 4(nε + accuracy).
 ///
-/// The stated error is to first order, at the response: entries of M off by `accuracy`·√(M_rr M_cc), those of A and j by
-/// `accuracy` of themselves, and the roundings of the method, δm̄ = v*ᵀδM v* + 2λᵀδA v* − 2m̄ δj v* with M v* + Aᵀλ = m̄jᵀ.
+/// Each row of A is scaled by itself before the rank is decided, so the unit of a row has no influence. A row of zeros
+/// constrains nothing. A row of rounding alone is a constraint unless [`MatrixOptions::row_noise`] excludes it;
+/// [`ConstraintRank::small_rows`] lists rows that may be rounding. Columns are scaled by
+/// [`MatrixOptions::lengths`] only.
+///
+/// The stated error is to first order, at the response: entries of M off by their accuracy times √(M_rr M_cc), those of A and j by
+/// their accuracy times themselves, and the roundings of the method, δm̄ = v*ᵀδM v* + 2λᵀδA v* − 2m̄ δj v* with M v* + Aᵀλ = m̄jᵀ.
 /// M may differ from its transpose by 1e-9 of √(M_rr M_cc); the mean is taken, and the difference enters the error.
 ///
 /// Cost: O(n³ + m n²); up to 1000 coordinates. Source: as [`Pose::respond`](crate::Pose::respond)'s.
@@ -122,18 +167,26 @@ pub fn effective_mass<'a>(
 ) -> Result<MatrixResponse, MatrixError> {
     let (mass, row) = (mass.into(), row.into());
     let n = checks::shapes(&mass, &row, constraints.as_ref())?;
-    checks::options(options.rank_floor, options.accuracy)?;
+    let MatrixOptions { rank_floor, row_noise, accuracy: given, .. } = *options;
+    checks::options(rank_floor.unwrap_or(RANK_FLOOR), row_noise, [given.mass, given.constraints, given.row])?;
     let lengths = checks::lengths(options.lengths, n)?;
-    let accuracy = options.accuracy.max(f64::EPSILON);
+    let least = |accuracy: f64| accuracy.max(f64::EPSILON);
+    let accuracy =
+        Accuracy { mass: least(given.mass), constraints: least(given.constraints), row: least(given.row) };
     let matrix = checks::entries(MatrixName::Mass, &mass)?;
     let row = checks::entries(MatrixName::ContactRow, &row)?;
     let constraints = match &constraints {
         Some(a) => checks::entries(MatrixName::Constraints, a)?,
         None => DMatrix::zeros(0, n),
     };
-    let mass = Mass::new(matrix, &lengths, accuracy)?;
-    let floor = options.rank_floor.max(FLOOR_ACCURACY * options.accuracy);
-    let decided = rank::decide_rows(&constraints, &lengths, floor);
+    let mass = Mass::new(matrix, &lengths, accuracy.mass)?;
+    let rounding = FLOOR_ACCURACY * accuracy.constraints;
+    let limits = RankLimits {
+        floor: rank_floor.unwrap_or(RANK_FLOOR).max(rounding),
+        rounding: rank_floor.unwrap_or(RANK_ROUNDING).max(rounding),
+        row_noise,
+    };
+    let decided = rank::decide_rows(constraints, &lengths, &limits);
     let asked = Asked {
         mass: &mass,
         row: row.as_slice(),
@@ -154,8 +207,7 @@ struct Asked<'a> {
     /// The least singular value that counts, as a part of the largest.
     least: f64,
     lengths: &'a [f64],
-    /// Relative, of every entry.
-    accuracy: f64,
+    accuracy: Accuracy,
 }
 
 impl Asked<'_> {
@@ -164,7 +216,7 @@ impl Asked<'_> {
         let solution = self.solve();
         let closing_speed = self.closing_speed();
         // Rows that hardly differ leave so much of a closing speed open.
-        let open = FLOOR_ACCURACY * self.accuracy / self.least;
+        let open = FLOOR_ACCURACY * self.accuracy.of_rows() / self.least;
         let mut remarks = Vec::new();
         if solution.massless_directions > 0 {
             remarks.push(Remark::MasslessMotions { directions: solution.massless_directions });
@@ -195,8 +247,12 @@ impl Asked<'_> {
                 } else {
                     error = self.moved_by_accuracy(m).map(|moved| off.max(MOVED_SAFETY * moved));
                 }
+                if !rank.is_clear {
+                    // The bound holds for the rank that was decided, and the rank may be another.
+                    error = None;
+                }
                 if solution.closing_speed < NEARLY_IMMOVABLE {
-                    let uncertainty = 2.0 * self.accuracy / solution.closing_speed;
+                    let uncertainty = 2.0 * self.accuracy.of_rows() / solution.closing_speed;
                     remarks
                         .push(Remark::NearlyImmovable { closing_speed: solution.closing_speed, uncertainty });
                 }
@@ -217,7 +273,8 @@ impl Asked<'_> {
             }
             EffectiveMass::Immovable => {
                 velocity = vec![0.0; n];
-                if closing_speed > IMMOVABLE {
+                // Above rounding: the gap may close, far more slowly than is decided.
+                if closing_speed > RANK_ROUNDING {
                     let uncertainty = open / closing_speed;
                     remarks.push(Remark::NearlyImmovable { closing_speed, uncertainty });
                 }
@@ -236,19 +293,36 @@ impl Asked<'_> {
         })
     }
 
-    /// How far m̄ moves where the entries of M are off by their accuracy, in signs that follow no pattern of M; none where it is
-    /// finite no longer. What the method loses beyond first order shows here.
+    /// Largest change of m̄ if the entries of M, A and j are off by their accuracy, in signs that follow no pattern; `None` if m̄ is no longer
+    /// finite. Losses of the method beyond first order show here.
     fn moved_by_accuracy(&self, m: f64) -> Option<f64> {
+        // The fewer digits the entries have, the more is lost beyond first order.
+        let trials =
+            if self.accuracy.mass.max(self.accuracy.of_rows()) > FEW_DIGITS { FEW_DIGITS_TRIALS } else { 1 };
+        (0..trials)
+            .map(|trial| self.moved_by(m, trial))
+            .try_fold(0.0, |most, moved| Some(f64::max(most, moved?)))
+    }
+
+    /// The same for one pattern of signs.
+    fn moved_by(&self, m: f64, trial: usize) -> Option<f64> {
+        let factor = |r: usize, c: usize, accuracy: f64| {
+            1.0 + [1.0, -1.0, 0.5, -0.5][(7 * r + 3 * c + r * c + trial * (5 * r + c + 1)) % 4] * accuracy
+        };
         let mut mass =
             Mass { matrix: self.mass.matrix.clone(), noise: self.mass.noise.clone(), ..*self.mass };
         for r in 0..mass.matrix.nrows() {
             for c in 0..=r {
-                let sign = [1.0, -1.0, 0.5, -0.5][(7 * r + 3 * c + r * c) % 4];
-                mass.matrix[(r, c)] *= 1.0 + sign * self.accuracy;
+                mass.matrix[(r, c)] *= factor(r, c, self.mass.accuracy);
                 mass.matrix[(c, r)] = mass.matrix[(r, c)];
             }
         }
-        match (Asked { mass: &mass, ..*self }).solve().minimum {
+        let Accuracy { constraints, row, .. } = self.accuracy;
+        let rows = DMatrix::from_fn(self.rows.nrows(), self.rows.ncols(), |r, c| {
+            self.rows[(r, c)] * factor(r + 1, c, constraints)
+        });
+        let row: Vec<f64> = self.row.iter().enumerate().map(|(c, j)| j * factor(0, c, row)).collect();
+        match (Asked { mass: &mass, rows: &rows, row: &row, ..*self }).solve().minimum {
             Minimum::Finite(other) => Some((other - m).abs()),
             Minimum::Stationary(_) | Minimum::Immovable | Minimum::Massless => None,
         }
@@ -330,14 +404,14 @@ impl Asked<'_> {
         let scales = self.scales();
         let speed: f64 = v.iter().zip(&scales).map(|(v, s)| (v / s) * (v / s)).sum::<f64>().sqrt();
         // A row that is off: in its entries, and by the roundings of an orthogonal elimination, norm by norm.
-        let off = |entry: &dyn Fn(usize) -> f64| {
+        let off = |entry: &dyn Fn(usize) -> f64, accuracy: f64| {
             let terms: f64 = v.iter().enumerate().map(|(k, v)| (entry(k) * v).abs()).sum();
             let norm = scales.iter().enumerate().map(|(k, s)| (entry(k) * s).powi(2)).sum::<f64>().sqrt();
-            self.accuracy * terms + self.roundings() * norm * speed
+            accuracy * terms + self.roundings() * norm * speed
         };
-        let mut sum = self.energy_off(v) + 2.0 * m * off(&|k| self.row[k]);
+        let mut sum = self.energy_off(v) + 2.0 * m * off(&|k| self.row[k], self.accuracy.row);
         for (r, multiplier) in self.multipliers(m, v, &scales).into_iter().enumerate() {
-            sum += 2.0 * multiplier.abs() * off(&|k| self.rows[(r, k)]);
+            sum += 2.0 * multiplier.abs() * off(&|k| self.rows[(r, k)], self.accuracy.constraints);
         }
         // A motion that misses the constraints by its own rounding: so much more has one that meets them.
         let missed: f64 = self.roots(&self.correction(v)).iter().sum();

@@ -3,7 +3,6 @@
 use crate::mobility::{Rank, Redundancy, decide, singular_values};
 use crate::tolerances::REDUNDANCY_LIMIT;
 use crate::union::Partition;
-use faer::Mat;
 use nalgebra::DMatrix;
 
 /// What was decided about the rows of A.
@@ -13,27 +12,41 @@ pub struct ConstraintRank {
     pub rank: usize,
     /// Least gap between singular values that count and those that do not; none without constraints.
     pub gap: Option<f64>,
-    /// Whether no singular value is within a factor of 30 of the threshold.
+    /// True if no singular value is within a factor of 30 of the threshold, and none above rounding was dropped.
     pub is_clear: bool,
     /// Rows, from 0, that follow from those that count; ascending. Which rows of a dependent set count is a choice.
     pub redundant_rows: Vec<usize>,
     /// Sets of rows, from 0, that depend on one another, each as small as it can be separated from the others; a row of
     /// zeros is a set by itself. Not looked for among rows that bind more than 400 coordinates.
     pub dependent_sets: Vec<Vec<usize>>,
+    /// Rows, from 0, that count although their entries are below the rounding (3e-13, or 10 times the accuracy) of another row
+    /// that binds the same coordinates: constraints in small units, or rounding alone. See
+    /// [`MatrixOptions::row_noise`](super::MatrixOptions::row_noise).
+    pub small_rows: Vec<usize>,
+}
+
+/// Limits of the decision.
+pub(super) struct RankLimits {
+    /// Singular values below this part of the largest count as zero.
+    pub floor: f64,
+    /// Dropped singular values below this part of the largest are rounding.
+    pub rounding: f64,
+    /// Rows with no entry above this, over scaled coordinates, count as zero.
+    pub row_noise: f64,
 }
 
 /// The rows that count, scaled, and the report.
 pub(super) struct Decided {
-    /// Each scaled to an entry of at most 1 over scaled coordinates.
+    /// Each scaled by a power of two to a largest entry from 1 to 2 over scaled coordinates.
     pub rows: DMatrix<f64>,
     /// The least singular value that counts, as a part of the largest.
     pub least: f64,
     pub report: ConstraintRank,
 }
 
-/// Decides the rank of A, coordinates scaled by lengths. Rows that share coordinates, directly or through one another, are
-/// decided together, scaled to an entry of at most 1; others have no influence on them.
-pub(super) fn decide_rows(a: &DMatrix<f64>, lengths: &[f64], floor: f64) -> Decided {
+/// Decides the rank of A, coordinates scaled by lengths, each row scaled by itself. Rows that share coordinates, directly or
+/// through one another, are decided together; others have no influence on them.
+pub(super) fn decide_rows(mut a: DMatrix<f64>, lengths: &[f64], limits: &RankLimits) -> Decided {
     let (m, n) = a.shape();
     let mut report = ConstraintRank {
         rank: 0,
@@ -41,50 +54,81 @@ pub(super) fn decide_rows(a: &DMatrix<f64>, lengths: &[f64], floor: f64) -> Deci
         is_clear: true,
         redundant_rows: Vec::new(),
         dependent_sets: Vec::new(),
+        small_rows: Vec::new(),
     };
+    let mut sizes = Vec::with_capacity(m);
+    for r in 0..m {
+        let size = (0..n).map(|c| (a[(r, c)] / lengths[c]).abs()).fold(0.0, f64::max);
+        let is_zero = size <= limits.row_noise;
+        // A power of two scales without rounding.
+        let factor = if is_zero { 0.0 } else { (-size.log2().floor()).exp2() };
+        (0..n).for_each(|c| a[(r, c)] *= factor);
+        sizes.push(if is_zero { 0.0 } else { size });
+    }
     let (mut counting, mut least) = (Vec::new(), 1.0_f64);
-    for (rows, columns) in components(a) {
+    for (rows, columns) in components(&a) {
         let Some(&first) = rows.first() else { continue };
-        let own: Vec<f64> = columns.iter().map(|&c| lengths[c]).collect();
-        let scaled = |r: usize, c: usize| a[(rows[r], columns[c])] / own[c];
-        let largest = (0..rows.len())
-            .flat_map(|r| (0..columns.len()).map(move |c| scaled(r, c).abs()))
-            .fold(0.0, f64::max);
-        if largest == 0.0 {
+        if sizes[first] == 0.0 {
             report.redundant_rows.push(first);
             report.dependent_sets.push(vec![first]);
             continue;
         }
-        let part = DMatrix::from_fn(rows.len(), columns.len(), |r, c| a[(rows[r], columns[c])] / largest);
-        let rank: Rank = decide(&singular_values(&part, &own), floor);
+        let own: Vec<f64> = columns.iter().map(|&c| lengths[c]).collect();
+        let part = DMatrix::from_fn(rows.len(), columns.len(), |r, c| a[(rows[r], columns[c])]);
+        let rank: Rank = decide(&singular_values(&part, &own), limits.floor).explained_by(limits.rounding);
         report.rank += rank.rank;
         least = least.min(rank.least);
         report.is_clear &= rank.clear;
         report.gap = Some(report.gap.map_or(rank.gap, |gap| gap.min(rank.gap)));
-        if rank.rank == rows.len() {
-            counting.extend(&rows);
-            continue;
-        }
-        let transposed = Mat::from_fn(columns.len(), rows.len(), |c, r| scaled(r, c) / largest);
-        let qr = transposed.col_piv_qr();
-        let order = qr.P().arrays().0;
-        counting.extend(order[..rank.rank].iter().map(|&r| rows[r]));
-        report.redundant_rows.extend(order[rank.rank..].iter().map(|&r| rows[r]));
-        if columns.len() <= REDUNDANCY_LIMIT {
-            let mut redundancy = Redundancy::default();
-            redundancy.look_at(&part, &own, rank.rank, &rows);
-            report.dependent_sets.append(&mut redundancy.sets);
-        }
+        let counted: Vec<usize> = if rank.rank == rows.len() {
+            rows.clone()
+        } else {
+            let order = independent_first(&part, &own, rank.rank);
+            report.redundant_rows.extend(order[rank.rank..].iter().map(|&r| rows[r]));
+            if columns.len() <= REDUNDANCY_LIMIT {
+                let mut redundancy = Redundancy::default();
+                redundancy.look_at(&part, &own, rank.rank, &rows);
+                report.dependent_sets.append(&mut redundancy.sets);
+            }
+            order[..rank.rank].iter().map(|&r| rows[r]).collect()
+        };
+        let largest = rows.iter().map(|&r| sizes[r]).fold(0.0, f64::max);
+        let is_small = |r: &&usize| sizes[**r] < limits.rounding * largest;
+        report.small_rows.extend(counted.iter().filter(is_small));
+        counting.extend(counted);
     }
     counting.sort_unstable();
     report.redundant_rows.sort_unstable();
-    let mut matrix = DMatrix::zeros(counting.len(), n);
-    for (to, &r) in counting.iter().enumerate() {
-        let largest = (0..n).map(|c| (a[(r, c)] / lengths[c]).abs()).fold(0.0, f64::max);
-        (0..n).for_each(|c| matrix[(to, c)] = a[(r, c)] / largest);
-    }
+    report.small_rows.sort_unstable();
+    let matrix = a.select_rows(&counting);
     debug_assert_eq!(counting.len() + report.redundant_rows.len(), m);
     Decided { rows: matrix, least, report }
+}
+
+/// The rows of a matrix, `rank` independent ones first, columns divided by `lengths`. The norms of what is left of the rows are
+/// computed anew in each step: an elimination that updates them, as faer's, loses those below √ε of the row.
+fn independent_first(matrix: &DMatrix<f64>, lengths: &[f64], rank: usize) -> Vec<usize> {
+    let (m, n) = matrix.shape();
+    let mut left = DMatrix::from_fn(n, m, |c, r| matrix[(r, c)] / lengths[c]);
+    let mut order: Vec<usize> = (0..m).collect();
+    for k in 0..rank.min(m) {
+        let norm = |r: usize| left.column(r).norm();
+        let next = (k..m).max_by(|&a, &b| norm(order[a]).total_cmp(&norm(order[b]))).unwrap_or(k);
+        order.swap(k, next);
+        let size = norm(order[k]);
+        if size == 0.0 {
+            break;
+        }
+        let direction = left.column(order[k]) / size;
+        for &r in &order[k + 1..] {
+            // Twice: the first time leaves the rounding of what it takes away.
+            for _ in 0..2 {
+                let along = direction.dot(&left.column(r));
+                left.column_mut(r).axpy(-along, &direction, 1.0);
+            }
+        }
+    }
+    order
 }
 
 /// Rows that share columns, with these.

@@ -56,6 +56,7 @@ __all__ = [
 
 _Status = Literal["finite", "immovable", "massless"]
 _Route = Literal["auto", "dense", "articulated"]
+_Frame = Literal["root", "world"]
 _Vector = tuple[float, float, float]
 _Positions = dict[str, Any]
 _Array = NDArray[np.float64]
@@ -103,6 +104,7 @@ class _RankReport(TypedDict):
     is_clear: bool
     redundant_rows: list[int]
     dependent_sets: list[list[int]]
+    small_rows: list[int]
 
 @final
 class Diagnostic:
@@ -206,7 +208,14 @@ class Model:
         hold: Sequence[_Held] = ...,
     ) -> System: ...
     def assemble(self, guess: _Positions | None = None) -> Assembly: ...
-    def pose(self, q: _Positions | ArrayLike | None = None, *, guess: _Positions | None = None) -> Pose: ...
+    def pose(
+        self,
+        q: _Positions | ArrayLike | None = None,
+        *,
+        guess: _Positions | None = None,
+        base_pose: ArrayLike | None = None,
+        other_assembly: bool = False,
+    ) -> Pose: ...
     def __reduce__(self) -> tuple[Any, ...]: ...
 
 @final
@@ -224,6 +233,7 @@ class System:
         *,
         guess: _Positions | None = None,
         base_pose: ArrayLike | None = None,
+        other_assembly: bool = False,
     ) -> Pose: ...
 
 @final
@@ -246,14 +256,17 @@ class Assembly:
         *,
         guess: _Positions | None = None,
         base_pose: ArrayLike | None = None,
+        other_assembly: bool = False,
     ) -> Pose: ...
-    def workspace(self, contact: Contact) -> Workspace: ...
+    def workspace(self, contact: Contact, *, base_pose: ArrayLike | None = None) -> Workspace: ...
 
 @final
 class Workspace:
     def effective_mass(self, q: ArrayLike) -> float | None: ...
     @property
     def status(self) -> _Status | None: ...
+    @property
+    def findings(self) -> list[Diagnostic] | None: ...
 
 @final
 class Pose:
@@ -269,12 +282,18 @@ class Pose:
     def is_singular(self) -> bool: ...
     @property
     def closure_residual(self) -> float | None: ...
-    def link_frame(self, link: str) -> _Array: ...
+    @property
+    def findings(self) -> list[Diagnostic]: ...
+    def link_frame(self, link: str, *, frame: _Frame | None = None) -> _Array: ...
     def mass_matrix(self) -> _Array: ...
     def constraint_matrix(self) -> _Array: ...
     def contact_row(self, contact: Contact) -> _Array: ...
-    def point_jacobian(self, link: str, point: ArrayLike) -> _Array: ...
-    def inverse_operational_inertia(self, contact: Contact) -> _Array: ...
+    def point_jacobian(
+        self, link: str, point: ArrayLike, *, frame: _Frame | None = None
+    ) -> _Array: ...
+    def inverse_operational_inertia(
+        self, contact: Contact, *, frame: _Frame | None = None
+    ) -> _Array: ...
     def contact_map(
         self, link: str, points: ArrayLike, normals: ArrayLike, *, against: str | None = None
     ) -> tuple[_Array, _Array, NDArray[np.uint8]]: ...
@@ -289,6 +308,7 @@ class Pose:
         base: ArrayLike | None = None,
         gravity: ArrayLike | None = None,
         forces: Sequence[tuple[str, ArrayLike, ArrayLike]] = ...,
+        frame: _Frame | None = None,
     ) -> Accelerations: ...
     def advanced_along(self, response: Response, distance: float) -> Pose | None: ...
     def outside_limits(self) -> dict[str, tuple[float, tuple[float, float]]]: ...
@@ -315,7 +335,7 @@ class Travel:
 class Accelerations:
     @property
     def joints(self) -> dict[str, _Array]: ...
-    def point(self, link: str, point: ArrayLike) -> _Array: ...
+    def point(self, link: str, point: ArrayLike, *, frame: _Frame | None = None) -> _Array: ...
 
 @final
 class Response:
@@ -336,6 +356,8 @@ class Response:
     @property
     def remarks(self) -> list[str]: ...
     @property
+    def findings(self) -> list[Diagnostic]: ...
+    @property
     def joint_velocities(self) -> dict[str, _Array]: ...
     @property
     def base_velocity(self) -> _Array: ...
@@ -348,7 +370,9 @@ class Response:
     @property
     def normal_world(self) -> _Array: ...
     def branch_limits(self) -> list[float | None]: ...
-    def point_velocity(self, link: str, point: ArrayLike) -> _Array | None: ...
+    def point_velocity(
+        self, link: str, point: ArrayLike, *, frame: _Frame | None = None
+    ) -> _Array | None: ...
     def against_mass(self, mass: float) -> Response: ...
 
 @final
@@ -395,6 +419,7 @@ def effective_mass(
     lengths: ArrayLike | None = None,
     rank_floor: float | None = None,
     accuracy: float | None = None,
+    row_noise: float | None = None,
 ) -> MatrixResponse: ...
 def effective_masses(
     M: ArrayLike,
@@ -404,9 +429,16 @@ def effective_masses(
     lengths: ArrayLike | None = None,
     rank_floor: float | None = None,
     accuracy: float | None = None,
+    row_noise: float | None = None,
 ) -> tuple[_Array, _Array, NDArray[np.uint8]]: ...
 def sweep(
-    model: Model | System | Assembly, contact: Contact, q: ArrayLike, *, joints: Sequence[str] | None = None
+    model: Model | System | Assembly,
+    contact: Contact,
+    q: ArrayLike,
+    *,
+    joints: Sequence[str] | None = None,
+    base_pose: ArrayLike | None = None,
+    other_assembly: bool = False,
 ) -> Sweep: ...
 def load_suspension(
     path: str | os.PathLike[str],

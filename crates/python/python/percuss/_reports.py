@@ -53,7 +53,8 @@ class Damping:
     force k x^p, 1 unless the law says otherwise. speed: approach speed, m/s. law: a name of laws(). separation: "force" (the contact
     ends as the force vanishes) or "gap". tools: simulators to write parameters for, names of tools(), or ("all",).
     accuracy: how far a simulator's restitution may be off. time_step: the simulator's, s. own_mass, other_own_mass: of the bodies by
-    themselves, kg. diagonal_ratio: MuJoCo's.
+    themselves, kg. diagonal_ratio: MuJoCo's. closed_loops: whether loops bind what is struck, which a model knows by itself; None: of
+    a mass alone it is not known, and the parameters of MuJoCo's equality constraints are given too.
     """
 
     restitution: float
@@ -68,6 +69,7 @@ class Damping:
     own_mass: float | None = None
     other_own_mass: float | None = None
     diagonal_ratio: float | None = None
+    closed_loops: bool | None = None
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,27 @@
+//! Findings about poses and responses that a program asks for by itself: those that the reports list.
+
+use crate::field::Names;
+use crate::findings::{about_branches, about_pose, about_response};
+use crate::record::DiagnosticRecord;
+use percuss_dynamics::{Contact, ContactResponse, Pose, System};
+
+/// Findings about a pose: joints outside their limits, how the loops came together, the rank of their rows.
+pub fn pose_findings(system: &System, pose: &Pose) -> Vec<DiagnosticRecord> {
+    about_pose(system, pose, Names::Fields).into_iter().map(DiagnosticRecord::from).collect()
+}
+
+/// Findings about a contact response at a pose, after those about the [pose](pose_findings). At a singular pose the branches
+/// are followed.
+pub fn response_findings(
+    system: &System,
+    pose: &Pose,
+    contact: &Contact,
+    response: &ContactResponse,
+) -> Vec<DiagnosticRecord> {
+    let mut findings = about_pose(system, pose, Names::Fields);
+    findings.extend(about_response(system, contact, response, Names::Fields));
+    if response.singular_pose {
+        findings.extend(about_branches(pose, response, &pose.branch_limits(contact)));
+    }
+    findings.into_iter().map(DiagnosticRecord::from).collect()
+}
