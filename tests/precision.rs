@@ -467,7 +467,9 @@ fn judge(
             let elsewhere = pose > apart / 2.0;
             tally.elsewhere += usize::from(elsewhere);
             tally.pose = tally.pose.max(pose);
-            for ((k, reference), answer) in case.contacts.iter().zip(&answers) {
+            let refused = |answer: &Result<_, String>| families::is_short_line(answer);
+            let zipped = case.contacts.iter().zip(&answers).filter(|(_, answer)| !refused(answer));
+            for ((k, reference), answer) in zipped {
                 let near = case.near.map_or(String::new(), |near| format!(", {near:e} from it"));
                 let away = if elsewhere { format!(", joints {pose:.1e} away") } else { String::new() };
                 let case = format!("{name}, seed {}{near}{away}, contact {k}", case.seed);

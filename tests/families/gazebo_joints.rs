@@ -51,7 +51,7 @@ fn chains(rng: &mut StdRng) -> (String, Vec<(String, Transform<f64>)>) {
                 moments[2],
                 numbers(&xyz),
                 numbers(&turn),
-                numbers(&Vector3::from(axis).normalize().as_slice()),
+                numbers(Vector3::from(axis).normalize().as_slice()),
             )
             .unwrap();
             frame = frame * Transform::new(rotation_from_rpy(turn), xyz.into());

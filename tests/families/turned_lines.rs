@@ -12,10 +12,9 @@ use std::sync::Arc;
 
 /// Crank 0.3 m, coupler 1 m, rocker 0.8 m, ground 1 m, closed as drawn with the crank at 0.
 fn four_bar() -> Mechanism {
-    let (crank, coupler, rocker, ground) = (0.3, 1.0_f64, 0.8_f64, 1.0);
+    let (crank, coupler, rocker, ground) = (0.3, 1.0_f64, 0.8_f64, 1.0_f64);
     // The coupler's end from the crank's, 0.7 m before the rocker's bearing.
-    let along =
-        (coupler.powi(2) - rocker.powi(2) + (ground - crank as f64).powi(2)) / (2.0 * (ground - crank));
+    let along = (coupler.powi(2) - rocker.powi(2) + (ground - crank).powi(2)) / (2.0 * (ground - crank));
     let up = (coupler.powi(2) - along.powi(2)).sqrt();
     let turn = up.atan2(along);
     let lean = up.atan2(along + crank - ground);
@@ -59,14 +58,25 @@ fn lines_are_refused_where_they_have_turned() {
     let link = |name: &str| mechanism.find_link(name).expect("a link");
     let system = System::new(Arc::clone(&mechanism), &Conditions::new()).expect("a system");
     let drawn = system.pose(&system.configuration()).expect("closed as drawn");
+    let at_drive = |angle: f64| {
+        let mut configuration = system.configuration();
+        configuration.set("drive", &[angle]).expect("a driver");
+        configuration
+    };
     let mut counts = [0; 3];
     // Ends of lines on the ground and on the other bars; near ends turn round, far ones keep their direction.
     for (case, reach) in [0.02, 0.1, 0.5, 3.0, 20.0].into_iter().enumerate() {
         for against in [None, Some(link("rocker")), Some(link("crank"))] {
             let tip = Vector3::new(0.5, 0.1, 0.0);
             let at = drawn.link(link("coupler")).point(&tip);
+            let passed =
+                system.pose(&at_drive(3.0)).expect("it turns fully").link(link("coupler")).point(&tip);
             let angle = 0.7 + case as f64;
-            let far = at + reach * Vector3::new(angle.cos(), angle.sin(), 0.1);
+            let far = match case {
+                // Just beside a place that the tip passes.
+                0 => passed + Vector3::new(0.0, 0.0, 1e-3),
+                _ => at + reach * Vector3::new(angle.cos(), angle.sin(), 0.1),
+            };
             let other = against.unwrap_or(link("ground"));
             let to = drawn.link(other).inverse_point(&far);
             let base = Contact::new(link("coupler"), tip, Vector3::x());
@@ -77,9 +87,7 @@ fn lines_are_refused_where_they_have_turned() {
             let batch = drawn.assembly().batch(&stop).expect("a contact");
             let (mut rows, mut positions, mut expected) = (Vec::new(), Vec::new(), Vec::new());
             for step in 0..60 {
-                let mut configuration = system.configuration();
-                configuration.set("drive", &[step as f64 / 60.0 * 6.0]).expect("a driver");
-                let pose = system.pose(&configuration).expect("it turns fully");
+                let pose = system.pose(&at_drive(step as f64 / 60.0 * 6.0)).expect("it turns fully");
                 let (angle, part) = turned(&pose, &drawn, &stop);
                 // No case is decided by rounding.
                 assert!((angle - 5f64.to_radians()).abs() > 1e-9 && (part - 0.1).abs() > 1e-9);
@@ -111,12 +119,13 @@ fn lines_are_refused_where_they_have_turned() {
                     assert!(pose.respond(&fixed, RouteChoice::Auto).is_ok());
                     let at_zero =
                         |contact| drawn.respond(contact, RouteChoice::Auto).expect("as drawn").effective_mass;
-                    let (EffectiveMass::Finite(a), EffectiveMass::Finite(b)) =
-                        (at_zero(&fixed), at_zero(&stop))
-                    else {
-                        panic!("no mass as drawn")
-                    };
-                    assert!((a / b - 1.0).abs() < 1e-12, "{a} and {b}");
+                    match (at_zero(&fixed), at_zero(&stop)) {
+                        (EffectiveMass::Finite(a), EffectiveMass::Finite(b)) => {
+                            assert!((a / b - 1.0).abs() < 1e-12, "{a} and {b}");
+                        }
+                        // The line as drawn may be normal to the motion.
+                        (a, b) => assert_eq!(a, b),
+                    }
                     assert!(turning.is_ok(), "{turning:?}");
                 } else {
                     counts[2] += 1;
@@ -148,7 +157,7 @@ fn lines_are_refused_where_they_have_turned() {
             let drive = mechanism.find_joint("drive").expect("a joint");
             // Linkages with redundant rows have no path in lanes.
             let path = drawn.driven_path(&stop, &[drive]).expect("a contact");
-            for mut path in path {
+            if let Some(mut path) = path {
                 let (mut reached, mut at) = (Vec::new(), Vec::new());
                 let count = path.follow(&rows[1..], &mut reached, &mut at);
                 for (found, expected) in reached[..count].iter().zip(&expected[1..]) {
@@ -158,5 +167,5 @@ fn lines_are_refused_where_they_have_turned() {
         }
     }
     println!("{counts:?} short, turned, answered");
-    assert!(counts.iter().all(|count| *count > 20), "{counts:?}");
+    assert!(counts[0] > 0 && counts[1] > 300 && counts[2] > 200, "{counts:?}");
 }

@@ -405,7 +405,7 @@ fn one_lane_spoils_no_other() {
         if c % 9 != 5 || c > 32 {
             assert!(same(answer, &batch.effective_mass(&rows[6 * c..6 * c + 6]).expect("six")), "{c}");
         } else if c <= 14 {
-            assert_eq!(*answer, BatchAnswer::NONE, "{c}");
+            assert!(answer.mass.is_none() && answer.error.is_none(), "{c}: {answer:?}");
         } else {
             assert!(!matches!(answer.mass, Some(EffectiveMass::Finite(m)) if m.is_nan()), "{c}: {answer:?}");
         }
@@ -482,7 +482,7 @@ fn wrong_shapes_are_errors_and_a_watcher_stops_it() {
     let mut spoilt = values[..12].to_vec();
     spoilt[9] = f64::NAN;
     batch.run(BatchPositions::Rows { values: &spoilt, stride: 6 }, &mut answers[..2]).expect("enough");
-    assert!(answers[0].error.is_some() && answers[1] == BatchAnswer::NONE, "{answers:?}");
+    assert!(answers[0].error.is_some() && answers[1].mass.is_none(), "{answers:?}");
     let mut workspace = system.reference_or_open().workspace();
     for (row, is_number) in [(&spoilt[..6], true), (&spoilt[6..], false), (&spoilt[..6], true)] {
         workspace.set_positions(row).expect("six");

@@ -100,7 +100,7 @@ impl Slides {
         let (mass, rows) = (self.mass(), self.rows());
         let row: Vec<f64> = self.bodies.row(self.masses.len() - 1).iter().copied().collect();
         // Entries of M are sums of some products, the rest is exact.
-        let options = MatrixOptions::new().accuracy(16.0 * f64::EPSILON);
+        let options = MatrixOptions::new().accuracy(16.0 * f64::EPSILON).row_noise(0.0);
         effective_mass(&mass, &row, Some((&rows).into()), &options).expect("matrices in order")
     }
 }
@@ -284,16 +284,21 @@ fn slides_in_single_precision_are_within_the_stated_error() {
     let single = |matrix: &DMatrix<f64>| matrix.map(|x| f64::from(x as f32));
     let mut rng = StdRng::seed_from_u64(7);
     let mut stated = Gauge::new("error of slides in single precision, in units of what is stated");
-    let (mut finite, mut immovable) = (0, 0);
+    let (mut finite, mut immovable, mut unclear) = (0, 0, 0);
     for number in 0..4000 {
         let slides = Slides::random(&mut rng, f64::from(number % 6));
         let (mass, rows) = (single(&slides.mass()), single(&(slides.rows() / 3.0)));
         let row: Vec<f64> = slides.bodies.row(slides.masses.len() - 1).iter().copied().collect();
-        let options = MatrixOptions::new().accuracy(0.5f64.powi(24));
+        let options = MatrixOptions::new().accuracy(0.5f64.powi(24)).row_noise(0.0);
         let got = effective_mass(&mass, &row, Some((&rows).into()), &options).expect("matrices in order");
         let name = || format!("slides {number}, masses {:?}, ratios {:?}", slides.masses, slides.ratios);
         let gears = slides.ratios.iter().flatten().count() + usize::from(slides.is_held);
-        assert!(got.rank.is_clear, "{}: {:?}", name(), got.rank);
+        // Rows of 24 decades with seven digits: a dropped singular value may look like more than rounding.
+        if !got.rank.is_clear {
+            assert!(got.error.is_none(), "{}: {:?}", name(), got.rank);
+            unclear += 1;
+            continue;
+        }
         assert_eq!(got.rank.rank, gears, "{}", name());
         match (slides.exact(), got.effective_mass, got.error) {
             (EffectiveMass::Finite(m), EffectiveMass::Finite(found), Some(error)) => {
@@ -307,7 +312,7 @@ fn slides_in_single_precision_are_within_the_stated_error() {
         }
     }
     stated.report();
-    assert!(finite > 2000 && immovable > 100, "{finite} {immovable}");
+    assert!(finite > 2000 && immovable > 100 && unclear < 400, "{finite} {immovable} {unclear}");
 }
 
 #[test]
@@ -319,14 +324,14 @@ fn the_unit_of_a_row_has_no_influence() {
         effective_mass(&mass, &[1.0, 0.0, 0.0][..], Some((&rows).into()), options).unwrap()
     };
     for decade in -90..=90 {
-        let got = ask(10f64.powi(decade), &MatrixOptions::new());
+        let got = ask(10f64.powi(decade), &MatrixOptions::new().row_noise(0.0));
         let EffectiveMass::Finite(m) = got.effective_mass else { panic!("{got:?}") };
         assert!((m - 3.0).abs() <= got.error.unwrap() && got.rank.rank == 2, "1e{decade}: {got:?}");
         let is_small = got.rank.small_rows.len() == 1;
         assert_eq!(is_small, decade.abs() > 12, "1e{decade}: {:?}", got.rank);
     }
-    // A row that is rounding is a constraint unless the caller excludes it.
-    let rounding = ask(1e-17, &MatrixOptions::new().row_noise(1e-15));
+    // A row of rounding is no constraint.
+    let rounding = ask(1e-17, &MatrixOptions::new());
     assert!(matches!(rounding.effective_mass, EffectiveMass::Finite(m) if (m - 2.0).abs() < 1e-14));
     assert_eq!((rounding.rank.rank, rounding.rank.redundant_rows), (1, vec![1]));
     // A dropped singular value above rounding is reported, and no error is stated.

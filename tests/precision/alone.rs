@@ -115,10 +115,7 @@ fn no_route_beats_the_recursion_where_it_stands_alone() {
         "{by_lanes} of {} by lanes, {linkages_by_lanes} of linkages; worst {worst_by_lanes:.1e} of stated",
         all.asked
     );
-    assert!(
-        by_lanes > 400 && linkages_by_lanes > 100,
-        "{by_lanes} by lanes, {linkages_by_lanes} of linkages"
-    );
+    assert!(by_lanes > 400 && linkages_by_lanes > 70, "{by_lanes} by lanes, {linkages_by_lanes} of linkages");
     assert!(
         all.alone > 3000 && all.decided > 60,
         "{} of {} alone, {} decided",

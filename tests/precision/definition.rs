@@ -155,6 +155,9 @@ struct Velocity {
     linear: Vector,
 }
 
+/// A pivot: its place, its value, and the factors of the columns that were left.
+type Pivot = (usize, Wide, Vec<(usize, Wide)>);
+
 /// A mechanism at a pose, with what M is factorised to.
 pub struct Posed {
     parents: Vec<Option<usize>>,
@@ -164,8 +167,8 @@ pub struct Posed {
     basis: Option<Vec<Vec<Wide>>>,
     /// Powers of two that scale M to a diagonal of about 1.
     scales: Vec<i64>,
-    /// Pivots in their order, and of each the factors of what was open.
-    pivots: Vec<(usize, Wide, Vec<(usize, Wide)>)>,
+    /// Pivots in the order of elimination.
+    pivots: Vec<Pivot>,
     /// Directions without mass.
     free: Vec<usize>,
 }

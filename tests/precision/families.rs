@@ -324,12 +324,12 @@ fn ask(label: &str, tree: &Exact, row: &mut [f64], touches: &[Touch], report: &m
         report.lanes.rows += 1;
         match (answer, truth) {
             (
-                BatchAnswer { mass: Some(EffectiveMass::Finite(mass)), error: Some(error) },
+                BatchAnswer { mass: Some(EffectiveMass::Finite(mass)), error: Some(error), .. },
                 Outcome::Finite(truth),
             ) => {
                 report.lanes.take(name, (mass, error), truth);
             }
-            (BatchAnswer { mass: mass @ Some(EffectiveMass::Finite(_)), error: Some(_) }, truth) => {
+            (BatchAnswer { mass: mass @ Some(EffectiveMass::Finite(_)), error: Some(_), .. }, truth) => {
                 report.outcomes.push(format!("{}: lanes {mass:?}, true {truth:?}", name()));
             }
             _ => report.again += 1,
@@ -472,4 +472,9 @@ fn by_definition_linkages() {
         (chain, row)
     };
     judge("linkages", 400, make, 0.1, 0);
+}
+
+/// True if a contact was refused because its line is below a tenth of its drawn length: such a line is no normal.
+pub fn is_short_line<T>(answer: &Result<T, String>) -> bool {
+    answer.as_ref().is_err_and(|why| why.contains("less than a tenth of its"))
 }

@@ -166,7 +166,9 @@ fn compare(c: &Interface, name: &str, text: &str, link: &str) {
     let mut by_c = |i: usize| {
         let q = black_box(&positions[i % 256]);
         // SAFETY: as above; q has count numbers.
-        ok(unsafe { call(room, q.as_ptr(), q.len(), black_box(&in_c), &mut outcome, &mut mass) });
+        ok(unsafe {
+            call(room, q.as_ptr(), q.len(), black_box(&in_c), &mut outcome, &mut mass, std::ptr::null_mut())
+        });
         black_box(mass)
     };
     // The value is asserted once: both answer the same question.

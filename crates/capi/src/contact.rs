@@ -74,15 +74,14 @@ impl percuss_contact {
     #[inline]
     pub(crate) fn on(&self, model: &Model) -> Result<Contact, Failure> {
         let vector = Vector3::from(self.normal);
-        let normal = match self.normal_given {
-            PERCUSS_NORMAL_TOWARD => Direction::Toward(link(model, self.toward, "toward")?, vector),
-            PERCUSS_NORMAL_TURNING_TOWARD => {
-                Direction::TurningToward(link(model, self.toward, "toward")?, vector)
+        // In the order of PERCUSS_NORMAL_LINK to PERCUSS_NORMAL_TURNING_TOWARD.
+        let frames = [Some(Frame::Link), Some(Frame::World), Some(Frame::Against), None, None];
+        let normal = match choice(&frames, self.normal_given, "normal_given")? {
+            Some(frame) => Direction::Along(vector, frame),
+            None if self.normal_given == PERCUSS_NORMAL_TOWARD => {
+                Direction::Toward(link(model, self.toward, "toward")?, vector)
             }
-            given => {
-                let frames = [Frame::Link, Frame::World, Frame::Against];
-                Direction::Along(vector, choice(&frames, given, "normal_given")?)
-            }
+            None => Direction::TurningToward(link(model, self.toward, "toward")?, vector),
         };
         Ok(Contact {
             link: link(model, self.link, "link")?,

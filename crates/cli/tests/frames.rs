@@ -5,8 +5,7 @@ mod support;
 use support::{Scratch, Sweep, json, percuss, percuss_with_stdin, root};
 
 const FOUR_BAR: &str = "models/four_bar.urdf --link coupler --normal 0,1,0";
-const WISHBONE: &str =
-    "models/double_wishbone.urdf --link bump_stop_pad --along-line bump_stop:0,0,0 --against chassis";
+const WISHBONE: &str = "models/double_wishbone.urdf --link bump_stop_pad --along-line bump_stop:0,0,0 --turning-normal --against chassis";
 /// In the world, near the pad.
 const WISHBONE_POINT: &str = "--frame world --point=0.02,0.5,-0.01";
 const TRAVEL: &str = "travel:wheel_centre:0,0,0:0,0,1";

@@ -18,12 +18,19 @@ fn done(folder: &Scratch, words: &[&str]) -> String {
     outcome.stdout
 }
 
-/// The words of the bump stop's contact.
-fn stop(side: &str) -> Vec<String> {
+/// Flags of the contact between pad and bump stop, along the line between them.
+fn drawn_line(side: &str) -> Vec<String> {
     let line = format!(
         "--link bump_stop_pad{side} --point 0,0,0 --along-line bump_stop{side}:0,0,0 --against chassis"
     );
     line.split(' ').map(str::to_owned).collect()
+}
+
+/// The same contact, whose line may turn.
+fn stop(side: &str) -> Vec<String> {
+    let mut flags = drawn_line(side);
+    flags.push("--turning-normal".to_owned());
+    flags
 }
 
 fn with<'w>(words: &[&'w str], more: &'w [String]) -> Vec<&'w str> {
@@ -268,7 +275,7 @@ fn a_line_that_has_turned_is_refused() {
     for template in ["double-wishbone", "pushrod-rocker"] {
         let sheet = format!("{template}.toml");
         done(&folder, &["template", template, "-o", &sheet]);
-        let contact = stop("");
+        let contact = drawn_line("");
         let vary = "travel:wheel_centre:0,0,0:0,0,1=0mm:100mm:26";
         let swept = run(&folder, &with(&["sweep", &sheet, "--vary", vary, "-o", "rows.json"], &contact));
         assert_eq!(swept.code, 0, "{}", swept.stderr);

@@ -6,7 +6,7 @@ use support::{Scratch, Sweep, json, percuss, percuss_with_stdin};
 
 const ARM: &str = "models/six_r_arm.urdf --link tool --point 0.08,0,0 --normal 0,0,-1 --normal-frame world";
 const COUPLER: &str = "models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0";
-const STOP: &str = "models/double_wishbone.urdf --link bump_stop_pad --point 0,0,0 --along-line bump_stop:0,0,0 \
+const STOP: &str = "models/double_wishbone.urdf --link bump_stop_pad --point 0,0,0 --along-line bump_stop:0,0,0 --turning-normal \
                     --against chassis";
 
 fn swept(line: &str) -> Sweep {

@@ -6,7 +6,7 @@ use support::{Scratch, Sweep, json, percuss, percuss_with_stdin};
 
 const PLANAR: &str = "models/planar_2r.urdf";
 const COUPLER: &str = "sweep models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0";
-const STOP: &str = "models/double_wishbone.urdf --link bump_stop_pad --point 0,0,0 --along-line bump_stop:0,0,0 \
+const STOP: &str = "models/double_wishbone.urdf --link bump_stop_pad --point 0,0,0 --along-line bump_stop:0,0,0 --turning-normal \
                     --against chassis";
 
 fn answered(outcome: &support::Outcome) -> Sweep {

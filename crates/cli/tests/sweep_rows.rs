@@ -257,9 +257,11 @@ fn a_first_row_out_of_reach_says_nothing_of_the_others() {
         link("coupler", "crank_pin", "crank", 0.6),
         link("rocker", "rocker_hinge", "ground", 1.0)
     );
-    for (range, answered) in [("2:7:11", vec![8, 9]), ("-2:-7:11", vec![8, 9])] {
-        let line =
-            format!("sweep - --link coupler --point 0.1,0.1,0 --normal 0,1,0 --vary crank_hinge={range}");
+    // A turn further the assembly mode is another question: the guess asks it.
+    for (range, guess, answered) in [("2:7:11", 6.2, vec![8, 9]), ("-2:-7:11", -6.2, vec![8, 9])] {
+        let line = format!(
+            "sweep - --link coupler --point 0.1,0.1,0 --normal 0,1,0 --vary crank_hinge={range} --guess crank_hinge={guess}"
+        );
         let outcome = percuss_with_stdin(&line, model.as_bytes());
         assert_eq!(outcome.code, 0, "{}", outcome.stderr);
         let sweep = Sweep::read(&outcome.stdout);

@@ -88,7 +88,7 @@ impl Contact {
         match self.normal {
             Direction::Along(_, Frame::World) => true,
             Direction::Along(_, Frame::Against) => self.against.is_none(),
-            Direction::Along(_, Frame::Link) | Direction::Toward(..) => false,
+            Direction::Along(_, Frame::Link) | Direction::Toward(..) | Direction::TurningToward(..) => false,
         }
     }
 

@@ -15,6 +15,7 @@ use nalgebra::{Matrix3, Vector3};
 use percuss_mechanism::{JointKind, LinkId, Mechanism};
 use percuss_spatial::{Transform, rotation_from_quaternion};
 
+use crate::tolerances::UNIT_ROUNDING;
 pub use crate::tolerances::{LARGEST_NUMBER, OPEN_ROW, QUATERNION_TOLERANCE, ROTATION_TOLERANCE};
 
 /// An input that breaks a rule, where no other error names the joint or the contact.
@@ -70,7 +71,7 @@ pub fn check_numbers(what: &'static str, values: &[f64]) -> Result<(), InputErro
     not_a_number(values).map_or(Ok(()), |(index, value)| Err(InputError::NotFinite { what, index, value }))
 }
 
-/// Scales a quaternion w, x, y, z to unit norm.
+/// Scales a quaternion w, x, y, z to unit norm. A quaternion whose norm is 1 to rounding stays as it is, to the last bit.
 ///
 /// # Errors
 /// Its norm, where that is further than [`QUATERNION_TOLERANCE`] from 1 (NaN is).
@@ -79,7 +80,9 @@ pub fn normalise_quaternion(quaternion: &mut [f64]) -> Result<(), f64> {
     if norm.is_nan() || (norm - 1.0).abs() > QUATERNION_TOLERANCE {
         return Err(norm);
     }
-    quaternion.iter_mut().for_each(|x| *x /= norm);
+    if (norm - 1.0).abs() > UNIT_ROUNDING {
+        quaternion.iter_mut().for_each(|x| *x /= norm);
+    }
     Ok(())
 }
 

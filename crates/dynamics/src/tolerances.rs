@@ -2,6 +2,8 @@
 
 /// Largest magnitude of a number that is given: sums of products of three of them are still finite. Any unit.
 pub const LARGEST_NUMBER: f64 = 1e100;
+/// Difference of a quaternion's norm from 1 that is the rounding of its four components, dimensionless.
+pub(crate) const UNIT_ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// A quaternion that is given may be this far from unit norm, and is normalised: two decimals. Relative.
 pub const QUATERNION_TOLERANCE: f64 = 0.01;
 /// A rotation matrix that is given may depart so far from RᵀR = 1, and is made orthonormal: numbers of single precision, and
@@ -418,6 +420,9 @@ pub(crate) const FEW_DIGITS: f64 = 1e-6;
 pub(crate) const FEW_DIGITS_TRIALS: usize = 8;
 /// The greatest relative error that entries may be said to have: three decimals.
 pub(crate) const MOST_ACCURACY: f64 = 1e-3;
+/// Rows of A without an entry above this part of the largest entry that binds the same coordinates are rounding: terms of its
+/// size that cancel, some tens of roundings.
+pub(crate) const ROW_NOISE: f64 = 1e-14;
 /// Singular values of A below this many times the accuracy of its entries count as zero.
 pub(crate) const FLOOR_ACCURACY: f64 = 10.0;
 /// M may differ from its transpose by this part of √(M_rr M_cc): two ways of summing it up differ by some 1e-13.

@@ -3,7 +3,7 @@
 mod support;
 
 use percuss_formats::{LoadOptions, Source, load, write_urdf};
-use percuss_mechanism::Severity;
+use percuss_mechanism::{Accept, Severity};
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
 use std::ops::Range;
@@ -181,9 +181,11 @@ fn no_mutation_makes_loading_panic_or_hang() {
                         loaded.diagnostics.iter().all(|d| d.severity != Severity::Error),
                         "case {case}\n{shown}"
                     );
-                    // What was accepted can be written, and is accepted again.
+                    // A mechanism that was accepted can be written, and is accepted again. Shapes are not written: without
+                    // them an inertia may look too large for its link.
                     let text = write_urdf(&loaded.mechanism);
-                    let again = support::load_text(&text);
+                    let accept = Accept { implausible_inertia: true, ..Accept::default() };
+                    let again = load(&Source::from_text("model.urdf", text.clone()), &LoadOptions { accept });
                     assert!(again.is_ok(), "case {case}: {:?}\n{shown}\n{text}", support::told(&again));
                     let (before, after) = (&loaded.mechanism, &again.unwrap().mechanism);
                     assert_eq!(before.closures().len(), after.closures().len(), "case {case}\n{shown}");

@@ -2,7 +2,7 @@
 
 use crate::axis::unit;
 use crate::check::Check;
-use crate::numbering::Numbering;
+use crate::name_mark::NameMark;
 use crate::problem::{Problem, Severity, Subject};
 use crate::{
     ClosureDescription, ClosureKind, CouplingDescription, Geometry, Inertial, Joint, JointDescription,
@@ -138,14 +138,14 @@ impl MechanismBuilder {
         let second_parents = self.take_second_parents(check, &link_ids);
         self.closures.extend(second_parents);
         let joint_ids = self.joints.iter().enumerate().map(|(i, j)| (j.name.clone(), i)).collect();
-        let numbering = Numbering::of(&self.links, &self.joints);
-        let ends = self.ends(check, &link_ids, numbering);
-        let mimics = self.mimics(check, &joint_ids, numbering);
+        let ends = self.ends(check, &link_ids);
+        let mimics = self.mimics(check, &joint_ids);
         if check.has_errors() {
             return None;
         }
         let names: Vec<String> = self.links.iter().map(|l| l.name.clone()).collect();
-        let tree = match tree::build(&names, &ends, numbering) {
+        let joint_names: Vec<&str> = self.joints.iter().map(|j| j.name.as_str()).collect();
+        let tree = match tree::build(&names, &joint_names, &ends) {
             Ok(tree) => tree,
             Err(problem) => {
                 check.add(Subject::Mechanism, problem);
@@ -170,7 +170,7 @@ impl MechanismBuilder {
                 check.add(link_subject(i, &link.name), problem);
             }
         }
-        let mut mechanism = Mechanism::new(self.name, links, joints, tree, numbering, length);
+        let mut mechanism = Mechanism::new(self.name, links, joints, tree, length);
         closure_check::attach(&mut mechanism, &self.closures, &self.couplings, check);
         Some(mechanism)
     }
@@ -206,12 +206,7 @@ impl MechanismBuilder {
     }
 
     /// Parent and child of every joint; unknown names become link 0 beside the error.
-    fn ends(
-        &self,
-        check: &mut Check,
-        ids: &HashMap<String, usize>,
-        numbering: Numbering,
-    ) -> Vec<(LinkId, LinkId)> {
+    fn ends(&self, check: &mut Check, ids: &HashMap<String, usize>) -> Vec<(LinkId, LinkId)> {
         let mut ends = Vec::with_capacity(self.joints.len());
         for (i, joint) in self.joints.iter().enumerate() {
             let subject = self.tree_joint(i);
@@ -226,7 +221,7 @@ impl MechanismBuilder {
             if parent == child && parent != usize::MAX {
                 check.add(subject.clone(), Problem::JoinsItself { link: joint.child.clone() });
             }
-            ends.push((LinkId::new(parent, numbering), LinkId::new(child, numbering)));
+            ends.push((LinkId::new(parent, &joint.parent), LinkId::new(child, &joint.child)));
         }
         ends
     }
@@ -237,12 +232,7 @@ impl MechanismBuilder {
     }
 
     /// Follows every mimic to the joint that is not a mimic itself. Linear: every joint is resolved once.
-    fn mimics(
-        &self,
-        check: &mut Check,
-        ids: &HashMap<String, usize>,
-        numbering: Numbering,
-    ) -> Vec<Option<Mimic>> {
+    fn mimics(&self, check: &mut Check, ids: &HashMap<String, usize>) -> Vec<Option<Mimic>> {
         let next: Vec<Option<usize>> = (0..self.joints.len()).map(|i| self.mimicked(check, ids, i)).collect();
         let mut resolved: Vec<Option<Mimic>> = vec![None; self.joints.len()];
         let mut done = vec![false; self.joints.len()];
@@ -267,7 +257,7 @@ impl MechanismBuilder {
                 (done[i], on_chain[i]) = (true, false);
                 let (Some(master), Some(mimic)) = (next[i], &self.joints[i].mimic) else { continue };
                 let own = Mimic {
-                    master: JointId::new(master, numbering),
+                    master: JointId::new(master, &self.joints[master].name),
                     multiplier: mimic.multiplier,
                     offset: mimic.offset,
                 };
@@ -310,6 +300,7 @@ impl MechanismBuilder {
     fn joints(&self, ends: &[(LinkId, LinkId)], mimics: Vec<Option<Mimic>>) -> Vec<Joint> {
         let make = |((joint, &(parent, child)), mimic): ((&JointDescription, _), _)| Joint {
             name: joint.name.clone(),
+            mark: NameMark::of(&joint.name),
             kind: joint.kind,
             parent,
             child,
@@ -344,6 +335,7 @@ fn make_link(link: &LinkDescription) -> Link {
     let extent = link.inertial.as_ref().map_or(0.0, |i| i.com.norm().max(gyration(i))).max(reach);
     Link {
         name: link.name.clone(),
+        mark: NameMark::of(&link.name),
         inertia: link.inertial.as_ref().map_or_else(SpatialInertia::zero, Inertial::spatial),
         inertial: link.inertial,
         geometry: link.geometry,

@@ -1,20 +1,20 @@
 //! A joint of the tree: the motion a child link has in its parent.
 
 use crate::LinkId;
-use crate::numbering::Numbering;
+use crate::name_mark::NameMark;
 use percuss_spatial::{Transform, Vector3};
 
-/// Index of a joint in its mechanism, in the order the joints were given. It holds in every mechanism with the same links
-/// and joints; [`Mechanism::has_joint`](crate::Mechanism::has_joint) tells.
+/// Index of a joint in its mechanism, in the order the joints were given. It holds in every mechanism that has a joint of
+/// the same name at the same index: [`Mechanism::has_joint`](crate::Mechanism::has_joint).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct JointId {
     pub(crate) index: u32,
-    pub(crate) of: Numbering,
+    pub(crate) mark: NameMark,
 }
 
 impl JointId {
-    pub(crate) fn new(index: usize, of: Numbering) -> Self {
-        Self { index: index as u32, of }
+    pub(crate) fn new(index: usize, name: &str) -> Self {
+        Self { index: index as u32, mark: NameMark::of(name) }
     }
 
     /// Position in [`Mechanism::joints`](crate::Mechanism::joints).
@@ -155,6 +155,7 @@ pub struct Mimic {
 #[derive(Clone, Debug)]
 pub struct Joint {
     pub(crate) name: String,
+    pub(crate) mark: NameMark,
     pub(crate) kind: JointKind,
     pub(crate) parent: LinkId,
     pub(crate) child: LinkId,

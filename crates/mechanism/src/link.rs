@@ -1,20 +1,20 @@
 //! A rigid link.
 
 use crate::Inertial;
-use crate::numbering::Numbering;
+use crate::name_mark::NameMark;
 use percuss_spatial::SpatialInertia;
 
-/// Index of a link in its mechanism, in the order the links were given. It holds in every mechanism with the same links and
-/// joints, in variants with other masses too; [`Mechanism::has_link`](crate::Mechanism::has_link) tells.
+/// Index of a link in its mechanism, in the order the links were given. It holds in every mechanism that has a link of the
+/// same name at the same index, in variants with other masses too: [`Mechanism::has_link`](crate::Mechanism::has_link).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct LinkId {
     pub(crate) index: u32,
-    pub(crate) of: Numbering,
+    pub(crate) mark: NameMark,
 }
 
 impl LinkId {
-    pub(crate) fn new(index: usize, of: Numbering) -> Self {
-        Self { index: index as u32, of }
+    pub(crate) fn new(index: usize, name: &str) -> Self {
+        Self { index: index as u32, mark: NameMark::of(name) }
     }
 
     /// Position in [`Mechanism::links`](crate::Mechanism::links).
@@ -39,6 +39,7 @@ pub enum Geometry {
 #[derive(Clone, Debug)]
 pub struct Link {
     pub(crate) name: String,
+    pub(crate) mark: NameMark,
     pub(crate) inertia: SpatialInertia<f64>,
     pub(crate) inertial: Option<Inertial>,
     pub(crate) geometry: Geometry,

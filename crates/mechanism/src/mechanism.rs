@@ -1,6 +1,5 @@
 //! The immutable mechanism.
 
-use crate::numbering::Numbering;
 use crate::tree::Tree;
 use crate::{Closure, ClosureId, Coupling, Joint, JointId, Link, LinkId, NameKind, UnknownName, near_names};
 use std::collections::HashMap;
@@ -19,7 +18,6 @@ pub struct Mechanism {
     pub(crate) order: Vec<LinkId>,
     pub(crate) link_by_name: HashMap<String, LinkId>,
     pub(crate) joint_by_name: HashMap<String, JointId>,
-    pub(crate) numbering: Numbering,
     pub(crate) characteristic_length: f64,
 }
 
@@ -29,13 +27,12 @@ impl Mechanism {
         links: Vec<Link>,
         joints: Vec<Joint>,
         tree: Tree,
-        numbering: Numbering,
         characteristic_length: f64,
     ) -> Self {
         let link_by_name =
-            links.iter().enumerate().map(|(i, l)| (l.name.clone(), LinkId::new(i, numbering))).collect();
+            links.iter().enumerate().map(|(i, l)| (l.name.clone(), LinkId::new(i, &l.name))).collect();
         let joint_by_name =
-            joints.iter().enumerate().map(|(i, j)| (j.name.clone(), JointId::new(i, numbering))).collect();
+            joints.iter().enumerate().map(|(i, j)| (j.name.clone(), JointId::new(i, &j.name))).collect();
         let Tree { root, parent_joint, child_joints, order } = tree;
         Self {
             name,
@@ -49,7 +46,6 @@ impl Mechanism {
             order,
             link_by_name,
             joint_by_name,
-            numbering,
             characteristic_length,
         }
     }
@@ -84,14 +80,14 @@ impl Mechanism {
         (0..self.closures.len() as u32).map(ClosureId)
     }
 
-    /// True if the index is of this mechanism, or of one with the same links and joints in the same order.
+    /// True if the index is of this mechanism, or of one that has a link of the same name there.
     pub fn has_link(&self, id: LinkId) -> bool {
-        id.of == self.numbering && id.index() < self.links.len()
+        self.links.get(id.index()).is_some_and(|link| link.mark == id.mark)
     }
 
     /// As [`has_link`](Self::has_link).
     pub fn has_joint(&self, id: JointId) -> bool {
-        id.of == self.numbering && id.index() < self.joints.len()
+        self.joints.get(id.index()).is_some_and(|joint| joint.mark == id.mark)
     }
 
     /// The link with this index.
@@ -113,15 +109,13 @@ impl Mechanism {
     }
 
     /// Indices of all links, in the order given.
-    pub fn link_ids(&self) -> impl Iterator<Item = LinkId> + use<> {
-        let numbering = self.numbering;
-        (0..self.links.len()).map(move |index| LinkId::new(index, numbering))
+    pub fn link_ids(&self) -> impl Iterator<Item = LinkId> + use<'_> {
+        self.links.iter().enumerate().map(|(index, link)| LinkId { index: index as u32, mark: link.mark })
     }
 
     /// Indices of all joints, in the order given.
-    pub fn joint_ids(&self) -> impl Iterator<Item = JointId> + use<> {
-        let numbering = self.numbering;
-        (0..self.joints.len()).map(move |index| JointId::new(index, numbering))
+    pub fn joint_ids(&self) -> impl Iterator<Item = JointId> + use<'_> {
+        self.joints.iter().enumerate().map(|(index, joint)| JointId { index: index as u32, mark: joint.mark })
     }
 
     /// The link without a parent.

@@ -1,6 +1,5 @@
 //! Is it one tree? Which order visits parents before children?
 
-use crate::numbering::Numbering;
 use crate::{JointId, LinkId, Problem};
 
 /// The tree as lists, all indexed by link.
@@ -14,22 +13,22 @@ pub(crate) struct Tree {
     pub order: Vec<LinkId>,
 }
 
-/// Builds the tree of `links` links from the (parent, child) pairs of the joints, no link having two parents.
+/// Builds the tree of the links with these names from the (parent, child) pairs of the joints, no link having two parents.
 pub(crate) fn build(
     links: &[String],
+    joint_names: &[&str],
     joints: &[(LinkId, LinkId)],
-    numbering: Numbering,
 ) -> Result<Tree, Problem> {
     let mut parent_joint = vec![None; links.len()];
     let mut child_joints = vec![Vec::new(); links.len()];
     for (i, (parent, child)) in joints.iter().enumerate() {
-        let id = JointId::new(i, numbering);
+        let id = JointId::new(i, joint_names[i]);
         parent_joint[child.index()] = Some(id);
         child_joints[parent.index()].push(id);
     }
     let roots: Vec<usize> = (0..links.len()).filter(|&i| parent_joint[i].is_none()).collect();
     let root = match roots[..] {
-        [root] => LinkId::new(root, numbering),
+        [root] => LinkId::new(root, &links[root]),
         [] => return Err(cycle(links, joints, &parent_joint, 0)),
         _ => {
             return Err(Problem::SeveralRoots { roots: roots.iter().map(|&i| links[i].clone()).collect() });

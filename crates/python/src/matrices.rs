@@ -250,7 +250,8 @@ impl<'a> Block<'a> {
 /// finite m̄ depends on them beyond rounding. rank_floor: singular values of A below this part of the largest count as zero, each row
 /// scaled to 1; default 1e-10, or 10 times the accuracy where that is more. accuracy: relative error of the entries, 0 to 1e-3;
 /// default: by the type of each array, 2.2e-16 (float64), 6e-8 (float32), 4.9e-4 (float16), exact (integers). row_noise: rows
-/// of A with no entry above this, in A's unit, count as zero; default 0: a row that is only rounding is taken for a constraint.
+/// of A with no entry above this, in A's unit, count as zero; default: 1e-14 of the largest entry of rows that bind the same
+/// coordinates.
 #[pyfunction]
 #[pyo3(signature = (M, j, A=None, *, lengths=None, rank_floor=None, accuracy=None, row_noise=None))]
 #[allow(non_snake_case, reason = "the names that users of matrices expect")]

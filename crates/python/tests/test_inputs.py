@@ -243,12 +243,12 @@ def test_the_accuracy_follows_from_the_type() -> None:
 def test_rows_in_any_unit() -> None:
     rows = np.array([[1.0, -1.0, 0.0], [0.0, 1.0, -1.0]])
     for scale in (1e-90, 1e-17, 1e-11, 1.0, 1e11, 1e90):
-        found = percuss.effective_mass(np.eye(3), [1.0, 0.0, 0.0], rows * [[1.0], [scale]])
+        found = percuss.effective_mass(np.eye(3), [1.0, 0.0, 0.0], rows * [[1.0], [scale]], row_noise=0.0)
         assert found.effective_mass is not None and found.error is not None
         assert abs(found.effective_mass - 3) <= found.error < 1e-11
-    noise = percuss.effective_mass(np.eye(3), [1.0, 0.0, 0.0], rows * [[1.0], [1e-17]])
+    noise = percuss.effective_mass(np.eye(3), [1.0, 0.0, 0.0], rows * [[1.0], [1e-17]], row_noise=0.0)
     assert noise.rank["small_rows"] == [1] and any("row_noise" in remark for remark in noise.remarks)
-    without = percuss.effective_mass(np.eye(3), [1.0, 0.0, 0.0], rows * [[1.0], [1e-17]], row_noise=1e-15)
+    without = percuss.effective_mass(np.eye(3), [1.0, 0.0, 0.0], rows * [[1.0], [1e-17]])
     assert without.effective_mass == pytest.approx(2) and without.rank["small_rows"] == []
 
 

@@ -99,7 +99,10 @@ fn candidates(model: &Model, base: Base) -> Vec<MassQuestion> {
             let Some((before, side)) = split else { continue };
             let Ok(other) = mechanism.find_link(&format!("{before}{toward}{side}")) else { continue };
             let against = mechanism.parent_joint(other).map(|joint| mechanism.joint(joint).parent());
-            let normal = Normal::Toward(name(other).to_owned(), [0.0; 3]);
+            let to = (name(other).to_owned(), [0.0; 3]);
+            // A spring or damper turns with the suspension; a stop has a fixed face.
+            let is_stop = ending == "bump_stop_pad";
+            let normal = if is_stop { Normal::Toward(to.0, to.1) } else { Normal::TurningToward(to.0, to.1) };
             let against = against.filter(|against| *against != link).map(|against| name(against).to_owned());
             found.push(MassQuestion { against, ..of(link, [0.0; 3], normal) });
         }
@@ -193,6 +196,11 @@ impl Starter<'_> {
         writeln!(out, "[contact]\nlink = {}\npoint = {}", quoted(&question.link), triple(&question.point))?;
         match &question.normal {
             Normal::Along(normal) => writeln!(out, "normal = {}", triple(normal))?,
+            // The face of a stop: the line as drawn, in the frame of the other side, which is the root's.
+            Normal::Toward(..) if self.faces_root() => {
+                let normal = self.report.contact.normal_world.map(|x| (x * 1e6).round() / 1e6 + 0.0);
+                writeln!(out, "normal = {}\nnormal_frame = \"against\"", triple(&normal))?;
+            }
             Normal::Toward(link, point) | Normal::TurningToward(link, point) => {
                 let link = quoted(link);
                 writeln!(out, "along_line = {{ link = {link}, point = {} }}", triple(point))?;
@@ -230,6 +238,12 @@ impl Starter<'_> {
             writeln!(out, "# [safe_speed]\n# region = \"chest\"\n# force = 280")?;
         }
         Ok(())
+    }
+
+    /// True if the other side is the root link, whose axes are the world's.
+    fn faces_root(&self) -> bool {
+        let mechanism = &self.model.mechanism;
+        self.question.against.as_deref() == Some(mechanism.link(mechanism.root()).name())
     }
 
     fn links(&self, out: &mut String) -> std::fmt::Result {

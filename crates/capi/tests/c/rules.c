@@ -188,7 +188,7 @@ static void contacts(void)
   c = ball.contact;
   c.normal_given = PERCUSS_NORMAL_TOWARD;
   refused_contact(&ball, pose, &c, contact, "toward is not set");
-  c.normal_given = 4;
+  c.normal_given = 5;
   refused_contact(&ball, pose, &c, PERCUSS_ERROR_ARGUMENT, "expected 0 to 3");
   c.normal_given = -1;
   refused_contact(&ball, pose, &c, PERCUSS_ERROR_ARGUMENT, "expected 0 to 3");

@@ -106,7 +106,8 @@ impl LeastEnergy<'_> {
         (0..found.open.ncols()).any(|i| {
             let z = found.open.col(i);
             let gradient: f64 = (0..n).map(|k| z[k] * momentum[k]).sum();
-            let size: f64 = (0..n).map(|k| roots[k] * z[k].abs()).sum();
+            // Every component of z is rounded relative to the largest.
+            let size: f64 = roots.iter().sum::<f64>() * z.iter().fold(0.0, |most: f64, z| most.max(z.abs()));
             gradient.abs() > ROUTE_ROUNDINGS * f64::EPSILON * n as f64 * size * moving
         })
     }

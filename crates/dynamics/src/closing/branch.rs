@@ -6,7 +6,6 @@
 
 use super::chart::Chart;
 use super::correct::{Correction, Directions, Linearised, norm};
-use super::crossing::Leap;
 use crate::kinematics::Kinematics;
 use crate::linear::dense::dot;
 use crate::linear::jacobian::Jacobian;
@@ -91,6 +90,15 @@ pub(super) enum Landing {
     Doubtful,
     /// The correction did not converge, or was too long.
     Failed,
+}
+
+/// Result of a step over a crossing.
+pub(super) enum Leap {
+    /// A point on the other side, and the length of the step, m.
+    Beyond(Point, f64),
+    /// The target lies at the crossing: the group there.
+    Target(Linearised),
+    None,
 }
 
 /// How a step along the branch ended.

@@ -101,7 +101,7 @@ impl Factors {
             let own = &mut done[k * rows + k..];
             let length = dot(own, own).sqrt();
             // NaN is no length.
-            if !(length > FAINT_SINGULAR_VALUE * largest) {
+            if length.is_nan() || length <= FAINT_SINGULAR_VALUE * largest {
                 return None;
             }
             let pivot = if own[0] > 0.0 { -length } else { length };

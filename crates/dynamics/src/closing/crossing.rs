@@ -3,22 +3,13 @@
 //! There the followers' Jacobian is singular, and closing finds them to the root of the tolerance only. Along the branch
 //! they are smooth functions of the drivers all the same: taken at eight places around, they are interpolated.
 
-use super::branch::{DriverPath, Landing, Point, Step, Trust};
+use super::branch::{DriverPath, Landing, Leap, Point, Step, Trust};
 use super::correct::Linearised;
 use crate::kinematics::Kinematics;
 use crate::linear::dense::singular_values;
 use crate::tolerances::{
     CROSSING_PLACES, CROSSING_STEP, DENSE_LIMIT, LEAP_LENGTHS, LEAP_OVER, SAME_CROSSING,
 };
-
-/// How a step over a crossing ended.
-pub(super) enum Leap {
-    /// A point on the other side, and the length of the step, m.
-    Beyond(Point, f64),
-    /// The target lies at the crossing: the group there.
-    Target(Linearised),
-    None,
-}
 
 impl DriverPath<'_> {
     /// Distance (m) below which two branches are one crossing: the root of the closing tolerance.

@@ -500,7 +500,7 @@ impl Work for Closing<'_> {
         };
         let mut orientation = T::one();
         for k in 0..plan.layout.count {
-            orientation = orientation * get::<T>(room, plan.layout.over + k);
+            orientation *= get::<T>(room, plan.layout.over + k);
         }
         orientation.store(&mut outcome.orientation);
         let answer = answer(plan, struck, placed, seen.roundings, least, room);

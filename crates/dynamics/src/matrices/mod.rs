@@ -26,7 +26,7 @@ pub struct MatrixOptions<'a> {
     lengths: Option<&'a [f64]>,
     rank_floor: Option<f64>,
     accuracy: Accuracy,
-    row_noise: f64,
+    row_noise: Option<f64>,
 }
 
 /// Relative error of every entry, by matrix.
@@ -50,7 +50,7 @@ impl Accuracy {
 
 impl Default for MatrixOptions<'_> {
     fn default() -> Self {
-        Self { lengths: None, rank_floor: None, accuracy: Accuracy::all(f64::EPSILON), row_noise: 0.0 }
+        Self { lengths: None, rank_floor: None, accuracy: Accuracy::all(f64::EPSILON), row_noise: None }
     }
 }
 
@@ -93,10 +93,11 @@ impl<'a> MatrixOptions<'a> {
     }
 
     /// Rows of A whose entries are all at most this count as rows of zeros; in the unit of A, entries divided by lengths.
-    /// Default: 0. A row that only holds the rounding of larger terms that cancel (the out-of-plane rows of a plane loop in
-    /// space, for example) looks like a constraint in small units: matrices do not tell the two apart.
+    /// Default: 1e-14 of the largest entry of the rows that bind the same coordinates. A row that only holds the rounding of
+    /// larger terms that cancel (the out-of-plane rows of a plane loop in space, for example) looks like a constraint in small
+    /// units: matrices do not tell the two apart. With 0 every row that is not zero counts.
     pub fn row_noise(self, noise: f64) -> Self {
-        Self { row_noise: noise, ..self }
+        Self { row_noise: Some(noise), ..self }
     }
 }
 
@@ -126,7 +127,7 @@ pub struct MatrixResponse {
 /// |--------|-----------------------------------|-------|------------------------------------|
 /// | M      | mass matrix, symmetric, ≥ 0        | n×n   | kg, kg·m, kg·m²                    |
 /// | j      | closing speed per rate            | 1×n   | m, 1                               |
-/// | A      | Jacobian of the constraints       | m×n   | any: rows may be scaled as wished  |
+/// | A      | Jacobian of the constraints       | m×n   | any: rows may differ by up to 1e13 |
 ///
 /// Every matrix is read where it lies, in any layout ([`MatrixView`]). The outcomes are those of
 /// [`Pose::respond`](crate::Pose::respond): a value, `Immovable` (no motion with Av = 0 closes the gap), `Massless` (one
@@ -134,7 +135,7 @@ pub struct MatrixResponse {
 /// but rounding: a pivot of M scaled to unit diagonal counts as zero below 4(nε + accuracy).
 ///
 /// Each row of A is scaled by itself before the rank is decided, so the unit of a row has no influence. A row of zeros
-/// constrains nothing. A row of rounding alone is a constraint unless [`MatrixOptions::row_noise`] excludes it;
+/// constrains nothing, and neither does a row of rounding alone, below [`MatrixOptions::row_noise`];
 /// [`ConstraintRank::small_rows`] lists rows that may be rounding. Columns are scaled by
 /// [`MatrixOptions::lengths`] only.
 ///
@@ -168,7 +169,11 @@ pub fn effective_mass<'a>(
     let (mass, row) = (mass.into(), row.into());
     let n = checks::shapes(&mass, &row, constraints.as_ref())?;
     let MatrixOptions { rank_floor, row_noise, accuracy: given, .. } = *options;
-    checks::options(rank_floor.unwrap_or(RANK_FLOOR), row_noise, [given.mass, given.constraints, given.row])?;
+    checks::options(
+        rank_floor.unwrap_or(RANK_FLOOR),
+        row_noise.unwrap_or(0.0),
+        [given.mass, given.constraints, given.row],
+    )?;
     let lengths = checks::lengths(options.lengths, n)?;
     let least = |accuracy: f64| accuracy.max(f64::EPSILON);
     let accuracy =

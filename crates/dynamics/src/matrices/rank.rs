@@ -1,7 +1,7 @@
 //! Which rows of the caller's A count.
 
 use crate::mobility::{Rank, Redundancy, decide, singular_values};
-use crate::tolerances::REDUNDANCY_LIMIT;
+use crate::tolerances::{REDUNDANCY_LIMIT, ROW_NOISE};
 use crate::union::Partition;
 use nalgebra::DMatrix;
 
@@ -31,8 +31,9 @@ pub(super) struct RankLimits {
     pub floor: f64,
     /// Dropped singular values below this part of the largest are rounding.
     pub rounding: f64,
-    /// Rows with no entry above this, over scaled coordinates, count as zero.
-    pub row_noise: f64,
+    /// Rows with no entry above this, over scaled coordinates, count as zero; `None`: [`ROW_NOISE`] of the largest entry of rows
+    /// that bind the same coordinates.
+    pub row_noise: Option<f64>,
 }
 
 /// The rows that count, scaled, and the report.
@@ -56,14 +57,22 @@ pub(super) fn decide_rows(mut a: DMatrix<f64>, lengths: &[f64], limits: &RankLim
         dependent_sets: Vec::new(),
         small_rows: Vec::new(),
     };
-    let mut sizes = Vec::with_capacity(m);
+    let mut sizes: Vec<f64> =
+        (0..m).map(|r| (0..n).map(|c| (a[(r, c)] / lengths[c]).abs()).fold(0.0, f64::max)).collect();
+    let mut noise = vec![limits.row_noise.unwrap_or(0.0); m];
+    if limits.row_noise.is_none() {
+        for (rows, _) in components(&a) {
+            let largest = rows.iter().map(|&r| sizes[r]).fold(0.0, f64::max);
+            rows.iter().for_each(|&r| noise[r] = ROW_NOISE * largest);
+        }
+    }
     for r in 0..m {
-        let size = (0..n).map(|c| (a[(r, c)] / lengths[c]).abs()).fold(0.0, f64::max);
-        let is_zero = size <= limits.row_noise;
+        let size = sizes[r];
+        let is_zero = size <= noise[r];
         // A power of two scales without rounding.
         let factor = if is_zero { 0.0 } else { (-size.log2().floor()).exp2() };
         (0..n).for_each(|c| a[(r, c)] *= factor);
-        sizes.push(if is_zero { 0.0 } else { size });
+        sizes[r] = if is_zero { 0.0 } else { size };
     }
     let (mut counting, mut least) = (Vec::new(), 1.0_f64);
     for (rows, columns) in components(&a) {
