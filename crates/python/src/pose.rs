@@ -39,15 +39,3 @@ impl Pose {
         Ok(self.frame(frame)?.rotation)
     }
 }
-
-/// Refuses a pose on another assembly mode that was not asked for.
-pub fn refuse_other_assembly(pose: &Posed, is_accepted: bool) -> PyResult<()> {
-    match pose.loops().and_then(|loops| loops.starts_tried) {
-        Some(starts) if !is_accepted => Err(errors::loops(format_args!(
-            "the branch of the first closed pose does not reach the driving joints as set: this is another assembly mode, found \
-             from {starts} of the seeded starts; expected positions on the branch, a guess on the mode that is meant, or \
-             other_assembly=True"
-        ))),
-        _ => Ok(()),
-    }
-}

@@ -5,7 +5,6 @@ use crate::contact::Contact;
 use crate::errors::{self, input};
 use crate::matrices::coded;
 use crate::model::Model;
-use crate::pose::refuse_other_assembly;
 use crate::system::{Assembly, System, in_root_axes, position_names, root_frame};
 use crate::threads::detached;
 use numpy::ndarray::{ArrayView2, s};
@@ -482,15 +481,15 @@ impl<'a> Path<'a> {
     fn by_itself(&mut self, row: &[f64], at: usize, columns: &mut Columns<'_>) {
         let mechanism = &self.model.read.mechanism;
         let mut there = Configuration::zero(mechanism);
+        if self.other_assembly {
+            there.allow_other_assembly();
+        }
         for (joint, value) in self.joints.iter().zip(row) {
             if there.set(mechanism.joint(*joint).name(), &[*value]).is_err() {
                 return;
             }
         }
         let Ok(pose) = self.assembly.pose_from(&self.stands, &there) else { return };
-        if refuse_other_assembly(&pose, self.other_assembly).is_err() {
-            return;
-        }
         respond(&pose, &self.contact, at, columns);
         let goes_on = self.driven.as_mut().is_some_and(|driven| driven.restart(&pose));
         if !goes_on {

@@ -6,7 +6,7 @@ use crate::diagnostic::Diagnostic;
 use crate::errors::{self, input};
 use crate::labels::Labels;
 use crate::model::Model;
-use crate::pose::{Pose, refuse_other_assembly};
+use crate::pose::Pose;
 use crate::response::status;
 use numpy::PyArray1;
 use percuss::nalgebra::Vector3;
@@ -225,8 +225,10 @@ impl System {
         if let Some(frame) = base_pose {
             given.set_base(root_frame(frame)?);
         }
+        if other_assembly {
+            given.allow_other_assembly();
+        }
         let pose = py.detach(|| self.system.pose(&given)).map_err(errors::assembly)?;
-        refuse_other_assembly(&pose, other_assembly)?;
         Ok(Pose { model: self.model.clone(), system: self.system.clone(), pose })
     }
 
@@ -333,8 +335,10 @@ impl Assembly {
         if let Some(frame) = base_pose {
             given.set_base(root_frame(frame)?);
         }
+        if other_assembly {
+            given.allow_other_assembly();
+        }
         let pose = py.detach(|| self.assembly.pose(&given)).map_err(errors::assembly)?;
-        refuse_other_assembly(&pose, other_assembly)?;
         Ok(Pose { model: self.model.clone(), system: self.system.clone(), pose })
     }
 

@@ -259,7 +259,6 @@ ROWS: Mapping[str, Callable[[percuss.Model, percuss.Contact, np.ndarray], Any]] 
 }
 
 
-@pytest.mark.xfail(strict=True, reason="rows of positions are checked by dynamics, whose rules are joined")
 @pytest.mark.parametrize("entry", ROWS)
 def test_quaternions_of_another_length_have_no_number(entry: str) -> None:
     call = ROWS[entry]
@@ -271,7 +270,6 @@ def test_quaternions_of_another_length_have_no_number(entry: str) -> None:
             BALL.pose(factor * unit)
 
 
-@pytest.mark.xfail(strict=True, reason="rows of positions are checked by dynamics, whose rules are joined")
 @pytest.mark.parametrize("entry", ROWS)
 def test_open_loops_have_no_number(entry: str) -> None:
     call = ROWS[entry]
