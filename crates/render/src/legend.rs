@@ -27,7 +27,7 @@ pub(crate) struct Legend {
     width: f64,
 }
 
-/// Lays out a legend for two or more series. `page` is the width of the page, `free` the width left in the
+/// Lays out a legend for two or more series. `room` is the width of the page, `beside` the width left in the
 /// heading line.
 pub(crate) fn plan(series: &[Series], room: f64, beside: f64) -> Legend {
     if series.len() < 2 {
