@@ -1,4 +1,4 @@
-//! Many contacts on one link at one pose: time a contact, and what the map itself takes to be made.
+//! Many contacts on one link at one pose: time per contact, and time to create the map.
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use percuss_benches::{CpuTime, criterion, double_wishbone, subjects};
@@ -8,7 +8,7 @@ use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
 use std::hint::black_box;
 
-/// Contacts of one call: a link's surface. They stay in the second cache.
+/// Contacts per call, as on the surface of a link. The data fit into the second-level cache.
 const CONTACTS: usize = 4096;
 
 fn columns() -> [Vec<f64>; 6] {

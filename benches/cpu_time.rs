@@ -1,4 +1,4 @@
-//! Criterion in thread CPU time: what a thread worked, whatever else the machine does.
+//! Criterion measurement in CPU time of the thread, independent of other load on the machine.
 
 use cpu_time::ThreadTime;
 use criterion::Criterion;
@@ -37,7 +37,7 @@ impl Measurement for CpuTime {
     }
 }
 
-/// Criterion that measures so.
+/// Criterion with this measurement.
 pub fn criterion() -> Criterion<CpuTime> {
     Criterion::default().with_measurement(CpuTime)
 }

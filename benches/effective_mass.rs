@@ -1,4 +1,4 @@
-//! m̄ at a fresh configuration each call: the recursion in a workspace, and the careful route with its contributions.
+//! m̄ at a new configuration per call: the recursion in a workspace, and the dense route with contributions.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use percuss_benches::subjects;
@@ -10,7 +10,7 @@ fn routes(criterion: &mut Criterion<CpuTime>) {
     for subject in subjects() {
         let (system, contact) = (&subject.system, &subject.contact);
         let mut workspace = system.workspace();
-        // The value is asserted once: both answer the same question.
+        // Compare the values of both routes once, before timing.
         workspace.set_positions(&subject.positions[0]).expect("positions that fit");
         assert!(matches!(workspace.effective_mass(contact), Ok(EffectiveMass::Finite(m)) if m > 0.0));
         let mut next = subject.positions.iter().cycle();

@@ -1,21 +1,23 @@
-//! How the cost grows: `percuss-growth` prints, for each size, nanoseconds of thread CPU time for one m̄ and for one body of it,
-//! the memory of the process, and the exponent between the least and the greatest size.
+//! Growth of the cost with the size: `percuss-growth` prints for each size the nanoseconds of thread CPU time
+//! for one m̄ and per body, the memory of the process, and the exponent between the smallest and the largest
+//! size.
 //!
-//! Each size is a process of its own, so that its memory is its own: `percuss-growth TASK-SIZE` prints one line.
+//! Each size runs in a separate process, so that its memory can be measured: `percuss-growth TASK-SIZE` prints
+//! one line.
 
 use cpu_time::ThreadTime;
 use percuss_benches::task;
 use std::process::Command;
 use std::time::Duration;
 
-/// What grows, and to which sizes.
+/// Families and their sizes.
 const FAMILIES: [(&str, &[usize]); 4] = [
     ("chain", &[10, 100, 1_000, 10_000]),
     ("chain-lanes", &[10, 100, 1_000, 10_000]),
     ("separate", &[10, 50, 200]),
     ("ladder", &[10, 50, 200]),
 ];
-/// Each size is run so long, and the least counts.
+/// Measuring time per size; the smallest time counts.
 const TIME: Duration = Duration::from_millis(1500);
 
 fn main() {
@@ -49,7 +51,7 @@ fn one(name: &str) {
         spent += elapsed;
         least = least.min(elapsed.as_nanos() as f64 / task.units as f64);
     }
-    // On Linux; 0 elsewhere.
+    // Only on Linux; 0 on other systems.
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let peak = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
     let kilobytes = peak.and_then(|text| text.split_whitespace().next()?.parse::<f64>().ok()).unwrap_or(0.0);

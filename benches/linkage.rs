@@ -1,4 +1,4 @@
-//! The double wishbone: m̄ at a closed pose, and a sweep's step that starts from the pose before.
+//! Double wishbone: m̄ at a closed pose, and a step of a sweep from the previous pose.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use percuss_benches::double_wishbone;
@@ -6,7 +6,7 @@ use percuss_benches::{CpuTime, criterion};
 use percuss_dynamics::{EffectiveMass, RouteChoice};
 use std::hint::black_box;
 
-/// Steps of the sweep, there and back: 1 mrad each.
+/// Steps of 1 mrad, forwards and backwards.
 const STEPS: usize = 200;
 
 fn linkage(criterion: &mut Criterion<CpuTime>) {

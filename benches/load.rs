@@ -1,4 +1,4 @@
-//! A URDF of 1,000 links: our loader with all its checks, beside urdf-rs alone.
+//! URDF of 1,000 links: the percuss loader with all checks, and urdf-rs for comparison.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use percuss_benches::{CpuTime, criterion};

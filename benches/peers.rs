@@ -1,9 +1,10 @@
-//! m̄ on the robots, poses and questions that other programs were timed with: `NAME.json` with the URDF, the struck link, the
-//! normal in the world, names of joints, poses and the expected m̄. And on linkages: `NAME.urdf`, a suspension as `percuss import`
-//! writes it, struck at its spring's seat along the spring, at closed poses over the travel of its lower arm.
+//! m̄ for the robots, poses and contacts that other programs were timed with. `NAME.json` contains the URDF,
+//! the contact link, the normal in the world, joint names, poses and the expected m̄. `NAME.urdf` is a
+//! suspension written by `percuss import`, with the contact at the spring seat along the spring, at closed
+//! poses over the travel of its lower arm.
 //!
-//! Prints `percuss NAME scalar|lanes|workspace NS` (nanoseconds of thread CPU time for one m̄ at a new configuration, the least
-//! of many runs), after all m̄ were compared to 1e-9.
+//! Prints `percuss NAME scalar|lanes|workspace NS` (nanoseconds of thread CPU time for one m̄ at a new
+//! configuration, the minimum of many runs), after all m̄ agreed within 1e-9.
 
 use cpu_time::ThreadTime;
 use percuss_dynamics::{
@@ -16,18 +17,18 @@ use std::hint::black_box;
 use std::path::Path;
 use std::time::Instant;
 
-/// Runs of a loop over all poses, of which the least counts.
+/// Runs of the loop over all poses; the minimum counts.
 const RUNS: usize = 200;
 
-/// Configurations that threads share.
+/// Configurations shared between threads.
 const MANY: usize = 100_000;
 
-/// A robot's question.
+/// Robot with contact and poses.
 struct Question {
     name: String,
     system: System,
     contact: Contact,
-    /// For each pose, the positions of all joints.
+    /// Positions of all joints for each pose.
     rows: Vec<Vec<f64>>,
     expected: Vec<f64>,
 }
@@ -51,11 +52,11 @@ fn main() {
     }
 }
 
-/// Poses of a suspension, and how far its lower arm turns over them to either side, rad.
+/// Number of poses of a suspension, and travel of its lower arm to either side, rad.
 const POSES: usize = 256;
 const TRAVEL: f64 = 0.15;
 
-/// The joint that drives a suspension, and the steps that its loops are closed along.
+/// Driving joint of a suspension, and number of steps in which the loops are closed.
 const DRIVER: &str = "lower_arm_hinge";
 const STEPS: usize = 1_000;
 
@@ -128,7 +129,7 @@ impl Question {
     }
 }
 
-/// Others leave mimics out, so that the question must.
+/// The other programs ignore mimics, so the comparison must too.
 fn without_mimics(urdf: &str) -> String {
     let mut text = String::with_capacity(urdf.len());
     let mut rest = urdf;
@@ -140,7 +141,7 @@ fn without_mimics(urdf: &str) -> String {
     text + rest
 }
 
-/// Where a joint's position stands among all.
+/// Index of a joint's position among all positions.
 fn place(mechanism: &Mechanism, name: &str) -> usize {
     let joint = mechanism.find_joint(name).expect("the joint");
     mechanism.joints()[..joint.index()].iter().map(|j| j.kind().positions()).sum()
@@ -205,7 +206,8 @@ fn time(question: &Question) {
     }
 }
 
-/// The loops of a suspension closed on the way, each step from the one before, over the travel: m̄ and all positions of each.
+/// Closes the loops of a suspension in steps over the travel, each from the previous step: m̄ and all positions
+/// of each step.
 fn time_closing(question: &Question) {
     let mechanism = question.system.mechanism();
     let driver = mechanism.find_joint(DRIVER).expect("the lower arm");
@@ -257,7 +259,7 @@ fn time_closing(question: &Question) {
     }
 }
 
-/// Wall time of many configurations by one thread over that by two, the least of some runs of each, taken in turn.
+/// Wall time of many configurations with one thread divided by that with two threads; minimum of alternating runs.
 fn time_threads(question: &Question, batch: &Batch) {
     let width = question.rows[0].len();
     let rows: Vec<f64> = question.rows.iter().cycle().take(MANY).flatten().copied().collect();
@@ -276,7 +278,7 @@ fn time_threads(question: &Question, batch: &Batch) {
     println!("percuss {} two threads times one: {:.2}", question.name, one / two);
 }
 
-/// Nanoseconds of thread CPU time for one of `count`.
+/// Nanoseconds of thread CPU time per item.
 fn least(count: usize, mut all: impl FnMut()) -> f64 {
     let run = |_| {
         let start = ThreadTime::now();

@@ -1,4 +1,4 @@
-//! What the benchmarks share: a system with configurations to go through.
+//! Common parts of the benchmarks: systems with configurations and contacts.
 
 mod cpu_time;
 mod tasks;
@@ -14,13 +14,13 @@ use rand::SeedableRng;
 use rand::rngs::StdRng;
 use std::fmt::Write;
 
-/// A question asked at many configurations.
+/// System with a contact and many configurations.
 pub struct Subject {
-    /// Its name.
+    /// Name.
     pub name: &'static str,
     /// The system.
     pub system: System,
-    /// Positions of all joints one after another, 256 times.
+    /// Positions of all joints in sequence, for 256 configurations.
     pub positions: Vec<Vec<f64>>,
     /// The contact.
     pub contact: Contact,
@@ -30,7 +30,7 @@ impl Subject {
     fn new(name: &'static str, mechanism: Mechanism) -> Self {
         let mut rng = StdRng::seed_from_u64(7);
         let positions = (0..256).map(|_| random::positions(&mut rng, &mechanism).concat()).collect();
-        // The last link of the tree, struck beside its origin.
+        // Contact near the origin of the last link of the tree.
         let link = *mechanism.order().last().expect("a mechanism has links");
         let contact = Contact::new(link, [0.05, -0.02, 0.03], [0.3, -0.5, 0.8]);
         let system = System::new(mechanism, &Conditions::new()).expect("default conditions fit");
@@ -38,7 +38,7 @@ impl Subject {
     }
 }
 
-/// A six-hinge arm, and a random tree of 30 bodies without mimics.
+/// Six-hinge arm, and a random tree of 30 bodies without mimics.
 pub fn subjects() -> Vec<Subject> {
     let tree = (0..).find_map(|seed| {
         let mechanism = random::mechanism(&mut StdRng::seed_from_u64(seed), 30);
@@ -50,7 +50,8 @@ pub fn subjects() -> Vec<Subject> {
     ]
 }
 
-/// The double wishbone that is shipped, its bump stop against the chassis, and the joint that drives it.
+/// Double wishbone model of the distribution, with the contact of its bump stop on the chassis, and its driving
+/// joint.
 pub fn double_wishbone() -> (System, Contact, &'static str) {
     let text = include_str!("../models/double_wishbone.urdf");
     let mechanism = loaded(text);
@@ -62,7 +63,7 @@ pub fn double_wishbone() -> (System, Contact, &'static str) {
     (system, contact, "lower_arm_hinge")
 }
 
-/// A chain of so many links with shapes, as a URDF.
+/// URDF of a chain with this number of links, with shapes.
 pub fn chain_urdf(links: usize) -> String {
     let mut text = String::from("<?xml version=\"1.0\"?>\n<robot name=\"chain\">\n");
     for i in 0..links {
@@ -86,7 +87,7 @@ pub fn chain_urdf(links: usize) -> String {
     text + "</robot>\n"
 }
 
-/// Loads a URDF given as text.
+/// Loads a URDF from text.
 pub fn loaded(text: &str) -> Mechanism {
     assert!((text.len() as u64) < DEFAULT_MAX_SIZE);
     load(&Source::from_text("bench.urdf", text), &LoadOptions::default()).expect("a good file").mechanism

@@ -1,4 +1,4 @@
-//! Pieces of work that are timed, or whose instructions are counted: each prepared once, then run as often as wanted.
+//! Tasks for timing and for counting instructions: prepared once, run repeatedly.
 
 use crate::{Subject, chain_urdf, double_wishbone, loaded, subjects};
 use percuss_dynamics::{
@@ -13,35 +13,35 @@ use percuss_spatial::lanes::Instructions;
 use percuss_spatial::{Matrix3, Vector3};
 use std::hint::black_box;
 
-/// A piece of work.
+/// Benchmark task.
 pub struct Task {
-    /// Does it once.
+    /// Runs the task once.
     pub run: Box<dyn FnMut()>,
-    /// How many units of it that is: configurations, or files.
+    /// Number of work units per run: configurations or files.
     pub units: usize,
-    /// How many bodies each goes through.
+    /// Number of bodies per unit.
     pub bodies: usize,
 }
 
-/// Configurations that are asked at once.
+/// Configurations per call.
 const CONFIGURATIONS: usize = 256;
 
-/// The work of this name; `chain-N`, `chain-lanes-N`, `separate-N` and `ladder-N` have a size.
+/// Returns the task with this name; `chain-N`, `chain-lanes-N`, `separate-N` and `ladder-N` have a size.
 ///
-/// | name | one unit of it |
+/// | name | work unit |
 /// |---|---|
-/// | `scalar` | m̄ of an arm of six hinges at a new configuration |
-/// | `workspace` | the same of a random tree of 30 bodies, by the general recursion |
-/// | `lanes` | the arm, in lanes of AVX2 (of the baseline without) |
-/// | `portable` | the same in lanes of the baseline, which every processor has |
-/// | `response` | the whole answer at a closed pose of the double wishbone, its error budget too |
+/// | `scalar` | m̄ of a six-hinge arm at a new configuration |
+/// | `workspace` | m̄ of a random tree of 30 bodies at a new configuration, by the general recursion |
+/// | `lanes` | as `scalar`, in lanes of AVX2 (of the baseline without AVX2) |
+/// | `portable` | as `scalar`, in lanes of the baseline |
+/// | `response` | complete response at a closed pose of the double wishbone, with error budget |
 /// | `linkage` | m̄ of the double wishbone at a closed pose |
-/// | `step` | closing its loops 1 mrad from the last pose |
+/// | `step` | closing the loops of the double wishbone 1 mrad from the last pose |
 /// | `load` | reading a URDF of 1,000 links |
-/// | `chain-N` | m̄ at the end of a chain of N hinges, a configuration by itself |
-/// | `chain-lanes-N` | the same in lanes |
-/// | `separate-N` | m̄ at one of N four-bars that stand beside one another |
-/// | `ladder-N` | m̄ at the middle of a ladder of N four-bars, one loop upon the other |
+/// | `chain-N` | m̄ at the end of a chain of N hinges, one configuration |
+/// | `chain-lanes-N` | as `chain-N`, in lanes |
+/// | `separate-N` | m̄ at one of N independent four-bars |
+/// | `ladder-N` | m̄ at the middle of a ladder of N four-bars, in which consecutive loops share a link |
 pub fn task(name: &str) -> Option<Task> {
     let avx2 = if Instructions::Avx2.is_available() { Instructions::Avx2 } else { Instructions::Baseline };
     let arm = || subjects().swap_remove(0);
@@ -68,7 +68,7 @@ pub fn task(name: &str) -> Option<Task> {
     })
 }
 
-/// A chain of hinges about changing axes, struck at its end.
+/// Chain of hinges about alternating axes with a contact at the end.
 fn chain(bodies: usize) -> Subject {
     let mut builder = MechanismBuilder::new("chain").link(LinkDescription::massless("b0"));
     for i in 1..=bodies {
@@ -84,7 +84,8 @@ fn chain(bodies: usize) -> Subject {
     let mechanism: Mechanism = builder.build().expect("a chain").mechanism;
     let end = mechanism.find_link(&format!("b{bodies}")).expect("its end");
     let contact = Contact::new(end, [0.05, -0.02, 0.03], [0.3, -0.5, 0.8]);
-    // Angles that leave a long chain stretched out: folded up at random, its end would be as light as a few links.
+    // Small angles keep a long chain extended: randomly folded, the effective mass at the end would be that of
+    // a few links.
     let angle = |c: usize, i: usize| 0.3 * ((c * 7919 + i * 104_729) % 1000) as f64 / 1000.0;
     let row = |c: usize| (0..bodies).map(|i| angle(c, i)).collect();
     let system = System::new(mechanism, &Conditions::new()).expect("default conditions fit");
@@ -145,7 +146,7 @@ fn lanes(subject: Subject, set: Instructions) -> Task {
     Task { run: Box::new(run), units, bodies }
 }
 
-/// Poses of the double wishbone, 1 mrad apart, there and back.
+/// Poses of the double wishbone in steps of 1 mrad, forwards and backwards.
 fn wishbone() -> (System, Contact, Vec<percuss_dynamics::Configuration>) {
     let (system, contact, driver) = double_wishbone();
     let steps = 100;

@@ -1,9 +1,9 @@
-//! Axes: made unit vectors.
+//! Normalisation of axes.
 
 use crate::limits;
 use percuss_spatial::Vector3;
 
-/// Normalised without overflow or underflow; left as it is where it is a unit vector already.
+/// Normalises an axis without overflow or underflow; an axis of unit length is kept unchanged.
 pub(crate) fn unit(axis: &Vector3<f64>) -> Vector3<f64> {
     let exact = (axis.norm() - 1.0).abs() <= limits::UNIT_ROUNDING;
     if exact { *axis } else { (axis / axis.amax()).normalize() }

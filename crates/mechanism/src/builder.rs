@@ -1,4 +1,4 @@
-//! From descriptions to a mechanism: all the validation there is.
+//! Builds a mechanism from descriptions, with all validation.
 
 use crate::axis::unit;
 use crate::check::Check;
@@ -12,16 +12,16 @@ use percuss_spatial::{SpatialInertia, Vector3};
 use std::collections::HashMap;
 use std::fmt;
 
-/// Findings that the user accepts.
+/// Findings that the user accepts; accepted errors become warnings.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Accept {
-    /// Inertias with a negative principal moment.
+    /// Accept inertias with a negative principal moment.
     pub indefinite_inertia: bool,
     /// Inertias far beyond what the size of the links allows.
     pub implausible_inertia: bool,
 }
 
-/// A mechanism and what was noticed while building it.
+/// Mechanism with the findings of the builder.
 #[derive(Debug)]
 pub struct Built {
     /// The mechanism.
@@ -30,10 +30,10 @@ pub struct Built {
     pub findings: Vec<(Subject, Problem)>,
 }
 
-/// No mechanism: at least one finding is an error.
+/// Error of the builder: at least one finding is an error.
 #[derive(Debug, thiserror::Error)]
 pub struct BuildError {
-    /// All findings, warnings and notes among them.
+    /// All findings, including warnings and notes.
     pub findings: Vec<(Subject, Problem)>,
 }
 
@@ -47,26 +47,27 @@ impl fmt::Display for BuildError {
     }
 }
 
-/// Collects links and joints by name; [`build`](Self::build) checks them.
+/// Collects descriptions of links and joints; [`build`](Self::build) validates them.
 #[derive(Clone, Debug, Default)]
 pub struct MechanismBuilder {
     name: String,
     accept: Accept,
     links: Vec<LinkDescription>,
     joints: Vec<JointDescription>,
-    /// Where each joint of the tree stood among those given, once second parents are taken out.
+    /// Original index of each tree joint. The indices differ from the positions in `joints` once joints to
+    /// second parents are removed.
     joint_index: Vec<usize>,
     closures: Vec<ClosureDescription>,
     couplings: Vec<CouplingDescription>,
 }
 
 impl MechanismBuilder {
-    /// An empty mechanism of this name.
+    /// Creates a builder of an empty mechanism with this name.
     pub fn new(name: impl Into<String>) -> Self {
         Self { name: name.into(), ..Self::default() }
     }
 
-    /// Accepts some findings.
+    /// Sets the accepted findings.
     pub fn accept(mut self, accept: Accept) -> Self {
         self.accept = accept;
         self
@@ -96,19 +97,19 @@ impl MechanismBuilder {
         self
     }
 
-    /// Changes the links added so far.
+    /// Applies `change` to the links added so far.
     #[must_use]
     pub fn map_links(mut self, change: impl FnMut(LinkDescription) -> LinkDescription) -> Self {
         self.links = self.links.into_iter().map(change).collect();
         self
     }
 
-    /// Checks everything and builds the mechanism.
+    /// Validates all descriptions and builds the mechanism.
     ///
     /// # Errors
-    /// [`BuildError`] with every finding, where one of them is an error: one root, a tree, unique names, finite
-    /// numbers, masses and armatures ≥ 0, no negative principal moment, axes with a direction, mimics that lead
-    /// to a joint with one degree of freedom.
+    /// [`BuildError`] with all findings if one of them is an error. Checked: one root, tree structure, unique
+    /// names, finite numbers, masses and armatures ≥ 0, no negative principal moment, nonzero axes, mimics that
+    /// end at a joint with one degree of freedom.
     pub fn build(self) -> Result<Built, BuildError> {
         let mut check = Check::default();
         let built = self.assemble(&mut check);
@@ -175,7 +176,7 @@ impl MechanismBuilder {
         Some(mechanism)
     }
 
-    /// Takes every joint whose child has a parent already out of the tree, as a closure.
+    /// Converts every joint to a second parent to a closure.
     fn take_second_parents(
         &mut self,
         check: &mut Check,
@@ -205,7 +206,7 @@ impl MechanismBuilder {
         closures
     }
 
-    /// Parent and child of every joint; unknown names become link 0 beside the error.
+    /// Links at the ends of every joint. An unknown name adds an error and gets an invalid index.
     fn ends(&self, check: &mut Check, ids: &HashMap<String, usize>) -> Vec<(LinkId, LinkId)> {
         let mut ends = Vec::with_capacity(self.joints.len());
         for (i, joint) in self.joints.iter().enumerate() {
@@ -226,12 +227,12 @@ impl MechanismBuilder {
         ends
     }
 
-    /// The joint of the tree number `i`, by its place among those given.
+    /// Subject for the tree joint at position `i`, with its original index.
     fn tree_joint(&self, i: usize) -> Subject {
         joint_subject(self.joint_index[i], &self.joints[i].name)
     }
 
-    /// Follows every mimic to the joint that is not a mimic itself. Linear: every joint is resolved once.
+    /// Resolves chains of mimics to their first master. Each joint is resolved once: linear cost.
     fn mimics(&self, check: &mut Check, ids: &HashMap<String, usize>) -> Vec<Option<Mimic>> {
         let next: Vec<Option<usize>> = (0..self.joints.len()).map(|i| self.mimicked(check, ids, i)).collect();
         let mut resolved: Vec<Option<Mimic>> = vec![None; self.joints.len()];
@@ -269,7 +270,7 @@ impl MechanismBuilder {
                         offset: own.offset + own.multiplier * further.offset,
                     },
                 };
-                // Each factor of a chain is valid; their product may overflow.
+                // Each factor of a chain is valid, but the product may overflow.
                 check.is_valid(&self.tree_joint(i), "mimic", [&folded.multiplier, &folded.offset]);
                 resolved[i] = Some(folded);
             }
@@ -277,7 +278,7 @@ impl MechanismBuilder {
         resolved
     }
 
-    /// The joint that joint `i` mimics directly, if it can.
+    /// Joint that joint `i` mimics directly, if valid.
     fn mimicked(&self, check: &mut Check, ids: &HashMap<String, usize>, i: usize) -> Option<usize> {
         let joint = &self.joints[i];
         let mimic = joint.mimic.as_ref()?;
@@ -343,14 +344,15 @@ fn make_link(link: &LinkDescription) -> Link {
     }
 }
 
-/// An upper bound on the radius of gyration, m; zero without mass.
+/// Upper bound of the radius of gyration, m; zero without mass.
 fn gyration(inertial: &Inertial) -> f64 {
     if inertial.mass > 0.0 { (inertial.about_com.trace().abs() / inertial.mass).sqrt() } else { 0.0 }
 }
 
-/// The greatest distance between a link's origin and its centre of mass, its shape's end, a joint below it or a loop
-/// frame on it, except the root; where all are zero, the greatest radius of gyration. (Gyration is used last: files give
-/// empty frames a tiny mass with any inertia.)
+/// Largest distance from a link's origin to its centre of mass, the end of its shape, a child joint or a loop
+/// frame; the root is excluded. If all are zero, the extent of the root, then the largest radius of gyration,
+/// then 1. The radius of gyration comes last, since files give massless frames a tiny mass with an arbitrary
+/// inertia.
 fn characteristic_length(
     links: &[Link],
     joints: &[Joint],

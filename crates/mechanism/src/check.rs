@@ -1,4 +1,4 @@
-//! The findings of the builder, and the checks of single numbers and names.
+//! Findings of the builder, and validation of numbers and names.
 
 use crate::description::{JointDescription, LinkDescription};
 use crate::joint::Limits;
@@ -8,7 +8,7 @@ use crate::problem::{Problem, Severity, Subject};
 use nalgebra::Matrix3;
 use std::collections::HashMap;
 
-/// The findings so far.
+/// Findings so far.
 #[derive(Default)]
 pub(crate) struct Check {
     pub findings: Vec<(Subject, Problem)>,
@@ -20,7 +20,7 @@ impl Check {
         self.findings.push((subject, problem));
     }
 
-    /// Similar names, for the first few unknown ones: comparing all with all takes too long.
+    /// Suggests similar names, for a limited number of unknown names: the cost of all comparisons is quadratic.
     pub fn near<'a>(&mut self, name: &str, candidates: impl Iterator<Item = &'a str>) -> Vec<String> {
         self.suggested += 1;
         if self.suggested <= limits::MOST_SUGGESTIONS { near_names(name, candidates) } else { Vec::new() }
@@ -48,7 +48,7 @@ impl Check {
         ids
     }
 
-    /// Adds an error and says `false` unless every value is finite and of a size that can be computed with.
+    /// Returns true if every value is finite and below the limit of size; otherwise adds an error.
     pub fn is_valid<'a>(
         &mut self,
         subject: &Subject,

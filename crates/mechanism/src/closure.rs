@@ -1,4 +1,4 @@
-//! What closes a loop: a joint that the tree leaves out, or a ratio between rates.
+//! Loop closures: joints outside the spanning tree, and ratios between rates.
 
 use crate::{JointId, LinkId};
 use percuss_spatial::{Transform, Vector3};
@@ -14,9 +14,9 @@ impl ClosureId {
     }
 }
 
-/// The kinds of closure. Each imposes exactly what its row states between two loop frames, the predecessor's and the
-/// successor's: with p the successor's origin in the predecessor's frame, a the axis (the same components in both
-/// frames) and b the second axis (in the successor's frame),
+/// Kinds of closure. A closure constrains the loop frame of the successor relative to that of the predecessor.
+/// p is the origin of the successor's frame in the predecessor's frame, a the axis (same components in both
+/// frames), and b the second axis (in the successor's frame):
 ///
 /// | kind        | imposes                                        | rows |
 /// |-------------|------------------------------------------------|------|
@@ -32,24 +32,24 @@ impl ClosureId {
 pub enum ClosureKind {
     /// The frames coincide.
     Fixed,
-    /// A hinge about the axis. URDF's `continuous` is one.
+    /// Revolute joint about the axis; also for URDF's `continuous`.
     Revolute,
-    /// A slider along the axis.
+    /// Prismatic joint along the axis.
     Prismatic,
-    /// A slider along the axis that turns about it.
+    /// Cylindrical joint: translation along and rotation about the axis.
     Cylindrical,
-    /// Hooke's joint: pins along the two axes.
+    /// Universal joint with pins along the two axes.
     Universal,
-    /// Sliding in the plane normal to the axis, turning about it.
+    /// Planar joint: translation in the plane normal to the axis, rotation about the axis.
     Planar,
-    /// A ball joint.
+    /// Spherical joint.
     Spherical,
-    /// A massless rod between ball joints.
+    /// Massless rod with spherical joints at both ends.
     Distance,
 }
 
 impl ClosureKind {
-    /// Every kind, for tests that must skip none.
+    /// All kinds, for exhaustive tests.
     pub const ALL: [ClosureKind; 8] = [
         ClosureKind::Fixed,
         ClosureKind::Revolute,
@@ -61,7 +61,7 @@ impl ClosureKind {
         ClosureKind::Distance,
     ];
 
-    /// How many rows of A it takes.
+    /// Number of constraint rows in A.
     pub fn rows(self) -> usize {
         match self {
             ClosureKind::Fixed => 6,
@@ -72,7 +72,7 @@ impl ClosureKind {
         }
     }
 
-    /// Whether it has an axis.
+    /// True if the kind has an axis.
     pub fn has_axis(self) -> bool {
         match self {
             ClosureKind::Fixed | ClosureKind::Spherical | ClosureKind::Distance => false,
@@ -84,7 +84,7 @@ impl ClosureKind {
         }
     }
 
-    /// Its name in a file.
+    /// Name in files.
     pub fn name(self) -> &'static str {
         match self {
             ClosureKind::Fixed => "fixed",
@@ -99,16 +99,16 @@ impl ClosureKind {
     }
 }
 
-/// A loop frame: where a closure is attached to a link.
+/// Loop frame: attachment of a closure to a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LoopFrame {
-    /// The link; none is the world, which is the root link's frame at its reference pose.
+    /// Link; `None` is the world, the root link's frame at the reference pose.
     pub link: Option<LinkId>,
     /// X_lf: the loop frame in the link.
     pub frame: Transform<f64>,
 }
 
-/// A joint that closes a loop.
+/// Joint that closes a loop.
 #[derive(Clone, Debug)]
 pub struct Closure {
     pub(crate) name: String,
@@ -121,44 +121,44 @@ pub struct Closure {
 }
 
 impl Closure {
-    /// Its name, unique among closures and couplings.
+    /// Name, unique among closures and couplings.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Its kind.
+    /// Kind.
     pub fn kind(&self) -> ClosureKind {
         self.kind
     }
 
-    /// Where it holds the predecessor.
+    /// Loop frame on the predecessor.
     pub fn predecessor(&self) -> &LoopFrame {
         &self.predecessor
     }
 
-    /// Where it holds the successor.
+    /// Loop frame on the successor.
     pub fn successor(&self) -> &LoopFrame {
         &self.successor
     }
 
-    /// The unit axis; meaningless where the kind has none.
+    /// Unit axis; no meaning if the kind has no axis.
     pub fn axis(&self) -> &Vector3<f64> {
         &self.axis
     }
 
-    /// The successor's unit pin of a universal closure, in its loop frame.
+    /// Unit axis of the successor's pin of a universal closure, in the successor's loop frame.
     pub fn axis2(&self) -> &Vector3<f64> {
         &self.axis2
     }
 
-    /// The declared length of a distance closure, m; none: the distance with all joints at 0.
+    /// Declared length of a distance closure, m; `None` takes the distance with all joints at 0.
     pub fn distance(&self) -> Option<f64> {
         self.distance
     }
 }
 
-/// A ratio between rates: the successor's rate is `ratio` times the predecessor's, each summed over the joints from
-/// the nearest common ancestor; so are their positions, with no offset.
+/// Coupling of two rates: the successor's rate is `ratio` times the predecessor's rate. Each rate is the sum
+/// over the joints from the nearest common ancestor. The positions have the same ratio, without offset.
 #[derive(Clone, Debug)]
 pub struct Coupling {
     pub(crate) name: String,
@@ -169,27 +169,28 @@ pub struct Coupling {
 }
 
 impl Coupling {
-    /// Its name, unique among closures and couplings.
+    /// Name, unique among closures and couplings.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// The link whose rate is given.
+    /// Link with the independent rate.
     pub fn predecessor(&self) -> LinkId {
         self.predecessor
     }
 
-    /// The link whose rate follows.
+    /// Link with the dependent rate.
     pub fn successor(&self) -> LinkId {
         self.successor
     }
 
-    /// Successor's rate over predecessor's.
+    /// Rate of the successor divided by the rate of the predecessor.
     pub fn ratio(&self) -> f64 {
         self.ratio
     }
 
-    /// The row it imposes: Σ factor · q = 0 over these joints, +1 on the successor's path and −ratio on the other.
+    /// Terms of the constraint Σ factor · q = 0 over these joints: +1 on the successor's path, −ratio on the
+    /// predecessor's path.
     pub fn terms(&self) -> &[(JointId, f64)] {
         &self.terms
     }

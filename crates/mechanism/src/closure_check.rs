@@ -20,7 +20,7 @@ fn coupling_subject(index: usize, name: &str) -> Subject {
     Subject::Coupling { index, name: name.to_owned() }
 }
 
-/// The closure that a joint to a second parent makes, or why it makes none.
+/// Converts a joint to a second parent to a closure, or returns the reason why this is impossible.
 pub(crate) fn of_joint(joint: JointDescription) -> Result<ClosureDescription, &'static str> {
     let kind = match joint.kind {
         JointKind::Fixed => ClosureKind::Fixed,
@@ -41,7 +41,7 @@ pub(crate) fn of_joint(joint: JointDescription) -> Result<ClosureDescription, &'
     Ok(ClosureDescription { predecessor_frame: joint.origin, axis, ..new })
 }
 
-/// Names and numbers of closures and couplings, before there is a tree.
+/// Checks names and numbers of closures and couplings; needs no tree.
 pub(crate) fn check(
     closures: &[ClosureDescription],
     couplings: &[CouplingDescription],
@@ -107,7 +107,7 @@ fn closure_numbers(subject: &Subject, closure: &ClosureDescription, check: &mut 
     }
 }
 
-/// Couplings may form chains and stars, but no circle: its ratios would contradict or repeat one another.
+/// Couplings must form no cycle: its ratios would contradict or duplicate each other.
 fn circles(couplings: &[CouplingDescription], check: &mut Check) {
     let mut group: HashMap<&str, usize> = HashMap::new();
     let mut parent: Vec<usize> = Vec::new();
@@ -137,7 +137,7 @@ fn circles(couplings: &[CouplingDescription], check: &mut Check) {
     }
 }
 
-/// Puts closures and couplings, whose names and numbers are good, onto the tree.
+/// Resolves valid closures and couplings to links and joints of the tree.
 pub(crate) fn attach(
     mechanism: &mut Mechanism,
     closures: &[ClosureDescription],
@@ -177,7 +177,8 @@ pub(crate) fn attach(
     }
 }
 
-/// Σ q over the successor's path − ratio · Σ q over the predecessor's, from their nearest common ancestor.
+/// Terms of Σ q over the successor's path − ratio · Σ q over the predecessor's path, from the nearest common
+/// ancestor.
 fn terms(
     mechanism: &Mechanism,
     predecessor: LinkId,

@@ -1,4 +1,4 @@
-//! A mechanism taken apart again, to be built anew with something changed.
+//! Converts a mechanism back to a builder, to change parts of it.
 
 use crate::{
     Accept, ClosureDescription, CouplingDescription, JointDescription, LinkDescription, LinkId, Mechanism,
@@ -6,7 +6,7 @@ use crate::{
 };
 
 impl Mechanism {
-    /// A builder that holds everything this mechanism was built from; what was accepted stays accepted.
+    /// Builder with all descriptions of this mechanism. Accepted findings stay accepted.
     pub fn to_builder(&self) -> MechanismBuilder {
         let mut builder = self.to_tree_builder(true);
         for closure in &self.closures {
@@ -33,7 +33,7 @@ impl Mechanism {
         builder
     }
 
-    /// A builder of the spanning tree alone, every joint free: without closures and couplings, and without mimics.
+    /// Builder of the spanning tree alone, without closures, couplings and mimics.
     pub fn to_open_tree(&self) -> MechanismBuilder {
         self.to_tree_builder(false)
     }
@@ -66,7 +66,7 @@ impl Mechanism {
         builder
     }
 
-    /// Name of the link a closure is attached to; `world` for none.
+    /// Name of the link at one end of a closure; `world` for `None`.
     fn end_name(&self, link: Option<LinkId>) -> String {
         link.map_or_else(|| "world".into(), |l| self.link(l).name.clone())
     }

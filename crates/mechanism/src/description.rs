@@ -1,17 +1,17 @@
-//! Plain descriptions handed to the builder: names instead of indices, nothing checked yet.
+//! Descriptions for the builder: names instead of indices, not yet validated.
 
 use crate::{ClosureKind, Geometry, Inertial, JointKind, Limits};
 use nalgebra::Vector3;
 use percuss_spatial::Transform;
 
-/// A link to be built.
+/// Description of a link.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LinkDescription {
     /// Unique name.
     pub name: String,
-    /// Its mass and inertia; `None` is a massless link.
+    /// Mass and inertia; `None` is a massless link.
     pub inertial: Option<Inertial>,
-    /// How far its declared shape reaches.
+    /// Extent of the declared shape.
     pub geometry: Geometry,
 }
 
@@ -27,10 +27,10 @@ impl LinkDescription {
     }
 }
 
-/// What a joint follows, by name.
+/// Description of a mimic relation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MimicDescription {
-    /// Name of the joint that is followed.
+    /// Name of the master joint.
     pub joint: String,
     /// Ratio of the rates.
     pub multiplier: f64,
@@ -38,7 +38,7 @@ pub struct MimicDescription {
     pub offset: f64,
 }
 
-/// A joint to be built.
+/// Description of a joint.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JointDescription {
     /// Unique name.
@@ -55,16 +55,16 @@ pub struct JointDescription {
     pub axis: Vector3<f64>,
     /// Position limits.
     pub limits: Option<Limits>,
-    /// Rotor inertia reflected to the joint: nothing, one value for all velocities, or one each.
+    /// Rotor inertia reflected to the joint: empty, one value for all velocities, or one per velocity.
     pub armature: Vec<f64>,
-    /// What it follows.
+    /// Mimic relation.
     pub mimic: Option<MimicDescription>,
-    /// Whether it is advised to drive (`true`) or to follow (`false`) where loops leave a choice.
+    /// Preference where loops leave a choice: `true` for an independent (driving), `false` for a dependent joint.
     pub independent: Option<bool>,
 }
 
 impl JointDescription {
-    /// A joint at the parent's origin about or along the x-axis (URDF's defaults).
+    /// Joint at the parent's origin with the x-axis as axis (defaults of URDF).
     pub fn new(
         name: impl Into<String>,
         kind: JointKind,
@@ -85,13 +85,13 @@ impl JointDescription {
         }
     }
 
-    /// Places the joint frame in the parent.
+    /// Sets the joint frame in the parent.
     pub fn origin(mut self, x_pj: Transform<f64>) -> Self {
         self.origin = x_pj;
         self
     }
 
-    /// Places the joint frame's origin in the parent (m), axes parallel.
+    /// Sets the origin of the joint frame in the parent (m), with parallel axes.
     pub fn at(self, p: [f64; 3]) -> Self {
         self.origin(Transform::from_translation(p.into()))
     }
@@ -108,21 +108,21 @@ impl JointDescription {
         self
     }
 
-    /// Makes it follow another joint.
+    /// Makes the joint mimic another joint.
     pub fn mimic(mut self, joint: impl Into<String>, multiplier: f64, offset: f64) -> Self {
         self.mimic = Some(MimicDescription { joint: joint.into(), multiplier, offset });
         self
     }
 }
 
-/// A joint that closes a loop, to be built.
+/// Description of a joint that closes a loop.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClosureDescription {
     /// Unique name among closures and couplings.
     pub name: String,
-    /// What it imposes.
+    /// Kind of closure.
     pub kind: ClosureKind,
-    /// Name of the predecessor link; `world` is the ground where no link is called so.
+    /// Name of the predecessor link; `world` is the ground, unless a link has this name.
     pub predecessor: String,
     /// X_lf: the loop frame in the predecessor.
     pub predecessor_frame: Transform<f64>,
@@ -130,16 +130,17 @@ pub struct ClosureDescription {
     pub successor: String,
     /// X_lf: the loop frame in the successor.
     pub successor_frame: Transform<f64>,
-    /// Axis, the same components in both loop frames; normalised by the builder.
+    /// Axis, with the same components in both loop frames; normalised by the builder.
     pub axis: Vector3<f64>,
-    /// The successor's pin of a universal closure, in its loop frame.
+    /// Axis of the successor's pin of a universal closure, in the successor's loop frame.
     pub axis2: Vector3<f64>,
-    /// Length of a distance closure, m; none: the distance with all joints at 0.
+    /// Length of a distance closure, m; `None` takes the distance with all joints at 0.
     pub distance: Option<f64>,
 }
 
 impl ClosureDescription {
-    /// Between the origins of two links, axes along x (URDF's default), pins of a universal along x and y.
+    /// Closure between the origins of two links, with the x-axis as axis (default of URDF) and the y-axis as
+    /// second axis.
     pub fn new(
         name: impl Into<String>,
         kind: ClosureKind,
@@ -159,7 +160,7 @@ impl ClosureDescription {
         }
     }
 
-    /// Places the loop frames' origins in their links (m), axes parallel to the links'.
+    /// Sets the origins of the loop frames in their links (m), with axes parallel to those of the links.
     pub fn at(mut self, predecessor: [f64; 3], successor: [f64; 3]) -> Self {
         self.predecessor_frame = Transform::from_translation(predecessor.into());
         self.successor_frame = Transform::from_translation(successor.into());
@@ -185,15 +186,15 @@ impl ClosureDescription {
     }
 }
 
-/// A ratio between rates, to be built.
+/// Description of a ratio between rates.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CouplingDescription {
     /// Unique name among closures and couplings.
     pub name: String,
-    /// Name of the link whose rate is given.
+    /// Name of the link with the independent rate.
     pub predecessor: String,
-    /// Name of the link whose rate follows.
+    /// Name of the link with the dependent rate.
     pub successor: String,
-    /// Successor's rate over predecessor's.
+    /// Rate of the successor divided by the rate of the predecessor.
     pub ratio: f64,
 }

@@ -1,13 +1,13 @@
-//! Whether a body can have this inertia.
+//! Physical validity of inertias.
 
 use crate::limits::{MOMENT_SLACK, STEINER_SLACK};
 use crate::{Inertial, Problem};
 use nalgebra::Matrix3;
 
-/// Judges the inertia about the centre of mass of a body in a mechanism of the given size (m).
+/// Checks the inertia about the centre of mass; `size` (m) is the characteristic length of the mechanism.
 ///
-/// Negative: λ_min < −max(1e-9 λ_max, 1e-12 m size²). Triangle: λ_max > λ_min + λ_mid beyond the same slack.
-/// All numbers must be finite.
+/// Indefinite: λ_min < −max(1e-9 λ_max, 1e-12 m size²). Triangle inequality: λ_max > λ_min + λ_mid beyond the
+/// same tolerance. All numbers must be finite.
 pub(crate) fn check(inertial: &Inertial, size: f64, accept_indefinite: bool) -> Option<Problem> {
     let principal = principal_moments(&inertial.about_com);
     let [a, b, c] = principal;
@@ -21,9 +21,9 @@ pub(crate) fn check(inertial: &Inertial, size: f64, accept_indefinite: bool) -> 
     }
 }
 
-/// Eigenvalues of the symmetric matrix, ascending.
+/// Eigenvalues of the symmetric matrix in ascending order.
 pub(crate) fn principal_moments(inertia: &Matrix3<f64>) -> [f64; 3] {
-    // Scaled to one, so that the smallest inertias do not underflow in the iteration.
+    // Scaled to one, so that the iteration does not underflow for very small inertias.
     let scale = inertia.amax();
     if scale == 0.0 {
         return [0.0; 3];
@@ -47,7 +47,7 @@ mod tests {
         for moments in [[0.0; 3], [0.0, 0.3, 0.3], [0.3, 0.3, 0.6], [1e-12, 1e-12, 1e-12]] {
             assert_eq!(check(&diagonal(moments), 1.0, false), None, "{moments:?}");
         }
-        // A rod in general axes: one eigenvalue is rounding, of either sign.
+        // A rod with general orientation: one eigenvalue is a rounding error of either sign.
         let axis = nalgebra::Vector3::new(0.3, -0.5, 0.81).normalize();
         let rod = Inertial {
             about_com: (Matrix3::identity() - axis * axis.transpose()) * 0.7,

@@ -1,9 +1,9 @@
-//! Mass and inertia as a user declares them: about the centre of mass.
+//! Declared mass and inertia, about the centre of mass.
 
 use nalgebra::{Matrix3, Vector3};
 use percuss_spatial::SpatialInertia;
 
-/// Mass, centre of mass and inertia of a link, as a user declares them.
+/// Declared mass, centre of mass and inertia of a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inertial {
     /// Mass, kg.
@@ -15,17 +15,18 @@ pub struct Inertial {
 }
 
 impl Inertial {
-    /// A point mass (kg) at `com` (m).
+    /// Point mass (kg) at `com` (m).
     pub fn point(mass: f64, com: [f64; 3]) -> Self {
         Self { mass, com: com.into(), about_com: Matrix3::zeros() }
     }
 
-    /// Mass (kg), centre of mass (m) and the moments about it along the link's axes (kg·m²).
+    /// Inertia from the mass (kg), the centre of mass (m) and principal moments about the centre of mass along
+    /// the link's axes (kg·m²).
     pub fn diagonal(mass: f64, com: [f64; 3], moments: [f64; 3]) -> Self {
         Self { mass, com: com.into(), about_com: Matrix3::from_diagonal(&moments.into()) }
     }
 
-    /// About the link's origin.
+    /// Spatial inertia about the link's origin.
     pub fn spatial(&self) -> SpatialInertia<f64> {
         SpatialInertia::about_com(self.mass, self.com, self.about_com)
     }

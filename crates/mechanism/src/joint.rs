@@ -1,4 +1,4 @@
-//! A joint of the tree: the motion a child link has in its parent.
+//! Tree joints: motion of a child link relative to its parent.
 
 use crate::LinkId;
 use crate::name_mark::NameMark;
@@ -23,7 +23,7 @@ impl JointId {
     }
 }
 
-/// The kinds of joint. A closed list: every `match` names them all.
+/// Kinds of joint. The enum is exhaustive, so that each `match` handles every kind.
 ///
 /// | kind       | positions              | velocities                                        |
 /// |------------|------------------------|---------------------------------------------------|
@@ -38,22 +38,22 @@ impl JointId {
 pub enum JointKind {
     /// No motion.
     Fixed,
-    /// Turns about its axis.
+    /// Rotation about the axis.
     Revolute,
-    /// Turns about its axis without limits.
+    /// Rotation about the axis without limits.
     Continuous,
-    /// Slides along its axis.
+    /// Translation along the axis.
     Prismatic,
-    /// Moves in the plane normal to its axis and turns about it.
+    /// Translation in the plane normal to the axis and rotation about the axis.
     Planar,
-    /// Turns in any way about a point.
+    /// Rotation about a point.
     Spherical,
-    /// Moves freely.
+    /// Free motion.
     Floating,
 }
 
 impl JointKind {
-    /// Every kind, for tests that must skip none.
+    /// All kinds, for exhaustive tests.
     pub const ALL: [JointKind; 7] = [
         JointKind::Fixed,
         JointKind::Revolute,
@@ -64,7 +64,7 @@ impl JointKind {
         JointKind::Floating,
     ];
 
-    /// Degrees of freedom: how many velocities it has.
+    /// Degrees of freedom: number of velocities.
     pub fn dofs(self) -> usize {
         match self {
             JointKind::Fixed => 0,
@@ -74,7 +74,7 @@ impl JointKind {
         }
     }
 
-    /// How many numbers its position takes.
+    /// Number of position coordinates.
     pub fn positions(self) -> usize {
         match self {
             JointKind::Fixed => 0,
@@ -85,7 +85,7 @@ impl JointKind {
         }
     }
 
-    /// Whether the motion has an axis that must be given.
+    /// True if the kind needs an axis.
     pub fn has_axis(self) -> bool {
         match self {
             JointKind::Fixed | JointKind::Spherical | JointKind::Floating => false,
@@ -93,7 +93,7 @@ impl JointKind {
         }
     }
 
-    /// Whether all its velocities have one unit, so that one armature value fits them all.
+    /// True if all velocities have the same unit, so that one armature value suits all.
     pub fn is_homogeneous(self) -> bool {
         match self {
             JointKind::Planar | JointKind::Floating => false,
@@ -105,7 +105,7 @@ impl JointKind {
         }
     }
 
-    /// The name URDF gives it.
+    /// Name in URDF.
     pub fn name(self) -> &'static str {
         match self {
             JointKind::Fixed => "fixed",
@@ -118,7 +118,7 @@ impl JointKind {
         }
     }
 
-    /// The layout of its position, as a user types it.
+    /// Layout of the position coordinates in user input.
     pub fn layout(self) -> &'static str {
         match self {
             JointKind::Fixed => "nothing",
@@ -134,16 +134,16 @@ impl JointKind {
 /// Range of a joint's position, rad or m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
-    /// Least position.
+    /// Smallest position.
     pub lower: f64,
-    /// Greatest position.
+    /// Largest position.
     pub upper: f64,
 }
 
-/// A joint that follows another: q = multiplier · q_master + offset.
+/// Mimic relation q = multiplier · q_master + offset.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mimic {
-    /// The joint that is followed; it mimics nothing itself (chains are resolved by the builder).
+    /// Master joint, which is no mimic itself (the builder resolves chains).
     pub master: JointId,
     /// Ratio of the rates.
     pub multiplier: f64,
@@ -151,7 +151,7 @@ pub struct Mimic {
     pub offset: f64,
 }
 
-/// A joint between a parent and a child link.
+/// Joint between a parent and a child link.
 #[derive(Clone, Debug)]
 pub struct Joint {
     pub(crate) name: String,
@@ -168,12 +168,12 @@ pub struct Joint {
 }
 
 impl Joint {
-    /// Its name, unique among the joints.
+    /// Name, unique among the joints.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Its kind.
+    /// Kind.
     pub fn kind(&self) -> JointKind {
         self.kind
     }
@@ -183,37 +183,38 @@ impl Joint {
         self.parent
     }
 
-    /// The child link; its frame is the joint frame, moved.
+    /// Child link; the link frame is the moving joint frame.
     pub fn child(&self) -> LinkId {
         self.child
     }
 
-    /// X_pj: the joint frame (the child's frame at position zero) in the parent.
+    /// X_pj: joint frame (the child's frame at position zero) in the parent.
     pub fn origin(&self) -> &Transform<f64> {
         &self.origin
     }
 
-    /// The unit axis in the joint frame; meaningless where the kind has none.
+    /// Unit axis in the joint frame; no meaning if the kind has no axis.
     pub fn axis(&self) -> &Vector3<f64> {
         &self.axis
     }
 
-    /// Position limits, where declared.
+    /// Declared position limits.
     pub fn limits(&self) -> Option<Limits> {
         self.limits
     }
 
-    /// Rotor inertia reflected to the joint, one value a velocity (kg·m² or kg).
+    /// Rotor inertia reflected to the joint, one value per velocity (kg·m² or kg).
     pub fn armature(&self) -> &[f64] {
         &self.armature
     }
 
-    /// What it follows, if anything.
+    /// Mimic relation, if any.
     pub fn mimic(&self) -> Option<Mimic> {
         self.mimic
     }
 
-    /// Whether it was advised to drive or to follow where loops leave a choice. Never changes m̄.
+    /// Declared preference for an independent or dependent joint where loops leave a choice. The effective mass
+    /// does not depend on the preference.
     pub fn independent(&self) -> Option<bool> {
         self.independent
     }

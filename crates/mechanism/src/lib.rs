@@ -1,8 +1,8 @@
-//! What a mechanism is: links, joints, loop closures, and the rules they obey.
+//! Model of a mechanism: links, joints, loop closures, and their validation.
 //!
-//! A [`Mechanism`] is immutable and shared; it is made by a [`MechanismBuilder`], which does all the validation
-//! and reports what it finds as [`Problem`]s. What is locked, held or floating belongs to an analysis, not to the
-//! mechanism. This crate knows no files and no algorithms.
+//! A [`Mechanism`] is immutable and shared. It is built by a [`MechanismBuilder`], which does all validation
+//! and reports each finding as a [`Problem`]. Locked joints, held contacts and a floating base belong to an
+//! analysis, not to the mechanism. This crate contains no file formats and no algorithms.
 
 mod axis;
 mod builder;

@@ -1,33 +1,33 @@
-//! The thresholds of the builder, each with its unit and its reason.
+//! Thresholds of the builder, each with unit and reason.
 
-/// The largest number of a description, in its own SI unit. Larger ones are not a mechanism, and their products, up to
-/// the third power, would overflow at 1.8e308.
+/// Largest number in a description, in its SI unit. Products of up to three larger numbers could overflow at
+/// 1.8e308, and no mechanism needs larger numbers.
 pub(crate) const LARGEST_NUMBER: f64 = 1e100;
 
-/// The largest |RᵀR − 1| of a rotation matrix given from outside, dimensionless: a matrix written with nine decimals is
-/// within it.
+/// Largest |RᵀR − 1| of a given rotation matrix, dimensionless; a matrix written with nine decimals is within
+/// this limit.
 pub(crate) const ROTATION_DEFECT: f64 = 1e-9;
 
-/// The largest | |axis| − 1 | without a note, dimensionless. Files with four decimals stay below it; beyond, the axis
-/// may be a mistake.
+/// Largest | |axis| − 1 | without a note, dimensionless. Files with four decimals stay below; a larger
+/// deviation may be a mistake.
 pub(crate) const AXIS_NORM_SLACK: f64 = 1e-4;
 
-/// The largest component of an axis that counts as zero, dimensionless: below it the axis is not a direction but an
-/// underflow, and its square would be zero.
+/// Largest component of an axis that counts as zero, dimensionless: the square of a smaller component would
+/// underflow.
 pub(crate) const SHORTEST_AXIS: f64 = 1e-100;
 
-/// The largest | |axis| − 1 | of an axis that is kept to the last bit, dimensionless: the rounding of a norm.
+/// Largest | |axis| − 1 | of an axis that is kept unchanged, dimensionless: the rounding error of a norm.
 pub(crate) const UNIT_ROUNDING: f64 = 4.0 * f64::EPSILON;
 
-/// How many unknown names get suggestions: each is compared with all known names, so that the cost is quadratic.
+/// Number of unknown names that get suggestions. Each is compared with all names, at quadratic cost.
 pub(crate) const MOST_SUGGESTIONS: usize = 20;
 
-/// Slack of principal moments as a part of the largest, dimensionless: real files carry eight or nine digits, and
-/// point masses and rods lie on the boundary.
+/// Tolerance of principal moments relative to the largest, dimensionless: files have eight or nine digits, and
+/// point masses and rods are on the boundary of validity.
 pub(crate) const MOMENT_SLACK: f64 = 1e-9;
 
-/// Slack of principal moments as a part of m·size², dimensionless: a smaller moment is rounding of the parallel-axis
-/// theorem.
+/// Tolerance of principal moments relative to m·size², dimensionless: smaller moments are rounding errors of
+/// the parallel-axis theorem.
 pub(crate) const STEINER_SLACK: f64 = 1e-12;
 
 /// Largest radius of gyration, as a part of the reach of the link and of the largest link, without a warning, dimensionless: a

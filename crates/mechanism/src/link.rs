@@ -1,4 +1,4 @@
-//! A rigid link.
+//! Rigid links.
 
 use crate::Inertial;
 use crate::name_mark::NameMark;
@@ -23,19 +23,19 @@ impl LinkId {
     }
 }
 
-/// How far the declared shape of a link reaches. Used only to warn of a contact point far away, never in the mechanics.
+/// Extent of the declared shape of a link. Used only for warnings about distant contact points.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Geometry {
-    /// No shape was declared.
+    /// No declared shape.
     #[default]
     None,
-    /// All of it lies within this distance of the link's origin, m.
+    /// Distance from the link's origin that contains the whole shape, m.
     Within(f64),
-    /// It has a mesh, whose size is not known.
+    /// Mesh of unknown size.
     Mesh,
 }
 
-/// A rigid link: its name, mass and inertia.
+/// Rigid link with name, mass and inertia.
 #[derive(Clone, Debug)]
 pub struct Link {
     pub(crate) name: String,
@@ -47,33 +47,33 @@ pub struct Link {
 }
 
 impl Link {
-    /// Its name, unique in the mechanism.
+    /// Name, unique in the mechanism.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Its inertia about the origin of the link frame, in the link's axes. Zero for a massless link.
+    /// Spatial inertia about the origin of the link frame, in the link's axes; zero for a massless link.
     pub fn inertia(&self) -> &SpatialInertia<f64> {
         &self.inertia
     }
 
-    /// Its inertia as it was declared, about the centre of mass; none for a link that declares nothing.
+    /// Declared inertia about the centre of mass; `None` if none was declared.
     pub fn inertial(&self) -> Option<&Inertial> {
         self.inertial.as_ref()
     }
 
-    /// Whether an inertia was declared at all (a declared mass of 0 counts).
+    /// True if an inertia was declared (also with mass 0).
     pub fn has_inertial(&self) -> bool {
         self.inertial.is_some()
     }
 
-    /// How far its declared shape reaches.
+    /// Extent of the declared shape.
     pub fn geometry(&self) -> Geometry {
         self.geometry
     }
 
-    /// How far from the origin anything of the link is known to lie, m: centre of mass, radius of gyration,
-    /// joints to its children, declared shape. Zero for a bare frame.
+    /// Largest known distance from the origin, m, of: centre of mass, radius of gyration, joints to children,
+    /// declared shape. Zero for a link without any.
     pub fn extent(&self) -> f64 {
         self.extent
     }

@@ -1,10 +1,10 @@
-//! The immutable mechanism.
+//! Immutable mechanism.
 
 use crate::tree::Tree;
 use crate::{Closure, ClosureId, Coupling, Joint, JointId, Link, LinkId, NameKind, UnknownName, near_names};
 use std::collections::HashMap;
 
-/// Links joined into one tree, and what closes loops across it. Immutable, `Send + Sync`; share it by `Arc`.
+/// Spanning tree of links and joints, with loop closures. Immutable, `Send + Sync`; share it by `Arc`.
 #[derive(Debug)]
 pub struct Mechanism {
     pub(crate) name: String,
@@ -50,27 +50,27 @@ impl Mechanism {
         }
     }
 
-    /// Its name.
+    /// Name.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// All links, in the order given.
+    /// All links, in the given order.
     pub fn links(&self) -> &[Link] {
         &self.links
     }
 
-    /// All joints, in the order given.
+    /// All tree joints, in the given order.
     pub fn joints(&self) -> &[Joint] {
         &self.joints
     }
 
-    /// All joints that close loops, in the order given; those made of a second parent come last.
+    /// All closures, in the given order; closures from joints to second parents come last.
     pub fn closures(&self) -> &[Closure] {
         &self.closures
     }
 
-    /// All couplings, in the order given.
+    /// All couplings, in the given order.
     pub fn couplings(&self) -> &[Coupling] {
         &self.couplings
     }
@@ -118,27 +118,27 @@ impl Mechanism {
         self.joints.iter().enumerate().map(|(index, joint)| JointId { index: index as u32, mark: joint.mark })
     }
 
-    /// The link without a parent.
+    /// Link without parent.
     pub fn root(&self) -> LinkId {
         self.root
     }
 
-    /// Every link, parents before children.
+    /// All links, parents before children.
     pub fn order(&self) -> &[LinkId] {
         &self.order
     }
 
-    /// The joint above a link; none for the root.
+    /// Joint to the parent; `None` for the root.
     pub fn parent_joint(&self, link: LinkId) -> Option<JointId> {
         self.parent_joint[link.index()]
     }
 
-    /// The joints below a link.
+    /// Joints to the children.
     pub fn child_joints(&self, link: LinkId) -> &[JointId] {
         &self.child_joints[link.index()]
     }
 
-    /// The link of this name.
+    /// Finds a link by name.
     ///
     /// # Errors
     /// [`UnknownName`] with similar names.
@@ -150,7 +150,7 @@ impl Mechanism {
         })
     }
 
-    /// The joint of this name.
+    /// Finds a joint by name.
     ///
     /// # Errors
     /// [`UnknownName`] with similar names.
@@ -162,14 +162,14 @@ impl Mechanism {
         })
     }
 
-    /// Mass of all links together, kg.
+    /// Total mass of all links, kg.
     pub fn total_mass(&self) -> f64 {
         self.links.iter().map(|l| l.inertia.mass).sum()
     }
 
-    /// A length (m) that is neither far above nor far below those of the mechanism: the greatest distance from a
-    /// link's origin to its centre of mass, its shape's end or a joint below it, the root aside; else the root's, or
-    /// a radius of gyration, or 1. Scales rank decisions; enters no result.
+    /// Characteristic length of the mechanism, m: the largest distance from a link's origin to its centre of
+    /// mass, the end of its shape, a child joint or a loop frame, without the root; if zero, the extent of the
+    /// root, a radius of gyration, or 1. Scales rank decisions; does not affect results otherwise.
     pub fn characteristic_length(&self) -> f64 {
         self.characteristic_length
     }

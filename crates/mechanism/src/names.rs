@@ -1,8 +1,8 @@
-//! Looking a name up, and what was probably meant.
+//! Look-up errors with suggestions of similar names.
 
 use std::fmt;
 
-/// What the name was to name.
+/// Kind of the named object.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NameKind {
     /// A link.
@@ -11,14 +11,14 @@ pub enum NameKind {
     Joint,
 }
 
-/// An unknown name, with similar ones.
+/// Error: unknown name, with similar names.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownName {
-    /// Link or joint.
+    /// Kind of the object.
     pub kind: NameKind,
-    /// The name that was asked for.
+    /// Requested name.
     pub name: String,
-    /// The nearest names, best first; at most three.
+    /// Up to three similar names, most similar first.
     pub near: Vec<String>,
 }
 
@@ -35,7 +35,7 @@ impl fmt::Display for UnknownName {
 
 impl std::error::Error for UnknownName {}
 
-/// `; did you mean "a", "b" or "c"?`, or nothing.
+/// Writes `; did you mean "a", "b" or "c"?`, or nothing.
 pub(crate) fn write_near(f: &mut fmt::Formatter<'_>, near: &[String]) -> fmt::Result {
     for (i, name) in near.iter().enumerate() {
         let lead = match i {
@@ -48,11 +48,11 @@ pub(crate) fn write_near(f: &mut fmt::Formatter<'_>, near: &[String]) -> fmt::Re
     if near.is_empty() { Ok(()) } else { f.write_str("?") }
 }
 
-/// The candidates nearest to `name`, best first, at most three; empty where none is near.
+/// Returns up to three candidates similar to `name`, most similar first.
 ///
-/// Near: the same but for case, or containing it, or a Jaro–Winkler similarity of at least 0.8.
+/// Similar: equal except for case, or containing `name`, or a Jaro–Winkler similarity of at least 0.8.
 pub fn near_names<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Vec<String> {
-    // A name longer than this is no slip of the pen, and the comparison is quadratic.
+    // Longer names are no typing errors, and the comparison is quadratic.
     const LONGEST: usize = 200;
     let wanted = name.to_lowercase();
     if wanted.is_empty() || wanted.len() > LONGEST {

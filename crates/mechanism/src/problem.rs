@@ -1,16 +1,16 @@
-//! What validation can find, from errors to notes.
+//! Findings of the validation: errors, warnings and notes.
 
 use crate::names::write_near;
 use std::fmt;
 
-/// How grave a finding is.
+/// Severity of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
-    /// Worth knowing; nothing is wrong.
+    /// Information; nothing is wrong.
     Note,
-    /// Probably not what was meant; the answer uses what the message states.
+    /// Probable mistake; the message states the assumption used.
     Warning,
-    /// No mechanism comes of it.
+    /// No mechanism can be built.
     Error,
 }
 
@@ -25,33 +25,33 @@ impl Severity {
     }
 }
 
-/// What a finding is about.
+/// Subject of a finding.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Subject {
-    /// The whole.
+    /// Whole mechanism.
     Mechanism,
-    /// The link given as number `index` (its name may be a duplicate).
+    /// Link with the given index (its name may be a duplicate).
     Link {
         /// Position in the order given.
         index: usize,
         /// Its name.
         name: String,
     },
-    /// The joint given as number `index`.
+    /// Joint with the given index.
     Joint {
         /// Position in the order given.
         index: usize,
         /// Its name.
         name: String,
     },
-    /// The closure given as number `index`.
+    /// Closure with the given index.
     Closure {
         /// Position in the order given.
         index: usize,
         /// Its name.
         name: String,
     },
-    /// The coupling given as number `index`.
+    /// Coupling with the given index.
     Coupling {
         /// Position in the order given.
         index: usize,
@@ -76,34 +76,34 @@ impl fmt::Display for Subject {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Problem {
-    /// There is no link.
+    /// Mechanism without links.
     NoLinks,
-    /// A link or joint without a name.
+    /// Link or joint without a name.
     EmptyName,
-    /// The name was given before.
+    /// Name used twice.
     DuplicateName {
-        /// Position, in the order given, of the first with this name.
+        /// Index of the first element with this name.
         first: usize,
     },
-    /// A joint names a link that does not exist.
+    /// Joint or closure with a link that does not exist.
     UnknownLink {
         /// `parent`, `child`, `predecessor` or `successor`.
         role: &'static str,
-        /// The name.
+        /// Name of the link.
         link: String,
         /// Similar names.
         near: Vec<String>,
     },
-    /// A joint joins a link to itself.
+    /// Joint from a link to itself.
     JoinsItself {
         /// The link.
         link: String,
     },
-    /// A link is the child of two joints: the first is the tree's, this one closes a loop.
+    /// Second joint to the same child link: the first joint belongs to the tree, this one closes a loop.
     SecondParent {
         /// The link.
         link: String,
-        /// The joint that came first.
+        /// Name of the first joint.
         first: String,
     },
     /// A radius of gyration beyond the size of the link.
@@ -131,136 +131,136 @@ pub enum Problem {
         /// Density of the sphere of that, kg/m³.
         density: f64,
     },
-    /// A second parent through a joint that cannot close a loop, or that has what a closure cannot have.
+    /// Second joint to the same child link that cannot be a closure, by its kind or its properties.
     NoClosure {
         /// The link.
         link: String,
-        /// The joint that came first.
+        /// Name of the first joint.
         first: String,
         /// The reason.
         why: &'static str,
     },
-    /// A closure or coupling between a link and itself.
+    /// Closure or coupling from a link to itself.
     ClosesOnItself {
         /// The link.
         link: String,
     },
-    /// A distance closure of length 0 or less.
+    /// Distance closure with a length of 0 or less.
     BadDistance {
-        /// Its value, m.
+        /// Length, m.
         distance: f64,
     },
-    /// A joint on a coupling's path has more than one degree of freedom.
+    /// Joint with more than one degree of freedom on the path of a coupling.
     CouplingKind {
-        /// The joint.
+        /// Name of the joint.
         joint: String,
-        /// Its kind.
+        /// Kind of the joint.
         kind: &'static str,
     },
-    /// No joint between the links of a coupling can move.
+    /// Coupling of links without a movable joint between them.
     CouplingOfNothing,
-    /// Couplings that close a circle.
+    /// Couplings that form a cycle.
     CouplingCycle {
-        /// The links at the ends of the coupling that closes it.
+        /// Links at the ends of the coupling that closes the cycle.
         links: [String; 2],
     },
-    /// Several links have no parent.
+    /// More than one link without a parent.
     SeveralRoots {
-        /// Their names.
+        /// Names of these links.
         roots: Vec<String>,
     },
     /// Links that are their own ancestors.
     Cycle {
-        /// Their names, each the parent of the next.
+        /// Names of the links, each the parent of the next.
         links: Vec<String>,
     },
-    /// A number is NaN or infinite.
+    /// NaN or infinite number.
     NotFinite {
-        /// Which number.
+        /// Name of the quantity.
         quantity: &'static str,
         /// Its value.
         value: f64,
     },
-    /// A number is too large to be a length, mass or inertia in SI units, or its products would overflow.
+    /// Number too large for a length, mass or inertia in SI units.
     TooLarge {
-        /// Which number.
+        /// Name of the quantity.
         quantity: &'static str,
         /// Its value.
         value: f64,
     },
-    /// Mass below zero.
+    /// Negative mass.
     NegativeMass {
-        /// Its value, kg.
+        /// Mass, kg.
         mass: f64,
     },
-    /// The joint needs an axis and got a zero one.
+    /// Zero axis of a joint that needs one.
     ZeroAxis,
-    /// The axis was normalised.
+    /// Axis that was normalised.
     AxisNotUnit {
-        /// Its length.
+        /// Given length.
         length: f64,
     },
-    /// A rotation matrix is not orthonormal.
+    /// Rotation matrix that is not orthonormal.
     NotARotation {
         /// Largest entry of |RᵀR − 1|.
         defect: f64,
     },
-    /// The inertia has a negative principal moment.
+    /// Inertia with a negative principal moment.
     IndefiniteInertia {
         /// Principal moments about the centre of mass, ascending, kg·m².
         principal: [f64; 3],
-        /// Taken all the same, by the user's word.
+        /// True if the user accepted the inertia.
         accepted: bool,
     },
-    /// A principal moment exceeds the sum of the others: no body is like that.
+    /// Principal moment larger than the sum of the others, which is impossible for a rigid body.
     TriangleInequality {
         /// Principal moments about the centre of mass, ascending, kg·m².
         principal: [f64; 3],
     },
-    /// No inertia was declared.
+    /// Link without declared inertia.
     Massless,
-    /// Armature below zero.
+    /// Negative armature.
     NegativeArmature {
         /// Its value.
         value: f64,
     },
-    /// The number of armature values fits neither one nor the joint's velocities.
+    /// Number of armature values other than one or the number of velocities.
     ArmatureCount {
-        /// How many were given.
+        /// Number of given values.
         got: usize,
-        /// How many velocities the joint has.
+        /// Number of velocities of the joint.
         dofs: usize,
     },
-    /// Lower limit above the upper one; the limits are ignored.
+    /// Lower limit above the upper limit; both limits are ignored.
     LimitsReversed {
         /// Lower limit.
         lower: f64,
         /// Upper limit.
         upper: f64,
     },
-    /// The joint mimics one that does not exist; it moves freely.
+    /// Mimic of a joint that does not exist; the joint moves freely.
     DanglingMimic {
-        /// The name it gives.
+        /// Given name of the master.
         master: String,
         /// Similar names.
         near: Vec<String>,
     },
-    /// Only joints with one degree of freedom can mimic or be mimicked.
+    /// Mimic relation with a joint that has not one degree of freedom.
     MimicKind {
-        /// The joint of the wrong kind.
+        /// Name of this joint.
         joint: String,
-        /// Its kind.
+        /// Kind of this joint.
         kind: &'static str,
     },
-    /// Joints that mimic one another in a circle.
+    /// Joints that mimic each other in a cycle.
     MimicCycle {
-        /// Their names.
+        /// Names of the joints.
         joints: Vec<String>,
     },
 }
 
 impl Problem {
-    /// How grave it is.
+    /// Severity of the finding.
     pub fn severity(&self) -> Severity {
         match self {
             Problem::NoLinks
@@ -298,7 +298,7 @@ impl Problem {
         }
     }
 
-    /// A short name that scripts can rely on.
+    /// Stable code for scripts.
     pub fn code(&self) -> &'static str {
         match self {
             Problem::NoLinks => "no-links",
@@ -462,7 +462,7 @@ impl fmt::Display for Problem {
     }
 }
 
-/// `"a", "b", "c"`, cut short after eight.
+/// Writes `"a", "b", "c"`, at most eight names.
 fn write_list(f: &mut fmt::Formatter<'_>, names: &[String]) -> fmt::Result {
     const SHOWN: usize = 8;
     for (i, name) in names.iter().take(SHOWN).enumerate() {

@@ -1,19 +1,19 @@
-//! Is it one tree? Which order visits parents before children?
+//! Validates the tree structure and orders the links, parents before children.
 
 use crate::{JointId, LinkId, Problem};
 
-/// The tree as lists, all indexed by link.
+/// Tree in lists, indexed by link.
 pub(crate) struct Tree {
     pub root: LinkId,
-    /// Joint above each link; none for the root.
+    /// Joint to the parent of each link; `None` for the root.
     pub parent_joint: Vec<Option<JointId>>,
-    /// Joints below each link, in the order given.
+    /// Joints to the children of each link, in the given order.
     pub child_joints: Vec<Vec<JointId>>,
-    /// Every link, parents first.
+    /// All links, parents first.
     pub order: Vec<LinkId>,
 }
 
-/// Builds the tree of the links with these names from the (parent, child) pairs of the joints, no link having two parents.
+/// Builds the tree of `links` from the (parent, child) pairs of the joints; no link has two parents.
 pub(crate) fn build(
     links: &[String],
     joint_names: &[&str],
@@ -34,7 +34,7 @@ pub(crate) fn build(
             return Err(Problem::SeveralRoots { roots: roots.iter().map(|&i| links[i].clone()).collect() });
         }
     };
-    // Depth first with a stack of our own: a chain may be long.
+    // Depth-first search with an explicit stack: a long chain would overflow the call stack.
     let mut order = Vec::with_capacity(links.len());
     let mut stack = vec![root];
     while let Some(link) = stack.pop() {
@@ -50,7 +50,7 @@ pub(crate) fn build(
     Ok(Tree { root, parent_joint, child_joints, order })
 }
 
-/// Walks up from `start`, which has no root above it, until a link comes twice.
+/// Follows the parents from `start`, which has no root among its ancestors, until a link repeats.
 fn cycle(
     links: &[String],
     joints: &[(LinkId, LinkId)],

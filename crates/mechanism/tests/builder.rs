@@ -1,4 +1,4 @@
-//! The builder's verdicts, one defect each.
+//! Findings of the builder, one defect each.
 
 use percuss_mechanism::{
     Accept, ClosureDescription, ClosureKind, CouplingDescription, Inertial, JointDescription, JointKind,
@@ -136,15 +136,15 @@ fn a_circle_of_mimics_is_told_once_and_long_chains_are_quick() {
             b.link(arm(i)).joint(joint)
         })
     };
-    // j1 follows j3: a circle of three that seven others lead into.
+    // j1 follows j3: a cycle of three joints, and a chain of seven that leads into the cycle.
     assert_eq!(errors(chain(10, 3)), ["mimic-cycle"]);
-    // A hundred thousand in a row: linear, or this test takes hours.
+    // A chain of 100,000 mimics: the test takes hours unless the cost is linear.
     let built = chain(100_000, 0).build().unwrap().mechanism;
     let last = built.joint(built.find_joint("j100000").unwrap()).mimic().unwrap();
     assert_eq!((built.joint(last.master).name(), last.offset), ("j1", 0.5 * 99_999.0));
 }
 
-/// Ground, two arms, and the joints that close them.
+/// Ground and two arms on revolute joints.
 fn arms() -> MechanismBuilder {
     let arm = |name: &str| LinkDescription::new(name, Inertial::point(1.0, [0.1, 0.0, 0.0]));
     let joint = |name: &str, child: &str| JointDescription::new(name, JointKind::Revolute, "ground", child);

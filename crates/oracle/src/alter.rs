@@ -1,4 +1,4 @@
-//! The same mechanism changed: taken apart, in other units, on another ground.
+//! Modified copies of a mechanism: as descriptions, in other units, on another ground, or rounded.
 
 use percuss_mechanism::{
     Accept, ClosureDescription, CouplingDescription, Geometry, Joint, JointDescription, JointId, JointKind,
@@ -6,7 +6,7 @@ use percuss_mechanism::{
 };
 use percuss_spatial::{Transform, Vector3, rotation_from_rpy, rpy_from_rotation};
 
-/// The descriptions a mechanism could have been built from, in its order of links and joints.
+/// Descriptions of the links and joints of a mechanism, in the same order.
 pub fn describe(mechanism: &Mechanism) -> (Vec<LinkDescription>, Vec<JointDescription>) {
     let links = mechanism.links().iter().map(describe_link).collect();
     let joints = mechanism.joints().iter().map(|joint| describe_joint(mechanism, joint)).collect();
@@ -40,7 +40,7 @@ fn describe_joint(mechanism: &Mechanism, joint: &Joint) -> JointDescription {
     }
 }
 
-/// The closures and couplings a mechanism could have been built with, in its order.
+/// Descriptions of the closures and couplings of a mechanism, in the same order.
 pub fn describe_loops(mechanism: &Mechanism) -> (Vec<ClosureDescription>, Vec<CouplingDescription>) {
     let name = |frame: &LoopFrame| frame.link.map_or("world", |link| mechanism.link(link).name()).to_owned();
     let closures = mechanism.closures().iter().map(|closure| ClosureDescription {
@@ -63,18 +63,18 @@ pub fn describe_loops(mechanism: &Mechanism) -> (Vec<ClosureDescription>, Vec<Co
     (closures.collect(), couplings.collect())
 }
 
-/// Builds a mechanism without loops, its inertias taken as they are.
+/// Builds a mechanism without loops; inertias are accepted without check.
 ///
 /// # Panics
-/// Where the descriptions make no mechanism, with the builder's words.
+/// If the builder refuses the descriptions.
 pub fn build(name: &str, links: Vec<LinkDescription>, joints: Vec<JointDescription>) -> Mechanism {
     build_with_loops(name, links, joints, Vec::new(), Vec::new())
 }
 
-/// Builds a mechanism, its inertias taken as they are.
+/// Builds a mechanism; inertias are accepted without check.
 ///
 /// # Panics
-/// Where the descriptions make no mechanism, with the builder's words.
+/// If the builder refuses the descriptions.
 pub fn build_with_loops(
     name: &str,
     links: Vec<LinkDescription>,
@@ -93,13 +93,15 @@ pub fn build_with_loops(
     }
 }
 
-/// The mechanism in other units: lengths times `length`, masses times `mass`; m̄ becomes `mass` times as large.
+/// Converts the mechanism to other units: lengths times `length`, masses times `mass`. The effective mass is
+/// then multiplied by `mass`.
 ///
-/// Inertias and armatures of turning velocities take length²·mass, those of sliding ones mass; a mimic or a coupling
-/// between a sliding and a turning joint has a ratio in 1/m or m, which changes too.
+/// Inertias and armatures of rotational velocities scale with length²·mass, those of translational velocities
+/// with mass. The ratio of a mimic or coupling between a translational and a rotational joint has the unit 1/m
+/// or m and scales too.
 ///
 /// # Panics
-/// Where one side of a coupling is a sum of sliding and turning joints: no ratio scales it.
+/// If one side of a coupling is a sum of translational and rotational joints: no ratio scales such a sum.
 pub fn scaled(mechanism: &Mechanism, length: f64, mass: f64) -> Mechanism {
     let (mut links, mut joints) = describe(mechanism);
     for link in &mut links {
@@ -157,18 +159,18 @@ pub fn scaled(mechanism: &Mechanism, length: f64, mass: f64) -> Mechanism {
     build_with_loops(mechanism.name(), links, joints, closures, couplings)
 }
 
-/// What one unit of a joint's position becomes where lengths are multiplied.
+/// Scale factor of the joint position for a scale factor of length.
 fn unit(kind: JointKind, length: f64) -> f64 {
     if kind == JointKind::Prismatic { length } else { 1.0 }
 }
 
-/// Whether a link is a descendant of a joint.
+/// True if the link is a descendant of the joint.
 fn is_below(mechanism: &Mechanism, link: LinkId, joint: JointId) -> bool {
     let above = |link: &LinkId| mechanism.parent_joint(*link).map(|id| mechanism.joint(id).parent());
     std::iter::successors(Some(link), above).any(|link| mechanism.parent_joint(link) == Some(joint))
 }
 
-/// Positions of a mechanism that was [`scaled`] by `length`.
+/// Positions of a mechanism [`scaled`] by `length`.
 pub fn scaled_positions(mechanism: &Mechanism, positions: &[Vec<f64>], length: f64) -> Vec<Vec<f64>> {
     let lengths = |kind: JointKind| match kind {
         JointKind::Fixed | JointKind::Revolute | JointKind::Continuous | JointKind::Spherical => 0,
@@ -183,10 +185,10 @@ pub fn scaled_positions(mechanism: &Mechanism, positions: &[Vec<f64>], length: f
     scaled
 }
 
-/// The mechanism under a new, massless ground link, held to it by a fixed joint with the origin `x_gr`.
+/// Adds a new massless ground link; a fixed joint with the origin `x_gr` connects the old root to the ground.
 ///
-/// The ground and its joint come last, so that ids of links and joints stay what they were; with a floating base
-/// the new ground moves with it.
+/// The ground and the fixed joint come last, so that the ids of links and joints do not change. With a floating
+/// base the new ground is the base.
 pub fn rebased(mechanism: &Mechanism, x_gr: Transform<f64>) -> Mechanism {
     let (mut links, mut joints) = describe(mechanism);
     let unused = |taken: &dyn Fn(&str) -> bool| {
@@ -201,7 +203,7 @@ pub fn rebased(mechanism: &Mechanism, x_gr: Transform<f64>) -> Mechanism {
     let root = mechanism.link(mechanism.root()).name();
     joints.push(JointDescription::new(hold, JointKind::Fixed, ground.as_str(), root).origin(x_gr));
     links.push(LinkDescription::massless(ground));
-    // The old root is no longer where the world is.
+    // The world is now the new ground, so closures to the world need a new frame.
     let (mut closures, couplings) = describe_loops(mechanism);
     for (closure, own) in closures.iter_mut().zip(mechanism.closures()) {
         if own.predecessor().link.is_none() {
@@ -214,11 +216,11 @@ pub fn rebased(mechanism: &Mechanism, x_gr: Transform<f64>) -> Mechanism {
     build_with_loops(mechanism.name(), links, joints, closures, couplings)
 }
 
-/// The mechanism as a file with so many decimals gives it: every component of every origin, every roll, pitch and yaw
-/// and every axis printed with that many decimals and read back. Masses, centres of mass and inertias stay.
+/// Rounds origins (translation, and roll, pitch and yaw) and axes to the given number of decimals, as a file
+/// would. Masses, centres of mass and inertias stay exact.
 ///
 /// # Panics
-/// Where an axis is rounded away.
+/// If an axis is rounded to zero.
 pub fn written(mechanism: &Mechanism, decimals: usize) -> Mechanism {
     let (links, mut joints) = describe(mechanism);
     for joint in &mut joints {
@@ -248,10 +250,10 @@ fn written_number(x: f64, decimals: usize) -> f64 {
     format!("{x:.decimals$}").parse().expect("a number that was printed")
 }
 
-/// Mechanisms beside one another on the same ground, in this order: links, joints and closures of each with its prefix.
+/// Places mechanisms on a common ground, in the given order; names get the given prefixes.
 ///
 /// # Panics
-/// Where a root has mass: it would be the ground's.
+/// If a root has mass, which would be lost in the ground.
 pub fn beside(parts: &[(&str, &Mechanism)]) -> Mechanism {
     const GROUND: &str = "ground";
     let mut links = vec![LinkDescription::massless(GROUND)];
@@ -292,8 +294,8 @@ pub fn beside(parts: &[(&str, &Mechanism)]) -> Mechanism {
     build_with_loops("beside", links, joints, closures, couplings)
 }
 
-/// The mechanism with the successor's frame of a closure moved: by `shift` (m) and a turn about `turn` (rad), both in
-/// that frame. Where the closure is redundant, its rows then contradict one another.
+/// Displaces the successor's loop frame of a closure by `shift` (m) and rotates the frame by the rotation
+/// vector `turn` (rad), both in the loop frame. The rows of a redundant closure then contradict each other.
 pub fn displaced(
     mechanism: &Mechanism,
     closure: usize,
@@ -321,7 +323,7 @@ mod tests {
             let again = build(name, links.clone(), joints.clone());
             let (links_again, joints_again) = describe(&again);
             for (a, b) in joints.iter().zip(joints_again) {
-                // A unit axis is normalised again: two roundings.
+                // The builder normalises a unit axis again: two roundings.
                 assert!((a.axis - b.axis).amax() <= 2.0 * f64::EPSILON, "{name}");
                 assert_eq!(*a, JointDescription { axis: a.axis, ..b }, "{name}");
             }
@@ -329,7 +331,7 @@ mod tests {
                 assert_eq!((&a.name, a.inertial.is_some()), (&b.name, b.inertial.is_some()), "{name}");
                 let (a, b) = (a.inertial.unwrap_or(Inertial::point(0.0, [0.0; 3])), b.inertial);
                 let b = b.unwrap_or(Inertial::point(0.0, [0.0; 3]));
-                // The parallel-axis theorem there and back, of bodies within a few metres.
+                // Parallel-axis theorem forwards and backwards, for bodies within a few metres.
                 assert!((a.about_com - b.about_com).amax() <= 1e-14 * (1.0 + a.mass), "{name}");
             }
         }

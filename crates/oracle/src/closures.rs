@@ -1,12 +1,12 @@
-//! Closures between general frames, made to fit a position of the tree.
+//! Closures with general frames, chosen to be closed at a given position of the tree.
 
 use crate::maximal::poses;
 use nalgebra::Matrix4;
 use percuss_mechanism::{ClosureDescription, ClosureKind, Mechanism};
 use percuss_spatial::{Matrix3, Transform, Vector3, rotation_about, rotation_from_rpy};
 
-/// A motion the kind allows, from its axis and some numbers: X_ps, the successor's loop frame in the predecessor's. For
-/// a universal closure the successor's pin too.
+/// Admissible relative pose X_ps of the loop frames for a closure kind, from its axis and parameters; for a
+/// universal closure also the axis of the successor's pin.
 pub(crate) fn fitting(
     kind: ClosureKind,
     axis: &Vector3<f64>,
@@ -26,13 +26,13 @@ pub(crate) fn fitting(
         ClosureKind::Planar => (about, p - axis * axis.dot(&p)),
         ClosureKind::Distance => (any, p),
     };
-    // A pin at right angles to the axis, neither along the other nor along a coordinate.
+    // Pin normal to the axis, in a general direction.
     let pin = any.tr_mul(&axis.cross(&Vector3::new(0.3, -0.5, 0.8))).normalize();
     (Transform::new(rotation, translation), pin)
 }
 
-/// Completes a closure whose predecessor and axis are given: places the successor's loop frame so that it is closed at
-/// these positions of the tree, the frames apart by X_ps.
+/// Completes a closure with given predecessor and axis: sets the successor's loop frame such that the relative
+/// pose at these tree positions is X_ps.
 pub(crate) fn closing(
     tree: &Mechanism,
     positions: &[Vec<f64>],

@@ -1,14 +1,14 @@
-//! What percuss is tested against: closed forms, mechanisms to try, and an independent route to m̄.
+//! Reference results for the tests of percuss: closed forms, test mechanisms, and an independent route to m̄.
 //!
-//! - [`maximal`]: route C, the effective mass in maximal coordinates (six velocities a link, every joint a set of
-//!   constraint rows), on poses of its own built from 4×4 matrices.
-//! - [`closed_form`]: effective masses that can be written down.
-//! - [`linkage`]: mechanisms with closed loops, each with the joints that drive it and a position to start from.
-//! - [`zoo`]: one mechanism for every property to test; [`random`]: any number of others, from a seed.
-//! - [`alter`]: the same mechanism in other units, on another ground, or taken apart to be changed.
+//! - [`maximal`]: route C, the effective mass in maximal coordinates (six velocities per link, constraint rows
+//!   for every joint), with poses from products of 4×4 matrices.
+//! - [`closed_form`]: effective masses in closed form.
+//! - [`linkage`]: mechanisms with closed loops, each with its driving joints and a start position.
+//! - [`zoo`]: one mechanism per tested property; [`random`]: random mechanisms from a seed.
+//! - [`alter`]: mechanisms in other units, on another ground, or as descriptions.
 //!
-//! Knows `percuss-mechanism` and `percuss-spatial`, never `percuss-dynamics`: an oracle that shares code with what
-//! it tests proves nothing. For tests only, so it panics on a question that makes no sense.
+//! This crate depends on `percuss-mechanism` and `percuss-spatial`, never on `percuss-dynamics`: a reference
+//! with shared code proves nothing. It is only for tests and panics on invalid questions.
 
 pub mod alter;
 pub mod closed_form;

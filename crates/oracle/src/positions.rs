@@ -1,8 +1,8 @@
-//! Positions of all joints that follow from others: the zero position, mimics.
+//! Dependent positions: the zero position, and mimics.
 
 use percuss_mechanism::{JointKind, Mechanism};
 
-/// The zero position: quaternions 1,0,0,0; mimics at their offsets.
+/// Zero position: quaternions 1,0,0,0; mimics at their offsets.
 pub fn zero_positions(mechanism: &Mechanism) -> Vec<Vec<f64>> {
     let mut all: Vec<Vec<f64>> = Vec::with_capacity(mechanism.joints().len());
     for joint in mechanism.joints() {
@@ -20,7 +20,7 @@ pub fn zero_positions(mechanism: &Mechanism) -> Vec<Vec<f64>> {
     all
 }
 
-/// Sets the position of every mimic from its master's.
+/// Sets the position of every mimic from its master.
 pub fn follow(mechanism: &Mechanism, positions: &mut [Vec<f64>]) {
     for (i, joint) in mechanism.joints().iter().enumerate() {
         if let Some(mimic) = joint.mimic() {

@@ -1,4 +1,4 @@
-//! Random mechanisms, positions and contacts. The caller brings the seed (`StdRng::seed_from_u64`).
+//! Random mechanisms, positions and contacts. The caller provides the generator (`StdRng::seed_from_u64`).
 
 use crate::alter::{build, build_with_loops, describe};
 use crate::closures::{closing, fitting};
@@ -12,15 +12,16 @@ use percuss_spatial::{Matrix3, Transform};
 use rand::Rng;
 use std::f64::consts::{PI, TAU};
 
-/// A contact: the struck link, the other side (`None` the ground), the point in the struck link's frame (m), and
-/// the unit normal in the root link's axes.
+/// Contact: contact link, link on the other side (`None` for the ground), point in the contact link's frame
+/// (m), and unit normal in the root link's axes.
 pub type Contact = (LinkId, Option<LinkId>, Vector3<f64>, Vector3<f64>);
 
-/// A random tree of `bodies` links below a root that has mass too.
+/// Random tree of `bodies` links below a root with mass.
 ///
-/// Half of them are chain-like, half bushy. All joint kinds come (hinges most often, in a chain of some length all
-/// of them), with general frames and axes; masses span three decades and every link can be a real body (positive
-/// inertia, triangle inequality kept). About a third of the joints have armature; some mimic an earlier one.
+/// Half of the trees are chain-like, half bushy. All joint kinds occur (most often revolute; a chain of some
+/// length has all of them), with general frames and axes. Masses span three decades, and every inertia is
+/// physically possible (positive, triangle inequality). About a third of the joints have armature; some mimic
+/// an earlier one.
 pub fn mechanism<R: Rng + ?Sized>(rng: &mut R, bodies: usize) -> Mechanism {
     let bushy = rng.random_bool(0.5);
     let mut links = vec![body(rng, 0)];
@@ -55,9 +56,9 @@ pub fn mechanism<R: Rng + ?Sized>(rng: &mut R, bodies: usize) -> Mechanism {
     build("random", links, joints)
 }
 
-/// A random tree of `bodies` links with up to `closures` random closures of all kinds, and a position in which they are
-/// closed. Links are taken anywhere, the world among them; frames are general. There are fewer rows than degrees of
-/// freedom in the tree, but some loops may still be rigid, or rows redundant.
+/// Random tree of `bodies` links with up to `closures` random closures of all kinds, and a closed position.
+/// Closures connect any links or the world, with general frames. They have fewer rows than the tree has degrees
+/// of freedom, but some loops may be rigid, or some rows redundant.
 pub fn linkage<R: Rng + ?Sized>(rng: &mut R, bodies: usize, closures: usize) -> (Mechanism, Vec<Vec<f64>>) {
     let tree = mechanism(rng, bodies);
     let positions = positions(rng, &tree);
@@ -108,10 +109,10 @@ pub fn positions<R: Rng + ?Sized>(rng: &mut R, mechanism: &Mechanism) -> Vec<Vec
     all
 }
 
-/// A random contact that a motion can close in general: the struck link is not rigidly held by the other side.
-/// Half of them are against the ground, half against another link.
+/// Random contact that a motion can close in general: no chain of fixed joints connects the two sides. Half of
+/// the contacts are against the ground, half against another link.
 ///
-/// In a mechanism where all is rigid, any link against the ground.
+/// In a rigid mechanism: any link against the ground.
 pub fn contact<R: Rng + ?Sized>(rng: &mut R, mechanism: &Mechanism) -> Contact {
     let group = rigid_groups(mechanism);
     let movable =
@@ -125,7 +126,7 @@ pub fn contact<R: Rng + ?Sized>(rng: &mut R, mechanism: &Mechanism) -> Contact {
     (on, against, vector(rng, 0.5), direction(rng))
 }
 
-/// For every link, the index of the link at the top of its chain of fixed joints.
+/// Index of the first link in the chain of fixed joints above each link.
 fn rigid_groups(mechanism: &Mechanism) -> Vec<usize> {
     let mut group: Vec<usize> = (0..mechanism.links().len()).collect();
     for &link in mechanism.order() {
@@ -149,8 +150,8 @@ fn kind<R: Rng + ?Sized>(rng: &mut R) -> JointKind {
     }
 }
 
-/// A body of 0.03 to 30 kg whose principal moments come from radii of gyration about three axes, so that no moment
-/// exceeds the sum of the others.
+/// Body of 0.03 to 30 kg with principal moments from radii of gyration about three axes, which satisfy the
+/// triangle inequality.
 pub(crate) fn body<R: Rng + ?Sized>(rng: &mut R, index: usize) -> LinkDescription {
     let mass = decades(rng, -1.5, 1.5);
     let [a, b, c] = [0; 3].map(|_| mass * rng.random_range(0.03f64..0.3).powi(2));
@@ -161,7 +162,7 @@ pub(crate) fn body<R: Rng + ?Sized>(rng: &mut R, index: usize) -> LinkDescriptio
     LinkDescription::new(format!("link_{index}"), Inertial { mass, com: vector(rng, 0.3), about_com })
 }
 
-/// 10 to the power of a uniform number.
+/// 10 to the power of a uniform random number.
 pub(crate) fn decades<R: Rng + ?Sized>(rng: &mut R, from: f64, to: f64) -> f64 {
     10f64.powf(rng.random_range(from..to))
 }
@@ -171,12 +172,12 @@ pub(crate) fn frame<R: Rng + ?Sized>(rng: &mut R, reach: f64) -> Transform<f64> 
     Transform::new(turn, vector(rng, reach))
 }
 
-/// Uniform in a cube.
+/// Uniformly distributed in a cube.
 pub(crate) fn vector<R: Rng + ?Sized>(rng: &mut R, reach: f64) -> Vector3<f64> {
     Vector3::from_fn(|_, _| rng.random_range(-reach..reach))
 }
 
-/// Uniform on the sphere (Archimedes).
+/// Uniformly distributed on the sphere (Archimedes).
 pub(crate) fn direction<R: Rng + ?Sized>(rng: &mut R) -> Vector3<f64> {
     let z: f64 = rng.random_range(-1.0..1.0);
     let (sin, cos) = rng.random_range(0.0..TAU).sin_cos();
@@ -184,7 +185,7 @@ pub(crate) fn direction<R: Rng + ?Sized>(rng: &mut R) -> Vector3<f64> {
     Vector3::new(radius * cos, radius * sin, z).normalize()
 }
 
-/// A unit quaternion w,x,y,z.
+/// Random unit quaternion w,x,y,z.
 fn quaternion<R: Rng + ?Sized>(rng: &mut R) -> [f64; 4] {
     let axis = direction(rng);
     let (sin, cos) = (rng.random_range(-PI..PI) / 2.0).sin_cos();

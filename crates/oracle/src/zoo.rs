@@ -1,4 +1,4 @@
-//! One mechanism for every property to test.
+//! One mechanism per tested property.
 
 use crate::alter::build;
 use crate::closed_form::PlanarLink;
@@ -7,7 +7,7 @@ use percuss_mechanism::{Inertial, JointDescription, JointKind, LinkDescription, 
 
 use JointKind::{Continuous, Fixed, Floating, Planar, Prismatic, Revolute, Spherical};
 
-/// Every mechanism of the zoo without a loop, by name.
+/// All mechanisms of the zoo without loops, by name.
 pub fn all() -> Vec<(&'static str, Mechanism)> {
     vec![
         ("every_joint", every_joint()),
@@ -28,13 +28,13 @@ pub fn all() -> Vec<(&'static str, Mechanism)> {
     ]
 }
 
-/// Every [`Linkage`](crate::linkage::Linkage), by name: mechanisms with closed loops and couplings.
+/// All [`Linkage`](crate::linkage::Linkage) mechanisms with closed loops and couplings, by name.
 pub fn linkages() -> Vec<(&'static str, Mechanism)> {
     crate::linkage::all().into_iter().map(|linkage| (linkage.name, linkage.mechanism)).collect()
 }
 
-/// One branching tree with a joint of every kind, general frames, axes and inertias, armature on every kind that
-/// can have it, and a mimic. Its root has mass, so that it can float.
+/// Branched tree with a joint of every kind, general frames, axes and inertias, armature on every kind that
+/// allows it, and a mimic. The root has mass, so that it can float.
 pub fn every_joint() -> Mechanism {
     let links = vec![
         lump("base", 6.0, [0.05, -0.1, 0.2], 0.9),
@@ -90,7 +90,7 @@ pub fn every_joint() -> Mechanism {
     build("every_joint", links, joints)
 }
 
-/// A point mass (kg) at `r_a` (m) along x on a truly massless rod, hinged about z at the origin.
+/// Point mass (kg) at `r_a` (m) along x on a massless rod, hinged about z at the origin.
 pub fn point_mass_pendulum(mass: f64, r_a: f64) -> Mechanism {
     let links = vec![
         ground(),
@@ -104,14 +104,14 @@ pub fn point_mass_pendulum(mass: f64, r_a: f64) -> Mechanism {
     build("point_mass_pendulum", links, joints)
 }
 
-/// A body on a hinge about z: centre of mass at `h` (m) along x, moment about it `inertia` (kg·m²).
+/// Body on a hinge about z: centre of mass at `h` (m) along x, moment of inertia about z `inertia` (kg·m²).
 pub fn physical_pendulum(mass: f64, h: f64, inertia: f64) -> Mechanism {
     let body = Inertial::diagonal(mass, [h, 0.0, 0.0], [0.3 * inertia, 0.8 * inertia, inertia]);
     let joints = vec![joint("hinge", Revolute, "ground", "body").axis([0.0, 0.0, 1.0])];
     build("physical_pendulum", vec![ground(), LinkDescription::new("body", body)], joints)
 }
 
-/// Two free bodies (`first` 1.2 kg, `second` 3.4 kg), both without symmetry, floating from the ground.
+/// Two free bodies (`first` 1.2 kg, `second` 3.4 kg) without symmetry, on floating joints from the ground.
 pub fn two_free_bodies() -> Mechanism {
     let links = vec![
         ground(),
@@ -125,14 +125,14 @@ pub fn two_free_bodies() -> Mechanism {
     build("two_free_bodies", links, joints)
 }
 
-/// The double pendulum of uniform rods 1.4 kg × 0.6 m and 0.9 kg × 0.5 m, without armature.
+/// Double pendulum of uniform rods 1.4 kg × 0.6 m and 0.9 kg × 0.5 m, without armature.
 pub fn double_pendulum() -> Mechanism {
     planar_2r([PlanarLink::rod(1.4, 0.6), PlanarLink::rod(0.9, 0.5)], [0.0; 2])
 }
 
 /// Two links `upper`, `lower` along their x-axes, hinges `shoulder`, `elbow` about z; `armature` at the hinges.
 ///
-/// Positions are the angle of the first link and that of the second relative to it.
+/// Positions: angle of the first link, and angle of the second relative to the first.
 pub fn planar_2r(links: [PlanarLink; 2], armature: [f64; 2]) -> Mechanism {
     let body = |name: &str, link: PlanarLink| {
         let moments = [0.0, link.inertia, link.inertia];
@@ -148,7 +148,7 @@ pub fn planar_2r(links: [PlanarLink; 2], armature: [f64; 2]) -> Mechanism {
     build("planar_2r", vec![ground(), body("upper", links[0]), body("lower", links[1])], joints)
 }
 
-/// A base of 10 t that slides along y, and on it, hinged about z, a needle of 1 mg and 40 mm along x.
+/// Base of 10 t on a slider along y with a hinged needle (about z) of 1 mg and 40 mm along x.
 pub fn needle_on_heavy_base() -> Mechanism {
     let moment = 1e-6 * 0.04 * 0.04 / 12.0;
     let links = vec![
@@ -163,8 +163,8 @@ pub fn needle_on_heavy_base() -> Mechanism {
     build("needle_on_heavy_base", links, joints)
 }
 
-/// A gripper on a lift, all driven by `left`: `right` turns against it, `left_tip` turns back by half of
-/// `right` (a chain of mimics), and `plunger` slides with `left_tip`.
+/// Gripper on a lift, driven by `left`: `right` rotates in the opposite direction, `left_tip` mimics `right`
+/// with −0.5 (a chain of mimics), and `plunger` slides with `left_tip`.
 pub fn mimic_gripper() -> Mechanism {
     let links = vec![
         ground(),
@@ -198,7 +198,7 @@ pub fn mimic_gripper() -> Mechanism {
 
 const BALL: [f64; 3] = [0.1, -0.2, 0.3];
 
-/// A ball joint made of three hinges with massless links between, about x, y and z in turn, and a `body` on it.
+/// Spherical joint made of three hinges about x, y and z with massless links between, and a `body`.
 pub fn massless_chain() -> Mechanism {
     let links = vec![
         ground(),
@@ -220,7 +220,7 @@ pub fn ball_joint() -> Mechanism {
     build("ball_joint", vec![ground(), lump("body", 2.4, [0.1, 0.3, -0.2], 0.5)], joints)
 }
 
-/// A heavy arm with a massless feeler hinged to its end: struck across, the feeler opposes nothing.
+/// Heavy arm with a massless feeler hinged to its end: a contact normal to the feeler has no effective mass.
 pub fn massless_tip() -> Mechanism {
     let z = [0.0, 0.0, 1.0];
     let links = vec![ground(), lump("arm", 5.0, [0.3, 0.0, 0.0], 0.6), LinkDescription::massless("feeler")];
@@ -231,7 +231,7 @@ pub fn massless_tip() -> Mechanism {
     build("massless_tip", links, joints)
 }
 
-/// An industrial arm of six hinges, geared motors reflected at each.
+/// Industrial arm of six hinges with reflected rotor inertias of geared motors.
 pub fn six_r_arm() -> Mechanism {
     let links = vec![
         LinkDescription::new("pedestal", Inertial::diagonal(60.0, [0.0, 0.0, 0.2], [2.0, 2.0, 1.5])),
@@ -254,7 +254,7 @@ pub fn six_r_arm() -> Mechanism {
     build("six_r_arm", links, joints)
 }
 
-/// Masses spread over fixed joints, in chains and branches, below two hinges; bare frames among them.
+/// Masses connected by fixed joints, in chains and branches, below two hinges, with massless frames between.
 pub fn fixed_frames() -> Mechanism {
     let links = vec![
         ground(),
@@ -284,7 +284,7 @@ pub fn fixed_frames() -> Mechanism {
     build("fixed_frames", links, joints)
 }
 
-/// Three slides at odd angles, one on the other, the last with a hinged tool.
+/// Three prismatic joints in series at general angles, with a hinged tool at the end.
 pub fn prismatic_stage() -> Mechanism {
     let links = vec![
         ground(),
@@ -307,7 +307,7 @@ pub fn prismatic_stage() -> Mechanism {
     build("prismatic_stage", links, joints)
 }
 
-/// One body and no joint: fast on the ground, or free with a floating base.
+/// One body without joints: immovable on the ground, or free with a floating base.
 pub fn single_body() -> Mechanism {
     build("single_body", vec![lump("body", 1.7, [0.2, -0.1, 0.4], 0.6)], Vec::new())
 }

@@ -1,16 +1,16 @@
-//! m̄ from the matrices of a pose, with a solver of one's own: M, A and j of a four-bar, the null space of A by QR.
+//! Computes m̄ from the matrices M, A and j of a four-bar with a separate solver; the null space of A is found by QR.
 //!
-//! m̄ = min { vᵀMv : Av = 0, jv = 1 } = 1/(j Z (ZᵀMZ)⁻¹ Zᵀ jᵀ), the columns of Z a basis of ker A, where M is regular on
-//! it. `cargo run -p percuss --example own_solver`
+//! m̄ = min { vᵀMv : Av = 0, jv = 1 } = 1/(j Z (ZᵀMZ)⁻¹ Zᵀ jᵀ); the columns of Z are a basis of ker A, and ZᵀMZ
+//! must be regular. `cargo run -p percuss --example own_solver`
 
 use percuss::nalgebra::{DMatrix, DVector};
 use percuss::{Conditions, Contact, EffectiveMass, LoadOptions, RouteChoice, Source, System, load};
 use std::error::Error;
 
-/// Orthonormal columns that span ker A, n×(n − rank). Rows may be redundant, and A may have fewer than n.
+/// Orthonormal basis of ker A, n×(n − rank). A may have redundant rows and fewer than n rows.
 fn null_space(a: &DMatrix<f64>) -> DMatrix<f64> {
     let n = a.ncols();
-    // As many rows as columns at least: then Q is square.
+    // Padding with zero rows to at least n rows makes Q square.
     let padded = a.clone().resize_vertically(a.nrows().max(n), 0.0);
     let qr = padded.transpose().col_piv_qr();
     let (q, r) = (qr.q(), qr.r());
@@ -18,7 +18,7 @@ fn null_space(a: &DMatrix<f64>) -> DMatrix<f64> {
     q.columns(rank, n - rank).into_owned()
 }
 
-/// m̄, kg; none where the gap does not close, or M is singular on ker A.
+/// m̄, kg; `None` if no motion closes the gap or M is singular on ker A.
 fn effective_mass(m: &DMatrix<f64>, a: &DMatrix<f64>, j: &DVector<f64>) -> Option<f64> {
     let z = null_space(a);
     let along = z.tr_mul(j);
@@ -26,7 +26,7 @@ fn effective_mass(m: &DMatrix<f64>, a: &DMatrix<f64>, j: &DVector<f64>) -> Optio
     (inverse > 0.0).then(|| 1.0 / inverse)
 }
 
-/// Both answers at some angles of the crank.
+/// Compares both results at some crank angles.
 pub fn main() -> Result<(), Box<dyn Error>> {
     let text = include_str!("../../../models/four_bar.urdf");
     let mechanism = load(&Source::from_text("four_bar.urdf", text), &LoadOptions::default())?.mechanism;

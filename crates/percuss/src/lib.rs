@@ -1,10 +1,10 @@
 #![doc = include_str!("../../../README.md")]
 //!
 //! # The crate
-//! Everything a user of the library needs, re-exported from the crates that hold it; a type has one name, and no two
-//! types share one. Matrices and vectors are those of [`nalgebra`], re-exported.
+//! Public interface of the library, re-exported from the crates of the workspace; every type has exactly one
+//! name. Matrices and vectors are those of [`nalgebra`], which is re-exported too.
 //!
-//! A model comes from a path or from text:
+//! A model is loaded from a path or from text:
 //!
 //! ```
 //! use percuss::{DEFAULT_MAX_SIZE, LoadOptions, Source, load};
@@ -19,11 +19,12 @@
 //! # Ok::<(), percuss::LoadError>(())
 //! ```
 //!
-//! [`suspension::import`] reads hardpoints from the same [`Source`]. Then [`System`] → [`Assembly`] → [`Pose`] →
-//! [`ContactResponse`]: each a value, found from the one before. `examples/own_solver.rs` forms m̄ from the matrices of a
-//! pose with a solver of its own.
+//! [`suspension::import`] reads hardpoints from the same [`Source`]. The computation continues with values,
+//! each computed from the previous one: [`System`] → [`Assembly`] → [`Pose`] → [`ContactResponse`].
+//! `examples/own_solver.rs` computes m̄ from the matrices of a pose with a separate solver.
 //!
-//! [`study`] asks what the command line asks, and answers with its JSON; [`contact`] has the contact laws.
+//! [`study`] provides the analyses of the command line with the same JSON output; [`contact`] provides the
+//! contact laws.
 
 // Links to the pages of the crates, not copies: a copy shows `Matrix<f64, Const<3>, Const<1>, ArrayStorage<f64, 3, 1>>` where the
 // crate's own page has `Vector3<f64>`, since compiled crates do not keep the names of type aliases.

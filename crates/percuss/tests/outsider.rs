@@ -1,4 +1,4 @@
-//! The crate as an outsider uses it: through `percuss` alone, every type that comes back named.
+//! Tests of the public interface: uses only `percuss`, and names every returned type.
 
 use percuss::nalgebra::{DMatrix, Vector3};
 use percuss::spatial::{Transform, Twist};
@@ -62,7 +62,7 @@ fn everything_at_a_pose() {
     let system = system(mechanism, &Conditions::new().armature("crank_hinge", [0.01]));
     let assembly: Arc<Assembly> = Arc::clone(system.reference().unwrap());
 
-    // A whole configuration, in joint order: the crank is given, the others are where to look.
+    // Configuration in joint order: the crank is given, the other positions are initial guesses.
     let there: Result<Configuration, ConfigurationError> =
         Configuration::from_positions(system.mechanism(), &[0.4, -0.3, 0.1]);
     let pose: Result<Pose, AssemblyError> = assembly.pose(&there.unwrap());
@@ -124,7 +124,7 @@ fn limits_where_branches_cross() {
     let contact = Contact::new(mechanism.find_link("rocker").unwrap(), [0.4, -0.3, 0.0], [3.0, 4.0, 0.0]);
     let system = system(mechanism, &Conditions::new());
     let mut folded: Configuration = system.configuration();
-    // The crank along the line of the ground's hinges.
+    // The crank is collinear with the hinges on the ground.
     folded.set("crank_hinge", &[f64::atan2(0.3, 0.72) - f64::atan2(0.3, 0.4)]).unwrap();
     let pose = system.pose(&folded).unwrap();
     let limits: BranchLimits = pose.branch_limits(&contact);
@@ -157,7 +157,7 @@ fn a_solver_of_ones_own() {
     own_solver::main().unwrap();
 }
 
-/// Round figures of our own.
+/// Hardpoints with round numbers.
 const HARDPOINTS: &str = r#"{
   "Name": "corner", "Type": "Suspension", "Template": "DoubleWishboneReduced",
   "Spindle": { "Mass": 2.0, "COM": [0.0, 0.9, -0.02], "Inertia": [0.02, 0.03, 0.025], "Radius": 0.1, "Width": 0.05 },

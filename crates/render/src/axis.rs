@@ -1,9 +1,9 @@
-//! The range of an axis and the numbers on it.
+//! Range and tick marks of an axis.
 
 use crate::limits;
 
-/// What can be drawn of a value: NaN, infinities and what is beyond 1e300 cannot, what is below 1e-300 is zero.
-/// Inside these bounds no difference, step or label overflows.
+/// Value as drawn: `None` for NaN, infinities and magnitudes above 1e300; zero for magnitudes below 1e-300.
+/// Within these bounds no difference, step or label overflows.
 pub(crate) fn drawable(value: f64) -> Option<f64> {
     match value.abs() {
         size if size < limits::SMALLEST_VALUE => Some(0.0),
@@ -12,7 +12,7 @@ pub(crate) fn drawable(value: f64) -> Option<f64> {
     }
 }
 
-/// `mantissa` × 10^`exponent`, mantissa 1, 2 or 5.
+/// Step of `mantissa` × 10^`exponent`; the mantissa is 1, 2 or 5.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Step {
     mantissa: i64,
@@ -27,15 +27,15 @@ pub(crate) struct Axis {
     step: Step,
 }
 
-/// A number on an axis.
+/// Tick mark of an axis.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Tick {
-    /// How far along the axis, from 0 to 1.
+    /// Position along the axis, from 0 to 1.
     pub fraction: f64,
     pub label: String,
 }
 
-/// Least and greatest of what can be drawn.
+/// Smallest and largest drawable value.
 pub(crate) fn extent(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
     values.filter_map(drawable).fold(None, |range, v| match range {
         None => Some((v, v)),
@@ -44,13 +44,13 @@ pub(crate) fn extent(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
 }
 
 impl Axis {
-    /// From the least value to the greatest, with at most `most` + 1 numbers.
+    /// Axis from the smallest to the largest value, with at most `most` + 1 ticks.
     pub fn tight(range: Option<(f64, f64)>, most: u32) -> Axis {
         let (low, high) = widen(range);
         Axis::stepped(low, high, most)
     }
 
-    /// The same with some room at both ends, up to the next line of the minor grid.
+    /// Axis with a margin of 4 % at both ends, extended to the next minor grid line.
     pub fn roomy(range: Option<(f64, f64)>, most: u32) -> Axis {
         let (low, high) = widen(range);
         let room = 0.04 * (high - low);
@@ -62,24 +62,23 @@ impl Axis {
         Axis { low, high, ..axis }
     }
 
-    /// The coarsest step that `most` allows and that puts two numbers on the axis.
+    /// Takes the coarsest step with at most `most` intervals and at least two ticks.
     fn stepped(low: f64, high: f64, most: u32) -> Axis {
         let with = |most| Axis { low, high, step: Step::for_span(high - low, most) };
         let found = (most..most + 8).map(with).find(|axis| axis.multiples(axis.step).len() >= 2);
         found.unwrap_or_else(|| with(most + 8))
     }
 
-    /// How far along the axis a value is; from 0 to 1 inside the range.
+    /// Position of a value along the axis: 0 to 1 inside the range.
     pub fn fraction(&self, value: f64) -> f64 {
         (value - self.low) / (self.high - self.low)
     }
 
-    /// Whether a value is in the range.
     pub fn holds(&self, value: f64) -> bool {
         self.low <= value && value <= self.high
     }
 
-    /// The numbers, ascending.
+    /// Major ticks in ascending order.
     pub fn ticks(&self) -> Vec<Tick> {
         let counts = self.multiples(self.step);
         let most = counts.iter().map(|n| n.abs()).max().unwrap_or(0);
@@ -91,7 +90,7 @@ impl Axis {
         counts.iter().map(tick).collect()
     }
 
-    /// Where the minor grid goes, the lines of the major one left out.
+    /// Positions of the minor grid lines, without the major ones.
     pub fn minor(&self) -> Vec<f64> {
         let minor = self.step.minor();
         let each = self.step.minor_divisions();
@@ -99,7 +98,7 @@ impl Axis {
         between.map(|n| self.fraction(minor.value(n))).collect()
     }
 
-    /// Which multiples of the step are on the axis, the ends included in spite of rounding.
+    /// Multiples of the step on the axis. The slack keeps the end points in spite of rounding.
     fn multiples(&self, step: Step) -> Vec<i64> {
         let unit = step.value(1);
         let first = (self.low / unit - limits::TICK_SLACK).ceil() as i64;
@@ -108,7 +107,7 @@ impl Axis {
     }
 }
 
-/// A range of some width: nothing becomes 0 to 1, one value its neighbourhood.
+/// Replaces an empty range by 0 to 1, and a single value by its neighbourhood.
 fn widen(range: Option<(f64, f64)>) -> (f64, f64) {
     let Some((low, high)) = range else { return (0.0, 1.0) };
     let size = low.abs().max(high.abs());
@@ -121,7 +120,7 @@ fn widen(range: Option<(f64, f64)>) -> (f64, f64) {
 }
 
 impl Step {
-    /// The least 1-2-5 step of which no more than `most` go into the span.
+    /// Smallest 1-2-5 step with at most `most` intervals in the span.
     fn for_span(span: f64, most: u32) -> Step {
         let raw = span / f64::from(most.max(1));
         let exponent = raw.log10().floor() as i32;
@@ -132,7 +131,7 @@ impl Step {
         }
     }
 
-    /// `count` steps, rounded once.
+    /// `count` times the step, rounded once.
     fn value(self, count: i64) -> f64 {
         let digits = (count * self.mantissa) as f64;
         match self.exponent {
@@ -141,7 +140,7 @@ impl Step {
         }
     }
 
-    /// How many steps of the minor grid make one of this.
+    /// Number of minor steps per major step.
     fn minor_divisions(self) -> i64 {
         if self.mantissa == 2 { 4 } else { 5 }
     }
@@ -154,18 +153,18 @@ impl Step {
         }
     }
 
-    /// The power of ten to write labels with, a multiple of three, where `count` steps is the greatest of them:
-    /// 0 from 0.01 to below 100 000.
+    /// Power of ten for the labels, a multiple of three; `count` is the largest tick in steps. Values from 0.01
+    /// to below 100 000 are written without a power.
     fn engineering_exponent(self, count: i64) -> i32 {
         if count == 0 {
             return 0;
         }
-        // Of the leading digit, found in integers.
+        // Decade of the leading digit, computed in integers.
         let decade = (count * self.mantissa).ilog10() as i32 + self.exponent;
         if (-2..5).contains(&decade) { 0 } else { 3 * decade.div_euclid(3) }
     }
 
-    /// `count` steps in decimal digits, exactly: `−0.25`, `150×10³`.
+    /// Exact decimal text of `count` steps: `−0.25`, `150×10³`.
     fn label(self, count: i64, exponent: i32) -> String {
         if count == 0 {
             return "0".into();

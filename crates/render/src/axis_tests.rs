@@ -1,4 +1,4 @@
-//! Numbers on axes, by hand and at the ends of what can be drawn.
+//! Ticks of axes, against values computed by hand and at the limits of the drawable range.
 
 use super::*;
 
@@ -46,7 +46,7 @@ fn a_range_of_no_width_gets_some() {
         (Some((0.0, 0.0)), (-1.0, 1.0)),
         (Some((200.0, 200.0)), (190.0, 210.0)),
         (Some((-5.0, -5.0)), (-5.25, -4.75)),
-        // Rounding noise is no curve.
+        // A spread of rounding errors counts as a single value.
         (Some((200.0, 200.0 + 1e-10)), (190.0, 210.0)),
     ] {
         let axis = Axis::tight(range, 5);

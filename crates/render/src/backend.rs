@@ -1,4 +1,4 @@
-//! The SVG as pixels, by resvg, with the faces of `assets/`; none of the machine's are looked for.
+//! Rasterises SVG with resvg and the embedded fonts of `assets/`. Fonts installed on the machine are not used.
 
 use crate::limits;
 use resvg::tiny_skia::{Pixmap, Transform};
@@ -7,16 +7,16 @@ use resvg::usvg::{Options, Tree};
 use std::sync::{Arc, LazyLock};
 use thiserror::Error;
 
-/// What stands in every file that this crate writes, where its format has room for it.
+/// Producer comment of every written file whose format has a field for comments.
 pub const MADE_BY: &str = "made by percuss";
 
-/// The two faces, as one family.
+/// The two embedded faces, registered as one family.
 static FONTS: LazyLock<Arc<Database>> = LazyLock::new(|| {
     let mut all = Database::new();
     for (bytes, _) in crate::font::FACES {
         all.load_font_source(Source::Binary(Arc::new(bytes)));
     }
-    // The medium face calls itself a family of its own.
+    // The medium face declares a family name of its own; replace the name.
     let mut fonts = Database::new();
     for face in all.faces() {
         let mut face = face.clone();
@@ -27,13 +27,13 @@ static FONTS: LazyLock<Arc<Database>> = LazyLock::new(|| {
     Arc::new(fonts)
 });
 
-/// Why there is no PNG or PDF.
+/// Error of writing a PNG or PDF.
 #[derive(Debug, Error)]
 pub enum RenderError {
-    /// The scale was not a positive number.
+    /// The scale is not a positive number.
     #[error("the scale of a PNG is {scale}; it must be a positive number, such as 2")]
     Scale {
-        /// As given.
+        /// The given scale.
         scale: f32,
     },
     /// The picture would be larger than 2^25 pixels.
@@ -42,33 +42,33 @@ pub enum RenderError {
          take a scale below {fitting:.2}, or write an SVG"
     )]
     TooLarge {
-        /// In pixels.
+        /// Width, pixels.
         width: f64,
-        /// In pixels.
+        /// Height, pixels.
         height: f64,
-        /// The limit, in pixels.
+        /// Limit of the number of pixels.
         most: f64,
-        /// The scale that just fits.
+        /// Largest scale within the limit.
         fitting: f64,
     },
     /// The SVG could not be read back.
     #[error("the SVG could not be read back")]
     Svg {
-        /// The reader's error.
+        /// Error of the SVG parser.
         #[source]
         source: resvg::usvg::Error,
     },
     /// The encoder failed.
     #[error("the PNG encoder failed")]
     Encoder {
-        /// Its error.
+        /// Error of the encoder.
         #[source]
         source: Box<dyn std::error::Error + Send + Sync>,
     },
     /// The PDF could not be made.
     #[error("the PDF could not be made: {message}")]
     Pdf {
-        /// What svg2pdf says.
+        /// Message of svg2pdf.
         message: String,
     },
 }
@@ -79,7 +79,7 @@ pub(crate) fn tree(svg: &str) -> Result<Tree, RenderError> {
     Tree::from_str(svg, &options).map_err(|source| RenderError::Svg { source })
 }
 
-/// The picture with `scale` pixels to a unit.
+/// Renders the SVG with `scale` pixels per page unit.
 pub(crate) fn png(svg: &str, scale: f32) -> Result<Vec<u8>, RenderError> {
     if !(scale.is_finite() && scale > 0.0) {
         return Err(RenderError::Scale { scale });
@@ -96,13 +96,13 @@ pub(crate) fn png(svg: &str, scale: f32) -> Result<Vec<u8>, RenderError> {
     }
     let mut pixmap = Pixmap::new(width as u32, height as u32).ok_or_else(too_large)?;
     resvg::render(&tree, Transform::from_scale(scale, scale), &mut pixmap.as_mut());
-    // The page is opaque.
+    // The page is opaque, so the alpha channel is dropped.
     let pixels: Vec<u8> = pixmap.data().chunks_exact(4).flat_map(|p| [p[0], p[1], p[2]]).collect();
     encoded(&pixels, pixmap.width(), pixmap.height())
         .map_err(|source| RenderError::Encoder { source: Box::new(source) })
 }
 
-/// Pixels of three bytes as a PNG; none where they make no rectangle.
+/// Encodes RGB pixels as PNG; `None` if they do not form a rectangle.
 pub(crate) fn of_pixels(pixels: &[u8], columns: usize) -> Option<Vec<u8>> {
     let rows = (pixels.len() / 3).checked_div(columns)?;
     encoded(&pixels[..3 * columns * rows], u32::try_from(columns).ok()?, u32::try_from(rows).ok()?).ok()

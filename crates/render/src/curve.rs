@@ -1,36 +1,36 @@
-//! A series as runs of places on the page: broken at gaps, and no finer than the page can show.
+//! Converts a series to polylines on the page: broken at gaps, thinned to the resolution of the page.
 
 use crate::axis::drawable;
 use crate::limits;
 use crate::scene::Point;
 use std::collections::HashSet;
 
-/// A series on the page.
+/// Series in page coordinates.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Curve {
-    /// Two places or more each.
+    /// Polylines of two points or more.
     pub chains: Vec<Vec<Point>>,
-    /// Values between two gaps.
+    /// Points between two gaps.
     pub lone: Vec<Point>,
 }
 
-/// Opposite corners of a rectangle, the upper left one first.
+/// Upper left and lower right corner of a rectangle.
 pub(crate) type Corners = (Point, Point);
 
-/// Whether a place lies in a rectangle, its edges included.
+/// True if the point is in the rectangle or on an edge.
 pub(crate) fn is_inside(p: Point, (from, to): Corners) -> bool {
     (from.0..=to.0).contains(&p.0) && (from.1..=to.1).contains(&p.1)
 }
 
 impl Curve {
-    /// What of it lies in a rectangle.
+    /// Clips the curve to a rectangle.
     pub fn within(self, corners: Corners) -> Curve {
         let chains = self.chains.iter().flat_map(|chain| cut(chain, corners)).collect();
         Curve { chains, lone: self.lone.into_iter().filter(|p| is_inside(*p, corners)).collect() }
     }
 }
 
-/// The parts of a chain in a rectangle (Liang and Barsky 1984).
+/// Clips a polyline to a rectangle (Liang and Barsky 1984).
 fn cut(chain: &[Point], (from, to): Corners) -> Vec<Vec<Point>> {
     let mut parts: Vec<Vec<Point>> = Vec::new();
     for pair in chain.windows(2) {
@@ -56,7 +56,7 @@ fn cut(chain: &[Point], (from, to): Corners) -> Vec<Vec<Point>> {
     parts
 }
 
-/// The points as a line, `place` taking values to the page.
+/// Converts the points to a line; `place` maps values to the page.
 pub(crate) fn line(points: &[(f64, Option<f64>)], place: impl Fn(f64, f64) -> Point) -> Curve {
     let on_page = |&(x, y): &(f64, Option<f64>)| Some(place(drawable(x)?, drawable(y?)?));
     let places: Vec<Option<Point>> = points.iter().map(on_page).collect();
@@ -69,7 +69,7 @@ pub(crate) fn line(points: &[(f64, Option<f64>)], place: impl Fn(f64, f64) -> Po
             _ => chains.push(envelope(&run)),
         }
     }
-    // More chains than columns, or a line that runs to and fro: every so-manieth, first and last kept.
+    // Too many chains, or a line that crosses many columns repeatedly: thin evenly, keeping the ends.
     let most_chains = limits::MOST_PLACES / 4;
     let chains = every(chains, most_chains);
     let share = limits::MOST_PLACES / chains.len().max(1);
@@ -77,13 +77,13 @@ pub(crate) fn line(points: &[(f64, Option<f64>)], place: impl Fn(f64, f64) -> Po
     Curve { chains, lone: dots(lone) }
 }
 
-/// The points as dots.
+/// Converts the points to dots.
 pub(crate) fn scatter(points: &[(f64, Option<f64>)], place: impl Fn(f64, f64) -> Point) -> Vec<Point> {
     dots(points.iter().filter_map(|&(x, y)| Some(place(drawable(x)?, drawable(y?)?))).collect())
 }
 
-/// Of the points that follow each other within one column: the first, the lowest, the highest and the last.
-/// The picture is the same to half a unit, peaks included.
+/// Keeps the first, lowest, highest and last point of each run within one column. The picture, peaks included,
+/// stays the same to half a page unit.
 fn envelope(run: &[Point]) -> Vec<Point> {
     let column = |p: &Point| (p.0 / limits::COLUMN).floor();
     let mut kept = Vec::new();
@@ -99,14 +99,14 @@ fn envelope(run: &[Point]) -> Vec<Point> {
     kept
 }
 
-/// One dot for each half unit of the page, in their order.
+/// Keeps one dot per cell of half a page unit.
 fn dots(places: Vec<Point>) -> Vec<Point> {
     let mut taken = HashSet::new();
     let cell = |p: &Point| ((p.0 / limits::COLUMN).round() as i64, (p.1 / limits::COLUMN).round() as i64);
     every(places.into_iter().filter(|p| taken.insert(cell(p))).collect(), limits::MOST_PLACES)
 }
 
-/// All, or where they are more than `most` that many evenly, the first and the last among them.
+/// Thins a list evenly to `most` elements, keeping the first and the last.
 fn every<T>(all: Vec<T>, most: usize) -> Vec<T> {
     if all.len() <= most {
         return all;
@@ -168,7 +168,7 @@ mod tests {
 
     #[test]
     fn whatever_comes_its_size_is_bounded() {
-        // To and fro over the whole width; and a gap after every two points.
+        // A line that crosses the whole width at each step, and a line with a gap after every two points.
         let zigzag: Vec<_> = (0..200_000).map(|i| (f64::from(i % 2) * 800.0, Some(f64::from(i)))).collect();
         let broken: Vec<_> =
             (0..200_000).map(|i| (f64::from(i) * 1e-2, (i % 3 != 0).then_some(1.0))).collect();

@@ -1,4 +1,4 @@
-//! A mechanism from two sides: lines, circles, arrows and named places in space, as a technical drawing shows them.
+//! Drawing of a mechanism in two orthographic views: lines, circles, arrows and labelled points in space.
 
 use crate::backend::{self, RenderError};
 use crate::palette::{Colour, GRID, INK, PAPER, SOFT_INK};
@@ -7,35 +7,35 @@ use crate::scene::{Anchor, Item, Point, Scene, solid};
 use crate::text::{fit, medium, regular, width};
 use crate::{pdf, svg};
 
-/// Units of the page.
+/// Width of the page, in page units.
 const WIDTH: f64 = 900.0;
 const MARGIN: f64 = 28.0;
 const BETWEEN: f64 = 34.0;
-/// The highest view.
+/// Largest height of a view.
 const HEIGHT: f64 = 430.0;
-/// Free around what is drawn: names stand there.
+/// Margin inside a view, for labels.
 const ROOM: f64 = 26.0;
-/// Segments of a circle.
+/// Segments per circle.
 const SEGMENTS: usize = 64;
-/// The ends of the shading: nothing, and all.
+/// Colours of shading values 0 and 1.
 const NONE: Colour = Colour(186, 193, 203);
 const ALL: Colour = Colour(213, 94, 0);
-/// Pixels of shapes for each unit.
+/// Raster pixels per page unit.
 const SHARP: f64 = 2.0;
-/// How much of the shading's colour a shape has; the rest is paper, so that the lines on it can be seen.
+/// Weight of the shading colour on facets. The rest is paper colour, so that lines on top stay visible.
 const TINT: f64 = 0.42;
 const BLUE: Colour = Colour(0, 114, 178);
 
-/// What is seen, in metres: x forward, y to the left, z up.
+/// Drawing of a mechanism; lengths in metres, x forward, y to the left, z up.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Drawing {
-    /// The heading; none where empty.
+    /// Title; no title if empty.
     pub title: String,
-    /// A line below; none where empty.
+    /// Subtitle; no subtitle if empty.
     pub subtitle: String,
-    /// What the shading says; none where empty.
+    /// Quantity shown by the shading; no legend if empty.
     pub shading: String,
-    /// Triangles of shapes, below the lines.
+    /// Facets of link shapes, drawn below the lines.
     pub facets: Vec<DrawnFacet>,
     /// Lines.
     pub lines: Vec<DrawnLine>,
@@ -43,51 +43,51 @@ pub struct Drawing {
     pub circles: Vec<DrawnCircle>,
     /// Arrows.
     pub arrows: Vec<DrawnArrow>,
-    /// Places that are named.
+    /// Labelled points.
     pub marks: Vec<crate::SkinMark>,
 }
 
-/// A triangle of a shape.
+/// Triangle of a link shape.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DrawnFacet {
-    /// Its corners, m.
+    /// Corners, m.
     pub corners: [[f64; 3]; 3],
-    /// How much of the shading it has, from 0 to 1; none: as nothing.
+    /// Shading value from 0 to 1; `None` is drawn as 0.
     pub part: Option<f64>,
 }
 
 /// A straight line.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DrawnLine {
-    /// Its ends, m.
+    /// End points, m.
     pub ends: [[f64; 3]; 2],
-    /// How much of the shading it has, from 0 to 1; none: drawn plain.
+    /// Shading value from 0 to 1; `None` is drawn in ink without shading.
     pub part: Option<f64>,
 }
 
 /// A circle in space.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DrawnCircle {
-    /// Its centre, m.
+    /// Centre, m.
     pub centre: [f64; 3],
-    /// What it turns about, a unit vector.
+    /// Unit normal of the circle's plane.
     pub axis: [f64; 3],
-    /// Its radius, m.
+    /// Radius, m.
     pub radius: f64,
 }
 
-/// An arrow; its length is what it says, not a distance.
+/// Arrow. Its length shows a magnitude, not a distance.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DrawnArrow {
-    /// Where it begins, m.
+    /// Start point, m.
     pub from: [f64; 3],
-    /// Where it points; the longest of a drawing is an eighth of it.
+    /// Direction and relative magnitude; the longest arrow of a drawing has a fixed length on the page.
     pub vector: [f64; 3],
-    /// Its name; none where empty. Named ones are drawn strong, and as long as the longest.
+    /// Label; none if empty. Labelled arrows are drawn thicker and as long as the longest.
     pub label: String,
 }
 
-/// A view: what is to the right and up on the page, and its words.
+/// Viewing direction: axes of the page in space, and title.
 struct View {
     right: [f64; 3],
     up: [f64; 3],
@@ -116,28 +116,28 @@ fn length(v: &[f64; 3]) -> f64 {
 }
 
 impl Drawing {
-    /// The drawing as an SVG document.
+    /// Returns the drawing as an SVG document.
     pub fn to_svg(&self) -> String {
         svg::write(&self.arrange())
     }
 
-    /// The same picture as a PNG, `scale` pixels for each unit of the SVG.
+    /// Returns the drawing as a PNG with `scale` pixels per page unit.
     ///
     /// # Errors
-    /// `scale` not a positive number, or a picture of more than 2^25 pixels.
+    /// [`RenderError::Scale`], or [`RenderError::TooLarge`] above 2^25 pixels.
     pub fn to_png(&self, scale: f32) -> Result<Vec<u8>, RenderError> {
         backend::png(&self.to_svg(), scale)
     }
 
-    /// The same picture as a PDF of one page, its fonts embedded.
+    /// Returns the drawing as a PDF of one page with embedded fonts.
     ///
     /// # Errors
-    /// Those of the PDF writer.
+    /// Errors of the PDF writer.
     pub fn to_pdf(&self) -> Result<Vec<u8>, RenderError> {
         pdf::write(&self.arrange())
     }
 
-    /// Every place that a view must hold.
+    /// Points that every view must contain.
     fn places(&self) -> Vec<[f64; 3]> {
         let facets = self.facets.iter().flat_map(|facet| facet.corners);
         let lines = facets.chain(self.lines.iter().flat_map(|line| line.ends));
@@ -162,7 +162,7 @@ impl Drawing {
         top += 34.0;
         let places = self.places();
         let side = 0.5 * (room - BETWEEN);
-        // Both views at one scale, and at one height.
+        // Both views have the same scale and height.
         let seen: Vec<[(f64, f64); 2]> = VIEWS
             .iter()
             .map(|view| [&view.right, &view.up].map(|axis| extent(places.iter().map(|p| dot(axis, p)))))
@@ -206,7 +206,7 @@ impl Drawing {
         scene
     }
 
-    /// The shapes as pixels, between two corners of a view.
+    /// Rasterises the facets into the rectangle of a view.
     fn shapes(
         &self,
         scene: &mut Scene,
@@ -224,7 +224,7 @@ impl Drawing {
             let [a, b, c] = &facet.corners;
             let normal = cross(&difference(b, a), &difference(c, a));
             let facing = (dot(&normal, &eye) / length(&normal).max(f64::MIN_POSITIVE)).abs();
-            // Faces turned aside are darker, so that the form shows.
+            // Facets inclined to the view are darker, to show the shape.
             let light = 0.82 + 0.18 * facing;
             let colour = shade(facet.part.unwrap_or(0.0));
             let tint = |c: u8, paper: u8| {
@@ -247,7 +247,7 @@ impl Drawing {
             scene.lines(vec![around(circle).iter().map(place).collect()], solid(SOFT_INK, 1.2));
             scene.dots(vec![place(&circle.centre)], 2.0, SOFT_INK);
         }
-        // The greatest part on top.
+        // Draw lines with the largest shading value last, on top.
         let mut lines: Vec<&DrawnLine> = self.lines.iter().collect();
         lines.sort_by(|a, b| a.part.unwrap_or(-1.0).total_cmp(&b.part.unwrap_or(-1.0)));
         for line in lines {
@@ -282,14 +282,14 @@ impl Drawing {
     }
 }
 
-/// From nothing to all.
+/// Colour of a shading value from 0 to 1.
 fn shade(part: f64) -> Colour {
     let part = part.clamp(0.0, 1.0).sqrt();
     let mix = |a: u8, b: u8| (f64::from(a) + part * (f64::from(b) - f64::from(a))).round() as u8;
     Colour(mix(NONE.0, ALL.0), mix(NONE.1, ALL.1), mix(NONE.2, ALL.2))
 }
 
-/// The tip of an arrow; nothing where it points at the eye.
+/// Draws an arrow head, unless the arrow points nearly along the line of sight.
 fn head(scene: &mut Scene, from: Point, to: Point, colour: Colour) {
     let (dx, dy) = (to.0 - from.0, to.1 - from.1);
     let long = dx.hypot(dy);
@@ -301,7 +301,7 @@ fn head(scene: &mut Scene, from: Point, to: Point, colour: Colour) {
     scene.lines(vec![vec![wing(1.0), to, wing(-1.0)]], solid(colour, 1.6));
 }
 
-/// A name above its place, within the view.
+/// Draws a label above its point, kept inside the view.
 fn named(scene: &mut Scene, words: &str, at: Point, (left, right): (f64, f64), colour: Colour) {
     let font = medium(12.0);
     let words = fit(words, font, right - left - 8.0);
@@ -310,7 +310,7 @@ fn named(scene: &mut Scene, words: &str, at: Point, (left, right): (f64, f64), c
     scene.text_on_paper(words, (x, at.1 - 9.0), font, colour);
 }
 
-/// A length of 1, 2 or 5 times a power of ten, about a sixth of the page.
+/// Draws a scale bar of 1, 2 or 5 times a power of ten, about a sixth of the page wide.
 fn ruler(scene: &mut Scene, per_metre: f64, (x, y): Point) {
     let wanted = 150.0 / per_metre;
     let power = 10_f64.powf(wanted.log10().floor());
@@ -327,10 +327,10 @@ fn extent(values: impl Iterator<Item = f64>) -> (f64, f64) {
     crate::axis::extent(values).unwrap_or((0.0, 0.0))
 }
 
-/// A circle as a closed chain.
+/// Circle as a closed polyline.
 fn around(circle: &DrawnCircle) -> Vec<[f64; 3]> {
     let axis = circle.axis;
-    // The coordinate axis farthest from it.
+    // Coordinate axis with the largest angle to the circle's axis.
     let least = (0..3).min_by(|a, b| axis[*a].abs().total_cmp(&axis[*b].abs())).unwrap_or(0);
     let mut first = [0.0; 3];
     first[least] = 1.0;

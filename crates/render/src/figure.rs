@@ -1,61 +1,61 @@
-//! What is to be drawn, in the caller's own numbers.
+//! Figure in the caller's data units.
 
-/// A plot: panels one above the other, over one shared x axis.
+/// Plot with panels one above the other over one shared x axis.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Figure {
-    /// The heading; none where empty.
+    /// Title; no title if empty.
     pub title: String,
-    /// A line below the heading, such as the contact and the model; none where empty.
+    /// Subtitle, such as the contact and the model; no subtitle if empty.
     pub subtitle: String,
-    /// What x is, with its unit: `Wheel travel (mm)`.
+    /// Label of the x axis with its unit: `Wheel travel (mm)`.
     pub x_label: String,
-    /// From top to bottom.
+    /// Panels from top to bottom.
     pub panels: Vec<Panel>,
-    /// The ends of the x axis; those of the points where none are given.
+    /// Ends of the x axis; `None` takes the range of the points.
     pub x_limits: Option<(f64, f64)>,
-    /// Places on the x axis worth naming. They run through all panels.
+    /// Labelled positions on the x axis; their lines cross all panels.
     pub marks: Vec<Mark>,
 }
 
-/// One pair of axes.
+/// Panel with its own y axis.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Panel {
-    /// What y is, with its unit: `Effective mass m̄ (kg)`.
+    /// Label of the y axis with its unit: `Effective mass m̄ (kg)`.
     pub y_label: String,
-    /// The first is drawn on top. Two or more get a legend.
+    /// Series; the first is drawn on top. Two or more get a legend.
     pub series: Vec<Series>,
-    /// The ends of the y axis; those of the points, with some room, where none are given.
+    /// Ends of the y axis; `None` takes the range of the points with a margin.
     pub y_limits: Option<(f64, f64)>,
 }
 
-/// Values to be drawn alike. Series of one name have one colour, in every panel.
+/// Data series. Series with the same name have the same colour in every panel.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Series {
-    /// What the legend calls it.
+    /// Name in the legend.
     pub name: String,
-    /// How it is drawn.
+    /// Line style.
     pub style: Style,
-    /// (x, y), joined in this order; `None` is a gap in the line, which still counts towards the range of x.
+    /// Points (x, y), connected in this order. `None` is a gap in the line; its x still counts for the range.
     pub points: Vec<(f64, Option<f64>)>,
 }
 
-/// How the values of a series are drawn.
+/// Style of a series.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Style {
-    /// A solid line; a value between two gaps is a dot.
+    /// Solid line; a value between two gaps is a dot.
     #[default]
     Line,
-    /// A broken line, for an estimate or a reference.
+    /// Dashed line, for an estimate or a reference.
     Dashed,
-    /// Dots that nothing joins, for measurements.
+    /// Unconnected dots, for measurements.
     Dots,
 }
 
-/// A place on the x axis worth naming: a singular pose, a limit, the design position.
+/// Labelled position on the x axis, such as a singular pose, a limit or the design position.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mark {
-    /// Where. Outside the range of the points it is not drawn; where there are no points, marks make the range.
+    /// Position. Marks outside the range of the points are not drawn; without points the marks define the range.
     pub x: f64,
-    /// What; a line without words where empty. Where too many crowd together, later ones go without theirs.
+    /// Label; only a line if empty. Labels that do not fit are left out, the last marks first.
     pub label: String,
 }

@@ -1,22 +1,23 @@
-//! The two embedded faces, and the width of a text in them.
+//! The two embedded font faces, and text widths in them.
 //!
-//! One glyph after the other, accents without a width of their own. That serves every script the faces hold (Latin, Greek,
-//! Cyrillic); a character they lack is written in others (`→` as `->`) or as a box.
+//! Text width is the sum of the glyph advances; combining accents have zero width. This is valid for the
+//! scripts of the faces (Latin, Greek, Cyrillic). A missing character is replaced by others (`→` by `->`) or
+//! shown as a box.
 
 use std::sync::LazyLock;
 use ttf_parser::{Face, GlyphId};
 
-/// A face.
+/// Font face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Weight {
     Regular,
     Medium,
 }
 
-/// What both are called.
+/// Family name of both faces.
 pub(crate) const FAMILY: &str = "Roboto";
 
-/// Their files.
+/// Font files.
 pub(crate) const FACES: [(&[u8], Weight); 2] = [
     (include_bytes!("../assets/Roboto-Regular.subset.ttf"), Weight::Regular),
     (include_bytes!("../assets/Roboto-Medium.subset.ttf"), Weight::Medium),
@@ -30,7 +31,7 @@ fn embedded(bytes: &'static [u8]) -> Face<'static> {
 }
 
 impl Weight {
-    /// Its outlines.
+    /// Parsed face.
     pub fn face(self) -> &'static Face<'static> {
         match self {
             Weight::Regular => &REGULAR,
@@ -39,14 +40,14 @@ impl Weight {
     }
 }
 
-/// A face at a size, in units of the page to the em.
+/// Face and size; the size is page units per em.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Font {
     pub weight: Weight,
     pub size: f64,
 }
 
-/// How far a character moves what follows it, in ems.
+/// Advance width of a character, in em.
 pub(crate) fn advance(weight: Weight, character: char) -> f64 {
     if is_invisible(character) || is_accent(character) {
         return 0.0;
@@ -63,7 +64,7 @@ pub(crate) fn advance(weight: Weight, character: char) -> f64 {
     }
 }
 
-/// A text in characters that the faces have, as far as others can stand for those they lack.
+/// Replaces characters that the faces lack, if a substitute exists.
 pub(crate) fn spelt(words: &str) -> String {
     let has = |c| Weight::Regular.face().glyph_index(c).is_some();
     let mut out = String::with_capacity(words.len());
@@ -76,7 +77,7 @@ pub(crate) fn spelt(words: &str) -> String {
     out
 }
 
-/// Characters without width and outline: joiners, direction marks, variation selectors.
+/// True for characters without width and outline: joiners, direction marks, variation selectors.
 fn is_invisible(c: char) -> bool {
     matches!(c, '\u{200B}'..='\u{200F}' | '\u{202A}'..='\u{202E}' | '\u{2060}'..='\u{206F}'
         | '\u{FE00}'..='\u{FE0F}' | '\u{FEFF}' | '\u{00AD}')
@@ -87,7 +88,7 @@ fn is_accent(c: char) -> bool {
         | '\u{20D0}'..='\u{20FF}')
 }
 
-/// Signs that the faces lack, in other characters.
+/// Substitute of a character that the faces lack.
 fn stand_in(c: char) -> Option<&'static str> {
     Some(match c {
         '→' | '⟶' => "->",

@@ -1,4 +1,4 @@
-//! Where everything goes: a figure becomes a scene.
+//! Layout: converts a figure to a scene.
 
 use crate::axis::{Axis, drawable, extent};
 use crate::curve;
@@ -11,23 +11,23 @@ use crate::scene::{Anchor, Point, Scene, crisp, solid};
 use crate::text::{fit, medium, regular, width};
 
 const WIDTH: f64 = 900.0;
-/// Free on the left and on the right of everything.
+/// Margin on the left and right of the page.
 const MARGIN: f64 = 28.0;
-/// Height of the frame of a panel.
+/// Height of a panel's frame.
 const FRAME: f64 = 232.0;
-/// Height of the heading of a panel, above its frame.
+/// Height of a panel's heading, above its frame.
 const HEADING: f64 = 30.0;
-/// Between the frame of a panel and the heading of the next.
+/// Distance between a frame and the next heading.
 const BETWEEN: f64 = 24.0;
 const TITLE: Font = medium(19.0);
 const SUBTITLE: Font = regular(13.0);
 const LABEL: Font = medium(13.0);
 const NUMBER: Font = regular(12.0);
-/// How far a number is from its axis, and how far below the middle of its line its baseline is.
+/// Distance between tick label and axis.
 const GAP: f64 = 8.0;
 const HALF_DIGIT: f64 = 4.3;
 
-/// One panel's frame on the page.
+/// Frame of a panel on the page.
 struct Frame<'a> {
     x: &'a Axis,
     y: &'a Axis,
@@ -49,7 +49,7 @@ impl Frame<'_> {
     fn place(&self, x: f64, y: f64) -> Point {
         (self.across(self.x.fraction(x)), self.down(self.y.fraction(y)))
     }
-    /// Whether some of its points may lie outside.
+    /// True if a point may lie outside the frame.
     fn is_limited(&self, panel: &Panel) -> bool {
         let holds = |&(x, y): &(f64, Option<f64>)| {
             let inside = |axis: &Axis, v: f64| drawable(v).is_none_or(|v| axis.holds(v));
@@ -65,7 +65,7 @@ impl Frame<'_> {
     }
 }
 
-/// The figure on its page.
+/// Lays out a figure on one page.
 pub(crate) fn arrange(figure: &Figure) -> Scene {
     let title = fit(&figure.title, TITLE, WIDTH - 2.0 * MARGIN);
     let subtitle = fit(&figure.subtitle, SUBTITLE, WIDTH - 2.0 * MARGIN);
@@ -123,11 +123,11 @@ fn y_axis(panel: &Panel) -> Axis {
         return Axis::tight(Some(limits), 6);
     }
     let points = panel.series.iter().flat_map(|s| &s.points);
-    // A value without its place is not drawn: it does not affect the range.
+    // A value without a drawable x is not drawn, so it does not affect the range.
     Axis::roomy(extent(points.filter(|p| drawable(p.0).is_some()).filter_map(|p| p.1)), 6)
 }
 
-/// The shared axis, its numbers as many as fit side by side.
+/// Shared x axis with as many ticks as fit side by side.
 fn x_axis(figure: &Figure, room: f64) -> Axis {
     let points = figure.panels.iter().flat_map(|p| &p.series).flat_map(|s| &s.points).map(|p| p.0);
     let limits = figure.x_limits.and_then(|(low, high)| extent([low, high].into_iter()));
@@ -184,7 +184,7 @@ fn draw_panel(
     }
 }
 
-/// Grid, zero lines, axis and the numbers on the left.
+/// Draws the grid, the zero lines, the axis and the tick labels of y.
 fn draw_grid(scene: &mut Scene, frame: &Frame) {
     let uprights = |fractions: Vec<f64>| fractions.into_iter().map(|f| frame.upright(frame.across(f)));
     let levels = |fractions: Vec<f64>| fractions.into_iter().map(|f| frame.level(frame.down(f)));
@@ -208,7 +208,7 @@ fn draw_grid(scene: &mut Scene, frame: &Frame) {
     }
 }
 
-/// The numbers below the last panel, those at the ends moved in where they would leave the page.
+/// Draws the tick labels of x below the last panel; labels at the ends are moved to stay on the page.
 fn numbers_across(scene: &mut Scene, frame: &Frame) {
     for tick in frame.x.ticks() {
         let half = 0.5 * width(&tick.label, NUMBER) + 4.0;

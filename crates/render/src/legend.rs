@@ -1,4 +1,4 @@
-//! The legend of a panel: beside its heading where there is room, else in rows below it.
+//! Legend of a panel: in the heading line if it fits, else in rows below it.
 
 use crate::figure::{Series, Style};
 use crate::font::Font;
@@ -7,27 +7,28 @@ use crate::scene::{Anchor, Point, Scene, Stroke};
 use crate::text::{fit, regular, width};
 
 const FONT: Font = regular(12.5);
-/// Length of the sample of a line.
+/// Length of a line sample.
 const SAMPLE: f64 = 24.0;
 const AFTER_SAMPLE: f64 = 7.0;
 const BETWEEN: f64 = 20.0;
-/// A reader's own sans-serif may be wider than the embedded one; DejaVu Sans is, by an eighth.
+/// Width reserve: the reader's sans-serif may be wider than the embedded face; DejaVu Sans is 12.5 % wider.
 pub(crate) const SLACK: f64 = 1.13;
 /// Height of one row.
 pub(crate) const ROW: f64 = 19.0;
-/// Radius of a lone value and of a measurement.
+/// Radius of an isolated value and of a measurement.
 pub(crate) const DOT: f64 = 2.8;
 
-/// Where the entries go: offsets from the left end of their row, and the rows.
+/// Entries with their offset from the left end of the row, and their row.
 pub(crate) struct Legend {
     entries: Vec<(String, f64, usize)>,
-    /// How many rows it takes below the heading: 0 where it fits beside it.
+    /// Number of rows below the heading; 0 if the legend is in the heading line.
     pub rows: usize,
     /// Width of a legend of one row.
     width: f64,
 }
 
-/// A legend for two series or more; `room` is the width of the page, `beside` what of it the heading leaves free.
+/// Lays out a legend for two or more series. `room` is the width of the page, `beside` the width left in the
+/// heading line.
 pub(crate) fn plan(series: &[Series], room: f64, beside: f64) -> Legend {
     if series.len() < 2 {
         return Legend { entries: Vec::new(), rows: 0, width: 0.0 };
@@ -35,7 +36,7 @@ pub(crate) fn plan(series: &[Series], room: f64, beside: f64) -> Legend {
     let name = |s: &Series| fit(if s.name.trim().is_empty() { "—" } else { &s.name }, FONT, 0.5 * room);
     let names: Vec<String> = series.iter().map(name).collect();
     let length = |words: &String| SAMPLE + AFTER_SAMPLE + SLACK * width(words, FONT);
-    // At the right end the margin serves as slack.
+    // At the right end the page margin serves as reserve.
     let spare = names.last().map_or(0.0, |last| ((SLACK - 1.0) * width(last, FONT)).min(16.0));
     let whole = names.iter().map(length).sum::<f64>() + BETWEEN * (names.len() - 1) as f64 - spare;
     let beside = whole <= beside;
@@ -52,7 +53,7 @@ pub(crate) fn plan(series: &[Series], room: f64, beside: f64) -> Legend {
 }
 
 impl Legend {
-    /// Draws it: on the heading's baseline, up to `right`; or from `left` in the rows below.
+    /// Draws the legend: in the heading line up to `right`, or from `left` in the rows below.
     pub fn draw(
         self,
         scene: &mut Scene,
@@ -77,7 +78,7 @@ impl Legend {
     }
 }
 
-/// How a line of this style is drawn, here and in the panel.
+/// Stroke of a line style, in the legend and in the panel.
 pub(crate) fn stroke(style: Style, colour: Colour) -> Stroke {
     let dash = (style == Style::Dashed).then_some((6.5, 3.5));
     Stroke { colour, width: 2.0, dash }

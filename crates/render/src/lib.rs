@@ -1,19 +1,19 @@
 //! Line plots from plain numbers, as SVG, PNG and PDF; quantities over surfaces, as these, as PLY and as glTF.
 //!
-//! A [`Figure`] is a stack of [`Panel`]s over one shared x axis; each holds [`Series`] whose values may be missing.
-//! `layout` turns the figure into a list of strokes, dots, patches and texts (`scene`), and `svg` writes it:
-//! [`Figure::to_svg`]. [`Figure::to_png`] and [`Figure::to_pdf`] are made from that SVG by resvg and svg2pdf. SVG text stays text,
-//! in Roboto where it is installed and the reader's sans-serif elsewhere; PNG and PDF have the embedded Roboto,
-//! so that a machine without fonts will do.
+//! A [`Figure`] is a stack of [`Panel`]s over one shared x axis; each panel has [`Series`] with possibly
+//! missing values. `layout` converts the figure to strokes, dots, patches and texts (`scene`), and `svg` writes
+//! the scene: [`Figure::to_svg`]. [`Figure::to_png`] and [`Figure::to_pdf`] convert this SVG with resvg and
+//! svg2pdf. SVG text stays text, in Roboto if installed and otherwise in the reader's sans-serif; PNG and PDF
+//! use the embedded Roboto, so no installed fonts are needed.
 //!
-//! A [`Drawing`] shows a mechanism from two sides. A [`Sheet`] puts figures with x axes of their own below one another. A [`Skin`] is a quantity over facets in space: two views
-//! with a scale of colours, [`Skin::write_ply`], [`Skin::to_glb`].
+//! A [`Drawing`] shows a mechanism in two views. A [`Sheet`] stacks figures with different x axes. A [`Skin`]
+//! is a quantity over facets in space: two views with a colour scale, [`Skin::write_ply`], [`Skin::to_glb`].
 //!
-//! What a figure cannot show is left out of it and never an error: a value that is missing, NaN, infinite or beyond
-//! 1e300 is a gap, one below 1e-300 is zero, an empty panel has a note. Names too long for their room end in `…`.
-//! The same figure gives the same SVG and PNG to the byte (fonts stand in a PDF in any order), and their number does not grow with the number of points beyond what a
-//! picture of this size can show. Nothing here knows a mechanism, or where the numbers come from.
-//!
+//! Undrawable data are left out and are never an error: missing values, NaN, infinities and magnitudes above
+//! 1e300 are gaps, magnitudes below 1e-300 are zero, an empty panel shows a note. Names that are too long end
+//! in `…`. The same figure gives the same SVG and PNG to the byte (in a PDF the order of the fonts varies). The
+//! size of the file is bounded independently of the number of points. This crate depends on no other crate of
+//! the workspace.
 //! ```
 //! use percuss_render::{Figure, Panel, Series, Style};
 //!

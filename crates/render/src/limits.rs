@@ -1,31 +1,30 @@
-//! The thresholds of drawing, each with its unit and its reason. The dimensions of the layout are in the files that lay
-//! out.
+//! Thresholds of drawing, each with unit and reason. Layout dimensions are in the files that use them.
 
-/// Values beyond this are not drawn: below it no difference, step or label overflows. In the units of the data.
+/// Largest drawn magnitude: below this limit no difference, step or label overflows. Data units.
 pub(crate) const LARGEST_VALUE: f64 = 1e300;
-/// Values below this are drawn as zero: above it no step of an axis underflows. In the units of the data.
+/// Smallest drawn magnitude; below it values are zero: above it no step of an axis underflows. Data units.
 pub(crate) const SMALLEST_VALUE: f64 = 1e-300;
-/// A range narrower than this part of its values is rounding, and drawn as one value.
+/// Relative width of a range below which the spread is rounding, and the range is drawn as one value.
 pub(crate) const FLAT: f64 = 1e-9;
-/// By this part of a step a tick may lie outside an axis: ends are included in spite of rounding.
+/// Fraction of a step by which a tick may exceed the axis, so that the end points are included in spite of rounding.
 pub(crate) const TICK_SLACK: f64 = 1e-6;
-/// A step counts as 1, 2 or 5 within this relative slack: a span of 0.6 in three steps must not depend on rounding.
+/// Relative tolerance of the mantissas 1, 2 and 5: a span of 0.6 in three steps must not depend on rounding.
 pub(crate) const STEP_SLACK: f64 = 1e-9;
-/// Points nearer than this fall into one column, in units of the page: half a pixel at scale 1.
+/// Width of a column, page units: half a pixel at scale 1. Points in one column are merged.
 pub(crate) const COLUMN: f64 = 0.5;
-/// Places on the page of one series, about: what is beyond is thinned evenly. Four in each column of the page.
+/// Approximate limit of points per series, four per column of the page; more points are thinned evenly.
 pub(crate) const MOST_PLACES: usize = 8_000;
-/// The largest picture, in pixels: 128 MiB while it is drawn.
+/// Limit of the pixels of a picture: 128 MiB while drawing.
 pub(crate) const MOST_PIXELS: f64 = (1u32 << 25) as f64;
-/// Characters of one text, however narrow they are: more do not fit the page.
+/// Limit of the characters of one text: more characters do not fit the page, however narrow they are.
 pub(crate) const MOST_CHARACTERS: usize = 240;
-/// Rows of names of marks above the first panel.
+/// Limit of the rows of mark labels above the first panel.
 pub(crate) const MOST_MARK_ROWS: usize = 4;
-/// Marks of a figure that are drawn: more than one for two units of the page's width cannot be distinguished.
+/// Limit of drawn marks: more than one per two page units cannot be distinguished.
 pub(crate) const MOST_MARKS: usize = 400;
-/// Values over a surface have a logarithmic scale where the largest is more than so many times the least: on an even one, half
-/// of the colours would be left to less than a decade.
+/// Ratio of largest to smallest value above which a colour scale is logarithmic: on a linear scale, less than a
+/// decade would get half of the colours.
 pub(crate) const LOGARITHMIC: f64 = 20.0;
-/// Part of the values over a surface up to which the scale goes where the largest would take most of it: beside what nothing moves,
-/// masses grow beyond bounds.
+/// Quantile of the values at which the colour scale ends if outliers would take most of it: near immovable
+/// contacts the effective mass grows without bound.
 pub(crate) const MOST_SHOWN: f64 = 0.95;

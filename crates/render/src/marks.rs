@@ -1,4 +1,4 @@
-//! Marks on the x axis: a line through all panels, named in a strip above the first.
+//! Marks on the x axis: a line through all panels, labelled above the first panel.
 
 use crate::axis::{Axis, drawable};
 use crate::figure::Mark;
@@ -16,23 +16,23 @@ const STROKE: Stroke = Stroke { colour: SOFT_INK, width: 1.0, dash: Some((2.0, 3
 /// Marks on the page.
 pub(crate) struct Strip {
     names: Vec<Name>,
-    /// Places without words.
+    /// Positions of the marks without label.
     bare: Vec<f64>,
     rows: usize,
 }
 
-/// The name of a mark.
+/// Label of a mark.
 struct Name {
     words: String,
-    /// The mark's place.
+    /// Position of the mark.
     x: f64,
-    /// The words' middle.
+    /// Centre of the text.
     middle: f64,
-    /// Counted upwards from the frame.
+    /// Row, counted upwards from the frame.
     row: usize,
 }
 
-/// Finds each name a row where it meets no other, `left` and `right` being the ends of the frame.
+/// Assigns each label the first row without overlap; `left` and `right` are the ends of the frame.
 pub(crate) fn plan(marks: &[Mark], axis: &Axis, left: f64, right: f64) -> Strip {
     let mut strip = Strip { names: Vec::new(), bare: Vec::new(), rows: 0 };
     let mut taken: [Vec<(f64, f64)>; limits::MOST_MARK_ROWS] = Default::default();
@@ -57,12 +57,12 @@ pub(crate) fn plan(marks: &[Mark], axis: &Axis, left: f64, right: f64) -> Strip 
 }
 
 impl Strip {
-    /// The height it takes above the first frame.
+    /// Height of the labels above the first frame.
     pub fn height(&self) -> f64 {
         if self.rows == 0 { 0.0 } else { ROW * self.rows as f64 + 4.0 }
     }
 
-    /// The names above a frame whose upper edge is at `top`.
+    /// Draws the labels above a frame with its upper edge at `top`.
     pub fn draw_names(&self, scene: &mut Scene, top: f64) {
         for name in &self.names {
             let at = (name.middle, top - 8.0 - ROW * name.row as f64);
@@ -70,7 +70,7 @@ impl Strip {
         }
     }
 
-    /// The lines from the upper to the lower edge of a frame; in the first, up to their names.
+    /// Draws the lines from the upper to the lower edge of a frame; in the first frame, up to the labels.
     pub fn draw_lines(&self, scene: &mut Scene, top: f64, bottom: f64, first: bool) {
         let rise = |row: usize| if first { 4.0 + ROW * row as f64 } else { 0.0 };
         let named = self.names.iter().map(|n| vec![(n.x, top - rise(n.row)), (n.x, bottom)]);

@@ -1,4 +1,4 @@
-//! The colours: Okabe and Ito's set, distinguishable with any of the common colour vision deficiencies, and greys.
+//! Colours: the set of Okabe and Ito, distinguishable with the common colour vision deficiencies, and greys.
 
 use crate::figure::Figure;
 
@@ -14,7 +14,7 @@ pub(crate) const ZERO: Colour = Colour(176, 183, 193);
 pub(crate) const GRID: Colour = Colour(220, 224, 230);
 pub(crate) const MINOR_GRID: Colour = Colour(242, 244, 247);
 
-/// Blue, vermilion, green, purple, orange, sky, black; yellow is left out: it vanishes on white.
+/// Blue, vermilion, green, purple, orange, sky blue, black. Yellow is left out: its contrast on white is too low.
 const SERIES: [Colour; 7] = [
     Colour(0, 114, 178),
     Colour(213, 94, 0),
@@ -25,7 +25,7 @@ const SERIES: [Colour; 7] = [
     Colour(60, 60, 60),
 ];
 
-/// The colour of every series, panel by panel. A name keeps its colour through the figure; nameless ones differ.
+/// Assigns a colour to every series, panel by panel. Equal names get the same colour, each unnamed series a new one.
 pub(crate) fn assign(figure: &Figure) -> Vec<Vec<Colour>> {
     let mut seen = std::collections::HashMap::new();
     let mut used = 0;

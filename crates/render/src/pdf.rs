@@ -1,4 +1,4 @@
-//! A scene as a PDF: what is drawn by svg2pdf, images below it.
+//! Writes a scene as PDF: vector content by svg2pdf, images below it.
 
 use crate::backend::{MADE_BY, RenderError, tree};
 use crate::scene::{Item, Scene};
@@ -6,10 +6,11 @@ use crate::svg;
 use pdf_writer::{Content, Filter, Finish, Name, Pdf, Rect, Ref};
 use std::collections::HashMap;
 
-/// Points of a PDF in a unit of the SVG, which is 1/96 inch.
+/// PDF points per page unit (1/96 inch).
 const POINTS: f64 = 72.0 / 96.0;
 
-/// The picture as a PDF of one page; text stays text. Its images lie below all that is drawn, whatever their order.
+/// Returns the picture as a PDF of one page; text stays text. Images are below all vector content, whatever
+/// their order.
 pub(crate) fn write(scene: &Scene) -> Result<Vec<u8>, RenderError> {
     let made = svg2pdf::to_chunk(&tree(&svg::write_over(scene))?, svg2pdf::ConversionOptions::default());
     let (drawn, drawn_id) = made.map_err(|error| RenderError::Pdf { message: error.to_string() })?;
@@ -40,7 +41,7 @@ pub(crate) fn write(scene: &Scene) -> Result<Vec<u8>, RenderError> {
     resources.finish();
     of_page.finish();
     let mut content = Content::new();
-    // An object is a unit square; y is upwards.
+    // An image object is a unit square with y upwards.
     for (i, (at, size, ..)) in images.iter().enumerate() {
         let (w, h) = ((size.0 * POINTS) as f32, (size.1 * POINTS) as f32);
         let (x, y) = ((at.0 * POINTS) as f32, height - (at.1 * POINTS) as f32 - h);
@@ -62,7 +63,7 @@ pub(crate) fn write(scene: &Scene) -> Result<Vec<u8>, RenderError> {
     }
     file.extend(&drawn);
     let mut bytes = file.finish();
-    // A comment behind the end.
+    // A comment after the end-of-file marker.
     bytes.extend_from_slice(format!("\n% {MADE_BY}\n").as_bytes());
     Ok(bytes)
 }

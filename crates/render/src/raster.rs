@@ -1,8 +1,8 @@
-//! Triangles as pixels: the nearest wins.
+//! Triangle rasteriser with a depth buffer.
 
 use crate::palette::{Colour, PAPER};
 
-/// A rectangle of pixels, three bytes each, with how near each is.
+/// Rectangle of RGB pixels with depth; a larger depth is nearer.
 pub(crate) struct Raster {
     pub columns: usize,
     pub rows: usize,
@@ -11,24 +11,24 @@ pub(crate) struct Raster {
 }
 
 impl Raster {
-    /// Paper.
+    /// Creates a raster filled with the paper colour.
     pub fn new(columns: usize, rows: usize) -> Self {
         let mut pixels = vec![0; 3 * columns * rows];
         pixels.chunks_exact_mut(3).for_each(|p| p.copy_from_slice(&[PAPER.0, PAPER.1, PAPER.2]));
         Self { columns, rows, pixels, depth: vec![f32::NEG_INFINITY; columns * rows] }
     }
 
-    /// How near the pixel at a place is; none beside the picture.
+    /// Depth of the pixel at a point; `None` outside the picture.
     pub fn depth_at(&self, x: f64, y: f64) -> Option<f64> {
         let inside = |v: f64, size: usize| v >= 0.0 && v < size as f64;
         let at = || y as usize * self.columns + x as usize;
         (inside(x, self.columns) && inside(y, self.rows)).then(|| f64::from(self.depth[at()]))
     }
 
-    /// A triangle between places in pixels from the upper left, each with how near it is.
+    /// Draws a triangle; corners are x and y in pixels from the upper left, and depth.
     pub fn triangle(&mut self, [a, b, c]: &[[f64; 3]; 3], colour: Colour) {
         let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-        // NaN is no area.
+        // A degenerate triangle has no area; NaN coordinates are treated the same.
         if area.is_nan() || area.abs() <= 1e-12 || self.pixels.is_empty() {
             return;
         }
@@ -42,7 +42,7 @@ impl Raster {
                     ((q[0] - p[0]) * (y - p[1]) - (q[1] - p[1]) * (x - p[0])) / area
                 };
                 let (wa, wb, wc) = (part(b, c), part(c, a), part(a, b));
-                // Neighbours may both take the pixels of their edge: no gap is left.
+                // The tolerance lets neighbouring triangles share the pixels of their edge, so that no gap remains.
                 if wa < -1e-9 || wb < -1e-9 || wc < -1e-9 {
                     continue;
                 }

@@ -1,4 +1,4 @@
-//! Figures drawn: one on a page, or several one below the other, each with axes of its own.
+//! Output of figures: one on a page, or several one below the other with separate axes.
 
 use crate::backend::RenderError;
 use crate::figure::Figure;
@@ -6,56 +6,57 @@ use crate::scene::{Item, Point, Scene};
 use crate::{backend, layout, pdf, svg};
 
 impl Figure {
-    /// The figure as an SVG document, 900 units wide and about 300 high for each panel.
+    /// Returns the figure as an SVG document, 900 page units wide and about 300 high per panel.
     ///
-    /// Cost: linear in the points. The document's length is bounded by the number of series, not of points.
+    /// Cost: linear in the number of points. The length of the document is bounded by the number of series, not
+    /// of points.
     pub fn to_svg(&self) -> String {
         svg::write(&layout::arrange(self))
     }
 
-    /// The same picture as a PNG, `scale` pixels for each unit of the SVG: 1 for a small screen, 2 for a sharp one or
-    /// for print.
+    /// Returns the figure as a PNG with `scale` pixels per page unit: 1 for a small screen, 2 for a sharp
+    /// screen or for print.
     ///
     /// # Errors
-    /// `scale` not a positive number, or a picture of more than 2^25 pixels.
+    /// [`RenderError::Scale`], or [`RenderError::TooLarge`] above 2^25 pixels.
     pub fn to_png(&self, scale: f32) -> Result<Vec<u8>, RenderError> {
         backend::png(&self.to_svg(), scale)
     }
 
-    /// The same picture as a PDF of one page, its fonts embedded.
+    /// Returns the figure as a PDF of one page with embedded fonts.
     ///
     /// # Errors
-    /// Those of the PDF writer.
+    /// Errors of the PDF writer.
     pub fn to_pdf(&self) -> Result<Vec<u8>, RenderError> {
         pdf::write(&layout::arrange(self))
     }
 }
 
-/// Figures with x axes of their own, from top to bottom.
+/// Figures with separate x axes, stacked on one page.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sheet {
-    /// From top to bottom.
+    /// Figures from top to bottom.
     pub figures: Vec<Figure>,
 }
 
 impl Sheet {
-    /// The sheet as an SVG document.
+    /// Returns the sheet as an SVG document.
     pub fn to_svg(&self) -> String {
         svg::write(&self.arrange())
     }
 
-    /// The same picture as a PNG, `scale` pixels for each unit of the SVG.
+    /// Returns the sheet as a PNG with `scale` pixels per page unit.
     ///
     /// # Errors
-    /// `scale` not a positive number, or a picture of more than 2^25 pixels.
+    /// [`RenderError::Scale`], or [`RenderError::TooLarge`] above 2^25 pixels.
     pub fn to_png(&self, scale: f32) -> Result<Vec<u8>, RenderError> {
         backend::png(&self.to_svg(), scale)
     }
 
-    /// The same picture as a PDF of one page, its fonts embedded.
+    /// Returns the sheet as a PDF of one page with embedded fonts.
     ///
     /// # Errors
-    /// Those of the PDF writer.
+    /// Errors of the PDF writer.
     pub fn to_pdf(&self) -> Result<Vec<u8>, RenderError> {
         pdf::write(&self.arrange())
     }

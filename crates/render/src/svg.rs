@@ -1,4 +1,4 @@
-//! A scene as an SVG document.
+//! Writes a scene as an SVG document.
 
 use crate::backend::{MADE_BY, of_pixels};
 use crate::palette::{Colour, PAPER};
@@ -6,10 +6,10 @@ use crate::scene::{Anchor, Item, Point, Scene, Stroke, Text};
 use base64::Engine;
 use std::fmt::{Display, Formatter, Result, Write};
 
-/// Roboto where it is installed, and faces about as wide.
+/// Roboto if installed, otherwise fonts of about the same width.
 const FAMILY: &str = "Roboto, 'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', sans-serif";
 
-/// The document, coordinates to a hundredth.
+/// Returns the document; coordinates are rounded to 0.01.
 pub(crate) fn write(scene: &Scene) -> String {
     let mut out = String::new();
     // Writing to a string cannot fail.
@@ -17,7 +17,7 @@ pub(crate) fn write(scene: &Scene) -> String {
     out
 }
 
-/// The document without its paper and its images, to be put over these.
+/// Returns the document without paper and images; the PDF writer adds these below.
 pub(crate) fn write_over(scene: &Scene) -> String {
     let mut out = String::new();
     let _ = head(scene, &mut out).and_then(|()| items(scene, false, &mut out));
@@ -71,7 +71,7 @@ fn lines(chains: &[Vec<Point>], stroke: &Stroke, out: &mut String) -> Result {
     writeln!(out, r#" stroke-linejoin="round"/>"#)
 }
 
-/// Lines of no length with round ends: a third of the bytes of circles.
+/// Writes dots as lines of zero length with round ends: a third of the bytes of circles.
 fn dots(centres: &[Point], radius: f64, colour: Colour, out: &mut String) -> Result {
     write!(out, r#"<path d=""#)?;
     for &(x, y) in centres {
@@ -87,9 +87,8 @@ fn patch(from: Point, to: Point, colour: Colour, out: &mut String) -> Result {
     writeln!(out, r#" width="{width}" height="{height}" fill="{colour}"/>"#)
 }
 
-/// Pixels, as a PNG within the document.
+/// Writes pixels as an embedded PNG.
 fn image(at: Point, size: (f64, f64), pixels: &[u8], columns: usize, out: &mut String) -> Result {
-    // Pixels that make no picture are left out.
     let Some(bytes) = of_pixels(pixels, columns) else { return Ok(()) };
     write!(out, r#"<image x="{}" y="{}""#, Number(at.0), Number(at.1))?;
     write!(out, r#" width="{}" height="{}""#, Number(size.0), Number(size.1))?;
@@ -111,7 +110,7 @@ fn words(text: &Text, out: &mut String) -> Result {
     writeln!(out, ">{}</text>", Escaped(&text.words))
 }
 
-/// A coordinate to a hundredth, without trailing zeros.
+/// Coordinate rounded to 0.01, without trailing zeros.
 struct Number(f64);
 
 impl Display for Number {
@@ -133,7 +132,7 @@ impl Display for Colour {
     }
 }
 
-/// Text between tags.
+/// Text with XML markup characters escaped.
 struct Escaped<'a>(&'a str);
 
 impl Display for Escaped<'_> {

@@ -1,13 +1,13 @@
-//! Text prepared for the page: printable, on one line, no wider than their room.
+//! Prepares text for the page: printable characters, one line, limited width.
 
 use crate::font::{Font, Weight, advance, spelt};
 use crate::limits;
 
-/// The text without control characters and outer space, cut to `room` (units of the page) with an ellipsis.
+/// Removes control characters and outer spaces, and shortens the text to `room` page units with an ellipsis.
 pub(crate) fn fit(words: &str, font: Font, room: f64) -> String {
     let mut length = 0.0;
     let ellipsis = width("…", font);
-    // As much as goes before an ellipsis, should one be needed.
+    // Length of the text that fits together with an ellipsis.
     let (mut kept, mut safe) = (String::new(), 0);
     for (i, c) in spelt(words.trim()).chars().map(printable).enumerate() {
         length += advance(font.weight, c);
@@ -26,12 +26,12 @@ pub(crate) fn fit(words: &str, font: Font, room: f64) -> String {
     kept
 }
 
-/// How wide a text is, in units of the page.
+/// Width of a text, in page units.
 pub(crate) fn width(words: &str, font: Font) -> f64 {
     words.chars().map(|c| advance(font.weight, c)).sum::<f64>() * font.size
 }
 
-/// Space for control characters; U+FFFD for what XML cannot hold even escaped.
+/// Replaces control characters by spaces, and characters that XML cannot hold by U+FFFD.
 fn printable(c: char) -> char {
     match c {
         c if c.is_control() || matches!(c, '\u{2028}' | '\u{2029}') => ' ',
@@ -40,12 +40,12 @@ fn printable(c: char) -> char {
     }
 }
 
-/// A font in the regular face.
+/// Font of the regular face.
 pub(crate) const fn regular(size: f64) -> Font {
     Font { weight: Weight::Regular, size }
 }
 
-/// A font in the medium face.
+/// Font of the medium face.
 pub(crate) const fn medium(size: f64) -> Font {
     Font { weight: Weight::Medium, size }
 }
@@ -72,7 +72,7 @@ mod tests {
         assert_eq!(fit("a → b", regular(10.0), 100.0), "a -> b");
         assert!(width("質", regular(10.0)) > 0.0);
         assert_eq!(width("a\u{200B}b", regular(10.0)), width("ab", regular(10.0)));
-        // Every character percuss itself may write is there.
+        // The faces contain every character that percuss itself writes.
         for c in "0123456789−.×⁰¹²³⁴⁵⁶⁷⁸⁹⁻…m̄ (kg) · ° µ Δ √ ≤ ≥ ≈ ∞".chars()
         {
             for weight in [Weight::Regular, Weight::Medium] {

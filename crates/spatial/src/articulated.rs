@@ -1,17 +1,17 @@
-//! Articulated-body inertia: the inertia of a subtree with free joints, at the body it is attached to.
+//! Articulated-body inertia: apparent inertia of a subtree, whose joints are free to move, at its root body.
 
 use crate::{Scalar, SpatialInertia, Twist, Wrench};
 use nalgebra::{Matrix3, Vector3};
 use std::ops::AddAssign;
 
-/// A symmetric 6×6 map from twist to wrench, by blocks: moment = A ω + C v, force = Cᵀ ω + L v.
+/// Symmetric 6×6 map from twist to wrench, in blocks: moment = A ω + C v, force = Cᵀ ω + L v.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ArticulatedInertia<T: Scalar> {
     /// A: moment per angular acceleration, kg·m².
     pub angular: Matrix3<T>,
     /// C: moment per linear acceleration, kg·m.
     pub coupling: Matrix3<T>,
-    /// L: force per linear acceleration, kg; no longer a multiple of the identity.
+    /// L: force per linear acceleration, kg; in general no multiple of the identity.
     pub linear: Matrix3<T>,
 }
 
@@ -22,7 +22,7 @@ impl<T: Scalar> ArticulatedInertia<T> {
         Self { angular: Matrix3::zeros(), coupling: Matrix3::zeros(), linear: Matrix3::zeros() }
     }
 
-    /// The wrench that goes with the twist (or acceleration) `v`.
+    /// Wrench I v of the twist or acceleration `v`.
     #[inline]
     pub fn apply(&self, v: &Twist<T>) -> Wrench<T> {
         Wrench::new(
@@ -31,8 +31,8 @@ impl<T: Scalar> ArticulatedInertia<T> {
         )
     }
 
-    /// Subtracts the dyad a bᵀ of two wrenches of one direction (U D⁻¹ and U): what was symmetric to the last bit stays so.
-    /// What rounding leaves of a part that is not symmetric no elimination takes away again.
+    /// Subtracts the dyad a bᵀ of two parallel wrenches (U D⁻¹ and U). The result is symmetric to the last bit:
+    /// no later elimination would remove an asymmetry left by rounding.
     #[inline]
     pub fn subtract_dyad(&mut self, a: &Wrench<T>, b: &Wrench<T>) {
         for i in 0..3 {
@@ -47,7 +47,7 @@ impl<T: Scalar> ArticulatedInertia<T> {
     }
 }
 
-/// Copies what is above the diagonal below it.
+/// Copies the upper triangle to the lower one.
 #[inline]
 fn mirror<T: Scalar>(m: &mut Matrix3<T>) {
     (m[(1, 0)], m[(2, 0)], m[(2, 1)]) = (m[(0, 1)], m[(0, 2)], m[(1, 2)]);

@@ -1,4 +1,4 @@
-//! Dual numbers: a value and its derivative along one direction. The only module that names `num-dual`.
+//! Dual numbers: value and derivative in one direction. The only module that uses `num-dual`.
 
 use crate::Scalar;
 pub use num_dual::Dual64;

@@ -4,8 +4,8 @@ use crate::{Scalar, Twist, Wrench};
 use nalgebra::{Matrix3, Vector3};
 use std::ops::{Add, AddAssign};
 
-/// Inertia of a rigid body about the origin of the frame it is expressed in: the ten parameters in which
-/// kinetic energy is linear.
+/// Inertia of a rigid body about the origin of its frame: the ten parameters, which the kinetic energy depends
+/// on linearly.
 ///
 /// 2T = ω·I ω + 2 v·(ω × h) + m v·v, with h = m c.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,29 +19,28 @@ pub struct SpatialInertia<T: Scalar> {
 }
 
 impl<T: Scalar> SpatialInertia<T> {
-    /// No mass at all.
+    /// Zero inertia.
     #[inline]
     pub fn zero() -> Self {
         Self { mass: T::zero(), first_moment: Vector3::zeros(), rotational: Matrix3::zeros() }
     }
 
-    /// From the mass (kg), the centre of mass (m) and the rotational inertia about the centre of mass
+    /// Inertia from the mass (kg), the centre of mass (m) and the rotational inertia about the centre of mass
     /// (kg·m²), all in the axes of the frame.
     pub fn about_com(mass: T, com: Vector3<T>, rotational_about_com: Matrix3<T>) -> Self {
         let (xx, yy, zz) = (com.x * com.x, com.y * com.y, com.z * com.z);
-        // Not |c|² − c cᵀ: on the diagonal its large terms would cancel.
+        // The form |c|² 1 − c cᵀ would cancel large terms on the diagonal.
         let steiner = Matrix3::from_diagonal(&Vector3::new(yy + zz, zz + xx, xx + yy))
             + (Matrix3::from_diagonal(&Vector3::new(xx, yy, zz)) - com * com.transpose());
         Self { mass, first_moment: com * mass, rotational: rotational_about_com + steiner * mass }
     }
 
-    /// From the mass (kg), the first moment m c (kg·m) and the rotational inertia about the frame's origin
-    /// (kg·m²).
+    /// Inertia from the mass (kg), the first moment m c (kg·m) and the rotational inertia about the origin (kg·m²).
     pub fn about_origin(mass: T, first_moment: Vector3<T>, rotational_about_origin: Matrix3<T>) -> Self {
         Self { mass, first_moment, rotational: rotational_about_origin }
     }
 
-    /// A point mass (kg) at `p` (m).
+    /// Inertia of a point mass (kg) at `p` (m).
     pub fn point_mass(mass: T, p: Vector3<T>) -> Self {
         Self::about_com(mass, p, Matrix3::zeros())
     }
@@ -64,7 +63,7 @@ impl<T: Scalar> SpatialInertia<T> {
 }
 
 impl SpatialInertia<f64> {
-    /// The same inertia over another scalar.
+    /// Converts the inertia to another scalar type.
     #[inline]
     pub fn cast<T: Scalar>(&self) -> SpatialInertia<T> {
         SpatialInertia {
@@ -104,11 +103,11 @@ mod tests {
         let c = Vector3::new(0.3, -0.1, 0.7);
         let i_c = Matrix3::new(0.5, 0.01, 0.0, 0.01, 0.6, 0.02, 0.0, 0.02, 0.4);
         let body = SpatialInertia::about_com(2.0, c, i_c);
-        // Spin about an axis through the centre of mass: only I_c counts.
+        // For a rotation about an axis through the centre of mass only I_c counts.
         let omega = Vector3::new(1.0, 2.0, -0.5);
         let spin = Twist::new(omega, -omega.cross(&c));
         assert_relative_eq!(body.twice_energy(&spin), omega.dot(&(i_c * omega)), epsilon = 1e-14);
-        // A parallel-axis shift by hand: I_zz = I_c,zz + m (x² + y²).
+        // Parallel-axis theorem: I_zz = I_c,zz + m (x² + y²).
         assert_relative_eq!(body.rotational[(2, 2)], 0.4 + 2.0 * (0.09 + 0.01), epsilon = 1e-15);
     }
 }

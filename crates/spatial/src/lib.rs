@@ -1,11 +1,11 @@
 //! Spatial algebra: rigid transforms, twists, wrenches and inertias.
 //!
-//! Everything is generic over a [`Scalar`]: `f64`, dual numbers (feature `dual`), SIMD lanes. Nothing here
-//! branches on a value, so a recursion written with these types runs on any of them unchanged.
+//! All types are generic over a [`Scalar`]: `f64`, dual numbers (feature `dual`), SIMD lanes. No operation
+//! branches on a value, so a recursion with these types runs unchanged on any scalar.
 //!
 //! Conventions (`docs/NOTATION.md`): `X_ab` maps b-coordinates to a-coordinates; the angular part comes first;
-//! a twist and a wrench are taken at the origin of the frame they are expressed in. This crate knows no bodies,
-//! joints or files.
+//! twist and wrench refer to the origin of the frame in which they are expressed. This crate contains no
+//! bodies, joints or files.
 
 mod articulated;
 #[cfg(feature = "dual")]

@@ -1,4 +1,4 @@
-//! Rotation matrices from an axis and angle, from a quaternion, from roll, pitch and yaw.
+//! Rotation matrices from axis and angle, quaternions, and roll, pitch and yaw.
 
 use crate::Scalar;
 use nalgebra::{Matrix3, Vector3};
@@ -21,7 +21,7 @@ pub fn rotation_about<T: Scalar>(axis: &Vector3<f64>, angle: T) -> Matrix3<T> {
     rotation
 }
 
-/// Rotation of the unit quaternion `[w, x, y, z]`. The norm is taken as 1, not enforced.
+/// Rotation of the unit quaternion `[w, x, y, z]`. The quaternion is not normalised.
 #[inline]
 pub fn rotation_from_quaternion<T: Scalar>(q: [T; 4]) -> Matrix3<T> {
     let [w, x, y, z] = q;
@@ -36,7 +36,7 @@ pub fn rotation_from_quaternion<T: Scalar>(q: [T; 4]) -> Matrix3<T> {
     rotation
 }
 
-/// Hamilton product a ∘ b of two quaternions `[w, x, y, z]`: the rotation b, then a.
+/// Hamilton product a ∘ b of quaternions `[w, x, y, z]`: first the rotation b, then a.
 pub fn quaternion_product<T: Scalar>(a: [T; 4], b: [T; 4]) -> [T; 4] {
     [
         a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
@@ -56,7 +56,7 @@ pub fn rotation_from_rpy(rpy: [f64; 3]) -> Matrix3<f64> {
 
 /// Roll, pitch and yaw (rad) of a rotation matrix: the inverse of [`rotation_from_rpy`].
 ///
-/// Where the pitch is ±90° to rounding, roll is taken as zero and yaw takes the whole angle.
+/// At a pitch of ±90° (within rounding) roll is zero and yaw is the whole angle.
 pub fn rpy_from_rotation(rotation: &Matrix3<f64>) -> [f64; 3] {
     let r = rotation;
     let cos_pitch = r[(0, 0)].hypot(r[(1, 0)]);
@@ -70,8 +70,8 @@ pub fn rpy_from_rotation(rotation: &Matrix3<f64>) -> [f64; 3] {
 
 /// Right-handed unit vectors `(e1, e2)` with e1 × e2 = `normal` (a unit vector).
 ///
-/// For a coordinate axis they are the next two in cyclic order: z gives (x, y), x gives (y, z), y gives (z, x).
-/// Otherwise e1 is the cyclic successor of the largest component's axis, projected onto the plane.
+/// For a coordinate axis, e1 and e2 are the next two axes in cyclic order: z gives (x, y), x gives (y, z), y
+/// gives (z, x). Otherwise e1 is the axis after the largest component of `normal`, projected onto the plane.
 pub fn plane_basis(normal: &Vector3<f64>) -> (Vector3<f64>, Vector3<f64>) {
     let next = (normal.iamax() + 1) % 3;
     let mut e1 = Vector3::zeros();
@@ -86,7 +86,7 @@ mod tests {
     use super::*;
     use approx::assert_relative_eq;
 
-    // A handful of roundings of numbers of order one.
+    // A few roundings of numbers of order one.
     const TOL: f64 = 1e-15 * 8.0;
 
     #[test]

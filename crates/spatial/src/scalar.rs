@@ -1,12 +1,12 @@
-//! The number a recursion runs on.
+//! Scalar type of the recursions.
 
 use nalgebra::{ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign};
 use num_traits::{One, Zero};
 use std::ops::Neg;
 
-/// A real number, or several side by side: `f64`, a dual number, SIMD lanes.
+/// Real number or several in parallel: `f64`, a dual number, SIMD lanes.
 ///
-/// Only what a branch-free recursion needs; comparisons are left out on purpose, since lanes cannot decide.
+/// Only the operations of a branch-free recursion. Comparisons are left out on purpose: lanes may disagree.
 pub trait Scalar:
     nalgebra::Scalar
     + Copy
@@ -18,7 +18,7 @@ pub trait Scalar:
     + ClosedMulAssign
     + ClosedDivAssign
 {
-    /// The constant `x` (in every lane; with zero derivative).
+    /// Constant `x`, in every lane and with zero derivative.
     fn from_f64(x: f64) -> Self;
     /// Sine and cosine of an angle in radians.
     fn sin_cos(self) -> (Self, Self);

@@ -1,4 +1,5 @@
-//! Twists (rigid velocities) and wrenches (forces): two types, so that their sum does not compile.
+//! Twists (rigid-body velocities) and wrenches (forces): two types, so that adding a twist to a wrench does not
+//! compile.
 
 use crate::Scalar;
 use nalgebra::Vector3;
@@ -16,7 +17,7 @@ macro_rules! screw {
         }
 
         impl<T: Scalar> $name<T> {
-            /// From its angular and linear parts, in this order.
+            /// Creates the value from its angular and linear part, in this order.
             #[inline]
             pub fn new($angular: Vector3<T>, $linear: Vector3<T>) -> Self {
                 Self { $angular, $linear }
@@ -78,8 +79,8 @@ macro_rules! screw {
 }
 
 screw! {
-    /// Velocity of a rigid body: angular velocity (rad/s) and the velocity (m/s) of the body's point that
-    /// lies at the origin of the frame it is expressed in.
+    /// Velocity of a rigid body: angular velocity (rad/s), and velocity (m/s) of the body point at the origin
+    /// of the frame.
     ///
     /// A twist and a wrench do not add:
     /// ```compile_fail
@@ -95,24 +96,23 @@ screw! {
 }
 
 screw! {
-    /// Force on a rigid body, or its momentum: moment about the origin of the frame it is expressed in (N·m)
-    /// and force (N).
+    /// Force on a rigid body, or momentum of a rigid body: moment about the origin of the frame (N·m) and force (N).
     Wrench {
-        /// Moment about the origin, N·m (of a momentum: N·m·s).
+        /// Moment about the origin, N·m (momentum: N·m·s).
         moment,
-        /// Force, N (of a momentum: N·s).
+        /// Force, N (momentum: N·s).
         force
     }
 }
 
 impl<T: Scalar> Twist<T> {
-    /// Velocity of the body's point at `p`: v + ω × p.
+    /// Velocity of the body point at `p`: v + ω × p.
     #[inline]
     pub fn velocity_at(&self, p: &Vector3<T>) -> Vector3<T> {
         self.linear + self.angular.cross(p)
     }
 
-    /// Rate of change of the motion `m` that moves with this twist: (ω×m_ω, ω×m_v + v×m_ω).
+    /// Rate of change of the motion vector `m` fixed in a body with this twist: (ω×m_ω, ω×m_v + v×m_ω).
     ///
     /// Featherstone 2008, eq. 2.31 (`crm`).
     #[inline]
@@ -123,7 +123,7 @@ impl<T: Scalar> Twist<T> {
         )
     }
 
-    /// Rate of change of the force `f` that moves with this twist: (ω×f_n + v×f_f, ω×f_f).
+    /// Rate of change of the force vector `f` fixed in a body with this twist: (ω×f_n + v×f_f, ω×f_f).
     ///
     /// Featherstone 2008, eq. 2.32 (`crf`).
     #[inline]
@@ -133,13 +133,13 @@ impl<T: Scalar> Twist<T> {
 }
 
 impl<T: Scalar> Wrench<T> {
-    /// The wrench of a force `f` acting at the point `p`: (p × f, f).
+    /// Wrench of a force `f` at the point `p`: (p × f, f).
     #[inline]
     pub fn of_force(f: Vector3<T>, p: &Vector3<T>) -> Self {
         Self::new(p.cross(&f), f)
     }
 
-    /// Power on a twist expressed in the same frame: n·ω + f·v, in W.
+    /// Power of the wrench on a twist in the same frame: n·ω + f·v, W.
     #[inline]
     pub fn power(&self, twist: &Twist<T>) -> T {
         self.moment.dot(&twist.angular) + self.force.dot(&twist.linear)

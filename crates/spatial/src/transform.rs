@@ -1,38 +1,38 @@
-//! Rigid transforms and how they map points, twists, wrenches and inertias.
+//! Rigid transforms of points, twists, wrenches and inertias.
 
 use crate::{Scalar, SpatialInertia, Twist, Wrench};
 use nalgebra::{Matrix3, Vector3};
 use std::ops::Mul;
 
-/// `X_ab`: maps b-coordinates to a-coordinates, x_a = R_ab x_b + p_ab.
+/// Transform `X_ab` from b-coordinates to a-coordinates: x_a = R_ab x_b + p_ab.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Transform<T: Scalar> {
-    /// R_ab: its columns are the axes of b, in a.
+    /// R_ab; the columns are the axes of b in a.
     pub rotation: Matrix3<T>,
-    /// p_ab: the origin of b, in a (m).
+    /// p_ab: origin of b in a, m.
     pub translation: Vector3<T>,
 }
 
 impl<T: Scalar> Transform<T> {
-    /// From a rotation matrix (taken as orthonormal) and a translation in m.
+    /// Creates the transform from a rotation matrix (assumed orthonormal) and a translation in m.
     #[inline]
     pub fn new(rotation: Matrix3<T>, translation: Vector3<T>) -> Self {
         Self { rotation, translation }
     }
 
-    /// The frames coincide.
+    /// Identity transform.
     #[inline]
     pub fn identity() -> Self {
         Self::new(Matrix3::identity(), Vector3::zeros())
     }
 
-    /// Axes parallel, origin of b at `translation` in a.
+    /// Translation: parallel axes, origin of b at `translation` in a.
     #[inline]
     pub fn from_translation(translation: Vector3<T>) -> Self {
         Self::new(Matrix3::identity(), translation)
     }
 
-    /// `X_ba` of `X_ab`.
+    /// Inverse transform `X_ba`.
     #[inline]
     pub fn inverse(&self) -> Self {
         let rotation = self.rotation.transpose();
@@ -63,14 +63,14 @@ impl<T: Scalar> Transform<T> {
         self.rotation.tr_mul(&(p - self.translation))
     }
 
-    /// The twist given in b, in a's axes and at a's origin: ω_a = R ω_b, v_a = R v_b + p × ω_a.
+    /// Transforms a twist from b to a: ω_a = R ω_b, v_a = R v_b + p × ω_a.
     #[inline]
     pub fn twist(&self, v: &Twist<T>) -> Twist<T> {
         let angular = self.rotation * v.angular;
         Twist::new(angular, self.rotation * v.linear + self.translation.cross(&angular))
     }
 
-    /// The twist given in a, in b's axes and at b's origin.
+    /// Transforms a twist from a to b.
     #[inline]
     pub fn inverse_twist(&self, v: &Twist<T>) -> Twist<T> {
         Twist::new(
@@ -79,14 +79,14 @@ impl<T: Scalar> Transform<T> {
         )
     }
 
-    /// The wrench given in b, in a's axes and about a's origin: f_a = R f_b, n_a = R n_b + p × f_a.
+    /// Transforms a wrench from b to a: f_a = R f_b, n_a = R n_b + p × f_a.
     #[inline]
     pub fn wrench(&self, f: &Wrench<T>) -> Wrench<T> {
         let force = self.rotation * f.force;
         Wrench::new(self.rotation * f.moment + self.translation.cross(&force), force)
     }
 
-    /// The inertia given in b, in a: first moment R h + m p, and the parallel-axis theorem.
+    /// Transforms an inertia from b to a: first moment R h + m p, rotational inertia by the parallel-axis theorem.
     ///
     /// I_a = R I_b Rᵀ − \[p\]×\[Rh + m p\]× − \[Rh\]×\[p\]×. Featherstone 2008, §2.13.
     #[inline]
@@ -103,7 +103,7 @@ impl<T: Scalar> Transform<T> {
 }
 
 impl Transform<f64> {
-    /// The same transform over another scalar (constant in every lane, with zero derivative).
+    /// Converts the transform to another scalar type.
     #[inline]
     pub fn cast<T: Scalar>(&self) -> Transform<T> {
         Transform::new(self.rotation.map(T::from_f64), self.translation.map(T::from_f64))

@@ -1,4 +1,4 @@
-//! Effective masses that can be written down.
+//! Effective masses in closed form.
 //!
 //! Lengths in m, masses in kg, inertias in kg·m²; every result is m̄ in kg.
 
@@ -14,31 +14,32 @@ pub use train::{
     planetary_gear, rack_and_pinion, slider,
 };
 
-/// Point mass m at r_A from a hinge on a massless rod, struck at r_B: m̄ = m (r_A / r_B)².
+/// Point mass m at r_A from a hinge on a massless rod, contact at r_B: m̄ = m (r_A / r_B)².
 ///
 /// Source: Euler's note (Fayzullin 2018), the worked example.
 pub fn point_mass_pendulum(mass: f64, r_a: f64, r_b: f64) -> f64 {
     mass * (r_a / r_b).powi(2)
 }
 
-/// Rigid body on a hinge, struck on a line at the arm r_B from it: m̄ = J_O / r_B².
+/// Rigid body on a hinge, contact line at the moment arm r_B: m̄ = J_O / r_B².
 ///
 /// Source: Euler's note (Fayzullin 2018; there as m (r_i / r_B)², r_i = √(J_O / m)).
 pub fn physical_pendulum(inertia_about_hinge: f64, r_b: f64) -> f64 {
     inertia_about_hinge / (r_b * r_b)
 }
 
-/// Free bodies that meet centrally, and any two sides that share no body: 1/m̄ = 1/m̄₁ + 1/m̄₂.
+/// Two sides of a contact without common body, such as free bodies in central impact: 1/m̄ = 1/m̄₁ + 1/m̄₂.
 ///
-/// Written as m̄₁ (m̄₂ / (m̄₁ + m̄₂)): no overflow, and m̄₁ in the limit of a heavy second side.
+/// The form m̄₁ (m̄₂ / (m̄₁ + m̄₂)) does not overflow and tends to m̄₁ for a heavy second side.
 pub fn series(mass_1: f64, mass_2: f64) -> f64 {
     mass_1 * (mass_2 / (mass_1 + mass_2))
 }
 
-/// A free body struck off its centre: 1/m̄ = 1/m + (r × n)ᵀ I⁻¹ (r × n).
+/// Free body with an eccentric contact: 1/m̄ = 1/m + (r × n)ᵀ I⁻¹ (r × n).
 ///
-/// r from the centre of mass to the struck point, n the unit normal, I about the centre of mass, all in the same
-/// axes. `None` where I is singular. Source: Routh, Dynamics of a System of Rigid Bodies, the chapter on impact.
+/// r is the vector from the centre of mass to the contact point, n the unit normal, I the inertia about the
+/// centre of mass, all in the same axes. `None` if I is singular. Source: Routh, Dynamics of a System of Rigid
+/// Bodies, the chapter on impact.
 pub fn free_body(
     mass: f64,
     inertia_about_com: &Matrix3<f64>,
@@ -50,52 +51,54 @@ pub fn free_body(
     Some(1.0 / (1.0 / mass + arm.dot(&spin)))
 }
 
-/// Uniform thin rod hinged at one end and struck across at the other: m̄ = m / 3 (J_O = m l² / 3, r_B = l).
+/// Uniform thin rod hinged at one end, contact normal to the rod at the other end: m̄ = m / 3 (J_O = m l² / 3,
+/// r_B = l).
 pub fn rod_tip(mass: f64) -> f64 {
     mass / 3.0
 }
 
-/// The rod of [`rod_tip`], its hinge on a base of mass M that slides along the normal:
-/// m̄ = m (4M + m) / (4 (3M + m)); m/3 for M → ∞, m/4 for M = 0.
+/// Rod of [`rod_tip`] with its hinge on a base of mass M that translates along the normal: m̄ = m (4M + m) / (4
+/// (3M + m)); m/3 for M → ∞, m/4 for M = 0.
 ///
 /// From M = [M+m, ml/2; ml/2, ml²/3], j = (1, l).
 pub fn rod_tip_on_sliding_base(mass: f64, base: f64) -> f64 {
     mass * (4.0 * base + mass) / (4.0 * (3.0 * base + mass))
 }
 
-/// Masses on one line, one pushing the next by a gear: m₁ + m₂ k², where m₂ moves k times as fast.
+/// Two masses on parallel guides, coupled by a gear with the ratio k: m₁ + m₂ k².
 ///
-/// The kinetic energy of a coupling (mimic) referred to its master.
+/// Kinetic energy of the coupling (mimic) referred to the master.
 pub fn geared(mass_1: f64, mass_2: f64, ratio: f64) -> f64 {
     mass_1 + mass_2 * ratio * ratio
 }
 
-/// A link of a planar arm, its centre of mass on the line of its joints.
+/// Link of a planar arm with its centre of mass on the line between its joints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanarLink {
     /// Mass, kg.
     pub mass: f64,
-    /// From its joint to its tip, m.
+    /// Distance from joint to tip, m.
     pub length: f64,
-    /// From its joint to its centre of mass, m.
+    /// Distance from joint to centre of mass, m.
     pub com: f64,
-    /// About the centre of mass, normal to the plane, kg·m².
+    /// Moment of inertia about the centre of mass, normal to the plane, kg·m².
     pub inertia: f64,
 }
 
 impl PlanarLink {
-    /// A uniform thin rod: c = l/2, I = m l²/12.
+    /// Uniform thin rod: c = l/2, I = m l²/12.
     pub fn rod(mass: f64, length: f64) -> Self {
         Self { mass, length, com: length / 2.0, inertia: mass * length * length / 12.0 }
     }
 
-    /// A point mass at the tip of a massless rod.
+    /// Point mass at the tip of a massless rod.
     pub fn point(mass: f64, length: f64) -> Self {
         Self { mass, length, com: length, inertia: 0.0 }
     }
 }
 
-/// Planar arm of two links struck at `reach` along the second: m̄ = det M / (M₂₂ j₁² − 2 M₁₂ j₁ j₂ + M₁₁ j₂²).
+/// Planar arm of two links with a contact at `reach` along the second: m̄ = det M / (M₂₂ j₁² − 2 M₁₂ j₁ j₂ +
+/// M₁₁ j₂²).
 ///
 /// | symbol | in the rates of the absolute angles θ₁, θ₂               |
 /// |--------|----------------------------------------------------------|
@@ -174,21 +177,21 @@ mod tests {
 
     #[test]
     fn stretched_and_folded_double_pendulums_by_hand() {
-        // Stretched along x, point masses 1 at 1 and 2, struck across at the tip: M = [2, 1; 1, 1], j = (1, 1);
-        // det 1, jᵀ adj M j = 1 − 2 + 2 = 1.
+        // Stretched along x, point masses 1 at distances 1 and 2, contact normal to x at the tip: M = [2, 1; 1,
+        // 1], j = (1, 1); det 1, jᵀ adj M j = 1 − 2 + 2 = 1.
         let links = [PlanarLink::point(1.0, 1.0); 2];
         let y = Vector2::new(0.0, 1.0);
         assert_close(planar_2r(links, [0.0; 2], [0.0, 0.0], 1.0, y), 1.0, TOL);
-        // At a right angle the second rod, along y, transmits its whole thrust: both masses move together.
+        // At a right angle the second rod is along y and transmits the whole force: both masses move together.
         let angles = [0.0, std::f64::consts::FRAC_PI_2];
         assert_close(planar_2r(links, [0.0; 2], angles, 1.0, y), 2.0, TOL);
-        // Across the second rod only the tip's own mass.
+        // Normal to the second rod only the mass at the tip moves.
         assert_close(planar_2r(links, [0.0; 2], angles, 1.0, Vector2::new(1.0, 0.0)), 1.0, TOL);
     }
 
     #[test]
     fn double_pendulum_of_the_contact_page() {
-        // CONTACT.md §6, checked there against a KKT solution: 14, 9 and 10 digits are given.
+        // CONTACT.md §6, verified there against a KKT solution with 14, 9 and 10 digits.
         let links = [PlanarLink::rod(1.4, 0.6), PlanarLink::rod(0.9, 0.5)];
         let angles = [-30f64.to_radians(), 25f64.to_radians()];
         let n = Vector2::new(0.2, 0.98).normalize();

@@ -1,63 +1,64 @@
-//! Planar linkages with one freedom: positions and velocity ratios from the triangles they make.
+//! Planar linkages with one degree of freedom: positions and velocity ratios from triangles.
 //!
-//! With every body's velocity known per unit rate of the input, m̄ = 2T / V² needs no matrix:
+//! With the velocity of every body per unit rate of the input, m̄ = 2T / V² needs no matrix:
 //!
 //! m̄ = Σ (mᵢ |vᵢ|² + Iᵢ ωᵢ²) / (n · v_P)²
 //!
-//! vᵢ the velocity of the centre of mass, ωᵢ the angular one, v_P that of the struck point. The rate cancels.
-//! Source: the loop equation as in Norton, Design of Machinery, the chapters on position and velocity; kinematic
-//! coefficients as in Uicker, Pennock and Shigley, Theory of Machines and Mechanisms. Derived anew below.
+//! vᵢ is the velocity of the centre of mass, ωᵢ the angular velocity, v_P the velocity of the contact point.
+//! The rate of the input cancels. Source: loop equation as in Norton, Design of Machinery, the chapters on
+//! position and velocity; kinematic coefficients as in Uicker, Pennock and Shigley, Theory of Machines and
+//! Mechanisms. The formulas are derived below.
 
 use nalgebra::Vector2;
 
-/// A body in the plane of its linkage.
+/// Body of a planar linkage.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanarBody {
     /// Mass, kg.
     pub mass: f64,
-    /// Centre of mass in its frame, m.
+    /// Centre of mass in the body frame, m.
     pub com: Vector2<f64>,
-    /// About the centre of mass, normal to the plane, kg·m².
+    /// Moment of inertia about the centre of mass, normal to the plane, kg·m².
     pub inertia: f64,
 }
 
 impl PlanarBody {
-    /// A body without mass.
+    /// Body without mass.
     pub const MASSLESS: PlanarBody = PlanarBody { mass: 0.0, com: Vector2::new(0.0, 0.0), inertia: 0.0 };
 
-    /// A body from its mass (kg), centre of mass (m) and central moment (kg·m²).
+    /// Creates a body from mass (kg), centre of mass (m) and central moment of inertia (kg·m²).
     pub fn new(mass: f64, com: [f64; 2], inertia: f64) -> Self {
         Self { mass, com: com.into(), inertia }
     }
 }
 
-/// Where a body's frame is, and how it moves per unit rate of the input.
+/// Pose of a body, and velocity per unit rate of the input.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanarPose {
-    /// Its origin, m.
+    /// Origin of the body frame, m.
     pub origin: Vector2<f64>,
-    /// Its angle from x, rad.
+    /// Angle from the x-axis, rad.
     pub angle: f64,
-    /// Velocity of its origin per unit of the input's rate, m.
+    /// Velocity of the origin per unit rate of the input, m.
     pub velocity: Vector2<f64>,
-    /// Angular velocity per unit of the input's rate.
+    /// Angular velocity per unit rate of the input.
     pub rate: f64,
 }
 
 impl PlanarPose {
-    /// Where a point of the body is.
+    /// Position of a body point.
     pub fn point(&self, local: Vector2<f64>) -> Vector2<f64> {
         self.origin + local.x * along(self.angle) + local.y * across(self.angle)
     }
 
-    /// Velocity of a point of the body per unit of the input's rate.
+    /// Velocity of a body point per unit rate of the input.
     pub fn velocity_of(&self, local: Vector2<f64>) -> Vector2<f64> {
         self.velocity + self.rate * (local.x * across(self.angle) - local.y * along(self.angle))
     }
 }
 
-/// m̄ of a planar mechanism with one freedom, struck on body number `struck` at `point` of it along the unit vector
-/// `normal` of the plane: Σ (m v² + I ω²) / (n · v_P)².
+/// m̄ of a planar mechanism with one degree of freedom: Σ (m v² + I ω²) / (n · v_P)². The contact is at `point`
+/// of body `struck`, along the unit vector `normal` of the plane.
 pub fn planar_effective_mass(
     bodies: &[(PlanarBody, PlanarPose)],
     struck: usize,
@@ -81,31 +82,33 @@ fn across(angle: f64) -> Vector2<f64> {
     Vector2::new(-angle.sin(), angle.cos())
 }
 
-/// Which of the two assemblies of a four-bar.
+/// The two assemblies of a four-bar linkage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Crossing {
-    /// The coupler turns left from the line to the rocker's pivot.
+    /// The coupler is to the left of the line to the rocker's pivot.
     Left,
-    /// It turns right.
+    /// The coupler is to the right.
     Right,
 }
 
-/// A four-bar: the crank's pivot at the origin, the rocker's at (ground, 0). The frames of crank and rocker are at
-/// their pivots, the coupler's at the crank pin; each link's x-axis goes to its other pin. Lengths in m.
+/// Four-bar linkage: pivot of the crank at the origin, pivot of the rocker at (ground, 0). The frames of crank
+/// and rocker are at their pivots, the frame of the coupler at the crank pin; the x-axis of each link points to
+/// its other pin. Lengths in m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FourBar {
-    /// Between the pivots.
+    /// Distance between the pivots.
     pub ground: f64,
-    /// Between pivot and pin of the crank.
+    /// Distance between pivot and pin of the crank.
     pub crank: f64,
-    /// Between its pins.
+    /// Distance between the pins of the coupler.
     pub coupler: f64,
-    /// Between pivot and pin of the rocker.
+    /// Distance between pivot and pin of the rocker.
     pub rocker: f64,
 }
 
 impl FourBar {
-    /// Crank, coupler and rocker at the crank's angle θ, per unit rate of θ. `None` where it cannot be assembled.
+    /// Poses of crank, coupler and rocker at the crank angle θ, with velocities per unit rate of θ. `None` if
+    /// the linkage cannot be assembled.
     ///
     /// With D the vector from the crank pin A = a e(θ) to the rocker's pivot, d its length, the rocker pin lies
     /// x = (b² + d² − c²) / 2d along D and y = ±√(b² − x²) across it. The derivative of
@@ -138,9 +141,9 @@ impl FourBar {
         ])
     }
 
-    /// A parallelogram with the two sides given: the coupler keeps the ground's direction.
+    /// Parallelogram with two given sides: the coupler stays parallel to the ground.
     ///
-    /// φ = 0, φ' = 0, ψ = θ, ψ' = 1: the coupler moves without turning.
+    /// φ = 0, φ' = 0, ψ = θ, ψ' = 1: the coupler translates without rotation.
     pub fn parallelogram(ground: f64, crank: f64) -> Self {
         Self { ground, crank, coupler: ground, rocker: crank }
     }
@@ -159,22 +162,24 @@ pub fn antiparallelogram(ground: f64, crank: f64, theta: f64) -> (f64, f64) {
     (2.0 * (-k * t).atan(), -k * (1.0 + t * t) / (1.0 + k * k * t * t))
 }
 
-/// A slider-crank: the crank's pivot at the origin, the slider's pin on the line y = offset, on the side of +x.
-/// The rod's frame is at the crank pin, its x-axis to the slider's pin; the slider's frame keeps the axes. m.
+/// Slider-crank: pivot of the crank at the origin, pin of the slider on the line y = offset with x > 0. The
+/// rod's frame is at the crank pin with the x-axis to the slider's pin; the slider's frame stays parallel to
+/// the ground. Lengths in m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SliderCrank {
-    /// Between pivot and pin of the crank.
+    /// Distance between pivot and pin of the crank.
     pub crank: f64,
-    /// Between its pins.
+    /// Distance between the pins of the rod.
     pub rod: f64,
-    /// Of the slider's line from the pivot.
+    /// Distance of the slider's line from the pivot.
     pub offset: f64,
 }
 
 impl SliderCrank {
-    /// Crank, rod and slider at the crank's angle θ, per unit rate of θ. `None` where the rod is too short.
+    /// Poses of crank, rod and slider at the crank angle θ, with velocities per unit rate of θ. `None` if the
+    /// rod is too short.
     ///
-    /// r sin θ + l sin φ = e gives φ; x = r cos θ + l cos φ; and by differentiation φ' = −r cos θ / (l cos φ),
+    /// r sin θ + l sin φ = e gives φ; x = r cos θ + l cos φ; differentiation gives φ' = −r cos θ / (l cos φ),
     /// x' = −r sin θ − l sin φ φ'.
     pub fn poses(&self, theta: f64) -> Option<[PlanarPose; 3]> {
         let sine = (self.offset - self.crank * theta.sin()) / self.rod;
@@ -203,7 +208,7 @@ impl SliderCrank {
 mod tests {
     use super::*;
 
-    /// Central differences: h² and ε/h.
+    /// Central differences with the errors h² and ε/h.
     const H: f64 = 1e-5;
     const TOL: f64 = 2e-10;
 
@@ -246,7 +251,7 @@ mod tests {
     fn parallelograms_open_and_crossed() {
         let bar = FourBar::parallelogram(1.0, 0.4);
         for theta in [-2.5, -0.8, 0.3, 1.2, 2.9] {
-            // The open assembly is on the side of the crank.
+            // The crank and the open assembly are on the same side.
             let (open, crossed) = if theta > 0.0 {
                 (Crossing::Left, Crossing::Right)
             } else {

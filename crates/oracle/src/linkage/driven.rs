@@ -1,22 +1,24 @@
-//! A mechanism with loops and the joints that drive it.
+//! Mechanism with loops and driving joints.
 
 use crate::limits;
 use crate::maximal::{NotClosed, close};
 use crate::positions::{follow, zero_positions};
 use percuss_mechanism::{JointId, Mechanism};
 
-/// A mechanism with loops, and how it is driven.
+/// Mechanism with loops, driving joints and a start position.
 #[derive(Debug)]
 pub struct Linkage {
-    /// What it is called among [`all`](super::all).
+    /// Name in [`all`](super::all).
     pub name: &'static str,
     /// The mechanism.
     pub mechanism: Mechanism,
-    /// Joints with one position that drive it: as many as its mobility on the ground, free massless spins aside.
+    /// Driving joints, each with one position; their number is the mobility on the ground without free massless
+    /// rotations.
     pub drivers: Vec<String>,
-    /// A position not far from a closed, non-singular one; joints that are not named stand at zero.
+    /// Start position near a closed, non-singular position; joints without entry are at zero.
     pub start: Vec<(String, Vec<f64>)>,
-    /// From where to where each driver can go, all others anywhere in theirs, without leaving the assembly.
+    /// Range of each driver in which the linkage stays on its branch, for any values of the other drivers in
+    /// their ranges.
     pub range: Vec<[f64; 2]>,
 }
 
@@ -39,7 +41,7 @@ impl Linkage {
         }
     }
 
-    /// Every joint that moves and neither drives nor mimics.
+    /// Joints that move and are neither drivers nor mimics.
     pub fn dependent(&self) -> Vec<JointId> {
         let drivers: Vec<JointId> = self.drivers.iter().map(|name| self.joint(name)).collect();
         let follows = |id: &JointId| {
@@ -49,10 +51,10 @@ impl Linkage {
         self.mechanism.joint_ids().filter(follows).collect()
     }
 
-    /// The closed position at the drivers' start.
+    /// Closed position at the start values of the drivers.
     ///
     /// # Panics
-    /// Where the start does not close: a mistake in the zoo.
+    /// If the start does not close: an error in the zoo.
     pub fn closed_start(&self) -> Vec<Vec<f64>> {
         let mut positions = zero_positions(&self.mechanism);
         for (name, value) in &self.start {
@@ -65,15 +67,15 @@ impl Linkage {
         }
     }
 
-    /// Where the drivers stand in a position.
+    /// Values of the drivers in a position.
     pub fn drivers_at(&self, positions: &[Vec<f64>]) -> Vec<f64> {
         self.drivers.iter().map(|name| positions[self.joint(name).index()][0]).collect()
     }
 
-    /// Moves from a closed position in small steps to the drivers' values, on the same branch.
+    /// Moves the drivers from a closed position to new values in small steps, on the same branch.
     ///
     /// # Errors
-    /// [`NotClosed`] where the straight way there cannot be closed.
+    /// [`NotClosed`] if a position on the straight path of the drivers cannot be closed.
     pub fn go(&self, from: &[Vec<f64>], drivers: &[f64]) -> Result<Vec<Vec<f64>>, NotClosed> {
         let (begin, dependent) = (self.drivers_at(from), self.dependent());
         let steps = begin.iter().zip(drivers).zip(&self.range).map(|((a, b), range)| {
@@ -86,7 +88,7 @@ impl Linkage {
         let mut before = here.clone();
         for k in 1..=steps as usize {
             let part = k as f64 / steps;
-            // The last step again is the best guess of the next, turns that are quaternions aside.
+            // Linear extrapolation of the last step, except for quaternions.
             let mut guess = here.clone();
             for (g, b) in guess.iter_mut().zip(&before).filter(|(g, _)| g.len() == 1) {
                 g[0] += g[0] - b[0];
@@ -99,10 +101,10 @@ impl Linkage {
         Ok(here)
     }
 
-    /// Closed positions, `count` of them, the drivers going through their ranges together, lowest first.
+    /// Returns `count` closed positions with all drivers moving through their ranges together, in ascending order.
     ///
     /// # Panics
-    /// Where the range cannot be closed: a mistake in the zoo.
+    /// If a position in the range does not close: an error in the zoo.
     pub fn sweep(&self, count: usize) -> Vec<Vec<Vec<f64>>> {
         let mut here = self.closed_start();
         let mut all = Vec::with_capacity(count);

@@ -1,4 +1,4 @@
-//! Closures of every kind between general frames, made to fit a position of the tree.
+//! Closures of every kind with general frames, closed at a given position of the tree.
 
 use super::Linkage;
 use crate::alter::{build, build_with_loops};
@@ -9,8 +9,8 @@ use percuss_spatial::Vector3;
 
 use JointKind::{Prismatic, Revolute};
 
-/// A chain of `count` bodies below `base`, general frames and axes; one joint in four slides. Names are
-/// `{prefix}_1` …; `seed` makes chains differ.
+/// Chain of `count` bodies below `base` with general frames and axes; every fourth joint is prismatic. Names
+/// are `{prefix}_1` …; `seed` varies the chains.
 fn chain(prefix: &str, base: &str, count: usize, seed: f64) -> (Vec<LinkDescription>, Vec<JointDescription>) {
     let wave = |i: usize, k: usize| (seed * 1.7 + i as f64 * 2.3 + k as f64 * 4.1).sin();
     let (mut links, mut joints) = (Vec::new(), Vec::new());
@@ -32,16 +32,18 @@ fn chain(prefix: &str, base: &str, count: usize, seed: f64) -> (Vec<LinkDescript
     (links, joints)
 }
 
-/// All kinds of closure on one base that has mass and can float: for each kind a chain with one joint more than the
-/// closure has rows, so that each has one degree of freedom, in general position, none redundant.
+/// All kinds of closure on one base that has mass and can float. For each kind there is a chain with one joint
+/// more than the closure has rows, in general position: each chain has one degree of freedom and no redundant
+/// row.
 ///
-/// The universal closure holds its chain to the world; the spherical one to a link of the fixed one's chain, the planar
-/// one's own second link, an ancestor, takes its end. Drivers: the first joint of every chain, 0.08 to each side.
+/// The universal closure connects its chain to the world; the spherical closure connects its chain to a link of
+/// the chain of the fixed closure; the planar closure connects the end of its chain to the second link, an
+/// ancestor. Drivers: the first joint of every chain, ±0.08.
 pub fn every_closure() -> Linkage {
     let mut links = vec![lump("base", 9.0, [0.1, 0.05, -0.1], 0.9)];
     let mut joints = Vec::new();
     for (i, kind) in ClosureKind::ALL.into_iter().enumerate() {
-        // A planar chain is longer by the two joints above the ancestor that it closes onto.
+        // The planar chain has two more joints, above the ancestor.
         let ancestor = if kind == ClosureKind::Planar { 2 } else { 0 };
         let (more_links, more_joints) =
             chain(kind.name(), "base", kind.rows() + 1 + ancestor, 1.0 + i as f64);
@@ -85,8 +87,8 @@ pub fn every_closure() -> Linkage {
     })
 }
 
-/// A leg of five joints below a base that can float, its foot held to the world by a ball. On the ground it has two
-/// degrees of freedom, eight with a floating base. Drivers `leg_1` and `leg_2`, 0.08 to each side.
+/// Leg of five joints below a base that can float; a spherical closure connects the foot to the world. Two
+/// degrees of freedom on the ground, eight with a floating base. Drivers `leg_1` and `leg_2`, ±0.08.
 pub fn foot_on_the_world() -> Linkage {
     let mut links = vec![lump("base", 4.0, [0.0, 0.1, 0.1], 0.6)];
     let (more, joints) = chain("leg", "base", 5, 21.0);

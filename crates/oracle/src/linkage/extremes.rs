@@ -1,4 +1,4 @@
-//! Parallel cranks of any length, any distance apart, and what they weigh; linkages that contradict themselves.
+//! Parallel cranks of any length and spacing with their effective mass; linkages with contradicting constraints.
 
 use super::family::{Kind, drawn_as};
 use super::planar::{link, pin};
@@ -10,25 +10,25 @@ use nalgebra::{Matrix3, Vector2, Vector3};
 use percuss_mechanism::{JointKind::Continuous, Mechanism};
 use percuss_spatial::Transform;
 
-/// Equal cranks in a row under a platform, all parallel: one freedom, however long they are and however far apart.
+/// Row of equal, parallel cranks under a platform: one degree of freedom for any length and spacing.
 ///
-/// Links `crank_1` …, `platform`; joints `hinge_1` …, `pin_1`; closures `pin_2` …. The cranks stand at `angle` from the row
-/// as drawn, where all joints are at 0.
+/// Links `crank_1` …, `platform`; joints `hinge_1` …, `pin_1`; closures `pin_2` …. All joints are at 0 where
+/// the angle between cranks and row is `angle`.
 #[derive(Clone, Copy, Debug)]
 pub struct CrankRow {
-    /// How many cranks.
+    /// Number of cranks.
     pub count: usize,
-    /// Of each crank, m.
+    /// Length of each crank, m.
     pub length: f64,
-    /// Between neighbours, m.
+    /// Distance between neighbours, m.
     pub spacing: f64,
-    /// Of the cranks from the row, rad.
+    /// Angle between cranks and row, rad.
     pub angle: f64,
-    /// Whether its plane is turned as the [`plane`] of the other linkages is; else it is that of x and y.
+    /// True to use the [`plane`] of the other linkages, false for the x-y plane.
     pub turned: bool,
-    /// How far the first hinge is from the ground's origin along each axis, m.
+    /// Distance of the first hinge from the ground's origin along each axis, m.
     pub away: f64,
-    /// Mass of each crank, in the middle of it, kg.
+    /// Mass of each crank, uniformly distributed, kg.
     pub crank_mass: f64,
     /// Mass of the platform, kg.
     pub platform_mass: f64,
@@ -79,20 +79,21 @@ impl CrankRow {
         Vector2::new(self.angle.cos(), self.angle.sin()) * self.length
     }
 
-    /// m̄ of the platform struck anywhere along the direction in which it moves, kg: each crank m/3 at its pin.
+    /// m̄ of the platform for a contact along its direction of motion, kg: each crank contributes m/3.
     pub fn along_the_motion(&self) -> f64 {
         self.platform_mass + self.count as f64 * self.crank_mass / 3.0
     }
 
-    /// The direction in which the platform moves, in its own axes.
+    /// Direction of motion of the platform, in the platform's axes.
     pub fn motion(&self) -> Vector3<f64> {
         Vector3::new(-self.angle.sin(), self.angle.cos(), 0.0)
     }
 }
 
-/// A linkage of the [`family`](super::family) whose redundant rows contradict one another by `fraction` of its `size` (m,
-/// the greatest distance between pins): the last closure is shifted along its axis by half of that and tilted by as much
-/// in radians; parallel cranks are out by as much in their plane too.
+/// Linkage of the [`family`](super::family) whose redundant rows contradict each other by `fraction` of its
+/// `size` (m, the largest distance between pins). The last closure is displaced along its axis by half of this
+/// distance and tilted by half of `fraction` in radians; for parallel cranks the closure is also displaced in
+/// the plane.
 pub fn contradicting(seed: u64, kind: Kind, size: f64, fraction: f64) -> Mechanism {
     let drawn = drawn_as(seed, kind);
     let mechanism = scaled(&drawn.mechanism, size / drawn.size, 1.0);

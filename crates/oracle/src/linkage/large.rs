@@ -9,17 +9,18 @@ use percuss_mechanism::JointKind::Continuous;
 
 const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
-/// `n` four-bars in a row, the rocker of each the crank of the next: n loops in one group, one degree of freedom.
+/// `n` four-bars in a row; the rocker of each is the crank of the next: n loops in one group, one degree of freedom.
 ///
-/// Pivots of `link_0` … `link_n` are 1 m apart; couplers `coupler_1` … `coupler_n`, 1 m long, join pins at 0.4 m, the
-/// outgoing pin of a link 0.3 rad ahead of the incoming one, or behind it, alternately. So every loop is a parallelogram, all links turn by the same angle and
-/// no coupler turns, however many there are; with m the mass and J the moment about the pivot of every link (1.2 kg,
-/// 0.07 kg·m²) and μ the mass of a coupler (0.8 kg), 2T = ((n + 1) J + 0.16 n μ) θ̇². Driver `hinge_0`, 0.5 to 2.0.
+/// The pivots of `link_0` … `link_n` are 1 m apart. Couplers `coupler_1` … `coupler_n` of 1 m connect pins at a
+/// radius of 0.4 m; the angle between the two pins of a link is alternately +0.3 and −0.3 rad. So every loop is
+/// a parallelogram, all links rotate by the same angle, and the couplers translate. With the moment of inertia
+/// J of every link about its pivot (0.07 kg·m²; mass 1.2 kg) and the coupler mass μ (0.8 kg), 2T = ((n + 1) J +
+/// 0.16 n μ) θ̇². Driver `hinge_0`, 0.5 to 2.0.
 pub fn ladder(n: usize) -> Linkage {
     let arm = 0.4;
     let mut links = vec![ground()];
     let (mut joints, mut closures) = (Vec::new(), Vec::new());
-    // Frames follow the incoming pin.
+    // The link frames have their x-axis to the incoming pin.
     let mut angle = 1.0;
     let mut start = Vec::new();
     let moment = 0.07 - 1.2 * (0.1f64.powi(2) + 0.05f64.powi(2));
@@ -46,7 +47,7 @@ pub fn ladder(n: usize) -> Linkage {
     Linkage::new(mechanism, "ladder", [("hinge_0", [0.5, 2.0])], start)
 }
 
-/// `n` crank-rockers of growing size beside one another: n groups, n degrees of freedom. Drivers `crank_hinge_1` …,
+/// `n` independent crank-rockers of increasing size: n groups, n degrees of freedom. Drivers `crank_hinge_1` …,
 /// 0.2 to 2.2.
 pub fn separate(n: usize) -> Linkage {
     let mut links = vec![ground()];

@@ -1,7 +1,8 @@
-//! Mechanisms with closed loops, and how to move them.
+//! Mechanisms with closed loops, and their motion.
 //!
-//! The planar ones lie in the x-y plane of [`plane`], which is parallel to no axis, so that nothing vanishes by chance. Their
-//! closures are spatial: three of the five rows of a revolute one are redundant.
+//! Planar linkages lie in the x-y plane of [`plane`], which is parallel to no coordinate plane, so that no
+//! component is zero by chance. Their closures are spatial: three of the five rows of a revolute closure are
+//! redundant.
 
 mod branching;
 mod driven;
@@ -30,8 +31,8 @@ pub use spatial::{TRAMMEL, hooke_shaft, trammel, trammel_with_rod};
 pub use suspension::{Arm, Corner, GENERIC_CORNER, double_wishbone, double_wishbone_of, two_point_wishbone};
 pub use trains::{geared_pair, planetary_gear, rack_and_pinion, rocker_bogie};
 
-/// Every linkage. Among them are all kinds of closure, redundant and not, couplings, several loops in one group,
-/// several groups, closures onto an ancestor and onto the world, and free massless spins.
+/// All linkages. They contain all kinds of closure, with and without redundancy, couplings, several loops in
+/// one group, several groups, closures to an ancestor and to the world, and free massless rotations.
 pub fn all() -> Vec<Linkage> {
     vec![
         four_bar(),

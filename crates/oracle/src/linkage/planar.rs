@@ -1,4 +1,4 @@
-//! Planar linkages, whose answers are in [`closed_form`](crate::closed_form).
+//! Planar linkages with results in [`closed_form`](crate::closed_form).
 
 use super::Linkage;
 use crate::alter::build_with_loops;
@@ -12,12 +12,12 @@ use JointKind::{Continuous, Prismatic, Revolute};
 
 const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
-/// The frame in the ground whose x-y plane holds the planar linkages.
+/// Frame of the planar linkages in the ground: the linkages lie in the x-y plane.
 pub fn plane() -> Transform<f64> {
     frame([0.4, -0.7, 1.1], [0.2, -0.1, 0.5])
 }
 
-/// Lengths of [`four_bar`]: a crank-rocker.
+/// Lengths of [`four_bar`], a crank-rocker.
 pub const FOUR_BAR: FourBar = FourBar { ground: 0.9, crank: 0.25, coupler: 0.8, rocker: 0.6 };
 
 /// Crank, coupler and rocker of [`four_bar`].
@@ -38,7 +38,7 @@ const fn body(mass: f64, com: [f64; 2], inertia: f64) -> PlanarBody {
     PlanarBody { mass, com: nalgebra::Vector2::new(com[0], com[1]), inertia }
 }
 
-/// A link with this body in its x-y plane; what the plane does not see is made up.
+/// Link with this body in its x-y plane; inertia components that do not affect planar motion have arbitrary values.
 pub(super) fn link(name: &str, body: &PlanarBody) -> LinkDescription {
     if body.mass == 0.0 && body.inertia == 0.0 {
         return LinkDescription::massless(name);
@@ -47,12 +47,12 @@ pub(super) fn link(name: &str, body: &PlanarBody) -> LinkDescription {
     LinkDescription::new(name, Inertial::diagonal(body.mass, [body.com.x, body.com.y, 0.01], moments))
 }
 
-/// A point of the plane, in the ground.
+/// Point of the plane in ground coordinates.
 pub(super) fn on_ground(x: f64, y: f64) -> Transform<f64> {
     plane() * Transform::from_translation(Vector3::new(x, y, 0.0))
 }
 
-/// A hinge of the closure between points of two links.
+/// Revolute closure between points of two links.
 pub(super) fn pin(name: &str, before: (&str, [f64; 2]), after: (&str, [f64; 2])) -> ClosureDescription {
     let at = |[x, y]: [f64; 2]| [x, y, 0.0];
     ClosureDescription::new(name, ClosureKind::Revolute, before.0, after.0)
@@ -60,13 +60,13 @@ pub(super) fn pin(name: &str, before: (&str, [f64; 2]), after: (&str, [f64; 2]))
         .axis(Z)
 }
 
-/// Positions of `crank_hinge`, `crank_pin` and `rocker_hinge` at the crank's angle.
+/// Positions of `crank_hinge`, `crank_pin` and `rocker_hinge` at a crank angle.
 fn four_bar_start(bar: &FourBar, theta: f64, crossing: Crossing) -> [(&'static str, f64); 3] {
     let Some([_, coupler, rocker]) = bar.poses(theta, crossing) else { panic!("it does not assemble") };
     [("crank_hinge", theta), ("crank_pin", coupler.angle - theta), ("rocker_hinge", rocker.angle)]
 }
 
-/// A four-bar in [`plane`] with links `crank`, `coupler` and `rocker`: driven at `crank_hinge`, started at `theta`.
+/// Four-bar in [`plane`] with links `crank`, `coupler` and `rocker`; driver `crank_hinge`, start at `theta`.
 pub fn four_bar_of(
     name: &'static str,
     bar: FourBar,
@@ -87,30 +87,30 @@ pub fn four_bar_of(
     Linkage::new(mechanism, name, [("crank_hinge", range)], four_bar_start(&bar, theta, crossing))
 }
 
-/// A crank-rocker of [`FOUR_BAR`], open assembly. Driver `crank_hinge`, a full turn.
+/// Crank-rocker with the lengths [`FOUR_BAR`], open assembly. Driver `crank_hinge`, a full turn.
 pub fn four_bar() -> Linkage {
     four_bar_of("four_bar", FOUR_BAR, FOUR_BAR_BODIES, Crossing::Left, 0.7, [-PI, PI])
 }
 
-/// A parallelogram. Driver `crank_hinge`, from 0.3 to 2.8: at 0 and π it meets [`antiparallelogram`].
+/// Parallelogram. Driver `crank_hinge`, 0.3 to 2.8; its branch meets [`antiparallelogram`] at 0 and π.
 pub fn parallelogram() -> Linkage {
     four_bar_of("parallelogram", PARALLELOGRAM, FOUR_BAR_BODIES, Crossing::Left, 1.2, [0.3, 2.8])
 }
 
-/// The other assembly of the same lengths, crossed. Driver `crank_hinge`, from 0.3 to 2.8.
+/// Crossed assembly of the same lengths. Driver `crank_hinge`, 0.3 to 2.8.
 pub fn antiparallelogram() -> Linkage {
     four_bar_of("antiparallelogram", PARALLELOGRAM, FOUR_BAR_BODIES, Crossing::Right, 1.2, [0.3, 2.8])
 }
 
-/// A wheel on two equal parallel arms without mass, 0.4 m long and 0.25 m above one another (the plane's x is up).
-/// Driver `crank_hinge`, π/2 where the arms are level, 1.0 to 2.1. The wheel's link is `coupler`.
+/// Wheel on two equal, parallel, massless arms of 0.4 m, 0.25 m apart (the plane's x is upwards). Driver
+/// `crank_hinge`, 1.0 to 2.1, with horizontal arms at π/2. The wheel's link is `coupler`.
 pub fn massless_arm_suspension() -> Linkage {
     let bar = FourBar::parallelogram(0.25, 0.4);
     let bodies = [PlanarBody::MASSLESS, body(38.0, [0.13, -0.1], 1.6), PlanarBody::MASSLESS];
     four_bar_of("massless_arm_suspension", bar, bodies, Crossing::Left, 1.4, [1.0, 2.1])
 }
 
-/// A slider-crank in [`plane`] with links `crank`, `rod`, `slider`; the closure pins the rod to the slider. Driver
+/// Slider-crank in [`plane`] with links `crank`, `rod`, `slider`; the closure connects rod and slider. Driver
 /// `crank_hinge`, a full turn.
 pub fn slider_crank_of(name: &'static str, engine: SliderCrank, bodies: [PlanarBody; 3]) -> Linkage {
     let links =
@@ -128,13 +128,13 @@ pub fn slider_crank_of(name: &'static str, engine: SliderCrank, bodies: [PlanarB
     Linkage::new(mechanism, name, [("crank_hinge", [-PI, PI])], start)
 }
 
-/// A slider-crank of [`SLIDER_CRANK`]. Driver `crank_hinge`, a full turn.
+/// Slider-crank with the lengths [`SLIDER_CRANK`]. Driver `crank_hinge`, a full turn.
 pub fn slider_crank() -> Linkage {
     slider_crank_of("slider_crank", SLIDER_CRANK, SLIDER_CRANK_BODIES)
 }
 
-/// A six-bar (Stephenson): [`four_bar`], and from a point of its coupler a dyad `link_5`, `link_6` to the ground. Two
-/// loops in one group. Driver `crank_hinge`, 0 to 1.6.
+/// Six-bar linkage (Stephenson): [`four_bar`] with a dyad `link_5`, `link_6` from a point of its coupler to the
+/// ground. Two loops in one group. Driver `crank_hinge`, 0 to 1.6.
 pub fn six_bar() -> Linkage {
     let bar = FOUR_BAR;
     let bodies = FOUR_BAR_BODIES;
@@ -159,13 +159,13 @@ pub fn six_bar() -> Linkage {
     ];
     let mechanism = build_with_loops("six_bar", links, joints, closures, Vec::new());
     let mut start = four_bar_start(&bar, 0.7, Crossing::Left).to_vec();
-    // The dyad's elbow above the line to its pivot.
+    // The dyad's elbow is above the line to its pivot.
     start.extend([("coupler_point", 0.2), ("output_hinge", 1.6)]);
     Linkage::new(mechanism, "six_bar", [("crank_hinge", [0.0, 1.6])], start)
 }
 
-/// A leg whose knee is driven from the hip: thigh, on it a bell crank, a push rod, the shank; the knee closes the loop
-/// from the shank onto the thigh, its ancestor. Drivers `hip` and `bell_crank`, half a radian to each side.
+/// Leg with the knee driven from the hip: thigh with a bell crank, push rod and shank; the knee closes the loop
+/// from the shank to its ancestor, the thigh. Drivers `hip` and `bell_crank`, ±0.5 rad.
 pub fn planar_leg() -> Linkage {
     let links = vec![
         ground(),
@@ -180,7 +180,7 @@ pub fn planar_leg() -> Linkage {
         joint("upper_pin", Revolute, "bell_crank", "push_rod").at([0.07, 0.0, 0.0]).axis(Z),
         joint("lower_pin", Revolute, "push_rod", "shank").at([0.36, 0.0, 0.0]).axis(Z),
     ];
-    // The shank's frame is at its pin with the rod.
+    // The shank's frame is at its pin to the rod.
     let knee = pin("knee", ("shank", [0.06, 0.0]), ("thigh", [0.4, 0.0]));
     let mechanism = build_with_loops("planar_leg", links, joints, vec![knee], Vec::new());
     let drivers = [("hip", [-0.9, 0.1]), ("bell_crank", [1.1, 2.1])];

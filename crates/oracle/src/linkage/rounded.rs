@@ -1,4 +1,4 @@
-//! A linkage beside itself as a file would round it.
+//! Linkage with exact and with rounded numbers.
 
 use super::Linkage;
 use super::planar::{link, pin};
@@ -8,15 +8,15 @@ use crate::parts::{frame, ground, joint};
 use percuss_mechanism::JointKind::Continuous;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_6, PI};
 
-/// A four-bar with exact frames, and its twin whose frames were rounded as by different programs: angles of the crank's
-/// hinge to 4 decimals, of the rocker's to 6, its place to 6. The redundant rows of the twin contradict each other by
-/// some micrometres, so it closes in least squares only
+/// Four-bar with exact frames, and its twin with frames rounded as by different programs: angles of the crank's
+/// hinge to 4 decimals, angles and position of the rocker's hinge to 6. The redundant rows of the twin
+/// contradict each other by some micrometres, so the twin closes only in the least-squares sense
 /// ([`close_as_far_as_possible`](crate::maximal::close_as_far_as_possible)).
 ///
-/// Crank 0.28, coupler 0.66, rocker 0.52, ground 0.75 m; links `crank`, `coupler`, `rocker`. Driver `crank_hinge`, from
-/// 0.3 to 2.6, started at 1.2.
+/// Crank 0.28, coupler 0.66, rocker 0.52, ground 0.75 m; links `crank`, `coupler`, `rocker`. Driver
+/// `crank_hinge`, 0.3 to 2.6, start at 1.2.
 pub fn rounded_four_bar() -> (Linkage, Linkage) {
-    // The pivots stand on the plane's x-axis, which is turned by 30° about the vertical.
+    // The pivots are on the plane's x-axis, at 30° about the vertical.
     let place = [0.75 * FRAC_PI_6.cos(), 0.75 * FRAC_PI_6.sin(), 0.0];
     let angles = [FRAC_PI_2, 0.0, FRAC_PI_6];
     let exact = twin("exact_four_bar", [angles; 2], place);

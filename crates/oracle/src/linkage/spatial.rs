@@ -1,4 +1,4 @@
-//! Shafts and sliders in space with a closed form.
+//! Shafts and sliders in space with closed-form results.
 
 use super::{Linkage, plane};
 use crate::alter::build_with_loops;
@@ -9,9 +9,9 @@ use std::f64::consts::PI;
 
 use JointKind::{Continuous, Prismatic, Spherical};
 
-/// Two shafts at the angle `beta` with a universal closure between, three of its four rows redundant. `input` turns
-/// about the z-axis of [`plane`], with its pin in the plane of the shafts at angle 0; moments about the shafts are 0.03
-/// and 0.08 kg·m². Driver `input`, a full turn.
+/// Two shafts at the angle `beta` with a universal closure, which has three redundant rows of four. `input`
+/// rotates about the z-axis of [`plane`]; its pin is in the plane of the shafts at angle 0. Moments of inertia
+/// about the shafts are 0.03 and 0.08 kg·m². Driver `input`, a full turn.
 pub fn hooke_shaft(beta: f64) -> Linkage {
     let shaft = |name: &str, mass: f64, moment: f64| {
         LinkDescription::new(
@@ -67,13 +67,14 @@ fn trammel_of(name: &'static str, rod: bool) -> Linkage {
     linkage
 }
 
-/// An elliptic trammel of [`TRAMMEL`], its rod a distance closure. Driver `first`, 0.2 to 0.75 m.
+/// Elliptic trammel with [`TRAMMEL`]; the rod is a distance closure. Driver `first`, 0.2 to 0.75 m.
 pub fn trammel() -> Linkage {
     trammel_of("trammel", false)
 }
 
-/// The same with a link for a rod, without mass, between a ball joint and a spherical closure: it can spin about
-/// itself, one more degree of freedom without mass. Driver `first`, 0.2 to 0.75 m.
+/// Elliptic trammel with a massless link as rod, between a spherical joint and a spherical closure. The free
+/// rotation of the rod about its axis is one more degree of freedom, without mass. Driver `first`, 0.2 to 0.75
+/// m.
 pub fn trammel_with_rod() -> Linkage {
     trammel_of("trammel_with_rod", true)
 }

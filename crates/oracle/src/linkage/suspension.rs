@@ -1,4 +1,4 @@
-//! A double wishbone, its arms on hinges or on two ball joints each.
+//! Double wishbone suspension, with hinged arms or two ball joints per arm.
 
 use super::Linkage;
 use crate::alter::build_with_loops;
@@ -10,18 +10,19 @@ use percuss_spatial::{Matrix3, Vector3};
 
 use JointKind::{Continuous, Prismatic, Revolute, Spherical};
 
-/// A control arm; places in the chassis' frame at the design position, m.
+/// Control arm; positions in the chassis frame in the design position, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arm {
-    /// The two points about whose line it turns.
+    /// Two points on the hinge axis.
     pub hinge: [[f64; 3]; 2],
-    /// The ball joint of the upright.
+    /// Ball joint to the upright.
     pub ball: [f64; 3],
-    /// Its body, centre of mass in the same frame.
+    /// Inertia, with the centre of mass in the chassis frame.
     pub body: Inertial,
 }
 
-/// A corner of a vehicle; places in the chassis' frame (x to the front, y to the left, z up) at the design position, m.
+/// Corner of a vehicle; positions in the chassis frame (x to the front, y to the left, z up) in the design
+/// position, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Corner {
     /// The lower arm.
@@ -30,13 +31,13 @@ pub struct Corner {
     pub upper: Arm,
     /// The upright.
     pub upright: Inertial,
-    /// What turns with the wheel.
+    /// Parts that rotate with the wheel.
     pub spindle: Inertial,
-    /// Its axis.
+    /// Rotation axis of the wheel.
     pub spin_axis: [f64; 3],
-    /// The tie rod, at the chassis and at the upright: a rod without mass.
+    /// Tie rod, massless: points on the chassis and on the upright.
     pub tie_rod: [[f64; 3]; 2],
-    /// The spring or damper, at the chassis and at the lower arm: no mass, no effect; a place for a contact.
+    /// Spring or damper: points on the chassis and on the lower arm. Contact points only, without mass and force.
     pub spring: [[f64; 3]; 2],
 }
 
@@ -48,7 +49,7 @@ const fn body(mass: f64, com: [f64; 3], [xx, yy, zz]: [f64; 3], [xy, xz, yz]: [f
     }
 }
 
-/// A front left corner of no particular car.
+/// Typical front left corner.
 pub const GENERIC_CORNER: Corner = Corner {
     lower: Arm {
         hinge: [[0.18, 0.36, 0.21], [-0.20, 0.38, 0.225]],
@@ -71,12 +72,12 @@ fn relative(to: [f64; 3], p: [f64; 3]) -> [f64; 3] {
     (Vector3::from(p) - Vector3::from(to)).into()
 }
 
-/// A link whose frame stands at `origin`, axes parallel to the chassis'.
+/// Link with its frame at `origin`, parallel to the chassis frame.
 fn placed(name: &str, body: &Inertial, origin: [f64; 3]) -> LinkDescription {
     LinkDescription::new(name, Inertial { com: body.com - Vector3::from(origin), ..*body })
 }
 
-/// Links and joints below the ground, and the closures of upper ball and tie rod.
+/// Links and joints below the ground, and the closures of upper ball joint and tie rod.
 fn frame_of(
     corner: &Corner,
     hinge: JointKind,
@@ -100,16 +101,16 @@ fn frame_of(
     let closures = vec![
         ClosureDescription::new("upper_ball", ClosureKind::Spherical, "upper_arm", "upright")
             .at(relative(upper.hinge[0], upper.ball), relative(lower.ball, upper.ball)),
-        // Its length that of the design position.
+        // The length is the distance in the design position.
         ClosureDescription::new("tie_rod", ClosureKind::Distance, "ground", "upright")
             .at(tie_rod[0], relative(lower.ball, tie_rod[1])),
     ];
     (links, joints, closures)
 }
 
-/// The corner with its arms on hinges, in the design position at zero: links `lower_arm` and `upper_arm` (origins at
-/// their first hinge point), `upright` (at the lower ball), `spindle` (at its centre of mass). Mobility 2, no
-/// redundancy. Drivers `lower_hinge`, 0.25 rad to each side, and `spin`.
+/// Corner with hinged arms, in the design position at zero: links `lower_arm` and `upper_arm` (origins at their
+/// first hinge point), `upright` (at the lower ball joint), `spindle` (at its centre of mass). Mobility 2, no
+/// redundancy. Drivers `lower_hinge`, ±0.25 rad, and `spin`.
 pub fn double_wishbone_of(corner: &Corner) -> Linkage {
     let (links, joints, closures) = frame_of(corner, Revolute);
     let mechanism = build_with_loops("double_wishbone", links, joints, closures, Vec::new());
@@ -117,15 +118,15 @@ pub fn double_wishbone_of(corner: &Corner) -> Linkage {
     Linkage::new(mechanism, "double_wishbone", drivers, [("spin", 0.3)])
 }
 
-/// [`GENERIC_CORNER`] on hinges. See [`double_wishbone_of`].
+/// [`GENERIC_CORNER`] with hinged arms; see [`double_wishbone_of`].
 pub fn double_wishbone() -> Linkage {
     double_wishbone_of(&GENERIC_CORNER)
 }
 
-/// The same corner as multibody programs tend to write it: each arm held at two points by balls, one of them in the
-/// tree, which leaves one row of six too many. So that something drives it, a massless strut is put in the place of the
-/// spring: a ball at the chassis, a slide, a universal closure at the lower arm. Mobility 2, two redundant rows, m̄ that
-/// of [`double_wishbone`]. Drivers `strut`, −30 to 40 mm, and `spin`.
+/// The same corner in the usual form of multibody programs: each arm has two ball joints to the chassis, one of
+/// them in the tree, which gives one redundant row of six per arm. A massless strut replaces the spring as
+/// driver: spherical joint at the chassis, prismatic joint, universal closure at the lower arm. Mobility 2, two
+/// redundant rows, the same m̄ as [`double_wishbone`]. Drivers `strut`, −30 to 40 mm, and `spin`.
 pub fn two_point_wishbone() -> Linkage {
     let corner = &GENERIC_CORNER;
     let (mut links, mut joints, mut closures) = frame_of(corner, Spherical);

@@ -1,4 +1,4 @@
-//! Couplings.
+//! Linkages with couplings.
 
 use super::Linkage;
 use crate::alter::build_with_loops;
@@ -21,7 +21,7 @@ fn coupling(name: &str, predecessor: &str, successor: &str, ratio: f64) -> Coupl
     }
 }
 
-/// A wheel whose moment about z is given, its mass on the axis.
+/// Wheel with a given moment of inertia about z and its mass on the axis.
 fn wheel(name: &str, mass: f64, moment: f64) -> LinkDescription {
     LinkDescription::new(
         name,
@@ -29,7 +29,8 @@ fn wheel(name: &str, mass: f64, moment: f64) -> LinkDescription {
     )
 }
 
-/// A rack (1.5 kg along x) and its pinion (0.0021 kg·m², radius 0.06 m): a coupling whose ratio is in m. Driver `rack`.
+/// Rack (1.5 kg along x) and pinion (0.0021 kg·m², radius 0.06 m): the ratio of the coupling has a unit. Driver
+/// `rack`.
 pub fn rack_and_pinion() -> Linkage {
     let links = vec![ground(), wheel("pinion", 0.8, 0.0021), lump("rack", 1.5, [0.1, 0.02, 0.0], 0.4)];
     let joints = vec![
@@ -42,7 +43,7 @@ pub fn rack_and_pinion() -> Linkage {
     Linkage::new(mechanism, "rack_and_pinion", [("rack", [-0.3, 0.3])], start)
 }
 
-/// Two parallel shafts, 0.02 and 0.005 kg·m², the second −2.5 times as fast. Driver `slow`.
+/// Two parallel shafts, 0.02 and 0.005 kg·m², with the speed ratio −2.5. Driver `slow`.
 pub fn geared_pair() -> Linkage {
     let links = vec![ground(), wheel("slow", 2.0, 0.02), wheel("fast", 0.7, 0.005)];
     let place = frame([0.3, 0.2, -0.5], [0.1, 0.0, 0.2]);
@@ -55,9 +56,10 @@ pub fn geared_pair() -> Linkage {
     Linkage::new(mechanism, "geared_pair", [("slow", [-PI, PI])], [("slow", 0.3), ("fast", -0.75)])
 }
 
-/// A planetary gear, teeth 24, 18, 60: sun, one planet (0.4 kg at 0.063 m) and ring turn on the carrier, two couplings
-/// mesh them there, and a fixed closure holds the ring to the ground (five of its six rows redundant). Moments 0.004 of
-/// the carrier, 0.0006, 0.0003, 0.01 kg·m². Driver `carrier`, a full turn.
+/// Planetary gear with 24, 18 and 60 teeth: sun, one planet (0.4 kg at 0.063 m) and ring rotate on the carrier,
+/// with two couplings for the gear meshes; a fixed closure connects the ring to the ground (five of its six
+/// rows are redundant). Moments of inertia 0.004 (carrier), 0.0006, 0.0003 and 0.01 kg·m². Driver `carrier`, a
+/// full turn.
 pub fn planetary_gear() -> Linkage {
     let links = vec![
         ground(),
@@ -87,8 +89,8 @@ pub fn planetary_gear() -> Linkage {
     Linkage::new(mechanism, "planetary_gear", [("carrier", [-PI, PI])], start)
 }
 
-/// A rover: a body that can float, a rocker on each side, coupled by a differential (ratio −1), a bogie on each rocker,
-/// six wheels. Drivers: a rocker, the bogies, the wheels.
+/// Rover: a body that can float, two rockers coupled by a differential (ratio −1), a bogie on each rocker, six
+/// wheels. Drivers: one rocker, the bogies, the wheels.
 pub fn rocker_bogie() -> Linkage {
     let mut links = vec![lump("body", 25.0, [0.02, 0.0, 0.1], 0.8)];
     let mut joints = Vec::new();

@@ -1,4 +1,4 @@
-//! An assembler of loops for tests: slow, plain, and independent of the library's.
+//! Assembler of loops for tests: simple, slow and independent of the library.
 
 use super::residual::{residual, residuals};
 use crate::limits;
@@ -8,12 +8,12 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use percuss_mechanism::{JointId, JointKind, Mechanism};
 use std::fmt;
 
-/// The loops do not close from where the search began.
+/// Error: the loops do not close from the start position.
 #[derive(Clone, Debug)]
 pub struct NotClosed {
-    /// The best position found.
+    /// Best position found.
     pub positions: Vec<Vec<f64>>,
-    /// Its [`residual`], m.
+    /// [`residual`] of this position, m.
     pub residual: f64,
 }
 
@@ -25,18 +25,17 @@ impl fmt::Display for NotClosed {
 
 impl std::error::Error for NotClosed {}
 
-/// Moves the joints `free`, and mimics with them, until the residual is 1e-13 of the characteristic length.
+/// Moves the joints `free`, with their mimics, until the residual is 1e-13 of the characteristic length.
 ///
-/// Levenberg and Marquardt's method on [`residuals`], from `positions`, with differences for a Jacobian and a
-/// singular value decomposition for the step. Redundant closures and more free joints than needed are allowed:
-/// the step is the shortest one.
+/// Levenberg–Marquardt method on [`residuals`], from `positions`, with finite differences for the Jacobian and
+/// a singular value decomposition for the step. Redundant closures and more free joints than needed are
+/// allowed: the step has minimum norm.
 ///
 /// # Errors
-/// [`NotClosed`] where it ends in a position that is not closed; that of least squares, if the loops contradict one
-/// another.
+/// [`NotClosed`] with the final, open position; the least-squares position if the loops contradict each other.
 ///
 /// # Panics
-/// Where positions do not fit the joints, or a mimic is named as free.
+/// If the positions do not match the joints, or `free` contains a mimic.
 pub fn close(
     mechanism: &Mechanism,
     positions: &[Vec<f64>],
@@ -47,10 +46,10 @@ pub fn close(
     if closed { Ok(positions) } else { Err(NotClosed { positions, residual }) }
 }
 
-/// As [`close`], but takes a minimum of the squares for an answer: rounded files have no better one.
+/// As [`close`], but accepts a minimum of the squared residuals: rounded files have no closed position.
 ///
 /// # Panics
-/// Where positions do not fit the joints, or a mimic is named as free.
+/// If the positions do not match the joints, or `free` contains a mimic.
 pub fn close_as_far_as_possible(
     mechanism: &Mechanism,
     positions: &[Vec<f64>],
@@ -68,7 +67,8 @@ pub fn close_as_far_as_possible(
             break;
         }
         let steps = Steps::new(mechanism, &here, &unknowns, &open);
-        // Rejected steps are tried again shorter; without damping the last digits come in one or two rounds.
+        // Rejected steps are repeated with more damping. Without damping the last digits converge in one or two
+        // rounds.
         let better = (0..limits::MOST_ATTEMPTS).find_map(|_| {
             let there = advanced(mechanism, &here, &unknowns, &steps.step(damping));
             let residual = stacked(mechanism, &there);
@@ -94,7 +94,7 @@ fn norm(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |sum: f64, value| sum.hypot(*value))
 }
 
-/// How far one unit of an unknown moves: unknowns are lengths, angles times the characteristic length.
+/// Displacement per unit of an unknown: unknowns are lengths and angles times the characteristic length.
 fn unit(mechanism: &Mechanism, (joint, i): (JointId, usize)) -> f64 {
     let slides = match mechanism.joint(joint).kind() {
         JointKind::Fixed | JointKind::Revolute | JointKind::Continuous | JointKind::Spherical => false,
@@ -119,7 +119,7 @@ fn advanced(
     there
 }
 
-/// The Jacobian of the residuals, decomposed.
+/// Singular value decomposition of the Jacobian of the residuals.
 struct Steps {
     left: Mat<f64>,
     values: Vec<f64>,
@@ -129,7 +129,7 @@ struct Steps {
 
 impl Steps {
     fn new(mechanism: &Mechanism, here: &[Vec<f64>], unknowns: &[(JointId, usize)], open: &[f64]) -> Self {
-        // Central differences of functions of order size.
+        // Central differences of functions of the order of the size.
         let h = limits::DIFFERENCE_STEP * mechanism.characteristic_length();
         let mut jacobian = Mat::zeros(open.len(), unknowns.len());
         for (k, &unknown) in unknowns.iter().enumerate() {
@@ -144,7 +144,7 @@ impl Steps {
         Self { left: svd.U().to_owned(), values, right: svd.V().to_owned(), open: open.to_vec() }
     }
 
-    /// −(JᵀJ + (damping · σ_max)²)⁻¹ Jᵀ r, without those parts of J that are errors of the differences.
+    /// −(JᵀJ + (damping · σ_max)²)⁻¹ Jᵀ r, without the singular values that are errors of the differences.
     fn step(&self, damping: f64) -> Vec<f64> {
         let largest = self.values[0];
         let mut step = vec![0.0; self.right.nrows()];
@@ -159,8 +159,8 @@ impl Steps {
     }
 }
 
-/// Positions after the velocity number `i` of a joint has run for `h`, in the order of
-/// [`JointKind`]'s table; mimics follow.
+/// Positions after a motion with velocity component `i` of a joint (in the order of [`JointKind`]'s table) for
+/// the time `h`; mimics follow.
 pub fn moved(
     mechanism: &Mechanism,
     positions: &[Vec<f64>],
@@ -192,7 +192,7 @@ fn quaternion(q: &[f64]) -> UnitQuaternion<f64> {
     UnitQuaternion::from_quaternion(Quaternion::new(q[0], q[1], q[2], q[3]))
 }
 
-/// Turns the quaternion w,x,y,z about axis `i` of its own frame.
+/// Rotates the quaternion w,x,y,z about axis `i` of its own frame.
 fn turn(q: &mut [f64], i: usize, h: f64) {
     let turned = quaternion(q) * UnitQuaternion::from_scaled_axis(Vector3::ith(i, h));
     q.copy_from_slice(&[turned.w, turned.i, turned.j, turned.k]);

@@ -1,4 +1,4 @@
-//! What a joint forbids and what its velocities are, as rows.
+//! Constraint rows and velocity rows of tree joints.
 
 use super::row::{Row, WORLD, com, rotation, translation, velocity_row};
 use super::{Question, pose};
@@ -6,14 +6,14 @@ use nalgebra::{Matrix4, Vector3};
 use percuss_mechanism::{Joint, JointKind};
 use percuss_spatial::plane_basis;
 
-/// A joint in world axes.
+/// Joint in world axes.
 pub(super) struct Placed<'a> {
     pub(super) joint: &'a Joint,
-    /// From the parent's centre of mass to the child's origin.
+    /// Vector from the parent's centre of mass to the child's origin.
     pub(super) arm_parent: Vector3<f64>,
-    /// From the child's centre of mass to its origin.
+    /// Vector from the child's centre of mass to the child's origin.
     pub(super) arm_child: Vector3<f64>,
-    /// e1, e2 of the plane normal to the axis, then the axis.
+    /// Unit vectors e1, e2 normal to the axis, and the axis.
     frame: [Vector3<f64>; 3],
     /// Axes of the child.
     child_axes: [Vector3<f64>; 3],
@@ -24,7 +24,7 @@ impl<'a> Placed<'a> {
         let (parent, child) = (joint.parent().index(), joint.child().index());
         let links = question.mechanism.links();
         let (r_wp, r_wc) = (rotation(&x_wl[parent]), rotation(&x_wl[child]));
-        // Arms from the relative pose: a world origin far away does not add rounding.
+        // Moment arms come from the relative pose, so that a distant world origin adds no rounding.
         let x_pc = pose::origin(joint) * pose::motion(joint, q);
         let r_wj = r_wp * joint.origin().rotation;
         let (e1, e2) = plane_basis(joint.axis());
@@ -43,13 +43,13 @@ impl<'a> Placed<'a> {
         Row(vec![(child, *n, Vector3::zeros()), (parent, -n, Vector3::zeros())])
     }
 
-    /// n · (velocity of the child's origin relative to the point of the parent that is there).
+    /// n · (velocity of the child's origin relative to the coincident point of the parent).
     pub(super) fn linear(&self, n: &Vector3<f64>) -> Row {
         let (parent, child) = (self.joint.parent().index(), self.joint.child().index());
         velocity_row(child, &self.arm_child, n).plus(-1.0, &velocity_row(parent, &self.arm_parent, n))
     }
 
-    /// What the joint forbids, lock and mimic aside. Independent of each other and of those of all other joints.
+    /// Constraint rows of the joint, without lock and mimic. The rows of all joints together are independent.
     pub(super) fn constraints(&self) -> Vec<Row> {
         let world = WORLD.map(Vector3::from);
         let [e1, e2, axis] = &self.frame;
@@ -66,7 +66,7 @@ impl<'a> Placed<'a> {
         }
     }
 
-    /// Its velocities, in the order of [`JointKind`]'s table.
+    /// Rows of the joint velocities, in the order of [`JointKind`]'s table.
     pub(super) fn rates(&self) -> Vec<Row> {
         let [e1, e2, axis] = &self.frame;
         let child_angular = || self.child_axes.iter().map(|n| self.angular(n));

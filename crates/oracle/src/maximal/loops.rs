@@ -1,4 +1,4 @@
-//! What closures, couplings and held contacts forbid, as rows.
+//! Constraint rows of closures, couplings and held contacts.
 
 use super::joints::Placed;
 use super::residual::{across, distance, placed_frame};
@@ -7,7 +7,7 @@ use super::{Held, Question};
 use nalgebra::{Matrix4, Vector3};
 use percuss_mechanism::{Closure, ClosureKind, LinkId, Mechanism};
 
-/// The rows of all closures, couplings and held contacts, in this order.
+/// Rows of all closures, couplings and held contacts, in this order.
 pub(super) fn rows(question: &Question, placed: &[Placed], x_wl: &[Matrix4<f64>]) -> Vec<Row> {
     let mechanism = question.mechanism;
     let mut rows = Vec::new();
@@ -33,17 +33,17 @@ pub(super) fn rows(question: &Question, placed: &[Placed], x_wl: &[Matrix4<f64>]
     rows
 }
 
-/// The two ends of a closure in world axes; the world itself has no velocity and enters no row.
+/// Both ends of a closure in world axes; the world has no velocity and no entry in the rows.
 struct Ends {
-    /// Predecessor, and from its centre of mass to the successor's loop frame.
+    /// Predecessor, and vector from its centre of mass to the successor's loop frame.
     before: Option<(LinkId, Vector3<f64>)>,
-    /// Successor, and from its centre of mass to its loop frame.
+    /// Successor, and vector from its centre of mass to its loop frame.
     after: Option<(LinkId, Vector3<f64>)>,
-    /// From the predecessor's loop frame to the successor's.
+    /// Vector from the predecessor's to the successor's loop frame.
     gap: Vector3<f64>,
-    /// The predecessor's loop frame, in world axes.
+    /// Orientation of the predecessor's loop frame in the world.
     r_wp: nalgebra::Matrix3<f64>,
-    /// The successor's.
+    /// Orientation of the successor's loop frame in the world.
     r_ws: nalgebra::Matrix3<f64>,
 }
 
@@ -66,7 +66,7 @@ impl Ends {
         }
     }
 
-    /// n · (velocity of the successor's origin relative to the point of the predecessor that is there).
+    /// n · (velocity of the successor's origin relative to the coincident point of the predecessor).
     fn linear(&self, n: &Vector3<f64>) -> Row {
         let side = |end: &Option<(LinkId, Vector3<f64>)>| {
             end.map_or_else(Row::default, |(link, arm)| velocity_row(link.index(), &arm, n))
@@ -82,7 +82,7 @@ impl Ends {
         side(&self.after).plus(-1.0, &side(&self.before))
     }
 
-    /// The time derivatives of what the kind says stays zero, in the order of its table.
+    /// Time derivatives of the constraint functions of the kind, in the order of its table.
     fn rows(&self, closure: &Closure) -> Vec<Row> {
         let axis = self.r_wp * closure.axis();
         let sides = || across(closure.axis()).map(|e| self.r_wp * e);
@@ -90,7 +90,7 @@ impl Ends {
         let all_linear = || world.iter().map(|n| self.linear(n));
         let all_angular = || world.iter().map(|n| self.angular(n));
         let across_linear = || sides().map(|e| self.linear(&e));
-        // The successor's axis has no component e: (ω × a) · e = ω · (a × e) = 0.
+        // The successor's axis has no component along e: (ω × a) · e = ω · (a × e) = 0.
         let no_tilt = || sides().map(|e| self.angular(&(self.r_ws * closure.axis()).cross(&e)));
         match closure.kind() {
             ClosureKind::Fixed => all_linear().chain(all_angular()).collect(),
@@ -98,7 +98,7 @@ impl Ends {
             ClosureKind::Prismatic => across_linear().into_iter().chain(all_angular()).collect(),
             ClosureKind::Cylindrical => across_linear().into_iter().chain(no_tilt()).collect(),
             ClosureKind::Universal => {
-                // a · b = 0, b on the successor: ω · (b × a) = 0.
+                // a · b = 0 with b on the successor: ω · (b × a) = 0.
                 let pin = self.r_ws * closure.axis2();
                 all_linear().chain([self.angular(&pin.cross(&axis))]).collect()
             }

@@ -1,4 +1,4 @@
-//! The least energy at unit closing speed, from the rows.
+//! Minimum energy at unit closing speed, from the rows.
 
 use super::rows::{Owner, System};
 use super::{Answer, Outcome};
@@ -6,7 +6,7 @@ use crate::limits;
 use faer::Mat;
 use nalgebra::{DMatrix, DVector};
 
-/// Solves (D).
+/// Solves the definition (D).
 pub(super) fn minimum(system: &System) -> Answer {
     let tree = complement(&system.tree);
     let (within, singular_values) = kernel(&(&system.extra * &tree), system.threshold);
@@ -28,7 +28,7 @@ pub(super) fn minimum(system: &System) -> Answer {
     if speed <= limits::IMMOVABLE * system.contact.norm() {
         return answer(Outcome::Immovable);
     }
-    // The first column of the reflected basis has all the closing speed.
+    // After the reflection only the first basis column has a closing speed.
     let mut basis = basis;
     let sign = if closing[0] < 0.0 { -1.0 } else { 1.0 };
     closing[0] += sign * speed;
@@ -58,7 +58,7 @@ pub(super) fn minimum(system: &System) -> Answer {
     answer
 }
 
-/// An orthonormal basis (columns) of the kernel of a matrix with independent rows.
+/// Orthonormal basis (columns) of the kernel of a matrix with independent rows.
 fn complement(rows: &DMatrix<f64>) -> DMatrix<f64> {
     let (rank, n) = rows.shape();
     if rank == 0 {
@@ -68,8 +68,8 @@ fn complement(rows: &DMatrix<f64>) -> DMatrix<f64> {
     DMatrix::from_fn(n, n - rank, |i, k| q[(i, rank + k)])
 }
 
-/// An orthonormal basis (columns) of the kernel, and the singular values as parts of the largest. Those up to
-/// `threshold` count as zero, and all do where the largest is rounding: the rows are unit vectors.
+/// Orthonormal basis (columns) of the kernel, and the singular values relative to the largest. Values up to
+/// `threshold` count as zero; all count as zero if the largest is rounding (the rows are unit vectors).
 fn kernel(rows: &DMatrix<f64>, threshold: f64) -> (DMatrix<f64>, Vec<f64>) {
     let (m, n) = rows.shape();
     if m == 0 || n == 0 {
@@ -87,8 +87,8 @@ fn kernel(rows: &DMatrix<f64>, threshold: f64) -> (DMatrix<f64>, Vec<f64>) {
     (DMatrix::from_fn(n, n - rank, |i, k| v[(i, rank + k)]), relative)
 }
 
-/// A z that minimises |rhs − matrix z|: Householder QR, the largest remaining column and in it the largest entry
-/// first. Columns that shrink below `floor` get zero.
+/// Minimises |rhs − matrix z| over z by Householder QR with column pivoting and, within the column, row
+/// pivoting. Columns with norms below `floor` get zero.
 ///
 /// With both pivotings the error of every row is small relative to that row, however the rows are graded.
 /// Source: Cox and Higham, Stability of Householder QR factorization for weighted least squares problems, 1998.

@@ -1,8 +1,8 @@
 //! Route C: the effective mass in maximal coordinates.
 //!
-//! Every link has six velocities of its own (world axes, the linear three at its centre of mass), every joint is
-//! so many constraint rows, nothing is merged or eliminated by topology. The matrices are large and plain, and no
-//! formula is shared with the recursions that are tested.
+//! Every link has six velocities (world axes, linear part at the centre of mass), and every joint adds its
+//! constraint rows; nothing is eliminated by topology. The matrices are large and dense, and no formula is
+//! shared with the tested recursions.
 
 mod close;
 mod joints;
@@ -19,30 +19,30 @@ pub use pose::poses;
 pub use question::{Answer, Held, Outcome, Question};
 pub use residual::{residual, residuals};
 
-/// The effective mass: m̄ = min { vᵀMv : Av = 0, jv = 1 } in maximal coordinates.
+/// Effective mass m̄ = min { vᵀMv : Av = 0, jv = 1 } in maximal coordinates.
 ///
-/// See [`solve`], of which this is the outcome.
+/// Outcome of [`solve`].
 pub fn effective_mass(question: &Question) -> Outcome {
     solve(question).outcome
 }
 
-/// Solves (D) by a null-space method, with M = WᵀW written down body by body and never formed.
+/// Solves (D) by a null-space method, with M = WᵀW assembled body by body and never multiplied out.
 ///
-/// 1. Angular velocities are multiplied by the longest arm and the rows of A made unit vectors.
-/// 2. Z, an orthonormal basis of ker A, in two steps: the kernel of the joints' rows, which are independent by
-///    construction, from a QR; within it the kernel of all other rows from a singular value decomposition, whose
-///    small values, up to [`threshold`](Question::threshold), count as zero.
-/// 3. `Immovable` where |jZ| ≤ 1e-10 |j|.
-/// 4. A reflection of the columns of Z leaves the closing speed to the first; the others minimise |W Z z|² by
-///    Householder QR with rows and columns pivoted, which is stable row by row: a needle on a heavy base loses no
-///    digits (Cox and Higham 1998).
-/// 5. `Massless` where |W v*| is below 1e-11 of max|Wᵢ| |v*|, that is m̄ below 1e-22 of the largest mass.
+/// 1. Angular velocities are multiplied by the longest moment arm, and the rows of A are normalised.
+/// 2. Z, an orthonormal basis of ker A, is computed in two steps: the kernel of the joint rows, which are
+///   independent by construction, from a QR; within it the kernel of all other rows from a singular value
+///   decomposition. Singular values up to [`threshold`](Question::threshold) count as zero.
+/// 3. `Immovable` if |jZ| ≤ 1e-10 |j|.
+/// 4. A reflection of the columns of Z leaves a closing speed only in the first. The others minimise |W Z z|²
+///   by Householder QR with row and column pivoting, which is stable row by row: a needle on a heavy base loses
+///   no digits (Cox and Higham 1998).
+/// 5. `Massless` if |W v*| is below 1e-11 of max|Wᵢ| |v*|, that is, m̄ below 1e-22 of the largest mass.
 ///
 /// Cost: O((6 links)³); 60 links take a fraction of a second in an optimised build.
 ///
 /// # Panics
-/// Where positions or armatures do not fit the joints, an id is of another mechanism, or the loops are open by more
-/// than 1e-3 of the size and no threshold is given.
+/// If positions or armatures do not match the joints, an id belongs to another mechanism, or the loop residual
+/// exceeds 1e-3 of the size and no threshold is given.
 pub fn solve(question: &Question) -> Answer {
     minimum::minimum(&rows::assemble(question))
 }

@@ -1,4 +1,4 @@
-//! Poses by products of 4×4 homogeneous matrices: not percuss-spatial's transforms, on purpose.
+//! Poses by products of 4×4 homogeneous matrices, independent of the transforms of percuss-spatial.
 
 use nalgebra::{Matrix4, Quaternion, Rotation3, Translation3, Unit, UnitQuaternion, Vector3};
 use percuss_mechanism::{Joint, JointKind, Mechanism};
@@ -12,7 +12,7 @@ pub(super) fn origin(joint: &Joint) -> Matrix4<f64> {
     x_pj
 }
 
-/// X_jc: the child's frame in the joint frame at position `q`.
+/// X_jc: child frame in the joint frame at position `q`.
 pub(super) fn motion(joint: &Joint, q: &[f64]) -> Matrix4<f64> {
     assert_eq!(q.len(), joint.kind().positions(), "position of joint {}", joint.name());
     let turn =
@@ -33,10 +33,10 @@ pub(super) fn motion(joint: &Joint, q: &[f64]) -> Matrix4<f64> {
     }
 }
 
-/// X_wl of every link, in the order of the links; the root link is the world.
+/// X_wl of all links; the root link is the world.
 ///
 /// # Panics
-/// Where positions do not fit the joints.
+/// If the positions do not match the joints.
 pub fn poses(mechanism: &Mechanism, positions: &[Vec<f64>]) -> Vec<Matrix4<f64>> {
     assert_eq!(positions.len(), mechanism.joints().len(), "one position a joint");
     let mut x_wl = vec![Matrix4::identity(); mechanism.links().len()];

@@ -1,51 +1,51 @@
-//! What is asked of route C, and what it answers.
+//! Question and answer of route C.
 
 use nalgebra::Vector3;
 use percuss_mechanism::{JointId, LinkId, Mechanism};
 
-/// A contact that lasts through the impact: a point of a link held to the ground.
+/// Contact that persists through the impact: a link point fixed to the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Held {
-    /// The link that is held.
+    /// Link.
     pub link: LinkId,
-    /// The held point in its frame, m.
+    /// Point in the link frame, m.
     pub point: Vector3<f64>,
-    /// The direction in which it is held, in the root link's axes; none: in all three.
+    /// Constrained direction in the root link's axes; `None` constrains all three.
     pub normal: Option<Vector3<f64>>,
 }
 
-/// A contact on a mechanism in one position.
+/// Contact on a mechanism in one position.
 #[derive(Clone, Debug)]
 pub struct Question<'a> {
     /// The mechanism.
     pub mechanism: &'a Mechanism,
-    /// Whether the root link moves freely (it is at its reference pose, where the world's axes are its own);
-    /// else the ground holds it.
+    /// True if the root link moves freely (at its reference pose, where its axes are those of the world); false
+    /// if it is fixed to the ground.
     pub floating_base: bool,
-    /// Joints that are held still.
+    /// Locked joints.
     pub locked: Vec<JointId>,
-    /// Contacts that hold.
+    /// Held contacts.
     pub held: Vec<Held>,
-    /// Armatures that replace those of the mechanism: one value for all velocities of the joint, or one each.
+    /// Armatures that replace those of the mechanism: one value per joint, or one per velocity.
     pub armature: Vec<(JointId, Vec<f64>)>,
-    /// One position a joint, laid out as [`JointKind`](percuss_mechanism::JointKind) says; mimics filled in, loops
-    /// closed ([`close`](super::close)).
+    /// Positions of all joints, with the layout of [`JointKind`](percuss_mechanism::JointKind); mimics filled
+    /// in, loops closed ([`close`](super::close)).
     pub positions: Vec<Vec<f64>>,
-    /// The struck link.
+    /// Contact link.
     pub on: LinkId,
-    /// The link on the other side; `None` is the ground.
+    /// Link on the other side; `None` is the ground.
     pub against: Option<LinkId>,
-    /// The struck point in the struck link's frame, m.
+    /// Contact point in the frame of the contact link, m.
     pub point: Vector3<f64>,
-    /// Unit normal out of the struck link, in the root link's axes.
+    /// Unit normal pointing out of the contact link, in the root link's axes.
     pub normal: Vector3<f64>,
-    /// The part of the largest singular value at which a constraint counts as dependent. None: 1e-10, or more where
-    /// the loops close badly, 10 δ / size with the [`residual`](super::residual) δ and the characteristic length.
+    /// Ratio to the largest singular value up to which a constraint counts as dependent. `None`: the larger of
+    /// 1e-10 and 10 δ / size, with the loop [`residual`](super::residual) δ and the characteristic length.
     pub threshold: Option<f64>,
 }
 
 impl<'a> Question<'a> {
-    /// A contact on a link of a mechanism with its base held, nothing locked, against the ground.
+    /// Contact on a link of a mechanism with a fixed base and no locks, against the ground.
     pub fn new(
         mechanism: &'a Mechanism,
         positions: Vec<Vec<f64>>,
@@ -69,19 +69,19 @@ impl<'a> Question<'a> {
     }
 }
 
-/// The effective mass, or why there is none.
+/// Effective mass, or the reason why there is none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Outcome {
     /// m̄ in kg.
     Finite(f64),
     /// No admissible motion closes the gap.
     Immovable,
-    /// The gap can be closed without moving any mass.
+    /// A motion without mass closes the gap.
     Massless,
 }
 
 impl Outcome {
-    /// m̄ in kg, where it is finite and not zero.
+    /// m̄ in kg if finite and not zero.
     pub fn finite(self) -> Option<f64> {
         match self {
             Outcome::Finite(mass) => Some(mass),
@@ -90,21 +90,21 @@ impl Outcome {
     }
 }
 
-/// The outcome and what follows from the velocity response v*.
+/// Outcome, and quantities of the velocity response v*.
 #[derive(Clone, Debug)]
 pub struct Answer {
-    /// The effective mass.
+    /// Effective mass.
     pub outcome: Outcome,
     /// Dimension of the admissible motions.
     pub degrees_of_freedom: usize,
-    /// Constraint rows beyond their rank: those of mimics, locks, closures, couplings and holds, which may repeat
-    /// one another. (Those of the tree never do.)
+    /// Number of redundant rows of mimics, locks, closures, couplings and holds. (The rows of the tree are
+    /// always independent.)
     pub redundant_constraints: usize,
-    /// Singular values of these rows on the motions that the tree allows, as parts of the largest, falling.
+    /// Singular values of these rows on the motions of the tree, relative to the largest, in descending order.
     pub singular_values: Vec<f64>,
-    /// Up to which part of the largest they counted as zero.
+    /// Relative threshold up to which singular values count as zero.
     pub threshold: f64,
-    /// vᵀ I v of every link at v*, kg: together with [`rotors`](Self::rotors) they sum to m̄. Empty unless finite.
+    /// vᵀ I v of every link at v*, kg; the sum with [`rotors`](Self::rotors) is m̄. Empty unless finite.
     pub links: Vec<f64>,
     /// a q̇² of every joint at v*, kg. Empty unless finite.
     pub rotors: Vec<f64>,

@@ -1,4 +1,4 @@
-//! By how much the loops of a mechanism are open, from 4×4 matrices.
+//! Gaps of the loops of a mechanism, from 4×4 matrices.
 
 use super::pose;
 use super::row::{rotation, translation};
@@ -6,7 +6,7 @@ use crate::positions::zero_positions;
 use nalgebra::{Matrix4, Vector3};
 use percuss_mechanism::{Closure, ClosureKind, Coupling, JointKind, LoopFrame, Mechanism};
 
-/// X_wf: a loop frame in the world, that is, in the frame of the root link.
+/// X_wf: loop frame in the world (the frame of the root link).
 pub(super) fn placed_frame(end: &LoopFrame, x_wl: &[Matrix4<f64>]) -> Matrix4<f64> {
     let mut x_lf = Matrix4::identity();
     x_lf.fixed_view_mut::<3, 3>(0, 0).copy_from(&end.frame.rotation);
@@ -14,32 +14,32 @@ pub(super) fn placed_frame(end: &LoopFrame, x_wl: &[Matrix4<f64>]) -> Matrix4<f6
     end.link.map_or(x_lf, |link| x_wl[link.index()] * x_lf)
 }
 
-/// Two unit vectors that make a right-handed frame with a third, unit one.
+/// Two unit vectors that complete a unit vector to a right-handed frame.
 pub(super) fn across(axis: &Vector3<f64>) -> [Vector3<f64>; 2] {
     let first = axis.cross(&Vector3::ith(axis.iamin(), 1.0)).normalize();
     [first, axis.cross(&first)]
 }
 
-/// |p|, without the overflow and underflow of squares.
+/// |p| without overflow and underflow of squares.
 pub(super) fn distance(p: &Vector3<f64>) -> f64 {
     p[0].hypot(p[1]).hypot(p[2])
 }
 
-/// By how much the worst closure or coupling is open, m; angles times the characteristic length. Zero without loops.
+/// Largest gap of all closures and couplings, m; angles times the characteristic length. Zero without loops.
 ///
 /// # Panics
-/// Where positions do not fit the joints.
+/// If the positions do not match the joints.
 pub fn residual(mechanism: &Mechanism, positions: &[Vec<f64>]) -> f64 {
     residuals(mechanism, positions).iter().map(|of_one| norm(of_one)).fold(0.0, f64::max)
 }
 
-/// What must vanish, for every closure and then for every coupling, m; angles times the characteristic length.
+/// Residuals of every closure, then of every coupling, m; angles times the characteristic length.
 ///
-/// Frames and axes are compared component by component: no angle has to be found, an axis turned over is as far off
-/// as can be, and near a closed position each list is as long as the angle and the shift between the two sides.
+/// Frames and axes are compared by components: no angle is computed, a reversed axis has the largest residual,
+/// and near a closed position the norm of each list equals the angle or displacement between the two sides.
 ///
 /// # Panics
-/// Where positions do not fit the joints.
+/// If the positions do not match the joints.
 pub fn residuals(mechanism: &Mechanism, positions: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let x_wl = pose::poses(mechanism, positions);
     let closures = mechanism.closures().iter().map(|closure| of_closure(closure, mechanism, &x_wl));
@@ -62,7 +62,7 @@ fn of_closure(closure: &Closure, mechanism: &Mechanism, x_wl: &[Matrix4<f64>]) -
     let point = || p.iter().copied();
     let sides = || across(axis).map(|e| e.dot(&p));
     let tilt = || (r_ps * axis - axis) * size;
-    // All nine components: each small angle shows in two of them.
+    // All nine components; each small angle appears in two of them.
     let turn = || (r_ps - nalgebra::Matrix3::identity()) * (size / 2f64.sqrt());
     match closure.kind() {
         ClosureKind::Fixed => point().chain(turn().iter().copied()).collect(),
@@ -79,14 +79,14 @@ fn of_closure(closure: &Closure, mechanism: &Mechanism, x_wl: &[Matrix4<f64>]) -
     }
 }
 
-/// What a distance closure without a declared length keeps: the distance with all joints at 0.
+/// Length of a distance closure without declared length: the distance with all joints at 0.
 fn distance_at_zero(closure: &Closure, mechanism: &Mechanism) -> f64 {
     let x_wl = pose::poses(mechanism, &zero_positions(mechanism));
     let [from, to] = [closure.predecessor(), closure.successor()].map(|end| placed_frame(end, &x_wl));
     distance(&(translation(&to) - translation(&from)))
 }
 
-/// Σ factor · q, a length where the first of its joints slides.
+/// Σ factor · q; a length if the first joint is prismatic.
 fn of_coupling(coupling: &Coupling, mechanism: &Mechanism, positions: &[Vec<f64>]) -> f64 {
     let sum: f64 = coupling.terms().iter().map(|&(joint, factor)| factor * positions[joint.index()][0]).sum();
     let slides = coupling.terms().first().map(|&(joint, _)| mechanism.joint(joint).kind());

@@ -1,4 +1,4 @@
-//! A linear form on the velocities of the links, and what it is made of.
+//! Linear forms on the velocities of the links.
 
 use nalgebra::{DVector, Matrix3, Matrix4, Vector3};
 use percuss_mechanism::Link;
@@ -6,7 +6,7 @@ use percuss_mechanism::Link;
 /// World axes.
 pub(super) const WORLD: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
-/// A linear form: coefficients of (ω, v) for some links.
+/// Linear form: coefficients of (ω, v) of some links.
 #[derive(Clone, Default)]
 pub(super) struct Row(pub(super) Vec<(usize, Vector3<f64>, Vector3<f64>)>);
 
@@ -18,7 +18,7 @@ impl Row {
         self
     }
 
-    /// Coefficients of the scaled velocities.
+    /// Coefficients for the scaled velocities.
     pub(super) fn dense(&self, links: usize, length: f64) -> DVector<f64> {
         let mut dense = DVector::zeros(6 * links);
         for (link, angular, linear) in &self.0 {
@@ -31,7 +31,7 @@ impl Row {
     }
 }
 
-/// n · (velocity of the point of `link` that is `arm` from its centre of mass).
+/// n · (velocity of the point of `link` at `arm` from its centre of mass).
 pub(super) fn velocity_row(link: usize, arm: &Vector3<f64>, n: &Vector3<f64>) -> Row {
     Row(vec![(link, arm.cross(n), *n)])
 }
@@ -44,7 +44,7 @@ pub(super) fn translation(x: &Matrix4<f64>) -> Vector3<f64> {
     x.fixed_view::<3, 1>(0, 3).into_owned()
 }
 
-/// Centre of mass in the link frame; the origin of a massless link.
+/// Centre of mass in the link frame; the origin for a massless link.
 pub(super) fn com(link: &Link) -> Vector3<f64> {
     let inertia = link.inertia();
     if inertia.mass > 0.0 { inertia.first_moment / inertia.mass } else { Vector3::zeros() }

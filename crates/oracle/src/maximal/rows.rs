@@ -1,4 +1,4 @@
-//! The rows of A, W and j: every one a linear form on the velocities of the links.
+//! Rows of A, W and j: linear forms on the velocities of the links.
 
 use super::joints::Placed;
 use super::row::{Row, WORLD, com, rotation, translation, velocity_row};
@@ -7,25 +7,25 @@ use crate::limits;
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix4, SymmetricEigen, Vector3};
 use percuss_mechanism::Link;
 
-/// The problem in scaled velocities: six a link, L ω first, then the velocity of the centre of mass.
+/// Problem in scaled velocities: six per link, L ω first, then the velocity of the centre of mass.
 pub(super) struct System {
-    /// The rows of A that the base and the joints impose: independent by construction. Unit vectors.
+    /// Rows of A of the base and the joints: independent by construction, normalised.
     pub tree: DMatrix<f64>,
-    /// The other rows of A: mimics, locks, closures, couplings, held contacts. Unit vectors.
+    /// Other rows of A: mimics, locks, closures, couplings, held contacts; normalised.
     pub extra: DMatrix<f64>,
-    /// The part of the largest singular value at which one of the other rows counts as zero.
+    /// Ratio to the largest singular value up to which a singular value of the other rows counts as zero.
     pub threshold: f64,
     /// W: twice the kinetic energy is |W v|².
     pub energy: DMatrix<f64>,
-    /// Whose energy each row of W is.
+    /// Link or joint of each row of W.
     pub owners: Vec<Owner>,
     /// j.
     pub contact: DVector<f64>,
-    /// How many links and joints there are.
+    /// Numbers of links and joints.
     pub counts: (usize, usize),
 }
 
-/// Whose energy a row of W measures.
+/// Owner of the energy in a row of W.
 #[derive(Clone, Copy)]
 pub(super) enum Owner {
     Link(usize),
@@ -34,9 +34,9 @@ pub(super) enum Owner {
 
 /// Rows whose squares sum to twice the kinetic energy of a link.
 ///
-/// Principal moments within the rounding of the parallel-axis theorem count as zero: the root of that rounding
-/// would be 1e-8, and a point mass would seem to have an inertia. So do negative ones (files that were taken with
-/// an indefinite inertia are not supported by this route).
+/// Principal moments within the rounding of the parallel-axis theorem count as zero: the square root of this
+/// rounding is 1e-8, and a point mass would get an inertia. Negative moments count as zero too (route C does
+/// not support indefinite inertias).
 fn energy_rows(index: usize, link: &Link, r_wl: &Matrix3<f64>) -> Vec<Row> {
     let inertia = link.inertia();
     let c = com(link);
@@ -59,7 +59,7 @@ fn energy_rows(index: usize, link: &Link, r_wl: &Matrix3<f64>) -> Vec<Row> {
     rows
 }
 
-/// The values in force: those of the question, else those of the mechanism.
+/// Armature of the question, if given, else of the mechanism.
 fn armature(question: &Question, joint: usize) -> Vec<f64> {
     let own = &question.mechanism.joints()[joint];
     match question.armature.iter().rev().find(|(id, _)| id.index() == joint) {
@@ -69,8 +69,9 @@ fn armature(question: &Question, joint: usize) -> Vec<f64> {
     }
 }
 
-/// The length L that makes angular velocities comparable with linear ones: the longest arm on a link other than the
-/// root, m. Not the mechanism's characteristic length, which a light link with a large inertia increases.
+/// Length L that scales angular to linear velocities: the longest moment arm on a link other than the root, m.
+/// The characteristic length of the mechanism is unsuitable, because a light link with a large inertia
+/// increases it.
 fn length(question: &Question, placed: &[Placed]) -> f64 {
     let mechanism = question.mechanism;
     let frames = mechanism.closures().iter().flat_map(|c| [c.predecessor(), c.successor()]);
@@ -88,7 +89,7 @@ fn length(question: &Question, placed: &[Placed]) -> f64 {
     if longest > 0.0 { longest } else { 1.0 }
 }
 
-/// Writes down A, W and j.
+/// Assembles A, W and j.
 pub(super) fn assemble(question: &Question) -> System {
     let mechanism = question.mechanism;
     let x_wl = pose::poses(mechanism, &question.positions);
@@ -137,7 +138,7 @@ pub(super) fn assemble(question: &Question) -> System {
         let mut matrix = DMatrix::zeros(rows.len(), 6 * links.len());
         for (i, row) in rows.iter().enumerate() {
             let dense = row.dense(links.len(), length);
-            // A row without an entry (a distance of zero) forbids nothing.
+            // A zero row (a distance of zero) is no constraint.
             let norm = dense.norm();
             let size = if normalise && norm > 0.0 { norm } else { 1.0 };
             matrix.set_row(i, &(dense / size).transpose());
@@ -155,7 +156,7 @@ pub(super) fn assemble(question: &Question) -> System {
     }
 }
 
-/// max(1e-10, 10 δ / size), δ the residual of the loops at the position asked about (DESIGN §4).
+/// max(1e-10, 10 δ / size), with the loop residual δ at the position of the question (DESIGN §4).
 fn threshold(question: &Question) -> f64 {
     let size = question.mechanism.characteristic_length();
     let residual = residual::residual(question.mechanism, &question.positions) / size;
@@ -167,7 +168,7 @@ fn threshold(question: &Question) -> f64 {
     limits::RANK_THRESHOLD.max(limits::RANK_PER_RESIDUAL * residual)
 }
 
-/// j: the speed at which the struck point closes on the other side.
+/// j: closing speed of the contact point.
 fn contact_row(question: &Question, x_wl: &[Matrix4<f64>]) -> Row {
     let links = question.mechanism.links();
     let on = question.on.index();
@@ -178,7 +179,8 @@ fn contact_row(question: &Question, x_wl: &[Matrix4<f64>]) -> Row {
     if against == on {
         return Row::default();
     }
-    // In the other link's frame, seen from the struck link: the point minus the other's centre of mass.
+    // Point relative to the other link's centre of mass, computed from relative vectors to avoid the rounding
+    // of a distant world origin.
     let between = translation(&x_wl[on]) - translation(&x_wl[against]);
     let arm =
         between + rotation(&x_wl[on]) * question.point - rotation(&x_wl[against]) * com(&links[against]);

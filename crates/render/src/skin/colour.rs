@@ -1,23 +1,23 @@
-//! From values to colours: viridis, perceptually even and readable with colour vision deficiencies (S. van der Walt and
-//! N. Smith, Matplotlib 1.5, 2015; CC0).
+//! Colour scale: viridis, perceptually uniform and readable with colour vision deficiencies (S. van der Walt
+//! and N. Smith, Matplotlib 1.5, 2015; CC0).
 
 use super::Skin;
 use crate::limits::{LARGEST_VALUE, LOGARITHMIC, MOST_SHOWN, SMALLEST_VALUE};
 use crate::palette::{Colour, ZERO};
 
-/// The scale of a skin.
+/// Colour scale of a skin.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Scale {
     pub low: f64,
     pub high: f64,
-    /// Equal steps are equal factors.
+    /// True if equal steps of colour are equal factors of the value.
     pub logarithmic: bool,
-    /// A few values are beyond the high end, and have its colour.
+    /// True if some values exceed the high end; they get the colour of the end.
     pub is_capped: bool,
 }
 
 impl Scale {
-    /// Over all values that can be shown.
+    /// Scale over all drawable values.
     pub fn of(skin: &Skin) -> Self {
         let values = skin.facets().filter_map(|facet| facet.value);
         let mut shown: Vec<f64> = values.filter(|v| v.is_finite() && v.abs() <= LARGEST_VALUE).collect();
@@ -33,19 +33,19 @@ impl Scale {
             let place = (MOST_SHOWN * shown.len() as f64).ceil() as usize;
             let place = place.clamp(1, shown.len()) - 1;
             let most = *shown.select_nth_unstable_by(place, f64::total_cmp).1;
-            // A few beyond all others would take the scale for themselves.
+            // Limit the scale at a quantile, so that a few outliers do not take most of the colours.
             is_capped = most > 0.0 && high > LOGARITHMIC * most;
             high = if is_capped { most } else { high };
         }
         if low > high {
             return Self { low: 0.0, high: 1.0, logarithmic: false, is_capped };
         }
-        // Zeros have the colour of the least above them.
+        // Zeros get the colour of the smallest positive value.
         let logarithmic = low >= 0.0 && least.is_finite() && high > LOGARITHMIC * least;
         Self { low: if logarithmic { least } else { low }, high, logarithmic, is_capped }
     }
 
-    /// Where a value stands, 0 to 1.
+    /// Position of a value on the scale, 0 to 1.
     pub fn part(&self, value: f64) -> f64 {
         if self.high <= self.low {
             return 0.5;
@@ -62,7 +62,7 @@ impl Scale {
         value.filter(|v| v.is_finite()).map_or(ZERO, |value| at(self.part(value)))
     }
 
-    /// Values at which the scale is labelled.
+    /// Labelled values of the scale.
     pub fn ticks(&self) -> Vec<f64> {
         if self.high <= self.low {
             return vec![self.low];
@@ -78,7 +78,7 @@ impl Scale {
     }
 }
 
-/// Viridis at 0 to 1.
+/// Viridis colour at 0 to 1.
 pub(super) fn at(part: f64) -> Colour {
     let c = colorous::VIRIDIS.eval_continuous(part);
     Colour(c.r, c.g, c.b)
@@ -122,7 +122,7 @@ mod tests {
         assert!(!of(&values[..99]).is_capped);
     }
 
-    /// The ends of viridis, as Matplotlib has them, and lightness that grows all the way.
+    /// Ends of viridis as in Matplotlib, and monotonically increasing lightness.
     #[test]
     fn colours_are_viridis() {
         assert_eq!((at(0.0), at(1.0)), (Colour(68, 1, 84), Colour(253, 231, 37)));

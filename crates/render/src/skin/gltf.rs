@@ -1,18 +1,19 @@
-//! glTF 2.0 (Khronos, ISO/IEC 12113): one mesh a piece, with vertex colours and the value as an attribute of its own.
+//! glTF 2.0 (Khronos, ISO/IEC 12113): one mesh per piece, with vertex colours and the value as an extra attribute.
 
 use super::colour::Scale;
 use super::{Skin, SkinPiece};
 use base64::Engine;
 use serde_json::{Value, json};
 
-/// Component types and targets of the format.
+/// Component types and buffer targets of the format.
 const FLOAT: u32 = 5126;
 const UNSIGNED_BYTE: u32 = 5121;
 const ARRAY_BUFFER: u32 = 34962;
 
 impl Skin {
-    /// As a binary glTF file (.glb). Colours are `COLOR_0`; the value is the attribute `_VALUE` with the skin's name for it in
-    /// capitals instead, −1 where there is none. Axes: the root node turns z up into glTF's y up.
+    /// Returns the skin as a binary glTF file (.glb). Colours are the attribute `COLOR_0`. The value is the
+    /// attribute `_NAME`, with the skin's `property` in capitals as NAME (`_VALUE` if empty); −1 if there is no
+    /// value. The root node rotates the z axis of the skin to the y axis of glTF.
     pub fn to_glb(&self) -> Vec<u8> {
         let (mut document, mut binary) = self.document();
         while binary.len() % 4 != 0 {
@@ -37,7 +38,7 @@ impl Skin {
         file
     }
 
-    /// As one text file (.gltf), its numbers within it.
+    /// Returns the skin as one text file (.gltf) with embedded data.
     pub fn to_gltf(&self) -> String {
         let (mut document, binary) = self.document();
         let text = base64::engine::general_purpose::STANDARD.encode(&binary);
@@ -74,7 +75,7 @@ impl Skin {
             }],
             "extras": { "quantity": self.quantity, "least": parts.scale.low, "greatest": parts.scale.high }
         });
-        // Empty lists are not allowed.
+        // glTF does not allow empty lists.
         for (key, list) in [("meshes", meshes), ("accessors", parts.accessors), ("bufferViews", parts.views)]
         {
             if !list.is_empty() {
@@ -155,7 +156,7 @@ impl Parts {
     }
 }
 
-/// Vertex colours are linear, those of screens are not: the transfer of sRGB (IEC 61966-2-1).
+/// Converts a colour channel from sRGB to linear (IEC 61966-2-1), as glTF vertex colours require.
 fn linear(c: u8) -> u8 {
     let x = f64::from(c) / 255.0;
     let y = if x <= 0.04045 { x / 12.92 } else { ((x + 0.055) / 1.055).powf(2.4) };

@@ -1,4 +1,4 @@
-//! A quantity over surfaces in space: as a picture from two sides, as PLY and as glTF.
+//! Quantity over surfaces in space: picture in two views, PLY and glTF.
 
 mod colour;
 mod gltf;
@@ -6,53 +6,53 @@ mod picture;
 mod ply;
 mod raster;
 
-/// A small triangle with the value on it.
+/// Small triangle with a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SkinFacet {
-    /// Its corners, anticlockwise seen from outside; z is up.
+    /// Corners, anticlockwise seen from outside; z is up.
     pub corners: [[f64; 3]; 3],
-    /// Its outward normal, a unit vector.
+    /// Outward unit normal.
     pub normal: [f64; 3],
-    /// The value; none is grey.
+    /// Value; `None` is drawn grey.
     pub value: Option<f64>,
-    /// A number that says what the value is, or why there is none; written as it is.
+    /// Status code of the value or of its absence; written to the files unchanged.
     pub status: u8,
 }
 
-/// Facets that belong together: a link.
+/// Named group of facets, such as a link.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SkinPiece {
-    /// Its name.
+    /// Name.
     pub name: String,
-    /// Its facets.
+    /// Facets.
     pub facets: Vec<SkinFacet>,
 }
 
-/// A place that is named in the picture.
+/// Labelled point of the picture.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SkinMark {
-    /// Where.
+    /// Position.
     pub at: [f64; 3],
-    /// What.
+    /// Label.
     pub label: String,
 }
 
-/// A quantity over surfaces.
+/// Quantity over surfaces.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Skin {
-    /// The heading; none where empty.
+    /// Title; no title if empty.
     pub title: String,
-    /// A line below; none where empty.
+    /// Subtitle; no subtitle if empty.
     pub subtitle: String,
-    /// What the values are, with their unit.
+    /// Quantity with its unit.
     pub quantity: String,
-    /// What grey is.
+    /// Legend text of facets without value (grey).
     pub without_value: String,
-    /// The name of the value in files, such as `effective_mass`.
+    /// Name of the value in files, such as `effective_mass`.
     pub property: String,
-    /// The pieces.
+    /// Pieces.
     pub pieces: Vec<SkinPiece>,
-    /// Places worth naming.
+    /// Labelled points.
     pub marks: Vec<SkinMark>,
 }
 

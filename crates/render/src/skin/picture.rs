@@ -1,4 +1,4 @@
-//! The picture of a skin: two views from opposite sides, the scale of colours, the places that are named.
+//! Picture of a skin: two views from opposite sides, colour scale and labelled points.
 
 use super::Skin;
 use super::colour::{Scale, at};
@@ -10,35 +10,35 @@ use crate::scene::{Anchor, Item, Scene, solid};
 use crate::text::{fit, medium, regular, width};
 use crate::{pdf, svg};
 
-/// Units of the page.
+/// Width of the page, in page units.
 const WIDTH: f64 = 1000.0;
 const SIDE: f64 = 430.0;
 const TOP: f64 = 84.0;
 const MARGIN: f64 = 24.0;
-/// Pixels of a view for each unit.
+/// Raster pixels per page unit.
 const SHARP: usize = 2;
-/// Where the eye stands, degrees: azimuth from x towards y of both views, and height.
+/// Directions to the viewer, degrees: azimuths from x towards y of the two views, and elevation.
 const AZIMUTHS: [f64; 2] = [35.0, 215.0];
 const HEIGHT: f64 = 22.0;
 
 impl Skin {
-    /// The picture as an SVG document; the views in it are pixels.
+    /// Returns the picture as an SVG document; the views are images.
     pub fn to_svg(&self) -> String {
         svg::write(&self.arrange())
     }
 
-    /// The same picture as a PNG, `scale` pixels for each unit of the SVG.
+    /// Returns the picture as a PNG with `scale` pixels per page unit.
     ///
     /// # Errors
-    /// `scale` not a positive number, or a picture of more than 2^25 pixels.
+    /// [`RenderError::Scale`], or [`RenderError::TooLarge`] above 2^25 pixels.
     pub fn to_png(&self, scale: f32) -> Result<Vec<u8>, RenderError> {
         backend::png(&self.to_svg(), scale)
     }
 
-    /// The same picture as a PDF of one page, its fonts embedded; the views in it are pixels.
+    /// Returns the picture as a PDF of one page with embedded fonts; the views are images.
     ///
     /// # Errors
-    /// Those of the PDF writer.
+    /// Errors of the PDF writer.
     pub fn to_pdf(&self) -> Result<Vec<u8>, RenderError> {
         pdf::write(&self.arrange())
     }
@@ -70,7 +70,7 @@ impl Skin {
         scene
     }
 
-    /// Places that this view shows; those hidden in all are rings in the first.
+    /// Draws the labelled points visible in this view; points hidden in all views are drawn as rings in the first.
     fn named(&self, views: &[View], i: usize, left: f64, scene: &mut Scene) {
         for mark in self.marks.iter().take(MOST_MARKS) {
             let is_hidden = !views.iter().any(|view| view.is_visible(&mark.at));
@@ -125,7 +125,7 @@ impl Skin {
     }
 }
 
-/// Three digits.
+/// Formats a value with three significant digits.
 fn short(value: f64) -> String {
     if value == 0.0 {
         return "0".into();

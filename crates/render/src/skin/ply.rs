@@ -1,4 +1,4 @@
-//! PLY, binary: three vertices for each facet, with colour and value on both.
+//! PLY, binary: three vertices per facet, with colour and value on vertices and facets.
 
 use super::Skin;
 use super::colour::Scale;
@@ -6,11 +6,11 @@ use crate::backend::MADE_BY;
 use std::io::{self, Write};
 
 impl Skin {
-    /// Writes it as PLY 1.0, binary little-endian. Each facet has vertices of its own, since the value jumps where the normal
-    /// does; `status` is that of the facet, and the value −1 where there is none.
+    /// Writes the skin as PLY 1.0, binary little-endian. Each facet has its own vertices, since the value is
+    /// discontinuous at edges. `status` is a property of the facet. The value is −1 if there is none.
     ///
     /// # Errors
-    /// Those of the writer.
+    /// Errors of the writer.
     pub fn write_ply(&self, out: &mut impl Write) -> io::Result<()> {
         let count = self.facets().count();
         let name = if self.property.is_empty() { "value" } else { &self.property };
@@ -61,7 +61,7 @@ fn paint(out: &mut impl Write, scale: &Scale, value: Option<f64>) -> io::Result<
     out.write_all(&value.unwrap_or(-1.0).to_le_bytes())
 }
 
-/// A header ends its comments with their line.
+/// Removes line breaks, which would end a comment of the header.
 fn one_line(text: &str) -> String {
     text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
 }

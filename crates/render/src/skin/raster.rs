@@ -1,15 +1,15 @@
-//! A skin seen from one side, as pixels: parallel projection.
+//! Raster view of a skin in parallel projection.
 
 use super::Skin;
 use super::colour::Scale;
 use crate::palette::Colour;
 use crate::raster::Raster;
 
-/// A square of pixels, three bytes each.
+/// Square of RGB pixels.
 pub(super) struct View {
-    /// To the right, upwards and towards the eye; unit vectors.
+    /// Unit vectors to the right, upwards and towards the viewer.
     axes: [[f64; 3]; 3],
-    /// What is in the middle, and pixels a metre.
+    /// Point at the centre of the picture, and pixels per metre.
     middle: [f64; 3],
     per_metre: f64,
     size: usize,
@@ -21,7 +21,7 @@ fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
 }
 
 impl View {
-    /// From an azimuth (from x towards y) and a height, rad; fitted to the corners of a skin.
+    /// View from an azimuth (from x towards y) and an elevation, rad, scaled to contain the whole skin.
     pub fn new(skin: &Skin, azimuth: f64, height: f64, size: usize) -> Self {
         let ((sa, ca), (sh, ch)) = (azimuth.sin_cos(), height.sin_cos());
         let axes = [[-sa, ca, 0.0], [-sh * ca, -sh * sa, ch], [ch * ca, ch * sa, sh]];
@@ -41,14 +41,14 @@ impl View {
         Self { axes, middle, per_metre, size, raster: Raster::new(size, size) }
     }
 
-    /// A place in pixels, from the upper left, and how near it is.
+    /// Projects a point: pixels from the upper left, and depth.
     pub fn place(&self, p: &[f64; 3]) -> [f64; 3] {
         let half = 0.5 * self.size as f64;
         let seen = |k: usize| (dot(&self.axes[k], p) - self.middle[k]) * self.per_metre;
         [half + seen(0), half - seen(1), seen(2)]
     }
 
-    /// Whether nothing is in front of a place, to a slack of some pixels.
+    /// True if no facet is in front of the point, within a tolerance of some pixels.
     pub fn is_visible(&self, p: &[f64; 3]) -> bool {
         let [x, y, z] = self.place(p);
         self.raster.depth_at(x, y).is_some_and(|depth| depth <= z + 3.0)
@@ -57,7 +57,7 @@ impl View {
     pub fn draw(&mut self, skin: &Skin, scale: &Scale) {
         for facet in skin.facets() {
             let colour = scale.colour(facet.value);
-            // Faces turned aside are a little darker, so that the form shows and the colour can still be read.
+            // Facets inclined to the view are slightly darker, to show the shape; the colour stays readable.
             let light = 0.80 + 0.20 * dot(&self.axes[2], &facet.normal).abs();
             let shade = |c: u8| (f64::from(c) * light).round() as u8;
             let places = facet.corners.each_ref().map(|p| self.place(p));

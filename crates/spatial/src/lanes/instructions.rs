@@ -1,24 +1,24 @@
-//! Instruction sets, chosen when the program runs.
+//! SIMD instruction sets, selected at run time.
 
 use super::lane::Work;
 use super::portable::Portable;
 #[cfg(target_arch = "x86_64")]
 use super::x86;
 
-/// An instruction set for lanes.
+/// SIMD instruction set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum Instructions {
-    /// What every processor of the architecture has: two numbers side by side.
+    /// Minimum of the architecture: two lanes.
     Baseline,
-    /// x86-64 with AVX2 and FMA: four.
+    /// x86-64 with AVX2 and FMA: four lanes.
     Avx2,
-    /// x86-64 with AVX-512: eight.
+    /// x86-64 with AVX-512: eight lanes.
     Avx512,
 }
 
 impl Instructions {
-    /// How many numbers stand side by side.
+    /// Number of `f64` lanes.
     pub fn width(self) -> usize {
         match self {
             Instructions::Baseline => 2,
@@ -27,7 +27,7 @@ impl Instructions {
         }
     }
 
-    /// Its name.
+    /// Name of the instruction set.
     pub fn name(self) -> &'static str {
         match self {
             Instructions::Baseline => "baseline",
@@ -36,7 +36,7 @@ impl Instructions {
         }
     }
 
-    /// Whether this processor has it.
+    /// True if this processor supports the instruction set.
     pub fn is_available(self) -> bool {
         match self {
             Instructions::Baseline => true,
@@ -49,13 +49,13 @@ impl Instructions {
         }
     }
 
-    /// The widest that this processor has.
+    /// Widest instruction set of this processor.
     pub fn best() -> Self {
         let sets = [Instructions::Avx512, Instructions::Avx2];
         sets.into_iter().find(|set| set.is_available()).unwrap_or(Instructions::Baseline)
     }
 
-    /// Runs work on lanes as wide as the set's; on the baseline where the processor does not have it.
+    /// Runs a kernel with the lanes of the set; with the baseline if the processor does not support the set.
     #[inline]
     pub fn run<W: Work>(self, work: W) {
         #[cfg(target_arch = "x86_64")]
@@ -68,7 +68,7 @@ impl Instructions {
         work.run::<Portable<2>>();
     }
 
-    /// Runs work on one number, with the same instructions and so to the same last bit.
+    /// Runs a kernel with one lane and the same instructions, so that results agree to the last bit.
     #[inline]
     pub fn run_one<W: Work>(self, work: W) {
         #[cfg(target_arch = "x86_64")]

@@ -1,26 +1,26 @@
-//! What lanes can do, and what is done on them.
+//! SIMD lanes and kernels on them.
 
 use crate::Scalar;
 
-/// Numbers side by side. Nothing compares them: what a lane holds decides nothing for the others.
+/// Several `f64` in parallel. There are no comparisons, so no lane affects another.
 pub trait Lanes: Scalar {
-    /// How many.
+    /// Number of lanes.
     const WIDTH: usize;
-    /// The first [`WIDTH`](Self::WIDTH) numbers of a slice.
+    /// Loads the first [`WIDTH`](Self::WIDTH) numbers of a slice.
     fn load(from: &[f64]) -> Self;
-    /// Writes them to the start of a slice.
+    /// Stores the lanes at the start of a slice.
     fn store(self, to: &mut [f64]);
-    /// `self · factor + addend`, rounded once where the instruction set has it.
+    /// `self · factor + addend`, rounded once if the instruction set has a fused operation.
     fn mul_add(self, factor: Self, addend: Self) -> Self;
     /// |x|.
     fn abs(self) -> Self;
-    /// The greater one; `self`, where `other` is NaN.
+    /// Larger value; `self` if `other` is NaN.
     fn max(self, other: Self) -> Self;
 }
 
-/// Work that runs on any lanes. `run` must be marked `#[inline(always)]`, and so must all that it calls: only what is
-/// inlined is compiled for the instruction set.
+/// Kernel that runs with any number of lanes. `run` and all functions called by `run` must be marked
+/// `#[inline(always)]`: only inlined code is compiled for the instruction set.
 pub trait Work {
-    /// The work itself.
+    /// Runs the kernel.
     fn run<T: Lanes>(self);
 }

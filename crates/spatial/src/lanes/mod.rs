@@ -1,8 +1,8 @@
-//! Several numbers side by side, one for each configuration: what the processor has, chosen when the program runs.
+//! SIMD lanes, one configuration per lane; the instruction set is selected at run time.
 //!
-//! [`Instructions::best`] says which instruction set there is, [`Instructions::run`] runs a piece of work on its lanes. Products are
-//! rounded once with their sums ([`Lanes::mul_add`]) where the set has that instruction, for one number and for many
-//! alike, so that a lane and a single number are equal to the last bit on one machine.
+//! [`Instructions::best`] detects the instruction set, [`Instructions::run`] runs a kernel on its lanes. Fused
+//! multiply-add ([`Lanes::mul_add`]) is used wherever the instruction set supports it, for one lane and for
+//! several. On one machine, results with one lane and with several are therefore equal to the last bit.
 
 mod instructions;
 mod lane;

@@ -1,4 +1,4 @@
-//! Lanes as plain arrays: for any architecture.
+//! Lanes as arrays, for any architecture.
 
 use super::lane::Lanes;
 use super::sines::sin_cos;
@@ -6,7 +6,7 @@ use crate::Scalar;
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// Numbers side by side as an array. A product and a sum are rounded once on aarch64, which has that instruction always.
+/// Lanes in an array. `mul_add` is fused on aarch64, where the instruction always exists.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Portable<const N: usize>([f64; N]);
 
@@ -23,7 +23,7 @@ impl<const N: usize> Portable<N> {
 }
 
 impl Portable<1> {
-    /// The number.
+    /// Value of a single lane.
     pub fn number(self) -> f64 {
         self.0[0]
     }

@@ -1,15 +1,15 @@
-//! Sine and cosine in lanes: no table, no branch.
+//! Sine and cosine in lanes, without tables and branches.
 
 use super::lane::Lanes;
 
-/// π/2 in three parts, of which the first two have 33 bits: their products with a number of up to 20 bits are exact.
-/// Source: fdlibm's argument reduction (Sun Microsystems 1993).
+/// π/2 in three parts. The first two have 33 bits, so their products with integers of up to 20 bits are exact.
+/// Source: argument reduction of fdlibm (Sun Microsystems 1993).
 const HALF_PI: [f64; 3] = [
     f64::from_bits(0x3FF9_21FB_5440_0000),
     f64::from_bits(0x3DD0_B461_1A60_0000),
     f64::from_bits(0x3BA3_198A_2E03_7073),
 ];
-/// Added and taken away again it rounds to whole numbers.
+/// Adding and subtracting this number rounds to an integer.
 const ROUNDING: f64 = 6_755_399_441_055_744.0;
 /// sin r = r + r³ (S₀ + S₁ r² + …), |r| ≤ π/4: fdlibm's minimax coefficients, error below 2⁻⁵⁸.
 const SINE: [f64; 6] = [
@@ -38,10 +38,10 @@ fn polynomial<T: Lanes>(c: &[f64; 6], z: T) -> T {
     (z * z * z).mul_add(high, low)
 }
 
-/// The greatest angle (rad) that sine and cosine in lanes are right for, to two units in the last place or 1e-16.
+/// Largest angle (rad) for which sine and cosine in lanes are correct to two units in the last place or 1e-16.
 pub const LARGEST_ANGLE: f64 = 1e5;
 
-/// Sine and cosine of angles (rad) of at most [`LARGEST_ANGLE`]; what comes out beyond is not to be used.
+/// Sine and cosine of angles (rad) up to [`LARGEST_ANGLE`]; results for larger angles are invalid.
 #[inline(always)]
 pub fn sin_cos<T: Lanes>(angle: T) -> (T, T) {
     let of = T::from_f64;
@@ -53,9 +53,9 @@ pub fn sin_cos<T: Lanes>(angle: T) -> (T, T) {
     let sine = (r * z).mul_add(polynomial(&SINE, z), r);
     let half = of(0.5) * z;
     let w = T::one() - half;
-    // What 1 − z/2 loses is put back.
+    // Restores the rounding error of 1 − z/2.
     let cosine = w + (z * z).mul_add(polynomial(&COSINE, z), (T::one() - w) - half);
-    // j ∈ {−2, …, 2}: cos(j π/2) = 1 − |j|, sin(j π/2) = j (2 − |j|), without a comparison.
+    // For j ∈ {−2, …, 2}: cos(j π/2) = 1 − |j| and sin(j π/2) = j (2 − |j|), without a comparison.
     let turns = quarters.mul_add(of(0.25), of(ROUNDING)) - of(ROUNDING);
     let j = turns.mul_add(of(-4.0), quarters);
     let (c, s) = (T::one() - j.abs(), j * (of(2.0) - j.abs()));
@@ -66,7 +66,7 @@ pub fn sin_cos<T: Lanes>(angle: T) -> (T, T) {
 mod tests {
     use crate::lanes::{Instructions, Lanes, Work};
 
-    /// Sine and cosine of some angles, by lanes as wide as the set's.
+    /// Kernel that computes sines and cosines of a list of angles.
     struct Sines<'a> {
         angles: &'a [f64],
         sines: &'a mut [f64],
@@ -83,7 +83,7 @@ mod tests {
         }
     }
 
-    /// To two units in the last place or 1e-16, for 400,000 angles up to 1e5 and some near multiples of a right angle.
+    /// 400,000 angles up to 1e5 and angles near multiples of π/2, to two units in the last place or 1e-16.
     #[test]
     fn sines_and_cosines_are_those_of_the_standard_library() {
         let golden = 0.618_033_988_749_894_9;

@@ -1,7 +1,8 @@
 //! Lanes of x86-64: SSE2, AVX2 with FMA, AVX-512.
 //!
-//! The only unsafe code of this crate. It is sound because a set's functions are entered only after the processor was asked for
-//! the set, and no lane type of a set can be named outside of this file.
+//! The only unsafe code of this crate. The code is sound because the functions of an instruction set are called
+//! only after a check that the processor supports the set, and because the lane types of a set are private to
+//! this file.
 
 #![allow(unsafe_code)]
 
@@ -26,7 +27,7 @@ pub(super) fn has_avx512() -> bool {
         && is_x86_feature_detected!("avx512vl")
 }
 
-/// Stands in a function's frame: registers that are put aside there then cross no cache line.
+/// Forces the alignment of a stack frame to a cache line, so that spilled registers do not cross a line.
 #[repr(align(64))]
 struct Line(#[allow(dead_code, reason = "only where it stands matters")] [u8; 1]);
 
@@ -34,7 +35,7 @@ pub(super) fn run_two<W: Work>(work: W) {
     work.run::<Two>();
 }
 
-/// On the baseline, where the processor does not have it; so do the others.
+/// Falls back to the baseline if the processor lacks the set, as do the functions below.
 pub(super) fn run_four<W: Work>(work: W) {
     #[target_feature(enable = "avx2,fma")]
     fn inside<W: Work>(work: W) {
@@ -43,7 +44,7 @@ pub(super) fn run_four<W: Work>(work: W) {
         work.run::<Four>();
     }
     if has_avx2() {
-        // SAFETY: the processor was asked.
+        // SAFETY: the processor supports the set, checked above.
         unsafe { inside(work) }
     } else {
         run_two(work);
@@ -58,7 +59,7 @@ pub(super) fn run_eight<W: Work>(work: W) {
         work.run::<Eight>();
     }
     if has_avx512() {
-        // SAFETY: the processor was asked.
+        // SAFETY: the processor supports the set, checked above.
         unsafe { inside(work) }
     } else {
         run_two(work);
@@ -71,7 +72,7 @@ pub(super) fn run_fused<W: Work>(work: W) {
         work.run::<Fused>();
     }
     if has_avx2() {
-        // SAFETY: the processor was asked.
+        // SAFETY: the processor supports the set, checked above.
         unsafe { inside(work) }
     } else {
         work.run::<Portable<1>>();
@@ -109,7 +110,7 @@ macro_rules! lanes {
             #[inline(always)]
             fn neg(self) -> Self {
                 let $n = self.0;
-                // SAFETY: run inside the set's function alone.
+                // SAFETY: called only inside functions compiled for the set.
                 Self(unsafe { $neg })
             }
         }
@@ -134,7 +135,7 @@ macro_rules! lanes {
         impl Scalar for $name {
             #[inline(always)]
             fn from_f64(x: f64) -> Self {
-                // SAFETY: run inside the set's function alone.
+                // SAFETY: called only inside functions compiled for the set.
                 Self(unsafe { $splat(x) })
             }
             #[inline(always)]
@@ -143,7 +144,7 @@ macro_rules! lanes {
             }
             #[inline(always)]
             fn sqrt(self) -> Self {
-                // SAFETY: run inside the set's function alone.
+                // SAFETY: called only inside functions compiled for the set.
                 Self(unsafe { $sqrt(self.0) })
             }
         }
@@ -153,30 +154,30 @@ macro_rules! lanes {
             #[inline(always)]
             fn load(from: &[f64]) -> Self {
                 let from = &from[..$width];
-                // SAFETY: the slice holds as many numbers; the load needs no alignment.
+                // SAFETY: the slice has at least WIDTH numbers; the load needs no alignment.
                 Self(unsafe { $load(from.as_ptr()) })
             }
             #[inline(always)]
             fn store(self, to: &mut [f64]) {
                 let to = &mut to[..$width];
-                // SAFETY: the slice holds as many numbers; the store needs no alignment.
+                // SAFETY: the slice has at least WIDTH numbers; the store needs no alignment.
                 unsafe { $store(to.as_mut_ptr(), self.0) }
             }
             #[inline(always)]
             fn mul_add(self, factor: Self, addend: Self) -> Self {
                 let ($a, $b, $c) = (self.0, factor.0, addend.0);
-                // SAFETY: run inside the set's function alone.
+                // SAFETY: called only inside functions compiled for the set.
                 Self(unsafe { $mul_add })
             }
             #[inline(always)]
             fn abs(self) -> Self {
                 let $x = self.0;
-                // SAFETY: run inside the set's function alone.
+                // SAFETY: called only inside functions compiled for the set.
                 Self(unsafe { $abs })
             }
             #[inline(always)]
             fn max(self, other: Self) -> Self {
-                // SAFETY: run inside the set's function alone.
+                // SAFETY: called only inside functions compiled for the set.
                 Self(unsafe { $max(other.0, self.0) })
             }
         }
@@ -186,7 +187,7 @@ macro_rules! lanes {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
-                // SAFETY: run inside the set's function alone.
+                // SAFETY: called only inside functions compiled for the set.
                 Self(unsafe { $intrinsic(self.0, other.0) })
             }
         }
@@ -251,7 +252,7 @@ lanes!(
     |a, b, c| _mm512_fmadd_pd(a, b, c)
 );
 
-/// One number whose products are rounded with their sums. Plain operations, compiled for the set that has the instruction.
+/// One lane with fused multiply-add: plain operations, compiled for a set that has the instruction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Fused(f64);
 

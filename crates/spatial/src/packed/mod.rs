@@ -1,5 +1,5 @@
-//! An articulated inertia in its 21 numbers, moved from frame to frame by turns about coordinate axes and shifts along
-//! them: what the recursion in the bodies' own axes runs on.
+//! Articulated-body inertia in 21 numbers, transformed by rotations about and translations along coordinate
+//! axes; used by the recursion in body frames.
 
 mod vector;
 mod wrench;
@@ -11,25 +11,25 @@ use crate::lanes::{Lanes, Portable};
 use crate::{Scalar, SpatialInertia};
 use vector::{after, rotated, turned};
 
-/// Where the entry (i, j) of a symmetric 3×3 matrix stands among its six.
+/// Index of the entry (i, j) of a symmetric 3×3 matrix in its packed upper triangle.
 #[inline(always)]
 const fn at(i: usize, j: usize) -> usize {
     const PLACE: [[usize; 3]; 3] = [[0, 1, 2], [1, 3, 4], [2, 4, 5]];
     PLACE[i][j]
 }
 
-/// A symmetric 6×6 map from twist to wrench: moment = A ω + C v, force = Cᵀ ω + L v.
+/// Symmetric 6×6 map from twist to wrench: moment = A ω + C v, force = Cᵀ ω + L v.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PackedInertia<T> {
-    /// A, its upper triangle row by row, kg·m².
+    /// A: upper triangle by rows, kg·m².
     pub angular: [T; 6],
-    /// C, rows, kg·m.
+    /// C: rows, kg·m.
     pub coupling: [[T; 3]; 3],
-    /// L, its upper triangle row by row, kg.
+    /// L: upper triangle by rows, kg.
     pub linear: [T; 6],
 }
 
-/// What eliminating one motion leaves: U and D.
+/// Pivot of the elimination of one joint velocity: U and D.
 #[derive(Clone, Copy, Debug)]
 pub struct Pivot<T> {
     /// U = I s.
@@ -38,11 +38,11 @@ pub struct Pivot<T> {
     pub d: T,
     /// D⁻¹.
     pub over: T,
-    /// The armature's part of D: what is left of U along s is U times this.
+    /// Armature / D: after the elimination, U times this factor remains along s.
     pub armature_part: T,
 }
 
-/// Number `k` of those that stand in a slice, each as wide as the lanes.
+/// Loads vector number `k` of a slice of vectors with lane width.
 #[inline(always)]
 fn number<T: Lanes>(from: &[f64], k: usize) -> T {
     T::load(&from[k * T::WIDTH..])
@@ -57,7 +57,7 @@ impl<T: Lanes> Pivot<T> {
 }
 
 impl PackedInertia<f64> {
-    /// Of a rigid body, in its own frame.
+    /// Inertia of a rigid body in its own frame.
     pub fn of_body(body: &SpatialInertia<f64>) -> Self {
         let (i, h, m) = (&body.rotational, &body.first_moment, body.mass);
         Self {
@@ -67,7 +67,7 @@ impl PackedInertia<f64> {
         }
     }
 
-    /// What a shift by d (m) along axis `Z` adds, over d and over d²: C is linear and A quadratic in it.
+    /// Coefficients of d and d² of a shift by d (m) along axis `Z`: C changes linearly, A quadratically.
     pub fn along<const Z: usize>(&self) -> [Self; 2] {
         let (x, y) = after(Z);
         let (c, l) = (&self.coupling, &self.linear);
@@ -83,7 +83,7 @@ impl PackedInertia<f64> {
         [slope, bend]
     }
 
-    /// The same over lanes.
+    /// Converts the inertia to lanes.
     #[inline(always)]
     pub fn cast<T: Scalar>(&self) -> PackedInertia<T> {
         let [a, b, c, d, e, f] = self.angular;
@@ -98,10 +98,10 @@ impl PackedInertia<f64> {
     }
 }
 
-/// No row is known to be zero.
+/// Value of `ZERO` if no row is zero.
 const NONE: usize = 3;
 
-/// R M Rᵀ for a turn about axis Z with cosine and sine. `ZERO`: a row and column that is zero.
+/// R M Rᵀ for a rotation about axis Z with cosine `c` and sine `s`. `ZERO`: index of a row and column that is zero.
 #[inline(always)]
 fn turn_symmetric<T: Lanes, const Z: usize, const ZERO: usize>(m: &mut [T; 6], c: T, s: T) {
     let (x, y) = after(Z);
@@ -122,7 +122,7 @@ fn turn_symmetric<T: Lanes, const Z: usize, const ZERO: usize>(m: &mut [T; 6], c
     }
 }
 
-/// The same for a right angle: no product.
+/// R M Rᵀ for a rotation by 90°, without multiplications.
 #[inline(always)]
 fn turn_symmetric_right<T: Lanes, const Z: usize>(m: &mut [T; 6]) {
     let (x, y) = after(Z);
@@ -131,14 +131,14 @@ fn turn_symmetric_right<T: Lanes, const Z: usize>(m: &mut [T; 6]) {
     (m[xz], m[yz]) = (-m[yz], m[xz]);
 }
 
-/// R M Rᵀ, for R by rows.
+/// R M Rᵀ for a general rotation R given by rows.
 #[inline(always)]
 fn rotate_symmetric<T: Lanes>(m: &mut [T; 6], r: &[[T; 3]; 3]) {
     let mut half = *r;
     for i in 0..3 {
         half[i] = rotated(&[m[at(i, 0)], m[at(i, 1)], m[at(i, 2)]], r);
     }
-    // Rows of M Rᵀ; the upper triangle of R times them.
+    // Rows of M Rᵀ, then the upper triangle of R M Rᵀ.
     for i in 0..3 {
         for k in i..3 {
             let (a, b, c) = (r[i][0], r[i][1], r[i][2]);
@@ -148,7 +148,7 @@ fn rotate_symmetric<T: Lanes>(m: &mut [T; 6], r: &[[T; 3]; 3]) {
 }
 
 impl PackedInertia<Portable<1>> {
-    /// Its plain numbers.
+    /// Returns the inertia as `f64`.
     pub fn plain(&self) -> PackedInertia<f64> {
         PackedInertia {
             angular: self.angular.map(Portable::number),
@@ -167,10 +167,10 @@ impl<T: Scalar> PackedInertia<T> {
 }
 
 impl<T: Lanes> PackedInertia<T> {
-    /// How many it is stored in.
+    /// Number of stored values.
     pub const NUMBERS: usize = 21;
 
-    /// Seen from a frame in which this one is turned about its axis `Z`, by an angle of this cosine and sine.
+    /// Transforms to a frame in which the present frame is rotated about axis `Z`, with cosine `c` and sine `s`.
     #[inline(always)]
     pub fn turn<const Z: usize>(&mut self, c: T, s: T) {
         turn_symmetric::<T, Z, NONE>(&mut self.linear, c, s);
@@ -178,7 +178,7 @@ impl<T: Lanes> PackedInertia<T> {
         turn_symmetric::<T, Z, NONE>(&mut self.angular, c, s);
     }
 
-    /// A [`turn`](Self::turn) by a right angle: no product.
+    /// A [`turn`](Self::turn) by 90°, without multiplications.
     #[inline(always)]
     pub fn turn_right<const Z: usize>(&mut self) {
         let (x, y) = after(Z);
@@ -191,22 +191,24 @@ impl<T: Lanes> PackedInertia<T> {
         (m[Z][x], m[Z][y]) = (-m[Z][y], m[Z][x]);
     }
 
-    /// Seen from a frame with parallel axes whose axis `Z` passes through this one's origin at `d` (m).
+    /// Transforms to a frame with parallel axes, in which the present origin is at `d` (m) on axis `Z`.
     ///
-    /// With r the shift: C ← C + \[r\]L, A ← A − C\[r\] + \[r\]Cᵀ with the C before and after.
+    /// With the translation r: C ← C + \[r\]L, A ← A − C\[r\] + \[r\]Cᵀ, with the old C in the second and the
+    /// new C in the third term.
     #[inline(always)]
     pub fn shift<const Z: usize>(&mut self, d: T) {
         let before = self.shift_coupling::<Z>(d);
         self.shift_angular::<Z, NONE>(&before, d);
     }
 
-    /// A [`turn`](Self::turn), then a [`shift`](Self::shift) along the same axis.
+    /// A [`turn`](Self::turn) followed by a [`shift`](Self::shift) along the same axis.
     #[inline(always)]
     pub fn screw<const Z: usize>(&mut self, c: T, s: T, d: T) {
         self.screw_without::<Z, NONE>(c, s, d);
     }
 
-    /// The same where row `ZERO` of A and of C is zero: what eliminating a turn without armature leaves.
+    /// A [`screw`](Self::screw) of an inertia whose row `ZERO` of A and C is zero, as after the elimination of
+    /// a hinge without armature.
     #[inline(always)]
     pub fn screw_without<const Z: usize, const ZERO: usize>(&mut self, c: T, s: T, d: T) {
         turn_symmetric::<T, Z, NONE>(&mut self.linear, c, s);
@@ -216,7 +218,7 @@ impl<T: Lanes> PackedInertia<T> {
         self.shift_angular::<Z, ZERO>(&before, d);
     }
 
-    /// Seen from a frame in which this one is turned by a rotation, given by rows: R A Rᵀ, R C Rᵀ, R L Rᵀ.
+    /// Transforms to a frame in which the present frame is rotated by R, given by rows: R A Rᵀ, R C Rᵀ, R L Rᵀ.
     #[inline(always)]
     pub fn rotate(&mut self, r: &[[T; 3]; 3]) {
         rotate_symmetric(&mut self.linear, r);
@@ -256,7 +258,7 @@ impl<T: Lanes> PackedInertia<T> {
         }
     }
 
-    /// Gives what it was in the plane across: rows x and y, columns x and y.
+    /// Returns the old entries in the plane normal to the axis: rows x and y, columns x and y.
     #[inline(always)]
     fn shift_coupling<const Z: usize>(&mut self, d: T) -> [T; 4] {
         let (x, y) = after(Z);
@@ -282,19 +284,19 @@ impl<T: Lanes> PackedInertia<T> {
         }
     }
 
-    /// The trace of A, kg·m²: what its entries lie below where it is positive semi-definite.
+    /// Trace of A, kg·m²: bound of the entries of A if A is positive semi-definite.
     #[inline(always)]
     pub fn moment_size(&self) -> T {
         self.angular[0] + self.angular[3] + self.angular[5]
     }
 
-    /// The trace of L, kg.
+    /// Trace of L, kg.
     #[inline(always)]
     pub fn mass_size(&self) -> T {
         self.linear[0] + self.linear[3] + self.linear[5]
     }
 
-    /// The pivot of a turn about axis `Z`.
+    /// Pivot of a rotation about axis `Z`.
     #[inline(always)]
     pub fn turn_pivot<const Z: usize>(&self, armature: T) -> Pivot<T> {
         let a = &self.angular;
@@ -303,7 +305,7 @@ impl<T: Lanes> PackedInertia<T> {
         Pivot::new(u, d, armature)
     }
 
-    /// The pivot of a slide along axis `Z`.
+    /// Pivot of a translation along axis `Z`.
     #[inline(always)]
     pub fn slide_pivot<const Z: usize>(&self, armature: T) -> Pivot<T> {
         let (c, l) = (&self.coupling, &self.linear);
@@ -315,7 +317,7 @@ impl<T: Lanes> PackedInertia<T> {
         Pivot::new(u, d, armature)
     }
 
-    /// Eliminates a turn about axis `Z`: I ← I − U D⁻¹ Uᵀ; along it the armature's part of U is left.
+    /// Eliminates a rotation about axis `Z`: I ← I − U D⁻¹ Uᵀ. Along the axis, the armature's part of U remains.
     #[inline(always)]
     pub fn eliminate_turn<const Z: usize>(&mut self, pivot: &Pivot<T>, over_d: &PackedWrench<T>) {
         self.subtract_turn::<Z>(pivot, over_d);
@@ -325,14 +327,15 @@ impl<T: Lanes> PackedInertia<T> {
         }
     }
 
-    /// The same without armature: row `Z` of A and of C is zero after it.
+    /// Eliminates a rotation without armature about axis `Z`; row `Z` of A and of C is then zero.
     #[inline(always)]
     pub fn eliminate_bare_turn<const Z: usize>(&mut self, pivot: &Pivot<T>, over_d: &PackedWrench<T>) {
         self.subtract_turn::<Z>(pivot, over_d);
         self.clear_row::<Z>();
     }
 
-    /// Sets row `Z` of A and of C to zero, which it is known to be: what follows is compiled without it.
+    /// Sets row `Z` of A and of C, which is known to be zero, to the constant zero, so that the compiler
+    /// removes the dependent operations.
     #[inline(always)]
     pub fn clear_row<const Z: usize>(&mut self) {
         for k in 0..3 {
@@ -349,7 +352,7 @@ impl<T: Lanes> PackedInertia<T> {
         self.subtract_linear::<3>(&pivot.u, over_d);
     }
 
-    /// Eliminates a slide along axis `Z`, as [`eliminate_turn`](Self::eliminate_turn).
+    /// Eliminates a translation along axis `Z`; see [`eliminate_turn`](Self::eliminate_turn).
     #[inline(always)]
     pub fn eliminate_slide<const Z: usize>(&mut self, pivot: &Pivot<T>, over_d: &PackedWrench<T>) {
         let (x, y) = after(Z);
@@ -402,7 +405,7 @@ impl<T: Lanes> PackedInertia<T> {
         }
     }
 
-    /// Writes its 21 numbers, each as wide as the lanes, one after another.
+    /// Stores the 21 numbers in sequence, each with lane width.
     #[inline(always)]
     pub fn store(&self, to: &mut [f64]) {
         let to = &mut to[..Self::NUMBERS * T::WIDTH];
@@ -417,7 +420,7 @@ impl<T: Lanes> PackedInertia<T> {
         }
     }
 
-    /// What [`store`](Self::store) wrote.
+    /// Loads an inertia written by [`store`](Self::store).
     #[inline(always)]
     pub fn load(from: &[f64]) -> Self {
         let from = &from[..Self::NUMBERS * T::WIDTH];
@@ -434,7 +437,7 @@ impl<T: Lanes> PackedInertia<T> {
         packed
     }
 
-    /// Sum.
+    /// Adds another inertia.
     #[inline(always)]
     pub fn add(&mut self, other: &Self) {
         for k in 0..6 {
@@ -448,7 +451,7 @@ impl<T: Lanes> PackedInertia<T> {
         }
     }
 
-    /// Adds a rigid body's, which leaves nine entries as they are.
+    /// Adds a rigid body's inertia, which has nine zero entries.
     #[inline(always)]
     pub fn add_rigid(&mut self, body: &PackedInertia<f64>) {
         for k in 0..6 {
@@ -482,7 +485,7 @@ mod tests {
         SpatialInertia::about_com(1.7, Vector3::new(0.2, -0.4, 0.1), inertia)
     }
 
-    /// All entries of two maps, as 6×6.
+    /// Compares all entries of two maps as 6×6 matrices.
     fn assert_same(packed: &PackedInertia<One>, full: &ArticulatedInertia<f64>) {
         for i in 0..3 {
             for k in 0..3 {
@@ -492,7 +495,7 @@ mod tests {
                     (packed.linear[at(i, k)], full.linear[(i, k)]),
                 ];
                 for (a, b) in pairs {
-                    // A handful of roundings of numbers of order one.
+                    // A few roundings of numbers of order one.
                     assert!((value(a) - b).abs() < 4e-15, "{i} {k}: {} {b}", value(a));
                 }
             }
@@ -524,7 +527,7 @@ mod tests {
         }
     }
 
-    /// I + d I₁ + d² I₂ is I shifted by d.
+    /// I + d I₁ + d² I₂ equals I shifted by d.
     fn along<const Z: usize>() {
         let at_rest = PackedInertia::of_body(&body());
         let d = -0.35;
@@ -543,7 +546,7 @@ mod tests {
         }
     }
 
-    /// A right angle is a turn by it, to the last bit; what leaves out a row of zeros too.
+    /// The rotation by 90° equals a general rotation to the last bit; so does the variant with a zero row.
     fn right<const Z: usize>(packed: PackedInertia<One>) {
         let of = One::from_f64;
         let f = PackedWrench { moment: [of(0.3), of(-0.8), of(0.5)], force: [of(1.0), of(0.2), of(-0.4)] };
@@ -554,7 +557,7 @@ mod tests {
         exact.1.turn_right::<Z>();
         assert_eq!(by_angle.1, exact.1);
         for (a, b) in numbers(&by_angle.0).zip(numbers(&exact.0)) {
-            // x − (x − y) is y to a rounding of x.
+            // x − (x − y) equals y within one rounding of x.
             assert!((a - b).abs() < 4e-16, "{a} {b}");
         }
         let (mut general, mut left_out) = (packed, packed);

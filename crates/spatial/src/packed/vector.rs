@@ -1,22 +1,22 @@
-//! Vectors in lanes: turns about coordinate axes, and rotations by rows.
+//! Vectors in lanes: rotations about coordinate axes, and rotations by rows.
 
 use crate::Scalar;
 use crate::lanes::Lanes;
 
-/// The two axes after `Z`, in cyclic order.
+/// The two axes after `z`, in cyclic order.
 #[inline(always)]
 pub(super) const fn after(z: usize) -> (usize, usize) {
     ((z + 1) % 3, (z + 2) % 3)
 }
 
-/// The same vector in all lanes. Closures and iterators are left out on the hot path: only what is certainly inlined is
-/// compiled for the instruction set.
+/// Broadcasts a vector to all lanes. Hot paths use no closures and iterators: only code that is certainly
+/// inlined is compiled for the instruction set.
 #[inline(always)]
 pub fn splat<T: Scalar>(v: &[f64; 3]) -> [T; 3] {
     [T::from_f64(v[0]), T::from_f64(v[1]), T::from_f64(v[2])]
 }
 
-/// R v, for R by rows.
+/// R v, with R given by rows.
 #[inline(always)]
 pub(super) fn rotated<T: Lanes>(v: &[T; 3], r: &[[T; 3]; 3]) -> [T; 3] {
     let mut out = *v;
@@ -26,7 +26,7 @@ pub(super) fn rotated<T: Lanes>(v: &[T; 3], r: &[[T; 3]; 3]) -> [T; 3] {
     out
 }
 
-/// The rows of the rotation by a unit quaternion [w, x, y, z].
+/// Rows of the rotation matrix of a unit quaternion [w, x, y, z].
 #[inline(always)]
 pub fn rotation_rows<T: Lanes>([w, x, y, z]: [T; 4]) -> [[T; 3]; 3] {
     let (dx, dy, dz) = (x + x, y + y, z + z);
@@ -39,7 +39,7 @@ pub fn rotation_rows<T: Lanes>([w, x, y, z]: [T; 4]) -> [[T; 3]; 3] {
     ]
 }
 
-/// Components in the frame that a rotation, given by rows, takes the vector's own to: Rᵀ v.
+/// Rᵀ v, with R given by rows.
 #[inline(always)]
 pub fn rotate_back<T: Lanes>(v: &mut [T; 3], r: &[[T; 3]; 3]) {
     let [x, y, z] = *v;
@@ -48,13 +48,13 @@ pub fn rotate_back<T: Lanes>(v: &mut [T; 3], r: &[[T; 3]; 3]) {
     }
 }
 
-/// (c x − s y, s x + c y).
+/// Plane rotation (c x − s y, s x + c y).
 #[inline(always)]
 pub(super) fn turned<T: Lanes>(x: T, y: T, c: T, s: T) -> (T, T) {
     (c.mul_add(x, -(s * y)), s.mul_add(x, c * y))
 }
 
-/// Components in a frame in which the vector's own is turned about axis `Z`.
+/// Transforms a vector to a frame in which its present frame is rotated about axis `Z`.
 #[inline(always)]
 pub fn turn_vector<T: Lanes, const Z: usize>(v: &mut [T; 3], c: T, s: T) {
     let (x, y) = after(Z);

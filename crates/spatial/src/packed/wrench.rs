@@ -1,20 +1,20 @@
-//! A wrench in plain arrays, moved as the inertia is.
+//! Wrench in arrays, with the same transforms as the packed inertia.
 
 use super::vector::{after, rotated, splat, turn_vector};
 use crate::Scalar;
 use crate::lanes::Lanes;
 
-/// A wrench in plain arrays: moment about the frame's origin (N·m) and force (N).
+/// Wrench in arrays: moment about the origin of the frame (N·m) and force (N).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PackedWrench<T> {
-    /// N·m.
+    /// Moment, N·m.
     pub moment: [T; 3],
-    /// N.
+    /// Force, N.
     pub force: [T; 3],
 }
 
 impl PackedWrench<f64> {
-    /// The same over lanes.
+    /// Converts the wrench to lanes.
     #[inline(always)]
     pub fn cast<T: Scalar>(&self) -> PackedWrench<T> {
         PackedWrench { moment: splat(&self.moment), force: splat(&self.force) }
@@ -22,20 +22,20 @@ impl PackedWrench<f64> {
 }
 
 impl<T: Lanes> PackedWrench<T> {
-    /// None.
+    /// Zero wrench.
     #[inline(always)]
     pub fn zero() -> Self {
         Self { moment: [T::zero(); 3], force: [T::zero(); 3] }
     }
 
-    /// As [`PackedInertia::turn`](crate::PackedInertia::turn).
+    /// See [`PackedInertia::turn`](crate::PackedInertia::turn).
     #[inline(always)]
     pub fn turn<const Z: usize>(&mut self, c: T, s: T) {
         turn_vector::<T, Z>(&mut self.moment, c, s);
         turn_vector::<T, Z>(&mut self.force, c, s);
     }
 
-    /// As [`PackedInertia::turn_right`](crate::PackedInertia::turn_right).
+    /// See [`PackedInertia::turn_right`](crate::PackedInertia::turn_right).
     #[inline(always)]
     pub fn turn_right<const Z: usize>(&mut self) {
         let (x, y) = after(Z);
@@ -44,14 +44,14 @@ impl<T: Lanes> PackedWrench<T> {
         (f[x], f[y]) = (-f[y], f[x]);
     }
 
-    /// As [`PackedInertia::rotate`](crate::PackedInertia::rotate).
+    /// See [`PackedInertia::rotate`](crate::PackedInertia::rotate).
     #[inline(always)]
     pub fn rotate(&mut self, r: &[[T; 3]; 3]) {
         self.moment = rotated(&self.moment, r);
         self.force = rotated(&self.force, r);
     }
 
-    /// As [`PackedInertia::shift`](crate::PackedInertia::shift).
+    /// See [`PackedInertia::shift`](crate::PackedInertia::shift).
     #[inline(always)]
     pub fn shift<const Z: usize>(&mut self, d: T) {
         let (x, y) = after(Z);
@@ -59,14 +59,14 @@ impl<T: Lanes> PackedWrench<T> {
         self.moment[y] = d.mul_add(self.force[x], self.moment[y]);
     }
 
-    /// As [`PackedInertia::screw`](crate::PackedInertia::screw).
+    /// See [`PackedInertia::screw`](crate::PackedInertia::screw).
     #[inline(always)]
     pub fn screw<const Z: usize>(&mut self, c: T, s: T, d: T) {
         self.turn::<Z>(c, s);
         self.shift::<Z>(d);
     }
 
-    /// `self − other · factor`.
+    /// Subtracts `other · factor`.
     #[inline(always)]
     pub fn subtract(&mut self, other: &Self, factor: T) {
         for k in 0..3 {
@@ -75,14 +75,14 @@ impl<T: Lanes> PackedWrench<T> {
         }
     }
 
-    /// Times a factor.
+    /// Wrench times a factor.
     #[inline(always)]
     pub fn scaled(&self, factor: T) -> Self {
         let ([a, b, c], [d, e, f]) = (self.moment, self.force);
         Self { moment: [a * factor, b * factor, c * factor], force: [d * factor, e * factor, f * factor] }
     }
 
-    /// Sum.
+    /// Adds another wrench.
     #[inline(always)]
     pub fn add(&mut self, other: &Self) {
         for k in 0..3 {

@@ -1,22 +1,22 @@
-//! A planar linkage as it is drawn: pins in the plane between bodies, and how the bodies move.
+//! Drawing of a planar linkage: bodies, pins, and the velocities of the bodies.
 
 use faer::Mat;
 use nalgebra::Vector2;
 
-/// The body that every drawing has first.
+/// Index of the ground body.
 const GROUND: usize = 0;
 
-/// Where two bodies hold one another.
+/// Joint between two bodies of a drawing.
 #[derive(Clone, Debug)]
 pub(super) struct Pin {
     pub name: &'static str,
     pub bodies: [usize; 2],
     pub at: Vector2<f64>,
-    /// The direction of a slide; none: a hinge.
+    /// Direction of a slider; `None` for a hinge.
     pub slide: Option<Vector2<f64>>,
 }
 
-/// How a body moves in the plane, per unit rate of the input.
+/// Planar motion of a body per unit rate of the input.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Motion {
     pub rate: f64,
@@ -29,7 +29,7 @@ impl Motion {
     pub const STILL: Motion =
         Motion { rate: 0.0, at: Vector2::new(0.0, 0.0), velocity: Vector2::new(0.0, 0.0) };
 
-    /// A turn about a fixed point.
+    /// Rotation about a fixed point.
     pub fn about(at: Vector2<f64>, rate: f64) -> Self {
         Motion { rate, at, velocity: Vector2::zeros() }
     }
@@ -39,12 +39,12 @@ impl Motion {
     }
 }
 
-/// Turned by 90°.
+/// Vector rotated by 90°.
 pub(super) fn across(v: Vector2<f64>) -> Vector2<f64> {
     Vector2::new(-v.y, v.x)
 }
 
-/// Two bars pinned together at `pin`, the other ends at `a` and `b` led by two bodies: how the bars move.
+/// Motion of two bars pinned together at `pin`, with their other ends at `a` and `b` on two moving bodies.
 ///
 /// v_a + ω k×(c − a) = v_b + ψ k×(c − b): two equations for ω and ψ.
 pub(super) fn dyad(
@@ -62,22 +62,22 @@ pub(super) fn dyad(
     [Motion { rate: omega, at: a, velocity: va }, Motion { rate: psi, at: b, velocity: vb }]
 }
 
-/// A planar linkage with one freedom, as drawn.
+/// Planar linkage with one degree of freedom in its drawn position.
 #[derive(Clone, Debug)]
 pub(super) struct Drawing {
-    /// Names of the bodies; the ground first.
+    /// Names of the bodies; the ground is first.
     pub bodies: Vec<&'static str>,
-    /// Slides first; those of the tree before those that close loops, once it is [`cut`](Self::cut).
+    /// Sliders first; after [`cut`](Self::cut), pins of the tree before pins that close loops.
     pub pins: Vec<Pin>,
-    /// How each body moves.
+    /// Motion of each body.
     pub motions: Vec<Motion>,
-    /// Which body may bear a tool.
+    /// Body that can carry a tool.
     pub coupler: usize,
 }
 
 impl Drawing {
-    /// Makes a tree of the pins that come first, the others close loops: how many are in the tree. The pins of the
-    /// tree then go from a body nearer to the ground to one further, parents first.
+    /// Selects a spanning tree, preferring the pins that come first, and returns its number of pins; the other
+    /// pins close loops. Tree pins are reordered parents first, and each is directed away from the ground.
     pub fn cut(&mut self) -> usize {
         let mut kept = Vec::new();
         let mut rest = Vec::new();
@@ -109,7 +109,7 @@ impl Drawing {
         count
     }
 
-    /// The greatest distance between pins on the same body, the ground aside.
+    /// Largest distance between pins on one body, without the ground.
     pub fn size(&self) -> f64 {
         let mut most: f64 = 0.0;
         for body in 1..self.bodies.len() {
@@ -121,7 +121,7 @@ impl Drawing {
         most
     }
 
-    /// The least distance between two pins on the same body (on the ground: too), slides aside.
+    /// Smallest distance between two pins on one body, including the ground, without sliders.
     pub fn least_bar(&self) -> f64 {
         let mut least = f64::INFINITY;
         for body in 0..self.bodies.len() {
@@ -134,10 +134,9 @@ impl Drawing {
         least
     }
 
-    /// The singular values, falling, of the loops' rows in the plane over the first `tree` pins, angles times
-    /// `size`.
+    /// Singular values, in descending order, of the planar loop rows over the first `tree` pins; angles times `size`.
     pub fn singular_values(&self, tree: usize, size: f64) -> Vec<f64> {
-        // Pins from a body up to the ground.
+        // Path of pins from a body to the ground.
         let up = |body: usize| {
             let mut path = Vec::new();
             let mut at = body;

@@ -1,4 +1,4 @@
-//! The linkages of the family, drawn at random.
+//! Random linkages of the family.
 
 use super::drawing::{Drawing, Motion, Pin, across, dyad};
 use nalgebra::Vector2;
@@ -6,25 +6,25 @@ use rand::Rng;
 use rand::seq::SliceRandom;
 use std::f64::consts::TAU;
 
-/// What is drawn.
+/// Kind of linkage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Kind {
-    /// Four bars.
+    /// Four-bar linkage.
     FourBar,
-    /// So many equal parallel cranks under one platform: from three on, more than plane geometry needs.
+    /// Platform on the given number of equal parallel cranks; three or more are redundant in the plane.
     Cranks(usize),
-    /// A rod between a crank and a slider on the ground.
+    /// Rod between a crank and a slider on the ground.
     SliderCrank,
-    /// A rod that hangs on a crank and slides in a block that turns on the ground.
+    /// Inverted slider-crank: a rod on a crank slides in a block that is hinged to the ground.
     Inverted,
-    /// A six-bar whose second loop stands on two bodies that are pinned together.
+    /// Six-bar linkage whose second loop is attached to two bodies that share a pin.
     Watt,
-    /// A six-bar whose second loop stands on two bodies that are not.
+    /// Six-bar linkage whose second loop is attached to two bodies that share no pin.
     Stephenson,
 }
 
 impl Kind {
-    /// All that the family has.
+    /// All kinds of the family.
     pub const ALL: [Kind; 8] = [
         Kind::FourBar,
         Kind::Cranks(2),
@@ -36,7 +36,7 @@ impl Kind {
         Kind::Stephenson,
     ];
 
-    /// Whether its loops contradict one another in the plane where its lengths are a little off.
+    /// True if small errors of the lengths make the loops contradict each other in the plane.
     pub fn is_overconstrained(self) -> bool {
         matches!(self, Kind::Cranks(count) if count > 2)
     }
@@ -54,7 +54,7 @@ fn along(angle: f64) -> Vector2<f64> {
     Vector2::new(angle.cos(), angle.sin())
 }
 
-/// Draws a linkage of order 1 m; pins in random order but for slides, which come first.
+/// Creates a random linkage of the order of 1 m; pins are in random order, except that sliders come first.
 pub(super) fn draw<R: Rng + ?Sized>(rng: &mut R, kind: Kind) -> Drawing {
     let mut drawing = match kind {
         Kind::FourBar => four_bar(rng),
@@ -92,7 +92,7 @@ fn four_bar<R: Rng + ?Sized>(rng: &mut R) -> Drawing {
     }
 }
 
-/// [`four_bar`], and two more bars from these two of its bodies to a pin of their own.
+/// A [`four_bar`] with two more bars, from the given bodies to a common pin.
 fn six_bar<R: Rng + ?Sized>(rng: &mut R, ends: [usize; 2]) -> Drawing {
     let mut drawing = four_bar(rng);
     let [d, e, f] = [0; 3].map(|_| point(rng));
@@ -135,7 +135,7 @@ fn slider_crank<R: Rng + ?Sized>(rng: &mut R) -> Drawing {
     let [o, a, b] = [0; 3].map(|_| point(rng));
     let guide = along(rng.random_range(0.0..TAU));
     let crank = Motion::about(o, 1.0);
-    // v_a + ω k×(b − a) has no part across the guide.
+    // The velocity v_a + ω k×(b − a) has no component normal to the guide.
     let (va, arm, side) = (crank.velocity_of(a), across(b - a), across(guide));
     let rate = -va.dot(&side) / arm.dot(&side);
     let rod = Motion { rate, at: a, velocity: va };

@@ -1,9 +1,9 @@
-//! A family of planar linkages standing in space, from seeds: drawn closed, so that every joint is at 0 there.
+//! Family of planar linkages in space, from seeds; closed as drawn, with all joints at 0.
 //!
-//! Four-bars, parallel cranks under a platform, slider-cranks and six-bars, in planes turned out of all axes. Every link
-//! frame and every loop frame is turned at random, axes are given accordingly; any of the pins may be the one that closes
-//! the loop. Loops are closed by spatial hinges, whose rows are redundant in a plane: three of five, or four where cranks
-//! are parallel. [`Drawn::written`] gives the same as a file with few decimals does.
+//! Four-bars, parallel cranks under a platform, slider-cranks and six-bars, in planes parallel to no coordinate
+//! plane. Link frames and loop frames have random orientations, with axes given accordingly; any pin can be the
+//! loop closure. Loops are closed by spatial hinges, with redundant rows in a plane: three of five, or four for
+//! parallel cranks. [`Drawn::written`] gives the same linkage as a file with few decimals.
 
 mod drawing;
 mod kinds;
@@ -24,63 +24,63 @@ use nalgebra::{Matrix3, Matrix4, Vector3};
 use percuss_mechanism::{JointId, JointKind, LinkId, Mechanism};
 use rand::{Rng, SeedableRng, rngs::StdRng};
 
-/// How many decimals the files of a family are written with.
+/// Numbers of decimals of the written files of a family.
 pub const DECIMALS: [usize; 6] = [12, 9, 7, 6, 5, 4];
 
-/// A drawing is taken where the least singular value of its loops that counts is at least this part of the largest.
+/// Smallest accepted ratio of the smallest nonzero singular value of the loops to the largest.
 const REGULAR: f64 = 0.05;
-/// Pins on the same body are at least so far apart, m.
+/// Smallest distance between pins on one body, m.
 const SHORTEST: f64 = 0.2;
-/// Contacts on every linkage.
+/// Contacts per linkage.
 const CONTACTS: usize = 3;
 
-/// A contact on a linkage of the family, against the ground.
+/// Contact on a linkage of the family, against the ground.
 #[derive(Clone, Debug)]
 pub struct Touch {
-    /// The struck link.
+    /// Contact link.
     pub link: LinkId,
-    /// The struck point in it, m.
+    /// Contact point in the link frame, m.
     pub point: Vector3<f64>,
-    /// The unit normal in its axes.
+    /// Unit normal in the link's axes.
     pub normal: Vector3<f64>,
-    /// m̄ as drawn, by route C, kg.
+    /// m̄ in the drawn position by route C, kg.
     pub mass: f64,
-    /// The same in closed form, where no tool hangs on a hinge.
+    /// m̄ in closed form, kg; `None` with a hinged tool.
     pub closed_form: Option<f64>,
 }
 
-/// A linkage of the family: the exact twin.
+/// Linkage of the family with exact numbers.
 #[derive(Debug)]
 pub struct Drawn {
-    /// What it was drawn from.
+    /// Seed.
     pub seed: u64,
-    /// What it is.
+    /// Kind of linkage.
     pub kind: Kind,
-    /// What its coupler bears.
+    /// Tool on the coupler.
     pub tool: Tool,
-    /// It, to full precision.
+    /// The mechanism in full precision.
     pub mechanism: Mechanism,
-    /// Its degrees of freedom on the ground.
+    /// Degrees of freedom on the ground.
     pub mobility: usize,
-    /// Its redundant rows.
+    /// Number of redundant rows.
     pub redundant: usize,
-    /// The greatest distance between pins on a moving body, m.
+    /// Largest distance between pins on a moving body, m.
     pub size: f64,
-    /// The joints of its loops.
+    /// Joints of the loops.
     pub loop_joints: Vec<JointId>,
-    /// Where it is struck.
+    /// Contacts.
     pub contacts: Vec<Touch>,
 }
 
-/// The linkage of this seed: kinds take turns, so that eight seeds in a row have all.
+/// Linkage of this seed. The kinds alternate: eight consecutive seeds contain all kinds.
 pub fn drawn(seed: u64) -> Drawn {
     drawn_as(seed, Kind::ALL[seed as usize % Kind::ALL.len()])
 }
 
-/// The linkage of this seed and kind.
+/// Linkage of this seed and kind.
 ///
 /// # Panics
-/// Where a thousand drawings in a row are too nearly singular.
+/// If a thousand consecutive drawings are nearly singular.
 pub fn drawn_as(seed: u64, kind: Kind) -> Drawn {
     let mut rng = StdRng::seed_from_u64(0xFA_0000 + seed);
     let tool = [Tool::None, Tool::Fixed, Tool::Hinged][rng.random_range(0..3)];
@@ -114,7 +114,7 @@ pub fn drawn_as(seed: u64, kind: Kind) -> Drawn {
     panic!("{kind:?} {seed}: every drawing is nearly singular")
 }
 
-/// Random contacts that the linkage's own motion closes at a fair speed.
+/// Random contacts with a closing speed well above zero in the linkage's motion.
 fn touches(rng: &mut StdRng, drawn: &Drawn, drawing: &Drawing, plane: &space::Plane) -> Vec<Touch> {
     let mechanism = &drawn.mechanism;
     let zero = zero_positions(mechanism);
@@ -177,18 +177,19 @@ fn place(x_wl: &[Matrix4<f64>], link: LinkId) -> Vector3<f64> {
 }
 
 impl Drawn {
-    /// The same as a file with so many decimals gives it.
+    /// The linkage as a file with the given number of decimals.
     pub fn written(&self, decimals: usize) -> Mechanism {
         alter::written(&self.mechanism, decimals)
     }
 
-    /// In a line, for a failure.
+    /// One-line description for failure messages.
     pub fn label(&self) -> String {
         format!("seed {} {:?} tool {:?}", self.seed, self.kind, self.tool)
     }
 
-    /// m̄ of a contact by route C on this linkage or one of its [`written`](Self::written) twins, the normal turning
-    /// with the link; singular values up to `threshold` of the largest count as zero (none: route C's own).
+    /// m̄ of a contact by route C on this linkage or one of its [`written`](Self::written) twins; the normal
+    /// rotates with the link. Singular values up to `threshold` of the largest count as zero (`None`: default
+    /// of route C).
     pub fn mass_of(
         &self,
         mechanism: &Mechanism,
@@ -201,10 +202,10 @@ impl Drawn {
         effective_mass(&Question { threshold, ..question })
     }
 
-    /// The least singular value of the loops' rows over their joints without `driver`, as a part of the largest
-    /// (angles times the size): small at a dead centre of the driver.
+    /// Ratio of the smallest to the largest singular value of the loop rows over their joints without `driver`
+    /// (angles times the size): small near a dead centre of the driver.
     pub fn ease(&self, positions: &[Vec<f64>], driver: JointId) -> f64 {
-        // Central differences: h² and ε/h.
+        // Central differences with the errors h² and ε/h.
         const H: f64 = 1e-5;
         let mechanism = &self.mechanism;
         let followers: Vec<JointId> = self.loop_joints.iter().copied().filter(|id| *id != driver).collect();
@@ -223,8 +224,8 @@ impl Drawn {
         values[values.len() - 1] / values[0]
     }
 
-    /// Positions of the exact twin with a joint of its loops at `value`, on the branch on which it is drawn; none where
-    /// that joint comes near a dead centre on the way.
+    /// Positions of the exact linkage with a loop joint at `value`, on the drawn branch; `None` if the path
+    /// comes near a dead centre of this joint.
     pub fn at(&self, driver: JointId, value: f64) -> Option<Vec<Vec<f64>>> {
         const STEPS: usize = 4;
         let followers: Vec<JointId> = self.loop_joints.iter().copied().filter(|id| *id != driver).collect();

@@ -1,4 +1,4 @@
-//! Linkages whose file is not closed as it is drawn.
+//! Linkages with open loops as drawn.
 
 use super::{Drawn, Kind, drawn_as, place, turn};
 use crate::alter;
@@ -8,32 +8,32 @@ use nalgebra::{Matrix3, Vector3};
 use percuss_mechanism::{LoopFrame, Mechanism};
 use rand::{Rng, SeedableRng, rngs::StdRng};
 
-/// A linkage of the family with a pickup point moved in its plane: with all joints at 0 its loops are open.
+/// Linkage of the family with one displaced pickup point: with all joints at 0 its loops are open.
 #[derive(Debug)]
 pub struct DrawnOpen {
-    /// As it was before, closed.
+    /// The closed linkage before the displacement.
     pub closed: Drawn,
-    /// What the file says.
+    /// The mechanism with open loops.
     pub mechanism: Mechanism,
-    /// Which closure's point was moved.
+    /// Index of the displaced closure.
     pub moved: usize,
-    /// By how much each loop is open as drawn, m.
+    /// Gap of each loop as drawn, m.
     pub gaps: Vec<f64>,
-    /// Positions near the drawn ones where it closes, found by the oracle moving all joints of the loops as little as
-    /// it can; none where it finds none.
+    /// Closed positions near the drawn ones, found by the oracle with the smallest joint motion; `None` if none
+    /// are found.
     pub closes: Option<Vec<Vec<f64>>>,
 }
 
-/// The linkage of a seed with a pickup point moved by `fraction` of its size, in a random direction of its plane.
+/// Linkage of a seed with a pickup point displaced by `fraction` of its size, in a random direction of its plane.
 ///
-/// Never one whose loops would contradict one another then.
+/// Kinds whose loops would contradict each other are excluded.
 pub fn drawn_open(seed: u64, fraction: f64) -> DrawnOpen {
     const KINDS: [Kind; 6] =
         [Kind::FourBar, Kind::SliderCrank, Kind::Watt, Kind::Cranks(2), Kind::Inverted, Kind::Stephenson];
     let closed = drawn_as(seed, KINDS[seed as usize % KINDS.len()]);
     let mut rng = StdRng::seed_from_u64(0x09E4_0000 + seed);
     let moved = rng.random_range(0..closed.mechanism.closures().len());
-    // Across the axis, in the loop's frame.
+    // Direction normal to the axis, in the loop frame.
     let axis = *closed.mechanism.closures()[moved].axis();
     let first = axis.cross(&Vector3::ith(axis.iamin(), 1.0)).normalize();
     let (sin, cos) = rng.random_range(0.0..std::f64::consts::TAU).sin_cos();
@@ -45,10 +45,10 @@ pub fn drawn_open(seed: u64, fraction: f64) -> DrawnOpen {
     DrawnOpen { closed, mechanism, moved, gaps, closes }
 }
 
-/// By how much the points of each closure are apart, m, from 4×4 matrices.
+/// Distance between the two points of each closure, m, from 4×4 matrices.
 ///
 /// # Panics
-/// Where positions do not fit the joints.
+/// If the positions do not match the joints.
 pub fn gaps(mechanism: &Mechanism, positions: &[Vec<f64>]) -> Vec<f64> {
     let x_wl = poses(mechanism, positions);
     let at = |end: &LoopFrame| {

@@ -1,4 +1,4 @@
-//! A drawing stood up in space: link frames, loop frames, bodies and axes.
+//! Places a planar drawing in space: link frames, loop frames, bodies and axes.
 
 use super::drawing::{Drawing, Motion};
 use super::tool::Tool;
@@ -13,7 +13,7 @@ use percuss_spatial::{Transform, rotation_about, rotation_from_rpy};
 use rand::{Rng, rngs::StdRng};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-/// Where the plane of a drawing stands.
+/// Pose of the plane of a drawing.
 pub(super) struct Plane(Transform<f64>);
 
 impl Plane {
@@ -26,29 +26,29 @@ impl Plane {
         self.0.vector(&v.push(0.0))
     }
 
-    /// Velocity of a body's point that is at `point` in the world.
+    /// Velocity of a body point at `point` in the world.
     pub fn velocity(&self, motion: &Motion, point: &Vector3<f64>) -> Vector3<f64> {
         self.direction(motion.velocity_of(self.0.inverse_point(point).xy()))
     }
 }
 
-/// A drawing in space.
+/// Drawing placed in space.
 pub(super) struct Stood {
     pub mechanism: Mechanism,
     pub plane: Plane,
 }
 
-/// How frames are turned.
+/// Orientation of the frames.
 #[derive(Clone, Copy, PartialEq)]
 enum Style {
-    /// All of them anyhow.
+    /// General orientations.
     General,
-    /// Each has the axis of its joint for z.
+    /// Each frame has its z-axis along the joint axis.
     AlongZ,
-    /// Each has it for one of ±x, ±y, −z.
+    /// Each frame has one of ±x, ±y, −z along the joint axis.
     AlongAny,
-    /// As `AlongZ`, in a plane that is upright: roll, pitch and yaw are quarter turns or in the plane, and every link
-    /// frame lies in it.
+    /// As `AlongZ`, in a vertical plane: roll, pitch and yaw are multiples of 90° or in the plane, and every
+    /// link frame lies in the plane.
     Upright,
 }
 
@@ -68,7 +68,7 @@ fn link_turn(rng: &mut StdRng, style: Style, plane: &Plane) -> Matrix3<f64> {
     }
 }
 
-/// Makes a mechanism of a drawing whose first `tree` pins are its joints.
+/// Builds a mechanism from a drawing whose first `tree` pins are the tree joints.
 pub(super) fn stand(rng: &mut StdRng, name: &str, drawing: &Drawing, tree: usize, tool: Tool) -> Stood {
     let style = match rng.random_range(0..6) {
         0..=2 => Style::General,
@@ -82,7 +82,7 @@ pub(super) fn stand(rng: &mut StdRng, name: &str, drawing: &Drawing, tree: usize
     }
     let depth = |rng: &mut StdRng| if style == Style::Upright { 0.0 } else { rng.random_range(-0.2..0.2) };
     let normal = plane.normal();
-    // X_wl, a link's origin on the axis of the joint above it.
+    // X_wl, with each link's origin on the axis of its parent joint.
     let mut frames = vec![Transform::identity(); drawing.bodies.len()];
     for pin in &drawing.pins[..tree] {
         let origin = plane.0.point(&pin.at.push(depth(rng)));

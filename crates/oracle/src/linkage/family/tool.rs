@@ -1,12 +1,12 @@
-//! What the coupler of a linkage may bear.
+//! Optional tool on the coupler of a linkage.
 
-/// Whether the coupler bears one more link.
+/// Attachment of one additional link to the coupler.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tool {
-    /// No.
+    /// No tool.
     None,
-    /// Held by a fixed joint.
+    /// Fixed joint.
     Fixed,
-    /// On a hinge of its own, about any axis: one more freedom.
+    /// Hinge about a general axis: one more degree of freedom.
     Hinged,
 }
