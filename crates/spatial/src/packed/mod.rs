@@ -1,5 +1,4 @@
-//! Articulated-body inertia in 21 numbers, transformed by rotations about and translations along coordinate
-//! axes; used by the recursion in body frames.
+//! Articulated-body inertia in 21 numbers, transformed by rotations about coordinate axes and translations along them.
 
 mod vector;
 mod wrench;
@@ -193,8 +192,7 @@ impl<T: Lanes> PackedInertia<T> {
 
     /// Transforms to a frame with parallel axes, in which the present origin is at `d` (m) on axis `Z`.
     ///
-    /// With the translation r: C ← C + \[r\]L, A ← A − C\[r\] + \[r\]Cᵀ, with the old C in the second and the
-    /// new C in the third term.
+    /// With the translation r: C ← C + \[r\]L, A ← A − C\[r\] + \[r\]Cᵀ, with the old C, then the new C.
     #[inline(always)]
     pub fn shift<const Z: usize>(&mut self, d: T) {
         let before = self.shift_coupling::<Z>(d);
