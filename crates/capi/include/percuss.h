@@ -312,7 +312,7 @@ typedef struct percuss_contact {
    */
   double normal[3];
   /*
-   Where the normal is given: PERCUSS_NORMAL_LINK to PERCUSS_NORMAL_TOWARD.
+   Where the normal is given: PERCUSS_NORMAL_LINK to PERCUSS_NORMAL_TURNING_TOWARD.
    */
   percuss_normal normal_given;
   /*
@@ -1389,11 +1389,11 @@ percuss_status percuss_batch_free(struct percuss_batch **batch);
 
  positions: length numbers; PERCUSS_ROW_MAJOR: configuration c begins at c · stride, stride ≥ p; PERCUSS_COLUMN_MAJOR: position q of
  configuration c stands at q · stride + c, stride ≥ count: the fastest. outcomes and effective_masses: count values each, as
-  percuss_workspace_effective_mass has them; PERCUSS_NO_ANSWER where there is none, PERCUSS_MASSLESS_TO_ROUNDING where rounding
-  may hide a mass. errors: null, or room for count numbers: the error by rounding, kg; NaN where it was not counted; of a contact that
-  is massless to rounding only, the largest m̄ that it may have. remarks: null, or room for count numbers: PERCUSS_REMARK_… added
-  together, the reason of a row without an answer among them. watch: null, or asked now and then with user, in the default
-  floating-point environment. What is written must not overlap, and must not overlap the positions.
+ percuss_workspace_effective_mass has them; PERCUSS_NO_ANSWER where there is none, PERCUSS_MASSLESS_TO_ROUNDING where rounding
+ may hide a mass. errors: null, or room for count numbers: the error by rounding, kg; NaN where it was not counted; of a contact that
+ is massless to rounding only, the largest m̄ that it may have. remarks: null, or room for count numbers: PERCUSS_REMARK_… added
+ together, the reason of a row without an answer among them. watch: null, or asked now and then with user, in the default
+ floating-point environment. What is written must not overlap, and must not overlap the positions.
 
  Errors: PERCUSS_ERROR_LENGTH; PERCUSS_ERROR_OVERLAP; PERCUSS_ERROR_STOPPED: what was answered until then is there, the rest is PERCUSS_NO_ANSWER.
  PERCUSS_ERROR_HANDLE: the process was forked since the batch was made, whose threads are the parent's.
