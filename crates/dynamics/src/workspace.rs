@@ -175,8 +175,8 @@ impl Workspace {
         let Some(clear) = self.in_lanes.as_mut().and_then(|lanes| lanes.one(&self.kinematics.q)) else {
             return self.by_recursion(contact);
         };
-        if !self.has_room && matches!(self.in_lanes, Some(InLanes::Linkage(_))) {
-            // Once, so that nothing is allocated when it is needed.
+        if !self.has_room {
+            // The memory of the recursion is reserved once, for configurations that the lanes leave in doubt.
             let _ = self.by_recursion(contact);
             self.remarks = flags;
         }
