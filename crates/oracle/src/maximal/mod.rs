@@ -30,12 +30,12 @@ pub fn effective_mass(question: &Question) -> Outcome {
 ///
 /// 1. Angular velocities are multiplied by the longest moment arm, and the rows of A are normalised.
 /// 2. Z, an orthonormal basis of ker A, is computed in two steps: the kernel of the joint rows, which are
-///   independent by construction, from a QR; within it the kernel of all other rows from a singular value
-///   decomposition. Singular values up to [`threshold`](Question::threshold) count as zero.
+///    independent by construction, from a QR; within it the kernel of all other rows from a singular value
+///    decomposition. Singular values up to [`threshold`](Question::threshold) count as zero.
 /// 3. `Immovable` if |jZ| ≤ 1e-10 |j|.
 /// 4. A reflection of the columns of Z leaves a closing speed only in the first. The others minimise |W Z z|²
-///   by Householder QR with row and column pivoting, which is stable row by row: a needle on a heavy base loses
-///   no digits (Cox and Higham 1998).
+///    by Householder QR with row and column pivoting, which is stable row by row: a needle on a heavy base loses
+///    no digits (Cox and Higham 1998).
 /// 5. `Massless` if |W v*| is below 1e-11 of max|Wᵢ| |v*|, that is, m̄ below 1e-22 of the largest mass.
 ///
 /// Cost: O((6 links)³); 60 links take a fraction of a second in an optimised build.
