@@ -1,6 +1,6 @@
 //! Poses: a mechanism at one configuration. What Python asks of one: `pose_methods.rs`.
 
-use crate::errors::{self, input};
+use crate::errors::input;
 use crate::model::Model;
 use percuss::nalgebra::Matrix3;
 use percuss::spatial::Transform;

@@ -6,6 +6,8 @@ A problem is made of exact numbers and rounded to the type of the arrays: the an
 within the stated error. test_matrix_family.py runs some hundred.
 """
 
+# gmpy2 has no types.
+# pyright: reportAttributeAccessIssue=false
 from __future__ import annotations
 
 import argparse
@@ -132,7 +134,8 @@ def solved(problem: Problem) -> tuple[str, Any]:
     motions = basis[:, others] - first[:, None] * along[others]
     energy = first @ problem.M @ first
     H, g = motions.T @ problem.M @ motions, motions.T @ problem.M @ first
-    least, left, size = energy, np.ones(len(others), bool), abs(np.diag(H)).copy() if len(others) else []
+    size: Any = abs(np.diag(H)).copy() if len(others) else []
+    least, left = energy, np.ones(len(others), bool)
     for _ in others:
         ratios = [H[k, k] / size[k] if left[k] and size[k] > 0 else gmpy2.mpfr(0) for k in range(len(others))]
         k = int(np.argmax(ratios))

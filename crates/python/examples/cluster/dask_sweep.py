@@ -45,7 +45,7 @@ def answer(part: pd.DataFrame, text: str, contact: percuss.Contact) -> pd.DataFr
 def sweep(model: percuss.Model, contact: percuss.Contact, source: str, target: str) -> None:
     """By the workers of the client that is connected. A task whose worker dies is done again elsewhere and writes the same file."""
     table = dask.dataframe.read_parquet(source, split_row_groups=False)
-    answered = table.map_partitions(answer, model.to_urdf(), contact, meta=pd.DataFrame(columns=META).astype(META))
+    answered = table.map_partitions(answer, model.to_urdf(), contact, meta=pd.DataFrame(columns=list(META)).astype(META))
     answered.to_parquet(target, write_index=False)
 
 
