@@ -57,6 +57,7 @@ mod rows;
 mod safe_speed;
 mod setting;
 mod sheet;
+mod shown;
 mod simulators;
 mod stages;
 mod starter;
