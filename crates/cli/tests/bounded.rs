@@ -26,7 +26,12 @@ fn bounded(arguments: &[&str]) -> Outcome {
         .current_dir(root())
         .output()
         .expect("the command runs");
-    assert!(run.status.code().is_some(), "{arguments:?}: {:?} {}", run.status, String::from_utf8_lossy(&run.stderr));
+    assert!(
+        run.status.code().is_some(),
+        "{arguments:?}: {:?} {}",
+        run.status,
+        String::from_utf8_lossy(&run.stderr)
+    );
     let outcome = Outcome::from(run);
     assert!(!outcome.stderr.contains("panicked"), "{arguments:?}: {}", outcome.stderr);
     assert!(outcome.stderr.len() < 100_000, "{arguments:?}: {} bytes of messages", outcome.stderr.len());
@@ -67,7 +72,8 @@ fn closure(number: usize, links: [&str; 2], at: [f64; 2]) -> String {
 fn chain(links: usize, mimics: bool) -> String {
     let mut text = String::from("<robot name=\"r\"><link name=\"l0\"/>");
     for i in 1..=links {
-        let master = if mimics && i % 2 == 0 { format!("<mimic joint=\"j{}\"/>", i - 1) } else { String::new() };
+        let master =
+            if mimics && i % 2 == 0 { format!("<mimic joint=\"j{}\"/>", i - 1) } else { String::new() };
         text += &link(&format!("l{i}"));
         text += &joint(i, &format!("l{}", i - 1), &format!("l{i}"), [0.01, 0.0], &master);
     }
@@ -88,12 +94,20 @@ fn studies() {
     let list = "0,".repeat(100_000);
     let path = folder.write("list.toml", &format!("{head}[model.link_mass]\n{long} = [{list}]\n{CONTACT}"));
     refused(&["run", &path], 2, &["error", "link_mass.kkkk"]);
-    let sheet = folder.write("sheet.toml", &format!("[{long}]\n{}", (0..100_000).fold(String::new(), |mut text, i| {
-        let _ = writeln!(text, "k{i} = 1");
-        text
-    })));
+    let sheet = folder.write(
+        "sheet.toml",
+        &format!(
+            "[{long}]\n{}",
+            (0..100_000).fold(String::new(), |mut text, i| {
+                let _ = writeln!(text, "k{i} = 1");
+                text
+            })
+        ),
+    );
     refused(&["import", &sheet, "-o", "-"], 2, &["a key of 100000 bytes; at most 1024"]);
-    for (count, words) in [(300_000, ["unknown key \"k0\"", "299950 more unknown keys"]), (500_000, ["limit", "4194304"])] {
+    for (count, words) in
+        [(300_000, ["unknown key \"k0\"", "299950 more unknown keys"]), (500_000, ["limit", "4194304"])]
+    {
         let keys: String = (0..count).map(|i| format!("k{i}=0\n")).collect();
         let path = folder.write("unknown.toml", &keys);
         refused(&["run", &path], 2, &words);
@@ -127,7 +141,10 @@ fn workbook(parts: &[(&str, &str)]) -> Vec<u8> {
             "xl/_rels/workbook.xml.rels",
             r#"<Relationships><Relationship Id="s" Type="http://x/relationships/worksheet" Target="worksheets/sheet1.xml"/></Relationships>"#,
         ),
-        ("xl/workbook.xml", r#"<workbook xmlns:r="r"><sheets><sheet name="a" sheetId="1" r:id="s"/></sheets></workbook>"#),
+        (
+            "xl/workbook.xml",
+            r#"<workbook xmlns:r="r"><sheets><sheet name="a" sheetId="1" r:id="s"/></sheets></workbook>"#,
+        ),
     ];
     let mut archive = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
     let packed = zip::write::SimpleFileOptions::default();
@@ -162,18 +179,75 @@ fn workbooks() {
         .collect();
     let fonts = format!("<fonts><font><name val=\"{}\"/></font></fonts>", "f".repeat(1 << 20));
     let styles = |fonts: &str, count: usize| {
-        format!("<styleSheet>{fonts}<cellXfs>{}</cellXfs></styleSheet>", "<xf fontId=\"0\"></xf>".repeat(count))
+        format!(
+            "<styleSheet>{fonts}<cellXfs>{}</cellXfs></styleSheet>",
+            "<xf fontId=\"0\"></xf>".repeat(count)
+        )
     };
     let cases: [(&str, Vec<u8>, &str); 9] = [
-        ("abort", workbook(&[("xl/sharedStrings.xml", &texts("99999999999", "")), ("xl/worksheets/sheet1.xml", &one)]), "states 99999999999 shared texts"),
-        ("panic", workbook(&[("xl/sharedStrings.xml", &texts("18446744073709551615", "")), ("xl/worksheets/sheet1.xml", &one)]), "states 18446744073709551615 shared texts"),
-        ("overflow", workbook(&[("xl/sharedStrings.xml", &texts("0000099999999999999999999999", "")), ("xl/worksheets/sheet1.xml", &one)]), "shared texts"),
-        ("unpacked", workbook(&[("xl/sharedStrings.xml", &texts("1", &"<si></si>".repeat(20_000_000))), ("xl/worksheets/sheet1.xml", &one)]), "more than 16777216 bytes"),
-        ("pad", workbook(&[("xl/media/x.png", &" ".repeat(200 << 20)), ("xl/worksheets/sheet1.xml", &one)]), "more than 16777216 bytes"),
-        ("texts", workbook(&[("xl/sharedStrings.xml", &texts("1", &format!("<si><t>{}</t></si>", "x".repeat(1 << 20)))), ("xl/worksheets/sheet1.xml", &sheet(&wide))]), "more than 16777216 bytes of text"),
-        ("fonts", workbook(&[("xl/styles.xml", &styles(&fonts, 50_000)), ("xl/worksheets/sheet1.xml", &one)]), "50000 cell formats"),
-        ("formats", workbook(&[("xl/styles.xml", &styles("", 500_000)), ("xl/worksheets/sheet1.xml", &one)]), "500000 cell formats; at most"),
-        ("cells", workbook(&[("xl/worksheets/sheet1.xml", &sheet(&"<row r=\"1\"><c r=\"A1\"></c></row>".repeat(500_000)))]), "error"),
+        (
+            "abort",
+            workbook(&[
+                ("xl/sharedStrings.xml", &texts("99999999999", "")),
+                ("xl/worksheets/sheet1.xml", &one),
+            ]),
+            "states 99999999999 shared texts",
+        ),
+        (
+            "panic",
+            workbook(&[
+                ("xl/sharedStrings.xml", &texts("18446744073709551615", "")),
+                ("xl/worksheets/sheet1.xml", &one),
+            ]),
+            "states 18446744073709551615 shared texts",
+        ),
+        (
+            "overflow",
+            workbook(&[
+                ("xl/sharedStrings.xml", &texts("0000099999999999999999999999", "")),
+                ("xl/worksheets/sheet1.xml", &one),
+            ]),
+            "shared texts",
+        ),
+        (
+            "unpacked",
+            workbook(&[
+                ("xl/sharedStrings.xml", &texts("1", &"<si></si>".repeat(20_000_000))),
+                ("xl/worksheets/sheet1.xml", &one),
+            ]),
+            "more than 16777216 bytes",
+        ),
+        (
+            "pad",
+            workbook(&[("xl/media/x.png", &" ".repeat(200 << 20)), ("xl/worksheets/sheet1.xml", &one)]),
+            "more than 16777216 bytes",
+        ),
+        (
+            "texts",
+            workbook(&[
+                ("xl/sharedStrings.xml", &texts("1", &format!("<si><t>{}</t></si>", "x".repeat(1 << 20)))),
+                ("xl/worksheets/sheet1.xml", &sheet(&wide)),
+            ]),
+            "more than 16777216 bytes of text",
+        ),
+        (
+            "fonts",
+            workbook(&[("xl/styles.xml", &styles(&fonts, 50_000)), ("xl/worksheets/sheet1.xml", &one)]),
+            "50000 cell formats",
+        ),
+        (
+            "formats",
+            workbook(&[("xl/styles.xml", &styles("", 500_000)), ("xl/worksheets/sheet1.xml", &one)]),
+            "500000 cell formats; at most",
+        ),
+        (
+            "cells",
+            workbook(&[(
+                "xl/worksheets/sheet1.xml",
+                &sheet(&"<row r=\"1\"><c r=\"A1\"></c></row>".repeat(500_000)),
+            )]),
+            "error",
+        ),
     ];
     for (name, bytes, words) in cases {
         let path = folder.path(&format!("{name}.xlsx"));
@@ -218,7 +292,11 @@ fn linkages() {
         }
         let model = folder.write("open.urdf", &(text + "</robot>"));
         let contact = ["--link", "l20", "--point", "0,0,0", "--normal", "0,1,0"];
-        refused(&[&["mass", &model][..], &contact].concat(), 1, &["do not close", "the search was cut short"]);
+        refused(
+            &[&["mass", &model][..], &contact].concat(),
+            1,
+            &["do not close", "the search was cut short"],
+        );
     }
 }
 
@@ -230,9 +308,11 @@ fn many_loops_and_mimics() {
         let loops: String = (0..count).map(|i| closure(i, ["a", "b"], [0.5, -0.5])).collect();
         format!("<robot name=\"r\"><link name=\"base\"/>{}{}{two}{loops}</robot>", link("a"), link("b"))
     };
-    for (name, text, link) in
-        [("pins", pins(20_000), "a"), ("mimics", chain(20_000, true), "l20000"), ("tree", chain(20_000, false), "l20000")]
-    {
+    for (name, text, link) in [
+        ("pins", pins(20_000), "a"),
+        ("mimics", chain(20_000, true), "l20000"),
+        ("tree", chain(20_000, false), "l20000"),
+    ] {
         let model = folder.write(&format!("{name}.urdf"), &text);
         let outcome = bounded(&["mass", &model, "--link", link, "--point", "0,0,0", "--normal", "0,1,0"]);
         assert!((0..=2).contains(&outcome.code), "{name}: {}", outcome.stderr);
@@ -249,7 +329,9 @@ fn tables_and_meshes() {
     refused(&sweep, 2, &["breaks.csv:2"]);
 
     let positions = "0 0 0 1 0 0 0 1 0 ".repeat(20_000);
-    let primitives = "<triangles><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>0 1 2</p></triangles>".repeat(20_000);
+    let primitives =
+        "<triangles><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>0 1 2</p></triangles>"
+            .repeat(20_000);
     let turns = "<rotate>0 0 1 1</rotate>".repeat(20_000);
     let instances = "<instance_node url=\"#n\"/>".repeat(20_000);
     let dae = format!(

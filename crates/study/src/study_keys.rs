@@ -102,7 +102,8 @@ impl StudyKeys {
             let value = &self.places[*place].value;
             value.start <= bytes.start && bytes.end <= value.end
         };
-        let innermost = (0..self.places.len()).filter(holds).min_by_key(|place| self.places[*place].value.len());
+        let innermost =
+            (0..self.places.len()).filter(holds).min_by_key(|place| self.places[*place].value.len());
         innermost.map(|place| self.path(place, true))
     }
 

@@ -277,7 +277,8 @@ impl<'f> Bytes<'f> {
         let read = if file.path == "-" {
             io::stdin().lock().take(limit.saturating_add(1)).read_to_end(&mut bytes)
         } else {
-            let opened = File::open(&file.path).map_err(|error| TableError::unreadable(&file.path, &error))?;
+            let opened =
+                File::open(&file.path).map_err(|error| TableError::unreadable(&file.path, &error))?;
             opened.take(limit.saturating_add(1)).read_to_end(&mut bytes)
         };
         let name = if file.path == "-" { "<stdin>" } else { &file.path };

@@ -231,7 +231,9 @@ impl Model {
                 best = Some((self.group_positions(group, &kinematics.q), correction));
             }
             // What is a file's rounding where it is drawn is not searched for elsewhere.
-            if (attempt >= 1 || advised.len() == all.len()) && best.as_ref().is_some_and(|(_, b)| b.residual <= allowed) {
+            if (attempt >= 1 || advised.len() == all.len())
+                && best.as_ref().is_some_and(|(_, b)| b.residual <= allowed)
+            {
                 break;
             }
         }

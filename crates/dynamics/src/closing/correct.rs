@@ -5,8 +5,8 @@ use crate::linear::jacobian::{Jacobian, NormalEquations};
 use crate::model::{Group, Model};
 use crate::rows::{GroupRows, largest};
 use crate::tolerances::{
-    COMMENSURATE, CORRECTION_ITERATIONS, CORRECTION_WORK, FEWEST_CORRECTION_ITERATIONS, FOLLOWED, KEPT_JACOBIAN,
-    ROUNDING,
+    COMMENSURATE, CORRECTION_ITERATIONS, CORRECTION_WORK, FEWEST_CORRECTION_ITERATIONS, FOLLOWED,
+    KEPT_JACOBIAN, ROUNDING,
 };
 
 /// The directions in which a group may be moved.

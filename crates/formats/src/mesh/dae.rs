@@ -129,7 +129,9 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
     fn node(&mut self, node: Node<'a, 'i>, above: &Matrix4<f64>, depth: usize) -> Result<(), String> {
         self.visit()?;
         if depth > DEEPEST_NODES {
-            return Err(format!("its nodes are nested too deep; at most {DEEPEST_NODES} within one another are read"));
+            return Err(format!(
+                "its nodes are nested too deep; at most {DEEPEST_NODES} within one another are read"
+            ));
         }
         let part = self.part(node)?;
         let transform = above * part.transform;
@@ -331,7 +333,10 @@ fn too_many_numbers() -> String {
 
 fn fan(polygon: &[u32], positions: &[[f64; 3]], out: &mut Triangles) -> Result<(), String> {
     let at = |i: u32| {
-        positions.get(i as usize).copied().ok_or_else(|| format!("a face names vertex {i} of {}", positions.len()))
+        positions
+            .get(i as usize)
+            .copied()
+            .ok_or_else(|| format!("a face names vertex {i} of {}", positions.len()))
     };
     for k in 2..polygon.len() {
         out.push([at(polygon[0])?, at(polygon[k - 1])?, at(polygon[k])?]);

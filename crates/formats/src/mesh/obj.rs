@@ -19,14 +19,19 @@ pub(super) fn read(bytes: &[u8]) -> Result<Triangles, String> {
                     format!("line {line}: three numbers are expected after \"v\", found {:?}", shown(text))
                 })?;
                 if positions.len() == MOST_MESH_POSITIONS {
-                    return Err(format!("line {line}: more than {MOST_MESH_POSITIONS} vertices; simplify the mesh"));
+                    return Err(format!(
+                        "line {line}: more than {MOST_MESH_POSITIONS} vertices; simplify the mesh"
+                    ));
                 }
                 positions.push(position);
             }
             Some(b"f") => {
                 let mut corners = words.map(|word| {
                     corner(word, positions.len()).ok_or_else(|| {
-                        format!("line {line}: {:?} is no vertex of a face; expected v, v/vt, v//vn or v/vt/vn", shown(word))
+                        format!(
+                            "line {line}: {:?} is no vertex of a face; expected v, v/vt, v//vn or v/vt/vn",
+                            shown(word)
+                        )
                     })
                 });
                 // Points and lines have no third corner.
@@ -44,7 +49,9 @@ pub(super) fn read(bytes: &[u8]) -> Result<Triangles, String> {
     }
     let triangle = |&(corners, line): &([u32; 3], u32)| {
         let corner = |index: u32| {
-            let vertex = || format!("line {line}: a face names vertex {} of {}", u64::from(index) + 1, positions.len());
+            let vertex = || {
+                format!("line {line}: a face names vertex {} of {}", u64::from(index) + 1, positions.len())
+            };
             positions.get(index as usize).copied().ok_or_else(vertex)
         };
         Ok([corner(corners[0])?, corner(corners[1])?, corner(corners[2])?])

@@ -58,7 +58,11 @@ fn ascii(bytes: &[u8]) -> Result<Triangles, String> {
             return Ok(triangles);
         }
         let wrong = |line: usize, text: &[u8], expected: &str| {
-            format!("line {line}, facet {}: {expected} is expected, found {:?}", triangles.len() + 1, shown(text))
+            format!(
+                "line {line}, facet {}: {expected} is expected, found {:?}",
+                triangles.len() + 1,
+                shown(text)
+            )
         };
         let header = "\"facet normal\" with three finite numbers";
         numbers::<3>(text, &["facet", "normal"]).ok_or_else(|| wrong(line, text, header))?;

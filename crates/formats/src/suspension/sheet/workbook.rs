@@ -46,9 +46,9 @@ fn check_stated_counts(part: &[u8]) -> Result<(), String> {
         let digits = digits.strip_prefix(b"\"").or_else(|| digits.strip_prefix(b"'")).unwrap_or_default();
         let digits: Vec<u8> = digits.iter().copied().take_while(u8::is_ascii_digit).collect();
         // Zeros before the number do not make it larger.
-        let stated = digits.iter().fold(0_usize, |sum, digit| {
-            sum.saturating_mul(10).saturating_add(usize::from(digit - b'0'))
-        });
+        let stated = digits
+            .iter()
+            .fold(0_usize, |sum, digit| sum.saturating_mul(10).saturating_add(usize::from(digit - b'0')));
         if stated > part.len() {
             return Err(format!("it states {stated} shared texts in a part of {} bytes", part.len()));
         }
