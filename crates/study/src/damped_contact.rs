@@ -1,7 +1,7 @@
 //! The damper of a model's contact: what the model knows beside the effective mass.
 
 use crate::answer::{Answer, Answered};
-use crate::damping::{DampingReport, Drift, about_exports, body_alone, damper, exports};
+use crate::damping::{DampingReport, Drift, about_exports, about_gravity, body_alone, damper, exports};
 use crate::damping_question::DampingQuestion;
 use crate::error::StudyError;
 use crate::joint_stop::JointStop;
@@ -10,7 +10,7 @@ use crate::model::Model;
 use crate::question::MassQuestion;
 use crate::record::DiagnosticRecord;
 use crate::thresholds::{DIFFERENCE, DRIFTING, SAME_LIMIT};
-use percuss_contact::exports::Options;
+use percuss_contact::exports::{MassDrift, Options};
 use percuss_dynamics::{Conditions, Contact, EffectiveMass, RouteChoice, System};
 use percuss_mechanism::{LinkId, Mechanism, Severity};
 
@@ -62,12 +62,16 @@ pub(crate) fn damping_of(
     };
     let record = damper(damping, mass)?;
     let drift = drift(answered, mass, record.max_penetration);
-    let options = options(damping.options, answered, mass);
+    let mut options = options(damping.options, answered, mass);
+    let changes = drift.over_penetration.zip(record.max_penetration.filter(|x| *x > 0.0));
+    options.drift =
+        options.drift.or(changes.map(|(relative, penetration)| MassDrift { relative, penetration }));
     let alone = damping.options.own_mass.or(prepared.system.rigid_body_mass(answered.contact.link));
     let body_alone = alone.filter(|m| *m > 0.0).map(|m| body_alone(damping, m, mass));
     let mut diagnostics = prepared.model.diagnostics.clone();
     diagnostics.extend(answer.findings.iter().cloned().map(DiagnosticRecord::from));
     diagnostics.extend(about_exports(damping));
+    diagnostics.extend(about_gravity(damping, mass)?);
     if let Some(over) = drift.over_penetration.filter(|over| over.abs() > DRIFTING) {
         let message = format!(
             "the effective mass changes by {:+.1} % over the penetration: one number is no better than that here; a \
@@ -151,6 +155,11 @@ fn options(given: Options, answered: &Answered, mass: f64) -> Options {
         let free = question.against_mass.map_or(0.0, |other| 1.0 / other);
         Some((ours + other + free) * mass)
     };
+    // A joint's stop has an inertia in place of a mass.
+    let free = || {
+        let free = answered.pose.free_body_mass(&answered.contact).filter(|_| given.stop.is_none())?;
+        Some(question.against_mass.map_or(free, |other| free * other / (free + other)))
+    };
     // What simulators hold by constraints: mimics, couplings, locks and held contacts too.
     let follows = |joint: &percuss_mechanism::Joint| joint.mimic().is_some();
     let closed_loops = !mechanism.closures().is_empty();
@@ -165,6 +174,8 @@ fn options(given: Options, answered: &Answered, mass: f64) -> Options {
         diagonal_ratio: given.diagonal_ratio.or_else(ratio),
         constrained: given.constrained || constrained,
         closed_loops: given.closed_loops || closed_loops,
+        free_mass: given.free_mass.or_else(free),
+        moving_bodies: given.moving_bodies.or(Some(answered.prepared.system.moving_bodies())),
         ..given
     }
 }

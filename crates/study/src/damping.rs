@@ -209,6 +209,31 @@ pub(crate) fn about_exports(question: &DampingQuestion) -> Option<DiagnosticReco
     })
 }
 
+/// Warns of gravity: it takes more from the restitution than the accuracy of the simulators' parameters.
+pub(crate) fn about_gravity(
+    question: &DampingQuestion,
+    mass: f64,
+) -> Result<Option<DiagnosticRecord>, ContactLawError> {
+    if question.tools.is_empty() {
+        return Ok(None);
+    }
+    let request = Request {
+        options: question.options,
+        speed: question.speed,
+        ..Request::new(contact(question, mass)?, question.restitution)
+    };
+    let loss = request.gravity_loss().filter(|loss| *loss > question.options.accuracy);
+    Ok(loss.map(|loss| {
+        let message = format!(
+            "the simulators' parameters are for an impact without gravity: where gravity presses this contact, compliant contacts \
+             rebound with up to {loss:.1e} less than {}; a stiffer contact or a faster impact changes that in proportion to \
+             1/(speed·√stiffness)",
+            question.restitution
+        );
+        DiagnosticRecord::about_answer(Severity::Warning, "gravity-acts", message)
+    }))
+}
+
 /// What a damper made for the struck body's own mass does to the contact.
 pub(crate) fn body_alone(question: &DampingQuestion, alone: f64, mass: f64) -> BodyAlone {
     let restitution = || {
@@ -237,6 +262,6 @@ pub fn damp(question: &DampingQuestion, mass: f64) -> Result<DampingReport, Stud
         drift: None,
         body_alone,
         exports: exports(question, mass, question.options)?,
-        diagnostics: about_exports(question).into_iter().collect(),
+        diagnostics: about_exports(question).into_iter().chain(about_gravity(question, mass)?).collect(),
     })
 }

@@ -1,6 +1,6 @@
 //! Parameters for simulators, as they stand in reports.
 
-use percuss_contact::exports::{Export, ExportError, Measurement, Snippet, Tool, Value};
+use percuss_contact::exports::{Export, ExportError, Measurement, Penetration, Snippet, Tool, Value};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -28,8 +28,12 @@ pub struct ExportRecord {
     pub snippets: Vec<Snippet>,
     /// s; null where the tool chooses its steps itself.
     pub time_step: Option<f64>,
-    /// How far the restitution can be off at that step.
+    /// How far the restitution can be off at that step, without gravity.
     pub error_bound: Option<f64>,
+    /// Addition to it in a build of single precision, for tools that have builds of both precisions.
+    pub single_precision_error: Option<f64>,
+    /// Greatest penetration by the tool's own law, m (rad for a stop that turns); empty without a speed and for rigid contacts.
+    pub penetrations: Vec<Penetration>,
     /// Numbers that are missing, and what they are for.
     pub missing: Vec<&'static str>,
     /// What must hold for the contact to bounce as asked.
@@ -58,6 +62,8 @@ impl ExportRecord {
             snippets: export.snippets.clone(),
             time_step: export.time_step,
             error_bound: export.error_bound,
+            single_precision_error: export.single_precision_error,
+            penetrations: export.penetrations.clone(),
             missing: export.missing.clone(),
             assumptions: export.assumptions.clone(),
             cannot: export.cannot.clone(),
@@ -80,6 +86,8 @@ impl ExportRecord {
             snippets: Vec::new(),
             time_step: None,
             error_bound: None,
+            single_precision_error: None,
+            penetrations: Vec::new(),
             missing: Vec::new(),
             assumptions: Vec::new(),
             cannot: Vec::new(),

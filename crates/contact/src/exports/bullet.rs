@@ -1,6 +1,7 @@
 //! Bullet and PyBullet: contact stiffness and contact damping.
 
 use super::linear::Linear;
+use super::single_precision;
 use super::{Export, ExportError, Facts, Measurement, Request, Tool};
 
 const TOOL: Tool = Tool::of(&FACTS);
@@ -61,6 +62,8 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let mut export = Export::new(TOOL);
     export.time_step = Some(step);
     export.error_bound = Some(linear.implicit_error_bound(step));
+    export.single_precision_error = single_precision::error(request, step);
+    export.penetrate("", linear.penetration(request.speed));
     export.set("contactStiffness", stiffness, "N/m");
     export.set("contactDamping", damping, "N·s/m");
     export.set("restitution", 0.0, "");
@@ -101,6 +104,13 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
         "Both bodies have these values: a body with default values adds a damping of 0.1 N·s/m and is rigid.",
     );
     export.assume(linear.implicit_words(step));
+    export.assume(match export.single_precision_error {
+        Some(error) => format!(
+            "Double precision (as PyBullet). A build of single precision adds {error:.1e} to the stated error: the rounding of coordinates up to \
+             1 m, 3e-8 m, over the travel in a time step."
+        ),
+        None => "Double precision (as PyBullet): a build of single precision adds to the error; how much depends on the speed.".to_owned(),
+    });
     export.assume(
         "restitution is 0: it would come on top of the spring, as the product of both bodies' values above 0.2 m/s.",
     );

@@ -1,5 +1,6 @@
 //! DART: a coefficient of restitution.
 
+use super::rigid;
 use super::{Export, ExportError, Facts, Measurement, Request, Tool};
 use crate::limits;
 
@@ -52,7 +53,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
         }
     }
     let mut export = Export::new(TOOL);
-    export.time_step = request.options.time_step;
+    export.time_step = rigid::time_step(request);
     export.set("RestitutionCoeff", e, "");
     export.set("RestitutionCoeff_other", 1.0, "");
     export.set("FrictionCoeff", 0.0, "");
@@ -63,17 +64,21 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
          node.getDynamicsAspect().setRestitutionCoeff(restitution)\n        \
          node.getDynamicsAspect().setFrictionCoeff(0.0)\n"
     );
-    if let Some(step) = request.options.time_step {
+    if let Some(step) = export.time_step {
         export.set("TimeStep", step, "s");
         text += &format!("\n\ndef set_step(world):\n    world.setTimeStep({step:?})\n");
     }
     export.write("dartpy", "python", text);
     match request.speed {
         Some(speed) if e == 0.0 => export.error_bound = Some(limits::DART_CORRECTION / speed),
-        Some(_) => export.error_bound = Some((1.0 + e) * limits::DART_SOFTENING),
+        Some(_) => {
+            let travel = rigid::travel_error(request, export.time_step);
+            export.error_bound = travel.map(|travel| (1.0 + e) * limits::DART_SOFTENING + travel);
+        }
         None => export.missing.push("approach speed, m/s: a rebound slower than 0.1 m/s is none"),
     }
     export.assume("One side has the restitution, the other 1: DART multiplies the two. The default is 0.");
+    rigid::assume_travel(&mut export, request);
     export.assume("The joints have no damping, springs or friction of their own, as by default.");
     export.cannot.push("stiffness, penetration, duration, peak force: the contact is rigid");
     Ok(export)

@@ -21,12 +21,28 @@ pub struct Export {
     /// How far the restitution can be off at this time step, wherever within a step the contact begins. None where
     /// that is not known.
     pub error_bound: Option<f64>,
+    /// Addition to the error bound in a build of single precision, for tools that have builds of both precisions.
+    pub single_precision_error: Option<f64>,
+    /// Greatest penetration by the tool's own law; empty without a speed and for rigid contacts.
+    pub penetrations: Vec<Penetration>,
     /// Numbers that are missing for the whole answer, and what they are for.
     pub missing: Vec<&'static str>,
     /// What has to hold for the contact to have the required restitution.
     pub assumptions: Vec<String>,
     /// What the tool cannot do.
     pub cannot: Vec<&'static str>,
+}
+
+/// Greatest penetration of an impact.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct Penetration {
+    /// Solver or mode of the tool, empty if there is only one.
+    pub solver: &'static str,
+    /// In `unit`.
+    pub value: f64,
+    /// m; rad for a stop that turns.
+    pub unit: &'static str,
 }
 
 /// A parameter of a tool.
@@ -72,6 +88,8 @@ impl Export {
             snippets: Vec::new(),
             time_step: None,
             error_bound: None,
+            single_precision_error: None,
+            penetrations: Vec::new(),
             missing: Vec::new(),
             assumptions: Vec::new(),
             cannot: Vec::new(),
@@ -93,6 +111,11 @@ impl Export {
 
     pub(super) fn set(&mut self, name: &'static str, value: impl Into<Value>, unit: &'static str) {
         self.parameters.push(Parameter { name, value: value.into(), unit });
+    }
+
+    /// Adds a penetration, if it is known.
+    pub(super) fn penetrate(&mut self, solver: &'static str, value: Option<f64>) {
+        self.penetrations.extend(value.map(|value| Penetration { solver, value, unit: "m" }));
     }
 
     pub(super) fn assume(&mut self, text: impl Into<String>) {

@@ -1,5 +1,6 @@
 //! New Gazebo (gz-sim) with its default physics, the dartsim plugin of gz-physics: rigid restitution.
 
+use super::rigid;
 use super::{Export, ExportError, Facts, Measurement, Request, Tool};
 use crate::error::positive;
 use crate::limits;
@@ -40,21 +41,23 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
         Some(speed) => rebounds(e, speed)?,
         None => export.missing.push("approach speed, m/s: rebounds slower than 0.1 m/s are none"),
     }
-    export.time_step = request.options.time_step;
-    export.error_bound = request.speed.map(|_| (1.0 + e) * limits::DART_BOUNCE_ERROR);
+    export.time_step = rigid::time_step(request);
+    let travel = request.speed.and_then(|_| rigid::travel_error(request, export.time_step));
+    export.error_bound = travel.map(|travel| (1.0 + e) * limits::DART_BOUNCE_ERROR + travel);
     export.set("restitution_coefficient", e, "");
     export.set("other_restitution_coefficient", 1.0, "");
     export.set("mu", 0.0, "");
-    if let Some(step) = request.options.time_step {
+    if let Some(step) = export.time_step {
         export.set("max_step_size", step, "s");
     }
-    export.write("world", "xml", document(e, request.options.time_step));
+    export.write("world", "xml", document(e, export.time_step));
     export.assume("One collision of the pair has the one surface, the other the other; their shapes are placeholders for yours.");
     export.assume("The physics engine is gz-physics' dartsim, the default of gz-sim.");
     export.assume(
-        "The restitution holds at any step. The bodies overlap by up to the way of one step, and nothing of a spring is left: \
+        "The restitution of a free body holds at any step. The bodies overlap by up to the travel of one step, and nothing of a spring is left: \
          m̄ has no effect.",
     );
+    rigid::assume_travel(&mut export, request);
     export.cannot.push("stiffness, penetration, duration, peak force: gz-physics does not read kp and kd");
     export.cannot.push("bullet-featherstone: its restitution was not measured");
     Ok(export)

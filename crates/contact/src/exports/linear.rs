@@ -62,6 +62,16 @@ impl Linear {
         2.0 * ratio * self.mass * self.frequency
     }
 
+    /// (v/ω) e^(−ζC(ζ)): greatest penetration of this ζ, also where the damper pulls at the end. `None` without a speed.
+    pub(super) fn penetration(&self, speed: Option<f64>) -> Option<f64> {
+        let root = if self.ratio > 0.0 {
+            kelvin_voigt::restitution(self.ratio, Separation::ForceVanishes).ok()?.sqrt()
+        } else {
+            1.0
+        };
+        Some(speed? / self.frequency * root)
+    }
+
     /// How far e can be off at a time step of semi-implicit Euler, wherever within the step the contact begins:
     /// 2ζe ωh + (ωh)²/8.
     ///

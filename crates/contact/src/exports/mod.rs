@@ -14,11 +14,13 @@ mod bullet;
 mod chrono;
 mod dart;
 mod drake;
+mod drift;
 mod error;
 mod export;
 mod exudyn;
 mod gazebo;
 mod gazebo_classic;
+mod gravity;
 mod impact_function;
 mod jolt;
 mod linear;
@@ -30,14 +32,16 @@ mod opensim;
 mod physx;
 mod rapier;
 mod request;
+mod rigid;
 mod simscape;
+mod single_precision;
 mod stops;
 mod tool;
 
 pub use error::ExportError;
-pub use export::{Export, Parameter, Snippet, Value};
+pub use export::{Export, Parameter, Penetration, Snippet, Value};
 pub use impact_function::ImpactFunction;
-pub use request::{Options, Request, StopMotion};
+pub use request::{MassDrift, Options, Request, StopMotion};
 pub use tool::{Facts, Measurement, Tool};
 
 use crate::error::nearest;
@@ -103,10 +107,14 @@ impl Tool {
     pub fn export(self, request: &Request) -> Result<Export, ExportError> {
         request.check()?;
         if let Some(motion) = request.options.stop {
-            return stops::export(self, request, motion)?.finite();
+            let mut export = loops::apply(self, request, stops::export(self, request, motion)?)?;
+            export.penetrations.iter_mut().for_each(|p| p.unit = motion.units().coordinate);
+            return drift::apply(request, export).finite();
         }
         let (_, export) =
             Self::ALL.into_iter().zip(EXPORTS).find(|(tool, _)| *tool == self).expect("a tool is one of all");
-        loops::apply(self, request, export(request)?)?.finite()
+        let mut export = loops::apply(self, request, export(request)?)?;
+        gravity::assume(request, &mut export);
+        drift::apply(request, export).finite()
     }
 }

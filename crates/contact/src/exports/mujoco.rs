@@ -65,6 +65,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let mut export = Export::new(TOOL);
     export.time_step = Some(step);
     export.error_bound = Some(linear.error_bound(step));
+    export.penetrate("", linear.penetration(request.speed));
     export.set("solref", solref, "1/s², 1/s");
     export.set("solimp", solimp, "-, -, m");
     export.set("timestep", step, "s");
@@ -103,6 +104,7 @@ pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, Expo
     let mut export = Export::new(TOOL);
     export.time_step = Some(step);
     export.error_bound = Some(linear.error_bound(step));
+    export.penetrate("", linear.penetration(request.speed));
     export.set("solreflimit", solref, "1/s², 1/s");
     export.set("solimplimit", [d, d, 1.0], if motion == StopMotion::Turn { "-, -, rad" } else { "-, -, m" });
     export.set("timestep", step, "s");

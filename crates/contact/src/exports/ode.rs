@@ -51,6 +51,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let mut export = Export::new(TOOL);
     export.time_step = Some(step);
     export.error_bound = Some(linear.implicit_error_bound(step));
+    export.penetrate("", linear.penetration(request.speed));
     export.set("soft_erp", erp, "");
     export.set("soft_cfm", cfm, "m/(N·s)");
     export.set("time_step", step, "s");
@@ -102,6 +103,7 @@ pub(super) fn stop(request: &Request, motion: StopMotion) -> Result<Export, Expo
     let mut export = Export::new(TOOL);
     export.time_step = Some(step);
     export.error_bound = Some(linear.implicit_error_bound(step));
+    export.penetrate("", linear.penetration(request.speed));
     export.set("stop_erp", erp, "");
     export.set("stop_cfm", cfm, motion.units().softness);
     export.set("bounce", 0.0, "");

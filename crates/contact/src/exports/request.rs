@@ -39,6 +39,22 @@ pub struct Options {
     pub constrained: bool,
     /// Of these, closed loops.
     pub closed_loops: bool,
+    /// Effective mass at the contact of the two bodies without their joints, in kg: iterative solvers converge by its
+    /// ratio to m̄. Equal to m̄ where no joint takes part in the impact.
+    pub free_mass: Option<f64>,
+    /// Number of rigid bodies of the mechanism that move.
+    pub moving_bodies: Option<usize>,
+    /// Change of m̄ during the impact.
+    pub drift: Option<MassDrift>,
+}
+
+/// Change of the effective mass during an impact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MassDrift {
+    /// m̄ at the penetration over m̄ at the first touch, less 1.
+    pub relative: f64,
+    /// The penetration, in m; in rad for a stop that turns.
+    pub penetration: f64,
 }
 
 /// How a joint moves into its stop.
@@ -92,6 +108,9 @@ impl Default for Options {
             stop: None,
             constrained: false,
             closed_loops: false,
+            free_mass: None,
+            moving_bodies: None,
+            drift: None,
         }
     }
 }
@@ -105,6 +124,12 @@ impl Request {
     /// The same at an approach speed in m/s.
     pub fn at(self, speed: f64) -> Self {
         Self { speed: Some(speed), ..self }
+    }
+
+    /// True if joints take part in the impact: m̄ differs from that of the bodies without joints. `None` if that is unknown.
+    pub(super) fn jointed(&self) -> Option<bool> {
+        let free = self.options.free_mass?;
+        Some((self.contact.mass() / free - 1.0).abs() > limits::SAME_MASS)
     }
 
     /// Whether every number is in its range.
@@ -121,6 +146,7 @@ impl Request {
             ("struck body's own mass, kg", self.options.own_mass),
             ("other body's own mass, kg", self.options.other_own_mass),
             ("MuJoCo's diagonal ratio", self.options.diagonal_ratio),
+            ("effective mass of the bodies without joints, kg", self.options.free_mass),
         ];
         for (what, value) in optional {
             value.map(|value| positive(what, value)).transpose()?;

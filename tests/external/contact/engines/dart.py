@@ -42,7 +42,7 @@ def pendulum(parameters, solver, pendulum, speed):
         joint.setAxis([0, -1, 0])
         about = pendulum.inertia * np.eye(3)
         about[1, 1] += pendulum.rotor
-        body.setInertia(dartpy.dynamics.Inertia(pendulum.mass, [pendulum.centre, 0, 0], about))
+        body.setInertia(dartpy.dynamics.Inertia(pendulum.mass, [pendulum.centre, 0, pendulum.offset], about))
         return body, [pendulum.lever, 0, 0]
 
     return impacts(build, parameters, pendulum.lever, pendulum.radius, speed)

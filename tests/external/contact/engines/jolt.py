@@ -49,6 +49,9 @@ def four_bar(parameters, solver, four_bar, speed):
     return outcome({"four_bar": scene}, parameters, solver, speed)
 
 
+linkage = four_bar
+
+
 def outcome(scene, parameters, solver, speed):
     if parameters["mNumVelocitySteps"] != solver:
         raise Refused("turns")

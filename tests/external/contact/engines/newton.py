@@ -55,7 +55,7 @@ def pendulum(parameters, solver, pendulum, speed):
         about = pendulum.inertia
         body = builder.add_link(
             mass=pendulum.mass,
-            com=(pendulum.centre, 0.0, 0.0),
+            com=(pendulum.centre, 0.0, pendulum.offset),
             inertia=inertia(about, about, about),
             lock_inertia=True,
         )
