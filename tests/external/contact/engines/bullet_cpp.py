@@ -6,6 +6,8 @@ from scenes import Absent, Refused
 TOOL = "bullet"
 # pkg-config's name of each.
 SOLVERS = {"rigid bodies, single precision": "bullet-float", "rigid bodies, double precision": "bullet"}
+# Those to whose bound the export's single_precision_error is added.
+SINGLE = ("rigid bodies, single precision",)
 
 
 def flags(solver):

@@ -53,7 +53,7 @@ linkage = four_bar
 
 
 def outcome(scene, parameters, solver, speed):
-    if parameters["mNumVelocitySteps"] != solver:
+    if solver is not None and parameters["mNumVelocitySteps"] != solver:
         raise Refused("turns")
     request = {
         "package": str(PACKAGE),

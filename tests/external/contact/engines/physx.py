@@ -205,9 +205,12 @@ def pendulum(parameters, solver, pendulum, speed):
 
 
 def four_bar(parameters, solver, four_bar, speed):
-    """Rigid bodies on hinges. The origin is the struck body's centre of mass, where its place is known best. Not as slow as elsewhere: at
-    2 mm/s the travel of a step is that of its places' rounding, and −0.1 to 0.7 come of 0.5."""
-    speed *= FASTER
+    """Faster than elsewhere: at 2 mm/s the travel of a step is that of its places' rounding, and −0.1 to 0.7 come of 0.5."""
+    return linkage(parameters, solver, four_bar, FASTER * speed)
+
+
+def linkage(parameters, solver, four_bar, speed):
+    """Rigid bodies on hinges. The origin is the struck body's centre of mass, where its place is known best."""
     step, stiffness = parameters["dt"], parameters["compliant_contact_stiffness"]
     kind, damping = solver
     turns = ITERATIONS
@@ -244,9 +247,6 @@ def four_bar(parameters, solver, four_bar, speed):
         return read("linearVelocity")[rows, 1] + px * read("angularVelocity")[rows, 2]
 
     return run(document, step, math.pi * math.sqrt(four_bar.effective_mass / stiffness), speed, opening)
-
-
-linkage = four_bar
 
 
 def stop(parameters, solver, stop, speed):
