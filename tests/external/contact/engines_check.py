@@ -99,7 +99,7 @@ class Check:
             return
         for name, solver in module.SOLVERS.items():
             try:
-                error = run(given["parameters"], solver if given["error_bound"] else None, what, contact.speed).error(e)
+                error = run(given["parameters"], solver, what, contact.speed).error(e)
             except Refused as refused:
                 print(f"{line} {name}: {refused}", flush=True)
                 continue

@@ -53,7 +53,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let ramp = limits::ADAMS_RAMP * depth;
     let function = ImpactFunction::new(p, limits::ADAMS_RAMP)?;
     let number = function.damping(e)?;
-    export.penetrate("", Some(function.penetration(number)? * depth));
+    export.penetrate("", function.penetration(number).ok().map(|part| part * depth));
     // k x₀ᵖ/v = (p+1)/2 · m̄ v/x₀.
     let damping = number * (p + 1.0) / 2.0 * mass * speed / depth;
     if !damping.is_finite() {

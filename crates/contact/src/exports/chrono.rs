@@ -130,8 +130,9 @@ fn hertz(export: &mut Export, request: &Request, effective: f64) -> Result<(), E
     export.set("E_eff", modulus / BULLET_RADIUS.sqrt(), "Pa");
     if let Some(speed) = request.speed {
         let ratio = kelvin_voigt::ratio(request.restitution, Separation::ForceVanishes)?;
-        let damper = Damper::kelvin_voigt(request.contact, ratio, Separation::ForceVanishes)?;
-        export.penetrate("", Some(damper.impact(request.contact, speed)?.max_penetration));
+        let damper = Damper::kelvin_voigt(request.contact, ratio, Separation::ForceVanishes);
+        let impact = damper.and_then(|damper| damper.impact(request.contact, speed));
+        export.penetrate("", impact.ok().map(|impact| impact.max_penetration));
     }
     export.time_step = request.options.time_step;
     let step = request

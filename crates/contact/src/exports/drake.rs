@@ -79,8 +79,8 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
         export.penetrate("SAP", linear.penetration(request.speed));
     }
     if let Some((d, speed)) = dissipation.zip(request.speed) {
-        let impact = Damper::hunt_crossley(d)?.impact(request.contact, speed)?;
-        export.penetrate("continuous, lagged", Some(impact.max_penetration));
+        let impact = Damper::hunt_crossley(d).and_then(|damper| damper.impact(request.contact, speed));
+        export.penetrate("continuous, lagged", impact.ok().map(|impact| impact.max_penetration));
     }
     continuous(&mut export, request, &linear);
     snippets(&mut export, stiffness, dissipation, relaxation);

@@ -33,12 +33,12 @@ pub(super) const FACTS: Facts = Facts {
         Measurement {
             engine: "Newton 1.8.0",
             solver: "XPBD",
-            scenes: "ball of 2 kg; pendulums of m̄ = 1.5 and 3.75 kg",
+            scenes: "ball of 2 kg",
             worst: [Some(4e-5), Some(4e-5), Some(4e-5)],
             by_hand: Some("2026-11-22"),
         },
     ],
-    caution: "single precision: have the contact near the origin; SemiImplicit for free bodies only; XPBD with enable_restitution=True; Featherstone leaves closed loops open without a word",
+    caution: "single precision: have the contact near the origin; SemiImplicit and XPBD for free bodies only, XPBD with enable_restitution=True; Featherstone leaves closed loops open without a word",
     sources: &[
         "Newton 1.8.0, newton/_src/solvers/semi_implicit/kernels_contact.py: _eval_body_contact",
         "Newton 1.8.0, newton/_src/solvers/xpbd/restitution_kernels.py: build_restitution_manifolds",

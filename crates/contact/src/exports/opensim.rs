@@ -61,8 +61,8 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let finer = (request.options.accuracy / limits::DEFAULT_ACCURACY).min(1.0);
     let largest = limits::LONGEST_STEP * finer.sqrt() * depth / speed;
     let accuracy = limits::OPENSIM_ACCURACY * finer;
-    let impact = Damper::hunt_crossley(number / speed)?.impact(contact, speed)?;
-    export.penetrate("", Some(impact.max_penetration));
+    let impact = Damper::hunt_crossley(number / speed).and_then(|damper| damper.impact(contact, speed));
+    export.penetrate("", impact.ok().map(|impact| impact.max_penetration));
     export.set("dissipation", dissipation, "s/m");
     export.set("integrator_accuracy", accuracy, "");
     export.set("maximum_step_size", largest, "s");

@@ -30,7 +30,7 @@ pub(super) const FACTS: Facts = Facts {
             by_hand: Some("2026-11-22"),
         },
     ],
-    caution: "PGS and TGS (Isaac Lab's default) need different dampings, and TGS no velocity iterations; never the acceleration mode; closed loops are off by more, and no error is stated for them",
+    caution: "PGS and TGS (Isaac Lab's default) need different dampings, and TGS no velocity iterations; never the acceleration mode; single precision: the stated error grows as the travel in a step shrinks; none is stated for closed loops",
     sources: &[
         "PhysX 5, physx/include/PxMaterial.h",
         "PhysX 5, physx/source/lowleveldynamics/src/DyContactPrepShared.h: computeCompliantContactCoefficients",
