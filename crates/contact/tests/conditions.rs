@@ -70,7 +70,16 @@ fn rigid_contacts_of_mechanisms_have_an_error_in_proportion_to_the_travel() {
 
 #[test]
 fn drift_of_the_mass_enlarges_every_bound() {
-    for tool in [Tool::MUJOCO, Tool::DRAKE, Tool::ODE, Tool::BULLET, Tool::PHYSX, Tool::EXUDYN, Tool::NEWTON, Tool::SIMSCAPE] {
+    for tool in [
+        Tool::MUJOCO,
+        Tool::DRAKE,
+        Tool::ODE,
+        Tool::BULLET,
+        Tool::PHYSX,
+        Tool::EXUDYN,
+        Tool::NEWTON,
+        Tool::SIMSCAPE,
+    ] {
         let still = hinged(0.5, 24.0);
         let mut moving = still;
         let own = penetration(&Tool::MUJOCO.export(&still).unwrap());
@@ -138,7 +147,10 @@ fn penetrations_are_those_of_the_tools_own_laws() {
     assert!((of(Tool::NEWTON, &request) / linear - 0.39).abs() < 0.01);
     assert!((of(Tool::EXUDYN, &request) / linear - 1.39).abs() < 0.01);
     let hertz = Request { contact: request.contact.with_exponent(1.5).unwrap(), ..request };
-    let chrono = Request { options: Options { own_mass: Some(24.0), other_own_mass: Some(1e6), ..request.options }, ..hertz };
+    let chrono = Request {
+        options: Options { own_mass: Some(24.0), other_own_mass: Some(1e6), ..request.options },
+        ..hertz
+    };
     // Hertz: +14 % in OpenSim over the damper that is proportional to x^(1/4).
     let ratio = of(Tool::OPENSIM, &hertz) / of(Tool::CHRONO, &chrono);
     assert!((ratio - 1.14).abs() < 0.02, "{ratio}");

@@ -141,7 +141,10 @@ fn implicit_engines_bounce_as_asked() {
                     let k = number(&export, "compliant_contact_stiffness");
                     let tgs = number(&export, "compliant_contact_damping_tgs");
                     let found = worst(e, shorter, implicit(k, tgs, MASS, shorter, true));
-                    assert!(found <= export.error_bound.unwrap() - ROUNDING / (SPEED * shorter), "TGS {e}: {found:e}");
+                    assert!(
+                        found <= export.error_bound.unwrap() - ROUNDING / (SPEED * shorter),
+                        "TGS {e}: {found:e}"
+                    );
                     (k, number(&export, "compliant_contact_damping"))
                 }
                 _ => {

@@ -115,7 +115,11 @@ impl Export {
 
     /// Adds a penetration, if it is known.
     pub(super) fn penetrate(&mut self, solver: &'static str, value: Option<f64>) {
-        self.penetrations.extend(value.filter(|value| value.is_finite()).map(|value| Penetration { solver, value, unit: "m" }));
+        self.penetrations.extend(value.filter(|value| value.is_finite()).map(|value| Penetration {
+            solver,
+            value,
+            unit: "m",
+        }));
     }
 
     pub(super) fn assume(&mut self, text: impl Into<String>) {

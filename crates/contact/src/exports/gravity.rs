@@ -26,7 +26,10 @@ pub(super) fn assume(request: &Request, export: &mut Export) {
     let condition = if loss <= accuracy {
         format!("it is below {accuracy:?} here")
     } else {
-        format!("the speed times √(stiffness/mass) must be {:.0} times as large for {accuracy:?}", (loss / accuracy).ceil())
+        format!(
+            "the speed times √(stiffness/mass) must be {:.0} times as large for {accuracy:?}",
+            (loss / accuracy).ceil()
+        )
     };
     export.assume(format!(
         "No gravity along the normal during the impact: the weight takes about 1.2·ln(1/e)·g/(v·ω) = {loss:.1e} from e at 9.81 m/s²; {condition}."

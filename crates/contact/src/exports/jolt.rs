@@ -138,7 +138,8 @@ fn velocity_steps(request: &Request) -> Result<(f64, bool), ExportError> {
         return Ok((limits::JOLT_TURNS, true));
     }
     let rest = (1.0 - free / mass).max(f64::EPSILON);
-    let turns = ((limits::JOLT_REST / (1.0 + request.restitution)).ln() / rest.ln()).ceil().max(limits::JOLT_TURNS);
+    let turns =
+        ((limits::JOLT_REST / (1.0 + request.restitution)).ln() / rest.ln()).ceil().max(limits::JOLT_TURNS);
     if turns > limits::JOLT_MOST_TURNS {
         return Err(ExportError::Unreachable {
             tool: TOOL,

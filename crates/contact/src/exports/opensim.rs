@@ -2,8 +2,8 @@
 
 use super::impact_function::ImpactFunction;
 use super::{Export, ExportError, Facts, Measurement, Request, Tool};
-use crate::{Damper, hunt_crossley};
 use crate::limits;
+use crate::{Damper, hunt_crossley};
 
 const TOOL: Tool = Tool::of(&FACTS);
 

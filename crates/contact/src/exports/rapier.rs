@@ -39,7 +39,8 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let e = request.restitution;
     let mut export = Export::new(TOOL);
     export.time_step = rigid::time_step(request);
-    export.error_bound = rigid::travel_error(request, export.time_step).map(|travel| limits::RAPIER_ERROR + travel);
+    export.error_bound =
+        rigid::travel_error(request, export.time_step).map(|travel| limits::RAPIER_ERROR + travel);
     if export.error_bound.is_none() {
         export.missing.push(rigid::SPEED_MISSING);
     }

@@ -4,7 +4,8 @@ use super::{Export, Request};
 use crate::limits;
 
 /// Reason of a missing error bound.
-pub(super) const SPEED_MISSING: &str = "approach speed, m/s: the error of a mechanism is in proportion to its travel in a time step";
+pub(super) const SPEED_MISSING: &str =
+    "approach speed, m/s: the error of a mechanism is in proportion to its travel in a time step";
 
 /// The request's time step; for a mechanism without one, the step of which half of the accuracy is the error of
 /// [`travel_error`]. `None` for a free body, and without a speed.
@@ -35,7 +36,10 @@ pub(super) fn assume_travel(export: &mut Export, request: &Request) {
     }
     let stated = match export.time_step.zip(request.speed) {
         Some((step, speed)) if request.jointed() == Some(true) => {
-            format!(" ({:.1e} here, in the stated error)", (1.0 + request.restitution) * limits::RIGID_CURVATURE * speed * step)
+            format!(
+                " ({:.1e} here, in the stated error)",
+                (1.0 + request.restitution) * limits::RIGID_CURVATURE * speed * step
+            )
         }
         _ => " (not in the stated error, which is for a free body)".to_owned(),
     };
