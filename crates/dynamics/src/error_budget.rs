@@ -157,10 +157,10 @@ pub(crate) struct RelativeErrors {
 }
 
 impl RelativeErrors {
-    /// The same where a motion without mass may take all of m̄ away.
-    pub fn with_all_in_doubt(self) -> Self {
+    /// Adds the relative change of 1/m̄ by frozen motions; 1 puts all of m̄ in doubt.
+    pub fn with_frozen(self, change: f64) -> Self {
         let Self { rounding, route, frozen, .. } = self;
-        Self { rounding: rounding + 1.0, route: route + 1.0, frozen: frozen + 1.0, ..self }
+        Self { rounding: rounding + change, route: route + change, frozen: frozen + change, ..self }
     }
 }
 

@@ -42,6 +42,22 @@ pub(crate) struct Found {
     pub remarks: Vec<Remark>,
 }
 
+impl Found {
+    /// Number of motions left out as massless.
+    fn left_out_motions(&self) -> usize {
+        let directions = |remark: &Remark| match remark {
+            Remark::MasslessMotions { directions } => *directions,
+            _ => 0,
+        };
+        self.remarks.iter().map(directions).sum()
+    }
+}
+
+/// Sum of the bodies' masses, kg.
+fn total_mass(model: &Model) -> f64 {
+    model.bodies.iter().map(|body| body.inertia.mass.abs()).sum()
+}
+
 /// Rooms that answers were found in, kept for the next ones: no answer depends on what is in them.
 #[derive(Debug, Default)]
 pub(crate) struct Rooms(Mutex<Vec<RecursionRoom>>);
@@ -115,8 +131,7 @@ impl RecursionRoom {
     /// The largest m̄ (kg) that a contact may have that was found massless; `None` if that is negligible.
     pub fn massless_to(&self, model: &Model) -> Option<f64> {
         let up_to = self.deciding.massless_to[0];
-        let all = || model.bodies.iter().map(|b| b.inertia.mass.abs()).sum::<f64>();
-        (up_to > 0.0 && up_to > NEGLIGIBLE_MASS * all()).then_some(up_to)
+        (up_to > 0.0 && up_to > NEGLIGIBLE_MASS * total_mass(model)).then_some(up_to)
     }
 
     /// Whether so many roundings, 1/kg, leave a finite answer whole.
@@ -275,22 +290,28 @@ impl Question<'_> {
     /// The careful route's answer where it is better than the recursion's, which there is a reason not to trust.
     fn better(&self, room: &mut RecursionRoom, errors: RelativeErrors) -> Result<Found, RouteError> {
         if room.deciding.indefinite {
-            return self.careful(room);
+            let found = self.careful(room)?;
+            if found.left_out_motions() > 0 {
+                // The recursion cannot say how far a left-out motion is from massless.
+                room.deciding.massless_to[0] = total_mass(self.model);
+                return Ok(Found { errors: found.errors.with_frozen(1.0), ..found });
+            }
+            return Ok(found);
         }
         let recursive = self.recursive(room, errors);
         let careful = self.careful(room).map(|found| {
-            // What the recursion froze beyond doubt of rounding, the dense route has left out too where it left out any motion.
-            let drops = found.remarks.iter().any(|remark| matches!(remark, Remark::MasslessMotions { .. }));
-            let doubted = drops && errors.frozen >= 1.0;
-            let errors = if doubted { found.errors.with_all_in_doubt() } else { found.errors };
+            // Where the dense route leaves out a massless motion too, what the recursion states for its frozen motions holds for both.
+            let frozen = if recursive.mass == EffectiveMass::Massless { 1.0 } else { errors.frozen };
+            let errors =
+                if found.left_out_motions() > 0 { found.errors.with_frozen(frozen) } else { found.errors };
             Found { errors, ..found }
         });
         Ok(match careful {
             Ok(careful) if recursive.mass == EffectiveMass::Massless => careful,
-            // A dropped motion that couples to its parent or to the contact has a mass, if an uncertain one.
+            // A motion whose pivot counts in the recursion has a mass, if an uncertain one.
             Ok(careful)
                 if careful.mass == EffectiveMass::Massless
-                    && (room.deciding.felt || room.deciding.closes_faintly) =>
+                    || careful.left_out_motions() > recursive.left_out_motions() =>
             {
                 recursive
             }
@@ -310,7 +331,7 @@ impl Question<'_> {
         recursion.velocities(self.model, &self.located.point_root, motion);
         let errors =
             self.impulse(&motion.twists, &motion.velocities).of_recursion(budget, recursion, is_clear);
-        if deciding.closes_faintly { errors.with_all_in_doubt() } else { errors }
+        if deciding.closes_faintly { errors.with_frozen(1.0) } else { errors }
     }
 
     /// The response by its energy, after the recursion ran; none where motions have no mass.
@@ -322,7 +343,7 @@ impl Question<'_> {
     }
 
     /// The recursion's answer, by its errors.
-    fn recursive(&self, room: &RecursionRoom, errors: RelativeErrors) -> Found {
+    fn recursive(&self, room: &mut RecursionRoom, errors: RelativeErrors) -> Found {
         let mut mass = held(room.mass(), &errors);
         let mut velocities = vec![0.0; self.model.follows.len()];
         match mass {
@@ -333,6 +354,9 @@ impl Question<'_> {
                 {
                     // The energy that is left is rounding.
                     mass = EffectiveMass::Massless;
+                    let most = m * (1.0 + room.own_error(&errors));
+                    let up_to = &mut room.deciding.massless_to[0];
+                    *up_to = up_to.max(most);
                 }
             }
             EffectiveMass::Massless => {
@@ -425,7 +449,7 @@ impl Question<'_> {
         let RecursionRoom { recursion, budget, .. } = room;
         let errors =
             self.impulse(&twists, &velocities).of_least_energy(budget, recursion, &sizes, &u, 1.0 / m);
-        if solution.couples { errors.with_all_in_doubt() } else { errors }
+        if solution.couples { errors.with_frozen(1.0) } else { errors }
     }
 
     /// Twists of the bodies, root axes at the contact point.

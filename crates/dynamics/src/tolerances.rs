@@ -21,6 +21,11 @@ pub(crate) const NEARLY_IMMOVABLE: f64 = 1e-6;
 /// A motion without mass closes the gap where the contact's force along it exceeds this part of the terms that it is
 /// the sum of: the same as for [`IMMOVABLE`]. Relative.
 pub(crate) const MASSLESS_CLOSING: f64 = 1e-10;
+/// A coupling U of a frozen motion, or a test wrench along it, is resolved above this part of the terms that it is the sum of: four
+/// roundings. Axes that coincide leave one or two.
+pub(crate) const RESOLVED: f64 = 4.0 * f64::EPSILON;
+/// Largest relative change of 1/m̄ by a frozen motion that is stated as estimated; a larger one puts all of m̄ in doubt.
+pub(crate) const SMALL_CHANGE: f64 = 1e-11;
 /// Pivots of the recursion count as zero below this part of the terms that they are sums of: 256 roundings.
 pub(crate) const PIVOT: f64 = 256.0 * f64::EPSILON;
 /// The recursion's answer stands alone up to this relative error; beyond, the careful route is asked too.

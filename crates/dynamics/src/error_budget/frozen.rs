@@ -3,15 +3,16 @@
 use super::{BudgetRoom, UnitImpulse, components, energy_root};
 use crate::model::Body;
 use crate::recursion::Recursion;
-use crate::tolerances::{PIVOT, SUM_ROUNDINGS};
+use crate::tolerances::{RESOLVED, SMALL_CHANGE, SUM_ROUNDINGS};
 use nalgebra::Vector6;
 use percuss_spatial::Twist;
 
 impl UnitImpulse<'_> {
-    /// What the pivots of a plain joint that do not count may change 1/m̄ by, 1/kg.
+    /// Largest change of 1/m̄ by the pivots of a plain joint that do not count, 1/kg.
     ///
-    /// Iᴬ ≥ U Uᵀ/D: a motion without mass has no U. One that has, beyond rounding, has a mass that is smaller than rounding, and
-    /// was frozen. Free, it may take away all of m̄, since what is left of its mass beside other free motions is unknown.
+    /// A free motion adds (Uᵀ V)²/D to 1/m̄, with V the twist of the parent. D is not known below its rounding, but Iᴬ ≥ U Uᵀ/D
+    /// bounds it from below: D ≥ |U|²/|Iᴬ|. Where U exceeds its rounding, the motion has a mass below rounding and was frozen; where
+    /// Uᵀ V exceeds its rounding too, the free motion may take away all of m̄.
     pub(super) fn of_frozen(
         &self,
         room: &mut BudgetRoom,
@@ -39,13 +40,24 @@ impl UnitImpulse<'_> {
             let carried = twist.angular.norm() * moment.sqrt() + twist.linear.norm() * mass.sqrt();
             let frozen = energy_root(roots, &components(&twist)).powi(2);
             let passed = e.u.power(&twist).abs();
+            let noise = RESOLVED * own;
+            let (about, along) = (e.u.moment.norm(), e.u.force.norm());
+            let is_resolved = about > noise * moment.sqrt() || along > noise * mass.sqrt();
             sum += 2.0
-                * if passed > PIVOT * own * carried {
+                * if passed > noise * carried {
                     frozen.max(recursion.response(0, 0))
                 } else {
-                    // What is left of U is as small as the rounding of D lets it be, or there is none.
                     let most = passed + SUM_ROUNDINGS * f64::EPSILON * own * carried;
-                    (most * most / e.d.abs().max(f64::EPSILON * own * own).max(f64::MIN_POSITIVE)).min(frozen)
+                    // An unresolved U is as small as the rounding of D lets it be, or zero.
+                    let least = if is_resolved {
+                        square_over(about, moment).max(square_over(along, mass))
+                    } else {
+                        e.d.abs().max(f64::EPSILON * own * own)
+                    };
+                    let change = most * most / least.max(f64::MIN_POSITIVE);
+                    let response = recursion.response(0, 0);
+                    // Of first order: a larger change moves the other free motions too.
+                    if change < SMALL_CHANGE * response { change } else { frozen.max(response) }
                 };
         }
         sum
@@ -67,4 +79,9 @@ impl UnitImpulse<'_> {
             }
         }
     }
+}
+
+/// x²/y; 0 where y vanishes.
+fn square_over(x: f64, y: f64) -> f64 {
+    if y > 0.0 { x * x / y } else { 0.0 }
 }

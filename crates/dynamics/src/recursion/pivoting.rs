@@ -5,7 +5,7 @@ use super::elimination::{ClusterElimination, JointElimination};
 use crate::mobility::GroupMobility;
 use crate::model::{Body, Model};
 use crate::tolerances::{
-    LATE_PIVOT, MASSLESS_CLOSING, NEGATIVE_PIVOT, PIVOT, PIVOT_SQUARED, ROUTE_ROUNDINGS,
+    LATE_PIVOT, MASSLESS_CLOSING, NEGATIVE_PIVOT, PIVOT, PIVOT_SQUARED, RESOLVED, ROUTE_ROUNDINGS,
 };
 use percuss_spatial::{ArticulatedInertia, Scalar, Transform, Twist, Wrench};
 
@@ -295,7 +295,7 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
                 if t > MASSLESS_CLOSING * test_size {
                     self.massless[k] = true;
                     self.massless_to[k] = self.massless_to[k].max(PIVOT * size / (t * t));
-                } else if k == 0 && t > PIVOT * test_size {
+                } else if k == 0 && t > RESOLVED * test_size {
                     self.closes_faintly = true;
                 }
                 let size = test_size;
