@@ -7,7 +7,7 @@ use crate::alter::build_with_loops;
 use crate::closed_form::{Crossing, FourBar, PlanarBody};
 use crate::parts::{frame, ground, joint, lump};
 use nalgebra::{Matrix3, Quaternion, Rotation3, SMatrix, SVector, UnitQuaternion, Vector2, Vector3};
-use percuss_mechanism::{ClosureDescription, ClosureKind, JointKind};
+use percuss_mechanism::{ClosureDescription, ClosureKind, JointKind, MimicDescription};
 use percuss_spatial::Transform;
 use rand::{Rng, SeedableRng, rngs::StdRng};
 use std::f64::consts::{PI, TAU};
@@ -15,6 +15,8 @@ use std::f64::consts::{PI, TAU};
 use JointKind::{Continuous, Spherical};
 
 const Z: [f64; 3] = [0.0, 0.0, 1.0];
+/// Turn of the hip per turn of the crank.
+const HIP: f64 = 0.5;
 /// Places of a range at which it is looked for limits.
 const PLACES: i32 = 20_000;
 
@@ -49,16 +51,27 @@ impl Branching {
     }
 }
 
-/// Number `seed` of the family: five kinds in turn.
+/// Kinds of linkages in the family.
+pub const BRANCHING_KINDS: u64 = 6;
+
+/// Number `seed` of the family: the kinds in turn.
 pub fn branching(seed: u64) -> Branching {
     let mut rng = StdRng::seed_from_u64(seed);
-    match seed % 5 {
-        0 => four_bar(&mut rng, false),
-        1 => four_bar(&mut rng, true),
+    match seed % BRANCHING_KINDS {
+        0 => four_bar(&mut rng, Coupling::Link),
+        1 => four_bar(&mut rng, Coupling::Rod),
         2 => two_four_bars(&mut rng),
         3 => spatial_four_bar(&mut rng),
-        _ => platform(&mut rng),
+        4 => platform(&mut rng),
+        _ => four_bar(&mut rng, Coupling::LinkOnThigh),
     }
+}
+
+/// A four-bar whose crank turns fully with a least transmission angle of 2.9°: ground 1000.3, crank 300, coupler 1000,
+/// rocker 300.6 mm, from crank angle 0.
+pub fn nearly_parallel_four_bar(crossing: Crossing) -> Branching {
+    let bar = FourBar { ground: 1.0003, crank: 0.3, coupler: 1.0, rocker: 0.3006 };
+    four_bar_on_branch(bar, crossing, 1.0, Coupling::Link, format!("nearly parallel four-bar {crossing:?}"))
 }
 
 /// Lengths of a four-bar, a near-parallelogram or any, and the mismatch.
@@ -110,15 +123,51 @@ fn turned(angle: f64) -> Transform<f64> {
     frame([0.0, 0.0, angle], [0.0; 3])
 }
 
-fn four_bar(rng: &mut StdRng, rod: bool) -> Branching {
+/// The part between crank and rocker, and the carrier of the four-bar.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Coupling {
+    /// A coupler link on the ground.
+    Link,
+    /// A rod on the ground.
+    Rod,
+    /// A coupler link; both pivots are on a thigh whose hip turns half as far as the crank: the leg of a robot with a knee driven
+    /// from the hip.
+    LinkOnThigh,
+}
+
+fn four_bar(rng: &mut StdRng, coupling: Coupling) -> Branching {
     let (bar, mismatch, crossing, theta) = assembled(rng);
+    let label = format!("four-bar, {coupling:?}, mismatch {mismatch:.1e}, {bar:?} {crossing:?} from {theta}");
+    four_bar_on_branch(bar, crossing, theta, coupling, label)
+}
+
+fn four_bar_on_branch(
+    bar: FourBar,
+    crossing: Crossing,
+    theta: f64,
+    coupling: Coupling,
+    label: String,
+) -> Branching {
     let [phi, psi] = bar.poses(theta, crossing).map_or([0.0; 2], |[_, phi, psi]| [phi.angle, psi.angle]);
     let range = [-5.0, 5.0];
-    let mut links = vec![ground(), link("crank", &BODIES[0])];
-    let crank =
-        joint("crank_hinge", Continuous, "ground", "crank").origin(on_ground(0.0, 0.0) * turned(theta));
-    let mut joints = vec![crank.axis(Z)];
-    let closure = if rod {
+    let (mut links, mut joints) = (vec![ground(), link("crank", &BODIES[0])], Vec::new());
+    let pivot = |x: f64| {
+        if coupling == Coupling::LinkOnThigh {
+            Transform::from_translation(Vector3::new(x, 0.0, 0.0))
+        } else {
+            on_ground(x, 0.0)
+        }
+    };
+    let carrier = if coupling == Coupling::LinkOnThigh { "thigh" } else { "ground" };
+    if coupling == Coupling::LinkOnThigh {
+        links.push(link("thigh", &BODIES[2]));
+        let mut hip = joint("hip", Continuous, "ground", "thigh").origin(on_ground(0.0, 0.0)).axis(Z);
+        hip.mimic = Some(MimicDescription { joint: "crank_hinge".into(), multiplier: HIP, offset: 0.0 });
+        joints.push(hip);
+    }
+    let crank = joint("crank_hinge", Continuous, carrier, "crank").origin(pivot(0.0) * turned(theta));
+    joints.push(crank.axis(Z));
+    let closure = if coupling == Coupling::Rod {
         ClosureDescription::new("coupler", ClosureKind::Distance, "crank", "rocker")
             .at([bar.crank, 0.0, 0.0], [bar.rocker, 0.0, 0.0])
             .distance(bar.coupler)
@@ -129,16 +178,19 @@ fn four_bar(rng: &mut StdRng, rod: bool) -> Branching {
         pin_of(("coupler", [bar.coupler, 0.0]), ("rocker", [bar.rocker, 0.0]))
     };
     links.push(link("rocker", &BODIES[2]));
-    let rocker = joint("rocker_hinge", Continuous, "ground", "rocker")
-        .origin(on_ground(bar.ground, 0.0) * turned(psi));
+    let rocker =
+        joint("rocker_hinge", Continuous, carrier, "rocker").origin(pivot(bar.ground) * turned(psi));
     joints.push(rocker.axis(Z));
     let mechanism = build_with_loops("four_bar", links, joints, vec![closure], Vec::new());
     let linkage = Linkage::new(mechanism, "four_bar", [("crank_hinge", range)], [("crank_hinge", 0.0)]);
     let exact: Exact = Box::new(move |turn| {
         let [_, _, rocker] = bar.poses(theta + turn, crossing)?;
-        Some(vec![("rocker_hinge", vec![rocker.angle - psi])])
+        let mut positions = vec![("rocker_hinge", vec![rocker.angle - psi])];
+        if coupling == Coupling::LinkOnThigh {
+            positions.push(("hip", vec![HIP * turn]));
+        }
+        Some(positions)
     });
-    let label = format!("four-bar, rod {rod}, mismatch {mismatch:.1e}, {bar:?} {crossing:?} from {theta}");
     Branching { label, linkage, ends: limits(&bar, theta).map(|end| end - theta), exact }
 }
 
