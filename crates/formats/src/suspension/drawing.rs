@@ -84,7 +84,7 @@ impl Drawing {
         let mut is_odd = false;
         let side = wheel.centre[1].signum();
         let astray = |at: &Vector3<f64>| at.y * side < -WRONG_SIDE;
-        // If most points are on the other side, the wheel is on the wrong side; `build.rs` reports this case.
+        // If most points are on the other side, the wheel is on the wrong side, which the spindle's check reports.
         let most = 2 * self.points.iter().filter(|(_, at, _)| astray(at)).count() > self.points.len();
         for (name, at, spot) in self.points.iter().filter(|_| !most) {
             if astray(at) {
