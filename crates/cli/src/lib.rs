@@ -47,8 +47,8 @@ use clap::FromArgMatches;
 use clap::error::ErrorKind;
 use std::ffi::OsString;
 
-/// Runs the command and returns the exit code. The first argument is the name of the program. Invalid usage ends the
-/// process.
+/// Runs the command and returns the exit code. The first argument is the name of the program. The version and invalid
+/// usage end the process.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     let matches = Cli::definition().try_get_matches_from(&arguments);
@@ -105,8 +105,8 @@ fn help(error: &clap::Error, arguments: &[OsString]) -> u8 {
     }
 }
 
-/// Reports invalid arguments and ends the process. File names among the arguments may contain control characters of
-/// the terminal; these are escaped.
+/// Prints the message of the argument parser and ends the process. File names among the arguments may contain control
+/// characters of the terminal; these are escaped.
 fn refuse(error: &clap::Error, arguments: &[OsString]) -> ! {
     let mut text = error.render().to_string();
     let is_plain = arguments.iter().all(|a| !a.to_string_lossy().contains(escape::is_unsafe));

@@ -49,7 +49,7 @@ impl MapFormat {
 pub enum NotWritten {
     /// Error of the operating system.
     Io(io::Error),
-    /// The map has no such form; the text gives the reason.
+    /// Other reason: the map has no surface, or rendering failed.
     Other(String),
 }
 

@@ -356,7 +356,7 @@ impl Answers {
             (None, None, Some(Mapped::Directions(report)), _) => serde_json::to_string_pretty(report),
             (None, None, None, Some(reports)) if reports.len() > 1 => serde_json::to_string_pretty(reports),
             (None, None, None, Some(reports)) => serde_json::to_string_pretty(safe_speed::slowest(reports)),
-            // A study without any question contains only the model.
+            // The parser of studies refuses a study without any question.
             (None, None, None, None) => serde_json::to_string_pretty(&self.seen),
         };
         let text = text.map_err(|error| Failure::NoAnswer(format!("the result has no JSON form: {error}")));

@@ -16,13 +16,13 @@ pub struct Diagnostic {
     pub line: Option<u32>,
     /// Column in characters, from 1.
     pub column: Option<u32>,
-    /// The element, as an XML path: `robot/joint[hinge]/axis`.
+    /// XML path of the element: `robot/joint[hinge]/axis`.
     pub element: Option<String>,
     /// Message: value received, value expected and the remedy, if any.
     pub message: String,
 }
 
-/// `file:line: severity: element: message`.
+/// Writes `file:line: severity: element: message`.
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.path)?;

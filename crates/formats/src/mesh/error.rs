@@ -17,7 +17,7 @@ pub enum MeshError {
     /// The file cannot be read.
     #[error("{}: cannot be read: {message}", path.display())]
     Unreadable {
-        /// The file.
+        /// File.
         path: PathBuf,
         /// Message of the operating system.
         message: String,
@@ -25,9 +25,9 @@ pub enum MeshError {
     /// The file is too large.
     #[error("{}: larger than the limit of {limit} bytes for meshes (--max-mesh-size)", path.display())]
     TooLarge {
-        /// The file.
+        /// File.
         path: PathBuf,
-        /// The limit, bytes.
+        /// Limit, bytes.
         limit: u64,
     },
     /// The format is not supported.
@@ -36,13 +36,13 @@ pub enum MeshError {
         path.display()
     )]
     Format {
-        /// The file.
+        /// File.
         path: PathBuf,
     },
     /// The contents violate the format.
     #[error("{}: not a good {format} file: {message}", path.display())]
     Malformed {
-        /// The file.
+        /// File.
         path: PathBuf,
         /// Format name.
         format: &'static str,

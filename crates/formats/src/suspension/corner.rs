@@ -18,7 +18,7 @@ pub(super) const RACK: &str = "rack";
 /// Mass and inertia of a link, in the vehicle frame at the design position.
 #[derive(Clone, Debug)]
 pub(super) struct Body {
-    /// kg.
+    /// Mass, kg.
     pub mass: f64,
     /// Centre of mass, m.
     pub com: Vector3<f64>,

@@ -5,14 +5,14 @@ use percuss_spatial::{Matrix3, Vector3};
 /// Unit of length.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum LengthUnit {
-    /// m.
+    /// Metre, m.
     #[default]
     Metre,
-    /// cm.
+    /// Centimetre, cm.
     Centimetre,
-    /// mm.
+    /// Millimetre, mm.
     Millimetre,
-    /// 25.4 mm.
+    /// Inch, 25.4 mm.
     Inch,
 }
 
