@@ -79,8 +79,8 @@ fn groups_at_crossings_of_their_own_are_taken_together() {
         (&4.into(), &2.into())
     );
     assert_eq!(limits(&report).len(), 4);
-    // Both linkages as parallelograms, the first coupler at 1 m/s (ω_a = 2); minimum over w = ω_b of (0.08 + 0.5)·4 +
-    // 6 (1 + 0.1 w)² + 0.02 w² + 2 (1 + 0.5 w)².
+    // Both linkages as parallelograms, the first coupler at 1 m/s (ω_a = 2); minimum over w = ω_b of
+    // (0.08 + 0.5)·4 + 6 (1 + 0.1 w)² + 0.02 w² + 2 (1 + 0.5 w)².
     assert_one_is(&limits(&report), 2.32 + 8.0 - 3.2 * 3.2 / (4.0 * 0.58));
 }
 

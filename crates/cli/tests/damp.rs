@@ -341,8 +341,8 @@ fn constraints_of_any_kind_are_stiffened_in_mujoco() {
     assert!(settings("--hold forearm:0,0,0:0,0,1"));
 }
 
-/// Free body with an impact after which the root's origin remains at rest (1 m is the centre of percussion: 0.5 +
-/// 0.5/(2·0.5) m): a pure rotation.
+/// Free body with an impact after which the root's origin remains at rest (1 m is the centre of percussion:
+/// 0.5 + 0.5/(2·0.5) m): a pure rotation.
 #[test]
 fn the_drift_of_a_body_that_only_turns_is_known() {
     let scratch = Scratch::new("damp-turns");

@@ -142,8 +142,8 @@ fn studies_follow_their_closed_forms() {
         let off = corner.number(row, "estimate_error_percent").unwrap();
         assert!((-10.0..-5.0).contains(&off), "row {row}: {off} %");
     }
-    // Crossed four-bar: tan(ψ/2) = −k tan(θ/2) for crank and rocker, measured from the ground line; k = (g + a)/(g −
-    // a).
+    // Crossed four-bar: tan(ψ/2) = −k tan(θ/2) for crank and rocker, measured from the ground line;
+    // k = (g + a)/(g − a).
     let crossed = rows("antiparallelogram");
     let (ground, k) = (0.3f64.atan2(0.72), (0.78 + 0.5) / (0.78 - 0.5));
     for row in 0..crossed.rows.len() {

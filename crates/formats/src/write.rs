@@ -17,8 +17,8 @@ pub struct Comments {
     pub joints: HashMap<String, String>,
     /// Comment above a closure or a coupling, by name.
     pub closures: HashMap<String, String>,
-    /// Warnings given when the mechanism was made: code and link name. Each is written as `<?percuss-known CODE
-    /// NAME?>`; [`load`](crate::load) then gives a note in place of the warning.
+    /// Warnings given when the mechanism was made: code and link name. Each is written as
+    /// `<?percuss-known CODE NAME?>`; [`load`](crate::load) then gives a note in place of the warning.
     pub known: Vec<(&'static str, String)>,
 }
 
@@ -26,10 +26,10 @@ pub struct Comments {
 /// couplings. The result is plain URDF if the mechanism has no loops and couplings.
 ///
 /// Numbers are the shortest decimals that read back as the same bits. Rotations are converted to roll, pitch and yaw
-/// and are accurate to a few roundings; all other numbers are reproduced exactly. Shapes, meshes and characters
-/// forbidden by XML in names are not written. A chain of mimics is written as mimics of the last master, and a joint
-/// to a second parent as a loop. `effort` and `velocity` are written as 0: a mechanism has no such data, but readers
-/// require them.
+/// and are accurate to a few roundings; all other numbers are reproduced exactly. Shapes and meshes are not written.
+/// Characters of a name that XML forbids become U+FFFD. A chain of mimics is written as mimics of the last master,
+/// and a joint to a second parent as a loop. `effort` and `velocity` are written as 0: a mechanism has no such data,
+/// but readers require them.
 pub fn write_urdf(mechanism: &Mechanism) -> String {
     write_urdf_with(mechanism, &Comments::default())
 }

@@ -266,8 +266,8 @@ impl Corner {
 
     /// Mirror image in the vehicle's middle plane, y → −y. Mirrored motions have equal joint coordinates.
     ///
-    /// With S = diag(1, −1, 1): points p → S p; inertias I → S I S; sliding axes a → S a; rotation axes a → −S a (a
-    /// rotation R becomes S R S).
+    /// With S = diag(1, −1, 1): points p → S p; inertias I → S I S; sliding axes a → S a; rotation axes
+    /// a → −S a (a rotation R becomes S R S).
     pub fn mirrored(&self) -> Corner {
         let point = |p: &Vector3<f64>| Vector3::new(p.x, flip(p.y), p.z);
         let turning = |a: &Vector3<f64>| Vector3::new(flip(a.x), a.y, flip(a.z));

@@ -22,8 +22,8 @@ pub(super) struct Spindle {
 /// Reads `Spindle`, `Axle`, camber and toe of the left side.
 ///
 /// The axes of the spindle are R_z(−toe) R_x(−camber); the spin axis is the y axis. The axle is a shaft that follows
-/// the absolute rotation of the spindle about the spin axis, with the energy ½ J (ω·a)². It is therefore an inertia J
-/// a aᵀ, not an armature.
+/// the absolute rotation of the spindle about the spin axis, with the energy ½ J (ω·a)².
+/// It is therefore an inertia J a aᵀ, not an armature.
 pub(super) fn read<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>, options: &ImportOptions) -> Spindle {
     let camber = reader.number_or_zero(root, "Camber Angle (deg)", "an angle in degrees").to_radians();
     let toe = reader.number_or_zero(root, "Toe Angle (deg)", "an angle in degrees").to_radians();

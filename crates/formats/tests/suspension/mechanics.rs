@@ -59,8 +59,8 @@ pub struct ContactResponse {
 /// Unit motion of a joint: child link (its subtree moves too), angular part, point on the axis, linear part.
 type Motion = (LinkId, Vector3<f64>, Vector3<f64>, Vector3<f64>);
 
-/// Contact response at a link's origin along a direction, with a fixed root and some joints locked: M v + Aᵀλ + jᵀμ =
-/// 0, A v = 0, j v = 1; m̄ = vᵀMv = −μ.
+/// Contact response at a link's origin along a direction, with a fixed root and some joints locked:
+/// M v + Aᵀλ + jᵀμ = 0, A v = 0, j v = 1; m̄ = vᵀMv = −μ.
 pub fn respond(mechanism: &Mechanism, on: &str, along: Vector3<f64>, locked: &[&str]) -> ContactResponse {
     let poses = poses(mechanism);
     let places: Vec<Vector3<f64>> = poses.iter().map(|x| x.fixed_view::<3, 1>(0, 3).into_owned()).collect();
