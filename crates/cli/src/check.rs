@@ -1,4 +1,4 @@
-//! `percuss check`.
+//! Command `percuss check`.
 
 use crate::args::{CheckArgs, CheckFormat};
 use crate::escape::line;
@@ -20,7 +20,7 @@ pub fn run(args: &CheckArgs) -> Result<(), Failure> {
     }
 }
 
-/// What is in a model, in one line each.
+/// Properties of a model, one line each.
 pub fn facts(report: &CheckReport) -> [(&'static str, String); 8] {
     let movable = report.pose.len();
     [
@@ -35,14 +35,14 @@ pub fn facts(report: &CheckReport) -> [(&'static str, String); 8] {
     ]
 }
 
-/// Links, joints and loops.
+/// Tables of links, joints and loops.
 pub struct Tables {
     pub links: Table<3>,
     pub joints: Table<6>,
     pub loops: Table<4>,
 }
 
-/// All of them as tables.
+/// Builds the tables.
 pub fn tables(report: &CheckReport) -> Tables {
     let mut links = Table::new(["link", "mass", "centre of mass"]);
     for link in &report.links {

@@ -1,4 +1,4 @@
-//! `percuss compare`, and the variants of a study.
+//! Command `percuss compare`, and the variants of a study.
 
 use crate::args::{CompareArgs, ContactArgs, MassFormat};
 use crate::csv::{self, Cell};
@@ -78,12 +78,12 @@ fn of_models(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
     args.designs.iter().zip(names_of(&args.designs)).map(design).collect()
 }
 
-/// A study's own name, for its model among variants.
+/// Name of a study; used for its model among the variants.
 pub fn study_name(path: &str) -> String {
     Path::new(path).file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into())
 }
 
-/// The files' names without folders and endings, or as given where two are alike.
+/// File names without folder and extension; the full paths if two names coincide.
 fn names_of(paths: &[String]) -> Vec<String> {
     let stem = |path: &String| {
         Path::new(path).file_stem().map_or_else(|| path.clone(), |stem| stem.to_string_lossy().into_owned())
@@ -97,7 +97,7 @@ fn names_of(paths: &[String]) -> Vec<String> {
         .collect()
 }
 
-/// How a comparison is written.
+/// Output options of a comparison.
 #[derive(Clone, Copy)]
 pub struct Written<'a> {
     pub output: Option<&'a str>,
@@ -107,7 +107,7 @@ pub struct Written<'a> {
     pub strict: bool,
 }
 
-/// Compares designs and writes what comes of it.
+/// Compares designs and writes the result.
 pub fn show(designs: &[Design], names: Names, written: &Written) -> Result<(), Failure> {
     let Written { output, table: style, format, strict, figure: asked } = *written;
     let report = compare(designs).map_err(|error| failure(&error, names))?;
@@ -146,11 +146,11 @@ fn answer(design: &DesignRecord) -> String {
 }
 
 fn percent(x: f64) -> String {
-    // What rounds to zero has no sign.
+    // A value that rounds to zero has no sign.
     if x.abs() < 0.005 { "0.00 %".to_owned() } else { format!("{x:+.2} %") }
 }
 
-/// The designs, a row each.
+/// Table of designs, one row each.
 pub fn designs(report: &ComparisonReport) -> Table<5> {
     let mut table = Table::new(["design", "kg", "difference", "over the range", "most of it"]);
     for (i, design) in report.designs.iter().enumerate() {
@@ -178,7 +178,7 @@ fn text(report: &ComparisonReport) -> String {
     out
 }
 
-/// The table of the ranges where there are any, else of the designs: the names of its columns, and its rows.
+/// Column names and rows of the table: over the ranges if any, otherwise over the designs.
 fn cells(report: &ComparisonReport, style: TableStyle) -> (Vec<String>, Vec<Vec<Cell>>) {
     let rounded = |x: Option<f64>, error| Cell::of(x.map(|x| style.number(x, error)));
     if report.varied.is_empty() {
@@ -251,7 +251,7 @@ fn file(
     }
 }
 
-/// m̄ of all designs over the range, and below it their differences from the first.
+/// Figure of m̄ of all designs over the range, with the differences from the first design below.
 pub fn figure(report: &ComparisonReport, asked: &StudyFigure) -> Result<Figure, Failure> {
     let [varied] = &report.varied[..] else {
         return Err(Failure::bad_input(

@@ -1,4 +1,4 @@
-//! Answers as rows of a table (RFC 4180). A header always; an empty cell is a null.
+//! Results as rows of a CSV table (RFC 4180), always with a header. An empty cell is a null.
 
 use crate::limits;
 use crate::table_style::{ColumnUnit, TableStyle, digits};
@@ -19,7 +19,7 @@ pub const FIXED: [&str; 7] = [
     "estimate_error_percent",
 ];
 
-/// One answer, as the row of a sweep over the joints that were set.
+/// Formats a single result as the row of a sweep over the drivers.
 pub fn of_mass(report: &MassReport, drivers: &[String]) -> String {
     let estimate = report.estimate.as_ref();
     let mut header = vec!["row".to_owned()];
@@ -48,21 +48,21 @@ pub fn of_mass(report: &MassReport, drivers: &[String]) -> String {
     line(&header) + &line(&row)
 }
 
-/// The table of a sweep: its columns, and where their numbers stand in a row.
+/// Table of a sweep: its columns, and the positions of their numbers in a row.
 pub struct SweepTable {
     names: Vec<String>,
     header: String,
-    /// The numbers of a pose that are not varied, runs of them.
+    /// Numbers of a pose that are not varied, as ranges of indices.
     others: Vec<Range<usize>>,
-    /// How many these are.
+    /// Number of these values.
     count: usize,
     style: TableStyle,
-    /// Units of what is varied, and of the numbers of `others`.
+    /// Units of the varied numbers, and of the numbers in `others`.
     varied_units: Vec<ColumnUnit>,
     other_units: Vec<ColumnUnit>,
 }
 
-/// A cell of a table.
+/// Cell of a table.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cell {
     Number(f64),
@@ -83,7 +83,7 @@ impl SweepTable {
         let varied_units: Vec<ColumnUnit> = heading.varied.iter().map(|c| style.unit(c.unit)).collect();
         header.extend(heading.varied.iter().zip(&varied_units).map(|(column, unit)| match &column.joint {
             _ if !style.names_units => column.name.clone(),
-            // As --input reads it.
+            // Notation of the column as read by `--input`.
             Some(_) => with_unit(&column.name, unit),
             None => format!("travel_{}", unit.name),
         }));
@@ -121,29 +121,29 @@ impl SweepTable {
         Self { header: header_line, names: header, others, count, style, varied_units, other_units }
     }
 
-    /// The names of its columns: the row, what is varied, `status`, six more of the answer, and the other joints.
+    /// Column names: the row, the varied numbers, `status`, six more columns of the result, and the other joints.
     pub fn names(&self) -> &[String] {
         &self.names
     }
 
-    /// The numbers of the joints that are not varied; none where the pose was not reached.
+    /// Numbers of the joints that are not varied; `None` if the pose was not reached.
     pub fn others<'r>(&'r self, row: &'r SweepRow) -> impl Iterator<Item = Option<f64>> + 'r {
         let numbers = row.pose.numbers();
         self.others.iter().flat_map(|run| run.clone()).map(|number| numbers.get(number).copied())
     }
 
-    /// Its first line.
+    /// Header line.
     pub fn header(&self) -> &str {
         &self.header
     }
 
-    /// A row as a line. One that was not reached has no pose; its joints' cells stay empty.
+    /// Formats a row as a line. A row that was not reached has no pose; the cells of its joints are empty.
     pub fn row(&self, row: &SweepRow) -> String {
         if self.style.names_units || self.style.comma {
             return self.styled(row);
         }
         let mut text = String::with_capacity(24 * (self.count + row.varied.values().len() + FIXED.len()));
-        // Writing to a text does not fail.
+        // Writing to a string cannot fail.
         let _ = write!(text, "{}", row.row);
         row.varied.values().iter().for_each(|value| push_number(&mut text, Some(*value)));
         text.push(',');
@@ -167,7 +167,7 @@ impl SweepTable {
 }
 
 impl SweepTable {
-    /// The cells of a row.
+    /// Cells of a row.
     pub fn cells(&self, row: &SweepRow) -> Vec<Cell> {
         let style = &self.style;
         let scaled = |value: f64, unit: &ColumnUnit| style.position(value, unit);
@@ -196,12 +196,12 @@ impl SweepTable {
     }
 }
 
-/// A column's name with the unit that `--input` reads.
+/// Column name with the unit in the notation of `--input`.
 pub fn with_unit(name: &str, unit: &ColumnUnit) -> String {
     if unit.name.is_empty() { name.to_owned() } else { format!("{name} [{}]", unit.name) }
 }
 
-/// A line of names, with semicolons where commas are decimal.
+/// Line of names, separated by semicolons if the table has decimal commas.
 fn in_style(line: String, names: &[String], style: TableStyle) -> String {
     if !style.comma {
         return line;
@@ -209,7 +209,7 @@ fn in_style(line: String, names: &[String], style: TableStyle) -> String {
     names.iter().map(|name| quoted(name)).collect::<Vec<_>>().join(";") + "\n"
 }
 
-/// A comma, and the number where there is one.
+/// Appends a comma, and the number if present.
 fn push_number(text: &mut String, value: Option<f64>) {
     text.push(',');
     if let Some(value) = value {
@@ -217,7 +217,7 @@ fn push_number(text: &mut String, value: Option<f64>) {
     }
 }
 
-/// A joint with several numbers takes a column for each: `name[0]`, `name[1]`, …
+/// Adds the columns of a joint: `name`, or `name[0]`, `name[1]`, … for several numbers.
 fn columns(header: &mut Vec<String>, joint: &str, numbers: usize) {
     match numbers {
         1 => header.push(joint.to_owned()),
@@ -235,9 +235,10 @@ pub fn number(x: f64) -> String {
     text
 }
 
-/// The shortest digits that read back as the same number; with an exponent where zeros would fill the cell.
+/// Writes the shortest digits that read back as the same number; in exponent notation for very small and very large
+/// numbers.
 fn write_number(text: &mut String, x: f64) {
-    // Writing to a text does not fail.
+    // Writing to a string cannot fail.
     let _ = if x == 0.0 || limits::DECIMAL_NUMBERS.contains(&x.abs()) {
         write!(text, "{x}")
     } else {
@@ -249,12 +250,12 @@ pub fn line(cells: &[String]) -> String {
     cells.iter().map(|c| quoted(c)).collect::<Vec<_>>().join(",") + "\n"
 }
 
-/// A number with the style's sign before its decimals.
+/// Formats a number with the decimal sign of the style.
 pub fn number_in(x: f64, style: TableStyle) -> String {
     if style.comma { number(x).replace('.', ",") } else { number(x) }
 }
 
-/// A cell of a line; numbers are as the style has them already.
+/// Formats a cell; numbers are rounded already.
 pub fn cell_in(cell: &Cell, style: TableStyle) -> String {
     match cell {
         Cell::Number(x) => number_in(*x, style),
@@ -264,30 +265,30 @@ pub fn cell_in(cell: &Cell, style: TableStyle) -> String {
     }
 }
 
-/// A mass, rounded to its error where the style rounds; empty where there is none.
+/// Formats a mass, rounded to its error if the style rounds; empty if absent.
 pub fn mass_in(mass: Option<f64>, error: Option<f64>, style: TableStyle) -> String {
     mass.map_or_else(String::new, |mass| number_in(style.number(mass, error), style))
 }
 
-/// An error, to three digits where the style rounds.
+/// Formats an error, with three digits if the style rounds.
 pub fn error_in(error: Option<f64>, style: TableStyle) -> String {
     let rounded = |error: f64| if style.names_units { digits(error, 3) } else { error };
     error.map_or_else(String::new, |error| number_in(rounded(error), style))
 }
 
-/// A line of cells, separated by semicolons where commas are decimal. Numbers are written by [`number_in`].
+/// Line of cells, separated by semicolons if the table has decimal commas. [`number_in`] formats the numbers.
 pub fn line_in(cells: &[String], style: TableStyle) -> String {
     if !style.comma {
         return line(cells);
     }
-    // A comma in a number is no separator here.
+    // A decimal comma does not separate cells here.
     let is_number = |cell: &str| cell.replace(',', ".").parse::<f64>().is_ok();
     let cell = |cell: &String| if is_number(cell) { cell.clone() } else { quoted(cell) };
     cells.iter().map(cell).collect::<Vec<_>>().join(";") + "\n"
 }
 
-/// Quotes where a separator, a quote or a line break asks for them. What a spreadsheet would take for a formula gets the
-/// apostrophe that makes it text.
+/// Quotes a cell with a separator, a quote or a line break. A text that a spreadsheet would evaluate as a formula
+/// gets an apostrophe, which marks it as text.
 fn quoted(cell: &str) -> String {
     let is_formula = cell.starts_with(['=', '+', '-', '@', '\t', '\r']) && cell.parse::<f64>().is_err();
     let cell = if is_formula { format!("'{cell}") } else { cell.to_owned() };

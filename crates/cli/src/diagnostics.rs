@@ -4,8 +4,8 @@ use crate::limits;
 use percuss_study::DiagnosticRecord;
 use std::collections::HashMap;
 
-/// One line for each diagnostic; of many warnings or notes of one kind, the first few and a count. Notes are one line
-/// together unless they are to be shown.
+/// One line per diagnostic. Of many warnings or notes of one kind, only the first few are shown, with a count. Notes
+/// are summarised in one line unless `notes_shown`.
 pub fn lines(diagnostics: &[DiagnosticRecord], notes_shown: bool) -> Vec<String> {
     let notes = diagnostics.iter().filter(|d| d.severity == "note").count();
     if !notes_shown && notes > 0 {

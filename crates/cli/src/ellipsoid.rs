@@ -1,15 +1,16 @@
-//! The belted ellipsoid as a surface: in every direction as far from the point as m̄ is large there, 1 for 1 kg.
+//! Belted ellipsoid as a surface. The distance of the surface from the point is m̄ in that direction; 1 corresponds
+//! to 1 kg.
 
 use crate::text::short;
 use percuss_render::{Skin, SkinFacet, SkinMark, SkinPiece};
 use percuss_study::{DirectionMass, PointMapReport};
 use std::f64::consts::{PI, TAU};
 
-/// Facets around, and from pole to pole.
+/// Number of facets around the axis, and from pole to pole.
 const AROUND: usize = 96;
 const DOWN: usize = 48;
 
-/// Where m̄ is infinite in some direction: how many times the largest finite principal mass the surface is cut off at.
+/// Cut-off distance if m̄ is infinite in some direction, as a multiple of the largest finite principal mass.
 const CUT: f64 = 4.0;
 
 /// 1/m̄ = Σ (n · eᵢ)²/m̄ᵢ over the principal directions eᵢ, world axes (Khatib 1995).
@@ -18,10 +19,10 @@ struct Ellipsoid<'a> {
     cut: Option<f64>,
 }
 
-/// The surface, coloured by m̄.
+/// Surface of the ellipsoid, coloured by m̄.
 ///
 /// # Errors
-/// What is missing: a principal direction without an answer, or no finite m̄ at all.
+/// Reason for a missing surface: a principal direction without a result, or no finite m̄ other than zero.
 pub fn skin(report: &PointMapReport) -> Result<Skin, &'static str> {
     if report.principal.len() < 3 {
         return Err(
@@ -52,7 +53,7 @@ pub fn skin(report: &PointMapReport) -> Result<Skin, &'static str> {
 }
 
 impl Ellipsoid<'_> {
-    /// m̄ in a direction; none where it is cut off.
+    /// m̄ in a direction; `None` beyond the cut-off.
     fn mass(&self, n: [f64; 3]) -> Option<f64> {
         let response: f64 = self
             .principal
@@ -75,8 +76,8 @@ impl Ellipsoid<'_> {
         n.map(|e| e * far)
     }
 
-    /// Directions that are dense where m̄ changes most, along the heavy ones: those of a sphere stretched along the principal
-    /// directions by √m̄ᵢ.
+    /// Direction at given parameters: a sphere stretched along the principal directions by √m̄ᵢ. The directions are
+    /// dense near the heavy ones, where m̄ changes most.
     fn direction(&self, (down, around): (f64, f64)) -> [f64; 3] {
         let on_sphere = [down.sin() * around.cos(), down.sin() * around.sin(), down.cos()];
         let [a, b, c] = [0, 1, 2].map(|i| self.principal[i].direction_world);
@@ -89,7 +90,7 @@ impl Ellipsoid<'_> {
             };
             mass.sqrt() * on_sphere[i]
         };
-        // The three are right-handed, so that outside stays outside.
+        // A right-handed basis keeps the outside of the surface outside.
         let last = if dot(cross(a, b), c) < 0.0 { -stretch(2) } else { stretch(2) };
         let (first, second) = (stretch(0), stretch(1));
         unit([0, 1, 2].map(|k| first * a[k] + second * b[k] + last * c[k]))
@@ -103,7 +104,7 @@ impl Ellipsoid<'_> {
                 let [top, low] = [down, down + 1].map(|k| PI * k as f64 / DOWN as f64);
                 let [one, two, three, four] =
                     [(top, a), (low, a), (low, b), (top, b)].map(|at| self.direction(at));
-                // At the poles one of the two has no area.
+                // At the poles, one of the two triangles has no area.
                 if down + 1 < DOWN {
                     facets.extend(self.facet([one, two, three]));
                 }
@@ -115,7 +116,7 @@ impl Ellipsoid<'_> {
         facets
     }
 
-    /// None where it has no area: in a direction without mass.
+    /// Facet with the given corner directions; `None` if the area is zero (in a direction without mass).
     fn facet(&self, directions: [[f64; 3]; 3]) -> Option<SkinFacet> {
         let corners = directions.map(|n| self.point(n));
         let [a, b] = [corners[1], corners[2]].map(|c| minus(c, corners[0]));
@@ -140,7 +141,7 @@ fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-/// Itself where it is none, so that what is not a direction has no area.
+/// Unit vector; a zero vector is returned unchanged, so that its facet has no area.
 fn unit(a: [f64; 3]) -> [f64; 3] {
     let length = dot(a, a).sqrt();
     if length > 0.0 { a.map(|x| x / length) } else { a }

@@ -1,28 +1,28 @@
-//! Text from files on its way to a terminal: what would move the cursor, reverse the reading order or begin a line of its own
-//! is shown as an escape.
+//! Text from files for output on a terminal. Characters that would move the cursor, reverse the reading direction or
+//! begin a new line are escaped.
 
 use std::borrow::Cow;
 use std::io::{self, Write};
 
-/// Characters that are not shown as they are: controls (C0, DEL, C1), ends of lines and paragraphs, marks of direction,
-/// characters without width, tags.
+/// True for characters that must be escaped: controls (C0, DEL, C1), line and paragraph separators, direction marks,
+/// zero-width characters, tags.
 pub fn is_unsafe(c: char) -> bool {
     c.is_control()
         || matches!(c, '\u{061C}' | '\u{200B}'..='\u{200F}' | '\u{2028}'..='\u{202E}' | '\u{2060}'..='\u{206F}'
             | '\u{FEFF}' | '\u{FFF9}'..='\u{FFFB}' | '\u{E0000}'..='\u{E007F}')
 }
 
-/// A text on one line.
+/// Escapes a text on one line.
 pub fn line(text: &str) -> Cow<'_, str> {
     escaped(text, is_unsafe, |c| c.escape_default().to_string())
 }
 
-/// A text of several lines, which it keeps.
+/// Escapes a text of several lines; line feeds are kept.
 pub fn lines(text: &str) -> Cow<'_, str> {
     escaped(text, |c| c != '\n' && is_unsafe(c), |c| c.escape_default().to_string())
 }
 
-/// JSON: outside strings there is nothing to escape, inside them this is another spelling.
+/// Escapes JSON. Outside strings nothing needs escaping; inside strings the escape is an equivalent notation.
 pub fn json(text: &str) -> Cow<'_, str> {
     escaped(
         text,
@@ -42,10 +42,10 @@ fn escaped(text: &str, is_unsafe: impl Fn(char) -> bool, escape: impl Fn(char) -
     Cow::Owned(out)
 }
 
-/// A terminal to which tables are written as they are made.
+/// Terminal that receives tables while they are computed.
 pub struct Terminal<W> {
     to: W,
-    /// The begun bytes of a character.
+    /// Bytes of an incomplete character.
     begun: Vec<u8>,
 }
 

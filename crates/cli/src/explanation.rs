@@ -1,4 +1,4 @@
-//! What an effective mass depends on, and what tolerances leave of it, as text.
+//! Sensitivities of an effective mass, and effects of tolerances, as text.
 
 use crate::escape::line;
 use crate::text::{Table, number, short, triple};
@@ -6,7 +6,7 @@ use crate::wrap::fact;
 use percuss_study::{Explanation, MotionRatioRecord, ToleranceReport};
 use std::fmt::Write;
 
-/// Rates with masses, rotors and hardpoints, and what lowers m̄ most.
+/// Rates with respect to masses, rotors and hardpoints, and the changes that lower m̄ most.
 pub fn explanation(explained: &Explanation) -> String {
     let mut out = String::from("\nwhat it depends on (first order; the opposite change does the opposite)\n");
     let list = |name: &str, items: Vec<String>| {
@@ -53,12 +53,12 @@ pub fn explanation(explained: &Explanation) -> String {
     out
 }
 
-/// Rates per metre as rates per millimetre.
+/// Converts rates per metre to rates per millimetre.
 fn per_millimetre(rates: &[f64; 3]) -> String {
     triple(&rates.map(|rate| format!("{:.3e}", rate * 1e-3).parse().unwrap_or(rate * 1e-3)))
 }
 
-/// What tolerances leave.
+/// Effects of the tolerances.
 pub fn tolerances(report: &ToleranceReport) -> String {
     let given = &report.tolerance;
     let mut words = Vec::new();
@@ -98,7 +98,7 @@ pub fn tolerances(report: &ToleranceReport) -> String {
     out
 }
 
-/// A motion ratio with both of its names.
+/// Motion ratio with both of its definitions.
 pub fn motion_ratio(ratio: &MotionRatioRecord) -> String {
     let inverse = ratio.contact_per_wheel.map_or_else(|| "–".to_owned(), number);
     let whole = if ratio.one_travel { "" } else { "; of this impact's motion, others have another" };

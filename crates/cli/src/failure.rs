@@ -1,4 +1,4 @@
-//! Why a command has no result, and its exit code.
+//! Reasons for a command without a result, and exit codes.
 
 use crate::diagnostics::lines;
 use crate::escape;
@@ -9,26 +9,26 @@ use percuss_study::contact::exports::ExportError;
 use percuss_study::{DesignError, DiagnosticRecord, Names, StudyError, StudyFileError, StudyKeys};
 use std::io::{self, Write};
 
-/// No answer.
+/// Failure of a command.
 #[derive(Debug)]
 pub enum Failure {
-    /// The input is bad, with the lines that say why: exit 2.
+    /// Invalid input, with the lines of the message: exit code 2.
     BadInput(Vec<String>),
-    /// The question was fine and has no answer: exit 1.
+    /// Valid question without a result: exit code 1.
     NoAnswer(String),
-    /// The question has no answer, or means nothing: the exit code is the error's.
+    /// Question without a result, or an invalid question: the error determines the exit code.
     Question(Box<StudyError>),
-    /// The reader of the output has closed it: exit 0, silently.
+    /// The reader of the output closed the pipe: exit code 0, no message.
     Unread,
 }
 
 impl Failure {
-    /// Bad input with one line.
+    /// Invalid input with a message of one line.
     pub fn bad_input(message: impl Into<String>) -> Self {
         Failure::BadInput(vec![format!("error: {}", message.into())])
     }
 
-    /// The same, naming the study whose question it is, and the line of the key that is at fault.
+    /// Adds the file name of the study, and the line of the key at fault.
     pub fn in_study(self, path: &str, keys: &StudyKeys) -> Self {
         // A message begins with its key.
         let place = |key: &str| match keys.line_of(key) {
@@ -39,7 +39,7 @@ impl Failure {
             Failure::BadInput(lines) => {
                 let of_study = |line: String| match line.strip_prefix("error: ") {
                     Some(message) => {
-                        // Of a design, its name stands before.
+                        // The message of a design begins with the design's name.
                         let named = message.strip_prefix('"').and_then(|rest| rest.split_once("\": "));
                         let key =
                             named.map_or(message, |(_, rest)| rest).split(':').next().unwrap_or_default();
@@ -76,7 +76,7 @@ impl Failure {
         };
         let mut stderr = io::stderr().lock();
         for line in lines {
-            // A closed stderr changes nothing about the exit code.
+            // A closed stderr does not affect the exit code.
             let _ = writeln!(stderr, "{}", wrap::message(&escape::line(&line)));
         }
         code
@@ -86,7 +86,7 @@ impl Failure {
 impl From<LoadError> for Failure {
     fn from(error: LoadError) -> Self {
         let records: Vec<DiagnosticRecord> = error.diagnostics.into_iter().map(Into::into).collect();
-        // Beside an error, notes are of no use.
+        // Notes are not useful in addition to an error.
         Failure::BadInput(lines(&records, false))
     }
 }
@@ -96,7 +96,7 @@ impl From<DesignError> for Failure {
         match error {
             DesignError::Load(error) => error.into(),
             DesignError::Change(error) => error.into(),
-            // An open list: its own words.
+            // Other errors keep their own message.
             other => Failure::bad_input(other.to_string()),
         }
     }
@@ -108,7 +108,7 @@ impl From<StudyError> for Failure {
     }
 }
 
-/// The number that a law or a simulator lacks, or that is out of its range: its flag and its key.
+/// Flag and key of the number that a contact law or a simulator needs, or that is out of range.
 fn lacking(error: &StudyError) -> Option<(&'static str, &'static str)> {
     match error {
         StudyError::Damping(ContactLawError::SpeedNeeded { .. }) => Some(("--speed", "damping.speed")),
@@ -131,7 +131,7 @@ fn number_of(what: &str) -> Option<(&'static str, &'static str)> {
     NUMBERS.iter().find(|(number, ..)| *number == what).map(|(_, flag, key)| (*flag, *key))
 }
 
-/// The numbers of contact laws that a user gives: their flags and keys.
+/// Numbers of contact laws given by the user: description, flag, key.
 const NUMBERS: [(&str, &str, &str); 16] = [
     ("time step, s", "--time-step", "damping.time_step"),
     ("struck body's own mass, kg", "--own-mass", "damping.own_mass"),
@@ -163,7 +163,8 @@ impl From<StudyFileError> for Failure {
     fn from(error: StudyFileError) -> Self {
         match error {
             StudyFileError::Load(error) => error.into(),
-            // The lines of the study that it shows; what is in them does not begin a line.
+            // The message shows lines of the study. Further lines are indented, so that no text of the study looks
+            // like a message.
             StudyFileError::Toml { .. } => {
                 let text = error.to_string();
                 let lines = text.lines().enumerate();
@@ -172,7 +173,7 @@ impl From<StudyFileError> for Failure {
                 Failure::BadInput(lines.map(indented).collect())
             }
             StudyFileError::Keys { .. } => {
-                // Keys are shown in quotes, line ends in them as escapes.
+                // Keys are shown in quotes, with escaped line ends.
                 Failure::BadInput(error.to_string().lines().map(str::to_owned).collect())
             }
             other => Failure::BadInput(vec![other.to_string()]),
@@ -184,7 +185,7 @@ impl From<io::Error> for Failure {
     fn from(error: io::Error) -> Self {
         match error.kind() {
             io::ErrorKind::BrokenPipe => Failure::Unread,
-            // An open list of the operating system's.
+            // Other kinds of errors of the operating system.
             _ => Failure::NoAnswer(format!("the result cannot be written: {error}")),
         }
     }

@@ -1,14 +1,14 @@
-//! HTML: text that stays text, tables, and one page that needs nothing beside it.
+//! HTML output: escaped text, tables, and a page without external files.
 
 use crate::escape;
 use base64::Engine;
 use percuss_render::MADE_BY;
 use std::fmt::Write;
 
-/// Rows of a table that are kept together in print.
+/// Largest number of rows of a table that is not split in print.
 const SHORT: usize = 16;
 
-/// Readable on a screen and on A4.
+/// Style sheet for screens and for A4 paper.
 const STYLE: &str = "\
 :root{color-scheme:light}\
 body{font:15px/1.5 Roboto,'Helvetica Neue',Arial,sans-serif;color:#1c2026;max-width:60rem;margin:2rem auto;padding:0 1.2rem}\
@@ -24,7 +24,7 @@ img{max-width:100%;height:auto}figure{margin:.6rem 0;break-inside:avoid}\
 @page{size:A4;margin:16mm}@media print{body{margin:0;max-width:none;font-size:10.5pt}h2{break-after:avoid}\
 tr,figure,table.short{break-inside:avoid}pre{font-size:7.6pt}table.data{font-size:8.4pt}}";
 
-/// Text between tags.
+/// Escapes text between tags.
 pub fn text(words: &str) -> String {
     let mut out = String::with_capacity(words.len());
     for c in escape::lines(words).chars() {
@@ -39,7 +39,7 @@ pub fn text(words: &str) -> String {
     out
 }
 
-/// A page as it is written.
+/// Page under construction.
 pub struct Page {
     out: String,
 }
@@ -47,7 +47,7 @@ pub struct Page {
 impl Page {
     pub fn new(title: &str) -> Self {
         let title = text(title);
-        // What a browser must not do is said too: nothing is fetched, nothing runs.
+        // The security policy forbids loading external content and running scripts.
         let out = format!(
             "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
              <meta name=\"generator\" content=\"{MADE_BY}\">\n\
@@ -71,7 +71,7 @@ impl Page {
         let _ = writeln!(self.out, "<pre>{}</pre>", text(words));
     }
 
-    /// Names and values.
+    /// Adds a table of names and values.
     pub fn facts<'f>(&mut self, facts: impl IntoIterator<Item = (&'f str, String)>) {
         self.out += "<table>\n";
         for (name, value) in facts {
@@ -85,7 +85,7 @@ impl Page {
         self.out += "</table>\n";
     }
 
-    /// Rows of cells under a header.
+    /// Adds a table; the first row is the header.
     pub fn table<const N: usize>(&mut self, rows: &[[String; N]]) {
         self.out += "<table class=\"data\">\n";
         for (i, row) in rows.iter().enumerate() {
@@ -97,9 +97,9 @@ impl Page {
         self.out += "</table>\n";
     }
 
-    /// Parts of a whole, with bars.
+    /// Adds a table of shares of a whole, with bars.
     pub fn parts(&mut self, names: &str, parts: &[(String, f64)]) {
-        // A short one stays on one sheet.
+        // A short table is not split between pages.
         let class = if parts.len() <= SHORT { "short" } else { "long" };
         let _ = writeln!(
             self.out,
@@ -119,7 +119,7 @@ impl Page {
         self.out += "</table>\n";
     }
 
-    /// An SVG, as an image: what is in it stays in it.
+    /// Adds an SVG as an image, which isolates its contents from the page.
     pub fn picture(&mut self, svg: &str, words: &str) {
         let data = base64::engine::general_purpose::STANDARD.encode(svg);
         let _ = writeln!(

@@ -1,9 +1,9 @@
-//! The picture of an import: hardpoints, links and wheels.
+//! Picture of an import: hardpoints, links and wheels.
 
 use percuss_formats::suspension::Understood;
 use percuss_render::{Drawing, DrawnCircle, DrawnLine};
 
-/// From the front and from the left.
+/// Drawing from the front and from the left.
 pub fn picture(of: &Understood, source: &str) -> Drawing {
     let line = |line: &percuss_formats::suspension::Line| DrawnLine { ends: line.ends, part: None };
     let circle = |wheel: &percuss_formats::suspension::WheelCircle| {

@@ -1,11 +1,11 @@
-//! What an import understood, as text.
+//! Summary of an import, as text.
 
 use crate::escape::line;
 use crate::wrap;
 use percuss_formats::suspension::{Side, Understood};
 use std::fmt::Write;
 
-/// One table: what was read, lengths, masses.
+/// Summary as one table: contents of the file, lengths, masses.
 pub fn understood(of: &Understood, output: &str) -> String {
     let mut out = String::new();
     let mut fact = |name: &str, value: String| {
@@ -30,7 +30,7 @@ pub fn understood(of: &Understood, output: &str) -> String {
         fact("wheel radius", millimetres(radius));
     }
     out.push('\n');
-    // Lengths and masses of the same link in one row.
+    // Length and mass of a link are in one row.
     let _ = writeln!(out, "{:<28} {:>12} {:>10}", "link", "length, mm", "mass, kg");
     for (name, mass) in &of.masses {
         let name = line(name);

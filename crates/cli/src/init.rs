@@ -1,4 +1,4 @@
-//! `percuss init`, and `percuss schema`: studies to start from, and what may stand in them.
+//! Commands `percuss init` and `percuss schema`: initial studies, and the schema of studies.
 
 use crate::args::InitArgs;
 use crate::failure::Failure;
@@ -43,7 +43,7 @@ pub fn schema() -> Result<(), Failure> {
     write_as_is((text + "\n").as_bytes())
 }
 
-/// The model's path as the study names it: relative to the study's folder, where both are known and on one drive.
+/// Path of the model as written in the study: relative to the folder of the study if both exist and are on one drive.
 fn from_folder_of(study: &str, model: &str) -> String {
     let folder = Path::new(study).parent().filter(|folder| !folder.as_os_str().is_empty());
     let folder = dunce::canonicalize(folder.unwrap_or(Path::new(".")));
@@ -52,6 +52,6 @@ fn from_folder_of(study: &str, model: &str) -> String {
         _ => None,
     };
     let path = relative.map_or_else(|| model.to_owned(), |path| path.to_string_lossy().into_owned());
-    // The same study on any system: Windows reads slashes too, but where a path begins with \\?\.
+    // Slashes make the study portable. Windows accepts slashes too, except in a path that begins with \\?\.
     if cfg!(windows) && !path.starts_with(r"\\?\") { path.replace('\\', "/") } else { path }
 }

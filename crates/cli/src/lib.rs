@@ -1,7 +1,7 @@
-//! The `percuss` command. [`run`] is all of it: the program of this name calls it, and so does that of the Python package.
+//! Implementation of the `percuss` command. [`run`] is the entry point for the program and for the Python package.
 //!
-//! Results go to stdout, diagnostics to stderr. Exit code 0: an answer (immovable and massless are answers);
-//! 1: no answer; 2: bad input or usage.
+//! Results go to stdout, diagnostics to stderr. Exit code 0: a result (including immovable and massless); 1: no
+//! result; 2: invalid input or usage.
 
 mod args;
 mod check;
@@ -39,7 +39,7 @@ mod text;
 mod wrap;
 mod xlsx_rows;
 
-/// The picture of a map, for the faces that show one.
+/// Surface of a map, for other user interfaces.
 pub use map_files::skin as map_skin;
 
 use args::{Cli, Command, asked_of, short_help};
@@ -47,8 +47,8 @@ use clap::FromArgMatches;
 use clap::error::ErrorKind;
 use std::ffi::OsString;
 
-/// Runs the command with these arguments, the program's name the first of them, and gives the exit code. Help, the version and
-/// bad usage end the process.
+/// Runs the command and returns the exit code. The first argument is the name of the program. The version and invalid
+/// usage end the process.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     let matches = Cli::definition().try_get_matches_from(&arguments);
@@ -91,7 +91,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     }
 }
 
-/// What `-h` or `--help` shows.
+/// Prints the help of `-h` or `--help`.
 fn help(error: &clap::Error, arguments: &[OsString]) -> u8 {
     let mut definition = Cli::definition();
     definition.build();
@@ -105,7 +105,8 @@ fn help(error: &clap::Error, arguments: &[OsString]) -> u8 {
     }
 }
 
-/// Says what is wrong with the arguments, and ends. Names of files among them may hold what a terminal obeys.
+/// Prints the message of the argument parser and ends the process. File names among the arguments may contain control
+/// characters of the terminal; these are escaped.
 fn refuse(error: &clap::Error, arguments: &[OsString]) -> ! {
     let mut text = error.render().to_string();
     let is_plain = arguments.iter().all(|a| !a.to_string_lossy().contains(escape::is_unsafe));
@@ -114,7 +115,7 @@ fn refuse(error: &clap::Error, arguments: &[OsString]) -> ! {
     }
     for argument in arguments.iter().skip(1) {
         let argument = argument.to_string_lossy();
-        // Of --flag=value, the value too.
+        // In `--flag=value`, the value is escaped too.
         let value = argument.split_once('=').map_or("", |(_, value)| value);
         for part in [&*argument, value].into_iter().filter(|part| part.contains(escape::is_unsafe)) {
             text = text.replace(part, &escape::line(part));

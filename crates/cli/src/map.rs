@@ -1,4 +1,4 @@
-//! `percuss map`.
+//! Command `percuss map`.
 
 use crate::args::{MapArgs, MassFormat};
 use crate::escape::line;
@@ -30,7 +30,7 @@ pub fn run(args: &MapArgs) -> Result<(), Failure> {
     show(&model, &question, &Written { formats, table: args.table.style(), format: args.format, strict })
 }
 
-/// How a map is written.
+/// Output options of a map.
 pub struct Written {
     pub formats: Vec<(String, MapFormat)>,
     pub table: TableStyle,
@@ -38,15 +38,15 @@ pub struct Written {
     pub strict: bool,
 }
 
-/// Files by the endings of their names.
+/// Output files with their formats, determined by the file extensions.
 pub fn formats(outputs: &[String]) -> Result<Vec<(String, MapFormat)>, Failure> {
     outputs.iter().map(|path| Ok((path.clone(), MapFormat::of(path)?))).collect()
 }
 
-/// Answers a map and writes it.
+/// Computes a map and writes it.
 pub fn show(model: &Model, question: &StudyMapQuestion, written: &Written) -> Result<(), Failure> {
     model.inputs.iter().for_each(|input| is_input(&input.path));
-    // Before it is computed.
+    // The check precedes the computation.
     written.formats.iter().try_for_each(|(path, _)| may_be_written(path))?;
     match question {
         StudyMapQuestion::Surfaces(question) => surfaces(&map(model, question)?, written),
@@ -76,7 +76,7 @@ fn directions(report: &PointMapReport, written: &Written) -> Result<(), Failure>
 }
 
 fn surfaces(answer: &MapAnswer, written: &Written) -> Result<(), Failure> {
-    // The meshes are known now.
+    // The mesh files are known only after the computation.
     answer.report.inputs.iter().for_each(|input| is_input(&input.path));
     write_diagnostics(&answer.report.diagnostics, written.strict)?;
     for left in &answer.report.left_out {
@@ -99,7 +99,7 @@ fn surfaces(answer: &MapAnswer, written: &Written) -> Result<(), Failure> {
     }
 }
 
-/// The links, a row each.
+/// Table of links, one row each.
 pub fn links(report: &MapReport) -> Table<8> {
     let mut table = Table::new([
         "link",
@@ -128,7 +128,7 @@ pub fn links(report: &MapReport) -> Table<8> {
     table
 }
 
-/// What is said of the links beside their numbers.
+/// Explanation of the table of links.
 pub const OF_LINKS: &str = "One contact in each facet, along its outward normal; places in the link's frame.\n\
                             The mean is 1 over the mean of 1/m over the area.\n";
 
@@ -153,7 +153,7 @@ fn text(answer: &MapAnswer) -> String {
            See docs/LIMITS.md and docs/MAPS.md.\n"
 }
 
-/// Contacts without a mass.
+/// Number of contacts without a finite mass, by status.
 fn others(link: &LinkMap) -> String {
     let counts =
         [(link.immovable, "immovable"), (link.massless, "massless"), (link.unanswered, "without an answer")];
@@ -161,7 +161,7 @@ fn others(link: &LinkMap) -> String {
     some.map(|(count, what)| format!("{count} {what}")).collect::<Vec<_>>().join(", ")
 }
 
-/// What was done to meshes.
+/// Changes made to the orientation of meshes.
 fn windings(report: &MapReport) -> String {
     let mut out = String::new();
     for link in &report.links {
@@ -188,7 +188,7 @@ fn windings(report: &MapReport) -> String {
     out
 }
 
-/// To a tenth of a millimetre.
+/// Rounds to 0.1 mm.
 fn rounded(p: &[f64; 3]) -> String {
     triple(&p.map(|x| (x * 1e4).round() / 1e4))
 }
@@ -232,7 +232,7 @@ fn mass(d: &DirectionMass) -> String {
     d.effective_mass.map_or_else(|| d.status.to_owned(), |m| format!("{} kg", number(m)))
 }
 
-/// Nine decimals of a component of a unit vector.
+/// Rounds a component of a unit vector to nine decimals.
 fn tidy(x: f64) -> f64 {
     (x * 1e9).round() / 1e9
 }

@@ -1,4 +1,4 @@
-//! The files of a map: PLY, glTF, pictures, tables.
+//! Files of a map: PLY, glTF, pictures, tables.
 
 use crate::csv;
 use crate::ellipsoid;
@@ -12,7 +12,7 @@ use percuss_study::{DirectionMass, Extreme, MapAnswer, PointMapReport};
 use std::io::{self, Write};
 use std::path::Path;
 
-/// What a map is written as.
+/// File format of a map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MapFormat {
     Ply,
@@ -26,7 +26,7 @@ pub enum MapFormat {
 }
 
 impl MapFormat {
-    /// By the ending of the file.
+    /// Determines the format from the file extension.
     pub fn of(path: &str) -> Result<Self, Failure> {
         let ending = Path::new(path).extension().and_then(|e| e.to_str()).unwrap_or("");
         match ending.to_ascii_lowercase().as_str() {
@@ -45,11 +45,11 @@ impl MapFormat {
     }
 }
 
-/// Why a file is not written.
+/// Reason for a file that is not written.
 pub enum NotWritten {
-    /// The operating system's reason.
+    /// Error of the operating system.
     Io(io::Error),
-    /// The question's.
+    /// Other reason: the map has no surface, or rendering failed.
     Other(String),
 }
 
@@ -83,7 +83,7 @@ pub fn write(
     Ok(())
 }
 
-/// Writes a surface. No table.
+/// Writes a surface; does nothing for table formats.
 fn write_skin(skin: &Skin, format: MapFormat, out: &mut Output) -> Result<(), NotWritten> {
     let failed = |error: RenderError| NotWritten::Other(error.to_string());
     match format {
@@ -121,7 +121,7 @@ fn json(value: &impl serde::Serialize, out: &mut Output) -> io::Result<()> {
     writeln!(out)
 }
 
-/// Every contact, a row each.
+/// Writes the contacts as CSV, one row each.
 pub fn csv(answer: &MapAnswer, style: TableStyle, out: &mut impl Write) -> io::Result<()> {
     let length = style.unit("m");
     let square = format!("{}2", length.name);
@@ -155,7 +155,7 @@ pub fn csv(answer: &MapAnswer, style: TableStyle, out: &mut impl Write) -> io::R
     Ok(())
 }
 
-/// The principal directions first, then the others.
+/// Writes the principal directions as CSV, followed by the other directions.
 pub fn point_csv(report: &PointMapReport, style: TableStyle, out: &mut impl Write) -> io::Result<()> {
     // Directions have no unit.
     let named = |name: &str| match name {
@@ -181,7 +181,7 @@ pub fn point_csv(report: &PointMapReport, style: TableStyle, out: &mut impl Writ
     Ok(())
 }
 
-/// The map as a coloured surface, in the world.
+/// Map as a coloured surface, in world coordinates.
 pub fn skin(answer: &MapAnswer) -> Skin {
     let report = &answer.report;
     let pieces = answer.skins.iter().map(|skin| {

@@ -1,4 +1,4 @@
-//! `percuss mass`.
+//! Command `percuss mass`.
 
 use crate::args::{MassArgs, MassFormat, ToleranceArg};
 use crate::csv;
@@ -34,7 +34,7 @@ pub fn run(args: &MassArgs) -> Result<(), Failure> {
     )
 }
 
-/// What is asked beside the answer.
+/// Additional requests of a mass question: expected value, sensitivities, tolerances.
 #[derive(Clone, Copy, Default)]
 pub struct Asked {
     expected: Option<Expected>,
@@ -44,14 +44,14 @@ pub struct Asked {
 }
 
 impl Asked {
-    /// As a study asks.
+    /// Requests of a study.
     pub fn of_study(study: &StudyMass) -> Self {
         let tolerance = study.expect_tolerance.unwrap_or(limits::DEFAULT_TOLERANCE);
         let expected = study.expect.map(|mass| Expected { mass, tolerance });
         Self { expected, explain: study.explain, tolerance: study.tolerance, sampling: study.sampling }
     }
 
-    /// Adds what is asked beside the mass.
+    /// Adds the sensitivities and the effects of tolerances to the report.
     pub fn add_to(
         &self,
         report: &mut MassReport,
@@ -67,13 +67,13 @@ impl Asked {
         Ok(())
     }
 
-    /// Whether the expectation is met; exit code 1 where it is missed.
+    /// Compares the result with the expected value; a mismatch gives exit code 1.
     pub fn is_met(&self, report: &MassReport) -> Result<(), Failure> {
         self.expected.map_or(Ok(()), |e| compare(report, e.mass, e.tolerance))
     }
 }
 
-/// The tolerance of --expect, and those of the model's parts.
+/// Tolerance of --expect, and tolerances of the model's parts.
 fn tolerances(args: &MassArgs) -> Result<(f64, Option<Tolerance>), Failure> {
     let (mut of_expected, mut of_parts) = (None, None);
     for given in &args.tolerance {
@@ -101,14 +101,14 @@ fn tolerances(args: &MassArgs) -> Result<(f64, Option<Tolerance>), Failure> {
     Ok((of_expected.unwrap_or(limits::DEFAULT_TOLERANCE), of_parts))
 }
 
-/// What the answer is compared with.
+/// Expected value, with its relative tolerance.
 #[derive(Clone, Copy)]
 pub struct Expected {
     mass: f64,
     tolerance: f64,
 }
 
-/// Answers a question and writes the answer.
+/// Computes a result and writes it.
 pub fn show(
     model: &Model,
     question: &MassQuestion,
@@ -143,7 +143,7 @@ pub fn show(
     asked.is_met(&report)
 }
 
-/// Exit code 1 where the expectation is missed.
+/// Compares the result with an expected value; a mismatch gives exit code 1.
 fn compare(report: &MassReport, expected: f64, tolerance: f64) -> Result<(), Failure> {
     match report.effective_mass {
         Some(m) if (m / expected - 1.0).abs() <= tolerance => Ok(()),
@@ -198,7 +198,7 @@ pub fn headline(report: &MassReport) -> String {
     }
 }
 
-/// The classical estimate, its error, and the reason.
+/// Classical estimate, its error, and the contributions that it leaves out.
 fn estimated(record: &EstimateRecord) -> String {
     let links = line(&record.links.join(", ")).into_owned();
     let first = line(&record.links[0]);
@@ -227,7 +227,7 @@ fn estimated(record: &EstimateRecord) -> String {
     out
 }
 
-/// The conditions of the answer.
+/// Conditions of the result.
 pub fn facts(report: &MassReport) -> Vec<(&'static str, String)> {
     let contact = &report.contact;
     let against = match (report.conditions.against_mass, contact.against.as_deref()) {
@@ -331,7 +331,7 @@ fn shares(report: &MassReport) -> String {
         all.into_iter().partition(|(_, share)| share.abs() >= limits::LEAST_CONTRIBUTION);
     let width = shown.iter().map(|(name, _)| wrap::width(name)).max().unwrap_or(0).max(20);
     let mut out = "\ncontribution of each link (share of the kinetic energy)\n".to_owned();
-    // Beside long names the bars are shorter.
+    // Long names shorten the bars.
     let bars = limits::BAR_WIDTH.min(wrap::WIDTH.saturating_sub(width + 13));
     for (name, share) in &shown {
         let pad = " ".repeat(width - wrap::width(name));

@@ -1,4 +1,4 @@
-//! The rows of a sweep in Parquet (apache/parquet-format): the columns of the CSV, a group of rows at a time.
+//! Rows of a sweep in Parquet (apache/parquet-format): the columns of the CSV, in row groups.
 
 use crate::csv::{FIXED, SweepTable};
 use crate::failure::Failure;
@@ -18,8 +18,8 @@ use std::io;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-/// Writes rows as Parquet: doubles and a text, null where a cell of the CSV is empty. What is the same for all rows stands
-/// in the file's own data, under `percuss.heading`, as in the JSON.
+/// Writes rows as Parquet: columns of doubles and a text, with nulls for the empty cells of the CSV. Data common to
+/// all rows are in the file metadata, under `percuss.heading`, as in the JSON.
 pub fn write(
     sweep: Sweep,
     model: &Model,
@@ -49,12 +49,12 @@ pub fn write(
         written = rows.write(&mut writer);
     }
     written.map_err(|error| writer.inner().failure(cause(error)))?;
-    // The description of the columns is written last.
+    // The footer with the schema is written last.
     writer.into_inner().map_err(|error| cannot_write(path, &cause(error)))?.finish()?;
     Ok(end)
 }
 
-/// What the operating system says, where it is its.
+/// Error of the operating system inside a Parquet error, if any.
 fn cause(error: ParquetError) -> io::Error {
     match error {
         ParquetError::External(error) => match error.downcast::<io::Error>() {
@@ -87,7 +87,7 @@ fn start(table: &SweepTable, heading: &SweepHeading, out: Output) -> Result<Seri
         .set_created_by(format!("percuss {}", env!("CARGO_PKG_VERSION")))
         .set_key_value_metadata(Some(vec![KeyValue::new("percuss.heading".to_owned(), heading)]))
         .set_compression(Compression::SNAPPY)
-        // Masses do not repeat; what does is the status.
+        // Masses rarely repeat; only the status benefits from a dictionary.
         .set_dictionary_enabled(false)
         .set_column_dictionary_enabled(FIXED[0].into(), true)
         .set_statistics_enabled(EnabledStatistics::Chunk)
@@ -95,10 +95,10 @@ fn start(table: &SweepTable, heading: &SweepHeading, out: Output) -> Result<Seri
     SerializedFileWriter::new(out, Arc::new(schema), Arc::new(properties))
 }
 
-/// Where `singular_pose` stands among the columns of every sweep.
+/// Index of `singular_pose` among the fixed columns.
 const SINGULAR: usize = 3;
 
-/// Numbers that may be null: those that are not, and where they are.
+/// Column with nulls: the values that are not null, and the definition level of each row.
 struct Nullable<T> {
     values: Vec<T>,
     levels: Vec<i16>,
@@ -120,19 +120,19 @@ impl<T> Nullable<T> {
     }
 }
 
-/// Rows that are not written yet, by columns.
+/// Buffered rows, by columns.
 struct Rows {
     numbers: Vec<i64>,
     varied: Vec<Vec<f64>>,
     status: Vec<&'static str>,
     singular: Nullable<bool>,
-    /// The others in order: five of the answer, then those of the joints.
+    /// Other columns in order: five of the result, then the joints.
     others: Vec<Nullable<f64>>,
 }
 
 impl Rows {
     fn new(table: &SweepTable, varied: usize) -> Self {
-        // The row, the status and the singular pose have columns of their own.
+        // The row number, the status and the singular pose have separate columns.
         let others = table.names().len() - varied - 3;
         Self {
             numbers: Vec::new(),
@@ -162,7 +162,7 @@ impl Rows {
         }
     }
 
-    /// Writes them as a group, and forgets them.
+    /// Writes the buffered rows as a row group and clears the buffer.
     fn write(&mut self, writer: &mut SerializedFileWriter<Output>) -> Result<()> {
         let mut group = writer.next_row_group()?;
         column(&mut group, |c| c.typed::<Int64Type>().write_batch(&self.numbers, None, None))?;
@@ -190,7 +190,7 @@ impl Rows {
     }
 }
 
-/// Writes the next column of a group.
+/// Writes the next column of a row group.
 fn column(
     group: &mut SerializedRowGroupWriter<'_, Output>,
     write: impl FnOnce(&mut parquet::file::writer::SerializedColumnWriter<'_>) -> Result<usize>,

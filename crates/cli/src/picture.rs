@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use percuss_render::{Drawing, RenderError};
 use std::path::Path;
 
-/// A drawing in the format that a file's name asks for.
+/// Encodes a drawing in the format given by the file extension.
 pub fn bytes(drawing: &Drawing, flag: &str, path: &str) -> Result<Vec<u8>, Failure> {
     let ending = Path::new(path).extension().and_then(|e| e.to_str()).unwrap_or("");
     let failed = |error: RenderError| Failure::NoAnswer(error.to_string());

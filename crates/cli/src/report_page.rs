@@ -1,5 +1,5 @@
-//! The report of a study: one HTML page, with the answer as JSON and the sweep as CSV beside it. A study without a contact has
-//! one too: the mechanism, what is in it, and what the study asks in the contact's place.
+//! Report of a study: one HTML page, accompanied by the result as JSON and the sweep as CSV. The report of a study
+//! without a contact shows the mechanism, its contents, and the other questions of the study.
 
 use crate::args::RunArgs;
 use crate::csv::SweepTable;
@@ -28,7 +28,7 @@ use percuss_study::{
 use std::ops::ControlFlow;
 use std::path::Path;
 
-/// What a sweep came to: its table, its end, its picture where it has one.
+/// Result of a sweep: table, end, and picture if possible.
 struct Swept {
     csv: String,
     end: SweepEnd,
@@ -38,19 +38,19 @@ struct Swept {
     greatest: Option<f64>,
 }
 
-/// What a map came to.
+/// Result of a map.
 enum Mapped {
     Surfaces(Box<MapAnswer>),
     Directions(Box<PointMapReport>),
 }
 
-/// Everything that the study asks, answered.
+/// Results of all questions of a study.
 struct Answers {
     mass: Option<MassReport>,
     mechanism: DrawnMechanism,
-    /// What is in the model, where no contact says it.
+    /// Contents of the model; only for a study without a contact.
     seen: Option<CheckReport>,
-    /// The damper of a joint's stop.
+    /// Damper of a joint stop.
     stop: Option<DampingReport>,
     swept: Option<Swept>,
     compared: Option<ComparisonReport>,
@@ -69,7 +69,7 @@ pub fn write(study: &StudyFile, args: &RunArgs, path: &str) -> Result<(), Failur
     if let Some(StudySweep { rows: RowSource::File(file), .. }) = &study.sweep {
         is_input(&file.path);
     }
-    // Before anything is computed.
+    // The checks precede the computation.
     let mut files = vec![path.to_owned(), beside("json")];
     if study.sweep.is_some() {
         files.push(beside("csv"));
@@ -111,13 +111,13 @@ fn sweep(study: &StudyFile, asked: &StudySweep) -> Result<Swept, Failure> {
     let again = Sweep::new(&study.model, question, &asked.rows)?;
     let svg = match drawn(again, question, &asked.figure, &ProgressBar::hidden()) {
         Ok((figure, _)) => Ok(figure.to_svg()),
-        // More than a picture shows; the table has it.
+        // The picture cannot show this sweep; the table contains it.
         Err(_) => Err("No picture: it shows one range, or a curve for each value of a first one.".to_owned()),
     };
     Ok(Swept { csv, end, inputs, svg, least, greatest })
 }
 
-/// A file's name without its folder.
+/// File name without its folder.
 fn name(path: &str) -> String {
     Path::new(path).file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned())
 }
@@ -156,7 +156,7 @@ impl Answers {
         Ok(Self { mass, mechanism, seen, stop, swept, compared, mapped, speeds })
     }
 
-    /// The files that all of it stands on, each once.
+    /// Input files of all results, without duplicates.
     fn inputs(&self) -> Vec<Input> {
         let swept = self.swept.iter().flat_map(|swept| &swept.inputs);
         let compared = self.compared.iter().flat_map(|c| c.designs.iter().flat_map(|design| &design.inputs));
@@ -178,7 +178,7 @@ impl Answers {
         each
     }
 
-    /// Everything that was found, each once.
+    /// Diagnostics of all results, without duplicates.
     fn diagnostics(&self) -> Vec<DiagnosticRecord> {
         let swept = self.swept.iter().flat_map(|swept| &swept.end.diagnostics);
         let compared = self.compared.iter().flat_map(|compared| &compared.diagnostics);
@@ -231,7 +231,7 @@ impl Answers {
                     page.paragraph("soft", &format!("{}: {error}", design.name));
                 }
             }
-            // Ranges of which there is no figure have the sweep's table.
+            // A comparison without a figure is covered by the sweep's table.
             let figure = study.sweep.as_ref().map(|sweep| sweep.figure.clone()).unwrap_or_default();
             if let Ok(figure) = compare::figure(compared, &figure) {
                 page.picture(&figure.to_svg(), "Effective mass of the variants over what is varied");
@@ -287,7 +287,7 @@ impl Answers {
         Ok(page.finish())
     }
 
-    /// A contact: the answer, the mechanism, what it depends on.
+    /// Section of a contact: result, mechanism, sensitivities.
     fn contact_on(&self, report: &MassReport, page: &mut Page) {
         page.paragraph("lead", &format!("m̄ = {}", headline(report)));
         page.facts(facts(report));
@@ -315,7 +315,7 @@ impl Answers {
         }
     }
 
-    /// A model of which no contact is asked: the mechanism, what is in it, what can be asked.
+    /// Section of a model without a contact: mechanism, contents, possible questions.
     fn model_on(&self, seen: &CheckReport, page: &mut Page) {
         page.facts(check::facts(seen));
         page.heading("The mechanism at this pose");
@@ -346,7 +346,8 @@ impl Answers {
         page.code(&format!("percuss init {} -o contact.toml", word(&model)));
     }
 
-    /// What stands beside the page: as with --format json, the contact's answer, or what takes its place.
+    /// JSON of the accompanying file, as with --format json: the result of the contact, otherwise of the stop, map or
+    /// safe speed.
     fn json(&self) -> Result<String, Failure> {
         let text = match (&self.mass, &self.stop, &self.mapped, &self.speeds) {
             (Some(mass), ..) => serde_json::to_string_pretty(mass),
@@ -355,7 +356,7 @@ impl Answers {
             (None, None, Some(Mapped::Directions(report)), _) => serde_json::to_string_pretty(report),
             (None, None, None, Some(reports)) if reports.len() > 1 => serde_json::to_string_pretty(reports),
             (None, None, None, Some(reports)) => serde_json::to_string_pretty(safe_speed::slowest(reports)),
-            // The reader of studies leaves none that ask for nothing.
+            // The parser of studies refuses a study without any question.
             (None, None, None, None) => serde_json::to_string_pretty(&self.seen),
         };
         let text = text.map_err(|error| Failure::NoAnswer(format!("the result has no JSON form: {error}")));
@@ -363,7 +364,7 @@ impl Answers {
     }
 }
 
-/// What the lines of the picture are.
+/// Legend of the picture.
 const OF_LINES: &str = "A line joins the joints, the loops' ends and the centre of mass of each link, over its shapes where the \
                         model states some; a wheel of an imported suspension has its circle.";
 
@@ -434,7 +435,7 @@ fn damping_on(damper: &DampingReport, question: &DampingQuestion, page: &mut Pag
     Ok(())
 }
 
-/// The mechanism; the contact, its normal, and how the centres of mass move, where there is one.
+/// Drawing of the mechanism; with a contact, also the normal and the velocities of the centres of mass.
 fn drawing(report: Option<&MassReport>, mechanism: &DrawnMechanism) -> Drawing {
     let links = &mechanism.links;
     let contact = report.map(|report| &report.contact);

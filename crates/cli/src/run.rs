@@ -1,4 +1,4 @@
-//! `percuss run`.
+//! Command `percuss run`.
 
 use crate::args::{CheckFormat, MassFormat, RunArgs};
 use crate::failure::Failure;
@@ -12,7 +12,7 @@ use percuss_study::{MassQuestion, Names, RowSource, StudyFile, StudyMap, StudyMa
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Runs the command: everything that the study asks.
+/// Runs the command: all questions of the study.
 pub fn run(args: &RunArgs) -> Result<(), Failure> {
     let study = StudyFile::load(&args.study, args.max_size)?;
     args.writing.apply();
@@ -30,7 +30,7 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
     answered.map_err(|failure| failure.in_study(&args.study, &study.keys))
 }
 
-/// The files that the study names to be read, of whatever part it is that reads them.
+/// Input files named by any part of the study.
 fn inputs(study: &StudyFile) -> impl Iterator<Item = String> + '_ {
     let models = [&study.model].into_iter().chain(study.variants.iter().map(|variant| &variant.model));
     let of_models = models.flat_map(|model| &model.inputs).map(|input| input.path.clone());
@@ -42,11 +42,11 @@ fn inputs(study: &StudyFile) -> impl Iterator<Item = String> + '_ {
     of_models.chain(poses).chain(of_rows)
 }
 
-/// Refuses two outputs of one name: the second would take the place of the first.
+/// Refuses two outputs with the same name, because the second would overwrite the first.
 fn different(outputs: impl Iterator<Item = (&'static str, String)>) -> Result<(), Failure> {
     let mut seen: Vec<(&str, PathBuf)> = Vec::new();
     for (name, path) in outputs {
-        // Of a file that is not there yet the folder is known.
+        // For a file that does not exist yet, the folder is resolved.
         let target = Path::new(&path);
         let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty());
         let folder = fs::canonicalize(folder.unwrap_or(Path::new(".")));
@@ -63,7 +63,7 @@ fn different(outputs: impl Iterator<Item = (&'static str, String)>) -> Result<()
     Ok(())
 }
 
-/// The files that this run writes, by the keys and flags that name them.
+/// Output files of this run, with the keys and flags that name them.
 fn outputs<'a>(
     study: &'a StudyFile,
     args: &'a RunArgs,
@@ -81,7 +81,7 @@ fn outputs<'a>(
     Box::new(sweep.chain(damping).chain(map))
 }
 
-/// The contact or what takes its place; then a stop, a map, a safe speed.
+/// Runs the contact, then the stop, the map and the safe speed.
 fn all(study: &StudyFile, args: &RunArgs) -> Result<(), Failure> {
     let strict = args.strict;
     if let Some(question) = &study.question {
@@ -109,7 +109,7 @@ fn all(study: &StudyFile, args: &RunArgs) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The contact: with its variants, over its rows, or at its pose.
+/// Runs the contact: with its variants, over the rows of a sweep, or at its pose.
 fn contact(study: &StudyFile, question: &MassQuestion, args: &RunArgs) -> Result<(), Failure> {
     let strict = args.strict;
     let of_pose = study.damping.is_some() || study.mass != StudyMass::default();
@@ -145,7 +145,7 @@ fn of_mass(
     mass::show(&study.model, question, damping, format, &Asked::of_study(&study.mass), strict)
 }
 
-/// What the study is about, in a format: the contact at its pose; without one the stop, the map or the safe speed.
+/// Writes the main result in a format: the contact at its pose, otherwise the stop, the map or the safe speed.
 fn in_format(study: &StudyFile, format: MassFormat, strict: bool) -> Result<(), Failure> {
     if let Some(question) = &study.question {
         return of_mass(study, question, format, strict);
@@ -168,7 +168,7 @@ fn in_format(study: &StudyFile, format: MassFormat, strict: bool) -> Result<(), 
             map::show(&study.model, &asked.question, &written)
         }
         (None, None, Some(asked)) => safe_speed::show(&asked.reports(&study.model)?, plain?, strict),
-        // The reader of studies leaves none that ask for nothing.
+        // The parser of studies refuses a study without any question.
         (None, None, None) => Ok(()),
     }
 }
@@ -178,19 +178,19 @@ fn of_map(asked: &StudyMap, format: MassFormat, strict: bool) -> Result<map::Wri
     Ok(map::Written { formats, table: TableStyle::of(&asked.table), format, strict })
 }
 
-/// Refuses an output that is not in the study's folder or below it, wherever links lead.
+/// Refuses an output outside the study's folder, with symbolic links resolved.
 fn inside(path: &str, folder: &Path, name: &str) -> Result<(), Failure> {
     let whole = |path: &Path| {
         let path = if path.as_os_str().is_empty() { Path::new(".") } else { path };
         fs::canonicalize(path).ok()
     };
     let target = Path::new(path);
-    // A file that is not there yet has a folder that is.
+    // A file that does not exist yet has an existing folder.
     let parent = || whole(target.parent()?)?.join(target.file_name()?).into();
     let at: Option<PathBuf> = whole(target).or_else(parent);
     match (at, whole(folder)) {
         (Some(at), Some(folder)) if at.starts_with(&folder) => Ok(()),
-        // A folder that is missing is what the writer says.
+        // The writer reports a missing folder.
         (None, _) => Ok(()),
         _ => Err(Failure::bad_input(format!(
             "{name}: {path} is outside the study's folder; --allow-outside lets the study write there"

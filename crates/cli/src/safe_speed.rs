@@ -1,4 +1,4 @@
-//! `percuss safe-speed`.
+//! Command `percuss safe-speed`.
 
 use crate::args::{CheckFormat, ContactArgs, SafeSpeedArgs};
 use crate::escape::line;
@@ -44,7 +44,7 @@ pub fn run(args: &SafeSpeedArgs) -> Result<(), Failure> {
     show(&study.reports(&model)?, args.format, args.reading.strict)
 }
 
-/// The report with the least speed.
+/// Report with the lowest speed.
 pub fn slowest(reports: &[SafeSpeedReport]) -> &SafeSpeedReport {
     let mut slowest = &reports[0];
     for report in &reports[1..] {
@@ -55,7 +55,7 @@ pub fn slowest(reports: &[SafeSpeedReport]) -> &SafeSpeedReport {
     slowest
 }
 
-/// Writes the slowest of the reports, and the others in a table.
+/// Writes the slowest report in full and the others as a table.
 pub fn show(reports: &[SafeSpeedReport], format: CheckFormat, strict: bool) -> Result<(), Failure> {
     let slowest = slowest(reports);
     write_diagnostics(&slowest.diagnostics, strict)?;
@@ -68,7 +68,7 @@ pub fn show(reports: &[SafeSpeedReport], format: CheckFormat, strict: bool) -> R
 
 fn limit(args: &SafeSpeedArgs) -> Result<Limit, Failure> {
     let SafeSpeedArgs { force, pressure, area, energy, momentum, .. } = *args;
-    // Several are refused as flags already.
+    // The argument parser already refuses several limits.
     StatedLimits { force, pressure, area, energy, momentum }.one().map_err(|_| {
         Failure::bad_input(
             "one limit is required: either --force N or --pressure N/cm² with --area cm² of the region, --energy J, or \
@@ -83,7 +83,7 @@ pub const CLOSING: &str = "\nAn engineering aid, not a certification. v = F/√(
      knows neither pose nor direction. Check regions and limits against the\n\
      purchased standard.\n";
 
-/// The other directions that were asked for.
+/// Table of all directions; empty for a single direction.
 pub fn directions(reports: &[SafeSpeedReport]) -> String {
     if reports.len() < 2 {
         return String::new();
@@ -105,7 +105,7 @@ fn text(report: &SafeSpeedReport) -> String {
     out
 }
 
-/// What is said of a speed.
+/// Values and conditions of a speed limit.
 pub fn facts(report: &SafeSpeedReport) -> Vec<(&'static str, String)> {
     let mut facts = Vec::new();
     let mut fact = |name, value: String| facts.push((name, value));

@@ -1,4 +1,4 @@
-//! `percuss sweep`, and the output of any sweep.
+//! Command `percuss sweep`, and the output of all sweeps.
 
 use crate::args::SweepArgs;
 use crate::failure::Failure;
@@ -31,14 +31,14 @@ pub fn run(args: &SweepArgs) -> Result<(), Failure> {
     )
 }
 
-/// Takes so many threads, the calling one included; as many as there are processors where none are asked for.
+/// Sets the number of threads, including the calling thread; the default is the number of processors.
 pub fn use_threads(count: Option<u16>) {
     let count = count.map_or(0, usize::from);
-    // Only the first call makes threads; a program that can make none has the calling one.
+    // Only the first call creates threads. If no thread can be created, the calling thread does all work.
     let _ = rayon::ThreadPoolBuilder::new().num_threads(count).use_current_thread().build_global();
 }
 
-/// How a sweep is written.
+/// Output options of a sweep.
 pub struct Written<'a> {
     pub output: Option<&'a str>,
     pub table: TableStyle,
@@ -46,7 +46,7 @@ pub struct Written<'a> {
     pub strict: bool,
 }
 
-/// Sweeps, with a progress bar where it takes long, and writes the rows as they are computed.
+/// Runs a sweep, with a progress bar, and writes each row when it is computed.
 pub fn go_through(
     model: &Model,
     question: &MassQuestion,
@@ -59,11 +59,11 @@ pub fn go_through(
     if let RowSource::File(file) = source {
         is_input(&file.path);
     }
-    // Before it is computed.
+    // The check precedes the computation.
     output.map_or(Ok(()), may_be_written)?;
     let sweep = Sweep::new(model, question, source)?;
     write_diagnostics(&model.diagnostics, strict)?;
-    // Hidden where stderr is no terminal.
+    // The bar is hidden if stderr is not a terminal.
     let bar = match sweep.count() {
         Some(count) => ProgressBar::new(count as u64).with_style(
             ProgressStyle::with_template("{bar:40} {pos}/{len} rows, {eta} left")
@@ -102,12 +102,12 @@ fn write(
         Format::Pdf => figure.to_pdf().map_err(|e| Failure::NoAnswer(e.to_string()))?,
         _ => figure.to_svg().into_bytes(),
     };
-    // A picture always has a file: its format is that of the file's name.
+    // A picture always has an output file, because the file name determines the format.
     write_file(path, &bytes)?;
     Ok(end)
 }
 
-/// What a sweep is written as.
+/// Output format of a sweep.
 #[derive(Clone, Copy)]
 enum Format {
     Csv,
@@ -121,7 +121,7 @@ enum Format {
 }
 
 impl Format {
-    /// By the ending of the file; CSV on stdout.
+    /// Determines the format from the file extension; CSV on stdout.
     fn of(output: Option<&str>) -> Result<Self, Failure> {
         let Some(path) = output else { return Ok(Format::Csv) };
         let ending = Path::new(path).extension().and_then(|e| e.to_str()).unwrap_or("");
@@ -141,7 +141,7 @@ impl Format {
     }
 }
 
-/// Says how many rows have no answer; exit code 1 where none has one.
+/// Reports the number of rows without a result; exit code 1 if no row has a result.
 fn summary(end: &SweepEnd) -> Result<(), Failure> {
     let Some(first) = &end.first_error else { return Ok(()) };
     let message = format!("{} of {} rows have no answer; the first: {first}", end.unanswered, end.rows);

@@ -1,4 +1,4 @@
-//! The picture of a sweep: effective mass with the estimate, and the motion ratio below it.
+//! Picture of a sweep: effective mass with the estimate, and the motion ratio below.
 
 use crate::failure::Failure;
 use crate::text::short;
@@ -7,16 +7,16 @@ use percuss_render::{Figure, Mark, Panel, Series, Style};
 use percuss_study::{Continuation, MassQuestion, StudyFigure, Sweep, SweepEnd, VariedColumn};
 use std::ops::ControlFlow;
 
-/// Points of a curve: what was varied, in the unit of the axis, and a value where there is one.
+/// Points of a curve: the varied number in the unit of the axis, and the value if any.
 type Curve = Vec<(f64, Option<f64>)>;
 
-/// Marks at singular poses that are drawn: more of them are a line.
+/// Largest number of marks at singular poses; more would merge into a line.
 const MARKS: usize = 10_000;
 
-/// Curves of one picture: more cannot be told apart.
+/// Largest number of curves in one picture; more cannot be distinguished.
 const SERIES: usize = 7;
 
-/// In which unit a varied number is drawn, and how many of these are one of SI.
+/// Scale factor from SI, and unit of the axis for a varied number.
 fn shown_in(column: &VariedColumn) -> (f64, &'static str) {
     match column.unit {
         "m" => (1e3, "mm"),
@@ -25,13 +25,13 @@ fn shown_in(column: &VariedColumn) -> (f64, &'static str) {
     }
 }
 
-/// What the estimate takes for the effective mass.
+/// Legend of the estimate.
 fn estimate_name(question: &MassQuestion) -> String {
     let links = question.estimate.as_ref().map_or_else(String::new, |estimate| estimate.links.join(" + "));
     format!("estimate: mass of {links} × (motion ratio)²")
 }
 
-/// Goes through a sweep, keeping of its rows what is drawn.
+/// Runs a sweep and keeps only the data of the picture.
 pub fn drawn(
     sweep: Sweep,
     question: &MassQuestion,
@@ -53,7 +53,7 @@ pub fn drawn(
     };
     let (scale, unit) = shown_in(varied);
     let (mut estimates, mut ratios) = (Curve::new(), Curve::new());
-    // A curve for each value of the outer range.
+    // One curve per value of the outer range.
     let mut masses: Vec<(f64, Curve)> = Vec::new();
     let mut marks = Vec::new();
     let end = sweep.run(&mut |row| {
@@ -96,7 +96,7 @@ pub fn drawn(
             }
         })
         .collect();
-    // With several curves, one of them all would be a line to and fro.
+    // With several curves, the estimate would be a single line running back and forth.
     let alone = outer.is_none();
     if alone && is_drawn(&estimates) {
         first.push(series(&estimate_name(question), Style::Dashed, estimates));

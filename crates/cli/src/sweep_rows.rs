@@ -1,4 +1,4 @@
-//! The rows of a sweep, written as they are computed: none is kept.
+//! Rows of a sweep, written while they are computed; no row is kept.
 
 use crate::csv::SweepTable;
 use crate::failure::Failure;
@@ -23,13 +23,13 @@ pub fn csv(
     lines(sweep, table.header(), &|row| table.row(&row), out, bar)
 }
 
-/// Writes rows as JSON, each on a line.
+/// Writes rows as JSON lines.
 pub fn json_lines(sweep: Sweep, out: Output, bar: &ProgressBar) -> Result<SweepEnd, Failure> {
-    // A row has names for keys and numbers that are finite: it has a JSON form.
+    // The keys of a row are strings and its numbers are finite, so the conversion cannot fail.
     lines(sweep, "", &|row| serde_json::to_string(&row).unwrap_or_default() + "\n", out, bar)
 }
 
-/// Writes what is made of each row, under a header.
+/// Writes a header and the text `made` of each row.
 fn lines(
     sweep: Sweep,
     header: &str,
@@ -41,7 +41,7 @@ fn lines(
     let mut header = Some(header);
     let end = sweep.run_made(made, &mut |row| {
         bar.inc(1);
-        // With the first row: a sweep that has none writes nothing.
+        // The header is written with the first row: a sweep without rows writes nothing.
         let begun = out.write_all(header.take().unwrap_or_default().as_bytes());
         written = begun.and_then(|()| out.write_all(row.as_bytes()));
         if written.is_ok() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
@@ -51,7 +51,7 @@ fn lines(
     Ok(end)
 }
 
-/// Writes a sweep as JSON: what a [`SweepReport`](percuss_study::SweepReport) is, without ever having one.
+/// Writes a sweep as JSON, in the form of a [`SweepReport`](percuss_study::SweepReport), without storing the report.
 pub fn json(sweep: Sweep, model: &Model, mut out: Output, bar: &ProgressBar) -> Result<SweepEnd, Failure> {
     let heading = sweep.heading().clone();
     let rows = Rows { sweep: Cell::new(Some(sweep)), end: RefCell::new(None), bar };
@@ -80,7 +80,7 @@ struct Document<'a> {
     diagnostics: Diagnostics<'a>,
 }
 
-/// The rows: computed while they are written, once.
+/// Rows of the document; serialisation computes them, once.
 struct Rows<'a> {
     sweep: Cell<Option<Sweep<'a>>>,
     end: RefCell<Option<Result<SweepEnd, StudyError>>>,
@@ -108,7 +108,7 @@ impl Serialize for Rows<'_> {
     }
 }
 
-/// What was found, in the file and in the rows: known when those are written.
+/// Diagnostics of the file and of the rows; complete after the rows are written.
 struct Diagnostics<'a> {
     model: &'a Model,
     rows: &'a Rows<'a>,

@@ -1,9 +1,9 @@
-//! In which units a table is written, and how many digits of its numbers are true.
+//! Units of a table, and number of significant digits.
 
 use percuss_study::{StudyTable, TableUnit};
 use std::f64::consts::PI;
 
-/// The unit of a table's lengths.
+/// Unit of lengths in a table.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Length {
     #[default]
@@ -11,7 +11,7 @@ pub enum Length {
     Millimetre,
 }
 
-/// The unit of a table's angles.
+/// Unit of angles in a table.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Angle {
     #[default]
@@ -19,31 +19,31 @@ pub enum Angle {
     Degree,
 }
 
-/// How a table is written.
+/// Style of a table.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct TableStyle {
     pub length: Length,
     pub angle: Angle,
-    /// Columns name their units, and numbers are rounded.
+    /// True if column names contain units and numbers are rounded.
     pub names_units: bool,
-    /// A decimal comma.
+    /// True for a decimal comma.
     pub comma: bool,
 }
 
-/// What the numbers of a column are measured in: SI, and how they are written.
+/// Unit of a column, and the factor from SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ColumnUnit {
     pub name: &'static str,
     pub factor: f64,
 }
 
-/// Digits of a number of which no error is known.
+/// Number of digits for a number without a known error.
 const DIGITS: i32 = 12;
-/// A position below this is where loops were closed to rounding, rad or m.
+/// Positions below this value are rounding errors of loop closure, rad or m.
 const NO_POSITION: f64 = 1e-14;
 
 impl TableStyle {
-    /// Of two units of one kind the last counts.
+    /// Creates the style of a study; for two units of one kind, the last counts.
     pub fn of(table: &StudyTable) -> Self {
         let mut style = Self { comma: table.comma, ..Self::default() };
         for unit in &table.units {
@@ -58,12 +58,12 @@ impl TableStyle {
         style
     }
 
-    /// A name with the unit behind it, where columns name their units.
+    /// Name with the unit appended, if columns name their units.
     pub fn named(&self, name: &str, unit: &str) -> String {
         if self.names_units && !unit.is_empty() { format!("{name}_{unit}") } else { name.to_owned() }
     }
 
-    /// The unit of numbers that are `rad`, `m`, or anything else in SI.
+    /// Unit of a column for a quantity in `rad`, `m`, or another SI unit.
     pub fn unit(&self, si: &'static str) -> ColumnUnit {
         match (si, self.length, self.angle) {
             ("m", Length::Millimetre, _) => ColumnUnit { name: "mm", factor: 1e3 },
@@ -72,7 +72,7 @@ impl TableStyle {
         }
     }
 
-    /// A number as it is written; `error` is a bound on its error where one is known.
+    /// Rounds a number for output; `error` is a bound on its error, if known.
     pub fn number(&self, value: f64, error: Option<f64>) -> f64 {
         if !self.names_units {
             return value;
@@ -83,14 +83,14 @@ impl TableStyle {
         }
     }
 
-    /// The same of a position, rad or m: what is less than rounding of the loops is none.
+    /// Rounds a position (rad or m) for output; a value below the rounding of loop closure becomes 0.
     pub fn position(&self, value: f64, unit: &ColumnUnit) -> f64 {
         let shown = if self.names_units && value.abs() < NO_POSITION { 0.0 } else { value };
         self.number(shown * unit.factor, None)
     }
 }
 
-/// So many digits of a number.
+/// Rounds to a number of significant digits.
 pub fn digits(value: f64, count: i32) -> f64 {
     if value == 0.0 || !value.is_finite() {
         return value;
@@ -98,9 +98,9 @@ pub fn digits(value: f64, count: i32) -> f64 {
     to_decimals(value, count - 1 - value.abs().log10().floor() as i32)
 }
 
-/// So many decimals; tens and hundreds where that is negative.
+/// Rounds to a number of decimals; a negative number rounds to tens, hundreds and so on.
 fn to_decimals(value: f64, decimals: i32) -> f64 {
-    // More than a double has.
+    // Largest number of decimals in a double.
     let most = if value == 0.0 { 0 } else { 15 - value.abs().log10().floor() as i32 };
     let decimals = decimals.min(most);
     match decimals {

@@ -1,4 +1,4 @@
-//! `percuss template`.
+//! Command `percuss template`.
 
 use crate::args::TemplateArgs;
 use crate::failure::Failure;
@@ -30,7 +30,7 @@ pub fn run(args: &TemplateArgs) -> Result<(), Failure> {
         )));
     };
     let Some(path) = &args.output else { return write_out(&sheet) };
-    // What was filled in is not overwritten by an empty sheet.
+    // A template does not overwrite an existing file unless forced.
     if Path::new(path).is_file() && !args.force {
         return Err(Failure::bad_input(format!("{path} is there already; --force replaces it")));
     }

@@ -5,7 +5,7 @@ use crate::limits;
 use crate::wrap::{WIDTH, hanging, width};
 use std::fmt;
 
-/// Nine significant digits, without trailing zeros; scientific where that is shorter to read.
+/// Formats nine significant digits without trailing zeros; scientific notation for very small and very large numbers.
 pub fn number(x: f64) -> String {
     if x == 0.0 {
         return "0".into();
@@ -16,7 +16,7 @@ pub fn number(x: f64) -> String {
         let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
         return format!("{}e{exponent}", trimmed(digits));
     }
-    // The shortest digits, where nine are enough: found faster than so many decimals.
+    // The shortest representation is used if it has at most nine digits, because it is faster to compute.
     let shortest = x.to_string();
     if shortest.trim_start_matches(['-', '0', '.']).bytes().filter(u8::is_ascii_digit).count() <= 9 {
         return shortest;
@@ -25,13 +25,13 @@ pub fn number(x: f64) -> String {
     trimmed(&format!("{x:.decimals$}"))
 }
 
-/// Five digits.
+/// Formats five significant digits.
 pub fn short(x: f64) -> String {
     let rounded: f64 = format!("{x:.4e}").parse().unwrap_or(x);
     number(rounded)
 }
 
-/// One digit, rounded up: of what is not exceeded.
+/// Formats one digit, rounded up: for upper bounds.
 pub fn bound(x: f64) -> String {
     let nearest = format!("{x:.0e}");
     let above = || {
@@ -53,7 +53,7 @@ fn trimmed(digits: &str) -> String {
     }
 }
 
-/// `(x, y, z)`; rounding noise beside larger components is shown as 0.
+/// Formats `(x, y, z)`; a component that is rounding noise relative to the largest is shown as 0.
 pub fn triple(v: &[f64; 3]) -> String {
     let largest = v.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
     let shown =
@@ -61,7 +61,7 @@ pub fn triple(v: &[f64; 3]) -> String {
     format!("({}, {}, {})", shown[0], shown[1], shown[2])
 }
 
-/// A bar of `width` cells for a share between 0 and 1.
+/// Bar of `width` cells for a share between 0 and 1.
 pub fn bar(share: f64, width: usize) -> String {
     let eighths = (share.clamp(0.0, 1.0) * width as f64 * 8.0).round() as usize;
     let mut text = "█".repeat(eighths / 8);
@@ -71,14 +71,14 @@ pub fn bar(share: f64, width: usize) -> String {
     text
 }
 
-/// Columns under a header, as wide as they must be. Where a line of all of them is too wide, the last column is divided
-/// between words; where that would leave it no room, columns go on in further lines of the row.
+/// Table with columns as wide as their contents. If a line is too wide, the last column is wrapped between words; if
+/// even this is too narrow, columns continue in further lines of the row.
 pub struct Table<const N: usize> {
     rows: Vec<[String; N]>,
 }
 
 impl<const N: usize> Table<N> {
-    /// A table with its header.
+    /// Creates a table with its header.
     pub fn new(header: [&str; N]) -> Self {
         Self { rows: vec![header.map(str::to_owned)] }
     }
@@ -88,12 +88,12 @@ impl<const N: usize> Table<N> {
         self.rows.push(cells.map(|cell| line(&cell).into_owned()));
     }
 
-    /// The header, and what was added.
+    /// Rows, starting with the header.
     pub fn rows(&self) -> &[[String; N]] {
         &self.rows
     }
 
-    /// The columns of each line of a row.
+    /// Ranges of columns for each line of a row.
     fn bands(&self, widths: &[usize; N]) -> Vec<std::ops::Range<usize>> {
         let words = self.rows.iter().flat_map(|row| row[N - 1].split(' ').map(width));
         let last = words.max().unwrap_or(0).max(limits::LEAST_COLUMN);
@@ -130,7 +130,7 @@ impl<const N: usize> fmt::Display for Table<N> {
                     text.extend(std::iter::repeat_n(' ', widths[i] + 2 - width(&row[i])));
                 }
                 let text = text.trim_end();
-                // Of a further line there may be nothing.
+                // A continued line is omitted if empty.
                 if band.start == 0 || !text.is_empty() {
                     writeln!(f, "{}", if last + 1 == N { hanging(text, column) } else { text.to_owned() })?;
                 }
@@ -140,13 +140,13 @@ impl<const N: usize> fmt::Display for Table<N> {
     }
 }
 
-/// A word as the shell of this system takes it.
+/// Quotes a word for the shell of this system, if necessary.
 pub fn word(text: &str) -> String {
     let is_plain = |c: char| c.is_alphanumeric() || "._-/".contains(c);
     if text.chars().all(is_plain) {
         return text.to_owned();
     }
-    // cmd.exe and PowerShell both take double quotes, which no name of a file holds there.
+    // cmd.exe and PowerShell both accept double quotes, which are not permitted in file names on Windows.
     if cfg!(windows) { format!("\"{text}\"") } else { format!("'{}'", text.replace('\'', "'\\''")) }
 }
 

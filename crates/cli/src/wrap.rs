@@ -1,25 +1,25 @@
-//! Lines no wider than a terminal of 80 columns. Words are never broken: a path or a name that is wider stands on a line of
-//! its own, so that it can be copied.
+//! Lines of at most 80 columns. Words are never broken: a wider path or name is on a line of its own and can be
+//! copied.
 
 use textwrap::core::display_width;
 use textwrap::{Options, WordSeparator, WordSplitter, WrapAlgorithm};
 
-/// The columns of a terminal.
+/// Columns of a terminal.
 pub const WIDTH: usize = 80;
-/// Where the value of a fact begins: behind its name.
+/// Column of the value of a fact, after its name.
 const VALUE: usize = 21;
 
-/// How many columns a text takes.
+/// Display width of a text, in columns.
 pub fn width(text: &str) -> usize {
     display_width(text)
 }
 
-/// A line, divided where it is too wide; what follows the first line is indented.
+/// Wraps a line that is too wide; continuation lines are indented.
 pub fn hanging(text: &str, indent: usize) -> String {
     if display_width(text) <= WIDTH {
         return text.to_owned();
     }
-    // The spaces that it begins with are no place to divide it.
+    // Leading spaces are excluded from wrapping.
     let begins = text.len() - text.trim_start_matches(' ').len();
     let (before, after) = (&text[..begins], " ".repeat(indent));
     let options = Options::new(WIDTH)
@@ -32,18 +32,18 @@ pub fn hanging(text: &str, indent: usize) -> String {
     textwrap::fill(&text[begins..], options)
 }
 
-/// `name   value`, the value in a column of its own; with the end of the line.
+/// Formats `name   value` with a line feed; the value has its own column.
 pub fn fact(name: &str, value: &str) -> String {
     hanging(&format!("{name:<20} {value}"), VALUE) + "\n"
 }
 
-/// A diagnostic: its further lines are indented, so that each line that is not begins a message.
+/// Wraps a diagnostic. Continuation lines are indented, so that each line without indentation begins a message.
 pub fn message(text: &str) -> String {
     let begins = text.len() - text.trim_start_matches(' ').len();
     hanging(text, begins + 2)
 }
 
-/// Every line of a text, its further lines indented as it is.
+/// Wraps every line of a text; continuation lines keep the indentation of their line.
 pub fn lines(text: &str) -> String {
     let wrapped = |line: &str| hanging(line, line.len() - line.trim_start_matches(' ').len());
     text.split('\n').map(wrapped).collect::<Vec<_>>().join("\n")
@@ -66,7 +66,7 @@ mod tests {
     #[test]
     fn what_is_not_too_wide_is_left_as_it_is() {
         assert_eq!(message("error:  two  spaces "), "error:  two  spaces ");
-        // 40 characters of two columns each, and one of none.
+        // 40 characters of two columns each; then a combining character without width.
         assert_eq!(width("m̄"), 1);
         let wide = "質".repeat(40);
         assert_eq!(message(&wide), wide);

@@ -1,7 +1,7 @@
-//! Whatever is shown fits a terminal of 80 columns: answers as text, help, lists, findings, errors; of every command, on every
-//! shipped model. A line that is wider is one word, such as a path: words are not broken, so that they can be copied.
-//! Sheets, models, tables as CSV and JSON are files for programs, and what `--for` writes into a simulator's file is as its
-//! language has it.
+//! All output fits a terminal of 80 columns: results as text, help, lists, findings, errors; for every command and
+//! every model of the repository. A wider line is a single word, such as a path: words are not broken, so that they
+//! can be copied. Exceptions are sheets, models, and tables as CSV and JSON, which are files for programs, and the
+//! snippets of `--for`, which follow the syntax of the simulator.
 
 mod support;
 
@@ -28,13 +28,13 @@ fn fits(what: &str, text: &str) -> usize {
     text.lines().count()
 }
 
-/// Runs a command; how many lines it showed.
+/// Runs a command; returns the number of output lines.
 fn shows(line: &str) -> usize {
     let Outcome { stdout, shown, .. } = percuss(line);
     fits(line, &stdout) + fits(line, &shown)
 }
 
-/// Runs commands of which each shows something.
+/// Runs commands; each must print something.
 fn all_show<S: AsRef<str>>(lines: impl IntoIterator<Item = S>) -> usize {
     let each = lines.into_iter().map(|line| {
         assert!(shows(line.as_ref()) > 0, "{} shows nothing", line.as_ref());
@@ -50,7 +50,7 @@ fn models_and_their_answers() {
         commands += all_show([format!("check {model} --notes")]);
         let of_model = text.split("<?percuss ").skip(1).map(|rest| rest.split("?>").next().unwrap_or(""));
         for line in of_model {
-            // Without what it is compared with, so that tolerances of the parts may be asked for.
+            // The expected value is removed, so that tolerances of the parts can be requested.
             let words: Vec<&str> = line.split(' ').collect();
             let asked = words.chunk_by(|_, next| next.starts_with("--"));
             let asked: Vec<String> = asked
@@ -67,7 +67,7 @@ fn models_and_their_answers() {
             ]);
         }
     }
-    // Six are shipped with their commands; 30 commands in all.
+    // Six models contain their commands; 30 commands in total.
     assert!(commands >= 100, "{commands}");
 }
 
@@ -125,7 +125,7 @@ fn maps_lists_and_safe_speeds() {
 
 #[test]
 fn what_simulators_want_to_know() {
-    // All but the text that goes into a simulator's own file, which is indented below its title.
+    // All lines except the snippets for simulators, which are indented below their titles.
     let line = "damp --mass-from models/double_wishbone.urdf --link bump_stop_pad --point 0,0,0 \
         --along-line bump_stop:0,0,0 --against chassis --stiffness 2e5 --restitution 0.3 --speed 0.5 --for all";
     let outcome = percuss(line);
@@ -199,10 +199,10 @@ fn help_of_every_command() {
         let short = percuss(&format!("{command} -h"));
         let long = percuss(&format!("{command} --help"));
         assert_eq!((short.code, long.code), (0, 0), "{command}");
-        // One screen: 40 lines at most.
+        // One screen: at most 40 lines.
         assert!(fits(command, &short.stdout) <= 40, "{}", short.stdout);
         assert!(fits(command, &long.stdout) > 8, "{}", long.stdout);
-        // Each flag of the one stands in the other.
+        // Each flag of the short help occurs in the long help.
         let flags = |text: &str| {
             let words = text.split(|c: char| !(c.is_ascii_alphanumeric() || c == '-'));
             let mut flags: Vec<String> =

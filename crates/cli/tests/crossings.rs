@@ -1,11 +1,12 @@
-//! At a change point: the limits of m̄ along the branches, by closed forms; and what else is told about the loops there.
+//! Change points: the limits of m̄ along the branches, compared with closed forms, and the other findings about the
+//! loops there.
 
 mod support;
 
 use serde_json::Value;
 use support::{Scratch, json, percuss, root};
 
-/// A link of a parallelogram: kg, centre of mass on x, moment of inertia.
+/// Link of a parallelogram: mass, centre of mass on the x axis, moment of inertia.
 fn link(name: &str, mass: f64, x: f64, inertia: f64) -> String {
     format!(
         "<link name=\"{name}\"><inertial><origin xyz=\"{x} 0 0\"/><mass value=\"{mass}\"/>\
@@ -20,8 +21,8 @@ fn hinge(name: &str, parent: &str, child: &str, x: f64) -> String {
     )
 }
 
-/// A parallelogram folded flat along x with its joints at 0, on a carrier: cranks 0.5 m, coupler 1 m. With the cranks
-/// at rate ω: each crank has I_O = 0.01 + 3·0.1² = 0.04 kg·m², the coupler's points move at 0.5 ω.
+/// Parallelogram folded flat along x with its joints at 0, on a carrier: cranks 0.5 m, coupler 1 m. At the rate ω of
+/// the cranks, each crank has I_O = 0.01 + 3·0.1² = 0.04 kg·m², and the points of the coupler move at 0.5 ω.
 fn parallelogram(carrier: &str, prefix: &str, successor: &str) -> String {
     let [crank, coupler, rocker] = ["crank", "coupler", "rocker"].map(|part| format!("{prefix}_{part}"));
     link(&crank, 3.0, 0.1, 0.01)
@@ -46,7 +47,7 @@ fn limits(report: &Value) -> Vec<Option<f64>> {
     report["branch_limits"].as_array().expect("a list").iter().map(Value::as_f64).collect()
 }
 
-/// 1/m̄ is carried on over eight places up to 4 % of the size away: some 1e-10 remain.
+/// The limit extrapolates 1/m̄ from eight poses at distances of up to 4 % of the size; the error is about 1e-10.
 #[track_caller]
 fn assert_one_is(limits: &[Option<f64>], expected: f64) {
     assert!(limits.iter().flatten().any(|m| (m / expected - 1.0).abs() < 1e-8), "{expected} in {limits:?}");
@@ -55,7 +56,7 @@ fn assert_one_is(limits: &[Option<f64>], expected: f64) {
 #[test]
 fn a_platform_on_three_cranks_has_one_branch() {
     let folded = "mass models/parallelogram.urdf --link platform --point 0.3,0.1,0 --set first_hinge=-90deg --format json";
-    // The platform does not turn: 6 + 3·0.08/0.4² kg across the cranks, nothing along them.
+    // The platform does not rotate: 6 + 3·0.08/0.4² kg perpendicular to the cranks; immovable along the cranks.
     let across = json(&format!("{folded} --normal 0,1,0"));
     assert_eq!(across["singular_pose"], true);
     assert_eq!(limits(&across).len(), 1);
@@ -78,7 +79,7 @@ fn groups_at_crossings_of_their_own_are_taken_together() {
         (&4.into(), &2.into())
     );
     assert_eq!(limits(&report).len(), 4);
-    // Both as parallelograms, the first coupler at 1 m/s (ω_a = 2), least over w = ω_b:
+    // Both linkages as parallelograms, the first coupler at 1 m/s (ω_a = 2); minimum over w = ω_b of
     // (0.08 + 0.5)·4 + 6 (1 + 0.1 w)² + 0.02 w² + 2 (1 + 0.5 w)².
     assert_one_is(&limits(&report), 2.32 + 8.0 - 3.2 * 3.2 / (4.0 * 0.58));
 }
@@ -108,7 +109,8 @@ fn limits_are_found_beside_a_long_chain() {
 #[test]
 fn a_branch_with_more_freedoms_is_one_branch() {
     let scratch = Scratch::new("crossings-spin");
-    // The loop is closed by a ball: the coupler's pin to the crank is a ball too, so that it can roll about its length.
+    // The loop is closed by a ball joint, and the coupler's pin to the crank is a ball joint too: the coupler can
+    // roll about its long axis.
     let text = parallelogram("ground", "a", STRAIGHT)
         .replace("name=\"a2\" type=\"continuous\"", "name=\"a2\" type=\"spherical\"")
         .replace("type=\"revolute\"", "type=\"spherical\"");
@@ -144,7 +146,8 @@ fn axes_may_point_opposite_ways() {
 
 #[test]
 fn held_contacts_are_judged_beside_the_zero_pose() {
-    // Stretched out, nothing of the arm moves along x; bent, it does: a held x takes one freedom and is not redundant.
+    // Stretched out, no point of the arm can move along x; bent, the held point can. A hold along x therefore removes
+    // one degree of freedom and is not redundant.
     let held = "mass models/planar_2r.urdf --link outer --point 0.4,0,0 --normal 0,1,0 --hold outer:0.4,0,0:1,0,0 --format json";
     let bent = json(&format!("{held} --set elbow=90deg"));
     for (key, expected) in
@@ -154,7 +157,7 @@ fn held_contacts_are_judged_beside_the_zero_pose() {
     }
     let stretched = json(held);
     assert_eq!((&stretched["degrees_of_freedom"], &stretched["singular_pose"]), (&2.into(), &true.into()));
-    // Held in all directions, z adds nothing to a planar arm: named.
+    // For a hold in all directions, the z direction is redundant for a planar arm, and the hold is named.
     let all = json(&held.replace(":1,0,0", ""));
     assert_eq!(all["redundant_loops"], serde_json::json!([["hold of outer"]]));
     assert_eq!(all["redundant_constraints"], 1);
@@ -179,7 +182,7 @@ fn a_drive_of_very_many_turns_says_how_far_it_came() {
     }
 }
 
-/// A pin between two links, at so much of x in either frame.
+/// Pin between two links, at given x positions in the two link frames.
 fn pin(name: &str, [a, at_a]: [&str; 2], [b, at_b]: [&str; 2]) -> String {
     format!(
         "<loop name=\"{name}\" type=\"revolute\"><predecessor link=\"{a}\"><origin xyz=\"{at_a} 0 0\"/></predecessor>\
@@ -201,7 +204,7 @@ fn more_loops_than_freedoms_drawn_folded_still_move() {
     {
         assert_eq!(folded[key], expected, "{key}");
     }
-    // Three cranks at ω = 2 and the coupler at 1 m/s: the crossed branch is lost with the third crank.
+    // Three cranks at ω = 2 and the coupler at 1 m/s; the third crank excludes the crossed branch.
     assert_eq!(limits(&folded).len(), 1);
     assert_one_is(&limits(&folded), 3.0 * 0.04 * 4.0 + 2.0);
     let driven = json(&format!("{contact} --set a1=0.5"));
@@ -244,7 +247,8 @@ fn every_branch_of_a_ladder_is_found() {
         (&report["degrees_of_freedom"], &report["generic_degrees_of_freedom"]),
         (&5.into(), &1.into())
     );
-    // Each cell goes on as a parallelogram or crossed: 2⁴. All as parallelograms: five cranks at ω = 2, four couplers.
+    // Each cell continues as a parallelogram or crossed: 2⁴ branches. All as parallelograms: five cranks at ω = 2,
+    // four couplers.
     assert_eq!(limits(&report).len(), 16);
     assert_one_is(&limits(&report), 5.0 * 0.04 * 4.0 + 4.0 * 2.0);
 }
@@ -257,8 +261,8 @@ fn message<'a>(report: &'a Value, code: &str) -> &'a str {
 
 #[test]
 fn a_small_crossing_beside_a_long_arm_keeps_its_digits() {
-    // A cylinder and a sphere that touch from inside (r and 2r, r = 0.2 m): Viviani's curve crosses itself at the origin
-    // along y = z and y = −z. A link of 10 m stands beside it.
+    // A cylinder and a sphere with internal contact (radii r and 2r, r = 0.2 m): Viviani's curve intersects itself at
+    // the origin along y = z and y = −z. The model also has a link of 10 m.
     let scratch = Scratch::new("crossings-viviani");
     let slide = |name: &str, axis: &str, parent: &str, mass: f64| {
         link(name, mass, 0.0, 0.1)
@@ -284,7 +288,7 @@ fn a_small_crossing_beside_a_long_arm_keeps_its_digits() {
         + &hinge("far_hinge", "arm", "far", 10.0);
     let model = robot(&scratch, "viviani.urdf", &[text]);
     let report = json(&format!("mass {model} --link Z --point 0,0,0 --normal 0,1,2 --format json"));
-    // 5 kg move along y, 3 along z: (5 + 3)/(3/√5)² and (5 + 3)/(1/√5)².
+    // 5 kg move along y, 3 kg along z: (5 + 3)/(3/√5)² and (5 + 3)/(1/√5)².
     assert_eq!(limits(&report).len(), 2);
     assert_one_is(&limits(&report), 40.0 / 9.0);
     assert_one_is(&limits(&report), 40.0);
@@ -293,7 +297,7 @@ fn a_small_crossing_beside_a_long_arm_keeps_its_digits() {
 #[test]
 fn what_is_no_crossing_of_branches_is_said() {
     let scratch = Scratch::new("crossings-odd");
-    // Stretched out: the ground is as long as the other three together, and nothing moves.
+    // Stretched out: the ground link is as long as the other three together, and no motion is possible.
     let chain = |lengths: [f64; 3], base: f64| {
         link("A", 1.0, 0.1, 0.05)
             + &link("B", 1.0, 0.1, 0.05)
@@ -307,7 +311,7 @@ fn what_is_no_crossing_of_branches_is_said() {
     let report = json(&format!("mass {model} --link B --point 0.1,0.2,0 --normal 0.3,1,0 --format json"));
     assert_eq!((&report["singular_pose"], limits(&report).len()), (&true.into(), 0));
     assert!(message(&report, "singular-pose").contains("no branch was found"));
-    // A flat five-bar: its freedoms at the crossing are three, and the directions that lead on are a cone.
+    // A flat five-bar has three degrees of freedom at the crossing, and the continuing directions form a cone.
     let five = chain([0.6, 0.5, 0.0], 0.7)
         .replace("link=\"B\"><origin xyz=\"0.5", "link=\"D\"><origin xyz=\"-0.1")
         .replace("link=\"C\"><origin xyz=\"0 ", "link=\"C\"><origin xyz=\"0.3 ")
@@ -335,7 +339,8 @@ fn a_redundant_loop_off_by_a_tenth_of_a_micron_is_warned_of() {
     assert!(message(&report, "weakly-constrained").contains("a degree of freedom more than the 0 counted"));
 }
 
-/// Where branches cross, the value of (D) is a lower bound: what needs one mass takes the branches' own, or says why not.
+/// At a crossing of branches, the value of (D) is a lower bound. A question that needs one mass uses the limits of
+/// the branches, or reports the reason for failing.
 #[test]
 fn a_speed_and_a_damper_are_for_masses_that_branches_have() {
     let platform = "models/parallelogram.urdf --link platform --point 0.3,0.1,0 --set first_hinge=-90deg";
@@ -343,14 +348,14 @@ fn a_speed_and_a_damper_are_for_masses_that_branches_have() {
         let report = json(&format!("safe-speed {contact} --region chest --force 280 --format json"));
         (report["reflected"]["robot_mass"].as_f64(), report["reflected"]["speed"].as_f64().expect("a speed"))
     };
-    // Chest: 40 kg on 25 N/mm. The bound of 5.41 kg would allow 0.81 m/s.
+    // Chest: 40 kg on 25 N/mm. The lower bound of 5.41 kg would permit 0.81 m/s.
     let by_hand = |robot: f64| 280.0 / (25e3 / (1.0 / 40.0 + 1.0 / robot)).sqrt();
     let (mass, at_most) = speed(&format!("{platform} --normal 0,1,0"));
     assert_one_is(&[mass], 7.5);
     assert!((at_most / by_hand(7.5) - 1.0).abs() < 1e-8, "{at_most}");
     let (none, at_most) = speed(&format!("{platform} --normal 1,0,0"));
     assert!(none.is_none() && (at_most / (280.0 / (40.0f64 * 25e3).sqrt()) - 1.0).abs() < 1e-12, "{at_most}");
-    // One branch, one damper; nothing is said of how it changes along the motion of the bound.
+    // One branch gives one damper; no drift is reported along the motion of the bound.
     let damp = "--restitution 0.5 --stiffness 1e5 --speed 1 --format json";
     let of_one = json(&format!("damp --mass-from {platform} --normal 0,1,0 {damp}"));
     assert_one_is(&[of_one["effective_mass"].as_f64()], 7.5);
@@ -360,7 +365,7 @@ fn a_speed_and_a_damper_are_for_masses_that_branches_have() {
         assert_eq!(outcome.code, 1, "{line}\n{}", outcome.stderr);
         assert!(words.iter().all(|word| outcome.stderr.contains(word)), "{line}\n{}", outcome.stderr);
     };
-    // Two branches: the heavier one for the speed, none for the damper, which a mass still goes without.
+    // Two branches: the speed uses the heavier one; no damper is given, but the mass is.
     let scratch = Scratch::new("crossings-one-mass");
     let folded = robot(&scratch, "folded.urdf", &[parallelogram("ground", "a", STRAIGHT)]);
     let contact = format!("{folded} --link a_coupler --point 0.1,0.05,0 --normal 0,1,0");
@@ -374,18 +379,18 @@ fn a_speed_and_a_damper_are_for_masses_that_branches_have() {
         &format!("damp --mass-from {contact} {damp}"),
         &["singular", &format!("{least} kg"), "beside it"],
     );
-    // No branch, and branches without a number: nothing bounds the mass.
+    // Without a branch, and with branches without a value, no bound on the mass exists.
     let held = "models/planar_2r.urdf --link outer --point 0.4,0,0 --normal 0,1,0 --hold outer:0.4,0,0:1,0,0";
     refused(&format!("safe-speed {held} --region chest --force 280"), &["singular", "no greatest mass"]);
     refused(&format!("damp --mass-from {held} {damp}"), &["singular", "no branch"]);
 }
 
-/// Loops that close only from a guess: their figures are those of the closed pose, not of the drawing.
+/// For loops that close only from a guess, the results belong to the closed pose, not to the pose as drawn.
 #[test]
 fn figures_are_of_the_assembly_of_the_pose() {
     let scratch = Scratch::new("crossings-guess");
-    // A shaft, and one geared 50 times as fast, each held by a rod where both are turned by 1.1 rad and 55 rad: from
-    // elsewhere one rod or the other misfits at every turn. A folded parallelogram beside them is singular as drawn.
+    // A shaft, and a second one geared to turn 50 times as fast. A rod on each shaft closes at the angles 1.1 rad and
+    // 55 rad; elsewhere, one of the rods does not fit. An additional folded parallelogram is singular as drawn.
     let rod = |name: &str, from: f64, at: f64| {
         let gap: f64 = (5.0 - 4.0 * (at - from).cos()).sqrt();
         format!(

@@ -1,4 +1,5 @@
-//! `percuss damp`: from a restitution to a damper, by closed forms; what a model adds; what is refused.
+//! `percuss damp`: the damper for a given restitution, compared with closed forms; additional results of a model;
+//! refusals.
 
 mod support;
 
@@ -8,8 +9,7 @@ use support::{Scratch, Sweep, json, percuss, root};
 const STOP: &str = "--link bump_stop_pad --point 0,0,0 --along-line bump_stop:0,0,0 --against chassis";
 const WISHBONE: &str = "models/double_wishbone.urdf";
 
-/// Lines that a command prints.
-/// How many rows a table has with its header, some of which go on in lines that are indented.
+/// Number of rows of a printed table, including the header. Indented lines continue a row.
 fn lines(line: &str) -> usize {
     percuss(line).stdout.lines().filter(|text| !text.starts_with(' ')).count()
 }
@@ -35,7 +35,7 @@ fn the_default_is_the_linear_law_without_tension() {
     assert_close(&report["max_penetration"], v / omega * e.sqrt(), 1e-12);
     assert_close(&report["energy_lost"], 0.5 * m * v * v * (1.0 - e * e), 1e-12);
     assert_close(&report["rebound_speed"], e * v, 1e-12);
-    // The Hunt–Crossley dissipation for the same: a(0.4) = 2.0824981641…, over the speed.
+    // Hunt–Crossley dissipation for the same restitution: a(0.4) = 2.0824981641…, divided by the speed.
     assert_close(&report["dissipation"], 2.08249816414701 / v, 1e-11);
     assert_eq!((&report["law"], &report["separation"]), (&"kelvin-voigt".into(), &"force".into()));
     assert_eq!(report["schema"], "percuss.damp/1");
@@ -66,7 +66,7 @@ fn an_approximation_says_how_far_off_it_is() {
     let report = json(
         "damp --mass 3 --stiffness 1e6 --restitution 0.5 --speed 2 --law lankarani-nikravesh --exponent 1.5 --format json",
     );
-    // a = 3(1 − e²)/4; what it achieves, by the exact relation: 0.7252.
+    // a = 3(1 − e²)/4; the restitution achieved follows from the exact relation: 0.7252.
     assert_close(&report["dissipation"], 0.75 * 0.75 / 2.0, 1e-14);
     assert_close(&report["achieved_restitution"], 0.7252, 1e-4);
     assert_eq!(report["law_is_exact"], false);
@@ -85,7 +85,7 @@ fn a_model_tells_its_mass_its_drift_and_what_the_body_alone_would_do() {
     assert_eq!(report["effective_mass"], mass["effective_mass"]);
     assert_eq!(report["inputs"], mass["inputs"]);
     let m = mass["effective_mass"].as_f64().expect("a mass");
-    // The drift is the mass at a pose pushed on, over the mass here: by moving the driver, dm/dδ over m is the same.
+    // The drift is dm/dδ over m, with the penetration δ; reference: finite differences over the driving joint.
     let per_metre = report["drift"]["per_metre"].as_f64().expect("a slope");
     let at = |angle: f64| {
         let line = format!("mass {WISHBONE} {STOP} --set lower_arm_hinge={angle} --format json");
@@ -115,7 +115,7 @@ fn a_model_tells_its_mass_its_drift_and_what_the_body_alone_would_do() {
     let over = report["drift"]["over_penetration"].as_f64().expect("a drift");
     let linear = per_metre * report["max_penetration"].as_f64().expect("a penetration");
     assert!((over / linear - 1.0).abs() < 0.5 && over > 0.0, "{over} {linear}");
-    // c made for 24 kg has ζ √(24/m̄) on m̄.
+    // c computed for 24 kg gives the damping ratio ζ √(24/m̄) at m̄.
     let (alone, ratio) = (23.965, report["damping_ratio"].as_f64().expect("a ratio"));
     assert_close(&report["body_alone"]["mass"], alone, 1e-12);
     let weak = ratio * (alone / m).sqrt();
@@ -132,7 +132,7 @@ fn mass_and_studies_take_a_restitution_too() {
     let damp = json(&format!("damp --mass-from {WISHBONE} {STOP} {flags} --for drake --format json"));
     let mass = json(&format!("mass {WISHBONE} {STOP} {flags} --for drake --format json"));
     for (key, value) in damp.as_object().expect("an object") {
-        // In a mass's answer they stand with the others.
+        // In the result of `mass`, the diagnostics are in the common list.
         let expected = if key == "diagnostics" { &serde_json::json!([]) } else { value };
         assert!(mass["damper"][key] == *expected, "{key}");
     }
@@ -166,7 +166,7 @@ fn the_force_history_is_drawn() {
         (0..2000).map(|row| course.number(row, name).expect("a number")).collect()
     };
     let (x, f) = (column("penetration"), column("force"));
-    // The loop of force over penetration encloses what is lost: ½ m v² (1 − e²) = 1.26 J.
+    // The loop of force over penetration encloses the energy lost: ½ m v² (1 − e²) = 1.26 J.
     let area: f64 = (1..2000).map(|i| 0.5 * (f[i] + f[i - 1]) * (x[i] - x[i - 1])).sum();
     assert!((area / 1.26 - 1.0).abs() < 1e-3, "{area}");
     let svg = scratch.path("course.svg");
@@ -236,7 +236,7 @@ fn what_has_no_damper_says_why() {
         assert_eq!(outcome.stdout, "", "{line}");
         assert!(outcome.stderr.contains(words), "{line}: {words} is missing in\n{}", outcome.stderr);
     }
-    // No damping, and critical damping, are answers.
+    // Zero damping and critical damping are valid results.
     let elastic = json("damp --mass 3 --stiffness 1e4 --restitution 1 --speed 1 --format json");
     assert_eq!((&elastic["damping"], &elastic["energy_lost"]), (&0.0.into(), &0.0.into()));
     let dead = json("damp --mass 3 --stiffness 1e4 --restitution 0 --separation gap --speed 1 --format json");
@@ -303,7 +303,7 @@ fn units_may_follow_numbers() {
     }
 }
 
-/// Every tool integrates a law of its own: its numbers are for that, and it is said.
+/// Every simulator integrates its own law; the parameters are for this law, and a finding says so.
 #[test]
 fn exports_are_for_the_restitution_not_for_the_law() {
     let base = "damp --mass 12 --stiffness 4e5 --restitution 0.3 --speed 0.5 --for mujoco,drake --for mujoco --format json";
@@ -328,7 +328,7 @@ fn the_struck_bodys_own_mass_may_be_given() {
     assert!(outcome.code == 2 && outcome.stderr.contains("--own-mass"), "{}", outcome.stderr);
 }
 
-/// Simulators hold what follows, is locked or held by constraints, as they hold loops.
+/// Simulators treat mimics, locks and holds as constraints, like loops.
 #[test]
 fn constraints_of_any_kind_are_stiffened_in_mujoco() {
     let arm = "damp --mass-from models/six_r_arm.urdf --link tool --point 0.08,0,0 --normal 0,1,1 --set elbow=70deg \
@@ -341,8 +341,8 @@ fn constraints_of_any_kind_are_stiffened_in_mujoco() {
     assert!(settings("--hold forearm:0,0,0:0,0,1"));
 }
 
-/// A free body struck so that its root's origin stays where it is (1 m is the centre of percussion: 0.5 + 0.5/(2·0.5)
-/// m): it only turns, and that is a motion too.
+/// Free body with an impact after which the root's origin remains at rest (1 m is the centre of percussion:
+/// 0.5 + 0.5/(2·0.5) m): a pure rotation.
 #[test]
 fn the_drift_of_a_body_that_only_turns_is_known() {
     let scratch = Scratch::new("damp-turns");
@@ -355,16 +355,17 @@ fn the_drift_of_a_body_that_only_turns_is_known() {
         "damp --mass-from {model} --base floating --link base --point 1,0,0 --stiffness 1e5 --restitution 0.5 --speed 0.1 \
          --format json"
     );
-    // The normal turns with the body: nothing changes. One that stands still meets it aslant: m̄ changes in second order.
+    // A normal that turns with the body causes no change. Relative to a fixed normal, the body inclines, and m̄
+    // changes in second order.
     let turning = json(&format!("{impact} --normal 0,1,0"));
     assert!(turning["drift"]["over_penetration"].as_f64().expect("known").abs() < 1e-12);
     let still = json(&format!("{impact} --normal 0,1,0 --normal-frame world"));
     let depth = still["max_penetration"].as_f64().expect("a depth");
-    // 1/m̄ = 1/2 + (0.5 cos δ)²/0.5 at 1 m/s of the point per rad/s: here cos² δ = 1 − δ².
+    // 1/m̄ = 1/2 + (0.5 cos δ)²/0.5 at 1 m/s of the point per rad/s; here cos² δ = 1 − δ².
     let expected = 1.0 / (0.5 + 0.5 * depth.cos().powi(2)) - 1.0;
     let over = still["drift"]["over_penetration"].as_f64().expect("known");
     assert!((over / expected - 1.0).abs() < 1e-3, "{over} {expected}");
-    // Nothing gives way but the other body: its mass stays what it is.
+    // Only the other body moves; its mass is constant.
     let wall = json(
         "damp --mass-from models/physical_pendulum.urdf --link body --point 0,0,-0.5 --normal 0,0,1 --against-mass 3 \
          --stiffness 1e5 --restitution 0.5 --speed 0.1 --format json",
@@ -372,7 +373,8 @@ fn the_drift_of_a_body_that_only_turns_is_known() {
     assert_eq!((&wall["effective_mass"], &wall["drift"]["over_penetration"]), (&3.0.into(), &0.0.into()));
 }
 
-/// A stop feels 1/(e M⁻¹ eᵀ): at the elbow of the two rods M₂₂ − M₁₂²/M₁₁, with the M of planar_2r.urdf.
+/// Effective inertia of a joint stop: 1/(e M⁻¹ eᵀ); at the elbow of the two rods M₂₂ − M₁₂²/M₁₁, with the M of
+/// planar_2r.urdf.
 #[test]
 fn the_stop_of_a_joint_feels_what_hangs_on_both_sides() {
     let report = json(
@@ -386,7 +388,7 @@ fn the_stop_of_a_joint_feels_what_hangs_on_both_sides() {
     assert_close(&report["effective_mass"], m22 - m12 * m12 / m11, 1e-13);
     assert_eq!(report["stop"], serde_json::json!({"joint": "elbow", "motion": "turn"}));
     assert!(report["body_alone"].is_null());
-    // κ = ω² f, f = d + (1 − d) α, and α is the inertia over that at zero, with the other joint free.
+    // κ = ω² f, f = d + (1 − d) α; α is the inertia divided by the inertia at zero with the other joint free.
     let (at_0, c) = (0.0_f64.cos(), m2 * l1 * l2 / 2.0);
     let open = m22 - (b + c * at_0).powi(2) / (a + b + 2.0 * c * at_0 + 0.3);
     let inertia = m22 - m12 * m12 / m11;
@@ -394,7 +396,7 @@ fn the_stop_of_a_joint_feels_what_hangs_on_both_sides() {
     let solref = &report["exports"]["mujoco"]["parameters"]["solreflimit"];
     assert_close(&solref[0], -200.0 / inertia * scale, 1e-12);
 
-    // ERP and CFM over one another are the stiffness; all tools: those without a stop say why.
+    // The ratio of ERP and CFM is the stiffness. With `--for all`, simulators without joint stops give the reason.
     let all = json(
         "damp --mass-from models/planar_2r.urdf --limit elbow --set elbow=1 --stiffness 200 --restitution 0.5 --speed 0.1 \
          --for all --format json",
@@ -421,7 +423,7 @@ fn the_stop_of_a_joint_feels_what_hangs_on_both_sides() {
         "damp --mass-from models/slider_crank.urdf --limit guide --set crank_hinge=1 --stiffness 1e6 --restitution 0.5 \
          --format json",
     );
-    // A slide's stop is a contact along its axis.
+    // The stop of a prismatic joint is a contact along its axis.
     let contact = json(
         "mass models/slider_crank.urdf --link slider --point 0,0,0 --normal 1,0,0 --set crank_hinge=1 --format json",
     );

@@ -1,4 +1,4 @@
-//! Designs compared with one another, and safe speeds by other limits, in other directions, along a path.
+//! Comparisons of designs; safe speeds for other limits, in other directions, along a path.
 
 mod support;
 
@@ -35,7 +35,7 @@ fn designs_are_each_what_mass_and_sweep_say() {
             assert_eq!(Some(mass), swept.number(row, "effective_mass"), "{sheet} {row}");
         }
     }
-    // The table and the figure of the same.
+    // Table and figure of the same comparison.
     let (csv, svg) = (folder.path("both.csv"), folder.path("both.svg"));
     for output in [&csv, &svg] {
         let outcome = percuss(&format!("compare {SHEETS} {STOP} {vary} --output {output}"));
@@ -65,7 +65,7 @@ fn variants_are_what_the_flags_make() {
         assert_eq!(design["effective_mass"], expected["effective_mass"], "{flags}");
     }
     assert_eq!(report["rows"].as_array().expect("rows").len(), 13);
-    // run says the same; with a format, the study's own contact.
+    // `run` gives the same comparison; with a format, it gives the contact of the study.
     let run = percuss("run models/studies/variants.toml");
     assert_eq!(run.code, 0, "{}", run.stderr);
     assert_eq!(run.stdout, percuss("compare models/studies/variants.toml").stdout);
@@ -94,7 +94,7 @@ fn a_study_changes_its_model_and_its_variants_change_that() {
         ),
     );
     let report = json(&format!("compare {study} --format json"));
-    // m (r_A/r_B)²; a rotor of 0.64 kg·m² at 0.8 m is 1 kg.
+    // m (r_A/r_B)²; a rotor of 0.64 kg·m² at 0.8 m counts as 1 kg.
     let expected =
         [4.0 * (0.5f64 / 0.8).powi(2), 4.0 * (0.6f64 / 0.8).powi(2), 0.5 * (0.5f64 / 0.8).powi(2) + 1.0];
     for (design, expected) in report["designs"].as_array().expect("designs").iter().zip(expected) {
@@ -125,7 +125,7 @@ fn a_study_changes_its_model_and_its_variants_change_that() {
     refused(&format!("compare {alone} {swept}"), &["\"swept\"", "the first has no range"]);
 }
 
-/// A message says where: the flag, or the file.
+/// A message names the flag or the file.
 #[test]
 fn wrong_inputs_say_which_flag_or_file_they_are_from() {
     let four_bar = "models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0";
@@ -166,7 +166,7 @@ fn wrong_inputs_say_which_flag_or_file_they_are_from() {
 
 const ARM: &str = "safe-speed models/six_r_arm.urdf --link tool --point 0.08,0,0 --set elbow=70deg";
 
-/// ½ μ v² = E, μ v = P, by hand; without a region μ is the robot's own.
+/// ½ μ v² = E and μ v = P; without a region, μ is the robot's effective mass.
 #[test]
 fn energies_and_momenta_limit_speeds() {
     let two_body = |robot: f64| 1.0 / (1.0 / 40.0 + 1.0 / robot);
@@ -216,10 +216,10 @@ fn no_direction_is_worse_than_the_worst() {
     let reports = reports.as_array().expect("a list");
     assert_eq!(reports.len(), 12);
     for report in reports {
-        // Each mass has its stated error on it, some 1e-13 of it.
+        // Each mass has a relative error of about 1e-13.
         assert!(number(&report["reflected"]["speed"]) >= slowest * (1.0 - 1e-9), "{report}");
     }
-    // Asked by itself it is the same.
+    // The worst direction, given explicitly, has the same speed.
     let normal = worst["normal_world"].as_array().expect("a vector");
     let normal: Vec<String> = normal.iter().map(|x| number(x).to_string()).collect();
     let line = format!(

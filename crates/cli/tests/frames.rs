@@ -1,4 +1,5 @@
-//! A contact point given in another frame than the struck link's: where it is converted, and what it does in a sweep.
+//! Contact points given in another frame than that of the contact link: pose of the conversion, and effect in a
+//! sweep.
 
 mod support;
 
@@ -6,7 +7,7 @@ use support::{Scratch, Sweep, json, percuss, percuss_with_stdin, root};
 
 const FOUR_BAR: &str = "models/four_bar.urdf --link coupler --normal 0,1,0";
 const WISHBONE: &str = "models/double_wishbone.urdf --link bump_stop_pad --along-line bump_stop:0,0,0 --turning-normal --against chassis";
-/// In the world, near the pad.
+/// In the world frame, near the pad.
 const WISHBONE_POINT: &str = "--frame world --point=0.02,0.5,-0.01";
 const TRAVEL: &str = "travel:wheel_centre:0,0,0:0,0,1";
 
@@ -16,7 +17,7 @@ fn swept(line: &str) -> Sweep {
     Sweep::read(&outcome.stdout)
 }
 
-/// m̄ where the varied column has a value, of a sweep.
+/// m̄ of the row in which a column has the given value.
 fn at(line: &str, column: &str, value: f64) -> f64 {
     let sweep = swept(line);
     let row = (0..sweep.rows.len())
@@ -25,7 +26,7 @@ fn at(line: &str, column: &str, value: f64) -> f64 {
     sweep.number(row, "effective_mass").expect("a finite mass")
 }
 
-/// The range of a sweep, its direction and its number of rows decide nothing about one of its poses.
+/// The result at a pose does not depend on the range of the sweep, its direction or its number of rows.
 #[track_caller]
 fn assert_same(line: &str, what: &str, column: &str, ranges: &[&str], value: f64) {
     let masses: Vec<f64> = ranges
@@ -49,13 +50,14 @@ fn a_point_in_the_world_is_the_same_for_every_range() {
     assert_same(&world, TRAVEL, "travel:wheel_centre", &ranges, 0.0);
     let ranges = ["0.2:0.3:2", "-0.2:0.2:5", "0.2:0:2"];
     assert_same(&world, "lower_arm_hinge", "lower_arm_hinge", &ranges, 0.2);
-    // Against another link, whose frame moves too.
+    // Against another link with a moving frame.
     let against = format!("{FOUR_BAR} --against rocker --frame against --point=-0.2,0.5,0");
     let ranges = ["30deg:60deg:2", "-30deg:30deg:3", "0:30deg:7"];
     assert_same(&against, "crank_hinge", "crank_hinge", &ranges, 30f64.to_radians());
 }
 
-/// At zero the frames of the four-bar are parallel and the crank's pin is at (0, 0.3): the point is known by hand.
+/// At zero, the frames of the four-bar are parallel and the crank's pin is at (0, 0.3), so the point is known in
+/// closed form.
 #[test]
 fn the_point_moves_with_the_link_and_the_normal_keeps_its_axes() {
     let world = format!("sweep {FOUR_BAR} --frame world --point 0.35,0.4,0 --vary crank_hinge=20deg:80deg:4");
@@ -64,7 +66,7 @@ fn the_point_moves_with_the_link_and_the_normal_keeps_its_axes() {
     let (kept, mut apart) = (swept(&world), 0.0);
     for row in 0..4 {
         let angle = kept.cell(row, "crank_hinge");
-        // One pose at a time: the normal in world axes, the point in the link.
+        // Reference for one pose: the normal in world axes, the point in the link frame.
         let one =
             json(&format!("mass {by_hand} --normal-frame world --set crank_hinge={angle} --format json"));
         assert_eq!(one["contact"]["normal_world"], serde_json::json!([0.0, 1.0, 0.0]));
@@ -96,7 +98,7 @@ fn the_point_found_is_told() {
     assert!(!percuss(&line.replace("--frame world", "")).stderr.contains("--frame"));
 }
 
-/// A study asks as the flags do, and says its keys where they say theirs.
+/// A study behaves like the flags; its messages name keys instead of flags.
 #[test]
 fn a_study_converts_as_the_flags_do() {
     let scratch = Scratch::new("frames-study");
@@ -114,8 +116,8 @@ fn a_study_converts_as_the_flags_do() {
     assert_eq!((study.code, study.stdout), (0, flags.stdout));
 }
 
-/// A rod of 1 m on a hinge, a second on its tip, and a slider along x that holds the end of the second: drawn 3 m away,
-/// where two metres do not reach.
+/// A rod of 1 m on a hinge, a second rod at its tip, and a slider along x that holds the end of the second rod. The
+/// slider is drawn 3 m away, beyond the reach of 2 m.
 fn drawn_apart() -> String {
     let rod = |name: &str| {
         format!(

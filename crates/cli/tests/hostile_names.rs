@@ -1,11 +1,11 @@
-//! Names, paths and lines of files that try to command the terminal or to forge a line of the answer.
+//! Names, paths and lines of files that contain terminal commands or imitate lines of the output.
 
 mod support;
 
 use std::process::Stdio;
 use support::{Outcome, Scratch, command};
 
-/// A new line that looks like an answer; C1's "control sequence introducer"; a text turned round; no width.
+/// A new line that imitates a result; the C1 control sequence introducer; reversed text; zero-width characters.
 const HOSTILE: [&str; 4] =
     ["arm&#10;effective mass       0.001 kg", "arm&#x9b;2J", "arm\u{202e}gk 1", "arm\u{200b}\u{2066}x&#127;"];
 
@@ -104,7 +104,7 @@ fn no_command_shows_a_name_raw() {
             assert_harmless(&outcome.stdout, &what);
             assert_harmless(&outcome.stderr, &what);
             answered += usize::from(outcome.code == 0);
-            // Never a panic.
+            // No panic.
             assert!([0, 1, 2].contains(&outcome.code), "{what}: {}", outcome.code);
         }
         assert!(answered >= 8, "only {answered} of the questions about {name:?} were answered");
@@ -150,7 +150,7 @@ fn cells_that_would_be_formulas_are_text() {
         assert!(outcome.stdout.contains(&cell), "{cell} is not in {}", outcome.stdout);
         let header = outcome.stdout.lines().next().expect("a header");
         assert!(!header.split(',').any(|c| c.starts_with(['=', '+', '-', '@'])), "{header}");
-        // Numbers stay numbers.
+        // Numbers remain numbers.
         let vary =
             ["sweep", &path, "--link", "arm", "--point", "0,0,-0.6", "--normal", "1,0,0", "--random", "50"];
         let outcome = run(&vary.map(str::to_owned));

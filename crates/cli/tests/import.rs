@@ -1,5 +1,4 @@
-//! `percuss import`: every template to a model that answers, its flags, what it refuses. The hardpoints are round figures of
-//! our own.
+//! `percuss import`: usable models from all templates, flags, refusals. The hardpoints are invented round values.
 
 mod support;
 
@@ -10,7 +9,7 @@ const UPRIGHT: &str = r#""Upright": {"Mass": 3, "COM": [0.01, 0.8, 0], "Inertia"
 const TIE_ROD: &str =
     r#""Tierod": {"Location Chassis": [-0.2, 0.4, 0.02], "Location Upright": [-0.15, 0.8, -0.03]}"#;
 
-/// A wishbone: name, masses, whether it has moments and products, points.
+/// Wishbone with its mass properties in all notations, and its points.
 fn wishbone(name: &str, z: f64, tip: &str) -> String {
     format!(
         r#""{name}": {{"Mass": 2, "COM": [0, 0.6, {z}], "Inertia": [0.1, 0.1, 0.15], "Moments of Inertia": [0.1, 0.1, 0.15],
@@ -19,7 +18,7 @@ fn wishbone(name: &str, z: f64, tip: &str) -> String {
     )
 }
 
-/// Spring and shock, their lower seats on the body of this key.
+/// Spring and shock absorber, with the lower seats on the given body.
 fn seats(body: &str) -> String {
     let one = |name| {
         format!(
@@ -29,7 +28,7 @@ fn seats(body: &str) -> String {
     format!("{}, {}", one("Spring"), one("Shock"))
 }
 
-/// Sections of a template; keys that it does not know draw warnings and no more.
+/// Sections of a template; unknown keys only give warnings.
 fn sections(template: &str) -> Vec<String> {
     let upright_of_wishbones =
         UPRIGHT.replace("\"Inertia\"", "\"Products of Inertia\": [0, 0, 0], \"Moments of Inertia\"");
@@ -101,7 +100,7 @@ fn import(text: &str, flags: &str) -> Outcome {
     percuss_with_stdin(&format!("import - -o - {flags}"), text.as_bytes())
 }
 
-/// m̄ of an imported model at a seat along the line to the other one, with its pose.
+/// m̄ of an imported model at the moving seat, along the line to the chassis seat.
 fn at_the_shock(model: &str, ending: &str) -> f64 {
     let line = format!(
         "mass - --link shock_seat{ending} --point 0,0,0 --along-line shock_chassis_seat{ending}:0,0,0 --format json"
@@ -141,7 +140,7 @@ fn every_template_becomes_a_model_that_answers_on_either_side_and_both() {
             );
             masses.extend(endings.iter().map(|ending| at_the_shock(&text, ending)));
         }
-        // All four corners are mirror images, and the sides do not feel one another on a fixed chassis.
+        // All four corners are mirror images, and the sides are not coupled on a fixed chassis.
         for mass in &masses {
             assert!((mass / masses[0] - 1.0).abs() < 1e-11, "{template}: {masses:?}");
         }
@@ -165,7 +164,7 @@ fn a_wheel_weighs_on_the_spindle() {
     }
 }
 
-/// A rack that slides is one freedom more; locked it is the fixed one.
+/// A sliding rack adds one degree of freedom; locked, it equals the fixed rack.
 #[test]
 fn a_rack_slides_where_it_is_asked_to() {
     let text = hardpoints("MacPhersonStrut");
@@ -199,14 +198,14 @@ fn what_is_wrong_with_a_file_is_told() {
         (good.replace("[0, 0.9, -0.02]", "\"here\""), 2, "COM"),
         (good.replace("[0, 0.9, -0.02]", "[0, 1e999, 0]"), 2, ""),
         (good.replace("\"Mass\": 2,", "\"Mass\": -2,"), 2, "ass"),
-        // A wishbone whose hinge points are one.
+        // A wishbone with coincident hinge points.
         (good.replace("[-0.2, 0.42, 0.2]", "[0.2, 0.4, 0.2]"), 2, "Upper Control Arm"),
         ("<robot/>".into(), 2, "JSON"),
         (String::new(), 2, "JSON"),
         ("[1, 2]".into(), 2, ""),
         (good[..good.len() / 2].to_owned(), 2, "JSON"),
         ("[".repeat(100_000), 2, ""),
-        // Doubtful, and imported.
+        // Implausible contents, and readable files with unknown keys or comments.
         (good.replace("[0, 0.9, -0.02]", "[0, 900, -20]"), 2, "--unit mm"),
         (good.replace("\"Name\"", "\"Colour\": \"red\", \"Name\""), 0, "Colour"),
         (good.replace("\"Name\"", "// a comment\n\"Name\""), 0, "no wheel"),
@@ -219,7 +218,7 @@ fn what_is_wrong_with_a_file_is_told() {
         assert!(!outcome.stderr.contains("panicked"), "{}", outcome.stderr);
         assert_eq!(outcome.stdout.is_empty(), code != 0, "{start}");
     }
-    // A missing key is named with the way to it, and with the file.
+    // A missing key is reported with its path and the file.
     let folder = Scratch::new("import-refusals");
     let file =
         folder.write("corner.json", &good.replace("\"Location Chassis Front\": [0.2, 0.4, -0.1],", ""));
@@ -263,7 +262,7 @@ fn flags_that_mean_nothing_are_refused() {
     assert_eq!(percuss(&format!("import {file}")).code, 2, "an output is required");
 }
 
-/// The commands of README and docs/SUSPENSIONS.md, and the figure that README prints.
+/// Commands of README and docs/SUSPENSIONS.md, and the value printed in README.
 #[test]
 fn a_sheet_of_ones_own_becomes_a_model_that_answers() {
     let folder = Scratch::new("import-sheet");
@@ -296,7 +295,8 @@ fn a_sheet_of_ones_own_becomes_a_model_that_answers() {
     assert!(percuss("template --list").stdout.contains("swing-axle"));
 }
 
-/// README's file in Chrono's format: the car of the sheet, but for the anti-roll bar, which the format does not have.
+/// README's file in Chrono's format describes the car of the sheet, except for the anti-roll bar, which the format
+/// lacks.
 #[test]
 fn the_shipped_file_of_chrono_is_the_car_of_the_sheet() {
     let folder = Scratch::new("import-chrono");
@@ -334,7 +334,8 @@ fn the_shipped_file_of_chrono_is_the_car_of_the_sheet() {
                 "--link {seat}{ending} --point 0,0,0 --along-line {above}{ending}:0,0,0 --against chassis"
             );
             let (a, b) = (mass(&of_sheet, &contact), mass(&of_chrono, &contact));
-            // The same figures, once in mm and once in m: they round apart by 1e-16, and m̄ by some hundred times that.
+            // The same values are in mm in one file and in m in the other: they differ by roundings of 1e-16, and m̄
+            // by some hundred times as much.
             assert!((a / b - 1.0).abs() < 1e-12, "{side} {seat}: {a} {b}");
         }
     }

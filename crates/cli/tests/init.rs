@@ -1,11 +1,11 @@
-//! `percuss init` of every shipped model: the study runs as it is written, and with all that it suggests.
+//! `percuss init` for every model of the repository: the study runs unchanged, and with all its suggestions.
 
 mod support;
 
 use std::fs;
 use support::{Scratch, command, percuss, root};
 
-/// Files with an ending in a folder of `models`.
+/// Files of a folder with the given ending.
 fn shipped(folder: &str, ending: &str) -> Vec<String> {
     let names = fs::read_dir(root().join(folder)).expect("models are shipped").flatten();
     let names = names.map(|entry| format!("{folder}/{}", entry.file_name().to_string_lossy()));
@@ -14,7 +14,7 @@ fn shipped(folder: &str, ending: &str) -> Vec<String> {
     names
 }
 
-/// The study with its suggestions: lines that begin with "# " and a key or a table.
+/// Study with its suggestions enabled: lines that begin with "# " and a key or a table.
 fn with_suggestions(study: &str) -> String {
     let suggested = |line: &str| {
         let rest = line.strip_prefix("# ")?;
@@ -42,18 +42,18 @@ fn every_shipped_model_has_a_study_that_runs() {
         finite += usize::from(answer["effective_mass"].as_f64().is_some_and(|m| m > 0.0));
         // Links and joints are named.
         let bodies = answer["bodies"].as_array().expect("a list");
-        // Of very many, some are listed.
+        // Of a long list, only the first names are given.
         assert_eq!(written.contains(" more: percuss check"), bodies.len() > 40, "{model}");
         for body in bodies.iter().take(40) {
             assert!(written.contains(body["link"].as_str().expect("a name")), "{model}");
         }
-        // What is suggested may be taken all at once.
+        // All suggestions can be enabled together.
         let all = with_suggestions(&written);
         assert_ne!(all, written, "{model} suggests nothing");
         let all = folder.write(&format!("all{i}.toml"), &all);
         let run = percuss(&format!("run {all}"));
         assert_eq!(run.code, 0, "{model}: {}\n{}", run.stderr, fs::read_to_string(&all).expect("there"));
-        // The sweep alone, without variants, has an answer in every row.
+        // The sweep alone, without variants, has a result in every row.
         if let Some(at) = written.find("# [sweep]") {
             let vary: Vec<&str> = written[at..].lines().skip(1).take(1).collect();
             let one = format!("{written}\n[sweep]\n{}\n", vary[0].trim_start_matches("# "));
@@ -71,7 +71,7 @@ fn every_shipped_model_has_a_study_that_runs() {
 fn a_study_made_is_the_users_own_and_finds_its_model() {
     let folder = Scratch::new("init-places");
     let model = fs::read_to_string(root().join("models/point_mass_pendulum.urdf")).expect("there");
-    // Windows has no double quotes in names.
+    // Windows does not permit double quotes in file names.
     let (name, written) =
         if cfg!(unix) { ("a pendulum\"", "a pendulum\\\"") } else { ("a pendulum's", "a pendulum's") };
     let model = folder.write(&format!("{name}.urdf"), &model);
@@ -85,11 +85,11 @@ fn a_study_made_is_the_users_own_and_finds_its_model() {
     let text = fs::read_to_string(&study).expect("written");
     assert!(text.contains(&format!("path = \"../../{written}.urdf\"")), "{text}");
     assert_eq!(percuss(&format!("run {study}")).code, 0);
-    // It is filled in by hand: not replaced unasked.
+    // A study is edited by hand, so it is not replaced without --force.
     let again = init(&[]);
     assert!(again.code == 2 && again.stderr.contains("--force"), "{}", again.stderr);
     assert_eq!(init(&["--force"]).code, 0);
-    // On stdout the path is as given.
+    // On stdout, the path is printed as given.
     let printed = percuss("init models/four_bar.urdf");
     assert!(printed.code == 0 && printed.stdout.contains("path = \"models/four_bar.urdf\""));
     for (line, words) in [
@@ -103,7 +103,7 @@ fn a_study_made_is_the_users_own_and_finds_its_model() {
     }
 }
 
-/// Names that TOML, a shell or a terminal would take for something else.
+/// Names with a special meaning in TOML, in a shell or in a terminal.
 #[test]
 fn names_of_any_kind_are_written_so_that_they_are_read() {
     let folder = Scratch::new("init-names");

@@ -1,4 +1,4 @@
-//! Contacts of closed linkages through the command: which joints drive, which assembly, what is held, what stands beside.
+//! Contacts of closed linkages on the command line: driving joints, assembly modes, holds, estimates.
 
 mod support;
 
@@ -9,7 +9,7 @@ const ROCKER: &str = "mass models/four_bar.urdf --link rocker --point -0.25,0.6,
 const SPRING: &str = "mass models/double_wishbone.urdf --link spring_seat --point 0,0,0 --along-line spring_chassis_seat:0,0,0";
 const MIDDLE_WHEEL: &str = "mass models/rocker_bogie.urdf --link right_middle --point 0,0,0 --normal 0,0,-1";
 
-/// Σ (m v² + I ω²) of the four-bar at zero per unit rate of the crank, kg·m²: see the model.
+/// Σ (m v² + I ω²) of the four-bar at zero per unit rate of the crank, kg·m²; see the model.
 const FOUR_BAR_ENERGY: f64 = 52163.0 / 110250.0;
 
 fn kilograms(line: &str) -> f64 {
@@ -21,7 +21,7 @@ fn assert_close(got: f64, expected: f64, tolerance: f64) {
     assert!((got - expected).abs() <= tolerance * expected.abs(), "got {got}, expected {expected}");
 }
 
-/// What a refusal says, and with which exit code.
+/// Asserts the exit code and the words of a refusal.
 #[track_caller]
 fn assert_refused(line: &str, code: i32, words: &[&str]) {
     let outcome = percuss(line);
@@ -56,7 +56,7 @@ fn json_says_how_the_loops_stand() {
     }
     let shares: f64 = report["bodies"].as_array().unwrap().iter().map(|b| b["share"].as_f64().unwrap()).sum();
     assert_close(shares, 1.0, 1e-14);
-    // An open chain has none of it.
+    // An open chain has no values of loops.
     let open = json(
         "mass models/semi_trailing_arm.urdf --link spring_seat --point 0,0,0 --normal 0,0,1 --format json",
     );
@@ -76,7 +76,7 @@ fn followers_are_not_set() {
     for joint in ["rocker_hinge=0.1", "crank_pin=1deg"] {
         let name = joint.split('=').next().unwrap();
         assert_refused(&format!("{COUPLER} --set {joint}"), 2, &[name, "\"crank_hinge\"", "--guess"]);
-        // Even where the driver is set as well.
+        // Refused even if the driver is set as well.
         assert_refused(&format!("{COUPLER} --set crank_hinge=0.2 --set {joint}"), 2, &[name, "--guess"]);
     }
     assert_refused(
@@ -97,11 +97,11 @@ fn what_cannot_be_reached_is_told_with_the_loop_and_the_nearest() {
     assert!(message.contains("lower_arm_hinge = 2") && message.contains("\"upper_ball\""), "{message}");
     let (_, nearest) = message.split_once("nearest reached: lower_arm_hinge = ").expect("it is told");
     let nearest: f64 = nearest.split(',').next().unwrap().trim().parse().expect("a number");
-    // Computed independently; the range ends like a parabola, so that 1e-12 of the size is 1e-6 of the angle.
+    // Computed independently. The range ends like a parabola: 1e-12 of the size corresponds to 1e-6 of the angle.
     assert!((nearest - 0.457779675518).abs() < 1e-5, "{nearest}");
 }
 
-/// The other assembly is the mirror image of the rocker's pin in the line from the crank's pin to the rocker's hinge.
+/// In the other assembly, the rocker's pin is reflected in the line from the crank's pin to the rocker's hinge.
 #[test]
 fn a_guess_selects_the_other_assembly() {
     let (here, there) = (
@@ -117,7 +117,7 @@ fn a_guess_selects_the_other_assembly() {
         assert!((at(&there, i) - coordinate).abs() < 1e-12, "{} {coordinate}", at(&there, i));
     }
     assert_ne!(here["assembly_modes"], there["assembly_modes"]);
-    // The parallelogram of the antiparallelogram's lengths: the rocker's pin moves with the crank's.
+    // Parallelogram with the lengths of the antiparallelogram: the pins of rocker and crank have the same velocity.
     let crossed = "mass models/antiparallelogram.urdf --link rocker --point 0.4,-0.3,0 --normal 3,4,0 --guess rocker_hinge=74deg";
     // Crank, rocker and coupler at 0.5 m: 2·2.4/3 + 3.
     assert_close(kilograms(crossed), 4.6, 1e-12);
@@ -127,7 +127,8 @@ fn a_guess_selects_the_other_assembly() {
 fn held_contacts_hold_and_say_where_they_pull() {
     let (free, locked) = (2.96923687043227, 0.15 / (0.2 * 0.2));
     assert_close(kilograms(MIDDLE_WHEEL), free, 1e-12);
-    // Lifted in the middle, the right rocker presses its front wheel down, and the differential lifts the left one.
+    // Lifting the middle wheel makes the right rocker press its front wheel down, and the differential lifts the left
+    // one.
     let pressed = percuss(&format!(
         "{MIDDLE_WHEEL} --hold right_front:0,0,-0.1:0,0,-1 --expect {locked} --tolerance 1e-12"
     ));
@@ -148,7 +149,7 @@ fn held_contacts_hold_and_say_where_they_pull() {
     assert_refused(&format!("{MIDDLE_WHEEL} --hold nothing:0,0,0"), 2, &["nothing"]);
     assert_refused(&format!("{MIDDLE_WHEEL} --hold left_front:0,0,0:0,0,0"), 2, &["normal"]);
     assert_refused(&format!("{MIDDLE_WHEEL} --hold left_front"), 2, &["LINK:X,Y,Z"]);
-    // A tyre that is rigid, and grips: nothing gives way.
+    // A rigid tyre without slip permits no motion.
     assert_eq!(json(&format!("{SPRING} --hold contact_patch:0,0,0 --format json"))["status"], "immovable");
 }
 
@@ -162,7 +163,7 @@ fn locks_on_followers_count() {
     assert_refused(&format!("{SPRING} --lock upper_ball"), 2, &["no joint is named \"upper_ball\""]);
 }
 
-/// Contacts between links of one loop: the relative speed counts, not the two sides apart.
+/// Contacts between links of one loop: the relative speed counts, not the speeds of the two sides.
 #[test]
 fn against_another_link_of_the_loop() {
     // Coupler against crank: (ω - 1)·0.35 with ω = -5/21.
@@ -174,10 +175,10 @@ fn against_another_link_of_the_loop() {
     // Coupler against rocker: -0.35·5/21 from the coupler, 8/21·(0.35 - 0.65) from the rocker.
     let speed = -0.35 * 5.0 / 21.0 - 8.0 / 21.0 * (0.35 - 0.65);
     assert_close(kilograms(&format!("{COUPLER} --against rocker")), FOUR_BAR_ENERGY / (speed * speed), 1e-12);
-    // Either side may be called the struck one; the ground may be struck too.
+    // The two sides of a contact may be exchanged; the ground may be the contact link.
     let ground = COUPLER.replace("coupler", "ground").replace("0.35,0.1,0", "0.35,0.4,0");
     assert_close(kilograms(&format!("{ground} --against coupler")), FOUR_BAR_ENERGY * 144.0, 1e-12);
-    // In a bearing there is nothing to close.
+    // At a bearing, the relative velocity is always zero.
     let pin =
         "mass models/four_bar.urdf --link coupler --point 0,0,0 --normal 1,2,0 --against crank --format json";
     assert_eq!(json(pin)["status"], "immovable");
@@ -186,7 +187,7 @@ fn against_another_link_of_the_loop() {
     let speed = 0.6 * -29.0 / 105.0 + 0.8 / 12.0;
     assert_close(kilograms(&along), FOUR_BAR_ENERGY / (speed * speed), 1e-12);
     assert_close(kilograms(&COUPLER.replace("0,1,0", "3,-4,0")), kilograms(&along), 1e-13);
-    // A line to the contact's own place has no direction.
+    // A line to the contact point itself has no direction.
     let nowhere = COUPLER.replace("--normal 0,1,0", "--along-line ground:0.35,0.4,0");
     assert_refused(&nowhere, 2, &["no direction"]);
 }
@@ -221,7 +222,7 @@ fn the_estimate_stands_beside_the_answer() {
     ] {
         assert!(text.contains(words), "{words} is missing in\n{text}");
     }
-    // The component of A's velocity along a direction.
+    // Component of the velocity of A along a direction.
     let vertical = json(&format!("{asked}:0,0,0:0,0,2 --format json"));
     assert_close(vertical["estimate"]["motion_ratio"].as_f64().unwrap(), 2.21478924, 1e-8);
     assert_refused(&format!("{SPRING} --estimate wheel,nothing"), 2, &["no link is named \"nothing\""]);
@@ -230,7 +231,7 @@ fn the_estimate_stands_beside_the_answer() {
     assert!(json(&format!("{SPRING} --format json"))["estimate"].is_null());
 }
 
-/// A free body on the other side is in series with the mechanism; the estimate stays beside the mechanism's own.
+/// A free body on the other side is in series with the mechanism; the estimate applies to the mechanism alone.
 #[test]
 fn a_free_body_on_the_other_side_of_a_linkage() {
     let mass = kilograms(SPRING);
@@ -243,7 +244,7 @@ fn a_free_body_on_the_other_side_of_a_linkage() {
     );
 }
 
-/// A lock, a hold or more mass never makes a linkage lighter; a floating base never heavier.
+/// A lock, a hold or additional mass never reduces m̄; a floating base never increases it.
 #[test]
 fn more_constraints_never_lower_the_mass() {
     let free = kilograms(MIDDLE_WHEEL);
@@ -286,7 +287,7 @@ fn a_guess_that_is_of_no_use_is_said() {
     }
 }
 
-/// Severity and message of each finding of a code.
+/// Severity and message of each finding with the given code.
 fn findings(line: &str, code: &str) -> Vec<(String, String)> {
     let report = json(&format!("{line} --format json"));
     let word = |value: &serde_json::Value| value.as_str().expect("a word").to_owned();
@@ -294,8 +295,8 @@ fn findings(line: &str, code: &str) -> Vec<(String, String)> {
     all.filter(|d| d["code"] == code).map(|d| (word(&d["severity"]), word(&d["message"]))).collect()
 }
 
-/// The four-bar driven by its rocker, which has two separate ranges: the rocker's pin above the line of the hinges, and
-/// below it. The drawing stands above.
+/// Four-bar driven by its rocker, with two separate ranges: the rocker's pin above and below the line of the hinges.
+/// The model is drawn above.
 #[test]
 fn another_assembly_mode_is_an_error_without_a_guess() {
     let scratch = Scratch::new("loops-other-assembly");
@@ -304,7 +305,7 @@ fn another_assembly_mode_is_an_error_without_a_guess() {
     assert_ne!(text, undeclared);
     let model = scratch.write("undeclared.urdf", &undeclared);
     let asked = |more: &str| format!("mass {model} --link coupler --point 0.35,0.1,0 --normal 0,1,0 {more}");
-    // The drawing mirrored in the line of the hinges: the rocker turns by 2 atan2(-0.25, -0.6) on from (-0.25, 0.6).
+    // Drawing reflected in the line of the hinges: the rocker turns by 2 atan2(-0.25, -0.6) from (-0.25, 0.6).
     let mirrored = f64::atan2(-0.6, -0.25) - f64::atan2(0.6, -0.25) + std::f64::consts::TAU;
     let refused = percuss(&asked(&format!("--set rocker_hinge={mirrored}")));
     assert_eq!((refused.code, refused.stdout.as_str()), (1, ""), "{}", refused.stderr);
@@ -313,19 +314,19 @@ fn another_assembly_mode_is_an_error_without_a_guess() {
     {
         assert!(refused.stderr.contains(words), "{words} is missing in {}", refused.stderr);
     }
-    // On the branch of the drawing, or with a guess that chooses the mode, it is answered.
+    // On the branch of the drawing, or with a guess that selects the mode, a result exists.
     assert_eq!(percuss(&asked("--set rocker_hinge=0.2")).code, 0);
     let guess = f64::atan2(-0.3, 0.0) - f64::atan2(0.3, 0.0);
     let chosen = asked(&format!("--set rocker_hinge={mirrored} --guess crank_hinge={guess}"));
     assert_eq!(percuss(&chosen).code, 0);
-    // No mode reaches the rocker's pin beyond both cranks' reach.
+    // No assembly mode reaches a pin position outside the range of both cranks.
     let beyond = percuss(&asked("--set rocker_hinge=-1.9656"));
     assert_eq!((beyond.code, beyond.stdout.as_str()), (1, ""), "{}", beyond.stderr);
     assert!(beyond.stderr.contains("other assembly modes were looked for"), "{}", beyond.stderr);
 }
 
-/// A rod of 1 m on a ball joint, its tip tied to a point 1 m above the ball by a rod of √2 m: the tip stays level, and of
-/// the ball's three rotations two are left, about the vertical and about the rod itself.
+/// Rod of 1 m on a ball joint, with its tip connected to a point 1 m above the ball by a rod of √2 m. The tip stays
+/// at the level of the ball. Two of the three rotations remain: about the vertical and about the rod itself.
 const TIED: &str = r#"<robot name="tied"><link name="ground"/>
   <link name="bar"><inertial><origin xyz="0.5 0 0"/><mass value="2"/>
     <inertia ixx="0.01" iyy="0.2" izz="0.2" ixy="0" ixz="0" iyz="0"/></inertial></link>
@@ -343,14 +344,14 @@ fn a_joint_set_to_more_than_its_loops_leave_is_said() {
         let [x, y, z] = axis.map(|a| a * sine);
         format!("mass {model} --link bar --point 1,0,0 --normal 0,1,0 --set ball={cosine},{x},{y},{z}")
     };
-    // Pitched by 0.2 rad, the tip would leave the level: the nearest is not pitched.
+    // Pitch by 0.2 rad would raise or lower the tip: the nearest reachable pose has no pitch.
     let found = findings(&asked([0.0, 1.0, 0.0], 0.2), "off-target");
     let [(severity, message)] = &found[..] else { panic!("{found:?}") };
     assert_eq!(severity, "warning");
     for words in ["\"ball\"", "--set", "more numbers than its loops leave", "0.200000 off"] {
         assert!(message.contains(words), "{words} is missing in {message}");
     }
-    // Yawed, or rolled, it stays level.
+    // Yaw and roll keep the tip level.
     assert_eq!(findings(&asked([0.0, 0.0, 1.0], 0.2), "off-target"), []);
     assert_eq!(findings(&asked([1.0, 0.0, 0.0], 0.2), "off-target"), []);
 }
@@ -376,7 +377,7 @@ fn a_wrong_axis_that_makes_loops_rigid_is_named() {
         assert!(message.contains(words), "{words} is missing in\n{message}");
     }
     assert_eq!(report["generic_degrees_of_freedom"], 0);
-    // As it stands nothing is warned of.
+    // The unchanged model gives no such finding.
     let report = json("check models/four_bar.urdf --format json");
     assert!(report["diagnostics"].as_array().expect("a list").iter().all(|d| d["code"] != "rigid-loops"));
 }

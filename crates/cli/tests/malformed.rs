@@ -1,11 +1,12 @@
-//! The corpus of `tests/malformed` through the command: exit code 2, a message with its place, no time, no memory.
+//! Corpus of `tests/malformed` on the command line: exit code 2, a message with its position, bounded time and
+//! memory.
 
 mod support;
 
 use std::time::{Duration, Instant};
 use support::{Outcome, command, percuss, percuss_with_stdin, root};
 
-/// Less than a second when nothing else runs; far more would be a hang.
+/// Less than a second on an idle machine; the limit detects a hang.
 const PATIENCE: Duration = Duration::from_secs(20);
 
 fn corpus(folder: &str) -> Vec<String> {
@@ -51,7 +52,7 @@ fn doubtful_files_load_with_a_word() {
     }
 }
 
-/// Runs `percuss check` on bytes, on Unix within 500 MB of address space: Windows' shells set no such limit.
+/// Runs `percuss check` on bytes; on Unix within 500 MB of address space. Windows shells have no such limit.
 fn check_bytes(what: &str, bytes: &[u8]) -> Outcome {
     let path = std::env::temp_dir().join(format!("percuss-{}-{what}.urdf", std::process::id()));
     std::fs::write(&path, bytes).expect("a temporary file");
@@ -149,7 +150,7 @@ fn what_is_no_file_is_refused() {
     assert_refused("no stdin", &percuss("check -"));
 }
 
-/// Unix: Windows has no such device, and its shells close no stdin.
+/// Unix only: Windows has no such device, and its shells cannot close stdin.
 #[cfg(unix)]
 #[test]
 fn an_endless_or_closed_input_is_refused() {

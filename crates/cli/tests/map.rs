@@ -1,4 +1,4 @@
-//! `percuss map`: against `percuss mass`, against a closed form, and what its files hold.
+//! `percuss map` compared with `percuss mass` and with a closed form; contents of its files.
 
 mod support;
 
@@ -64,7 +64,7 @@ fn extremes_are_what_mass_says_there() {
     }
 }
 
-/// One hinge: m̄ = J/(a·(r × n))², at every facet of every shape.
+/// One hinge: m̄ = J/(a·(r × n))² at every facet of every shape.
 #[test]
 fn a_hinged_link_has_its_closed_form_everywhere() {
     let folder = folder("pendulum");
@@ -100,7 +100,7 @@ fn a_hinged_link_has_its_closed_form_everywhere() {
         match cells[11] {
             "finite" => {
                 let m = v(12);
-                // r and n have 16 digits; their product has lost what cancels.
+                // r and n have 16 digits; cancellation in their product loses some of them.
                 assert!((m * arm * arm / 0.55 - 1.0).abs() < 1e-12 + 4e-15 / arm.abs(), "{row}");
                 finite += 1;
             }
@@ -123,7 +123,7 @@ fn a_hinged_link_has_its_closed_form_everywhere() {
     fs::remove_dir_all(folder).expect("removed");
 }
 
-/// What stands behind `end_header` of a PLY: (mass of the vertices, mass and status of the faces).
+/// Contents of a PLY after `end_header`: masses of the vertices, and mass and status of the faces.
 fn ply(bytes: &[u8]) -> (Vec<f64>, Vec<(f64, u8)>) {
     let end = b"end_header\n";
     let at = bytes.windows(end.len()).position(|w| w == end).expect("a header") + end.len();
@@ -203,7 +203,7 @@ fn files_hold_the_masses_of_the_table() {
     fs::remove_dir_all(folder).expect("removed");
 }
 
-/// No answer depends on the number of threads.
+/// No result depends on the number of threads.
 #[test]
 fn threads_do_not_matter() {
     let line = format!("map {ARM} --all {POSE} --format csv --edge 6mm");
@@ -217,7 +217,7 @@ fn directions_at_a_point_have_their_principal_masses() {
     let report = json(&format!("map {ARM} --link finger --point 0.1,0,0 --directions 500 --format json"));
     let principal = report["principal"].as_array().expect("three");
     assert_eq!(principal.len(), 3);
-    // Stretched along x: nothing gives way along it; sideways the closed form of the model.
+    // Stretched along x: immovable along x; sideways, the closed form of the model.
     assert_eq!(principal[2]["status"], "immovable");
     let sideways = principal.iter().find(|p| number(&p["direction_link"][1]).abs() > 0.999).expect("along y");
     assert!((number(&sideways["effective_mass"]) / 1.792578125 - 1.0).abs() < 1e-9);
@@ -237,7 +237,7 @@ fn directions_at_a_point_have_their_principal_masses() {
     assert!(text.code == 0 && text.stdout.contains("1.79257813"), "{}", text.stdout);
 }
 
-/// Where the vertices of a PLY stand.
+/// Positions of the vertices of a PLY.
 fn places(bytes: &[u8], count: usize) -> Vec<[f64; 3]> {
     let end = b"end_header\n";
     let at = bytes.windows(end.len()).position(|w| w == end).expect("a header") + end.len();
@@ -249,7 +249,7 @@ fn places(bytes: &[u8], count: usize) -> Vec<[f64; 3]> {
 fn a_belted_ellipsoid_is_as_far_as_the_mass_is_large() {
     let folder = folder("ellipsoid");
     let file = folder.join("belt.ply");
-    // Finite in all directions; stretched, when nothing gives way along it; folded; against a free body.
+    // Finite in all directions; stretched, with an immovable direction; folded; against a free body.
     for flags in ["--set elbow=70deg", "", "--set elbow=170deg", "--set elbow=70deg --against-mass 2kg"] {
         let line = format!("map {ARM} --link finger --point 0.1,0,0 {flags} --directions 10 --force");
         let report = json(&format!("{line} --format json -o {}", file.display()));
@@ -266,7 +266,7 @@ fn a_belted_ellipsoid_is_as_far_as_the_mass_is_large() {
             let far = x.hypot(y).hypot(z);
             (furthest, nearest) = (furthest.max(far), nearest.min(far));
             let expected = 1.0 / inverse([x / far, y / far, z / far]);
-            // Single precision; a facet without a value reaches the cut.
+            // Positions have single precision. A facet without a value reaches the cut-off.
             let (_, status) = faces[i / 3];
             cut += usize::from(status == 1);
             assert!(status == 1 || (far / expected - 1.0).abs() < 1e-5 || far < expected, "{far} {expected}");

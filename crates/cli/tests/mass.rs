@@ -1,4 +1,4 @@
-//! `percuss mass` and `percuss check`: what scripts rely on, and what a mistaken user is told.
+//! `percuss mass` and `percuss check`: output that scripts rely on, and messages for mistakes.
 
 mod support;
 
@@ -7,7 +7,7 @@ use support::{command, json, percuss, percuss_with_stdin, root};
 const PENDULUM: &str = "mass models/point_mass_pendulum.urdf --link rod --point 0,0,-0.8 --normal 1,0,0";
 const ARM: &str = "mass models/six_r_arm.urdf --link tool --point 0.08,0,0 --normal 0,0,-1";
 
-/// The effective mass of a command.
+/// Effective mass of a command.
 fn kilograms(line: &str) -> f64 {
     json(&format!("{line} --format json"))["effective_mass"].as_f64().expect("a finite mass")
 }
@@ -111,7 +111,7 @@ fn csv_is_a_header_and_a_row_of_equal_length() {
 #[test]
 fn flags_mean_what_they_say() {
     let m = kilograms(ARM);
-    // Negative first components, both ways of writing them; the sign of the normal does not matter.
+    // Negative first components in both notations; the result does not depend on the sign of the normal.
     assert_eq!(kilograms(&ARM.replace("--normal 0,0,-1", "--normal=-0,0,1")), m);
     assert_eq!(kilograms(&ARM.replace("--normal 0,0,-1", "--normal -0,0,2")), m);
     // Units.
@@ -119,13 +119,13 @@ fn flags_mean_what_they_say() {
     let posed = kilograms(&format!("{ARM} --set elbow=40deg"));
     assert_eq!(posed, kilograms(&format!("{ARM} --set elbow={}rad", 40.0 * std::f64::consts::PI / 180.0)));
     assert!((posed / m - 1.0).abs() > 1e-3);
-    // A lock or a rotor makes it heavier; a floating base lighter.
+    // A lock or a rotor increases m̄; a floating base reduces it.
     assert!(kilograms(&format!("{ARM} --lock elbow")) > m * 1.001);
     assert!(kilograms(&format!("{ARM} --armature elbow=0.5")) > m * 1.001);
     let turret = "mass models/six_r_arm.urdf --link turret --point 0.1,0,0 --normal 0,1,0";
     let heavy_base = kilograms(turret);
     assert!(kilograms(&format!("{turret} --base floating --link-mass pedestal=40kg")) < heavy_base);
-    // A base without mass is no body.
+    // A floating base needs a mass.
     let massless = percuss(&format!("{turret} --base floating"));
     assert_eq!(massless.code, 2);
     let said = "--base: the root link \"pedestal\" has no mass; a body that floats needs one: give it its mass \
@@ -134,7 +134,7 @@ fn flags_mean_what_they_say() {
     // A free body in series.
     let other = kilograms(&format!("{ARM} --against-mass 500g"));
     assert!((1.0 / other - (1.0 / m + 2.0)).abs() < 1e-12 / m);
-    // The same normal given along a line, and the same contact in the world's frame.
+    // The same normal given by a line, and the same contact in the world frame.
     let along = ARM.replace("--normal 0,0,-1", "--along-line tool:0.08,0,-3");
     assert!((kilograms(&along) / m - 1.0).abs() < 1e-14);
     let world = ARM.replace("0.08,0,0", "1.14,0,0.4");

@@ -1,4 +1,5 @@
-//! The models we ship: every command in their heads gives the figure that their comments state, and every study runs.
+//! Models of the repository: every command in a model's head gives the value stated in its comments, and every study
+//! runs.
 
 mod support;
 
@@ -15,7 +16,7 @@ fn shipped(ending: &str) -> Vec<String> {
     names
 }
 
-/// What stands in the processing instructions `<?percuss…?>` behind a word.
+/// Texts of the processing instructions `<?percuss…?>` after a word.
 fn instructions<'a>(text: &'a str, word: &str) -> Vec<&'a str> {
     text.split(word).skip(1).map(|rest| rest.split("?>").next().unwrap_or("")).collect()
 }
@@ -25,18 +26,19 @@ fn every_model_answers_with_its_figure() {
     let (mut commands, models) = (0, shipped(".urdf"));
     for model in &models {
         let text = std::fs::read_to_string(root().join(format!("models/{model}.urdf"))).expect("a text file");
-        // A formula; or, where nobody can write one down, a figure computed elsewhere.
+        // A formula, or an independently computed value if no formula is available.
         assert!(["Closed form", "Reference:"].iter().any(|w| text.contains(w)), "{model} states no figure");
         let found = instructions(&text, "<?percuss ");
         assert!(!found.is_empty(), "{model} shows no command");
-        // Warnings that a model is shipped with; all others are errors.
+        // Codes of the accepted warnings of a model; other warnings fail the test.
         let allowed = instructions(&text, "<?percuss-allows ");
         for command in &found {
             assert!(
                 command.contains(&format!("models/{model}.urdf")) && command.contains("--expect"),
                 "{command}"
             );
-            // 1e-12: a formula of a few operations, and the digits it is typed with. References say how many they have.
+            // 1e-12: rounding of a formula of a few operations, and the digits in the file. References state their
+            // own tolerance.
             let tolerance = if command.contains("--tolerance") { "" } else { "--tolerance 1e-12" };
             let outcome = percuss(&format!("{command} {tolerance} --format json"));
             assert_eq!(outcome.code, 0, "{command}\n{}", outcome.stderr);
@@ -82,7 +84,7 @@ fn every_study_runs_and_all_its_rows_are_sound() {
     }
 }
 
-/// Every study again in a thousand steps, loops closed to 1e-12 of the model's own size throughout.
+/// Every study with a thousand steps: loops are closed to 1e-12 of the model's size in all rows.
 #[test]
 fn every_study_keeps_its_loops_closed_over_a_thousand_steps() {
     let scratch = Scratch::new("models-thousand");
@@ -118,8 +120,8 @@ fn every_study_keeps_its_loops_closed_over_a_thousand_steps() {
     assert!(looped >= 10, "{looped} studies have loops");
 }
 
-/// A parallelogram's platform weighs 7.5 kg / cos²; figure 3's estimate is exact for massless arms; no estimate of the
-/// real corner is.
+/// A parallelogram's platform has 7.5 kg / cos². The estimate of figure 3 is exact for massless arms, but inexact for
+/// the real corner.
 #[test]
 fn studies_follow_their_closed_forms() {
     let rows = |study: &str| Sweep::read(&percuss(&format!("run models/{study}.toml")).stdout);
@@ -140,7 +142,8 @@ fn studies_follow_their_closed_forms() {
         let off = corner.number(row, "estimate_error_percent").unwrap();
         assert!((-10.0..-5.0).contains(&off), "row {row}: {off} %");
     }
-    // The crossed four-bar: tan(ψ/2) = −k tan(θ/2) for crank and rocker from the ground's line, k = (g + a)/(g − a).
+    // Crossed four-bar: tan(ψ/2) = −k tan(θ/2) for crank and rocker, measured from the ground line;
+    // k = (g + a)/(g − a).
     let crossed = rows("antiparallelogram");
     let (ground, k) = (0.3f64.atan2(0.72), (0.78 + 0.5) / (0.78 - 0.5));
     for row in 0..crossed.rows.len() {
@@ -153,7 +156,7 @@ fn studies_follow_their_closed_forms() {
     }
 }
 
-/// The reference of the double wishbone has no wheel: DESIGN of the figures in docs/SUSPENSIONS.md.
+/// The reference of the double wishbone has no wheel; see the values in docs/SUSPENSIONS.md.
 #[test]
 fn the_double_wishbone_without_its_wheel_is_the_reference() {
     let text = std::fs::read_to_string(root().join("models/double_wishbone.urdf")).expect("a text file");
@@ -167,7 +170,7 @@ fn the_double_wishbone_without_its_wheel_is_the_reference() {
         let outcome = support::percuss_with_stdin(&line, bare.as_bytes());
         assert_eq!(outcome.code, 0, "{more}: {}", outcome.stderr);
     }
-    // The estimates of Fayzullin (2018) next to it: the full speed of the spindle, and its vertical component.
+    // Estimates of Fayzullin (2018): full speed of the spindle, and its vertical component.
     for (point, ratio, kilograms) in [("", 2.2621034649, 174.7749633), (":0,0,0:0,0,1", 2.21478924, 167.5402)]
     {
         let line = format!("{spring} --estimate spindle,upright{point} --format json");

@@ -1,4 +1,4 @@
-//! A suspension of one's own from an empty folder to a report, and what is said where something is amiss on the way.
+//! A user's suspension from an empty folder to a report, with the messages for mistakes on the way.
 
 mod support;
 
@@ -7,7 +7,7 @@ use std::fs;
 use std::path::Path;
 use support::{Outcome, Scratch, Sweep, command};
 
-/// Of sheets, in words as a shell would hand them over, run in a folder.
+/// Runs the command in a folder, with the given arguments.
 fn run(folder: &Scratch, words: &[&str]) -> Outcome {
     command(words).current_dir(folder.path("")).output().expect("it runs").into()
 }
@@ -26,7 +26,7 @@ fn drawn_line(side: &str) -> Vec<String> {
     line.split(' ').map(str::to_owned).collect()
 }
 
-/// The same contact, whose line may turn.
+/// The same contact with a line that may turn.
 fn stop(side: &str) -> Vec<String> {
     let mut flags = drawn_line(side);
     flags.push("--turning-normal".to_owned());
@@ -56,7 +56,7 @@ fn side_of(template: &str) -> &'static str {
     if template.starts_with("solid") { "_left" } else { "" }
 }
 
-/// Every template travels as far as its wheel may: what drives it comes to no dead centre of its own before.
+/// Every template covers the travel of its wheel: the driving joint reaches no dead centre within it.
 #[test]
 fn wheels_of_all_templates_travel() {
     let folder = Scratch::new("own-travel");
@@ -79,7 +79,7 @@ fn wheels_of_all_templates_travel() {
     }
 }
 
-/// Both wheels of an axle, each by its own travel: whichever is named first, and on a symmetric axle with its sides exchanged.
+/// Both wheels of an axle, each with its own travel, in either order, and on a symmetric axle with exchanged sides.
 #[test]
 fn both_wheels_of_an_axle_travel_together() {
     let folder = Scratch::new("own-axle");
@@ -101,7 +101,7 @@ fn both_wheels_of_an_axle_travel_together() {
             let travel = |side: &str, by: f64| format!("wheel_centre_{side}:0,0,0:0,0,1={by}mm");
             let one = mass(template, "_left", [travel("left", left), travel("right", right)]);
             let other = mass(template, "_left", [travel("right", right), travel("left", left)]);
-            // Travels are met to 1e-12 of the size, and m̄ changes by at most some ten times itself over that.
+            // Travels are met to 1e-12 of the size; the relative change of m̄ is at most some ten times as large.
             assert!((one / other - 1.0).abs() < 1e-9, "{template} {left} {right}: {one} and {other}");
             if template == "solid-axle-four-links" {
                 let mirrored = mass(template, "_right", [travel("right", left), travel("left", right)]);
@@ -113,11 +113,11 @@ fn both_wheels_of_an_axle_travel_together() {
     assert_eq!(asked, 18);
 }
 
-/// The way of a newcomer: sheet, own figures, model, m̄ over travel, two designs, study, report.
+/// Workflow of a new user: sheet, own values, model, m̄ over travel, two designs, study, report.
 #[test]
 fn from_an_empty_folder_to_a_report() {
     for template in ["double-wishbone", "pushrod-rocker", "solid-axle-panhard"] {
-        // A name that a shell, a URL and a page would each write in another way.
+        // A name that needs quoting in a shell, in a URL and in a page.
         let folder = Scratch::new(&format!("own räder & {template} (1)"));
         let side = side_of(template);
         done(&folder, &["template", template, "--unit", "mm", "-o", "mine.toml"]);
@@ -133,7 +133,7 @@ fn from_an_empty_folder_to_a_report() {
             serde_json::from_str::<Value>(&text).expect("JSON")["effective_mass"].as_f64().expect("a number")
         };
         let mass = answer("mine.toml");
-        // The file written has all digits, so the model is the sheet's to rounding.
+        // The file contains all digits, so model and sheet agree within rounding.
         assert!((answer("mine.urdf") / mass - 1.0).abs() < 1e-12, "{template}");
         let compared =
             done(&folder, &with(&["compare", "mine.toml", "lighter one.toml", "--format", "csv"], &contact));
@@ -143,7 +143,7 @@ fn from_an_empty_folder_to_a_report() {
         assert!((percent - 100.0 * (lighter / mass - 1.0)).abs() < 1e-9 && percent < -1.0, "{compared}");
         done(&folder, &["init", "mine.toml", "-o", "mine study.toml"]);
         let study = fs::read_to_string(folder.path("mine study.toml")).expect("written");
-        // All that it suggests, taken up.
+        // All suggestions enabled.
         let is_key =
             |line: &str| line.starts_with("# [") || line.contains(" = ") && !line.starts_with("#   ");
         let taken: Vec<&str> = study
@@ -179,7 +179,7 @@ fn what_is_left_of_the_example_is_said() {
     let folder = Scratch::new("own-astray");
     let sheet = done(&folder, &["template", "double-wishbone"]);
     for (change, words) in [
-        // Centimetres among millimetres; metres; another vehicle's place.
+        // Centimetres among millimetres; metres; a position from another vehicle.
         (
             ("com = [-5.0, 545.0, 188.0]", "com = [1345.0, 545.0, 188.0]"),
             ["centre of mass of lower_arm", "away from the joints"],
@@ -203,7 +203,7 @@ fn what_is_left_of_the_example_is_said() {
             assert!(outcome.stderr.contains(word), "{to}: {word} is not in {}", outcome.stderr);
         }
     }
-    // Without its points there is one thing to say, not one for each.
+    // A sheet without points gives a single error, not one per point.
     let bare: String = sheet.split("[points]\n").next().unwrap().to_owned();
     let rest = sheet.split("# Bodies:").nth(1).unwrap();
     folder.write("bare.toml", &format!("{bare}# Bodies:{rest}"));
@@ -216,7 +216,7 @@ fn what_is_left_of_the_example_is_said() {
     );
 }
 
-/// The points of a sheet as a table: its columns may name a unit, that of the sheet or another; cells may too.
+/// Points of a sheet in a table: columns may name a unit, the same as in the sheet or another; cells may as well.
 #[test]
 fn a_table_beside_a_sheet_has_its_own_unit() {
     let folder = Scratch::new("own-table");
@@ -257,9 +257,9 @@ fn a_table_beside_a_sheet_has_its_own_unit() {
             cells.join(separator)
         };
         let lines: Vec<String> = rows.iter().map(line).collect();
-        // As Excel saves it: a byte order mark, CR LF.
+        // In the form of Excel: a byte order mark and CR LF.
         folder.write("points.csv", &format!("\u{feff}{header}\r\n{}\r\n", lines.join("\r\n")));
-        // Coordinates are the same decimals; a unit's factor rounds them.
+        // Coordinates have the same decimals; the factor of a unit rounds them.
         assert!((mass("my.toml") / expected - 1.0).abs() < 1e-12, "{header}");
     }
     folder.write("points.csv", "name;x [ell];y [ell];z [ell]\nwheel_centre;1;2;3\n");
@@ -267,8 +267,8 @@ fn a_table_beside_a_sheet_has_its_own_unit() {
     assert!(outcome.code == 2 && outcome.stderr.contains("\"ell\" is not known"), "{}", outcome.stderr);
 }
 
-/// Where the pad comes past its stop the line between them turns round: it is refused, at a pose as in a row, and the message has
-/// the direction of the stop.
+/// When the pad has passed its stop, the line between them reverses. Such a pose or row is refused, and the message
+/// contains the direction of the stop.
 #[test]
 fn a_line_that_has_turned_is_refused() {
     let folder = Scratch::new("own-line");
@@ -286,7 +286,7 @@ fn a_line_that_has_turned_is_refused() {
         assert_eq!(refused.code, 2, "{}", refused.stderr);
         let said = refused.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(said.contains("--along-line: the line towards \"bump_stop\""), "{said}");
-        // The fixed direction, from the message.
+        // Fixed direction from the message.
         let normal =
             said.split("--normal ").nth(1).expect("the remedy").split(' ').next().unwrap().to_owned();
         for command in [
@@ -310,7 +310,7 @@ fn a_line_that_has_turned_is_refused() {
                 refused.stderr
             );
         }
-        // With the fixed direction that row has an answer, and the first row that of the line.
+        // With the fixed direction, this row has a result, and the first row agrees with the result along the line.
         let words = ["sweep", &sheet, "--link", "bump_stop_pad", "--point", "0,0,0", "--against", "chassis"];
         let fixed = ["--normal", &normal, "--normal-frame", "against", "--vary", vary, "-o", "kept.json"];
         let words: Vec<&str> = words.into_iter().chain(fixed).collect();
@@ -324,14 +324,14 @@ fn a_line_that_has_turned_is_refused() {
     }
 }
 
-/// m̄ of the rows of a sweep; none where a row has an error.
+/// m̄ of the rows of a sweep; `None` for a row with an error.
 fn masses_of(folder: &Scratch, file: &str) -> Vec<Option<f64>> {
     let report = fs::read_to_string(folder.path(file)).expect("a file");
     let report: Value = serde_json::from_str(&report).expect("JSON");
     report["rows"].as_array().expect("rows").iter().map(|row| row["effective_mass"].as_f64()).collect()
 }
 
-/// Rows that a design does not reach are said, and a comparison is a workbook too.
+/// Rows that a design does not reach are reported, and a comparison can be written as a workbook.
 #[test]
 fn comparisons_say_what_is_missing_and_are_workbooks() {
     let folder = Scratch::new("own-compared");
@@ -355,7 +355,7 @@ fn comparisons_say_what_is_missing_and_are_workbooks() {
     let book = compare(near, &["-o", "both.xlsx"]);
     assert!(book.code == 0 && !book.stderr.contains("no answer"), "{}", book.stderr);
     let table = Sweep::read(&compare(near, &["--format", "csv"]).stdout);
-    // Not the open file, which Windows would not replace below.
+    // The file is not kept open, because Windows would not permit its replacement below.
     let bytes = fs::read(folder.path("both.xlsx")).unwrap();
     let mut archive = zip::ZipArchive::new(std::io::Cursor::new(bytes)).unwrap();
     let mut part = |name: &str| {
@@ -371,12 +371,12 @@ fn comparisons_say_what_is_missing_and_are_workbooks() {
             assert!(cells.contains(&format!("<v>{value}</v>")), "{name} of row {row}: {value}");
         }
     }
-    // A table of designs alone is a workbook as well, and is replaced since percuss wrote it.
+    // A table of designs alone is a workbook too, and may be replaced because percuss wrote it.
     let designs: Vec<&str> = words.iter().copied().chain(["-o", "both.xlsx"]).collect();
     done(&folder, &designs);
 }
 
-/// What is no mass is refused by its name, whoever says it; 0 is one.
+/// Invalid masses are refused with their names by every command; 0 is valid.
 #[test]
 fn masses_that_are_none_are_refused() {
     let folder = Scratch::new("own-masses");
@@ -416,8 +416,8 @@ fn masses_that_are_none_are_refused() {
     }
 }
 
-/// Samples of hardpoints agree with the first order: centres of mass stay in the vehicle while frames of links go with their
-/// points, also of a heavy arm, where that is most of it.
+/// Samples of hardpoints agree with the first order, even for a heavy arm: centres of mass remain in the vehicle
+/// while link frames move with their points.
 #[test]
 fn samples_of_hardpoints_are_those_of_the_first_order() {
     let folder = Scratch::new("own-samples");
@@ -439,14 +439,15 @@ fn samples_of_hardpoints_are_those_of_the_first_order() {
         let answer: Value = serde_json::from_str(&done(&folder, &with(&words, &contact))).expect("JSON");
         let tolerance = &answer["tolerance"];
         let number = |value: &Value| value.as_f64().expect("a number");
-        // Uniform between the limits: the root sum square over √3. Of 1,500 samples a deviation is known to 1.8 %.
+        // Uniform between the limits: the root sum square divided by √3. The deviation of 1,500 samples has an
+        // uncertainty of 1.8 %.
         let expected = number(&tolerance["root_sum_square"]) / 3f64.sqrt();
         let ratio = number(&tolerance["samples"]["standard_deviation"]) / expected;
         assert!((ratio - 1.0).abs() < 0.06, "{link}: {ratio}");
     }
 }
 
-/// The commands of docs/SUSPENSIONS.md on a suspension of one's own, one after another in an empty folder.
+/// Commands of docs/SUSPENSIONS.md for a user's suspension, in sequence in an empty folder.
 #[test]
 fn the_page_of_suspensions_runs_as_printed() {
     let folder = Scratch::new("own-page");
@@ -471,7 +472,8 @@ fn the_page_of_suspensions_runs_as_printed() {
     }
 }
 
-/// What a study reads it does not write, whichever part reads it, by any link; nor two outputs to one file.
+/// An input of a study is never an output of the same study, in any part and through any link; two outputs need
+/// different files.
 #[cfg(unix)]
 #[test]
 fn no_part_of_a_study_writes_what_another_reads_or_writes() {
@@ -480,7 +482,7 @@ fn no_part_of_a_study_writes_what_another_reads_or_writes() {
     let head = "[model]\npath = \"arm.urdf\"\n[contact]\nlink = \"tool\"\npoint = [0.08, 0, 0]\nnormal = [1, 0, 0]\n\
                 [safe_speed]\nregion = \"chest\"\nforce = 280\ninput = \"rows.csv\"\nignore = [\"row\", \"status\", \"effective_mass\"]\n";
     let rows = "row,yaw,shoulder,elbow,wrist_roll,wrist_pitch,tool_roll\n0,0,0,0.5,0,0,0\n";
-    // As percuss writes rows, so that their head does not protect them.
+    // The rows look like earlier output of percuss, so their header does not protect the file.
     let rows = rows.replace("row,", "row,status,effective_mass,").replace("\n0,", "\n0,finite,1,");
     folder.write("rows.csv", &rows);
     std::os::unix::fs::symlink(folder.path("rows.csv"), folder.path("link.csv")).expect("a link");

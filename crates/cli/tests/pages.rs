@@ -1,5 +1,4 @@
-//! Pages show what the commands print: every line under a `$ percuss …` stands in its output, in
-//! that order.
+//! Pages agree with the commands: every line under a `$ percuss …` occurs in the output, in the same order.
 
 mod support;
 
@@ -12,7 +11,7 @@ fn the_pages_show_what_is_printed() {
     assert_page_shows_what_is_printed("docs/STUDIES.md", 1);
 }
 
-/// The XML of the page is the model's, but for spaces.
+/// The XML on the page equals the model, except for white space.
 #[test]
 fn the_page_quotes_the_model() {
     let squeezed = |text: &str| text.split_whitespace().collect::<String>();

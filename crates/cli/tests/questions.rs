@@ -1,12 +1,12 @@
-//! The same question asked of other poses and other designs: travels and files that set a pose, masses and hardpoints that
-//! are changed, what an answer depends on, and motion ratios.
+//! The same question for other poses and designs: travels and pose files, changed masses and hardpoints,
+//! sensitivities of a result, motion ratios.
 
 mod support;
 
 use serde_json::Value;
 use support::{Scratch, Sweep, json, percuss, refused, root};
 
-/// Sheets of one corner, and the contact of their bump stop.
+/// Sheets of one corner, and the contact at the bump stop.
 const CORNERS: [&str; 6] =
     ["double-wishbone", "macpherson-strut", "multi-link", "pushrod-rocker", "three-link", "twist-beam"];
 const STOP: &str =
@@ -24,7 +24,7 @@ fn mass(line: &str) -> f64 {
     report["effective_mass"].as_f64().unwrap_or_else(|| panic!("{line}: {report}"))
 }
 
-/// Loops are closed to 1e-12 of the size, travels are met to 1e-12 of it: m̄ changes by some of that per part of the size.
+/// Loops are closed and travels are met to 1e-12 of the size; the relative change of m̄ is some multiple of this.
 fn assert_same(a: f64, b: f64, what: &str) {
     assert!((a / b - 1.0).abs() < 1e-9, "{what}: {a} {b}");
 }
@@ -45,7 +45,7 @@ fn a_travel_stands_where_a_sweep_over_it_does_and_its_json_is_a_pose() {
             assert_same(found, rows.number(row, "effective_mass").expect("a mass"), &line);
             let file = folder.write("pose.json", &outcome.stdout);
             assert_same(mass(&format!("mass {question} --pose {file}")), found, &line);
-            // The wheel's speed beside the contact's is what the sweep calls its motion ratio.
+            // The ratio of the speeds of wheel and contact equals the motion ratio of the sweep.
             let ratios = report["motion_ratios"].as_array().expect("a list");
             let of_centre = ratios.iter().find(|r| r["link"] == "wheel_centre").expect("the wheel's centre");
             let ratio = of_centre["wheel_per_contact"].as_f64().expect("a ratio");
@@ -53,7 +53,7 @@ fn a_travel_stands_where_a_sweep_over_it_does_and_its_json_is_a_pose() {
             assert_same(ratio * of_centre["contact_per_wheel"].as_f64().expect("a ratio"), 1.0, &line);
             assert_eq!(of_centre["one_travel"], true, "{line}");
         }
-        // Beyond the travel there is no pose: not bad input, and it says how far the point goes.
+        // Beyond the range of travel no pose exists: exit code 1, with the largest reachable travel in the message.
         let beyond = percuss(&format!("mass {question} --travel {along}=3m"));
         assert_eq!(beyond.code, 1, "{}", beyond.stderr);
         assert!(beyond.stderr.contains("--travel: "), "{}", beyond.stderr);
@@ -67,13 +67,13 @@ fn two_travels_are_met_together() {
         let report = json(&format!("mass {AXLE} {} {} --format json", of("left", left), of("right", right)));
         (report["effective_mass"].as_f64().expect("a mass"), report["pose"].clone())
     };
-    // In either order, and one at a time where the other rests.
+    // The order of the travels does not matter.
     let (there, _) = at("8mm", "-4mm");
     let line = format!(
         "mass {AXLE} --travel wheel_centre_right:0,0,0:0,0,1=-4mm --travel wheel_centre_left:0,0,0:0,0,1=8mm"
     );
     assert_same(there, mass(&line), &line);
-    // At the design position nothing has moved.
+    // At the design position, both travels are zero.
     assert_same(at("0", "0").0, mass(&format!("mass {AXLE}")), "no travel");
     assert!((there / at("0", "0").0 - 1.0).abs() > 1e-6, "the axle does not roll");
 }
@@ -100,7 +100,7 @@ fn a_travel_goes_with_ranges_and_studies() {
     assert_same(report["effective_mass"].as_f64().expect("a mass"), expected, "file");
     assert_eq!(report["motion_ratios"][0]["link"], "spindle");
     assert_eq!(report["inputs"].as_array().expect("inputs").len(), 3, "model, study and pose");
-    // Beside a range it is the last, of one value.
+    // With a range, a travel acts as the last range, with a single value.
     let sweep = |more: &str| {
         let line = format!("sweep models/double_wishbone.urdf {spring} --vary spin=0:1:2 {more}");
         Sweep::read(&percuss(&line).stdout)
@@ -130,7 +130,7 @@ fn files_of_poses_are_read_or_refused() {
     let with = |name: &str, text: &str, more: &str| {
         mass(&format!("mass {arm} --pose {} {more}", folder.write(name, text)))
     };
-    // Some joints, in any spelling; flags go over the file.
+    // Some joints in any notation; flags take precedence over the file.
     assert_same(
         with("map.json", "{\"shoulder\": \"-40deg\", \"elbow\": [1.2217304763960306]}", ""),
         by_flags,
@@ -141,7 +141,7 @@ fn files_of_poses_are_read_or_refused() {
     let crank = "models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0";
     let linkage = json(&format!("mass {crank} --set crank_hinge=50deg --format json"));
     let pose = serde_json::to_string(&linkage["pose"]).expect("JSON");
-    // All joints of a linkage by themselves; the crank elsewhere in their place.
+    // All joints of a linkage; then with a different crank position.
     let file = folder.write("whole.json", &pose);
     assert_same(
         mass(&format!("mass {crank} --pose {file}")),
@@ -176,7 +176,7 @@ fn files_of_poses_are_read_or_refused() {
     ] {
         refused(&format!("mass {arm} --pose {}", folder.write("bad.json", text)), &["--pose", word]);
     }
-    // The same joints, other bytes: answered, with a warning that --strict makes an error.
+    // A pose of another file with the same joints gives a warning, which --strict turns into an error.
     let text = std::fs::read_to_string(root().join("models/four_bar.urdf")).expect("a model");
     let copy = folder.write("copy.urdf", &format!("{text}\n"));
     let line = format!("mass {copy} --link coupler --point 0.35,0.1,0 --normal 0,1,0 --pose {other}");
@@ -186,7 +186,7 @@ fn files_of_poses_are_read_or_refused() {
     assert_eq!(percuss(&format!("{line} --strict")).code, 2);
 }
 
-/// m (r_A/r_B)², with another mass, another place, and both.
+/// m (r_A/r_B)² with another mass, another position, and both.
 #[test]
 fn masses_and_their_centres_are_changed() {
     let expected = |m: f64, r: f64| m * (r / 0.8).powi(2);
@@ -204,7 +204,7 @@ fn masses_and_their_centres_are_changed() {
     let swept = percuss(&format!("sweep {PENDULUM} {more} --vary hinge=0:1:2"));
     assert_same(Sweep::read(&swept.stdout).number(1, "effective_mass").expect("a mass"), heavier, "sweep");
     assert!(percuss(&format!("check models/point_mass_pendulum.urdf {more}")).stdout.contains("3 kg"));
-    // Shapes of bodies stay: all masses doubled double the answer.
+    // The inertia of a body scales with its mass: doubling all masses doubles the result.
     let arm = "models/six_r_arm.urdf --link tool --point 0.08,0,0 --normal 0,0,-1 --set elbow=70deg";
     let doubled: String = json("check models/six_r_arm.urdf --format json")["links"]
         .as_array()
@@ -247,7 +247,7 @@ fn a_point_is_moved_as_if_the_sheet_had_it_there() {
         assert_same(moved, mass(&format!("mass {edited} {STOP} {more}")), more);
         assert!((moved / mass(&format!("mass {} {more}", sheet("double-wishbone"))) - 1.0).abs() > 1e-4);
     }
-    // The sheet itself is answered as what import makes of it.
+    // A sheet gives the same result as the model imported from it.
     let model = folder.path("model.urdf");
     assert_eq!(percuss(&format!("import models/suspensions/double-wishbone.toml -o {model}")).code, 0);
     assert_same(
@@ -261,8 +261,8 @@ fn a_point_is_moved_as_if_the_sheet_had_it_there() {
     );
 }
 
-/// Each rate of an explanation by asking again with the number changed: central differences, whose own error is the square of
-/// the step.
+/// Each rate of an explanation, compared with central differences of the result; their error is of the order of the
+/// squared step.
 #[test]
 fn explanations_are_the_rates_of_the_answer() {
     let arm = "models/six_r_arm.urdf --link tool --point 0.08,0,0 --normal 0,0,-1 --set elbow=70deg --set shoulder=-40deg";
@@ -283,7 +283,7 @@ fn explanations_are_the_rates_of_the_answer() {
             (at(step) - at(-step)) / (2.0 * step)
         };
         let close = |rate: f64, other: f64, scale: f64, what: &str| {
-            // The square of the step, 1e-8, and the rounding of m̄ over it.
+            // Squared step, 1e-8, and the rounding error of m̄ divided by the step.
             let allowed = 1e-6 * rate.abs() + 1e-7 * scale;
             assert!((rate - other).abs() <= allowed, "{line}: {what}: {rate} {other}");
         };
@@ -310,7 +310,7 @@ fn explanations_are_the_rates_of_the_answer() {
         for rotor in explained["rotors"].as_array().expect("rotors").iter().take(3) {
             let rates = rotor["per_armature"].as_array().unwrap();
             if rates.len() == 1 {
-                // From nothing to either side there is one: forward differences, of half the second rate's error.
+                // Armatures are not negative: one-sided differences of second order.
                 let name = rotor["joint"].as_str().unwrap();
                 let at = |value: f64| mass(&format!("mass {line} --armature {name}={value:e}"));
                 let step = 1e-7;
@@ -328,7 +328,7 @@ fn explanations_are_the_rates_of_the_answer() {
             close(rate, difference(&along, 2e-5), own, name);
             compared += 1;
         }
-        // The strongest is the strongest.
+        // The change listed first is the strongest.
         let greatest =
             explained["links"].as_array().unwrap().iter().map(|l| l["per_kilogram"].as_f64().unwrap());
         assert_eq!(explained["most_per_kilogram"][0]["lowers_by"].as_f64(), greatest.reduce(f64::max));
@@ -342,7 +342,8 @@ fn explanations_are_the_rates_of_the_answer() {
     }
 }
 
-/// m̄ = m (r_A/r_B)²: 2 % of m are 2 % of it; a centre of mass that is off by δ along the rod makes 2 δ/r_A of it.
+/// m̄ = m (r_A/r_B)²: a tolerance of 2 % of m is 2 % of m̄; an offset δ of the centre of mass along the rod changes
+/// m̄ by the fraction 2 δ/r_A.
 #[test]
 fn tolerances_are_those_of_the_closed_form() {
     let report =
@@ -354,7 +355,8 @@ fn tolerances_are_those_of_the_closed_form() {
     assert_same(number(&tolerance["parts"]["com"]), com, "com");
     assert_same(number(&tolerance["root_sum_square"]), mass.hypot(com), "root sum square");
     assert_same(number(&tolerance["worst_case"]), mass + com, "worst case");
-    // Uniform between ±δ: the deviation is δ/√3. Of 20,000 samples both are known to half a per cent or so.
+    // Uniform between ±δ: the standard deviation is δ/√3. For 20,000 samples, mean and deviation are accurate to
+    // about half a per cent.
     let samples = &tolerance["samples"];
     let deviation = mass.hypot(com) / 3.0f64.sqrt();
     assert!((number(&samples["standard_deviation"]) / deviation - 1.0).abs() < 0.02, "{samples}");
@@ -365,7 +367,7 @@ fn tolerances_are_those_of_the_closed_form() {
     let again =
         json(&format!("mass {PENDULUM} --tolerance mass=2%,com=1mm --samples 20000 --seed 7 --format json"));
     assert_eq!(again["tolerance"], report["tolerance"], "the same seed");
-    // --expect keeps its own.
+    // --expect has its own tolerance.
     let both = format!("mass {PENDULUM} --expect 0.782 --tolerance 0.01 --tolerance mass=1%");
     assert_eq!(percuss(&both).code, 0);
     for (flags, words) in [
@@ -381,7 +383,7 @@ fn tolerances_are_those_of_the_closed_form() {
     }
 }
 
-/// Half way down the rod the speed is half; of an arm with six joints every motion has its own.
+/// Half way along the rod, the speed is half. An arm with six joints has no unique motion ratio.
 #[test]
 fn motion_ratios_are_unambiguous_or_say_so() {
     let ratios = |line: &str| json(&format!("mass {line} --format json"))["motion_ratios"].clone();
@@ -394,7 +396,7 @@ fn motion_ratios_are_unambiguous_or_say_so() {
     let arm = "models/six_r_arm.urdf --link tool --point 0.08,0,0 --normal 0,0,-1 --set elbow=70deg";
     assert_eq!(ratios(&format!("{arm} --ratio-at tool:0,0,0"))[0]["one_travel"], false);
     assert_eq!(ratios(arm), Value::Array(vec![]), "no wheel");
-    // Both wheels of an axle move by themselves: no ratio is the contact's own.
+    // Both wheels of an axle move independently: no ratio is determined by the contact.
     assert_eq!(ratios(AXLE), Value::Array(vec![]));
     refused(&format!("mass {PENDULUM} --ratio-at rid:0,0,0"), &["--ratio-at", "\"rid\""]);
     refused(&format!("mass {PENDULUM} --ratio-at rod:0,0,0:0,0,0"), &["--ratio-at", "no length"]);

@@ -1,4 +1,4 @@
-//! The report of a study: one page that needs nothing beside it, with the numbers of the answer.
+//! Report of a study: one self-contained page with the numbers of the result.
 
 mod support;
 
@@ -7,7 +7,7 @@ use sha2::{Digest, Sha256};
 use std::fs;
 use support::{Scratch, percuss, root};
 
-/// The pictures of a page, decoded.
+/// Decoded pictures of a page.
 fn pictures(page: &str) -> Vec<String> {
     let data = page.split("data:image/svg+xml;base64,").skip(1).filter_map(|rest| rest.split('"').next());
     data.map(|text| base64::engine::general_purpose::STANDARD.decode(text).expect("base64"))
@@ -35,14 +35,14 @@ fn every_shipped_study_has_a_report() {
         if json.code != 0 {
             continue;
         }
-        // The second replaces the first: it is of percuss.
+        // The second run replaces the report, because percuss wrote it.
         for _ in 0..2 {
             let outcome = percuss(&format!("run {study} --report {html}"));
             assert_eq!(outcome.code, 0, "{study}: {}", outcome.stderr);
         }
         let page = fs::read_to_string(&html).expect("written");
         assert!(page.starts_with("<!DOCTYPE html>") && page.ends_with("</html>\n"));
-        // Nothing is fetched and nothing runs.
+        // The page loads no external content and runs no scripts.
         for word in ["http://", "https://", "<script", "<link rel=\"stylesheet", "@import", "url("] {
             assert!(!page.contains(word), "{study}: {word}");
         }
@@ -52,7 +52,7 @@ fn every_shipped_study_has_a_report() {
                 && pictures.iter().all(|svg| svg.starts_with("<svg") && svg.ends_with("</svg>\n"))
         );
         assert!(pictures[0].contains("from the front") && pictures[0].contains("from the left"));
-        // The answer beside it is that of the command, and stands in the page.
+        // The accompanying JSON equals the output of the command, and the page contains the mass.
         assert_eq!(fs::read_to_string(html.replace(".html", ".json")).expect("written"), json.stdout);
         let answer: serde_json::Value = serde_json::from_str(&json.stdout).expect("JSON");
         if let Some(mass) = answer["effective_mass"].as_f64() {
@@ -119,7 +119,7 @@ fn a_report_keeps_to_its_folder_and_its_name() {
     for (report, words) in [
         (folder.path("inner/r.pdf"), "must end in .html"),
         (folder.path("r.html"), "--allow-outside"),
-        // Beside it goes the answer: over the study's own file it does not.
+        // The accompanying JSON file must not overwrite a file of another origin.
         (folder.path("inner/foreign.html"), "--force"),
     ] {
         folder.write("inner/foreign.json", "of somebody else");
@@ -144,7 +144,7 @@ fn an_import_draws_what_it_understood() {
         let outcome = percuss(&format!("import {sheet} -o {model} --picture {picture}"));
         assert_eq!(outcome.code, 0, "{sheet}: {}", outcome.stderr);
         let svg = fs::read_to_string(&picture).expect("written");
-        // Lines of links, dots at their ends, and the wheel from both sides.
+        // Lines of links, dots at their ends, and the wheel in both views.
         assert!(svg.matches("stroke-linecap").count() > 4 && svg.contains("from the front"), "{sheet}");
         drawn += 1;
     }
@@ -162,7 +162,7 @@ fn an_import_draws_what_it_understood() {
     assert!(outcome.code == 2 && outcome.stderr.contains(".svg, .png or .pdf"), "{}", outcome.stderr);
 }
 
-/// Everything that a study may ask, on one page: shapes, sensitivities, tolerances, variants, the map, the safe speed.
+/// All questions of a study on one page: shapes, sensitivities, tolerances, variants, map, safe speed.
 #[test]
 fn the_page_has_all_that_the_study_asks() {
     let folder = Scratch::new("report-all");
@@ -192,7 +192,7 @@ fn the_page_has_all_that_the_study_asks() {
         "<th>smallest kg</th>",
         "Safe speed",
         "chest: 40 kg",
-        // As the shell takes it; in HTML's text double quotes are written so.
+        // Quoted for the shell; HTML text contains double quotes as entities.
         if cfg!(windows) {
             "percuss run &quot;my study.toml&quot; --report r.html"
         } else {
@@ -203,20 +203,20 @@ fn the_page_has_all_that_the_study_asks() {
     }
     let pictures = pictures(&page);
     assert_eq!(pictures.len(), 4, "the mechanism, the sweep, the variants, the map");
-    // The shapes are pixels below the lines, in both views; the rest is drawn.
+    // Shapes are pixels below the lines in both views; all else is vector graphics.
     assert_eq!(pictures[0].matches("<image ").count(), 2);
     assert!(pictures[1].contains("Over the elbow") && !pictures[1].contains("<image "));
     assert_eq!(pictures[3].matches("<image ").count(), 2);
-    // The mesh is among what it rests on; its hash is that of the file.
+    // The mesh is listed as an input, with the hash of the file.
     let at = page.find("finger.obj").expect("the mesh's name");
     let hash = page[at..].split("SHA-256 ").nth(1).expect("its hash");
     let mesh = fs::read(folder.path("meshes/finger.obj")).expect("there");
     let sum: String = Sha256::digest(mesh).iter().map(|byte| format!("{byte:02x}")).collect();
     assert_eq!(&hash[..64], sum);
-    // The answer beside it is that of the command.
+    // The accompanying JSON equals the output of the command.
     let json = support::command(["run", &study, "--format", "json"]).output().expect("it runs");
     assert_eq!(fs::read(folder.path("r.json")).expect("written"), json.stdout);
-    // Without its mesh a link is drawn as lines, and a note says so.
+    // Without the mesh file, the link is drawn as lines, and a note reports the reason.
     fs::remove_file(folder.path("meshes/finger.obj")).expect("removed");
     let study = folder.write("bare.toml", &text.replace("[map]\nlink = \"finger\"\nedge = 0.02\n", ""));
     let outcome = run(&study, &folder.path("bare.html"));
@@ -225,7 +225,7 @@ fn the_page_has_all_that_the_study_asks() {
     assert!(page.contains("link &quot;finger&quot; is drawn without its shape"), "no note");
 }
 
-/// Without a contact: the mechanism, what is in it, and what the study asks in the contact's place.
+/// Without a contact: the mechanism, its contents, and the other questions of the study.
 #[test]
 fn a_study_without_a_contact_has_a_report() {
     let folder = Scratch::new("report-contactless");
@@ -275,7 +275,8 @@ fn a_study_without_a_contact_has_a_report() {
     }
 }
 
-/// A wheel that the importer named is drawn as a circle about its bearing's axis: as wide as high from the left.
+/// A wheel named by the importer is drawn as a circle about its bearing axis; seen from the left, its width equals
+/// its height.
 #[test]
 fn wheels_are_drawn() {
     let folder = Scratch::new("report-wheel");
@@ -294,6 +295,7 @@ fn wheels_are_drawn() {
     let sheet = fs::read_to_string(folder.path("my.toml")).expect("there");
     let with = lines(&sheet);
     let without = lines(&sheet.replacen("radius = 300.0", "# radius", 1));
-    // A closed chain of some fifty places in either view, of ten characters each; the link of the lowest point is a line.
+    // A closed polyline of about fifty points in each view, ten characters each; the link to the lowest point is a
+    // line.
     assert!(with >= without + 1000, "{with} and {without}");
 }

@@ -1,10 +1,10 @@
-//! `percuss run`: what a study says is what the flags say; what it must not say is told with its place.
+//! `percuss run`: a study acts like the flags; mistakes in a study are reported with their position.
 
 mod support;
 
 use support::{Scratch, Sweep, percuss, percuss_with_stdin, root};
 
-/// A study of a shipped model, given by its absolute path.
+/// Study of a model of the repository, with an absolute path.
 fn study(model: &str, contact: &str, more: &str) -> String {
     let path = root().join(format!("models/{model}.urdf"));
     format!("{more}\n[model]\npath = {:?}\n[contact]\n{contact}\n", path.to_string_lossy())
@@ -50,7 +50,7 @@ fn a_study_without_a_sweep_answers_like_mass() {
             assert_eq!(answer(&format!("run {path}"), format), answer(&flags, format), "{model}");
         }
         let json = |line: &str| {
-            // Messages name keys where there is a study, flags where there is none.
+            // Messages name keys for a study and flags otherwise.
             let mut text = answer(line, "json");
             for (key, flag) in [
                 ("pose.guess", "--guess"),
@@ -61,14 +61,14 @@ fn a_study_without_a_sweep_answers_like_mass() {
             }
             let mut report: serde_json::Value = serde_json::from_str(&text).expect("JSON");
             assert!(report["effective_mass"].is_f64(), "{report}");
-            // A study may be an input of its own.
+            // The study is an additional input.
             report.as_object_mut().unwrap().remove("inputs").expect("inputs");
             report
         };
         assert_eq!(json(&format!("run {path}")), json(&flags), "{model}");
     }
     let path = folder.write("study.toml", &study("four_bar", COUPLER, ""));
-    // Text is the default, numbers of any kind are positions, and stdin is read.
+    // Text is the default format; positions have several notations; stdin is read.
     assert!(percuss(&format!("run {path}")).stdout.starts_with("effective mass "));
     for angle in ["0.5", "[0.5]", "\"0.5\"", "\"0.5rad\""] {
         let text = study("four_bar", COUPLER, &format!("[pose]\nset = {{ crank_hinge = {angle} }}"));
@@ -89,12 +89,12 @@ fn a_study_with_a_sweep_sweeps_and_with_a_format_does_not() {
     assert_eq!((rows.code, rows.stdout), (0, by_flags.stdout));
     let one = percuss("run models/four_bar.toml --format json");
     assert!((mass_of(&one.stdout) / 68.13126530612244 - 1.0).abs() < 1e-13);
-    // Warnings of a model stop a study that is strict.
+    // Warnings of a model are errors with --strict.
     let strict = percuss("run models/double_wishbone.toml --strict");
     assert_eq!((strict.code, strict.stdout.as_str()), (2, ""));
 }
 
-/// The model and the output are relative to the study, wherever the command is run from.
+/// The paths of model and output are relative to the study, in any working directory.
 #[test]
 fn paths_are_relative_to_the_study() {
     let folder = Scratch::new("run-paths");
@@ -128,7 +128,7 @@ fn paths_are_relative_to_the_study() {
     );
 }
 
-/// Loops that a plain URDF gets from its study are the loops of the dialect.
+/// Loops added to a plain URDF by a study equal the loops of the dialect.
 #[test]
 fn closures_of_a_study_are_those_of_the_model() {
     let folder = Scratch::new("run-closures");
@@ -170,7 +170,7 @@ fn closures_of_a_study_are_those_of_the_model() {
          successor = \"upright\"\nsuccessor_xyz = [-0.14, 0.034, 0.102]\n",
         "link = \"spring_seat\"\npoint = [0, 0, 0]\nalong_line = { link = \"spring_chassis_seat\", point = [0, 0, 0] }",
     );
-    // Turned frames: the axis is in the predecessor's.
+    // Rotated frames: the axis is in the predecessor's frame.
     compare(
         "slider_crank",
         "[[closure]]\nname = \"wrist_pin\"\ntype = \"revolute\"\npredecessor = \"rod\"\npredecessor_xyz = [0.4, -0.3, 0]\n\

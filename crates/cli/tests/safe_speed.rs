@@ -1,4 +1,4 @@
-//! `percuss safe-speed`: the transient contact by hand, and what is refused.
+//! `percuss safe-speed`: the transient contact in closed form, and refusals.
 
 mod support;
 
@@ -10,7 +10,7 @@ const ARM: &str =
 #[test]
 fn the_effective_mass_stands_beside_the_standards() {
     let report = json(&format!("{ARM} --region chest --force 280 --load 2 --format json"));
-    // The load is a point mass at the contact: in the model, as a link of its own, it is the same.
+    // The load is a point mass at the contact; as a link of the model, it gives the same result.
     let scratch = Scratch::new("safe-speed-load");
     let text = std::fs::read_to_string(root().join("models/six_r_arm.urdf")).expect("the model");
     let load = "<link name=\"held\"><inertial><origin xyz=\"0.08 0 0\"/><mass value=\"2\"/>\
@@ -63,7 +63,7 @@ fn limits_are_the_users() {
 
 #[test]
 fn a_direction_without_give_leaves_the_persons_mass() {
-    // The arm stretched out, struck along itself.
+    // The arm is stretched out, and the contact normal is along the arm.
     let stretched = "safe-speed models/six_r_arm.urdf --link tool --point 0.08,0,0 --normal 1,0,0 --region chest --force 280";
     let report = json(&format!("{stretched} --format json"));
     assert!(report["reflected"]["robot_mass"].is_null());

@@ -1,4 +1,4 @@
-//! Models of up to 60,000 links, on Unix within 1.5 GB of address space: answered, not aborted.
+//! Models of up to 60,000 links, on Unix within 1.5 GB of address space: a result, without an abort.
 
 mod support;
 
@@ -8,7 +8,7 @@ use support::Outcome;
 
 const LINK: &str = r#"<inertial><origin xyz="0.5 0 0"/><mass value="1"/><inertia ixx="0.01" iyy="0.09" izz="0.09" ixy="0" ixz="0" iyz="0"/></inertial>"#;
 
-/// A URDF that grows.
+/// URDF under construction.
 struct Model(String);
 
 impl Model {
@@ -20,7 +20,7 @@ impl Model {
         let _ = write!(self.0, r#"<link name="{name}">{inertial}</link>"#);
     }
 
-    /// A hinge about `axis`, at `xyz` and turned by `yaw` in the parent.
+    /// Adds a hinge about `axis`, at `xyz` and rotated by `yaw` in the parent.
     fn hinge(&mut self, parent: &str, child: &str, xyz: [f64; 3], yaw: f64, axis: &str, more: &str) {
         let [x, y, z] = xyz;
         let _ = write!(
@@ -29,7 +29,7 @@ impl Model {
         );
     }
 
-    /// A hinge about z that closes a loop.
+    /// Adds a hinge about z that closes a loop.
     fn pin(&mut self, name: &str, on: &str, at: [f64; 2], against: &str, there: [f64; 2]) {
         let ([x, y], [u, v]) = (at, there);
         let _ = write!(
@@ -38,13 +38,13 @@ impl Model {
         );
     }
 
-    /// What `percuss check` and `percuss mass` at a link say.
+    /// Output of `percuss check`, and of `percuss mass` at a link.
     fn ask(mut self, name: &str, link: &str) -> [Outcome; 2] {
         self.0 += "</robot>";
         let path = std::env::temp_dir().join(format!("percuss-{name}-{}.urdf", std::process::id()));
         std::fs::write(&path, self.0).expect("room for the model");
         let run = |arguments: &[&str]| -> Outcome {
-            // Windows' shells set no limit of memory: there the models are answered without one.
+            // Windows shells cannot limit memory; there the models run without a limit.
             let mut command = if cfg!(unix) {
                 let mut shell = Command::new("sh");
                 shell.args([
@@ -66,7 +66,7 @@ impl Model {
     }
 }
 
-/// Both answered; gives m̄, none where it is not finite.
+/// Asserts success of both commands and returns m̄; `None` if not finite.
 fn effective_mass(name: &str, [check, mass]: [Outcome; 2]) -> Option<f64> {
     assert_eq!(check.code, 0, "{name}: {}", check.stderr);
     assert_eq!(mass.code, 0, "{name}: {}", mass.stderr);
@@ -88,7 +88,7 @@ fn chain(count: usize, inertial: &str) -> Model {
 #[test]
 fn chains() {
     let finite = effective_mass("chain", chain(20_000, LINK).ask("chain", "l19999")).expect("finite");
-    // The last link and little more.
+    // Mostly the mass of the last link.
     assert!((0.05..20.0).contains(&finite), "{finite}");
     assert_eq!(effective_mass("massless", chain(60_000, "").ask("massless", "l59999")), None);
 }
@@ -103,8 +103,8 @@ fn mimics_and_couplings() {
         let mimic = r#"<mimic joint="to_m" multiplier="1.5"/>"#;
         model.hinge("base", &format!("l{i}"), [0.0, 0.0, 0.01 * i as f64], 0.0, "0 0 1", mimic);
     }
-    // Every link turns with 0.34 kg·m² about its hinge; the contact is struck at 1.5 times the master's rate, its arm
-    // about z (0.5 · 1 − 0.1 · 0.3)/|n|.
+    // Every link rotates with 0.34 kg·m² about its hinge. The contact link has 1.5 times the master's rate, and its
+    // lever arm about z is (0.5 · 1 − 0.1 · 0.3)/|n|.
     let mass = effective_mass("mimics", model.ask("mimics", "l10000")).expect("finite");
     let arm = 1.5 * (0.5 - 0.03) / f64::sqrt(0.09 + 1.0 + 0.01);
     let expected = (1.0 + 20_000.0 * 1.5 * 1.5) * 0.34 / (arm * arm);
@@ -129,7 +129,7 @@ fn mimics_and_couplings() {
 
 #[test]
 fn ladders_and_rings() {
-    // Rungs of 0.5 m on the ground, their tips joined: one freedom, every rung turns alike.
+    // Rungs of 0.5 m on the ground with connected tips: one degree of freedom; all rungs rotate alike.
     let (rungs, length, angle) = (301, 0.5, 1.2_f64);
     let mut model = Model::new();
     for i in 0..rungs {
@@ -144,10 +144,10 @@ fn ladders_and_rings() {
     }
     let mass = effective_mass("ladder", model.ask("ladder", "r150")).expect("finite");
     let arm = (0.5 - 0.03) / f64::sqrt(0.09 + 1.0 + 0.01);
-    // The rungs turn with 0.34 kg·m², the couplers, 1 kg each, go round with 0.5 m.
+    // The rungs rotate with 0.34 kg·m²; the couplers, 1 kg each, move on circles of 0.5 m.
     let expected = (301.0 * 0.34 + 300.0 * 0.25) / (arm * arm);
     assert!((mass / expected - 1.0).abs() < 1e-9, "{mass}, expected {expected}");
-    // One loop of 300 links: 297 freedoms.
+    // One loop of 300 links: 297 degrees of freedom.
     let (count, turn) = (300, std::f64::consts::TAU / 300.0);
     let (mut model, mut end, mut heading) = (Model::new(), [0.0, 0.0], 0.0_f64);
     for i in 0..count - 1 {
@@ -162,7 +162,8 @@ fn ladders_and_rings() {
     assert!((0.5..10.0).contains(&mass), "{mass}");
 }
 
-/// Each loop has its own group: what is known of one must not hold the positions of all, nor its search touch them.
+/// Each loop is a group of its own: the data of one group must not store all positions, and its search must not touch
+/// other groups.
 #[test]
 fn thousands_of_long_loops() {
     let (loops, links) = (3_000, 20);

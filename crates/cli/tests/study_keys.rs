@@ -1,4 +1,5 @@
-//! The keys of a study: every one misspelt is refused with the right one and its line; the page about studies has them all.
+//! Keys of a study: every misspelt key is refused with the correct key and the line; the page about studies lists all
+//! keys.
 
 mod support;
 
@@ -6,7 +7,7 @@ use serde_json::Value;
 use std::collections::BTreeSet;
 use support::{Scratch, command, percuss, root};
 
-/// The keys of a table of the schema, tables below it first: dotted, with whether each is a table of keys or a list of such.
+/// Keys of a table of the schema as pairs of table path (dotted) and key, including the tables below.
 fn keys(schema: &Value, path: &str, found: &mut Vec<(String, String)>) {
     let of = |word: &str| schema.get(word).and_then(Value::as_array).cloned().unwrap_or_default();
     for one in [vec![schema.clone()], of("anyOf")].concat() {
@@ -30,7 +31,7 @@ fn all_keys() -> Vec<(String, String)> {
     found
 }
 
-/// A key with one letter missing, doubled, exchanged or two in the wrong order; capitals and hyphens besides.
+/// A key with one letter missing, doubled or replaced, or with two letters exchanged; also with capitals and hyphens.
 fn misspelt(key: &str) -> Vec<String> {
     let letters: Vec<char> = key.chars().collect();
     let mut found = BTreeSet::new();
@@ -62,10 +63,10 @@ fn every_key_misspelt_by_a_letter_is_refused_with_the_right_one_and_its_line() {
     for (table, key) in &all {
         let siblings: BTreeSet<&str> =
             all.iter().filter(|(t, _)| t == table).map(|(_, k)| k.as_str()).collect();
-        // Another key, such as axis of axis2, is no mistake that can be seen.
+        // A misspelling that is another valid key, such as axis for axis2, cannot be detected.
         let wrong: Vec<String> =
             misspelt(key).into_iter().filter(|w| !siblings.contains(w.as_str())).collect();
-        // All at once, each on a line of its own: the reader reports every one.
+        // All misspellings are in one study, each on its own line: the parser reports all of them.
         let mut text = String::from("# a study\n\n");
         let mut lines = Vec::new();
         for word in &wrong {
@@ -73,7 +74,7 @@ fn every_key_misspelt_by_a_letter_is_refused_with_the_right_one_and_its_line() {
                 text += &format!("{word} = 1\n");
             } else {
                 let dots: Vec<&str> = table.split('.').collect();
-                // Lists of tables begin anew; others would be given twice.
+                // Lists of tables start a new table; other tables must not be repeated.
                 let lists = ["closure", "hold", "variant", "contact.ratio_at"];
                 match &dots[..] {
                     [one] if lists.contains(one) => text += &format!("[[{one}]]\n{word} = 1\n"),
@@ -129,7 +130,7 @@ fn keys_of_other_tables_and_of_no_table_say_what_there_is() {
         let outcome = percuss(&format!("run {path}"));
         assert!(outcome.code == 2 && outcome.stderr.contains(words), "{text}\n{}", outcome.stderr);
     }
-    // The lines of what means nothing to the model.
+    // Lines of keys that do not fit the model.
     let model = root().join("models/four_bar.urdf");
     let head = format!(
         "[model]\npath = {:?}\n[contact]\nlink = \"coupler\"\npoint = [0.35, 0.1, 0]\nnormal = [0, 1, 0]\n",
@@ -185,14 +186,14 @@ fn keys_of_other_tables_and_of_no_table_say_what_there_is() {
     }
 }
 
-/// The block of all keys in docs/STUDIES.md.
+/// Block of all keys in docs/STUDIES.md.
 #[test]
 fn the_page_has_every_key() {
     let page = std::fs::read_to_string(root().join("docs/STUDIES.md")).expect("the page");
     let block = page.split("```toml\n").nth(1).and_then(|rest| rest.split("```").next()).expect("a block");
     let folder = Scratch::new("page");
     let path = folder.write("study.toml", block);
-    // It fits no model; its keys are known, and every one is in it.
+    // The block fits no model, but its keys are known and complete.
     let outcome = percuss(&format!("run {path}"));
     assert!(outcome.code == 2 && !outcome.stderr.contains("unknown key"), "{}", outcome.stderr);
     assert!(!outcome.stderr.contains("not TOML"), "{}", outcome.stderr);
@@ -206,7 +207,7 @@ fn the_page_has_every_key() {
     }
 }
 
-/// The new parts of a study, run; what they print is what the commands print.
+/// Parts of a study give the same output as the corresponding commands.
 #[test]
 fn a_study_answers_as_the_commands_do() {
     let folder = Scratch::new("as-commands");
@@ -241,7 +242,7 @@ fn a_study_answers_as_the_commands_do() {
         run(directions),
         printed(&format!("map {model} --link forearm --point 0.3,0,0 --directions 50"))
     );
-    // Beside a contact: its answer first.
+    // With a contact: the result of the contact comes first.
     let safe = printed(&format!("safe-speed {model} {flags} --region chest --force 280 --load 1kg"));
     let of_safe = "[safe_speed]\nregion = \"chest\"\nforce = 280\nload = \"1 kg\"\n";
     let both = run(&format!("{contact}{of_safe}"));
@@ -251,7 +252,7 @@ fn a_study_answers_as_the_commands_do() {
     ));
     let of_worst = "[contact]\nlink = \"finger\"\npoint = [0.1, 0, 0]\n[safe_speed]\nworst_direction = true\ndirection = [[1, 0, 0]]\nenergy = 3\n";
     assert_eq!(run(of_worst), worst);
-    // Tables and figures as the flags make them.
+    // Tables and figures are the same as with flags.
     let style = "--unit mm,deg --decimal comma";
     let rows = printed(&format!("sweep {model} {flags} --vary elbow=-1:1:5 {style}"));
     let of_rows = "[sweep]\nvary = \"elbow=-1:1:5\"\nunit = [\"mm\", \"deg\"]\ndecimal = \"comma\"\n";
@@ -264,7 +265,7 @@ fn a_study_answers_as_the_commands_do() {
     run(&format!("{contact}{of_figure}"));
     let read = |name: &str| std::fs::read_to_string(folder.path(name)).expect("written");
     assert_eq!(read("study.svg"), read("flags.svg"));
-    // An expectation that is missed.
+    // An expected value that is not met.
     let missed = folder.write(
         "missed.toml",
         &format!("[model]\npath = {model:?}\n{contact}[mass]\nexpect = 3\ntolerance = 0.01\n"),

@@ -1,4 +1,4 @@
-//! `percuss sweep`: the columns, what is varied, rows out of reach, the files it writes.
+//! `percuss sweep`: columns, varied joints, unreachable rows, output files.
 
 mod support;
 
@@ -25,7 +25,7 @@ fn the_columns_are_those_that_scripts_rely_on() {
         ("2", "", "")
     );
     assert_eq!(sweep.number(1, "crank_hinge"), Some(5f64.to_radians()));
-    // Joints with several numbers take a column for each; what travels is named.
+    // Joints with several numbers have a column per number; the travelling link is named.
     let sweep = swept(&format!("{STOP} --vary travel:wheel_centre:0,0,0:0,0,1=0:1mm:2"));
     let ball = "lower_ball[0],lower_ball[1],lower_ball[2],lower_ball[3]";
     assert_eq!(
@@ -35,7 +35,7 @@ fn the_columns_are_those_that_scripts_rely_on() {
     assert_eq!(sweep.number(1, "travel:wheel_centre"), Some(0.001));
 }
 
-/// Every row is what `percuss mass` says there.
+/// Every row equals the result of `percuss mass`.
 #[test]
 fn rows_are_the_answers_of_mass() {
     let sweep = swept(&format!("{COUPLER} --vary crank_hinge=-50deg:70deg:7 --estimate coupler"));
@@ -59,12 +59,12 @@ fn rows_are_the_answers_of_mass() {
             );
         }
     }
-    // A full turn ends where it began, on the branch where it began.
+    // A full turn ends at the first pose, on the same branch.
     let turn = swept(&format!("{COUPLER} --vary crank_hinge=0:360deg:5"));
     let (first, last) =
         (turn.number(0, "effective_mass").unwrap(), turn.number(4, "effective_mass").unwrap());
     assert!((first / last - 1.0).abs() < 1e-12, "{first} {last}");
-    // A single value; a range that runs down.
+    // A single value; a descending range.
     assert_eq!(swept(&format!("{COUPLER} --vary crank_hinge=20deg:20deg:1")).rows.len(), 1);
     let down = swept(&format!("{COUPLER} --vary crank_hinge=70deg:-50deg:7"));
     assert!(
@@ -73,7 +73,7 @@ fn rows_are_the_answers_of_mass() {
     );
 }
 
-/// The displacement is the asked one: measured at the pose of every row, with a command of its own.
+/// The displacement equals the requested travel, measured at the pose of every row by another command.
 #[test]
 fn travel_is_the_displacement_asked_for() {
     let sweep = swept(&format!("{STOP} --vary travel:wheel_centre:0,0,0:0,0,3=-80mm:80mm:5"));
@@ -89,18 +89,19 @@ fn travel_is_the_displacement_asked_for() {
         assert!((gone - asked).abs() < 1e-11, "row {row}: {gone} instead of {asked}");
     }
     assert_eq!(sweep.number(2, "travel:wheel_centre"), Some(0.0));
-    // Without an estimate the motion ratio is the travelling point's: at zero the spindle's vertical speed per unit.
+    // Without an estimate, the motion ratio is that of the travelling point: at zero, the vertical speed of the
+    // spindle per unit speed of the contact.
     let spring = "sweep models/double_wishbone.urdf --link spring_seat --point 0,0,0 --along-line spring_chassis_seat:0,0,0";
     let sweep = swept(&format!("{spring} --vary travel:spindle:0,0,0:0,0,1=0:10mm:2"));
     assert!((sweep.number(0, "motion_ratio").unwrap() - 2.21478924).abs() < 1e-8);
-    // Travel goes on from the set position.
+    // Travel starts at the set position.
     let from = swept(&format!("{spring} --set spin=0.3 --vary travel:spindle:0,0,0:0,0,1=0:10mm:2"));
     assert_eq!(from.number(1, "spin"), Some(0.3));
 }
 
 #[test]
 fn travel_reaches_to_the_end_of_the_range_and_no_further() {
-    // The wheel's centre is lowest at 183.4 mm droop; the arm itself could turn a little more.
+    // The wheel centre is lowest at 183.4 mm droop; the arm itself could turn a little more.
     let droop = swept(&format!("{STOP} --vary travel:wheel_centre:0,0,0:0,0,1=-183mm:-184mm:3"));
     assert_eq!([0, 1, 2].map(|row| droop.cell(row, "status")), ["finite", "unreachable", "unreachable"]);
     // The crank's pin moves 0.3 m to both sides.
@@ -137,7 +138,7 @@ fn rows_out_of_reach_have_empty_cells_and_the_sweep_goes_on() {
             |row| sweep.cell(row, "status") == "finite" && !sweep.cell(row, "upper_arm_hinge").is_empty()
         )
     );
-    // None at all: the header still, exit code 1.
+    // If all rows are unreachable, the header is still written, and the exit code is 1.
     let none = percuss(&format!("{STOP} --vary lower_arm_hinge=1:2:3"));
     assert_eq!(none.code, 1);
     assert!(none.stdout.starts_with("row,lower_arm_hinge,status,"), "{}", none.stdout);
@@ -241,7 +242,7 @@ fn json_svg_and_png_are_written() {
             (&record["pose"]["lower_arm_hinge"][0], "lower_arm_hinge"),
         ] {
             let (value, cell) = (value.as_f64().unwrap(), sweep.number(row, column).unwrap());
-            // The same digits; serde_json may read them half an ulp off.
+            // The digits are the same; serde_json may read them half an ulp off.
             assert!(
                 (value - cell).abs() <= 2.0 * f64::EPSILON * cell.abs(),
                 "row {row}, {column}: {value} {cell}"
@@ -257,13 +258,13 @@ fn json_svg_and_png_are_written() {
             && svg.contains("estimate"),
         "{svg}"
     );
-    // It is XML: the loader reads it to the end and finds fault only with its root.
+    // The picture is valid XML: the loader reads it completely and rejects only the root element.
     let refused = percuss(&format!("check {}", folder.path("travel.svg")));
     assert_eq!(refused.code, 2);
     assert!(refused.stderr.contains("robot") && refused.stderr.contains("svg"), "{}", refused.stderr);
 }
 
-/// Numbers read back as they were, and none is spelled out in hundreds of zeros.
+/// Numbers are read back unchanged, and no cell contains hundreds of zeros.
 #[test]
 fn small_numbers_are_short() {
     let sweep = swept(&format!("{COUPLER} --vary crank_hinge=1e-9:1e-7:4"));

@@ -1,4 +1,4 @@
-//! Grids, files of positions and random positions: every row is what `percuss mass` says there.
+//! Grids, position files and random positions: every row equals the result of `percuss mass`.
 
 mod support;
 
@@ -15,7 +15,7 @@ fn swept(line: &str) -> Sweep {
     Sweep::read(&outcome.stdout)
 }
 
-/// m̄ of a row and of `percuss mass` with the same joints set.
+/// Compares m̄ of a row with `percuss mass` at the same joint positions.
 fn assert_is_mass(sweep: &Sweep, row: usize, contact: &str, joints: &[&str]) {
     let set: Vec<String> =
         joints.iter().map(|joint| format!("--set {joint}={}", sweep.cell(row, joint))).collect();
@@ -50,7 +50,7 @@ fn a_grid_has_every_combination_the_first_flag_the_slowest() {
     }
 }
 
-/// A grid over a driver and a joint outside its loops, and over a travel.
+/// Grid over a driver and a joint outside its loops, and over a travel.
 #[test]
 fn a_grid_of_a_linkage_is_answered_line_by_line() {
     let sweep = swept(&format!("sweep {STOP} --vary spin=0:40deg:3 --vary lower_arm_hinge=-0.2:0.2:5"));
@@ -61,13 +61,13 @@ fn a_grid_of_a_linkage_is_answered_line_by_line() {
     let sweep = swept(&format!("sweep {STOP} --vary spin=0:40deg:3 --vary {travel}"));
     for row in 0..9 {
         assert_is_mass(&sweep, row, STOP, &["spin", "lower_arm_hinge"]);
-        // The wheel is round: its spin changes nothing.
+        // The wheel is rotationally symmetric: its spin has no effect.
         let same = sweep.number(row % 3, "effective_mass").unwrap();
         assert!((sweep.number(row, "effective_mass").unwrap() / same - 1.0).abs() < 1e-9, "row {row}");
     }
 }
 
-/// Lines that are longer than a block, and lines that share one; whatever the number of threads is.
+/// Grid lines longer than a block, and several lines per block, for different numbers of threads.
 #[test]
 fn no_answer_depends_on_the_number_of_threads() {
     for varied in [
@@ -111,7 +111,7 @@ fn what_no_grid_can_vary_is_refused() {
     }
 }
 
-/// A line of a grid that is out of reach leaves the others as they are.
+/// An unreachable line of a grid does not affect the others.
 #[test]
 fn lines_do_not_depend_on_one_another() {
     let sweep = percuss(&format!("sweep {STOP} --vary lower_arm_hinge=1:0:3 --vary spin=0:1:3"));
@@ -121,7 +121,7 @@ fn lines_do_not_depend_on_one_another() {
     assert_eq!(reached, [false, false, false, false, false, false, true, true, true]);
 }
 
-/// What the rows depend on is said: in the JSON, and in a note where loops make a difference.
+/// The dependence between rows is reported: in the JSON, and in a note if the mechanism has loops.
 #[test]
 fn it_is_said_which_rows_were_followed() {
     let scratch = Scratch::new("grids-followed");
@@ -165,7 +165,7 @@ fn random_positions_lie_within_limits_and_repeat() {
     let (sweep, again, other, more) = (run(7, 40), run(7, 40), run(8, 40), run(7, 60));
     assert_eq!(sweep.rows, again.rows);
     assert_ne!(sweep.rows, other.rows);
-    // A row is its seed's and its number's.
+    // A row depends only on the seed and its number.
     assert_eq!(sweep.rows[..], more.rows[..40]);
     let joints: Vec<&str> = sweep.header[1..7].iter().map(String::as_str).collect();
     for row in 0..40 {
@@ -187,14 +187,14 @@ fn random_positions_lie_within_limits_and_repeat() {
     }
 }
 
-/// The numbers of a seed are part of what scripts rely on: the same on every machine and in every version.
+/// Scripts rely on the numbers of a seed: they are the same on every machine and in every version.
 #[test]
 fn the_numbers_of_a_seed_are_these() {
     let sweep = swept(
         "sweep models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0 --random 2 --seed 1",
     );
     let angles = [0, 1].map(|row| sweep.cell(row, "crank_hinge"));
-    // By another implementation of ChaCha8, in Python.
+    // Computed with another implementation of ChaCha8, in Python.
     assert_eq!(angles, ["-0.7446239774865901", "-2.4910747580258272"]);
 }
 
@@ -219,7 +219,7 @@ fn random_positions_close_the_loops_and_set_joints_stay() {
         assert_eq!(outcome.code, 2, "{}", outcome.stderr);
         assert!(outcome.stderr.contains(words), "{}", outcome.stderr);
     }
-    // Balls take any orientation.
+    // Ball joints take any orientation.
     let line = "sweep - --link a --point 1,0,0 --normal 0,0,1 --normal-frame world --random 50";
     let outcome = percuss_with_stdin(line, slide.replace("KIND", "spherical").as_bytes());
     assert_eq!(outcome.code, 0, "{}", outcome.stderr);

@@ -1,4 +1,4 @@
-//! Files of positions: their columns, their units, what is refused and where.
+//! Position files: columns, units, errors with their positions.
 
 mod support;
 
@@ -38,7 +38,7 @@ fn every_row_of_a_trajectory_is_what_mass_says() {
         let angle = 360.0 * f64::from(u32::try_from(row).unwrap()) / 29.0;
         assert!((sweep.number(row, "spin").unwrap() - angle.to_radians()).abs() < 1e-12);
     }
-    // From the standard input too, with the same answers; its digest is in the JSON.
+    // Standard input gives the same results; the JSON contains its digest.
     let by_stdin = percuss_with_stdin(&format!("sweep {STOP} --input - --ignore t"), text.as_bytes());
     assert_eq!(answered(&by_stdin).rows, sweep.rows);
     let out = scratch.path("rows.json");
@@ -49,7 +49,7 @@ fn every_row_of_a_trajectory_is_what_mass_says() {
     assert_eq!(report["inputs"][1]["sha256"].as_str().map(str::len), Some(64));
 }
 
-/// A sweep's own columns are read back: those of a ball too.
+/// The columns written by a sweep can be read back, even for a ball joint.
 #[test]
 fn a_ball_has_a_column_for_each_number() {
     let model = r#"<robot name="r"><link name="g"/><link name="a"><inertial><mass value="2"/>
@@ -156,7 +156,7 @@ fn what_is_wrong_with_a_file_is_said_with_its_place() {
     );
 }
 
-/// What nothing else determines must be in the file, or be set; what loops determine need not.
+/// A joint that no loop determines must be in the file or be set; other joints need not.
 #[test]
 fn missing_columns_are_named() {
     let scratch = Scratch::new("input-missing");
@@ -178,7 +178,7 @@ fn missing_columns_are_named() {
     assert_eq!(set.code, 0, "{}", set.stderr);
     let twice = percuss(&format!("{line} --set {}=0.4", names[0]));
     assert!(twice.code == 2 && twice.stderr.contains("is set already"), "{}", twice.stderr);
-    // The crank drives the four-bar: the others follow.
+    // The crank drives the four-bar; the other joints follow.
     let crank = scratch.write("crank.csv", "crank_hinge [deg]\n10\n20\n");
     assert_eq!(percuss(&format!("{COUPLER} --input {crank}")).code, 0);
     let other = scratch.write("spin.csv", "spin\n10\n20\n");
@@ -186,7 +186,7 @@ fn missing_columns_are_named() {
     assert!(outcome.code == 2 && outcome.stderr.contains("\"lower_arm_hinge\""), "{}", outcome.stderr);
 }
 
-/// Rows that are not reached say so, and the path goes on.
+/// Unreachable rows are marked, and the path continues.
 #[test]
 fn a_path_goes_on_after_rows_out_of_reach() {
     let scratch = Scratch::new("input-reach");
@@ -198,7 +198,7 @@ fn a_path_goes_on_after_rows_out_of_reach() {
     assert!(outcome.stderr.contains("3 of 5 rows have no answer"), "{}", outcome.stderr);
 }
 
-/// A study keeps the same: its paths are its own.
+/// The same in a study; paths are relative to the study.
 #[test]
 fn a_study_has_files_and_random_positions_too() {
     let scratch = Scratch::new("input-study");

@@ -1,4 +1,4 @@
-//! Sweeps from and to Parquet: the same rows as with CSV, whatever the file is like; and what is refused.
+//! Sweeps from and to Parquet: the same rows as with CSV for files of all kinds, and refusals.
 
 mod support;
 
@@ -22,7 +22,7 @@ const COUPLER: &str = "sweep models/four_bar.urdf --link coupler --point 0.35,0.
 const STOP: &str = "sweep models/double_wishbone.urdf --link bump_stop_pad --point 0,0,0 --along-line bump_stop:0,0,0 \
                     --against chassis";
 
-/// What a column of a test's table holds.
+/// Values of a column of a test table.
 #[derive(Clone, Debug)]
 enum Values {
     Double(Vec<f64>),
@@ -33,7 +33,7 @@ enum Values {
     Text(Vec<&'static str>),
 }
 
-/// Writes a table, in groups of so many rows; values where `nulls` has 0 are left out.
+/// Writes a table in row groups of the given size; a 0 in `nulls` marks a null.
 fn write(
     path: &str,
     columns: &[(&str, Values)],
@@ -100,7 +100,7 @@ fn write(
     writer.close().expect("a file");
 }
 
-/// Crank angles that single precision holds.
+/// Crank angles that are exact in single precision.
 fn angles(rows: usize) -> Vec<f64> {
     (0..rows).map(|i| (i % 400) as f64 / 64.0).collect()
 }
@@ -114,9 +114,9 @@ fn what_is_written_is_what_the_csv_has() {
     let scratch = Scratch::new("parquet-out");
     for (at, line) in [
         format!("{COUPLER} --vary crank_hinge=0:360deg:37"),
-        // With rows that are not reached, and an estimate.
+        // With unreachable rows and an estimate.
         format!("{STOP} --turning-normal --vary lower_arm_hinge=-0.2:2:23 --vary spin=0:1:3 --estimate spindle,upright:0,0,0:0,0,1"),
-        // Several groups of rows.
+        // Several row groups.
         "sweep models/planar_2r.urdf --link outer --point 0.1,0.2,0 --normal 1,0.3,0 --random 150000 --seed 3".into(),
     ]
     .iter()
@@ -280,12 +280,12 @@ fn what_is_wrong_is_said_with_its_place() {
         std::fs::write(&path, bytes).expect("a temporary file");
         refused("path.parquet: it is ");
     }
-    // A description that is longer than the file.
+    // Footer with a length larger than the file.
     std::fs::write(&path, b"PAR1\xff\xff\xff\x7fPAR1").expect("a temporary file");
     refused("longer than the file");
 }
 
-/// A table whose one column is a record.
+/// Table with a single column that is a record.
 fn nested(path: &str) {
     let part = Type::primitive_type_builder("x", Physical::DOUBLE).with_repetition(Repetition::REQUIRED);
     let record = Type::group_type_builder("crank_hinge")
@@ -304,11 +304,10 @@ fn nested(path: &str) {
     writer.close().expect("a file");
 }
 
-/// Files with bytes changed and files that are cut off: an error or an answer, and the reader's own assertions never
-/// have to be caught.
+/// Files with changed bytes and truncated files: an error or a result, and no panic inside the Parquet reader.
 #[test]
 fn damaged_files_are_refused() {
-    // Of this thread: other tests are allowed theirs.
+    // Counts panics of this thread only; other tests may panic.
     thread_local! {
         static PANICS: Cell<usize> = const { Cell::new(0) };
     }
@@ -368,7 +367,7 @@ fn damaged_files_are_refused() {
                 };
             }
             if random.random_range(0..8) == 0 {
-                // The beginning is lost, or the middle: the end has to be there to be found at all.
+                // The beginning or the middle is lost; the reader needs the end to find the footer.
                 let from = random.random_range(0..bytes.len() / 2);
                 bytes.drain(4.min(from)..from);
             }

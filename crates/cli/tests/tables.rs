@@ -1,4 +1,4 @@
-//! Tables and figures to work with: units, rounding, decimal commas, workbooks, PDF.
+//! Tables and figures for further use: units, rounding, decimal commas, workbooks, PDF.
 
 mod support;
 
@@ -24,7 +24,7 @@ fn columns_name_their_units_and_numbers_are_rounded() {
         let (a, b) = (si.number(row, "lower_arm_hinge"), table.number(row, "lower_arm_hinge [deg]"));
         assert!((a.unwrap().to_degrees() - b.unwrap()).abs() < 1e-9);
     }
-    // In SI, and as it is: no digits that rounding made.
+    // In SI, the cells have no extra digits from rounding.
     assert!(si.rows.iter().all(|row| row[1].len() <= 6), "{:?}", si.rows[9]);
     assert!(table.rows.iter().flatten().all(|cell| cell.len() <= 18), "{:?}", table.rows[3]);
 }
@@ -173,7 +173,7 @@ fn maps_and_comparisons_name_their_units_too() {
     );
 }
 
-/// The views of a map are pixels in its PDF, its words text.
+/// In the PDF of a map, the views are pixels and the words are text.
 #[test]
 fn a_map_as_a_pdf_has_its_views() {
     let folder = Scratch::new("map-pdf");

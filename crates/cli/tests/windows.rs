@@ -1,4 +1,4 @@
-//! Paths, files and shells as Windows has them. packaging/windows.sh tries what needs a console.
+//! Paths, files and shells on Windows. packaging/windows.sh tests the behaviour that needs a console.
 #![cfg(windows)]
 
 mod support;
@@ -13,7 +13,7 @@ fn pendulum() -> String {
     fs::read_to_string(root().join("models/point_mass_pendulum.urdf")).expect("a model")
 }
 
-/// `percuss mass` of the pendulum in this file, from a folder.
+/// Runs `percuss mass` on the pendulum in a file, from a folder.
 fn mass_of(path: &str, folder: &str) -> Outcome {
     let mut command = command(["mass", path].into_iter().chain(PENDULUM.split(' ')));
     command.current_dir(folder).output().expect("it runs").into()
@@ -33,7 +33,7 @@ fn every_spelling_of_a_path_is_read() {
         path.to_uppercase(),
         format!(r"\\?\{path}"),
         path.replacen('\\', r"\.\", 1),
-        // On the drive of the working directory, from its root and from the directory itself.
+        // On the drive of the working directory: from its root, and from the directory itself.
         rooted.to_owned(),
         format!("{drive}Pendel ü.urdf"),
         r".\Pendel ü.urdf".to_owned(),
@@ -48,7 +48,7 @@ fn every_spelling_of_a_path_is_read() {
     assert!(missing.stderr.contains(r"Q:\nothing\at all.urdf"), "{}", missing.stderr);
 }
 
-/// A study in the temporary folder, its model in the repository: on another drive, or not.
+/// Study in the temporary folder with its model in the repository, possibly on another drive.
 #[test]
 fn a_study_finds_its_model_on_any_drive() {
     let folder = Scratch::new("windows-drives");
@@ -63,7 +63,7 @@ fn a_study_finds_its_model_on_any_drive() {
     assert!(path.starts_with(&begin) && !path.contains('\\'), "{path}");
     let outcome = percuss(&format!("run {study}"));
     assert_eq!(outcome.code, 0, "{}", outcome.stderr);
-    // Written by hand with backslashes, quoted as TOML has it.
+    // Written by hand with backslashes, quoted for TOML.
     let quoted = model.replace('\\', "\\\\");
     for path in [format!("path = '{model}'"), format!("path = \"{quoted}\"")] {
         let by_hand: String = text
@@ -98,7 +98,7 @@ fn meshes_are_found_by_any_name() {
         let outcome = percuss(&format!("map {path} --link finger --edge 50mm"));
         assert_eq!(outcome.code, 0, "{name}: {}", outcome.stderr);
     }
-    // Places that were tried are shown as Windows writes them.
+    // Paths that were tried are shown in the notation of Windows.
     let path =
         folder.write("arm/arm.urdf", &model.replace(named, "filename=\"package://arm/meshes/none.obj\""));
     let outcome = percuss(&format!("map {path} --link finger"));
@@ -106,8 +106,8 @@ fn meshes_are_found_by_any_name() {
     assert!(outcome.stderr.contains("none.obj") && !outcome.stderr.contains(r"\\?\"), "{}", outcome.stderr);
 }
 
-/// A spreadsheet keeps a table open so that nobody else writes it, a viewer so that it may be read: the file stays as it is, and
-/// the message names it.
+/// A spreadsheet keeps a table open and prevents writing; a viewer permits only reading. The file remains unchanged,
+/// and the message names it.
 #[test]
 fn a_file_that_another_program_holds_is_left_whole() {
     const SHARED_FOR_READING: u32 = 1;
@@ -131,7 +131,7 @@ fn a_file_that_another_program_holds_is_left_whole() {
     assert_eq!(fs::read_to_string(&path).expect("there").lines().count(), 6);
 }
 
-/// What is printed ends its lines as on other systems, also where it is redirected: files are the same bytes.
+/// Line ends of the output are the same as on other systems, even if redirected: files have the same bytes.
 #[test]
 fn lines_end_as_on_other_systems() {
     let folder = Scratch::new("windows-lines");

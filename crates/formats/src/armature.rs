@@ -1,6 +1,6 @@
-//! Rotor inertia reflected to a joint, in the spellings in use.
+//! Rotor inertia reflected to a joint (armature), in the notations in use.
 //!
-//! - `<dynamics armature="A"/>` in the joint: one value, or one a velocity;
+//! - `<dynamics armature="A"/>` in the joint: one value, or one value per joint velocity;
 //! - Drake's `<drake:rotor_inertia value="I"/>` and `<drake:gear_ratio value="r"/>`, A = I r², in the joint, in an
 //!   `<actuator>` of the joint, or in the `<actuator>` of a `<transmission>` that names the joint.
 
@@ -11,7 +11,7 @@ use crate::survey::{child, children};
 use percuss_mechanism::Severity;
 use roxmltree::Node;
 
-/// The armature given inside a `<joint>`.
+/// Returns the armature given inside a `<joint>`: empty, one value, or one value per velocity.
 pub(crate) fn of_joint<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> Vec<f64> {
     let mut armature = child(node, "dynamics").map(|n| listed(n, report)).unwrap_or_default();
     for holder in std::iter::once(node).chain(children(node, "actuator")) {
@@ -35,7 +35,7 @@ fn listed(node: Node<'_, '_>, report: &mut Report) -> Vec<f64> {
     })
 }
 
-/// I r² of Drake's elements in this holder.
+/// Reflected inertia I r² from Drake's elements in `holder`. The ratio defaults to 1, with a note.
 pub(crate) fn reflected<'a, 'i: 'a>(holder: Node<'a, 'i>, report: &mut Report) -> Option<f64> {
     let inertia = number(child(holder, "drake:rotor_inertia")?, "value", report)?;
     let ratio = match child(holder, "drake:gear_ratio") {
@@ -50,7 +50,7 @@ pub(crate) fn reflected<'a, 'i: 'a>(holder: Node<'a, 'i>, report: &mut Report) -
     Some(inertia * ratio * ratio)
 }
 
-/// Adds a value, or compares it with the one given before.
+/// Sets the armature, or compares a second value with the first. A difference beyond the tolerance is an error.
 pub(crate) fn add(armature: &mut Vec<f64>, value: f64, place: Node<'_, '_>, report: &mut Report) {
     match armature[..] {
         [] => armature.push(value),

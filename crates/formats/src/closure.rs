@@ -1,4 +1,4 @@
-//! `<loop>` and `<loop_joint>`: joints that the tree leaves out. `<coupling>`: a ratio between rates.
+//! Parser of `<loop>` and `<loop_joint>` (joints outside the tree) and of `<coupling>` (a ratio between rates).
 
 use crate::joint::end;
 use crate::limits::SHORTEST_AXIS;
@@ -11,16 +11,16 @@ use percuss_mechanism::{ClosureDescription, ClosureKind, CouplingDescription, Pr
 use percuss_spatial::{Transform, Vector3};
 use roxmltree::Node;
 
-/// The axis, and the successor's pin of a universal loop, where none is given.
+/// Default axis, and default second axis (the successor's pin of a universal joint).
 const DEFAULT_AXIS: &str = "1 0 0";
 const DEFAULT_AXIS2: &str = "0 1 0";
 
-/// Whether the element closes a loop, in either spelling.
+/// True for `<loop>` and `<loop_joint>`.
 pub(crate) fn is_loop(node: Node<'_, '_>) -> bool {
     is_named(node, "loop") || is_named(node, "loop_joint")
 }
 
-/// The tags of the elements that name the links, the predecessor's first.
+/// Tags of the elements that name the two links: predecessor first, successor second.
 pub(crate) fn ends(node: Node<'_, '_>) -> &'static [&'static str; 2] {
     if is_gazebo_joint(node) {
         &["parent", "child"]
@@ -31,7 +31,7 @@ pub(crate) fn ends(node: Node<'_, '_>) -> &'static [&'static str; 2] {
     }
 }
 
-/// Checks a `<loop>` or `<loop_joint>`. Every number is good, or what is wrong with it was reported.
+/// Checks a `<loop>` or `<loop_joint>`. Each number of the result is finite; defects are reported.
 pub(crate) fn check<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> ClosureDescription {
     let name = name(node, report);
     let kind = kind(node, report);
@@ -57,7 +57,7 @@ pub(crate) fn check<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> Clos
 /// Checks a `<coupling>`.
 pub(crate) fn check_coupling<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> CouplingDescription {
     let name = name(node, report);
-    // The only type in use.
+    // "rolling" is the only type in use.
     if let Some(other) = node.attribute("type").filter(|t| *t != "rolling") {
         report.warning("unknown-coupling-type", Place::Attribute(node, "type"), || {
             format!("the coupling type {} is unknown; it is read as a ratio between rates", quoted(other))
@@ -79,7 +79,7 @@ pub(crate) fn check_coupling<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report
 }
 
 fn kind(node: Node<'_, '_>, report: &mut Report) -> Option<ClosureKind> {
-    // URDF has two words for a hinge.
+    // URDF has two names for a hinge joint: "revolute" and "continuous".
     let names = || ClosureKind::ALL.map(ClosureKind::name).into_iter().chain(["continuous"]);
     let listed = || names().collect::<Vec<_>>().join(", ");
     let Some(text) = node.attribute("type") else {
@@ -111,7 +111,7 @@ fn kind(node: Node<'_, '_>, report: &mut Report) -> Option<ClosureKind> {
     kind
 }
 
-/// The loop frame in the link: `<origin>` in `<predecessor>` and `<successor>`, attributes of `<link1>` and `<link2>`.
+/// Loop frame in the link: `<origin>` of `<predecessor>` or `<successor>`; attributes of `<link1>` or `<link2>`.
 fn frame<'a, 'i: 'a>(node: Node<'a, 'i>, tag: &'static str, report: &mut Report) -> Transform<f64> {
     let origin = match child(node, tag) {
         Some(end) if is_named(node, "loop_joint") => origin::of(end, report),
@@ -121,7 +121,7 @@ fn frame<'a, 'i: 'a>(node: Node<'a, 'i>, tag: &'static str, report: &mut Report)
     origin.transform()
 }
 
-/// An axis; `kind` where the loop's kind asks for one, and then it must not be zero.
+/// Reads an axis. `kind` is `Some` if the loop needs this axis; then a zero axis is an error.
 fn direction<'a, 'i: 'a>(
     node: Node<'a, 'i>,
     tag: &'static str,
@@ -141,7 +141,7 @@ fn direction<'a, 'i: 'a>(
         }
     };
     let axis = Vector3::from(crate::numbers::parse::<3>(text).unwrap_or_default());
-    // The builder would not say which of two.
+    // The builder does not distinguish `<axis>` from `<axis2>`; the check here names the element.
     if let Some(element) = child(node, tag).filter(|_| kind.is_some() && axis.amax() < SHORTEST_AXIS) {
         let problem = Problem::ZeroAxis;
         report.add(problem.severity(), problem.code(), Place::Element(element), || problem.to_string());
@@ -160,7 +160,8 @@ fn distance<'a, 'i: 'a>(node: Node<'a, 'i>, kind: Option<ClosureKind>, report: &
     number(element?, "value", report)
 }
 
-/// What the kind has no use for. An axis is common beside kinds that have none; the rest is a slip.
+/// Reports elements that the kind of loop does not use. A superfluous axis is common (a note); a superfluous second
+/// axis or distance is a likely mistake (a warning).
 fn beside_the_point<'a, 'i: 'a>(node: Node<'a, 'i>, kind: ClosureKind, report: &mut Report) {
     let message = |tag: &str| format!("a {} loop has no <{tag}>; ignored", kind.name());
     if let Some(axis) = child(node, "axis").filter(|_| !kind.has_axis()) {

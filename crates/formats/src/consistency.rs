@@ -1,4 +1,4 @@
-//! What the elements say of one another: transmissions of joints, names that lead somewhere, loops.
+//! Checks between elements: transmissions of joints, references by name, loops.
 
 use crate::loops::{Loops, second_parents};
 use crate::nodes::Nodes;
@@ -8,8 +8,8 @@ use crate::texts::Texts;
 use crate::{joint, transmission};
 use roxmltree::Node;
 
-/// Gives the armatures of transmissions to their joints and checks every reference. Afterwards, where the report has
-/// no error, every name leads somewhere.
+/// Adds the armatures of transmissions to their joints and checks every reference. If the report has no error
+/// afterwards, every name refers to an existing element.
 pub(crate) fn check<'a, 'i: 'a>(
     robot: Node<'a, 'i>,
     nodes: &Nodes<'a, 'i>,

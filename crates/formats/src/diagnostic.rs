@@ -1,28 +1,28 @@
-//! Diagnostics: what was found in a file.
+//! Diagnostics: findings about a file.
 
 use percuss_mechanism::Severity;
 use std::fmt;
 
-/// One finding, with its place in the file.
+/// Finding with its position in the file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diagnostic {
-    /// How grave it is.
+    /// Severity.
     pub severity: Severity,
-    /// A short name that scripts can rely on.
+    /// Stable short name, for scripts.
     pub code: &'static str,
-    /// The file, as the user named it.
+    /// File name as the user gave it.
     pub path: String,
     /// Line, from 1.
     pub line: Option<u32>,
     /// Column in characters, from 1.
     pub column: Option<u32>,
-    /// The element, as an XML path: `robot/joint[hinge]/axis`.
+    /// XML path of the element: `robot/joint[hinge]/axis`.
     pub element: Option<String>,
-    /// The finding: what was got, what is expected and, where there is one, the remedy.
+    /// Message: value received, value expected and the remedy, if any.
     pub message: String,
 }
 
-/// `file:line: severity: element: message`.
+/// Writes `file:line: severity: element: message`.
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.path)?;
@@ -37,15 +37,15 @@ impl fmt::Display for Diagnostic {
     }
 }
 
-/// No mechanism came of the file: at least one diagnostic is an error.
+/// Error of loading: the file gives no mechanism. At least one diagnostic is an error.
 #[derive(Clone, Debug, thiserror::Error)]
 pub struct LoadError {
-    /// Everything that was found, warnings and notes among it, in the order of the file.
+    /// All findings, including warnings and notes, in the order of the file.
     pub diagnostics: Vec<Diagnostic>,
 }
 
 impl LoadError {
-    /// One error about a whole file.
+    /// Creates an error about a whole file, without line or element.
     pub fn of_file(path: &str, code: &'static str, message: impl Into<String>) -> Self {
         let (path, message) = (path.to_owned(), message.into());
         let (line, column, element) = (None, None, None);
@@ -54,7 +54,7 @@ impl LoadError {
     }
 }
 
-/// The errors, one a line.
+/// Writes the errors, one per line.
 impl fmt::Display for LoadError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let errors = self.diagnostics.iter().filter(|d| d.severity == Severity::Error);

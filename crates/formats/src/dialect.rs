@@ -1,33 +1,33 @@
-//! The table of the dialect: every element and attribute, and what becomes of it.
+//! Table of the dialect: every element and attribute with its treatment.
 
 use Use::{Noted, Read, Refused, Silent, Warned};
 
-/// What becomes of an element or attribute.
+/// Treatment of an element or attribute.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Use {
-    /// It enters the mechanism.
+    /// Part of the mechanism.
     Read,
-    /// It has no bearing on the mechanics and is passed over.
+    /// Ignored without a message: no effect on the mechanics.
     Silent,
-    /// It is passed over, with a note that says why.
+    /// Ignored with a note; the text gives the reason.
     Noted(&'static str),
-    /// It is passed over, with a warning that says why.
+    /// Ignored with a warning; the text gives the reason.
     Warned(&'static str),
-    /// The answer without it would be wrong, and it is not supported: an error with this code and message.
+    /// Not supported, and the result without this entry would be wrong: an error with this code and message.
     Refused(&'static str, &'static str),
 }
 
-/// An element in its place.
+/// Element of the table.
 pub(crate) struct Element {
-    /// Its tag; elements of Drake's namespace are written with `drake:`.
+    /// Tag; elements of Drake's namespace have the prefix `drake:`.
     pub name: &'static str,
-    /// What becomes of it.
+    /// Treatment.
     pub usage: Use,
-    /// Whether its parent may have only one.
+    /// True if a parent may have at most one such element.
     pub single: bool,
-    /// Its attributes; attributes in a namespace are passed over.
+    /// Attributes; attributes in a namespace are ignored.
     pub attributes: &'static [(&'static str, Use)],
-    /// What it may hold. Only elements that are read are looked into.
+    /// Child elements. Only children of elements with the treatment `Read` are examined.
     pub children: &'static [Element],
 }
 
@@ -47,7 +47,7 @@ const fn other(name: &'static str, usage: Use) -> Element {
     Element { name, usage, single: false, attributes: &[], children: &[] }
 }
 
-/// Told of an origin that stands where the other spelling of a loop has it.
+/// Treatment of an origin at a position that belongs to the other notation of loops.
 const MISPLACED: Use = Refused(
     "misplaced-origin",
     "this does not belong here, and the loop frame without it would be wrong: <predecessor> and <successor> hold \
@@ -56,7 +56,7 @@ const MISPLACED: Use = Refused(
 
 const UNWATCHED: Use = Noted("what closes a loop has no limits; ignored, limit a joint of the tree");
 
-/// Of constraints in another tongue: refused, with what to write instead.
+/// Treatment of constraints in other languages: an error that names the replacement.
 macro_rules! instead {
     ($write:literal) => {
         Refused(
@@ -66,7 +66,7 @@ macro_rules! instead {
     };
 }
 
-/// The root: its tag and what it holds.
+/// Root element.
 pub(crate) const ROBOT: Element = Element {
     name: "robot",
     usage: Read,
@@ -79,18 +79,18 @@ const IN_ROBOT: &[Element] = &[
     read("link", &[("name", Read), ("type", Silent)], IN_LINK),
     read(
         "joint",
-        // `independent` advises which coordinates drive; it never changes the effective mass.
+        // `independent` recommends driving coordinates; the effective mass does not depend on them.
         &[("name", Read), ("type", Read), ("independent", Read), ("dont_collapse", Silent)],
         IN_JOINT,
     ),
-    // Looked into for Drake's rotor inertias (armature.rs).
+    // armature.rs searches transmissions for Drake's rotor inertias.
     other("transmission", Silent),
-    // Its joints close loops: GAZEBO_JOINT.
+    // Joints in a `<gazebo>` close loops: GAZEBO_JOINT.
     other("gazebo", Silent),
     other("material", Silent),
     other("sensor", Silent),
     other("ros2_control", Silent),
-    // Looked into for constraints (survey.rs).
+    // survey.rs searches `<mujoco>` for equality constraints.
     other("mujoco", Silent),
     other("group", Silent),
     other("frame", Silent),
@@ -136,7 +136,7 @@ const IN_LOOP: &[Element] = &[
     other("predecessor_origin", MISPLACED),
     other("successor_origin", MISPLACED),
     other("limit", UNWATCHED),
-    // Finite forces.
+    // Damping and friction are finite forces: no effect on an instantaneous impact.
     other("dynamics", Silent),
 ];
 
@@ -154,17 +154,17 @@ const IN_LOOP_JOINT: &[Element] = &[
 ];
 
 const IN_COUPLING: &[Element] = &[
-    // A ratio between rates asks for no place on the links.
+    // A ratio between rates needs no position on the links.
     one("predecessor", &[("link", Read)], &[other("origin", Silent)]),
     one("successor", &[("link", Read)], &[other("origin", Silent)]),
     single("ratio", &[("value", Read)]),
-    // Both axes are those of the joints.
+    // Both axes are joint axes.
     other("axis", Silent),
 ];
 
 const IN_LINK: &[Element] = &[
     Element { name: "inertial", usage: Read, single: true, attributes: &[], children: IN_INERTIAL },
-    // Looked into for the size of the shape (geometry.rs).
+    // geometry.rs reads the size of the shape.
     other("visual", Silent),
     other("collision", Silent),
     other(
@@ -220,7 +220,7 @@ const IN_JOINT: &[Element] = &[
             ("gear_velocity", Silent),
         ],
     ),
-    // Friction, damping and springs are finite forces: they do no work in an instantaneous impact.
+    // Friction, damping and springs are finite forces: no work in an instantaneous impact.
     single(
         "dynamics",
         &[
@@ -249,7 +249,8 @@ const IN_JOINT: &[Element] = &[
     other("gazebo", Silent),
 ];
 
-/// SDF's joint in a `<gazebo>` of the robot. Values are texts and frames, which `gazebo_joint.rs` reads.
+/// SDF `<joint>` in a `<gazebo>` of the robot. `gazebo_joint.rs` reads the values, which are element texts and
+/// frames.
 pub(crate) const GAZEBO_JOINT: Element = read("joint", &[("name", Read), ("type", Read)], IN_GAZEBO_JOINT);
 
 const fn text(name: &'static str) -> Element {

@@ -1,7 +1,8 @@
-//! SDF's `<joint>` inside a `<gazebo>` of the robot: a joint beside the tree, which closes a loop.
+//! SDF `<joint>` in a `<gazebo>` of the robot: an additional joint that closes a loop.
 //!
-//! SDF places a joint on its child; its place on the parent follows from the links as drawn, all joints at 0. Such a loop is
-//! closed as drawn. Source: SDFormat 1.11, joint.sdf, and sdformat's `parser_urdf.cc`, which copies the element into the model.
+//! SDF gives the joint frame relative to the child link. The frame on the parent link follows from the pose with all
+//! joints at 0, in which the loop is therefore closed. Source: SDFormat 1.11, joint.sdf, and sdformat's
+//! `parser_urdf.cc`, which copies the element into the model.
 
 use crate::joint::JointText;
 use crate::limits::{OBLIQUE_PINS, QUATERNION_NORM_SLACK, SHORTEST_AXIS};
@@ -14,12 +15,13 @@ use percuss_spatial::{Transform, Vector3, rotation_from_quaternion, rotation_fro
 use roxmltree::Node;
 use std::collections::HashMap;
 
-/// SDF's name of the model's own frame, which is the root link's.
+/// SDF name of the model frame, which coincides with the root link's frame.
 const MODEL: &str = "__model__";
 const WORLD: &str = "world";
 
-/// True of a joint between the world and the root link: the model is fixed to the world by it, which closes no loop.
-/// `is_root` is asked of the name of the other link. Refused where it is not fixed: the root would move.
+/// True for a joint between the world and the root link: the joint fixes the model to the world and closes no loop.
+/// `is_root(name)` is true for the root link. A joint of this kind that is not fixed is an error, because the root
+/// would move.
 pub(crate) fn holds_root(node: Node<'_, '_>, is_root: impl Fn(&str) -> bool, report: &mut Report) -> bool {
     let [parent, child] = ["parent", "child"].map(|tag| child(node, tag).map(text_of).unwrap_or_default());
     let root = match (parent.trim_ascii(), child.trim_ascii()) {
@@ -44,17 +46,17 @@ pub(crate) fn holds_root(node: Node<'_, '_>, is_root: impl Fn(&str) -> bool, rep
     true
 }
 
-/// Frames of the links, and of the joints of the tree, in the root link, all joints at 0.
+/// Link and tree-joint frames relative to the root link, all joints at 0.
 pub(crate) struct DrawnFrames<'a> {
     links: HashMap<&'a str, Transform<f64>>,
-    /// The child link of each joint of the tree: SDF's frame of a URDF joint is its child's.
+    /// Child link of each tree joint. The SDF frame of a URDF joint is the frame of its child.
     children: HashMap<&'a str, &'a str>,
 }
 
 impl<'a> DrawnFrames<'a> {
-    /// Frames of all links that these joints lead to, each found once.
+    /// Computes the frames of all child links of `joints`; each frame is computed once.
     pub fn new(joints: &[JointText<'a>]) -> Self {
-        // Later joints to the same link close loops.
+        // The first joint to a link belongs to the tree; later joints to the same link close loops.
         let mut above: HashMap<&str, &JointText<'a>> = HashMap::new();
         for joint in joints {
             above.entry(joint.child).or_insert(joint);
@@ -68,7 +70,7 @@ impl<'a> DrawnFrames<'a> {
         for joint in tree() {
             let mut path = Vec::new();
             let mut at = joint.child;
-            // Links that are their own ancestors are reported by the builder.
+            // The builder reports cycles of links; the length bound ends the walk.
             while let Some(joint) = above.get(at)
                 && !links.contains_key(at)
                 && path.len() <= joints.len()
@@ -85,12 +87,12 @@ impl<'a> DrawnFrames<'a> {
         Self { links, children: tree().map(|joint| (joint.name, joint.child)).collect() }
     }
 
-    /// X_rl of a link. A link without a parent joint is the root, and so is the world.
+    /// X_rl of a link. Identity for the root link (a link without a parent joint) and for the world.
     fn link(&self, link: &str) -> Transform<f64> {
         self.links.get(link).copied().unwrap_or_else(Transform::identity)
     }
 
-    /// X_rf of a frame that an attribute names: the model, a link or a joint.
+    /// X_rf of a named frame: the model, a link or a tree joint. `None` if the name is unknown.
     fn named(&self, frame: &str, links: &HashMap<&str, usize>) -> Option<Transform<f64>> {
         match self.children.get(frame) {
             _ if frame == MODEL => Some(Transform::identity()),
@@ -104,12 +106,12 @@ impl<'a> DrawnFrames<'a> {
 /// Reads SDF joints as closures.
 pub(crate) struct Reader<'f, 'a> {
     pub drawn: &'f DrawnFrames<'a>,
-    /// All links by name.
+    /// Index of each link by name.
     pub links: &'f HashMap<&'a str, usize>,
 }
 
 impl<'a> Reader<'_, 'a> {
-    /// Checks a joint. Every number is good, or what is wrong with it was reported.
+    /// Checks a joint. Each number of the result is finite; defects are reported.
     pub fn check<'i: 'a>(&self, node: Node<'a, 'i>, report: &mut Report) -> ClosureDescription {
         let name = name(node, report).to_owned();
         let kind = kind(node, report);
@@ -148,7 +150,7 @@ impl<'a> Reader<'_, 'a> {
         }
     }
 
-    /// X_rj: the joint's frame in the root link.
+    /// X_rj: joint frame in the root link.
     fn pose<'i: 'a>(&self, node: Node<'a, 'i>, x_rc: &Transform<f64>, report: &mut Report) -> Transform<f64> {
         let Some(pose) = child(node, "pose") else { return *x_rc };
         let base = pose.attribute("relative_to").or_else(|| pose.attribute("frame"));
@@ -186,7 +188,7 @@ impl<'a> Reader<'_, 'a> {
         base * own.unwrap_or_else(Transform::identity)
     }
 
-    /// X_rf of the frame that an attribute of `node` names; `default` without one.
+    /// X_rf of the frame named by an attribute of `node`; `default` if the attribute is absent.
     fn frame(
         &self,
         node: Node<'_, '_>,
@@ -208,7 +210,7 @@ impl<'a> Reader<'_, 'a> {
         })
     }
 
-    /// An axis in the joint's frame: SDF's default is z, and an axis is given in the joint's frame.
+    /// Axis of the joint, converted to the joint frame. The SDF default is 0 0 1.
     fn axis<'i: 'a>(
         &self,
         node: Node<'a, 'i>,
@@ -248,7 +250,7 @@ impl<'a> Reader<'_, 'a> {
     }
 }
 
-/// The kind of closure that a joint makes.
+/// Kind of closure for the joint type.
 fn kind(node: Node<'_, '_>, report: &mut Report) -> Option<ClosureKind> {
     let read = [
         ("revolute", ClosureKind::Revolute),
@@ -268,7 +270,7 @@ fn kind(node: Node<'_, '_>, report: &mut Report) -> Option<ClosureKind> {
     kind
 }
 
-/// The link's name in the text of an element.
+/// Link name in the text of a child element.
 fn end<'a, 'i: 'a>(node: Node<'a, 'i>, tag: &'static str, report: &mut Report) -> String {
     let element = child(node, tag);
     let name = element.map(text_of).unwrap_or_default();
@@ -281,12 +283,12 @@ fn end<'a, 'i: 'a>(node: Node<'a, 'i>, tag: &'static str, report: &mut Report) -
     name.to_owned()
 }
 
-/// The text of an element, comments left out.
+/// Text of an element without comments.
 fn text_of(node: Node<'_, '_>) -> String {
     node.children().filter(Node::is_text).filter_map(|text| text.text()).collect()
 }
 
-/// SDF's words for true and false.
+/// Boolean value in SDF notation.
 fn flag(node: Node<'_, '_>, text: &str, report: &mut Report) -> bool {
     match text.trim_ascii() {
         "true" | "True" | "TRUE" | "1" => true,

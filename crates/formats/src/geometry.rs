@@ -1,4 +1,4 @@
-//! How far the declared shape of a link reaches. It enters no result, so that nothing here is an error.
+//! Extent of the declared shape of a link. No result depends on the extent, so no finding here is an error.
 
 use crate::limits::LARGEST_SHAPE;
 use crate::numbers::parse;
@@ -7,7 +7,7 @@ use crate::survey::{child, children, is_substitution};
 use percuss_mechanism::Geometry;
 use roxmltree::Node;
 
-/// A sphere about the link's origin that holds every `<visual>` and `<collision>`; not tight.
+/// Sphere about the link's origin that encloses every `<visual>` and `<collision>`; not the smallest one.
 pub(crate) fn reach<'a, 'i: 'a>(link: Node<'a, 'i>, report: &mut Report) -> Geometry {
     let mut reach = Geometry::None;
     for holder in children(link, "visual").chain(children(link, "collision")) {

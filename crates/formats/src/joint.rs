@@ -1,4 +1,4 @@
-//! `<joint>`: its kind, the links it joins, and how.
+//! Parser of `<joint>`: kind, links, origin, axis, limits, armature, mimic.
 
 use crate::armature;
 use crate::link::name;
@@ -9,34 +9,34 @@ use crate::survey::child;
 use percuss_mechanism::{JointKind, Severity, near_names};
 use roxmltree::Node;
 
-/// A checked `<joint>`: every number in it is good.
+/// Checked `<joint>`: every number is valid.
 pub(crate) struct JointText<'a> {
     pub name: &'a str,
     pub kind: JointKind,
     pub parent: &'a str,
     pub child: &'a str,
     pub origin: Origin<'a>,
-    /// Three good numbers.
+    /// Three valid numbers.
     pub axis: &'a str,
-    /// Lower and upper: one good number each, rad or m.
+    /// Lower and upper limit: one valid number each, rad or m.
     pub limits: Option<[&'a str; 2]>,
-    /// None, one, or one a velocity, kg·m² or kg.
+    /// Empty, one value, or one value per velocity; kg·m² or kg.
     pub armature: Vec<f64>,
     pub mimic: Option<MimicText<'a>>,
-    /// Whether it is advised to drive or to follow.
+    /// Recommended role: `true` to drive the mechanism, `false` to follow; `None` without a recommendation.
     pub independent: Option<bool>,
 }
 
-/// A checked `<mimic>`.
+/// Checked `<mimic>`.
 pub(crate) struct MimicText<'a> {
     pub joint: &'a str,
-    /// One good number.
+    /// One valid number.
     pub multiplier: &'a str,
-    /// One good number, rad or m.
+    /// One valid number, rad or m.
     pub offset: &'a str,
 }
 
-/// URDF's axis where none is given.
+/// Default axis of URDF.
 const DEFAULT_AXIS: &str = "1 0 0";
 
 /// Checks a `<joint>`.
@@ -78,7 +78,7 @@ fn kind(node: Node<'_, '_>, report: &mut Report) -> Option<JointKind> {
     kind
 }
 
-/// URDF+ files say `true`, `True` and `TRUE`.
+/// Reads the flag in any case: URDF+ files contain `true`, `True` and `TRUE`.
 fn independent(node: Node<'_, '_>, report: &mut Report) -> Option<bool> {
     let text = node.attribute("independent")?;
     let word = text.trim_ascii();
@@ -91,8 +91,9 @@ fn independent(node: Node<'_, '_>, report: &mut Report) -> Option<bool> {
     value
 }
 
-/// A joint that is declared dependent depends on something. Where the file has no loop and no coupling at all, it
-/// was bound by other means, and here it is free; where it has some, only the mechanism's mobility shows whether it is.
+/// Warns about a joint that is declared dependent in a file without loops and couplings: the joint moves freely here.
+/// The caller excludes files with loops or couplings, in which the dependence follows from the mobility of the
+/// mechanism.
 pub(crate) fn unbound<'a, 'i: 'a>(joint: &JointText<'a>, node: Node<'a, 'i>, report: &mut Report) {
     let moves = joint.kind.dofs() > 0;
     if moves && joint.independent == Some(false) && child(node, "mimic").is_none() {
@@ -103,7 +104,7 @@ pub(crate) fn unbound<'a, 'i: 'a>(joint: &JointText<'a>, node: Node<'a, 'i>, rep
     }
 }
 
-/// The name of the link at one end: a child element `role` gives it.
+/// Link name at one end, from the child element `role`.
 pub(crate) fn end<'a, 'i: 'a>(node: Node<'a, 'i>, role: &'static str, report: &mut Report) -> &'a str {
     let Some(element) = child(node, role) else {
         report.error("missing-element", Place::Element(node), || {
@@ -132,8 +133,8 @@ fn axis<'a, 'i: 'a>(node: Node<'a, 'i>, kind: Option<JointKind>, report: &mut Re
     }
 }
 
-/// The range of positions. Where neither end is given there is none: a `<limit>` that gives only effort and speed
-/// does not fix the joint at zero.
+/// Range of positions; `None` if `<limit>` gives neither end. A `<limit>` with only effort and speed does not fix the
+/// joint at zero.
 fn limits<'a, 'i: 'a>(
     node: Node<'a, 'i>,
     kind: Option<JointKind>,
@@ -169,7 +170,7 @@ fn mimic<'a>(node: Node<'a, '_>, kind: Option<JointKind>, report: &mut Report) -
     let multiplier = optional::<1>(node, "multiplier", "1", report);
     let offset = optional::<1>(node, "offset", "0", report);
     if kind == Some(JointKind::Fixed) {
-        // Reduced robots are made by fixing joints and leaving the rest as it was.
+        // Reduced robot models often fix a joint and keep its other elements.
         report.warning("fixed-mimic", Place::Element(node), || {
             "the joint is fixed; its <mimic> is ignored".to_owned()
         });

@@ -1,4 +1,4 @@
-//! `<link>`: its mass and inertia, and how far its shape reaches.
+//! Parser of `<link>`: mass, inertia, and extent of the shape.
 
 use crate::geometry;
 use crate::limits::LONGEST_NAME;
@@ -9,23 +9,23 @@ use crate::survey::child;
 use percuss_mechanism::{Geometry, Problem};
 use roxmltree::Node;
 
-/// A checked `<link>`: every number in it is good.
+/// Checked `<link>`: every number is valid.
 pub(crate) struct LinkText<'a> {
     pub name: &'a str,
     pub inertial: Option<InertialText<'a>>,
     pub geometry: Geometry,
 }
 
-/// A checked `<inertial>`.
+/// Checked `<inertial>`.
 pub(crate) struct InertialText<'a> {
     pub origin: Origin<'a>,
-    /// One good number, kg.
+    /// One valid number, kg.
     pub mass: &'a str,
-    /// The moments ixx, ixy, ixz, iyy, iyz, izz: one good number each, kg·m².
+    /// Moments ixx, ixy, ixz, iyy, iyz, izz: one valid number each, kg·m².
     pub moments: [&'a str; 6],
 }
 
-/// The attributes of `<inertia>` and whether they may be left out.
+/// Attributes of `<inertia>`; `true` marks the optional ones.
 const MOMENTS: [(&str, bool); 6] =
     [("ixx", false), ("ixy", true), ("ixz", true), ("iyy", false), ("iyz", true), ("izz", false)];
 
@@ -38,7 +38,7 @@ pub(crate) fn check<'a, 'i: 'a>(node: Node<'a, 'i>, report: &mut Report) -> Link
     }
 }
 
-/// The name of a link or joint.
+/// Name of a link or joint.
 pub(crate) fn name<'a>(node: Node<'a, '_>, report: &mut Report) -> &'a str {
     let name = node.attribute("name");
     let Some(name) = name else {

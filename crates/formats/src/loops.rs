@@ -1,5 +1,5 @@
-//! What loops, couplings and second parents refer to. It is looked up here, where the place in the file is known and the
-//! cost is bounded.
+//! References of loops, couplings and second parent joints. The checks run here, because the positions in the file
+//! are known and the cost is bounded.
 
 use crate::closure::ends;
 use crate::joint::JointText;
@@ -13,23 +13,24 @@ use percuss_mechanism::{Problem, Severity};
 use roxmltree::Node;
 use std::collections::{HashMap, HashSet};
 
-/// Which joints go to a link that an earlier joint went to: the builder makes closures of them.
+/// Marks each joint to a link that is already the child of an earlier joint. The builder turns these joints into
+/// closures.
 pub(crate) fn second_parents(joints: &[JointText<'_>]) -> Vec<bool> {
     let mut children = HashSet::new();
     joints.iter().map(|joint| !children.insert(joint.child)).collect()
 }
 
-/// What a file says, with the elements that say it and which joints close loops.
+/// Contents of a file with their XML elements, and the flags of joints that close loops.
 pub(crate) struct Loops<'f, 'a, 'i> {
     pub texts: &'f Texts<'a>,
     pub nodes: &'f Nodes<'a, 'i>,
-    /// As of [`second_parents`].
+    /// Result of [`second_parents`].
     pub second: &'f [bool],
 }
 
 impl<'a, 'i: 'a> Loops<'_, 'a, 'i> {
-    /// Checks the links that loops and couplings name, their own names, what joints that close loops cannot have,
-    /// and the work that couplings make.
+    /// Checks the links named by loops and couplings, the names of loops and couplings, properties that joints in
+    /// loops cannot have, and the amount of work caused by couplings.
     pub fn check(&self, suggestions: &mut Suggestions, report: &mut Report) {
         let links = index(self.texts.links.iter().map(|l| l.name));
         for (closure, node) in self.texts.closures.iter().zip(&self.nodes.closures) {
@@ -67,7 +68,7 @@ impl<'a, 'i: 'a> Loops<'_, 'a, 'i> {
         report: &mut Report,
     ) {
         for ((tag, role), name) in ends(node).iter().zip(["predecessor", "successor"]).zip(names) {
-            // An empty name is one that is missing, and reported already.
+            // An empty name stands for a missing one, which is reported already.
             let element = child(node, tag).filter(|_| !name.is_empty());
             if let Some(element) = element
                 && !exists(name)
@@ -80,7 +81,7 @@ impl<'a, 'i: 'a> Loops<'_, 'a, 'i> {
         }
     }
 
-    /// Closures, couplings and joints that close loops share one set of names.
+    /// Checks uniqueness: closures, couplings and joints that close loops share one set of names.
     fn names(&self, report: &mut Report) {
         let closures = self.texts.closures.iter().map(|c| c.name.as_str()).zip(&self.nodes.closures);
         let couplings = self.texts.couplings.iter().map(|c| c.name.as_str()).zip(&self.nodes.couplings);
@@ -102,7 +103,7 @@ impl<'a, 'i: 'a> Loops<'_, 'a, 'i> {
         }
     }
 
-    /// A joint that closes a loop has no position that another could follow.
+    /// Refuses mimics of joints that close loops, because these have no position coordinate.
     fn mimics(&self, report: &mut Report) {
         let closing = self.texts.joints.iter().zip(self.second).filter(|(_, second)| **second);
         let closing: HashSet<&str> = closing.map(|(joint, _)| joint.name).collect();
@@ -119,7 +120,7 @@ impl<'a, 'i: 'a> Loops<'_, 'a, 'i> {
         }
     }
 
-    /// A closure has no position that limits could bound.
+    /// Notes limits of joints that close loops: a closure has no position coordinate.
     fn limits(&self, report: &mut Report) {
         let closing = self.texts.joints.iter().zip(&self.nodes.joints).zip(self.second);
         for ((_, node), _) in closing.filter(|((joint, _), second)| **second && joint.limits.is_some()) {
@@ -130,7 +131,7 @@ impl<'a, 'i: 'a> Loops<'_, 'a, 'i> {
         }
     }
 
-    /// How many joints the builder will walk because of the couplings; in a chain the number is quadratic.
+    /// Number of joints that the builder visits because of couplings; quadratic in the length of a chain.
     fn steps(&self) -> usize {
         if self.texts.couplings.is_empty() {
             return 0;
@@ -142,7 +143,7 @@ impl<'a, 'i: 'a> Loops<'_, 'a, 'i> {
         for link in self.texts.couplings.iter().flat_map(|c| [c.predecessor.as_str(), &c.successor]) {
             let mut path = Vec::new();
             let mut at = link;
-            // Links that are their own ancestors are reported by the builder.
+            // The builder reports cycles of links; the length bound ends the walk.
             while path.len() <= self.texts.joints.len() && !depths.contains_key(at) {
                 path.push(at);
                 match parent.get(at) {

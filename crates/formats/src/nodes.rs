@@ -1,4 +1,4 @@
-//! The elements that make the mechanism, and where a finding of the builder belongs among them.
+//! XML elements of the mechanism, and positions of the builder's findings among them.
 
 use crate::closure;
 use crate::gazebo_joint::holds_root;
@@ -9,7 +9,7 @@ use percuss_mechanism::{Problem, Subject};
 use roxmltree::Node;
 use std::collections::HashSet;
 
-/// The elements of links, joints, loops and couplings, in the order given.
+/// Elements of links, joints, loops and couplings, in the order of the file.
 pub(crate) struct Nodes<'a, 'i> {
     pub links: Vec<Node<'a, 'i>>,
     pub joints: Vec<Node<'a, 'i>>,
@@ -40,7 +40,7 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
         }
     }
 
-    /// Refuses a file with too many of a kind.
+    /// True if the number of elements of each kind is within the limit; otherwise reports an error.
     pub fn are_bounded(&self, robot: Node<'a, 'i>, report: &mut Report) -> bool {
         let counts = [
             ("links", self.links.len()),
@@ -57,7 +57,7 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
         excess.is_none()
     }
 
-    /// Where in the file a finding of the builder belongs.
+    /// Position in the file of a finding of the builder.
     pub fn place(&self, robot: Node<'a, 'i>, subject: &Subject, problem: &Problem) -> Place<'a, 'i> {
         let node = match subject {
             Subject::Mechanism => Some(robot),
@@ -79,7 +79,7 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
                 "armature" => &["dynamics"],
                 "distance" => &["distance"],
                 "ratio" => &["ratio"],
-                // The builder's words, not the file's.
+                // Other names of quantities have no element of their own.
                 _ => &[],
             },
             Problem::NegativeMass { .. } => &["inertial", "mass"],
@@ -99,7 +99,7 @@ impl<'a, 'i: 'a> Nodes<'a, 'i> {
             }
             Problem::BadDistance { .. } => &["distance"],
             Problem::ClosesOnItself { .. } => std::slice::from_ref(&closure::ends(node)[1]),
-            // An open list of the builder's; the link or joint is place enough.
+            // Other problems have no element of their own; the position is the link or joint.
             _ => &[],
         };
         Place::Element(within.iter().try_fold(node, |node, name| child(node, name)).unwrap_or(node))

@@ -1,10 +1,10 @@
-//! Numbers in attributes, read strictly: the right count, every one finite, nothing else.
+//! Strict parser of numbers in attributes: the right count, finite, and no other text.
 
 use crate::report::{Place, Report, quoted};
 use crate::survey::is_substitution;
 use roxmltree::Node;
 
-/// Exactly N finite numbers with white space between them; else what is the matter.
+/// Parses exactly N finite numbers separated by white space. The error text names the defect.
 pub(crate) fn parse<const N: usize>(text: &str) -> Result<[f64; N], String> {
     let expected = || if N == 1 { "1 finite number".to_owned() } else { format!("{N} finite numbers") };
     let mut values = [0.0; N];
@@ -35,7 +35,7 @@ fn expected_count(count: usize) -> String {
     if count == 1 { "1 finite number is".to_owned() } else { format!("{count} finite numbers are") }
 }
 
-/// The attribute's text, known to hold N good numbers; `default` where it is absent or bad (which is reported).
+/// Text of the attribute, checked to hold N valid numbers; `default` if absent or invalid (an error).
 pub(crate) fn optional<'a, const N: usize>(
     node: Node<'a, '_>,
     attribute: &'static str,
@@ -52,7 +52,7 @@ pub(crate) fn optional<'a, const N: usize>(
     }
 }
 
-/// As [`optional`], but its absence is reported too.
+/// As [`optional`], but an absent attribute is an error.
 pub(crate) fn required<'a, const N: usize>(
     node: Node<'a, '_>,
     attribute: &'static str,
@@ -65,7 +65,7 @@ pub(crate) fn required<'a, const N: usize>(
     optional::<N>(node, attribute, default, report)
 }
 
-/// One number from an attribute that must be there.
+/// Reads one number from a mandatory attribute.
 pub(crate) fn number(node: Node<'_, '_>, attribute: &'static str, report: &mut Report) -> Option<f64> {
     let Some(text) = node.attribute(attribute) else {
         missing(node, attribute, report);
@@ -80,7 +80,7 @@ pub(crate) fn number(node: Node<'_, '_>, attribute: &'static str, report: &mut R
     }
 }
 
-/// Reports a number that cannot be read.
+/// Reports an invalid number.
 pub(crate) fn bad(
     node: Node<'_, '_>,
     attribute: &'static str,
@@ -96,7 +96,7 @@ pub(crate) fn bad(
     }
 }
 
-/// Reports an attribute that must be there and is not.
+/// Reports an absent mandatory attribute.
 pub(crate) fn missing(node: Node<'_, '_>, attribute: &'static str, report: &mut Report) {
     report.error("missing-attribute", Place::Element(node), || {
         format!("<{}> has no attribute \"{attribute}\"", node.tag_name().name())
@@ -115,7 +115,7 @@ mod tests {
         {
             assert!(parse::<3>(text).is_err(), "{text}");
         }
-        // A no-break space is no separator.
+        // A no-break space does not separate numbers.
         assert!(parse::<2>("1\u{a0}2").is_err());
     }
 }

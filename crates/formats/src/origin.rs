@@ -1,4 +1,4 @@
-//! `<origin>`: a translation, and a rotation in one of two spellings.
+//! `<origin>`: a translation, and a rotation in one of two notations.
 
 use crate::limits::QUATERNION_NORM_SLACK;
 use crate::numbers::{bad, optional, parse};
@@ -7,24 +7,23 @@ use crate::survey::child;
 use percuss_spatial::{Matrix3, Transform, rotation_from_quaternion, rotation_from_rpy};
 use roxmltree::Node;
 
-/// A checked `<origin>`.
+/// Checked `<origin>`.
 #[derive(Clone, Copy)]
 pub(crate) struct Origin<'a> {
-    /// Three good numbers, m.
+    /// Three valid numbers, m.
     pub xyz: &'a str,
-    /// Three good numbers, rad.
+    /// Three valid numbers, rad.
     pub rpy: &'a str,
-    /// The rotation of `quat_xyzw`, which goes before `rpy`, in files of any version; never by way of angles, which are
-    /// off by milliradians near ±90° pitch.
+    /// Rotation matrix of `quat_xyzw`, in files of any version; `quat_xyzw` takes precedence over `rpy`. The
+    /// quaternion is not converted to angles, whose error is milliradians near ±90° pitch.
     pub quaternion: Option<Matrix3<f64>>,
 }
 
 impl Origin<'_> {
     pub const IDENTITY: Origin<'static> = Origin { xyz: ZERO, rpy: ZERO, quaternion: None };
 
-    /// The transform.
     pub fn transform(&self) -> Transform<f64> {
-        // The numbers are known to be good.
+        // The texts are already checked.
         let rotation = || rotation_from_rpy(parse(self.rpy).unwrap_or_default());
         let translation = parse::<3>(self.xyz).unwrap_or_default();
         Transform::new(self.quaternion.unwrap_or_else(rotation), translation.into())
@@ -33,12 +32,12 @@ impl Origin<'_> {
 
 const ZERO: &str = "0 0 0";
 
-/// Checks the `<origin>` of `parent`; the identity where there is none.
+/// Checks the `<origin>` of `parent`; identity if absent.
 pub(crate) fn check<'a, 'i: 'a>(parent: Node<'a, 'i>, report: &mut Report) -> Origin<'a> {
     child(parent, "origin").map_or(Origin::IDENTITY, |node| of(node, report))
 }
 
-/// Checks the attributes of an `<origin>`, or of an element that has them itself.
+/// Checks the attributes of an `<origin>`, or of another element with the same attributes.
 pub(crate) fn of<'a>(node: Node<'a, '_>, report: &mut Report) -> Origin<'a> {
     let quaternion = node.attribute("quat_xyzw").and_then(|text| rotation(node, text, report));
     if node.attribute("quat_xyzw").is_some() && node.attribute("rpy").is_some() {
@@ -61,7 +60,7 @@ fn rotation(node: Node<'_, '_>, text: &str, report: &mut Report) -> Option<Matri
             return None;
         }
     };
-    // Scaled first, so that no square overflows or underflows.
+    // Scaling first avoids overflow and underflow of the squares.
     let scale = [x, y, z, w].iter().fold(0.0f64, |a, b| a.max(b.abs()));
     if scale < f64::MIN_POSITIVE {
         bad(node, "quat_xyzw", text, "it is zero; a unit quaternion x y z w is expected", report);

@@ -1,9 +1,9 @@
-//! Bounds on the text before any parser sees it.
+//! Bounds on the text, checked before any parser runs.
 //!
-//! roxmltree does not recurse on nesting, but it compares every attribute of an element with every other, copies
-//! the namespaces in scope, and lets one entity be used any number of times: a small file could keep it busy for
-//! hours or fill the memory. This scan is one pass, and knows comments, CDATA, processing instructions, the
-//! DOCTYPE and quotes. It does not judge whether the text is well formed; the parser does.
+//! roxmltree does not recurse on nesting, but it compares every attribute of an element with every other, copies the
+//! namespaces in scope, and expands an entity any number of times. A small file could therefore take hours or fill
+//! the memory. This scan is a single pass. It recognises comments, CDATA, processing instructions, the DOCTYPE and
+//! quotes. The parser checks that the text is well formed.
 
 use crate::limits::{
     DEEPEST_NESTING, MOST_ATTRIBUTES, MOST_ATTRIBUTES_IN_ALL, MOST_ELEMENTS, MOST_ENTITIES, MOST_EXPANDED,
@@ -11,7 +11,7 @@ use crate::limits::{
 };
 use crate::report::{Place, Report};
 
-/// Says what is beyond the bounds, and whether nothing is.
+/// True if the text is within the bounds; otherwise reports the excess.
 pub(crate) fn check(text: &str, report: &mut Report) -> bool {
     let mut scan = Scan { bytes: text.as_bytes(), at: 0, ..Scan::default() };
     match scan.run() {
@@ -32,7 +32,7 @@ struct Scan<'t> {
     attributes: usize,
     namespaces: usize,
     entities: usize,
-    /// The longest entity, and whether one refers to another.
+    /// Length of the longest entity value; true if an entity refers to another.
     longest_entity: usize,
     nested_entities: bool,
 }
@@ -85,14 +85,14 @@ impl Scan<'_> {
         Ok(())
     }
 
-    /// Moves past `end`, looked for from `lead` bytes on.
+    /// Advances past `end`, searched from `lead` bytes after the current position.
     fn skip_past(&mut self, lead: usize, end: &[u8]) {
         let from = (self.at + lead).min(self.bytes.len());
         let found = self.bytes[from..].windows(end.len()).position(|w| w == end);
         self.at = found.map_or(self.bytes.len(), |i| from + i + end.len());
     }
 
-    /// Moves past the closing quote of the value that begins here; says where the value was.
+    /// Advances past the closing quote of the value at the current position. Returns the byte range of the value.
     fn quoted(&mut self) -> std::ops::Range<usize> {
         let quote = self.bytes[self.at];
         let start = self.at + 1;
@@ -118,7 +118,7 @@ impl Scan<'_> {
                     let value = self.quoted();
                     *references += self.bytes[value].iter().filter(|b| **b == b'&').count();
                 }
-                // Not well formed; the parser will say so.
+                // Not well formed; the parser reports an error.
                 b'<' => break,
                 b'=' => {
                     attributes += 1;
@@ -156,7 +156,7 @@ impl Scan<'_> {
         Ok(())
     }
 
-    /// The document type, with its entities.
+    /// Scans the document type declaration with its entities.
     fn doctype(&mut self) -> Result<(), String> {
         let mut in_entity = false;
         let mut inside = false;
@@ -164,7 +164,8 @@ impl Scan<'_> {
         while let Some(&byte) = self.bytes.get(self.at) {
             let rest = &self.bytes[self.at..];
             match byte {
-                // As for the parser: quotes count in an entity and before the inner part, not in other declarations.
+                // As in the parser: quotes count in an entity and before the internal subset, not in other
+                // declarations.
                 b'"' | b'\'' if in_entity || !inside => {
                     let start = self.at;
                     let value = self.quoted();

@@ -1,4 +1,5 @@
-//! Names that joints refer to. They are looked up here, where the place in the file is known and the cost is bounded.
+//! References of joints by name. The checks run here, because the positions in the file are known and the cost is
+//! bounded.
 
 use crate::joint::JointText;
 use crate::limits::{LONGEST_MIMIC_CHAIN, MOST_CANDIDATES, MOST_SUGGESTIONS};
@@ -9,7 +10,7 @@ use percuss_mechanism::{Problem, near_names};
 use roxmltree::Node;
 use std::collections::HashMap;
 
-/// Where each name was given first.
+/// Index of the first occurrence of each name.
 pub(crate) fn index<'a>(names: impl Iterator<Item = &'a str>) -> HashMap<&'a str, usize> {
     let mut index = HashMap::new();
     for (i, name) in names.enumerate() {
@@ -18,7 +19,7 @@ pub(crate) fn index<'a>(names: impl Iterator<Item = &'a str>) -> HashMap<&'a str
     index
 }
 
-/// Looks for what was meant, a few times only.
+/// Search for similar names, limited in number because of its cost.
 pub(crate) struct Suggestions {
     left: usize,
 }
@@ -37,7 +38,7 @@ impl Suggestions {
     }
 }
 
-/// Checks the links and joints that joints name. A mimic that leads nowhere is dropped, with a warning.
+/// Checks the link and joint names in joints. A mimic of an unknown joint is dropped, with a warning.
 pub(crate) fn check<'a, 'i: 'a>(
     links: &[LinkText<'a>],
     joints: &mut [JointText<'a>],
@@ -49,7 +50,7 @@ pub(crate) fn check<'a, 'i: 'a>(
     let link_index = index(links.iter().map(|l| l.name));
     for (joint, node) in joints.iter().zip(nodes) {
         for (role, name) in [("parent", joint.parent), ("child", joint.child)] {
-            // An empty name is one that is missing, and reported already.
+            // An empty name stands for a missing one, which is reported already.
             let element = child(*node, role).filter(|n| n.has_attribute("link"));
             if let Some(element) = element
                 && !link_index.contains_key(name)
@@ -75,7 +76,7 @@ pub(crate) fn check<'a, 'i: 'a>(
     chains(joints, nodes, joint_index, report);
 }
 
-/// Refuses circles and long chains of mimics, whose cost and whose messages would grow with their length.
+/// Refuses cycles and long chains of mimics, whose cost and messages would grow with their length.
 fn chains<'a, 'i: 'a>(
     joints: &[JointText<'a>],
     nodes: &[Node<'a, 'i>],
@@ -86,7 +87,7 @@ fn chains<'a, 'i: 'a>(
     let next: Vec<Option<usize>> = joints.iter().map(master).collect();
     let mut told = vec![false; joints.len()];
     for (start, node) in nodes.iter().enumerate() {
-        // A circle is reported once, at the joint from which it was found first.
+        // A cycle is reported once, at the first joint that leads to it.
         let walk = std::iter::successors(Some(start), |i| next[*i]).take_while(|i| !told[*i]);
         let path: Vec<usize> = walk.take(LONGEST_MIMIC_CHAIN + 1).collect();
         if path.len() <= LONGEST_MIMIC_CHAIN {

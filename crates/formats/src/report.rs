@@ -1,4 +1,4 @@
-//! Collects findings while a file is read: bounded in number, placed in the file at the end.
+//! Collection of findings while a file is read: bounded in number, with positions computed at the end.
 
 use crate::Diagnostic;
 use crate::limits::{FARTHEST_COLUMN, LONGEST_SHOWN, MOST_FINDINGS, MOST_KINDS};
@@ -6,16 +6,16 @@ use percuss_mechanism::Severity;
 use roxmltree::Node;
 use std::collections::HashMap;
 
-/// Where a finding belongs.
+/// Position of a finding.
 #[derive(Clone, Copy)]
 pub(crate) enum Place<'a, 'i> {
     /// The whole file.
     File,
-    /// A byte of the text.
+    /// Byte offset in the text.
     Offset(usize),
     /// An element.
     Element(Node<'a, 'i>),
-    /// An attribute of an element; the element where it has no such attribute.
+    /// An attribute of an element; the element if the attribute is absent.
     Attribute(Node<'a, 'i>, &'a str),
 }
 
@@ -28,7 +28,7 @@ struct Item {
     repeats: usize,
 }
 
-/// The findings so far.
+/// Findings collected so far.
 #[derive(Default)]
 pub(crate) struct Report {
     items: Vec<Item>,
@@ -46,7 +46,7 @@ fn rank(severity: Severity) -> usize {
 }
 
 impl Report {
-    /// Adds a finding; its message is made only if it is shown.
+    /// Adds a finding. The message is formatted only for a finding within the limit.
     pub fn add(
         &mut self,
         severity: Severity,
@@ -70,22 +70,22 @@ impl Report {
         self.items.push(Item { severity, code, offset, element, message: message(), repeats: 0 });
     }
 
-    /// An error.
+    /// Adds an error.
     pub fn error(&mut self, code: &'static str, place: Place<'_, '_>, message: impl FnOnce() -> String) {
         self.add(Severity::Error, code, place, message);
     }
 
-    /// A warning.
+    /// Adds a warning.
     pub fn warning(&mut self, code: &'static str, place: Place<'_, '_>, message: impl FnOnce() -> String) {
         self.add(Severity::Warning, code, place, message);
     }
 
-    /// A note.
+    /// Adds a note.
     pub fn note(&mut self, code: &'static str, place: Place<'_, '_>, message: impl FnOnce() -> String) {
         self.add(Severity::Note, code, place, message);
     }
 
-    /// Adds a finding that is reported once for each `kind` and then counted.
+    /// Adds a finding once per `kind`; repetitions are counted.
     pub fn fold(
         &mut self,
         severity: Severity,
@@ -108,7 +108,7 @@ impl Report {
         }
     }
 
-    /// The error that the file is a xacro; reported once.
+    /// Adds the error for a xacro file, at most once.
     pub fn xacro(&mut self, place: Place<'_, '_>, sign: &str) {
         let message = || {
             format!(
@@ -121,17 +121,17 @@ impl Report {
         }
     }
 
-    /// Whether the file is a xacro, so that all else that could be said of it is beside the point.
+    /// True if the file is a xacro file; all other findings are then irrelevant.
     pub fn is_xacro(&self) -> bool {
         self.is_xacro
     }
 
-    /// Whether anything forbids a mechanism.
+    /// True if an error was added.
     pub fn has_errors(&self) -> bool {
         self.counts[rank(Severity::Error)] > 0
     }
 
-    /// All findings in the order of the file, those without a place first.
+    /// Returns all findings in the order of the file, findings without a position first.
     pub fn finish(mut self, path: &str, text: &str) -> Vec<Diagnostic> {
         self.items.sort_by_key(|item| item.offset);
         let mut places = Places { text: text.as_bytes(), at: 0, line: 1, line_start: 0 };
@@ -170,7 +170,7 @@ impl Report {
     }
 }
 
-/// Turns ascending offsets into lines and columns in one pass over the text.
+/// Converts ascending byte offsets to lines and columns in one pass over the text.
 struct Places<'t> {
     text: &'t [u8],
     at: usize,
@@ -189,13 +189,13 @@ impl Places<'_> {
             self.at += 1;
         }
         let before = &self.text[self.line_start..offset.max(self.line_start)];
-        // Every byte that does not continue a character begins one.
+        // Counts the bytes that begin a UTF-8 character.
         let column = || before.iter().filter(|b| **b & 0xC0 != 0x80).count() as u32 + 1;
         (self.line, (before.len() <= FARTHEST_COLUMN).then(column))
     }
 }
 
-/// `robot/joint[hinge]/axis`.
+/// XML path of an element, for example `robot/joint[hinge]/axis`.
 fn path_of(node: Node<'_, '_>) -> String {
     let mut steps: Vec<String> = node
         .ancestors()
@@ -214,17 +214,17 @@ fn path_of(node: Node<'_, '_>) -> String {
     steps.join("/")
 }
 
-/// The text in quotes, cut if it is long.
+/// Text in quotes on one line, truncated to `LONGEST_SHOWN` characters.
 pub(crate) fn quoted(text: &str) -> String {
     format!("\"{}\"", shortened(text))
 }
 
-/// The text on one line, cut if it is long.
+/// Text on one line, truncated to `LONGEST_SHOWN` characters.
 pub(crate) fn shortened(text: &str) -> String {
     cut(text, LONGEST_SHOWN)
 }
 
-/// The text on one line, cut to so many characters.
+/// Text on one line, truncated to `longest` characters.
 pub(crate) fn cut(text: &str, longest: usize) -> String {
     let printable = |c: char| if c.is_control() { ' ' } else { c };
     match text.char_indices().nth(longest) {

@@ -1,4 +1,5 @@
-//! The shapes of links: `<visual>` and `<collision>`. They enter no mechanics, so that nothing here is an error.
+//! Shapes of links: `<visual>` and `<collision>`. The mechanics do not depend on them, so no finding here is an
+//! error.
 
 use crate::limits::LARGEST_SHAPE;
 use crate::numbers::parse;
@@ -7,7 +8,7 @@ use nalgebra::{Vector3, Vector4};
 use percuss_spatial::{Transform, rotation_from_quaternion, rotation_from_rpy};
 use roxmltree::Node;
 
-/// What a shape is declared for.
+/// Purpose of a declared shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Purpose {
     /// `<collision>`.
@@ -17,7 +18,7 @@ pub enum Purpose {
 }
 
 impl Purpose {
-    /// The element's name.
+    /// Name of the XML element.
     pub fn name(self) -> &'static str {
         match self {
             Purpose::Collision => "collision",
@@ -26,55 +27,55 @@ impl Purpose {
     }
 }
 
-/// A body in its own frame.
+/// Solid in its own frame.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Solid {
-    /// A box about the origin: its edges, m.
+    /// Box centred at the origin; edge lengths in m.
     Box {
-        /// Along x, y and z.
+        /// Edge lengths along x, y and z.
         size: [f64; 3],
     },
-    /// A sphere about the origin, m.
+    /// Sphere centred at the origin, m.
     Sphere {
-        /// Its radius.
+        /// Radius.
         radius: f64,
     },
-    /// A cylinder about the z axis, its middle at the origin, m.
+    /// Cylinder about the z axis, centred at the origin, m.
     Cylinder {
-        /// Its radius.
+        /// Radius.
         radius: f64,
-        /// From end to end.
+        /// Length from end to end.
         length: f64,
     },
-    /// A cylinder about the z axis with hemispheres at its ends, m.
+    /// Cylinder about the z axis with hemispherical ends, centred at the origin, m.
     Capsule {
-        /// Its radius.
+        /// Radius.
         radius: f64,
-        /// Of the cylinder, without the hemispheres.
+        /// Length of the cylinder without the hemispheres.
         length: f64,
     },
-    /// A triangle mesh.
+    /// Triangle mesh.
     Mesh {
-        /// Its file, as the URDF names it.
+        /// File name in the URDF.
         file: String,
-        /// The factors of its coordinates.
+        /// Scale factors of x, y and z.
         scale: [f64; 3],
     },
 }
 
-/// A shape of a link.
+/// Shape of a link.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
-    /// What it is declared for.
+    /// Declared purpose.
     pub purpose: Purpose,
-    /// The body in its own frame.
+    /// Solid in its own frame.
     pub solid: Solid,
-    /// Its frame in the link's.
+    /// Pose of the solid's frame in the link frame.
     pub frame: Transform<f64>,
 }
 
-/// The shapes of a link, in the order of the file. Those with numbers that cannot be used are left out: the reader has warned
-/// of these.
+/// Shapes of a link: collision shapes first, then visual shapes, each in the order of the file. Shapes with invalid
+/// numbers are left out; `geometry.rs` warns about invalid sizes and positions.
 pub(crate) fn shapes<'a, 'i: 'a>(link: Node<'a, 'i>) -> Vec<Shape> {
     let mut found = Vec::new();
     for (name, purpose) in [("collision", Purpose::Collision), ("visual", Purpose::Visual)] {
@@ -93,7 +94,7 @@ fn numbers<const N: usize>(node: Node<'_, '_>, attribute: &str) -> Option<[f64; 
     values.iter().all(|v| v.abs() <= LARGEST_SHAPE).then_some(values)
 }
 
-/// Numbers where there are any, else others; none where they cannot be used.
+/// Numbers of an attribute; `otherwise` if the attribute is absent, `None` if it is invalid.
 fn numbers_or<const N: usize>(node: Node<'_, '_>, attribute: &str, otherwise: [f64; N]) -> Option<[f64; N]> {
     node.attribute(attribute).map_or(Some(otherwise), |_| numbers(node, attribute))
 }
@@ -108,7 +109,7 @@ fn solid(shape: Node<'_, '_>) -> Option<Solid> {
         "mesh" => Solid::Mesh {
             file: shape.attribute("filename")?.trim().to_owned(),
             scale: match shape.attribute("scale").map(parse::<1>) {
-                // One factor for all is in use.
+                // A single factor for all axes is in use.
                 Some(Ok([all])) => [all; 3],
                 _ => numbers_or(shape, "scale", [1.0; 3])?,
             },
@@ -117,7 +118,7 @@ fn solid(shape: Node<'_, '_>) -> Option<Solid> {
     })
 }
 
-/// `<origin xyz rpy quat_xyzw>` of a shape.
+/// Pose of a shape from `<origin xyz rpy quat_xyzw>`.
 fn frame<'a, 'i: 'a>(holder: Node<'a, 'i>) -> Option<Transform<f64>> {
     let Some(origin) = child(holder, "origin") else { return Some(Transform::identity()) };
     let place = Vector3::from(numbers_or(origin, "xyz", [0.0; 3])?);

@@ -1,27 +1,27 @@
-//! Where a model's bytes come from, and whether they are text.
+//! Input of a model's bytes, and check for text.
 
 use crate::LoadError;
 use crate::report::{Place, Report};
 use std::fs::File;
 use std::io::{self, Read};
 
-/// A model may have this many bytes, 32 MiB, unless the user says otherwise.
+/// Default size limit of a model file: 32 MiB.
 pub const DEFAULT_MAX_SIZE: u64 = 32 << 20;
 
-/// A model's bytes and where they came from.
+/// Bytes of a model and their origin.
 #[derive(Clone, Debug)]
 pub struct Source {
-    /// The file as the user named it; `<stdin>` for `-`.
+    /// File name as the user gave it; `<stdin>` for `-`.
     pub name: String,
-    /// What it holds.
+    /// Contents.
     pub bytes: Vec<u8>,
 }
 
 impl Source {
-    /// Reads a file, or the standard input for `-`: never more than `max_size` bytes and one.
+    /// Reads a file, or the standard input for `-`. Reads at most `max_size` + 1 bytes.
     ///
     /// # Errors
-    /// [`LoadError`] if there is no such file, it cannot be read, is a directory, or is too large.
+    /// [`LoadError`] if the file does not exist, cannot be read, is a directory, or is too large.
     pub fn read(path: &str, max_size: u64) -> Result<Source, LoadError> {
         let name = if path == "-" { "<stdin>" } else { path };
         let bytes = if path == "-" {
@@ -43,18 +43,18 @@ impl Source {
                 io::ErrorKind::PermissionDenied => {
                     refuse("unreadable", "it may not be read: permission denied".to_owned())
                 }
-                // An open list of the operating system's.
+                // Other kinds of errors of the operating system.
                 _ => refuse("unreadable", format!("cannot be read: {error}")),
             },
         }
     }
 
-    /// A model given as text.
+    /// Creates a source from text.
     pub fn from_text(name: impl Into<String>, text: impl Into<String>) -> Source {
         Source { name: name.into(), bytes: text.into().into_bytes() }
     }
 
-    /// The bytes as text, without a byte order mark.
+    /// Returns the bytes as text, without a byte order mark.
     pub(crate) fn text(&self, report: &mut Report) -> Option<&str> {
         let bytes = self.bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(&self.bytes);
         let utf16 =
@@ -99,7 +99,7 @@ impl Source {
 
 fn open(path: &str) -> io::Result<File> {
     let file = File::open(path);
-    // Windows does not open a directory at all; elsewhere only reading it fails.
+    // Opening a directory fails on Windows; on other systems only reading fails.
     if std::fs::metadata(path).is_ok_and(|found| found.is_dir()) {
         return Err(io::ErrorKind::IsADirectory.into());
     }

@@ -1,4 +1,4 @@
-//! The standard part of the dialect, turned into values. The numbers were checked where their places were at hand.
+//! Conversion of checked texts to values. Numbers are checked earlier, where their positions are known.
 
 use crate::joint::JointText;
 use crate::link::{InertialText, LinkText};
@@ -6,7 +6,7 @@ use crate::numbers::parse;
 use nalgebra::Matrix3;
 use percuss_mechanism::{Inertial, JointDescription, Limits, LinkDescription, MimicDescription};
 
-/// A link's values.
+/// Converts a link.
 pub(crate) fn link(text: &LinkText<'_>) -> LinkDescription {
     let inertial = text.inertial.as_ref().map(inertial);
     LinkDescription { name: text.name.to_owned(), inertial, geometry: text.geometry }
@@ -17,12 +17,12 @@ fn inertial(text: &InertialText<'_>) -> Inertial {
     let tensor = Matrix3::new(ixx, ixy, ixz, ixy, iyy, iyz, ixz, iyz, izz);
     let origin = text.origin.transform();
     let turned = origin.rotation * tensor * origin.rotation.transpose();
-    // Symmetric again to the last bit; halves first, so that nothing overflows.
+    // Makes the tensor exactly symmetric. Halving first avoids overflow.
     let about_com = turned * 0.5 + turned.transpose() * 0.5;
     Inertial { mass: number(text.mass), com: origin.translation, about_com }
 }
 
-/// A joint's values.
+/// Converts a joint.
 pub(crate) fn joint(text: &JointText<'_>) -> JointDescription {
     let mimic = text.mimic.as_ref().map(|text| MimicDescription {
         joint: text.joint.to_owned(),
@@ -43,7 +43,7 @@ pub(crate) fn joint(text: &JointText<'_>) -> JointDescription {
     }
 }
 
-/// A number that is known to be good.
+/// Converts the text of a valid number.
 fn number(text: &str) -> f64 {
     let [value] = parse(text).unwrap_or_default();
     value

@@ -1,11 +1,11 @@
-//! Holds the file against the table of the dialect.
+//! Comparison of the file with the table of the dialect.
 
 use crate::dialect::{Element, GAZEBO_JOINT, Use};
 use crate::report::{Place, Report, shortened};
 use percuss_mechanism::{Severity, near_names};
 use roxmltree::Node;
 
-/// Elements in these namespaces are macros.
+/// Namespaces of xacro macros.
 const XACRO: [&str; 4] = [
     "http://www.ros.org/wiki/xacro",
     "http://ros.org/wiki/xacro",
@@ -13,18 +13,18 @@ const XACRO: [&str; 4] = [
     "http://www.ros.org/xacro",
 ];
 
-/// Whose language an element's tag belongs to.
+/// Language of an element's tag.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Tongue {
-    /// URDF: no namespace, or that of the root.
+    /// URDF: no namespace, or the namespace of the root element.
     Urdf,
-    /// Drake's additions.
+    /// Extensions of Drake.
     Drake,
-    /// Anyone else's.
+    /// Any other language.
     Foreign,
 }
 
-/// The language of an element's tag.
+/// Language of an element's tag, from its namespace.
 pub(crate) fn tongue(node: Node<'_, '_>) -> Tongue {
     match node.tag_name().namespace() {
         None => Tongue::Urdf,
@@ -42,7 +42,7 @@ pub(crate) fn tongue(node: Node<'_, '_>) -> Tongue {
     }
 }
 
-/// Whether the element is the one that the table writes as `name`.
+/// True if the element has the name `name` of the table.
 pub(crate) fn is_named(node: Node<'_, '_>, name: &str) -> bool {
     let tag = node.tag_name().name();
     match name.strip_prefix("drake:") {
@@ -51,7 +51,7 @@ pub(crate) fn is_named(node: Node<'_, '_>, name: &str) -> bool {
     }
 }
 
-/// The children of that name.
+/// Child elements of the given name.
 pub(crate) fn children<'a, 'i: 'a>(
     node: Node<'a, 'i>,
     name: &'static str,
@@ -59,17 +59,17 @@ pub(crate) fn children<'a, 'i: 'a>(
     node.children().filter(move |c| c.is_element() && is_named(*c, name))
 }
 
-/// The first child of that name.
+/// First child element of the given name.
 pub(crate) fn child<'a, 'i: 'a>(node: Node<'a, 'i>, name: &'static str) -> Option<Node<'a, 'i>> {
     children(node, name).next()
 }
 
-/// Whether the value is one that xacro would have replaced.
+/// True if the value contains an unexpanded xacro substitution.
 pub(crate) fn is_substitution(value: &str) -> bool {
     value.contains("${") || value.contains("$(")
 }
 
-/// Reports the first sign of an unexpanded xacro anywhere in the file.
+/// Reports the first unexpanded xacro element of the file.
 pub(crate) fn macros(root: Node<'_, '_>, report: &mut Report) {
     let is_macro = |n: &Node<'_, '_>| n.tag_name().namespace().is_some_and(|uri| XACRO.contains(&uri));
     if let Some(node) = root.descendants().filter(Node::is_element).find(is_macro) {
@@ -77,7 +77,7 @@ pub(crate) fn macros(root: Node<'_, '_>, report: &mut Report) {
     }
 }
 
-/// Reports what the table does not read. Goes as deep as the table, no deeper.
+/// Reports elements and attributes that the table does not read. The depth of recursion is the depth of the table.
 pub(crate) fn survey(node: Node<'_, '_>, spec: &'static Element, report: &mut Report) {
     attributes(node, spec, report);
     let mut seen = 0u64;
@@ -163,7 +163,7 @@ fn unknown_element(node: Node<'_, '_>, parent: &'static Element, report: &mut Re
     });
 }
 
-/// Text between elements means nothing in URDF; `<mass>5</mass>` is another format's spelling.
+/// Warns about text between elements. URDF gives values in attributes; `<mass>5</mass>` belongs to other formats.
 fn stray_text(parent: Node<'_, '_>, text: Node<'_, '_>, report: &mut Report) {
     let words = text.text().unwrap_or_default().trim_ascii();
     if !words.is_empty() {
@@ -174,7 +174,7 @@ fn stray_text(parent: Node<'_, '_>, text: Node<'_, '_>, report: &mut Report) {
     }
 }
 
-/// Simulator settings do not matter here, but a joint among them closes a loop.
+/// Checks the joints in simulator settings. Other settings have no effect here, but a joint closes a loop.
 fn simulator_joints(gazebo: Node<'_, '_>, report: &mut Report) {
     for joint in children(gazebo, "joint") {
         if is_gazebo_joint(joint) {
@@ -187,7 +187,7 @@ fn simulator_joints(gazebo: Node<'_, '_>, report: &mut Report) {
     }
 }
 
-/// True of a `<joint>` in a `<gazebo>` of the whole robot, which is read.
+/// True for a `<joint>` in a `<gazebo>` of the whole robot. Only such joints are read.
 pub(crate) fn is_gazebo_joint(node: Node<'_, '_>) -> bool {
     let of_robot = |gazebo: Node<'_, '_>| {
         is_named(gazebo, "gazebo")
@@ -197,7 +197,7 @@ pub(crate) fn is_gazebo_joint(node: Node<'_, '_>) -> bool {
     is_named(node, "joint") && node.parent().is_some_and(of_robot)
 }
 
-/// Refuses a joint that cannot be read: the model without it would be another mechanism.
+/// Reports an unreadable joint as an error: without the joint, the mechanism would be a different one.
 pub(crate) fn refuse_gazebo_joint(node: Node<'_, '_>, report: &mut Report, why: impl FnOnce() -> String) {
     report.error("gazebo-joint", Place::Element(node), || {
         format!(
@@ -208,7 +208,7 @@ pub(crate) fn refuse_gazebo_joint(node: Node<'_, '_>, report: &mut Report, why: 
     });
 }
 
-/// MuJoCo's settings do not matter here, but its equality constraints close loops and couple joints.
+/// Refuses MuJoCo's equality constraints, which close loops and couple joints. Other settings have no effect here.
 fn equalities(mujoco: Node<'_, '_>, report: &mut Report) {
     for equality in children(mujoco, "equality") {
         report.error("loop-unsupported", Place::Element(equality), || {

@@ -1,4 +1,4 @@
-//! Every element that makes the mechanism, checked by itself.
+//! Contents of all elements of the mechanism, each checked by itself.
 
 use crate::gazebo_joint::{DrawnFrames, Reader};
 use crate::joint::JointText;
@@ -11,8 +11,8 @@ use crate::{closure, joint, link};
 use percuss_mechanism::{ClosureDescription, CouplingDescription};
 use roxmltree::Node;
 
-/// What the file says, in the order of [`Nodes`]. Where the report has no error every number in it is good; whether the
-/// names lead somewhere, [`consistency::check`](crate::consistency::check) finds out.
+/// Contents of the file, in the order of [`Nodes`]. If the report has no error, all numbers are valid.
+/// [`consistency::check`](crate::consistency::check) checks the references by name.
 pub(crate) struct Texts<'a> {
     pub links: Vec<LinkText<'a>>,
     pub joints: Vec<JointText<'a>>,
@@ -21,7 +21,7 @@ pub(crate) struct Texts<'a> {
 }
 
 impl<'a> Texts<'a> {
-    /// Reads every element.
+    /// Reads all elements.
     pub fn read<'i: 'a>(nodes: &Nodes<'a, 'i>, report: &mut Report) -> Self {
         let links: Vec<LinkText<'a>> = nodes.links.iter().map(|n| link::check(*n, report)).collect();
         let joints: Vec<JointText<'a>> = nodes.joints.iter().map(|n| joint::check(*n, report)).collect();

@@ -1,4 +1,4 @@
-//! Armatures that a `<transmission>` gives to a joint, and those that a fixed joint cannot have.
+//! Armatures of joints given in a `<transmission>`; removal of armatures from fixed joints.
 
 use crate::armature;
 use crate::joint::JointText;
@@ -8,7 +8,7 @@ use percuss_mechanism::JointKind;
 use roxmltree::Node;
 use std::collections::HashMap;
 
-/// The armatures given in `<transmission>`s, put to their joints.
+/// Adds the armatures of all `<transmission>`s to their joints.
 pub(crate) fn of_transmissions<'a, 'i: 'a>(
     robot: Node<'a, 'i>,
     joints: &mut [JointText<'a>],
@@ -29,7 +29,7 @@ pub(crate) fn of_transmissions<'a, 'i: 'a>(
     }
 }
 
-/// A fixed joint has no velocity, so its armature is dropped.
+/// Drops the armature of a fixed joint, which has no velocity.
 pub(crate) fn drop_from_fixed(joint: &mut JointText<'_>, node: Node<'_, '_>, report: &mut Report) {
     if joint.kind == JointKind::Fixed && !joint.armature.is_empty() {
         if joint.armature.iter().any(|a| *a != 0.0) {

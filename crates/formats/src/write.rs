@@ -1,4 +1,4 @@
-//! A mechanism as URDF+.
+//! Writer of mechanisms as URDF+.
 
 use crate::limits::DECIMAL_NUMBERS;
 use percuss_mechanism::{Closure, ClosureKind, Coupling, Joint, JointKind, Link, LoopFrame, Mechanism};
@@ -6,38 +6,39 @@ use percuss_spatial::{Matrix3, Transform, Vector3, rpy_from_rotation};
 use std::collections::HashMap;
 use std::fmt::Write;
 
-/// Comments for a written file. Each is one line; what XML forbids in a comment is replaced.
+/// Comments of a written file. Each is a single line; characters that XML forbids in comments are replaced.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Comments {
-    /// Above everything, a line each.
+    /// Lines at the top of the file.
     pub heading: Vec<String>,
-    /// Above a link, by its name.
+    /// Comment above a link, by link name.
     pub links: HashMap<String, String>,
-    /// Above a joint, by its name.
+    /// Comment above a joint, by joint name.
     pub joints: HashMap<String, String>,
-    /// Above a closure or a coupling, by its name.
+    /// Comment above a closure or a coupling, by name.
     pub closures: HashMap<String, String>,
-    /// Warnings that were given when the mechanism was made, code and name of the link: written as
-    /// `<?percuss-known CODE NAME?>`, on account of which [`load`](crate::load) gives notes in their place.
+    /// Warnings given when the mechanism was made: code and link name. Each is written as
+    /// `<?percuss-known CODE NAME?>`; [`load`](crate::load) then gives a note in place of the warning.
     pub known: Vec<(&'static str, String)>,
 }
 
-/// Writes URDF+: links with their inertias, joints with their limits, mimics, armatures and advice, loops and
-/// couplings. Without loops and couplings it is plain URDF.
+/// Writes URDF+: links with inertias; joints with limits, mimics, armatures and recommended roles; loops and
+/// couplings. The result is plain URDF if the mechanism has no loops and couplings.
 ///
-/// Floats are the shortest that read back as the same bits, so that all comes back but the rotations, which go
-/// through roll, pitch and yaw and are exact to a few roundings. Shapes and meshes are not written, nor what XML
-/// cannot hold in a name; a chain of mimics comes out as mimics of its last master, and a joint to a second parent
-/// as the loop that it closes.
-/// `effort` and `velocity` are written as 0, since a mechanism does not know them and readers demand them.
+/// Numbers are the shortest decimals that read back as the same bits. Rotations are converted to roll, pitch and yaw
+/// and are accurate to a few roundings; all other numbers are reproduced exactly. Shapes and meshes are not written.
+/// Characters of a name that XML forbids become U+FFFD. A chain of mimics is written as mimics of the last master,
+/// and a joint to a second parent as a loop. `effort` and `velocity` are written as 0: a mechanism has no such data,
+/// but readers require them.
 pub fn write_urdf(mechanism: &Mechanism) -> String {
     write_urdf_with(mechanism, &Comments::default())
 }
 
-/// As [`write_urdf`], with comments. Those for names that do not occur are left out.
+/// As [`write_urdf`], with comments. Comments for unknown names are left out.
 pub fn write_urdf_with(mechanism: &Mechanism, comments: &Comments) -> String {
     let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
-    // Some parsers take instructions above the first comment alone. A name that one cannot hold has its warning again.
+    // Some parsers accept processing instructions only before the first comment. A name that does not fit into an
+    // instruction gets its warning again at loading.
     let holds =
         |name: &str| !name.contains("?>") && !name.chars().any(char::is_control) && name.trim() == name;
     for (code, name) in comments.known.iter().filter(|(_, name)| holds(name)) {
@@ -163,7 +164,7 @@ fn origin(frame: &Transform<f64>) -> String {
     if frame.rotation == Matrix3::identity() {
         return format!("<origin xyz=\"{xyz}\"/>");
     }
-    // No angle is −0.
+    // Adding 0 turns −0 into 0.
     let rpy = triple(&Vector3::from(rpy_from_rotation(&frame.rotation).map(|angle| angle + 0.0)));
     format!("<origin xyz=\"{xyz}\" rpy=\"{rpy}\"/>")
 }
@@ -172,13 +173,13 @@ fn triple(v: &Vector3<f64>) -> String {
     format!("{} {} {}", number(v.x), number(v.y), number(v.z))
 }
 
-/// The shortest decimal that reads back as the same bits; an exponent where the digits would run long.
+/// Shortest decimal that reads back as the same bits; in exponent notation for very small and very large numbers.
 fn number(x: f64) -> String {
     let size = x.abs();
     if x == 0.0 || DECIMAL_NUMBERS.contains(&size) { format!("{x}") } else { format!("{x:e}") }
 }
 
-/// For an attribute in double quotes. What XML 1.0 cannot hold becomes U+FFFD.
+/// Escapes text for an attribute in double quotes. Characters forbidden in XML 1.0 become U+FFFD.
 fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
@@ -197,7 +198,7 @@ fn escaped(text: &str) -> String {
     out
 }
 
-/// For the inside of a comment, where `--` may not stand; on one line.
+/// Converts text for an XML comment: on one line and without `--`.
 fn comment(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.trim().chars() {

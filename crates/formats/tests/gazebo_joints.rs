@@ -1,4 +1,4 @@
-//! SDF joints in `<gazebo>`: read as loops where everything is there, refused with the element and the line where not.
+//! SDF joints in `<gazebo>`: complete joints are read as loops; others are refused, with the element and the line.
 
 mod support;
 
@@ -7,7 +7,7 @@ use percuss_mechanism::{ClosureKind, Severity};
 use percuss_spatial::Vector3;
 use support::{changed, codes, told};
 
-/// The pendulum, hung 1 m up and turned by 0.1 rad, with a `<gazebo>`.
+/// Pendulum at a height of 1 m, turned by 0.1 rad, with a `<gazebo>`.
 fn with(gazebo: &str) -> Result<Loaded, LoadError> {
     changed(&[("rpy=\"0 0 0\"", "rpy=\"0 0.1 0\""), ("</robot>", &format!("{gazebo}\n</robot>"))])
 }
@@ -33,7 +33,7 @@ fn a_joint_is_placed_on_its_child_and_held_where_it_is_drawn() {
     assert!(codes(&Ok(loaded)).contains(&(Severity::Note, "gazebo-joint")));
 }
 
-/// A model with a loop that is not read must not be answered as a tree.
+/// A model with an unreadable loop must not be treated as a tree.
 #[test]
 fn what_cannot_be_read_is_refused() {
     let good = "name=\"pin\" type=\"revolute\"";
@@ -92,7 +92,7 @@ fn what_cannot_be_read_is_refused() {
     assert!(codes(&twice).contains(&(Severity::Error, "duplicate-name")), "{:?}", told(&twice));
 }
 
-/// A joint that fixes the root to the world says what `--base fixed` says: it is no loop.
+/// A joint that fixes the root to the world acts like `--base fixed` and closes no loop.
 #[test]
 fn a_root_fixed_to_the_world_is_no_loop() {
     for ends in ["<parent>world</parent><child>base</child>", "<parent>base</parent><child>world</child>"] {

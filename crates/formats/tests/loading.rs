@@ -1,4 +1,4 @@
-//! Good files give their numbers, and every kind of element what the table says of it.
+//! Valid files give the expected numbers, and every kind of element gets the treatment of the table.
 
 mod support;
 
@@ -33,7 +33,7 @@ fn a_pendulum_gives_its_numbers() {
     let arm = &m.links()[1];
     assert_eq!(arm.inertia().mass, 2.0);
     assert_eq!(arm.inertia().first_moment, Vector3::new(0.0, 0.0, -1.0));
-    // Steiner: 2 kg half a metre off.
+    // Parallel axis theorem: 2 kg at a distance of 0.5 m.
     assert_eq!(arm.inertia().rotational, Matrix3::from_diagonal(&Vector3::new(0.6, 0.62, 0.03)));
     assert_eq!(arm.geometry(), Geometry::Within(0.5 + 0.3f64.hypot(0.4)));
     assert_eq!(codes(&Ok(loaded)), []);
@@ -41,11 +41,11 @@ fn a_pendulum_gives_its_numbers() {
 
 #[test]
 fn a_turned_inertial_frame_turns_the_inertia() {
-    // x of the inertial frame is z of the link.
+    // The x axis of the inertial frame is the z axis of the link.
     let m = mechanism(&[("xyz=\"0 0 -0.5\" rpy=\"0 0 0\"", "xyz=\"0 0 0\" rpy=\"0 -1.5707963267948966 0\"")]);
     let expected = Matrix3::from_diagonal(&Vector3::new(0.03, 0.12, 0.1));
     assert_relative_eq!(m.links()[1].inertia().rotational, expected, epsilon = TOL);
-    // With products, about a skew axis, against R I Rᵀ by hand.
+    // A tensor with products, in a general rotation, compared with R I Rᵀ.
     let m = mechanism(&[
         ("xyz=\"0 0 -0.5\" rpy=\"0 0 0\"", "rpy=\"0.3 -0.4 0.5\""),
         ("ixy=\"0\"", "ixy=\"0.01\""),
@@ -70,7 +70,7 @@ fn quaternions_are_exact_near_the_pole_in_every_version() {
             assert_relative_eq!(m.joints()[0].origin().rotation, expected, epsilon = TOL);
         }
     }
-    // A general one, not normalised, and given beside an rpy that it overrules.
+    // A general quaternion that is not normalised and takes precedence over rpy.
     let loaded = changed(&[("rpy=\"0 0 0\"", "rpy=\"1 2 3\" quat_xyzw=\"2 -4 6 8\"")]).unwrap();
     let axis = Vector3::new(2.0, -4.0, 6.0);
     let expected = rotation_about(&axis.normalize(), 2.0 * axis.norm().atan2(8.0));
@@ -93,13 +93,13 @@ fn armatures_are_read_in_every_spelling() {
         "<transmission><type>simple</type><joint name=\"hinge\"/><actuator name=\"a\">{GEARED}</actuator></transmission>"
     );
     assert_eq!(armature(&[DRAKE, ("</robot>", &format!("{transmission}</robot>"))]), [reflected]);
-    // Said twice alike: once.
+    // Two equal values count once.
     let both = format!("<dynamics armature=\"0.5\"/>{GEARED}<axis");
     assert_eq!(armature(&[DRAKE, ("<axis", &both)]), [reflected]);
     assert_eq!(armature(&[DRAKE, ("<axis", "<drake:rotor_inertia value=\"0.125\"/><axis")]), [0.125]);
-    // A gear without a rotor adds nothing.
+    // A gear ratio without a rotor adds nothing.
     assert_eq!(armature(&[DRAKE, ("<axis", "<drake:gear_ratio value=\"50\"/><axis")]), [0.0]);
-    // One value a velocity.
+    // One value per velocity.
     let planar = [("revolute", "planar"), ("<axis", "<dynamics armature=\"1 2 3\"/><axis")];
     assert_eq!(armature(&planar), [1.0, 2.0, 3.0]);
 }
@@ -165,7 +165,7 @@ fn the_table_says_what_becomes_of_every_kind_of_element() {
 fn defaults_are_those_of_urdf() {
     let m = mechanism(&[("    <axis xyz=\"0 1 0\"/>\n", "")]);
     assert_eq!(*m.joints()[0].axis(), Vector3::x());
-    // Effort and speed alone set no range; one end alone leaves the other at 0.
+    // Effort and speed alone define no range; if only one end is given, the other is 0.
     assert_eq!(mechanism(&[("lower=\"-1\" upper=\"1.5\"", "")]).joints()[0].limits(), None);
     let one_end = mechanism(&[(" upper=\"1.5\"", "")]);
     assert_eq!(one_end.joints()[0].limits(), Some(Limits { lower: -1.0, upper: 0.0 }));

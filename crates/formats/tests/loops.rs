@@ -1,4 +1,4 @@
-//! Loops, couplings and second parents give what they say, in every spelling.
+//! Loops, couplings and second parents give the expected closures in every notation.
 
 mod support;
 
@@ -11,12 +11,12 @@ use support::{changed, codes, load_text, told};
 // A few roundings of numbers of order one.
 const TOL: f64 = 1e-15 * 8.0;
 
-/// The pendulum with more in it.
+/// Pendulum with additional elements.
 fn with(elements: &str) -> Result<Loaded, LoadError> {
     changed(&[("</robot>", &format!("{elements}</robot>"))])
 }
 
-/// A loop from the base to the arm.
+/// Loop from the base to the arm.
 fn between(kind: &str, inside: &str) -> String {
     format!(
         "<loop name=\"pin\" type=\"{kind}\"><predecessor link=\"base\"/><successor link=\"arm\"/>{inside}</loop>"
@@ -113,7 +113,7 @@ fn defaults_are_told() {
     assert_eq!(closure(&between("distance", "")).distance(), None);
 }
 
-/// A rotor on the base, geared to the arm.
+/// Rotor on the base, geared to the arm.
 const GEAR: &str = "<link name=\"rotor\"/><joint name=\"spin\" type=\"continuous\"><parent link=\"base\"/>\
                     <child link=\"rotor\"/><axis xyz=\"0 1 0\"/></joint><coupling name=\"gear\" type=\"rolling\">\
                     <predecessor link=\"arm\"/><successor link=\"rotor\"/><ratio value=\"-6\"/></coupling>";
@@ -166,7 +166,7 @@ fn advice_is_kept_and_only_what_cannot_be_bound_is_told() {
     let second = "<joint name=\"j\" type=\"spherical\"><parent link=\"base\"/><child link=\"arm\"/></joint>";
     assert!(unbound(""));
     assert!(!unbound(&between("spherical", "")) && !unbound(GEAR) && !unbound(second));
-    // What cannot move anyway is not free.
+    // A fixed joint is not reported as free.
     let fixed = "<link name=\"tip\"/><joint name=\"j\" type=\"fixed\" independent=\"false\">\
                  <parent link=\"arm\"/><child link=\"tip\"/></joint>";
     assert!(!codes(&with(fixed)).contains(&(Severity::Warning, "unbound-joint")));
@@ -177,7 +177,7 @@ fn findings_of_the_builder_find_their_elements() {
     let elements = |loaded: Result<Loaded, LoadError>| -> Vec<String> {
         loaded.unwrap_err().diagnostics.into_iter().filter_map(|d| d.element).collect()
     };
-    // The second of two loops, the first in the other spelling.
+    // The defect is in the second of two loops, with the first in the other notation.
     let first =
         "<loop_joint name=\"l\" type=\"spherical\"><link1 link=\"base\"/><link2 link=\"arm\"/></loop_joint>";
     let bad = between("distance", "<distance value=\"-1\"/>");

@@ -1,6 +1,7 @@
-//! Malformed files: those of `tests/malformed`, one defect each, and some that are made here because of their size.
+//! Malformed files: the files of `tests/malformed` with one defect each, and large files generated here.
 //!
-//! `UPDATE_EXPECTED=1 cargo test -p percuss-formats --test malformed` writes the messages anew; read the difference.
+//! `UPDATE_EXPECTED=1 cargo test -p percuss-formats --test malformed` writes the expected messages anew; check the
+//! difference.
 
 mod support;
 
@@ -57,7 +58,7 @@ fn every_malformed_file_is_refused_with_the_expected_words() {
     assert_eq!(found, expected, "expected.txt has other lines at its end");
 }
 
-/// A defect that is larger than a file worth keeping.
+/// Checks a defect of a file that is too large for the repository.
 fn refused(what: &str, text: impl Into<Vec<u8>>, code: &str) {
     let start = Instant::now();
     let source = Source { name: what.to_owned(), bytes: text.into() };
@@ -65,7 +66,7 @@ fn refused(what: &str, text: impl Into<Vec<u8>>, code: &str) {
     assert!(result.is_err(), "{what} loads");
     assert!(codes(&result).contains(&(Severity::Error, code)), "{what}: {:?}", support::told(&result));
     assert!(support::told(&result).len() <= 153, "{what}: too many diagnostics");
-    // Less than a second when nothing else runs; far more would be quadratic.
+    // Less than a second on an idle machine; quadratic work would exceed the limit by far.
     assert!(start.elapsed() < Duration::from_secs(20), "{what} took {:?}", start.elapsed());
 }
 
@@ -160,7 +161,7 @@ fn hostile_loops_are_refused_in_bounded_time() {
                   <joint name=\"2\" type=\"fixed\"><parent link=\"b\"/><child link=\"a\"/></joint>\
                   <coupling name=\"c\"><predecessor link=\"a\"/><successor link=\"b\"/><ratio value=\"2\"/></coupling>";
     refused("a coupling in a circle of links", format!("<robot>{circle}</robot>"), "cycle");
-    // Thousands of good ones load.
+    // Thousands of valid elements load.
     let start = Instant::now();
     let loaded = load_text(&with(&|i| if i < 200 { coupling(i, i, i + 1) } else { ball(i, 0, i) })).unwrap();
     assert_eq!((loaded.mechanism.couplings().len(), loaded.mechanism.closures().len()), (199, COUNT - 200));
@@ -180,7 +181,7 @@ fn entities_that_grow_are_refused() {
     refused("quadratic growth", doctype(&long) + &robot(&"&a;".repeat(1 << 20)), "too-complex");
     let many: String = (0..100).map(|i| format!("<!ENTITY a{i} \"b\">")).collect();
     refused("many entities", doctype(&many) + &robot("&a1;"), "too-complex");
-    // A quote in another declaration must not blind the scan to what follows.
+    // A quote in another declaration must not hide the following text from the scan.
     let deep = format!("<robot>{}", "<a>".repeat(1_000));
     refused("a stray quote", doctype("<!ELEMENT robot '>") + &deep, "too-complex");
     refused("a bracket in a name", format!("<!DOCTYPE robot SYSTEM \"a[\">{deep}"), "too-complex");

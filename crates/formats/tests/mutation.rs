@@ -1,4 +1,5 @@
-//! Good files, mutated at random from fixed seeds: loading ends soon, with a mechanism or with errors, never a panic.
+//! Valid files with random mutations from fixed seeds: loading ends quickly with a mechanism or with errors, without
+//! a panic.
 
 mod support;
 
@@ -52,7 +53,8 @@ const ENTITIES: &str = r#"<!DOCTYPE robot [<!ENTITY m "1.5"><!ENTITY z "0 0 &m;"
 </robot>
 "#;
 
-/// A four-bar, with all else that binds: a distance, a ball in the other spelling, a gear and a second parent.
+/// Four-bar linkage with all other constraints: a distance, a ball joint in the other notation, a gear and a second
+/// parent.
 const FOUR_BAR: &str = r#"<?xml version="1.0"?>
 <robot name="four_bar">
   <link name="ground"/>
@@ -98,20 +100,20 @@ const NASTY: [&str; 24] = [
     "9999999999999999999999",
 ];
 
-/// Values that fit in many places.
+/// Values that are valid in many attributes.
 const TAME: [&str; 6] = ["0.25", "2", "-3e-2", "1 2 3", "0 0 1", "a"];
 
 fn pick<'r, T>(rng: &mut StdRng, items: &'r [T]) -> Option<&'r T> {
     (!items.is_empty()).then(|| &items[rng.random_range(0..items.len())])
 }
 
-/// The insides of what stands between double quotes.
+/// Byte ranges between double quotes.
 fn values(text: &[u8]) -> Vec<Range<usize>> {
     let quotes: Vec<usize> = text.iter().enumerate().filter(|(_, b)| **b == b'"').map(|(i, _)| i).collect();
     quotes.chunks_exact(2).map(|pair| pair[0] + 1..pair[1]).collect()
 }
 
-/// What stands between `<` and `>`, brackets included.
+/// Byte ranges from `<` to `>`, brackets included.
 fn tags(text: &[u8]) -> Vec<Range<usize>> {
     let mut tags = Vec::new();
     let mut start = None;
@@ -131,30 +133,30 @@ fn mutate(rng: &mut StdRng, text: &mut Vec<u8>) {
     let (Some(a), Some(b)) = (pick(rng, &spans).cloned(), pick(rng, &spans).cloned()) else { return };
     let (first, last) = if a.start <= b.start { (a, b) } else { (b, a) };
     match kind {
-        // Another value, nasty or tame.
+        // Replace a value, by an extreme or an ordinary one.
         0..=2 => {
             let words: &[&str] = if rng.random_bool(0.4) { &NASTY } else { &TAME };
             let word = words[rng.random_range(0..words.len())];
             text.splice(first, word.bytes());
         }
-        // Two values, or two tags, change places.
+        // Exchange two values or two tags.
         3 | 5 if first.end <= last.start => {
             let (one, other) = (text[first.clone()].to_vec(), text[last.clone()].to_vec());
             text.splice(last, one);
             text.splice(first, other);
         }
-        // A byte is changed.
+        // Change a byte.
         3..=5 => {
             let at = rng.random_range(0..text.len());
             text[at] = rng.random();
         }
-        // A stretch of tags goes, or comes twice.
+        // Delete or repeat a range of tags.
         6 => drop(text.drain(first.start..last.end)),
         7 => {
             let copy = text[first.start..last.end].to_vec();
             text.splice(last.end..last.end, copy);
         }
-        // The file is cut.
+        // Truncate the file.
         _ => text.truncate(rng.random_range(0..text.len())),
     }
 }
@@ -181,8 +183,8 @@ fn no_mutation_makes_loading_panic_or_hang() {
                         loaded.diagnostics.iter().all(|d| d.severity != Severity::Error),
                         "case {case}\n{shown}"
                     );
-                    // A mechanism that was accepted can be written, and is accepted again. Shapes are not written: without
-                    // them an inertia may look too large for its link.
+                    // An accepted mechanism can be written and loaded again. Shapes are not written; without the
+                    // shapes, an inertia may look too large for the link.
                     let text = write_urdf(&loaded.mechanism);
                     let accept = Accept { implausible_inertia: true, ..Accept::default() };
                     let again = load(&Source::from_text("model.urdf", text.clone()), &LoadOptions { accept });
@@ -209,6 +211,6 @@ fn no_mutation_makes_loading_panic_or_hang() {
             );
         }
     }
-    // Both ends are reached, or the mutations are too tame or too wild.
+    // Enough files load and enough are refused; otherwise the mutations are too weak or too strong.
     assert!(good > CASES / 4 && bad > CASES, "{good} loaded, {bad} refused");
 }

@@ -1,4 +1,4 @@
-//! Inertias that no body of the link's size has are found, and those of real models are not.
+//! Inertias that are impossible for the size of the link are found; inertias of real models are accepted.
 
 mod support;
 
@@ -10,7 +10,7 @@ use support::{load_text, told};
 
 const CODE: &str = "implausible-inertia";
 
-/// An arm 0.5 m long that carries a tip, with this mass and inertia about its middle.
+/// Arm of length 0.5 m with a tip link; mass and inertia are about the midpoint.
 fn arm(mass: f64, moments: [f64; 3]) -> String {
     let [xx, yy, zz] = moments;
     format!(
@@ -21,13 +21,13 @@ fn arm(mass: f64, moments: [f64; 3]) -> String {
     )
 }
 
-/// What is found of the arm.
+/// Severity of the finding about the arm.
 fn found(mass: f64, moments: [f64; 3]) -> Option<Severity> {
     let loaded = load_text(&arm(mass, moments));
     told(&loaded).iter().find(|d| d.code == CODE).map(|d| d.severity)
 }
 
-/// A box of this density: its mass and its moments.
+/// Box of random size and density: mass and moments.
 fn solid(rng: &mut StdRng) -> (f64, [f64; 3]) {
     let [a, b, c] = [0.5, rng.random_range(0.02..0.2), rng.random_range(0.02..0.2)];
     let mass = a * b * c * rng.random_range(300.0..8000.0);
@@ -44,15 +44,15 @@ fn wrong_units_are_found_and_right_ones_are_not() {
         assert_eq!(found(mass, moments), None, "{mass} {moments:?}");
         // kg·mm² read as kg·m².
         assert_eq!(found(mass, moments.map(|x| x * 1e6)), Some(Severity::Error), "{mass} {moments:?}");
-        // Grams, beside an inertia in kg·m²; and grams with g·m².
+        // Mass in grams with an inertia in kg·m², then mass in grams with an inertia in g·m².
         assert_eq!(found(mass * 1e3, moments), Some(Severity::Warning), "{mass} {moments:?}");
         dense += usize::from(found(mass * 1e3, moments.map(|x| x * 1e3)).is_some());
-        // An inertia without a mass.
+        // Inertia without mass.
         assert_eq!(found(0.0, moments), Some(Severity::Warning), "{moments:?}");
-        // A point mass.
+        // Point mass.
         assert_eq!(found(mass, [0.0; 3]), None);
     }
-    // A slender arm of wood in grams is as dense, by its radius of gyration, as a compact one of metal.
+    // By the radius of gyration, a slender wooden arm in grams has the density of a compact metal arm.
     println!("{dense} of {arms} arms in grams and g·m² are found");
     assert!(dense > arms / 2, "{dense}");
 }
@@ -73,7 +73,7 @@ fn the_message_names_the_element_the_numbers_and_the_remedy() {
     assert!(accepted.diagnostics.iter().any(|d| d.code == CODE && d.severity == Severity::Warning));
 }
 
-/// A gear's rotor may be described by its inertia alone.
+/// The rotor of a gear may have an inertia without a mass.
 #[test]
 fn rotors_of_couplings_need_no_mass() {
     let text = arm(2.0, [0.01, 0.05, 0.05]).replace(

@@ -1,4 +1,4 @@
-//! What is written is read back as it was.
+//! Written mechanisms are read back unchanged.
 
 mod support;
 
@@ -22,7 +22,7 @@ fn body(i: usize) -> LinkDescription {
     )
 }
 
-/// A chain with every kind of joint, turned and armoured, and a mimic.
+/// Chain with every kind of joint, with rotated frames, armatures and a mimic.
 fn every_joint() -> Mechanism {
     let mut builder = MechanismBuilder::new("all & every").link(LinkDescription::massless("base"));
     let mut parent = "base".to_owned();
@@ -57,11 +57,11 @@ fn every_joint_comes_back() {
     assert_eq!(after.joints().len(), JointKind::ALL.len());
     for (a, b) in after.joints().iter().zip(before.joints()) {
         assert_eq!((a.name(), a.kind(), a.parent(), a.child()), (b.name(), b.kind(), b.parent(), b.child()));
-        // Decimals are exact to the last bit, also tiny and large ones.
+        // Decimals are exact to the last bit, even for very small and very large numbers.
         assert_eq!(a.origin().translation, b.origin().translation);
         assert_eq!((a.limits(), a.armature(), a.mimic()), (b.limits(), b.armature(), b.mimic()));
         assert_eq!((a.axis(), a.independent()), (b.axis(), b.independent()));
-        // Through three angles and back.
+        // Rotations pass through three angles.
         assert_relative_eq!(a.origin().rotation, b.origin().rotation, epsilon = 2e-15);
     }
     for (a, b) in after.links().iter().zip(before.links()) {
@@ -76,7 +76,7 @@ fn urdf_rs_reads_what_is_written() {
     assert_eq!((robot.links.len(), robot.joints.len()), (JointKind::ALL.len() + 1, JointKind::ALL.len()));
 }
 
-/// Numbers have the values that urdf-rs reads, to the last bit.
+/// All numbers agree with urdf-rs to the last bit.
 #[test]
 fn numbers_are_those_of_urdf_rs() {
     let text = write_urdf(&every_joint());
@@ -155,7 +155,7 @@ fn every_closure_comes_back() {
     let kinds: Vec<ClosureKind> = before.closures().iter().map(|c| c.kind()).collect();
     assert!(ClosureKind::ALL.iter().all(|kind| kinds.contains(kind)));
     assert_eq!(kinds.len(), ClosureKind::ALL.len() + 3);
-    // The joints to second parents have become loops.
+    // Joints to second parents have become loops.
     assert_eq!(before.closures().last().unwrap().name(), "fourth");
     assert_eq!((after.joints().len(), after.closures().len()), (before.joints().len(), kinds.len()));
     assert!(loaded.diagnostics.iter().all(|d| d.code != "second-parent"));

@@ -1,4 +1,4 @@
-//! Surfaces of links: areas, volumes and normals against closed forms; mesh files, good and bad.
+//! Surfaces of links: areas, volumes and normals compared with closed forms; valid and invalid mesh files.
 
 use nalgebra::Vector3;
 use percuss_formats::{
@@ -25,7 +25,7 @@ fn facets(shape: &Shape, edge: f64) -> Vec<Facet> {
     surface.facets(edge, 1 << 22).expect("not too many")
 }
 
-/// Area, ∮ n dA, and the volume by the divergence theorem, ∮ p·n dA / 3.
+/// Area, ∮ n dA, and the volume ∮ p·n dA / 3 by the divergence theorem.
 fn sums(facets: &[Facet]) -> (f64, Vector3<f64>, f64) {
     facets.iter().fold((0.0, Vector3::zeros(), 0.0), |(area, normal, volume), f| {
         (area + f.area, normal + f.normal * f.area, volume + f.point.dot(&f.normal) * f.area / 3.0)
@@ -50,7 +50,7 @@ fn primitives_have_their_area_and_volume() {
         let shape = shape(solid);
         let facets = facets(&shape, 0.01);
         let (own_area, normal, own_volume) = sums(&facets);
-        // A facet is flat: the area falls short by the square of its edge over the radius, 1e-2 / 8.
+        // Facets are flat: the relative error of the area is of the order of (edge/radius)², about 1e-2 / 8.
         assert!((own_area / area - 1.0).abs() < slack, "{shape:?}: {own_area} {area}");
         assert!((own_volume / volume - 1.0).abs() < slack, "{shape:?}: {own_volume} {volume}");
         assert!(normal.norm() < 1e-9, "{shape:?}: {normal}");
@@ -75,7 +75,7 @@ fn points_lie_on_the_round_itself() {
     }
 }
 
-/// A box of 0.3 × 0.2 × 0.1 m as triangles.
+/// Triangles of a box of 0.3 × 0.2 × 0.1 m.
 fn box_triangles() -> Vec<[[f64; 3]; 3]> {
     let shape = Shape {
         purpose: Purpose::Visual,
@@ -154,10 +154,10 @@ fn every_format_gives_the_same_box() {
         };
         let surface = Surface::read([&shape], &folders, 1 << 20).unwrap_or_else(|e| panic!("{name}: {e}"));
         let (area, normal, volume) = sums(&surface.facets(0.02, 1 << 20).expect("not too many"));
-        // The COLLADA node turns x into y before the scale.
+        // The COLLADA node rotates x into y before the scale is applied.
         let [x, y, z] = if name == "box.dae" { [0.4, 0.3, 0.1] } else { [0.6, 0.2, 0.1] };
         let expected = 2.0 * (x * y + y * z + z * x);
-        // Positions of STL have 24 bits.
+        // Positions in STL have 24 bits.
         assert!((area / expected - 1.0).abs() < 1e-6, "{name}: {area} {expected}");
         assert!(
             (volume / (x * y * z) - 1.0).abs() < 1e-6,
@@ -184,7 +184,7 @@ fn bad_meshes_are_refused_with_what_is_wrong() {
     let deep = format!("<COLLADA>{}{}</COLLADA>", "<a>".repeat(100_000), "</a>".repeat(100_000));
     let looped = r##"<COLLADA><library_visual_scenes><visual_scene id="v"><node id="n"><instance_node url="#n"/></node>
         </visual_scene></library_visual_scenes></COLLADA>"##;
-    // Each node shows the next one twice: 2^60 nodes.
+    // Each node contains the next one twice: 2^60 nodes.
     let nodes: String = (0..60)
         .map(|i| {
             format!(
@@ -228,7 +228,7 @@ fn bad_meshes_are_refused_with_what_is_wrong() {
     fs::remove_dir_all(folder).expect("removed");
 }
 
-/// Cut anywhere, and with any byte changed, a file is read or refused: no panic.
+/// A file truncated anywhere, or with any byte changed, is read or refused without a panic.
 #[test]
 fn damaged_meshes_are_read_or_refused() {
     let folder = folder("damaged");

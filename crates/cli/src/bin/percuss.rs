@@ -1,4 +1,4 @@
-//! The `percuss` command.
+//! Program `percuss`.
 
 use std::process::ExitCode;
 

@@ -1,31 +1,32 @@
-//! Running the command from the root of the repository.
+//! Helpers that run the command from the root of the repository.
 #![allow(dead_code, reason = "each suite uses its part")]
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
-/// The repository's root.
+/// Root folder of the repository.
 pub fn root() -> PathBuf {
     let crates = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the folder of the crates");
-    // With a drive where there are drives; not canonical, which on Windows is no path that others take.
+    // An absolute path with its drive; not a canonical path, because other programs on Windows do not accept its
+    // form.
     std::path::absolute(crates.parent().expect("the repository")).expect("a working directory")
 }
 
-/// `percuss` with these arguments, run from the root.
+/// `percuss` with the given arguments, run from the root.
 pub fn command<S: AsRef<std::ffi::OsStr>>(arguments: impl IntoIterator<Item = S>) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_percuss"));
     command.current_dir(root()).args(arguments).stdin(Stdio::null());
     command
 }
 
-/// What came of it.
+/// Outcome of a command.
 pub struct Outcome {
     pub code: i32,
     pub stdout: String,
-    /// Each message on one line.
+    /// Standard error with each message on one line.
     pub stderr: String,
-    /// As it is shown: messages go on in lines that are indented.
+    /// Standard error as shown: continuation lines of messages are indented.
     pub shown: String,
 }
 
@@ -41,12 +42,12 @@ impl From<Output> for Outcome {
     }
 }
 
-/// Runs it on words separated by spaces.
+/// Runs the command with arguments separated by spaces.
 pub fn percuss(line: &str) -> Outcome {
     command(line.split_whitespace()).output().expect("the command runs").into()
 }
 
-/// Runs it with a text on stdin.
+/// Runs the command with a text on stdin.
 pub fn percuss_with_stdin(line: &str, stdin: &[u8]) -> Outcome {
     let mut command = command(line.split_whitespace());
     let mut child = command
@@ -55,19 +56,19 @@ pub fn percuss_with_stdin(line: &str, stdin: &[u8]) -> Outcome {
         .stderr(Stdio::piped())
         .spawn()
         .expect("it starts");
-    // The command may stop reading early: that is its right.
+    // The command may stop reading early.
     let _ = child.stdin.take().expect("stdin is piped").write_all(stdin);
     child.wait_with_output().expect("it ends").into()
 }
 
-/// Runs it, asserts success, reads stdout as JSON.
+/// Runs the command, asserts success and reads stdout as JSON.
 pub fn json(line: &str) -> serde_json::Value {
     let outcome = percuss(line);
     assert_eq!(outcome.code, 0, "{line}\n{}", outcome.stderr);
     serde_json::from_str(&outcome.stdout).expect("JSON on stdout")
 }
 
-/// Asserts that a command is refused as bad input, with these words in the message.
+/// Asserts that a command is refused as invalid input, with the given words in the message.
 pub fn refused(line: &str, words: &[&str]) {
     let outcome = percuss(line);
     assert_eq!(outcome.code, 2, "{line}: {}", outcome.stderr);
@@ -76,7 +77,7 @@ pub fn refused(line: &str, words: &[&str]) {
     }
 }
 
-/// Asserts that every line of a page under a `$ percuss …` stands in what that command prints, in that order.
+/// Asserts that every line under a `$ percuss …` of a page occurs in the output of the command, in the same order.
 pub fn assert_page_shows_what_is_printed(page: &str, expected: usize) {
     let page = std::fs::read_to_string(root().join(page)).expect("the page");
     let mut commands = 0;
@@ -107,8 +108,8 @@ pub fn assert_page_shows_what_is_printed(page: &str, expected: usize) {
     assert_eq!(commands, expected);
 }
 
-/// Whether a line of a page is a printed one: the same, but for numbers of full length, whose last digits are those of the
-/// system's exponential function: 1e-12 of them.
+/// True if a line of a page equals a printed line. Numbers may differ by 1e-12 of their value, because the
+/// exponential function depends on the system.
 fn is_shown(line: &str, printed: &str) -> bool {
     let is_digit = |c: char| c.is_ascii_digit() || c == '.';
     let numbers = |text: &str| -> Vec<f64> {
@@ -122,14 +123,14 @@ fn is_shown(line: &str, printed: &str) -> bool {
         || words(line) == words(printed) && shown.len() == found.len() && shown.iter().zip(&found).all(agree)
 }
 
-/// The rows of a sweep's CSV, by column.
+/// Rows of a sweep's CSV, by column.
 pub struct Sweep {
     pub header: Vec<String>,
     pub rows: Vec<Vec<String>>,
 }
 
 impl Sweep {
-    /// Reads it; every row is as long as the header. Its names must hold no commas.
+    /// Parses the CSV; every row has the length of the header. Names must not contain commas.
     pub fn read(csv: &str) -> Self {
         let mut lines = csv.lines().map(|l| l.split(',').map(str::to_owned).collect::<Vec<_>>());
         let header = lines.next().expect("a header");
@@ -138,20 +139,20 @@ impl Sweep {
         Self { header, rows }
     }
 
-    /// A cell as it stands.
+    /// Text of a cell.
     pub fn cell(&self, row: usize, column: &str) -> &str {
         let at = self.header.iter().position(|h| h == column);
         &self.rows[row][at.unwrap_or_else(|| panic!("no column {column} in {:?}", self.header))]
     }
 
-    /// A cell's number; none where it is empty.
+    /// Number of a cell; `None` if empty.
     pub fn number(&self, row: usize, column: &str) -> Option<f64> {
         let cell = self.cell(row, column);
         if cell.is_empty() { None } else { Some(cell.parse().expect("a number")) }
     }
 }
 
-/// A folder of its own in the temporary one, gone with the value.
+/// Temporary folder, removed when the value is dropped.
 pub struct Scratch(PathBuf);
 
 impl Scratch {
@@ -161,12 +162,12 @@ impl Scratch {
         Self(folder)
     }
 
-    /// The path of a file in it.
+    /// Path of a file in the folder.
     pub fn path(&self, name: &str) -> String {
         self.0.join(name).to_string_lossy().into_owned()
     }
 
-    /// Writes a file; its path.
+    /// Writes a file and returns its path.
     pub fn write(&self, name: &str, text: &str) -> String {
         std::fs::write(self.0.join(name), text).expect("a temporary file");
         self.path(name)

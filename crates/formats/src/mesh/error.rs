@@ -1,52 +1,52 @@
-//! Why a mesh cannot be read.
+//! Errors of reading a mesh.
 
 use std::path::PathBuf;
 
-/// Why a mesh cannot be read.
+/// Reason for failing to read a mesh.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MeshError {
-    /// There is no such file.
+    /// The file does not exist.
     #[error("mesh \"{file}\" was not found; looked for {}{}", listed(tried), mend(file))]
     NotFound {
-        /// As the URDF names it.
+        /// File name in the URDF.
         file: String,
-        /// Where it was looked for.
+        /// Paths that were tried.
         tried: Vec<PathBuf>,
     },
     /// The file cannot be read.
     #[error("{}: cannot be read: {message}", path.display())]
     Unreadable {
-        /// The file.
+        /// File.
         path: PathBuf,
-        /// What the operating system says.
+        /// Message of the operating system.
         message: String,
     },
     /// The file is too large.
     #[error("{}: larger than the limit of {limit} bytes for meshes (--max-mesh-size)", path.display())]
     TooLarge {
-        /// The file.
+        /// File.
         path: PathBuf,
-        /// The limit, bytes.
+        /// Limit, bytes.
         limit: u64,
     },
-    /// No format that is read.
+    /// The format is not supported.
     #[error(
         "{}: not a mesh that is read: expected STL, OBJ or COLLADA (.stl, .obj, .dae); convert it, e.g. with Blender or assimp",
         path.display()
     )]
     Format {
-        /// The file.
+        /// File.
         path: PathBuf,
     },
-    /// The file breaks its format.
+    /// The contents violate the format.
     #[error("{}: not a good {format} file: {message}", path.display())]
     Malformed {
-        /// The file.
+        /// File.
         path: PathBuf,
-        /// Its format.
+        /// Format name.
         format: &'static str,
-        /// What is wrong.
+        /// Defect.
         message: String,
     },
 }

@@ -1,21 +1,22 @@
-//! Where a mesh that a URDF names is to be found.
+//! Search for the mesh files named by a URDF.
 
 use super::error::MeshError;
 use std::path::{Path, PathBuf};
 
-/// Folders in which meshes are looked for.
+/// Folders that are searched for meshes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MeshFolders {
-    /// The folder of the URDF: relative names count from here.
+    /// Folder of the URDF; base of relative names.
     pub model: PathBuf,
-    /// Folders of packages by name.
+    /// Package names and their folders.
     pub packages: Vec<(String, PathBuf)>,
-    /// Folders that hold packages: those of ROS_PACKAGE_PATH, and `share` of those of AMENT_PREFIX_PATH.
+    /// Folders that contain packages: the entries of ROS_PACKAGE_PATH, and `share` in the entries of
+    /// AMENT_PREFIX_PATH.
     pub holders: Vec<PathBuf>,
 }
 
 impl MeshFolders {
-    /// Those of a URDF file, with the packages that the environment names.
+    /// Creates the folders for a URDF file, with the packages of the environment variables.
     pub fn of_model(path: &Path, packages: Vec<(String, PathBuf)>) -> Self {
         let model = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new(".")).to_owned();
         let paths = |name: &str| {
@@ -28,11 +29,12 @@ impl MeshFolders {
         Self { model, packages, holders }
     }
 
-    /// The file of a mesh: `package://NAME/…` and `model://NAME/…` in the package's folder, looked for where it is given, in the
-    /// holders, then upwards from the URDF's folder; `file://…`; else relative to the URDF's folder.
+    /// Finds the file of a mesh. `package://NAME/…` and `model://NAME/…` are searched in the given folder of the
+    /// package, then in the holders, then upwards from the folder of the URDF. `file://…` names a file directly.
+    /// Other names are relative to the folder of the URDF.
     ///
     /// # Errors
-    /// [`MeshError::NotFound`] with all places that were tried.
+    /// [`MeshError::NotFound`] with all paths that were tried.
     pub fn find(&self, file: &str) -> Result<PathBuf, MeshError> {
         let mut tried = Vec::new();
         for path in self.places(file) {
@@ -65,7 +67,7 @@ impl MeshFolders {
             }
             places.push(holder.join(name).join(within));
         }
-        // On Windows without `\\?\`, since places that were tried are shown.
+        // `dunce` avoids the prefix `\\?\` on Windows, because error messages show the paths.
         let model = dunce::canonicalize(&self.model).unwrap_or_else(|_| self.model.clone());
         for folder in model.ancestors() {
             if named(folder) {
@@ -77,7 +79,7 @@ impl MeshFolders {
     }
 }
 
-/// The path of a `file://` name: on Windows `/C:/…` is `C:/…`.
+/// Path of a `file://` name; on Windows, `/C:/…` becomes `C:/…`.
 fn without_root_of_drive(path: &str) -> &str {
     match path.as_bytes() {
         [b'/', letter, b':', ..] if cfg!(windows) && letter.is_ascii_alphabetic() => &path[1..],

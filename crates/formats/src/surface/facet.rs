@@ -1,16 +1,16 @@
-//! A facet.
+//! Facet of a surface.
 
 use nalgebra::Vector3;
 
-/// A small triangle of a surface, link's frame, m.
+/// Small triangle of a surface; link frame, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Facet {
-    /// Its corners, anticlockwise seen from outside.
+    /// Corners, anticlockwise seen from outside.
     pub corners: [Vector3<f64>; 3],
-    /// A point of the surface within it: the centroid, on the round itself where it stands for a part of a round.
+    /// Reference point: the centroid of a flat facet, a point on the surface itself for a part of a curved surface.
     pub point: Vector3<f64>,
-    /// The outward normal there, a unit vector.
+    /// Outward unit normal at `point`.
     pub normal: Vector3<f64>,
-    /// Its area, m².
+    /// Area, m².
     pub area: f64,
 }

@@ -1,23 +1,23 @@
-//! Patches of solids over two parameters, each from 0 to 1.
+//! Patches of solids, parametrised by two numbers from 0 to 1.
 
 use super::facet::Facet;
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
 
-/// A patch and in how many parts it is divided.
+/// Surface patch, and the number of parts along each parameter.
 pub(super) struct Patch {
     kind: Kind,
     parts: (usize, usize),
 }
 
 enum Kind {
-    /// A parallelogram: corner, its two edges; the normal is along the first times the second.
+    /// Parallelogram: corner, first edge, second edge. The normal is first × second.
     Plane([Vector3<f64>; 3]),
-    /// The side of a cylinder about z: radius, length.
+    /// Side of a cylinder about z: radius, length.
     Side(f64, f64),
-    /// The end of one: radius, height, 1 for the upper and −1 for the lower.
+    /// End disc of a cylinder: radius, height, side (1 for the upper end, −1 for the lower).
     Disc(f64, f64, f64),
-    /// A zone of a sphere: radius, height of its centre, first latitude, how far from there.
+    /// Zone of a sphere: radius, height of the centre, first latitude, range of latitudes (rad).
     Ball(f64, f64, f64, f64),
 }
 
@@ -59,7 +59,7 @@ impl Patch {
         self.parts.0.saturating_mul(self.parts.1).saturating_mul(2)
     }
 
-    /// The place and the normal at parameters.
+    /// Position and normal at the parameters (u, v).
     fn at(&self, u: f64, v: f64) -> (Vector3<f64>, Vector3<f64>) {
         let (sine, cosine) = (TAU * u).sin_cos();
         match self.kind {
@@ -82,7 +82,7 @@ impl Patch {
         }
     }
 
-    /// Two triangles for each part.
+    /// Adds two triangles per part.
     pub fn divide(&self, out: &mut Vec<Facet>) {
         let (across, along) = self.parts;
         let part = |i: usize, k: usize| (i as f64 / across as f64, k as f64 / along as f64);
@@ -102,7 +102,7 @@ impl Patch {
         let cross = (corners[1] - corners[0]).cross(&(corners[2] - corners[0]));
         let (length, normal_length) = (cross.norm(), normal.norm());
         let size = corners.iter().map(|c| c.norm_squared()).fold(0.0, f64::max);
-        // Those at a pole are lines, to rounding.
+        // Triangles at a pole are degenerate, up to rounding.
         if normal_length == 0.0 || length <= 1e-14 * size {
             return;
         }

@@ -1,4 +1,4 @@
-//! The surface of a link: facets with a point, the outward normal and an area, in the link's frame.
+//! Surface of a link: facets with a point, an outward normal and an area, in the link frame.
 
 mod facet;
 mod grid;
@@ -16,21 +16,21 @@ use percuss_spatial::Transform;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::path::PathBuf;
 
-/// Why a surface is not divided.
+/// Reason for refusing to divide a surface.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SurfaceError {
-    /// More facets than asked for at most.
+    /// More facets are needed than the caller allows.
     #[error("{needed} facets are needed; at most {most} are made: take longer edges")]
     TooMany {
-        /// How many it takes.
+        /// Number of facets needed.
         needed: usize,
-        /// How many may be made.
+        /// Largest number allowed.
         most: usize,
     },
 }
 
-/// The shapes of a link, meshes read and their triangles turned outward.
+/// Shapes of a link, with the triangles of all meshes oriented outward.
 #[derive(Clone, Debug, Default)]
 pub struct Surface {
     parts: Vec<Part>,
@@ -45,10 +45,10 @@ enum Part {
 }
 
 impl Surface {
-    /// Reads the meshes of shapes, each of at most `max_size` bytes.
+    /// Reads the meshes of `shapes`, each of at most `max_size` bytes.
     ///
     /// # Errors
-    /// [`MeshError`] of the first mesh that cannot be read.
+    /// [`MeshError`] of the first unreadable mesh.
     pub fn read<'a>(
         shapes: impl IntoIterator<Item = &'a Shape>,
         folders: &MeshFolders,
@@ -74,17 +74,17 @@ impl Surface {
         Ok(surface)
     }
 
-    /// The meshes' files that were read.
+    /// Files of the meshes.
     pub fn files(&self) -> &[PathBuf] {
         &self.files
     }
 
-    /// What was done so that normals of meshes point outward.
+    /// Report about the orientation of the meshes.
     pub fn orientation(&self) -> &Orientation {
         &self.orientation
     }
 
-    /// A sphere that holds it, not tight: its centre and radius, m; none where there is nothing.
+    /// Centre and radius (m) of a sphere around the surface, not the smallest one; `None` for an empty surface.
     pub fn bounds(&self) -> Option<(Vector3<f64>, f64)> {
         let (mut low, mut high) = (Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY));
         let mut include = |p: &Vector3<f64>| {
@@ -107,10 +107,11 @@ impl Surface {
         (low.x <= high.x).then(|| (0.5 * (low + high), 0.5 * (high - low).norm()))
     }
 
-    /// Facets with edges of about `edge` (m) at most; the triangles of a mesh are divided and never joined.
+    /// Divides the surface into facets with edges of about `edge` (m) at most. Triangles of a mesh are divided but
+    /// never merged.
     ///
     /// # Errors
-    /// [`SurfaceError::TooMany`]: more than `most`.
+    /// [`SurfaceError::TooMany`] if more than `most` facets are needed.
     pub fn facets(&self, edge: f64, most: usize) -> Result<Vec<Facet>, SurfaceError> {
         let needed = self.parts.iter().map(|part| count(part, edge)).fold(0, usize::saturating_add);
         if needed > most {
@@ -155,10 +156,10 @@ fn count(part: &Part, edge: f64) -> usize {
     }
 }
 
-/// In how many parts an edge of a length is divided.
+/// Number of parts for an edge of the given length.
 fn parts_along(length: f64, edge: f64) -> usize {
     let parts = (length / edge).ceil();
-    // A part that is no number is one; what is too large is refused by its count.
+    // NaN gives one part. A very large number is refused later, by the number of facets.
     if parts >= 1.0 { parts as usize } else { 1 }
 }
 
@@ -167,12 +168,12 @@ fn parts_of(t: &[Vector3<f64>; 3], edge: f64) -> usize {
     parts_along(longest, edge)
 }
 
-/// A triangle in n² alike.
+/// Divides a triangle into n² congruent triangles.
 fn divide(t: &[Vector3<f64>; 3], edge: f64, out: &mut Vec<Facet>) {
     let n = parts_of(t, edge);
     let at = |i: usize, k: usize| {
         if n == 1 {
-            // The corner itself, not a sum.
+            // Uses the exact corner, without the rounding of a sum.
             return t[if i == 1 { 1 } else { 2 * k }];
         }
         t[0] + (t[1] - t[0]) * (i as f64 / n as f64) + (t[2] - t[0]) * (k as f64 / n as f64)
@@ -191,13 +192,13 @@ fn flat(corners: [Vector3<f64>; 3], out: &mut Vec<Facet>) {
     let [a, b, c] = corners;
     let cross = (b - a).cross(&(c - a));
     let length = cross.norm();
-    // One that is a line has no normal.
+    // A degenerate triangle has no normal.
     if length > 0.0 && length.is_finite() {
         out.push(Facet { corners, point: (a + b + c) / 3.0, normal: cross / length, area: 0.5 * length });
     }
 }
 
-/// The patches that make a solid.
+/// Patches that form the surface of a solid.
 fn patches(solid: &Solid, edge: f64) -> Vec<Patch> {
     let around =
         |radius: f64| parts_along(TAU * radius, edge).clamp(*ROUND_FACETS.start(), *ROUND_FACETS.end());

@@ -1,22 +1,24 @@
-//! Which side of a mesh is outside.
+//! Orientation of meshes: outward normals.
 //!
-//! Triangles that share an edge (corners equal to the last bit) are turned alike; a piece so connected whose signed volume is
-//! below zero is turned over as a whole. A piece without an inside (an open sheet) is turned away from the mesh's centre.
+//! Triangles that share an edge (corners equal to the last bit) get the same sense of winding. A connected piece with
+//! a negative signed volume is reversed as a whole. A piece without an inside (an open sheet) is turned away from the
+//! centre of the mesh.
 
 use crate::limits::NO_VOLUME;
 use nalgebra::Vector3;
 use std::collections::HashMap;
 
-/// What was done so that normals point outward.
+/// Counts of the changes that make the normals point outward.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Orientation {
-    /// Connected pieces.
+    /// Number of connected pieces.
     pub pieces: usize,
-    /// Triangles that were turned over, to be like their neighbours or with their piece.
+    /// Number of reversed triangles, to match their neighbours or together with their piece.
     pub turned: usize,
-    /// Pieces that are open or have no volume: turned away from the centre of the mesh.
+    /// Number of pieces that are open or have no volume; their normals point away from the centre of the mesh.
     pub open: usize,
-    /// Pieces that cannot be turned alike (a Möbius strip, an edge of three triangles wound in conflict).
+    /// Number of pieces without a consistent orientation (a Möbius strip, an edge of three triangles with conflicting
+    /// winding).
     pub conflicting: usize,
 }
 
@@ -31,10 +33,10 @@ impl Orientation {
 
 type Triangle = [Vector3<f64>; 3];
 
-/// Turns triangles so that their corners are anticlockwise seen from outside.
+/// Orders the corners of each triangle anticlockwise as seen from outside.
 pub(super) fn turn_outward(triangles: &mut [Triangle]) -> Orientation {
     let corners = weld(triangles);
-    // For each edge, the triangles that have it.
+    // Triangles at each edge.
     let mut edges: HashMap<(u32, u32), Vec<u32>> = HashMap::with_capacity(corners.len() * 3 / 2);
     for (t, corner) in (0_u32..).zip(&corners) {
         for k in 0..3 {
@@ -46,7 +48,7 @@ pub(super) fn turn_outward(triangles: &mut [Triangle]) -> Orientation {
     }
     let centre = triangles.iter().flatten().sum::<Vector3<f64>>() / (3 * triangles.len().max(1)) as f64;
     let mut orientation = Orientation::default();
-    // Whether each is turned over; none: not reached yet.
+    // True for a reversed triangle; `None` for a triangle not visited yet.
     let mut turned: Vec<Option<bool>> = vec![None; corners.len()];
     let mut piece = Vec::new();
     for start in 0..corners.len() {
@@ -67,13 +69,13 @@ pub(super) fn turn_outward(triangles: &mut [Triangle]) -> Orientation {
                 }
                 let beside = &edges[&(a.min(b), a.max(b))];
                 closed &= beside.len() == 2;
-                // An edge of more than two says nothing about its neighbours.
+                // An edge of more than two triangles does not determine the winding of its neighbours.
                 let [first, second] = beside[..] else { continue };
                 let other = if first as usize == t { second } else { first } as usize;
                 if other == t {
                     continue;
                 }
-                // Neighbours that are wound alike go along their edge in opposite directions.
+                // Two neighbours with the same sense of winding pass their common edge in opposite directions.
                 let wanted = own ^ runs_along(&corners[other], a, b);
                 match turned[other] {
                     None => {
@@ -95,7 +97,8 @@ pub(super) fn turn_outward(triangles: &mut [Triangle]) -> Orientation {
         orientation.pieces += 1;
         orientation.open += usize::from(!has_inside);
         orientation.conflicting += usize::from(conflict);
-        // The volume of a sheet, seen from the centre, says to which side of it that lies.
+        // The sign of a sheet's volume with respect to the centre gives the side of the sheet on which the centre
+        // lies.
         if volume < 0.0 {
             piece.iter().for_each(|&t| turned[t] = turned[t].map(|turned| !turned));
         }
@@ -113,16 +116,16 @@ fn area([a, b, c]: &Triangle) -> f64 {
     0.5 * (b - a).cross(&(c - a)).norm()
 }
 
-/// Whether a triangle goes from one corner to another next.
+/// True if the triangle has the edge `from` → `to` in this direction.
 fn runs_along(corners: &[u32; 3], from: u32, to: u32) -> bool {
     (0..3).any(|k| corners[k] == from && corners[(k + 1) % 3] == to)
 }
 
-/// Corners by number: equal ones have one.
+/// Numbers the corners; equal corners share a number.
 fn weld(triangles: &[Triangle]) -> Vec<[u32; 3]> {
     let mut known: HashMap<[u64; 3], u32> = HashMap::with_capacity(triangles.len() / 2 + 3);
     let mut number = |p: &Vector3<f64>| {
-        // −0 is 0.
+        // Maps −0 to 0.
         let key = [p.x, p.y, p.z].map(|x| (x + 0.0).to_bits());
         let next = known.len() as u32;
         *known.entry(key).or_insert(next)
@@ -181,7 +184,7 @@ mod tests {
     #[test]
     fn an_open_sheet_is_turned_away_from_the_centre() {
         let mut triangles = cube();
-        // The lid is taken off, and all is wound inward.
+        // The lid is removed, and all triangles are wound inward.
         triangles.drain(2..4);
         triangles.iter_mut().for_each(|t| t.swap(0, 1));
         let done = turn_outward(&mut triangles);

@@ -1,4 +1,4 @@
-//! One corner of a vehicle while it is put together: everything by its place at the design position.
+//! Corner of a vehicle under construction. All positions are those of the design position.
 
 use super::drawing::{Drawing, rounded};
 use super::findings::{Findings, Spot};
@@ -10,28 +10,28 @@ use percuss_mechanism::{
 use percuss_spatial::{Matrix3, Vector3};
 use std::collections::HashMap;
 
-/// The root link.
+/// Root link.
 pub(super) const CHASSIS: &str = "chassis";
-/// The link that holds the tie rods' inner ends.
+/// Link with the inner ends of the tie rods.
 pub(super) const RACK: &str = "rack";
 
-/// Mass and inertia of a link, in the vehicle's frame at the design position.
+/// Mass and inertia of a link, in the vehicle frame at the design position.
 #[derive(Clone, Debug)]
 pub(super) struct Body {
-    /// kg.
+    /// Mass, kg.
     pub mass: f64,
     /// Centre of mass, m.
     pub com: Vector3<f64>,
-    /// About the centre of mass, in the vehicle's axes, kg·m².
+    /// Inertia about the centre of mass, in the vehicle's axes, kg·m².
     pub about_com: Matrix3<f64>,
-    /// Where the file states it.
+    /// Position in the file.
     pub spot: Spot,
 }
 
-/// Links, joints and closures of the left side; [`mirrored`](Self::mirrored) makes the right one.
+/// Links, joints and closures of the left side; [`mirrored`](Self::mirrored) creates the right side.
 ///
-/// Every link's axes are the vehicle's at the design position, so a link frame is a point and all joint origins and
-/// loop frames are differences of points.
+/// At the design position, the axes of every link are parallel to the vehicle's. A link frame is therefore given by a
+/// point, and joint origins and loop frames are differences of points.
 #[derive(Clone, Debug)]
 pub(super) struct Corner {
     links: Vec<LinkDescription>,
@@ -40,16 +40,16 @@ pub(super) struct Corner {
     origins: HashMap<String, Vector3<f64>>,
     comments: Comments,
     spots: HashMap<String, Spot>,
-    /// Pairs of seats: on the moving link, on the chassis.
+    /// Pairs of seat frames: on the moving link, on the chassis.
     struts: Vec<[&'static str; 2]>,
-    /// Links that both sides share: their names have no ending.
+    /// Links common to both sides; their names have no suffix.
     shared: Vec<&'static str>,
-    /// What it looks like.
+    /// Drawing of the corner.
     pub drawing: Drawing,
 }
 
 impl Corner {
-    /// With a chassis at the vehicle's origin and nothing on it.
+    /// Creates a corner with only the chassis, at the origin of the vehicle frame.
     pub fn new() -> Self {
         Self {
             links: Vec::new(),
@@ -64,7 +64,8 @@ impl Corner {
         }
     }
 
-    /// A link that another part of the vehicle has, or this one for both sides.
+    /// Marks a link as common to both sides and sets its frame. The link itself is added by this corner or by
+    /// another.
     pub fn share(&mut self, link: &'static str, at: Vector3<f64>) {
         self.shared.push(link);
         self.origins.insert(link.to_owned(), at);
@@ -74,12 +75,12 @@ impl Corner {
         self.shared.contains(&link)
     }
 
-    /// The rack's frame, once there is one.
+    /// Origin of the rack frame, if set.
     pub fn rack(&self) -> Option<Vector3<f64>> {
         self.origins.get(RACK).copied()
     }
 
-    /// Puts the rack's frame half way between the inner ends of the tie rods of both sides, `end` being one.
+    /// Sets the rack frame to the midpoint between the inner ends of the two tie rods; `end` is one of them.
     pub fn place_rack(&mut self, end: Vector3<f64>) {
         self.origins.insert(RACK.to_owned(), Vector3::new(end.x, 0.0, end.z));
     }
@@ -88,7 +89,7 @@ impl Corner {
         self.origins.get(link).copied().unwrap_or_default()
     }
 
-    /// A link whose frame is at a point.
+    /// Adds a link with its frame at the point `at`.
     pub fn link(&mut self, name: &str, at: Vector3<f64>, body: Option<&Body>, comment: impl Into<String>) {
         let mut link = LinkDescription::massless(name);
         if let Some(body) = body {
@@ -100,7 +101,7 @@ impl Corner {
         self.comments.links.insert(name.to_owned(), comment.into());
     }
 
-    /// A joint at the child's frame; the axis is in the vehicle's axes.
+    /// Adds a joint at the child frame; `axis` is in the vehicle's axes.
     pub fn joint(
         &mut self,
         (name, kind): (&str, JointKind),
@@ -116,7 +117,7 @@ impl Corner {
         self.comments.joints.insert(name.to_owned(), comment.into());
     }
 
-    /// A massless link fixed to another: a place for a contact, or to measure.
+    /// Adds a massless link fixed to another, for contacts and measurements.
     pub fn frame(&mut self, name: &'static str, on: &str, at: Vector3<f64>, comment: impl Into<String>) {
         self.links.push(LinkDescription::massless(name));
         self.joints.push(
@@ -127,7 +128,7 @@ impl Corner {
         self.comments.links.insert(name.to_owned(), comment.into());
     }
 
-    /// Seats of a spring or shock: on the moving link and on the chassis.
+    /// Adds the two seats of a spring or damper: on the moving link and on the chassis.
     pub fn seats(
         &mut self,
         [seat, chassis_seat]: [&'static str; 2],
@@ -141,7 +142,7 @@ impl Corner {
         self.drawing.line(name, [at, at_chassis]);
     }
 
-    /// A joint at a point that the tree leaves out; the axis is in the vehicle's axes.
+    /// Adds a closure at a point; `axis` is in the vehicle's axes.
     pub fn closure(
         &mut self,
         (name, kind): (&str, ClosureKind),
@@ -157,7 +158,7 @@ impl Corner {
         self.add(closure, spot, comment);
     }
 
-    /// A massless rod between ball joints; it is as long as the points are apart.
+    /// Adds a massless rod with a ball joint at each end. Its length is the distance of the points.
     pub fn rod(
         &mut self,
         name: &str,
@@ -173,7 +174,7 @@ impl Corner {
         self.drawing.rod(name, [a, b], spot);
     }
 
-    /// A slide that turns about its own line, closing a loop.
+    /// Adds a cylindrical joint that closes a loop: it slides along its axis and turns about it.
     pub fn slide(&mut self, name: &str, links: [&str; 2], at: Vector3<f64>, axis: Vector3<f64>, spot: &Spot) {
         let comment = "slides and turns along its line";
         self.closure((name, ClosureKind::Cylindrical), links, at, axis, (spot, comment));
@@ -185,12 +186,12 @@ impl Corner {
         self.closures.push(closure);
     }
 
-    /// Where a name's figures stand, of a link that states none of its own.
+    /// Sets the position in the file for a link without values of its own.
     pub fn stated(&mut self, name: &str, spot: Spot) {
         self.spots.insert(name.to_owned(), spot);
     }
 
-    /// Warns of points and centres of mass that look astray.
+    /// Warns about implausible positions of points and centres of mass.
     pub fn check(&self, findings: &mut Findings) {
         let is_odd = self.drawing.check(findings);
         let moving = self.origins.keys().filter(|name| ![CHASSIS, RACK].contains(&name.as_str()));
@@ -201,12 +202,13 @@ impl Corner {
         }
     }
 
-    /// Warns of what is far from all joints of its link: seats, the centre of mass, and joints where there are others, unless
-    /// what is odd was said of the points that they stand at.
+    /// Warns about points far away from all joints of the link: seats, the centre of mass, and, if the link has more
+    /// than two joints, a joint far from the others. Warnings about joints are omitted if `is_odd`, because the
+    /// drawing check has reported their points.
     fn check_link(&self, link: &str, is_odd: bool, findings: &mut Findings) {
         let origin = self.origin(link);
         let (mut joints, mut seats) = (Vec::new(), Vec::new());
-        // A frame that floats, or is the other corner's, is no joint.
+        // A floating joint does not locate the link.
         if self.joints.iter().any(|joint| joint.child == link && joint.kind != JointKind::Floating) {
             joints.push((link, origin));
         }
@@ -229,7 +231,7 @@ impl Corner {
             let others = joints.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, (_, at))| at);
             distance_from_box(&joints[i].1, others)
         };
-        // A rod's two ends are told by its length.
+        // A rod has two joints; the drawing check covers its length.
         let astray: Vec<usize> =
             (0..joints.len()).filter(|i| joints.len() > 2 && off(*i) > 2.0 * OFF_ITS_LINK).collect();
         let near: Vec<Vector3<f64>> =
@@ -262,14 +264,14 @@ impl Corner {
         }
     }
 
-    /// Its mirror image in the vehicle's middle plane, y → −y, with equal coordinates for mirrored motions.
+    /// Mirror image in the vehicle's middle plane, y → −y. Mirrored motions have equal joint coordinates.
     ///
-    /// With S = diag(1, −1, 1): points p → S p, inertias I → S I S, directions of sliding a → S a, axes of turning
+    /// With S = diag(1, −1, 1): points p → S p; inertias I → S I S; sliding axes a → S a; rotation axes
     /// a → −S a (a rotation R becomes S R S).
     pub fn mirrored(&self) -> Corner {
         let point = |p: &Vector3<f64>| Vector3::new(p.x, flip(p.y), p.z);
         let turning = |a: &Vector3<f64>| Vector3::new(flip(a.x), a.y, flip(a.z));
-        // The frame of what both sides share stays where it is: from there S p is at S p − o, not at S (p − o).
+        // The frame of a shared link keeps its origin o: relative to o, S p is at S p − o, not at S (p − o).
         let stays = |link: &str| {
             if self.is_shared(link) {
                 Vector3::new(0.0, -2.0 * self.origin(link).y, 0.0)
@@ -305,7 +307,7 @@ impl Corner {
             ] {
                 frame.translation = point(&frame.translation) + stays(link);
             }
-            // A line, whose sense does not matter.
+            // The axis of a closure is a line without a sense.
             closure.axis = turning(&closure.axis);
             closure.axis2 = turning(&closure.axis2);
         }
@@ -315,7 +317,8 @@ impl Corner {
         corner
     }
 
-    /// Adds it to a mechanism, names of its own ending in `suffix`; and what belongs to the names.
+    /// Adds the corner to a mechanism, and its comments and file positions to `about`. Names of unshared links get
+    /// the suffix.
     pub fn put(self, suffix: &str, mut builder: MechanismBuilder, about: &mut About) -> MechanismBuilder {
         let shared = self.shared;
         let named =
@@ -360,7 +363,7 @@ impl Corner {
     }
 }
 
-/// How far a point lies outside of the box around others, whose edges are along the vehicle's axes; m.
+/// Distance (m) of a point from the axis-aligned bounding box of other points; 0 inside.
 fn distance_from_box<'p>(at: &Vector3<f64>, others: impl IntoIterator<Item = &'p Vector3<f64>>) -> f64 {
     let mut others = others.into_iter();
     let Some(first) = others.next() else { return 0.0 };
@@ -368,12 +371,12 @@ fn distance_from_box<'p>(at: &Vector3<f64>, others: impl IntoIterator<Item = &'p
     (at - at.sup(&low).inf(&high)).norm()
 }
 
-/// −x, but 0 for 0.
+/// Returns −x, and 0 for 0.
 fn flip(x: f64) -> f64 {
     0.0 - x
 }
 
-/// What is known of the names of a mechanism.
+/// Comments and file positions by name.
 #[derive(Default)]
 pub(super) struct About {
     pub comments: Comments,

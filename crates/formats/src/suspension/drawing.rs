@@ -1,10 +1,10 @@
-//! What a corner looks like: lengths to compare with the drawing, lines to draw, and points that look astray.
+//! Drawing of a corner: lengths for comparison with the design, lines of the picture, and implausible points.
 
 use super::findings::{Findings, Spot};
 use crate::limits::{ASTRAY, LEAST_ASTRAY, LONGEST_ARM, WRONG_SIDE};
 use percuss_spatial::Vector3;
 
-/// A link's length: of an arm on a hinge, from the hinge's line to its outer point; of a rod, from end to end.
+/// Length of a link: from the hinge axis to the outer point for a hinged arm, from end to end for a rod.
 #[derive(Clone, Debug)]
 pub(super) struct ArmLength {
     pub name: String,
@@ -12,27 +12,27 @@ pub(super) struct ArmLength {
     spot: Spot,
 }
 
-/// A line of the picture.
+/// Line of the picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
-    /// The link or pair of seats that it belongs to.
+    /// Name of the link or the pair of seats.
     pub name: String,
-    /// Its ends, m, x forward, y left, z up.
+    /// Ends, m; x forward, y left, z up.
     pub ends: [[f64; 3]; 2],
 }
 
-/// A wheel of the picture.
+/// Wheel of the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WheelCircle {
-    /// Its centre, m, x forward, y left, z up.
+    /// Centre, m; x forward, y left, z up.
     pub centre: [f64; 3],
-    /// The axis of spin, a unit vector.
+    /// Spin axis, a unit vector.
     pub axis: [f64; 3],
-    /// m; none where it is not known.
+    /// Radius, m; `None` if unknown.
     pub radius: Option<f64>,
 }
 
-/// All of a corner that is seen.
+/// Lengths, lines, wheels and points of one corner.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Drawing {
     pub arms: Vec<ArmLength>,
@@ -42,7 +42,7 @@ pub(super) struct Drawing {
 }
 
 impl Drawing {
-    /// An arm between its hinge and its outer point.
+    /// Adds an arm between its hinge and its outer point.
     pub fn arm(&mut self, name: &str, hinge: [Vector3<f64>; 2], outer: Vector3<f64>, spot: &Spot) {
         let [first, second] = hinge;
         let along = (second - first).normalize();
@@ -57,7 +57,7 @@ impl Drawing {
         self.point(name, outer, spot);
     }
 
-    /// A rod, or a link between two points.
+    /// Adds a rod, or a link between two points.
     pub fn rod(&mut self, name: &str, ends: [Vector3<f64>; 2], spot: &Spot) {
         let length = (ends[1] - ends[0]).norm();
         self.arms.push(ArmLength { name: name.to_owned(), length, spot: spot.clone() });
@@ -67,23 +67,24 @@ impl Drawing {
         }
     }
 
-    /// A line without a length of interest.
+    /// Adds a line to the picture only.
     pub fn line(&mut self, name: &str, ends: [Vector3<f64>; 2]) {
         self.lines.push(Line { name: name.to_owned(), ends: ends.map(Into::into) });
     }
 
-    /// A point of one side.
+    /// Adds a point, for the check of its side.
     pub fn point(&mut self, name: &str, at: Vector3<f64>, spot: &Spot) {
         self.points.push((name.to_owned(), at, spot.clone()));
     }
 
-    /// Warns of points on the other side of the vehicle, and of lengths out of proportion. Whether there are any.
+    /// Warns about points on the other side of the vehicle and about disproportionate lengths. Returns true after a
+    /// warning.
     pub fn check(&self, findings: &mut Findings) -> bool {
         let Some(wheel) = self.wheels.first() else { return false };
         let mut is_odd = false;
         let side = wheel.centre[1].signum();
         let astray = |at: &Vector3<f64>| at.y * side < -WRONG_SIDE;
-        // Where most are, the wheel is on the wrong side, which is said elsewhere.
+        // If most points are on the other side, the wheel is on the wrong side, which the spindle's check reports.
         let most = 2 * self.points.iter().filter(|(_, at, _)| astray(at)).count() > self.points.len();
         for (name, at, spot) in self.points.iter().filter(|_| !most) {
             if astray(at) {
@@ -124,7 +125,7 @@ impl Drawing {
         if list.is_empty() { String::new() } else { format!("Lengths in m: {}", list.join(", ")) }
     }
 
-    /// Its mirror image, y → −y.
+    /// Mirror image, y → −y.
     pub fn mirrored(&self) -> Self {
         let flip = |[x, y, z]: [f64; 3]| [x, 0.0 - y, z];
         let mut drawing = self.clone();
@@ -140,7 +141,7 @@ impl Drawing {
     }
 }
 
-/// To a tenth of a millimetre.
+/// Rounds to 0.1 mm.
 pub(super) fn rounded(x: f64) -> f64 {
     (x * 1e4).round() / 1e4 + 0.0
 }

@@ -1,27 +1,27 @@
-//! What is said of suspension files while they are read: each finding with its key path and its place.
+//! Findings about suspension files, each with its key path and its position.
 
 use super::text::line_and_column;
 use crate::Diagnostic;
 use crate::limits::MOST_FINDINGS;
 use percuss_mechanism::Severity;
 
-/// Where something stands in a file: its key path and its first byte.
+/// Position in a file: key path and first byte.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Spot {
     pub path: Option<String>,
-    /// A byte of the text; none where the file is none, or the place is not known.
+    /// Byte offset in the text; `None` without a file or with an unknown position.
     pub at: Option<usize>,
-    /// Which of the files that are read together: 0 is the one that was named.
+    /// Index of the file: 0 for the file named by the user, larger for files read with it.
     pub file: usize,
 }
 
 impl Spot {
-    /// The key path as a reader would say it.
+    /// Key path for messages.
     pub fn label(&self) -> &str {
         self.path.as_deref().unwrap_or("the file")
     }
 
-    /// Whether it is a place of a file at all.
+    /// True if the position has a key path.
     pub fn is_somewhere(&self) -> bool {
         self.path.is_some()
     }
@@ -34,7 +34,7 @@ struct Finding {
     message: String,
 }
 
-/// The findings so far.
+/// Findings collected so far.
 #[derive(Default)]
 pub(super) struct Findings {
     list: Vec<Finding>,
@@ -42,7 +42,7 @@ pub(super) struct Findings {
 }
 
 impl Findings {
-    /// Adds a finding; the same one twice is reported once.
+    /// Adds a finding; identical findings are reported once.
     pub fn add(&mut self, severity: Severity, code: &'static str, spot: &Spot, message: String) {
         let same = |f: &Finding| f.code == code && f.spot.path == spot.path && f.message == message;
         if self.list.iter().any(same) {
@@ -55,27 +55,27 @@ impl Findings {
         self.list.push(Finding { severity, code, spot: spot.clone(), message });
     }
 
-    /// An error.
+    /// Adds an error.
     pub fn error(&mut self, code: &'static str, spot: &Spot, message: String) {
         self.add(Severity::Error, code, spot, message);
     }
 
-    /// A warning.
+    /// Adds a warning.
     pub fn warning(&mut self, code: &'static str, spot: &Spot, message: String) {
         self.add(Severity::Warning, code, spot, message);
     }
 
-    /// A note.
+    /// Adds a note.
     pub fn note(&mut self, code: &'static str, spot: &Spot, message: String) {
         self.add(Severity::Note, code, spot, message);
     }
 
-    /// Whether anything forbids a mechanism.
+    /// True if an error was added.
     pub fn has_errors(&self) -> bool {
         self.list.iter().any(|f| f.severity == Severity::Error)
     }
 
-    /// All findings in the order of the files (their names and texts), those without a place first.
+    /// Returns all findings in the order of the files (pairs of name and text), findings without a position first.
     pub fn finish(mut self, files: &[(&str, &str)]) -> Vec<Diagnostic> {
         if self.untold > 0 {
             let message = format!("and {} more warnings and notes", self.untold);

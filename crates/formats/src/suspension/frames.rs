@@ -1,46 +1,46 @@
-//! The axes in which a file states its inertias, built from hardpoints as Chrono builds them.
+//! Axes of the inertias in a file, constructed from hardpoints as in Chrono.
 //!
-//! A frame is a rotation R whose columns are its axes in the vehicle's; I = R I′ Rᵀ. All are right-handed. None where
-//! the points do not span it.
+//! A frame is a rotation matrix R, whose columns are the axes of the frame in vehicle coordinates; I = R I′ Rᵀ. All
+//! frames are right-handed. The result is `None` if the points do not determine the frame.
 
 use crate::limits::PARALLEL;
 use percuss_spatial::{Matrix3, Vector3};
 
-/// The unit vector; none where there is no direction.
+/// Normalises a vector; `None` if it is zero or not finite.
 pub(super) fn unit(v: Vector3<f64>) -> Option<Vector3<f64>> {
     let length = v.norm();
     (length > 0.0 && length.is_finite()).then(|| v / length)
 }
 
-/// a × b of unit length; none where they are parallel or zero.
+/// Unit vector along a × b; `None` for parallel or zero vectors.
 pub(super) fn normal(a: Vector3<f64>, b: Vector3<f64>) -> Option<Vector3<f64>> {
     let (a, b) = (unit(a)?, unit(b)?);
     let cross = a.cross(&b);
     if cross.norm() > PARALLEL { unit(cross) } else { None }
 }
 
-/// An arm on a hinge: x along the hinge from back to front, z = (back − ball) × (front − ball), the normal of its
-/// plane, y = z × x.
+/// Frame of an arm on a hinge: x along the hinge from back to front; z along (back − ball) × (front − ball), the
+/// normal of the arm's plane; y = z × x.
 pub(super) fn arm(front: Vector3<f64>, back: Vector3<f64>, ball: Vector3<f64>) -> Option<Matrix3<f64>> {
     let x = unit(front - back)?;
     let z = normal(back - ball, front - ball)?;
     Some(Matrix3::from_columns(&[x, z.cross(&x), z]))
 }
 
-/// A link with x along it: y = ẑ × x with the vehicle's ẑ, z = x × y.
+/// Frame of a link along x: y = ẑ × x with the vehicle's ẑ; z = x × y.
 pub(super) fn along_x(along: Vector3<f64>) -> Option<Matrix3<f64>> {
     let x = unit(along)?;
     let y = normal(Vector3::z(), x)?;
     Some(Matrix3::from_columns(&[x, y, x.cross(&y)]))
 }
 
-/// A link with z along it and y along a normal to it: x = y × z.
+/// Frame of a link along z with y along a given normal: x = y × z.
 pub(super) fn along_z(along: Vector3<f64>, y: Vector3<f64>) -> Option<Matrix3<f64>> {
     let (y, z) = (unit(y)?, unit(along)?);
     Some(Matrix3::from_columns(&[y.cross(&z), y, z]))
 }
 
-/// The inertia stated in the frame, in the vehicle's axes; symmetric to the last bit.
+/// Inertia in the vehicle's axes, from the inertia in `frame`; exactly symmetric.
 pub(super) fn turned(frame: &Matrix3<f64>, inertia: &Matrix3<f64>) -> Matrix3<f64> {
     let turned = frame * inertia * frame.transpose();
     (turned + turned.transpose()) * 0.5
@@ -60,7 +60,7 @@ mod tests {
         let Some(arm) = arm(front, back, ball) else { panic!("a plane arm") };
         assert!(is_rotation(&arm) && (arm - Matrix3::identity()).amax() < 1e-15);
         let Some(rod) = along_x(Vector3::new(0.7, 0.1, 0.2)) else { panic!("a rod") };
-        // y level, z upward.
+        // y is horizontal, z points upward.
         assert!(is_rotation(&rod) && rod[(2, 1)].abs() < 1e-15 && rod[(2, 2)] > 0.0);
         let Some(rod) = along_z(Vector3::y(), Vector3::new(0.0, 0.0, -2.0)) else { panic!("a rod") };
         assert!(is_rotation(&rod) && rod[(0, 0)] == 1.0);

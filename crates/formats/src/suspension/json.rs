@@ -1,14 +1,14 @@
-//! One level of JSON at a time: values stay pieces of the text, so that their places are known.
+//! Parser for one level of JSON at a time. Values remain slices of the text, so their positions are known.
 
 use crate::limits::MOST_KEYS;
 use serde::de::{Deserialize, Deserializer, Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
 use serde_json::value::RawValue;
 use std::fmt;
 
-/// An object whose values are left as text.
+/// JSON object; the values remain text.
 pub(super) struct Object<'t> {
     pub entries: Vec<(String, &'t RawValue)>,
-    /// Whether there were more than are kept.
+    /// True if entries beyond the limit were dropped.
     pub too_many: bool,
 }
 
@@ -37,7 +37,7 @@ impl<'de: 't, 't> Deserialize<'de> for Object<'t> {
     }
 }
 
-/// An array: its first three entries as text, and its length.
+/// JSON array: the first three entries as text, and the length.
 pub(super) struct Array<'t> {
     pub first: [Option<&'t RawValue>; 3],
     pub length: usize,

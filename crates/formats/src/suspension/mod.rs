@@ -1,18 +1,18 @@
-//! Suspensions to mechanisms with loops: sheets of one's own hardpoints, and hardpoint files of Chrono::Vehicle.
+//! Import of suspensions as mechanisms with loops, from sheets of hardpoints and hardpoint files of Chrono::Vehicle.
 //!
 //! [`import`] reads a sheet (TOML), a table of hardpoints (CSV, XLSX) or a suspension file of Chrono (JSON, with
-//! `"Type": "Suspension"`), and builds one corner of the vehicle or both at the design position: the chassis is the
-//! root; arms turn on hinges; what closes a loop is a ball joint, a sliding bearing or a massless rod. Axes of the
-//! mechanism are those of ISO 8855, x forward, y left, z up; m, kg, rad.
+//! `"Type": "Suspension"`). It builds one corner of the vehicle, or both, at the design position. The chassis is the
+//! root link. Arms turn on hinges. Loops are closed by ball joints, sliding bearings and massless rods. The axes of
+//! the mechanism are those of ISO 8855: x forward, y left, z up. Units are m, kg, rad.
 //!
-//! Sheets have the templates of [`template_names`]; [`template_sheet`] writes one to fill in. Chrono's are
-//! `DoubleWishbone`, `DoubleWishboneReduced`, `MacPhersonStrut`, `SemiTrailingArm`, `ThreeLinkIRS`, `MultiLink`: bodies,
-//! joints and the axes in which inertias are stated are those that Chrono's classes of these names build;
-//! `docs/SUSPENSIONS.md` has them in a table, and where this departs from them.
+//! Sheets use the templates of [`template_names`]; [`template_sheet`] writes a sheet to fill in. Templates of Chrono
+//! are `DoubleWishbone`, `DoubleWishboneReduced`, `MacPhersonStrut`, `SemiTrailingArm`, `ThreeLinkIRS`, `MultiLink`.
+//! Bodies, joints and inertia axes follow Chrono's classes of the same names; `docs/SUSPENSIONS.md` has a table of
+//! them, with the deviations.
 //!
-//! Springs, dampers and stops are not in the mechanism, only their seats: `spring_seat` on the link that moves,
-//! `spring_chassis_seat`, and so on. Joints to know: `spin` (the wheel's bearing) and `rack` (fixed, unless
-//! [`Rack::Sliding`]). Every template has mobility 2 a side: travel and spin.
+//! The mechanism contains no springs, dampers and stops, only their seats: `spring_seat` on the moving link,
+//! `spring_chassis_seat`, and so on. Important joints are `spin` (the wheel bearing) and `rack` (fixed, unless
+//! [`Rack::Sliding`]). Every template has mobility 2 per side: travel and spin.
 
 mod corner;
 mod drawing;
@@ -47,16 +47,16 @@ pub use understood::Understood;
 use units::Frame;
 pub use units::{LengthUnit, VehicleAxes};
 
-/// A mechanism, what its parts are, and what was noticed in its file.
+/// Imported mechanism with a description of its parts and the findings about its file.
 #[derive(Debug)]
 pub struct Imported {
     /// The mechanism.
     pub mechanism: Mechanism,
-    /// What each part is, for [`write_urdf_with`](crate::write_urdf_with).
+    /// Description of each part, for [`write_urdf_with`](crate::write_urdf_with).
     pub comments: Comments,
-    /// What was understood of the file, to be checked against the drawing.
+    /// Summary of the file's contents, for comparison with the design.
     pub understood: Understood,
-    /// The files that were read: the one that was named, and a table that it names.
+    /// Names of the files: the file named by the user, and a table named by the sheet.
     pub inputs: Vec<String>,
     /// Warnings and notes, in the order of the file.
     pub diagnostics: Vec<Diagnostic>,
@@ -64,15 +64,16 @@ pub struct Imported {
 
 /// Reads a sheet, a table of hardpoints, or a suspension file of Chrono::Vehicle (comments in the JSON are allowed).
 ///
-/// Which it is, is seen from its bytes, and `.csv` at the end of its name is a table. An inertia I′ that Chrono states in
-/// axes R becomes R I′ Rᵀ; an axle's inertia J about the axis of spin a adds J a aᵀ to the spindle's. Force laws are
-/// ignored. A sheet that names a table of points has that read from its own folder. Sources: Project Chrono,
-/// `src/chrono_vehicle/wheeled_vehicle/suspension`.
+/// The format is detected from the bytes; a file name ending in `.csv` denotes a table. For a Chrono file, an inertia
+/// I′ in the axes R becomes R I′ Rᵀ. The inertia J of an axle about the spin axis a adds J a aᵀ to the inertia of the
+/// spindle. Force laws are ignored. A table of points named by a sheet is read from the folder of the sheet. Sources:
+/// Project Chrono, `src/chrono_vehicle/wheeled_vehicle/suspension`.
 ///
 /// # Errors
-/// [`LoadError`] with every finding, where one is an error: neither TOML, table nor JSON, an unknown template, a missing
-/// key, an unknown key of a sheet, a value of the wrong type or length, no unit or axes in a sheet, coordinates that are
-/// no vehicle's in the unit given, hardpoints that define no joint axis, and what the mechanism's builder refuses.
+/// [`LoadError`] with all findings if at least one is an error: neither TOML, table nor JSON; an unknown template; a
+/// missing key; an unknown key of a sheet; a value of the wrong type or length; no unit or axes in a sheet;
+/// coordinates implausible for a vehicle in the given unit; hardpoints that define no joint axis; an error of the
+/// mechanism's builder.
 pub fn import(source: &Source, options: &ImportOptions) -> Result<Imported, LoadError> {
     let mut report = Report::default();
     if sheet::is_workbook(&source.bytes) {
@@ -82,7 +83,7 @@ pub fn import(source: &Source, options: &ImportOptions) -> Result<Imported, Load
     let Some(text) = text else {
         return Err(LoadError { diagnostics: report.finish(&source.name, "") });
     };
-    // JSON begins with a brace, Chrono's may with a comment; of XML its reader says what it is.
+    // JSON begins with a brace, or with a comment in Chrono's files. The JSON reader reports XML as such.
     let is_json = text.trim_ascii_start().starts_with(['{', '/', '<']);
     if is_json || source.name.ends_with(".json") {
         import_chrono(source, text, options, report)
@@ -149,7 +150,7 @@ fn import_chrono(
     }
 }
 
-/// The bytes as text; what a URDF's reader would say of other bytes is said in words that fit.
+/// Decodes the bytes as text. Empty and binary files get messages that name the formats of suspensions.
 fn decoded<'s>(source: &'s Source, report: &mut Report) -> Option<&'s str> {
     let wide = [&b"\xFF\xFE"[..], b"\xFE\xFF"].iter().any(|mark| source.bytes.starts_with(mark));
     if source.bytes.trim_ascii().is_empty() {
@@ -167,7 +168,7 @@ fn decoded<'s>(source: &'s Source, report: &mut Report) -> Option<&'s str> {
     }
 }
 
-/// What is said of a suspension beside its corner.
+/// Properties of a suspension other than its corner.
 struct Described<'d> {
     name: &'d str,
     template: &'d str,
@@ -199,7 +200,7 @@ fn read(
     let (template_name, build) = template(reader, &mut root)?;
     let spindle = spindle::read(reader, &mut root, options);
     let corner = build(reader, &mut root, &spindle);
-    // Chrono's switch for its own output.
+    // `Output` controls only the output of Chrono.
     reader.close(root, &["Output"]);
     reader.check_unit();
     let corner = corner.filter(|_| !reader.has_errors())?;
@@ -223,7 +224,7 @@ fn read(
     finish(reader, corner, None, &described, source, options)
 }
 
-/// A corner to a mechanism, its comments, and what was understood.
+/// Builds the mechanism from the corner, with the comments and the summary.
 fn finish(
     findings: &mut Findings,
     corner: Corner,
@@ -255,10 +256,11 @@ fn finish(
         };
         let triangle = matches!(problem, Problem::TriangleInequality { .. });
         if triangle {
-            // Said here, with its place in this file; not again at every reading of what is written.
+            // The finding is reported here, with its position in this file. The mark keeps later readers of the URDF
+            // from repeating the warning.
             comments.known.push((problem.code(), name.to_owned()));
         }
-        // Frames and crosses are massless on purpose; of the spindle, which has the axle in it, all was said.
+        // Frames and crosses are massless by design. The spindle's moments are checked before the axle is added.
         let known = matches!(problem, Problem::Massless) || triangle && name.starts_with("spindle");
         if !known {
             let spot = about.spots.get(name).cloned().unwrap_or_default();
@@ -280,7 +282,7 @@ fn finish(
     Some((mechanism, comments, understood))
 }
 
-/// Name and kind of the file.
+/// Checks the type of the file and returns the name.
 fn header<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>) -> String {
     if let Some((kind, spot)) = reader.string(root, "Type")
         && kind != "Suspension"
@@ -319,7 +321,7 @@ fn no_wheel(findings: &mut Findings, why: &str) {
     findings.warning("no-wheel", &Spot::default(), message);
 }
 
-/// Chassis, rack and the sides.
+/// Combines the chassis, the rack and the sides.
 fn assemble(
     findings: &mut Findings,
     corner: Corner,
@@ -385,7 +387,7 @@ fn heading(described: &Described<'_>, source: &Source) -> Vec<String> {
     };
     vec![
         format!("{}: {} {}, {side}, {wheel}", quoted(described.name), described.kind, described.template),
-        // Whole: of a path that is cut, the file's name is what is missing.
+        // The name is not shortened, because a shortened path would lose the file name.
         format!("imported by percuss from \"{}\"", source.name),
         "the chassis' frame: x forward, y left, z up; joints at 0 are the design position".to_owned(),
     ]

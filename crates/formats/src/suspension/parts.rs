@@ -1,4 +1,4 @@
-//! What several templates share: bodies, arms on a hinge, Hooke's joints, tie rods, seats.
+//! Parts common to several templates: bodies, hinged arms, Hooke's joints, tie rods, seats.
 
 use super::corner::{Body, CHASSIS, Corner, RACK};
 use super::findings::{Findings, Spot};
@@ -9,48 +9,48 @@ use crate::limits::OBLIQUE_PINS;
 use percuss_mechanism::{ClosureKind, JointKind};
 use percuss_spatial::{Matrix3, Vector3};
 
-/// Keys that only draw.
+/// Keys that affect only the visualisation.
 const DRAWN: [&str; 2] = ["Radius", "Width"];
 
-/// How a file states inertias.
+/// Notation of inertias in a file.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Inertias {
     /// `Inertia`: three principal moments.
     Moments,
-    /// `Moments of Inertia` and `Products of Inertia` (the matrix's entries xy, xz, yz).
+    /// `Moments of Inertia` and `Products of Inertia` (matrix entries xy, xz, yz).
     WithProducts,
 }
 
-/// A body as the file states it: the inertia in axes that the template defines.
+/// Body as given in the file: the template defines the axes of the inertia.
 pub(super) struct Stated {
     mass: f64,
     pub com: Vector3<f64>,
     pub inertia: Matrix3<f64>,
     pub spot: Spot,
-    /// The vehicle's axes in the file.
+    /// Vehicle axes of the file.
     axes: VehicleAxes,
 }
 
 impl Stated {
-    /// kg.
+    /// Mass, kg.
     pub fn mass(&self) -> f64 {
         self.mass
     }
 
-    /// The inertia is stated in the vehicle's axes.
+    /// Converts an inertia given in the vehicle's axes.
     pub fn into_vehicle(self) -> Body {
         let about_com = self.axes.inertia_to_iso(self.inertia);
         Body { mass: self.mass, com: self.com, about_com, spot: self.spot }
     }
 
-    /// The inertia is stated in this frame.
+    /// Converts an inertia given in `frame`.
     pub fn in_frame(self, frame: &Matrix3<f64>) -> Body {
         let about_com = frames::turned(frame, &self.inertia);
         Body { mass: self.mass, com: self.com, about_com, spot: self.spot }
     }
 }
 
-/// Mass, centre of mass and inertia of a section.
+/// Reads mass, centre of mass and inertia of a section.
 pub(super) fn body<'t>(reader: &mut Reader<'t>, section: &mut Section<'t>, how: Inertias) -> Stated {
     let mass = reader.number(section, "Mass", MASS);
     let com = reader.point(section, "COM");
@@ -81,7 +81,7 @@ fn inertia<'t>(reader: &mut Reader<'t>, section: &mut Section<'t>, how: Inertias
     }
 }
 
-/// A section that holds only a body.
+/// Reads a section that contains only a body.
 pub(super) fn lone_body<'t>(
     reader: &mut Reader<'t>,
     root: &mut Section<'t>,
@@ -94,12 +94,13 @@ pub(super) fn lone_body<'t>(
     stated.into_vehicle()
 }
 
-/// Ends a section of a body.
+/// Closes the section of a body; keys for visualisation are ignored.
 pub(super) fn close<'t>(reader: &mut Reader<'t>, section: Section<'t>) {
     reader.close(section, &DRAWN);
 }
 
-/// The value; where hardpoints do not make one, says so (unless they were not all there).
+/// Unwraps a value computed from hardpoints. `None` is reported as degenerate geometry, unless an earlier error
+/// explains it; the result is then the default.
 pub(super) fn spanned<T: Default>(findings: &mut Findings, value: Option<T>, spot: &Spot, defect: &str) -> T {
     if value.is_none() && !findings.has_errors() {
         findings.error("degenerate-geometry", spot, defect.to_owned());
@@ -107,26 +108,26 @@ pub(super) fn spanned<T: Default>(findings: &mut Findings, value: Option<T>, spo
     value.unwrap_or_default()
 }
 
-/// An arm on a hinge with a ball joint at its end.
+/// Arm on a hinge, with a ball joint at the outer end.
 pub(super) struct Arm {
     pub body: Option<Body>,
-    /// The hinge's points and the ball's.
+    /// Points of the hinge (front, back) and of the ball joint, m.
     pub front: Vector3<f64>,
     pub back: Vector3<f64>,
     pub ball: Vector3<f64>,
     pub spot: Spot,
 }
 
-/// Where an arm's inertia is stated.
+/// Axes of an arm's inertia.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Axes {
-    /// In those of its own plane.
+    /// Axes of the arm's own plane.
     Own,
-    /// In the vehicle's.
+    /// Axes of the vehicle.
     Vehicle,
 }
 
-/// An arm, its body in the given manner; without one, only its points.
+/// Reads an arm. `how` gives the notation of its body; `None` reads the points only.
 pub(super) fn arm<'t>(
     reader: &mut Reader<'t>,
     root: &mut Section<'t>,
@@ -152,12 +153,12 @@ pub(super) const WISHBONE: [&str; 3] =
     ["Location Chassis Front", "Location Chassis Back", "Location Upright"];
 
 impl Arm {
-    /// The hinge's axis, from front to back: a positive angle lets the wheel droop.
+    /// Unit vector of the hinge axis, from front to back: a positive angle lowers the wheel (droop).
     fn hinge(&self) -> Vector3<f64> {
         frames::unit(self.back - self.front).unwrap_or_default()
     }
 
-    /// The arm on its hinge on the chassis.
+    /// Adds the arm and its hinge on the chassis.
     pub fn attach(&self, corner: &mut Corner, name: &str) {
         let comment = format!("{}: frame at the hinge's first point", self.spot.label());
         corner.link(name, self.front, self.body.as_ref(), comment);
@@ -169,8 +170,8 @@ impl Arm {
     }
 }
 
-/// A link on a Hooke's joint on the chassis or rack: two hinges with a massless cross between them, the first about
-/// the pin that stays with the parent, the second about the pin that stays with the link.
+/// Adds a link on a Hooke's joint on the chassis or rack: two hinges with a massless cross in between. The first pin
+/// is fixed in the parent, the second in the link.
 pub(super) fn hooke(
     findings: &mut Findings,
     corner: &mut Corner,
@@ -197,7 +198,7 @@ pub(super) fn hooke(
     corner.joint(second, [&cross, name], pin, &body.spot, "the pin that stays with the link");
 }
 
-/// A tie rod: massless, or a body.
+/// Tie rod: a massless rod, or a body with the pins of its Hooke's joint.
 pub(super) struct TieRod {
     chassis: Vector3<f64>,
     upright: Vector3<f64>,
@@ -205,7 +206,7 @@ pub(super) struct TieRod {
     spot: Spot,
 }
 
-/// Reads `Tierod`; one with a mass is a body where the template has such.
+/// Reads `Tierod`. A tie rod with a mass is a body if `may_be_body`.
 pub(super) fn tie_rod<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>, may_be_body: bool) -> TieRod {
     let mut section = reader.section(root, "Tierod");
     let chassis = reader.point(&mut section, "Location Chassis");
@@ -228,7 +229,7 @@ pub(super) fn tie_rod<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>, may_b
 }
 
 impl TieRod {
-    /// Between rack and upright.
+    /// Adds the tie rod between rack and upright.
     pub fn tie(&self, findings: &mut Findings, corner: &mut Corner) {
         corner.place_rack(self.chassis);
         let Some((body, pins)) = &self.body else {
@@ -243,13 +244,13 @@ impl TieRod {
     }
 }
 
-/// A ball joint that closes a loop.
+/// Adds a ball joint that closes a loop.
 pub(super) fn ball(corner: &mut Corner, name: &str, links: [&str; 2], at: Vector3<f64>, spot: &Spot) {
     let joint = (name, ClosureKind::Spherical);
     corner.closure(joint, links, at, Vector3::x(), (spot, "a ball joint"));
 }
 
-/// Reads the ends of a spring or shock; its force law is not ours.
+/// Reads the ends of a spring or shock absorber.
 pub(super) fn seats<'t>(
     reader: &mut Reader<'t>,
     root: &mut Section<'t>,
@@ -259,7 +260,7 @@ pub(super) fn seats<'t>(
     let mut section = reader.section(root, key);
     let chassis = reader.point(&mut section, "Location Chassis");
     let seat = reader.point(&mut section, moving);
-    // Force laws come in many kinds and do not affect the effective mass.
+    // Force laws are not read: they come in many kinds and do not affect the effective mass.
     let line = frames::unit(chassis - seat).map(|_| ());
     spanned(reader, line, &section.spot, "its ends coincide: it has no line");
     [seat, chassis]

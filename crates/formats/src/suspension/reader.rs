@@ -1,4 +1,4 @@
-//! Typed access to the file's keys; every finding knows its key path and its place.
+//! Typed access to the keys of a file; every finding has its key path and its position.
 
 use super::findings::{Findings, Spot};
 use super::json::{Array, Object};
@@ -18,28 +18,28 @@ struct Entry<'t> {
     used: bool,
 }
 
-/// An object of the file. What is asked of an absent one is answered with zeros: its absence is an error already.
+/// Object of the file. All reads from an absent section return zeros, because its absence is already an error.
 pub(super) struct Section<'t> {
     pub spot: Spot,
     entries: Option<Vec<Entry<'t>>>,
 }
 
 impl Section<'_> {
-    /// Whether it has this key.
+    /// True if the section has the key.
     pub fn has(&self, key: &str) -> bool {
         self.entries.iter().flatten().any(|e| e.key == key)
     }
 }
 
-/// Reads values and collects what is to be said of them.
+/// Reads values and collects findings.
 pub(super) struct Reader<'t> {
     clean: &'t str,
     findings: Findings,
-    /// How the file states lengths and directions.
+    /// Unit and axes of the file.
     pub frame: Frame,
-    /// The coordinate farthest from the origin, m, and its place.
+    /// Largest coordinate by absolute value, m, and its position.
     farthest: Option<(f64, Spot)>,
-    /// A section that states products of inertia other than 0.
+    /// Section with nonzero products of inertia.
     pub products: Option<Spot>,
 }
 
@@ -57,24 +57,24 @@ impl DerefMut for Reader<'_> {
 }
 
 impl<'t> Reader<'t> {
-    /// Over the text with its comments blanked.
+    /// Creates a reader of a text with blanked comments.
     pub fn new(clean: &'t str, frame: Frame) -> Self {
         Self { clean, findings: Findings::default(), frame, farthest: None, products: None }
     }
 
-    /// All findings in the order of the file, those without a place first.
+    /// Returns all findings in the order of the file, findings without a position first.
     pub fn finish(self, path: &str) -> Vec<Diagnostic> {
         self.findings.finish(&[(path, self.clean)])
     }
 
-    /// The whole file as an object; none if it is no JSON, which is said.
+    /// Parses the whole file as an object; `None` after an error for invalid JSON.
     pub fn root(&mut self) -> Option<Section<'t>> {
         match serde_json::from_str::<Object<'t>>(self.clean) {
             Ok(object) => Some(self.checked(Spot::default(), object)),
             Err(error) => {
                 let at = offset_of(self.clean, error.line(), error.column());
                 let full = error.to_string();
-                // The message of the parser has the place too; it is shown once.
+                // The parser's message repeats the position; only the part before it is used.
                 let message = full.split(" at line ").next().unwrap_or(&full);
                 let hint = if self.clean.trim_ascii_start().starts_with('<') {
                     ": this is XML; a suspension file of Chrono::Vehicle is JSON"
@@ -106,7 +106,7 @@ impl<'t> Reader<'t> {
         Section { spot, entries: Some(entries) }
     }
 
-    /// The spot of a key of an object; of the object itself where the key is missing.
+    /// Position of a key of an object; position of the object if the key is missing.
     fn spot(&self, parent: &Spot, key: &str, value: Option<&RawValue>) -> Spot {
         let key = shortened(key);
         let path = match &parent.path {
@@ -116,7 +116,7 @@ impl<'t> Reader<'t> {
         Spot { path: Some(path), at: value.map(|v| self.offset(v)).or(parent.at), file: 0 }
     }
 
-    /// The first byte of a value, which is a piece of the text.
+    /// Byte offset of a value, which is a slice of the text.
     fn offset(&self, value: &RawValue) -> usize {
         (value.get().as_ptr() as usize).wrapping_sub(self.clean.as_ptr() as usize)
     }
@@ -160,7 +160,7 @@ impl<'t> Reader<'t> {
         self.error("wrong-type", spot, format!("{got} ({}); {expected} is expected", shortened(value.get())));
     }
 
-    /// The object under a key.
+    /// Reads the object under a key.
     pub fn section(&mut self, parent: &mut Section<'t>, key: &str) -> Section<'t> {
         let absent = Section { spot: self.spot(&parent.spot, key, None), entries: None };
         let Some((value, spot)) = self.required(parent, key, "an object") else { return absent };
@@ -173,7 +173,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Warns of the keys that were not read, except `passed_over`.
+    /// Warns about keys that were not read, except those in `passed_over`.
     pub fn close(&mut self, section: Section<'t>, passed_over: &[&str]) {
         let unknown = section.entries.iter().flatten().filter(|e| !e.used && !passed_over.contains(&&*e.key));
         for entry in unknown {
@@ -187,7 +187,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// A text.
+    /// Reads a string.
     pub fn string(&mut self, section: &mut Section<'t>, key: &str) -> Option<(String, Spot)> {
         let (value, spot) = self.required(section, key, "a string")?;
         match serde_json::from_str(value.get()) {
@@ -199,7 +199,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// A switch that is off where it is missing.
+    /// Reads a flag; false if absent.
     pub fn flag(&mut self, section: &mut Section<'t>, key: &str) -> bool {
         let Some((value, spot)) = self.optional(section, key) else { return false };
         match value.get() {
@@ -212,7 +212,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// A number that must be there; `expected` says what it is, with its unit.
+    /// Reads a mandatory number; `expected` names the quantity with its unit.
     pub fn number(&mut self, section: &mut Section<'t>, key: &str, expected: &str) -> f64 {
         match self.required(section, key, expected) {
             Some((value, spot)) => self.finite(value, &spot, expected),
@@ -220,7 +220,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// A number that is 0 where it is missing.
+    /// Reads a number; 0 if absent.
     pub fn number_or_zero(&mut self, section: &mut Section<'t>, key: &str, expected: &str) -> f64 {
         match self.optional(section, key) {
             Some((value, spot)) => self.finite(value, &spot, expected),
@@ -228,7 +228,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// The number as Rust reads it: serde_json's own reading can be off in the last digit.
+    /// Parses a number with the standard library: serde_json may be wrong in the last digit.
     fn finite(&mut self, value: &RawValue, spot: &Spot, expected: &str) -> f64 {
         let is_number = value.get().starts_with(|c: char| c == '-' || c.is_ascii_digit());
         match value.get().parse::<f64>() {
@@ -245,7 +245,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Three numbers that must be there.
+    /// Reads three mandatory numbers.
     pub fn triple(&mut self, section: &mut Section<'t>, key: &str, expected: &str) -> Vector3<f64> {
         let Some((value, spot)) = self.required(section, key, expected) else { return Vector3::zeros() };
         let Ok(array) = serde_json::from_str::<Array<'t>>(value.get()) else {
@@ -271,13 +271,13 @@ impl<'t> Reader<'t> {
         self.error("wrong-length", spot, format!("an array of {length}; {expected} is expected"));
     }
 
-    /// A direction in the vehicle's axes that must be there.
+    /// Reads a mandatory direction and converts it to the axes of ISO 8855.
     pub fn direction(&mut self, section: &mut Section<'t>, key: &str) -> Vector3<f64> {
         let direction = self.triple(section, key, "a direction [x, y, z]");
         self.frame.axes.to_iso(direction)
     }
 
-    /// A point of the vehicle that must be there, m, in the axes of ISO 8855.
+    /// Reads a mandatory point, m, in the axes of ISO 8855.
     pub fn point(&mut self, section: &mut Section<'t>, key: &str) -> Vector3<f64> {
         let expected = format!("a point, [x, y, z] in {},", self.frame.unit.name());
         let point = self.triple(section, key, &expected);
@@ -289,7 +289,7 @@ impl<'t> Reader<'t> {
         point
     }
 
-    /// Refuses coordinates that are no vehicle's in the unit of length that they are read in.
+    /// Refuses coordinates that are implausible for a vehicle in the unit of the file.
     pub fn check_unit(&mut self) {
         if let Some((far, spot)) = self.farthest.take()
             && !self.has_errors()
@@ -299,7 +299,7 @@ impl<'t> Reader<'t> {
     }
 }
 
-/// Refuses a vehicle whose farthest coordinate, in metres, is out of all proportion: its lengths are in another unit.
+/// Refuses a vehicle with a farthest coordinate (m) beyond the limit: the lengths are in another unit.
 pub(super) fn check_size(findings: &mut Findings, far: f64, spot: &Spot, unit: LengthUnit) {
     let (size, name) = (unit.of_metres(far), unit.name());
     if far > FARTHEST_HARDPOINT {

@@ -1,4 +1,4 @@
-//! The spindle with the axle on it, and the wheel.
+//! Spindle, including the axle's inertia, and wheel.
 
 use super::corner::{Body, Corner};
 use super::drawing::WheelCircle;
@@ -10,7 +10,7 @@ use crate::limits::MOMENT_SLACK;
 use percuss_mechanism::{JointKind, Problem};
 use percuss_spatial::{Matrix3, Vector3, rotation_about};
 
-/// The spindle with the axle's inertia in it, and the wheel.
+/// Spindle, including the axle's inertia, and wheel.
 pub(super) struct Spindle {
     body: Body,
     centre: Vector3<f64>,
@@ -21,8 +21,9 @@ pub(super) struct Spindle {
 
 /// Reads `Spindle`, `Axle`, camber and toe of the left side.
 ///
-/// The spindle's axes are R_z(−toe) R_x(−camber); it turns about its y. The axle is a shaft that follows the
-/// spindle's absolute rotation about that axis, ½ J (ω·a)²: J a aᵀ of inertia, not an armature.
+/// The axes of the spindle are R_z(−toe) R_x(−camber); the spin axis is the y axis. The axle is a shaft that follows
+/// the absolute rotation of the spindle about the spin axis, with the energy ½ J (ω·a)².
+/// It is therefore an inertia J a aᵀ, not an armature.
 pub(super) fn read<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>, options: &ImportOptions) -> Spindle {
     let camber = reader.number_or_zero(root, "Camber Angle (deg)", "an angle in degrees").to_radians();
     let toe = reader.number_or_zero(root, "Toe Angle (deg)", "an angle in degrees").to_radians();
@@ -52,7 +53,7 @@ pub(super) fn read<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>, options:
     Spindle::new(reader, body, at, [camber, toe], axle, options.wheel)
 }
 
-/// Warns where the spindle alone breaks the triangle inequality: with the axle in it, it nearly always does.
+/// Warns if the spindle without the axle violates the triangle inequality; with the axle, the violation is normal.
 fn check_moments(findings: &mut Findings, body: &Body) {
     let mut principal: [f64; 3] = body.about_com.diagonal().into();
     principal.sort_by(f64::total_cmp);
@@ -64,7 +65,8 @@ fn check_moments(findings: &mut Findings, body: &Body) {
 }
 
 impl Spindle {
-    /// A spindle whose inertia is stated in its own axes, about its centre of mass; camber and toe in rad.
+    /// Creates a spindle. The inertia of `body` is in the spindle's axes, about the centre of mass; camber and toe in
+    /// rad.
     pub fn new(
         findings: &mut Findings,
         mut body: Body,
@@ -77,12 +79,12 @@ impl Spindle {
         check_moments(findings, &body);
         body.about_com[(1, 1)] += axle;
         body.about_com = frames::turned(&frame, &body.about_com);
-        // + 0 makes −0 a plain 0.
+        // Adding 0 turns −0 into 0.
         let axis = frame.column(1).map(|x| x + 0.0);
         Spindle { body, centre, axis, axle, wheel: wheel.map(|w| (w, frame)) }
     }
 
-    /// Attaches the spindle to its parent link.
+    /// Adds the spindle and the wheel to the parent link.
     pub fn attach(&self, findings: &mut Findings, corner: &mut Corner, parent: &str) {
         let at = self.centre;
         let with_axle = match self.axle {
@@ -109,7 +111,7 @@ impl Spindle {
         let joint = ("wheel_fixed", JointKind::Fixed);
         corner.joint(joint, ["spindle", "wheel"], Vector3::x(), spot, "the wheel's bolts");
         let Some(radius) = wheel.radius else { return };
-        // The lowest direction in the wheel's plane.
+        // Lowest direction in the plane of the wheel.
         let down = frames::unit(self.axis * self.axis.z - Vector3::z());
         let down =
             spanned(findings, down, spot, "the axis of spin is vertical: the wheel has no lowest point");

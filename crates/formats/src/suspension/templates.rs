@@ -1,7 +1,7 @@
-//! The six templates: which keys, which links, which joints.
+//! The six Chrono templates: keys, links, joints.
 //!
-//! Each function reads everything first and builds only if all of it is there. They follow the `Construct` and
-//! `InitializeSide` functions of Chrono's classes of the same names; `docs/SUSPENSIONS.md` has the table.
+//! Each function reads all sections first and builds only if no error was found. The functions follow `Construct` and
+//! `InitializeSide` of Chrono's classes of the same names; `docs/SUSPENSIONS.md` has the table.
 
 use super::corner::{Body, CHASSIS, Corner};
 use super::frames;
@@ -13,7 +13,7 @@ use percuss_spatial::{Matrix3, Vector3};
 
 type Template = for<'t> fn(&mut Reader<'t>, &mut Section<'t>, &Spindle) -> Option<Corner>;
 
-/// Every template by its name in the file.
+/// Templates by their names in the file.
 pub(super) const TEMPLATES: [(&str, Template); 6] = [
     ("DoubleWishbone", double_wishbone),
     ("DoubleWishboneReduced", double_wishbone_reduced),
@@ -25,7 +25,7 @@ pub(super) const TEMPLATES: [(&str, Template); 6] = [
 
 const OWN: Option<(Inertias, Axes)> = Some((Inertias::Moments, Axes::Own));
 
-/// The upright on a ball joint of the tree at an arm's outer point.
+/// Adds the upright on a ball joint of the tree at the outer point of an arm.
 fn upright_on(corner: &mut Corner, arm: &str, joint: &str, at: Vector3<f64>, upright: &Body) {
     corner.link("upright", at, Some(upright), format!("Upright: frame at the ball joint of {arm}"));
     let comment = "a ball joint";
@@ -103,7 +103,7 @@ fn macpherson_strut<'t>(
     let spring = seats(reader, root, "Spring", "Location Upright");
     let shock = seats(reader, root, "Shock", "Location Upright");
     let [bottom, top] = spring;
-    // The strut's own axes serve its joints; its inertia is stated in the vehicle's.
+    // The strut's own axes are used for its joints; its inertia is given in the vehicle's axes.
     let y = frames::normal(bottom - arm.back, top - arm.back);
     let axes = y.and_then(|y| frames::along_z(top - bottom, y));
     let defect =
@@ -137,7 +137,7 @@ fn semi_trailing_arm<'t>(
     root: &mut Section<'t>,
     spindle: &Spindle,
 ) -> Option<Corner> {
-    // Chrono's normal of this arm is the other one; principal moments do not change with it.
+    // Chrono uses the opposite normal for this arm; principal moments do not depend on its sign.
     let points = ["Location Chassis Outer", "Location Chassis Inner", "Location Spindle"];
     let arm = parts::arm(reader, root, "Trailing Arm", points, OWN);
     let spring = seats(reader, root, "Spring", "Location Arm");
@@ -153,12 +153,12 @@ fn semi_trailing_arm<'t>(
     Some(corner)
 }
 
-/// A link between two points with its body.
+/// Link between two points, with its body.
 struct Rod {
     body: Body,
     inner: Vector3<f64>,
     outer: Vector3<f64>,
-    /// The pins of its Hooke's joint: the chassis', its own.
+    /// Pins of the Hooke's joint: on the chassis, on the link.
     pins: [Vector3<f64>; 2],
 }
 
@@ -178,7 +178,7 @@ fn three_link_irs<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>, spindle: 
         let outer = reader.point(&mut section, "Location Arm");
         let pin = reader.direction(&mut section, "Universal Joint Axis");
         let frame = spanned(reader, frames::along_x(outer - inner), &section.spot, vertical);
-        // The pin in the file stays with the link; the chassis' is what of ẑ is normal to it.
+        // The pin in the file is fixed in the link; the chassis pin is the component of ẑ normal to it.
         let axes = frames::normal(pin, Vector3::z()).and_then(|w| frames::along_z(w, w.cross(&pin)));
         let defect = "Universal Joint Axis is zero or vertical: the other pin has no direction";
         let axes = spanned(reader, axes, &section.spot, defect);
@@ -213,13 +213,14 @@ fn three_link_irs<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>, spindle: 
 fn multi_link<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>, spindle: &Spindle) -> Option<Corner> {
     let upright = parts::lone_body(reader, root, "Upright", Inertias::Moments);
     let upper = parts::arm(reader, root, "Upper Arm", WISHBONE, OWN);
-    // Links are read before their frames are made: each frame needs a point of another section.
+    // The sections are read before their frames are computed, because each frame needs a point of another section.
     let mut link = |reader: &mut Reader<'t>, key| {
         let mut section = reader.section(root, key);
         let stated = parts::body(reader, &mut section, Inertias::Moments);
         let inner = reader.point(&mut section, "Location Chassis");
         let outer = reader.point(&mut section, "Location Upright");
-        // Chrono gives the first body, the link, the pin that the file calls the chassis', and vice versa.
+        // Chrono's joint takes the link as first body. The key "... Link" therefore gives the chassis pin, and vice
+        // versa.
         let pins = ["Universal Joint Axis Link", "Universal Joint Axis Chassis"].map(|key| {
             let pin = frames::unit(reader.direction(&mut section, key));
             spanned(reader, pin, &section.spot, &format!("{key} is zero: it has no direction"))

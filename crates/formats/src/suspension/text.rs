@@ -1,16 +1,16 @@
-//! JSON as Chrono writes it: with comments. Bounds on the text before a parser sees it.
+//! JSON with comments, as in Chrono's files, and bounds on the text before the parser runs.
 
 use crate::limits::DEEPEST_JSON;
 
-/// What is wrong with the text, and the byte where.
+/// Defect of the text, and its byte offset.
 pub(super) struct TextError {
     pub at: usize,
     pub code: &'static str,
     pub message: &'static str,
 }
 
-/// The text with its `//` and `/* */` comments blanked, every byte in its old place; refused where a comment does
-/// not end or brackets nest too deep. One pass that knows strings; the grammar is left to the parser.
+/// Replaces `//` and `/* */` comments by blanks, which keeps all byte offsets. An unterminated comment and too deep
+/// nesting are errors. The single pass recognises strings; the parser checks the grammar.
 pub(super) fn without_comments(text: &str) -> Result<String, TextError> {
     let bytes = text.as_bytes();
     let mut out = bytes.to_vec();
@@ -50,7 +50,7 @@ pub(super) fn without_comments(text: &str) -> Result<String, TextError> {
             _ => at += 1,
         }
     }
-    // Whole characters were overwritten, for comments begin and end with ASCII.
+    // Comments begin and end with ASCII characters, so only whole characters were overwritten.
     String::from_utf8(out).map_err(|e| TextError {
         at: e.utf8_error().valid_up_to(),
         code: "not-utf-8",
@@ -58,7 +58,7 @@ pub(super) fn without_comments(text: &str) -> Result<String, TextError> {
     })
 }
 
-/// One past the closing quote of the string that begins at `at`, or the end of the text.
+/// Offset after the closing quote of the string at `at`, or the end of the text.
 fn end_of_string(bytes: &[u8], mut at: usize) -> usize {
     at += 1;
     while let Some(&byte) = bytes.get(at) {
@@ -71,17 +71,17 @@ fn end_of_string(bytes: &[u8], mut at: usize) -> usize {
     bytes.len()
 }
 
-/// Line, and column in characters, of a byte of the text; both from 1.
+/// Line and column (in characters) of a byte offset; both start at 1.
 pub(super) fn line_and_column(text: &str, at: usize) -> (u32, u32) {
     let before = &text.as_bytes()[..at.min(text.len())];
     let line_start = before.iter().rposition(|b| *b == b'\n').map_or(0, |i| i + 1);
     let line = before.iter().filter(|b| **b == b'\n').count() as u32 + 1;
-    // Every byte that does not continue a character begins one.
+    // Counts the bytes that begin a UTF-8 character.
     let column = before[line_start..].iter().filter(|b| **b & 0xC0 != 0x80).count() as u32 + 1;
     (line, column)
 }
 
-/// The byte at a line (from 1) and a byte of that line (from 1), as serde_json counts them.
+/// Byte offset of a line and a byte column, both from 1 as in serde_json.
 pub(super) fn offset_of(text: &str, line: usize, column: usize) -> usize {
     let start: usize = text.split_inclusive('\n').take(line.saturating_sub(1)).map(str::len).sum();
     (start + column.saturating_sub(1)).min(text.len())
@@ -105,7 +105,7 @@ mod tests {
         assert!(without_comments("{ /* ").is_err_and(|t| t.code == "not-json" && t.at == 2));
         assert!(without_comments(&"[".repeat(300)).is_err_and(|t| t.code == "too-complex" && t.at == 256));
         assert!(without_comments(&"[".repeat(256)).is_ok());
-        // An escape as the last byte.
+        // The text ends with an escape character.
         assert!(without_comments("\"\\").is_ok());
     }
 

@@ -1,35 +1,35 @@
-//! What was understood of a suspension file, in numbers to check against the drawing.
+//! Summary of a suspension file, for comparison with the design.
 
 use super::drawing::{Drawing, Line, WheelCircle};
 use super::options::{Side, Wheel};
 use super::units::{LengthUnit, VehicleAxes};
 use percuss_mechanism::Mechanism;
 
-/// What was understood of a suspension file. Lengths in m, masses in kg, places x forward, y left, z up.
+/// Summary of a suspension file. Lengths in m, masses in kg; x forward, y left, z up.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Understood {
-    /// The suspension's name.
+    /// Name of the suspension.
     pub name: String,
-    /// Its template.
+    /// Template.
     pub template: String,
-    /// The unit that the file's lengths were read in.
+    /// Unit of the file's lengths.
     pub unit: LengthUnit,
-    /// The axes that the file was read in.
+    /// Axes of the file.
     pub axes: VehicleAxes,
-    /// What was built.
+    /// Side or sides built.
     pub side: Side,
-    /// The wheel.
+    /// Wheel.
     pub wheel: Option<Wheel>,
-    /// Distance of both wheels' centres, twice that of one from the middle plane.
+    /// Distance between the centres of both wheels: twice the distance of one from the middle plane.
     pub track: Option<f64>,
-    /// Lengths of one side and of what both share: of an arm on a hinge, from the hinge's line to its outer point; of a
-    /// rod, from end to end.
+    /// Lengths of the links of one side and of the shared links: from the hinge axis to the outer point for a hinged
+    /// arm, from end to end for a rod.
     pub lengths: Vec<(String, f64)>,
     /// Links with mass, in the order of the mechanism.
     pub masses: Vec<(String, f64)>,
-    /// Of all links.
+    /// Mass of all links.
     pub total_mass: f64,
-    /// Names of the hardpoints of a sheet or table; none of a file of Chrono's.
+    /// Names of the hardpoints of a sheet or table; empty for a Chrono file.
     pub points: Vec<String>,
     /// Lines of the picture.
     pub lines: Vec<Line>,
@@ -38,7 +38,7 @@ pub struct Understood {
 }
 
 impl Understood {
-    /// What the mechanism and its drawing say.
+    /// Creates the summary of a mechanism and its drawing.
     pub(super) fn of(mechanism: &Mechanism, left: &Drawing, middle: Option<&Drawing>, side: Side) -> Self {
         let lengths = left.arms.iter().chain(middle.iter().flat_map(|m| &m.arms));
         let massive = mechanism.links().iter().filter_map(|link| Some((link, link.inertial()?)));

@@ -1,26 +1,26 @@
-//! Units of length and axes of a vehicle, as files and flags name them.
+//! Units of length and vehicle axes, with their names in files and flags.
 
 use percuss_spatial::{Matrix3, Vector3};
 
-/// In what a file's lengths are.
+/// Unit of length.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum LengthUnit {
-    /// m.
+    /// Metre, m.
     #[default]
     Metre,
-    /// cm.
+    /// Centimetre, cm.
     Centimetre,
-    /// mm.
+    /// Millimetre, mm.
     Millimetre,
-    /// 25.4 mm.
+    /// Inch, 25.4 mm.
     Inch,
 }
 
 impl LengthUnit {
-    /// Every unit.
+    /// All units.
     pub const ALL: [Self; 4] = [Self::Metre, Self::Centimetre, Self::Millimetre, Self::Inch];
 
-    /// `m`, `cm`, `mm` or `in`.
+    /// Name: `m`, `cm`, `mm` or `in`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Metre => "m",
@@ -30,12 +30,13 @@ impl LengthUnit {
         }
     }
 
-    /// The unit of this name.
+    /// Unit with the given name.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|unit| unit.name() == name)
     }
 
-    /// A length of this unit in metres. Quotients keep 12 mm = 0.012 m to the last bit; 1/1000 is not a binary number.
+    /// Converts a length to metres. Division gives 12 mm = 0.012 m to the last bit, because 1/1000 is not a binary
+    /// number.
     pub fn to_metres(self, length: f64) -> f64 {
         match self {
             Self::Metre => length,
@@ -45,7 +46,7 @@ impl LengthUnit {
         }
     }
 
-    /// Metres in this unit.
+    /// Converts metres to this unit.
     pub fn of_metres(self, length: f64) -> f64 {
         match self {
             Self::Metre => length,
@@ -56,21 +57,21 @@ impl LengthUnit {
     }
 }
 
-/// A vehicle's axes. z points up in both.
+/// Axes of a vehicle; z points up in both conventions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum VehicleAxes {
     /// ISO 8855: x forward, y left, z up.
     #[default]
     Iso,
-    /// As Adams/Car has them: x backward, y right, z up. Half a turn about z from those of ISO 8855.
+    /// Adams/Car: x backward, y right, z up; rotated by 180° about z relative to ISO 8855.
     Adams,
 }
 
 impl VehicleAxes {
-    /// Both.
+    /// Both conventions.
     pub const ALL: [Self; 2] = [Self::Iso, Self::Adams];
 
-    /// `iso` or `adams`.
+    /// Name: `iso` or `adams`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Iso => "iso",
@@ -78,12 +79,12 @@ impl VehicleAxes {
         }
     }
 
-    /// The axes of this name.
+    /// Axes with the given name.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|axes| axes.name() == name)
     }
 
-    /// Where they point, in words.
+    /// Directions of the axes, in words.
     pub fn words(self) -> &'static str {
         match self {
             Self::Iso => "x forward, y left, z up",
@@ -91,16 +92,16 @@ impl VehicleAxes {
         }
     }
 
-    /// A vector from these axes to those of ISO 8855, or back: R = diag(−1, −1, 1) is its own inverse.
+    /// Converts a vector to the axes of ISO 8855, or back: R = diag(−1, −1, 1) is its own inverse.
     pub fn to_iso(self, v: Vector3<f64>) -> Vector3<f64> {
         match self {
             Self::Iso => v,
-            // 0 − x makes no −0.
+            // 0 − x avoids −0.
             Self::Adams => Vector3::new(0.0 - v.x, 0.0 - v.y, v.z),
         }
     }
 
-    /// An inertia from these axes to those of ISO 8855, or back: R I Rᵀ.
+    /// Converts an inertia to the axes of ISO 8855, or back: R I Rᵀ.
     pub fn inertia_to_iso(self, inertia: Matrix3<f64>) -> Matrix3<f64> {
         let mut inertia = inertia;
         if self == Self::Adams {
@@ -112,7 +113,7 @@ impl VehicleAxes {
     }
 }
 
-/// How a file states lengths and directions.
+/// Unit of length and axes of a file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Frame {
     pub unit: LengthUnit,
@@ -120,7 +121,7 @@ pub(super) struct Frame {
 }
 
 impl Frame {
-    /// A point of the file in metres, in the axes of ISO 8855.
+    /// Converts a point to metres and to the axes of ISO 8855.
     pub fn point(self, p: Vector3<f64>) -> Vector3<f64> {
         self.axes.to_iso(p.map(|x| self.unit.to_metres(x)))
     }

@@ -1,10 +1,10 @@
-//! What the tests of this crate share.
+//! Shared helpers of the tests of this crate.
 #![allow(dead_code, reason = "each test binary uses a part")]
 
 use percuss_formats::{Diagnostic, LoadError, LoadOptions, Loaded, Source, load};
 use percuss_mechanism::Severity;
 
-/// A pendulum of 2 kg, hung 1 m up.
+/// Pendulum of 2 kg at a height of 1 m.
 pub const PENDULUM: &str = r#"<?xml version="1.0"?>
 <robot name="pendulum">
   <link name="base"/>
@@ -34,7 +34,7 @@ pub fn load_text(text: &str) -> Result<Loaded, LoadError> {
     load(&Source::from_text("model.urdf", text), &LoadOptions::default())
 }
 
-/// Loads the pendulum with some of its text replaced; each of the old texts must be there.
+/// Loads the pendulum with some text replaced; each old text must occur.
 pub fn changed(changes: &[(&str, &str)]) -> Result<Loaded, LoadError> {
     let mut text = PENDULUM.to_owned();
     for (old, new) in changes {
@@ -44,7 +44,7 @@ pub fn changed(changes: &[(&str, &str)]) -> Result<Loaded, LoadError> {
     load_text(&text)
 }
 
-/// The diagnostics, whatever came of the file.
+/// Diagnostics of a loaded or a refused file.
 pub fn told(loaded: &Result<Loaded, LoadError>) -> &[Diagnostic] {
     match loaded {
         Ok(loaded) => &loaded.diagnostics,

@@ -1,4 +1,4 @@
-//! Effective masses of real cars, against figures computed independently (and the first in MuJoCo as well).
+//! Effective masses of real cars, compared with independently computed values (the first also with MuJoCo).
 
 use crate::mechanics::{place, respond};
 use crate::models::{hmmwv, sedan};
@@ -7,14 +7,14 @@ use nalgebra::Vector3;
 use percuss_formats::suspension::Side;
 use percuss_mechanism::Mechanism;
 
-/// The direction in which the spring pushes at its lower seat.
+/// Direction of the spring force at the lower seat.
 fn spring_line(mechanism: &Mechanism) -> Vector3<f64> {
     (place(mechanism, "spring_chassis_seat") - place(mechanism, "spring_seat")).normalize()
 }
 
 #[test]
 fn a_spring_feels_the_mass_of_a_real_wishbone() {
-    // The figures have nine digits.
+    // The reference values have nine digits.
     for (keys, mass, ratio) in [(hmmwv(), 207.342164, 2.21478924), (sedan(), 12.5797194, 1.92543335)] {
         for side in [Side::Left, Side::Right] {
             let mechanism = imported("DoubleWishbone", &keys, &on(side)).mechanism;
@@ -37,7 +37,7 @@ fn the_axle_counts_when_the_spin_is_locked() {
 
 #[test]
 fn a_wishbone_of_rods_is_the_wishbone_without_its_arms() {
-    // The same linkage: with weightless arms both have one effective mass.
+    // The linkage is the same: with massless arms, both models have the same effective mass.
     let weightless = crate::models::changed(
         &hmmwv(),
         &[

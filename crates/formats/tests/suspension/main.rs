@@ -1,4 +1,4 @@
-//! Import of hardpoint files: what is built, where it stands, what it weighs, what is refused.
+//! Import of hardpoint files: links and joints, positions, masses, refusals.
 
 mod figures;
 mod mechanics;
@@ -44,7 +44,7 @@ fn mirror() -> Matrix3<f64> {
 
 #[test]
 fn each_template_has_its_links_joints_loops_and_mass() {
-    // Template, links, joints, closures, kg, the link that bears the spindle.
+    // Template, links, joints, closures, kg, parent link of the spindle.
     let expected = [
         ("DoubleWishbone", 11, 10, 2, 11.0, "upright"),
         ("DoubleWishboneReduced", 7, 6, 5, 5.0, "upright"),
@@ -63,7 +63,7 @@ fn each_template_has_its_links_joints_loops_and_mass() {
         let spin = joint(&left, "spin");
         assert_eq!((left.link(spin.parent()).name(), spin.kind()), (parent, JointKind::Continuous));
         let both = imported(template, &keys, &on(Side::Both)).mechanism;
-        // One chassis, and one rack where there are tie rods.
+        // One chassis, and one rack if the template has tie rods.
         let shared = 1 + usize::from(left.find_link("rack").is_ok());
         assert_eq!(both.links().len(), 2 * links - shared, "{template}");
         assert_eq!(both.joints().len(), 2 * joints - (shared - 1), "{template}");
@@ -116,7 +116,7 @@ fn links_stand_where_the_file_says() {
             let off = (place(&mechanism, name) - Vector3::from(*at)).amax();
             assert!(off < 1e-15, "{template}: {name} is off by {off}");
         }
-        // The chassis seats are on the chassis, the others are not.
+        // Chassis seats are fixed to the chassis, other seats are not.
         for (seat, still) in [("shock_chassis_seat", true), ("shock_seat", false)] {
             let parent = mechanism.parent_joint(mechanism.find_link(seat).unwrap()).unwrap();
             assert_eq!(mechanism.joint(parent).parent() == mechanism.root(), still, "{template}: {seat}");
@@ -165,11 +165,11 @@ fn the_right_side_is_the_mirror_image_of_the_left() {
             assert_eq!(mirror() * i.about_com * mirror(), k.about_com, "{template}: {}", a.name());
         }
         for (a, b) in left.joints().iter().zip(right.joints()).filter(|(a, _)| a.kind().has_axis()) {
-            // An axis of turning is mirrored with the opposite sign.
+            // A rotation axis is mirrored with the opposite sign.
             let off = (mirror() * a.axis() + b.axis()).amax();
             assert!(off < 1e-15, "{template}: {} is off by {off}", a.name());
         }
-        // The sides of one chassis are those of two, and their effective masses are equal.
+        // The two sides of one chassis equal separate sides; their effective masses agree.
         let seat = |m: &Mechanism, suffix: &str| {
             let [seat, top] = ["shock_seat", "shock_chassis_seat"].map(|n| format!("{n}{suffix}"));
             let line = (place(m, &top) - place(m, &seat)).normalize();
@@ -190,7 +190,7 @@ fn every_template_can_travel_and_spin_and_no_more() {
         let mechanism = imported(template, &keys, &on(Side::Left)).mechanism;
         let free = respond(&mechanism, "wheel_centre", Vector3::z(), &[]);
         assert_eq!(free.mobility, 2, "{template}");
-        // A massive tie rod turns no joint loose.
+        // A tie rod with mass does not add mobility.
         if !["DoubleWishboneReduced", "SemiTrailingArm", "ThreeLinkIRS"].contains(&template) {
             let keys = changed(&keys, &models::HEAVY_TIE_ROD);
             let heavy = imported(template, &keys, &on(Side::Left)).mechanism;
@@ -211,7 +211,7 @@ fn every_template_can_travel_and_spin_and_no_more() {
 fn inertias_are_turned_out_of_the_axes_they_are_stated_in() {
     let mechanism = imported("DoubleWishbone", &double_wishbone(), &on(Side::Left)).mechanism;
     let arm = link(&mechanism, "lower_arm").inertial().unwrap().about_com;
-    // The plane's axes by hand: x from the back hinge point to the front one, z normal to the plane, upward.
+    // Reference axes of the arm's plane: x from the back hinge point to the front one, z normal to the plane, upward.
     let [front, back, ball] =
         [[0.2, 0.35, -0.1], [-0.25, 0.33, -0.08], [0.01, 0.82, -0.16]].map(Vector3::from);
     let x = (front - back).normalize();
@@ -227,7 +227,7 @@ fn inertias_are_turned_out_of_the_axes_they_are_stated_in() {
     }
     let upright = link(&mechanism, "upright").inertial().unwrap().about_com;
     assert_eq!(upright, Matrix3::new(0.05, 0.001, -0.002, 0.001, 0.04, 0.003, -0.002, 0.003, 0.03));
-    // With the switch, the arm's are the vehicle's too.
+    // With the flag, the inertia of the arm is in the vehicle's axes too.
     let keys = changed(&double_wishbone(), &[("Vehicle-Frame Inertia", "true")]);
     let mechanism = imported("DoubleWishbone", &keys, &on(Side::Left)).mechanism;
     let arm = link(&mechanism, "lower_arm").inertial().unwrap().about_com;
@@ -244,13 +244,13 @@ fn pins_of_universal_joints_stay_with_the_bodies_that_chrono_gives_them() {
         (a - c.normalize()).amax() < 1e-15 && (b - d.normalize()).amax() < 1e-15
     };
     let v = |x, y, z| Vector3::new(x, y, z);
-    // The file's axis stays with the link, the chassis' pin is the upward one across it.
+    // The pin in the file is fixed in the link; the chassis pin is the vertical direction made normal to it.
     let keys = models::three_link_irs();
     assert!(close(pins("ThreeLinkIRS", &keys, "upper_link"), [Vector3::z(), v(2.0, 0.1, 0.0)]));
-    // Chrono's first body is the link, and it gets the axis whose key says chassis.
+    // Chrono's first body is the link and gets the axis of the key "... Chassis".
     let keys = models::multi_link();
     assert!(close(pins("MultiLink", &keys, "trailing_link"), [Vector3::z(), v(-0.3, 1.0, 0.0)]));
-    // y is normal to the plane of the spring's line and the arm's back hinge point, z along the line.
+    // y is normal to the plane of the spring axis and the arm's back hinge point; z is along the spring axis.
     let (top, bottom, back) = (v(0.05, 0.55, 0.35), v(0.06, 0.62, -0.1), v(-0.25, 0.33, -0.08));
     let y = (bottom - back).cross(&(top - back));
     let keys = models::macpherson_strut();
@@ -264,7 +264,7 @@ fn pins_of_universal_joints_stay_with_the_bodies_that_chrono_gives_them() {
 
 #[test]
 fn rods_have_their_axes_along_them() {
-    // Link, from, to, and which of the stated moments is about the line.
+    // Link, start, end, and the given moment about the axis of the link.
     type Case = (&'static str, &'static str, [f64; 3], [f64; 3], f64);
     let cases: [Case; 5] = [
         ("ThreeLinkIRS", "trailing_arm", [0.7, 0.8, 0.03], [0.0, 0.85, 0.0], 0.06),
@@ -282,7 +282,8 @@ fn rods_have_their_axes_along_them() {
         let line = (Vector3::from(to) - Vector3::from(from)).normalize();
         assert!((line.dot(&(inertia * line)) - moment).abs() < 1e-15, "{name}");
     }
-    // A multi-link's have their y normal to a plane: with the trailing link's foot, with the spring's seat.
+    // For a multi-link, y is normal to a plane through a third point: the foot of the trailing link, or the spring
+    // seat.
     let mechanism = imported("MultiLink", &models::multi_link(), &on(Side::Left)).mechanism;
     let (foot, seat) = ([0.0, 0.83, -0.15], [0.06, 0.62, -0.1]);
     for (name, ends, third, moment) in [
@@ -294,7 +295,7 @@ fn rods_have_their_axes_along_them() {
         let inertia = link(&mechanism, name).inertial().unwrap().about_com;
         assert!((y.dot(&(inertia * y)) - moment).abs() < 1e-15, "{name}");
     }
-    // The level axis of a three-link's rod is its y.
+    // For a three-link, the horizontal axis of the rod is y.
     let mechanism = imported("ThreeLinkIRS", &models::three_link_irs(), &on(Side::Left)).mechanism;
     let inertia = link(&mechanism, "trailing_arm").inertial().unwrap().about_com;
     let level = Vector3::z().cross(&Vector3::new(0.7, -0.05, 0.03)).normalize();
@@ -382,7 +383,7 @@ fn comments_and_a_byte_order_mark_are_read_over() {
     let plain = imported("DoubleWishbone", &hmmwv(), &on(Side::Left));
     let read = import_text(&format!("\u{feff}{text}"), &on(Side::Left)).unwrap();
     assert_eq!(read.mechanism.total_mass(), plain.mechanism.total_mass());
-    // One line further down.
+    // Lines are shifted by one.
     let lines = |i: &Imported| i.diagnostics.iter().filter_map(|d| d.line).collect::<Vec<_>>();
     assert_eq!(lines(&read), lines(&plain).iter().map(|l| l + 1).collect::<Vec<_>>());
     assert!(!lines(&plain).is_empty());

@@ -1,10 +1,10 @@
-//! The mechanics of a mechanism at the design position, dense and from 4×4 matrices: no code of the crates under
-//! test but their data.
+//! Reference mechanics of a mechanism at the design position, with dense matrices and 4×4 transforms. Only the data
+//! of the crates under test are used, none of their algorithms.
 
 use nalgebra::{DMatrix, DVector, Matrix4, Vector3};
 use percuss_mechanism::{ClosureKind, JointKind, LinkId, LoopFrame, Mechanism};
 
-/// X_wl of every link with all joints at 0; the root link is the world.
+/// X_wl of every link, all joints at 0; the world frame is the frame of the root link.
 pub fn poses(mechanism: &Mechanism) -> Vec<Matrix4<f64>> {
     let mut poses = vec![Matrix4::identity(); mechanism.links().len()];
     for &link in mechanism.order() {
@@ -19,7 +19,7 @@ pub fn poses(mechanism: &Mechanism) -> Vec<Matrix4<f64>> {
     poses
 }
 
-/// Where a link's frame is.
+/// Position of a link's origin.
 pub fn place(mechanism: &Mechanism, name: &str) -> Vector3<f64> {
     let link = mechanism.find_link(name).unwrap();
     poses(mechanism)[link.index()].fixed_view::<3, 1>(0, 3).into_owned()
@@ -31,7 +31,7 @@ fn point(poses: &[Matrix4<f64>], frame: &LoopFrame) -> Vector3<f64> {
     p.xyz()
 }
 
-/// By how much each closure is open, m.
+/// Opening of each closure, m.
 pub fn residuals(mechanism: &Mechanism) -> Vec<f64> {
     let poses = poses(mechanism);
     let gap = |c: &percuss_mechanism::Closure| point(&poses, c.successor()) - point(&poses, c.predecessor());
@@ -46,20 +46,20 @@ pub fn residuals(mechanism: &Mechanism) -> Vec<f64> {
     mechanism.closures().iter().map(open).collect()
 }
 
-/// What a contact finds.
+/// Response at a contact.
 pub struct ContactResponse {
     /// m̄, kg.
     pub mass: f64,
-    /// Velocities less constraint rows, which must be independent.
+    /// Number of velocities minus number of constraint rows, which must be independent.
     pub mobility: usize,
-    /// Velocity of a point at unit closing speed: of a link's frame.
+    /// Velocity of each link's origin at unit closing speed.
     pub speeds: Vec<Vector3<f64>>,
 }
 
-/// A velocity: the link it moves with all below it, angular part, a point of its axis, linear part.
+/// Unit motion of a joint: child link (its subtree moves too), angular part, point on the axis, linear part.
 type Motion = (LinkId, Vector3<f64>, Vector3<f64>, Vector3<f64>);
 
-/// The contact response at a link's origin along a direction, the root held and some joints locked:
+/// Contact response at a link's origin along a direction, with a fixed root and some joints locked:
 /// M v + Aᵀλ + jᵀμ = 0, A v = 0, j v = 1; m̄ = vᵀMv = −μ.
 pub fn respond(mechanism: &Mechanism, on: &str, along: Vector3<f64>, locked: &[&str]) -> ContactResponse {
     let poses = poses(mechanism);

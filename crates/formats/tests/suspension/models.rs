@@ -1,8 +1,8 @@
-//! Hardpoint files: one a template with round figures of our own, and two with those of real cars.
+//! Hardpoint files: one per template with invented round values, and two with the values of real cars.
 
 use std::fmt::Write;
 
-/// A file of keys and values, sections being `"Section/Key"`.
+/// Builds a file from keys and values; `"Section/Key"` denotes a key in a section.
 pub fn file(template: &str, keys: &[(&str, &str)]) -> String {
     let mut sections: Vec<(&str, Vec<(&str, &str)>)> = Vec::new();
     let mut out =
@@ -26,7 +26,7 @@ pub fn file(template: &str, keys: &[(&str, &str)]) -> String {
 
 pub type Keys = Vec<(&'static str, &'static str)>;
 
-/// The keys with some replaced or added; an empty value takes the key out.
+/// Keys with some replaced or added; an empty value removes the key.
 pub fn changed(keys: &[(&'static str, &'static str)], changes: &[(&'static str, &'static str)]) -> Keys {
     let mut keys = keys.to_vec();
     for (key, value) in changes {
@@ -204,7 +204,7 @@ pub fn multi_link() -> Keys {
     ])
 }
 
-/// Every template with a file of its own.
+/// All templates, each with its file.
 pub fn all() -> [(&'static str, Keys); 6] {
     [
         ("DoubleWishbone", double_wishbone()),
@@ -216,11 +216,11 @@ pub fn all() -> [(&'static str, Keys); 6] {
     ]
 }
 
-/// A tie rod with a mass.
+/// Keys of a tie rod with mass.
 pub const HEAVY_TIE_ROD: [(&str, &str); 3] =
     [("Tierod/Mass", "0.75"), ("Tierod/Inertia", "[0.01, 0.011, 0.001]"), ("Tierod/Radius", "0.01")];
 
-/// The figures of Project Chrono's data/vehicle/hmmwv/suspension/HMMWV_DoubleWishboneFront.json (BSD-3-Clause).
+/// Values of Project Chrono's data/vehicle/hmmwv/suspension/HMMWV_DoubleWishboneFront.json (BSD-3-Clause).
 pub fn hmmwv() -> Keys {
     vec![
         ("Spindle/Mass", "14.705"),
@@ -254,7 +254,7 @@ pub fn hmmwv() -> Keys {
     ]
 }
 
-/// The figures of Project Chrono's data/vehicle/sedan/suspension/Sedan_DoubleWishbone.json (BSD-3-Clause).
+/// Values of Project Chrono's data/vehicle/sedan/suspension/Sedan_DoubleWishbone.json (BSD-3-Clause).
 pub fn sedan() -> Keys {
     vec![
         ("Spindle/Mass", "1.103"),

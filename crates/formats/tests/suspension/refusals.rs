@@ -1,4 +1,4 @@
-//! What is refused and what is doubted, and in which words.
+//! Errors and warnings of suspension files, with their messages.
 
 use crate::models::{all, changed, double_wishbone, file, macpherson_strut, multi_link, three_link_irs};
 use crate::{WHEEL, import_text, on};
@@ -13,7 +13,7 @@ fn told(result: &Result<Imported, LoadError>) -> &[Diagnostic] {
     }
 }
 
-/// The one error of a wishbone file with some keys changed.
+/// The only error of a wishbone file with some keys changed.
 #[track_caller]
 fn error(changes: &[(&'static str, &'static str)]) -> Diagnostic {
     let text = file("DoubleWishbone", &changed(&double_wishbone(), changes));
@@ -24,7 +24,7 @@ fn error(changes: &[(&'static str, &'static str)]) -> Diagnostic {
     first
 }
 
-/// Warnings and notes of a file that is read, the wheel aside.
+/// Warnings and notes of a readable file, without the finding about the wheel.
 #[track_caller]
 fn doubts(
     template: &str,
@@ -65,9 +65,9 @@ fn a_missing_or_wrong_value_is_named_by_its_path() {
     }
     let flag = error(&[("Vehicle-Frame Inertia", "1")]);
     assert_eq!(flag.message, "a number (1); true or false is expected");
-    // The line is the key's: Name, Type, Template come first, then switches.
+    // The line is that of the key: Name, Type and Template come first, then flags.
     assert_eq!(flag.line, Some(5));
-    // A key that nearly fits is offered.
+    // The message suggests a similar key.
     let near = error(&[("Spindle/Mass", ""), ("Spindle/mass", "3")]);
     assert!(near.message.ends_with("there is \"mass\""), "{near}");
 }
@@ -80,7 +80,7 @@ fn every_key_that_is_asked_for_is_missed() {
         for (key, _) in keys.iter().filter(|k| !optional.iter().any(|o| k.0.contains(o))) {
             let text = file(template, &changed(&keys, &[(key, "")]));
             let error = import_text(&text, &on(Side::Left)).expect_err(key);
-            // Where it was the only key of its section, the section is missed.
+            // If the key was the only one of its section, the section is reported as missing.
             let section = key.split('/').next();
             let missed = |d: &Diagnostic| {
                 d.code == "missing-key"
@@ -173,13 +173,13 @@ fn masses_and_inertias_are_judged_by_the_builder_and_placed_in_the_file() {
     let found = error(&[("Axle/Inertia", "-1")]);
     assert_eq!((found.code, found.element.as_deref()), ("negative-inertia", Some("Axle")));
     let keys = changed(&double_wishbone(), &[("Upright/Moments of Inertia", "[0.1, 0.1, 0.3]")]);
-    // Told once, not once a side.
+    // The warning occurs once, not once per side.
     for side in [Side::Left, Side::Both] {
         let found = doubts("DoubleWishbone", &keys, &on(side));
         let triangle = found.iter().filter(|d| d.1 == "triangle-inequality");
         assert_eq!(triangle.map(|d| &*d.2).collect::<Vec<_>>(), ["Upright"], "{side:?}");
     }
-    // Of the spindle, what the file states is judged, not what the axle makes of it.
+    // The check of the spindle applies to the values in the file, without the axle.
     let keys = changed(&double_wishbone(), &[("Spindle/Inertia", "[0.1, 0.3, 0.1]")]);
     let found = doubts("DoubleWishbone", &keys, &on(Side::Both));
     let triangle: Vec<_> = found.iter().filter(|d| d.1 == "triangle-inequality").collect();
@@ -198,7 +198,7 @@ fn what_looks_odd_is_doubted() {
         let found = doubts("DoubleWishbone", &changed(&double_wishbone(), &[(key, value)]), &on(Side::Left));
         assert_eq!(found, [(Severity::Warning, code, element.to_owned())]);
     }
-    // The wheel, which is carried where nothing else of its upright is.
+    // The spindle's centre of mass is on the other side, away from the joints of its upright.
     let found = doubts(
         "DoubleWishbone",
         &changed(&double_wishbone(), &[("Spindle/COM", "[0, -0.9, 0]")]),
@@ -209,7 +209,7 @@ fn what_looks_odd_is_doubted() {
     let oblique = changed(&multi_link(), &[("Lateral/Universal Joint Axis Link", "[1, 0, 0.1]")]);
     let found = doubts("MultiLink", &oblique, &on(Side::Left));
     assert_eq!(found, [(Severity::Warning, "oblique-pins", "Lateral".to_owned())]);
-    // The mirror image has other products of inertia than Chrono gives the right side.
+    // The products of inertia of the mirror image differ from those of Chrono's right side.
     let found = doubts("DoubleWishbone", &double_wishbone(), &on(Side::Right));
     assert_eq!(found, [(Severity::Note, "mirrored-products", "Upright".to_owned())]);
     assert_eq!(doubts("MultiLink", &multi_link(), &on(Side::Both)), []);

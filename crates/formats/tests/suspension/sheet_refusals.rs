@@ -1,4 +1,4 @@
-//! What is refused of sheets and tables, and where it is said to be.
+//! Errors of sheets and tables, with their positions.
 
 use crate::sheets::{Car, at_seat, sheet};
 use percuss_formats::suspension::{ImportOptions, LengthUnit, VehicleAxes, import};
@@ -22,7 +22,7 @@ fn refused(text: &str, code: &str, words: &[&str]) {
     }
 }
 
-/// The example with a line replaced; all of what is replaced must be there.
+/// Example with a line replaced; the old text must occur.
 fn with(from: &str, to: &str) -> String {
     let text = sheet("double-wishbone");
     assert!(text.contains(from), "{from}");
@@ -36,7 +36,7 @@ fn units_and_axes_are_said_or_refused() {
     refused(&with("unit = \"mm\"", "unit = \"furlong\""), "unknown-word", &["furlong", "mm"]);
     refused(&with("unit = \"mm\"", "unit = \"m\""), "wrong-unit", &["760 m", "--unit mm"]);
     refused(&with("axes = \"iso\"", "axes = \"sae\""), "unknown-word", &["sae", "adams"]);
-    // Adams' y points to the right: the left side has y below 0.
+    // The y axis of Adams points to the right: the left side has negative y.
     refused(&with("axes = \"iso\"", "axes = \"adams\""), "wrong-side", &["side", "axes"]);
     refused(&with("side = \"left\"", "side = \"right\""), "wrong-side", &["wheel"]);
     refused(&with("camber = \"0 deg\"", "camber = 0.5"), "wrong-type", &["wheel.camber", "deg"]);
@@ -122,10 +122,10 @@ fn a_table_stands_beside_a_sheet_or_in_its_place() {
         let imported = import(&Source::read(&path, 1 << 20).unwrap(), &ImportOptions::default());
         let imported = imported.unwrap_or_else(|e| panic!("{e}\n{table}"));
         let found = at_seat(&imported.mechanism, ["bump_stop_pad", "bump_stop"], "");
-        // The example has a wheel with a camber of 0, as the car has.
+        // The example has a wheel with a camber of 0, like the car.
         assert!((found / expected - 1.0).abs() < 1e-12, "{found} and {expected}");
     }
-    // A finding in the table has the table's name and line.
+    // A finding in the table has the name and line of the table.
     std::fs::write(folder.join("points.csv"), rows(";", true).replace("5,0;720,0", "5,0;here")).unwrap();
     std::fs::write(folder.join("my.toml"), format!("{head}\n{bodies}")).unwrap();
     let path = folder.join("my.toml").to_string_lossy().into_owned();
@@ -157,7 +157,7 @@ fn tables_with_two_decimal_marks_or_other_defects_are_refused() {
     assert!(!errors("my.csv", &long, &ImportOptions::default()).is_empty());
 }
 
-/// The workbook that is shipped, whole, cut, with bytes changed.
+/// The workbook of the repository: intact, truncated, and with bytes changed.
 #[test]
 fn a_workbook_is_read_and_a_broken_one_refused() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../models/suspensions/double-wishbone-points.xlsx");

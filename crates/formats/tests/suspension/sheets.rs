@@ -1,4 +1,4 @@
-//! Sheets of one's own: every template as it stands, the same car said in every way, closed forms.
+//! Sheets: every template unchanged, one car in all notations, closed forms.
 
 use crate::mechanics::{place, residuals, respond};
 use crate::on;
@@ -22,7 +22,7 @@ fn built(text: &str, options: &ImportOptions) -> Imported {
     import(&Source::from_text("my.toml", text), options).unwrap_or_else(|e| panic!("{e}\n{text}"))
 }
 
-/// m̄ at a seat along the line to the one on the chassis.
+/// m̄ at a seat, along the line to the seat on the chassis.
 pub fn at_seat(mechanism: &Mechanism, [seat, above]: [&str; 2], ending: &str) -> f64 {
     let [seat, above] = [seat, above].map(|name| format!("{name}{ending}"));
     let line = (place(mechanism, &above) - place(mechanism, &seat)).normalize();
@@ -31,7 +31,7 @@ pub fn at_seat(mechanism: &Mechanism, [seat, above]: [&str; 2], ending: &str) ->
 
 const BUMP: [&str; 2] = ["bump_stop_pad", "bump_stop"];
 
-/// A sheet in parts, mm and ISO 8855, left side.
+/// Contents of a sheet, in mm and ISO 8855, left side.
 #[derive(Clone)]
 pub struct Car {
     pub template: &'static str,
@@ -41,7 +41,7 @@ pub struct Car {
     pub bodies: Vec<(String, f64, Option<[f64; 3]>, Vec<f64>)>,
 }
 
-/// How a car is said.
+/// Notation of a car.
 #[derive(Clone, Copy, Debug)]
 struct Spelling {
     unit: LengthUnit,
@@ -56,7 +56,7 @@ fn list(text: &str) -> Vec<f64> {
 }
 
 impl Car {
-    /// That of the template's example.
+    /// Car of the template's example.
     pub fn example(template: &'static str) -> Self {
         let mut car = Self { template, points: Vec::new(), bodies: Vec::new() };
         let text = sheet(template);
@@ -96,7 +96,7 @@ impl Car {
         (*mass, Vector3::from(com.unwrap_or_default()) / 1e3, inertia)
     }
 
-    /// Without the anti-roll bar, and without these bodies.
+    /// Removes the anti-roll bar and the given bodies.
     pub fn without(&mut self, bodies: &[&str]) -> &mut Self {
         self.points.retain(|(key, _)| !key.starts_with("anti_roll_bar") && !key.starts_with("drop_link"));
         let bar = ["anti_roll_bar", "drop_link"];
@@ -109,7 +109,7 @@ impl Car {
             && ["axle", "middle_link", "panhard", "watt"].iter().any(|start| name.starts_with(start))
     }
 
-    /// Its keys and values.
+    /// Keys and values in the given notation.
     fn keys(&self, spelling: Spelling) -> Vec<(String, Vec<f64>)> {
         let turn = if spelling.axes == VehicleAxes::Adams { -1.0 } else { 1.0 };
         let side = |name: &str| if spelling.right && !self.is_central(name) { -1.0 } else { 1.0 };
@@ -173,7 +173,7 @@ impl Car {
                 )
                 .unwrap();
                 for (key, values) in keys {
-                    // A point's section goes without saying.
+                    // The section "points" may be left out.
                     let key = key.strip_prefix("points.").unwrap_or(&key);
                     let values: Vec<String> = values.iter().map(|x| mark(format!("{x:?}"))).collect();
                     writeln!(out, "{key}{s}{}", values.join(&s.to_string())).unwrap();
@@ -193,7 +193,7 @@ impl Car {
         built(&self.text(), &on(side)).mechanism
     }
 
-    /// A car near this one.
+    /// Random variation of the car.
     fn varied(&self, random: &mut StdRng) -> Self {
         let mut car = self.clone();
         for (_, at) in &mut car.points {
@@ -221,7 +221,7 @@ fn every_template_imports_as_it_stands_without_a_word() {
                 let text = template_sheet(name, &TemplateOptions { unit, axes }).unwrap();
                 let imported = built(&text, &ImportOptions::default());
                 assert_eq!(imported.diagnostics, [], "{name}, {}, {}", unit.name(), axes.name());
-                // What it becomes is read without a warning too.
+                // The exported URDF loads without a warning too.
                 let urdf = write_urdf_with(&imported.mechanism, &imported.comments);
                 let loaded = load(&Source::from_text("my.urdf", urdf), &LoadOptions::default()).unwrap();
                 let notes = loaded.diagnostics.iter().all(|d| d.severity == Severity::Note);
@@ -262,12 +262,12 @@ fn one_car_has_one_mass_however_it_is_said() {
             }
             for (i, spelling) in spellings.into_iter().enumerate() {
                 let text = car.spelled(spelling);
-                // The large system of both sides is solved for some.
+                // The large system of both sides is solved only for some notations.
                 let sides = [Side::Left, Side::Right, Side::Both];
                 for side in sides.into_iter().filter(|side| *side != Side::Both || i % 5 == 0) {
                     let imported = built(&text, &on(side));
                     let of_axle = name.starts_with("solid");
-                    // A side alone asked of an axle is built with the other one, which is said.
+                    // An axle is always built with both sides; a request for one side gives a note.
                     let codes: Vec<&str> = imported.diagnostics.iter().map(|d| d.code).collect();
                     let silent = codes.is_empty() || of_axle && codes == ["one-axle"];
                     assert!(silent, "{name}: {:?}", imported.diagnostics);
@@ -279,7 +279,7 @@ fn one_car_has_one_mass_however_it_is_said() {
                     for ending in endings {
                         let mass = at_seat(&imported.mechanism, BUMP, ending);
                         let expected = *expected.get_or_insert(mass);
-                        // Roundings of coordinates, times the condition of some hundred.
+                        // Roundings of coordinates, multiplied by a condition number of some hundred.
                         assert!(
                             (mass / expected - 1.0).abs() < 1e-12,
                             "{name}, {spelling:?}, {side:?}: {mass} and {expected}"
@@ -293,7 +293,7 @@ fn one_car_has_one_mass_however_it_is_said() {
     assert!(said > 600, "{said}");
 }
 
-/// m̄ of what turns about a hinge: inertia about it over the square of the arm.
+/// m̄ of a body on a hinge: inertia about the hinge, divided by the square of the arm.
 #[test]
 fn a_swing_axle_is_a_pendulum() {
     let mut car = Car::example("swing-axle");
@@ -355,15 +355,16 @@ fn an_axle_on_level_links_is_its_mass() {
                 car.body("watt_crank").0
             }
         };
-        // It rises without pitch, yaw and roll: all of it moves with one speed, the rods' ends on the chassis rest.
+        // The axle rises without pitch, yaw and roll: all its parts have the same speed, and the rods' ends on the
+        // chassis are at rest.
         let expected = car.body("axle").0 + 2.0 * (car.body("spindle").0 + 18.5) + crank;
         let found = respond(&car.mechanism(Side::Both), "axle", Vector3::z(), &[]).mass;
-        // Roundings of this test's own dense system of 30 unknowns, kilograms beside metres.
+        // Rounding of the dense system of this test: 30 unknowns, with kilograms and metres in one matrix.
         assert!((found / expected - 1.0).abs() < 1e-9, "{name}: {found} and {expected}");
     }
 }
 
-/// The wheel's side as a double wishbone feels it at the pushrod's end, and the rocker over its arms.
+/// Expected mass: a double wishbone at the pushrod's outer end, plus the rocker's inertia over its lever arms.
 #[test]
 fn a_rocker_is_a_lever() {
     let mut car = Car::example("pushrod-rocker");
@@ -375,7 +376,7 @@ fn a_rocker_is_a_lever() {
     let arm = |p: Vector3<f64>, along: Vector3<f64>| axis.cross(&(p - pivot)).dot(&along);
     let (mass, com, inertia) = car.body("rocker");
     let about = axis.dot(&(inertia * axis)) + mass * axis.cross(&(com - pivot)).norm_squared();
-    // The double wishbone alone, a seat of its spring at the pushrod's end.
+    // Double wishbone alone, with a spring seat at the pushrod's end.
     let mut wishbone = car.clone();
     wishbone.template = "double-wishbone";
     let of_rocker = ["pushrod", "rocker", "spring", "damper", "bump", "rebound"];
@@ -393,7 +394,7 @@ fn a_rocker_is_a_lever() {
     assert!((found / expected - 1.0).abs() < 1e-12, "{found} and {expected}");
 }
 
-/// An anti-roll bar adds its half's inertia over the square of the drop link's lever.
+/// An anti-roll bar adds the inertia of its half, divided by the square of the drop link's lever arm.
 #[test]
 fn a_bar_counts_by_its_inertia() {
     let mut car = Car::example("swing-axle");
@@ -412,7 +413,7 @@ fn a_bar_counts_by_its_inertia() {
     let axis = (inner - at).normalize();
     let about = axis.dot(&(inertia * axis)) + mass * axis.cross(&(com - at)).norm_squared();
     let along = (to - from).normalize();
-    // The tube turns with 1/(y − y_pivot) per unit speed of the wheel's centre.
+    // The tube rotates by 1/(y − y_pivot) per unit speed of the wheel centre.
     let speed = Vector3::x().cross(&(to - pivot)).dot(&along) / (centre.y - pivot.y);
     let rate = speed / axis.cross(&(from - at)).dot(&along);
     let without = respond(&car.without(&[]).mechanism(Side::Left), "wheel_centre", Vector3::z(), &[]).mass;
@@ -443,7 +444,7 @@ fn a_moved_hardpoint_is_moved_in_the_sheets_own_axes() {
     }
 }
 
-/// The folder of the repository.
+/// Root folder of the repository.
 fn root() -> &'static Path {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
 }
@@ -464,7 +465,7 @@ fn an_example_of_each_template_is_shipped() {
     }
 }
 
-/// Watt's crank stays where it is, also beside the middle: a seat on it is mirrored all the same.
+/// Watt's crank is not mirrored, even off the middle plane; seats on the crank are mirrored.
 #[test]
 fn seats_of_both_sides_may_be_on_a_link_that_both_share() {
     let text = sheet("solid-axle-watt");

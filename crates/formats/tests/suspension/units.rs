@@ -1,4 +1,4 @@
-//! Units and axes of Chrono's files, and points that look astray.
+//! Units and axes of Chrono's files, and implausible points.
 
 use crate::mechanics::{place, respond};
 use crate::models::{all, changed, file, hmmwv};
@@ -7,7 +7,7 @@ use percuss_formats::suspension::{ImportOptions, LengthUnit, Side, VehicleAxes};
 use percuss_formats::{LoadOptions, Source, load, write_urdf_with};
 use percuss_mechanism::Severity;
 
-/// Every coordinate of a file multiplied, and x and y turned about.
+/// Multiplies every coordinate of a file by a factor, and reverses x and y if `turned`.
 fn restated(template: &str, keys: &[(&str, &str)], factor: f64, turned: bool) -> String {
     let text = file(template, keys);
     let mut out = String::new();
@@ -41,7 +41,7 @@ fn a_file_in_other_units_or_axes_is_refused_or_read() {
             let line = place(&mechanism, "shock_chassis_seat") - place(&mechanism, "shock_seat");
             respond(&mechanism, "shock_seat", line.normalize(), &[]).mass
         };
-        // Products of inertia would turn about with the axes; these files state theirs in arms' own.
+        // Products of inertia would change with the axes; these files give their inertias in the axes of the arms.
         let keys: Vec<_> = keys.into_iter().filter(|(key, _)| *key != "Vehicle-Frame Inertia").collect();
         let keys = if template == "DoubleWishbone" {
             changed(&keys, &[("Upright/Products of Inertia", "[0, 0, 0]")])
@@ -61,7 +61,7 @@ fn a_file_in_other_units_or_axes_is_refused_or_read() {
                 assert!((found / expected - 1.0).abs() < 1e-12, "{template}: {found} and {expected}");
             }
         }
-        // And one in metres is not read in millimetres.
+        // A file in metres is refused in millimetres.
         let options = ImportOptions { unit: Some(LengthUnit::Millimetre), ..ImportOptions::default() };
         let error = import_text(&file(template, &keys), &options).expect_err("a vehicle of a millimetre");
         assert!(error.diagnostics.iter().any(|d| d.code == "wrong-unit"), "{template}: {error}");
@@ -77,7 +77,7 @@ fn a_mirrored_or_astray_ball_joint_is_doubted_with_the_lengths() {
         doubts.map(|d| (d.code, d.message)).collect::<Vec<_>>()
     };
     assert_eq!(codes(&hmmwv()), []);
-    // The lower ball joint of the HMMWV, on the other side.
+    // Lower ball joint of the HMMWV, moved to the other side.
     let (key, value) = hmmwv().into_iter().find(|(k, _)| *k == "Lower Control Arm/Location Upright").unwrap();
     let mirrored: Vec<String> = value.split(',').map(str::to_owned).collect();
     let mirrored = format!("{}, -{}, {}", mirrored[0], mirrored[1].trim(), mirrored[2]);
@@ -104,7 +104,7 @@ fn what_was_imported_is_read_without_a_warning() {
             let loaded = load(&Source::from_text("my.urdf", urdf.clone()), &LoadOptions::default()).unwrap();
             let loud: Vec<_> = loaded.diagnostics.iter().filter(|d| d.severity != Severity::Note).collect();
             assert!(loud.is_empty(), "{template}: {loud:?}");
-            // Without the words above the robot, a spindle with an axle in it is doubted as any.
+            // Without the marks before the robot, a spindle that includes the axle gives the usual warning.
             let bare: Vec<&str> = urdf.lines().filter(|line| !line.starts_with("<?percuss-known")).collect();
             let loaded =
                 load(&Source::from_text("my.urdf", bare.join("\n")), &LoadOptions::default()).unwrap();
@@ -113,7 +113,7 @@ fn what_was_imported_is_read_without_a_warning() {
     }
 }
 
-/// One hardpoint file said as a sheet is the same car.
+/// A hardpoint file and an equivalent sheet describe the same car.
 #[test]
 fn a_sheet_is_the_same_car_as_a_file_of_chrono() {
     let keys = changed(&hmmwv(), &[("Vehicle-Frame Inertia", "true")]);

@@ -1,8 +1,9 @@
-//! Templates of a whole axle: which hardpoints, which bodies, which joints. The figures are ours, those of no car.
+//! Templates of a whole axle: hardpoints, bodies, joints. The example values are invented and describe no actual
+//! vehicle.
 
 use super::parts::{Body, Part, Shape, Template};
 
-/// Every template whose sides are one axle.
+/// Templates with both sides on one axle.
 pub(crate) const AXLES: &[Template] = &[
     Template {
         name: "solid-axle-four-links",

@@ -1,4 +1,4 @@
-//! A sheet to links, joints and loops, by the parts of its template.
+//! Builds links, joints and loops of a sheet from the parts of its template.
 
 use super::super::corner::{Body, CHASSIS, Corner, RACK};
 use super::super::findings::{Findings, Spot};
@@ -11,16 +11,16 @@ use super::read::{Sheet, Stated};
 use percuss_mechanism::JointKind;
 use percuss_spatial::{Matrix3, Vector3};
 
-/// The left side, and what belongs to both sides.
+/// Left side, and the parts common to both sides.
 pub(in super::super) struct Built {
     pub left: Corner,
     pub middle: Option<Corner>,
 }
 
-/// The name of the link that both sides of an axle share.
+/// Name of the link common to both sides of an axle.
 const AXLE: &str = "axle";
 
-/// Builds a sheet's corner; what its points do not make is said.
+/// Builds the corner of a sheet; reports points that determine no axis or line.
 pub(in super::super) fn build(sheet: &Sheet, findings: &mut Findings) -> Option<Built> {
     let spindle = spindle(sheet, findings);
     let mut left = Corner::new();
@@ -35,7 +35,7 @@ pub(in super::super) fn build(sheet: &Sheet, findings: &mut Findings) -> Option<
     for part in sheet.template.parts.iter().chain(bar) {
         let corner = match &mut middle {
             Some(middle) if is_central(sheet, part) => {
-                // A spring, a stop or a drop link of either side may be on it.
+                // Springs, stops and drop links of both sides may be attached to this link.
                 if let Part::Swivel { link, at, .. } = part {
                     left.share(link, sheet.at(at).unwrap_or_default());
                 }
@@ -109,13 +109,13 @@ impl Building<'_> {
         self.sheet.at(key).unwrap_or_default()
     }
 
-    /// The link that is meant: `….on` is the sheet's choice.
+    /// Resolves a link name: for `SECTION.on`, the link chosen in the sheet.
     fn link<'n>(&'n self, name: &'n str) -> &'n str {
         let chosen = name.strip_suffix(".on").and_then(|section| self.sheet.on.get(section));
         chosen.map_or(name, |(link, _)| link)
     }
 
-    /// The body of a link; none is massless.
+    /// Body of a link; `None` for a massless link.
     fn body(&self, link: &str) -> Option<Body> {
         match self.sheet.bodies.get(link) {
             Some(Stated::Body(body)) => Some(body.clone()),
@@ -193,7 +193,7 @@ impl Building<'_> {
         self.corner.joint((&name, JointKind::Revolute), [parent, link], axis, &spot, comment);
     }
 
-    /// A hinged link with what is next on it: the first point of a ball, a rod or the wheel.
+    /// Draws a hinged arm from its hinge to its next joint: the first ball joint, rod or wheel on the link.
     fn draw_hinge(&mut self, link: &str, hinge: [Vector3<f64>; 2]) {
         let on_it = |part: &&Part| match part {
             Part::Ball { parent, .. } => *parent == link,
@@ -240,7 +240,7 @@ impl Building<'_> {
             }
             Some(Stated::Body(body)) => body.clone(),
             Some(Stated::Rod(mass, spot)) => {
-                // A slender rod: m l²/12 across its line.
+                // Slender rod: transverse moment m l²/12.
                 let across = Matrix3::identity() - direction * direction.transpose();
                 let about_com = across * (mass * along.norm_squared() / 12.0);
                 Body { mass: *mass, com: (points[0] + points[1]) / 2.0, about_com, spot: spot.clone() }

@@ -1,16 +1,17 @@
-//! The templates of sheets as data: what stands in this table is what is read, built, written and documented.
+//! Templates of sheets as data. This table defines the contents of sheets for reading, building, writing and
+//! documentation.
 
 use super::axles::AXLES;
 use super::independent::INDEPENDENT;
 use super::parts::{Part, Template};
 use super::trailing::TRAILING;
 
-/// Every template.
+/// All templates.
 pub(crate) fn templates() -> impl Iterator<Item = &'static Template> {
     INDEPENDENT.iter().chain(TRAILING).chain(AXLES)
 }
 
-/// What each key of a hardpoint means: one meaning in every template.
+/// Meaning of each hardpoint key, the same in every template.
 pub(crate) const POINTS: &[(&str, &str)] = &[
     ("wheel_centre", "the wheel's centre"),
     ("lower_front", "lower arm, front bush on the chassis"),
@@ -63,7 +64,7 @@ pub(crate) const POINTS: &[(&str, &str)] = &[
     ("drop_link_end", "drop link, end on the suspension"),
 ];
 
-/// Points between two bodies that a sheet may leave out, all of a row together: section, points.
+/// Optional pairs of points between two bodies: section, points. A pair is given or left out as a whole.
 pub(crate) const SEATS: [(&str, [&str; 2]); 4] = [
     ("spring", ["spring_seat", "spring_chassis_seat"]),
     ("damper", ["damper_seat", "damper_chassis_seat"]),
@@ -71,11 +72,11 @@ pub(crate) const SEATS: [(&str, [&str; 2]); 4] = [
     ("rebound_stop", ["rebound_stop_pad", "rebound_stop"]),
 ];
 
-/// The anti-roll bar's points, left out together as well.
+/// Points of the anti-roll bar, optional as a whole.
 pub(crate) const BAR: [&str; 4] =
     ["anti_roll_bar_outer", "anti_roll_bar_inner", "drop_link_bar", "drop_link_end"];
 
-/// What is built of them.
+/// Parts of the anti-roll bar.
 pub(crate) const BAR_PARTS: [Part; 2] = [
     Part::Hinge {
         link: "anti_roll_bar",
@@ -88,7 +89,7 @@ pub(crate) const BAR_PARTS: [Part; 2] = [
     },
 ];
 
-/// What each body is.
+/// Description of each body.
 pub(crate) const BODIES: &[(&str, &str)] = &[
     ("lower_arm", "the lower arm"),
     ("upper_arm", "the upper arm"),
@@ -119,18 +120,18 @@ pub(crate) const BODIES: &[(&str, &str)] = &[
     ("drop_link", "the drop link"),
 ];
 
-/// What is said of a key.
+/// Description of a key.
 pub(crate) fn text_of(table: &[(&'static str, &'static str)], key: &str) -> &'static str {
     table.iter().find(|(known, _)| *known == key).map_or("", |(_, text)| text)
 }
 
 impl Template {
-    /// Whether a hardpoint belongs to the axle as a whole, not to one side of it.
+    /// True if a hardpoint belongs to the axle as a whole, not to one side.
     pub fn is_central(&self, point: &str) -> bool {
         self.axle && ["middle_link", "panhard", "watt"].iter().any(|start| point.starts_with(start))
     }
 
-    /// The points that may be left out together with this one; none where it may not be.
+    /// Points that are optional together with this point; `None` for a mandatory point.
     pub fn group_of(point: &str) -> Option<&'static [&'static str]> {
         let seats = SEATS.iter().find(|(_, pair)| pair.contains(&point));
         seats.map(|(_, pair)| &pair[..]).or_else(|| BAR.contains(&point).then_some(&BAR[..]))

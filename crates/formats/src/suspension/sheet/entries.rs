@@ -1,4 +1,4 @@
-//! What a sheet or a table says, key by key, wherever it stands: numbers with their units, texts, places.
+//! Keys and values of a sheet or table, independent of the file format: numbers with units, texts, points.
 
 use super::super::findings::{Findings, Spot};
 use super::super::units::{Frame, LengthUnit};
@@ -7,7 +7,7 @@ use crate::report::{quoted, shortened};
 use percuss_mechanism::near_names;
 use percuss_spatial::Vector3;
 
-/// One value.
+/// Single value.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Cell {
     Number(f64),
@@ -25,7 +25,7 @@ impl Cell {
     }
 }
 
-/// A key with its values.
+/// Key with its values.
 #[derive(Clone, Debug)]
 pub(super) struct Entry {
     /// `section.key`, or a key of the head.
@@ -35,30 +35,30 @@ pub(super) struct Entry {
     used: bool,
 }
 
-/// All of a sheet.
+/// All entries of a sheet.
 #[derive(Default)]
 pub(super) struct Entries {
     list: Vec<Entry>,
 }
 
-/// What a number measures.
+/// Quantity of a number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Kind {
-    /// In the sheet's unit of length, unless its own is given.
+    /// Length, in this unit unless the value has its own.
     Length(LengthUnit),
-    /// kg, unless g is given.
+    /// Mass in kg, unless the value has its own unit.
     Mass,
-    /// kg·m² times this factor, unless a unit is given.
+    /// Inertia, divided by this factor to obtain kg·m², unless the value has its own unit.
     Inertia(f64),
-    /// deg or rad, which must be given.
+    /// Angle; the unit deg or rad is mandatory.
     Angle,
 }
 
-/// kg·m², and what the other units of an inertia are in it: what divides.
+/// Units of inertia, with the divisor to obtain kg·m².
 pub(super) const INERTIA_UNITS: [(&str, f64); 5] =
     [("kg m2", 1.0), ("kg cm2", 1e4), ("kg mm2", 1e6), ("g mm2", 1e9), ("t mm2", 1e3)];
 
-/// The factor that divides a number in this unit of inertia.
+/// Divisor for a unit of inertia.
 pub(super) fn inertia_unit(name: &str) -> Option<f64> {
     let plain: String = name.replace(['·', '*'], " ").replace('²', "2").replace('^', "");
     let plain = plain.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -75,7 +75,7 @@ impl Kind {
         }
     }
 
-    /// The value in SI units; none where it is none of this kind.
+    /// Value in SI units; `None` if the cell is not of this quantity.
     fn value(self, cell: &Cell) -> Option<f64> {
         let (number, unit) = match cell {
             Cell::Number(number) => (*number, ""),
@@ -98,7 +98,7 @@ impl Kind {
     }
 }
 
-/// `-1,5 deg` to −1.5 and `deg`; a single comma without a point is a decimal comma.
+/// Splits `-1,5 deg` into −1.5 and `deg`; a single comma without a point is a decimal comma.
 fn split_unit(text: &str) -> Option<(f64, &str)> {
     let text = text.trim();
     let is_part = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | ',' | 'e' | 'E');
@@ -106,7 +106,7 @@ fn split_unit(text: &str) -> Option<(f64, &str)> {
     Some((number(&text[..end])?, text[end..].trim()))
 }
 
-/// A number with a decimal point or a decimal comma.
+/// Parses a number with a decimal point or a decimal comma.
 pub(super) fn number(text: &str) -> Option<f64> {
     let text = text.trim();
     if text.is_empty() || !text.ends_with(|c: char| c.is_ascii_digit() || c == '.') {
@@ -121,7 +121,7 @@ pub(super) fn number(text: &str) -> Option<f64> {
 }
 
 impl Entries {
-    /// Adds a key; one that was there before, or one too many, is an error.
+    /// Adds a key; a repeated key, or one beyond the limit, is an error.
     pub fn add(&mut self, findings: &mut Findings, key: String, cells: Vec<Cell>, spot: Spot) {
         if self.list.len() == MOST_SHEET_KEYS {
             findings.error("too-complex", &Spot::default(), format!("more than {MOST_SHEET_KEYS} keys"));
@@ -135,29 +135,29 @@ impl Entries {
         self.list.push(Entry { key, cells, spot, used: false });
     }
 
-    /// Whether it has this key.
+    /// True if the key exists.
     pub fn has(&self, key: &str) -> bool {
         self.list.iter().any(|e| e.key == key)
     }
 
-    /// Whether it has a key of this section.
+    /// True if a key of this section exists.
     pub fn has_section(&self, section: &str) -> bool {
         self.list.iter().any(|e| e.key.split_once('.').is_some_and(|(head, _)| head == section))
     }
 
-    /// The values of a key.
+    /// Values of a key; marks the key as read.
     pub fn find(&mut self, key: &str) -> Option<(Vec<Cell>, Spot)> {
         let entry = self.list.iter_mut().find(|e| e.key == key)?;
         entry.used = true;
         Some((entry.cells.clone(), entry.spot.clone()))
     }
 
-    /// The keys that were not read.
+    /// Keys that were not read.
     pub fn unread(&self) -> impl Iterator<Item = &Entry> {
         self.list.iter().filter(|e| !e.used)
     }
 
-    /// Says that a key is missing, and which one nearly fits.
+    /// Reports a missing key, with similar keys of the sheet.
     pub fn missing(&self, findings: &mut Findings, key: &str, expected: &str) {
         let mut message = format!("the key is missing; {expected} is expected");
         let near = near_names(key, self.unread().map(|e| e.key.as_str()));
@@ -169,7 +169,7 @@ impl Entries {
         findings.error("missing-key", &spot, message);
     }
 
-    /// A text.
+    /// Reads a text.
     pub fn text(&mut self, findings: &mut Findings, key: &str, expected: &str) -> Option<(String, Spot)> {
         let (cells, spot) = self.find(key)?;
         match &cells[..] {
@@ -181,7 +181,7 @@ impl Entries {
         }
     }
 
-    /// A switch.
+    /// Reads a flag.
     pub fn switch(&mut self, findings: &mut Findings, key: &str) -> Option<bool> {
         let (cells, spot) = self.find(key)?;
         let found = match &cells[..] {
@@ -196,7 +196,7 @@ impl Entries {
         found
     }
 
-    /// So many numbers; for a list of several lengths, `counts` has them all.
+    /// Reads numbers; `counts` lists the permitted lengths.
     pub fn numbers(
         &mut self,
         findings: &mut Findings,
@@ -225,7 +225,7 @@ impl Entries {
         Some((values, spot))
     }
 
-    /// A point in metres, in the axes of ISO 8855.
+    /// Reads a point, m, in the axes of ISO 8855.
     pub fn point(
         &mut self,
         findings: &mut Findings,

@@ -1,8 +1,8 @@
-//! Templates of one side: which hardpoints, which bodies, which joints. The figures are ours, those of no car.
+//! Templates of one side: hardpoints, bodies, joints. The example values are invented and describe no actual vehicle.
 
 use super::parts::{Body, Part, Shape, Template};
 
-/// Every template whose sides are apart.
+/// Templates with independent sides.
 pub(crate) const INDEPENDENT: &[Template] = &[
     Template {
         name: "double-wishbone",

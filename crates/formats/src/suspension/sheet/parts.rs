@@ -1,25 +1,25 @@
-//! What a template of a sheet is made of.
+//! Elements of a sheet template.
 
-/// A template.
+/// Template of a sheet.
 pub(crate) struct Template {
     pub name: &'static str,
-    /// What it is, on one line.
+    /// Description in one line.
     pub title: &'static str,
-    /// What its user should know.
+    /// Advice for the user.
     pub about: &'static [&'static str],
-    /// Whether both sides are on one axle, and always built together.
+    /// True if both sides are on one axle and always built together.
     pub axle: bool,
-    /// Hardpoints with example figures in mm, in the axes of ISO 8855, left side.
+    /// Hardpoints with example values in mm, in the axes of ISO 8855, left side.
     pub points: &'static [(&'static str, [f64; 3])],
-    /// Bodies with example figures.
+    /// Bodies with example values.
     pub bodies: &'static [Body],
-    /// What is built, parents first.
+    /// Construction steps, parents first.
     pub parts: &'static [Part],
-    /// Where springs and the like are attached unless the sheet has another link: key of the section and link.
+    /// Default links for the attachment of springs and similar parts: section and link.
     pub on: &'static [(&'static str, &'static str)],
 }
 
-/// A body and example figures: kg; centre of mass, mm; xx, yy, zz, xy, xz, yz about it in kg·m².
+/// Body with example values: mass, kg; centre of mass, mm; xx, yy, zz, xy, xz, yz about the centre of mass, kg·m².
 pub(crate) struct Body {
     pub key: &'static str,
     pub shape: Shape,
@@ -28,39 +28,39 @@ pub(crate) struct Body {
     pub inertia: [f64; 6],
 }
 
-/// What a sheet must say of a body.
+/// Data of a body that a sheet must contain.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Shape {
     /// Mass, centre of mass, inertia.
     Any,
-    /// Nothing (a massless rod), its mass (a slender rod), or all.
+    /// No data (a massless rod), the mass (a slender rod), or all data.
     Rod,
-    /// What turns with the wheel: its centre of mass is the wheel's centre unless it is given.
+    /// Rotating body: the centre of mass defaults to the wheel centre.
     Spindle,
-    /// May be left out.
+    /// Optional.
     Optional,
 }
 
-/// One step of building a mechanism. A link named `….on` is the one that the sheet attaches it to.
+/// Step in building a mechanism. The link name `SECTION.on` stands for the link chosen in the sheet.
 pub(crate) enum Part {
-    /// A link on a hinge through two points; its frame stands at the first.
+    /// Link on a hinge through two points; the link frame is at the first.
     Hinge { link: &'static str, parent: &'static str, points: [&'static str; 2] },
-    /// A link on a hinge along the vehicle's x.
+    /// Link on a hinge parallel to the vehicle's x axis.
     Swivel { link: &'static str, parent: &'static str, at: &'static str },
-    /// A link on a ball joint.
+    /// Link on a ball joint.
     Ball { link: &'static str, joint: &'static str, parent: &'static str, at: &'static str },
-    /// A link that only what is attached to it holds.
+    /// Link constrained only by its closures.
     Free { link: &'static str, at: &'static str },
-    /// The axle's body, free, its frame half way between the wheels.
+    /// Free body of the axle, with its frame half way between the wheels.
     Axle,
-    /// A link that is part of another.
+    /// Link fixed to another.
     Fixed { link: &'static str, on: &'static str, at: &'static str },
     /// Spindle and wheel.
     Wheel { on: &'static str },
-    /// A link between two points: a massless rod or a body.
+    /// Link between two points: a massless rod or a body.
     Rod { link: &'static str, ends: [(&'static str, &'static str); 2] },
-    /// A strut on a universal joint at its top, sliding along its own line.
+    /// Strut on a universal joint at the top; slides along its axis.
     Strut { link: &'static str, on: &'static str, line: [&'static str; 2] },
-    /// A ball joint that closes a loop.
+    /// Ball joint that closes a loop.
     Close { joint: &'static str, links: [&'static str; 2], at: &'static str },
 }

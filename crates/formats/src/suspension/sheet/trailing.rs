@@ -1,8 +1,8 @@
-//! Templates of one side, continued. The figures are ours, those of no car.
+//! Templates of one side, continued. The example values are invented and describe no actual vehicle.
 
 use super::parts::{Body, Part, Shape, Template};
 
-/// Every template of one side from the semi-trailing arm on.
+/// Templates of one side, starting with the semi-trailing arm.
 pub(crate) const TRAILING: &[Template] = &[
     Template {
         name: "semi-trailing-arm",

@@ -1,4 +1,4 @@
-//! Sheets to fill in, and the tables of the documentation.
+//! Writer of sheets to fill in, and of the tables in the documentation.
 
 use super::super::units::{LengthUnit, VehicleAxes};
 use super::catalogue::{BAR_PARTS, BODIES, POINTS, templates, text_of};
@@ -7,12 +7,12 @@ use super::table::HEAD;
 use percuss_spatial::{Matrix3, Vector3};
 use std::fmt::Write;
 
-/// How a sheet to fill in states lengths and directions.
+/// Unit and axes of a sheet to fill in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TemplateOptions {
-    /// The unit of every length.
+    /// Unit of all lengths.
     pub unit: LengthUnit,
-    /// The vehicle's axes.
+    /// Axes of the vehicle.
     pub axes: VehicleAxes,
 }
 
@@ -22,14 +22,15 @@ impl Default for TemplateOptions {
     }
 }
 
-/// Every template: its name, and what it is.
+/// Name and title of every template.
 pub fn template_names() -> Vec<(&'static str, &'static str)> {
     templates().map(|t| (t.name, t.title)).collect()
 }
 
-/// A commented sheet of a template, to fill in; none where there is no such template.
+/// Writes a commented sheet of a template, to fill in; `None` for an unknown template.
 ///
-/// Its figures are an example, the same in every unit and in all axes (inches to 2.5 µm), that imports as it stands.
+/// The values are an example that can be imported unchanged. They describe the same suspension in all units and axes
+/// (inches to 2.5 µm).
 pub fn template_sheet(name: &str, options: &TemplateOptions) -> Option<String> {
     let template = templates().find(|t| t.name == name)?;
     let mut sheet = Sheet { out: String::new(), options };
@@ -52,7 +53,7 @@ impl Sheet<'_> {
         self.out.push('\n');
     }
 
-    /// A key with its value and its comment, in columns.
+    /// Writes a key with its value and its comment, in columns.
     fn key(&mut self, key: &str, value: &str, comment: &str) {
         let pair = format!("{key} = {value}");
         self.line(&if comment.is_empty() { pair } else { format!("{pair:<46} # {comment}") });
@@ -73,7 +74,7 @@ impl Sheet<'_> {
             template.points.iter().find(|(name, _)| *name == key).map(|(_, at)| Vector3::from(*at))
         };
         if let Some((pad, stop)) = at("bump_stop_pad").zip(at("bump_stop")) {
-            // Figures of a micron, free of the rounding of their difference.
+            // Rounds to a micron, to remove the rounding error of the difference.
             let [x, y, z] = [0, 1, 2].map(|i| ((stop - pad)[i] * 1e3).round() / 1e3 + 0.0);
             self.line(&format!("#       --normal {x},{y},{z} --normal-frame against --against chassis"));
             self.line("# with the normal of the stop: from the pad to the stop, x forward, y left, z up.");
@@ -164,7 +165,8 @@ impl Sheet<'_> {
         }
     }
 
-    /// At which end a rod is held about its own line, which matters where it has an inertia about that.
+    /// States the end at which a rod has its universal joint, which matters if the rod has an inertia about its own
+    /// axis.
     fn held(&mut self, template: &Template, rod: &str) {
         let first = template.parts.iter().chain(&BAR_PARTS).find_map(|part| match part {
             Part::Rod { link, ends: [(_, first), _] } if *link == rod => Some(*first),
@@ -207,12 +209,12 @@ impl Sheet<'_> {
     }
 }
 
-/// A number as TOML has it.
+/// Formats a number for TOML.
 fn number(x: f64) -> String {
     format!("{x:?}")
 }
 
-/// Every key of every template as one Markdown table, for the documentation.
+/// Markdown table of all keys of all templates, for the documentation.
 pub fn template_keys() -> String {
     let mut out = String::from("| key | what | in |\n|---|---|---|\n");
     let mut row = |key: &str, what: &str, within: &str| {
