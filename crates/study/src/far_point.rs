@@ -1,4 +1,5 @@
-//! Is the contact point where the link is? A wrong frame, or millimetres for metres, is the commonest mistake.
+//! Plausibility of the contact point. A wrong frame, or millimetres instead of metres, is the most common
+//! mistake.
 
 use crate::field::{Field, Names};
 use crate::finding::{Finding, Subject};
@@ -6,8 +7,8 @@ use crate::thresholds::{FAR_POINT, MILLIMETRES};
 use nalgebra::Vector3;
 use percuss_mechanism::{Geometry, LinkId, Mechanism};
 
-/// A warning where the point lies beyond three times the reach of the link: of its declared shape, or, where that is
-/// unknown, of the largest link.
+/// Warning if the point lies farther from the link's origin than three times the extent of the link: the extent
+/// of the declared shape, or the characteristic length of the mechanism if the shape is unknown and smaller.
 pub(crate) fn doubt(
     mechanism: &Mechanism,
     link: LinkId,
