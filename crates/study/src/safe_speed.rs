@@ -86,8 +86,8 @@ impl StatedLimits {
 /// Body region hit by the robot, and the limit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SafeSpeedQuestion {
-    /// Name of the body region; `None` for a rigid immovable obstacle, for which only energy and momentum can
-    /// be limited.
+    /// Name of the body region; `None` for a body that cannot move (a person held against a wall), with an
+    /// energy or momentum limit only.
     pub region: Option<String>,
     /// Limit of the impact.
     pub limit: Limit,
@@ -116,7 +116,7 @@ pub struct SafeSpeedReport {
     pub percuss: &'static str,
     /// Input files.
     pub inputs: Vec<Input>,
-    /// Body region; null for an immovable obstacle.
+    /// Body region; null for a body that cannot move.
     pub region: Option<String>,
     /// Effective mass of the region, kg.
     pub region_mass: Option<f64>,

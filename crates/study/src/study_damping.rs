@@ -1,4 +1,4 @@
-//! The damper of a study file.
+//! Damper table of a study file.
 
 use crate::damping_question::DampingQuestion;
 use crate::joint_stop::JointStop;
@@ -66,13 +66,13 @@ fn kelvin_voigt() -> String {
     Law::KelvinVoigt.name().to_owned()
 }
 
-/// Names of laws, aliases among them.
+/// Names of the laws, including aliases.
 fn laws() -> Vec<&'static str> {
     Law::ALL.iter().map(|law| law.name()).chain(Law::ALIASES.iter().map(|alias| alias.name)).collect()
 }
 
 impl DampingText {
-    /// As a question.
+    /// Converts the table to a question.
     pub fn question(&self) -> Result<DampingQuestion, Refusal> {
         let mut question = DampingQuestion::new(self.restitution, self.stiffness.value);
         let end = |word: &String| {
@@ -105,7 +105,7 @@ impl DampingText {
         Ok(question)
     }
 
-    /// The joint whose stop it is of.
+    /// Joint stop of the `limit` key.
     pub fn stop(&self) -> Result<Option<JointStop>, Refusal> {
         let Some(text) = &self.limit else { return Ok(None) };
         JointStop::parse(text).map(Some).map_err(|why| Refusal::new("damping.limit", why))

@@ -1,4 +1,4 @@
-//! The map of a study file.
+//! Map table of a study file.
 
 use crate::map_question::{MapLinks, MapQuestion, MapShapes};
 use crate::question::MassQuestion;
@@ -11,23 +11,23 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// The map that a study asks for.
+/// Map requested by a study.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StudyMap {
-    /// Of surfaces, or of directions.
+    /// Surfaces or directions.
     pub question: StudyMapQuestion,
-    /// Where it goes.
+    /// Output files.
     pub outputs: Vec<String>,
-    /// How its tables are written.
+    /// Style of the tables.
     pub table: StudyTable,
 }
 
-/// What a map is of.
+/// Kind of a map.
 #[derive(Clone, Debug, PartialEq)]
 pub enum StudyMapQuestion {
     /// The surfaces of links.
     Surfaces(MapQuestion),
-    /// So many directions at the point of a question.
+    /// This number of directions at the point of a question.
     Directions(MassQuestion, usize),
 }
 
@@ -73,7 +73,7 @@ pub(crate) struct MapText {
 }
 
 impl MapText {
-    /// The map of a study whose contact may lack parts.
+    /// Converts the table to a map. The contact of the study may be incomplete.
     pub fn map(&self, contact: &MassQuestion, folder: &Path) -> Result<StudyMap, Refusal> {
         let refuse = |key, why: &str| Err(Refusal::new(key, why));
         let of_contact = Some(contact.link.clone()).filter(|link| !link.is_empty());

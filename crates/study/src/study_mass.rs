@@ -1,4 +1,4 @@
-//! What a study asks of its contact beside the effective mass.
+//! Options of a study for its contact, in addition to the effective mass.
 
 use crate::refusal::Refusal;
 use crate::study_value::{self, NumberOrText};
@@ -6,18 +6,18 @@ use crate::tolerance::{Sampling, Tolerance};
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer};
 
-/// What a study asks of its contact beside the effective mass.
+/// Options of a study for its contact, in addition to the effective mass.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StudyMass {
-    /// The effective mass to compare with, kg.
+    /// Expected effective mass, kg.
     pub expect: Option<f64>,
-    /// How far from that it may be, relative; none: as the command has it.
+    /// Relative tolerance of the expected mass; `None` for the default of the command.
     pub expect_tolerance: Option<f64>,
-    /// What m̄ depends on.
+    /// True if sensitivities of m̄ are requested.
     pub explain: bool,
-    /// How far off the model's parts may be.
+    /// Tolerances of the model's parts.
     pub tolerance: Option<Tolerance>,
-    /// Samples within the tolerance.
+    /// Random samples within the tolerances.
     pub sampling: Option<Sampling>,
 }
 
@@ -58,7 +58,7 @@ fn tolerances<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<NumberOrText>, D
 }
 
 impl MassText {
-    /// As it is asked.
+    /// Converts the table to options.
     pub fn asked(&self) -> Result<StudyMass, Refusal> {
         let refuse = |key, why: &str| Err(Refusal::new(key, why));
         let mut asked = StudyMass { expect: self.expect, explain: self.explain, ..StudyMass::default() };

@@ -1,4 +1,4 @@
-//! The safe speed of a study file.
+//! Safe-speed table of a study file.
 
 use crate::error::StudyError;
 use crate::model::Model;
@@ -13,23 +13,23 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use std::path::Path;
 
-/// The safe speed that a study asks for.
+/// Safe speed requested by a study.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StudySafeSpeed {
-    /// The contact; without a normal where directions take its place.
+    /// Contact; the normal is absent if directions are given.
     pub contact: MassQuestion,
-    /// Who is struck, and what may happen.
+    /// Body region, limit and load.
     pub asked: SafeSpeedQuestion,
-    /// Directions in the place of the normal, world axes.
+    /// Directions that replace the normal, world axes.
     pub directions: Vec<[f64; 3]>,
-    /// Whether the direction of the greatest mass is one.
+    /// True to add the direction of the largest mass.
     pub worst_direction: bool,
-    /// Rows of positions, the slowest of which counts.
+    /// Rows of positions; the slowest row determines the speed.
     pub rows: Option<RowSource>,
 }
 
 impl StudySafeSpeed {
-    /// The answer: one for each direction, where there are some.
+    /// Reports: one per direction, or one for the contact.
     ///
     /// # Errors
     /// [`StudyError`], as for [`safe_speed`].
@@ -90,12 +90,12 @@ pub(crate) struct SafeSpeedText {
 }
 
 impl SafeSpeedText {
-    /// Whether directions take the place of the contact's normal.
+    /// True if directions replace the contact's normal.
     pub fn has_directions(&self) -> bool {
         self.worst_direction || !self.direction.is_empty()
     }
 
-    /// The safe speed at a contact.
+    /// Converts the table to a safe speed at a contact.
     pub fn safe_speed(
         &self,
         contact: &MassQuestion,

@@ -1,4 +1,4 @@
-//! The text of a study file: its keys, and what they mean. Their descriptions here are those of the schema.
+//! Text of a study file: all keys. The doc comments are the descriptions in the JSON schema.
 
 use crate::closure_text::ClosureText;
 use crate::field::Names;
@@ -216,7 +216,7 @@ pub(crate) struct HoldText {
 }
 
 impl ContactText {
-    /// The first part that a contact needs and that is missing.
+    /// First missing part of the contact.
     pub fn missing(&self) -> Option<&'static str> {
         let normal = self.normal.is_some() || self.along_line.is_some();
         let parts = [
@@ -227,7 +227,7 @@ impl ContactText {
         parts.into_iter().find(|(_, is_there)| !is_there).map(|(part, _)| part)
     }
 
-    /// Whether anything is said of it.
+    /// True if the contact has no own data: no link, point, normal or frame.
     pub fn is_empty(&self) -> bool {
         let Self { link, point, normal, along_line, turning_normal, frame, normal_frame, .. } = self;
         link.is_none()
@@ -251,7 +251,8 @@ fn frame_of(key: &'static str, name: Option<&str>, default: Frame) -> Result<Fra
 }
 
 impl StudyText {
-    /// The question, whose contact may lack parts. Paths are relative to the study's folder.
+    /// Converts the study to a question; the contact may be incomplete. Paths are relative to the study's
+    /// folder.
     pub fn question(&self, folder: &Path, max_size: u64) -> Result<MassQuestion, Refusal> {
         let contact = &self.contact;
         let travel = |text: &String| {
