@@ -92,7 +92,7 @@ fn about_loops(system: &System, pose: &Pose, names: Names, found: &mut Vec<Findi
     }
 }
 
-/// Finding for a loop that is open as drawn: the gap, and the joint displacement that closed the loop.
+/// Finding for a loop that is open as drawn: the gap, and the joint that moved most to close the loop.
 fn about_gap(mechanism: &Mechanism, gap: &DrawnGap) -> Finding {
     let closed = gap.moved.map_or_else(String::new, |(joint, by)| {
         let joint = mechanism.joint(joint);

@@ -214,8 +214,8 @@ pub struct MassReport {
     pub branch_limits: Vec<Option<f64>>,
     /// Classical estimate, if requested.
     pub estimate: Option<EstimateRecord>,
-    /// Motion ratios relative to the contact: of the wheel, if the mechanism has named wheel points and one
-    /// degree of travel, and of requested points.
+    /// Motion ratios relative to the contact: of the wheel, if the mechanism has named wheel points and the
+    /// ratio holds for every motion, and of requested points.
     pub motion_ratios: Vec<MotionRatioRecord>,
     /// Sensitivities of m̄, if requested.
     pub explanation: Option<Explanation>,

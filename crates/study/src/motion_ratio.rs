@@ -36,8 +36,7 @@ const WHEEL_POINTS: [&str; 2] = ["wheel_centre", "contact_patch"];
 /// Suffixes of the sides in names of the importer.
 const SIDES: [&str; 2] = ["_left", "_right"];
 
-/// Motion ratios of a result: of the requested points, and of the wheel if the mechanism has one degree of
-/// travel.
+/// Motion ratios of a result: of the requested points, and of the wheel if the ratio holds for every motion.
 ///
 /// r = d · v_P per unit closing speed in v*. Let r′ be the speed of the contact per unit speed of the point in
 /// the response of a contact at the point. r holds for every motion if r r′ = 1; r r′ is the squared cosine

@@ -14,9 +14,9 @@ use percuss_mechanism::JointId;
 
 /// Pose of a question.
 ///
-/// The driver of a travel is the joint with the largest displacement of the point, among joints that are
-/// neither set nor drivers of another travel; a sweep over a travel uses the same rule. A travel starts at the
-/// pose of the set joints. Several travels are solved together by Newton's method.
+/// The driver of a travel is selected among the joints that are neither set nor drivers of another travel, by
+/// the rule of `percuss_dynamics::Travel::driver`; a sweep over a travel uses the same rule. A travel starts at
+/// the pose of the set joints. Several travels are solved together by Newton's method.
 ///
 /// # Errors
 /// [`StudyError`]: loops that do not close, an invalid travel, or an unreachable travel.

@@ -35,6 +35,9 @@ impl GivenPosition {
     }
 
     /// Values in SI units, if the units match the kind of the joint.
+    ///
+    /// # Errors
+    /// [`QuantityError::WrongUnit`].
     pub(crate) fn of_joint(&self, kind: JointKind) -> Result<Vec<f64>, QuantityError> {
         let value = |(i, quantity): (usize, &Quantity)| {
             quantity.of(position_dimension(kind, i), &quantity.to_string())

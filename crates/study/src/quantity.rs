@@ -184,6 +184,9 @@ impl Quantity {
     }
 
     /// Value in SI units, if the number has no unit or a unit of dimension `expected`.
+    ///
+    /// # Errors
+    /// [`QuantityError::WrongUnit`].
     pub fn of(self, expected: Dimension, text: &str) -> Result<f64, QuantityError> {
         match self.dimension {
             Some(got) if got != expected => {

@@ -34,40 +34,40 @@ pub enum StudyMapQuestion {
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct MapText {
-    /// The links whose surface is mapped; that of the contact without this.
+    /// Links to map; default: the contact's link.
     #[serde(default, deserialize_with = "study_value::words")]
     #[schemars(with = "Option<Words>")]
     pub link: Vec<String>,
     /// Every link that has a shape.
     #[serde(default)]
     pub all: bool,
-    /// With directions: the point, m, in the link's frame; that of the contact without this.
+    /// With directions: the point, m, in the link's frame; default: the contact point.
     #[serde(default, deserialize_with = "study_value::some_lengths")]
     #[schemars(with = "Option<Triple>")]
     pub point: Option<[f64; 3]>,
-    /// Instead of the surface: so many directions at the point, and the principal ones.
+    /// In place of the surface: number of directions at the point, in addition to the principal directions.
     pub directions: Option<usize>,
-    /// Which shapes of the URDF make the surface.
+    /// Shapes of the URDF that form the surface.
     #[schemars(extend("enum" = ["auto", "collision", "visual"]))]
     pub shapes: Option<String>,
-    /// Longest edge of a facet, m; 1/60 of the link without this.
+    /// Longest edge of a facet, m; default 1/60 of the link's size.
     #[serde(default, deserialize_with = "study_value::length")]
     #[schemars(with = "Option<NumberOrText>")]
     pub edge: Option<f64>,
     /// Folders of ROS packages by name, for meshes named package://NAME/….
     #[serde(default)]
     pub package: BTreeMap<String, String>,
-    /// Refuse mesh files larger than this many bytes.
+    /// Largest size of a mesh file, bytes.
     pub max_mesh_size: Option<u64>,
     /// The files of the map (.ply, .glb, .gltf, .png, .svg, .pdf, .csv, .json).
     #[serde(default, deserialize_with = "study_value::words")]
     #[schemars(with = "Option<Words>")]
     pub output: Vec<String>,
-    /// Units of the lengths in CSV; columns then name them.
+    /// Units of the lengths in CSV; column names then contain the units.
     #[serde(default, deserialize_with = "study_value::words")]
     #[schemars(with = "Option<Words>")]
     pub unit: Vec<String>,
-    /// The sign before the decimals in CSV.
+    /// The decimal sign in CSV.
     #[schemars(extend("enum" = ["point", "comma"]))]
     pub decimal: Option<String>,
 }

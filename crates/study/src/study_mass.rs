@@ -24,20 +24,20 @@ pub struct StudyMass {
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct MassText {
-    /// An effective mass to compare with, kg; exit code 1 if it is missed.
+    /// Expected effective mass, kg; exit code 1 on a mismatch.
     #[serde(default, deserialize_with = "study_value::mass")]
     #[schemars(with = "Option<NumberOrText>")]
     pub expect: Option<f64>,
-    /// A number: the relative tolerance of expect. Text such as "mass=2%,point=0.5mm": how far off the model's parts may be. Or a
-    /// list of both.
+    /// A number: the relative tolerance of expect. Text such as "mass=2%,point=0.5mm": tolerances of the
+    /// model's parts. Or a list of both.
     #[serde(default, deserialize_with = "tolerances")]
     #[schemars(with = "Option<Tolerances>")]
     tolerance: Vec<NumberOrText>,
-    /// So many random designs within tolerance.
+    /// Number of random designs within tolerance.
     pub samples: Option<usize>,
-    /// The seed of samples; 0 without it.
+    /// The seed of samples; default 0.
     pub seed: Option<u64>,
-    /// What the effective mass depends on.
+    /// Report the sensitivities of the effective mass.
     #[serde(default)]
     pub explain: bool,
 }

@@ -51,30 +51,30 @@ pub(crate) struct SweepText {
     pub vary: Vec<String>,
     /// In place of vary: a file of positions, row by row (.csv, .parquet).
     pub input: Option<String>,
-    /// Columns of input that are left out.
+    /// Columns of input to ignore.
     #[serde(default, deserialize_with = "study_value::words")]
     #[schemars(with = "Option<Words>")]
     pub ignore: Vec<String>,
-    /// In place of vary: so many random positions within the limits of the joints.
+    /// In place of vary: number of random positions within the limits of the joints.
     pub random: Option<usize>,
-    /// The seed of random; 0 without it.
+    /// The seed of random; default 0.
     pub seed: Option<u64>,
-    /// The file of the rows (.csv, .xlsx, .parquet, .json, .jsonl), or of their figure (.svg, .png, .pdf).
+    /// The file of the rows (.csv, .xlsx, .parquet, .json, .jsonl) or of the figure (.svg, .png, .pdf).
     pub output: Option<String>,
-    /// Units of the table's lengths and angles; columns then name them.
+    /// Units of the table's lengths and angles; column names then contain the units.
     #[serde(default, deserialize_with = "study_value::words")]
     #[schemars(with = "Option<Words>")]
     pub unit: Vec<String>,
-    /// The sign before the decimals in CSV.
+    /// The decimal sign in CSV.
     #[schemars(extend("enum" = ["point", "comma"]))]
     pub decimal: Option<String>,
     /// The figure's heading.
     pub title: Option<String>,
-    /// Ends of the figure's horizontal axis, in its unit.
+    /// Limits of the figure's horizontal axis, in the axis unit.
     #[serde(default, deserialize_with = "study_value::ends")]
     #[schemars(with = "Option<[f64; 2]>")]
     pub x_limits: Option<(f64, f64)>,
-    /// Ends of the figure's axis of the effective mass, kg.
+    /// Limits of the figure's axis of the effective mass, kg.
     #[serde(default, deserialize_with = "study_value::ends")]
     #[schemars(with = "Option<[f64; 2]>")]
     pub y_limits: Option<(f64, f64)>,

@@ -149,8 +149,8 @@ impl Swept<'_> {
         stands
     }
 
-    /// Prepares the path follower from a pose, if enough rows are left and the follower has not been restarted
-    /// too often.
+    /// Prepares the path follower from a pose, if enough rows are left and the number of followers built on the
+    /// line is below the limit.
     fn follow_from(&self, line: &mut Line, pose: &Pose, left: usize) {
         if line.following.as_mut().is_some_and(|following| following.restart(pose)) {
             return;

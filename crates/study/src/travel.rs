@@ -37,8 +37,8 @@ fn drivers(pose: &Pose) -> Vec<JointId> {
 }
 
 impl Travel {
-    /// Travel of a point, and the driver: the joint with the largest displacement of the point, among joints
-    /// that are not set.
+    /// Travel of a point, and the driver: among joints that are not set, the joint with the largest
+    /// displacement of the point relative to the resulting motion of all joints.
     pub fn new(
         system: &System,
         base: &Configuration,

@@ -99,6 +99,9 @@ impl Vary {
     }
 
     /// Values in SI units, if the units of both ends have the given dimension.
+    ///
+    /// # Errors
+    /// [`QuantityError::WrongUnit`].
     pub(crate) fn values(&self, dimension: Dimension) -> Result<Values, QuantityError> {
         let value = |end: Quantity| end.of(dimension, &end.to_string());
         Ok(Values { from: value(self.from)?, to: value(self.to)?, count: self.count })

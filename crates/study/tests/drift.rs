@@ -18,7 +18,7 @@ const AGREEMENT: f64 = 1e-4;
 /// Relative change of m̄ over a depth `part` · `radius`, the depth (m) at which the motion ends, and true if a
 /// warning was given.
 fn drift(radius: f64, part: f64, slide: bool) -> (Option<f64>, Option<f64>, bool) {
-    // A massless free slide next to the hinge must not change the result.
+    // A free slide next to the hinge, without coupling to the contact, must not change the result.
     let beside = if slide {
         "<link name=\"other\"><inertial><mass value=\"1\"/><inertia ixx=\"0\" iyy=\"0\" izz=\"0\"/></inertial></link>\
          <joint name=\"slide\" type=\"prismatic\"><parent link=\"ground\"/><child link=\"other\"/><axis xyz=\"0 0 1\"/></joint>"
