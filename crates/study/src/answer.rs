@@ -363,7 +363,7 @@ fn from_file(
     Configuration::from_positions(mechanism, &positions).map_err(refuse)
 }
 
-/// Link of this name; `None` (ground) for `world` if no link has this name.
+/// Link with this name. Without such a link, `world` is the ground (`None`).
 fn other_side(mechanism: &Mechanism, name: &str) -> Result<Option<LinkId>, UnknownName> {
     match mechanism.find_link(name) {
         Ok(link) => Ok(Some(link)),

@@ -195,7 +195,7 @@ pub enum Fault {
     Facets {
         /// Link.
         link: String,
-        /// Number of facets and limit.
+        /// Cause.
         source: SurfaceError,
     },
     /// Number of directions out of range.

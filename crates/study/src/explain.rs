@@ -24,7 +24,7 @@ pub struct Explanation {
     pub effective_mass: f64,
     /// Links with mass, in file order.
     pub links: Vec<LinkSensitivity>,
-    /// Joints with a rotor that turns in the motion v*.
+    /// Joints that move in the motion v*, including joints without armature.
     pub rotors: Vec<RotorSensitivity>,
     /// Hardpoints of a sheet; empty for a URDF.
     pub points: Vec<PointSensitivity>,

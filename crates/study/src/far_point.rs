@@ -7,8 +7,9 @@ use crate::thresholds::{FAR_POINT, MILLIMETRES};
 use nalgebra::Vector3;
 use percuss_mechanism::{Geometry, LinkId, Mechanism};
 
-/// Warning if the point lies farther from the link's origin than three times the extent of the link: the extent
-/// of the declared shape, or the characteristic length of the mechanism if the shape is unknown and smaller.
+/// Warning if the point lies farther from the link's origin than three times the extent of the link. The extent
+/// is given by the declared shape; for an unknown shape, by the larger of the link's extent and the mechanism's
+/// characteristic length.
 pub(crate) fn doubt(
     mechanism: &Mechanism,
     link: LinkId,

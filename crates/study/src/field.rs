@@ -168,7 +168,7 @@ impl Field {
         }
     }
 
-    /// Part of the question at fault for a condition error whose names are known.
+    /// Part of the question at fault for a condition error. Unknown names are reported before.
     pub(crate) fn of_condition(error: &ConditionsError) -> Self {
         match error {
             ConditionsError::BadHold { .. } => Field::Hold,

@@ -20,8 +20,9 @@ pub(crate) enum Along {
     Anything,
 }
 
-/// Limit from a first row of a line: joint travel (rad or m) beyond which following the loops exceeded the work
-/// limit, and the row that found the limit. Lines with a first row farther away are not tried.
+/// Step limit: joint travel (rad or m) from the last pose reached, or from 0 for a first row, at which
+/// following the loops exceeded the work limit; and the row that found the limit. Rows with a longer step are
+/// not tried.
 pub(crate) type TooFar = Option<(f64, usize)>;
 
 /// Smaller of two limits.

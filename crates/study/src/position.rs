@@ -23,6 +23,9 @@ impl GivenPosition {
     }
 
     /// Position from numbers in SI units.
+    ///
+    /// # Errors
+    /// [`QuantityError::NotFinite`].
     pub fn from_numbers(numbers: &[f64]) -> Result<Self, QuantityError> {
         let values = numbers.iter().map(|x| Quantity::number(*x)).collect::<Result<_, _>>()?;
         let text = numbers.iter().map(f64::to_string).collect::<Vec<_>>().join(",");

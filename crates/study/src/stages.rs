@@ -254,7 +254,8 @@ impl<'o, 's, 'a, T> HandingOut<'o, 's, 'a, T> {
         let end = &mut self.came.end;
         let (made, reached, error) = match outcome {
             Outcome::Row { made, reached, error } => (made, reached, error),
-            // An error before the first result is an error of the question; a later error belongs to the row.
+            // An input error before the first result is an error of the question; a later error belongs to the
+            // row.
             Outcome::Failed { error, .. } if end.rows == end.unanswered && !error.is_no_answer() => {
                 return Err(error);
             }

@@ -53,8 +53,8 @@ pub(crate) enum Stand {
 pub(crate) enum Outcome<T> {
     /// Value made of the row, true if the pose was reached, and the reason for a missing result.
     Row { made: T, reached: bool, error: Option<String> },
-    /// Row in error. Before the first row with a result, the error ends the sweep; later, the row has no
-    /// result.
+    /// Row in error. An input error before the first row with a result ends the sweep; any other error leaves
+    /// the row without a result.
     Failed { row: usize, varied: VariedValues, error: StudyError },
 }
 

@@ -97,9 +97,9 @@ pub struct SampleRecord {
     pub least: f64,
     /// Largest m̄, kg.
     pub greatest: f64,
-    /// 2.5 % percentile, kg.
+    /// 2.5th percentile, kg.
     pub percentile_2_5: f64,
-    /// 97.5 % percentile, kg.
+    /// 97.5th percentile, kg.
     pub percentile_97_5: f64,
 }
 
