@@ -168,7 +168,7 @@ pub fn damper(question: &DampingQuestion, mass: f64) -> Result<DamperRecord, Con
     })
 }
 
-/// History of the impact at `samples` times: force, penetration and their rates.
+/// History of the impact at `samples` times: time, penetration, penetration rate and force.
 ///
 /// # Errors
 /// [`ContactLawError`], as for [`damper`]; no speed.
