@@ -1,5 +1,5 @@
-//! From a question to its answer, one path for every command: the question is prepared once (names resolved, units
-//! checked, conditions compiled), then answered at as many poses as are asked for.
+//! Evaluation of a question, shared by all commands. [`Prepared`] resolves names, checks units and compiles the
+//! conditions once; the contact is then evaluated at any number of poses.
 
 use crate::error::{Fault, StudyError};
 use crate::estimate::{Estimate, EstimateRecord};
@@ -21,13 +21,13 @@ use percuss_dynamics::{
 use percuss_mechanism::{JointId, LinkId, Mechanism, UnknownName};
 use std::sync::Arc;
 
-/// A question about a model with its names resolved, its numbers in SI units, and its conditions compiled.
+/// Question with resolved names, numbers in SI units and compiled conditions.
 #[derive(Debug)]
 pub(crate) struct Prepared<'a> {
     pub model: &'a Model,
     pub question: &'a MassQuestion,
     pub system: System,
-    /// Positions asked for, by `--set` and `--guess`.
+    /// Positions requested by `--set` and `--guess`.
     pub configuration: Configuration,
     link: LinkId,
     against: Option<LinkId>,
@@ -36,18 +36,18 @@ pub(crate) struct Prepared<'a> {
     held: Vec<HeldContact>,
 }
 
-/// What a contact's answer is at a pose.
+/// Result of a contact at one pose.
 #[derive(Debug)]
 pub(crate) struct Answer {
-    /// The contact response, a free body on the other side included.
+    /// Contact response, including a free body on the other side.
     pub response: ContactResponse,
-    /// That of the mechanism alone, where there is such a body.
+    /// Response of the mechanism alone; set only if there is a free body on the other side.
     alone: Option<ContactResponse>,
-    /// At a singular pose, the limits of m̄ along the branches: of the mechanism alone.
+    /// Limits of m̄ of the mechanism alone along the branches of a singular pose; empty at a regular pose.
     pub limits: BranchLimits,
-    /// The classical estimate, where it is asked for.
+    /// Classical estimate, if requested.
     pub estimate: Option<EstimateRecord>,
-    /// What the reader should know.
+    /// Findings to report.
     pub findings: Vec<Finding>,
 }
 
@@ -57,7 +57,8 @@ impl Answer {
         self.alone.as_ref().unwrap_or(&self.response)
     }
 
-    /// What bounds the masses that motions from the pose meet: all branches, a finite number of them.
+    /// Limits of m̄ along the branches, if all branches are known and their number is finite. The limits then
+    /// bound every mass that a motion from the pose can have.
     pub fn all_branches(&self) -> Option<&[EffectiveMass]> {
         let limits = &self.limits;
         (limits.complete && !limits.continuous && !limits.limits.is_empty()).then_some(&limits.limits)
@@ -65,7 +66,7 @@ impl Answer {
 }
 
 impl<'a> Prepared<'a> {
-    /// Prepares a question.
+    /// Resolves a question.
     pub fn new(model: &'a Model, question: &'a MassQuestion) -> Result<Self, StudyError> {
         let mechanism = &model.mechanism;
         let find = |field: Field, name: &str| {
@@ -109,7 +110,7 @@ impl<'a> Prepared<'a> {
         Ok(Self { model, question, system, configuration, link, against, normal, estimate, held })
     }
 
-    /// The link on the other side; none: the ground.
+    /// Link on the other side; `None` for the ground.
     pub fn against(&self) -> Option<LinkId> {
         self.against
     }
@@ -119,24 +120,26 @@ impl<'a> Prepared<'a> {
         self.question.against_mass
     }
 
-    /// Whether nothing is asked but m̄ of the mechanism alone.
+    /// True if the question asks only for m̄ of the mechanism alone: no estimate, no held contact, no free
+    /// body.
     pub fn is_plain(&self) -> bool {
         self.estimate.is_none() && self.question.hold.is_empty() && self.other_mass().is_none()
     }
 
-    /// Whether the point is given in the frame of the struck link, and needs no pose to be converted.
+    /// True if the contact point is given in the frame of the contact link; the conversion then needs no pose.
     pub fn point_is_in_link(&self) -> bool {
         self.question.frame == Frame::Link
     }
 
-    /// The contact. A point given in another frame is converted to the struck link at this pose, and moves with it.
+    /// Contact at a pose. A point given in another frame is converted to the frame of the contact link at this
+    /// pose and is fixed to the link from then on.
     pub fn contact_at(&self, pose: &Pose) -> Contact {
         let given = Vector3::from(self.question.point);
         let point = pose.point_in_link(self.link, self.against, self.question.frame, given);
         Contact { link: self.link, against: self.against, point, normal: self.normal }
     }
 
-    /// The contact where its point is given in the frame of the struck link.
+    /// Contact, if the point is given in the frame of the contact link.
     pub fn contact_in_link(&self) -> Option<Contact> {
         let point = Vector3::from(self.question.point);
         self.point_is_in_link().then_some(Contact {
@@ -147,7 +150,8 @@ impl<'a> Prepared<'a> {
         })
     }
 
-    /// Where a point given in another frame was found.
+    /// Finding that reports the converted coordinates of a point given in another frame; `place` names the pose
+    /// of the conversion.
     pub fn about_point(&self, contact: &Contact, place: &str) -> Option<Finding> {
         let frame = match self.question.frame {
             Frame::Link => return None,
@@ -168,7 +172,7 @@ impl<'a> Prepared<'a> {
         Some(Finding::note("point-converted", Subject::Link(contact.link), message))
     }
 
-    /// What became of the guesses.
+    /// Findings about unused or distant guesses, and about a pose file that belongs to another model.
     pub fn about_guesses(&self, pose: &Pose) -> Vec<Finding> {
         let question = self.question;
         let mut found =
@@ -178,18 +182,18 @@ impl<'a> Prepared<'a> {
         found
     }
 
-    /// The files of the answer.
+    /// Input files: model, study and pose.
     pub fn inputs(&self) -> Vec<Input> {
         let pose = self.question.pose.iter().map(|file| &file.input);
         self.model.inputs.iter().chain(pose).cloned().collect()
     }
 
-    /// The pose that is asked about.
+    /// Pose requested by the question.
     pub fn pose(&self) -> Result<Pose, StudyError> {
         posing::pose(&self.system, &self.configuration, self.question)
     }
 
-    /// The answer at a pose.
+    /// Contact response, branch limits, estimate and findings at a pose.
     pub fn answer(&self, pose: &Pose, contact: &Contact) -> Result<Answer, StudyError> {
         let (system, names) = (&self.system, self.question.names);
         let response = pose.respond(contact, RouteChoice::Auto)?;
@@ -216,7 +220,7 @@ impl<'a> Prepared<'a> {
         Ok(Answer { response: with_other, alone: Some(response), limits, estimate, findings })
     }
 
-    /// The contact response at a pose and nothing beside it, a free body on the other side included.
+    /// Contact response at a pose, including a free body on the other side, without findings or limits.
     pub fn response(&self, pose: &Pose, contact: &Contact) -> Result<ContactResponse, StudyError> {
         let response = pose.respond(contact, RouteChoice::Auto)?;
         Ok(match self.other_mass() {
@@ -225,13 +229,13 @@ impl<'a> Prepared<'a> {
         })
     }
 
-    /// The effective mass at a pose and nothing beside it, a free body on the other side included.
+    /// Effective mass at a pose, including a free body on the other side, without findings or limits.
     pub fn effective_mass(&self, pose: &Pose, contact: &Contact) -> Result<EffectiveMass, StudyError> {
         Ok(self.response(pose, contact)?.effective_mass)
     }
 }
 
-/// A question that is answered at the pose of `--set`.
+/// Result of a question at its own pose.
 #[derive(Debug)]
 pub(crate) struct Answered<'a> {
     pub prepared: Prepared<'a>,
@@ -241,7 +245,7 @@ pub(crate) struct Answered<'a> {
 }
 
 impl<'a> Answered<'a> {
-    /// Answers a question.
+    /// Evaluates a question at its own pose.
     pub fn new(model: &'a Model, question: &'a MassQuestion) -> Result<Self, StudyError> {
         let prepared = Prepared::new(model, question)?;
         let pose = prepared.pose()?;
@@ -253,7 +257,7 @@ impl<'a> Answered<'a> {
     }
 }
 
-/// The mechanism under the conditions of the question, but for one held contact.
+/// Compiles the mechanism with the conditions of the question, except the held contact number `skipped`.
 pub(crate) fn compile(
     mechanism: &Arc<Mechanism>,
     question: &MassQuestion,
@@ -285,7 +289,7 @@ pub(crate) fn compile(
     Ok(system)
 }
 
-/// Positions asked for.
+/// Requested positions: pose file first, then `--set` and `--guess`.
 pub(crate) fn configuration(
     mechanism: &Arc<Mechanism>,
     question: &MassQuestion,
@@ -315,7 +319,8 @@ pub(crate) fn configuration(
     Ok(configuration)
 }
 
-/// Positions from a file: all of them, with what is set and guessed in their places; or of some joints, as if they were set.
+/// Positions from a pose file. A file with all joints gives the full configuration, in which `--set` and
+/// `--guess` replace single joints. A file with some joints sets these joints.
 fn from_file(
     mechanism: &Arc<Mechanism>,
     question: &MassQuestion,
@@ -346,7 +351,7 @@ fn from_file(
         match given {
             Some((field, position)) if joint.mimic().is_none() && joint.kind().positions() > 0 => {
                 let position = values(field, &name, &position)?;
-                // A count that does not fit is refused by `set`, with the joint's name.
+                // `set` rejects a wrong number of values and names the joint.
                 Configuration::zero(mechanism)
                     .set(&name, &position)
                     .map_err(|error| StudyError::input(field, error))?;
@@ -358,7 +363,7 @@ fn from_file(
     Configuration::from_positions(mechanism, &positions).map_err(refuse)
 }
 
-/// The link of this name; `world` is the ground where no link is called so.
+/// Link with this name. Without such a link, `world` is the ground (`None`).
 fn other_side(mechanism: &Mechanism, name: &str) -> Result<Option<LinkId>, UnknownName> {
     match mechanism.find_link(name) {
         Ok(link) => Ok(Some(link)),

@@ -1,17 +1,18 @@
-//! Findings about poses and responses that a program asks for by itself: those that the reports list.
+//! Findings about poses and responses for programs that use the library directly; the reports list the same
+//! findings.
 
 use crate::field::Names;
 use crate::findings::{about_branches, about_pose, about_response};
 use crate::record::DiagnosticRecord;
 use percuss_dynamics::{Contact, ContactResponse, Pose, System};
 
-/// Findings about a pose: joints outside their limits, how the loops came together, the rank of their rows.
+/// Findings about a pose: joints outside their limits, closure of the loops, rank of the constraint rows.
 pub fn pose_findings(system: &System, pose: &Pose) -> Vec<DiagnosticRecord> {
     about_pose(system, pose, Names::Fields).into_iter().map(DiagnosticRecord::from).collect()
 }
 
-/// Findings about a contact response at a pose, after those about the [pose](pose_findings). At a singular pose the branches
-/// are followed.
+/// Findings about a contact response and its [pose](pose_findings). At a singular pose the branches are
+/// followed to find the limits of m̄.
 pub fn response_findings(
     system: &System,
     pose: &Pose,

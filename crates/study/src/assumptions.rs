@@ -1,27 +1,27 @@
-//! What an answer assumes, for people: base, locks, mimics, drivers.
+//! Assumptions of a result in readable form: base, locks, mimics, drivers.
 
 use crate::answer::Prepared;
 use percuss_dynamics::{Base, Pose};
 
-/// What an answer assumes; for people, not in the JSON.
+/// Assumptions of a result, for text output; not part of the JSON.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Assumptions {
     /// `fixed` or `floating`, and the root link.
     pub base: String,
     /// Joints that are neither locked nor mimics.
     pub free: Vec<String>,
-    /// Joints that are locked, or follow a joint that is.
+    /// Joints that are locked, directly or through the joint they mimic.
     pub locked: Vec<String>,
-    /// Joints that follow others.
+    /// Joints that mimic another joint.
     pub mimics: Vec<String>,
-    /// Joints that were set.
+    /// Joints set by the question.
     pub set: Vec<String>,
     /// Joints that drive loops.
     pub drivers: Vec<String>,
 }
 
 impl Assumptions {
-    /// What the answer at a pose assumes.
+    /// Assumptions of the result at a pose.
     pub(crate) fn of(prepared: &Prepared, pose: &Pose) -> Self {
         let (system, question) = (&prepared.system, prepared.question);
         let mechanism = system.mechanism();

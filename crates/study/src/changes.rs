@@ -1,23 +1,23 @@
-//! What is changed of a model, to ask the same question of several designs.
+//! Changes of a model, used to evaluate the same question for several designs.
 
-/// What is changed of a model.
+/// Changes of a model.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Changes {
     /// Masses of links, kg; moments about the centre of mass change in proportion.
     pub link_mass: Vec<(String, f64)>,
-    /// Centres of mass of links, m, in the link's frame; moments about them stay.
+    /// Centres of mass of links, m, in the link's frame; moments about the centre of mass stay the same.
     pub link_com: Vec<(String, [f64; 3])>,
-    /// Hardpoints of a suspension's sheet that are moved: by how much, m, in the sheet's axes.
+    /// Displacements of hardpoints of a suspension's sheet, m, in the sheet's axes.
     pub moves: Vec<(String, [f64; 3])>,
 }
 
 impl Changes {
-    /// Whether nothing is changed.
+    /// True if there are no changes.
     pub fn is_empty(&self) -> bool {
         *self == Self::default()
     }
 
-    /// These with others after them.
+    /// These changes followed by `more`.
     #[must_use]
     pub fn and(&self, more: &Self) -> Self {
         let mut all = self.clone();

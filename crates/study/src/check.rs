@@ -1,4 +1,4 @@
-//! What is in a model.
+//! Contents of a model.
 
 use crate::error::StudyError;
 use crate::field::{Field, Names};
@@ -10,14 +10,14 @@ use percuss_dynamics::{Base, Conditions, System};
 use percuss_mechanism::{Geometry, Mechanism};
 use serde::Serialize;
 
-/// `percuss check`, as JSON.
+/// Report of `percuss check`, as JSON.
 #[derive(Clone, Debug, Serialize)]
 pub struct CheckReport {
     /// `percuss.check/1`.
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,
-    /// The file.
+    /// Input files.
     pub inputs: Vec<Input>,
     /// Name of the mechanism.
     pub name: String,
@@ -31,80 +31,80 @@ pub struct CheckReport {
     pub closures: Vec<ClosureRecord>,
     /// Degrees of freedom with the root fixed, at the pose shown.
     pub degrees_of_freedom: usize,
-    /// The same at a generic pose.
+    /// Degrees of freedom with the root fixed, at a generic pose.
     pub generic_degrees_of_freedom: usize,
-    /// Constraint rows that add nothing.
+    /// Number of linearly dependent constraint rows.
     pub redundant_constraints: usize,
-    /// Loops and couplings on which they lie, those that cannot be separated together.
+    /// Loops and couplings with redundant rows; entries that cannot be separated form one group.
     pub redundant_loops: Vec<Vec<String>>,
-    /// Gap between the singular values of A that count and those that do not; null without loops.
+    /// Gap between the singular values of A above and below the rank; null without loops.
     pub rank_gap: Option<f64>,
     /// Joints that drive the loops.
     pub drivers: Vec<String>,
-    /// How far loops are from closed, m; null without loops.
+    /// Closure residual of the loops, m; null without loops.
     pub closure_residual: Option<f64>,
-    /// kg.
+    /// Total mass, kg.
     pub total_mass: f64,
     /// Position of every movable joint, in the layout of `--set`.
     pub pose: Positions,
-    /// What was found while reading.
+    /// Findings of the reader and of the assembly.
     pub diagnostics: Vec<DiagnosticRecord>,
 }
 
 /// A link in a [`CheckReport`].
 #[derive(Clone, Debug, Serialize)]
 pub struct LinkRecord {
-    /// Its name.
+    /// Name of the link.
     pub name: String,
-    /// kg.
+    /// Mass, kg.
     pub mass: f64,
-    /// Centre of mass in the link frame, m; none without mass.
+    /// Centre of mass in the link frame, m; null without mass.
     pub com: Option<[f64; 3]>,
-    /// Whether it has an `<inertial>`.
+    /// True if the link has an `<inertial>`.
     pub has_inertial: bool,
-    /// What is known of its shape: `none`, `primitives` or `mesh`.
+    /// Kind of the shape: `none`, `primitives` or `mesh`.
     pub geometry: &'static str,
 }
 
 /// A joint in a [`CheckReport`].
 #[derive(Clone, Debug, Serialize)]
 pub struct JointRecord {
-    /// Its name.
+    /// Name of the joint.
     pub name: String,
-    /// Its kind.
+    /// Kind of the joint.
     pub kind: &'static str,
     /// Parent link.
     pub parent: String,
     /// Child link.
     pub child: String,
-    /// Axis in the joint frame; none where the kind has none.
+    /// Axis in the joint frame; null if the kind has no axis.
     pub axis: Option<[f64; 3]>,
     /// Position limits, rad or m.
     pub limits: Option<[f64; 2]>,
-    /// Rotor inertia reflected to the joint, one value a velocity.
+    /// Rotor inertia reflected to the joint, one value per velocity.
     pub armature: Vec<f64>,
-    /// The joint it follows.
+    /// Master joint of a mimic.
     pub mimics: Option<String>,
 }
 
 /// A loop closure or coupling in a [`CheckReport`].
 #[derive(Clone, Debug, Serialize)]
 pub struct ClosureRecord {
-    /// Its name.
+    /// Name of the closure or coupling.
     pub name: String,
-    /// Its kind; `coupling` for a ratio.
+    /// Kind of the closure; `coupling` for a ratio.
     pub kind: &'static str,
     /// Predecessor link.
     pub predecessor: String,
     /// Successor link.
     pub successor: String,
-    /// How many constraint rows it takes.
+    /// Number of constraint rows.
     pub rows: usize,
-    /// Successor's rate over predecessor's, of a coupling.
+    /// Ratio of the successor's rate to the predecessor's rate; null unless a coupling.
     pub ratio: Option<f64>,
 }
 
-/// Looks through a model with its root fixed.
+/// Lists the contents of a model with the root fixed.
 ///
 /// # Errors
 /// [`StudyError`]: loops that do not close.

@@ -11,9 +11,9 @@ use serde::Deserialize;
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct ClosureText {
-    /// Its name.
+    /// Name of the loop.
     pub name: String,
-    /// What it leaves free.
+    /// Kind of the loop, which defines the free motions.
     #[serde(rename = "type")]
     #[schemars(extend("enum" = kinds()))]
     pub kind: String,
@@ -23,7 +23,7 @@ pub(crate) struct ClosureText {
     #[serde(default, deserialize_with = "study_value::lengths")]
     #[schemars(with = "Option<Triple>")]
     pub predecessor_xyz: [f64; 3],
-    /// Its axes: roll, pitch, yaw, rad.
+    /// Axes of the loop's frame: roll, pitch, yaw, rad.
     #[serde(default, deserialize_with = "study_value::angles")]
     #[schemars(with = "Option<Triple>")]
     pub predecessor_rpy: [f64; 3],
@@ -33,7 +33,7 @@ pub(crate) struct ClosureText {
     #[serde(default, deserialize_with = "study_value::lengths")]
     #[schemars(with = "Option<Triple>")]
     pub successor_xyz: [f64; 3],
-    /// Its axes: roll, pitch, yaw, rad.
+    /// Axes of the loop's frame: roll, pitch, yaw, rad.
     #[serde(default, deserialize_with = "study_value::angles")]
     #[schemars(with = "Option<Triple>")]
     pub successor_rpy: [f64; 3],
@@ -45,13 +45,13 @@ pub(crate) struct ClosureText {
     #[serde(default, deserialize_with = "study_value::plain")]
     #[schemars(with = "Option<Triple>")]
     pub axis2: Option<[f64; 3]>,
-    /// The distance of a rod, m; that with all joints at 0 without this.
+    /// The distance of a rod, m; default: the distance with all joints at 0.
     #[serde(default, deserialize_with = "study_value::length")]
     #[schemars(with = "Option<NumberOrText>")]
     pub distance: Option<f64>,
 }
 
-/// Names of kinds of loops.
+/// Names of the kinds of loops.
 fn kinds() -> Vec<&'static str> {
     ClosureKind::ALL.iter().map(|kind| kind.name()).chain(["continuous"]).collect()
 }

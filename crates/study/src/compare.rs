@@ -1,4 +1,5 @@
-//! One question asked of several designs: each answer, and by how much it differs from the first.
+//! Comparison of one question over several designs: the result of each design and the difference from the
+//! first.
 
 use crate::error::StudyError;
 use crate::field::Names;
@@ -13,109 +14,109 @@ use crate::varied_values::VariedColumn;
 use percuss_mechanism::Severity;
 use serde::Serialize;
 
-/// A model, and what is asked of it.
+/// Model and question of a design.
 #[derive(Clone, Debug)]
 pub struct Design {
-    /// What it is called.
+    /// Name of the design.
     pub name: String,
     /// The model.
     pub model: Model,
-    /// The question, the same in each design but for what the design changes.
+    /// Question; equal for all designs except for the changes of the design.
     pub question: MassQuestion,
-    /// The rows to go through, if any.
+    /// Rows of positions, if any.
     pub rows: Option<RowSource>,
 }
 
-/// `percuss compare`, as JSON.
+/// Report of `percuss compare`, as JSON.
 #[derive(Clone, Debug, Serialize)]
 pub struct ComparisonReport {
     /// `percuss.compare/1`.
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,
-    /// The designs, the first of which the others are compared with.
+    /// Results of the designs; the first is the reference.
     pub designs: Vec<DesignRecord>,
-    /// What the rows vary; none where there are no rows.
+    /// Varied columns; empty without rows.
     pub varied: Vec<VariedColumn>,
-    /// The rows of all designs side by side.
+    /// Rows with the values of all designs.
     pub rows: Vec<ComparisonRow>,
-    /// What was found in any of them.
+    /// Findings about all designs.
     pub diagnostics: Vec<DiagnosticRecord>,
 }
 
-/// A design's answer at its pose.
+/// Result of a design at the pose of the question.
 #[derive(Clone, Debug, Serialize)]
 pub struct DesignRecord {
-    /// What it is called.
+    /// Name of the design.
     pub name: String,
-    /// Its files.
+    /// Input files of the design.
     pub inputs: Vec<Input>,
-    /// Kind of answer; null where there is none.
+    /// Kind of result; null without a result.
     pub status: Option<Status>,
     /// m̄, kg; null unless finite.
     pub effective_mass: Option<f64>,
-    /// What it may be off by, kg.
+    /// Error bound of m̄, kg.
     pub effective_mass_error: Option<f64>,
-    /// By how much it differs from the first design's, per cent of that.
+    /// Difference from m̄ of the first design, per cent of the first.
     pub difference_percent: Option<f64>,
-    /// Of the rows' differences the least and the greatest, per cent.
+    /// Smallest and largest difference over the rows, per cent.
     pub difference_range_percent: Option<[f64; 2]>,
-    /// The links that contribute most, and their shares.
+    /// Links with the largest shares of m̄, and the shares.
     pub most: Vec<(String, f64)>,
-    /// Why there is no answer.
+    /// Reason for a missing result.
     pub error: Option<String>,
 }
 
-/// A row of all designs.
+/// Row of the comparison with the values of all designs.
 #[derive(Clone, Debug, Serialize)]
 pub struct ComparisonRow {
-    /// Its number, from 0.
+    /// Number of the row, from 0.
     pub row: usize,
     /// The varied numbers, rad or m.
     pub varied: Vec<f64>,
-    /// m̄ of each design, kg; null where it has none.
+    /// m̄ of each design, kg; null without a finite result.
     pub effective_mass: Vec<Option<f64>>,
-    /// By how much each differs from the first, per cent.
+    /// Difference of each design from the first, per cent.
     pub difference_percent: Vec<Option<f64>>,
 }
 
-/// Links that a design's record names.
+/// Largest number of links listed per design.
 const NAMED: usize = 3;
 
-/// Why designs cannot be compared.
+/// Error of a comparison.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CompareError {
-    /// Too few.
+    /// Fewer than two designs.
     #[error("{count} design(s); expected two at least: files, or a study with [[variant]]")]
     TooFew {
-        /// How many.
+        /// Number of designs.
         count: usize,
     },
-    /// Rows that do not stand side by side.
+    /// Rows differ between designs.
     #[error(
         "\"{first}\" and \"{other}\" go through different rows ({why}); expected the same range in all, or none in any"
     )]
     OtherRows {
         /// The first design.
         first: String,
-        /// The one whose rows are others.
+        /// Design with the different rows.
         other: String,
-        /// What differs.
+        /// Difference between the rows.
         why: String,
     },
-    /// The question means nothing for a design.
+    /// Invalid question for a design.
     #[error("\"{design}\": {source}")]
     Question {
         /// The design.
         design: String,
-        /// Why.
+        /// Cause.
         source: StudyError,
     },
 }
 
 impl CompareError {
-    /// The message, with the names of where the question was asked.
+    /// Message with the names of `names`: flags, study keys or fields.
     pub fn message(&self, names: Names) -> String {
         match self {
             CompareError::Question { design, source } => format!("\"{design}\": {}", source.message(names)),
@@ -127,8 +128,8 @@ impl CompareError {
 /// Compares designs.
 ///
 /// # Errors
-/// [`CompareError`]: fewer than two, a question that means nothing for one of them, rows that are not the same. A design
-/// whose question is fine and has no answer says so in its record.
+/// [`CompareError`]: fewer than two designs, an invalid question for a design, or different rows. A design with
+/// a valid question but without a result is no error: `DesignRecord::error` holds the reason.
 pub fn compare(designs: &[Design]) -> Result<ComparisonReport, CompareError> {
     if designs.len() < 2 {
         return Err(CompareError::TooFew { count: designs.len() });
@@ -160,7 +161,7 @@ pub fn compare(designs: &[Design]) -> Result<ComparisonReport, CompareError> {
     })
 }
 
-/// Per cent of the first.
+/// Relative difference, per cent of the first value; `None` if the first value is zero or either is missing.
 fn difference(first: Option<f64>, other: Option<f64>) -> Option<f64> {
     let (first, other) = (first?, other?);
     (first > 0.0).then(|| 100.0 * (other - first) / first)
@@ -198,7 +199,8 @@ fn record(design: &Design, diagnostics: &mut Vec<DiagnosticRecord>) -> Result<De
     Ok(record)
 }
 
-/// Findings, each once, with the design that it is about.
+/// Adds the findings of a design without duplicates. The message of a finding without a file gets the design's
+/// name as a prefix.
 fn collect(all: &mut Vec<DiagnosticRecord>, found: Vec<DiagnosticRecord>, design: &str) {
     for mut finding in found {
         if finding.path.is_none() {

@@ -1,4 +1,5 @@
-//! The damper of a model's contact: what the model knows beside the effective mass.
+//! Damper of a contact of a model: effective mass, drift over the penetration, and simulator options derived
+//! from the model.
 
 use crate::answer::{Answer, Answered};
 use crate::damping::{DampingReport, Drift, about_exports, body_alone, damper, exports};
@@ -16,11 +17,11 @@ use percuss_contact::exports::Options;
 use percuss_dynamics::{Conditions, Contact, EffectiveMass, RouteChoice, System};
 use percuss_mechanism::{LinkId, Mechanism, Severity};
 
-/// The damper of a model's contact.
+/// Damper of a contact of a model.
 ///
 /// # Errors
-/// [`StudyError`], as for `mass` and `damp`; a contact without a finite mass, or with
-/// another on each branch.
+/// [`StudyError`], as for `mass` and `damp`; a contact without a finite mass, or with different masses on
+/// different branches.
 pub fn damp_contact(
     model: &Model,
     question: &MassQuestion,
@@ -29,7 +30,7 @@ pub fn damp_contact(
     damping_of(&Answered::new(model, question)?, damping)
 }
 
-/// The damper of a joint's stop: the conditions of the question are taken from it, its contact is not.
+/// Damper of a joint stop. `conditions` supplies the pose and the held parts; its contact is ignored.
 ///
 /// # Errors
 /// [`StudyError`], as for [`damp_contact`]; a joint without a stop.
@@ -44,14 +45,14 @@ pub fn damp_stop(
     damping.options.stop = Some(record.motion);
     let mut report = damp_contact(model, &question, &damping)?;
     report.stop = Some(record);
-    // What the child link would weigh by itself says nothing about a stop.
+    // The mass of the child link alone has no meaning for a joint stop.
     report.body_alone = None;
-    // The point is percuss's own, 1 m beside the axis.
+    // The contact point is chosen by percuss, 1 m from the axis.
     report.diagnostics.retain(|found| found.code != "far-point");
     Ok(report)
 }
 
-/// The damper of a contact that is answered.
+/// Damper of an evaluated contact.
 pub(crate) fn damping_of(
     answered: &Answered,
     damping: &DampingQuestion,
@@ -85,8 +86,9 @@ pub(crate) fn damping_of(
     })
 }
 
-/// The mass that the contact has whatever the motion is. At a singular pose the value of the answer is a bound that no
-/// branch attains: it is the limit along them, if that is the same for all.
+/// Effective mass that holds for every branch. At a singular pose m̄ is a lower bound that no branch attains;
+/// the result is then the limit along the branches, if all limits are equal within `SAME_LIMIT`. `other`: mass
+/// of a free body on the other side, kg.
 fn one_mass(answer: &Answer, other: Option<f64>) -> Result<EffectiveMass, StudyError> {
     if !answer.response.singular_pose {
         return Ok(answer.response.effective_mass);
@@ -107,16 +109,17 @@ fn one_mass(answer: &Answer, other: Option<f64>) -> Result<EffectiveMass, StudyE
     }
 }
 
-/// m̄ along the motion of the contact response, and why it ends before the greatest penetration.
+/// Change of m̄ along the motion of the contact response up to `depth` (m or rad), and the reason if the motion
+/// ends before this depth.
 fn drift(answered: &Answered, mass: f64, depth: Option<f64>) -> (Drift, Option<Ended>) {
     let Answered { prepared, pose, contact, answer } = answered;
     let (system, response) = (&prepared.system, &answer.response);
     if response.singular_pose {
-        // The motion of the answer is along no branch.
+        // At a singular pose v* is tangent to no branch.
         return (Drift { per_metre: None, over_penetration: None, ends_at: None }, None);
     }
     if !response.gives_way() {
-        // The other body's mass is all there is.
+        // Only the mass of the other body counts; it does not change.
         let none = depth.map(|_| 0.0);
         return (Drift { per_metre: Some(0.0), over_penetration: none, ends_at: None }, None);
     }
@@ -139,7 +142,7 @@ fn drift(answered: &Answered, mass: f64, depth: Option<f64>) -> (Drift, Option<E
     (Drift { per_metre, over_penetration, ends_at }, ended)
 }
 
-/// Why one number is not good for the whole penetration.
+/// Warning if m̄ changes strongly over the penetration, or if the penetration is not reachable.
 fn about_drift(
     drift: &Drift,
     ended: Option<Ended>,
@@ -167,7 +170,7 @@ fn about_drift(
     Some(DiagnosticRecord::about_answer(Severity::Warning, "mass-drifts", message))
 }
 
-/// What simulators need of the model, where the question does not have it.
+/// Completes the simulator options with values of the model.
 fn options(given: Options, answered: &Answered, mass: f64) -> Options {
     let question = answered.prepared.question;
     let mechanism: &Mechanism = &answered.prepared.model.mechanism;
@@ -182,7 +185,7 @@ fn options(given: Options, answered: &Answered, mass: f64) -> Options {
         let free = question.against_mass.map_or(0.0, |other| 1.0 / other);
         Some((ours + other + free) * mass)
     };
-    // What simulators hold by constraints: mimics, couplings, locks and held contacts too.
+    // Parts that simulators enforce by constraints: mimics, couplings, locks, held contacts and loop closures.
     let follows = |joint: &percuss_mechanism::Joint| joint.mimic().is_some();
     let closed_loops = !mechanism.closures().is_empty();
     let constrained = closed_loops
@@ -201,7 +204,7 @@ fn options(given: Options, answered: &Answered, mass: f64) -> Options {
     }
 }
 
-/// The inertia that a joint's stop feels on the spanning tree alone, with all joints at zero: 1 over MuJoCo's
+/// Inertia at a joint stop of the spanning tree without loops, all joints at zero: 1 over MuJoCo's
 /// `dof_invweight0`.
 fn open_inertia(mechanism: &Mechanism, question: &MassQuestion, contact: &Contact) -> Option<f64> {
     let system = open_system(mechanism, question)?;
@@ -214,7 +217,8 @@ fn open_inertia(mechanism: &Mechanism, question: &MassQuestion, contact: &Contac
     }
 }
 
-/// MuJoCo's `body_invweight0`: of the spanning tree alone, with all joints at zero.
+/// MuJoCo's `body_invweight0`: mean inverse mass of a link on the spanning tree without loops, all joints at
+/// zero.
 fn open_inverse_mass(mechanism: &Mechanism, question: &MassQuestion, link: LinkId) -> Option<f64> {
     let system = open_system(mechanism, question)?;
     let link = system.mechanism().find_link(mechanism.link(link).name()).ok()?;
@@ -222,7 +226,7 @@ fn open_inverse_mass(mechanism: &Mechanism, question: &MassQuestion, link: LinkI
     pose.mean_inverse_mass(link).ok()
 }
 
-/// The spanning tree without its constraints.
+/// Spanning tree of the mechanism without its constraints.
 fn open_system(mechanism: &Mechanism, question: &MassQuestion) -> Option<System> {
     let tree = mechanism.to_open_tree().build().ok()?.mechanism;
     let mut conditions = Conditions::new().base(question.base);

@@ -1,5 +1,5 @@
-//! From a restitution to a damper: a contact's effective mass, its spring, and what the laws and the simulators make of
-//! them.
+//! Damper design from a coefficient of restitution: damper of the contact, impact at a given speed, and
+//! simulator parameters.
 
 use crate::damping_question::DampingQuestion;
 use crate::error::StudyError;
@@ -13,115 +13,123 @@ use percuss_mechanism::Severity;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// The damper of a contact, and the impact it makes. Keys are always present, null where they do not apply.
+/// Damper of a contact and the resulting impact. All keys are always present; a value is null if not
+/// applicable.
 #[derive(Clone, Debug, Serialize)]
 pub struct DamperRecord {
-    /// The restitution asked for.
+    /// Requested coefficient of restitution.
     pub restitution: f64,
-    /// k, N/m^p.
+    /// Stiffness k, N/m^p.
     pub stiffness: f64,
-    /// p.
+    /// Exponent p.
     pub exponent: f64,
     /// Approach speed, m/s.
     pub speed: Option<f64>,
-    /// The law of the damper.
+    /// Damper law.
     pub law: &'static str,
-    /// The other name by which it was asked for.
+    /// Alias by which the law was requested.
     pub law_alias: Option<&'static str>,
-    /// Whether it gives the restitution asked for exactly.
+    /// True if the law gives the requested restitution exactly.
     pub law_is_exact: bool,
-    /// When the contact ends: `force` or `gap`; null for laws whose force vanishes with the gap.
+    /// Condition for the end of the contact: `force` or `gap`; null for laws with a force that vanishes with
+    /// the gap.
     pub separation: Option<&'static str>,
-    /// ζ; null for laws of the Hunt–Crossley family.
+    /// Damping ratio ζ; null for laws of the Hunt–Crossley family.
     pub damping_ratio: Option<f64>,
-    /// c, N·s/m^((p+1)/2): N·s/m for a linear spring; null for laws of the Hunt–Crossley family.
+    /// Damping coefficient c, N·s/m^((p+1)/2), which is N·s/m for a linear spring; null for laws of the
+    /// Hunt–Crossley family.
     pub damping: Option<f64>,
-    /// d of k xᵖ (1 + d ẋ), s/m: the law's; of the exact Hunt–Crossley law where the law is Kelvin–Voigt. Null without
-    /// a speed.
+    /// Dissipation d of the force k xᵖ (1 + d ẋ), s/m. For the Kelvin–Voigt law, the value of the exact
+    /// Hunt–Crossley law, null without a speed.
     pub dissipation: Option<f64>,
-    /// The restitution that the damper gives.
+    /// Restitution that the damper achieves.
     pub achieved_restitution: f64,
-    /// First touch to separation, s; null where it depends on a speed that was not given, or lasts for ever.
+    /// Time from first touch to separation, s; null if the duration depends on a speed that is not given, or is
+    /// infinite.
     pub contact_duration: Option<f64>,
-    /// m; null without a speed, as are all below.
+    /// Maximum penetration, m; null without a speed, as are all following values.
     pub max_penetration: Option<f64>,
-    /// When it is deepest, s.
+    /// Time of maximum penetration, s.
     pub time_of_max_penetration: Option<f64>,
-    /// N.
+    /// Peak force, N.
     pub peak_force: Option<f64>,
-    /// When the force is greatest, s.
+    /// Time of peak force, s.
     pub time_of_peak_force: Option<f64>,
-    /// J.
+    /// Energy lost, J.
     pub energy_lost: Option<f64>,
-    /// m/s.
+    /// Rebound speed, m/s.
     pub rebound_speed: Option<f64>,
 }
 
-/// How good one number is: m̄ over the penetration.
+/// Change of m̄ over the penetration. A large change means that one constant mass is a poor approximation.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Drift {
-    /// dm̄/dδ over m̄, along the direction of impact, 1/m.
+    /// Relative rate (dm̄/dδ)/m̄ along the direction of impact, 1/m.
     pub per_metre: Option<f64>,
-    /// m̄ at the greatest penetration over m̄ at the touch, less 1; null without a speed, and where that is not reached.
+    /// m̄ at maximum penetration over m̄ at first touch, minus 1; null without a speed, and if the maximum
+    /// penetration is not reachable.
     pub over_penetration: Option<f64>,
-    /// Where the motion of the impact ends before the greatest penetration, m; null where it does not.
+    /// Penetration at which the motion of impact ends before the maximum penetration, m; null if the motion
+    /// does not end early.
     pub ends_at: Option<f64>,
 }
 
-/// What people take instead of m̄: the mass of the struck rigid body.
+/// Mass of the contact body taken alone, a common substitute for m̄.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct BodyAlone {
-    /// kg.
+    /// Mass, kg.
     pub mass: f64,
-    /// The restitution that a damper made for it gives on the real contact; null for laws of the Hunt–Crossley family,
-    /// which do not ask for a mass.
+    /// Restitution on the real contact of a damper designed for this mass; null for laws of the Hunt–Crossley
+    /// family, whose dissipation does not depend on the mass.
     pub restitution: Option<f64>,
 }
 
-/// `percuss damp`, as JSON.
+/// Report of `percuss damp`, as JSON.
 #[derive(Clone, Debug, Serialize)]
 pub struct DampingReport {
     /// `percuss.damp/1`.
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,
-    /// The files; none where the mass was given.
+    /// Input files; empty if the mass is given directly.
     pub inputs: Vec<Input>,
     /// m̄, kg.
     pub effective_mass: f64,
-    /// The joint whose stop it is, which says what the units of all of this are; null for a contact between bodies.
+    /// Joint stop; its `motion` determines the units of the report. Null for a contact between bodies.
     pub stop: Option<StopRecord>,
-    /// The damper.
+    /// Damper and impact.
     #[serde(flatten)]
     pub damper: DamperRecord,
-    /// m̄ over the penetration; null where the mass was given.
+    /// Change of m̄ over the penetration; null if the mass is given directly.
     pub drift: Option<Drift>,
-    /// The struck body's own mass and what it would do; null where the mass was given.
+    /// Mass of the contact body alone and the resulting restitution; null if neither the model nor the options
+    /// give this mass.
     pub body_alone: Option<BodyAlone>,
-    /// Parameters and snippets by simulator.
+    /// Parameters and code snippets by simulator.
     pub exports: BTreeMap<&'static str, ExportRecord>,
-    /// What was found, in the file and in the answer.
+    /// Findings about the file and the result.
     pub diagnostics: Vec<DiagnosticRecord>,
 }
 
-/// The contact of a question on a mass.
+/// Compliant contact of a question for a given mass, kg.
 pub(crate) fn contact(question: &DampingQuestion, mass: f64) -> Result<CompliantContact, ContactLawError> {
     CompliantContact::new(mass, question.stiffness)?.with_exponent(question.exponent)
 }
 
-/// The damper of a question, on a mass.
+/// Damper of a question for a contact.
 fn damper_of(question: &DampingQuestion, contact: CompliantContact) -> Result<Damper, ContactLawError> {
     question.law.damper(contact, question.restitution, question.speed, question.separation)
 }
 
-/// The damper that gives a mass a restitution, and the impact at the speed given.
+/// Damper that gives a mass the requested restitution, and the impact at the given speed.
 ///
 /// # Errors
-/// [`ContactLawError`]: numbers out of range, a restitution that the law does not reach, a speed that the law needs.
+/// [`ContactLawError`]: numbers out of range, a restitution out of the range of the law, a missing speed that
+/// the law needs.
 pub fn damper(question: &DampingQuestion, mass: f64) -> Result<DamperRecord, ContactLawError> {
     let contact = contact(question, mass)?;
     let damper = damper_of(question, contact)?;
-    // Kelvin–Voigt rebounds alike at every speed, and a linear one takes as long.
+    // The restitution of Kelvin–Voigt does not depend on the speed, nor does the duration of the linear law.
     let impact = damper.impact(contact, question.speed.unwrap_or(1.0))?;
     let at_speed = question.speed.map(|_| impact);
     let exact_dissipation = || {
@@ -160,7 +168,7 @@ pub fn damper(question: &DampingQuestion, mass: f64) -> Result<DamperRecord, Con
     })
 }
 
-/// The history of the impact in so many moments: force over time, and over penetration.
+/// History of the impact at `samples` times: time, penetration, penetration rate and force.
 ///
 /// # Errors
 /// [`ContactLawError`], as for [`damper`]; no speed.
@@ -174,8 +182,8 @@ pub fn impact_history(
     damper_of(question, contact)?.history(contact, speed, samples)
 }
 
-/// Parameters for every simulator asked for. One that cannot have this contact has the reason in its place, unless it is
-/// the only one.
+/// Parameters of all requested simulators. A simulator that does not support the contact gets an error record;
+/// if only one simulator is requested, the result is an error.
 pub(crate) fn exports(
     question: &DampingQuestion,
     mass: f64,
@@ -198,7 +206,8 @@ pub(crate) fn exports(
     Ok(exports)
 }
 
-/// That simulators do not integrate the law that was asked for.
+/// Note that the simulators integrate another law than the requested one; `None` if both laws are equal or no
+/// simulator is requested.
 pub(crate) fn about_exports(question: &DampingQuestion) -> Option<DiagnosticRecord> {
     let same = question.law == Law::KelvinVoigt && question.separation == Separation::ForceVanishes;
     (!same && !question.tools.is_empty()).then(|| {
@@ -211,7 +220,8 @@ pub(crate) fn about_exports(question: &DampingQuestion) -> Option<DiagnosticReco
     })
 }
 
-/// What a damper made for the struck body's own mass does to the contact.
+/// Restitution on the real contact (`mass`, kg) of a damper designed for the mass of the body alone (`alone`,
+/// kg).
 pub(crate) fn body_alone(question: &DampingQuestion, alone: f64, mass: f64) -> BodyAlone {
     let restitution = || {
         let made = damper_of(question, contact(question, alone).ok()?).ok()?;
@@ -223,10 +233,10 @@ pub(crate) fn body_alone(question: &DampingQuestion, alone: f64, mass: f64) -> B
     BodyAlone { mass: alone, restitution: restitution() }
 }
 
-/// The damper of a mass that is given.
+/// Damper of a given mass, kg.
 ///
 /// # Errors
-/// [`StudyError`]: as for [`damper`]; a simulator that cannot have it, where it is the only one.
+/// [`StudyError`]: as for [`damper`]; a contact that the only requested simulator does not support.
 pub fn damp(question: &DampingQuestion, mass: f64) -> Result<DampingReport, StudyError> {
     let body_alone = question.options.own_mass.map(|alone| body_alone(question, alone, mass));
     Ok(DampingReport {

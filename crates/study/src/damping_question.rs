@@ -1,4 +1,4 @@
-//! Which damper is asked for.
+//! Input of a damper design.
 
 use crate::error::{Fault, StudyError};
 use crate::field::Field;
@@ -6,31 +6,32 @@ use crate::measure::{Measure, Measured};
 use percuss_contact::exports::{Options, Tool};
 use percuss_contact::{ContactLawError, Law, Separation};
 
-/// The restitution wanted, and what else a damper needs beside the mass.
+/// Requested restitution and the other data of a damper, except the mass.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DampingQuestion {
-    /// e, from 0 to 1.
+    /// Coefficient of restitution e, from 0 to 1.
     pub restitution: f64,
-    /// k, N/m^p.
+    /// Stiffness k, N/m^p.
     pub stiffness: f64,
-    /// p of the spring's force k xᵖ.
+    /// Exponent p of the spring force k xᵖ.
     pub exponent: f64,
     /// Approach speed, m/s.
     pub speed: Option<f64>,
     /// The law of the damper.
     pub law: Law,
-    /// The other name by which it was asked for.
+    /// Alias by which the law was requested.
     pub alias: Option<&'static str>,
-    /// When a Kelvin–Voigt contact ends.
+    /// Condition for the end of a Kelvin–Voigt contact.
     pub separation: Separation,
-    /// For which simulators parameters are written.
+    /// Simulators to write parameters for.
     pub tools: Vec<Tool>,
-    /// What only some simulators need; what a model gives is filled in.
+    /// Options of single simulators; missing values are completed from the model.
     pub options: Options,
 }
 
 impl DampingQuestion {
-    /// A linear spring, no speed, the exact law that simulators integrate, for no tool.
+    /// Question for a linear spring without a speed: Kelvin–Voigt law with separation at zero force, no
+    /// simulators.
     pub fn new(restitution: f64, stiffness: f64) -> Self {
         Self {
             restitution,
@@ -45,11 +46,11 @@ impl DampingQuestion {
         }
     }
 
-    /// Takes a law by its name. An alias stands for an exponent or an end of the contact too; what is given besides must
-    /// not contradict it.
+    /// Selects a law by name. An alias can fix the exponent or the separation as well; given values must not
+    /// contradict the alias.
     ///
     /// # Errors
-    /// [`ContactLawError`]: no such law, a contradiction.
+    /// [`ContactLawError`]: unknown law, or a contradiction.
     pub fn choose(
         &mut self,
         name: &str,
@@ -82,10 +83,11 @@ impl DampingQuestion {
     }
 }
 
-/// Refuses units of a turn for what does not turn, the other way round, and units of a linear spring for another.
+/// Checks the units of stiffness and speed: units of rotation for a joint that turns, units of translation
+/// otherwise, and units of a linear spring only with exponent 1.
 ///
 /// # Errors
-/// [`StudyError`]: which of stiffness and speed, and the unit that is expected.
+/// [`StudyError`] with the field and the expected unit.
 pub fn check_units(
     question: &DampingQuestion,
     stiffness: Measured,

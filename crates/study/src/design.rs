@@ -1,4 +1,4 @@
-//! A design: a model's file with something changed in it, to ask the same question of several.
+//! Design variants: a model with changes applied.
 
 use crate::changes::Changes;
 use crate::error::{Fault, StudyError};
@@ -9,24 +9,24 @@ use percuss_mechanism::{BuildError, Inertial, LinkDescription, Mechanism, Proble
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// A design that cannot be had.
+/// Error of a design variant.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum DesignError {
-    /// The file cannot be read.
+    /// Unreadable file.
     #[error(transparent)]
     Load(#[from] LoadError),
-    /// A change that means nothing.
+    /// Invalid change.
     #[error(transparent)]
     Change(#[from] StudyError),
 }
 
 impl Model {
-    /// The model with something changed, after what was changed before.
+    /// Model with `changes` applied after earlier changes.
     ///
     /// # Errors
-    /// [`DesignError`]: links or points that are not there, masses that are none, points to be moved of a model that is no
-    /// sheet, what the importer finds of the points as moved.
+    /// [`DesignError`]: unknown links or points, invalid masses, moved points of a model without a sheet,
+    /// errors of the importer for the moved points.
     pub fn changed(&self, changes: &Changes) -> Result<Model, DesignError> {
         let all = self.origin.changes.and(changes);
         let (mut model, to_do) = match (&changes.moves[..], self.origin.sheet.as_deref()) {
@@ -49,7 +49,7 @@ impl Model {
         Ok(model)
     }
 
-    /// The model with the loops that a study added to another.
+    /// Model with the loops that a study added to `other`.
     pub(crate) fn with_closures_of(mut self, other: &Model) -> Result<Model, StudyError> {
         if !other.origin.closures.is_empty() {
             let closures = other.origin.closures.iter().cloned();
@@ -60,7 +60,7 @@ impl Model {
         Ok(self)
     }
 
-    /// The names of the hardpoints that can be moved: those of a sheet.
+    /// Names of the hardpoints of the sheet; empty for a URDF.
     pub fn hardpoints(&self) -> &[String] {
         self.origin.sheet.as_deref().map_or(&[], |(_, points)| points)
     }
@@ -79,7 +79,7 @@ fn no_mechanism(field: Field) -> impl Fn(BuildError) -> StudyError {
     }
 }
 
-/// The mechanism with masses and centres of mass changed.
+/// Mechanism with changed masses and centres of mass.
 fn reweighed(mechanism: &Mechanism, changes: &Changes) -> Result<Mechanism, StudyError> {
     let mut inertials = BTreeMap::new();
     for (name, mass) in &changes.link_mass {
@@ -122,7 +122,8 @@ fn find(mechanism: &Mechanism, field: Field, name: &str) -> Result<Option<Inerti
     Ok(mechanism.link(link).inertial().copied())
 }
 
-/// Of the same shape and another density; of a link without mass a point mass at its origin.
+/// Inertia with the same shape and another density; for a link without mass, a point mass at the origin of the
+/// link frame.
 fn with_mass(inertial: Option<Inertial>, mass: f64) -> Inertial {
     match inertial.filter(|inertial| inertial.mass > 0.0) {
         Some(inertial) => {

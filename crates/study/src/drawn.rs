@@ -1,4 +1,4 @@
-//! A mechanism at the pose of an answer, as lines to draw: where its links are, what they contribute, how they move.
+//! Drawing of a mechanism at the pose of a result: position, share of m̄ and velocity of each link.
 
 use crate::answer::{Answered, compile, configuration};
 use crate::error::StudyError;
@@ -14,40 +14,43 @@ use percuss_mechanism::{LinkId, Mechanism, Severity};
 use percuss_spatial::Vector3;
 use std::path::Path;
 
-/// A link as lines, in the world, m.
+/// Drawing of a link; coordinates in the world frame, m.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DrawnLink {
-    /// Its name.
+    /// Name of the link.
     pub name: String,
-    /// Its contribution to the effective mass; none unless that is finite.
+    /// Share of the effective mass; `None` unless the mass is finite.
     pub share: Option<f64>,
-    /// From the middle of its joints, loops, centre of mass and, of the links in contact, the contact point to each of these.
+    /// Lines from the mean of the link's characteristic points to each of the points: joints, loop frames,
+    /// centre of mass, and contact point if the link is in contact. Two points give one line.
     pub lines: Vec<[[f64; 3]; 2]>,
-    /// Its centre of mass; none without mass.
+    /// Centre of mass; `None` without mass.
     pub com: Option<[f64; 3]>,
-    /// The triangles of its shapes, in the world, m; none where the model states no shape, or it cannot be read.
+    /// Triangles of the shapes, world frame, m; empty if the model has no shape or the shape is unreadable.
     pub facets: Vec<[[f64; 3]; 3]>,
-    /// v* of the centre of mass over the ground: m/s per unit closing speed; none where it is not determined.
+    /// Velocity v* of the centre of mass relative to the ground, m/s per unit closing speed; `None` if not
+    /// determined.
     pub velocity: Option<[f64; 3]>,
 }
 
-/// A mechanism at the pose of an answer, and what was found while its shapes were read.
+/// Drawing of a mechanism at the pose of a result, and findings about the shapes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DrawnMechanism {
-    /// Its links; none without extent.
+    /// Links with lines or triangles.
     pub links: Vec<DrawnLink>,
-    /// The wheels of an imported suspension, in the world, m.
+    /// Wheels of an imported suspension, world frame, m.
     pub wheels: Vec<WheelCircle>,
-    /// The files of meshes.
+    /// Mesh files.
     pub meshes: Vec<Input>,
-    /// Shapes that are not drawn, and why.
+    /// Shapes that are not drawn, with the reason.
     pub diagnostics: Vec<DiagnosticRecord>,
 }
 
-/// A root's shape that reaches farther than this many sizes of the mechanism is no part of it: a floor, a room.
+/// Largest extent of a shape of the root link, as a multiple of the characteristic length. A larger shape is
+/// taken for the surroundings (a floor, a hall) and is not drawn.
 const FAR_SHAPE: f64 = 5.0;
 
-/// The shapes of links, read for a drawing.
+/// Reader of the shapes of links, with the number of triangles left (`room`).
 struct Shapes<'a> {
     model: &'a Model,
     folders: MeshFolders,
@@ -56,7 +59,7 @@ struct Shapes<'a> {
 }
 
 impl Shapes<'_> {
-    /// Those of a link as triangles in the world: `<visual>`, else `<collision>`.
+    /// Triangles of a link in the world frame, from `<visual>`, otherwise from `<collision>`.
     fn of(&mut self, link: LinkId, pose: &Pose) -> Vec<[[f64; 3]; 3]> {
         let all = self.model.shapes.get(link.index()).map_or(&[][..], Vec::as_slice);
         let of = |purpose| all.iter().filter(move |shape: &&Shape| shape.purpose == purpose);
@@ -69,7 +72,7 @@ impl Shapes<'_> {
                 return Vec::new();
             }
         };
-        // A floor would leave the mechanism no room.
+        // A floor would shrink the mechanism to a small part of the drawing.
         let far = FAR_SHAPE * self.model.mechanism.characteristic_length();
         let reach = surface.bounds().map_or(0.0, |(centre, radius)| centre.norm() + radius);
         if link == self.model.mechanism.root() && reach > far {
@@ -80,7 +83,7 @@ impl Shapes<'_> {
             let input = Input::of_file(file);
             self.drawn.meshes.extend(input.filter(|input| !self.drawn.meshes.contains(input)));
         }
-        // As few as there can be: a drawing asks for no edge.
+        // Infinite edge length: as few triangles as possible.
         match surface.facets(f64::INFINITY, self.room) {
             Ok(facets) => {
                 self.room -= facets.len();
@@ -102,16 +105,16 @@ impl Shapes<'_> {
     }
 }
 
-/// Every link but those without extent.
+/// Drawing of an evaluated question: every link with lines or triangles.
 pub(crate) fn drawn(answered: &Answered) -> DrawnMechanism {
     let Answered { prepared, pose, answer, .. } = answered;
     mechanism_at(prepared.model, pose, Some(&answer.response))
 }
 
-/// The mechanism where the joints of a question stand, whatever contact it asks about.
+/// Drawing of the mechanism at the pose of a question; the contact is ignored.
 ///
 /// # Errors
-/// [`StudyError`]: names that nothing bears, loops that do not close there, a travel that is not reached.
+/// [`StudyError`]: unknown names, loops that do not close, a travel that is not reachable.
 pub fn drawn_at(model: &Model, question: &MassQuestion) -> Result<DrawnMechanism, StudyError> {
     let system = compile(&model.mechanism, question, None)?;
     let pose = posing::pose(&system, &configuration(&model.mechanism, question)?, question)?;
@@ -123,7 +126,7 @@ fn mechanism_at(model: &Model, pose: &Pose, response: Option<&ContactResponse>) 
     let shares = response.and_then(|response| response.contributions.as_ref());
     let mut places: Vec<Vec<Vector3<f64>>> = vec![Vec::new(); mechanism.links().len()];
     for joint in mechanism.joints() {
-        // The child's frame is where the joint is.
+        // The joint frame coincides with the child's frame.
         let at = pose.link(joint.child()).point(&Vector3::zeros());
         places[joint.child().index()].push(at);
         let before = pose.link(joint.parent()).point(&joint.origin().point(&Vector3::zeros()));
@@ -169,7 +172,7 @@ fn mechanism_at(model: &Model, pose: &Pose, response: Option<&ContactResponse>) 
             velocity,
         }
     };
-    // The root is the ground, as long as it does not move.
+    // A fixed root link is the ground.
     let is_drawn = |id: &LinkId| *id != mechanism.root() || shares.is_some_and(|s| s.links[id.index()] > 0.0);
     let path = model.inputs.first().map_or("", |input| &input.path);
     let folders = MeshFolders::of_model(Path::new(path), Vec::new());
@@ -188,8 +191,8 @@ fn mechanism_at(model: &Model, pose: &Pose, response: Option<&ContactResponse>) 
     shapes.drawn
 }
 
-/// The circle of a wheel, where a link is one as the suspensions' importer names it: about the axis of its bearing, through its
-/// lowest point at the design position.
+/// Circle of a wheel, if the link has the name that the suspension importer gives to wheels. The circle lies
+/// about the bearing axis and passes through the lowest point at the design position.
 fn wheel(mechanism: &Mechanism, pose: &Pose, link: LinkId) -> Option<WheelCircle> {
     let side = mechanism.link(link).name().strip_prefix("wheel_centre")?;
     let patch = mechanism.find_link(&format!("contact_patch{side}")).ok()?;

@@ -1,9 +1,9 @@
-//! The joint that drives a travel.
+//! Joint that drives a travel.
 
 use percuss_dynamics::Configuration;
 use percuss_mechanism::JointId;
 
-/// A joint that is driven, and where the others are wanted.
+/// Driving joint and the requested configuration of the other joints.
 #[derive(Debug)]
 pub(crate) struct Driver {
     pub joint: JointId,

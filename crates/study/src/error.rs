@@ -1,4 +1,4 @@
-//! Why a question has no answer, and which flag or key is at fault.
+//! Errors of a question: the cause and the flag or key at fault.
 
 use crate::field::{Field, Names, about_assembly, about_contact};
 use crate::given_pose::GivenPoseError;
@@ -17,288 +17,289 @@ use percuss_dynamics::{
 use percuss_formats::{MeshError, SurfaceError};
 use percuss_mechanism::{JointKind, UnknownName};
 
-/// What is wrong with a part of a question.
+/// Fault of one part of a question.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Fault {
-    /// A name that nothing bears.
+    /// Unknown name.
     #[error(transparent)]
     UnknownName(#[from] UnknownName),
-    /// A position that cannot be set.
+    /// Invalid position.
     #[error(transparent)]
     Configuration(#[from] ConfigurationError),
-    /// A lock, a held contact or an armature that does not fit.
+    /// Invalid lock, held contact or armature.
     #[error(transparent)]
     Conditions(#[from] ConditionsError),
-    /// A root link that floats and has no mass.
+    /// Floating root link without mass.
     #[error("{}", massless_base(link, Names::Fields))]
     MasslessBase {
-        /// The root link.
+        /// Root link.
         link: String,
     },
-    /// A contact that means nothing.
+    /// Invalid contact.
     #[error(transparent)]
     Contact(#[from] ContactError),
-    /// A number in the wrong unit.
+    /// Number in the wrong unit.
     #[error("joint \"{joint}\": {source}")]
     Position {
-        /// The joint.
+        /// Joint.
         joint: String,
-        /// What is wrong.
+        /// Cause.
         source: QuantityError,
     },
-    /// The other body's mass is no mass.
+    /// Invalid mass of the other body.
     #[error(
         "the other body's mass is {mass:e} kg; expected a finite number above 0 ({LEAST_OTHER_MASS:e} at least)"
     )]
     OtherMass {
-        /// What was given.
+        /// Given mass, kg.
         mass: f64,
     },
-    /// A link that is named twice in the estimate.
+    /// Link listed twice in the estimate.
     #[error("the estimate names link \"{link}\" twice; its mass counts once")]
     EstimateTwice {
-        /// The link.
+        /// Link.
         link: String,
     },
-    /// A point that is nowhere.
+    /// Point of the estimate that is not finite or is too large.
     #[error(
         "the estimate's point has a component {value:e}; expected a finite number of at most {LARGEST_COORDINATE:e}"
     )]
     EstimatePoint {
-        /// The component.
+        /// Component, m.
         value: f64,
     },
-    /// A direction without length.
+    /// Direction of the estimate without length.
     #[error("the estimate's direction has length {length:e}; expected at least {SHORTEST_DIRECTION:e}")]
     EstimateDirection {
-        /// Its length.
+        /// Length of the direction.
         length: f64,
     },
-    /// A joint whose stop is not that of one number.
+    /// Joint stop of a joint without exactly one position.
     #[error("joint \"{joint}\" is {}; expected a joint that turns or slides: only these have a stop", kind.name())]
     NoStop {
-        /// The joint.
+        /// Joint.
         joint: String,
-        /// Its kind.
+        /// Kind of the joint.
         kind: JointKind,
     },
-    /// A joint without limits.
+    /// Joint without limits.
     #[error("joint \"{joint}\" has no <limit>; leave the end away and set where it is stopped")]
     NoLimit {
-        /// The joint.
+        /// Joint.
         joint: String,
     },
-    /// A range in the wrong unit.
+    /// Range in the wrong unit.
     #[error(transparent)]
     Range(QuantityError),
-    /// Too few rows, or too many.
+    /// Number of rows out of range.
     #[error("{count} rows; {} to {} are possible", ROWS.start(), ROWS.end())]
     Rows {
-        /// What was given.
+        /// Given number of rows.
         count: usize,
     },
-    /// A joint that has not one position.
+    /// Varied joint with more or fewer than one position.
     #[error("\"{joint}\": a {} joint has no single position to vary", kind.name())]
     NoSinglePosition {
-        /// The joint.
+        /// Joint.
         joint: String,
-        /// Its kind.
+        /// Kind of the joint.
         kind: JointKind,
     },
-    /// A joint that follows another is varied.
+    /// Varied joint that mimics another joint.
     #[error("\"{joint}\": it mimics \"{master}\"; vary that")]
     VariedMimic {
-        /// The joint.
+        /// Joint.
         joint: String,
-        /// What it follows.
+        /// Master joint.
         master: String,
     },
-    /// A joint that is set is varied.
+    /// Varied joint that is set as well.
     #[error("{}", varied_is_set(joint, Names::Fields))]
     VariedIsSet {
-        /// The joint.
+        /// Joint.
         joint: String,
     },
-    /// A joint that is varied twice.
+    /// Joint with two ranges.
     #[error("\"{joint}\" is varied twice; give it one range")]
     VariedTwice {
-        /// The joint.
+        /// Joint.
         joint: String,
     },
-    /// A travel that is not what varies fastest.
+    /// Travel that is not the last range, that is, not the fastest.
     #[error(
         "\"{name}\" is not the last of the ranges; a travel starts where the joints stand, so it is varied fastest: give it \
          last, and once"
     )]
     TravelNotLast {
-        /// As its column is headed.
+        /// Name of the travel's column.
         name: String,
     },
-    /// Too many combinations.
+    /// Too many combinations of a grid.
     #[error("the ranges have {count} combinations; {} are possible at most", GRID_ROWS)]
     Combinations {
-        /// How many there are.
+        /// Number of combinations.
         count: u128,
     },
-    /// No random rows, or too many.
+    /// Number of random rows out of range.
     #[error("{count} random rows; 1 to {GRID_ROWS} are possible")]
     RandomRows {
-        /// What was given.
+        /// Given number of rows.
         count: usize,
     },
-    /// Every joint is set.
+    /// No free joint to sample: all joints are set or dependent.
     #[error("no joint is left to sample: all that can move are set, or follow from others")]
     NothingToSample,
-    /// A joint that has no limits to sample between.
+    /// Joint without limits to sample between.
     #[error("{}", no_limits(joint, *kind, Names::Fields))]
     NothingToSampleBetween {
-        /// The joint.
+        /// Joint.
         joint: String,
-        /// Its kind.
+        /// Kind of the joint.
         kind: JointKind,
     },
-    /// A link without a surface.
+    /// Link without a surface.
     #[error("link \"{link}\" has no shape that can be used: no <collision> and no <visual> with a geometry")]
     NoShape {
-        /// The link.
+        /// Link.
         link: String,
     },
-    /// A link that is the other side of the contact.
+    /// Mapped link that is the other side of the contact.
     #[error("link \"{link}\" is the other side")]
     OtherSide {
-        /// The link.
+        /// Link.
         link: String,
     },
-    /// A mesh that cannot be read.
+    /// Unreadable mesh.
     #[error("link \"{link}\": {source}")]
     Mesh {
-        /// The link.
+        /// Link.
         link: String,
-        /// Why.
+        /// Cause.
         source: MeshError,
     },
-    /// No link has a map.
+    /// Map without any link.
     #[error("no link has a surface that can be mapped: {reasons}")]
     NothingToMap {
-        /// Why the first of them have none.
+        /// Reasons for the first links.
         reasons: String,
     },
-    /// An edge that is none.
+    /// Longest edge out of range.
     #[error("the longest edge is {edge} m; expected a number of at least {LEAST_EDGE:e} m")]
     Edge {
-        /// What was given, m.
+        /// Given edge, m.
         edge: f64,
     },
     /// Too many facets.
     #[error("link \"{link}\": {source}")]
     Facets {
-        /// The link.
+        /// Link.
         link: String,
-        /// How many.
+        /// Cause.
         source: SurfaceError,
     },
-    /// No directions, or too many.
+    /// Number of directions out of range.
     #[error("{count} directions; {} to {} are possible", DIRECTIONS.start(), DIRECTIONS.end())]
     Directions {
-        /// What was given.
+        /// Given number of directions.
         count: usize,
     },
-    /// A file of positions.
+    /// Fault of a file of positions.
     #[error(transparent)]
     Table(#[from] Box<TableError>),
-    /// A travel that means nothing, or that nothing drives.
+    /// Invalid travel, or a travel without a driving joint.
     #[error(transparent)]
     Travel(#[from] TravelError),
-    /// A file of a pose.
+    /// Fault of a pose file.
     #[error(transparent)]
     PoseFile(#[from] GivenPoseError),
-    /// A link's mass that is none.
+    /// Invalid mass of a link.
     #[error("link \"{link}\": {mass:e} kg; expected a finite mass of 0 or more")]
     LinkMass {
-        /// The link.
+        /// Link.
         link: String,
-        /// What was given, kg.
+        /// Given mass, kg.
         mass: f64,
     },
-    /// A centre of mass of nothing.
+    /// Centre of mass for a link without mass.
     #[error("link \"{link}\" has no mass, so that no centre of mass can be set; give it a mass first")]
     NoMassToMove {
-        /// The link.
+        /// Link.
         link: String,
     },
-    /// A centre of mass that is nowhere.
+    /// Centre of mass that is not finite.
     #[error("link \"{link}\": the centre of mass has a component {value:e}; expected finite numbers")]
     LinkCom {
-        /// The link.
+        /// Link.
         link: String,
-        /// The component, m.
+        /// Component, m.
         value: f64,
     },
-    /// Changes that leave no mechanism.
+    /// Changes that give no valid mechanism.
     #[error("with what was changed there is no mechanism: {message}")]
     NoMechanism {
-        /// What the builder found.
+        /// Message of the builder.
         message: String,
     },
-    /// A hardpoint of a model that has none.
+    /// Moved hardpoint of a model without hardpoints.
     #[error(
         "{path} is a URDF, which has no hardpoints; give the suspension's sheet (.toml, .csv, .xlsx) in its place, or move \
          the joints' <origin> in the file"
     )]
     NoSheet {
-        /// The model's file.
+        /// File of the model.
         path: String,
     },
-    /// A direction without length.
+    /// Direction of a motion ratio without length.
     #[error("the direction has no length; expected a vector such as 0,0,1")]
     NoRatioDirection,
-    /// No samples, or too many.
+    /// Number of samples out of range.
     #[error("{count} samples; {} to {} are possible", SAMPLES.start(), SAMPLES.end())]
     Samples {
-        /// What was given.
+        /// Given number of samples.
         count: usize,
     },
-    /// A travel of the pose beside rows that leave it no place.
+    /// Travel of the pose together with rows that exclude a travel: a varied travel, a file, random positions
+    /// or a second travel.
     #[error(
         "a travel of the pose goes with ranges of joints, once; it does not go with a varied travel, a file of positions, \
          random positions, or another travel"
     )]
     TravelOfRows,
-    /// A unit of a linear spring for one that is not.
+    /// Unit of a linear spring for a nonlinear spring.
     #[error(
         "its unit is that of a linear spring; with the exponent {exponent} a plain number in N/m^{exponent} is expected \
          (1 N/mm^{exponent} is {:e} N/m^{exponent})",
         1e3_f64.powf(*exponent)
     )]
     UnitOfLinearSpring {
-        /// The exponent of the spring.
+        /// Exponent of the spring.
         exponent: f64,
     },
-    /// A unit of a turn for what does not turn, or the other way round.
+    /// Unit of rotation for a translation, or the reverse.
     #[error(
         "its unit is not that of {}; expected {expected}",
         if *turns { "a joint that turns" } else { "what does not turn" }
     )]
     UnitOfMotion {
-        /// Whether it turns.
+        /// True for a rotation.
         turns: bool,
-        /// The unit it should have.
+        /// Expected unit.
         expected: &'static str,
     },
-    /// A joint that is varied and follows from others.
+    /// Varied joint that depends on other joints.
     #[error(transparent)]
     Dependent(Box<AssemblyError>),
-    /// A point is given in a frame that is looked up at a pose out of reach.
+    /// Point in a frame that requires a reference pose, and the reference pose is unreachable.
     #[error("{}", no_reference_pose(source, Names::Fields))]
     NoReferencePose {
-        /// Why.
+        /// Cause.
         source: AssemblyError,
     },
 }
 
 impl Fault {
-    /// The message, with the names of where the question was asked.
+    /// Message with the names of `names`: flags, study keys or fields.
     fn message(&self, names: Names) -> String {
         match self {
             Fault::VariedIsSet { joint } => varied_is_set(joint, names),
@@ -360,79 +361,80 @@ fn no_reference_pose(source: &AssemblyError, names: Names) -> String {
     )
 }
 
-/// Why a question has no answer. Where it came from flags or from a study file, [`message`](Self::message) has their names.
+/// Error of a question. [`message`](Self::message) uses the names of flags or study keys, depending on the
+/// source of the question.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum StudyError {
-    /// A part of the question that means nothing.
+    /// Invalid part of a question.
     #[error("{}: {fault}", field.named(Names::Fields))]
     Input {
-        /// Which part.
+        /// Part of the question.
         field: Field,
-        /// What is wrong.
+        /// Fault.
         fault: Box<Fault>,
     },
-    /// Loops that do not close, or not there.
+    /// Loops that do not close, or do not close at the requested positions.
     #[error(transparent)]
     Assembly(#[from] AssemblyError),
-    /// A travel that ends before.
+    /// Travel that ends before the requested displacement.
     #[error("{}: {why}", Field::Travel.named(Names::Fields))]
     TravelNotReached {
-        /// Why, and how far it goes.
+        /// Reason, and the reachable displacement.
         why: String,
     },
-    /// An impossible mass matrix.
+    /// Invalid mass matrix.
     #[error(transparent)]
     Route(#[from] RouteError),
-    /// Another reason of the dynamics.
+    /// Other error of the dynamics.
     #[error(transparent)]
     Response(ResponseError),
-    /// A restitution, a stiffness or a speed out of range, or a restitution that the law does not reach.
+    /// Restitution, stiffness or speed out of range, or a restitution out of the range of the law.
     #[error(transparent)]
     Damping(#[from] ContactLawError),
-    /// A simulator that cannot have the contact.
+    /// Simulator that does not support the contact.
     #[error(transparent)]
     Export(Box<ExportError>),
-    /// A safe speed against something else than a person.
+    /// Safe speed of a question with another side (link or free body); the other side must be the person.
     #[error("{}", person_is_the_other(Names::Fields))]
     PersonIsTheOther,
-    /// A force or a pressure on nothing that gives way.
+    /// Force or pressure limit without a body region.
     #[error("{}", no_region(Names::Fields))]
     NoRegion,
-    /// A robot without mass at the contact.
+    /// Safe speed of a contact without mass.
     #[error("{}", no_mass(Names::Fields))]
     NoMass,
-    /// A safe speed where the robot's mass may be any.
+    /// Safe speed of a contact with an unknown error of m̄.
     #[error(
         "what the effective mass may be off by is not known: beside this pose the contact is not finite; no speed can be \
          called safe there"
     )]
     MassUnknown,
-    /// A safe speed at a singular pose, where not every branch is known.
+    /// Safe speed at a singular pose without a known upper bound of m̄.
     #[error(
         "the pose is singular and no greatest mass of the robot is known there: {}; the effective mass is a lower bound, which \
          allows too high a speed; ask for poses beside it",
         of_branches(limits, *complete)
     )]
     NoGreatestMass {
-        /// The limits of m̄ along the branches that were found.
+        /// Limits of m̄ along the branches found.
         limits: Vec<EffectiveMass>,
-        /// Whether no sign of more branches was found.
+        /// True if there is no sign of further branches.
         complete: bool,
     },
-    /// A damper at a singular pose, where the mass depends on the branch.
+    /// Damper at a singular pose with different masses on different branches.
     #[error(
         "the pose is singular: no damper gives the contact a restitution on every branch: {}; ask for a pose a little beside it, \
          on the branch that is meant, or for the damper of its mass",
         of_branches(limits, *complete)
     )]
     NoDamperOfAll {
-        /// The limits of m̄ along the branches that were found, with the other body.
+        /// Limits of m̄ along the branches found, including the other body.
         limits: Vec<EffectiveMass>,
-        /// Whether no sign of more branches was found.
+        /// True if there is no sign of further branches.
         complete: bool,
     },
-    /// A contact that nothing damps.
+    /// Damper of a contact without a finite mass.
     #[error("the contact is {status}: no damper gives it a restitution")]
     NoDamper {
         /// `immovable` or `massless`.
@@ -441,12 +443,12 @@ pub enum StudyError {
 }
 
 impl StudyError {
-    /// A fault of a part of the question.
+    /// Error about one part of the question.
     pub(crate) fn input(field: Field, fault: impl Into<Fault>) -> Self {
         StudyError::Input { field, fault: Box::new(fault.into()) }
     }
 
-    /// The part of the question that means nothing, where it is one.
+    /// Invalid part of the question, if the error concerns one part.
     pub fn field(&self) -> Option<Field> {
         match self {
             StudyError::Input { field, .. } => Some(*field),
@@ -454,7 +456,8 @@ impl StudyError {
         }
     }
 
-    /// The same where the joint that follows from others is not set but varied.
+    /// Replaces an error about a dependent joint by a fault of the `Vary` field if the joint is varied, not
+    /// set.
     pub(crate) fn of_varied(self, is_varied: impl Fn(&str) -> bool) -> Self {
         match self {
             StudyError::Assembly(error @ AssemblyError::Dependent { .. }) => match &error {
@@ -467,7 +470,7 @@ impl StudyError {
         }
     }
 
-    /// Whether the question was fine and yet has no answer (exit code 1, not 2).
+    /// True if the question is valid but has no result (exit code 1, not 2).
     pub fn is_no_answer(&self) -> bool {
         match self {
             StudyError::NoDamper { .. }
@@ -482,7 +485,7 @@ impl StudyError {
         }
     }
 
-    /// The message, with the names of where the question was asked.
+    /// Message with the names of `names`: flags, study keys or fields.
     pub fn message(&self, names: Names) -> String {
         match self {
             StudyError::Input { field, fault } => format!("{}: {}", field.named(names), fault.message(names)),
@@ -524,7 +527,7 @@ fn no_mass(names: Names) -> String {
     )
 }
 
-/// The limits of m̄ along branches, in words.
+/// Limits of m̄ along the branches, as text.
 fn of_branches(limits: &[EffectiveMass], complete: bool) -> String {
     let limit = |limit: &EffectiveMass| match limit {
         EffectiveMass::Finite(m) => format!("{m} kg"),

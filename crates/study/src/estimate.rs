@@ -1,4 +1,4 @@
-//! The classical estimate m_K / l̄², set beside the exact value.
+//! Classical estimate m_K / l̄² for comparison with the exact value.
 
 use crate::error::{Fault, StudyError};
 use crate::field::Field;
@@ -9,30 +9,30 @@ use percuss_dynamics::{ContactResponse, EffectiveMass, PointVelocity, Pose};
 use percuss_mechanism::{LinkId, Mechanism};
 use serde::Serialize;
 
-/// m_K |v_A|²: the mass of some links, as if all of it moved with point A; l̄ = 1/|v_A| is r_B/r_A of Euler's note
-/// (Fayzullin 2018).
+/// Classical estimate m_K |v_A|²: mass of some links, all moving with the velocity of point A. l̄ = 1/|v_A| is
+/// r_B/r_A of Euler's note (Fayzullin 2018).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct EstimateRecord {
-    /// The links whose mass it takes.
+    /// Links with a mass counted in m_K.
     pub links: Vec<String>,
     /// m_K, kg.
     pub mass: f64,
     /// Point A, in the first link's frame, m.
     pub point_link: [f64; 3],
-    /// Speed of A (or its component, where a direction was given) per unit closing speed: the motion ratio
-    /// "A over contact". Null where a massless motion leaves it open.
+    /// Speed of A (or the component along the direction, if given) per unit closing speed: the motion ratio "A
+    /// over contact". Null if a massless motion leaves the speed undetermined.
     pub motion_ratio: Option<f64>,
-    /// Its inverse, the motion ratio "contact over A"; l̄.
+    /// Inverse ratio l̄, the motion ratio "contact over A".
     pub lever: Option<f64>,
     /// m_K / l̄², kg.
     pub estimate: Option<f64>,
-    /// By how much it is off the exact value, per cent.
+    /// Difference from the exact value, per cent.
     pub error_percent: Option<f64>,
-    /// Contribution of the other links and the rotors to the exact value: what the estimate leaves out.
+    /// Share of the other links and of the rotors in the exact value; the estimate omits this share.
     pub share_left_out: Option<f64>,
 }
 
-/// An estimate with its names resolved and its numbers checked.
+/// Estimate with resolved names and checked numbers.
 #[derive(Clone, Debug)]
 pub(crate) struct Estimate {
     names: Vec<String>,
@@ -46,7 +46,7 @@ pub(crate) struct Estimate {
 }
 
 impl Estimate {
-    /// Resolves what is asked for.
+    /// Resolves the names and checks the numbers.
     pub fn new(mechanism: &Mechanism, question: &EstimateQuestion) -> Result<Self, StudyError> {
         let refuse = |fault: Fault| StudyError::input(Field::Estimate, fault);
         let find = |name: &String| mechanism.find_link(name).map_err(|e| refuse(e.into()));
@@ -74,12 +74,12 @@ impl Estimate {
         })
     }
 
-    /// The estimate beside a contact response: of the mechanism alone, without a free body on the other side.
+    /// Estimate for a contact response of the mechanism alone, without a free body on the other side.
     pub fn beside(&self, pose: &Pose, response: &ContactResponse) -> EstimateRecord {
         let velocity = self.links.first().and_then(|l| pose.point_velocity(response, *l, &self.point));
         let motion_ratio = match velocity {
             Some(PointVelocity::Known(v)) => Some(match &self.direction {
-                // The velocity is in the root link's axes, the direction in the world's.
+                // The velocity is in the axes of the root link, the direction in world axes.
                 Some(d) => pose.base().vector(&v).dot(d).abs(),
                 None => v.norm(),
             }),

@@ -1,9 +1,9 @@
-//! What an effective mass depends on: its rate with the mass, the centre of mass and the armature of each part, and with
-//! each hardpoint of a sheet.
+//! Sensitivity of an effective mass to the mass, the centre of mass and the armature of each part, and to each
+//! hardpoint of a sheet.
 //!
-//! m̄ = min { vᵀMv : Av = 0, jv = 1 } changes with a parameter of M alone by dm̄/dp = v*ᵀ (∂M/∂p) v*: the motion at the
-//! minimum need not be differentiated (docs/FORMULAS.md, F38). Hardpoints change A and j too: their rates are central
-//! differences of the whole question asked again.
+//! m̄ = min { vᵀMv : Av = 0, jv = 1 } changes with a parameter p of M alone by dm̄/dp = v*ᵀ (∂M/∂p) v*; the
+//! derivative of the motion v* is not needed (docs/FORMULAS.md, F38). Hardpoints change A and j too; their
+//! rates are central differences of complete evaluations.
 
 use crate::answer::Answered;
 use crate::changes::Changes;
@@ -17,79 +17,81 @@ use percuss_mechanism::{Inertial, LinkId};
 use rayon::prelude::*;
 use serde::Serialize;
 
-/// What an effective mass depends on.
+/// Sensitivities of an effective mass.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Explanation {
     /// m̄, kg.
     pub effective_mass: f64,
-    /// Every link with mass, in file order.
+    /// Links with mass, in file order.
     pub links: Vec<LinkSensitivity>,
-    /// Every joint whose rotor would turn.
+    /// Joints that move in the motion v*, including joints without armature.
     pub rotors: Vec<RotorSensitivity>,
-    /// Every hardpoint of a sheet; none for a URDF.
+    /// Hardpoints of a sheet; empty for a URDF.
     pub points: Vec<PointSensitivity>,
-    /// The links whose mass counts most, the first the most.
+    /// Links with the largest rate per kilogram, largest first.
     pub most_per_kilogram: Vec<MassChange>,
-    /// The hardpoints whose place counts most, the first the most.
+    /// Hardpoints with the largest rate per millimetre, largest first.
     pub most_per_millimetre: Vec<PointChange>,
 }
 
-/// How m̄ changes with a link.
+/// Sensitivity of m̄ to a link.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LinkSensitivity {
     /// The link.
     pub link: String,
-    /// Its mass, kg.
+    /// Mass of the link, kg.
     pub mass: f64,
-    /// Its share of m̄.
+    /// Share of the link in m̄.
     pub share: f64,
-    /// dm̄/dm, kg/kg, the moments about the centre of mass in proportion: share · m̄ / m.
+    /// dm̄/dm = share · m̄ / m, kg/kg, with moments about the centre of mass in proportion to the mass.
     pub per_kilogram: f64,
-    /// dm̄/dc, kg/m, along the link's axes, the moments about the centre of mass as they are.
+    /// dm̄/dc, kg/m, in the link's axes, with constant moments about the centre of mass. Null if a velocity is
+    /// undetermined.
     pub per_metre_of_com: Option<[f64; 3]>,
 }
 
-/// How m̄ changes with the armature of a joint.
+/// Sensitivity of m̄ to the armature of a joint.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct RotorSensitivity {
     /// The joint.
     pub joint: String,
-    /// dm̄/dI for each velocity: q̇², kg/(kg·m²) of a joint that turns, kg/kg of one that slides.
+    /// dm̄/dI = q̇² for each velocity, kg/(kg·m²) for a rotation, kg/kg for a translation.
     pub per_armature: Vec<f64>,
 }
 
-/// How m̄ changes with a hardpoint.
+/// Sensitivity of m̄ to a hardpoint.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PointSensitivity {
     /// The hardpoint.
     pub point: String,
-    /// dm̄/dx, dm̄/dy, dm̄/dz, kg/m, in the sheet's axes; null where the question has no answer beside the design.
+    /// dm̄/dx, dm̄/dy, dm̄/dz, kg/m, in the sheet's axes; null if the question has no result at a neighbouring
+    /// design.
     pub per_metre: Option<[f64; 3]>,
-    /// What the differences may be off by, kg/m.
+    /// Error estimate of the differences, kg/m.
     pub per_metre_error: Option<f64>,
 }
 
-/// A change of mass that lowers m̄; its opposite raises it.
+/// Change of mass that lowers m̄; the opposite change raises m̄.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MassChange {
     /// The link.
     pub link: String,
-    /// By how much m̄ is lowered for each kilogram less, kg, to first order.
+    /// Decrease of m̄ per kilogram of removed mass, kg, to first order.
     pub lowers_by: f64,
 }
 
-/// A move that lowers m̄; its opposite raises it.
+/// Displacement that lowers m̄; the opposite displacement raises m̄.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PointChange {
     /// The hardpoint.
     pub point: String,
-    /// Which way, a unit vector in the sheet's axes.
+    /// Direction of the displacement, a unit vector in the sheet's axes.
     pub direction: [f64; 3],
-    /// By how much m̄ is lowered for each millimetre, kg, to first order.
+    /// Decrease of m̄ per millimetre, kg, to first order.
     pub lowers_by: f64,
 }
 
-/// Explains the answer to a contact; none where it has no finite mass, or another on each branch.
+/// Sensitivities of m̄ at a contact; `None` if m̄ is not finite or the pose is singular.
 ///
 /// # Errors
 /// [`StudyError`], as for `mass`.
@@ -147,7 +149,7 @@ fn links(answered: &Answered, mass: f64) -> Vec<LinkSensitivity> {
     mechanism.link_ids().filter_map(of_link).collect()
 }
 
-/// 2 m v_c · (ω × e): ω × e is what the velocity of the link's points changes by along e.
+/// Rate 2 m v_c · (ω × e) for each axis e; ω × e is the velocity of the point c + e relative to the point c.
 fn per_metre_of_com(
     pose: &Pose,
     response: &ContactResponse,
@@ -177,8 +179,8 @@ fn rotors(answered: &Answered) -> Vec<RotorSensitivity> {
     mechanism.joint_ids().zip(&response.joint_velocities).filter_map(of_joint).collect()
 }
 
-/// Central differences of four values: (8 (f(h) − f(−h)) − (f(2h) − f(−2h))) / 12h. What they may be off by is how far they
-/// are from those of two.
+/// Fourth-order central differences: (8 (f(h) − f(−h)) − (f(2h) − f(−2h))) / 12h. The error estimate is the
+/// difference from the second-order formula.
 fn points(model: &Model, question: &MassQuestion) -> Vec<PointSensitivity> {
     let step = POINT_STEP * model.mechanism.characteristic_length();
     let rate = |name: &String, axis: usize| -> Option<(f64, f64)> {
@@ -204,7 +206,7 @@ fn points(model: &Model, question: &MassQuestion) -> Vec<PointSensitivity> {
     model.hardpoints().par_iter().map(of_point).collect()
 }
 
-/// m̄ of the model with something changed; none where the question has no finite answer.
+/// m̄ of the changed model; `None` without a finite result or at a singular pose.
 pub(crate) fn mass_of(model: &Model, question: &MassQuestion, changes: &Changes) -> Option<f64> {
     let changed = model.changed(changes).ok()?;
     let answered = Answered::new(&changed, question).ok()?;

@@ -1,4 +1,5 @@
-//! Is the contact point where the link is? A wrong frame, or millimetres for metres, is the commonest mistake.
+//! Plausibility of the contact point. A wrong frame, or millimetres instead of metres, is the most common
+//! mistake.
 
 use crate::field::{Field, Names};
 use crate::finding::{Finding, Subject};
@@ -6,8 +7,9 @@ use crate::thresholds::{FAR_POINT, MILLIMETRES};
 use nalgebra::Vector3;
 use percuss_mechanism::{Geometry, LinkId, Mechanism};
 
-/// A warning where the point lies beyond three times the reach of the link: of its declared shape, or, where that is
-/// unknown, of the largest link.
+/// Warning if the point lies farther from the link's origin than three times the extent of the link. The extent
+/// is given by the declared shape; for an unknown shape, by the larger of the link's extent and the mechanism's
+/// characteristic length.
 pub(crate) fn doubt(
     mechanism: &Mechanism,
     link: LinkId,

@@ -1,90 +1,90 @@
-//! The parts of a question, and what they are called where it is asked: flags, keys of a study file, fields in code.
+//! Parts of a question and their names: command-line flags, study keys, or field names in code.
 
 use percuss_dynamics::{AssemblyError, ConditionOfJoint, ConditionsError, ContactError, ContactPart, Frame};
 
-/// By what names messages call the parts of a question.
+/// Set of names used in messages for the parts of a question.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Names {
-    /// As in code: where a fix needs no flag and no key, messages leave both out.
+    /// Field names, for use in code; messages omit flags and keys.
     #[default]
     Fields,
-    /// The flags of the command line.
+    /// Flags of the command line.
     Flags,
-    /// The keys of a study file.
+    /// Keys of a study file.
     Keys,
 }
 
-/// A part of a question: a flag on the command line, a key in a study file.
+/// Part of a question: a flag on the command line, a key in a study file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Field {
-    /// The struck link.
+    /// Contact link.
     Link,
-    /// The contact point.
+    /// Contact point.
     Point,
-    /// The normal.
+    /// Contact normal.
     Normal,
-    /// The line that the normal lies on.
+    /// Line that defines the normal.
     AlongLine,
-    /// The frame of point and normal.
+    /// Frame of point and normal.
     Frame,
-    /// The other link.
+    /// Other link.
     Against,
     /// Mass of a free body on the other side.
     AgainstMass,
     /// A driving joint.
     Set,
-    /// Where a joint is looked for.
+    /// Initial guess of a joint position.
     Guess,
-    /// A travel that drives the pose.
+    /// Travel that drives the pose.
     Travel,
-    /// A file of positions for the pose.
+    /// File of positions for the pose.
     Pose,
-    /// The model's file.
+    /// Model file.
     Model,
-    /// A link's mass.
+    /// Mass of a link.
     LinkMass,
-    /// A link's centre of mass.
+    /// Centre of mass of a link.
     LinkCom,
-    /// A hardpoint that is moved.
+    /// Moved hardpoint.
     Move,
-    /// A point whose speed is asked for.
+    /// Point of a motion ratio.
     RatioAt,
-    /// How far off the parts of a model may be.
+    /// Tolerances of the parts of a model.
     Tolerance,
-    /// How many samples are taken.
+    /// Number of samples.
     Samples,
-    /// A joint that is held.
+    /// Locked joint.
     Lock,
-    /// A point that is held.
+    /// Held point.
     Hold,
-    /// Whether the root link floats.
+    /// Base: fixed or floating root link.
     Base,
-    /// A rotor's inertia.
+    /// Inertia of a rotor.
     Armature,
     /// The classical estimate.
     Estimate,
-    /// What a sweep varies.
+    /// Range of a sweep.
     Vary,
-    /// The file of a sweep's positions.
+    /// File of positions of a sweep.
     Input,
-    /// A column that is left out.
+    /// Ignored column.
     Ignore,
-    /// How many random rows.
+    /// Number of random rows.
     Random,
-    /// A joint's stop.
+    /// Stop of a joint.
     Limit,
     /// The stiffness of a contact or a stop.
     Stiffness,
-    /// Its approach speed.
+    /// Approach speed of a contact or a stop.
     Speed,
-    /// The longest edge of a facet of a map.
+    /// Longest edge of a facet of a map.
     Edge,
-    /// How many directions of a map at a point.
+    /// Number of directions of a map at a point.
     Directions,
 }
 
 impl Field {
-    /// Its flag and its key.
+    /// Flag and study key.
     fn names(self) -> (&'static str, &'static str) {
         match self {
             Field::Link => ("--link", "contact.link"),
@@ -122,17 +122,17 @@ impl Field {
         }
     }
 
-    /// Its flag on the command line.
+    /// Flag on the command line.
     pub fn flag(self) -> &'static str {
         self.names().0
     }
 
-    /// Its key in a study file.
+    /// Key in a study file.
     pub fn key(self) -> &'static str {
         self.names().1
     }
 
-    /// What it is called where the question is asked.
+    /// Name in the given set of names.
     pub fn named(self, names: Names) -> &'static str {
         match names {
             Names::Flags => self.flag(),
@@ -141,7 +141,7 @@ impl Field {
         }
     }
 
-    /// ` (--flag)` or ` (key)` after what a message says of it; nothing in code.
+    /// Hint ` (--flag)` or ` (key)` for the end of a message; empty for field names.
     pub(crate) fn hint(self, names: Names) -> String {
         match names {
             Names::Fields => String::new(),
@@ -149,7 +149,7 @@ impl Field {
         }
     }
 
-    /// Which part of the question a contact's error is about.
+    /// Part of the question at fault for a contact error.
     pub(crate) fn of_contact(error: &ContactError) -> Self {
         match error {
             ContactError::NotFinite { part, .. } => match part {
@@ -163,12 +163,12 @@ impl Field {
             | ContactError::LineTurned { .. } => Field::AlongLine,
             ContactError::Itself { .. } => Field::Against,
             ContactError::OtherMass { .. } => Field::AgainstMass,
-            // Handles of other mechanisms, which a question by names does not have.
+            // Other errors concern handles of other mechanisms; a question by names has none.
             _ => Field::Link,
         }
     }
 
-    /// Which part of the question a condition's error is about, where its name was known.
+    /// Part of the question at fault for a condition error. Unknown names are reported before.
     pub(crate) fn of_condition(error: &ConditionsError) -> Self {
         match error {
             ConditionsError::BadHold { .. } => Field::Hold,
@@ -178,7 +178,8 @@ impl Field {
     }
 }
 
-/// What is wrong with a contact; with the flags or keys of a fixed normal, where a line is none.
+/// Message for a contact error. For a rejected line the message ends with the flags or keys of the equivalent
+/// fixed normal.
 pub(crate) fn about_contact(error: &ContactError, names: Names) -> String {
     let (ContactError::LineShort { normal, frame, .. } | ContactError::LineTurned { normal, frame, .. }) =
         error
@@ -201,7 +202,7 @@ pub(crate) fn about_contact(error: &ContactError, names: Names) -> String {
     }
 }
 
-/// Why loops do not close, with the name of what gives them another start.
+/// Message for an assembly error. If another start can help, the message ends with the flag or key of a guess.
 pub(crate) fn about_assembly(error: &AssemblyError, names: Names) -> String {
     let given_with = match (names, error) {
         (Names::Fields, _) => String::new(),

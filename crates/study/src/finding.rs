@@ -1,26 +1,27 @@
-//! A finding about an answer: what, about what, and where it is the same as another.
+//! Finding about a result: severity, code, subject and message, and the count of equal findings over rows.
 
 use crate::record::DiagnosticRecord;
 use percuss_mechanism::{JointId, LinkId, Severity};
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
-/// What a finding is about. Findings of one code about one subject are one finding, whatever their numbers are.
+/// Subject of a finding. Findings with the same code and subject are counted as one, even if the numbers in the
+/// messages differ.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Subject {
-    /// The answer as a whole.
+    /// Result as a whole.
     Answer,
-    /// A link.
+    /// Link.
     Link(LinkId),
-    /// A joint.
+    /// Joint.
     Joint(JointId),
-    /// A loop or coupling, by name.
+    /// Loop or coupling, by name.
     Closure(String),
-    /// A held contact, by its number in the question.
+    /// Held contact, by number in the question.
     Hold(usize),
 }
 
-/// What the reader of an answer should know.
+/// Finding for the reader of a result.
 #[derive(Clone, Debug)]
 pub(crate) struct Finding {
     severity: Severity,
@@ -49,7 +50,8 @@ impl From<Finding> for DiagnosticRecord {
     }
 }
 
-/// What was found in the rows of a sweep: each thing once, with where and how often.
+/// Findings over the rows of a sweep, one entry per code and subject, with the first row and the number of
+/// rows.
 #[derive(Debug, Default)]
 pub(crate) struct Tally {
     kinds: BTreeMap<(&'static str, Subject), Counted>,
@@ -57,14 +59,14 @@ pub(crate) struct Tally {
 
 #[derive(Debug)]
 struct Counted {
-    /// As it was found first.
+    /// First occurrence.
     finding: Finding,
     first_row: usize,
     rows: usize,
 }
 
 impl Tally {
-    /// Adds what was found in a row.
+    /// Adds the findings of a row.
     pub fn add(&mut self, row: usize, findings: impl IntoIterator<Item = Finding>) {
         for finding in findings {
             let kind = (finding.code, finding.subject.clone());
@@ -72,7 +74,7 @@ impl Tally {
         }
     }
 
-    /// Adds what was found in each of several rows alike.
+    /// Adds findings that hold for each of `rows` rows.
     pub fn add_alike(&mut self, first_row: usize, rows: usize, findings: &[Finding]) {
         for finding in findings {
             let kind = (finding.code, finding.subject.clone());
@@ -81,7 +83,7 @@ impl Tally {
         }
     }
 
-    /// Adds what was found in rows after these.
+    /// Adds the findings of later rows.
     pub fn append(&mut self, later: Self) {
         for (kind, counted) in later.kinds {
             match self.kinds.entry(kind) {
@@ -91,7 +93,8 @@ impl Tally {
         }
     }
 
-    /// Everything that was found, of so many rows; what is not in all of them has the rows.
+    /// All findings of `rows` rows as records. A finding that does not occur in all rows gets the first row and
+    /// the number of further rows appended.
     pub fn into_records(self, rows: usize) -> impl Iterator<Item = DiagnosticRecord> {
         self.kinds.into_values().map(move |counted| {
             let mut record = DiagnosticRecord::from(counted.finding);
@@ -110,7 +113,7 @@ impl Tally {
 mod tests {
     use super::*;
 
-    /// Findings are distinguished by their subject, whatever their messages quote.
+    /// Findings with equal code and subject are counted as one; the message text is ignored.
     #[test]
     fn a_message_is_not_read() {
         let mut tally = Tally::default();

@@ -1,4 +1,4 @@
-//! What the reader of an answer should know: about the pose, its assembly, and the contact response.
+//! Findings about the pose, the assembly and the contact response.
 
 use crate::far_point;
 use crate::field::{Field, Names};
@@ -16,7 +16,7 @@ fn remainder(x: f64, period: f64) -> f64 {
     x - period * (x / period).round()
 }
 
-/// Limits, and how the loops came together.
+/// Findings about joint limits and loop closure.
 pub(crate) fn about_pose(system: &System, pose: &Pose, names: Names) -> Vec<Finding> {
     let mechanism = system.mechanism();
     let mut found: Vec<Finding> = pose
@@ -31,7 +31,7 @@ pub(crate) fn about_pose(system: &System, pose: &Pose, names: Names) -> Vec<Find
     found
 }
 
-/// A joint outside its limits.
+/// Finding for a joint outside its limits.
 pub(crate) fn outside_limits(mechanism: &Mechanism, joint: JointId, value: f64, limits: Limits) -> Finding {
     let message = format!(
         "joint \"{}\" stands at {value}, outside its limits {} to {}",
@@ -42,7 +42,7 @@ pub(crate) fn outside_limits(mechanism: &Mechanism, joint: JointId, value: f64, 
     Finding::warning("outside-limits", Subject::Joint(joint), message)
 }
 
-/// How the loops fit, and who drives them.
+/// Findings about closure of the loops and about the driving joints.
 fn about_loops(system: &System, pose: &Pose, names: Names, found: &mut Vec<Finding>) {
     let mechanism = system.mechanism();
     let Some(loops) = pose.loops() else { return };
@@ -92,7 +92,7 @@ fn about_loops(system: &System, pose: &Pose, names: Names, found: &mut Vec<Findi
     }
 }
 
-/// A loop that is open as drawn, by how much, and what moved to close it.
+/// Finding for a loop that is open as drawn: the gap, and the joint that moved most to close the loop.
 fn about_gap(mechanism: &Mechanism, gap: &DrawnGap) -> Finding {
     let closed = gap.moved.map_or_else(String::new, |(joint, by)| {
         let joint = mechanism.joint(joint);
@@ -116,12 +116,12 @@ fn about_gap(mechanism: &Mechanism, gap: &DrawnGap) -> Finding {
     }
 }
 
-/// A length in mm, or in m where it is long or tiny.
+/// Length in mm; in m if below 1 µm or from 1 m.
 fn length_in_words(length: f64) -> String {
     if (1e-6..1.0).contains(&length) { format!("{:.4} mm", 1e3 * length) } else { format!("{length:.3e} m") }
 }
 
-/// How clear the rank of the constraints is.
+/// Findings about the rank decision of the constraint rows.
 fn about_rank(assembly: &Assembly, found: &mut Vec<Finding>) {
     if !assembly.rank_is_clear() {
         let gap = assembly.rank_gap().unwrap_or_default();
@@ -141,7 +141,7 @@ fn about_rank(assembly: &Assembly, found: &mut Vec<Finding>) {
     }
 }
 
-/// Loops that leave no motion, and the axis to be corrected.
+/// Finding for loops that leave no motion, with the joint axis to correct.
 fn about_rigid(mechanism: &Mechanism, rigid: &RigidLoops) -> Finding {
     let joint = |id: JointId| format!("\"{}\"", mechanism.joint(id).name());
     let loops: Vec<String> = rigid.loops.iter().map(|name| format!("\"{name}\"")).collect();
@@ -174,14 +174,14 @@ fn about_rigid(mechanism: &Mechanism, rigid: &RigidLoops) -> Finding {
     Finding::warning("rigid-loops", subject, message)
 }
 
-/// The first few of many names.
+/// First six names and the number of further names.
 fn listed(names: &[String]) -> String {
     let more = names.len().saturating_sub(6);
     let some = names.iter().take(6).cloned().collect::<Vec<_>>().join(", ");
     if more > 0 { format!("{some} and {more} more") } else { some }
 }
 
-/// Guesses that were of no use, and those that the assembly found is far from.
+/// Findings about unused guesses, and about guesses far from the assembly found.
 pub(crate) fn about_guesses(
     system: &System,
     pose: &Pose,
@@ -194,7 +194,7 @@ pub(crate) fn about_guesses(
     let mut found = Vec::new();
     for (joint, guess) in wanted.guesses() {
         let name = system.mechanism().joint(joint).name();
-        // A whole configuration guesses every joint.
+        // A complete configuration holds a guess for every joint; only explicit guesses are reported.
         if !asked.iter().any(|(guessed, _)| guessed == name) {
             continue;
         }
@@ -229,7 +229,7 @@ pub(crate) fn about_guesses(
     found
 }
 
-/// The contact point, and the remarks of the contact response.
+/// Findings about the contact point and remarks of the contact response.
 pub(crate) fn about_response(
     system: &System,
     contact: &Contact,
@@ -239,7 +239,7 @@ pub(crate) fn about_response(
     let mut found: Vec<Finding> =
         far_point::doubt(system.mechanism(), contact.link, &contact.point, names).into_iter().collect();
     let finite = matches!(response.effective_mass, EffectiveMass::Finite(_));
-    // A massless answer has it already.
+    // The status of a massless result already reports massless motions.
     let reported = |r: &&Remark| finite || !matches!(r, Remark::MasslessMotions { .. });
     found.extend(response.remarks.iter().filter(reported).filter_map(remark));
     if let (EffectiveMass::Finite(_), None) = (response.effective_mass, response.effective_mass_error()) {
@@ -261,7 +261,7 @@ pub(crate) fn about_response(
     found
 }
 
-/// Where branches cross, or constraints have less rank than beside the pose.
+/// Finding for a singular pose: branches cross, or the constraints have lower rank than at neighbouring poses.
 pub(crate) fn about_branches(
     pose: &Pose,
     response: &ContactResponse,
@@ -300,7 +300,7 @@ pub(crate) fn about_branches(
     Some(Finding::warning("singular-pose", Subject::Answer, message))
 }
 
-/// The finding of a remark on the response; findings about the pose come from [`about_pose`].
+/// Finding for a remark on the response. Remarks about the pose give `None`; [`about_pose`] reports them.
 fn remark(remark: &Remark) -> Option<Finding> {
     let warning = |code, message: String| Finding::warning(code, Subject::Answer, message);
     let note = |code, message: String| Finding::note(code, Subject::Answer, message);
@@ -348,7 +348,7 @@ fn remark(remark: &Remark) -> Option<Finding> {
         | Remark::OutsideLimits { .. }
         | Remark::WeaklyConstrained { .. }
         | Remark::UnclearMobility { .. }
-        // The world of a question is its root link's frame.
+        // The world of a question is the frame of its root link.
         | Remark::BaseNotGiven => return None,
     })
 }

@@ -1,5 +1,5 @@
-//! Rows of a linkage that are followed several at once: where m̄ is all that is asked, and nothing but where the joints stand
-//! can be said of one row and not of another.
+//! Path follower for the rows of a linkage: several rows are evaluated in one call. Applicable if only m̄ is
+//! requested and rows differ in joint positions and joint-limit findings only.
 
 use crate::answer::Prepared;
 use crate::finding::Finding;
@@ -10,7 +10,7 @@ use percuss_dynamics::{Contact, DrivenPath, EffectiveMass, PathAnswer, Pose};
 use percuss_mechanism::{JointId, Limits};
 use std::sync::Arc;
 
-/// What is said of every pose of a branch alike.
+/// Codes of findings that hold for every pose of a branch.
 const OF_THE_BRANCH: [&str; 10] = [
     "drawn-open",
     "driver-off-zero",
@@ -24,40 +24,40 @@ const OF_THE_BRANCH: [&str; 10] = [
     "weakly-constrained",
 ];
 
-/// Rows that follow one another from a pose.
+/// Follower of consecutive rows from a starting pose.
 #[derive(Debug)]
 pub(crate) struct Following {
     path: DrivenPath,
-    /// What is said of all of them.
+    /// Findings that hold for all rows.
     findings: Arc<[Finding]>,
     limits: Vec<(JointId, usize, Limits)>,
     answers: Vec<PathAnswer>,
     positions: Vec<f64>,
 }
 
-/// A row that was followed.
+/// Row evaluated by the follower.
 #[derive(Debug)]
 pub(crate) struct FollowedRow {
     pub positions: Positions,
-    /// m̄ and what it may be off by, kg.
+    /// m̄ and the error bound, kg.
     pub mass: (f64, f64),
-    /// m.
+    /// Closure residual, m.
     pub residual: f64,
-    /// Said of every row of its branch.
+    /// Findings that hold for every row of the branch.
     pub alike: Arc<[Finding]>,
-    /// Said of this one.
+    /// Findings about this row only.
     pub own: Vec<Finding>,
 }
 
-/// How a row was reached.
+/// Result of following one row.
 pub(crate) enum Reached {
     Answered(FollowedRow),
-    /// Its m̄ is to be asked.
+    /// Pose found; m̄ must be evaluated separately.
     Posed(Arc<Pose>),
 }
 
 impl Following {
-    /// From a pose on; none where rows must be posed one by one.
+    /// Follower from a pose; `None` if the rows require separate poses.
     pub fn from(prepared: &Prepared, setting: &Setting, contact: &Contact, pose: &Pose) -> Option<Self> {
         if !prepared.is_plain() || setting.travels() || pose.loops().is_none() {
             return None;
@@ -90,7 +90,8 @@ impl Following {
         Some(Self { path, findings, limits, answers: Vec::new(), positions: Vec::new() })
     }
 
-    /// Follows rows until the branch of one is in doubt, and hands them out. Gives how many were reached.
+    /// Follows rows until the branch of a row is uncertain, and passes each result to `each`. Returns the
+    /// number of rows reached.
     pub fn follow(
         &mut self,
         prepared: &Prepared,
@@ -105,7 +106,7 @@ impl Following {
         let width = positions.len() / reached.max(1);
         for (answer, own) in answers.iter().zip(positions.chunks(width.max(1))) {
             let Some(mass) = answer.mass else {
-                // As many positions as the mechanism has.
+                // The positions come from the path, so their number matches the mechanism.
                 if let Ok(pose) = path.pose_at(own, answer.residual) {
                     each(Reached::Posed(Arc::new(pose)));
                 }
@@ -126,12 +127,12 @@ impl Following {
         reached
     }
 
-    /// The pose where it stands.
+    /// Current pose of the path.
     pub fn pose(&self) -> Pose {
         self.path.pose()
     }
 
-    /// Goes on from another pose of the branch; whether it can.
+    /// Restarts from another pose of the branch. Returns true on success.
     pub fn restart(&mut self, pose: &Pose) -> bool {
         self.path.restart(pose)
     }

@@ -1,39 +1,39 @@
-//! A travel that a question drives its pose to: a point, a direction, and how far.
+//! Travel that drives the pose of a question: a point, a direction, and a displacement.
 
 use crate::quantity::{Dimension, Quantity, QuantityError, parse_triple};
 use crate::vary::{Varied, Vary, split};
 
-/// The displacement of a point of a link along a direction, from where the joints as set put it: what a sweep varies, at one
-/// value.
+/// Requested displacement of a point of a link along a direction, measured from the point's position at the set
+/// joint positions. A sweep over a travel varies the same quantity.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GivenTravel {
     /// The link.
     pub link: String,
     /// The point, m, link's frame.
     pub point: [f64; 3],
-    /// The direction, world axes; its length does not matter.
+    /// Direction, world axes, of any length.
     pub direction: [f64; 3],
-    /// How far the point is displaced, m.
+    /// Displacement of the point, m.
     pub distance: f64,
 }
 
-/// A text that is no travel.
+/// Error in the text of a travel.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum GivenTravelError {
-    /// Parts are missing.
+    /// Missing parts.
     #[error("expected LINK:X,Y,Z:DX,DY,DZ=DISTANCE, such as spindle:0,0,0:0,0,1=60mm")]
     Form,
-    /// The point, the direction or the distance.
+    /// Invalid point, direction or distance.
     #[error(transparent)]
     Number(#[from] QuantityError),
 }
 
 impl GivenTravel {
-    /// Reads `LINK:X,Y,Z:DX,DY,DZ=DISTANCE`; `travel:` may stand before it, as in `--vary`.
+    /// Reads `LINK:X,Y,Z:DX,DY,DZ=DISTANCE`; a prefix `travel:` is allowed, as in `--vary`.
     ///
     /// # Errors
-    /// [`GivenTravelError`]: what is wrong, and how it should look.
+    /// [`GivenTravelError`] with the cause and the expected form.
     pub fn parse(text: &str) -> Result<Self, GivenTravelError> {
         let (along, distance) = text.rsplit_once('=').ok_or(GivenTravelError::Form)?;
         let along = along.strip_prefix("travel:").unwrap_or(along);
@@ -46,7 +46,7 @@ impl GivenTravel {
         })
     }
 
-    /// As a range of one value, for the rows of a grid.
+    /// Range with one value, for the rows of a grid.
     pub(crate) fn as_range(&self) -> Vary {
         let Self { link, point, direction, distance } = self.clone();
         let at = Quantity { value: distance, dimension: Some(Dimension::Length) };

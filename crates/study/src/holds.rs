@@ -1,4 +1,4 @@
-//! Held contacts that would have to pull: without them, the point leaves what it is held to.
+//! Check of held contacts for tension: a held contact can push but not pull.
 
 use crate::error::StudyError;
 use crate::field::{Field, Names};
@@ -10,21 +10,22 @@ use percuss_dynamics::{
 };
 use percuss_mechanism::LinkId;
 
-/// A contact that is held along a normal, and the mechanism without it.
+/// Contact held along a normal, and the mechanism without this contact.
 #[derive(Debug)]
 pub(crate) struct HeldContact {
-    /// Its number in the question.
+    /// Number of the held contact in the question.
     pub number: usize,
     pub link: LinkId,
-    /// m, link's frame.
+    /// Point, m, link's frame.
     pub point: Vector3<f64>,
-    /// Unit vector, world axes, out of the link.
+    /// Normal, unit vector, world axes, out of the link.
     pub normal: Vector3<f64>,
     pub without: System,
 }
 
 impl HeldContact {
-    /// Whether the held contact would have to pull at a pose. `other`: mass of a free body on the other side, kg.
+    /// Warning if the impact at a pose lifts the point off, so that the held contact would have to pull.
+    /// `other`: mass of a free body on the other side, kg.
     pub fn find(
         &self,
         pose: &Pose,
@@ -35,7 +36,8 @@ impl HeldContact {
         let free = self.without.pose_like(pose)?;
         let response = free.respond(contact, RouteChoice::Auto)?;
         let velocity = free.point_velocity_over_ground(&response, self.link, &self.point);
-        // The impact changes velocities by −v*: the point approaches what it is held to where −v*·n > 0.
+        // The impact changes the velocities by −v*: the point moves into the held surface if −v*·n > 0, and
+        // lifts off if v*·n > 0.
         let lifts = match velocity {
             Some(PointVelocity::Known(v)) => pose.base().vector(&v).dot(&self.normal) > LEAVES,
             Some(PointVelocity::Undetermined) | None => false,
@@ -61,7 +63,7 @@ impl HeldContact {
     }
 }
 
-/// The effective mass in words.
+/// Effective mass, as text.
 fn described(response: ContactResponse, other: Option<f64>) -> Result<String, StudyError> {
     let with_other = match other {
         Some(other) => response.against_mass(other).map_err(ResponseError::from)?.effective_mass,

@@ -1,6 +1,7 @@
-//! Rows of a tree, many at once: where m̄ is all that is asked, no pose is made for it.
+//! SIMD evaluation of tree rows: m̄ of many rows at once without poses, if only m̄ is requested.
 //!
-//! What is told of a row is the same as with a pose. A row that lanes leave in doubt is posed and answered by itself.
+//! The results and findings equal those of an evaluation with a pose. An uncertain row is posed and evaluated
+//! separately.
 
 use crate::answer::Prepared;
 use crate::far_point;
@@ -14,22 +15,22 @@ use percuss_mechanism::{JointId, Limits};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// What a row with a finite m̄ may be told besides, wherever it stands.
+/// Codes of findings that may occur for any row with a finite m̄.
 const OF_ANY_ROW: [&str; 2] = ["outside-limits", "far-point"];
 
-/// A contact, ready for many rows at once.
+/// Contact prepared for the SIMD evaluation of many rows.
 #[derive(Debug)]
 pub(crate) struct InLanes {
     batch: Batch,
-    /// The positions of all joints where nothing is varied.
+    /// Positions of all joints of the question, in joint order.
     base: Vec<f64>,
-    /// Where each number of a row stands among them.
+    /// Index in `base` of each number of a row.
     places: Vec<usize>,
     limits: Vec<(JointId, usize, Limits)>,
     far_point: Option<Finding>,
 }
 
-/// Some rows that were asked at once.
+/// Results of one batch of rows.
 pub(crate) struct Asked {
     rows: usize,
     columns: Vec<f64>,
@@ -37,7 +38,7 @@ pub(crate) struct Asked {
 }
 
 impl InLanes {
-    /// None where rows must be posed: loops, mimics, or more asked than m̄.
+    /// SIMD evaluation; `None` if the rows require poses: loops, mimics, or other requests than m̄.
     pub fn new(prepared: &Prepared, setting: &Setting, contact: &Contact) -> Option<Self> {
         let system = &prepared.system;
         let has_loops = system.mechanism().joint_ids().any(|joint| system.is_bound(joint));
@@ -73,7 +74,7 @@ impl InLanes {
         lanes.tell_all(prepared, setting, contact).then_some(lanes)
     }
 
-    /// Whether a row is told nothing but what lanes know: asked at a pose that is none in particular.
+    /// True if a generic sample pose has a finite m̄ and no other findings than those in `OF_ANY_ROW`.
     fn tell_all(&self, prepared: &Prepared, setting: &Setting, contact: &Contact) -> bool {
         let values: Vec<f64> = (0..setting.width()).map(|i| 0.1 + (0.618 * i as f64).fract()).collect();
         let pose = setting.configuration(&values, false).ok().and_then(|c| prepared.system.pose(&c).ok());
@@ -84,7 +85,7 @@ impl InLanes {
         })
     }
 
-    /// Asks for some rows of a block.
+    /// Evaluates some rows of a block.
     pub fn ask(&self, block: &Block, rows: Range<usize>) -> Asked {
         let count = rows.len();
         let mut columns = vec![0.0; self.base.len() * count];
@@ -99,14 +100,14 @@ impl InLanes {
         }
         let mut answers = vec![BatchAnswer::NONE; count];
         let positions = BatchPositions::Columns { values: &columns, stride: count };
-        // As many columns as the mechanism has positions, each as long as there are answers.
+        // The layout always fits: one column per position of the mechanism, one entry per result.
         if self.batch.run_here(positions, &mut answers).is_err() {
             answers.fill(BatchAnswer::NONE);
         }
         Asked { rows: count, columns, answers }
     }
 
-    /// What the reader should know of a row that has an answer.
+    /// Adds the findings of a row with a result.
     pub fn find(&self, prepared: &Prepared, asked: &Asked, i: usize, row: usize, tally: &mut Tally) {
         if let Some(far_point) = &self.far_point {
             tally.add(row, [far_point.clone()]);
@@ -121,7 +122,7 @@ impl InLanes {
 }
 
 impl Asked {
-    /// m̄ of a row and what rounding may amount to, kg; none where that is in doubt.
+    /// m̄ of a row and the rounding error bound, kg; `None` if uncertain.
     pub fn mass(&self, i: usize) -> Option<(f64, f64)> {
         match self.answers[i] {
             BatchAnswer { mass: Some(EffectiveMass::Finite(mass)), error: Some(error), .. } => {
@@ -131,7 +132,7 @@ impl Asked {
         }
     }
 
-    /// Where the joints of a row stand.
+    /// Joint positions of a row.
     pub fn positions(&self, layout: &Arc<PoseLayout>, i: usize) -> Positions {
         Positions::of_columns(layout, &self.columns, self.rows, i)
     }

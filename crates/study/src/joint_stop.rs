@@ -1,4 +1,4 @@
-//! The stop of a joint, as a contact between its two links.
+//! Stop of a joint, as a contact between the two links of the joint.
 
 use crate::error::{Fault, StudyError};
 use crate::field::Field;
@@ -11,31 +11,33 @@ use percuss_dynamics::Frame;
 use percuss_mechanism::{Joint, JointKind};
 use serde::Serialize;
 
-/// Which end of a joint's range.
+/// End of the range of a joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum StopEnd {
-    /// The least position.
+    /// Lower limit.
     Lower,
-    /// The greatest position.
+    /// Upper limit.
     Upper,
 }
 
-/// The stop of a joint with one degree of freedom.
+/// Stop of a joint with one degree of freedom.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JointStop {
     /// The joint.
     pub joint: String,
-    /// The end, where the joint is put on; none: it is stopped where the pose has it, on its way up.
+    /// End of the range. The joint is set to this limit unless the question sets the joint. `None`: stop at the
+    /// position in the pose, against motion in the positive direction.
     pub end: Option<StopEnd>,
 }
 
-/// The stop of a joint, as it stands in reports.
+/// Stop of a joint, in reports.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct StopRecord {
     /// The joint.
     pub joint: String,
-    /// `turn`: the mass is an inertia in kg·m², the stiffness in N·m/rad, the speed in rad/s, and so on; or `slide`.
+    /// Motion of the joint. `turn`: the mass is an inertia in kg·m², the stiffness is in N·m/rad, the speed in
+    /// rad/s, and so on. `slide`: kg, N/m, m/s.
     pub motion: StopMotion,
 }
 
@@ -43,7 +45,7 @@ impl JointStop {
     /// Reads `JOINT`, `JOINT:lower` or `JOINT:upper`.
     ///
     /// # Errors
-    /// How it should look.
+    /// Message with the expected form.
     pub fn parse(text: &str) -> Result<Self, String> {
         let (joint, end) = match text.rsplit_once(':') {
             Some((joint, "lower")) => (joint, Some(StopEnd::Lower)),
@@ -56,10 +58,10 @@ impl JointStop {
         }
     }
 
-    /// How the joint moves into its stop.
+    /// Motion of the joint into the stop.
     ///
     /// # Errors
-    /// [`StudyError`]: no such joint; one that is fixed or has several degrees of freedom.
+    /// [`StudyError`]: unknown joint; a joint without exactly one degree of freedom.
     pub fn motion(&self, model: &Model) -> Result<StopMotion, StudyError> {
         self.find(model).map(|(_, motion)| motion)
     }
@@ -74,13 +76,14 @@ impl JointStop {
         Ok((joint, motion))
     }
 
-    /// The contact: a point of the child link against the parent link, 1 m beside the axis of a turn, along its motion;
-    /// any point along the axis of a slide. The two links then close at just the joint's rate q̇, so that m̄ in kg is
-    /// 1/(e_j M_c⁻¹ e_jᵀ), the inertia (kg·m²) or the mass that the joint feels through the loops. The other words of the
-    /// question (`conditions`) stay.
+    /// Contact question of the stop. The contact is a point of the child link against the parent link. For a
+    /// rotation the point lies 1 m from the axis and the normal along the motion; for a translation any point
+    /// serves, with the normal along the axis. The closing speed then equals the joint rate q̇, so m̄ in kg
+    /// equals 1/(e_j M_c⁻¹ e_jᵀ), the inertia (kg·m²) or mass (kg) at the joint including the loops. All other
+    /// fields of the question come from `conditions`.
     ///
     /// # Errors
-    /// [`StudyError`]: no such joint; one that is fixed or has several degrees of freedom; an end without a limit.
+    /// [`StudyError`]: unknown joint; a joint without exactly one degree of freedom; an end without a limit.
     pub fn question(
         &self,
         model: &Model,
@@ -123,7 +126,7 @@ impl JointStop {
     }
 }
 
-/// None for a joint without a stop of one number.
+/// Motion of a joint into a stop; `None` unless the joint has exactly one position.
 fn motion_of(joint: &Joint) -> Option<StopMotion> {
     match joint.kind() {
         JointKind::Revolute | JointKind::Continuous => Some(StopMotion::Turn),
@@ -132,7 +135,7 @@ fn motion_of(joint: &Joint) -> Option<StopMotion> {
     }
 }
 
-/// A unit vector across another.
+/// Unit vector normal to `axis`.
 fn beside(axis: &Vector3<f64>) -> Vector3<f64> {
     let least = axis.iamin();
     let mut other = Vector3::zeros();

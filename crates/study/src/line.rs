@@ -1,5 +1,5 @@
-//! Rows that follow one another: each is reached from the last that was, and what a row out of reach found out is known
-//! to those after it.
+//! Continuation along consecutive rows: each pose starts from the last pose reached, and a row out of reach
+//! provides limits for the following rows.
 
 use crate::driver::Driver;
 use crate::error::{Fault, StudyError};
@@ -11,20 +11,21 @@ use crate::travel::Travel;
 use percuss_dynamics::{AssemblyError, Pose, System};
 use std::sync::Arc;
 
-/// Which number of a row tells how far out it lies.
+/// Number of a row that measures the distance along a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Along {
-    /// The last: along a range.
+    /// Last number: the values of a range.
     Last,
-    /// None: all numbers change from row to row.
+    /// No number: all numbers change from row to row.
     Anything,
 }
 
-/// How far the first row of a line lay out, rad or m, for which following the loops so far was too much work, and the
-/// row: lines that begin further out are not tried.
+/// Step limit: joint travel (rad or m) from the last pose reached, or from 0 for a first row, at which
+/// following the loops exceeded the work limit; and the row that found the limit. Rows with a longer step are
+/// not tried.
 pub(crate) type TooFar = Option<(f64, usize)>;
 
-/// The one of these that excludes more.
+/// Smaller of two limits.
 pub(crate) fn nearer(a: TooFar, b: TooFar) -> TooFar {
     match (a, b) {
         (Some(one), Some(other)) => Some(if other.0 < one.0 { other } else { one }),
@@ -32,43 +33,44 @@ pub(crate) fn nearer(a: TooFar, b: TooFar) -> TooFar {
     }
 }
 
-/// Where rows in succession stand.
+/// State of the continuation along a line of rows.
 #[derive(Debug)]
 pub(crate) struct Line {
     along: Along,
     travel: Option<Arc<(Travel, Driver)>>,
-    /// The pose of the last row that was reached.
+    /// Pose of the last row reached.
     last: Option<Arc<Pose>>,
     pub reach: Reach,
     pub too_far: TooFar,
-    /// Where rows are followed several at once from the last pose on; how often that was begun.
+    /// Path follower from the last pose, if rows can be followed several at once, and the number of followers
+    /// built.
     pub following: Option<Box<Following>>,
     pub begun: usize,
 }
 
 impl Line {
-    /// A line that begins where the question puts the mechanism; the travel may be known.
+    /// Line that starts at the pose of the question; `travel` is given if known.
     pub fn new(along: Along, travel: Option<Arc<(Travel, Driver)>>, too_far: TooFar) -> Self {
         Self { along, travel, last: None, reach: Reach::default(), too_far, following: None, begun: 0 }
     }
 
-    /// Stands where rows were followed to, with the number of the last.
+    /// Continues from a pose reached by the path follower; `value` is the last number of the row.
     pub fn stands_at(&mut self, pose: Pose, value: f64) {
         self.reach.answered(value);
         self.last = Some(Arc::new(pose));
     }
 
-    /// Whether no row was reached yet.
+    /// True if no row has been reached.
     pub fn is_new(&self) -> bool {
         self.last.is_none()
     }
 
-    /// The travel along this line.
+    /// Travel along this line.
     pub fn travel(&self) -> Option<Arc<(Travel, Driver)>> {
         self.travel.clone()
     }
 
-    /// The pose of the next row, or why it is not reached.
+    /// Pose of the next row, or the reason why the row is not reached.
     pub fn pose(
         &mut self,
         system: &System,
@@ -105,8 +107,8 @@ impl Line {
         Ok(Err(missed.why))
     }
 
-    /// The pose, on the branch of the last one; or why there is none, and how far the loops were followed where that was
-    /// too far.
+    /// Pose on the branch of the last pose, or the reason for failure. The distance is the joint travel
+    /// followed so far, if the work limit was exceeded.
     #[allow(clippy::type_complexity, reason = "read in one place")]
     fn reached(
         &mut self,
@@ -119,7 +121,7 @@ impl Line {
             match setting.travel(system, values) {
                 Ok(travel) => self.travel = travel.map(Arc::new),
                 Err(StudyError::Assembly(error)) if !error.is_bad_input() => {
-                    // The joints before it are the same for the whole line.
+                    // The joints before the travel have the same values along the whole line.
                     let missed = Missed { why: about_assembly(&error, names), extent: Extent::Everywhere };
                     return Ok(Err((missed, self.walked(&error))));
                 }
@@ -147,7 +149,8 @@ impl Line {
         }
     }
 
-    /// How far the drivers were followed, where going on was too much work.
+    /// Largest displacement of a driver, rad or m, up to which the loops were followed; `None` unless the work
+    /// limit was exceeded.
     fn walked(&self, error: &AssemblyError) -> Option<f64> {
         let AssemblyError::TooFar { reached, .. } = error else { return None };
         let from = |name: &str| match &self.last {
@@ -160,7 +163,7 @@ impl Line {
         Some(reached.iter().map(|(name, value)| (value - from(name)).abs()).fold(0.0, f64::max))
     }
 
-    /// What the failure of a row says of the others.
+    /// Consequence of a failed row for the other rows of the line.
     fn extent(&self, error: &AssemblyError, setting: &Setting) -> Extent {
         let of_driver = |places: &[(String, f64)]| {
             let own = |(name, _): &&(String, f64)| Some(name.as_str()) == setting.last_joint();
@@ -174,7 +177,7 @@ impl Line {
             (AssemblyError::Unreachable { requested, nearest, .. }, Along::Last) => {
                 match (of_driver(requested), of_driver(nearest)) {
                     (Some(_), Some(end)) if self.last.is_some() => Extent::Beyond(end),
-                    // A first row is looked for from many starts, and another may be reached from one of them.
+                    // The assembly of a first row uses many starts; one of them may reach another row.
                     (Some(_), _) => Extent::Nothing,
                     (None, _) => Extent::Everywhere,
                 }
@@ -184,7 +187,8 @@ impl Line {
     }
 }
 
-/// The pose with what rows set at 0, whatever the rows are: where points in other frames are converted.
+/// Pose with all varied values at 0, for the conversion of points given in other frames. Independent of the
+/// rows.
 pub(crate) fn reference(
     system: &System,
     setting: &Setting,

@@ -19,22 +19,22 @@ use rayon::prelude::*;
 use std::cell::RefCell;
 use std::path::Path;
 
-/// Contacts that a thread takes at once.
+/// Number of contacts per work item of a thread.
 const PORTION: usize = 1 << 14;
 
-/// Why a link has no map.
+/// Reason for a link without a map.
 enum NoMap {
-    /// It can be left out.
+    /// Fault of the link; the link can be omitted.
     Link(Fault),
-    /// The question has no answer.
+    /// Error of the question.
     Question(StudyError),
 }
 
-/// Answers a contact in every facet of the surfaces of links, along the outward normal.
+/// Evaluates a contact at every facet of the surfaces of links, along the outward normal.
 ///
 /// # Errors
-/// [`StudyError`]: names that nothing bears, a pose that cannot be reached; of links that are named, a shape that is missing or
-/// cannot be read. With all links, those are left out, and said to be; no link at all is an error.
+/// [`StudyError`]: unknown names, an unreachable pose; for named links, a missing or unreadable shape. With
+/// [`MapLinks::All`] such links are listed in `left_out`; a map without any link is an error.
 pub fn map(model: &Model, question: &MapQuestion) -> Result<MapAnswer, StudyError> {
     let mechanism = &model.mechanism;
     if let Some(edge) = question.edge.filter(|e| !(e.is_finite() && *e >= LEAST_EDGE)) {
@@ -101,7 +101,7 @@ pub fn map(model: &Model, question: &MapQuestion) -> Result<MapAnswer, StudyErro
     Ok(MapAnswer { report, skins })
 }
 
-/// The conditions with a contact that there is, for what prepares a question.
+/// Question with a valid contact, required by `Prepared`; the contact itself is not evaluated.
 fn on_a_link(model: &Model, conditions: &MassQuestion) -> MassQuestion {
     let against = conditions.against.as_deref();
     let link = model.mechanism.links().iter().map(|l| l.name()).find(|name| Some(*name) != against);
@@ -124,12 +124,12 @@ fn chosen(shapes: &[Shape], which: MapShapes) -> (Purpose, Vec<&Shape>) {
     }
 }
 
-/// A question at its pose.
+/// Question at the pose of the map.
 struct Asked<'a> {
     model: &'a Model,
     question: &'a MapQuestion,
     folders: MeshFolders,
-    /// The files of meshes that were read.
+    /// Mesh files read so far.
     meshes: &'a RefCell<Vec<Input>>,
     prepared: &'a Prepared<'a>,
     pose: &'a Pose,
@@ -175,7 +175,7 @@ impl Asked<'_> {
         Ok((summary(&skin, purpose, orientation), skin))
     }
 
-    /// Asks for every facet, by all threads.
+    /// Evaluates all facets in parallel.
     fn answered(&self, link: LinkId, facets: Vec<Facet>, map: &ContactMap<'_>) -> SkinFacets {
         let count = facets.len();
         let points: [Vec<f64>; 3] =
@@ -192,7 +192,7 @@ impl Asked<'_> {
             let [points, normals] =
                 [&points, &normals].map(|c| c.each_ref().map(|column| &column[part.clone()]));
             let mut answers = MapAnswers { masses, errors, statuses };
-            // Columns of one length.
+            // The call cannot fail: all columns have the same length.
             let _ = map.fill_answers(ContactColumns { points, normals }, &mut answers);
         });
         let name = self.model.mechanism.link(link).name();
@@ -200,13 +200,13 @@ impl Asked<'_> {
     }
 }
 
-/// The same with a free body on the other side: 1/m̄ = 1/m̄₁ + 1/m₂.
+/// Adds a free body on the other side: 1/m̄ = 1/m̄₁ + 1/m₂.
 fn against_mass(skin: &mut SkinFacets, other: f64) {
     for ((mass, error), status) in skin.masses.iter_mut().zip(&mut skin.errors).zip(&mut skin.statuses) {
         match *status {
             ContactStatus::Finite => {
                 let together = *mass / (1.0 + *mass / other);
-                // dm̄/m̄ = (m̄/m̄₁) dm̄₁/m̄₁, and a rounding of its own.
+                // dm̄/m̄ = (m̄/m̄₁) dm̄₁/m̄₁, plus the rounding of this formula.
                 *error = *error * together / *mass + 4.0 * f64::EPSILON;
                 *mass = together;
             }
@@ -223,7 +223,7 @@ fn summary(skin: &SkinFacets, purpose: Purpose, orientation: Option<OrientationR
     let finite = || (0..skin.facets.len()).filter_map(|i| Some((i, skin.mass(i)?)));
     let smallest = finite().min_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| extreme(skin, i));
     let largest = finite().max_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| extreme(skin, i));
-    // 1/m̄ has a mean over any surface; m̄ itself grows beyond bounds towards where nothing moves.
+    // The mean of 1/m̄ exists on any surface; m̄ itself is unbounded near immovable contacts.
     let inverse: f64 = finite().map(|(i, m)| skin.facets[i].area / m).sum();
     let answered = |i: &usize| matches!(skin.statuses[*i], ContactStatus::Finite | ContactStatus::Immovable);
     let area: f64 = (0..skin.facets.len()).filter(answered).map(|i| skin.facets[i].area).sum();

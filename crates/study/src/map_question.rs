@@ -1,22 +1,22 @@
-//! The question of a map: which links, which of their shapes, how fine.
+//! Question of a map: links, shapes and resolution.
 
 use crate::question::MassQuestion;
 use percuss_formats::DEFAULT_MAX_MESH_SIZE;
 use std::path::PathBuf;
 
-/// Which links are mapped.
+/// Selection of links.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum MapLinks {
-    /// Those of these names.
+    /// Links by name.
     Named(Vec<String>),
-    /// All that have a shape that can be read.
+    /// All links with a readable shape.
     All,
 }
 
-/// Which shapes of a link make its surface.
+/// Selection of the shapes that form the surface of a link.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum MapShapes {
-    /// `<collision>`; `<visual>` for links that have none.
+    /// `<collision>`; `<visual>` for links without collision shapes.
     #[default]
     Auto,
     /// `<collision>`.
@@ -25,25 +25,25 @@ pub enum MapShapes {
     Visual,
 }
 
-/// A question about the surfaces of links. Its contact is left open; the rest of `conditions` counts.
+/// Question about the surfaces of links. The contact of `conditions` is ignored; all other fields apply.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MapQuestion {
-    /// The pose, what is held, the other side.
+    /// Pose, held parts and other side.
     pub conditions: MassQuestion,
-    /// Which links.
+    /// Links.
     pub links: MapLinks,
-    /// Which of their shapes.
+    /// Shapes.
     pub shapes: MapShapes,
-    /// Longest edge of a facet, m; none: a part of the link's size.
+    /// Longest edge of a facet, m; `None` for a fraction of the link's size.
     pub edge: Option<f64>,
-    /// Folders of packages by name.
+    /// ROS package names and folders.
     pub packages: Vec<(String, PathBuf)>,
     /// Largest mesh file, bytes.
     pub max_mesh_size: u64,
 }
 
 impl MapQuestion {
-    /// The whole skin under conditions.
+    /// Question about the surfaces of all links.
     pub fn all(conditions: MassQuestion) -> Self {
         Self {
             conditions,

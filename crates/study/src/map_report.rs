@@ -1,4 +1,4 @@
-//! A map as plain data: what is said of every link, and its facets.
+//! Report of a map: a summary of each link, and the facets.
 
 use crate::mass_report::ConditionsRecord;
 use crate::model::Input;
@@ -9,33 +9,33 @@ use percuss_formats::{Facet, Orientation};
 use percuss_spatial::Transform;
 use serde::ser::{Serialize, SerializeSeq, Serializer};
 
-/// A contact of a map where m̄ is smallest or largest.
+/// Contact with the smallest or largest m̄.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct Extreme {
     /// m̄, kg.
     pub effective_mass: f64,
-    /// What it may be off by, kg; null where unknown.
+    /// Error bound of m̄, kg; null if unknown.
     pub effective_mass_error: Option<f64>,
-    /// m, link's frame.
+    /// Contact point, link's frame, m.
     pub point_link: [f64; 3],
-    /// Unit vector out of the link, link's axes.
+    /// Unit normal out of the link, link's axes.
     pub normal_link: [f64; 3],
-    /// m.
+    /// Contact point, world frame, m.
     pub point_world: [f64; 3],
-    /// Unit vector out of the link.
+    /// Unit normal out of the link, world axes.
     pub normal_world: [f64; 3],
 }
 
-/// What was done so that normals of meshes point outward.
+/// Orientation of mesh triangles, so that the normals point outward.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct OrientationRecord {
     /// Connected pieces of the meshes.
     pub pieces: usize,
-    /// Triangles that were turned over.
+    /// Number of reversed triangles.
     pub turned: usize,
-    /// Pieces without an inside: turned away from the centre of their mesh.
+    /// Open pieces without an interior; the normals point away from the centre of the mesh.
     pub open: usize,
-    /// Pieces that cannot be turned alike.
+    /// Pieces without a consistent orientation.
     pub conflicting: usize,
 }
 
@@ -45,115 +45,115 @@ impl From<&Orientation> for OrientationRecord {
     }
 }
 
-/// What is said of a link.
+/// Summary of a link.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct LinkMap {
     /// The link.
     pub link: String,
-    /// Which shapes make its surface: `collision` or `visual`.
+    /// Shapes that form the surface: `collision` or `visual`.
     pub shapes: &'static str,
-    /// How many contacts: one in each facet, along its outward normal.
+    /// Number of contacts, one per facet, along the outward normal.
     pub contacts: usize,
-    /// How many of them have a mass.
+    /// Number of contacts with a finite m̄.
     pub finite: usize,
-    /// How many no motion yields at.
+    /// Number of immovable contacts: no motion closes the gap.
     pub immovable: usize,
-    /// How many a motion without mass yields at.
+    /// Number of massless contacts: a motion without mass closes the gap.
     pub massless: usize,
-    /// How many have no answer.
+    /// Number of contacts without a result.
     pub unanswered: usize,
     /// Area of the surface, m².
     pub area: f64,
-    /// Where m̄ is smallest; null where none is finite.
+    /// Contact with the smallest m̄; null without a finite m̄.
     pub smallest: Option<Extreme>,
-    /// Where it is largest among the finite ones.
+    /// Contact with the largest finite m̄.
     pub largest: Option<Extreme>,
-    /// Mean over the area, kg: 1 over the mean of 1/m̄, which is 0 where it is immovable. Null where it is nowhere finite, or
-    /// somewhere massless.
+    /// Harmonic mean of m̄ over the area, kg: 1 over the mean of 1/m̄; 1/m̄ is 0 at immovable contacts. Null if
+    /// no contact is finite or any contact is massless.
     pub area_mean: Option<f64>,
-    /// The largest relative error stated; null where none is known.
+    /// Largest stated relative error; null if unknown.
     pub worst_relative_error: Option<f64>,
-    /// What was done to the windings of meshes; null without a mesh.
+    /// Orientation of the mesh triangles; null without a mesh.
     pub orientation: Option<OrientationRecord>,
 }
 
-/// A link that is not in the map.
+/// Link omitted from the map.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct LeftOut {
     /// The link.
     pub link: String,
-    /// Why.
+    /// Reason.
     pub reason: String,
 }
 
-/// `percuss map`, as JSON. Keys are always present, null where they do not apply.
+/// Report of `percuss map`, as JSON. All keys are always present; a value is null if not applicable.
 #[derive(Clone, Debug, serde::Serialize)]
 pub struct MapReport {
     /// `percuss.map/1`.
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,
-    /// The files.
+    /// Input files.
     pub inputs: Vec<Input>,
-    /// The links.
+    /// Summaries of the links.
     pub links: Vec<LinkMap>,
-    /// Links that are not in it.
+    /// Omitted links.
     pub left_out: Vec<LeftOut>,
-    /// Longest edge of a facet asked for, m; null: a part of each link's size.
+    /// Requested longest edge of a facet, m; null for a fraction of each link's size.
     pub edge: Option<f64>,
-    /// The other link; null: the ground.
+    /// Other link; null for the ground.
     pub against: Option<String>,
-    /// What it was asked under.
+    /// Conditions of the question.
     pub conditions: ConditionsRecord,
-    /// Whether the pose is singular: every m̄ is a lower bound there.
+    /// True if the pose is singular; every m̄ is then a lower bound.
     pub singular_pose: bool,
-    /// dim ker A at the pose, a floating base's 6 included.
+    /// dim ker A at the pose, including the 6 of a floating base.
     pub degrees_of_freedom: usize,
-    /// Where the joints stand.
+    /// Joint positions.
     pub pose: Positions,
     /// Warnings and notes.
     pub diagnostics: Vec<DiagnosticRecord>,
 }
 
-/// The facets of a link and m̄ on each.
+/// Facets of a link and m̄ at each facet.
 #[derive(Clone, Debug)]
 pub struct SkinFacets {
     /// The link.
     pub link: String,
-    /// X_wl: the link in the world.
+    /// X_wl: transform from link to world coordinates.
     pub frame: Transform<f64>,
-    /// In the link's frame.
+    /// Facets in the link's frame.
     pub facets: Vec<Facet>,
     /// m̄, kg; NaN unless finite or massless.
     pub masses: Vec<f64>,
-    /// Relative; NaN where unknown.
+    /// Relative error bounds; NaN if unknown.
     pub errors: Vec<f64>,
-    /// What each is.
+    /// Kinds of results.
     pub statuses: Vec<ContactStatus>,
 }
 
-/// A contact of a map.
+/// Contact of a map.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct FacetRecord<'a> {
     /// The link.
     pub link: &'a str,
-    /// m, link's frame.
+    /// Contact point, link's frame, m.
     pub point_link: [f64; 3],
-    /// Unit vector out of the link.
+    /// Unit normal out of the link, link's axes.
     pub normal_link: [f64; 3],
-    /// m.
+    /// Contact point, world frame, m.
     pub point_world: [f64; 3],
-    /// Area of its facet, m².
+    /// Area of the facet, m².
     pub area: f64,
     /// `finite`, `immovable`, `massless` or `no answer`.
     pub status: &'static str,
     /// m̄, kg; null unless finite.
     pub effective_mass: Option<f64>,
-    /// What it may be off by, kg; null where unknown.
+    /// Error bound of m̄, kg; null if unknown.
     pub effective_mass_error: Option<f64>,
 }
 
-/// As it stands in JSON and CSV.
+/// Name of a status in JSON and CSV.
 pub(crate) fn name_of(status: ContactStatus) -> &'static str {
     match status {
         ContactStatus::Finite => "finite",
@@ -164,12 +164,12 @@ pub(crate) fn name_of(status: ContactStatus) -> &'static str {
 }
 
 impl SkinFacets {
-    /// m̄ of a facet, kg; none unless finite.
+    /// m̄ of facet `i`, kg; `None` unless finite.
     pub fn mass(&self, i: usize) -> Option<f64> {
         (self.statuses[i] == ContactStatus::Finite).then_some(self.masses[i])
     }
 
-    /// A contact.
+    /// Record of contact `i`.
     pub fn record(&self, i: usize) -> FacetRecord<'_> {
         let facet = &self.facets[i];
         let mass = self.mass(i);
@@ -185,22 +185,22 @@ impl SkinFacets {
         }
     }
 
-    /// All contacts.
+    /// Records of all contacts.
     pub fn records(&self) -> impl Iterator<Item = FacetRecord<'_>> {
         (0..self.facets.len()).map(|i| self.record(i))
     }
 }
 
-/// A map: what is said, and what it is said of.
+/// Map: the report and the facets.
 #[derive(Clone, Debug)]
 pub struct MapAnswer {
-    /// What is said.
+    /// Report.
     pub report: MapReport,
-    /// The facets of the links, in the order of the report's.
+    /// Facets of the links, in the order of the report's links.
     pub skins: Vec<SkinFacets>,
 }
 
-/// As JSON with all contacts: the keys of the report, and `contacts`.
+/// JSON with all contacts: the keys of the report, and `contacts`.
 impl Serialize for MapAnswer {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         #[derive(serde::Serialize)]

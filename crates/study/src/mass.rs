@@ -1,4 +1,4 @@
-//! One contact of a model, with the damper that gives it a restitution where one is asked for.
+//! Effective mass at one contact of a model, optionally with the damper for a restitution.
 
 use crate::answer::Answered;
 use crate::damped_contact::damping_of;
@@ -12,10 +12,10 @@ use crate::question::MassQuestion;
 use crate::record::DiagnosticRecord;
 use percuss_mechanism::Severity;
 
-/// Answers one contact of a model.
+/// Evaluates one contact of a model.
 ///
 /// # Errors
-/// [`StudyError`]: names that nothing bears, positions that cannot be reached, a contact that means nothing.
+/// [`StudyError`]: unknown names, unreachable positions, an invalid contact.
 pub fn mass(model: &Model, question: &MassQuestion) -> Result<MassReport, StudyError> {
     report_of(&Answered::new(model, question)?)
 }
@@ -25,8 +25,8 @@ fn report_of(answered: &Answered) -> Result<MassReport, StudyError> {
     Ok(MassReport { motion_ratios, ..MassReport::of(answered) })
 }
 
-/// Answers one contact of a model, with the damper that gives it a restitution; none where its mass is not finite
-/// or depends on the branch.
+/// Evaluates one contact of a model and the damper for a restitution. The report has no damper, and a warning,
+/// if m̄ is not finite or depends on the branch.
 ///
 /// # Errors
 /// [`StudyError`], as for [`mass()`]; a restitution or a stiffness out of range.
@@ -38,7 +38,8 @@ pub fn mass_with_damper(
     with_damper(&Answered::new(model, question)?, damping)
 }
 
-/// The same with the mechanism at its pose, to be drawn.
+/// Same as [`mass_with_damper`] (or [`mass()`] without `damping`), with the drawing of the mechanism at the
+/// pose.
 ///
 /// # Errors
 /// As for [`mass_with_damper`].

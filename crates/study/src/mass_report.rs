@@ -1,4 +1,4 @@
-//! The answer to one contact of a model, as it stands in JSON.
+//! Report of one contact of a model, as JSON.
 
 use crate::answer::{Answer, Answered};
 use crate::assumptions::Assumptions;
@@ -17,20 +17,20 @@ use percuss_mechanism::{JointId, LinkId};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// Kind of answer.
+/// Kind of result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Status {
-    /// m̄ is a number.
+    /// m̄ is finite.
     Finite,
     /// No admissible motion closes the gap.
     Immovable,
-    /// A motion without energy closes the gap.
+    /// A motion without kinetic energy closes the gap.
     Massless,
 }
 
 impl Status {
-    /// What a contact response comes to, and its m̄ (kg) where it is finite.
+    /// Kind of an effective mass, and m̄ (kg) if finite.
     pub(crate) fn of(mass: EffectiveMass) -> (Self, Option<f64>) {
         match mass {
             EffectiveMass::Finite(m) => (Status::Finite, Some(m)),
@@ -39,7 +39,7 @@ impl Status {
         }
     }
 
-    /// As it stands in JSON and CSV.
+    /// Name in JSON and CSV.
     pub fn name(self) -> &'static str {
         match self {
             Status::Finite => "finite",
@@ -49,47 +49,47 @@ impl Status {
     }
 }
 
-/// The contribution of a link to m̄.
+/// Share of a link in m̄.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BodyShare {
     /// The link.
     pub link: String,
-    /// Its share of the kinetic energy at unit closing speed; null unless the mass is finite.
+    /// Share of the kinetic energy at unit closing speed; null unless m̄ is finite.
     pub share: Option<f64>,
 }
 
-/// The contribution of a rotor to m̄.
+/// Share of a rotor in m̄.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct RotorShare {
-    /// The joint it drives.
+    /// Joint driven by the rotor.
     pub joint: String,
-    /// Its share of the kinetic energy at unit closing speed; null unless the mass is finite.
+    /// Share of the kinetic energy at unit closing speed; null unless m̄ is finite.
     pub share: Option<f64>,
 }
 
-/// The contact, in the world and in the struck link.
+/// Contact, in the world frame and in the frame of the contact link.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ContactRecord {
-    /// The struck link.
+    /// Contact link.
     pub link: String,
-    /// The other link; null: the ground.
+    /// Other link; null for the ground.
     pub against: Option<String>,
-    /// m.
+    /// Contact point, world frame, m.
     pub point_world: [f64; 3],
-    /// Unit vector out of the struck link.
+    /// Unit normal out of the contact link, world axes.
     pub normal_world: [f64; 3],
-    /// m.
+    /// Contact point, link's frame, m.
     pub point_link: [f64; 3],
-    /// Unit vector out of the struck link.
+    /// Unit normal out of the contact link, link's axes.
     pub normal_link: [f64; 3],
 }
 
-/// What an answer was asked under, so that it can be asked again.
+/// Conditions of a result, sufficient to repeat the question.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct ConditionsRecord {
     /// `fixed` or `floating`.
     pub base: &'static str,
-    /// Joints held by the question.
+    /// Joints locked by the question.
     pub lock: Vec<String>,
     /// Points held by the question.
     pub hold: Vec<HoldRecord>,
@@ -97,7 +97,7 @@ pub struct ConditionsRecord {
     pub armature: BTreeMap<String, Vec<f64>>,
     /// Mass of a free body on the other side, kg.
     pub against_mass: Option<f64>,
-    /// Where joints were looked for, as typed.
+    /// Initial guesses of joint positions, as typed.
     pub guess: BTreeMap<String, String>,
     /// Travels that drove the pose.
     pub travel: Vec<TravelRecord>,
@@ -112,7 +112,7 @@ pub struct TravelRecord {
     pub point: [f64; 3],
     /// The direction in world axes, as given.
     pub direction: [f64; 3],
-    /// How far the point was displaced, m.
+    /// Displacement of the point, m.
     pub distance: f64,
 }
 
@@ -123,7 +123,7 @@ pub struct HoldRecord {
     pub link: String,
     /// The point in the link's frame, m.
     pub point: [f64; 3],
-    /// The normal in world axes; null holds three directions.
+    /// The normal in world axes; null if all three directions are held.
     pub normal: Option<[f64; 3]>,
 }
 
@@ -152,91 +152,92 @@ impl ConditionsRecord {
     }
 }
 
-/// `percuss mass`, as JSON. Keys are always present, null where they do not apply.
+/// Report of `percuss mass`, as JSON. All keys are always present; a value is null if not applicable.
 #[derive(Clone, Debug, Serialize)]
 pub struct MassReport {
     /// `percuss.mass/1`.
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,
-    /// The files.
+    /// Input files.
     pub inputs: Vec<Input>,
     /// m̄, kg; null unless finite.
     pub effective_mass: Option<f64>,
-    /// Kind of answer.
+    /// Kind of result.
     pub status: Status,
-    /// Whether the pose is singular: fewer independent constraints than at a generic pose.
+    /// True if the pose is singular: A has a lower rank than at a generic pose.
     pub singular_pose: bool,
-    /// dim ker A at the pose, a floating base's 6 included.
+    /// dim ker A at the pose, including the 6 of a floating base.
     pub degrees_of_freedom: usize,
-    /// The same at a generic pose.
+    /// dim ker A at a generic pose, including the 6 of a floating base.
     pub generic_degrees_of_freedom: usize,
-    /// Constraint rows that add nothing.
+    /// Number of linearly dependent constraint rows.
     pub redundant_constraints: usize,
-    /// Gap between the singular values of A that count and those that do not; null without loops.
+    /// Gap between the singular values of A above and below the rank; null without loops.
     pub rank_gap: Option<f64>,
-    /// `dense` or `articulated`.
+    /// Method: `dense` or `articulated`.
     pub route: &'static str,
-    /// Condition of the mass matrix scaled to unit diagonal; null where it is singular, or
-    /// where there are more than 300 coordinates.
+    /// Condition number of the mass matrix scaled to unit diagonal; null if the matrix is singular or has more
+    /// than 300 coordinates.
     pub condition: Option<f64>,
-    /// What m̄ may be off by, kg: the sum of the budget's known parts; null where rounding or closing is unknown.
+    /// Error bound of m̄, kg: sum of the known parts of the budget; null if the part of rounding or of loop
+    /// closure is unknown.
     pub effective_mass_error: Option<f64>,
-    /// Its parts.
+    /// Parts of the error bound.
     pub error_budget: ErrorBudgetRecord,
-    /// Contributions of the links, in file order.
+    /// Shares of the links, in file order.
     pub bodies: Vec<BodyShare>,
-    /// Contributions of the rotors.
+    /// Shares of the rotors.
     pub rotors: Vec<RotorShare>,
-    /// Share of the other body, where it was given as a number.
+    /// Share of the other body, if given by its mass.
     pub other_mass_share: Option<f64>,
     /// Position of every movable joint, in the layout of `--set`.
     pub pose: Positions,
-    /// How far loops are from closed, m; null without loops.
+    /// Closure residual of the loops, m; null without loops.
     pub closure_residual: Option<f64>,
-    /// How inexact the file's loops are, m; null without loops.
+    /// Closure error of the loops as given in the file, m; null without loops.
     pub closure_inexactness: Option<f64>,
-    /// The length that scales rank decisions, m.
+    /// Length that scales the rank decisions, m.
     pub characteristic_length: f64,
     /// The contact.
     pub contact: ContactRecord,
-    /// What the answer was asked under.
+    /// Conditions of the question.
     pub conditions: ConditionsRecord,
     /// Joints that drive the loops.
     pub drivers: Vec<String>,
-    /// For each group of loops, its assembly mode: 1, -1, or 0 at a dead centre or a change
-    /// point.
+    /// Assembly mode of each group of loops: 1 or -1; 0 at a dead centre or a change point.
     pub assembly_modes: Vec<i8>,
-    /// Loops and couplings on which redundant rows lie, those that cannot be separated together.
+    /// Loops and couplings with redundant rows; entries that cannot be separated form one group.
     pub redundant_loops: Vec<Vec<String>>,
-    /// At a singular pose, the limits of m̄ along the branches that cross, kg; null for one along which the gap does not
-    /// close.
+    /// Limits of m̄ along the branches that cross at a singular pose, kg; null for a branch along which the gap
+    /// does not close.
     pub branch_limits: Vec<Option<f64>>,
-    /// The classical estimate, where it was asked for.
+    /// Classical estimate, if requested.
     pub estimate: Option<EstimateRecord>,
-    /// Speeds of the wheel, where the mechanism knows it and has one travel, and of points asked for, beside the contact's.
+    /// Motion ratios relative to the contact: of the wheel, if the mechanism has named wheel points and the
+    /// ratio holds for every motion, and of requested points.
     pub motion_ratios: Vec<MotionRatioRecord>,
-    /// What m̄ depends on, where that was asked for.
+    /// Sensitivities of m̄, if requested.
     pub explanation: Option<Explanation>,
-    /// What tolerances leave of m̄, where they were given.
+    /// Variation of m̄ within tolerances, if given.
     pub tolerance: Option<ToleranceReport>,
-    /// The damper that gives the contact a restitution, where one was asked for.
+    /// Damper for a restitution, if requested.
     pub damper: Option<DampingReport>,
-    /// What was found, in the file and in the answer.
+    /// Findings about the file and the result.
     pub diagnostics: Vec<DiagnosticRecord>,
-    /// What the answer assumes.
+    /// Assumptions of the result.
     #[serde(skip)]
     pub assumptions: Assumptions,
 }
 
-/// The parts of the error of m̄, kg; null where nothing measures one, or m̄ is not finite.
+/// Parts of the error bound of m̄, kg; null if a part is unknown or m̄ is not finite.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ErrorBudgetRecord {
-    /// Rounding of positions, frames, rows and of the computation.
+    /// Rounding of positions, frames and constraint rows, and of the computation.
     pub rounding: Option<f64>,
-    /// What the loops' residual leaves open.
+    /// Part due to the closure residual of the loops.
     pub closing: Option<f64>,
-    /// How far the file's loops are from fitting.
+    /// Part due to inexact loops in the file.
     pub file: Option<f64>,
 }
 
@@ -248,7 +249,7 @@ impl ErrorBudgetRecord {
 }
 
 impl MassReport {
-    /// The report of an answer.
+    /// Report of an evaluated question.
     pub(crate) fn of(answered: &Answered) -> Self {
         let Answered { prepared, pose, answer, .. } = answered;
         let (model, assembly) = (prepared.model, pose.assembly());
@@ -317,7 +318,7 @@ impl MassReport {
     }
 }
 
-/// A limit of m̄, kg; none for one along which the gap does not close.
+/// Limit of m̄, kg, 0 for a massless branch; `None` if the gap does not close along the branch.
 fn limit(limit: EffectiveMass) -> Option<f64> {
     match limit {
         EffectiveMass::Finite(m) => Some(m),

@@ -1,46 +1,46 @@
-//! Numbers with units of their own kind: stiffness, speed, force.
+//! Quantities with their own units: stiffness, speed, force and others.
 
 use crate::quantity::QuantityError;
 
-/// What is measured, with the units it may be given in.
+/// Kind of quantity; determines the accepted units.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Measure {
-    /// N/m.
+    /// Stiffness, N/m.
     Stiffness,
-    /// N·m/rad.
+    /// Rotational stiffness, N·m/rad.
     TurnStiffness,
-    /// m/s.
+    /// Speed, m/s.
     Speed,
-    /// rad/s.
+    /// Angular speed, rad/s.
     TurnSpeed,
-    /// N.
+    /// Force, N.
     Force,
-    /// N/cm² where no unit is given; the value is in Pa.
+    /// Pressure. Default unit N/cm²; the value is in Pa.
     Pressure,
-    /// cm² where no unit is given; the value is in m².
+    /// Area. Default unit cm²; the value is in m².
     Area,
-    /// J.
+    /// Energy, J.
     Energy,
-    /// N·s.
+    /// Momentum, N·s.
     Momentum,
-    /// s.
+    /// Time, s.
     Time,
-    /// A number without a unit, or per cent.
+    /// Ratio: a plain number or per cent.
     Ratio,
 }
 
-/// A value in SI units, and whether its unit was given.
+/// Value in SI units, and the kind of the given unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measured {
-    /// In SI units.
+    /// Value in SI units.
     pub value: f64,
-    /// What the unit behind it measures; none where there was none.
+    /// Quantity measured by the given unit; `None` without a unit.
     pub unit: Option<Measure>,
 }
 
 impl Measure {
-    /// Units with what divides, or multiplies, to SI; the first is meant where none is given. Quotients keep 12 mm/s to
-    /// the last bit: 1/1000 is not a binary number.
+    /// Units as (name, factor, divisor): SI value = number · factor / divisor. The first unit is the default.
+    /// Divisors keep 12 mm/s exact, because 1/1000 is not a binary number.
     fn units(self) -> &'static [(&'static str, f64, f64)] {
         match self {
             Measure::Stiffness => &[
@@ -78,7 +78,7 @@ impl Measure {
         }
     }
 
-    /// Reads `4e5`, `400N/mm`, `-0.5 m/s`.
+    /// Reads a number with an optional unit: `4e5`, `400N/mm`, `-0.5 m/s`.
     ///
     /// # Errors
     /// [`QuantityError`]: no number with one of these units, or not finite.
@@ -86,7 +86,7 @@ impl Measure {
         let trimmed = text.trim();
         let units = self.units();
         let fits = |(unit, ..): &&(&str, f64, f64)| !unit.is_empty() && trimmed.ends_with(unit);
-        // The longest that fits: `mm/s` ends in `m/s`.
+        // The longest matching unit: `mm/s` ends in `m/s`.
         let unit = units.iter().filter(fits).max_by_key(|(unit, ..)| unit.len());
         let digits = unit.map_or(trimmed, |(unit, ..)| trimmed[..trimmed.len() - unit.len()].trim_end());
         let number: f64 = digits.parse().map_err(|_| QuantityError::NoMeasure {

@@ -1,4 +1,4 @@
-//! A model that was read: the mechanism, what was found, and which bytes it came from.
+//! Loaded model: mechanism, findings, and the source files with their hashes.
 
 use crate::changes::Changes;
 use crate::record::DiagnosticRecord;
@@ -11,22 +11,22 @@ use sha2::{Digest, Sha256};
 use std::path::Path;
 use std::sync::Arc;
 
-/// Which bytes an answer stands on.
+/// Source file of a result.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Input {
-    /// The file as the user named it.
+    /// Path as given by the user.
     pub path: String,
-    /// SHA-256 of its bytes, in hexadecimal.
+    /// SHA-256 of the bytes, in hexadecimal.
     pub sha256: String,
 }
 
 impl Input {
-    /// Names a source and its bytes.
+    /// Input of a source in memory.
     pub fn of(source: &Source) -> Self {
         Self { path: source.name.clone(), sha256: hexadecimal(&Sha256::digest(&source.bytes)) }
     }
 
-    /// Names a file and its bytes; none where it cannot be read.
+    /// Input of a file; `None` if the file is unreadable.
     pub(crate) fn of_file(path: &Path) -> Option<Self> {
         let mut digest = Sha256::new();
         std::io::copy(&mut std::fs::File::open(path).ok()?, &mut digest).ok()?;
@@ -34,7 +34,7 @@ impl Input {
     }
 }
 
-/// What is said of a study in the place of a model.
+/// Error message for a study in the place of a model.
 const A_STUDY: &str = "this is a study, which names a model of its own: percuss run and percuss compare take it; give the model or \
                        the suspension's sheet here";
 
@@ -43,43 +43,43 @@ pub(crate) fn hexadecimal(bytes: &[u8]) -> String {
     bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-/// A mechanism read from a file.
+/// Mechanism read from a file.
 #[derive(Clone, Debug)]
 pub struct Model {
     /// The mechanism.
     pub mechanism: Arc<Mechanism>,
-    /// The files it came from: the model's, and the study's that adds to it.
+    /// Source files: the model file, and the study file if the study adds parts.
     pub inputs: Vec<Input>,
     /// The shapes of every link, in link order.
     pub shapes: Arc<Vec<Vec<Shape>>>,
     /// Warnings and notes found while reading.
     pub diagnostics: Vec<DiagnosticRecord>,
-    /// What it was made of, to make it again with something changed.
+    /// Origin of the model, for building design variants.
     pub origin: Origin,
 }
 
-/// What a model was made of, to make it again with something changed.
+/// Origin of a model, for building design variants.
 #[derive(Clone, Debug, Default)]
 pub struct Origin {
-    /// The suspension's sheet in memory, without points moved, and the names of its hardpoints; none for a URDF.
+    /// Sheet of the suspension before any moves, and the names of its hardpoints; `None` for a URDF.
     pub(crate) sheet: Option<Arc<(Sheet, Vec<String>)>>,
-    /// What was changed.
+    /// Changes applied.
     pub(crate) changes: Changes,
-    /// Loops that a study adds.
+    /// Loops added by a study.
     pub(crate) closures: Vec<ClosureDescription>,
 }
 
 impl Model {
-    /// Reads a URDF file, or a suspension's sheet, table or JSON as `percuss import` does, by the ending of its name; `-` is
-    /// the standard input, a URDF. At most `max_size` bytes.
+    /// Reads a URDF file, or a suspension's sheet, table or JSON as in `percuss import`. The file extension
+    /// selects the format; `-` is a URDF on the standard input. `max_size`: largest file size, bytes.
     ///
     /// # Errors
-    /// [`LoadError`] with everything that was found, errors with their places.
+    /// [`LoadError`] with all findings; errors have their file positions.
     pub fn load(path: &str, max_size: u64, options: &LoadOptions) -> Result<Self, LoadError> {
         Self::of(&Source::read(path, max_size)?, options)
     }
 
-    /// Reads a URDF, or the sheet of a suspension, that is at hand already.
+    /// Reads a URDF or a suspension's sheet from memory.
     ///
     /// # Errors
     /// [`LoadError`], as for [`load`](Self::load).
@@ -91,7 +91,7 @@ impl Model {
             }
             let (mut model, tables) = Self::imported(&sheet, &[], vec![input])?;
             for table in tables.iter().filter(|table| **table != source.name) {
-                // It was read a moment ago.
+                // The importer has read the same file before.
                 model.inputs.push(Input::of(&Source::read(table, DEFAULT_MAX_SIZE)?));
             }
             return Ok(model);
@@ -106,7 +106,7 @@ impl Model {
         })
     }
 
-    /// What is made of a sheet with points moved. It has no shapes.
+    /// Model of a sheet with moved hardpoints, without shapes.
     pub(crate) fn of_sheet(
         sheet: &Sheet,
         moves: &[(String, [f64; 3])],
@@ -115,7 +115,7 @@ impl Model {
         Self::imported(sheet, moves, inputs).map(|(model, _)| model)
     }
 
-    /// The same with the names of all files that were read.
+    /// Model of a sheet with moved hardpoints, and the names of all files read.
     fn imported(
         sheet: &Sheet,
         moves: &[(String, [f64; 3])],

@@ -1,4 +1,4 @@
-//! How fast a wheel, or a point given, moves while the gap closes.
+//! Motion ratios: speed of a wheel or of a given point per closing speed of the contact.
 
 use crate::answer::Answered;
 use crate::error::{Fault, StudyError};
@@ -12,32 +12,35 @@ use percuss_dynamics::{
 use percuss_mechanism::{LinkId, Mechanism};
 use serde::Serialize;
 
-/// The speed of a wheel's point beside that of the contact, in the motion v*.
+/// Motion ratio of a point relative to the contact, in the motion v*.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MotionRatioRecord {
-    /// The link of the point: `wheel_centre` and `contact_patch` where the model knows them, or the one given.
+    /// Link of the point: `wheel_centre` or `contact_patch` if the model has these links, or the requested
+    /// link.
     pub link: String,
     /// The point in the link's frame, m.
     pub point: [f64; 3],
-    /// The direction that its speed is taken along: a unit vector, world axes.
+    /// Direction of the speed, a unit vector in world axes.
     pub direction: [f64; 3],
-    /// Speed of the point along the direction per unit closing speed of the contact; negative where it moves the other way.
+    /// Speed of the point along the direction per unit closing speed of the contact; negative for motion
+    /// against the direction.
     pub wheel_per_contact: f64,
-    /// Its inverse; null where the point stands still.
+    /// Inverse ratio; null if the point does not move.
     pub contact_per_wheel: Option<f64>,
-    /// Whether every motion of the mechanism has this ratio; else it is that of the impact's own motion alone.
+    /// True if every motion of the mechanism has this ratio; otherwise the ratio holds for the motion v* only.
     pub one_travel: bool,
 }
 
-/// Links that the importer names, whose vertical motion is that of the wheel.
+/// Link names given by the suspension importer; their vertical motion is the wheel travel.
 const WHEEL_POINTS: [&str; 2] = ["wheel_centre", "contact_patch"];
-/// What the importer puts behind the names of each side.
+/// Suffixes of the sides in names of the importer.
 const SIDES: [&str; 2] = ["_left", "_right"];
 
-/// The motion ratios of an answer: of the points given, and of the wheel's where the mechanism has one travel.
+/// Motion ratios of a result: of the requested points, and of the wheel if the ratio holds for every motion.
 ///
-/// r = d · v_P per unit closing speed in v*. It is that of every motion where the motion that the point's own contact
-/// would have gives the inverse: r r′ = 1, the cosine between both in the metric of M.
+/// r = d · v_P per unit closing speed in v*. Let r′ be the speed of the contact per unit speed of the point in
+/// the response of a contact at the point. r holds for every motion if r r′ = 1; r r′ is the squared cosine
+/// between both motions in the metric of M.
 pub(crate) fn motion_ratios(
     answered: &Answered,
     given: &[RatioPoint],
@@ -61,7 +64,7 @@ pub(crate) fn motion_ratios(
     Ok(found)
 }
 
-/// The wheel's points: those on the side of the struck link, where its name tells one.
+/// Wheel points; only those on the side of the contact link if the link name ends in a side.
 fn wheel_points(mechanism: &Mechanism, struck: &str) -> Vec<LinkId> {
     let side = SIDES.into_iter().find(|side| struck.ends_with(side));
     let sides = SIDES.into_iter().filter(|known| side.is_none_or(|side| side == *known));
@@ -105,7 +108,7 @@ fn ratio(
     })
 }
 
-/// Speed of a point along a direction of the world in a response, relative to its contact's other side.
+/// Speed of a point along a world direction in a response, relative to the other side of the contact.
 fn speed(
     pose: &Pose,
     response: &ContactResponse,

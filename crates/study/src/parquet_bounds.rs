@@ -1,42 +1,43 @@
-//! What the headers of a Parquet file may ask for. They are records in Thrift's compact protocol (apache/thrift,
-//! doc/specs/thrift-compact-protocol.md; apache/parquet-format, parquet.thrift): each is gone through here, without keeping
-//! anything, before the reader allocates what it states.
+//! Bounds check of Parquet headers before the reader allocates memory for the stated sizes. Headers are records
+//! in Thrift's compact protocol (apache/thrift, doc/specs/thrift-compact-protocol.md; apache/parquet-format,
+//! parquet.thrift). The check scans each record without storing data.
 
 use crate::thresholds::{DEEPEST_COLUMN, MOST_IN_A_LIST};
 
-/// Structures within structures: those of Parquet nest six deep.
+/// Largest nesting depth of structures; Parquet uses six levels.
 const DEEPEST: usize = 16;
 
-/// Why a header is not one.
+/// Fault of a header.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Fault {
-    /// The bytes end within it.
+    /// The bytes end inside the header.
     Ended,
-    /// What is wrong with it.
+    /// Malformed header, with the cause.
     Wrong(&'static str),
 }
 
-/// What a page is said to be.
+/// Sizes stated by a page header.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct PageBounds {
-    /// Bytes in the file.
+    /// Size in the file, bytes.
     pub compressed: u64,
-    /// Bytes to be made of them.
+    /// Size after decompression, bytes.
     pub uncompressed: u64,
 }
 
-/// Something met on the way through a header; its path is that of the fields it lies in, lists aside.
+/// Event of the scan of a header. The path of an event consists of the enclosing field ids; lists add no
+/// element.
 enum Met {
     Structure,
     Number(i64),
 }
 
-/// Checks the header of a page that these bytes begin with.
+/// Checks the page header at the start of `bytes`.
 pub(crate) fn page(bytes: &[u8]) -> Result<PageBounds, Fault> {
     let (mut page, mut entries, mut levels) = (PageBounds::default(), 0, 0);
     let mut visit = |path: &[i16], met: Met| {
         let Met::Number(number) = met else { return Ok(()) };
-        // Fields 1 to 3: kind, sizes; 4: a check sum; 5, 7 and 8: the headers of kinds of pages.
+        // Fields 1 to 3: kind and sizes; field 4: checksum; fields 5, 7 and 8: headers of the kinds of pages.
         if matches!(path, [1..=3] | [5 | 7 | 8, _]) && !(0..=i64::from(i32::MAX / 2)).contains(&number) {
             return Err(Fault::Wrong("a page's header has a number that is out of range"));
         }
@@ -51,7 +52,7 @@ pub(crate) fn page(bytes: &[u8]) -> Result<PageBounds, Fault> {
         Ok(())
     };
     Compact { rest: bytes }.structure(&mut Vec::new(), &mut visit)?;
-    // No number takes less than four bytes.
+    // Each value takes at least four bytes.
     if 4 * entries > page.uncompressed {
         return Err(Fault::Wrong("a dictionary is shorter than the number of its entries"));
     }
@@ -61,26 +62,27 @@ pub(crate) fn page(bytes: &[u8]) -> Result<PageBounds, Fault> {
     Ok(page)
 }
 
-/// How many numbers a page of differences states (DELTA_BINARY_PACKED): after the size of a block and the number of its parts.
+/// Number of values stated by a DELTA_BINARY_PACKED page: third number, after block size and number of
+/// miniblocks.
 pub(crate) fn differences(bytes: &[u8]) -> u64 {
     let mut head = Compact { rest: bytes };
     let third = head.number().and_then(|_| head.number()).and_then(|_| head.number());
     third.unwrap_or(0)
 }
 
-/// Checks the description of a file, which its footer holds.
+/// Checks the file metadata in the footer.
 pub(crate) fn description(bytes: &[u8]) -> Result<(), Fault> {
     let mut children: Vec<i64> = Vec::new();
     let mut visit = |path: &[i16], met: Met| {
         match (path, met) {
-            // The columns, depth first; each with the number of those it holds.
+            // Columns in depth-first order, each with the number of its children.
             ([2], Met::Structure) => children.push(0),
             ([2, 5], Met::Number(number)) => {
                 if let Some(of_last) = children.last_mut() {
                     *of_last = number;
                 }
             }
-            // Where row groups hold bytes: offsets and sizes.
+            // Offsets and sizes of the data in row groups.
             ([4, 1, 3, 5..=7 | 9 | 11] | [4, 3], Met::Number(number)) if number < 0 => {
                 return Err(Fault::Wrong("a column has a negative size or place"));
             }
@@ -92,7 +94,7 @@ pub(crate) fn description(bytes: &[u8]) -> Result<(), Fault> {
     nesting(&children)
 }
 
-/// Whether columns that hold so many each, depth first, are a tree that is not too deep.
+/// Checks that columns with these numbers of children, in depth-first order, form a tree of limited depth.
 fn nesting(children: &[i64]) -> Result<(), Fault> {
     const NO_TREE: Fault = Fault::Wrong("its columns do not fit into one another");
     let mut open: Vec<i64> = Vec::new();
@@ -118,7 +120,7 @@ fn nesting(children: &[i64]) -> Result<(), Fault> {
     if open.is_empty() { Ok(()) } else { Err(NO_TREE) }
 }
 
-/// Bytes in the compact protocol.
+/// Reader of bytes in the compact protocol.
 struct Compact<'b> {
     rest: &'b [u8],
 }
@@ -138,7 +140,7 @@ impl Compact<'_> {
         Ok(())
     }
 
-    /// A number, seven bits a byte.
+    /// Unsigned varint, seven bits per byte.
     fn number(&mut self) -> Result<u64, Fault> {
         let mut number = 0;
         for shift in (0..64).step_by(7) {
@@ -151,7 +153,7 @@ impl Compact<'_> {
         Err(Fault::Wrong("a number has too many digits"))
     }
 
-    /// A number with a sign: 0, -1, 1, -2, …
+    /// Signed varint in zigzag encoding: 0, -1, 1, -2, …
     fn signed(&mut self) -> Result<i64, Fault> {
         let number = self.number()?;
         Ok((number >> 1).cast_signed() ^ -(number & 1).cast_signed())
@@ -172,12 +174,13 @@ impl Compact<'_> {
                 0 => self.signed()?,
                 step => last + i64::from(step),
             };
-            // Writers follow the order of the definition, and a field that comes twice would be counted once.
+            // Writers follow the order of the definition. Repeated fields are rejected, because the reader
+            // would count only one of them.
             let field = i16::try_from(id).ok().filter(|id| i64::from(*id) > last);
             let field = field.ok_or(Fault::Wrong("its fields are out of order"))?;
             last = id;
             path.push(field);
-            // The kind of a field is its value where that is true or false.
+            // The kind of a boolean field holds the value.
             if !matches!(head & 0x0f, 1 | 2) {
                 self.value(head & 0x0f, path, visit)?;
             }
@@ -216,7 +219,7 @@ impl Compact<'_> {
 mod tests {
     use super::*;
 
-    /// A page's header: data, 80 bytes of which 40 are in the file, ten values of encoding 0.
+    /// Header of a data page: 80 bytes, 40 bytes in the file, ten values of encoding 0.
     const PAGE: [u8; 16] = [0x15, 0, 0x15, 160, 1, 0x15, 80, 0x2c, 0x15, 20, 0x15, 0, 0x15, 6, 0, 0];
 
     #[test]
@@ -229,12 +232,12 @@ mod tests {
 
     #[test]
     fn what_is_out_of_bounds_is_refused() {
-        // Field 2 again, with its number written out.
+        // Field 2 twice, the second time with an explicit id.
         let twice = [0x15, 0, 0x15, 2, 0x05, 4, 2, 0];
         assert_eq!(page(&twice), Err(Fault::Wrong("its fields are out of order")));
         let negative = [0x15, 0, 0x15, 1, 0];
         assert!(matches!(page(&negative), Err(Fault::Wrong(why)) if why.contains("out of range")));
-        // A dictionary of a hundred entries in eight bytes.
+        // Dictionary of a hundred entries in eight bytes.
         let dictionary = [0x15, 4, 0x15, 16, 0x15, 16, 0x4c, 0x15, 200, 1, 0, 0];
         assert!(matches!(page(&dictionary), Err(Fault::Wrong(why)) if why.contains("entries")));
         let deep = [0x1c; 64];

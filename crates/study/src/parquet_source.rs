@@ -1,5 +1,5 @@
-//! The bytes of a Parquet file, handed to the reader after a look at what they ask for: its pages are read one at a time,
-//! and none is larger than it may be.
+//! Bytes of a Parquet file for the reader, after a bounds check of the headers. Pages are read one at a time,
+//! and their size is limited.
 
 use crate::parquet_bounds::{self as bounds, Fault};
 use crate::table_error::TableFault;
@@ -15,17 +15,17 @@ use std::fs::File;
 use std::io::{self, Cursor, Read, Seek, SeekFrom};
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Where the bytes are.
+/// Storage of the bytes.
 pub(crate) enum Stored {
     File(Mutex<File>),
     Kept(Arc<[u8]>),
 }
 
-/// A Parquet file.
+/// Parquet file.
 pub(crate) struct Source {
     stored: Stored,
     length: u64,
-    /// No page has more bytes, in the file or in memory.
+    /// Largest allowed size of a page, bytes, in the file or in memory.
     largest_page: u64,
 }
 
@@ -38,12 +38,12 @@ impl Source {
         Ok(Self { stored, length, largest_page: 0 })
     }
 
-    /// Allows pages up to this size.
+    /// Sets the largest allowed size of a page, bytes.
     pub fn limit_pages(&mut self, largest_page: u64) {
         self.largest_page = largest_page;
     }
 
-    /// So many bytes from `start` on, fewer at the end.
+    /// Up to `count` bytes from `start` on; fewer at the end of the file.
     fn bytes(&self, start: u64, count: u64) -> io::Result<Vec<u8>> {
         let count = count.min(self.length.saturating_sub(start));
         match &self.stored {
@@ -55,7 +55,7 @@ impl Source {
                 Ok(bytes)
             }
             Stored::Kept(bytes) => {
-                // Both lie within a slice, as its length does.
+                // Start and count are at most the length of the slice.
                 let start = usize::try_from(start).unwrap_or(usize::MAX).min(bytes.len());
                 let count = usize::try_from(count).unwrap_or_default();
                 Ok(bytes[start..start + count].to_vec())
@@ -63,7 +63,7 @@ impl Source {
         }
     }
 
-    /// The description of its columns and groups of rows, which stands at its end.
+    /// File metadata (columns and row groups) from the footer.
     pub fn description(&self) -> Result<ParquetMetaData, TableFault> {
         let unreadable = |error: io::Error| TableFault::Unreadable { why: error.to_string() };
         let end = self.bytes(self.length.saturating_sub(8), 8).map_err(unreadable)?;
@@ -93,7 +93,7 @@ impl Source {
     }
 }
 
-/// What a fault of a header is called.
+/// Text of a header fault.
 fn said(fault: Fault) -> String {
     match fault {
         Fault::Ended => "it ends too early".into(),
@@ -101,7 +101,7 @@ fn said(fault: Fault) -> String {
     }
 }
 
-/// What the reader says, without the kind of its error.
+/// Text of a reader error, without the kind of the error.
 pub(crate) fn words(error: ParquetError) -> String {
     match error {
         ParquetError::General(why) | ParquetError::NYI(why) | ParquetError::EOF(why) => why,
@@ -118,7 +118,7 @@ impl Length for Source {
 impl ChunkReader for Source {
     type T = Cursor<Bytes>;
 
-    /// A page's header.
+    /// Bytes of a page header.
     fn get_read(&self, start: u64) -> Result<Self::T> {
         for most in [USUAL_PAGE_HEADER, LONGEST_PAGE_HEADER] {
             let bytes = self.bytes(start, most)?;
@@ -144,12 +144,12 @@ impl ChunkReader for Source {
     }
 }
 
-/// The pages of a column, each checked for what the reader takes for granted.
+/// Pages of a column. Each page is checked for properties that the reader assumes without a check.
 pub(crate) struct Pages {
     pages: SerializedPageReader<Source>,
-    /// Whether nulls are possible: pages then begin with levels.
+    /// True if nulls are possible; pages then begin with definition levels.
     has_levels: bool,
-    /// Bytes of a number.
+    /// Size of a value, bytes.
     width: usize,
     has_dictionary: bool,
 }
@@ -161,7 +161,7 @@ impl Pages {
 
     fn check(&mut self, page: &Page) -> Result<()> {
         let wrong = |why: &str| Err(ParquetError::General(why.into()));
-        // How many values there are, nulls counted; the bytes after their levels.
+        // Number of values including nulls, and the bytes after the levels.
         let (count, bytes) = match page {
             Page::DictionaryPage { encoding, .. } => {
                 if std::mem::replace(&mut self.has_dictionary, true) {
@@ -206,7 +206,7 @@ impl Pages {
     }
 }
 
-/// The bytes after so many.
+/// Bytes after the first `count`; `None` if there are fewer.
 fn after(bytes: &[u8], count: Option<u64>) -> Option<&[u8]> {
     bytes.get(usize::try_from(count?).ok()?..)
 }

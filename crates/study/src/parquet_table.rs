@@ -1,4 +1,4 @@
-//! A table in Parquet (apache/parquet-format), a row at a time, in bounded memory: of each column one page is held.
+//! Table in Parquet (apache/parquet-format), read row by row in bounded memory: one page per column.
 
 use crate::parquet_source::{Pages, Source, Stored, words};
 use crate::table_error::{TableError, TableFault};
@@ -11,23 +11,23 @@ use parquet::file::serialized_reader::SerializedPageReader;
 use parquet::schema::types::{ColumnDescriptor, Type};
 use std::sync::Arc;
 
-/// How the numbers of a column are kept.
+/// Number type of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
     Double,
     Float,
-    /// Of 32 bits.
+    /// Integer of 32 bits.
     Int {
         signed: bool,
     },
-    /// Of 64 bits.
+    /// Integer of 64 bits.
     Long {
         signed: bool,
     },
 }
 
 impl Kind {
-    /// Bytes of a number.
+    /// Size of a value, bytes.
     fn width(self) -> usize {
         match self {
             Kind::Float | Kind::Int { .. } => 4,
@@ -36,38 +36,38 @@ impl Kind {
     }
 }
 
-/// A column that is read.
+/// Selected column.
 struct Column {
-    /// Which of the table's.
+    /// Index among the columns of the table.
     number: usize,
-    /// Which of those that hold values, the parts of nested ones counted.
+    /// Index among the leaf columns; nested columns have several leaves.
     leaf: usize,
     kind: Kind,
-    /// None before the first group of rows.
+    /// Reader of the current row group; `None` before the first group.
     reader: Option<Reader>,
     values: Vec<Option<f64>>,
 }
 
-/// A table, and the row where it is.
+/// Table and the current row.
 pub(crate) struct ParquetTable {
     path: String,
     source: Arc<Source>,
     description: ParquetMetaData,
     names: Vec<String>,
     columns: Vec<Column>,
-    /// The next group of rows.
+    /// Index of the next row group.
     group: usize,
-    /// How many rows of the last one are not in `values` yet.
+    /// Number of rows of the current group that are not in `values` yet.
     left: usize,
-    /// Which row of `values` is next, and how many there are.
+    /// Index of the next row in `values`, and the number of rows in `values`.
     next: usize,
     held: usize,
-    /// The last row, from 0.
+    /// Number of the last row, from 0.
     row: Option<usize>,
 }
 
 impl ParquetTable {
-    /// Reads what it says of its columns.
+    /// Reads the file metadata.
     pub fn open(stored: Stored, path: &str) -> Result<Self, TableError> {
         let refuse = |fault| TableError::of_file(path, fault);
         let source = Source::new(stored).map_err(|error| TableError::unreadable(path, &error))?;
@@ -94,12 +94,12 @@ impl ParquetTable {
         })
     }
 
-    /// The names of its columns.
+    /// Names of the columns.
     pub fn names(&self) -> &[String] {
         &self.names
     }
 
-    /// Chooses the columns that are read, by their numbers: they must hold plain numbers.
+    /// Selects the columns to read, by index. The columns must hold plain numbers.
     pub fn choose(&mut self, numbers: impl Iterator<Item = usize>) -> Result<(), TableError> {
         for number in numbers {
             let refuse = |fault: TableFault| {
@@ -116,7 +116,7 @@ impl ParquetTable {
         Ok(())
     }
 
-    /// Where the values of a column stand, and what they are.
+    /// Leaf index and number type of a column.
     fn kind(&self, number: usize) -> Result<(usize, Kind), TableFault> {
         let refuse = |got: String| TableFault::ColumnKind { got };
         let all = fields(&self.description);
@@ -150,7 +150,7 @@ impl ParquetTable {
         Ok((leaf, kind))
     }
 
-    /// Goes to the next row; false at the end.
+    /// Advances to the next row. Returns false at the end.
     pub fn read(&mut self) -> Result<bool, TableError> {
         if self.next == self.held
             && !self.read_some().map_err(|fault| TableError::of_file(&self.path, fault))?
@@ -162,17 +162,17 @@ impl ParquetTable {
         Ok(true)
     }
 
-    /// The numbers of the row, each with that of its column; none for a null.
+    /// Numbers of the current row with the column indices; `None` for a null.
     pub fn numbers(&self) -> impl Iterator<Item = (usize, Option<f64>)> {
         self.columns.iter().map(|column| (column.number, column.values[self.next - 1]))
     }
 
-    /// A fault of the last row.
+    /// Error at the current row.
     pub fn fault(&self, fault: TableFault) -> TableError {
         TableError { row: self.row, ..TableError::of_file(&self.path, fault) }
     }
 
-    /// Reads some rows; false at the end.
+    /// Reads the next rows into `values`. Returns false at the end.
     fn read_some(&mut self) -> Result<bool, TableFault> {
         while self.left == 0 {
             if self.group == self.description.num_row_groups() {
@@ -220,17 +220,17 @@ fn malformed(why: impl Into<String>) -> TableFault {
     TableFault::Malformed { why: why.into() }
 }
 
-/// Its columns; one that is nested is one.
+/// Top-level columns; a nested column counts once.
 fn fields(description: &ParquetMetaData) -> &[Arc<Type>] {
     description.file_metadata().schema().get_fields()
 }
 
-/// How many columns of values one has.
+/// Number of leaf columns of a column.
 fn leaves(field: &Type) -> usize {
     if field.is_group() { field.get_fields().iter().map(|part| leaves(part)).sum() } else { 1 }
 }
 
-/// What the values of a column are; what they are called where they are no plain numbers.
+/// Number type of a column, or the name of the type if the values are no plain numbers.
 fn kind(column: &ColumnDescriptor) -> Result<Kind, String> {
     let signed = match (column.logical_type_ref(), column.converted_type()) {
         (Some(LogicalType::Integer(integer)), _) => integer.is_signed,
@@ -268,7 +268,7 @@ fn kind(column: &ColumnDescriptor) -> Result<Kind, String> {
     }
 }
 
-/// The values of a column in a group of rows.
+/// Reader of the values of a column in a row group.
 enum Reader {
     Double(ColumnReaderImpl<DoubleType>),
     Float(ColumnReaderImpl<FloatType>),
@@ -277,14 +277,14 @@ enum Reader {
 }
 
 impl Reader {
-    /// Appends so many values.
+    /// Appends `count` values.
     fn read(&mut self, count: usize, values: &mut Vec<Option<f64>>) -> Result<(), TableFault> {
         match self {
             Reader::Double(column) => append(column, count, values, |x| x),
             Reader::Float(column) => append(column, count, values, f64::from),
             Reader::Int(column, true) => append(column, count, values, f64::from),
             Reader::Int(column, false) => append(column, count, values, |x| f64::from(x.cast_unsigned())),
-            // Rounded beyond 2⁵³, as the digits of a text would be.
+            // Rounded beyond 2⁵³, as a decimal text would be.
             Reader::Long(column, true) => append(column, count, values, |x| x as f64),
             Reader::Long(column, false) => append(column, count, values, |x| x.cast_unsigned() as f64),
         }
@@ -317,7 +317,8 @@ fn append<T: DataType>(
     }
 }
 
-/// The reader asserts some of what a well-formed file has; what the checks before it let through ends here.
+/// Converts a panic of the reader into an error. The reader asserts properties of well-formed files; the checks
+/// above do not cover all of them.
 fn guarded<T>(read: impl FnOnce() -> Result<T, TableFault>) -> Result<T, TableFault> {
     std::panic::catch_unwind(std::panic::AssertUnwindSafe(read))
         .unwrap_or_else(|_| Err(malformed("its pages contradict its description")))

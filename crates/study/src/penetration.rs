@@ -1,11 +1,12 @@
-//! m̄ at the greatest penetration of an impact: the mechanism follows its own motion of impact from the touch to that depth.
+//! m̄ at the maximum penetration of an impact. The mechanism follows the motion of impact v* from first touch
+//! to this depth.
 //!
 //! ```text
-//! dq/dδ = v*(q),  A v* = 0,  j v* = 1,  from δ = 0 at the touch
+//! dq/dδ = v*(q),  A v* = 0,  j v* = 1,  from δ = 0 at first touch
 //! ```
 //!
-//! Source: midpoint rule with two half steps beside one whole step for the error (Hairer, Nørsett and Wanner 1993, §II.4); loops
-//! are closed after each step.
+//! Source: midpoint rule; error estimate from one whole step and two half steps (Hairer, Nørsett and Wanner
+//! 1993, §II.4). The loops are closed after each step.
 
 use crate::answer::Prepared;
 use crate::error::StudyError;
@@ -14,22 +15,22 @@ use crate::thresholds::{
 };
 use percuss_dynamics::{Contact, ContactResponse, EffectiveMass, Pose};
 
-/// Why a depth is not reached.
+/// Reason for an unreachable depth.
 #[derive(Debug)]
 pub(crate) struct Ended {
-    /// The depth that was reached, m.
+    /// Depth reached, m.
     pub depth: f64,
-    /// The question's error there; `None` where the motion itself ends.
+    /// Error of the question at this depth; `None` if the motion itself ends.
     pub error: Option<StudyError>,
 }
 
-/// The motion of impact from a touch on.
+/// Motion of impact from first touch on.
 pub(crate) struct Penetration<'a> {
     pub prepared: &'a Prepared<'a>,
     pub contact: &'a Contact,
 }
 
-/// A pose on the way, and the response there.
+/// Pose during the penetration and the contact response at the pose.
 struct Point {
     pose: Pose,
     response: ContactResponse,
@@ -37,10 +38,10 @@ struct Point {
 }
 
 impl Penetration<'_> {
-    /// m̄ at a depth, kg.
+    /// m̄ at a depth (m), kg.
     ///
     /// # Errors
-    /// [`Ended`]: the gap cannot close so far on this branch, or the contact has no answer there.
+    /// [`Ended`]: the gap cannot close to this depth on the branch, or the contact has no finite mass there.
     pub fn mass_at(&self, pose: &Pose, depth: f64) -> Result<f64, Ended> {
         let mut done = 0.0;
         let mut step = depth * FIRST_PENETRATION;
@@ -51,7 +52,7 @@ impl Penetration<'_> {
             match self.checked_step(&at, step) {
                 Ok(next) => {
                     at = next;
-                    // The last step ends at the depth to the last bit.
+                    // Exact end at `depth`, without rounding.
                     done = if step < depth - done { done + step } else { depth };
                     step *= PENETRATION_GROWTH;
                     error = None;
@@ -68,7 +69,7 @@ impl Penetration<'_> {
         Ok(at.mass)
     }
 
-    /// The point after a step, where one step and two half steps agree.
+    /// Point after a step, if one whole step and two half steps agree; `Err(None)` otherwise.
     fn checked_step(&self, at: &Point, step: f64) -> Result<Point, Option<StudyError>> {
         let whole = self.step(at, step)?;
         let half = self.step(at, step / 2.0)?;
@@ -80,7 +81,7 @@ impl Penetration<'_> {
         if agree { Ok(twice) } else { Err(None) }
     }
 
-    /// The point after a step of the midpoint rule.
+    /// Point after one step of the midpoint rule.
     fn step(&self, at: &Point, step: f64) -> Result<Point, Option<StudyError>> {
         let middle = self.point(at.pose.advanced_along(&at.response, step / 2.0).ok_or(None)?)?;
         self.point(at.pose.advanced_along(&middle.response, step).ok_or(None)?)

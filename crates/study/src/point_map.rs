@@ -20,51 +20,53 @@ use serde::Serialize;
 pub struct DirectionMass {
     /// Unit vector, link's axes.
     pub direction_link: [f64; 3],
-    /// Unit vector.
+    /// Unit vector, world axes.
     pub direction_world: [f64; 3],
     /// `finite`, `immovable`, `massless` or `no answer`.
     pub status: &'static str,
     /// m̄, kg; null unless finite.
     pub effective_mass: Option<f64>,
-    /// What it may be off by, kg; null where unknown.
+    /// Error bound of m̄, kg; null if unknown.
     pub effective_mass_error: Option<f64>,
 }
 
-/// `percuss map --point`, as JSON.
+/// Report of `percuss map --point`, as JSON.
 #[derive(Clone, Debug, Serialize)]
 pub struct PointMapReport {
     /// `percuss.map-point/1`.
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,
-    /// The files.
+    /// Input files.
     pub inputs: Vec<Input>,
     /// The link.
     pub link: String,
-    /// m, link's frame.
+    /// Point, link's frame, m.
     pub point_link: [f64; 3],
-    /// m.
+    /// Point, world frame, m.
     pub point_world: [f64; 3],
-    /// The three directions along which m̄ is stationary, from the lightest to the heaviest; empty where one has no answer.
+    /// The three directions with stationary m̄, from the lightest to the heaviest; empty if any of them has no
+    /// result.
     pub principal: Vec<DirectionMass>,
-    /// Directions spread evenly over the sphere.
+    /// Directions distributed evenly over the sphere.
     pub directions: Vec<DirectionMass>,
-    /// The other link; null: the ground.
+    /// Other link; null for the ground.
     pub against: Option<String>,
-    /// What it was asked under.
+    /// Conditions of the question.
     pub conditions: ConditionsRecord,
-    /// Whether the pose is singular: every m̄ is a lower bound there.
+    /// True if the pose is singular; every m̄ is then a lower bound.
     pub singular_pose: bool,
-    /// Where the joints stand.
+    /// Joint positions.
     pub pose: Positions,
     /// Warnings and notes.
     pub diagnostics: Vec<DiagnosticRecord>,
 }
 
-/// Answers so many directions at a point (the question's; its normal does not count), and the principal ones.
+/// Evaluates `directions` directions and the principal directions at the point of a question. The normal of the
+/// question is ignored.
 ///
 /// # Errors
-/// [`StudyError`]: names that nothing bears, a pose that cannot be reached, a number of directions out of range.
+/// [`StudyError`]: unknown names, an unreachable pose, a number of directions out of range.
 pub fn map_point(
     model: &Model,
     question: &MassQuestion,
@@ -111,7 +113,7 @@ pub fn map_point(
     })
 }
 
-/// A direction's answer, with a free body on the other side where there is one: dm̄ = (m̄/m̄₁)² dm̄₁.
+/// Result along one direction, including a free body on the other side: dm̄ = (m̄/m̄₁)² dm̄₁.
 fn record(
     x_wl: &Transform<f64>,
     direction: &Vector3<f64>,
@@ -139,8 +141,8 @@ fn record(
     }
 }
 
-/// Direction `i` of so many: a spiral on the sphere whose turns are as far apart as its points (Swinbank and Purser 2006; cited
-/// from memory).
+/// Direction `i` of `count`: a spiral on the sphere with equal distances between turns and between points
+/// (Swinbank and Purser 2006; cited from memory).
 fn spread(i: usize, count: usize) -> Vector3<f64> {
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
     let z = 1.0 - (2.0 * i as f64 + 1.0) / count as f64;

@@ -1,4 +1,4 @@
-//! The pose of a question: where its joints are set, and where its travels drive the mechanism from there.
+//! Pose of a question: joints at their set positions, then the travels.
 
 use crate::driver::Driver;
 use crate::error::StudyError;
@@ -12,14 +12,14 @@ use nalgebra::{DMatrix, DVector, Vector3};
 use percuss_dynamics::{Configuration, Pose, System};
 use percuss_mechanism::JointId;
 
-/// The pose that a question asks about.
+/// Pose of a question.
 ///
-/// Each travel is driven by the joint that turns furthest with its point among those that are not set and drive no other
-/// travel, as a sweep over it is; it starts where the joints as set put the point. Several are driven together, by Newton's
-/// method.
+/// The driver of a travel is selected among the joints that are neither set nor drivers of another travel, by
+/// the rule of `percuss_dynamics::Travel::driver`; a sweep over a travel uses the same rule. A travel starts at
+/// the pose of the set joints. Several travels are solved together by Newton's method.
 ///
 /// # Errors
-/// [`StudyError`]: loops that do not close there, a travel that means nothing, or that is not reached.
+/// [`StudyError`]: loops that do not close, an invalid travel, or an unreachable travel.
 pub(crate) fn pose(
     system: &System,
     configuration: &Configuration,
@@ -42,7 +42,8 @@ pub(crate) fn pose(
     }
 }
 
-/// The pose where several travels are where they should be: Newton's method on all their drivers, by way of places between.
+/// Pose at which several travels have the requested displacements. Newton's method on all drivers, with
+/// intermediate targets.
 fn together(
     system: &System,
     configuration: &Configuration,
@@ -63,7 +64,7 @@ fn together(
                 part *= 2.0;
             }
             Err(_) if part < LEAST_PART && changes < OTHER_DRIVERS => {
-                // A driver may be at a dead centre of its own: others take their place from here.
+                // A driver may be at a dead centre; other drivers continue from this pose.
                 changes = if reached > 0.0 { changes + 1 } else { OTHER_DRIVERS };
                 let Some(others) = drivers_at(travels, &pose) else { continue };
                 let there = positions(&pose, &others);
@@ -88,7 +89,8 @@ fn together(
     Ok(pose)
 }
 
-/// The pose at a part of the way, and where its drivers stand; none where the travels' rates do not lead there.
+/// Pose at the fraction `part` of the displacements, and the positions of the drivers. `Err(None)` if Newton's
+/// method does not converge to `within` (m).
 #[allow(clippy::type_complexity, reason = "read in one place")]
 fn met(
     system: &System,
@@ -120,7 +122,7 @@ fn met(
     Err(None)
 }
 
-/// The pose with the drivers set, on the branch of another.
+/// Pose with the drivers at given positions, on the branch of the pose `from`.
 fn moved(
     system: &System,
     configuration: &Configuration,
@@ -136,14 +138,14 @@ fn moved(
     Ok(system.pose_from(from, &set)?)
 }
 
-/// Where joints of one position stand.
+/// Positions of joints with one position each.
 fn positions(pose: &Pose, joints: &[JointId]) -> Vec<f64> {
     joints.iter().map(|joint| pose.joint(*joint)[0]).collect()
 }
 
-/// The joints that would drive travels from a pose on, each beside those before it and what is set.
+/// Drivers of the travels, selected at a pose; a joint drives one travel at most, and set joints drive none.
 fn drivers_at(travels: &[Driven], pose: &Pose) -> Option<Vec<JointId>> {
-    // The first was chosen beside what is set alone.
+    // The drivers of the first travel exclude the set joints only.
     let set = travels.first()?.travel.set();
     let mut drivers = Vec::new();
     for travel in travels {
@@ -152,7 +154,7 @@ fn drivers_at(travels: &[Driven], pose: &Pose) -> Option<Vec<JointId>> {
     Some(drivers)
 }
 
-/// A travel with the joint that drives it.
+/// Travel and the joint that drives the travel.
 struct Driven {
     travel: Travel,
     driver: Driver,
@@ -175,7 +177,8 @@ impl Driven {
         Ok(Self { travel, driver, distance: given.distance })
     }
 
-    /// The pose where the point is displaced as asked, by way of poses between where that is far.
+    /// Pose with the requested displacement of the point, through intermediate poses if the displacement
+    /// exceeds the work limit.
     fn reach(&self, from: Pose, question: &MassQuestion) -> Result<Pose, StudyError> {
         let mut pose = from;
         let mut parts = 0;

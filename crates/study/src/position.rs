@@ -1,27 +1,28 @@
-//! The position of a joint as it is given: numbers, each with the dimension of its unit, until the joint is known.
+//! Position of a joint as given by the user. Each number keeps the dimension of its unit until the kind of the
+//! joint is known.
 
 use crate::quantity::{Quantity, QuantityError, position_dimension};
 use percuss_mechanism::JointKind;
 
-/// Numbers for the position of a joint, in the layout of its kind.
+/// Position of a joint, in the layout of the joint's kind.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GivenPosition {
     values: Vec<Quantity>,
-    /// For reports that repeat it; nothing is read from it.
+    /// Text as typed, for reports only.
     text: String,
 }
 
 impl GivenPosition {
-    /// Reads numbers between commas, units allowed: `30deg`, `1,0,0,0`.
+    /// Reads comma-separated numbers with optional units: `30deg`, `1,0,0,0`.
     ///
     /// # Errors
-    /// [`QuantityError`] of the first that is wrong.
+    /// [`QuantityError`] of the first invalid number.
     pub fn parse(text: &str) -> Result<Self, QuantityError> {
         let values = text.split(',').map(Quantity::parse).collect::<Result<_, _>>()?;
         Ok(Self { values, text: text.to_owned() })
     }
 
-    /// Takes numbers in SI units.
+    /// Position from numbers in SI units.
     ///
     /// # Errors
     /// [`QuantityError::NotFinite`].
@@ -31,12 +32,12 @@ impl GivenPosition {
         Ok(Self { values, text })
     }
 
-    /// As it was typed.
+    /// Text as typed.
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// The values in SI units, where their units are those of the joint.
+    /// Values in SI units, if the units match the kind of the joint.
     ///
     /// # Errors
     /// [`QuantityError::WrongUnit`].

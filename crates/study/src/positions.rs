@@ -1,4 +1,4 @@
-//! Where the joints of a pose stand, by name: the names once, the numbers for every pose.
+//! Joint positions of poses by name. The names are stored once and shared by all poses.
 
 use percuss_dynamics::Pose;
 use percuss_mechanism::{JointId, Mechanism};
@@ -6,7 +6,7 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// The joints that can move, by name, and where each stands among the numbers of a pose.
+/// Names of the movable joints, and the layout of the numbers of a pose.
 #[derive(Debug, PartialEq)]
 pub struct PoseLayout {
     joints: Vec<JointNumbers>,
@@ -17,12 +17,12 @@ struct JointNumbers {
     name: String,
     joint: JointId,
     numbers: Range<usize>,
-    /// Its first number among those of all joints, in joint order.
+    /// Index of the first number of the joint in the list of all joints, in joint order.
     place: usize,
 }
 
 impl PoseLayout {
-    /// The layout of a mechanism's poses.
+    /// Layout of the poses of a mechanism.
     pub(crate) fn new(mechanism: &Mechanism) -> Arc<Self> {
         let mut movable: Vec<JointId> =
             mechanism.joint_ids().filter(|id| mechanism.joint(*id).kind().dofs() > 0).collect();
@@ -47,14 +47,14 @@ impl PoseLayout {
         Arc::new(Self { joints: movable.into_iter().map(numbered).collect() })
     }
 
-    /// The joints, and how many numbers each position has.
+    /// Names of the joints, and the number of values of each position.
     pub fn joints(&self) -> impl Iterator<Item = (&str, usize)> {
         self.joints.iter().map(|joint| (joint.name.as_str(), joint.numbers.len()))
     }
 }
 
-/// Position of every movable joint, in the layout of `--set`; empty where a pose was not reached. In JSON a list for
-/// each name.
+/// Position of every movable joint, in the layout of `--set`; empty for an unreachable pose. In JSON: an object
+/// with a list per joint name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Positions {
     layout: Arc<PoseLayout>,
@@ -67,7 +67,8 @@ impl Positions {
         Self { layout: Arc::clone(layout), values }
     }
 
-    /// Of row `i` of some, whose numbers stand in columns of so many rows, those of all joints in joint order.
+    /// Positions of row `i`. `columns` holds one column of `rows` values per position component of all joints,
+    /// in joint order.
     pub(crate) fn of_columns(layout: &Arc<PoseLayout>, columns: &[f64], rows: usize, i: usize) -> Self {
         let places = layout.joints.iter().flat_map(|joint| joint.place..joint.place + joint.numbers.len());
         let values = places.map(|place| columns[place * rows + i]).collect();
@@ -78,29 +79,29 @@ impl Positions {
         Self { layout: Arc::clone(layout), values: Vec::new() }
     }
 
-    /// The positions by name; nothing where there is no pose.
+    /// Positions by name; empty without a pose.
     pub fn iter(&self) -> impl Iterator<Item = (&str, &[f64])> {
         let known = self.layout.joints.iter().filter(|joint| joint.numbers.end <= self.values.len());
         known.map(|joint| (joint.name.as_str(), &self.values[joint.numbers.clone()]))
     }
 
-    /// All numbers one after another; none where there is no pose.
+    /// All values in sequence; empty without a pose.
     pub fn numbers(&self) -> &[f64] {
         &self.values
     }
 
-    /// The position of a joint.
+    /// Position of a joint.
     pub fn get(&self, name: &str) -> Option<&[f64]> {
         let at = self.layout.joints.binary_search_by(|joint| joint.name.as_str().cmp(name)).ok()?;
         self.values.get(self.layout.joints[at].numbers.clone())
     }
 
-    /// How many joints can move.
+    /// Number of joints with a position.
     pub fn len(&self) -> usize {
         self.iter().count()
     }
 
-    /// Whether none can, or there is no pose.
+    /// True if no joint can move, or there is no pose.
     pub fn is_empty(&self) -> bool {
         self.values.is_empty()
     }

@@ -1,78 +1,78 @@
-//! Numbers as people type them: SI, or with a unit behind.
+//! Numbers as typed by users: SI units, or with a unit suffix.
 
 use percuss_mechanism::JointKind;
 use std::fmt;
 
-/// What a number measures.
+/// Dimension of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dimension {
-    /// m.
+    /// Length, m.
     Length,
-    /// rad.
+    /// Angle, rad.
     Angle,
-    /// kg.
+    /// Mass, kg.
     Mass,
-    /// Nothing, or a unit that has no short form here.
+    /// Dimensionless, or a unit without a suffix in this module.
     Plain,
 }
 
-/// A number with the dimension its unit gives it; none without a unit.
+/// Number and the dimension of its unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quantity {
-    /// Its value in SI units.
+    /// Value in SI units.
     pub value: f64,
-    /// What the unit measures.
+    /// Dimension of the unit; `None` without a unit.
     pub dimension: Option<Dimension>,
 }
 
-/// Not a number, or in the wrong unit.
+/// Error of a number: not a number, or in the wrong unit.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum QuantityError {
-    /// Not a number with one of the units.
+    /// Text is not a number with one of the units.
     #[error(
         "\"{text}\" is no number; expected one such as 0.5, 30deg, 12mm, 1e-3 (units: deg rad mm cm m g kg)"
     )]
     NoNumber {
-        /// What was given.
+        /// Given text.
         text: String,
     },
-    /// Not a number with one of the units of its kind.
+    /// Text is not a number with one of the units of the quantity.
     #[error("\"{text}\" is no number here; expected a number{first}, or with one of the units {units}")]
     NoMeasure {
-        /// What was given.
+        /// Given text.
         text: String,
-        /// The unit that is meant where none is given, with `in` before it.
+        /// Default unit, preceded by `in`; empty if the quantity needs no unit.
         first: String,
-        /// The units it may have.
+        /// Accepted units.
         units: String,
     },
     /// NaN or infinite.
     #[error("\"{text}\" is not finite; expected a finite number")]
     NotFinite {
-        /// What was given.
+        /// Given text.
         text: String,
     },
-    /// A unit of another dimension.
+    /// Unit of another dimension.
     #[error("\"{text}\" is {got}; expected {expected}")]
     WrongUnit {
-        /// What was given.
+        /// Given text.
         text: String,
-        /// What its unit measures.
+        /// Dimension of the given unit.
         got: Dimension,
-        /// What should be given.
+        /// Expected dimension.
         expected: Dimension,
     },
-    /// A list of the wrong length.
+    /// List of the wrong length.
     #[error("\"{text}\" has {got} numbers; expected {expected}, as in {example}")]
     Count {
-        /// What was given.
+        /// Given text.
         text: String,
-        /// How many numbers it has.
+        /// Number of values.
         got: usize,
-        /// How many it should have.
+        /// Expected number of values.
         expected: usize,
-        /// How it should look.
+        /// Example of the expected form.
         example: &'static str,
     },
 }
@@ -89,7 +89,7 @@ impl fmt::Display for Dimension {
 }
 
 impl Dimension {
-    /// The SI unit of a position; empty for what has none.
+    /// SI unit of the dimension; empty for a plain number.
     pub(crate) fn unit(self) -> &'static str {
         match self {
             Dimension::Length => "m",
@@ -100,7 +100,7 @@ impl Dimension {
     }
 }
 
-/// Units by suffix; longer ones first, so that `mm` is not read as `m`.
+/// Units by suffix. `mm` and `cm` precede `m`, so that the suffix `m` does not match first.
 const UNITS: [(&str, f64, Dimension); 7] = [
     ("deg", std::f64::consts::PI / 180.0, Dimension::Angle),
     ("rad", 1.0, Dimension::Angle),
@@ -111,7 +111,7 @@ const UNITS: [(&str, f64, Dimension); 7] = [
     ("g", 1e-3, Dimension::Mass),
 ];
 
-/// A unit by its name.
+/// Unit of a number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Unit {
     factor: f64,
@@ -119,19 +119,19 @@ pub(crate) struct Unit {
 }
 
 impl Unit {
-    /// That of a number without one.
+    /// Unit of a number without a suffix.
     pub const SI: Self = Self { factor: 1.0, dimension: Dimension::Plain };
 
-    /// The unit of this name.
+    /// Unit with the suffix `name`.
     pub fn named(name: &str) -> Option<Self> {
         let found = UNITS.iter().find(|(known, ..)| *known == name);
         found.map(|&(_, factor, dimension)| Self { factor, dimension })
     }
 
-    /// A number of this unit in SI units.
+    /// Converts a number in this unit to SI units.
     pub fn to_si(self, number: f64) -> f64 {
         match self.dimension {
-            // Dividing keeps 12mm = 0.012 to the last bit; 1/1000 is not a binary number.
+            // Division keeps 12mm = 0.012 exact; 1/1000 is not a binary number.
             Dimension::Length | Dimension::Mass => number / (1.0 / self.factor).round(),
             Dimension::Angle | Dimension::Plain => number * self.factor,
         }
@@ -139,7 +139,7 @@ impl Unit {
 }
 
 impl fmt::Display for Quantity {
-    /// In SI units.
+    /// Value in SI units with the unit.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let unit = match self.dimension {
             Some(Dimension::Length) => " m",
@@ -152,7 +152,7 @@ impl fmt::Display for Quantity {
 }
 
 impl Quantity {
-    /// A number without a unit: SI.
+    /// Number in SI units without a unit suffix.
     ///
     /// # Errors
     /// [`QuantityError::NotFinite`].
@@ -164,7 +164,7 @@ impl Quantity {
         }
     }
 
-    /// Reads `0.5`, `30deg`, `12mm`, `-1e-3`.
+    /// Reads a number with an optional unit: `0.5`, `30deg`, `12mm`, `-1e-3`.
     ///
     /// # Errors
     /// [`QuantityError`]: no number, or not finite.
@@ -183,7 +183,7 @@ impl Quantity {
         Ok(Self { value, dimension: unit.map(|unit| unit.dimension) })
     }
 
-    /// Its value in SI units, if its unit (where it has one) measures `expected`.
+    /// Value in SI units, if the number has no unit or a unit of dimension `expected`.
     ///
     /// # Errors
     /// [`QuantityError::WrongUnit`].
@@ -197,15 +197,15 @@ impl Quantity {
     }
 }
 
-/// Numbers between commas, each of its own dimension.
+/// Reads comma-separated numbers; `dimensions(i)` is the dimension of number `i`.
 ///
 /// # Errors
-/// [`QuantityError`], of the first that is wrong.
+/// [`QuantityError`] of the first invalid number.
 pub fn parse_list(text: &str, dimensions: impl Fn(usize) -> Dimension) -> Result<Vec<f64>, QuantityError> {
     text.split(',').enumerate().map(|(i, part)| Quantity::parse(part)?.of(dimensions(i), part)).collect()
 }
 
-/// Three numbers of one dimension.
+/// Reads three comma-separated numbers of one dimension.
 ///
 /// # Errors
 /// [`QuantityError`]: not three, no numbers, the wrong unit.
@@ -223,7 +223,7 @@ pub fn parse_triple(text: &str, dimension: Dimension) -> Result<[f64; 3], Quanti
     })
 }
 
-/// The dimension of number `i` in the position of a joint.
+/// Dimension of component `i` of the position of a joint.
 pub(crate) fn position_dimension(kind: JointKind, i: usize) -> Dimension {
     match kind {
         JointKind::Revolute | JointKind::Continuous => Dimension::Angle,

@@ -1,4 +1,5 @@
-//! The question: a contact of a model, by names. The same words as the flags of `percuss mass`.
+//! Question about a contact of a model, in terms of names. The fields correspond to the flags of `percuss
+//! mass`.
 
 use crate::field::Names;
 use crate::given_pose::GivenPose;
@@ -6,18 +7,19 @@ use crate::given_travel::GivenTravel;
 use crate::position::GivenPosition;
 use percuss_dynamics::{Base, Frame};
 
-/// Where the normal of a question points.
+/// Direction of the contact normal.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Normal {
-    /// Along a vector in the normal's frame.
+    /// Vector in the normal's frame.
     Along([f64; 3]),
-    /// From the contact point towards a point (m) of a link, in that link's frame: a line near the line as drawn.
+    /// Direction from the contact point towards a point (m) of a link, in the frame of that link. The line may
+    /// turn by at most 5° from the line as drawn.
     Toward(String, [f64; 3]),
-    /// The same, along a line that may turn: of a spring, a damper or a rod.
+    /// Same as `Toward`, for a line that may turn freely: of a spring, a damper or a rod.
     TurningToward(String, [f64; 3]),
 }
 
-/// A held contact: a point (m, link's frame) of a link that stays where it is, along a normal (world axes, out of the
+/// Held contact: a point (m, link's frame) of a link that stays in place along a normal (world axes, out of the
 /// link) or in all directions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Hold {
@@ -25,37 +27,38 @@ pub struct Hold {
     pub link: String,
     /// The point, m.
     pub point: [f64; 3],
-    /// The normal; none holds three directions.
+    /// The normal; `None` to hold all three directions.
     pub normal: Option<[f64; 3]>,
 }
 
-/// The classical estimate asked for: the mass of some links, moved with a point of the first.
+/// Request for the classical estimate: mass of some links, moving with a point of the first link.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EstimateQuestion {
-    /// The links whose mass it takes.
+    /// Links with a mass counted in the estimate.
     pub links: Vec<String>,
     /// Point A in the first link's frame, m.
     pub point: [f64; 3],
-    /// Takes the component of A's velocity along this direction (world axes); none: its full speed.
+    /// Direction (world axes) of the counted component of A's velocity; `None` for the full speed.
     pub direction: Option<[f64; 3]>,
 }
 
-/// The direction of a motion ratio, where none is given: that of a wheel.
+/// Default direction of a motion ratio: upwards, as for wheel travel.
 pub const UPWARDS: [f64; 3] = [0.0, 0.0, 1.0];
 
-/// A point whose speed is set beside that of the contact.
+/// Point of a motion ratio relative to the contact.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RatioPoint {
     /// The link.
     pub link: String,
     /// The point, m, link's frame.
     pub point: [f64; 3],
-    /// Along which direction, world axes; its length does not matter.
+    /// Direction of the speed, world axes, of any length.
     pub direction: [f64; 3],
 }
 
 impl MassQuestion {
-    /// A question without a contact, for whom the contact follows from something else: every joint at 0, nothing held.
+    /// Question without a contact, for commands that define the contact by other data: all joints at 0, nothing
+    /// held.
     pub fn anywhere() -> Self {
         Self {
             names: Names::default(),
@@ -80,43 +83,43 @@ impl MassQuestion {
     }
 }
 
-/// A contact of a model.
+/// Question about a contact of a model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MassQuestion {
-    /// The struck link.
+    /// Contact link.
     pub link: String,
     /// The contact point, m, in `frame`.
     pub point: [f64; 3],
-    /// The normal, out of the struck link.
+    /// Contact normal, out of the contact link.
     pub normal: Normal,
-    /// In which frame `point` is given.
+    /// Frame of `point`.
     pub frame: Frame,
-    /// In which frame a normal along a vector is given.
+    /// Frame of a normal given as a vector.
     pub normal_frame: Frame,
-    /// The other link; none: the ground.
+    /// Other link; `None` for the ground.
     pub against: Option<String>,
     /// Mass of a free body on the other side, kg.
     pub against_mass: Option<f64>,
-    /// Driving joints and what they are set to.
+    /// Driving joints and their positions.
     pub set: Vec<(String, GivenPosition)>,
-    /// Where to look for joints that follow from loops.
+    /// Initial guesses for joints determined by loops.
     pub guess: Vec<(String, GivenPosition)>,
-    /// Where all joints stand, from a file; `set` and `guess` are put over it.
+    /// Positions of all joints, from a file; `set` and `guess` take precedence.
     pub pose: Option<GivenPose>,
-    /// Travels that drive the pose from where the joints are set.
+    /// Travels that drive the pose, starting from the set joint positions.
     pub travel: Vec<GivenTravel>,
-    /// Joints that are held.
+    /// Locked joints.
     pub lock: Vec<String>,
-    /// Contacts that are held.
+    /// Held contacts.
     pub hold: Vec<Hold>,
-    /// Joints whose armature is replaced: one value, or one for each velocity.
+    /// Joints with replaced armature: one value, or one value per velocity.
     pub armature: Vec<(String, Vec<f64>)>,
-    /// How the root stands.
+    /// Base: fixed or floating root link.
     pub base: Base,
-    /// The estimate to set beside the answer.
+    /// Classical estimate to report with the result.
     pub estimate: Option<EstimateQuestion>,
-    /// Points whose speed is set beside the contact's.
+    /// Points of motion ratios to report.
     pub ratio_at: Vec<RatioPoint>,
-    /// By what names messages call the parts of the question.
+    /// Set of names used in messages for the parts of the question.
     pub names: Names,
 }

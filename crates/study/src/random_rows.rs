@@ -1,4 +1,5 @@
-//! Random positions within the limits of joints: the same numbers on every machine, and of each row whatever the others are.
+//! Random joint positions within the limits. The numbers are the same on every machine, and a row does not
+//! depend on other rows.
 
 use crate::answer::Prepared;
 use crate::error::{Fault, StudyError};
@@ -8,16 +9,16 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{RngCore, SeedableRng};
 use std::f64::consts::PI;
 
-/// What the numbers of a joint are drawn from.
+/// Distribution of the position of a joint.
 #[derive(Clone, Copy, Debug)]
 enum Range {
-    /// All numbers between, alike.
+    /// Uniform between the limits.
     Between { lower: f64, upper: f64 },
-    /// All orientations, alike.
+    /// Uniform over all orientations.
     Orientations,
 }
 
-/// Random rows.
+/// Rows of random positions.
 #[derive(Debug)]
 pub(crate) struct RandomRows {
     pub joints: Vec<JointId>,
@@ -28,7 +29,8 @@ pub(crate) struct RandomRows {
 }
 
 impl RandomRows {
-    /// Rows over what is free: joints that the question does not set; of those in loops the ones that drive.
+    /// Random rows for the free joints: joints that the question does not set; within loops, only the driving
+    /// joints.
     pub fn new(prepared: &Prepared, count: usize, seed: u64) -> Result<Self, StudyError> {
         let (system, question) = (&prepared.system, prepared.question);
         let mechanism = system.mechanism();
@@ -37,7 +39,7 @@ impl RandomRows {
         let is_free = |joint: &JointId| {
             let found = mechanism.joint(*joint);
             let positions = found.kind().positions();
-            // A component of a ball that drives a loop is no number that could be set.
+            // A single component of a spherical joint that drives a loop cannot be set.
             let drives = !system.is_bound(*joint) || (drivers.contains(joint) && positions == 1);
             let set = question.set.iter().any(|(set, _)| set == found.name());
             positions > 0 && found.mimic().is_none() && drives && !set
@@ -64,9 +66,7 @@ impl RandomRows {
         Ok(Self { joints, ranges, width, count, seed })
     }
 
-    /// Appends the numbers of a row.
-    ///
-    /// The numbers are those of [`Uniform`], stream number the row's.
+    /// Appends the numbers of a row, from [`Uniform`] with the row number as the stream.
     pub fn push_row(&self, row: usize, values: &mut Vec<f64>) {
         let Uniform(mut generator) = Uniform::new(self.seed, row as u64);
         for range in &self.ranges {
@@ -80,13 +80,13 @@ impl RandomRows {
     }
 }
 
-/// Numbers from 0 to 1, 1 excluded, of a seed and a stream: the same on every machine.
+/// Uniform random numbers in [0, 1) from a seed and a stream; the same on every machine.
 #[derive(Debug)]
 pub(crate) struct Uniform(ChaCha8Rng);
 
 impl Uniform {
-    /// ChaCha with 8 rounds, keyed by the seed (eight bytes, the least first, then zeros): its numbers are defined, those of
-    /// a general-purpose generator may change with its version.
+    /// ChaCha with 8 rounds; the key is the seed (eight bytes, little-endian) followed by zeros. The sequence
+    /// is specified, in contrast to a general-purpose generator, which may change between versions.
     pub fn new(seed: u64, stream: u64) -> Self {
         let mut key = [0; 32];
         key[..8].copy_from_slice(&seed.to_le_bytes());
@@ -95,19 +95,20 @@ impl Uniform {
         Self(generator)
     }
 
-    /// The next one.
+    /// Next number.
     pub fn next(&mut self) -> f64 {
         unit(&mut self.0)
     }
 }
 
-/// A number from 0 to 1, 1 excluded: 53 random bits.
+/// Random number in [0, 1) with 53 random bits.
 fn unit(generator: &mut ChaCha8Rng) -> f64 {
     (generator.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
 }
 
-/// A unit quaternion w,x,y,z, all orientations alike. Source: Marsaglia 1972, "Choosing a point from the surface of a
-/// sphere": of the arithmetic that every machine does alike, no sine is.
+/// Random unit quaternion w,x,y,z, uniform over all orientations. Source: Marsaglia 1972, "Choosing a point
+/// from the surface of a sphere". The method uses only operations with identical results on every machine; a
+/// sine has none.
 fn orientation(generator: &mut ChaCha8Rng) -> [f64; 4] {
     let mut in_disc = || {
         loop {

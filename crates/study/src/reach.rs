@@ -1,33 +1,33 @@
-//! Which rows of a sweep are known to be out of reach, so that none walks a branch again to find out what is known.
+//! Unreachable range of a line of rows, so that no branch is followed again to find a known limit.
 //!
-//! A row is reached from the last one that was, along the branch. Where that branch ended for one row, it ends for all
-//! that lie beyond in the same direction, until another row is answered and the start is another.
+//! Each row starts from the last row reached, along the branch. An end of the branch found for one row holds
+//! for all rows beyond in the same direction, until another row is reached and the start changes.
 
 use crate::thresholds::{AT_END, PROBABLE, UNRELATED};
 
-/// What a row that was not reached means for others from the same start.
+/// Consequence of a row that is not reached, for other rows with the same start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Extent {
-    /// No value beyond this one is reached: the branch ends there.
+    /// Branch ends at this value; no value beyond is reachable.
     Beyond(f64),
-    /// The branch goes on beyond this value, but following it so far is as much work as is done for a row.
+    /// Branch continues beyond this value, but following the branch farther exceeds the work limit of a row.
     TooFar(f64),
-    /// No value beyond the row's own is reached, and probably none beyond this one.
+    /// No value beyond the row's own value is reachable, and probably none beyond this value.
     Probably(f64),
-    /// What failed does not depend on the value.
+    /// Failure is independent of the value.
     Everywhere,
-    /// Nothing: other rows start otherwise.
+    /// No consequence: other rows have other starts.
     Nothing,
 }
 
 impl Extent {
-    /// Whether poses between may help.
+    /// True if intermediate poses may help.
     pub fn is_too_far(self) -> bool {
         matches!(self, Extent::TooFar(_))
     }
 }
 
-/// A row that was not reached.
+/// Row that was not reached.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Missed {
     pub why: String,
@@ -38,38 +38,38 @@ pub(crate) struct Missed {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Untried {
     pub count: usize,
-    /// The first of them.
+    /// First row not tried.
     pub first: usize,
-    /// The row that it was left out for.
+    /// Row that found the limit.
     pub found_by: usize,
 }
 
-/// What is known of one direction.
+/// Limits in one direction.
 #[derive(Clone, Copy, Debug, Default)]
 struct Side {
-    /// The value beyond which nothing is reached, and the row that found it.
+    /// Value beyond which nothing is reachable, and the row that found the value.
     end: Option<(f64, usize)>,
-    /// The furthest value that a search came to, and how many ended so.
+    /// Farthest value of all failed searches, the row of this search, and the number of searches.
     furthest: Option<(f64, usize, usize)>,
 }
 
-/// What is known about the rows that are out of reach.
+/// Unreachable range of the rows from the current start.
 #[derive(Debug, Default)]
 pub(crate) struct Reach {
-    /// Downwards, upwards.
+    /// Limits downwards and upwards.
     sides: [Side; 2],
     everywhere: Option<usize>,
     unrelated: usize,
-    /// The value of the last row that was answered; 0 before.
+    /// Value of the last row reached; 0 before the first.
     from: f64,
-    /// How far a branch was followed until it was too far, and for which row: no row is followed as far again, whatever
-    /// its start and direction.
+    /// Distance followed when the work limit was exceeded, and the row. No row at a larger distance is tried,
+    /// for any start and direction.
     longest: Option<(f64, usize)>,
     untried: Option<Untried>,
 }
 
 impl Reach {
-    /// Where a row need not be tried: the row that knows.
+    /// Row that excludes `value`; `None` if the value should be tried.
     pub fn excludes(&self, value: f64) -> Option<usize> {
         if self.everywhere.is_some() {
             return self.everywhere;
@@ -95,19 +95,19 @@ impl Reach {
         None
     }
 
-    /// Takes note of a row that was not tried, for what another row found.
+    /// Counts a row that was not tried because of row `found_by`. Returns the message for the row.
     pub fn skip(&mut self, row: usize, found_by: usize) -> String {
         self.untried.get_or_insert(Untried { count: 0, first: row, found_by }).count += 1;
         format!("not tried: it lies at least as far out as where row {found_by} ended")
     }
 
-    /// Takes note of a row that was not reached.
+    /// Records a row that was not reached.
     pub fn missed(&mut self, row: usize, value: f64, extent: Extent) {
         let side = |at: f64| usize::from(value > at);
         match extent {
             Extent::Beyond(at) => {
                 let sign = if value > at { 1.0 } else { -1.0 };
-                // The end itself may have been found to rounding only.
+                // The end may be accurate to rounding only.
                 let end = at + sign * AT_END * at.abs().max(1.0);
                 let end = if sign * (value - end) > 0.0 { end } else { value };
                 self.sides[side(at)].end = Some((end, row));
@@ -139,12 +139,12 @@ impl Reach {
         }
     }
 
-    /// A row was answered at a value: what was known of the old start is not of this one.
+    /// Records a row that was reached. The limits of the old start are cleared.
     pub fn answered(&mut self, value: f64) {
         *self = Self { from: value, longest: self.longest, untried: self.untried, ..Self::default() };
     }
 
-    /// The rows that were not tried since this was asked last.
+    /// Rows not tried since the last call.
     pub fn take_untried(&mut self) -> Option<Untried> {
         self.untried.take()
     }
@@ -168,7 +168,7 @@ mod tests {
         assert_eq!(reach.excludes(5.0), None);
     }
 
-    /// A long walk is made once: neither again in the same direction, nor in the other.
+    /// A walk beyond the work limit happens once: no second walk in the same direction or the opposite one.
     #[test]
     fn a_walk_that_is_too_long_is_made_once() {
         let mut reach = Reach::default();

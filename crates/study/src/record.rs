@@ -1,35 +1,35 @@
-//! A diagnostic as it goes into JSON.
+//! Diagnostics in JSON form.
 
 use percuss_formats::Diagnostic;
 use percuss_mechanism::Severity;
 use serde::Serialize;
 
-/// A finding about a file or an answer.
+/// Finding about a file or a result.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct DiagnosticRecord {
     /// `error`, `warning` or `note`.
     pub severity: &'static str,
-    /// A short name that scripts can rely on.
+    /// Stable short name for scripts.
     pub code: &'static str,
-    /// The file; none for a finding about the answer.
+    /// File; null for a finding about the result.
     pub path: Option<String>,
     /// Line, from 1.
     pub line: Option<u32>,
     /// Column, from 1.
     pub column: Option<u32>,
-    /// The element, as an XML path.
+    /// Element, as an XML path.
     pub element: Option<String>,
-    /// What is the matter.
+    /// Message.
     pub message: String,
 }
 
 impl DiagnosticRecord {
-    /// A finding about the answer, not about a place in a file.
+    /// Finding about the result, without a place in a file.
     pub fn about_answer(severity: Severity, code: &'static str, message: String) -> Self {
         Self { severity: severity.name(), code, path: None, line: None, column: None, element: None, message }
     }
 
-    /// `file:line: severity: element: message`, what there is of it.
+    /// Text `file:line: severity: element: message`; missing parts are omitted.
     pub fn line(&self) -> String {
         let mut text = String::new();
         if let Some(path) = &self.path {

@@ -1,6 +1,6 @@
-//! A value of a study file that cannot be.
+//! Invalid values of a study file.
 
-/// A value that cannot be: its key, and why.
+/// Invalid value of a study file: key and reason.
 #[derive(Debug)]
 pub(crate) struct Refusal {
     pub key: &'static str,

@@ -1,4 +1,4 @@
-//! The numbers of the rows of a sweep, some at a time and in order.
+//! Numbers of the rows of a sweep, in order, one block at a time.
 
 use crate::error::{Fault, StudyError};
 use crate::field::Field;
@@ -7,7 +7,7 @@ use crate::random_rows::RandomRows;
 use crate::trajectory::Trajectory;
 use crate::vary::Values;
 
-/// Rows one after another, with their numbers.
+/// Consecutive rows with their numbers.
 #[derive(Debug)]
 pub(crate) struct Block {
     pub first: usize,
@@ -17,30 +17,30 @@ pub(crate) struct Block {
 }
 
 impl Block {
-    /// The numbers of the rows from one on.
+    /// Numbers of the rows from `row` to `end` (excluded), counted from the first row of the block.
     pub fn values_from(&self, row: usize, end: usize) -> &[f64] {
         &self.values[row * self.width..end * self.width]
     }
 
-    /// The numbers of a row, counted from the first of the block.
+    /// Numbers of a row, counted from the first row of the block.
     pub fn values(&self, row: usize) -> &[f64] {
         &self.values[row * self.width..][..self.width]
     }
 }
 
-/// Where the numbers of rows come from.
+/// Source of the rows.
 #[derive(Debug)]
 pub(crate) enum Rows {
-    /// Every combination of the values of some ranges, the last the fastest.
+    /// All combinations of the values of some ranges; the last range varies fastest.
     Grid(Vec<Values>),
-    /// The rows of a file.
+    /// Rows of a file.
     File(Box<Trajectory>),
-    /// Random ones.
+    /// Random rows.
     Random(RandomRows),
 }
 
 impl Rows {
-    /// How many rows there are, where that is known.
+    /// Number of rows.
     pub fn count(&self) -> Option<usize> {
         match self {
             Rows::Grid(ranges) => Some(ranges.iter().map(|range| range.count).product()),
@@ -49,7 +49,7 @@ impl Rows {
         }
     }
 
-    /// How many rows follow one another from one start; none: all.
+    /// Number of rows in a line, that is, rows followed from a common start; `None` if all rows form one line.
     pub fn line(&self) -> Option<usize> {
         match self {
             Rows::Grid(ranges) => ranges.last().map(|range| range.count),
@@ -58,7 +58,7 @@ impl Rows {
         }
     }
 
-    /// Which number tells how far out a row of a line lies.
+    /// Number of a row that measures the distance along a line.
     pub fn along(&self) -> Along {
         match self {
             Rows::Grid(_) => Along::Last,
@@ -66,7 +66,7 @@ impl Rows {
         }
     }
 
-    /// Some rows from `first` on, where the last ones ended; fewer, or none, at the end.
+    /// Next rows, from `first` on; fewer or none at the end. `first` must follow the last block.
     pub fn block(&mut self, first: usize, count: usize) -> Result<Block, StudyError> {
         match self {
             Rows::Grid(ranges) => {

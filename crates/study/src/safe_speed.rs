@@ -1,4 +1,4 @@
-//! How fast a robot may move where it may hit a person: the effective mass in place of the standard's M/2 + m_L.
+//! Safe speed of a robot that may hit a person, with the effective mass instead of the standard's M/2 + m_L.
 
 use crate::answer::{Answer, Answered, Prepared};
 use crate::error::StudyError;
@@ -17,35 +17,35 @@ use percuss_mechanism::{
 use serde::Serialize;
 use std::ops::ControlFlow;
 
-/// The limit that the user sets, from the edition of the standard that applies.
+/// Limit of the impact, taken by the user from the applicable edition of the standard.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Limit {
-    /// Greatest force, N.
+    /// Largest force, N.
     Force(f64),
-    /// Greatest pressure, Pa, on an area, m².
+    /// Largest pressure, Pa, and contact area, m².
     Pressure(f64, f64),
-    /// Greatest energy of the impact, J.
+    /// Largest energy of the impact, J.
     Energy(f64),
-    /// Greatest momentum that is exchanged, N·s.
+    /// Largest exchanged momentum, N·s.
     Momentum(f64),
 }
 
-/// The numbers that limits are stated by, of which one limit is to be given.
+/// Limit values as given; exactly one limit is required.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StatedLimits {
-    /// Greatest force, N.
+    /// Largest force, N.
     pub force: Option<f64>,
-    /// Greatest pressure, Pa; with area.
+    /// Largest pressure, Pa; with area.
     pub pressure: Option<f64>,
     /// Contact area, m²; with pressure.
     pub area: Option<f64>,
-    /// Greatest energy of the impact, J.
+    /// Largest energy of the impact, J.
     pub energy: Option<f64>,
-    /// Greatest momentum that is exchanged, N·s.
+    /// Largest exchanged momentum, N·s.
     pub momentum: Option<f64>,
 }
 
-/// Not one limit is given, but none, several, or half of one.
+/// Error: no limit, several limits, or an incomplete limit.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error(
     "one limit is required: force, pressure with area, energy or momentum, from the edition of the standard that applies to you; \
@@ -53,15 +53,15 @@ pub struct StatedLimits {
     if given.is_empty() { "none".to_owned() } else { given.join(" and ") }
 )]
 pub struct LimitError {
-    /// The names of the numbers that are given.
+    /// Names of the given values.
     pub given: Vec<&'static str>,
 }
 
 impl StatedLimits {
-    /// The limit that is given.
+    /// The given limit.
     ///
     /// # Errors
-    /// [`LimitError`]: none, several, a pressure without its area or an area without a pressure.
+    /// [`LimitError`]: no limit, several limits, a pressure without an area or an area without a pressure.
     pub fn one(&self) -> Result<Limit, LimitError> {
         match (self.force, self.pressure, self.area, self.energy, self.momentum) {
             (Some(force), None, None, None, None) => Ok(Limit::Force(force)),
@@ -83,90 +83,92 @@ impl StatedLimits {
     }
 }
 
-/// Who is struck, and what may happen.
+/// Body region hit by the robot, and the limit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SafeSpeedQuestion {
-    /// Name of the body's region; none: what is struck does not give way, which an energy or a momentum may limit.
+    /// Name of the body region; `None` for a body that cannot move (a person held against a wall), with an
+    /// energy or momentum limit only.
     pub region: Option<String>,
-    /// The limit.
+    /// Limit of the impact.
     pub limit: Limit,
-    /// Load with its tool that the model does not hold, kg.
+    /// Load including the tool, if not part of the model, kg.
     pub load: f64,
 }
 
-/// The speed for one mass of the robot.
+/// Speed for one mass of the robot.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct SpeedRecord {
-    /// m_R, kg; null where the robot does not give way. The effective mass with what it may be off by; at a singular pose
-    /// the greatest of its limits along the branches.
+    /// Robot mass m_R, kg: the effective mass plus its error bound, or the largest limit along the branches at
+    /// a singular pose. Null if the robot is immovable.
     pub robot_mass: Option<f64>,
-    /// μ = 1/(1/m_H + 1/m_R), kg; null where neither side gives way.
+    /// μ = 1/(1/m_H + 1/m_R), kg; null if neither side can move.
     pub reduced_mass: Option<f64>,
-    /// The greatest relative speed, m/s.
+    /// Largest relative speed, m/s.
     pub speed: f64,
 }
 
-/// `percuss safe-speed`, as JSON.
+/// Report of `percuss safe-speed`, as JSON.
 #[derive(Clone, Debug, Serialize)]
 pub struct SafeSpeedReport {
     /// `percuss.safe-speed/2`.
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,
-    /// The files.
+    /// Input files.
     pub inputs: Vec<Input>,
-    /// The region struck; null where what is struck does not give way.
+    /// Body region; null for a body that cannot move.
     pub region: Option<String>,
-    /// Its effective mass, kg.
+    /// Effective mass of the region, kg.
     pub region_mass: Option<f64>,
-    /// Its stiffness, N/m.
+    /// Stiffness of the region, N/m.
     pub region_stiffness: Option<f64>,
-    /// What is less certain about it.
+    /// Note about uncertain values of the region.
     pub region_note: Option<String>,
-    /// What limits the speed: `force`, `pressure`, `energy` or `momentum`.
+    /// Limited quantity: `force`, `pressure`, `energy` or `momentum`.
     pub limited_by: &'static str,
-    /// The greatest force, N, at the speed by the standard's mass; null without a region.
+    /// Largest force, N, at the speed for the standard's mass; null without a region.
     pub force: Option<f64>,
-    /// The energy of the impact, J, at the same.
+    /// Energy of the impact, J, at the speed for the standard's mass.
     pub energy: f64,
-    /// With the standard's M/2 + m_L; without a region with all that moves, M + m_L.
+    /// Speed for the standard's mass M/2 + m_L; without a region for the full moving mass, M + m_L.
     pub standard: SpeedRecord,
-    /// With the effective mass at the contact.
+    /// Speed for the effective mass at the contact.
     pub reflected: SpeedRecord,
-    /// The normal, out of the robot, in world axes.
+    /// Contact normal, out of the robot, world axes.
     pub normal_world: [f64; 3],
     /// M: mass of all links that can move, kg.
     pub moving_mass: f64,
-    /// m_L, kg.
+    /// m_L: load, kg.
     pub load: f64,
-    /// The slowest of the rows of positions, where there are any.
+    /// Slowest row, if there are rows of positions.
     pub along: Option<AlongRecord>,
-    /// What was found.
+    /// Findings.
     pub diagnostics: Vec<DiagnosticRecord>,
 }
 
-/// The slowest place along rows of positions.
+/// Slowest row of a list of positions.
 #[derive(Clone, Debug, Serialize)]
 pub struct AlongRecord {
-    /// How many rows there are.
+    /// Number of rows.
     pub rows: usize,
-    /// How many have no speed: poses that are not reached, singular ones, contacts whose mass nothing bounds.
+    /// Number of rows without a speed: unreachable poses, singular poses, contacts without an upper bound of
+    /// m̄.
     pub unanswered: usize,
-    /// The first of those.
+    /// First row without a speed.
     pub first_unanswered: Option<usize>,
-    /// The row with the least speed, from 0.
+    /// Row with the smallest speed, from 0.
     pub row: usize,
-    /// Its speed.
+    /// Speed in this row.
     pub slowest: SpeedRecord,
-    /// Where the joints stand there.
+    /// Joint positions in this row.
     pub pose: Positions,
 }
 
-/// How fast the contact of a robot may go.
+/// Safe speed of a contact of a robot.
 ///
 /// # Errors
-/// [`StudyError`], as for `mass`; limits out of range, a region that is not in the table, a contact
-/// that carries no mass, a mass that nothing bounds from above.
+/// [`StudyError`], as for `mass`; limits out of range, an unknown region, a massless contact, a mass without an
+/// upper bound.
 pub fn safe_speed(
     model: &Model,
     question: &MassQuestion,
@@ -185,7 +187,7 @@ pub fn safe_speed(
     let answered = loaded.as_ref().map_or(Ok(bare), |model| Answered::new(model, question))?;
     let speed = |robot_mass: Option<f64>| speed_of(region, asked.limit, robot_mass);
     let by_standard = standard_robot_mass(moving_mass, asked.load)?;
-    // Without a region there is none of that standard's: all that moves, as fast as the contact.
+    // Without a region the standard has no formula; the full moving mass at the speed of the contact is used.
     let by_standard = if region.is_some() { by_standard } else { moving_mass + asked.load };
     let (standard, safe) = speed(Some(by_standard))?;
     let mut diagnostics = model.diagnostics.clone();
@@ -235,7 +237,7 @@ pub fn safe_speed(
     })
 }
 
-/// The greatest speed of a robot of this mass, kg; none: it does not give way.
+/// Safe speed for a robot mass, kg; `None` for an immovable robot.
 fn speed_of(
     region: Option<&BodyRegion>,
     limit: Limit,
@@ -259,13 +261,13 @@ fn speed_of(
     Ok((SpeedRecord { robot_mass, reduced_mass, speed: safe.speed }, Some(safe)))
 }
 
-/// The same in several directions of the world, and in the worst of all.
+/// Safe speed in several world directions, and in the worst direction if `worst`.
 ///
-/// The worst direction is that of the greatest effective mass at the point: along one of the axes where m̄ is stationary
-/// (docs/FORMULAS.md, F36).
+/// The worst direction is the direction with the largest effective mass at the point, one of the axes with
+/// stationary m̄ (docs/FORMULAS.md, F36).
 ///
 /// # Errors
-/// [`StudyError`], as for [`safe_speed`]; none at all asked for.
+/// [`StudyError`], as for [`safe_speed`].
 pub fn safe_speed_directions(
     model: &Model,
     question: &MassQuestion,
@@ -284,8 +286,8 @@ pub fn safe_speed_directions(
     all.iter().map(of_direction).collect()
 }
 
-/// The slowest of many rows of positions; the rest of the report is of the question's own pose. Each row's mass is m̄ with its
-/// stated error.
+/// Safe speed over rows of positions: the slowest row. The rest of the report refers to the question's own
+/// pose. The mass of a row is m̄ plus its error bound.
 ///
 /// # Errors
 /// [`StudyError`], as for [`safe_speed`] and for a sweep; no row with a speed.
@@ -349,7 +351,7 @@ pub fn safe_speed_along(
     Ok(report)
 }
 
-/// The direction of the greatest effective mass at the contact point, world axes.
+/// Direction of the largest effective mass at the contact point, world axes.
 fn worst_direction(model: &Model, question: &MassQuestion) -> Result<[f64; 3], StudyError> {
     let any = MassQuestion { normal: Normal::Along([1.0, 0.0, 0.0]), ..question.clone() };
     let prepared = Prepared::new(model, &any)?;
@@ -368,8 +370,8 @@ fn worst_direction(model: &Model, question: &MassQuestion) -> Result<[f64; 3], S
     Ok(pose.link(contact.link).vector(&greatest.direction).into())
 }
 
-/// The greatest mass that a motion from the pose meets: too light a robot would be allowed too high a speed. At a singular
-/// pose the value of the answer is a lower bound, and the greatest limit along the branches counts.
+/// Upper bound of the mass in the motions from the pose; a smaller mass would allow too high a speed. At a
+/// singular pose m̄ is only a lower bound, so the result is the largest limit along the branches.
 fn greatest_mass(answer: &Answer) -> Result<EffectiveMass, StudyError> {
     let response = &answer.response;
     if response.singular_pose {
@@ -393,7 +395,7 @@ fn greatest_mass(answer: &Answer) -> Result<EffectiveMass, StudyError> {
     }
 }
 
-/// The model with a load: a point mass at the contact, held by the struck link.
+/// Model with the load as a point mass at the contact, fixed to the contact link.
 fn loaded(bare: &Answered, load: f64) -> Result<Model, StudyError> {
     let model = bare.prepared.model;
     let mechanism = &model.mechanism;
@@ -413,7 +415,8 @@ fn loaded(bare: &Answered, load: f64) -> Result<Model, StudyError> {
     Ok(Model { mechanism: built.mechanism.into(), ..model.clone() })
 }
 
-/// Mass of the links that can move: not the ground, and not behind locked joints alone.
+/// Mass of the links that can move: all links with a movable, unlocked joint between the link and the root, or
+/// all links with a floating base.
 fn moving_mass(answered: &Answered) -> f64 {
     let prepared = &answered.prepared;
     let mechanism: &Mechanism = &prepared.model.mechanism;

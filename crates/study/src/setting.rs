@@ -1,4 +1,4 @@
-//! What the numbers of a row set: the positions of joints, and last the travel of a point.
+//! Layout of the numbers of a row: joint positions first, then the travel of a point.
 
 use crate::answer::Prepared;
 use crate::driver::Driver;
@@ -14,21 +14,21 @@ use percuss_mechanism::{JointId, LinkId};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// What the numbers of a row set, resolved.
+/// Row layout with resolved names.
 #[derive(Debug)]
 pub(crate) struct Setting {
-    /// What the question sets and guesses.
+    /// Positions set and guessed by the question.
     base: Configuration,
-    /// The same without guesses, for a row that is followed from another.
+    /// `base` without guesses, for a row that continues from another row.
     following: Configuration,
     joints: Vec<SetJoint>,
     travel: Option<TravelAlong>,
     pub columns: Arc<[VariedColumn]>,
-    /// What asked for them.
+    /// Field of the question that defines the rows.
     field: Field,
 }
 
-/// A joint that rows set, and which of their numbers it takes.
+/// Joint set by the rows, and the range of its numbers in a row.
 #[derive(Debug)]
 struct SetJoint {
     joint: JointId,
@@ -36,18 +36,18 @@ struct SetJoint {
     numbers: Range<usize>,
 }
 
-/// A travel whose start depends on the joints set before it.
+/// Travel that starts at the pose of the joints set before.
 #[derive(Debug)]
 struct TravelAlong {
     link: LinkId,
     point: Vector3<f64>,
     direction: Vector3<f64>,
-    /// Joints that do not drive it: they are set.
+    /// Set joints; these cannot drive the travel.
     set: Vec<JointId>,
 }
 
 impl Setting {
-    /// What the ranges of a grid set.
+    /// Layout of the ranges of a grid.
     pub fn of_grid(prepared: &Prepared, ranges: &[Vary]) -> Result<Self, StudyError> {
         let mechanism = prepared.system.mechanism();
         let refuse = |fault: Fault| StudyError::input(Field::Vary, fault);
@@ -87,7 +87,7 @@ impl Setting {
         Ok(setting)
     }
 
-    /// The positions of some joints, all their numbers one after another.
+    /// Layout of the positions of some joints, with all components in sequence.
     pub fn of_joints(prepared: &Prepared, joints: &[JointId], field: Field) -> Self {
         let mechanism = prepared.system.mechanism();
         let (mut set, mut columns, mut first) = (Vec::new(), Vec::new(), 0);
@@ -112,17 +112,17 @@ impl Setting {
         }
     }
 
-    /// How many numbers a row has.
+    /// Number of values in a row.
     pub fn width(&self) -> usize {
         self.columns.len()
     }
 
-    /// Whether the last number is a travel.
+    /// True if the last number is a travel.
     pub fn travels(&self) -> bool {
         self.travel.is_some()
     }
 
-    /// What the number of a column measures.
+    /// Dimension of the numbers of a column.
     pub fn dimension(&self, column: usize) -> Dimension {
         let mechanism = self.base.mechanism();
         let joint = self.joints.iter().find(|set| set.numbers.contains(&column));
@@ -131,7 +131,7 @@ impl Setting {
         })
     }
 
-    /// What the numbers are set of, in words.
+    /// Description of the varied quantities for messages.
     pub fn what(&self) -> String {
         match (&self.travel, &self.joints[..]) {
             (Some(_), _) => "the travel".into(),
@@ -140,17 +140,17 @@ impl Setting {
         }
     }
 
-    /// The name of the joint that takes the last number.
+    /// Name of the joint of the last number.
     pub fn last_joint(&self) -> Option<&str> {
         self.joints.last().map(|set| set.name.as_str())
     }
 
-    /// The joints that are set, and whether each has one number.
+    /// Joints set by the rows, each with the range of its numbers.
     pub fn joints(&self) -> impl Iterator<Item = (JointId, &Range<usize>)> {
         self.joints.iter().map(|set| (set.joint, &set.numbers))
     }
 
-    /// The configuration of a row; `followed`: from another row, whatever was guessed.
+    /// Configuration of a row. `followed`: the row continues from another row, so guesses are ignored.
     pub fn configuration(&self, values: &[f64], followed: bool) -> Result<Configuration, StudyError> {
         let mut configuration = if followed { self.following.clone() } else { self.base.clone() };
         for SetJoint { name, numbers, .. } in &self.joints {
@@ -161,14 +161,14 @@ impl Setting {
         Ok(configuration)
     }
 
-    /// The configuration with all that rows set at 0: quaternions at identity.
+    /// Configuration with all varied values at 0; quaternions are the identity.
     pub fn at_zero(&self) -> Result<Configuration, StudyError> {
         let zeros: Vec<f64> =
             self.joints.iter().flat_map(|set| self.base.get(set.joint)).copied().chain([0.0]).collect();
         self.configuration(&zeros, false)
     }
 
-    /// The travel from where the joints of a row put the point, and what drives it.
+    /// Travel from the pose of the joints of a row, and the driver of the travel; `None` without a travel.
     pub fn travel(&self, system: &System, values: &[f64]) -> Result<Option<(Travel, Driver)>, StudyError> {
         let Some(along) = &self.travel else { return Ok(None) };
         let base = self.configuration(values, false)?;
@@ -176,14 +176,15 @@ impl Setting {
         Travel::new(system, &base, self.field, along.link, along.point, along.direction, &is_set).map(Some)
     }
 
-    /// How far the joints of a row are from where they stand, the most of any that has one number; rad or m.
+    /// Largest displacement of a joint of a row from the positions `from`, rad or m, over joints with one
+    /// number.
     pub fn distance(&self, values: &[f64], from: impl Fn(JointId) -> f64) -> f64 {
         let single = self.joints.iter().filter(|set| set.numbers.len() == 1);
         single.map(|set| (values[set.numbers.start] - from(set.joint)).abs()).fold(0.0, f64::max)
     }
 }
 
-/// The joint of this name, if it can be varied.
+/// Joint with this name, if a range can vary the joint.
 fn single_joint(prepared: &Prepared, name: &str) -> Result<JointId, StudyError> {
     let refuse = |fault: Fault| StudyError::input(Field::Vary, fault);
     let mechanism = prepared.system.mechanism();

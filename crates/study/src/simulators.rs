@@ -1,44 +1,44 @@
-//! Parameters for simulators, as they stand in reports.
+//! Simulator parameters in reports.
 
 use percuss_contact::exports::{Export, ExportError, Measurement, Snippet, Tool, Value};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// A contact in the numbers of a simulator, or why it cannot have it. Keys are always present, null or empty where they
-/// do not apply.
+/// Contact in the parameters of a simulator, or the reason for missing support. All keys are always present; a
+/// value is null or empty if not applicable.
 #[derive(Clone, Debug, Serialize)]
 pub struct ExportRecord {
-    /// As the tool's makers write it.
+    /// Name of the tool, in the spelling of its makers.
     pub title: &'static str,
-    /// What the tool integrates.
+    /// Contact law integrated by the tool.
     pub law: &'static str,
-    /// What came out where the tool was run with exported parameters; empty: not measured.
+    /// Results measured with exported parameters; empty without a measurement.
     pub measured: &'static [Measurement],
-    /// How the tool makes one value of those of the two sides.
+    /// Rule by which the tool combines the values of the two sides.
     pub combines: &'static str,
-    /// What to watch for.
+    /// Precautions for use.
     pub caution: &'static str,
-    /// By the tool's own names.
+    /// Parameters by the tool's own names.
     pub parameters: BTreeMap<&'static str, Value>,
     /// Units of the parameters that have one.
     pub units: BTreeMap<&'static str, &'static str>,
-    /// The text to paste: the first of the snippets.
+    /// First snippet, the text to paste.
     pub snippet: Option<String>,
-    /// All of them.
+    /// All snippets.
     pub snippets: Vec<Snippet>,
-    /// s; null where the tool chooses its steps itself.
+    /// Time step, s; null if the tool chooses the step.
     pub time_step: Option<f64>,
-    /// How far the restitution can be off at that step.
+    /// Error bound of the restitution at this time step.
     pub error_bound: Option<f64>,
-    /// Numbers that are missing, and what they are for.
+    /// Missing numbers and their purpose.
     pub missing: Vec<&'static str>,
-    /// What must hold for the contact to bounce as asked.
+    /// Assumptions for the requested restitution.
     pub assumptions: Vec<String>,
-    /// What the tool cannot do.
+    /// Limitations of the tool.
     pub cannot: Vec<&'static str>,
-    /// Documentation and source files this stands on.
+    /// Documentation and source files used as sources.
     pub sources: &'static [&'static str],
-    /// Why there are no parameters; null where there are.
+    /// Reason for missing parameters; null if there are parameters.
     pub error: Option<String>,
 }
 

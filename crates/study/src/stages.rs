@@ -1,8 +1,9 @@
-//! The rows of a sweep on their way: posed, answered, handed out in order, a block at a time.
+//! Pipeline of the rows of a sweep: rows are posed, evaluated and handed out in order, one block at a time.
 //!
-//! While the calling thread hands out one block, the threads of rayon's pool answer the next and pose the one after it.
-//! Lines begin each by themselves, and whole ones are shared among threads. Blocks are cut by numbers of rows alone, and
-//! what one finds out is known to the others at fixed places, so that no answer depends on the number of threads.
+//! While the calling thread hands out one block, the threads of rayon's pool evaluate the next block and pose
+//! the block after that. Whole lines are independent and are distributed over the threads. Block boundaries
+//! depend on row numbers only, and limits are exchanged between blocks at fixed points, so results do not
+//! depend on the number of threads.
 
 use crate::driver::Driver;
 use crate::error::StudyError;
@@ -21,7 +22,7 @@ use rayon::prelude::*;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-/// What a sweep came to.
+/// Result of a sweep.
 #[derive(Debug)]
 pub(crate) struct Came {
     pub end: SweepEnd,
@@ -29,7 +30,7 @@ pub(crate) struct Came {
     pub untried: Option<Untried>,
 }
 
-/// Takes all rows through.
+/// Runs all rows through the pipeline.
 pub(crate) fn run<T: Send>(
     swept: &Swept<'_>,
     rows: Rows,
@@ -69,35 +70,35 @@ pub(crate) fn run<T: Send>(
     Ok(out.came)
 }
 
-/// A block, and what is left to do about it.
+/// Block and the remaining work.
 struct Posed {
     block: Block,
     work: Work,
 }
 
 enum Work {
-    /// Lines of so many rows, each to be posed and answered by itself.
+    /// Lines of this number of rows; each line is posed and evaluated separately.
     Lines(usize),
-    /// Portions of rows of one line that are posed.
+    /// Portions of posed rows of one line.
     Portions {
         portions: Vec<(usize, Vec<Stand>)>,
         travel: Option<Arc<(Travel, Driver)>>,
         untried: Option<Untried>,
     },
-    /// Its rows are asked without poses, many at once.
+    /// Rows for the SIMD evaluation without poses.
     InLanes,
-    /// None of its rows is tried, for what a row found.
+    /// Rows that are not tried because of row `found_by`.
     Skipped { found_by: usize },
 }
 
-/// The first stage: blocks are cut, and rows posed that follow one another.
+/// First stage: forms blocks and poses consecutive rows.
 struct Posing<'s, 'a> {
     swept: &'s Swept<'a>,
     rows: Rows,
     line: Line,
-    /// The next row.
+    /// Number of the next row.
     row: usize,
-    /// How many rows the next block has, about.
+    /// Approximate number of rows of the next block.
     size: usize,
     largest: usize,
     too_far: TooFar,
@@ -115,9 +116,9 @@ impl<'s, 'a> Posing<'s, 'a> {
         Self { swept, rows, line, row: 0, size: FIRST_BLOCK, largest, too_far: None, given_up: None }
     }
 
-    /// The next block; none at the end.
+    /// Next block; `None` at the end.
     fn next(&mut self) -> Result<Option<Posed>, StudyError> {
-        // Without poses no row depends on another.
+        // Without poses, rows are independent.
         let line = if self.swept.lanes.is_some() { None } else { self.rows.line() };
         let whole = line.filter(|rows| *rows <= self.largest);
         let count = match (whole, line) {
@@ -147,7 +148,7 @@ impl<'s, 'a> Posing<'s, 'a> {
         Ok(Some(Posed { block, work }))
     }
 
-    /// Poses the rows of a block, one from the other.
+    /// Poses the rows of a block, each from the last row reached.
     fn pose(&mut self, block: &Block) -> Work {
         let (swept, line) = (self.swept, &mut self.line);
         let mut portions = Vec::with_capacity(block.count.div_ceil(PORTION));
@@ -159,7 +160,7 @@ impl<'s, 'a> Posing<'s, 'a> {
     }
 }
 
-/// The second stage: rows are answered, by all threads.
+/// Second stage: evaluates the rows in parallel.
 fn answer<T: Send>(swept: &Swept<'_>, posed: Posed, made: Made<'_, T>, too_far: TooFar) -> Vec<Portion<T>> {
     let Posed { block, work } = posed;
     let block = &block;
@@ -211,13 +212,13 @@ fn answer<T: Send>(swept: &Swept<'_>, posed: Posed, made: Made<'_, T>, too_far: 
     }
 }
 
-/// The third stage: rows are handed out in order.
+/// Third stage: hands out the rows in order.
 struct HandingOut<'o, 's, 'a, T> {
     swept: &'s Swept<'a>,
     made: Made<'o, T>,
     each: &'o mut dyn FnMut(T) -> ControlFlow<()>,
     came: Came,
-    /// How many rows in succession were not reached.
+    /// Number of consecutive rows that were not reached.
     unreached: usize,
 }
 
@@ -228,7 +229,7 @@ impl<'o, 's, 'a, T> HandingOut<'o, 's, 'a, T> {
         Self { swept, made, each, came, unreached: 0 }
     }
 
-    /// The row that found that none of the next ones is worth trying.
+    /// Last row, if too many consecutive rows were not reached; the following rows are then not tried.
     fn given_up(&self) -> Option<usize> {
         (self.unreached >= UNRELATED).then(|| self.came.end.rows.saturating_sub(1))
     }
@@ -253,7 +254,8 @@ impl<'o, 's, 'a, T> HandingOut<'o, 's, 'a, T> {
         let end = &mut self.came.end;
         let (made, reached, error) = match outcome {
             Outcome::Row { made, reached, error } => (made, reached, error),
-            // What is wrong from the start is wrong with the question; later it is wrong with a row.
+            // An input error before the first result is an error of the question; a later error belongs to the
+            // row.
             Outcome::Failed { error, .. } if end.rows == end.unanswered && !error.is_no_answer() => {
                 return Err(error);
             }

@@ -1,4 +1,4 @@
-//! A commented study to start from, made of a model: its links and joints by name, and a contact that has an answer.
+//! Commented starting study for a model: links and joints by name, and a contact with a result.
 
 use crate::check::{CheckReport, JointRecord, check};
 use crate::error::StudyError;
@@ -12,26 +12,27 @@ use percuss_mechanism::{LinkId, Mechanism};
 use std::fmt::Write;
 use std::sync::Arc;
 
-/// Contacts that are tried at most: of a robot with many tips the first will do.
+/// Largest number of contacts tried; for a robot with many tips the first is sufficient.
 const CANDIDATES: usize = 60;
-/// Names listed in a comment at most.
+/// Largest number of names listed in a comment.
 const LISTED: usize = 40;
-/// The endings of links that state a contact, and where it points: what the suspensions' importer writes.
+/// Name endings of links that define a contact, and of the links that define the normal, as written by the
+/// suspension importer.
 const STATED: [(&str, &str); 3] = [
     ("bump_stop_pad", "bump_stop"),
     ("spring_seat", "spring_chassis_seat"),
     ("damper_seat", "damper_chassis_seat"),
 ];
 
-/// What stands behind the names of a side's links.
+/// Suffixes of the link names of each side.
 const SIDES: [&str; 3] = ["", "_left", "_right"];
 
-/// A study of a model, as TOML with comments: the first contact found that has a finite effective mass, stated ones (bump stops,
-/// springs of suspensions) first, then tips of the mechanism; and what else could be asked, commented out. `path` is written as
-/// the model's path.
+/// Starting study of a model, as TOML with comments. The contact is the first with a finite effective mass:
+/// contacts defined by the importer (bump stops, springs of suspensions) first, then tips of the mechanism.
+/// Further keys are commented out. `path`: model path written to the study.
 ///
 /// # Errors
-/// [`StudyError`]: loops that do not close, no contact that has an answer.
+/// [`StudyError`]: loops that do not close, no contact with a result.
 pub fn starting_study(model: &Model, path: &str) -> Result<String, StudyError> {
     let seen = check(model)?;
     let base = if seen.degrees_of_freedom == 0 { Base::Floating } else { Base::Fixed };
@@ -45,7 +46,7 @@ pub fn starting_study(model: &Model, path: &str) -> Result<String, StudyError> {
     Ok(Starter { model, seen: &seen, question: &question, report: &report, bound }.text(path))
 }
 
-/// The first contact with a finite mass beside no crossing of branches; else the best there is.
+/// First contact with a finite mass at a regular pose; otherwise the best result found.
 fn contact(model: &Model, base: Base) -> Result<(MassQuestion, MassReport), StudyError> {
     let rank = |report: &MassReport| match (report.status, report.singular_pose) {
         (Status::Finite, false) => 0,
@@ -67,7 +68,7 @@ fn contact(model: &Model, base: Base) -> Result<(MassQuestion, MassReport), Stud
             Err(error) => failed = Some(error),
         }
     }
-    // A mechanism has a link: something was tried.
+    // Every mechanism has a link, so there is at least one candidate.
     match (best, failed) {
         (Some(best), _) => Ok(best),
         (None, Some(error)) => Err(error),
@@ -77,7 +78,7 @@ fn contact(model: &Model, base: Base) -> Result<(MassQuestion, MassReport), Stud
     }
 }
 
-/// Contacts worth trying, the likeliest first.
+/// Candidate contacts, in order of plausibility.
 fn candidates(model: &Model, base: Base) -> Vec<MassQuestion> {
     let mechanism = &model.mechanism;
     let name = |id: LinkId| mechanism.link(id).name();
@@ -92,7 +93,7 @@ fn candidates(model: &Model, base: Base) -> Vec<MassQuestion> {
     let mut found = Vec::new();
     for (ending, toward) in STATED {
         for link in mechanism.link_ids() {
-            // Of two sides each has its name behind its links'.
+            // With two sides, the suffix of the side follows the ending.
             let split = SIDES
                 .iter()
                 .find_map(|side| Some((name(link).strip_suffix(side)?.strip_suffix(ending)?, side)));
@@ -100,7 +101,7 @@ fn candidates(model: &Model, base: Base) -> Vec<MassQuestion> {
             let Ok(other) = mechanism.find_link(&format!("{before}{toward}{side}")) else { continue };
             let against = mechanism.parent_joint(other).map(|joint| mechanism.joint(joint).parent());
             let to = (name(other).to_owned(), [0.0; 3]);
-            // A spring or damper turns with the suspension; a stop has a fixed face.
+            // The line of a spring or damper turns with the suspension; a bump stop has a fixed face.
             let is_stop = ending == "bump_stop_pad";
             let normal = if is_stop { Normal::Toward(to.0, to.1) } else { Normal::TurningToward(to.0, to.1) };
             let against = against.filter(|against| *against != link).map(|against| name(against).to_owned());
@@ -117,7 +118,8 @@ fn candidates(model: &Model, base: Base) -> Vec<MassQuestion> {
     found
 }
 
-/// Links by how many joints that move carry them, the most first; of as many, those that carry nothing first.
+/// Links in order of decreasing number of movable joints between link and root; among equal numbers, links
+/// without children first.
 fn tips(mechanism: &Mechanism) -> Vec<LinkId> {
     let depth = |link: LinkId| {
         let above = std::iter::successors(mechanism.parent_joint(link), |joint| {
@@ -131,7 +133,7 @@ fn tips(mechanism: &Mechanism) -> Vec<LinkId> {
     links
 }
 
-/// Points of a link: its centre of mass, its origin, and one beside both.
+/// Points of a link: centre of mass, origin, and a point away from both.
 fn points(mechanism: &Mechanism, link: LinkId) -> Vec<[f64; 3]> {
     let size = 0.1 * mechanism.characteristic_length();
     let mass = mechanism.link(link).inertial().filter(|inertial| inertial.mass > 0.0);
@@ -144,13 +146,13 @@ fn points(mechanism: &Mechanism, link: LinkId) -> Vec<[f64; 3]> {
     points
 }
 
-/// Text in quotes, as TOML has it; nothing in it ends a line.
+/// Quoted TOML string; line breaks are escaped.
 fn quoted(text: &str) -> String {
     let json = serde_json::to_string(text).unwrap_or_default();
     json.replace('\u{7f}', "\\u007f")
 }
 
-/// A key, in quotes where it needs them.
+/// TOML key, quoted if necessary.
 fn key(name: &str) -> String {
     let is_bare = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
     if !name.is_empty() && name.chars().all(is_bare) { name.to_owned() } else { quoted(name) }
@@ -165,14 +167,14 @@ struct Starter<'a> {
     seen: &'a CheckReport,
     question: &'a MassQuestion,
     report: &'a MassReport,
-    /// Joints that loops bind.
+    /// Joints bound by loops.
     bound: Vec<&'a str>,
 }
 
 impl Starter<'_> {
     fn text(&self, path: &str) -> String {
         let mut out = String::new();
-        // Writing to a text does not fail.
+        // Writing to a string does not fail.
         let _ = self.write(path, &mut out);
         out
     }
@@ -196,7 +198,8 @@ impl Starter<'_> {
         writeln!(out, "[contact]\nlink = {}\npoint = {}", quoted(&question.link), triple(&question.point))?;
         match &question.normal {
             Normal::Along(normal) => writeln!(out, "normal = {}", triple(normal))?,
-            // The face of a stop: the line as drawn, in the frame of the other side, which is the root's.
+            // The face of a stop follows the line as drawn, in the frame of the other side, which is the root
+            // link.
             Normal::Toward(..) if self.faces_root() => {
                 let normal = self.report.contact.normal_world.map(|x| (x * 1e6).round() / 1e6 + 0.0);
                 writeln!(out, "normal = {}\nnormal_frame = \"against\"", triple(&normal))?;
@@ -258,7 +261,7 @@ impl Starter<'_> {
         if count > LISTED { writeln!(out, "#   and {} more: percuss check", count - LISTED) } else { Ok(()) }
     }
 
-    /// Joints that can be set: those that drive loops, and those that no loop binds.
+    /// Joints that can be set: drivers of loops, and joints outside of loops.
     fn free(&self) -> Vec<&JointRecord> {
         let (seen, assumed) = (self.seen, &self.report.assumptions);
         let is_free = |joint: &&JointRecord| {
@@ -290,7 +293,7 @@ impl Starter<'_> {
         };
         match (other, single.first()) {
             (Some(joint), _) => writeln!(out, "# [pose]\n# {}", set(joint)),
-            // Of one joint, or of a travel that it drives.
+            // The only joint is the varied joint, or the driver of the travel.
             (None, Some(joint)) => {
                 writeln!(out, "#   [pose] {}, not beside a [sweep] that moves it", set(joint))
             }
@@ -304,7 +307,8 @@ impl Starter<'_> {
         writeln!(out, "# [sweep]\n# vary = {}\n# output = \"sweep.svg\"", quoted(&vary))
     }
 
-    /// The range of a sweep: the wheel's travel where there is one, else a joint that carries the contact, with its name.
+    /// Range of a sweep, and the name of the varied joint: the wheel travel if there is a wheel (without a
+    /// joint name), otherwise a joint between the contact link and the root.
     fn vary(&self) -> Option<(Option<&str>, String)> {
         let mechanism = &self.model.mechanism;
         let mut names = mechanism.links().iter().map(|link| link.name());
@@ -324,7 +328,7 @@ impl Starter<'_> {
         let joint = joint.or_else(|| free.iter().find(is_single))?;
         let at = self.report.pose.get(&joint.name)?.first().copied()?;
         let (scale, unit) = unit(joint)?;
-        // Small steps to both sides, within the limits.
+        // Small range on both sides, within the limits.
         let side = if unit == "deg" { 10_f64.to_radians() } else { 0.02 };
         let [low, high] = joint.limits.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
         let (from, to) = ((at - side).max(low), (at + side).min(high));
@@ -367,7 +371,8 @@ impl Starter<'_> {
     }
 }
 
-/// The unit that a position is shown in, and how many of them are one of SI; none where it is no single number.
+/// Display unit of a position, and the number of units per SI unit; `None` unless the position is a single
+/// number.
 fn unit(joint: &JointRecord) -> Option<(f64, &'static str)> {
     match joint.kind {
         "revolute" | "continuous" => Some((180.0 / std::f64::consts::PI, "deg")),

@@ -1,4 +1,4 @@
-//! The damper of a study file.
+//! Damper table of a study file.
 
 use crate::damping_question::DampingQuestion;
 use crate::joint_stop::JointStop;
@@ -17,28 +17,29 @@ pub(crate) struct DampingText {
     #[serde(deserialize_with = "study_value::ratio")]
     #[schemars(with = "NumberOrText")]
     pub restitution: f64,
-    /// The stiffness of the contact, N/m, with an exponent p N/m^p; of the stop of a joint that turns N·m/rad.
+    /// The stiffness of the contact, N/m, or N/m^p with an exponent p; for the stop of a rotating joint
+    /// N·m/rad.
     #[serde(deserialize_with = "study_value::stiffness")]
     #[schemars(with = "NumberOrText")]
     pub stiffness: Measured,
     /// Exponent p of the spring's force k x^p: 1 linear, 1.5 Hertz.
     pub exponent: Option<f64>,
-    /// Approach speed, m/s; of a joint that turns rad/s.
+    /// Approach speed, m/s; for a rotating joint rad/s.
     #[serde(default, deserialize_with = "study_value::speed")]
     #[schemars(with = "Option<NumberOrText>")]
     pub speed: Option<Measured>,
-    /// The law of the damper; percuss damp --list-laws.
+    /// The damper law; percuss damp --list-laws.
     #[serde(default = "kelvin_voigt")]
     #[schemars(extend("enum" = laws()))]
     pub law: String,
     /// When the contact ends: as the force vanishes, or as the gap closes.
     #[schemars(extend("enum" = ["force", "gap"]))]
     pub separation: Option<String>,
-    /// Simulators whose parameters are written, or "all"; percuss damp --list-tools.
+    /// Simulators to write parameters for, or "all"; percuss damp --list-tools.
     #[serde(default, rename = "for", deserialize_with = "study_value::words")]
     #[schemars(with = "Option<Words>")]
     pub tools: Vec<String>,
-    /// How far the simulator's restitution may be off.
+    /// Accepted error of the simulator's restitution.
     #[serde(default, deserialize_with = "study_value::some_ratio")]
     #[schemars(with = "Option<NumberOrText>")]
     pub accuracy: Option<f64>,
@@ -46,15 +47,15 @@ pub(crate) struct DampingText {
     #[serde(default, deserialize_with = "study_value::time")]
     #[schemars(with = "Option<NumberOrText>")]
     pub time_step: Option<f64>,
-    /// Mass of the struck body by itself, kg, for simulators that divide by it.
+    /// Mass of the contact body alone, kg, for simulators that divide by this mass.
     #[serde(default, deserialize_with = "study_value::mass")]
     #[schemars(with = "Option<NumberOrText>")]
     pub own_mass: Option<f64>,
-    /// The same of the other body.
+    /// Mass of the other body alone, kg, for simulators that divide by this mass.
     #[serde(default, deserialize_with = "study_value::mass")]
     #[schemars(with = "Option<NumberOrText>")]
     pub other_own_mass: Option<f64>,
-    /// MuJoCo's ratio of its own inverse weights to the contact's; taken from the model without this.
+    /// Ratio of MuJoCo's inverse weights to the contact's inverse mass; default from the model.
     pub diagonal_ratio: Option<f64>,
     /// In place of a contact: the stop of this joint, JOINT, JOINT:lower or JOINT:upper.
     pub limit: Option<String>,
@@ -66,13 +67,13 @@ fn kelvin_voigt() -> String {
     Law::KelvinVoigt.name().to_owned()
 }
 
-/// Names of laws, aliases among them.
+/// Names of the laws, including aliases.
 fn laws() -> Vec<&'static str> {
     Law::ALL.iter().map(|law| law.name()).chain(Law::ALIASES.iter().map(|alias| alias.name)).collect()
 }
 
 impl DampingText {
-    /// As a question.
+    /// Converts the table to a question.
     pub fn question(&self) -> Result<DampingQuestion, Refusal> {
         let mut question = DampingQuestion::new(self.restitution, self.stiffness.value);
         let end = |word: &String| {
@@ -105,7 +106,7 @@ impl DampingText {
         Ok(question)
     }
 
-    /// The joint whose stop it is of.
+    /// Joint stop of the `limit` key.
     pub fn stop(&self) -> Result<Option<JointStop>, Refusal> {
         let Some(text) = &self.limit else { return Ok(None) };
         JointStop::parse(text).map(Some).map_err(|why| Refusal::new("damping.limit", why))

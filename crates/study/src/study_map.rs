@@ -1,4 +1,4 @@
-//! The map of a study file.
+//! Map table of a study file.
 
 use crate::map_question::{MapLinks, MapQuestion, MapShapes};
 use crate::question::MassQuestion;
@@ -11,69 +11,69 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// The map that a study asks for.
+/// Map requested by a study.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StudyMap {
-    /// Of surfaces, or of directions.
+    /// Surfaces or directions.
     pub question: StudyMapQuestion,
-    /// Where it goes.
+    /// Output files.
     pub outputs: Vec<String>,
-    /// How its tables are written.
+    /// Style of the tables.
     pub table: StudyTable,
 }
 
-/// What a map is of.
+/// Kind of a map.
 #[derive(Clone, Debug, PartialEq)]
 pub enum StudyMapQuestion {
     /// The surfaces of links.
     Surfaces(MapQuestion),
-    /// So many directions at the point of a question.
+    /// This number of directions at the point of a question.
     Directions(MassQuestion, usize),
 }
 
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct MapText {
-    /// The links whose surface is mapped; that of the contact without this.
+    /// Links to map; default: the contact's link.
     #[serde(default, deserialize_with = "study_value::words")]
     #[schemars(with = "Option<Words>")]
     pub link: Vec<String>,
     /// Every link that has a shape.
     #[serde(default)]
     pub all: bool,
-    /// With directions: the point, m, in the link's frame; that of the contact without this.
+    /// With directions: the point, m, in the link's frame; default: the contact point.
     #[serde(default, deserialize_with = "study_value::some_lengths")]
     #[schemars(with = "Option<Triple>")]
     pub point: Option<[f64; 3]>,
-    /// Instead of the surface: so many directions at the point, and the principal ones.
+    /// In place of the surface: number of directions at the point, in addition to the principal directions.
     pub directions: Option<usize>,
-    /// Which shapes of the URDF make the surface.
+    /// Shapes of the URDF that form the surface.
     #[schemars(extend("enum" = ["auto", "collision", "visual"]))]
     pub shapes: Option<String>,
-    /// Longest edge of a facet, m; 1/60 of the link without this.
+    /// Longest edge of a facet, m; default 1/60 of the link's size.
     #[serde(default, deserialize_with = "study_value::length")]
     #[schemars(with = "Option<NumberOrText>")]
     pub edge: Option<f64>,
     /// Folders of ROS packages by name, for meshes named package://NAME/….
     #[serde(default)]
     pub package: BTreeMap<String, String>,
-    /// Refuse mesh files larger than this many bytes.
+    /// Largest size of a mesh file, bytes.
     pub max_mesh_size: Option<u64>,
     /// The files of the map (.ply, .glb, .gltf, .png, .svg, .pdf, .csv, .json).
     #[serde(default, deserialize_with = "study_value::words")]
     #[schemars(with = "Option<Words>")]
     pub output: Vec<String>,
-    /// Units of the lengths in CSV; columns then name them.
+    /// Units of the lengths in CSV; column names then contain the units.
     #[serde(default, deserialize_with = "study_value::words")]
     #[schemars(with = "Option<Words>")]
     pub unit: Vec<String>,
-    /// The sign before the decimals in CSV.
+    /// The decimal sign in CSV.
     #[schemars(extend("enum" = ["point", "comma"]))]
     pub decimal: Option<String>,
 }
 
 impl MapText {
-    /// The map of a study whose contact may lack parts.
+    /// Converts the table to a map. The contact of the study may be incomplete.
     pub fn map(&self, contact: &MassQuestion, folder: &Path) -> Result<StudyMap, Refusal> {
         let refuse = |key, why: &str| Err(Refusal::new(key, why));
         let of_contact = Some(contact.link.clone()).filter(|link| !link.is_empty());

@@ -1,4 +1,4 @@
-//! What a study asks of its contact beside the effective mass.
+//! Options of a study for its contact, in addition to the effective mass.
 
 use crate::refusal::Refusal;
 use crate::study_value::{self, NumberOrText};
@@ -6,38 +6,38 @@ use crate::tolerance::{Sampling, Tolerance};
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer};
 
-/// What a study asks of its contact beside the effective mass.
+/// Options of a study for its contact, in addition to the effective mass.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StudyMass {
-    /// The effective mass to compare with, kg.
+    /// Expected effective mass, kg.
     pub expect: Option<f64>,
-    /// How far from that it may be, relative; none: as the command has it.
+    /// Relative tolerance of the expected mass; `None` for the default of the command.
     pub expect_tolerance: Option<f64>,
-    /// What m̄ depends on.
+    /// True if sensitivities of m̄ are requested.
     pub explain: bool,
-    /// How far off the model's parts may be.
+    /// Tolerances of the model's parts.
     pub tolerance: Option<Tolerance>,
-    /// Samples within the tolerance.
+    /// Random samples within the tolerances.
     pub sampling: Option<Sampling>,
 }
 
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct MassText {
-    /// An effective mass to compare with, kg; exit code 1 if it is missed.
+    /// Expected effective mass, kg; exit code 1 on a mismatch.
     #[serde(default, deserialize_with = "study_value::mass")]
     #[schemars(with = "Option<NumberOrText>")]
     pub expect: Option<f64>,
-    /// A number: the relative tolerance of expect. Text such as "mass=2%,point=0.5mm": how far off the model's parts may be. Or a
-    /// list of both.
+    /// A number: the relative tolerance of expect. Text such as "mass=2%,point=0.5mm": tolerances of the
+    /// model's parts. Or a list of both.
     #[serde(default, deserialize_with = "tolerances")]
     #[schemars(with = "Option<Tolerances>")]
     tolerance: Vec<NumberOrText>,
-    /// So many random designs within tolerance.
+    /// Number of random designs within tolerance.
     pub samples: Option<usize>,
-    /// The seed of samples; 0 without it.
+    /// The seed of samples; default 0.
     pub seed: Option<u64>,
-    /// What the effective mass depends on.
+    /// Report the sensitivities of the effective mass.
     #[serde(default)]
     pub explain: bool,
 }
@@ -58,7 +58,7 @@ fn tolerances<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<NumberOrText>, D
 }
 
 impl MassText {
-    /// As it is asked.
+    /// Converts the table to options.
     pub fn asked(&self) -> Result<StudyMass, Refusal> {
         let refuse = |key, why: &str| Err(Refusal::new(key, why));
         let mut asked = StudyMass { expect: self.expect, explain: self.explain, ..StudyMass::default() };

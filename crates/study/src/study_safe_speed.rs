@@ -1,4 +1,4 @@
-//! The safe speed of a study file.
+//! Safe-speed table of a study file.
 
 use crate::error::StudyError;
 use crate::model::Model;
@@ -13,23 +13,23 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use std::path::Path;
 
-/// The safe speed that a study asks for.
+/// Safe speed requested by a study.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StudySafeSpeed {
-    /// The contact; without a normal where directions take its place.
+    /// Contact; the normal is absent if directions are given.
     pub contact: MassQuestion,
-    /// Who is struck, and what may happen.
+    /// Body region, limit and load.
     pub asked: SafeSpeedQuestion,
-    /// Directions in the place of the normal, world axes.
+    /// Directions that replace the normal, world axes.
     pub directions: Vec<[f64; 3]>,
-    /// Whether the direction of the greatest mass is one.
+    /// True to add the direction of the largest mass.
     pub worst_direction: bool,
-    /// Rows of positions, the slowest of which counts.
+    /// Rows of positions; the slowest row determines the speed.
     pub rows: Option<RowSource>,
 }
 
 impl StudySafeSpeed {
-    /// The answer: one for each direction, where there are some.
+    /// Reports: one per direction, or one for the contact.
     ///
     /// # Errors
     /// [`StudyError`], as for [`safe_speed`].
@@ -49,13 +49,13 @@ impl StudySafeSpeed {
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct SafeSpeedText {
-    /// The region of the body that is hit; percuss safe-speed --list-regions. Without it what is struck does not give way.
+    /// The body region that is hit; percuss safe-speed --list-regions. Without a region the body cannot move.
     pub region: Option<String>,
-    /// Greatest force, N.
+    /// Largest force, N.
     #[serde(default, deserialize_with = "study_value::force")]
     #[schemars(with = "Option<NumberOrText>")]
     pub force: Option<f64>,
-    /// Greatest pressure, a number in N/cm²; with area.
+    /// Largest pressure, a number in N/cm²; with area.
     #[serde(default, deserialize_with = "study_value::pressure")]
     #[schemars(with = "Option<NumberOrText>")]
     pub pressure: Option<f64>,
@@ -63,39 +63,39 @@ pub(crate) struct SafeSpeedText {
     #[serde(default, deserialize_with = "study_value::area")]
     #[schemars(with = "Option<NumberOrText>")]
     pub area: Option<f64>,
-    /// Greatest energy of the impact, J.
+    /// Largest energy of the impact, J.
     #[serde(default, deserialize_with = "study_value::energy")]
     #[schemars(with = "Option<NumberOrText>")]
     pub energy: Option<f64>,
-    /// Greatest momentum that is exchanged, N·s.
+    /// Largest exchanged momentum, N·s.
     #[serde(default, deserialize_with = "study_value::momentum")]
     #[schemars(with = "Option<NumberOrText>")]
     pub momentum: Option<f64>,
-    /// Directions in the place of the contact's normal, world axes; the slowest counts.
+    /// Directions in place of the contact's normal, world axes; the slowest result counts.
     #[serde(default, deserialize_with = "study_value::directions")]
     pub direction: Vec<[f64; 3]>,
-    /// The direction in which the contact is heaviest, in the place of the normal.
+    /// In place of the normal: the direction with the largest effective mass.
     #[serde(default)]
     pub worst_direction: bool,
-    /// A file of positions: the slowest of its rows counts.
+    /// A file of positions; the slowest row counts.
     pub input: Option<String>,
-    /// Columns of input that are left out.
+    /// Columns of input to ignore.
     #[serde(default, deserialize_with = "study_value::words")]
     #[schemars(with = "Option<Words>")]
     pub ignore: Vec<String>,
-    /// Load with its tool that the model does not hold, kg.
+    /// Load including the tool, if not part of the model, kg.
     #[serde(default, deserialize_with = "study_value::load")]
     #[schemars(with = "Option<NumberOrText>")]
     pub load: f64,
 }
 
 impl SafeSpeedText {
-    /// Whether directions take the place of the contact's normal.
+    /// True if directions replace the contact's normal.
     pub fn has_directions(&self) -> bool {
         self.worst_direction || !self.direction.is_empty()
     }
 
-    /// The safe speed at a contact.
+    /// Converts the table to a safe speed at a contact.
     pub fn safe_speed(
         &self,
         contact: &MassQuestion,

@@ -1,11 +1,11 @@
-//! The JSON schema of a study file, made from the types that read it; and the keys that it names.
+//! JSON schema of a study file, generated from the types that read the file, and the keys of the schema.
 
 use crate::study_text::StudyText;
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value};
 use std::sync::LazyLock;
 
-/// Made once.
+/// Generated once.
 static SCHEMA: LazyLock<Value> = LazyLock::new(|| {
     let settings = SchemaSettings::draft2020_12().with(|settings| settings.inline_subschemas = true);
     let mut schema = settings.into_generator().into_root_schema_for::<StudyText>().to_value();
@@ -13,13 +13,14 @@ static SCHEMA: LazyLock<Value> = LazyLock::new(|| {
     schema
 });
 
-/// The JSON schema (draft 2020-12) of a study file: every key with what it means. Keys that it does not name are errors.
+/// JSON schema (draft 2020-12) of a study file: all keys with descriptions. Keys outside of the schema are
+/// errors.
 pub fn study_schema() -> &'static Value {
     &SCHEMA
 }
 
-/// The keys of a study file, with those of the tables that they stand in: `contact.along_line.link`. What stands in a table of
-/// names, such as the links of `model.link_mass`, is no key.
+/// Keys of a study file with the names of their tables: `contact.along_line.link`. Entries of a table of names,
+/// such as the links of `model.link_mass`, are not keys.
 pub fn study_keys() -> Vec<String> {
     fn collect(schema: &Value, path: &str, found: &mut Vec<String>) {
         for known in alternatives(schema).into_iter().filter_map(properties) {
@@ -39,18 +40,18 @@ pub fn study_keys() -> Vec<String> {
     found
 }
 
-/// A schema, and what it may be instead.
+/// Schema and its alternatives.
 pub(crate) fn alternatives(schema: &Value) -> Vec<&Value> {
     let of = |word: &str| schema.get(word).and_then(Value::as_array).into_iter().flatten();
     [schema].into_iter().chain(of("anyOf")).chain(of("oneOf")).collect()
 }
 
-/// The keys of a table; none for what is no table, and for a table of names.
+/// Keys of a table; `None` for other types and for a table of names.
 pub(crate) fn properties(schema: &Value) -> Option<&Map<String, Value>> {
     schema.get("properties").and_then(Value::as_object)
 }
 
-/// TOML has no null: a key that may be missing is missing.
+/// Removes null, which TOML lacks: an optional key is simply absent.
 fn without_null(schema: &mut Value) {
     let is_null = |value: &Value| value.get("type").is_some_and(|t| t == "null") || value == "null";
     match schema {

@@ -1,4 +1,4 @@
-//! The sweep of a study file, and how tables and figures of a study are written.
+//! Sweep table of a study file, and the style of tables and figures.
 
 use crate::refusal::Refusal;
 use crate::row_source::{PositionFile, RowSource};
@@ -8,7 +8,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use std::path::Path;
 
-/// A unit of a table.
+/// Unit in a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TableUnit {
     /// Lengths in metres.
@@ -21,23 +21,24 @@ pub enum TableUnit {
     Degree,
 }
 
-/// How a study writes its tables.
+/// Style of the tables of a study.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct StudyTable {
-    /// Units of lengths and angles; of two of one kind the last counts. Columns name their units where there are some.
+    /// Units of lengths and angles; the last unit of a kind applies. Column names contain the units if any are
+    /// given.
     pub units: Vec<TableUnit>,
-    /// Decimal commas, and semicolons between cells.
+    /// True for decimal commas with semicolons between cells.
     pub comma: bool,
 }
 
-/// How a study draws its figures.
+/// Style of the figures of a study.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StudyFigure {
     /// The heading.
     pub title: Option<String>,
-    /// Ends of the horizontal axis, in its unit.
+    /// Limits of the horizontal axis, in the axis unit.
     pub x_limits: Option<(f64, f64)>,
-    /// Ends of the axis of m̄, kg.
+    /// Limits of the m̄ axis, kg.
     pub y_limits: Option<(f64, f64)>,
 }
 
@@ -50,42 +51,42 @@ pub(crate) struct SweepText {
     pub vary: Vec<String>,
     /// In place of vary: a file of positions, row by row (.csv, .parquet).
     pub input: Option<String>,
-    /// Columns of input that are left out.
+    /// Columns of input to ignore.
     #[serde(default, deserialize_with = "study_value::words")]
     #[schemars(with = "Option<Words>")]
     pub ignore: Vec<String>,
-    /// In place of vary: so many random positions within the limits of the joints.
+    /// In place of vary: number of random positions within the limits of the joints.
     pub random: Option<usize>,
-    /// The seed of random; 0 without it.
+    /// The seed of random; default 0.
     pub seed: Option<u64>,
-    /// The file of the rows (.csv, .xlsx, .parquet, .json, .jsonl), or of their figure (.svg, .png, .pdf).
+    /// The file of the rows (.csv, .xlsx, .parquet, .json, .jsonl) or of the figure (.svg, .png, .pdf).
     pub output: Option<String>,
-    /// Units of the table's lengths and angles; columns then name them.
+    /// Units of the table's lengths and angles; column names then contain the units.
     #[serde(default, deserialize_with = "study_value::words")]
     #[schemars(with = "Option<Words>")]
     pub unit: Vec<String>,
-    /// The sign before the decimals in CSV.
+    /// The decimal sign in CSV.
     #[schemars(extend("enum" = ["point", "comma"]))]
     pub decimal: Option<String>,
     /// The figure's heading.
     pub title: Option<String>,
-    /// Ends of the figure's horizontal axis, in its unit.
+    /// Limits of the figure's horizontal axis, in the axis unit.
     #[serde(default, deserialize_with = "study_value::ends")]
     #[schemars(with = "Option<[f64; 2]>")]
     pub x_limits: Option<(f64, f64)>,
-    /// Ends of the figure's axis of the effective mass, kg.
+    /// Limits of the figure's axis of the effective mass, kg.
     #[serde(default, deserialize_with = "study_value::ends")]
     #[schemars(with = "Option<[f64; 2]>")]
     pub y_limits: Option<(f64, f64)>,
 }
 
-/// Keys of a table's style, for the messages about them.
+/// Keys of the table style, for messages.
 pub(crate) struct TableKeys {
     pub unit: &'static str,
     pub decimal: &'static str,
 }
 
-/// The style that words ask for.
+/// Table style from the words of a study.
 pub(crate) fn table_of(
     units: &[String],
     decimal: Option<&str>,
@@ -109,7 +110,7 @@ pub(crate) fn table_of(
 }
 
 impl SweepText {
-    /// Where the rows come from. Paths are relative to the study's folder.
+    /// Source of the rows. Paths are relative to the study's folder.
     pub fn source(&self, folder: &Path, max_size: u64) -> Result<RowSource, Refusal> {
         let refuse = |why: &str| Err(Refusal::new("sweep", why));
         if self.input.is_none() && !self.ignore.is_empty() {
@@ -134,13 +135,13 @@ impl SweepText {
         }
     }
 
-    /// How its table is written.
+    /// Style of the table.
     pub fn table(&self) -> Result<StudyTable, Refusal> {
         let keys = TableKeys { unit: "sweep.unit", decimal: "sweep.decimal" };
         table_of(&self.unit, self.decimal.as_deref(), &keys)
     }
 
-    /// How its figure is drawn.
+    /// Style of the figure.
     pub fn figure(&self) -> StudyFigure {
         StudyFigure { title: self.title.clone(), x_limits: self.x_limits, y_limits: self.y_limits }
     }

@@ -1,4 +1,4 @@
-//! The text of a study file: its keys, and what they mean. Their descriptions here are those of the schema.
+//! Text of a study file: all keys. The doc comments are the descriptions in the JSON schema.
 
 use crate::closure_text::ClosureText;
 use crate::field::Names;
@@ -20,32 +20,32 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// A study of percuss: questions about a mechanism, kept in a TOML file. Numbers are in SI units; text with a unit may stand in
-/// their place ("350 mm", "30 deg"). Paths are relative to the study.
+/// A study of percuss: questions about a mechanism, kept in a TOML file. Numbers are in SI units; text with a
+/// unit is allowed ("350 mm", "30 deg"). Paths are relative to the study.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "percuss study")]
 pub(crate) struct StudyText {
     /// The mechanism.
     pub model: ModelText,
-    /// What is held, and how the root stands.
+    /// The base of the mechanism, locked joints, and armatures.
     #[serde(default)]
     pub conditions: ConditionsText,
-    /// Where the joints stand.
+    /// The joint positions.
     #[serde(default)]
     pub pose: PoseText,
-    /// The contact that is asked about.
+    /// The contact of the study.
     #[serde(default)]
     pub contact: ContactText,
-    /// What percuss mass is asked beside the answer.
+    /// Options of percuss mass.
     pub mass: Option<MassText>,
-    /// Loops that the model does not have.
+    /// Additional loops that are not part of the model.
     #[serde(default)]
     pub closure: Vec<ClosureText>,
-    /// Points that stay where they are.
+    /// Held points.
     #[serde(default)]
     pub hold: Vec<HoldText>,
-    /// The same question with something changed: percuss compare.
+    /// Design variants of the same question: percuss compare.
     #[serde(default)]
     pub variant: Vec<VariantText>,
     /// The damper that gives a restitution: percuss damp.
@@ -54,7 +54,7 @@ pub(crate) struct StudyText {
     pub sweep: Option<SweepText>,
     /// The surface of links, or all directions at a point: percuss map.
     pub map: Option<MapText>,
-    /// How fast the contact may go where it may hit a person: percuss safe-speed.
+    /// Safe speed of the contact if it may hit a person: percuss safe-speed.
     pub safe_speed: Option<SafeSpeedText>,
 }
 
@@ -63,19 +63,19 @@ pub(crate) struct StudyText {
 pub(crate) struct ModelText {
     /// A URDF, or a suspension's sheet or table.
     pub path: String,
-    /// Findings in spite of which the model is accepted.
+    /// Findings to accept in the model.
     #[serde(default)]
     #[schemars(extend("items" = { "type": "string", "enum": ["indefinite-inertia", "implausible-inertia"] }))]
     pub accept: Vec<String>,
-    /// Other masses by link, kg; moments about the centre of mass change in proportion.
+    /// Masses by link in place of the model's, kg; moments about the centre of mass change in proportion.
     #[serde(default, deserialize_with = "study_value::masses")]
     #[schemars(with = "BTreeMap<String, NumberOrText>")]
     pub link_mass: BTreeMap<String, f64>,
-    /// Other centres of mass by link, m, in the link's frame.
+    /// Centres of mass by link in place of the model's, m, in the link's frame.
     #[serde(default, deserialize_with = "study_value::places")]
     #[schemars(with = "BTreeMap<String, Triple>")]
     pub link_com: BTreeMap<String, [f64; 3]>,
-    /// By how much hardpoints of a sheet are moved, m, in the sheet's axes.
+    /// Displacements of hardpoints of a sheet, m, in the sheet's axes.
     #[serde(default, rename = "move", deserialize_with = "study_value::places")]
     #[schemars(with = "BTreeMap<String, Triple>")]
     pub moves: BTreeMap<String, [f64; 3]>,
@@ -84,10 +84,10 @@ pub(crate) struct ModelText {
 #[derive(Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct ConditionsText {
-    /// Whether the root link is fixed or moves; fixed without this.
+    /// The base: fixed or floating root link; default fixed.
     #[schemars(extend("enum" = ["fixed", "floating"]))]
     pub base: Option<String>,
-    /// Joints that are held.
+    /// Locked joints.
     #[serde(default)]
     pub lock: Vec<String>,
     /// Rotor inertia reflected to joints, kg·m² or kg; a list for joints with several velocities.
@@ -103,51 +103,52 @@ pub(crate) struct PoseText {
     #[serde(default, deserialize_with = "study_value::positions")]
     #[schemars(with = "BTreeMap<String, PositionText>")]
     pub set: BTreeMap<String, GivenPosition>,
-    /// Where joints that follow from loops are looked for.
+    /// Initial guesses for joints determined by loops.
     #[serde(default, deserialize_with = "study_value::positions")]
     #[schemars(with = "BTreeMap<String, PositionText>")]
     pub guess: BTreeMap<String, GivenPosition>,
-    /// Displacements that drive the pose from there: LINK:X,Y,Z:DX,DY,DZ=DISTANCE.
+    /// Travels that drive the pose from the set joint positions: LINK:X,Y,Z:DX,DY,DZ=DISTANCE.
     #[serde(default, deserialize_with = "study_value::words")]
     #[schemars(with = "Option<Words>")]
     pub travel: Vec<String>,
-    /// A file with the positions of all joints, as --format json wrote it; set and guess go over it.
+    /// A file with the positions of all joints, as written by --format json; set and guess take precedence.
     pub file: Option<String>,
 }
 
 #[derive(Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct ContactText {
-    /// The struck link.
+    /// The contact link.
     pub link: Option<String>,
     /// The contact point, m.
     #[serde(default, deserialize_with = "study_value::some_lengths")]
     #[schemars(with = "Option<Triple>")]
     pub point: Option<[f64; 3]>,
-    /// The normal, out of the struck link into the other side; its length does not matter.
+    /// The normal, out of the contact link into the other side, of any length.
     #[serde(default, deserialize_with = "study_value::plain")]
     #[schemars(with = "Option<Triple>")]
     pub normal: Option<[f64; 3]>,
-    /// In place of normal: it points from the contact point towards this point.
+    /// In place of normal: the normal points from the contact point towards this point.
     pub along_line: Option<LineText>,
-    /// Lets the line of along_line turn by more than 5° from the line as drawn: a spring, a damper or a rod.
+    /// Allows the line of along_line to turn by more than 5° from the line as drawn: for a spring, a damper or
+    /// a rod.
     #[serde(default)]
     pub turning_normal: bool,
-    /// The frame of point and normal; link without this.
+    /// The frame of point and normal; default link.
     #[schemars(extend("enum" = ["link", "world", "against"]))]
     pub frame: Option<String>,
-    /// The frame of the normal, where it differs from that of the point.
+    /// The frame of the normal, if different from frame.
     #[schemars(extend("enum" = ["link", "world", "against"]))]
     pub normal_frame: Option<String>,
-    /// The other link; the ground without it.
+    /// The other link; default ground.
     pub against: Option<String>,
     /// In place of against: a free body of this mass, kg.
     #[serde(default, deserialize_with = "study_value::mass")]
     #[schemars(with = "Option<NumberOrText>")]
     pub against_mass: Option<f64>,
-    /// The classical estimate beside the answer.
+    /// The classical estimate, reported with the result.
     pub estimate: Option<EstimateText>,
-    /// Points whose speed is set beside that of the contact.
+    /// Points of motion ratios relative to the contact.
     #[serde(default)]
     pub ratio_at: Vec<RatioText>,
 }
@@ -155,7 +156,7 @@ pub(crate) struct ContactText {
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct LineText {
-    /// The link whose frame the point is in.
+    /// The link of the point's frame.
     pub link: String,
     /// The point, m.
     #[serde(deserialize_with = "study_value::lengths")]
@@ -166,13 +167,13 @@ pub(crate) struct LineText {
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct EstimateText {
-    /// The links whose mass it takes.
+    /// Links with a mass counted in the estimate.
     pub links: Vec<String>,
-    /// Point A, m, in the first link's frame; its origin without this.
+    /// Point A, m, in the first link's frame; default origin.
     #[serde(default, deserialize_with = "study_value::lengths")]
     #[schemars(with = "Option<Triple>")]
     pub point: [f64; 3],
-    /// Takes the component of A's velocity along this direction, world axes.
+    /// Direction of the counted component of A's velocity, world axes; default full speed.
     #[serde(default, deserialize_with = "study_value::plain")]
     #[schemars(with = "Option<Triple>")]
     pub direction: Option<[f64; 3]>,
@@ -187,7 +188,7 @@ pub(crate) struct RatioText {
     #[serde(default, deserialize_with = "study_value::lengths")]
     #[schemars(with = "Option<Triple>")]
     pub point: [f64; 3],
-    /// Along which direction, world axes; z without this.
+    /// Direction of the speed, world axes; default z.
     #[serde(default, deserialize_with = "study_value::plain")]
     #[schemars(with = "Option<Triple>")]
     pub direction: Option<[f64; 3]>,
@@ -209,14 +210,14 @@ pub(crate) struct HoldText {
     #[serde(deserialize_with = "study_value::lengths")]
     #[schemars(with = "Triple")]
     pub point: [f64; 3],
-    /// World axes, out of the link; without it all directions are held.
+    /// The normal, world axes, out of the link; without a normal all directions are held.
     #[serde(default, deserialize_with = "study_value::plain")]
     #[schemars(with = "Option<Triple>")]
     pub normal: Option<[f64; 3]>,
 }
 
 impl ContactText {
-    /// The first part that a contact needs and that is missing.
+    /// First missing part of the contact.
     pub fn missing(&self) -> Option<&'static str> {
         let normal = self.normal.is_some() || self.along_line.is_some();
         let parts = [
@@ -227,7 +228,7 @@ impl ContactText {
         parts.into_iter().find(|(_, is_there)| !is_there).map(|(part, _)| part)
     }
 
-    /// Whether anything is said of it.
+    /// True if the contact has no own data: no link, point, normal or frame.
     pub fn is_empty(&self) -> bool {
         let Self { link, point, normal, along_line, turning_normal, frame, normal_frame, .. } = self;
         link.is_none()
@@ -251,7 +252,8 @@ fn frame_of(key: &'static str, name: Option<&str>, default: Frame) -> Result<Fra
 }
 
 impl StudyText {
-    /// The question, whose contact may lack parts. Paths are relative to the study's folder.
+    /// Converts the study to a question; the contact may be incomplete. Paths are relative to the study's
+    /// folder.
     pub fn question(&self, folder: &Path, max_size: u64) -> Result<MassQuestion, Refusal> {
         let contact = &self.contact;
         let travel = |text: &String| {

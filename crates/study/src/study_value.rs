@@ -39,7 +39,7 @@ pub(crate) enum PositionText {
     Many(Vec<f64>),
 }
 
-/// Positions by joint.
+/// Reads positions by joint.
 pub(crate) fn positions<'de, D: Deserializer<'de>>(
     from: D,
 ) -> Result<BTreeMap<String, GivenPosition>, D::Error> {
@@ -64,22 +64,22 @@ fn triple<'de, D: Deserializer<'de>>(from: D, dimension: Dimension) -> Result<[f
         .map_err(|given| D::Error::custom(format!("{} numbers; expected 3", given.len())))
 }
 
-/// Three numbers without a unit.
+/// Reads three numbers without a unit.
 pub(crate) fn plain<'de, D: Deserializer<'de>>(from: D) -> Result<Option<[f64; 3]>, D::Error> {
     triple(from, Dimension::Plain).map(Some)
 }
 
-/// Three lengths, m.
+/// Reads three lengths, m.
 pub(crate) fn lengths<'de, D: Deserializer<'de>>(from: D) -> Result<[f64; 3], D::Error> {
     triple(from, Dimension::Length)
 }
 
-/// Three lengths, m.
+/// Reads three lengths of an optional key, m.
 pub(crate) fn some_lengths<'de, D: Deserializer<'de>>(from: D) -> Result<Option<[f64; 3]>, D::Error> {
     lengths(from).map(Some)
 }
 
-/// Three angles, rad.
+/// Reads three angles, rad.
 pub(crate) fn angles<'de, D: Deserializer<'de>>(from: D) -> Result<[f64; 3], D::Error> {
     triple(from, Dimension::Angle)
 }
@@ -91,17 +91,17 @@ fn measured<'de, D: Deserializer<'de>>(from: D, measure: Measure) -> Result<f64,
     }
 }
 
-/// A number from 0 to 1, or per cent.
+/// Reads a number from 0 to 1, or per cent.
 pub(crate) fn ratio<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
     measured(from, Measure::Ratio)
 }
 
-/// The same where it may be missing.
+/// Reads an optional number from 0 to 1, or per cent.
 pub(crate) fn some_ratio<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
     ratio(from).map(Some)
 }
 
-/// Of a contact, or of a joint that turns: what it belongs to is known later.
+/// Reads a quantity of a contact or of a rotating joint; the application is determined later.
 fn of_either<'de, D: Deserializer<'de>>(
     from: D,
     measure: Measure,
@@ -116,42 +116,42 @@ fn of_either<'de, D: Deserializer<'de>>(
     }
 }
 
-/// A stiffness, N/m, or N·m/rad.
+/// Reads a stiffness, N/m or N·m/rad.
 pub(crate) fn stiffness<'de, D: Deserializer<'de>>(from: D) -> Result<Measured, D::Error> {
     of_either(from, Measure::Stiffness, Measure::TurnStiffness)
 }
 
-/// A speed, m/s, or rad/s.
+/// Reads a speed, m/s or rad/s.
 pub(crate) fn speed<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Measured>, D::Error> {
     of_either(from, Measure::Speed, Measure::TurnSpeed).map(Some)
 }
 
-/// A force, N.
+/// Reads a force, N.
 pub(crate) fn force<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
     measured_as(from, Measure::Force).map(Some)
 }
 
-/// A pressure: a number is in N/cm²; the value is in Pa.
+/// Reads a pressure in Pa; a plain number is in N/cm².
 pub(crate) fn pressure<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
     measured_as(from, Measure::Pressure).map(Some)
 }
 
-/// An area: a number is in cm²; the value is in m².
+/// Reads an area in m²; a plain number is in cm².
 pub(crate) fn area<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
     measured_as(from, Measure::Area).map(Some)
 }
 
-/// An energy, J.
+/// Reads an energy, J.
 pub(crate) fn energy<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
     measured_as(from, Measure::Energy).map(Some)
 }
 
-/// A momentum, N·s.
+/// Reads a momentum, N·s.
 pub(crate) fn momentum<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
     measured_as(from, Measure::Momentum).map(Some)
 }
 
-/// A number in the first of the measure's units, as on the command line, or text with one.
+/// Reads a number in the measure's default unit, as on the command line, or text with a unit.
 fn measured_as<'de, D: Deserializer<'de>>(from: D, measure: Measure) -> Result<f64, D::Error> {
     let text = match NumberOrText::deserialize(from)? {
         NumberOrText::Number(number) => number.to_string(),
@@ -160,7 +160,7 @@ fn measured_as<'de, D: Deserializer<'de>>(from: D, measure: Measure) -> Result<f
     measure.parse(&text).map(|m| m.value).map_err(D::Error::custom)
 }
 
-/// A time, s.
+/// Reads a time, s.
 pub(crate) fn time<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
     measured(from, Measure::Time).map(Some)
 }
@@ -173,7 +173,7 @@ pub(crate) enum Words {
     Many(Vec<String>),
 }
 
-/// One word, or several.
+/// Reads one word or several words.
 pub(crate) fn words<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<String>, D::Error> {
     Ok(match Words::deserialize(from)? {
         Words::One(word) => vec![word],
@@ -181,7 +181,7 @@ pub(crate) fn words<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<String>, D
     })
 }
 
-/// Directions without a unit.
+/// Reads directions without a unit.
 pub(crate) fn directions<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<[f64; 3]>, D::Error> {
     let read = |numbers: Vec<f64>| {
         <[f64; 3]>::try_from(numbers)
@@ -190,7 +190,7 @@ pub(crate) fn directions<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<[f64;
     Vec::<Vec<f64>>::deserialize(from)?.into_iter().map(read).collect()
 }
 
-/// Ends of an axis.
+/// Reads the two ends of an axis.
 pub(crate) fn ends<'de, D: Deserializer<'de>>(from: D) -> Result<Option<(f64, f64)>, D::Error> {
     match Vec::<f64>::deserialize(from)?[..] {
         [from, to] if from < to && from.is_finite() && to.is_finite() => Ok(Some((from, to))),
@@ -199,7 +199,7 @@ pub(crate) fn ends<'de, D: Deserializer<'de>>(from: D) -> Result<Option<(f64, f6
     }
 }
 
-/// Masses by link, kg.
+/// Reads masses by link, kg.
 pub(crate) fn masses<'de, D: Deserializer<'de>>(from: D) -> Result<BTreeMap<String, f64>, D::Error> {
     let read = |(link, mass): (String, NumberOrText)| {
         let mass = mass.of::<D::Error>(Dimension::Mass);
@@ -208,7 +208,7 @@ pub(crate) fn masses<'de, D: Deserializer<'de>>(from: D) -> Result<BTreeMap<Stri
     BTreeMap::<String, NumberOrText>::deserialize(from)?.into_iter().map(read).collect()
 }
 
-/// Places by name, m.
+/// Reads points by name, m.
 pub(crate) fn places<'de, D: Deserializer<'de>>(from: D) -> Result<BTreeMap<String, [f64; 3]>, D::Error> {
     let read = |(name, place): (String, Vec<NumberOrText>)| {
         let place: Result<Vec<f64>, D::Error> =
@@ -222,7 +222,7 @@ pub(crate) fn places<'de, D: Deserializer<'de>>(from: D) -> Result<BTreeMap<Stri
     BTreeMap::<String, Vec<NumberOrText>>::deserialize(from)?.into_iter().map(read).collect()
 }
 
-/// Armatures by joint: one value, or one for each velocity.
+/// Reads armatures by joint: one value, or one value per velocity.
 pub(crate) fn armatures<'de, D: Deserializer<'de>>(from: D) -> Result<BTreeMap<String, Vec<f64>>, D::Error> {
     let read = |(joint, values)| match values {
         OneOrMany::One(x) => (joint, vec![x]),
@@ -239,17 +239,17 @@ pub(crate) enum OneOrMany {
     Many(Vec<f64>),
 }
 
-/// A length, m.
+/// Reads a length, m.
 pub(crate) fn length<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
     NumberOrText::deserialize(from)?.of(Dimension::Length).map(Some)
 }
 
-/// A mass, kg.
+/// Reads a mass, kg.
 pub(crate) fn mass<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
     NumberOrText::deserialize(from)?.of(Dimension::Mass).map(Some)
 }
 
-/// A mass of 0 or more by its number, kg.
+/// Reads a mass, kg.
 pub(crate) fn load<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
     NumberOrText::deserialize(from)?.of(Dimension::Mass)
 }

@@ -1,5 +1,5 @@
-//! The same contact at many rows of positions; loops stay closed along one branch. Rows are handed out in order as they
-//! are computed, and none is kept.
+//! Evaluation of one contact at many rows of positions, with loops closed along one branch. Rows are handed out
+//! in order and are not stored.
 
 use crate::answer::Prepared;
 use crate::error::{Fault, StudyError};
@@ -26,23 +26,24 @@ use crate::vary::{Varied, Vary};
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-/// A sweep that is prepared: names resolved, numbers checked, the contact known.
+/// Prepared sweep: resolved names, checked numbers, known contact.
 #[derive(Debug)]
 pub struct Sweep<'a> {
     swept: Swept<'a>,
     rows: Rows,
-    /// Where the point of the contact was found.
+    /// Finding about the converted contact point.
     about_point: Option<Finding>,
 }
 
-/// Answers a contact at many rows of positions; `each` takes a row and may end the sweep.
+/// Evaluates a contact at many rows of positions; `each` receives the rows and may end the sweep.
 ///
-/// A point given in another frame than the struck link's is converted once, at the pose that the question sets with what is
-/// varied at 0, whatever the rows are; it moves with the link. A row that cannot be reached states so, and the sweep goes on
-/// from the last that was; rows that are known to lie beyond it are not tried.
+/// A point given in another frame than the contact link's frame is converted once, at the pose of the question
+/// with all varied values at 0, and is then fixed to the link. The conversion is independent of the rows. An
+/// unreachable row has an error message, and the sweep continues from the last row reached; rows known to lie
+/// beyond the end of the branch are not tried.
 ///
 /// # Errors
-/// [`StudyError`]: names that nothing bears, something that cannot be varied, a contact that means nothing.
+/// [`StudyError`]: unknown names, a quantity that cannot be varied, an invalid contact.
 pub fn sweep(
     model: &Model,
     question: &MassQuestion,
@@ -52,7 +53,7 @@ pub fn sweep(
     Sweep::new(model, question, source)?.run(each)
 }
 
-/// A sweep with all its rows in memory: some hundred bytes each.
+/// Sweep with all rows in memory, some hundred bytes each.
 ///
 /// # Errors
 /// [`StudyError`], as for [`sweep()`].
@@ -76,7 +77,7 @@ impl<'a> Sweep<'a> {
     /// Prepares a sweep.
     ///
     /// # Errors
-    /// [`StudyError`], as for [`sweep()`], where no row needs to be computed to find out.
+    /// [`StudyError`], as for [`sweep()`], as far as errors are detectable without rows.
     pub fn new(
         model: &'a Model,
         question: &'a MassQuestion,
@@ -137,28 +138,30 @@ impl<'a> Sweep<'a> {
         Ok(Self { swept, rows, about_point })
     }
 
-    /// What is the same for all rows.
+    /// Heading: data common to all rows.
     pub fn heading(&self) -> &SweepHeading {
         &self.swept.heading
     }
 
-    /// How many rows there will be, where that is known.
+    /// Number of rows, if known.
     pub fn count(&self) -> Option<usize> {
         self.rows.count()
     }
 
-    /// Computes the rows; `each` takes them in order and may end the sweep.
+    /// Computes the rows; `each` receives the rows in order and may end the sweep.
     ///
     /// # Errors
-    /// [`StudyError`], as for [`sweep()`]; after the first row that has an answer, errors stand in their rows.
+    /// [`StudyError`], as for [`sweep()`], before the first row with a result. Later errors are recorded in
+    /// their rows.
     pub fn run(self, each: &mut dyn FnMut(SweepRow) -> ControlFlow<()>) -> Result<SweepEnd, StudyError> {
         self.run_made(&|row| row, each)
     }
 
-    /// As [`run`](Self::run), with what is `made` of each row in its place: by any thread of rayon's pool, in any order.
+    /// Same as [`run`](Self::run), but `each` receives the values of `made(row)`. Any thread of rayon's pool
+    /// may call `made`, in any order.
     ///
     /// # Errors
-    /// As [`run`](Self::run).
+    /// As for [`run`](Self::run).
     pub fn run_made<T: Send>(
         self,
         made: &(dyn Fn(SweepRow) -> T + Sync),
@@ -181,7 +184,7 @@ fn is_varied(columns: &[VariedColumn], joint: &str) -> bool {
     columns.iter().any(|column| column.joint.as_deref() == Some(joint))
 }
 
-/// A travel of the question is the last range, of one value.
+/// Appends a travel of the question to the ranges, as last range with one value.
 fn with_travel(prepared: &Prepared, source: RowSource) -> Result<RowSource, StudyError> {
     match (&prepared.question.travel[..], source) {
         ([], source) => Ok(source),
@@ -195,7 +198,7 @@ fn with_travel(prepared: &Prepared, source: RowSource) -> Result<RowSource, Stud
     }
 }
 
-/// What the ranges of a grid set, and their rows.
+/// Row layout and rows of a grid.
 fn grid(prepared: &Prepared, ranges: &[Vary]) -> Result<(Setting, Rows), StudyError> {
     let refuse = |fault: Fault| StudyError::input(Field::Vary, fault);
     if let Some(vary) = ranges.iter().find(|vary| !ROWS.contains(&vary.count)) {
@@ -221,7 +224,7 @@ fn has_loops(prepared: &Prepared) -> bool {
     system.mechanism().joint_ids().any(|joint| system.is_bound(joint))
 }
 
-/// Which rows are followed from one another. Without loops no pose depends on another.
+/// Continuation of the rows. Without loops no pose depends on another pose.
 fn continuation(prepared: &Prepared, rows: &Rows) -> Continuation {
     if !has_loops(prepared) {
         return Continuation::Independent;
@@ -233,7 +236,7 @@ fn continuation(prepared: &Prepared, rows: &Rows) -> Continuation {
     }
 }
 
-/// Which rows were followed from one another, where loops make a difference.
+/// Finding about the continuation of the rows, if the mechanism has loops.
 fn about_continuation(prepared: &Prepared, continuation: Continuation) -> Option<Finding> {
     if !has_loops(prepared) {
         return None;
@@ -253,7 +256,7 @@ fn about_continuation(prepared: &Prepared, continuation: Continuation) -> Option
     Some(Finding::note("rows-followed", Subject::Answer, message))
 }
 
-/// How many rows were not tried, and why.
+/// Finding with the number of rows that were not tried, and the reason.
 fn about_untried(untried: Untried) -> Finding {
     let Untried { count, first, found_by } = untried;
     let message = format!(

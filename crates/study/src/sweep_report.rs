@@ -1,4 +1,4 @@
-//! A sweep as it stands in JSON: what is the same for all rows, the rows, and the whole.
+//! Report of a sweep in JSON: heading, rows, and the full report.
 
 use crate::model::Input;
 use crate::positions::{PoseLayout, Positions};
@@ -7,37 +7,37 @@ use crate::varied_values::{VariedColumn, VariedValues};
 use serde::Serialize;
 use std::sync::Arc;
 
-/// Which rows of a sweep were followed from one another: loops are closed on the branch of the row before. Where nothing
-/// closes a loop, no row depends on another.
+/// Continuation of the rows of a sweep: loops are closed on the branch of the preceding row. Without loops no
+/// row depends on another row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Continuation {
-    /// All rows are one path: each is followed from the last one that was reached.
+    /// All rows form one path: each row continues from the last row reached.
     Path,
-    /// Each line of a grid is a path of its own, along what is varied fastest.
+    /// Each line of a grid, along the fastest range, is a separate path.
     Lines,
-    /// Each row is answered by itself, as `percuss mass` would.
+    /// Each row is evaluated separately, as by `percuss mass`.
     Independent,
 }
 
-/// What is the same for all rows.
+/// Heading of a sweep: data common to all rows.
 #[derive(Clone, Debug, Serialize)]
 pub struct SweepHeading {
     /// `percuss.sweep/2`.
     pub schema: &'static str,
     /// Version of percuss.
     pub percuss: &'static str,
-    /// The files: the model's, the study's, and that of the positions.
+    /// Input files: model, study, and file of positions.
     pub inputs: Vec<Input>,
-    /// What is varied: of a grid the slowest first.
+    /// Varied columns; for a grid the slowest range is first.
     pub varied: Vec<VariedColumn>,
-    /// Which rows were followed from one another.
+    /// Continuation of the rows.
     pub continuation: Continuation,
-    /// The seed of random positions; null where they are not random.
+    /// Seed of the random positions; null without random positions.
     pub seed: Option<u64>,
-    /// The struck link.
+    /// Contact link.
     pub link: String,
-    /// The joints of every row's pose.
+    /// Joints of the pose of each row.
     #[serde(skip)]
     pub joints: Arc<PoseLayout>,
 }
@@ -45,53 +45,53 @@ pub struct SweepHeading {
 /// A row of a sweep.
 #[derive(Clone, Debug, Serialize)]
 pub struct SweepRow {
-    /// Its number, from 0.
+    /// Number of the row, from 0.
     pub row: usize,
     /// The varied numbers, rad or m, by name.
     pub varied: VariedValues,
-    /// `finite`, `immovable`, `massless`; `unreachable` where the pose does not exist; `no answer`.
+    /// `finite`, `immovable`, `massless`; `unreachable` if the pose does not exist; `no answer`.
     pub status: &'static str,
     /// m̄, kg; null unless finite.
     pub effective_mass: Option<f64>,
-    /// First-order bound on its error, kg.
+    /// First-order error bound of m̄, kg.
     pub effective_mass_error: Option<f64>,
-    /// How far loops are from closed, m; null without loops.
+    /// Closure residual of the loops, m; null without loops.
     pub closure_residual: Option<f64>,
-    /// Whether the pose is singular.
+    /// True if the pose is singular.
     pub singular_pose: Option<bool>,
-    /// Point A's speed per unit closing speed: of the estimate, or of the travelling point along its direction.
+    /// Speed per unit closing speed: of the estimate's point A, or of the travelling point along its direction.
     pub motion_ratio: Option<f64>,
     /// The classical estimate, kg.
     pub estimate: Option<f64>,
-    /// By how much it is off, per cent.
+    /// Difference of the estimate from m̄, per cent.
     pub estimate_error_percent: Option<f64>,
-    /// Position of every movable joint; empty where the pose was not reached.
+    /// Position of every movable joint; empty if the pose was not reached.
     pub pose: Positions,
-    /// Why there is no answer.
+    /// Reason for a missing result.
     pub error: Option<String>,
 }
 
-/// How a sweep ended.
+/// End of a sweep.
 #[derive(Clone, Debug)]
 pub struct SweepEnd {
-    /// How many rows there are.
+    /// Number of rows.
     pub rows: usize,
-    /// How many of them have no answer.
+    /// Number of rows without a result.
     pub unanswered: usize,
-    /// Why the first of those has none.
+    /// Reason for the first row without a result.
     pub first_error: Option<String>,
-    /// What was found in the rows, each thing once; what was found in the file is the model's.
+    /// Findings about the rows, each reported once. Findings about the file belong to the model.
     pub diagnostics: Vec<DiagnosticRecord>,
 }
 
 /// A sweep with all its rows.
 #[derive(Clone, Debug, Serialize)]
 pub struct SweepReport {
-    /// What is the same for all rows.
+    /// Heading: data common to all rows.
     #[serde(flatten)]
     pub heading: SweepHeading,
     /// All rows.
     pub rows: Vec<SweepRow>,
-    /// What was found, in the file and in the rows.
+    /// Findings about the file and the rows.
     pub diagnostics: Vec<DiagnosticRecord>,
 }

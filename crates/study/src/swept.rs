@@ -1,4 +1,4 @@
-//! What is asked of every row of a sweep: where it stands, and what its contact is answered there.
+//! Evaluation of the rows of a sweep: pose of a row, and result of the contact.
 
 use crate::answer::{Answer, Prepared};
 use crate::driver::Driver;
@@ -20,51 +20,52 @@ use percuss_dynamics::{Contact, Pose};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// The contact of a sweep, and what its rows set.
+/// Contact of a sweep and layout of the rows.
 #[derive(Debug)]
 pub(crate) struct Swept<'a> {
     pub prepared: Prepared<'a>,
     pub setting: Setting,
-    /// The travel, where it begins at the same place in every row.
+    /// Travel, if all rows share the same starting pose.
     pub travel: Option<Arc<(Travel, Driver)>>,
     pub contact: Contact,
     pub heading: SweepHeading,
-    /// Which number tells how far out a row of a line lies.
+    /// Number of a row that measures the distance along a line.
     pub along: Along,
-    /// Where rows need no poses.
+    /// SIMD evaluation, if rows need no poses.
     pub lanes: Option<InLanes>,
 }
 
-/// Where a row stands.
+/// Pose of a row, or the reason for a missing pose.
 #[derive(Debug)]
 pub(crate) enum Stand {
-    /// `first`: the first of its line.
+    /// Row with a pose. `first`: first row reached of its line.
     Posed { pose: Arc<Pose>, first: bool },
-    /// Reached and answered with others.
+    /// Row reached and evaluated by the path follower.
     Followed(Box<FollowedRow>),
-    /// Why it is not reached.
+    /// Unreached row, with the reason.
     Unreached(String),
-    /// What is wrong with the question.
+    /// Error of the question.
     Failed(StudyError),
 }
 
-/// A row, and what it says of the sweep.
+/// Outcome of a row.
 #[derive(Debug)]
 pub(crate) enum Outcome<T> {
-    /// What was made of it; whether its pose was reached; why it has no answer.
+    /// Value made of the row, true if the pose was reached, and the reason for a missing result.
     Row { made: T, reached: bool, error: Option<String> },
-    /// It is in error: it has no answer, or the sweep ends, where no row before it has one.
+    /// Row in error. An input error before the first row with a result ends the sweep; any other error leaves
+    /// the row without a result.
     Failed { row: usize, varied: VariedValues, error: StudyError },
 }
 
-/// Rows that were answered together, in order.
+/// Consecutive rows evaluated together.
 #[derive(Debug)]
 pub(crate) struct Portion<T> {
     pub rows: Vec<Outcome<T>>,
     pub tally: Tally,
     pub untried: Option<Untried>,
     pub too_far: TooFar,
-    /// What is said of rows alike: the first of them, and how many.
+    /// Findings shared by consecutive rows, the first row, and the number of rows.
     alike: Option<(Arc<[Finding]>, usize, usize)>,
 }
 
@@ -74,7 +75,7 @@ impl<T> Portion<T> {
         Self { rows: Vec::with_capacity(rows), tally, untried: None, too_far: None, alike: None }
     }
 
-    /// Says of a row what is said of others too.
+    /// Counts a row for findings shared by the whole branch.
     fn say_alike(&mut self, row: usize, findings: &Arc<[Finding]>) {
         match &mut self.alike {
             Some((said, _, rows)) if Arc::ptr_eq(said, findings) => *rows += 1,
@@ -91,18 +92,18 @@ impl<T> Portion<T> {
         }
     }
 
-    /// Everything that was said.
+    /// All findings of the portion.
     pub fn said(&mut self) -> Tally {
         self.count_alike();
         std::mem::take(&mut self.tally)
     }
 }
 
-/// What is made of a row, by any thread.
+/// Conversion of a row to the caller's type, callable from any thread.
 pub(crate) type Made<'m, T> = &'m (dyn Fn(SweepRow) -> T + Sync);
 
 impl Swept<'_> {
-    /// Where the next row of a line stands.
+    /// Pose of the next row of a line.
     pub fn stand(&self, line: &mut Line, block: &Block, i: usize) -> Stand {
         let first = line.is_new();
         let (names, values) = (self.prepared.question.names, block.values(i));
@@ -113,7 +114,7 @@ impl Swept<'_> {
         }
     }
 
-    /// Where rows of a line stand, one after another.
+    /// Poses of consecutive rows of a line.
     pub fn stands(&self, line: &mut Line, block: &Block, rows: Range<usize>) -> Vec<Stand> {
         let mut stands = Vec::with_capacity(rows.len());
         let mut next = rows.start;
@@ -148,7 +149,8 @@ impl Swept<'_> {
         stands
     }
 
-    /// Lets rows be followed from a pose on, where there are some left and it was not in vain too often.
+    /// Prepares the path follower from a pose, if enough rows are left and the number of followers built on the
+    /// line is below the limit.
     fn follow_from(&self, line: &mut Line, pose: &Pose, left: usize) {
         if line.following.as_mut().is_some_and(|following| following.restart(pose)) {
             return;
@@ -161,7 +163,7 @@ impl Swept<'_> {
         }
     }
 
-    /// Answers a row.
+    /// Evaluates a row and appends the outcome to the portion.
     pub fn answer<T>(
         &self,
         portion: &mut Portion<T>,
@@ -205,7 +207,7 @@ impl Swept<'_> {
         portion.rows.push(outcome);
     }
 
-    /// Answers rows of a block without poses.
+    /// Evaluates rows of a block without poses. Uncertain rows are posed and evaluated separately.
     pub fn answer_in_lanes<T>(&self, block: &Block, rows: Range<usize>, made: Made<'_, T>) -> Portion<T> {
         let mut portion = Portion::new(rows.len());
         let Some(lanes) = &self.lanes else { return portion };
@@ -227,7 +229,7 @@ impl Swept<'_> {
         portion
     }
 
-    /// A row with a finite m̄ that no pose was made for.
+    /// Row with a finite m̄, evaluated without a pose.
     fn without_pose(
         &self,
         row: usize,
@@ -307,7 +309,7 @@ impl Swept<'_> {
     }
 }
 
-/// The status of a row whose pose does not exist.
+/// Status of a row without an existing pose.
 const UNREACHABLE: &str = "unreachable";
-/// The status of a row whose question has no answer there.
+/// Status of a row with a pose and without a result.
 pub(crate) const NO_ANSWER: &str = "no answer";

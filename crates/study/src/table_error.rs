@@ -1,4 +1,4 @@
-//! What is wrong with a file of positions: where, what was expected, and the remedy.
+//! Errors of a file of positions: place, cause, expected value and remedy.
 
 use crate::field::{Field, Names};
 use crate::quantity::Dimension;
@@ -7,193 +7,193 @@ use percuss_dynamics::{AssemblyError, ConfigurationError};
 use percuss_mechanism::UnknownName;
 use std::io;
 
-/// What is wrong with a file of positions, and where.
+/// Error of a file of positions, with its place.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{}", self.message(Names::Fields))]
 pub struct TableError {
-    /// The file, as it was named.
+    /// File, as named by the user.
     pub path: String,
-    /// The line, from 1, where the file has lines; none where it is about the whole.
+    /// Line, from 1; `None` for an error of the whole file, and for files without lines.
     pub line: Option<usize>,
-    /// The row, from 0, where the file has no lines.
+    /// Row, from 0, for files without lines.
     pub row: Option<usize>,
-    /// The column, from 1, and its name.
+    /// Column number, from 1, and column name.
     pub column: Option<(usize, String)>,
-    /// What is wrong.
+    /// Cause.
     pub fault: Box<TableFault>,
 }
 
-/// What is wrong with a file of positions.
+/// Cause of an error of a file of positions.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TableFault {
-    /// It cannot be read.
+    /// Unreadable file.
     #[error("cannot be read: {why}")]
     Unreadable {
-        /// What the operating system says.
+        /// Message of the operating system.
         why: String,
     },
-    /// More bytes on the standard input than are kept.
+    /// Standard input larger than the limit.
     #[error("larger than the limit of {limit} bytes; name a file instead of -, which is read row by row")]
     TooLarge {
-        /// The limit.
+        /// Limit, bytes.
         limit: u64,
     },
-    /// It holds no header.
+    /// File without a header.
     #[error("it is empty; expected a header with the names of joints, then a row for each configuration")]
     NoHeader,
-    /// All its columns are left out.
+    /// All columns are ignored.
     #[error("no column is a joint's; expected one at least")]
     NoColumns,
-    /// It holds no rows.
+    /// File without rows.
     #[error("it has a header and no rows; expected a row for each configuration")]
     NoRows,
-    /// Not text.
+    /// File is not UTF-8 text.
     #[error("not UTF-8 text; a table is comma-separated text")]
     NotText,
-    /// A quote without its end.
+    /// Quote that is not closed.
     #[error("a quote is not closed")]
     OpenQuote,
-    /// A line that does not end.
+    /// Line longer than the limit.
     #[error("the line is longer than {LONGEST_RECORD} bytes")]
     TooLong,
-    /// Separated by something else.
+    /// Cells with another separator than a comma.
     #[error("the header has no comma and {} \"{separator}\"; expected cells separated by commas", count)]
     Separator {
-        /// What separates.
+        /// Separator in the header.
         separator: char,
-        /// How many there are.
+        /// Number of separators.
         count: usize,
     },
-    /// A kind of file that is not read.
+    /// Unknown kind of file.
     #[error("its name ends in neither .csv nor .parquet; expected a table of one of these kinds")]
     Kind,
-    /// Not Parquet.
+    /// File is not a Parquet file, or is incomplete.
     #[error("it is no Parquet file, or not all of one: it does not begin and end with PAR1")]
     NoParquet,
-    /// Parquet that needs a key.
+    /// Encrypted Parquet file.
     #[error("it is encrypted; expected a Parquet file that is not")]
     Encrypted,
-    /// Parquet whose parts contradict one another.
+    /// Malformed Parquet file.
     #[error("it is no well-formed Parquet file: {why}")]
     Malformed {
-        /// What is wrong.
+        /// Cause.
         why: String,
     },
-    /// Compressed by means that are not built in: their sizes in memory are not stated, or nobody uses them.
+    /// Unsupported compression: codecs without a stated size in memory, or without practical use.
     #[error("it is compressed with {name}; expected no compression, Snappy, Zstandard or LZ4")]
     Codec {
-        /// Its name.
+        /// Name of the codec.
         name: String,
     },
-    /// A column of Parquet that holds no numbers.
+    /// Parquet column without numbers.
     #[error("the column holds {got}; expected floating-point numbers or integers")]
     ColumnKind {
-        /// What it holds.
+        /// Kind of the values.
         got: String,
     },
-    /// A value of Parquet that is not there.
+    /// Null value in a Parquet file.
     #[error("the value is null; expected a number")]
     Null,
-    /// More rows than a sweep goes through.
+    /// Number of rows above the limit of a sweep.
     #[error("it has {rows} rows; expected {most} at most")]
     Rows {
-        /// How many it states.
+        /// Stated number of rows.
         rows: u128,
-        /// How many there may be.
+        /// Largest number of rows.
         most: usize,
     },
-    /// A name that is no joint's.
+    /// Column name that is not a joint name.
     #[error(transparent)]
     UnknownColumn(#[from] UnknownName),
     /// A column without a name.
     #[error("it has no name; expected that of a joint")]
     NoName,
-    /// A joint whose columns are named otherwise.
+    /// Wrong column names for a joint with several numbers.
     #[error("joint \"{joint}\" has {numbers} numbers; expected columns \"{joint}[0]\" to \"{joint}[{}]\"", numbers - 1)]
     Components {
-        /// The joint.
+        /// Joint.
         joint: String,
-        /// How many numbers it has.
+        /// Number of values of the joint.
         numbers: usize,
     },
-    /// A joint that does not move.
+    /// Fixed joint.
     #[error("joint \"{joint}\" is fixed, and has no position")]
     Fixed {
-        /// The joint.
+        /// Joint.
         joint: String,
     },
-    /// A joint that follows another.
+    /// Joint that mimics another joint.
     #[error("joint \"{joint}\" mimics \"{master}\", and its position follows from that")]
     Mimic {
-        /// The joint.
+        /// Joint.
         joint: String,
-        /// What it follows.
+        /// Master joint.
         master: String,
     },
-    /// A joint that the question sets too.
+    /// Joint that the question sets as well.
     #[error("joint \"{joint}\" is set already; give it one or the other")]
     IsSet {
-        /// The joint.
+        /// Joint.
         joint: String,
     },
-    /// A number that has two columns.
+    /// Two columns for the same number.
     #[error("column {first} is of the same number")]
     Twice {
-        /// The first of them, from 1.
+        /// First of the two columns, from 1.
         first: usize,
     },
-    /// A unit that is not known.
+    /// Unknown unit.
     #[error("\"{unit}\" is no unit of a position; expected {expected}, in deg, rad, mm, cm or m")]
     UnknownUnit {
-        /// What was given.
+        /// Given unit.
         unit: String,
-        /// What is measured.
+        /// Dimension of the position.
         expected: Dimension,
     },
-    /// A unit of another dimension.
+    /// Unit of another dimension.
     #[error("[{unit}] is the unit of {got}; expected {expected}")]
     WrongUnit {
-        /// What was given.
+        /// Given unit.
         unit: String,
-        /// What it measures.
+        /// Dimension of the given unit.
         got: Dimension,
-        /// What is measured.
+        /// Dimension of the position.
         expected: Dimension,
     },
-    /// Columns that lack.
+    /// Missing columns.
     #[error("{} of no column: {}; nothing else determines where they stand", plural(columns.len()), quoted(columns))]
     Missing {
-        /// Their names.
+        /// Names of the columns.
         columns: Vec<String>,
     },
-    /// A column of a joint that loops determine.
+    /// Column of a joint whose position the loops determine.
     #[error(transparent)]
     Dependent(Box<AssemblyError>),
-    /// A row of another length than the header.
+    /// Row with another number of cells than the header.
     #[error("{got} cells; the header has {expected}")]
     Cells {
-        /// How many there are.
+        /// Number of cells.
         got: usize,
-        /// How many there should be.
+        /// Expected number of cells.
         expected: usize,
     },
     /// An empty cell.
     #[error("the cell is empty; expected a number")]
     Empty,
-    /// A cell that is no number.
+    /// Cell without a number.
     #[error("\"{text}\" is no number; expected one such as 0.5 or -1e-3, its unit in the header")]
     NoNumber {
-        /// What it holds.
+        /// Text of the cell.
         text: String,
     },
     /// NaN or infinite.
     #[error("\"{text}\" is not finite; expected a finite number")]
     NotFinite {
-        /// What it holds.
+        /// Text of the cell.
         text: String,
     },
-    /// A position that is none.
+    /// Invalid position.
     #[error(transparent)]
     Position(#[from] ConfigurationError),
 }
@@ -202,7 +202,7 @@ fn plural(columns: usize) -> String {
     if columns == 1 { "1 position is".into() } else { format!("{columns} positions are") }
 }
 
-/// The first few of many names.
+/// First eight names and the number of further names.
 fn quoted(names: &[String]) -> String {
     let some: Vec<String> = names.iter().take(8).map(|name| format!("\"{name}\"")).collect();
     let more = names.len() - some.len();
@@ -226,7 +226,7 @@ impl TableError {
         Self::of_file(path, TableFault::Unreadable { why: error.to_string() })
     }
 
-    /// The message, with the names of where the question was asked.
+    /// Message with the names of `names`: flags, study keys or fields.
     pub(crate) fn message(&self, names: Names) -> String {
         let mut text = self.path.clone();
         if let Some(line) = self.line {
@@ -244,7 +244,7 @@ impl TableError {
         text + &self.fault.to_string() + &self.remedy(names)
     }
 
-    /// What helps, by the name it has where the question was asked.
+    /// Remedy for the end of the message, with the flag or key.
     fn remedy(&self, names: Names) -> String {
         let given = |field: Field, value: &str| match names {
             Names::Flags => format!(" ({} {value})", field.flag()),

@@ -1,5 +1,5 @@
-//! What tolerances of masses, centres of mass, armatures and hardpoints leave of an effective mass: to first order, and by
-//! samples.
+//! Variation of an effective mass within tolerances of masses, centres of mass, armatures and hardpoints: to
+//! first order, and by random samples.
 
 use crate::changes::Changes;
 use crate::error::{Fault, StudyError};
@@ -14,59 +14,60 @@ use crate::thresholds::SAMPLES;
 use rayon::prelude::*;
 use serde::Serialize;
 
-/// How far off the parts of a model may be: each number by itself, at most so much to either side.
+/// Tolerances of the parts of a model. Each number varies independently by at most the tolerance to either
+/// side.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Tolerance {
-    /// Of each link's mass, relative; its moments change in proportion.
+    /// Mass of each link, relative; the moments of inertia change in proportion.
     pub mass: f64,
-    /// Of each coordinate of each link's centre of mass, m.
+    /// Each coordinate of the centre of mass of each link, m.
     pub com: f64,
-    /// Of each joint's armature, relative.
+    /// Armature of each joint, relative.
     pub armature: f64,
-    /// Of each coordinate of each hardpoint of a sheet, m.
+    /// Each coordinate of each hardpoint of a sheet, m.
     pub point: f64,
 }
 
-/// A text that is no tolerance.
+/// Error in the text of a tolerance.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error(
     "\"{part}\": {why}; expected mass=2%, com=1mm, armature=10%, point=0.5mm, or several of them between commas"
 )]
 pub struct ToleranceError {
-    /// The part that is wrong.
+    /// Part of the text with the error.
     pub part: String,
-    /// Why.
+    /// Cause.
     pub why: String,
 }
 
-/// Samples to be taken.
+/// Parameters of random sampling.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sampling {
-    /// How many.
+    /// Number of samples.
     pub count: usize,
-    /// Of the random numbers.
+    /// Seed of the random numbers.
     pub seed: u64,
 }
 
-/// What tolerances leave of m̄.
+/// Variation of m̄ within tolerances.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ToleranceReport {
     /// m̄, kg.
     pub effective_mass: f64,
-    /// How far off each number may be.
+    /// Tolerances.
     pub tolerance: Tolerance,
-    /// To first order, kg: the root of the sum of squares of what each number does at its limit, as for numbers that do not
-    /// depend on one another.
+    /// First-order variation of m̄, kg: root sum square of the effects of all numbers at their limits, for
+    /// independent numbers.
     pub root_sum_square: f64,
-    /// To first order, kg: every number at its limit at once.
+    /// First-order variation of m̄, kg: sum of the absolute effects of all numbers at their limits.
     pub worst_case: f64,
-    /// The squares' parts of each kind, kg: their root sum square.
+    /// Root sum square of each kind of number, kg.
     pub parts: ToleranceParts,
-    /// By samples, where they were asked for.
+    /// Random samples, if requested.
     pub samples: Option<SampleRecord>,
 }
 
-/// What each kind of number leaves of m̄ by itself, kg, as a root sum square.
+/// First-order variation of m̄ due to each kind of number, kg, as root sum square.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct ToleranceParts {
     /// Masses of links.
@@ -79,12 +80,12 @@ pub struct ToleranceParts {
     pub point: f64,
 }
 
-/// m̄ of designs whose numbers are off at random, all values between the limits alike.
+/// m̄ of designs with random deviations, uniform between the limits.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct SampleRecord {
-    /// How many were answered.
+    /// Number of samples with a finite m̄.
     pub count: usize,
-    /// How many had no finite mass.
+    /// Number of samples without a finite m̄.
     pub unanswered: usize,
     /// The seed.
     pub seed: u64,
@@ -92,21 +93,21 @@ pub struct SampleRecord {
     pub mean: f64,
     /// Standard deviation, kg.
     pub standard_deviation: f64,
-    /// The least, kg.
+    /// Smallest m̄, kg.
     pub least: f64,
-    /// The greatest, kg.
+    /// Largest m̄, kg.
     pub greatest: f64,
-    /// What 2.5 % are below, kg.
+    /// 2.5th percentile, kg.
     pub percentile_2_5: f64,
-    /// What 2.5 % are above, kg.
+    /// 97.5th percentile, kg.
     pub percentile_97_5: f64,
 }
 
 impl Tolerance {
-    /// Reads `mass=2%,point=0.5mm`.
+    /// Reads comma-separated tolerances: `mass=2%,point=0.5mm`.
     ///
     /// # Errors
-    /// [`ToleranceError`]: which part is wrong, and how it should look.
+    /// [`ToleranceError`] with the invalid part and the expected form.
     pub fn parse(text: &str) -> Result<Self, ToleranceError> {
         let mut tolerance = Self::default();
         let mut given: Vec<&str> = Vec::new();
@@ -140,10 +141,11 @@ impl Tolerance {
     }
 }
 
-/// What tolerances leave of the answer to a contact; none where it has no finite mass, or another on each branch.
+/// Variation of m̄ at a contact within tolerances; `None` if m̄ is not finite or the pose is singular.
 ///
 /// # Errors
-/// [`StudyError`], as for `mass`; a tolerance of points of a model that has none; too many samples.
+/// [`StudyError`], as for `mass`; a tolerance of hardpoints for a model without hardpoints; a number of samples
+/// out of range.
 pub fn tolerate(
     model: &Model,
     question: &MassQuestion,
@@ -176,7 +178,7 @@ pub fn tolerate(
     }))
 }
 
-/// What each number does to m̄ at its limit, kg.
+/// Effect of each number at its limit on m̄, kg.
 struct Rates {
     mass: Vec<f64>,
     com: Vec<f64>,
@@ -205,7 +207,7 @@ impl Rates {
     }
 }
 
-/// The armature of a joint, one value for each velocity.
+/// Armature of a joint, one value per velocity.
 fn armature(model: &Model, question: &MassQuestion, joint: &str, velocities: usize) -> Vec<f64> {
     let asked = question.armature.iter().find(|(name, _)| name == joint).map(|(_, values)| values.clone());
     let own = || {
@@ -235,7 +237,8 @@ fn sampled(
             moved.moves =
                 points.map(|point| (point.clone(), [(); 3].map(|()| off(tolerance.point)))).collect();
         }
-        // A centre of mass stays in the vehicle while the frame of its link goes with a hardpoint.
+        // A centre of mass is fixed in the vehicle, but the link frame moves with a hardpoint. Hence the
+        // centres of mass are read from the model with the hardpoints moved.
         let model = &model.changed(&moved).ok()?;
         let mut changes = Changes::default();
         for link in &explanation.links {

@@ -1,4 +1,5 @@
-//! The travel of a point as what a sweep varies: the joint that drives it, and what a row that is not reached says.
+//! Travel of a point as the varied quantity of a sweep: the driving joint, and the consequence of an
+//! unreachable row.
 
 use crate::driver::Driver;
 use crate::error::{Fault, StudyError};
@@ -9,26 +10,26 @@ use nalgebra::Vector3;
 use percuss_dynamics::{Configuration, ContactResponse, PointVelocity, Pose, System, TravelError};
 use percuss_mechanism::{JointId, JointKind, LinkId};
 
-/// The travel of a point from where it starts, and the joint that drives it.
+/// Travel of a point from its starting pose.
 #[derive(Debug)]
 pub(crate) struct Travel {
     travel: percuss_dynamics::Travel,
-    /// The pose where it starts.
+    /// Starting pose.
     pub start: Pose,
-    /// What asked for it.
+    /// Field of the question that defines the travel.
     field: Field,
-    /// Joints that do not drive it.
+    /// Set joints; these cannot drive the travel.
     set: Vec<JointId>,
 }
 
-/// A pose on the way of a travel, the joint that drives it there, and where the others are wanted.
+/// Stage of a travel: pose, driving joint, and requested configuration of the other joints.
 struct Stage {
     joint: JointId,
     base: Configuration,
     pose: Pose,
 }
 
-/// The joints that drive the loops of a pose, in order.
+/// Joints that drive the loops of a pose, in increasing order.
 fn drivers(pose: &Pose) -> Vec<JointId> {
     let mut all = pose.loops().map_or_else(Vec::new, |loops| loops.drivers.to_vec());
     all.sort_unstable();
@@ -36,7 +37,8 @@ fn drivers(pose: &Pose) -> Vec<JointId> {
 }
 
 impl Travel {
-    /// The travel of a point, and the joint that moves it most among those that are not set.
+    /// Travel of a point, and the driver: among joints that are not set, the joint with the largest
+    /// displacement of the point relative to the resulting motion of all joints.
     pub fn new(
         system: &System,
         base: &Configuration,
@@ -57,7 +59,7 @@ impl Travel {
         Ok((Self { travel, start, field, set }, Driver { joint, base: base.clone() }))
     }
 
-    /// The pose where the point is displaced as requested, on the branch of the last one.
+    /// Pose with the requested displacement of the point (m), on the branch of the last pose.
     pub fn reach(
         &self,
         driver: &Driver,
@@ -93,11 +95,12 @@ impl Travel {
         Ok(Err(Missed { why, extent }))
     }
 
-    /// The pose where other joints drive the point past the dead centres of its driver and of each other, all other drivers being
-    /// the same.
+    /// Pose reached with other driving joints, past the dead centres of the driver; all other drivers stay the
+    /// same.
     ///
-    /// Joints that move together have one ds/dq each: the least is that of the one that turns furthest, which comes to a dead
-    /// centre of its own last. A joint whose own end comes first goes near to it, and the next one takes over there.
+    /// Let s be the displacement of the point. Every candidate joint has its own rate ds/dq. The joint with the
+    /// smallest rate turns farthest and reaches its dead centre last. A joint that reaches a dead centre
+    /// earlier drives the point close to this dead centre, and then the next joint takes over.
     fn by_another(&self, driver: &Driver, last: &Pose, requested: f64) -> Option<Pose> {
         let mut stage = Stage { joint: driver.joint, base: driver.base.clone(), pose: last.clone() };
         let least = LEAST_ADVANCE * last.mechanism().characteristic_length();
@@ -128,7 +131,8 @@ impl Travel {
         None
     }
 
-    /// Joints that may drive a stage, its own last: each with where the others are wanted. `None` if its joint does not drive it.
+    /// Candidate drivers of a stage with the requested configuration of the other joints; the stage's own joint
+    /// is last. `None` if the stage's joint drives no loop.
     fn others(&self, stage: &Stage) -> Option<Vec<(JointId, Configuration)>> {
         let mechanism = stage.pose.mechanism();
         let size = mechanism.characteristic_length();
@@ -144,7 +148,7 @@ impl Travel {
         };
         let mut rates: Vec<(JointId, f64)> = mechanism.joint_ids().filter_map(rate).collect();
         rates.sort_by(|a, b| a.1.total_cmp(&b.1));
-        // What drove beside it stays where it is.
+        // The other drivers keep their positions.
         let mut base = stage.base.clone();
         for held in driven.iter().filter(|joint| **joint != stage.joint) {
             base.set(mechanism.joint(*held).name(), stage.pose.joint(*held)).ok()?;
@@ -155,7 +159,8 @@ impl Travel {
         Some(others)
     }
 
-    /// The pose where a joint drives the point from a stage, in the place of its joint; else the displacement that it comes to.
+    /// Pose with the requested displacement, driven by `joint` instead of the stage's joint; otherwise the
+    /// displacement reached.
     fn driven_by(
         &self,
         stage: &Stage,
@@ -166,7 +171,7 @@ impl Travel {
         let pose = match self.travel.pose(&stage.pose, base, joint, requested) {
             Ok(pose) => pose,
             Err(TravelError::Unreachable { nearest, .. }) => return Err(nearest),
-            // Not the end of the others.
+            // Other errors do not show the end of a branch.
             Err(_) => return Err(self.travel.displacement(&stage.pose)),
         };
         let mut expected: Vec<JointId> = drivers(&stage.pose)
@@ -177,22 +182,22 @@ impl Travel {
         if drivers(&pose) == expected { Ok(pose) } else { Err(self.travel.displacement(&stage.pose)) }
     }
 
-    /// The joint that would drive it at a pose beside others.
+    /// Driver of the travel at a pose, other than `others`.
     pub fn driver_at(&self, pose: &Pose, others: &[JointId]) -> Option<JointId> {
         self.travel.driver(pose, &|joint| others.contains(&joint)).ok()
     }
 
-    /// Joints that do not drive it.
+    /// Joints that cannot drive the travel.
     pub fn set(&self) -> &[JointId] {
         &self.set
     }
 
-    /// How fast a joint displaces the point, m/rad or m/m; none where that is not determined.
+    /// Rate of the displacement per joint rate, m/rad or m/m; `None` if not determined.
     pub fn rate(&self, pose: &Pose, driver: JointId) -> Option<f64> {
         self.travel.rate(pose, driver)
     }
 
-    /// How far the point is displaced at a pose, m.
+    /// Displacement of the point at a pose, m.
     pub fn displacement(&self, pose: &Pose) -> f64 {
         self.travel.displacement(pose)
     }

@@ -1,21 +1,22 @@
-//! What the rows of a sweep vary, by name: the columns once, the numbers for every row.
+//! Varied numbers of the rows of a sweep by name. The columns are stored once and shared by all rows.
 
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::sync::Arc;
 
-/// A number that is varied: of a joint, or the travel of a point.
+/// Varied column: a component of a joint position, or the travel of a point.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct VariedColumn {
-    /// As a column is headed: the joint, `JOINT[0]`, `JOINT[1]`, … for one with several numbers, or `travel:LINK`.
+    /// Name of the column: the joint; `JOINT[0]`, `JOINT[1]`, … for a joint with several numbers; or
+    /// `travel:LINK`.
     pub name: String,
     /// `rad` or `m`; empty for the components of a quaternion.
     pub unit: &'static str,
-    /// The joint whose number it is; none for a travel.
+    /// Joint of the column; null for a travel.
     #[serde(skip)]
     pub joint: Option<String>,
 }
 
-/// The varied numbers of a row. In JSON by name.
+/// Varied numbers of a row. In JSON: an object by column name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VariedValues {
     columns: Arc<[VariedColumn]>,
@@ -27,12 +28,12 @@ impl VariedValues {
         Self { columns: Arc::clone(columns), values: values.to_vec() }
     }
 
-    /// The numbers, in the order of the columns: SI units.
+    /// Numbers in the order of the columns, SI units.
     pub fn values(&self) -> &[f64] {
         &self.values
     }
 
-    /// The numbers by name.
+    /// Numbers by column name.
     pub fn iter(&self) -> impl Iterator<Item = (&str, f64)> {
         self.columns.iter().map(|column| column.name.as_str()).zip(self.values.iter().copied())
     }

@@ -1,60 +1,60 @@
-//! What a sweep varies, and over which values.
+//! Ranges of a sweep: the varied quantity and its values.
 
 use crate::quantity::{Dimension, Quantity, QuantityError, parse_triple};
 use crate::thresholds::ROWS;
 
-/// What is varied.
+/// Varied quantity.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Varied {
-    /// A driving joint with one position.
+    /// Driving joint with one position.
     Joint(String),
-    /// The displacement of a point (m, link's frame) of a link along a direction (world axes), from where it is with
-    /// the joints as set.
+    /// Displacement of a point (m, link's frame) of a link along a direction (world axes), relative to the pose
+    /// of the set joints.
     Travel {
         /// The link.
         link: String,
         /// The point.
         point: [f64; 3],
-        /// The direction; its length does not matter.
+        /// Direction, of any length.
         direction: [f64; 3],
     },
 }
 
-/// A range of values, ends included.
+/// Range of evenly spaced values, including both ends.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Vary {
-    /// What is varied.
+    /// Varied quantity.
     pub what: Varied,
-    /// First value; the dimension of its unit is compared with the joint's when names are resolved.
+    /// First value; the dimension of the unit is checked once the joint is known.
     pub from: Quantity,
     /// Last value.
     pub to: Quantity,
-    /// How many values, 1 to 1,000,000.
+    /// Number of values, 1 to 1,000,000.
     pub count: usize,
 }
 
-/// A text that is no range.
+/// Error in the text of a range.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum VaryError {
-    /// Parts are missing.
+    /// Missing parts.
     #[error(
         "wanted JOINT=FROM:TO:COUNT, such as hinge=-30deg:30deg:61, or travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT"
     )]
     Form,
-    /// COUNT is no whole number.
+    /// COUNT is not a whole number.
     #[error("COUNT is \"{text}\"; expected a whole number")]
     NoCount {
-        /// What was given.
+        /// Given text.
         text: String,
     },
-    /// Too few rows, or too many.
+    /// COUNT out of range.
     #[error("COUNT is {count}; {} to {} rows are possible", ROWS.start(), ROWS.end())]
     Count {
-        /// What was given.
+        /// Given number.
         count: usize,
     },
-    /// An end of the range, the point or the direction.
+    /// Invalid end of the range, point or direction.
     #[error(transparent)]
     Number(#[from] QuantityError),
 }
@@ -63,7 +63,7 @@ impl Vary {
     /// Reads `JOINT=FROM:TO:COUNT` or `travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT`.
     ///
     /// # Errors
-    /// [`VaryError`]: what is wrong, and how it should look.
+    /// [`VaryError`] with the cause and the expected form.
     pub fn parse(text: &str) -> Result<Self, VaryError> {
         let (what, range) = text.rsplit_once('=').ok_or(VaryError::Form)?;
         let parts: Vec<&str> = range.split(':').collect();
@@ -90,7 +90,7 @@ impl Vary {
         Ok(Self { what, from: first, to: last, count })
     }
 
-    /// As a column is headed.
+    /// Name of the column.
     pub fn name(&self) -> String {
         match &self.what {
             Varied::Joint(joint) => joint.clone(),
@@ -98,7 +98,7 @@ impl Vary {
         }
     }
 
-    /// The values in SI units, where the units of the ends are those of what is varied.
+    /// Values in SI units, if the units of both ends have the given dimension.
     ///
     /// # Errors
     /// [`QuantityError::WrongUnit`].
@@ -108,7 +108,7 @@ impl Vary {
     }
 }
 
-/// `LINK:X,Y,Z:DX,DY,DZ`, split from the right: link names may have colons of their own.
+/// Parts of `LINK:X,Y,Z:DX,DY,DZ`. The text is split from the right, because link names may contain colons.
 pub(crate) fn split(text: &str) -> Option<(&str, &str, &str)> {
     let mut parts = text.rsplitn(3, ':');
     let (direction, point, link) = (parts.next()?, parts.next()?, parts.next()?);
@@ -120,27 +120,27 @@ pub(crate) fn split(text: &str) -> Option<(&str, &str, &str)> {
 pub(crate) struct Values {
     from: f64,
     to: f64,
-    /// How many.
+    /// Number of values.
     pub count: usize,
 }
 
 impl Values {
-    /// The value of a row, the first being 0.
+    /// Value of row `row`, from 0.
     pub fn of_row(&self, row: usize) -> f64 {
         let steps = self.count.saturating_sub(1).max(1) as f64;
         let value = self.from + (self.to - self.from) * (row as f64 / steps);
         let largest = self.from.abs().max(self.to.abs());
-        // Of ends that are not decimals, such as 5 degrees in radians, no value is rounded.
+        // Values are rounded only if both ends are decimals; 5 degrees in radians is not.
         let is_decimal = |end: f64| rounded(end, largest) == end;
-        // Zero has no sign.
+        // Adding 0.0 turns −0 into 0.
         0.0 + if is_decimal(self.from) && is_decimal(self.to) { rounded(value, largest) } else { value }
     }
 }
 
-/// A value to fifteen digits of the largest of its range: 0.05, not 0.050000000000000044.
+/// Value rounded to fifteen digits of `largest`: 0.05, not 0.050000000000000044.
 fn rounded(value: f64, largest: f64) -> f64 {
     let decimals = 14.0 - largest.log10().floor();
-    // Beyond this, powers of ten are not exact.
+    // Powers of ten above 10²² are not exact.
     if !(0.0..=22.0).contains(&decimals) {
         return value;
     }

@@ -1,8 +1,9 @@
-//! The drift of m̄ over the penetration, on pendulums whose point B of radius r meets a wall: with the closing δ = r sin θ,
+//! Relative change of m̄ over the penetration for pendulums whose point B at radius r meets a wall. With the
+//! closing distance δ = r sin θ,
 //!
-//! m̄(δ)/m̄(0) − 1 = 1/(1 − (δ/r)²) − 1,
+//! m̄(δ)/m̄(0) − 1 = 1/(1 − (δ/r)²) − 1.
 //!
-//! and a depth of r or more is unreachable: the pendulum is at its dead centre.
+//! A depth of r or more is unreachable, because the pendulum is then at a dead centre.
 
 use percuss_dynamics::Frame;
 use percuss_formats::{LoadOptions, Source};
@@ -10,12 +11,14 @@ use percuss_study::{DampingQuestion, MassQuestion, Model, Normal, damp_contact};
 use rand::{Rng, SeedableRng, rngs::StdRng};
 
 const PENDULUMS: u64 = 40;
-/// Of m̄ at the depth, relative, times 1 − (δ/r)²: the depth is good to some 1e-5, and m̄ grows without bound at the dead centre.
+/// Tolerance of m̄ at the depth, relative, times 1 − (δ/r)². The depth has an error of about 1e-5, and m̄ is
+/// unbounded at the dead centre.
 const AGREEMENT: f64 = 1e-4;
 
-/// The drift of a pendulum over a depth (as a part of its radius), and where it ends (m).
+/// Relative change of m̄ over a depth `part` · `radius`, the depth (m) at which the motion ends, and true if a
+/// warning was given.
 fn drift(radius: f64, part: f64, slide: bool) -> (Option<f64>, Option<f64>, bool) {
-    // A slide beside the hinge, locked by nothing and of no mass on it, must not matter.
+    // A free slide next to the hinge, without coupling to the contact, must not change the result.
     let beside = if slide {
         "<link name=\"other\"><inertial><mass value=\"1\"/><inertia ixx=\"0\" iyy=\"0\" izz=\"0\"/></inertial></link>\
          <joint name=\"slide\" type=\"prismatic\"><parent link=\"ground\"/><child link=\"other\"/><axis xyz=\"0 0 1\"/></joint>"
@@ -38,7 +41,7 @@ fn drift(radius: f64, part: f64, slide: bool) -> (Option<f64>, Option<f64>, bool
         ..MassQuestion::anywhere()
     };
     let mass = 0.6;
-    // Without loss the greatest penetration is v √(m/k).
+    // Without energy loss the maximum penetration is v √(m/k).
     let damping = DampingQuestion {
         speed: Some(part * radius * (1e3_f64 / mass).sqrt()),
         ..DampingQuestion::new(1.0, 1e3)
@@ -51,7 +54,7 @@ fn drift(radius: f64, part: f64, slide: bool) -> (Option<f64>, Option<f64>, bool
 
 #[test]
 fn a_drift_follows_the_motion_to_its_depth() {
-    // Along v* alone these are +34.8, +107 and +277 %.
+    // With constant v* the changes would be +34.8, +107 and +277 %.
     for (part, expected) in [(0.533, 0.3968), (0.8026, 1.8106), (1.0288, f64::NAN)] {
         let (over, ends_at, warned) = drift(0.8, part, false);
         if part < 1.0 {

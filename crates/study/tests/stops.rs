@@ -1,4 +1,5 @@
-//! The inertia at the stop of a joint, on random trees, four-bars and slider-cranks: percuss's against route C of the oracle.
+//! Inertia at the stop of a joint, on random trees, four-bars and slider-cranks: percuss against route C of the
+//! oracle.
 
 use nalgebra::Vector3;
 use percuss_mechanism::{JointId, JointKind, Limits, Mechanism};
@@ -16,10 +17,11 @@ use std::sync::Arc;
 
 const TREES: usize = 40;
 const LINKAGES: usize = 20;
-/// Of the inertia, relative. Both routes solve systems of conditions up to a few thousand.
+/// Relative tolerance of the inertia. Both methods solve linear systems with condition numbers up to a few
+/// thousand.
 const AGREEMENT: f64 = 1e-9;
 
-/// The mechanism with limits at a joint.
+/// Model of the mechanism with limits at a joint.
 fn limited(mechanism: &Mechanism, joint: &str, limits: Limits) -> Model {
     let (links, mut joints) = describe(mechanism);
     let of = joints.iter_mut().find(|j| j.name == joint).expect("a joint");
@@ -38,8 +40,8 @@ fn limited(mechanism: &Mechanism, joint: &str, limits: Limits) -> Model {
     }
 }
 
-/// By route C: the effective mass of a point of the child link beside the axis, at a distance and in a direction of the test's own,
-/// against the parent link; its speed is the distance times the joint's rate.
+/// Inertia by route C of the oracle: the effective mass of a random point of the child link against the parent
+/// link, times the squared distance from the axis. The speed of the point is the distance times the joint rate.
 fn by_the_oracle(
     rng: &mut StdRng,
     mechanism: &Mechanism,
@@ -68,7 +70,7 @@ fn by_the_oracle(
     }
 }
 
-/// The positions of percuss's answer, laid out for the oracle.
+/// Joint positions of percuss's result, in the oracle's layout.
 fn positions_of(model: &Model, question: &MassQuestion) -> Vec<Vec<f64>> {
     let report = mass(model, question).expect("an answer");
     let mut positions = random::zero_positions(&model.mechanism);
@@ -83,7 +85,7 @@ fn set(name: &str, numbers: &[f64]) -> (String, GivenPosition) {
     (name.to_owned(), GivenPosition::from_numbers(numbers).expect("a position"))
 }
 
-/// Compares one stop; whether there was a finite inertia to compare.
+/// Compares one stop. Returns true if there is a finite inertia.
 fn compare(rng: &mut StdRng, model: &Model, stop: &JointStop, conditions: MassQuestion, case: &str) -> bool {
     let (question, _) = stop.question(model, conditions.clone()).expect(case);
     let positions = positions_of(model, &question);
@@ -111,7 +113,7 @@ fn compare(rng: &mut StdRng, model: &Model, stop: &JointStop, conditions: MassQu
     true
 }
 
-/// Each end once.
+/// Both ends of the range of a joint.
 fn ends(joint: &str) -> [JointStop; 2] {
     [StopEnd::Lower, StopEnd::Upper].map(|end| JointStop { joint: joint.to_owned(), end: Some(end) })
 }
@@ -155,7 +157,8 @@ fn body(rng: &mut StdRng) -> PlanarBody {
     PlanarBody::new(rng.random_range(0.5..6.0), com, rng.random_range(0.005..0.2))
 }
 
-/// The crank at both ends of its range; the other joint of the ground where the crank has it, on its way up.
+/// Compares the crank at both ends of its range, and the follower joint at a random crank angle, stopped in the
+/// positive direction. Returns the number of comparisons.
 fn stopped(rng: &mut StdRng, linkage: &Linkage, follower: &str, case: &str) -> usize {
     let given = |name: &str| linkage.start.iter().find(|(of, _)| *of == name).expect("a joint").1[0];
     let theta = given("crank_hinge");
@@ -183,7 +186,7 @@ fn four_bars_and_slider_cranks() {
         let crank = rng.random_range(0.1..0.3);
         let theta = rng.random_range(-PI..PI);
         let bodies = [(); 3].map(|()| body(&mut rng));
-        // The crank is the shortest by more than half, and turns all round.
+        // The crank is less than half as long as the other bars, so the crank turns fully.
         let [ground, coupler, rocker] = [(); 3].map(|()| crank * rng.random_range(2.2..3.0));
         let crossing = if rng.random_bool(0.5) { Crossing::Left } else { Crossing::Right };
         let bar = FourBar { ground, crank, coupler, rocker };
