@@ -178,8 +178,7 @@ fn four_bar_on_branch(
         pin_of(("coupler", [bar.coupler, 0.0]), ("rocker", [bar.rocker, 0.0]))
     };
     links.push(link("rocker", &BODIES[2]));
-    let rocker =
-        joint("rocker_hinge", Continuous, carrier, "rocker").origin(pivot(bar.ground) * turned(psi));
+    let rocker = joint("rocker_hinge", Continuous, carrier, "rocker").origin(pivot(bar.ground) * turned(psi));
     joints.push(rocker.axis(Z));
     let mechanism = build_with_loops("four_bar", links, joints, vec![closure], Vec::new());
     let linkage = Linkage::new(mechanism, "four_bar", [("crank_hinge", range)], [("crank_hinge", 0.0)]);
