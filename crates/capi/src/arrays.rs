@@ -6,7 +6,7 @@ use crate::status::{
 };
 use std::ffi::{CStr, c_char};
 
-/// `length` values that the caller lends; an empty array may be null.
+/// Slice of `length` input values; an empty array may be null.
 #[inline]
 pub(crate) fn input<'a, T>(values: *const T, length: usize, name: &str) -> Result<&'a [T], Failure> {
     check(values, length, name)?;
