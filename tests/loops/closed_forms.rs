@@ -254,7 +254,8 @@ fn limits_are_found() {
                 let theta = limit - before * limit.signum();
                 let pose = rig.reach(&rig.closed(), &[theta]);
                 let [_, coupler, rocker] = bar.poses(theta, crossing).expect("in reach");
-                // The driver's angle has an error of ε, and the dependent angles have the error of its square root.
+                // The driver's angle has an error of ε. The dependent angles vary as the square root of the distance to
+                // the limit, so their error is ε over this root.
                 let bound = 1e-10f64.max(4e-15 / before.sqrt());
                 gauge.note(
                     &case,
