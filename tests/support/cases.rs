@@ -112,12 +112,12 @@ impl Case {
         configuration
     }
 
-    /// The pose, the root link at the world's origin.
+    /// The pose with the root link at the world's origin.
     pub fn pose(&self, system: &System) -> Pose {
         system.pose(&self.configuration(system)).expect("a tree poses")
     }
 
-    /// The contact, its normal in the world's axes: the root link's, where that stands at the origin.
+    /// The contact, with its normal in the world's axes; the root link is at the origin, so its axes are the world's.
     pub fn contact(&self) -> Contact {
         let contact = Contact::new(self.on, self.point, Vector3::z())
             .normal(Direction::Along(self.normal, Frame::World));
@@ -127,18 +127,18 @@ impl Case {
         }
     }
 
-    /// How near two computations of its answer must be, relative: by the condition of M.
+    /// Relative tolerance for two computations of the case's result, from the condition of M.
     pub fn near(&self) -> f64 {
         near_at(&self.pose(&self.system()))
     }
 
-    /// The response by whichever route holds.
+    /// The response by the automatic route.
     pub fn response(&self) -> ContactResponse {
         let system = self.system();
         self.pose(&system).respond(&self.contact(), RouteChoice::Auto).expect("an answer")
     }
 
-    /// The same, put to the oracle.
+    /// The question for the oracle.
     pub fn question(&self) -> Question<'_> {
         Question {
             floating_base: self.base == Base::Floating,
@@ -149,7 +149,7 @@ impl Case {
         }
     }
 
-    /// The armature in force at a joint, one value a velocity.
+    /// The effective armature of a joint, one value per velocity.
     pub fn armature(&self, joint: JointId) -> Vec<f64> {
         let own = self.mechanism.joint(joint);
         match self.armatures.iter().find(|(id, _)| *id == joint) {
@@ -159,14 +159,14 @@ impl Case {
         }
     }
 
-    /// Whether a mimic moves.
+    /// True if a mimic moves.
     pub fn has_moving_mimics(&self, system: &System) -> bool {
         let moves = |id| self.mechanism.joint(id).mimic().is_some() && !system.is_locked(id);
         self.mechanism.joint_ids().any(moves)
     }
 }
 
-/// Every mechanism of the zoo, on the ground and floating; plain, with locks, with armatures, with both, with
+/// All mechanisms of the zoo, with fixed and floating base; plain, with locks, with armatures, with both, with
 /// everything locked; `repeats` random positions and contacts each.
 pub fn of_the_zoo(seed: u64, repeats: usize) -> Vec<Case> {
     let mut rng = StdRng::seed_from_u64(seed);
@@ -190,8 +190,8 @@ pub fn of_the_zoo(seed: u64, repeats: usize) -> Vec<Case> {
     cases
 }
 
-/// `count` random mechanisms of 1 to `largest` bodies, more small ones than large ones; half of them without mimics,
-/// so that every route takes them. Bases, locks and armatures in turn.
+/// `count` random mechanisms of 1 to `largest` bodies, more small than large; half of them without mimics, so that
+/// every route solves them. Bases, locks and armatures vary in turn.
 pub fn at_random(seed: u64, count: usize, largest: usize) -> Vec<Case> {
     let case = |i: usize| {
         let mut rng = StdRng::seed_from_u64(seed + i as u64);

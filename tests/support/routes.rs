@@ -42,7 +42,7 @@ impl Routes {
         }
     }
 
-    /// Adds the counts of others.
+    /// Adds other counts.
     pub fn add(&mut self, other: &Self) {
         self.recursion += other.recursion;
         self.kept += other.kept;
@@ -52,7 +52,7 @@ impl Routes {
         }
     }
 
-    /// What [`Self::line`] has, by column.
+    /// Column headings of [`Self::line`].
     pub const HEADER: &str =
         "finite contacts         recursion  careful     kept  why the careful route was asked";
 
