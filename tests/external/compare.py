@@ -91,7 +91,7 @@ def one_file(name, path, options, ledger, tally):
 
 
 def peers_of(name, path, robot, floating, ledger):
-    """Those that take the file."""
+    """Peers that accept the file."""
     yield pinocchio_peer.Peer(path, robot, floating)
     for peer, wanted in [
         (pinocchio_peer.FoldingPeer, any(joint.mimic for joint in robot.movable)),
@@ -132,7 +132,7 @@ def one_contact(peer, base, inertia, contact, answer, where, tally):
     tally.within(f"point and normal, {peer.name}", where, off, PLACE)
     jacobian, size = peer.point_jacobian(contact["link"], point)
     if contact["against"]:
-        # The relative row first: adding the two sides' inverses would drop the cross terms.
+        # Row of the relative motion: a sum of the two sides' inverses would omit the cross terms.
         against, more = peer.point_jacobian(contact["against"], point)
         jacobian, size = jacobian - against, size + more
     row = normal @ jacobian
