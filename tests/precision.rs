@@ -59,7 +59,8 @@ mod percuss {
             system.map(Self).map_err(|error| error.to_string())
         }
 
-        /// Poses the mechanism from joint, value, starting value, and true for a driver; other values are guesses.
+        /// Poses the mechanism from joint name, exact value, value to set, and true for a driver; the values of other
+        /// joints are guesses.
         fn pose(&self, values: &[(String, f64, f64, bool)]) -> Result<Pose, String> {
             let mut configuration = self.0.configuration();
             for (joint, _, value, drives) in values {

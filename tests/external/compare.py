@@ -26,11 +26,11 @@ FILES = 69  # in ROBOTS
 SEED = 20261121
 CONTACTS = 5  # per configuration
 
-# README.md says why.
+# Reasons: README.md.
 PLACE = 1e-12  # points (m), normals, positions
 MATRIX = 1e-13  # M, relative by Frobenius' norm; j, relative to the size of its terms
 AMPLIFIED = 1e-14  # m̄, relative, for each time that rounding is magnified
-RECURSION = 1e-11  # m̄, relative: what percuss itself asks of its recursion
+RECURSION = 1e-11  # m̄, relative: percuss's own limit for its recursion
 MASS = 1e-9  # m̄, relative, wherever the two above allow it
 
 ALWAYS_IN_MUJOCO = ("ur5_robot", "panda", "g1_29dof_rev_1_0", "talos_full_v2")

@@ -110,7 +110,7 @@ class Check:
             if known["solver"] == solver and known["engine"].startswith(program):
                 limit = known["worst"][RESTITUTIONS.index(e)]
                 self.tally.within(f"as measured before: {tool}", where, outcome.error(e) / limit, 1.0)
-        if linear:  # percuss states the penetration of the law it was asked for
+        if linear:  # percuss states the penetration of the requested law
             self.tally.within(f"penetration: {tool}", where, abs(depth - 1), DEPTH)
         self.rows.append(Row(tool, scene, e, outcome.mean, outcome.error(e), depth))
         return self.rows[-1]

@@ -54,7 +54,7 @@ def check(report, where, tally, expected=EXPECTED):
                 except Absent as absent:
                     absents.add(f"snippets not read: {tool}, {language}; install {absent}")
                     continue
-                except Exception as error:  # whatever a foreign reader raises is the answer looked for
+                except Exception as error:  # any exception of an external reader is a failure of the snippet
                     wrong = f"{type(error).__name__}: {error}"
                 tally.check(f"snippets: {tool}, {language}", f"{where}, {snippet['title']}", not wrong, wrong)
     tally.check("snippets: none is missing", where, seen >= expected, f"{expected - seen}")
