@@ -194,8 +194,8 @@ fn sdf_joints_are_the_loops_that_they_close() {
     println!("{finite} of {MECHANISMS} finite, worst relative difference {worst:.1e}");
     assert!(finite > MECHANISMS * 8 / 10, "{finite} finite");
 }
-/// A parallelogram with a split coupler, whose halves are joined by a fixed SDF joint as on Gazebo's page on loops: m̄
-/// = (2 I_A + m_c l²)/r² at r on a crank. With the split left open, m̄ would be 1.707 kg.
+/// A parallelogram with a split coupler. A fixed SDF joint connects its halves, as on Gazebo's page on loops. At the
+/// radius r on a crank, m̄ = (2 I_A + m_c l²)/r². With the split left open, m̄ would be 1.707 kg.
 #[test]
 fn a_split_coupler_is_whole() {
     let body = |name: &str, com: [f64; 3], mass: f64, moments: [f64; 3]| {

@@ -1058,8 +1058,8 @@ percuss_status percuss_system_new(const struct percuss_model *model,
 percuss_status percuss_system_free(struct percuss_system **system);
 
 /*
- Number of coordinates: independent velocities of the tree, without locked joints and mimics; a floating base counts
- 6. Order: the base first, then the joints from the root.
+ Number of coordinates: independent velocities of the tree, without locked joints and mimics; a floating base adds
+ six. Order: the base first, then the joints from the root.
 
  Pointers:
  coordinates is null or points to storage for a number.
@@ -1099,8 +1099,8 @@ percuss_status percuss_assembly_mobility(const struct percuss_assembly *assembly
                                          size_t *redundant_constraints);
 
 /*
- Contact with the ground at the origin of a link. The caller must set the link (PERCUSS_NO_LINK) and the normal (0,
- 0, 0), which is in the link's frame.
+ Contact with the ground at the origin of a link. The caller must set the link (initially PERCUSS_NO_LINK) and the
+ normal (initially 0, 0, 0, in the link's frame).
 
  Pointers:
  contact is null or points to storage for a percuss_contact.

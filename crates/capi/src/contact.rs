@@ -50,8 +50,8 @@ pub struct percuss_contact {
     pub toward: usize,
 }
 
-/// Contact with the ground at the origin of a link. The caller must set the link (PERCUSS_NO_LINK) and the normal (0,
-/// 0, 0), which is in the link's frame.
+/// Contact with the ground at the origin of a link. The caller must set the link (initially PERCUSS_NO_LINK) and the
+/// normal (initially 0, 0, 0, in the link's frame).
 ///
 /// # Safety
 /// contact is null or points to storage for a percuss_contact.

@@ -78,8 +78,8 @@ pub unsafe extern "C" fn percuss_system_free(system: *mut *mut percuss_system) -
     guarded(|| free(system))
 }
 
-/// Number of coordinates: independent velocities of the tree, without locked joints and mimics; a floating base counts
-/// 6. Order: the base first, then the joints from the root.
+/// Number of coordinates: independent velocities of the tree, without locked joints and mimics; a floating base adds
+/// six. Order: the base first, then the joints from the root.
 ///
 /// # Safety
 /// coordinates is null or points to storage for a number.

@@ -108,8 +108,8 @@ impl Travel {
 
     /// The pose with a given displacement of the point (m), followed from the pose start along its branch. driver: the
     /// joint that moves; None: the result of `driver`. q: positions of other driving joints, as for Model.pose; None:
-    /// 0. Raises NoAnswerError beyond the range in which the displacement is monotonic; the message gives the nearest
-    /// reachable value.
+    /// all at zero. Raises NoAnswerError beyond the range in which the displacement is monotonic; the message gives the
+    /// nearest reachable value.
     #[pyo3(signature = (start, displacement, *, driver=None, q=None))]
     fn pose(
         &self,
