@@ -1263,9 +1263,7 @@ percuss_status percuss_response_against_mass(const struct percuss_response *resp
  Pointers:
  velocities has space for count numbers.
  */
-percuss_status percuss_response_velocities(const struct percuss_response *response,
-                                           double *velocities,
-                                           size_t count);
+percuss_status percuss_response_velocities(const struct percuss_response *response, double *velocities, size_t count);
 
 /*
  v* of a floating root link: 3 angular and 3 linear numbers, in its axes at its origin; zeros for a fixed root link.
