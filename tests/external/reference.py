@@ -7,7 +7,7 @@ import numpy as np
 # Sizes relative to the summed terms. Below the first limit, an entry of j is rounding; above the second, it is
 # significant; in between, both outcomes are accepted.
 ROUNDING, REAL = 1e-11, 1e-8
-# Condition of M beyond which it is singular.
+# Condition limit of M; above, M counts as singular.
 SINGULAR = 1e13
 
 

@@ -7,7 +7,7 @@ use percuss::{Contact as Resolved, Direction, Frame, Mechanism};
 use pyo3::prelude::*;
 use pyo3::types::PyAny;
 
-/// Contact(link, point, normal=None, *, against=None, toward=None, normal_frame="link")
+/// Contact(link, point, normal=None, *, against=None, toward=None, normal_frame="link", turning=False)
 /// --
 ///
 /// Contact between a point of a link and another link or the ground.
@@ -15,7 +15,7 @@ use pyo3::types::PyAny;
 /// link: the contact link. point: (3,) m, in its frame. normal: (3,), out of the contact link into the other side; its
 /// length does not matter. against: the other link; None: the ground. toward: (link, point), instead of normal: the
 /// normal points from the contact towards that point (m, in that link's frame). normal_frame: "link": the normal turns
-/// with the contact link; "world"; "against".
+/// with the contact link; "world"; "against". turning: True if the line of toward may turn: a spring, a damper, a rod.
 #[pyclass(frozen, eq, module = "percuss")]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contact {

@@ -19,7 +19,7 @@ import compilers
 from scenes import Absent
 
 PARSERS = {"xml": ElementTree.fromstring, "json": json.loads, "python": ast.parse}
-# Required snippets, so that a missing snippet fails.
+# Required snippets: a missing snippet is a failure.
 EXPECTED = {
     ("mujoco", "xml"),
     ("drake", "xml"),

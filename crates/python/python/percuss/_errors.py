@@ -32,7 +32,7 @@ class NoAnswerError(PercussError):
 
 
 class AssemblyError(NoAnswerError):
-    """Loops that do not close, or joints that cannot reach their requested positions."""
+    """Loops that do not close, or joints unable to reach their requested positions."""
 
 
 class ModelWarning(UserWarning):
