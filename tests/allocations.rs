@@ -1,7 +1,7 @@
-//! The hot path allocates nothing after warm-up: every allocation of this binary is counted.
+//! The hot path allocates nothing after warm-up: this program counts every allocation.
 
-// A global allocator is the only way to see an allocation, and implementing one is unsafe by nature; this one counts
-// and hands on to the system's.
+// Allocations are visible only to a global allocator, whose implementation is unsafe; this allocator counts and calls
+// the system's allocator.
 #![allow(unsafe_code)]
 
 use percuss_dynamics::{
@@ -21,7 +21,7 @@ use std::cell::Cell;
 struct Counting;
 
 thread_local! {
-    /// Of this thread alone: the test harness allocates in others.
+    /// Allocations of this thread only: the test harness allocates on other threads.
     static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
 }
 
@@ -29,28 +29,28 @@ fn count() {
     ALLOCATIONS.with(|n| n.set(n.get() + 1));
 }
 
-// SAFETY: every call goes to the system's allocator unchanged; counting allocates nothing.
+// SAFETY: every call is forwarded unchanged to the system's allocator; counting allocates nothing.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         count();
-        // SAFETY: the caller's promises are handed on.
+        // SAFETY: the caller's guarantees are forwarded.
         unsafe { System.alloc(layout) }
     }
 
     unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        // SAFETY: the caller's promises are handed on.
+        // SAFETY: the caller's guarantees are forwarded.
         unsafe { System.dealloc(pointer, layout) }
     }
 
     unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
         count();
-        // SAFETY: the caller's promises are handed on.
+        // SAFETY: the caller's guarantees are forwarded.
         unsafe { System.alloc_zeroed(layout) }
     }
 
     unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
         count();
-        // SAFETY: the caller's promises are handed on.
+        // SAFETY: the caller's guarantees are forwarded.
         unsafe { System.realloc(pointer, layout, size) }
     }
 }
@@ -69,7 +69,8 @@ fn the_counter_counts() {
     assert!(allocations() > before);
 }
 
-/// What a workspace answers at configurations one after another, and how often each allocated; the first is asked before.
+/// Results of a workspace at a series of configurations, with the allocations of each. The first configuration is
+/// solved once before.
 fn answers(
     workspace: &mut Workspace,
     contact: &Contact,
@@ -87,10 +88,10 @@ fn answers(
     answers
 }
 
-/// Nothing is allocated where the recursion answers by itself.
+/// Asserts that a result of the recursion alone allocates nothing.
 #[track_caller]
 fn assert_allocates_nothing(name: &str, allocated: usize, response: &ContactResponse) {
-    // Where more than 1e-11 is in doubt, the energy is computed too, which may halve the error that is stated.
+    // For a relative uncertainty above 1e-11 the energy is computed too, which may halve the stated error.
     let error = response.effective_mass_error().unwrap_or(0.0);
     let in_doubt = matches!(response.effective_mass, EffectiveMass::Finite(m) if error > 5e-12 * m);
     assert!(
@@ -99,7 +100,7 @@ fn assert_allocates_nothing(name: &str, allocated: usize, response: &ContactResp
     );
 }
 
-/// Trees, loops, two links of one mechanism, floating bases: contacts that Φ answers.
+/// Contacts on trees, loops, pairs of links and floating bases that Φ solves.
 #[test]
 fn a_map_allocates_nothing() {
     let (mut answered, mut maps) = (0, 0);
@@ -122,7 +123,7 @@ fn a_map_allocates_nothing() {
         let before = allocations();
         map.fill_answers(contacts, &mut answers).expect("columns of one length");
         let allocated = allocations() - before;
-        // What Φ leaves in doubt is asked by itself, which allocates and keeps nothing.
+        // Contacts that are uncertain by Φ are solved individually, which allocates temporary memory.
         maps += 1;
         answered += usize::from(allocated == 0);
     }
@@ -150,7 +151,7 @@ fn a_workspace_allocates_nothing_and_answers_as_a_pose_does() {
             assert_allocates_nothing(&case.name, allocated, &response);
             match answer.unwrap_or_else(|error| panic!("{}: {error}", case.name)) {
                 EffectiveMass::Finite(m) => {
-                    // The same recursion; but a configuration normalises its quaternions, which are off by ε.
+                    // The same recursion, but a configuration normalises its quaternions, which changes them by ε.
                     let EffectiveMass::Finite(expected) = response.effective_mass else {
                         panic!("{}: {m} kg in the workspace, {:?}", case.name, response.effective_mass)
                     };
@@ -168,7 +169,8 @@ fn a_workspace_allocates_nothing_and_answers_as_a_pose_does() {
     assert!(immovable > 0 && massless > 0, "{immovable} immovable, {massless} massless");
 }
 
-/// A configuration that lanes answer costs no allocation: alone, nor after the first of a thread's portion.
+/// A configuration solved in lanes allocates nothing: as a single configuration, and after the first in a thread's
+/// portion.
 #[test]
 fn a_batch_allocates_nothing() {
     let mechanism = percuss_oracle::zoo::six_r_arm();
@@ -194,7 +196,7 @@ fn a_batch_allocates_nothing() {
             .expect("enough");
         allocations() - before
     };
-    // The room of a thread, once.
+    // One allocation of a thread's workspace.
     assert!(of(8) > 0);
     assert_eq!((of(8), of(400)), (0, 0));
     let (mut masses, mut errors) = ([0.0; 400], [0.0; 400]);
@@ -219,7 +221,7 @@ fn a_workspace_of_loops_allocates_nothing_and_answers_as_a_pose_does() {
             poses.push(rig.reach(&poses[i], &rig.at((i as f64 + 0.5) / 12.0)));
         }
         let configurations: Vec<Vec<f64>> = poses.iter().map(|pose| pose.positions().to_vec()).collect();
-        // Locks and held contacts bind by their velocities: the same closed positions serve.
+        // Locks and held contacts constrain velocities only: the same closed positions are valid.
         for variant in 0..VARIANTS {
             let given = Imposed::at_random(&mut rng, &rig.mechanism, variant);
             let system = rig.with(&given.conditions);
@@ -230,7 +232,7 @@ fn a_workspace_of_loops_allocates_nothing_and_answers_as_a_pose_does() {
             let contact = against.map_or(contact, |other| contact.against(other));
             let all = answers(&mut system.workspace(), &contact, &configurations);
             for (pose, (answer, allocated)) in poses.iter().zip(all) {
-                // What allocates is the careful route, which is seldom asked.
+                // Allocations come from the dense route, which is rarely used.
                 (asked, allocating) = (asked + 1, allocating + usize::from(allocated > 0));
                 if !plain {
                     continue;

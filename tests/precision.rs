@@ -1,7 +1,7 @@
-//! m̄ and its stated error against a reference program in 90 digits (`tests/external/precision`).
+//! m̄ and its stated error compared with a reference program in 90 digits (`tests/external/precision`).
 //!
-//! The fixtures hold every number as the decimal of a double, so that both sides know the same mechanism. A family is
-//! gone through to its end; then every failure is printed, and the counts.
+//! The fixtures hold every number as the decimal of a double, so that both sides use the same mechanism. A family is
+//! tested completely; then every failure is printed, with the counts.
 
 #[path = "precision/alone.rs"]
 mod alone;
@@ -18,7 +18,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
 
-/// Everything that is asked of percuss; nothing else in this file knows it.
+/// All calls of percuss in this file.
 mod percuss {
     use super::Asked;
     use percuss_dynamics::{
@@ -27,23 +27,23 @@ mod percuss {
     };
     use percuss_formats::{LoadOptions, Source, load};
 
-    /// m̄ and its stated error, kg; or why there is none.
+    /// m̄ and its stated error, kg, or the reason of failure.
     pub type Answer = Result<(f64, f64), String>;
 
-    /// m̄ by each route, kg, where it is finite.
+    /// m̄ by each route, kg; `None` unless finite.
     pub struct Routes {
         pub auto: Option<f64>,
-        /// Whether that is the recursion's own, and nothing else was asked.
+        /// True if the result is the recursion's own, without a second route.
         pub is_alone: bool,
         pub recursion: Option<f64>,
-        /// The recursion's stated rounding, relative.
+        /// Rounding error stated by the recursion, relative.
         pub rounding: Option<f64>,
-        /// Asked only where the recursion stands alone and states more than eleven digits allow.
+        /// Dense route; computed only if the recursion stands alone and states more than the limit for eleven digits.
         pub careful: Option<f64>,
-        /// By a workspace, and by one that has answered before.
+        /// By a new workspace, and by a workspace after its first result.
         pub first: Option<f64>,
         pub second: Option<f64>,
-        /// In its bodies' own axes, with the stated error, where a batch takes it so.
+        /// By the body-frame kernel, with the stated error, if a batch uses the kernel for the contact.
         pub lanes: Option<(f64, f64)>,
     }
 
@@ -59,7 +59,8 @@ mod percuss {
             system.map(Self).map_err(|error| error.to_string())
         }
 
-        /// Poses the mechanism: joint, its value, what is put there, whether it drives; others are guesses.
+        /// Poses the mechanism from joint name, exact value, value to set, and true for a driver; the values of other
+        /// joints are guesses.
         fn pose(&self, values: &[(String, f64, f64, bool)]) -> Result<Pose, String> {
             let mut configuration = self.0.configuration();
             for (joint, _, value, drives) in values {
@@ -88,8 +89,8 @@ mod percuss {
             }
         }
 
-        /// Poses the mechanism and asks for the response to every contact. With the answers comes how far the joints stand from
-        /// their values.
+        /// Poses the mechanism and computes the response to every contact, with the largest deviation of the joints
+        /// from their values.
         pub fn ask(
             &self,
             values: &[(String, f64, f64, bool)],
@@ -112,7 +113,7 @@ mod percuss {
             Ok((values.iter().map(off).fold(0.0, f64::max), contacts.iter().map(respond).collect()))
         }
 
-        /// The same contacts by the routes, and by a workspace twice.
+        /// The same contacts by all routes, and twice by a workspace.
         pub fn ask_routes(
             &self,
             values: &[(String, f64, f64, bool)],
@@ -130,7 +131,7 @@ mod percuss {
                 let recursion = by(RouteChoice::Only(Route::Articulated));
                 let rounding =
                     recursion.as_ref().and_then(|r| Some(r.error?.rounding? / finite(r.effective_mass)?));
-                // The first answer makes room; from the second on errors are counted only where they must be.
+                // The first result allocates; from the second on, errors are computed only if necessary.
                 let mut workspace = pose.assembly().workspace();
                 workspace.set_positions(pose.positions()).map_err(|error| error.to_string())?;
                 let mut again = || workspace.effective_mass(&contact).ok().and_then(finite);
@@ -156,18 +157,18 @@ mod percuss {
     }
 }
 
-/// A contact as it is put to percuss.
+/// A contact for percuss.
 struct Asked {
     on: String,
     against: Option<String>,
     point: [f64; 3],
     normal: [f64; 3],
     world: bool,
-    /// The link that the normal leads to; `normal` is the point there.
+    /// Target link of the normal; `normal` is the target point.
     toward: Option<String>,
 }
 
-/// A family's file; the README beside the generator has the layout.
+/// File of a family; the generator's README describes the layout.
 #[derive(Deserialize)]
 struct Family {
     mechanisms: Vec<Rows>,
@@ -175,7 +176,7 @@ struct Family {
     groups: BTreeMap<String, Vec<Case>>,
 }
 
-/// On, against, point, normal, 1 where that is in the world's axes, the link where a line ends.
+/// On, against, point, normal, 1 for a normal in the world's axes, target link of a line.
 #[derive(Deserialize)]
 struct ContactRow(usize, i64, String, String, u8, #[serde(default)] Option<usize>);
 
@@ -194,7 +195,7 @@ enum Link {
     Own(Vec<String>),
 }
 
-/// Kind, parent, origin, axis, turn; 1 where it drives.
+/// Kind, parent, origin, axis, rotation; 1 for a driver.
 #[derive(Deserialize)]
 struct JointRow(String, usize, String, String, #[serde(default)] String, #[serde(default)] u8);
 
@@ -217,7 +218,7 @@ fn three(text: &str) -> [f64; 3] {
 }
 
 impl Rows {
-    /// So many links besides the root, as URDF+, with the very words of the fixture.
+    /// URDF+ with `count` links besides the root, with the exact digits of the fixture.
     fn urdf(&self, count: usize) -> String {
         let mut out = String::from("<robot name=\"fixture\">\n");
         for i in 0..=count {
@@ -277,7 +278,8 @@ impl Rows {
         out + "</robot>\n"
     }
 
-    /// The joints that move with their values, and which of them drive: without loops all. Guesses are off by `rough`.
+    /// Moving joints with their values and driver flags; without loops, all joints are drivers. Guesses deviate by
+    /// `rough`.
     fn values(&self, count: usize, words: &str, rough: f64) -> Vec<(String, f64, f64, bool)> {
         let moving = (1..=count).zip(&self.joints).filter(|(_, row)| row.0 != "f");
         let value = |((i, row), word): ((usize, &JointRow), &str)| {
@@ -289,7 +291,7 @@ impl Rows {
     }
 }
 
-/// Digits as an integer, and the power of ten of the last: of `d.ddd…e±p`.
+/// Digits as an integer, and the power of ten of the last digit, for text of the form `d.ddd…e±p`.
 fn decimal(text: &str) -> (i128, i32) {
     let (digits, power) = text.split_once('e').expect("an exponent");
     let (whole, part) = digits.split_once('.').expect("a point");
@@ -298,11 +300,11 @@ fn decimal(text: &str) -> (i128, i32) {
     (format!("{whole}{part}").parse().expect("digits"), power - places)
 }
 
-/// How far a double is from the reference's 25 digits, relative to it.
+/// Relative difference of a double from the reference's 25 digits.
 fn off(got: f64, reference: &str) -> f64 {
     let (wanted, last) = decimal(reference);
     let nearest: f64 = reference.parse().expect("a number");
-    // A double's decimals are exact to any number of digits.
+    // The decimals of a double are exact with sufficiently many digits.
     let (mut ours, own_last) = decimal(&format!("{nearest:.24e}"));
     match own_last - last {
         1 => ours *= 10,
@@ -313,33 +315,33 @@ fn off(got: f64, reference: &str) -> f64 {
     (((got - nearest) - rest) / nearest).abs()
 }
 
-/// What a group is held to, besides that no stated error is ever exceeded.
+/// Requirements of a group, besides valid stated errors.
 #[derive(Clone, Copy, Default)]
 struct Wanted {
-    /// Whether the true and the stated error are both to be within [`DIGITS`].
+    /// True if the true and the stated error must be within [`DIGITS`].
     digits: bool,
-    /// Whether the true one is to be, whatever is stated.
+    /// True if the true error must be within [`DIGITS`].
     right: bool,
-    /// Whether the stated errors are to stay within 1e4 of the true ones: of the worst of the group, since a single one
-    /// vanishes by luck.
+    /// True if stated errors must be within 1e4 of the group's largest true error; a single true error may vanish by
+    /// chance.
     tight: bool,
 }
 
-/// Relative errors that eleven digits allow.
+/// Relative error limit for eleven digits.
 const DIGITS: f64 = 1e-11;
-/// How far above the worst true error of its group a stated one may be.
+/// Limit of a stated error relative to the worst true error of its group.
 const TIGHT: f64 = 1e4;
 /// 30 · ε · 1e9 kg.
 const NOTHING: f64 = 6.7e-6;
-/// Half a rounding: less than this is luck.
+/// Half a rounding; smaller true errors are chance.
 const LEAST: f64 = 1e-16;
 
-/// Whether a number is not within its bound; NaN is within none.
+/// True if a number exceeds its bound, or is NaN.
 fn above(number: f64, bound: f64) -> bool {
     number.is_nan() || number > bound
 }
 
-/// A group's counts.
+/// Counts of a group.
 #[derive(Default)]
 struct Tally {
     asked: usize,
@@ -357,12 +359,12 @@ struct Tally {
 }
 
 impl Tally {
-    /// Takes an answer in: the complaints, which fail the group.
+    /// Records a result; returns the complaints, which fail the group.
     fn take(&mut self, answer: &Answer, reference: &str, wanted: Wanted) -> Vec<String> {
         self.asked += 1;
         let (mass, error) = match answer {
             Ok(answer) => *answer,
-            // (D) is zero where it is below n·ε of the masses that it is the sum of: 1e9 kg and 30 links here.
+            // (D) is zero below n·ε of the summed masses: 1e9 kg and 30 links here.
             Err(why) if why.contains("Massless") && reference.parse::<f64>().is_ok_and(|m| m < NOTHING) => {
                 return Vec::new();
             }
@@ -372,7 +374,7 @@ impl Tally {
             }
         };
         let truth = off(mass, reference);
-        // Relative to the reference, as the true one is.
+        // Relative to the reference, as the true error is.
         let stated = error / reference.parse::<f64>().expect("a number");
         let say = |what: &str| {
             format!("{what}: got {mass:?}, reference {reference}, stated {stated:.1e}, true {truth:.1e}")
@@ -402,7 +404,7 @@ impl Tally {
         complaints
     }
 
-    /// Stated errors that are too far above the worst true one.
+    /// Stated errors too far above the worst true error.
     fn too_loose(&self) -> Vec<String> {
         let bound = TIGHT * self.worst.max(LEAST);
         let loose = self.stated.iter().filter(|stated| above(**stated, bound));
@@ -432,8 +434,8 @@ impl Tally {
 
 const HEADER: &str = "group                                                asked none over >dig vague loose else   worst true  stated: median, most  true/stated stated/true (most)  pose off";
 
-/// Goes through a family, prints its counts and failures, and fails where there is one. `also` sees the answers of
-/// every group: seed and answers per case, and returns complaints of its own.
+/// Tests a family, prints its counts and failures, and fails for any failure. `also` receives the results of every
+/// group (seed and results per case) and returns further complaints.
 fn judge(
     file: &str,
     wanted: impl Fn(&str) -> Wanted,
@@ -448,7 +450,7 @@ fn judge(
     });
     for (group, name, cases, rough) in asked {
         let (mut tally, mut complaints, mut all) = (Tally::default(), Vec::new(), Vec::new());
-        // The model of the case before, for as long as it serves: mechanism, links, base.
+        // Model of the previous case, reused for the same mechanism, links and base.
         let mut kept: Option<(_, Result<Model, String>)> = None;
         for case in cases {
             let rows = &family.mechanisms[case.of];
@@ -459,7 +461,7 @@ fn judge(
             }
             let (_, model) = kept.as_ref().expect("a model");
             let contacts: Vec<Asked> = case.contacts.iter().map(|(k, _)| family.contact(*k)).collect();
-            // Where branches meet, the distance to the other one is about that to the meeting.
+            // Near a crossing of branches, the distance between the branches is about the distance to the crossing.
             let apart = case.near.map_or(0.1, f64::abs);
             let values = rows.values(count, &case.values, if rough { apart / 10.0 } else { 0.0 });
             let asked = model.as_ref().map_err(Clone::clone).and_then(|model| model.ask(&values, &contacts));
@@ -524,7 +526,7 @@ fn slider_cranks_of_eighteen_decades_keep_eleven_digits() {
 
 #[test]
 fn masses_over_eighteen_decades() {
-    // Open trees may be ill-conditioned: how often their stated errors are loose is printed only.
+    // Open trees may be ill-conditioned: the number of loose stated errors is only printed.
     judge("decades.json", |group| Wanted { tight: group != "tree", ..Wanted::default() }, nothing);
 }
 
@@ -576,7 +578,7 @@ fn rings_of_ten_to_three_hundred_links() {
         "rings.json",
         |_| Wanted { tight: true, right: true, ..Wanted::default() },
         |_, cases| {
-            // One alone that is large passes where the worst true error is, too.
+            // A single large stated error would pass if the worst true error is also large.
             let answers = cases.iter().flat_map(|(_, answers)| answers).filter_map(|a| a.as_ref().ok());
             let vague = answers.filter(|(mass, error)| above(error / mass, 1e-9));
             vague.map(|(mass, error)| format!("stated {error:.1e} of {mass}")).collect()

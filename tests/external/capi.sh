@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# The C interface: its test programs and its example under the address sanitizer and under valgrind (no leak, no error), and programs
-# built by pkg-config and by CMake from an installed copy. Installs what is missing, as root: gcc, g++, valgrind, cmake, pkg-config.
-#   capi.sh [--libraries DIR]     those of `cargo test`: target/debug/deps; without it they are built as for users
+# The C interface: its test programs and its example under the address sanitizer and under valgrind (no leak, no error),
+# and programs built by pkg-config and by CMake from an installed copy. Installs missing packages, as root: gcc, g++,
+# valgrind, cmake, pkg-config.
+#   capi.sh [--libraries DIR]     DIR: the libraries of `cargo test`, target/debug/deps; default: built as for users
 set -euo pipefail
 libraries=()
 case ${1-} in
@@ -31,7 +32,7 @@ crates/capi/packaging/install.sh --prefix "$work/prefix" "${libraries[@]}" > "$w
 export PKG_CONFIG_PATH=$work/prefix/lib/pkgconfig LD_LIBRARY_PATH=$work/prefix/lib
 flags=(-g -O1 -Wall -Wextra -Wpedantic -Werror)
 system=$(sed -n 's/^Libs.private: //p' "$PKG_CONFIG_PATH/percuss.pc")
-# check SOURCE: with the sanitizers against the static library, under valgrind with the shared one.
+# check SOURCE: with the sanitizers and the static library, under valgrind with the shared library.
 check() {
   local source=$1 name compiler=(gcc -std=c11)
   name=$(basename "$source")
@@ -42,7 +43,7 @@ check() {
   ASAN_OPTIONS=detect_leaks=1 "$work/$name.sanitized" > "$work/$name.log" 2>&1 || { cat "$work/$name.log"; echo "$name: address sanitizer"; return 1; }
   # shellcheck disable=SC2046
   "${compiler[@]}" "${flags[@]}" "$source" $(pkg-config --cflags --libs percuss) -lm -lpthread -o "$work/$name.plain"
-  # What threads of the library keep until the program ends is "possibly lost"; what nothing points to is lost.
+  # Memory held by threads of the library until the program ends is "possibly lost"; unreferenced memory is lost.
   valgrind --quiet --error-exitcode=9 --leak-check=full --errors-for-leak-kinds=definite,indirect --show-leak-kinds=definite,indirect \
     "$work/$name.plain" > "$work/$name.log" 2>&1 || { cat "$work/$name.log"; echo "$name: valgrind"; return 1; }
   echo "$name: address sanitizer, valgrind"
@@ -91,7 +92,7 @@ cmake -S "$work/cmake" -B "$work/cmake/build" -DCMAKE_PREFIX_PATH="$work/prefix"
   cmake --build "$work/cmake/build" >> "$work/cmake.log" 2>&1 || { cat "$work/cmake.log"; exit 1; }
 "$work/cmake/build/example" | tail -n 1
 "$work/cmake/build/layer"
-# Another version of the interface is not taken.
+# Another version of the interface is refused.
 sed -i 's/find_package(percuss 0.1 /find_package(percuss 0.9 /' "$work/cmake/CMakeLists.txt"
 if cmake -S "$work/cmake" -B "$work/cmake/other" -DCMAKE_PREFIX_PATH="$work/prefix" > "$work/cmake.log" 2>&1; then
   echo "CMake took another version of the interface"

@@ -1,10 +1,11 @@
-"""Sweeps beyond one process: the examples for Ray Data and Dask on a local cluster of two workers, one of which is killed while it works.
+"""Sweeps in several processes: the examples for Ray Data and Dask on a local cluster of two workers, one of which is
+killed during the work.
 
     cluster.py --engine ray|dask [--rows N] [--files N] [--folder FOLDER]
 
-Configurations go in as Parquet and masses come out as Parquet. Rows are compared with the plain call: as a multiset of their
-numbers (nothing lost, nothing doubled), and m̄, error and outcome to the last bit. Prints the times, without and with the
-kill, beside those of the plain call with the same reading and writing.
+Configurations are read from Parquet and masses are written to Parquet. Rows are compared with the plain call: as a
+multiset of their numbers (no row lost, no row doubled), and m̄, error and status bitwise. Prints the times with and
+without the kill, and the time of the plain call with the same reading and writing.
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ ROOT = Path(__file__).resolve().parents[2]
 MODEL = ROOT / "models/six_r_arm.urdf"
 CONTACT = percuss.Contact("tool", [0.08, 0.0, 0.0], [0.0, 1.0, 0.0])
 WORKERS = 2
-#: After this many seconds without a file the job has not begun.
+#: Seconds without a file after which the job counts as not started.
 PATIENCE = 300.0
 
 
@@ -42,7 +43,7 @@ def write_rows(folder: Path, model: percuss.Model, rows: int, files: int) -> Non
 
 
 def plain(model: percuss.Model, source: Path, target: Path) -> float:
-    """One process, all its threads; file after file, as large as a batch of the workers'."""
+    """One process with all its threads; file by file, with the batch size of the workers."""
     begun = time.perf_counter()
     assembly = model.assemble()
     target.mkdir()
@@ -56,7 +57,7 @@ def plain(model: percuss.Model, source: Path, target: Path) -> float:
 
 
 class Killer(threading.Thread):
-    """Kills the worker whose first answers have appeared."""
+    """Kills the worker of the first results."""
 
     def __init__(self, target: Path) -> None:
         super().__init__(daemon=True)
@@ -72,7 +73,7 @@ class Killer(threading.Thread):
                 try:
                     pid = int(pq.read_table(path, columns=["worker"])["worker"][0].as_py())
                 except (OSError, pa.ArrowException, IndexError):
-                    # It is being written.
+                    # The file is still being written.
                     continue
                 self.finished = len(self.files())
                 os.kill(pid, signal.SIGKILL)
@@ -91,7 +92,7 @@ def extra(path: Path) -> list[str]:
 
 
 def compare(answered: pa.Table, expected: pa.Table, rows: int) -> None:
-    """The rows as a multiset, and every number to the last bit."""
+    """Compares the rows as a multiset, and every number bitwise."""
     found = answered["row"].to_numpy()
     counts = np.bincount(found, minlength=rows)
     lost, doubled = int((counts == 0).sum()), int((counts > 1).sum())
@@ -120,7 +121,7 @@ def main() -> None:
     given = parser.parse_args()
     examples = str(ROOT / "crates/python/examples/cluster")
     sys.path.insert(0, examples)
-    # The workers import it too.
+    # The workers import the module too.
     os.environ["PYTHONPATH"] = os.pathsep.join(filter(None, [examples, os.environ.get("PYTHONPATH")]))
     engine = importlib.import_module(f"{given.engine}_sweep")
     shutil.rmtree(given.folder, ignore_errors=True)
@@ -132,7 +133,7 @@ def main() -> None:
     expected = read(given.folder / "plain-0")
     connection = engine.start(None, WORKERS)
     batch = -(-given.rows // given.files)
-    # The workers' own first batch: modules, the model.
+    # Includes the start of the workers: modules, the model.
     whole = ran(engine, model, source, given.folder / "whole", batch)
     answered = read(given.folder / "whole")
     compare(answered, expected, given.rows)
@@ -149,7 +150,7 @@ def main() -> None:
     written = len(list((given.folder / "killed").rglob("*.parquet")))
     assert killer.finished < written, f"all {written} files were written before the kill"
     after = set(answered["worker"].to_numpy().tolist())
-    # What a worker is given stands for the other, or for the one in its place.
+    # The other results come from the other worker, or from a replacement.
     assert after - {killer.pid}, "only the killed worker answered"
     if connection is not None:
         connection.close()

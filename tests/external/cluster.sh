@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Sweeps on a local cluster of two workers, 10 million configurations, a worker killed while it works: by Ray Data, and by Dask. Takes the
-# wheel that python.sh has built. Needs python3.11 to 3.13 and the first time the network (400 MB).
+# Sweeps on a local cluster of two workers, 10 million configurations, with a worker killed during the work: by Ray
+# Data, and by Dask. Uses the wheel built by python.sh. Needs python3.11 to 3.13 and, the first time, the network (400
+# MB).
 #   cluster.sh [ray|dask] [OPTION OF cluster.py...]     without an engine: both
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)

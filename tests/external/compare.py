@@ -26,11 +26,11 @@ FILES = 69  # in ROBOTS
 SEED = 20261121
 CONTACTS = 5  # per configuration
 
-# README.md says why.
+# Reasons: README.md.
 PLACE = 1e-12  # points (m), normals, positions
 MATRIX = 1e-13  # M, relative by Frobenius' norm; j, relative to the size of its terms
 AMPLIFIED = 1e-14  # m̄, relative, for each time that rounding is magnified
-RECURSION = 1e-11  # m̄, relative: what percuss itself asks of its recursion
+RECURSION = 1e-11  # m̄, relative: percuss's own limit for its recursion
 MASS = 1e-9  # m̄, relative, wherever the two above allow it
 
 ALWAYS_IN_MUJOCO = ("ur5_robot", "panda", "g1_29dof_rev_1_0", "talos_full_v2")
@@ -91,7 +91,7 @@ def one_file(name, path, options, ledger, tally):
 
 
 def peers_of(name, path, robot, floating, ledger):
-    """Those that take the file."""
+    """Peers that accept the file."""
     yield pinocchio_peer.Peer(path, robot, floating)
     for peer, wanted in [
         (pinocchio_peer.FoldingPeer, any(joint.mimic for joint in robot.movable)),
@@ -132,7 +132,7 @@ def one_contact(peer, base, inertia, contact, answer, where, tally):
     tally.within(f"point and normal, {peer.name}", where, off, PLACE)
     jacobian, size = peer.point_jacobian(contact["link"], point)
     if contact["against"]:
-        # The relative row first: adding the two sides' inverses would drop the cross terms.
+        # Row of the relative motion: a sum of the two sides' inverses would omit the cross terms.
         against, more = peer.point_jacobian(contact["against"], point)
         jacobian, size = jacobian - against, size + more
     row = normal @ jacobian

@@ -1,17 +1,19 @@
-"""Changed masses, designs side by side and safe speeds against a program of its own.
+"""Changed masses, comparisons of designs and safe speeds, compared with an independent program.
 
     designs.py --percuss PATH [--count N] [--seed S]        prints `N passed, N failed`
 
-N random open chains and trees (hinges, slides, fixed joints, axes and frames in any direction) are written as URDF, read here by
-a parser of some lines, and posed at random. The effective mass is 1/(j M⁻¹ jᵀ) of the sum of the links' own Jacobians, and
+N random open chains and trees (hinges, slides, fixed joints, axes and frames in any direction) are written as URDF,
+read here by a short parser, and posed at random. The effective mass is 1/(j M⁻¹ jᵀ) with M summed over the links' own
+Jacobians. Checked flags:
 
-  --link-mass, --link-com   that of the tree with another mass (moments in proportion) or another centre of mass
-  compare                   100 (m/m₁ − 1) of three such trees
-  safe-speed                F = v √(μ k), F = p A, E = ½ μ v², I = μ v with 1/μ = 1/m_H + 1/m_R; m_R the effective mass of the
-                            tree with the load as a point mass at the contact, or M/2 + m_L; without a region μ = m_R or
-                            M + m_L; the slowest of several directions, of all directions, and of the rows of a table
+    --link-mass, --link-com   mass of the tree with another mass (moments in proportion) or another centre of mass
+    compare                   100 (m/m₁ − 1) of three such trees
+    safe-speed                F = v √(μ k), F = p A, E = ½ μ v², I = μ v with 1/μ = 1/m_H + 1/m_R; m_R the effective
+                              mass of the tree with the load as a point mass at the contact, or M/2 + m_L; without a
+                              region μ = m_R or M + m_L; the slowest of several directions, of all directions, and of
+                              the rows of a table
 
-What docs/DESIGNS.md says of these flags is all that is known of them here; m_H and k are from crates/contact/data.
+The meaning of the flags is taken from docs/DESIGNS.md alone; m_H and k are from crates/contact/data.
 """
 
 import argparse
@@ -26,7 +28,7 @@ from pathlib import Path
 import numpy as np
 
 ROOT = Path(__file__).resolve().parents[2]
-# Both round at 1e-16; conditions of M scaled to unit diagonal are below 1e6 here.
+# Both programs round at 1e-16; conditions of M scaled to unit diagonal are below 1e6 here.
 TOLERANCE = 1e-9
 
 
@@ -59,7 +61,7 @@ def commas(values):
 
 
 def random_tree(rng):
-    """A URDF text. Every leaf has a mass, some links between have none."""
+    """A random URDF text. Every leaf has a mass; some links between are massless."""
     count = int(rng.integers(2, 9))
     text = ['<robot name="random">', '  <link name="ground"/>']
     parents = [int(rng.integers(max(0, i - 2), i + 1)) for i in range(count)]
@@ -93,7 +95,7 @@ def random_tree(rng):
 
 
 class Tree:
-    """A URDF whose joints are hinges, slides or fixed, parents before children."""
+    """A tree from a URDF with hinges, slides and fixed joints, parents before children."""
 
     def __init__(self, text):
         root = ElementTree.fromstring(text)
@@ -117,7 +119,7 @@ class Tree:
         self.moving = [name for name, kind, *_ in self.joints if kind != "fixed"]
 
     def moving_mass(self):
-        """Of all links that some joint moves."""
+        """Total mass of all moving links."""
         still = {"ground"}
         for _, kind, (parent, child), *_ in self.joints:
             if kind == "fixed" and parent in still:
@@ -125,7 +127,8 @@ class Tree:
         return sum(mass for name, (mass, *_) in self.links.items() if name not in still)
 
     def posed(self, q):
-        """Of each link: rotation, place, and the 6×n Jacobian of its angular velocity and its origin's, in world axes."""
+        """Per link: rotation, position, and the 6×n Jacobian of its angular velocity and of its origin's velocity,
+        in world axes."""
         n = len(self.moving)
         found = {"ground": (np.eye(3), np.zeros(3), np.zeros((6, n)))}
         for name, kind, (parent, child), (r, p), axis in self.joints:
@@ -143,7 +146,8 @@ class Tree:
         return found
 
     def operational(self, q, link, point, load=0.0, changes=None):
-        """J M⁻¹ Jᵀ at a point of a link, in world axes, and the link's rotation; `load` is a point mass there."""
+        """J M⁻¹ Jᵀ at a point of a link, in world axes, and the link's rotation; `load` is a point mass at the
+        point."""
         posed = self.posed(q)
         m = np.zeros((len(self.moving),) * 2)
         for name, given in self.links.items():
@@ -164,7 +168,7 @@ class Tree:
 
 
 def speed(limit, region, mass):
-    """The greatest speed, where `mass` gives way."""
+    """The greatest safe speed for the effective mass `mass`."""
     kind, value = limit
     mu, k = (mass, None) if region is None else (1 / (1 / region["mass"] + 1 / mass), region["stiffness"])
     if kind == "energy":
@@ -214,7 +218,7 @@ def changed_masses(check, tree, path, flags, q, link, point, normal, rng):
 
 
 def compared(check, trees, paths, q, link, point, normal):
-    """The same question of several files."""
+    """The same question for several files."""
     flags = ["--link", link, "--point", commas(point), "--normal", commas(normal)]
     flags += [word for name, value in q.items() for word in ("--set", f"{name}={value!r}")]
     masses = [tree.mass(q, link, point, normal)[0] for tree in trees]
@@ -224,7 +228,7 @@ def compared(check, trees, paths, q, link, point, normal):
         found = found if isinstance(found, str) else found[i]
         check.same("compare", check.value(found, "effective_mass"), mass, paths)
         if i > 0:
-            # A difference in per cent is as sharp as the masses are.
+            # A difference in per cent has the accuracy of the masses.
             found = check.value(found, "difference_percent")
             found = 1 + found / 100 if isinstance(found, float) else found
             check.same("difference", found, mass / masses[0], paths)
@@ -261,7 +265,8 @@ def safe_speeds(check, tree, path, flags, pose, q, link, point, normal, regions,
         d = d / np.linalg.norm(d)
         found = reports if isinstance(reports, str) else check.value(reports[i], "reflected", "speed")
         check.same("directions", found, speed(("force", 200.0), region, 1 / (d @ inverse @ d)), asked)
-    # The heaviest direction is the least eigenvector of J M⁻¹ Jᵀ, where the point can move in all three.
+    # The heaviest direction is the eigenvector of the least eigenvalue of J M⁻¹ Jᵀ, if the point can move in all three
+    # directions.
     least, most = np.linalg.eigvalsh(inverse)[[0, 2]]
     if least > 1e-6 * most:
         report = check.answer("safe-speed", path, *place, "--worst-direction")
@@ -280,7 +285,7 @@ def safe_speeds(check, tree, path, flags, pose, q, link, point, normal, regions,
     report = check.answer("safe-speed", path, *given)
     check.same("slowest row", check.value(report, "along", "slowest", "speed"), min(speeds), given)
     found = check.value(report, "along", "row")
-    # Where one joint moves all, rows are as slow as one another.
+    # If a single joint moves all links, several rows have the same speed.
     check.same("which row", float(speeds[found]) if isinstance(found, int) else found, min(speeds), given)
 
 
@@ -304,7 +309,7 @@ def main():
             normal /= np.linalg.norm(normal)
             expected, condition = tree.mass(q, link, point, normal)
             inverse = tree.operational(q, link, point)[0]
-            # Massless motions and contacts that hardly close have digits of their own, which other checks look at.
+            # Massless motions and contacts that hardly close have their own accuracy, which other checks test.
             if condition > 1e6 or not 1 / expected > 1e-6 * max(np.trace(inverse), 1e-12):
                 skipped += 1
                 continue

@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
-# Runs the exports in ODE, PyBullet, Bullet, Rapier and new Gazebo (contact/engines_check.py). Options go to it.
+# Runs the exports in ODE, PyBullet, Bullet, Rapier and new Gazebo (contact/engines_check.py). Options are passed on to
+# engines_check.py.
 #   engines.sh PERCUSS [--with-gazebo] [--only MODULE] [--without MODULE]
-# packages.sh installs what is missing; without --with-gazebo, new Gazebo is run where it is installed already. Rapier is built by
-# cargo (two minutes of one core, the first time). Gazebo Classic: by_hand/gazebo_classic.sh; Project Chrono: by_hand/chrono.sh.
+# packages.sh installs missing packages; without --with-gazebo, new Gazebo is used only if already installed. Rapier is
+# built by cargo (two minutes of one core, the first time). Gazebo Classic: by_hand/gazebo_classic.sh; Project Chrono:
+# by_hand/chrono.sh.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 percuss=$1

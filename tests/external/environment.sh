@@ -1,7 +1,7 @@
-# Sourced by the scripts beside it: virtual environments of Python.
+# Virtual environments of Python, sourced by the scripts in this folder.
 
-# environment FOLDER REQUIREMENTS PYTHON: makes the virtual environment where its requirements have changed. Their copy is written
-# last, so that an environment that was only half made is made again.
+# environment FOLDER REQUIREMENTS PYTHON: creates the virtual environment if its requirements have changed. The copy of
+# the requirements is written last, so that an incomplete environment is created again.
 environment() {
   if ! cmp -s "$2" "$1/requirements.txt"; then
     rm -rf "$1"
@@ -11,7 +11,7 @@ environment() {
   fi
 }
 
-# The first that runs (pyenv puts programs into the path that do not), else python3.
+# The first program that runs (pyenv adds programs to the path that do not run), else python3.
 first() {
   local python
   for python in "$@"; do

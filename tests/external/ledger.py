@@ -1,8 +1,8 @@
-"""What is said of each file: compared with ledger.json, so that a change is seen and nothing is skipped in silence.
+"""Findings for each file, compared with ledger.json: every change is visible, and no file is skipped silently.
 
-An entry holds `diagnostics` (severity and code, and how many). A file that is refused has `refused` in the same form;
-if an indefinite inertia is all that is wrong with it, also `accept`, and `diagnostics` when accepted. `peers` says
-which of the other programs do not take the file, and why.
+An entry holds `diagnostics` (severity and code, with counts). A refused file has `refused` in the same form; if an
+indefinite inertia is its only error, also `accept`, and `diagnostics` after acceptance. `peers` lists the other
+programs that do not accept the file, with the reasons.
 """
 
 import collections
@@ -20,7 +20,8 @@ class Ledger:
         self.found = {}
 
     def load(self, name, ask):
-        """Asks for the file as the entry says. Returns whether to accept indefinite inertias; none: no mechanism."""
+        """Loads the file as its entry states. Returns True if indefinite inertias are accepted; None without a
+        mechanism."""
         plain = ask(False)
         found = self.found[name] = {}
         if plain["loaded"]:
@@ -40,7 +41,7 @@ class Ledger:
         self.found[name].setdefault("peers", {})[peer] = str(reason)
 
     def close(self, tally, everything):
-        """Compares what was found with the entries, or writes it."""
+        """Compares the findings with the entries, or writes the entries."""
         if self.update and everything:
             PATH.write_text(json.dumps(self.found, indent=1) + "\n")
             self.entries = self.found

@@ -1,5 +1,5 @@
-"""Closed linkages against MuJoCo: the same mechanism as MJCF, the effective mass from its mass matrix and the Jacobian of its
-equality constraints (a Schur complement on their kernel), at poses that percuss closed.
+"""Closed linkages compared with MuJoCo: the same mechanism as MJCF, the effective mass from its mass matrix and the
+Jacobian of its equality constraints (a Schur complement on their kernel), at poses closed by percuss.
 
     loops.py --percuss PATH        prints `N passed, N failed`
 """
@@ -13,16 +13,17 @@ import xml.etree.ElementTree as ElementTree
 import mujoco
 import numpy as np
 
-# percuss and MuJoCo form M and A independently; both sides solve systems with conditions up to a few hundred.
+# percuss and MuJoCo compute M and A independently; both solve systems with conditions up to a few hundred.
 TOLERANCE = 1e-9
-# Rows of redundant closures are told from those that count at this part of the largest singular value.
+# Rank threshold relative to the largest singular value: smaller values belong to rows of redundant closures.
 RANK = 1e-8
 
 MODELS = {
-    # model: (driver, its values, links that are not struck)
+    # model: (driver, its values, links without contacts)
     "four_bar": ("crank_hinge", np.linspace(-3, 3, 25), ()),
     "six_bar": (None, np.linspace(-0.3, 0.3, 13), ()),
-    # What spins is struck by others only: its moment about the spin axis is not the same in MuJoCo (see `presentable`).
+    # Spinning links have contacts only as the other side: their moment about the spin axis differs in MuJoCo (see
+    # `presentable`).
     "double_wishbone": (None, np.linspace(-0.2, 0.2, 25), ("spindle", "wheel")),
 }
 
@@ -63,7 +64,7 @@ JOINTS = {"revolute": "hinge", "continuous": "hinge", "prismatic": "slide", "sph
 
 
 def mjcf(path):
-    """The URDF+ as MJCF: tree, point and hinge closures as `connect`, rods as tendons of fixed length."""
+    """MJCF of a URDF+: tree, point and hinge closures as `connect`, rods as tendons of fixed length."""
     robot = ElementTree.parse(path).getroot()
     links = {link.get("name"): link for link in robot.findall("link")}
     below = {}
@@ -83,7 +84,7 @@ def mjcf(path):
                 sites[body].append((f"{name}_{i}", p))
             tendons.append(name)
             continue
-        # A hinge: two points of its axis coincide (the second adds two rows that count and one that does not).
+        # A hinge: two points of its axis coincide (the second adds two independent rows and one dependent row).
         points = {"spherical": [0.0], "revolute": [0.0, 1.0], "continuous": [0.0, 1.0]}[kind]
         for i, along in enumerate(points):
             for side, (body, p, r) in enumerate(((body1, p1, r1), (body2, p2, r2))):
@@ -128,11 +129,11 @@ def mjcf(path):
 
 
 def presentable(inertia):
-    """An inertia that MuJoCo takes: it refuses thin rods and what breaks the triangle inequality.
+    """An inertia that MuJoCo accepts: MuJoCo refuses thin rods and violations of the triangle inequality.
 
-    Neither change moves an effective mass here: a moment of zero becomes 1e-12 kg·m²; a moment beyond the sum of the others is
-    cut to it, and in these models only arms (which turn about another axis) and the freely spinning spindle have one, which the
-    contacts spare."""
+    Neither change affects an effective mass here: a moment of zero becomes 1e-12 kg·m²; a moment beyond the sum of
+    the others is reduced to the sum. In these models only arms (which turn about another axis) and the freely
+    spinning spindle have such a moment, and the contacts avoid them."""
     moments, axes = np.linalg.eigh(inertia)
     moments = np.maximum(moments, 1e-12)
     if moments[2] > moments[0] + moments[1]:

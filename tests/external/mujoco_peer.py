@@ -1,4 +1,4 @@
-"""MuJoCo's answers, in percuss's coordinates. MuJoCo reads the URDF itself, without its shapes."""
+"""MuJoCo's results, in percuss's coordinates. MuJoCo reads the URDF itself, without its shapes."""
 
 import xml.etree.ElementTree as ElementTree
 
@@ -8,8 +8,8 @@ import numpy as np
 from urdf_file import ONE_VALUE, Refused
 
 
-# MuJoCo's repairs off: nothing is balanced, bounded, welded or guessed from shapes. No shapes, so that no meshes are
-# looked for.
+# MuJoCo's repairs are off: no balancing, bounding, welding or inertia from shapes. No shapes, so that no meshes are
+# loaded.
 COMPILER = {
     "fusestatic": "false",
     "discardvisual": "false",
@@ -19,7 +19,7 @@ COMPILER = {
     "boundinertia": "0",
 }
 
-# What it warns of (mimics of joints that do not move, equal limits) goes neither to the terminal nor into a log file.
+# Warnings (mimics of fixed joints, equal limits) are neither printed nor written to a log file.
 mujoco.set_mju_user_warning(lambda message: None)
 
 
@@ -43,13 +43,14 @@ class Peer:
         self.data = mujoco.MjData(self.model)
 
     def pose(self, coordinates, positions, base):
-        """Places the model. T: velocities of the model = T · percuss's coordinates."""
+        """Sets the pose. T: velocities of the model = T · percuss's coordinates."""
         m, d = self.model, self.data
         self.t = np.zeros((m.nv, len(coordinates)))
         column = {key: k for k, key in enumerate(coordinates)}
         if self.floating:
             d.qpos[:7] = base  # x,y,z and quaternion w,x,y,z, as percuss has it
-            # Linear in the world's axes, then angular in the body's · angular first, both in the body's.
+            # MuJoCo: linear in the world's axes, then angular in the body's · percuss: angular first, both in the
+            # body's.
             self.t[3:6, :3] = np.eye(3)
             self.t[:3, 3:6] = rotation(base[3:])
         for joint in self.robot.movable:
@@ -71,7 +72,7 @@ class Peer:
         return body.xpos + turn @ contact["point"], turn @ normal / np.linalg.norm(normal)
 
     def point_jacobian(self, link, point):
-        """Velocity of the link's point that is at `point`, world axes; and the size of the terms of each column."""
+        """Velocity Jacobian of the link's point at `point`, world axes; and the size of the terms of each column."""
         body = self.model.body(renamed(link)).id
         linear, angular = np.zeros((3, self.model.nv)), np.zeros((3, self.model.nv))
         mujoco.mj_jac(self.model, self.data, linear, angular, point, body)
@@ -80,7 +81,7 @@ class Peer:
 
 
 def text(path):
-    """The URDF without shapes, with the compiler told to keep its hands off."""
+    """The URDF without shapes, with the compiler's changes disabled."""
     root = ElementTree.parse(path).getroot()
     for tag in ("mujoco", "gazebo", "transmission", "material"):
         for element in root.findall(tag):

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# Installs, as root, the Debian packages that the checks use and that are missing; anybody else installs them beforehand.
+# Installs, as root, missing Debian packages of the checks; other users install them beforehand.
 #   packages.sh [--with-gazebo] [--with-octave]
-# Always: ODE, Bullet, and the SDFormat program (8 MB). --with-gazebo: ign-physics (306 packages, four minutes). --with-octave: Octave, which
-# reads the MATLAB snippet (135 packages, 80 MB). Without these two flags the checks use both where they are installed already.
+# Always: ODE, Bullet, and the SDFormat program (8 MB). --with-gazebo: ign-physics (306 packages, four minutes).
+# --with-octave: Octave, which reads the MATLAB snippet (135 packages, 80 MB). Without these two flags the checks use
+# both if already installed.
 set -euo pipefail
 wanted=(libode-dev libbullet-dev ignition-tools libsdformat-dev)
 for option in "$@"; do

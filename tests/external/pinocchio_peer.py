@@ -1,4 +1,4 @@
-"""Pinocchio's answers, in percuss's coordinates."""
+"""Pinocchio's results, in percuss's coordinates."""
 
 import numpy as np
 import pinocchio as pin
@@ -12,7 +12,7 @@ def skew(r):
 
 
 class Peer:
-    """A model in which mimics are joints like any other; they are folded into their masters here, by T."""
+    """A model with mimics as ordinary joints; T combines them with their masters."""
 
     name = "Pinocchio"
     knows_contacts = True
@@ -30,7 +30,7 @@ class Peer:
         self.joints = {BASE if floating and k == 0 else name: joint for k, (name, joint) in enumerate(named)}
 
     def pose(self, coordinates, positions, base):
-        """Places the model. T: velocities of the model = T · percuss's coordinates."""
+        """Sets the pose. T: velocities of the model = T · percuss's coordinates."""
         q = pin.neutral(self.model)
         self.t = np.zeros((self.model.nv, len(coordinates)))
         column = {key: k for k, key in enumerate(coordinates)}
@@ -60,7 +60,7 @@ class Peer:
         return placement.act(np.array(contact["point"])), placement.rotation @ normal / np.linalg.norm(normal)
 
     def point_jacobian(self, link, point):
-        """Velocity of the link's point that is at `point`, world axes; and the size of the terms of each column."""
+        """Velocity Jacobian of the link's point at `point`, world axes; and the size of the terms of each column."""
         if self.model.nv == 0:
             return np.zeros((3, 0)), np.zeros(0)
         frame = self.frame(link)
@@ -71,7 +71,7 @@ class Peer:
 
 
 class FoldingPeer(Peer):
-    """A model in which Pinocchio itself folds mimics into their masters. Asked for M only."""
+    """A model in which Pinocchio itself combines mimics with their masters. Used for M only."""
 
     name = "Pinocchio folding mimics"
     knows_contacts = False
@@ -95,7 +95,7 @@ def layout(joint, at):
 
 
 def velocity(joint, at):
-    """Pinocchio's velocities of a joint = this · percuss's."""
+    """Matrix from percuss's to Pinocchio's velocities of a joint."""
     if joint.nv == 6:  # linear first · angular first, both in the child's axes
         return np.roll(np.eye(6), 3, axis=1)
     if joint.nv == 3:  # planar: in the child's axes · in the joint's

@@ -1,9 +1,9 @@
-//! `percuss-probe`: answers in JSON what another program is compared with.
+//! `percuss-probe`: results in JSON, for comparison with other programs.
 //!
-//! One request on the standard input (a model, a base, configurations, contacts), one answer on the standard output:
-//! diagnostics, mass matrices, poses, contact rows and effective masses. A file that does not load is an answer too;
-//! a request that means nothing ends with a message on the standard error and exit code 2. The README beside this
-//! file gives the layout. Everything comes from the public interface of the crates.
+//! One request on the standard input (a model, a base, configurations, contacts), one result on the standard output:
+//! diagnostics, mass matrices, poses, contact rows and effective masses. For a file that does not load, the result
+//! contains the errors; an invalid request ends with a message on the standard error and exit code 2. The README in
+//! this folder describes the layout. All values come from the public interface of the crates.
 
 use nalgebra::{DMatrix, Quaternion, UnitQuaternion, Vector3};
 use percuss_dynamics::{
@@ -19,7 +19,7 @@ use std::collections::BTreeMap;
 use std::io::{Read, Write};
 use std::process::ExitCode;
 
-/// The name of the floating base among the coordinates.
+/// Name of the floating base among the coordinates.
 const BASE: &str = "<base>";
 
 #[derive(Deserialize)]
@@ -27,7 +27,7 @@ const BASE: &str = "<base>";
 struct Request {
     /// Path of a URDF.
     model: String,
-    /// Take inertias with a negative moment.
+    /// Accepts inertias with a negative moment.
     #[serde(default)]
     accept_indefinite_inertia: bool,
     #[serde(default)]
@@ -47,10 +47,10 @@ enum BaseKind {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct ConfigurationRequest {
-    /// Joint name to position; joints left out stand at zero.
+    /// Joint name to position; other joints are at zero.
     #[serde(default)]
     joints: BTreeMap<String, Vec<f64>>,
-    /// Where the root link stands in the world: x,y,z,w,x,y,z.
+    /// Pose of the root link in the world: x,y,z,w,x,y,z.
     base: Option<[f64; 7]>,
     #[serde(default)]
     contacts: Vec<ContactRequest>,
@@ -60,7 +60,7 @@ struct ConfigurationRequest {
 #[serde(deny_unknown_fields)]
 struct ContactRequest {
     link: String,
-    /// The other side; none: the ground.
+    /// The other side; `None`: the ground.
     against: Option<String>,
     /// In the link's frame, m.
     point: [f64; 3],
@@ -72,7 +72,7 @@ struct ContactRequest {
 struct Answer {
     loaded: bool,
     diagnostics: Vec<DiagnosticAnswer>,
-    /// Joint and index of its velocity for every column of M.
+    /// Joint and velocity index for every column of M.
     coordinates: Vec<(String, usize)>,
     configurations: Vec<ConfigurationAnswer>,
 }
@@ -98,7 +98,7 @@ struct ContactAnswer {
     row: Vec<f64>,
     point_world: [f64; 3],
     normal_world: [f64; 3],
-    /// By the route percuss chooses.
+    /// By the automatic route.
     #[serde(flatten)]
     chosen: ResponseAnswer,
     /// By the dense route.
@@ -112,7 +112,7 @@ struct ResponseAnswer {
     effective_mass: Option<f64>,
     effective_mass_error: Option<f64>,
     route: Option<&'static str>,
-    /// Why the careful route was asked beside the recursion.
+    /// Reason for the dense route in addition to the recursion.
     careful_reason: Option<String>,
     condition: Option<f64>,
     error: Option<String>,
@@ -170,7 +170,7 @@ fn diagnostic(d: &Diagnostic) -> DiagnosticAnswer {
     DiagnosticAnswer { severity: d.severity.name(), code: d.code, line: d.line, message }
 }
 
-/// Joint and number of its velocity for every coordinate; the floating base goes by a name of its own.
+/// Joint and velocity number of every coordinate; the floating base has the name [`BASE`].
 fn coordinates(system: &System) -> Vec<(String, usize)> {
     let name =
         |joint: Option<_>| joint.map_or(BASE.to_owned(), |id| system.mechanism().joint(id).name().to_owned());

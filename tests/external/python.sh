@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
-# The Python package: built and installed as a user would, its tests, its types (mypy, pyright; the stubs held against the module by
-# stubtest), its examples, a notebook among them; then the peers' matrices, where run.sh has made their environments: Pinocchio and MuJoCo,
-# Drake. Needs python3 (3.10 or later), cargo, node for pyright, and the first time the network.
-#   python.sh [--tested] [PYTEST OPTION...]     --tested: in the profile of `cargo test --workspace`, with what that has built
+# The Python package: built and installed as by a user, its tests, its types (mypy, pyright; the stubs compared with the
+# module by stubtest), its examples, a notebook among them; then the peers' matrices, if run.sh has created their
+# environments: Pinocchio and MuJoCo, Drake. Needs python3 (3.10 or later), cargo, node for pyright, and, the first
+# time, the network.
+#   python.sh [--tested] [PYTEST OPTION...]     --tested: in the profile of `cargo test --workspace`, with its build
+#   results
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 cd "$here/../.."
@@ -19,7 +21,7 @@ environment "$work/venv" "$here/requirements-python.txt" "$(first python3.11 pyt
 bin=$work/venv/bin
 export PATH=$bin:$PATH PIP_DISABLE_PIP_VERSION_CHECK=1 PYTHONDONTWRITEBYTECODE=1 OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 failed=0
-# step NAME COMMAND...: what fails does not keep the rest from running.
+# step NAME COMMAND...: a failed step does not stop the others.
 step() {
   local name=$1 start=$SECONDS
   shift
@@ -48,7 +50,7 @@ step tests check "$@"
 step mypy types
 step stubtest stubs
 step pyright "$bin/pyright" --project "$package/pyproject.toml" --pythonpath "$bin/python"
-# The peers have environments of their own; the same extension serves every Python from 3.10 on.
+# The peers have separate environments; the same extension works with every Python from 3.10 on.
 for peer in venv drake; do
   python=$root/target/external/$peer/bin/python
   [ -x "$python" ] || { echo "Python: no matrices of peers, run.sh makes target/external/$peer"; continue; }

@@ -1,4 +1,4 @@
-"""Seeded configurations and contacts: what percuss and the others are asked."""
+"""Seeded configurations and contacts: the questions for percuss and the other programs."""
 
 import numpy as np
 
@@ -32,12 +32,12 @@ def a_point(rng):
 
 
 def a_normal(rng):
-    """Any direction, or along an axis of the link: people use those, and they are the degenerate ones."""
+    """Any direction, or along an axis of the link: the usual and the degenerate choice."""
     return unit(rng) if rng.random() < 0.7 else np.eye(3)[rng.integers(3)] * rng.choice([-1.0, 1.0])
 
 
 def anywhere(robot, rng):
-    """Any link, a fixed one too, against the ground."""
+    """Any link, fixed links included, against the ground."""
     return pick(rng, robot.links), None, a_point(rng), a_normal(rng)
 
 
@@ -55,7 +55,8 @@ def pair(robot, rng):
 
 
 def bearing(robot, rng, joints=None, against_ground=False):
-    """Where a joint holds: a point on the axis of a turn, a normal across a slide. Immovable against the parent."""
+    """A contact into the bearing of a joint: a point on the axis of a hinge, a normal across a slide. Immovable
+    against the parent."""
     joint = pick(rng, [j for j in robot.movable if j.kind in ONE_VALUE] if joints is None else joints)
     if not joint:
         return None
@@ -66,7 +67,7 @@ def bearing(robot, rng, joints=None, against_ground=False):
 
 
 def first_bearing(robot, rng):
-    """The bearing of a joint nearest the root, against the ground: immovable where the base is fixed."""
+    """The bearing of a joint nearest the root, against the ground: immovable for a fixed base."""
     first = [j for j in robot.movable if j.kind in ONE_VALUE and robot.chain(j.child) == [j]]
     return bearing(robot, rng, first, against_ground=True)
 

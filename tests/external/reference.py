@@ -1,29 +1,29 @@
-"""m̄ = 1/(j M⁻¹ jᵀ) from somebody else's M and j, or why there is none."""
+"""m̄ = 1/(j M⁻¹ jᵀ) from M and j of another program, or the reason for another outcome."""
 
 from dataclasses import dataclass
 
 import numpy as np
 
-# Sizes relative to those of the terms that were summed. Below the first, an entry of j is rounding; above the second,
-# it is not; what lies between may be told either way.
+# Sizes relative to the summed terms. Below the first limit, an entry of j is rounding; above the second, it is
+# significant; in between, both outcomes are accepted.
 ROUNDING, REAL = 1e-11, 1e-8
-# Condition of M beyond which it is singular.
+# Condition limit of M; above, M counts as singular.
 SINGULAR = 1e13
 
 
 @dataclass
 class Outcome:
-    """What may be answered to a contact. `refused`: M is indefinite and leaves a negative mass."""
+    """Permitted results for a contact. `refused`: M is indefinite, and the mass would be negative."""
 
     statuses: tuple
     effective_mass: float | None = None
-    # How much rounding is magnified on the way to m̄: condition of M, |terms of j| / |j|, a few operations.
+    # Amplification of rounding in m̄: condition of M, |terms of j| / |j|, a few operations.
     magnified: float = 0.0
 
 
 class Inertia:
-    """M scaled to unit diagonal, without the coordinates that move no mass: their rows are exactly zero where only
-    massless links follow them."""
+    """M scaled to unit diagonal, without the coordinates that move no mass: their rows are exactly zero if all
+    following links are massless."""
 
     def __init__(self, mass):
         diagonal = np.diag(mass)
@@ -36,7 +36,7 @@ class Inertia:
         self.indefinite = bool((values < 0).any())
 
     def outcome(self, row, size):
-        """Of a contact row whose terms have the given sizes."""
+        """Permitted results for a contact row with terms of the given sizes."""
         parts = np.abs(row) / size.max() if len(row) and size.max() > 0 else np.zeros(1)
         approach = parts.max()
         if approach <= ROUNDING:

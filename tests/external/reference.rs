@@ -1,7 +1,8 @@
-//! Reference files of closed linkages, read where they lie: percuss against the oracle's route C at random poses.
+//! Reference files of closed linkages, read from their own folders: percuss compared with the oracle's route C at
+//! random poses.
 //!
-//! `percuss-reference SUITE FILE.urdf …` prints a line a file, how many finite contacts of the suite the recursion answered,
-//! then `N passed, N failed`; it fails where nothing ran.
+//! `percuss-reference SUITE FILE.urdf …` prints a line per file, the number of finite contacts of the suite solved by
+//! the recursion, then `N passed, N failed`; a run without any test fails.
 
 use percuss_dynamics::{Conditions, Contact, Direction, EffectiveMass, Frame, Pose, RouteChoice, System};
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions, Source, load};
@@ -15,16 +16,17 @@ use rand::{Rng, SeedableRng};
 use std::process::ExitCode;
 use std::sync::Arc;
 
-/// Configurations of each file, and contacts at each.
+/// Configurations per file, and contacts per configuration.
 const CONFIGURATIONS: usize = 50;
 const CONTACTS: usize = 5;
-/// Both are good to 1e-11 and better on these files.
+/// Both results are accurate to 1e-11 or better on these files.
 const TOLERANCE: f64 = 1e-9;
-/// Roundings in an answer whose motion, at unit closing speed, moves the mechanism's size at unit speed.
+/// Relative rounding of a result with unit speed: a motion that, at unit closing speed, moves the mechanism's size at
+/// unit speed.
 const ROUNDINGS: f64 = 1e-14;
-/// How often a file's inexactness, relative to its size, may show in an answer at unit speed.
+/// Factor from a file's inexactness (relative to its size) to the error of a result at unit speed.
 const INEXACTNESSES: f64 = 10.0;
-/// Nearer to a singular pose (least over largest singular value of A) than this, poses are for other tests.
+/// Limit of the least over the largest singular value of A: closer to a singular pose, other tests apply.
 const REGULAR: f64 = 1e-4;
 
 #[derive(Default)]
@@ -74,7 +76,7 @@ fn compare(path: &str, routes: &mut Routes) -> Result<Tally, String> {
         if posed == CONFIGURATIONS {
             break;
         }
-        // Half the attempts stay near, where every linkage can go.
+        // Half of the attempts stay near the initial pose, which every linkage can reach.
         let reach = if attempt % 2 == 0 { 0.3 } else { 1.5 };
         let mut configuration = system.configuration();
         for &joint in &drivers {
@@ -95,7 +97,7 @@ fn compare(path: &str, routes: &mut Routes) -> Result<Tally, String> {
     Ok(tally)
 }
 
-/// Joints with one position that drive: those of the loops, and those outside them.
+/// Driving joints with one position: drivers of the loops, and joints outside the loops.
 fn drivers(mechanism: &Mechanism, home: &Pose) -> Vec<JointId> {
     let loops = home.loops();
     let in_loops = |id: &JointId| loops.is_none_or(|l| l.drivers.contains(id));
@@ -106,7 +108,7 @@ fn drivers(mechanism: &Mechanism, home: &Pose) -> Vec<JointId> {
         .collect()
 }
 
-/// One contact; false where the pose is too near a singular one to count.
+/// Compares one contact; false if the pose is too close to a singular pose.
 fn contact(mechanism: &Arc<Mechanism>, pose: &Pose, rng: &mut StdRng, tally: &mut Tally) -> bool {
     let (on, against, point, normal) = random::contact(rng, mechanism);
     let positions: Vec<Vec<f64>> = mechanism.joint_ids().map(|id| pose.joint(id).to_vec()).collect();
@@ -136,7 +138,7 @@ fn contact(mechanism: &Arc<Mechanism>, pose: &Pose, rng: &mut StdRng, tally: &mu
         }
     };
     let same_freedom = response.degrees_of_freedom == answer.degrees_of_freedom;
-    // A contact that hardly closes does so by fast motions, whose small differences it is.
+    // The closing speed of a gap that hardly closes is a small difference of fast motions.
     let length = mechanism.characteristic_length();
     let fast = 1.0 + length * Motion::of(&response).size();
     let inexact = pose.loops().map_or(0.0, |l| l.inexactness) / length;

@@ -1,4 +1,4 @@
-"""Counts what passed and what failed, keeps the worst deviation of every check, and prints the tables."""
+"""Counts passed and failed checks, keeps the worst deviation of each, and prints the tables."""
 
 import collections
 
@@ -13,7 +13,7 @@ class Tally:
         self.answers = collections.Counter()
         self.undecided = collections.Counter()
         self.conditions = {}
-        # By suite: who answered finite contacts, and why the careful route was asked.
+        # Per suite: routes of finite contacts, and reasons for the dense route.
         self.routes = collections.defaultdict(collections.Counter)
         self.reasons = collections.defaultdict(collections.Counter)
 
@@ -32,7 +32,7 @@ class Tally:
         self.conditions[label] = max(self.conditions.get(label, 0.0), value)
 
     def answered(self, suite, contact):
-        """Counts who answered, where that is finite: as percuss_tests::routes does."""
+        """Counts the route of a finite contact, as percuss_tests::routes does."""
         if contact["status"] != "finite":
             return
         why = contact["careful_reason"]
@@ -42,7 +42,7 @@ class Tally:
             self.reasons[suite][why] += 1
 
     def report(self, seconds):
-        """Prints everything; the exit code."""
+        """Prints all results; returns the exit code."""
         for check, lines in self.failures.items():
             print(f"\nFAILED: {check} ({len(lines)})")
             for line in lines[:SHOWN]:

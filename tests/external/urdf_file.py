@@ -1,5 +1,5 @@
-"""What the comparison itself reads from a URDF: joints, limits, mimics. Read with Python's own XML parser, so that it
-shares nothing with percuss, Pinocchio or MuJoCo."""
+"""Independent URDF reader of the comparison: joints, limits, mimics. Uses Python's XML parser, so that no code is
+shared with percuss, Pinocchio or MuJoCo."""
 
 import xml.etree.ElementTree as ElementTree
 from dataclasses import dataclass, field
@@ -12,7 +12,7 @@ ONE_VALUE = ("revolute", "continuous", "prismatic")
 
 
 class Refused(Exception):
-    """Another program does not take the file."""
+    """Another program does not accept the file."""
 
 
 def vector(text):
@@ -30,7 +30,7 @@ class Joint:
     mimic: tuple | None  # master, multiplier, offset: as written
 
     def draw(self, rng):
-        """A position within the limits, where they are finite and not absurd."""
+        """A position within the limits, if they are finite and not absurd."""
         if self.kind == "planar":
             return rng.uniform([-1, -1, -np.pi], [1, 1, np.pi]).tolist()
         if self.kind == "floating":
@@ -52,8 +52,8 @@ class Robot:
         self.movable = [j for j in self.joints.values() if j.kind in MOVABLE]
 
     def follows(self, name):
-        """Master, multiplier and offset of a joint; itself, 1, 0 where it mimics none. Chains are multiplied out; a
-        master that does not exist or cannot move is none."""
+        """Master, multiplier and offset of a joint; itself, 1, 0 without a mimic. Chains are multiplied out; a
+        missing or fixed master counts as none."""
         multiplier, offset = 1.0, 0.0
         while (mimic := self.joints[name].mimic) and mimic[0] in self.joints:
             if self.joints[mimic[0]].kind not in ONE_VALUE:
@@ -65,7 +65,7 @@ class Robot:
         return self.follows(joint.name)[0] == joint.name
 
     def positions(self, drawn):
-        """Of every movable joint, given those of the masters."""
+        """Positions of every movable joint, given the masters' positions."""
         all_of_them = {}
         for joint in self.movable:
             master, multiplier, offset = self.follows(joint.name)

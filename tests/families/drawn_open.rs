@@ -1,5 +1,5 @@
-//! Linkages whose file is not closed as it is drawn: a pickup point is off by 0, 0.5 or 4 % of the size. They close beside
-//! where they are drawn.
+//! Linkages with open loops as drawn: a pickup point is off by 0, 0.5 or 4 % of the size. They close near the drawn
+//! pose.
 
 use percuss_oracle::linkage::family::{DrawnOpen, drawn_open, gaps};
 use percuss_tests::answer::Model;
@@ -29,7 +29,7 @@ fn judge(&(seed, fraction): &(u64, f64), tally: &mut Tally) {
     let open = gaps(&mechanism, &positions).into_iter().fold(0.0, f64::max);
     tally.check(CLOSED, &column, open <= 1e-11 * closed.size, || format!("{label}: still {open:.1e} m"));
     let most = positions.iter().flatten().fold(0.0, |most: f64, q| most.max(q.abs()));
-    // As far as the oracle's shortest way, with room for another driver.
+    // Limit: the oracle's shortest motion, with a margin for another driver.
     tally.check(NEAR, &column, most <= 60.0 * fraction + 1e-9, || format!("{label}: moved by {most:.2e}"));
 }
 

@@ -1,4 +1,5 @@
-//! What is known of a file's loops before anybody asks for a pose: where they stand, and by which floor their ranks were decided.
+//! Properties of a file's loops before the first requested pose: the first closed pose, and the floor of the rank
+//! decisions.
 
 use nalgebra::{Rotation3, Unit, Vector3};
 use percuss_dynamics::{Conditions, Contact, Direction, EffectiveMass, RouteChoice, System};
@@ -15,8 +16,8 @@ fn system(mechanism: Mechanism) -> System {
     System::new(Arc::new(mechanism), &Conditions::new()).expect("a system")
 }
 
-/// The linkage of a seed with a hinge of its loops drawn turned, and another joint of them declared to drive: closed with that at
-/// 0, but not with all. None where it has other freedoms, or no two such joints.
+/// Linkage of a seed with a loop hinge drawn rotated, and another loop joint declared as driver: closed with the driver
+/// at 0, but not with all joints at 0. `None` if the mobility differs or two such joints do not exist.
 fn drawn_turned(seed: u64) -> Option<Mechanism> {
     let drawn = drawn(seed);
     let turns = |id: &JointId| drawn.mechanism.joint(*id).kind() == JointKind::Continuous;
@@ -34,7 +35,7 @@ fn drawn_turned(seed: u64) -> Option<Mechanism> {
     Some(alter::build_with_loops("turned", links, joints, closures, couplings))
 }
 
-/// A workspace has no other positions yet than those its loops were closed at; with all joints at 0 they are open.
+/// A new workspace has the positions of the first closed pose; with all joints at 0 the loops are open.
 #[test]
 fn a_fresh_workspace_stands_at_the_closed_pose() {
     let (mut asked, mut others) = (0, 0);
@@ -59,7 +60,7 @@ fn a_fresh_workspace_stands_at_the_closed_pose() {
     assert!(asked > 100 && others > 50, "{others} of {asked} are others with all joints at 0");
 }
 
-/// Poses of a rounded file are inexact by different amounts: one floor decides all ranks, that of the worst of them.
+/// Poses of a rounded file are inexact by different amounts; one floor, from the worst pose, decides all ranks.
 #[test]
 fn ranks_of_rounded_files_are_those_of_their_exact_twins() {
     let mut asked = 0;
@@ -83,7 +84,7 @@ fn ranks_of_rounded_files_are_those_of_their_exact_twins() {
                 "{}, {decimals} decimals",
                 drawn.label()
             );
-            // And where it stands.
+            // The rank at the pose itself.
             let pose = file.pose(&file.configuration()).expect("a pose");
             assert_eq!(
                 pose.rank().rank,
@@ -97,7 +98,7 @@ fn ranks_of_rounded_files_are_those_of_their_exact_twins() {
     assert_eq!(asked, 300);
 }
 
-/// A normal along a line of 1 µm turns by all that the loops' misfit shifts its ends: the file's part of the error knows it.
+/// A normal along a line of 1 µm turns with the full misfit of its ends: the file part of the error includes this.
 #[test]
 fn a_short_line_on_a_rounded_file_is_as_uncertain_as_its_ends() {
     let (mut asked, mut measured, mut wrong) = (0, 0, 0);
@@ -106,7 +107,7 @@ fn a_short_line_on_a_rounded_file_is_as_uncertain_as_its_ends() {
         let (exact, file) = (system(drawn.written(15)), system(drawn.written(6)));
         let [exact_pose, file_pose] = [&exact, &file].map(|s| s.pose(&s.configuration()).expect("a pose"));
         for touch in &drawn.contacts {
-            // Towards the root, at a distance of a micron and of a metre.
+            // Towards the root, at a distance of a micrometre and of a metre.
             let root = drawn.mechanism.root();
             let at =
                 exact_pose.locate(&Contact::new(touch.link, touch.point, touch.normal)).expect("a contact");

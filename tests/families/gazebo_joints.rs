@@ -1,5 +1,5 @@
-//! Loops written as SDF joints in `<gazebo>`, against the same loops as `<loop>`, whose frames the test computes: equal answers,
-//! or both refused.
+//! Loops written as SDF joints in `<gazebo>`, compared with the same loops as `<loop>`, with frames computed by the
+//! test: equal results, or both files are refused.
 
 use nalgebra::{Rotation3, Vector3};
 use percuss_dynamics::{Conditions, Contact, EffectiveMass, RouteChoice, System};
@@ -10,7 +10,8 @@ use std::fmt::Write;
 use std::sync::Arc;
 
 const MECHANISMS: u64 = 200;
-/// Relative. Both files describe one mechanism; their frames are products of a few rotations in another order.
+/// Relative difference. Both files describe one mechanism; their frames are products of a few rotations in another
+/// order.
 const AGREEMENT: f64 = 1e-12;
 const LINKS_A_SIDE: usize = 4;
 
@@ -62,7 +63,7 @@ fn chains(rng: &mut StdRng) -> (String, Vec<(String, Transform<f64>)>) {
     (text, drawn)
 }
 
-/// A closing joint in both spellings.
+/// A closing joint in both notations.
 fn closing(rng: &mut StdRng, drawn: &[(String, Transform<f64>)]) -> (String, String) {
     let frame_of = |name: &str| drawn.iter().find(|(link, _)| link == name).expect("a link").1;
     let (parent, child) = match rng.random_range(0..3) {
@@ -72,7 +73,7 @@ fn closing(rng: &mut StdRng, drawn: &[(String, Transform<f64>)]) -> (String, Str
     };
     let x_wp = if parent == "world" { Transform::identity() } else { frame_of(parent) };
     let x_wc = frame_of(child);
-    // The pose, in a frame that is named or not.
+    // The pose, with or without a frame name.
     let (xyz, turn) = (triple(rng, 0.4), triple(rng, 1.4));
     let (attribute, x_wf) = match rng.random_range(0..6) {
         0 => (String::new(), x_wc),
@@ -96,7 +97,7 @@ fn closing(rng: &mut StdRng, drawn: &[(String, Transform<f64>)]) -> (String, Str
         _ => format!("<pose{attribute}>\n  {}\n  {} </pose>", numbers(&xyz), numbers(&turn)),
     };
     let x_wj = x_wf * own;
-    // Axes: given in some frame, or SDF's default.
+    // Axes: in a named frame, or SDF's default.
     let mut inside = String::new();
     let mut axis = |rng: &mut StdRng, tag: &str, in_joint: Option<Vector3<f64>>| {
         let in_joint = in_joint.unwrap_or_else(|| Vector3::from(triple(rng, 1.0)).normalize());
@@ -158,7 +159,7 @@ fn closing(rng: &mut StdRng, drawn: &[(String, Transform<f64>)]) -> (String, Str
     (gazebo, own)
 }
 
-/// m̄ of a contact, all joints as drawn; the message where there is none.
+/// m̄ of a contact with all joints as drawn, or the error message.
 fn answer(text: &str, link: &str, point: [f64; 3], normal: [f64; 3]) -> Result<EffectiveMass, String> {
     let source = Source::from_text("model.urdf", text);
     let loaded = load(&source, &LoadOptions::default()).map_err(|error| error.to_string())?;
@@ -193,8 +194,8 @@ fn sdf_joints_are_the_loops_that_they_close() {
     println!("{finite} of {MECHANISMS} finite, worst relative difference {worst:.1e}");
     assert!(finite > MECHANISMS * 8 / 10, "{finite} finite");
 }
-/// A parallelogram whose coupler is split, its halves held together by a fixed SDF joint, as Gazebo's page on loops has it:
-/// m̄ = (2 I_A + m_c l²)/r² at r on a crank. Left open it would be 1.707 kg.
+/// A parallelogram with a split coupler. A fixed SDF joint connects its halves, as on Gazebo's page on loops. At the
+/// radius r on a crank, m̄ = (2 I_A + m_c l²)/r². With the split left open, m̄ would be 1.707 kg.
 #[test]
 fn a_split_coupler_is_whole() {
     let body = |name: &str, com: [f64; 3], mass: f64, moments: [f64; 3]| {

@@ -1,5 +1,5 @@
-//! Mechanisms beside one another on the same ground have nothing to do with one another: what is asked of one is answered
-//! to the last bit as without the other, whatever its size and however inexact its loops are.
+//! Mechanisms on the same ground are independent: results for one mechanism are bitwise equal with and without the
+//! other, for any size and any inexactness of its loops.
 
 use percuss_dynamics::{Contact, EffectiveMass, Route, RouteChoice};
 use percuss_mechanism::{JointId, LinkId, Mechanism};
@@ -26,15 +26,15 @@ const GENERIC: &str = "generic freedoms and redundant rows add up";
 const CAREFUL: &str = "mass and status by the careful route";
 const TRUE_MASS: &str = "mass of route C, alone";
 const TRUE_MASS_BESIDE: &str = "mass of route C, beside the other";
-/// How far the careful route's mass beside another mechanism may be from that alone: sums in another order.
+/// Relative difference of the dense route's mass with and without a second mechanism: sums in another order.
 const REORDERED: f64 = 1e-9;
 
-/// A part of a mechanism, and its contacts: link, point, normal and m̄ by route C of the exact twin.
+/// Part of a mechanism with its contacts: link, point, normal, and m̄ of the exact twin by route C.
 struct Part {
     what: String,
     mechanism: Mechanism,
     contacts: Vec<(String, Vector3<f64>, Vector3<f64>, f64)>,
-    /// How far from route C m̄ may be.
+    /// Permitted relative difference from route C.
     bound: f64,
 }
 
@@ -53,24 +53,24 @@ impl Part {
         }
     }
 
-    /// An open chain of a size.
+    /// An open chain of a given size.
     fn chain(size: f64) -> Self {
         let mechanism = scaled(&zoo::double_pendulum(), size, 1.0);
         Self { what: format!("chain of {size:e} m"), mechanism, contacts: Vec::new(), bound: 0.0 }
     }
 }
 
-/// All that is answered about a part.
+/// All results for a part.
 struct Seen {
     generic: (usize, usize),
     freedoms: usize,
     positions: Vec<Vec<u64>>,
     answers: Vec<Answer>,
-    /// By the careful route.
+    /// Results of the dense route.
     careful: Vec<Answer>,
 }
 
-/// Looks at a part of a mechanism, its names bearing a prefix there; what belongs to the whole is of the whole.
+/// Results for a part of a mechanism, whose names have a prefix in the whole; mobility and rank refer to the whole.
 fn look(model: &Model, mechanism: &Mechanism, part: &Part, prefix: &str) -> Answered<Seen> {
     let zero = model.at(&[])?;
     let joints: Vec<JointId> = part
@@ -88,7 +88,7 @@ fn look(model: &Model, mechanism: &Mechanism, part: &Part, prefix: &str) -> Answ
     };
     let answers = respond(RouteChoice::Auto)?;
     let careful = respond(RouteChoice::Only(Route::Dense))?;
-    // A part that is never struck moves with all its joints: it is a chain.
+    // A part without contacts is a chain: all its joints move.
     let freedoms = answers.first().map_or(joints.len(), |answer| answer.degrees_of_freedom);
     let bits = |id: &JointId| zero.joint(*id).iter().map(|q| q.to_bits()).collect();
     Ok(Seen {
@@ -105,7 +105,7 @@ fn alone(part: &Part) -> Answered<Seen> {
     look(&Model::new(beside(&[("", &part.mechanism)]))?, &mechanism, part, "")
 }
 
-/// A pair that is asked about `y`.
+/// A pair of parts with questions about `y`.
 struct Case {
     x: Part,
     y: Part,
@@ -128,7 +128,7 @@ fn judge(case: &Case, tally: &mut Tally) {
     let (pair, own, other) = match (pair, own, other) {
         (Ok(pair), Ok(own), Ok(other)) => (pair, own, other),
         (pair, own, other) => {
-            // Together they may be refused where one of them is.
+            // The pair is refused exactly if one of its parts is refused.
             let holds = pair.is_ok() == (own.is_ok() && other.is_ok());
             let words = [pair, own, other].map(|seen| seen.map_or_else(|error| error, |_| "answered".into()));
             tally
@@ -168,7 +168,7 @@ fn judge(case: &Case, tally: &mut Tally) {
     }
 }
 
-/// Every size and inexactness beside every other size and inexactness, and beside open chains.
+/// Every size and inexactness, combined with every other size and inexactness, and with open chains.
 fn cases() -> Vec<Case> {
     const KINDS: [(u64, Kind); 3] = [(5, Kind::FourBar), (11, Kind::Cranks(3)), (4, Kind::SliderCrank)];
     let mut cases = Vec::new();
@@ -221,7 +221,7 @@ fn masses_by_the_careful_route_are_the_same() {
     ALL.report(CAREFUL, 1);
 }
 
-/// A parallelogram stands where its branches cross; the limits along them are its own, whatever stands beside it.
+/// A parallelogram at a crossing of its branches: the limits along the branches do not depend on other mechanisms.
 #[test]
 fn limits_at_a_crossing_are_the_same() {
     let limits = |parts: &[(&str, &Mechanism)], link: &str, size: f64| {
@@ -285,8 +285,8 @@ fn masses_beside_the_other_are_route_cs() {
     ALL.report(TRUE_MASS_BESIDE, 1);
 }
 
-/// A loop of 1 mm that fits exactly beside a metre that is off by 0.1 mm: a twentieth of a percent of the one is all of
-/// the other's rank if they share a threshold.
+/// An exact loop of 1 mm and a loop of a metre that is off by 0.1 mm: with a shared threshold, a twentieth of a percent
+/// of the large loop would exceed all singular values of the small loop.
 #[test]
 fn a_millimetre_beside_a_metre() {
     let mut tally = Tally::default();

@@ -1,5 +1,5 @@
-//! Families of mechanisms with known answers: rounded files, unlike mechanisms beside one another, loops drawn open,
-//! sizes from far too small to far too large.
+//! Families of mechanisms with known results: rounded files, independent mechanisms in one file, loops drawn open,
+//! extreme sizes.
 
 mod drawn_open;
 mod first_poses;

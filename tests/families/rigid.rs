@@ -1,4 +1,4 @@
-//! Linkages that one wrong axis makes rigid: the reader is told which.
+//! Linkages made rigid by one wrong axis: the report names the axis.
 
 use percuss_dynamics::{Conditions, RigidLoops, System};
 use percuss_mechanism::{
@@ -9,8 +9,8 @@ use percuss_spatial::{Matrix3, Transform, Vector3};
 use rand::{Rng, SeedableRng, rngs::StdRng};
 use std::sync::Arc;
 
-/// A four-bar, or a slider-crank, drawn closed in a turned plane; the axis of `wrong` (0–2 joints, 3 the loop's own) is
-/// turned by an angle in that plane's own frame. None: all are right.
+/// A four-bar or a slider-crank, drawn closed in a rotated plane. The axis of `wrong` (0–2: joints, 3: the loop's own
+/// axis) is rotated by an angle in that plane's frame; `None`: all axes are right.
 fn linkage(seed: u64, slides: bool, wrong: Option<(usize, f64)>) -> (Arc<Mechanism>, Vector3<f64>) {
     let mut random = StdRng::seed_from_u64(seed);
     let mut draw = |from: f64, to: f64| random.random_range(from..to);
@@ -26,7 +26,7 @@ fn linkage(seed: u64, slides: bool, wrong: Option<(usize, f64)>) -> (Arc<Mechani
     let axis = |which: usize, right: Vector3<f64>| {
         let tilt = Vector3::new(about.cos(), about.sin(), 0.0);
         let turn = wrong.filter(|(k, _)| *k == which).map_or(0.0, |(_, angle)| angle);
-        // A slide is turned out of the plane.
+        // A slide's axis is rotated out of the plane.
         let along = if right.z == 0.0 { right.cross(&Vector3::z()).normalize() } else { tilt };
         plane * (nalgebra::Rotation3::new(along * turn) * right)
     };

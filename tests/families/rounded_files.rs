@@ -1,9 +1,9 @@
-//! Linkages as files with few decimals give them, against their exact twins: 208 linkages of the drawn family, each with
+//! Linkages from files with few decimals, compared with their exact twins: 208 linkages of the drawn family, each with
 //! 12, 9, 7, 6, 5 and 4 decimals, at rest and driven.
 //!
-//! All bounds are fixed: what a rounding of 10^-k does to the answer is at most some hundred times that, as route C on
-//! the same files shows (`crates/oracle/tests/families.rs::rounded_twins_can_be_answered`). `PERCUSS_ALL=1` prints every
-//! failure.
+//! All bounds are fixed: the effect of a rounding of 10^-k on the result is at most some hundred times 10^-k, as route
+//! C on the same files shows (`crates/oracle/tests/families.rs::rounded_twins_can_be_answered`). `PERCUSS_ALL=1` prints
+//! every failure.
 
 use percuss_mechanism::{JointId, JointKind, LinkId, Mechanism};
 use percuss_oracle::linkage::family::{DECIMALS, Drawn, drawn};
@@ -14,13 +14,13 @@ use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 const COUNT: u64 = 208;
-/// m̄ of a file with k decimals, relative to the exact twin's, in units of 10^-k.
+/// Relative error of m̄ of a file with k decimals compared with the exact twin, in units of 10^-k.
 const UNITS: f64 = 3e3;
-/// m̄ of the exact twin, relative to route C's.
+/// Relative error of m̄ of the exact twin compared with route C.
 const EXACT: f64 = 1e-9;
-/// Angles at rest from those drawn, rad; slides by the size.
+/// Difference of the angles at rest from the drawn angles, rad; slides relative to the size.
 const STANDS: f64 = 0.01;
-/// Route C's own rounding: closed forms find 2e-14.
+/// Rounding error of route C: closed forms show 2e-14.
 const ORACLE: f64 = 1e-12;
 
 const ASSEMBLES: &str = "assembles at zero";
@@ -37,13 +37,13 @@ const SET_MASS: &str = "mass with the driver set";
 const ALL_RIGHT: &str = "nothing wrong";
 const SET_ERROR: &str = "stated error with the driver set is not exceeded";
 
-/// The exact twin with its answers where joints are set.
+/// The exact twin with its results at driven positions.
 struct Twin {
     drawn: Drawn,
     exact: Answered<Model>,
-    /// m̄ by route C of every contact, by joint and value; none near a dead centre.
+    /// m̄ of every contact by route C, per joint and value; `None` near a dead centre.
     expected: BTreeMap<(JointId, u64), Option<Vec<f64>>>,
-    /// Whether the library brings a joint of the exact twin to a value.
+    /// True if the library drives a joint of the exact twin to a value.
     reaches: BTreeMap<(JointId, u64), bool>,
 }
 
@@ -160,14 +160,14 @@ fn judge_everything(twin: &mut Twin, model: Answered<Model>, column: &str, bound
     }
 }
 
-/// The axis of the hinge that carries a link, in the link.
+/// Axis of the hinge to a link's parent, in the link's frame.
 fn hinge_of(mechanism: &Mechanism, link: LinkId) -> Option<Vector3<f64>> {
     let turns = [JointKind::Revolute, JointKind::Continuous];
     let joint = mechanism.joints().iter().find(|joint| joint.child() == link)?;
     turns.contains(&joint.kind()).then(|| *joint.axis())
 }
 
-/// The joint that is furthest from 0, and how far: rad, or slides by the size.
+/// The joint with the largest position, and the position: rad, or relative to the size for slides.
 fn off(drawn: &Drawn, stand: &PosedModel) -> (String, f64) {
     let of = |id: JointId| {
         let joint = drawn.mechanism.joint(id);
@@ -269,14 +269,14 @@ fn masses_with_a_driver_set_are_those_of_the_exact_twin() {
 fn stated_errors_with_a_driver_set_are_not_exceeded() {
     ALL.report(SET_ERROR, 1);
 }
-/// The sum of it all: files with nothing wrong.
+/// Total: files without any failure.
 #[test]
 fn every_file_is_right_in_everything() {
     ALL.report(ALL_RIGHT, COUNT as usize);
 }
 
-/// Writes a file of the family for a closer look: `PERCUSS_FAMILY="17 6" cargo test -p percuss-tests --test families
-/// -- --ignored --nocapture write` prints number 17 with 6 decimals (none: exact), and its contacts.
+/// Prints a file of the family: `PERCUSS_FAMILY="17 6" cargo test -p percuss-tests --test families -- --ignored
+/// --nocapture write` prints number 17 with 6 decimals (without decimals: the exact file), and its contacts.
 #[test]
 #[ignore = "prints a file"]
 fn write_one() {

@@ -1,4 +1,4 @@
-//! Four parallel cranks of any length, any distance apart: one freedom, and the mass that can be written down.
+//! Four parallel cranks of any length at any distance: one degree of freedom, and a closed form of m̄.
 
 use percuss_oracle::linkage::CrankRow;
 use percuss_spatial::Vector3;
@@ -38,7 +38,7 @@ fn rows_of_cranks() {
         ("a metre away", true, 1.0),
     ] {
         for (length, spacing) in ROWS {
-            // Places are known to an ulp of what is furthest off.
+            // Positions have an error of an ulp of the largest coordinate.
             let far = f64::max(length, 3.0 * spacing) + away;
             let rounding = 30.0 * f64::EPSILON * far / f64::min(length, spacing);
             if rounding > 1e-2 {
@@ -76,7 +76,7 @@ fn rows_of_cranks() {
             let expected = row.along_the_motion();
             let answer = zero.respond(link, Vector3::zeros(), row.motion());
             let bound = 1e-9 + rounding;
-            // Right, or warned of: with cranks of a millionth of what lies around them, digits are gone.
+            // Correct, or with a warning: cranks of a millionth of their surroundings lose digits.
             let holds = answer.as_ref().is_ok_and(|answer| {
                 answer.status == Status::Finite && (answer.mass / expected - 1.0).abs() <= bound
                     || answer.warned
@@ -90,7 +90,7 @@ fn rows_of_cranks() {
     for asked in [ASSEMBLES, FREEDOMS, STANDS, MASS] {
         let _ = std::panic::catch_unwind(|| tally.report(asked, ROWS.len() - 4));
     }
-    // Warnings are for the extremes: half of the rows and more are answered without.
+    // Warnings are limited to extremes: at least half of the rows have none.
     assert!(warned <= 20, "{warned} of 40 are warned of");
     let wrong = tally.wrong();
     assert!(wrong.is_empty(), "{wrong:?}");

@@ -1,5 +1,5 @@
-//! The normal along a line at random poses: refused where the line has turned by more than 5° from the line as drawn, or is shorter
-//! than a tenth of it, and nowhere else; by a pose, a workspace, a batch and a path of the drivers alike.
+//! The normal along a line at random poses: refused if and only if the line has turned by more than 5° from the line as
+//! drawn, or is shorter than a tenth of its drawn length; the same for a pose, a workspace, a batch and a driven path.
 
 use nalgebra::Vector3;
 use percuss_dynamics::{
@@ -13,7 +13,7 @@ use std::sync::Arc;
 /// Crank 0.3 m, coupler 1 m, rocker 0.8 m, ground 1 m, closed as drawn with the crank at 0.
 fn four_bar() -> Mechanism {
     let (crank, coupler, rocker, ground) = (0.3, 1.0_f64, 0.8_f64, 1.0_f64);
-    // The coupler's end from the crank's, 0.7 m before the rocker's bearing.
+    // The coupler's end relative to the crank's end; the rocker's bearing is 0.7 m from the crank's end.
     let along = (coupler.powi(2) - rocker.powi(2) + (ground - crank).powi(2)) / (2.0 * (ground - crank));
     let up = (coupler.powi(2) - along.powi(2)).sqrt();
     let turn = up.atan2(along);
@@ -41,7 +41,7 @@ fn four_bar() -> Mechanism {
     load(&Source::from_text("four_bar.urdf", text), &LoadOptions::default()).expect("a four-bar").mechanism
 }
 
-/// The angle of the line from the line as drawn (rad), and its length over that: from the poses alone.
+/// Angle of the line from the line as drawn (rad), and its length relative to the drawn length, from the poses alone.
 fn turned(pose: &Pose, drawn: &Pose, contact: &Contact) -> (f64, f64) {
     let (end, to) = contact.normal.line().expect("a line");
     let line = |pose: &Pose| {
@@ -64,7 +64,8 @@ fn lines_are_refused_where_they_have_turned() {
         configuration
     };
     let mut counts = [0; 3];
-    // Ends of lines on the ground and on the other bars; near ends turn round, far ones keep their direction.
+    // Ends of lines on the ground and on the other bars; lines to near ends turn fully, lines to far ends keep their
+    // direction.
     for (case, reach) in [0.02, 0.1, 0.5, 3.0, 20.0].into_iter().enumerate() {
         for against in [None, Some(link("rocker")), Some(link("crank"))] {
             let tip = Vector3::new(0.5, 0.1, 0.0);
@@ -73,7 +74,7 @@ fn lines_are_refused_where_they_have_turned() {
                 system.pose(&at_drive(3.0)).expect("it turns fully").link(link("coupler")).point(&tip);
             let angle = 0.7 + case as f64;
             let far = match case {
-                // Just beside a place that the tip passes.
+                // Close to a point on the path of the tip.
                 0 => passed + Vector3::new(0.0, 0.0, 1e-3),
                 _ => at + reach * Vector3::new(angle.cos(), angle.sin(), 0.1),
             };
@@ -113,7 +114,8 @@ fn lines_are_refused_where_they_have_turned() {
                         panic!("{answer:?} where the line has turned by {angle} rad")
                     };
                     assert!((stated - angle).abs() < 1e-9);
-                    // The remedy is the line as drawn: it answers, and there as the line does.
+                    // The stated remedy, the normal as drawn, gives a result; at the drawn pose, it equals the result
+                    // of the line.
                     let fixed = base.normal(Direction::Along(*normal, *frame));
                     assert_eq!(*frame, if against.is_some() { Frame::Against } else { Frame::World });
                     assert!(pose.respond(&fixed, RouteChoice::Auto).is_ok());
@@ -155,7 +157,7 @@ fn lines_are_refused_where_they_have_turned() {
                 assert_eq!(found.mass.is_some(), expected.is_some(), "{found:?} for {expected:?}");
             }
             let drive = mechanism.find_joint("drive").expect("a joint");
-            // Linkages with redundant rows have no path in lanes.
+            // Linkages with redundant rows have no SIMD path.
             let path = drawn.driven_path(&stop, &[drive]).expect("a contact");
             if let Some(mut path) = path {
                 let (mut reached, mut at) = (Vec::new(), Vec::new());

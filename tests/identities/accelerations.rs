@@ -1,5 +1,5 @@
-//! The forward dynamics: F/a of two calls is m̄; accelerations are those of the poses; and with them d'Alembert's
-//! principle holds for every virtual motion, which also sees the forces that cancel in F/a.
+//! Forward dynamics: F/a of two calls equals m̄; accelerations match differences of poses; and d'Alembert's principle
+//! holds for every virtual motion, which includes forces that cancel in F/a.
 
 use nalgebra::Vector3;
 use percuss_dynamics::{Accelerations, Base, EffectiveMass, PointForce, Pose, RouteChoice, RouteError};
@@ -11,7 +11,7 @@ use percuss_tests::judge::regular_condition;
 use percuss_tests::motion::Motion;
 use rand::{Rng, SeedableRng, rngs::StdRng};
 
-/// Every case: of the zoo and at random.
+/// All cases: models of the zoo and random models.
 fn all_cases() -> Vec<Case> {
     [cases::of_the_zoo(6, 2), cases::at_random(6000, 200, 60)].concat()
 }
@@ -55,7 +55,7 @@ fn force_over_acceleration() {
             (Err(error), condition) => panic!("{}: {error}, condition {condition:?}", case.name),
         };
         let (condition, m) = (condition.expect("regular"), response.effective_mass);
-        // A push that outweighs what moves there already: the difference keeps its digits.
+        // A force that dominates the existing accelerations, so that the difference keeps its digits.
         let heavy = if let EffectiveMass::Finite(m) = m { m } else { 1.0 };
         let push = heavy * (1.0 + at_rest.abs()) * 10.0;
         let mut forces = vec![PointForce { link: case.on, point: case.point, force: case.normal * push }];
@@ -67,14 +67,14 @@ fn force_over_acceleration() {
         let Ok(pushed) = closing(&forces) else { panic!("{}: a force changed the inertia", case.name) };
         match m {
             EffectiveMass::Finite(m) => {
-                // A gap that hardly closes does so by small differences of fast motions.
+                // A gap that hardly closes is a small difference of fast motions.
                 let reach = case.mechanism.links().iter().map(percuss_mechanism::Link::extent).sum::<f64>();
                 let fast = 1.0 + Motion::of(&response).size() * (reach + case.point.norm());
                 let bound = (1e-12 * condition).min(1e-9) + 64.0 * f64::EPSILON * fast;
                 gauge.relative(&case.name, push / (pushed - at_rest), m, bound);
             }
             EffectiveMass::Immovable => {
-                // What a free body of all the mass would do is the measure.
+                // Scale: the acceleration of a free body with the total mass.
                 let free = push / case.mechanism.total_mass();
                 immovable.note(&case.name, (pushed - at_rest).abs() / (free + at_rest.abs()), 1e-9);
             }
@@ -87,7 +87,7 @@ fn force_over_acceleration() {
 }
 
 /// Acceleration of a link in the root link's axes: angular, and of its centre of mass. The field a(p) is affine in p;
-/// the skew part of its gradient is the angular acceleration, whatever the angular velocity.
+/// the skew part of its gradient is the angular acceleration, for any angular velocity.
 fn link_acceleration(
     case: &Case,
     pose: &Pose,
@@ -153,7 +153,7 @@ fn every_virtual_motion_does_no_work() {
                     add(rotor * rate * v);
                 }
             }
-            // Virtual velocities are known by differences; accelerations to the rounding of a recursion.
+            // Virtual velocities have the error of differences; accelerations have the rounding of a recursion.
             if size > 0.0 {
                 let fast = virtual_motion.size().max(motion.size());
                 let bound = (DIFFERENCE * (1.0 + fast) + 1e-13 * condition).min(1e-7);
@@ -171,7 +171,7 @@ fn accelerations_are_those_of_the_poses() {
     for case in all_cases() {
         let system = case.system();
         let pose = case.pose(&system);
-        // The acceleration of a floating base is not given; floating joints see to it.
+        // The acceleration of a floating base is not given; models with floating joints cover this case.
         let motion = Motion::random(&mut rng, &system);
         if system.base() == Base::Floating || motion.size() == 0.0 {
             continue;

@@ -1,5 +1,5 @@
-//! Many configurations at once: each lane answers as a pose does, within the errors that both state, equal to one
-//! configuration by itself to the last bit, whatever instruction set there is.
+//! Many configurations at once: each lane agrees with a pose within the errors stated by both, and is bitwise equal to
+//! a single configuration for every instruction set.
 
 use nalgebra::Vector3;
 use percuss_dynamics::{
@@ -20,7 +20,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 const SETS: [Instructions; 3] = [Instructions::Baseline, Instructions::Avx2, Instructions::Avx512];
 
-/// A tree of joints of all kinds, hinges mostly: axes at right angles and parallel, or any; masses over so many decades.
+/// Tree with joints of all kinds, mostly hinges; axes at right angles and parallel, or arbitrary; masses over `decades`
+/// decades.
 fn tree(rng: &mut StdRng, bodies: usize, square: bool, decades: f64) -> Mechanism {
     let mut builder = MechanismBuilder::new("tree").link(link(rng, 0, decades));
     let bushy = rng.random_bool(0.4);
@@ -32,7 +33,8 @@ fn tree(rng: &mut StdRng, bodies: usize, square: bool, decades: f64) -> Mechanis
             8 | 9 => JointKind::Prismatic,
             10 => JointKind::Planar,
             11 => JointKind::Spherical,
-            // What lets go of 1e8 kg leaves nothing; the general recursion takes what is below its rounding for massless.
+            // A floating joint transmits no inertia of a child of 1e8 kg; the general recursion would classify
+            // remainders below its rounding as massless.
             12 if decades < 10.0 => JointKind::Floating,
             _ => JointKind::Fixed,
         };
@@ -71,7 +73,7 @@ fn link(rng: &mut StdRng, i: usize, decades: f64) -> LinkDescription {
     LinkDescription::new(format!("l{i}"), Inertial { mass, com: any(rng) * 0.2, about_com })
 }
 
-/// The positions of all joints, one configuration after another; some of them far from zero.
+/// Positions of all joints, one configuration after another; some positions are far from zero.
 fn rows(rng: &mut StdRng, mechanism: &Mechanism, count: usize) -> Vec<f64> {
     let mut rows = Vec::new();
     for _ in 0..count {
@@ -103,7 +105,7 @@ fn quaternion(rng: &mut StdRng) -> [f64; 4] {
     [q.x, q.y, q.z, q.w]
 }
 
-/// Its pose.
+/// Pose at a row of positions.
 fn pose_at(system: &System, row: &[f64]) -> Pose {
     let mut configuration = system.configuration();
     let mut at = 0;
@@ -131,14 +133,14 @@ fn same(a: &BatchAnswer, b: &BatchAnswer) -> bool {
         && bits(a) == bits(b)
 }
 
-/// What was seen.
+/// Statistics of a test.
 #[derive(Default, Debug)]
 struct Seen {
     answers: usize,
     by_lanes: usize,
-    /// The largest difference over what both errors allow.
+    /// Largest difference as a fraction of the sum of both errors.
     worst: f64,
-    /// The largest error that a lane stated, relative.
+    /// Largest relative error stated by a lane.
     largest: f64,
 }
 
@@ -155,7 +157,8 @@ fn check(name: &str, system: &System, contact: &Contact, rows: &[f64], seen: &mu
         let (Some(EffectiveMass::Finite(m)), Some(error)) = (answer.mass, answer.error) else {
             match (answer.mass, response.effective_mass) {
                 (Some(EffectiveMass::Finite(a)), EffectiveMass::Finite(b)) => {
-                    // Both of poses, of which a workspace leaves out what is below 1e-11; unknown errors are as large as m̄.
+                    // Twice the error of a pose, plus 1e-11, below which a workspace omits terms; an unknown error
+                    // counts as m̄.
                     let allowed = 2.0 * response.effective_mass_error().unwrap_or(b) + 1e-11 * b;
                     assert!((a - b).abs() <= allowed, "{name}, asked again: {a} {b}, allowed {allowed:e}");
                 }
@@ -248,7 +251,7 @@ fn family(decades: f64, seed: u64) -> Seen {
 #[test]
 fn lanes_answer_as_poses_do() {
     let seen = family(2.0, 1);
-    // Some contacts are immovable, and some doubtful; most are neither.
+    // Some contacts are immovable and some uncertain; most are neither.
     assert!(seen.by_lanes * 10 > seen.answers * 7, "{seen:?}");
 }
 
@@ -260,7 +263,7 @@ fn lanes_say_what_they_do_not_know_of_masses_over_many_decades() {
     }
 }
 
-/// A light bracket between heavy links, in line: what is left of it by the elimination is rounding of what hangs on it.
+/// Light bracket between heavy links in line: its reduced inertia is the rounding of the inertia of its subtree.
 #[test]
 fn lanes_doubt_light_links_that_carry_heavy_ones() {
     let mut rng = StdRng::seed_from_u64(5);
@@ -296,7 +299,7 @@ fn lanes_doubt_light_links_that_carry_heavy_ones() {
     assert!(seen.by_lanes > 100 && seen.by_lanes < seen.answers, "{seen:?}");
 }
 
-/// Lanes or one by one: the same answers as a workspace's, and each its own status.
+/// By lanes or one by one: the results equal the results of a workspace, each with its own status.
 #[test]
 fn every_mechanism_is_answered_as_by_a_workspace() {
     for Subject { name, pose, contact, .. } in of_trees(6, 2, 20).into_iter().chain(of_linkages(40, 6)) {
@@ -311,7 +314,7 @@ fn every_mechanism_is_answered_as_by_a_workspace() {
         for answer in answers {
             match (answer.mass, expected) {
                 (Some(EffectiveMass::Finite(a)), Some(EffectiveMass::Finite(b))) => {
-                    // Lanes state their error; one by one they are equal.
+                    // Lanes state their error; results computed one by one are equal.
                     assert!((a - b).abs() <= answer.error.unwrap_or(0.0) + 1e-11 * b, "{name}: {a} {b}");
                 }
                 (a, b) => assert_eq!(a, b, "{name}"),
@@ -320,8 +323,8 @@ fn every_mechanism_is_answered_as_by_a_workspace() {
     }
 }
 
-/// Linkages at closed poses: each instruction set as one configuration by itself, to the last bit, and a pose's answer within
-/// both errors. A lane that is not closed, or not a number, spoils no other.
+/// Linkages at closed poses: each instruction set is bitwise equal to a single configuration, and agrees with a pose
+/// within both errors. An open lane or a NaN lane does not affect other lanes.
 #[test]
 fn linkages_in_lanes_answer_as_poses_do() {
     let (mut seen, mut linkages, mut open) = (Seen::default(), 0, 0);
@@ -340,7 +343,7 @@ fn linkages_in_lanes_answer_as_poses_do() {
                 rows.extend(subject.positions_after(&motion, step / motion.size()));
             }
         }
-        // Two that do not close.
+        // Two rows that do not close.
         for bad in [1.0, f64::NAN] {
             let start = rows.len();
             rows.extend(pose.positions());
@@ -355,7 +358,7 @@ fn linkages_in_lanes_answer_as_poses_do() {
             let EffectiveMass::Finite(expected) = response.effective_mass else {
                 panic!("{name}: {m} kg for {:?}", response.effective_mass)
             };
-            // Of the pose's error the rounding alone: both stand at the same positions.
+            // Only the rounding part of the pose's error: both use the same positions.
             let allowed = error + response.error.and_then(|e| e.rounding).expect("an error");
             seen.worst = seen.worst.max((m - expected).abs() / allowed);
             seen.largest = seen.largest.max(error / m);
@@ -385,7 +388,7 @@ fn linkages_in_lanes_answer_as_poses_do() {
     assert!(open > linkages, "{open} doubted");
 }
 
-/// A lane that is massless, immovable or not a number has its own status and spoils no other.
+/// A massless, immovable or NaN lane has its own status and does not affect other lanes.
 #[test]
 fn one_lane_spoils_no_other() {
     let system = System::new(zoo::six_r_arm(), &Conditions::new()).expect("fits");
@@ -412,8 +415,8 @@ fn one_lane_spoils_no_other() {
     }
 }
 
-/// A massless link on a hinge beside the contact takes no mass away, and leaves the lanes to answer; struck itself, it is
-/// massless.
+/// A massless link on a hinge off the contact path does not change the mass, and the lanes remain in use; as contact
+/// link, it is massless.
 #[test]
 fn massless_links_beside_the_contact_do_not_matter() {
     let hinge = |name: &str, parent: &str, child: &str| {
@@ -445,7 +448,7 @@ fn massless_links_beside_the_contact_do_not_matter() {
     let (Some(EffectiveMass::Finite(m)), Some(EffectiveMass::Finite(other))) = (a.mass, b.mass) else {
         panic!("{a:?} {b:?}")
     };
-    // The flag's axis turns the frame that the lower arm is taken in: a few roundings.
+    // The flag's axis rotates the frame of the lower arm: a few roundings.
     assert!(a.error.is_some() && b.error.is_some() && (m / other - 1.0).abs() < 4e-15, "{a:?} {b:?}");
     assert_eq!(ask(&with_flag, "flag", &[0.3, -0.8, 0.5]).mass, Some(EffectiveMass::Massless));
 }
@@ -478,7 +481,7 @@ fn wrong_shapes_are_errors_and_a_watcher_stops_it() {
     let Err(BatchError::Stopped { done }) = stopped else { panic!("{stopped:?}") };
     assert_eq!(done, told.into_inner());
     assert!((1000..5000).contains(&done), "{done}");
-    // What is no number has no answer, and is not what nothing moves.
+    // A NaN row has no answer; it differs from an immovable row.
     let mut spoilt = values[..12].to_vec();
     spoilt[9] = f64::NAN;
     batch.run(BatchPositions::Rows { values: &spoilt, stride: 6 }, &mut answers[..2]).expect("enough");
@@ -491,7 +494,7 @@ fn wrong_shapes_are_errors_and_a_watcher_stops_it() {
             other => assert!(is_number && matches!(other, Ok(EffectiveMass::Finite(_))), "{other:?}"),
         }
     }
-    // Columns of different lengths, and fewer numbers than they ask for.
+    // Columns of different lengths, and fewer numbers than needed.
     let rows = BatchPositions::Rows { values: &values[..12], stride: 6 };
     let uneven = batch.run_columns(rows, &mut [0.0; 2], &mut [0.0; 3], |_, _| {});
     assert_eq!(uneven, Err(BatchError::Columns { masses: 2, errors: 3 }));
@@ -499,8 +502,8 @@ fn wrong_shapes_are_errors_and_a_watcher_stops_it() {
     assert!(matches!(short, Err(BatchError::Short { needed: 18, got: 12, .. })), "{short:?}");
 }
 
-/// Sine and cosine in lanes, against the standard library: a hinge of a mass on an arm, whose m̄ along a fixed normal is
-/// m/sin² of the angle between them.
+/// Sine and cosine in lanes, compared with the standard library: a point mass on a hinged arm, whose m̄ along a fixed
+/// normal is m/sin² of the angle between arm and normal.
 #[test]
 fn sines_hold_up_to_the_largest_angles() {
     let mechanism = zoo::point_mass_pendulum(2.0, 0.5);
@@ -519,7 +522,7 @@ fn sines_hold_up_to_the_largest_angles() {
         let Ok(EffectiveMass::Finite(expected)) = workspace.effective_mass(&contact) else { continue };
         let Some(EffectiveMass::Finite(m)) = answer.mass else { panic!("{q}: {answer:?}") };
         by_lanes += usize::from(answer.error.is_some());
-        // The normal's own projection is off by a few roundings of its terms where it is small.
+        // A small projection of the normal has the error of a few roundings of its terms.
         let relative = 8.0 * f64::EPSILON * (1.0 + (expected / 2.0).sqrt());
         assert!((m / expected - 1.0).abs() < relative, "{k}, {q}: {m} {expected}");
     }

@@ -1,4 +1,4 @@
-//! Effective masses that can be written down, through `Pose::respond` by both routes.
+//! Effective masses with a closed form, through `Pose::respond` by both routes.
 
 use nalgebra::{Matrix3, Vector2, Vector3};
 use percuss_dynamics::{Base, Conditions, EffectiveMass, Route, RouteChoice};
@@ -20,13 +20,13 @@ fn a_point_mass_on_a_massless_rod() {
         let across = along(0.7 + std::f64::consts::FRAC_PI_2);
         let expected = closed_form::point_mass_pendulum(m, r_a, r_b);
         pendulum.check_mass(&pendulum.contact("rod", [r_b, 0.0, 0.0], across), expected);
-        // Obliquely: only the arm of the normal's line counts.
+        // Oblique normal: only the lever arm of the normal's line counts.
         let oblique = along(0.7 + 1.1);
         pendulum.check_mass(
             &pendulum.contact("rod", [r_b, 0.0, 0.3], oblique),
             closed_form::point_mass_pendulum(m, r_a, r_b * 1.1f64.sin()),
         );
-        // The same point named on the bob.
+        // The same point in the frame of the bob.
         let expected = closed_form::point_mass_pendulum(m, r_a, r_a + (r_b - r_a));
         pendulum.check_mass(&pendulum.contact("bob", [r_b - r_a, 0.0, 0.0], across), expected);
     }
@@ -41,11 +41,11 @@ fn a_physical_pendulum() {
         let across = along(-1.9 - std::f64::consts::FRAC_PI_2);
         let contact = pendulum.contact("body", [r_b, 0.0, 0.1], across);
         pendulum.check_mass(&contact, closed_form::physical_pendulum(j_o, r_b));
-        // The rotor turns with it.
+        // With a rotor (armature) at the hinge.
         let geared = Conditions::new().armature("hinge", [0.7]);
         let driven = Bench::under(Arc::clone(pendulum.system.mechanism()), &geared).set("hinge", &[-1.9]);
         driven.check_mass(&contact, closed_form::physical_pendulum(j_o + 0.7, r_b));
-        // At the radius of inertia r_i a physical pendulum is as heavy as its mass.
+        // At the radius of gyration r_i, m̄ of a physical pendulum is its mass.
         let r_i = f64::sqrt(j_o / m);
         pendulum.check_mass(&pendulum.contact("body", [r_i, 0.0, 0.0], across), m);
     }
@@ -70,23 +70,23 @@ fn central_impact() {
         let contact = balls.contact("one", [0.5, 0.0, 0.0], Vector3::x()).against(two);
         let expected = m_1 * m_2 / (m_1 + m_2);
         balls.check_mass(&contact, expected);
-        // Between half the lighter and the lighter.
+        // m̄ is between half the lighter mass and the lighter mass.
         let m = mass(&balls.respond(&contact, RouteChoice::Auto));
         let lighter = m_1.min(m_2);
         assert!(
             lighter / 2.0 * (1.0 - TOL) <= m && m <= lighter * (1.0 + TOL),
             "{m} kg, lighter {lighter} kg"
         );
-        // In the limit, the lighter: short of it by the ratio of the masses.
+        // In the limit, m̄ is the lighter mass, less a relative difference of the mass ratio.
         let ratio = 10f64.powi(-exponent.abs());
         assert!((m / lighter - 1.0 / (1.0 + ratio)).abs() <= TOL, "{m} kg");
-        // Each alone, and one against a number.
+        // Each ball alone, and one ball against a given mass.
         let alone = balls.contact("one", [0.5, 0.0, 0.0], Vector3::x());
         balls.check_mass(&alone, m_1);
         let against = balls.respond(&alone, RouteChoice::Auto).against_mass(m_2).expect("a mass");
         assert_close(mass(&against), expected);
         let contributions = against.contributions.expect("finite");
-        // At unit closing speed, the lighter does the moving: m₁ v₁ = m₂ v₂.
+        // At unit closing speed m₁ v₁ = m₂ v₂: the lighter ball moves more.
         let [one, other] = [contributions.links[1], contributions.other_mass.expect("it was given")];
         assert!((one + other - 1.0).abs() <= TOL, "contributions {one} and {other}");
         assert!((one - m_2 / (m_1 + m_2)).abs() <= TOL && (other - m_1 / (m_1 + m_2)).abs() <= TOL);
@@ -104,7 +104,7 @@ fn central_impact() {
 
 #[test]
 fn eccentric_impact() {
-    // A free body struck off its centre, by its floating base and by a floating joint.
+    // Eccentric contact of a free body, with a floating base and with a floating joint.
     let (m, com) = (1.7, Vector3::new(0.2, -0.1, 0.4));
     let turn = rotation_from_rpy([0.4, -0.2, 0.9]);
     let moments = Vector3::new(0.05, 0.08, 0.11);
@@ -121,14 +121,14 @@ fn eccentric_impact() {
         for bench in [&floating, &jointed] {
             bench.check_mass(&bench.contact("body", point, normal), expected);
         }
-        // Against a body of its own: the classical eccentric impact.
+        // Against a free mass: the classical eccentric impact.
         let against = jointed
             .respond(&jointed.contact("body", point, normal), RouteChoice::Auto)
             .against_mass(0.8)
             .expect("a mass");
         assert_close(mass(&against), closed_form::series(expected, 0.8));
     }
-    // A uniform rod, free: a quarter of it at the tip; hinged: a third; on a sliding base between.
+    // Uniform rod: a quarter of its mass at the tip if free, a third if hinged, a value in between on a sliding base.
     let (m, l) = (0.9, 0.7);
     let moment = m * l * l / 12.0;
     let rod =
@@ -157,7 +157,7 @@ fn eccentric_impact() {
 
 #[test]
 fn independent_mechanisms_add_as_springs_in_series() {
-    // Two arms under one ground, which meet: neither carries the other.
+    // Contact between two arms on one ground: neither is an ancestor of the other.
     let arm = [PlanarLink::rod(1.4, 0.6), PlanarLink::rod(0.9, 0.5)];
     let (mut links, mut joints) = alter::describe(&zoo::planar_2r(arm, [0.05, 0.02]));
     let (others, other_joints) = alter::describe(&zoo::physical_pendulum(2.3, 0.35, 0.04));
@@ -187,13 +187,13 @@ fn independent_mechanisms_add_as_springs_in_series() {
 
 #[test]
 fn a_needle_on_a_heavy_base() {
-    // 1 mg on 10 t: a third of the needle at its tip, not nothing.
+    // 1 mg on 10 t: a third of the needle's mass at its tip, not zero.
     let needle = Bench::new(zoo::needle_on_heavy_base());
     let contact = needle.contact("needle", [0.04, 0.0, 0.0], Vector3::y());
     let expected = closed_form::rod_tip_on_sliding_base(1e-6, 1e4);
     assert!((expected - 3.333e-7).abs() < 1e-10);
     needle.check_mass(&contact, expected);
-    // At the pin all of it and the base; along itself nothing gives.
+    // At the pin, a quarter of the needle's mass and the base; along its length, the needle is immovable.
     let at_pin = needle.contact("needle", [0.0; 3], Vector3::y());
     needle.check_mass(&at_pin, 1e4 + 1e-6 / 4.0);
     let lengthwise = needle.contact("needle", [0.04, 0.0, 0.0], Vector3::x());
@@ -208,7 +208,7 @@ fn planar_arms() {
     let mut struck = 0;
     for links in [rods, points, mixed] {
         for armature in [[0.0, 0.0], [0.05, 0.0], [0.0, 0.3], [1.2, 0.02]] {
-            // Also by conditions in place of the mechanism's own.
+            // Armatures from conditions replace armatures of the mechanism.
             let bare = Arc::new(zoo::planar_2r(links, [7.0, 7.0]));
             let [a_1, a_2] = armature;
             let conditions = Conditions::new().armature("shoulder", [a_1]).armature("elbow", [a_2]);
@@ -234,7 +234,7 @@ fn planar_arms() {
 
 #[test]
 fn geared_masses() {
-    // The gripper's fingers mirror each other: the dense route refers their energy to the master.
+    // The gripper's fingers mirror each other: the dense route expresses their energy by the master's rate.
     let slide = |name: &str, child: &str| {
         JointDescription::new(name, JointKind::Prismatic, "ground", child).axis([0.0, 0.0, 1.0])
     };
@@ -246,7 +246,7 @@ fn geared_masses() {
     pair.check_mass_by(&contact, closed_form::geared(2.0, 0.7, -3.0), &[Route::Dense]);
     let follower = pair.contact("two", [0.1, 0.0, 0.0], Vector3::z());
     pair.check_mass_by(&follower, closed_form::geared(2.0, 0.7, -3.0) / 9.0, &[Route::Dense]);
-    // Against each other the gap closes at 1 + 3.
+    // Against each other, the gap closes at the rate 1 + 3.
     let other = pair.system.mechanism().find_link("two").unwrap();
     pair.check_mass_by(&contact.against(other), closed_form::geared(2.0, 0.7, -3.0) / 16.0, &[Route::Dense]);
 }

@@ -1,5 +1,5 @@
-//! The whole answer on dual numbers, loops included: derivatives of m̄ by positions along admissible motions, and by
-//! the mass of every link.
+//! The full response on dual numbers, loops included: derivatives of m̄ with respect to positions along admissible
+//! motions, and with respect to the mass of every link.
 
 use nalgebra::Vector3;
 use percuss_dynamics::{
@@ -15,19 +15,21 @@ use percuss_tests::motion::Motion;
 use percuss_tests::subjects::{Subject, of_linkages, of_trees};
 use rand::{Rng, SeedableRng, rngs::StdRng};
 
-/// Motion of the fastest part, in sizes of the mechanism, in the longer step of a difference.
+/// Displacement of the fastest part in the longer step of a difference, relative to the mechanism's size.
 const STEP: f64 = 2e-3;
-/// Faster responses than this, in sizes of the mechanism per unit closing speed, leave differences too few digits.
+/// Limit of response speed (mechanism sizes per unit closing speed): faster responses leave the differences too few
+/// digits.
 const FAST: f64 = 50.0;
-/// Differences of poses that the oracle closes to 1e-13 of the size, over the step, squared by how fast things are.
+/// Error of differences of poses, which the oracle closes to 1e-13 of the size, divided by the step; scales with the
+/// squared speed.
 const CLOSED: f64 = 1e-7;
-/// The same without loops, where positions are exact.
+/// Error of differences without loops, for exact positions.
 const EXACT: f64 = 1e-8;
-/// A dual number against a formula in closed form.
+/// Error of a dual number compared with a closed form.
 const FORMULA: f64 = 1e-9;
-/// A part of the effective mass at a point.
+/// Added mass as a fraction of the effective mass at a point.
 const STEP_OF_MASS: f64 = 1e-4;
-/// One-sided differences by a mass: steps squared, and 1e-13 over the change of m̄.
+/// Error of one-sided differences with respect to a mass: the squared step, and 1e-13 over the change of m̄.
 const BY_MASS: f64 = 1e-5;
 
 fn finite(subject: &Subject) -> Option<(ContactResponse, f64, f64)> {
@@ -113,7 +115,7 @@ fn by_masses(subjects: &[Subject]) -> (usize, usize) {
     for (i, subject) in subjects.iter().enumerate() {
         let Subject { name, pose, .. } = subject;
         let Some((response, m, _)) = finite(subject) else { continue };
-        // A mass on what moves without mass makes another mechanism of it.
+        // A mass on a massless part changes the mechanism's kind.
         if response.remarks.iter().any(|r| matches!(r, Remark::MasslessMotions { .. })) {
             continue;
         }
@@ -131,7 +133,7 @@ fn by_masses(subjects: &[Subject]) -> (usize, usize) {
             dual.add_inertia(link, &unit).expect("a link of the pose");
             let inverse = dual.inverse_effective_mass();
             let got = -inverse.eps * m * m;
-            // Parts of v* that cancel at the point: the rates, over the size.
+            // Size of the terms of v* that cancel at the point: the rates, relative to the size.
             let size =
                 Motion::of(&response).size() * (at.norm() + subject.mechanism().characteristic_length());
             formula.note(
@@ -142,7 +144,7 @@ fn by_masses(subjects: &[Subject]) -> (usize, usize) {
             if link != chosen {
                 continue;
             }
-            // Small beside the effective mass of the link at that point, in any direction.
+            // Small relative to the effective mass of the link at that point in any direction.
             let own = Contact::new(link, at, Vector3::x());
             let own = subject.pose.locate(&own).expect("a contact");
             let response = subject.pose.inverse_operational_inertia(&own).expect("no motion without mass");

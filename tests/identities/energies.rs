@@ -1,6 +1,6 @@
-//! The formula and 2T/V² agree, with velocities from differences of poses (the third definition, F/a, has
-//! `accelerations.rs`). With them the mass matrix, the contact row and Φ, which must say the same of any motion and
-//! any normal.
+//! The formula and 2T/V² agree, with velocities from differences of poses (the third definition, F/a, is in
+//! `accelerations.rs`). The mass matrix, the contact row and Φ agree with the same velocities for any motion and any
+//! normal.
 
 use nalgebra::{DVector, Vector3};
 use percuss_dynamics::{Base, Direction, EffectiveMass, Frame, Route, RouteChoice, RouteError};
@@ -13,10 +13,10 @@ use percuss_tests::motion::Motion;
 use rand::{Rng, SeedableRng, rngs::StdRng};
 use std::sync::Arc;
 
-/// Roundings of a mass matrix entry: terms of a long chain, each transformed a few dozen times.
+/// Relative rounding of a mass matrix entry: terms of a long chain, each transformed a few dozen times.
 const ROUNDING: f64 = 1e-13;
 
-/// Every case: of the zoo and at random.
+/// All cases: models of the zoo and random models.
 fn all_cases() -> Vec<Case> {
     [cases::of_the_zoo(2, 2), cases::at_random(2000, 200, 60)].concat()
 }
@@ -40,14 +40,14 @@ fn the_mass_matrix_is_the_energy_of_the_links() {
                 assert_eq!(u.dot(&(&mass * &u)).max(0.0), 0.0, "{}", case.name);
                 continue;
             }
-            // Velocities are known to DIFFERENCE of the fastest anything could move, `chain`; a slow link's energy to
-            // their product with its own.
+            // Velocities have the error DIFFERENCE of the greatest possible speed, `chain`; the error of a slow link's
+            // energy is the product of this error and its own speed.
             let chain = case.mechanism.total_mass() * (motion.size() * reach(&case)).powi(2);
             let bound = 2.0 * DIFFERENCE * (size * chain).sqrt().max(size);
             energy.note(&case.name, (u.dot(&(&mass * &u)) - by_links).abs() / size, bound / size);
         }
         if mass.nrows() > 0 {
-            // The block of a joint with several velocities is symmetric to rounding only.
+            // The block of a joint with several velocities is symmetric only to rounding.
             symmetry.note(&case.name, (&mass - mass.transpose()).amax(), ROUNDING * mass.amax());
             let diagonal = mass.diagonal().map(|m| if m > 0.0 { 1.0 / m.sqrt() } else { 0.0 });
             let scaled = mass.map_with_location(|r, c, m| m * diagonal[r] * diagonal[c]);
@@ -60,7 +60,7 @@ fn the_mass_matrix_is_the_energy_of_the_links() {
     negative.report();
 }
 
-/// How far the mechanism reaches, m: no more than all its links in a line.
+/// Upper bound of the mechanism's extent, m: all links in a line.
 fn reach(case: &Case) -> f64 {
     case.mechanism.links().iter().map(percuss_mechanism::Link::extent).sum()
 }
@@ -76,8 +76,8 @@ fn twice_the_energy_over_the_speed_squared() {
             let response = pose.respond(&case.contact(), RouteChoice::Only(route)).expect("an answer");
             let EffectiveMass::Finite(m) = response.effective_mass else { continue };
             let motion = Motion::of(&response);
-            // Of every motion 2T/V² is m̄ at least; of the response, m̄. The response closes the gap at unit speed while
-            // its rates, which carry the differences' error, may be much faster.
+            // For every motion, 2T/V² ≥ m̄; for the response, equality. The response closes the gap at unit speed, but
+            // its rates, which have the error of differences, may be much faster.
             let v = closing_speed(&pose, &motion, &response.contact);
             let (energy, size) = twice_energy(&case, &pose, &motion);
             let fast = 1.0 + motion.size() * case.mechanism.characteristic_length();
@@ -113,8 +113,8 @@ fn contact_row_and_jacobians() {
             relative -= other;
         }
         let expected = relative.tr_mul(&case.normal);
-        // Joints that carry both sides cancel here, there they are left out. The world point goes through the inverse
-        // of a long chain's frame.
+        // Joints that are ancestors of both sides cancel here and are omitted in `row`. The world point passes through
+        // the inverse frame of a long chain.
         let bound = ROUNDING * (1.0 + size);
         for (a, b) in row.iter().zip(&expected) {
             gauge.note(&case.name, (a - b).abs(), bound);
@@ -141,7 +141,7 @@ fn the_inverse_operational_inertia_answers_every_normal() {
         let phi = match pose.inverse_operational_inertia(&contact) {
             Ok(phi) => phi,
             Err(RouteError::MasslessMotion) => {
-                // Some wrench at the point moves no mass: a property of the mechanism, which M shows.
+                // Some wrench at the point moves a massless part: a property of the mechanism, visible in M.
                 assert_eq!(regular_condition(&pose), None, "{}", case.name);
                 refused += 1;
                 continue;
@@ -163,7 +163,7 @@ fn the_inverse_operational_inertia_answers_every_normal() {
             let inverse = phi.inverse_effective_mass(&normal);
             match response.effective_mass {
                 EffectiveMass::Finite(m) => {
-                    // Entries of both sides cancel where the sides hang together.
+                    // Entries of both sides cancel if the sides share ancestors.
                     let cancelled = phi.matrix().fixed_view::<3, 3>(3, 3).amax() * m;
                     gauge.note(&case.name, (inverse * m - 1.0).abs(), bound * (1.0 + cancelled));
                 }
@@ -177,7 +177,7 @@ fn the_inverse_operational_inertia_answers_every_normal() {
     assert!(refused > 0, "singular matrices never came");
 }
 
-/// M of a ground without mass that floats is singular.
+/// M of a massless floating ground is singular.
 #[test]
 fn a_singular_mass_matrix_has_no_condition() {
     let mut rng = StdRng::seed_from_u64(26);
@@ -197,8 +197,8 @@ fn a_singular_mass_matrix_has_no_condition() {
 
 #[test]
 fn what_is_massless_has_no_inverse() {
-    // A massless ground that flies: rounding leaves it pivots that are not zero. All twelve probes must be asked
-    // whether they stand on them; one of them, a moment, often does not.
+    // A massless floating ground: rounding leaves nonzero pivots. All twelve probes must be tested for dependence on
+    // them; a single probe, a moment, often does not depend on them.
     let mut rng = StdRng::seed_from_u64(25);
     let mut massless = 0;
     for mechanism in [zoo::two_free_bodies(), zoo::massless_chain()] {

@@ -1,4 +1,4 @@
-//! How often the automatic choice leaves the recursion for the careful route, and why.
+//! Frequency and reasons of the automatic choice of the dense route instead of the recursion.
 //!
 //! `cargo test -p percuss-tests --test identities -- --ignored --nocapture fallbacks` prints the table.
 
@@ -6,16 +6,16 @@ use percuss_dynamics::{EffectiveMass, ResponseError, Route, RouteChoice, RouteEr
 use percuss_tests::subjects::{Subject, of_linkages, of_trees};
 use std::collections::BTreeMap;
 
-/// A suite's counts.
+/// Counts of a suite.
 #[derive(Default)]
 struct Row {
     asked: usize,
     careful: usize,
-    /// Why, by reason; for a stated error, by its decade.
+    /// Counts by reason; for a stated error, by its decade.
     reasons: BTreeMap<String, usize>,
-    /// Cases that the careful route was asked for and its answer not taken: its own error is no smaller.
+    /// Cases in which the dense result was rejected because its own error is no smaller.
     kept: usize,
-    /// Largest deviation of the recursion's answer where it was left.
+    /// Largest deviation of the rejected recursion results.
     worst: f64,
     examples: Vec<String>,
 }
@@ -72,7 +72,7 @@ fn fallbacks() {
     }
 }
 
-/// The recursion is the route of every mechanism: few are left to the careful one.
+/// The recursion solves most mechanisms; few need the dense route.
 #[test]
 fn the_recursion_is_seldom_left() {
     let subjects = of_trees(15, 2, 120).into_iter().chain(of_linkages(700, 8));

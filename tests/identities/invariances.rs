@@ -1,5 +1,5 @@
-//! What m̄ does not depend on (the sign of the normal, the names of the sides, the place of the world, units, frames,
-//! merged links).
+//! Invariance of m̄ under changes of the normal's sign, the order of the sides, the world frame, units, frames, merged
+//! links.
 
 use nalgebra::Vector3;
 use percuss_dynamics::Route;
@@ -16,10 +16,11 @@ use percuss_tests::motion::Motion;
 use std::sync::Arc;
 
 const FAR: f64 = 1e4;
-/// What a floating base far from its bodies costs, by the condition of M about it: ε times the coordinates; at most so much.
+/// Error of a floating base far from its bodies: ε times the coordinates per unit condition of M about the base, and
+/// its upper limit.
 const FAR_BASE: (f64, f64) = (1e-14, 1e-2);
 
-/// Every case: of the zoo and at random.
+/// All cases: models of the zoo and random models.
 fn all_cases() -> Vec<Case> {
     [cases::of_the_zoo(5, 2), cases::at_random(5000, 120, 40)].concat()
 }
@@ -28,7 +29,7 @@ fn respond(pose: &Pose, contact: &Contact, route: Route) -> ContactResponse {
     pose.respond(contact, RouteChoice::Only(route)).expect("an answer")
 }
 
-/// Notes the relative deviation of two finite answers; other outcomes must be the same.
+/// Records the relative deviation of two finite results; other outcomes must be equal.
 fn same(gauge: &mut Gauge, name: &str, got: &ContactResponse, expected: &ContactResponse, bound: f64) {
     match (got.effective_mass, expected.effective_mass) {
         (EffectiveMass::Finite(a), EffectiveMass::Finite(b)) => gauge.relative(name, a, b, bound),
@@ -36,14 +37,15 @@ fn same(gauge: &mut Gauge, name: &str, got: &ContactResponse, expected: &Contact
     }
 }
 
-/// A contact with its normal in the struck link's axes, so that it moves with it.
+/// The contact with its normal in the contact link's axes, so that the normal moves with the link.
 fn in_link(case: &Case, pose: &Pose) -> Contact {
     let located = pose.locate(&case.contact()).expect("a contact");
     case.contact().normal(Direction::Along(located.normal_link, Frame::Link))
 }
 
-/// A line of a micrometre between links of a metre: its ends are off by rounding of their places, and its direction by that
-/// over its length. The same chains at other places, all their figures exact, round otherwise.
+/// A line of a micrometre between links of a metre: its ends have the rounding error of their positions, and its
+/// direction has this error divided by its length. Copies of the chain at other positions, all with exact numbers,
+/// round differently.
 #[test]
 fn short_lines_state_what_their_ends_are_off() {
     let model = |x: f64| {
@@ -79,7 +81,7 @@ fn short_lines_state_what_their_ends_are_off() {
     let (struck, end) = (named("b"), named("c"));
     let point = Vector3::new(0.5, 0.125, 0.0);
     let (mut apart, mut most) = (0.0_f64, 0.0_f64);
-    // Shorter lines, below a tenth of their length as drawn, are refused.
+    // Lines shorter than a tenth of their length as drawn are refused.
     for length in [0.2, 0.5, 1.0, 2.0] {
         for turn in 0..8 {
             let (sin, cos) = (0.4 + f64::from(turn)).sin_cos();
@@ -117,7 +119,7 @@ fn the_sign_of_the_normal() {
             let one = respond(&pose, &case.contact(), route);
             let back = case.contact().normal(Direction::Along(-case.normal, Frame::World));
             let other = respond(&pose, &back, route);
-            // Bit by bit by the recursion; reflections of the least squares take another sign.
+            // Bitwise equal for the recursion; the reflections of the least squares have the opposite sign.
             let bound = if route == Route::Articulated { f64::EPSILON } else { near_at(&pose) };
             same(&mut gauge, &case.name, &other, &one, bound);
         }
@@ -137,7 +139,7 @@ fn which_side_is_called_struck() {
         for route in [Route::Dense, Route::Articulated] {
             let one = respond(&pose, &case.contact(), route);
             let back = respond(&pose, &swapped.contact(), route);
-            // The point goes through the other link's frame: an error of ε times the reach, that the response turns.
+            // The point passes through the other link's frame: an error of ε times the extent, rotated by the response.
             let turned = 8.0 * f64::EPSILON * reach(&case) * Motion::of(&one).size();
             same(&mut gauge, &case.name, &back, &one, near_at(&pose) + turned);
         }
@@ -145,7 +147,7 @@ fn which_side_is_called_struck() {
     gauge.report();
 }
 
-/// All links in a line, and the contact point, m.
+/// Upper bound of the extent: all links in a line, and the contact point, m.
 fn reach(case: &Case) -> f64 {
     let links: f64 = case.mechanism.links().iter().map(percuss_mechanism::Link::extent).sum();
     links + case.point.norm()
@@ -166,11 +168,11 @@ fn a_base_far_away() {
         let far = Contact { point, ..case.contact() }.normal(Direction::Along(normal_world, Frame::World));
         for route in [Route::Dense, Route::Articulated] {
             let one = respond(&here, &contact, route);
-            // Given in the link, not a bit changes: all is seen from the root link.
+            // With the normal in the link, the result is bitwise equal: all computations are in the root link's frame.
             let same_bits = respond(&there, &contact, route);
             assert_eq!(one.effective_mass, same_bits.effective_mass, "{}", case.name);
-            // Given in the world, the point is known to a few ε of 10 km; dm̄/m̄ = 2 |ω*| times that, with ω* the turn
-            // of the response at unit closing speed.
+            // With the normal in the world, the point has an error of a few ε of 10 km; dm̄/m̄ = 2 |ω*| times this
+            // error, with ω* the angular velocity of the response at unit closing speed.
             let blurred = respond(&there, &far, route);
             let turn = 2.0 * Motion::of(&one).size() * 4.0 * f64::EPSILON * (FAR + reach(&case));
             same(&mut gauge, &case.name, &blurred, &one, near_at(&here) + turn);
@@ -204,15 +206,15 @@ fn a_root_far_away() {
                 }
                 continue;
             };
-            // Every frame is known to a few ε of 10 km, e: j changes by |ω*| e, links move by |ω*| e too fast, and
-            // dm̄/m̄ ≤ 2 |ω*| e (1 + √(mass/m̄)).
+            // Every frame has an error e of a few ε of 10 km: j changes by |ω*| e, link speeds by |ω*| e, and dm̄/m̄ ≤
+            // 2 |ω*| e (1 + √(mass/m̄)).
             let e = 4.0 * f64::EPSILON * FAR;
             let mass = case.mechanism.total_mass();
             let blur = 2.0 * Motion::of(&one).size() * e * (1.0 + (mass / m).sqrt()) + near_at(&pose);
             match case.base {
                 Base::Fixed => held.relative(&case.name, n, m, blur),
                 Base::Floating => {
-                    // M about a point 10 km off has entries of mass · FAR², of which ε is kept.
+                    // M about a point 10 km away has entries of mass · FAR², with relative error ε.
                     let (each, most) = FAR_BASE;
                     let far =
                         regular_condition(&far_pose).map_or(most, |condition| most.min(each * condition));
@@ -230,7 +232,7 @@ fn a_root_far_away() {
 #[test]
 fn the_units() {
     let mut gauge = Gauge::new("millimetres and grams");
-    // m̄ in grams is a thousand times m̄ in kilograms; the unit of length does not matter to it.
+    // m̄ in grams is a thousand times m̄ in kilograms; m̄ does not depend on the unit of length.
     for (length, mass) in [(1e3, 1.0), (1.0, 1e3), (0.0254, 0.4536)] {
         for case in all_cases().into_iter().filter(|case| case.armatures.is_empty()) {
             let mut other = case.clone();
@@ -245,7 +247,7 @@ fn the_units() {
                 if let EffectiveMass::Finite(m) = &mut two.effective_mass {
                     *m /= mass;
                 }
-                // The point and the frames are rounded anew.
+                // The point and the frames are rounded again.
                 let blur = 8.0 * f64::EPSILON * reach(&case) * Motion::of(&one).size();
                 same(&mut gauge, &case.name, &two, &one, near_at(&pose) + blur);
             }
@@ -307,7 +309,7 @@ fn the_frame_a_contact_is_given_in() {
             let two = pose.respond(&again, RouteChoice::Auto).expect("an answer");
             same(&mut gauge, &case.name, &two, &one, bound);
         }
-        // Along a line to a point of the root link, two metres off.
+        // Along a line to a point of the root link, two metres away.
         let target = pose.base().inverse_point(&(located.point_world + located.normal_world * 2.0));
         let toward = contact.normal(Direction::TurningToward(case.mechanism.root(), target));
         let two = pose.respond(&toward, RouteChoice::Auto).expect("an answer");
@@ -319,7 +321,7 @@ fn the_frame_a_contact_is_given_in() {
 
 #[test]
 fn conditions_are_those_of_the_analysis_only() {
-    // The same mechanism under other conditions, and back: nothing sticks to it.
+    // Analysis under other conditions leaves no state in the mechanism.
     for case in all_cases().into_iter().step_by(7) {
         let before = case.response().effective_mass;
         let _ = System::new(Arc::clone(&case.mechanism), &Conditions::new().base(Base::Floating)).unwrap();

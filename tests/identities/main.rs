@@ -1,4 +1,4 @@
-//! Identities and closed forms: what must hold of m̄ on every mechanism, and what it is where it can be written down.
+//! Identities and closed forms: properties of m̄ on every mechanism, and values of m̄ with a closed form.
 
 mod accelerations;
 mod batches;

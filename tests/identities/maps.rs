@@ -1,4 +1,4 @@
-//! Contacts by Φ are those that the pose answers one by one: the same status, and m̄ within the errors that both state.
+//! Contacts by Φ agree with individual responses of the pose: the same status, and m̄ within the errors stated by both.
 
 use nalgebra::Vector3;
 use percuss_dynamics::{
@@ -10,7 +10,7 @@ use percuss_tests::subjects::{Subject, of_linkages, of_trees};
 use rand::{Rng, SeedableRng, rngs::StdRng};
 use std::collections::BTreeMap;
 
-/// How often each kind of answer occurred.
+/// Number of answers by kind.
 type Counts = BTreeMap<&'static str, usize>;
 
 /// Contacts by columns.
@@ -20,7 +20,8 @@ struct Columns {
 }
 
 impl Columns {
-    /// Within a box about a centre: half along directions at random, half along the axes, where planar mechanisms are immovable.
+    /// Random contacts in a box about a centre: half with random directions, half along the axes, for which planar
+    /// mechanisms are immovable.
     fn about(rng: &mut StdRng, centre: Vector3<f64>, reach: f64, count: usize) -> Self {
         let mut columns = Self { points: Default::default(), normals: Default::default() };
         for i in 0..count {
@@ -119,7 +120,7 @@ fn compare(
     }
 }
 
-/// All links of a subject against the ground, and some against one another.
+/// All links of a subject against the ground, and some pairs of links.
 fn of_subject(rng: &mut StdRng, subject: &Subject, counts: &mut Counts) {
     let links: Vec<LinkId> = subject.mechanism().link_ids().collect();
     let other = links[rng.random_range(0..links.len())];
@@ -162,7 +163,7 @@ fn contacts_on_linkages_are_those_of_the_pose() {
     assert_occurred(&counts, &["map by inertia", "finite to 1e-11", "immovable"]);
 }
 
-/// Every instruction set answers as the others do, and any number of contacts as each by itself.
+/// All instruction sets agree, and a group of contacts agrees with single contacts.
 #[test]
 fn sets_and_lengths_do_not_matter() {
     let mut rng = StdRng::seed_from_u64(73);
@@ -197,7 +198,7 @@ fn sets_and_lengths_do_not_matter() {
     assert!(compared > 300, "{compared} compared");
 }
 
-/// What means nothing is said to have no answer, and spoils no neighbour.
+/// Invalid contacts have no answer and do not affect other contacts.
 #[test]
 fn contacts_that_mean_nothing_are_unanswered() {
     let subject = &of_trees(75, 1, 1)[0];
@@ -224,7 +225,8 @@ fn contacts_that_mean_nothing_are_unanswered() {
     assert!(subject.pose.contact_map(link, Some(link), [0.0; 3], 1.0).is_err());
 }
 
-/// The belted ellipsoid: m̄ is stationary along the principal directions, and 1/m̄ is the square form of those elsewhere.
+/// Belted ellipsoid: m̄ is stationary along the principal directions, and 1/m̄ in other directions is the quadratic
+/// form of the principal values.
 #[test]
 fn principal_masses_make_the_mass_in_every_direction() {
     let mut rng = StdRng::seed_from_u64(77);

@@ -1,5 +1,5 @@
-//! m̄ of the caller's matrices: a family with a closed form and masses over many decades, against the stated error; and the
-//! answers of poses from their own M, A and j.
+//! m̄ from matrices of the caller: a family with a closed form and masses over many decades, compared with the stated
+//! error; and results of poses from their own M, A and j.
 
 use nalgebra::{DMatrix, DVector};
 use percuss_dynamics::{
@@ -12,18 +12,19 @@ use rand::{Rng, SeedableRng, rngs::StdRng};
 use std::collections::BTreeMap;
 use std::ops::AddAssign;
 
-/// Bodies that slide on one line, the last of which is struck. Some are geared to it, x_i = r_i x_n; others are free.
+/// Bodies that slide on one line; the contact is on the last body. Some are geared to the last body, x_i = r_i x_n;
+/// others are free.
 struct Slides {
     masses: Vec<f64>,
-    /// The ratio of each body but the last; none where it is free.
+    /// Gear ratio of each body except the last; `None` for a free body.
     ratios: Vec<Option<f64>>,
-    /// Whether the struck body is held.
+    /// True if the last body is held.
     is_held: bool,
-    /// The positions of the bodies over the coordinates: x = B u, of whole numbers.
+    /// Positions of the bodies over the coordinates: x = B u, with integer entries.
     bodies: DMatrix<f64>,
-    /// Combinations of the constraints that are stated as well.
+    /// Combinations of the constraints, stated as additional rows.
     combined: DMatrix<f64>,
-    /// Decades over which the rows of A are scaled.
+    /// Decades of the scales of the rows of A.
     row_decades: f64,
 }
 
@@ -38,7 +39,7 @@ impl Slides {
             (1..n).map(|_| rng.random_bool(0.5).then(|| f64::from(rng.random_range(-3..=3)) / 4.0)).collect();
         let is_held = rng.random_bool(0.1);
         let mut bodies = DMatrix::identity(n, n);
-        // Products of shears: regular, whole numbers, and each coordinate moves several bodies.
+        // Products of shears: regular, integer, and each coordinate moves several bodies.
         for _ in 0..n {
             let (to, from) = (rng.random_range(0..n), rng.random_range(0..n));
             if to != from {
@@ -55,7 +56,7 @@ impl Slides {
         Self { masses, ratios, is_held, bodies, combined, row_decades }
     }
 
-    /// m̄ = m_n + Σ r_i² m_i over the bodies that are geared to it.
+    /// m̄ = m_n + Σ r_i² m_i over the geared bodies.
     fn exact(&self) -> EffectiveMass {
         if self.is_held {
             return EffectiveMass::Immovable;
@@ -83,7 +84,7 @@ impl Slides {
             if r < rows.len() { first[(r, c)] } else { (self.combined.row(r - rows.len()) * &first)[c] }
         });
         let mut all = all * &self.bodies;
-        // Each row in a unit of its own.
+        // Each row in its own unit.
         for (r, mut row) in all.row_iter_mut().enumerate() {
             row *= 10f64.powf(self.row_decades * ((0.618 * (r + 1) as f64).fract() - 0.5));
         }
@@ -99,7 +100,7 @@ impl Slides {
     fn ask(&self) -> MatrixResponse {
         let (mass, rows) = (self.mass(), self.rows());
         let row: Vec<f64> = self.bodies.row(self.masses.len() - 1).iter().copied().collect();
-        // Entries of M are sums of some products, the rest is exact.
+        // Entries of M are sums of some products; the other matrices are exact.
         let options = MatrixOptions::new().accuracy(16.0 * f64::EPSILON).row_noise(0.0);
         effective_mass(&mass, &row, Some((&rows).into()), &options).expect("matrices in order")
     }
@@ -121,15 +122,15 @@ fn slides_over_many_decades_are_within_the_stated_error() {
                     stated.note(&name(), (found - m).abs() / error, 1.0);
                     "finite"
                 }
-                // Lost or found by the last digit of an entry.
+                // Depends on the last digit of an entry.
                 None => "undetermined",
             },
-            // What is lighter than the rounding of the others is lost in M itself: so it is reported.
+            // A mass below the rounding of the other masses is lost in M itself, and the result must report this.
             (EffectiveMass::Finite(m), EffectiveMass::Massless) => {
                 let up_to =
                     |r: &Remark| if let Remark::MasslessToRounding { up_to } = r { *up_to } else { 0.0 };
                 let most = got.remarks.iter().map(up_to).fold(0.0, f64::max);
-                // Less than 1e-9 of the greatest mass is not reported, as at a pose.
+                // A mass below 1e-9 of the greatest mass is not reported, as for a pose.
                 let greatest = slides.mass().diagonal().max();
                 assert!(m <= most.max(1e-9 * greatest), "{}: {m} kg, said to be at most {most}", name());
                 "lost in rounding"
@@ -153,7 +154,7 @@ fn slides_over_many_decades_are_within_the_stated_error() {
     }
 }
 
-/// The same matrix, stored otherwise: column by column, row by row with gaps, or backwards.
+/// The matrix in another storage: column by column, row by row with gaps, or reversed.
 struct Stored {
     values: Vec<f64>,
     shape: [usize; 2],
@@ -198,7 +199,7 @@ fn outcome(mass: EffectiveMass) -> &'static str {
     }
 }
 
-/// The answers of a pose from its own matrices.
+/// Comparison of a pose with its own matrices.
 struct Poses {
     masses: Gauge,
     responses: Gauge,
@@ -251,7 +252,7 @@ impl Poses {
             let EffectiveMass::Finite(m) = got.effective_mass else { continue };
             let EffectiveMass::Finite(expected) = response.effective_mass else { unreachable!() };
             let stated = got.error.expect("a finite answer states its error");
-            // What the loops leave open is in the matrices as well: the answers are of the same pose.
+            // The closing error is part of the matrices too: both results refer to the same pose.
             let theirs = response.error.and_then(|e| e.rounding).expect("a pose states its rounding");
             self.masses.note(name, (m - expected).abs() / (stated + theirs), 1.0);
             let closing: f64 = got.velocity.iter().zip(&row).map(|(v, j)| v * j).sum();
@@ -293,7 +294,7 @@ fn slides_in_single_precision_are_within_the_stated_error() {
         let got = effective_mass(&mass, &row, Some((&rows).into()), &options).expect("matrices in order");
         let name = || format!("slides {number}, masses {:?}, ratios {:?}", slides.masses, slides.ratios);
         let gears = slides.ratios.iter().flatten().count() + usize::from(slides.is_held);
-        // Rows of 24 decades with seven digits: a dropped singular value may look like more than rounding.
+        // Rows of 24 decades with seven digits: a dropped singular value may exceed the rounding.
         if !got.rank.is_clear {
             assert!(got.error.is_none(), "{}: {:?}", name(), got.rank);
             unclear += 1;
@@ -317,7 +318,7 @@ fn slides_in_single_precision_are_within_the_stated_error() {
 
 #[test]
 fn the_unit_of_a_row_has_no_influence() {
-    // The first body is geared to the second, and that to the third; the second gear is stated in small units.
+    // The first body is geared to the second, the second to the third; the second gear is stated in small units.
     let mass = DMatrix::identity(3, 3);
     let ask = |scale: f64, options: &MatrixOptions<'_>| {
         let rows = DMatrix::from_row_slice(2, 3, &[1.0, -1.0, 0.0, 0.0, scale, -scale]);
@@ -330,7 +331,7 @@ fn the_unit_of_a_row_has_no_influence() {
         let is_small = got.rank.small_rows.len() == 1;
         assert_eq!(is_small, decade.abs() > 12, "1e{decade}: {:?}", got.rank);
     }
-    // A row of rounding is no constraint.
+    // A row of rounding errors is no constraint.
     let rounding = ask(1e-17, &MatrixOptions::new());
     assert!(matches!(rounding.effective_mass, EffectiveMass::Finite(m) if (m - 2.0).abs() < 1e-14));
     assert_eq!((rounding.rank.rank, rounding.rank.redundant_rows), (1, vec![1]));
@@ -341,7 +342,7 @@ fn the_unit_of_a_row_has_no_influence() {
     assert!(!got.rank.is_clear && got.error.is_none(), "{got:?}");
 }
 
-/// A row that follows from another, both rounded to single precision, binds nothing by its rounding.
+/// A dependent row, with both rows rounded to single precision, adds no constraint by its rounding.
 #[test]
 fn the_accuracy_decides_the_rank() {
     let third = f64::from(1.0_f32 / 3.0);
@@ -377,7 +378,7 @@ fn which_rows_are_redundant() {
     sets.sort();
     assert_eq!(sets, [vec![0, 1], vec![2]]);
     assert!(matches!(got.effective_mass, EffectiveMass::Finite(m) if (m - 2.0).abs() <= got.error.unwrap()));
-    // A row that is nearly another one is told by its size, and said to be unclear; the floor is the caller's.
+    // A nearly dependent row is classified by its size and reported as unclear; the caller sets the floor.
     let near = [[1.0, -1.0, 0.0, 0.0], [1.0, -1.0, 1e-10, 0.0]];
     assert!(!ask(&near).rank.is_clear);
     assert!(ask(&near).remarks.iter().any(|r| matches!(r, Remark::UnclearRank { .. })));
@@ -388,7 +389,7 @@ fn which_rows_are_redundant() {
         assert_eq!((got.rank.rank, got.rank.is_clear), (rank, true), "{floor}");
         assert_eq!(got.effective_mass == EffectiveMass::Immovable, rank == 2, "{floor}");
     }
-    // In micrometres instead of metres the same row is far from zero: lengths say so.
+    // In micrometres instead of metres, the same row is far from zero; `lengths` states the unit.
     let micrometres = [[1.0, 0.0, 0.0, 0.0], [1.0, 0.0, 1e-12, 0.0]];
     let rows = DMatrix::from_fn(2, 4, |r, c| micrometres[r][c]);
     for (lengths, rank) in [([1.0, 1.0, 1.0, 1.0], 1), ([1.0, 1.0, 1e-12, 1.0], 2)] {
@@ -398,7 +399,7 @@ fn which_rows_are_redundant() {
     }
 }
 
-/// The error that matrices give.
+/// The error for invalid matrices.
 fn refused(mass: &[&[f64]], row: &[f64], rows: &[&[f64]], options: &MatrixOptions<'_>) -> MatrixError {
     let dense = |rows: &[&[f64]], n: usize| DMatrix::from_fn(rows.len(), n, |r, c| rows[r][c]);
     let (mass, rows) = (dense(mass, mass[0].len()), dense(rows, rows.first().map_or(row.len(), |r| r.len())));
@@ -448,7 +449,7 @@ fn what_asks_nothing_is_refused() {
         refused(negative, &row, &[], &default),
         MatrixError::NegativeDiagonal { coordinate: 1, .. }
     ));
-    // Indefinite: by a pair, by a pair with nothing on the diagonal, by three together of which no pair is.
+    // Indefinite: by a pair, by a pair with zeros on the diagonal, by three coordinates without an indefinite pair.
     for pair in [[[1.0, 2.0], [2.0, 1.0]], [[0.0, 1.0], [1.0, 0.0]], [[4.0, 1e-3], [1e-3, 0.0]]] {
         let mass: &[&[f64]] = &[&pair[0], &pair[1]];
         assert!(matches!(refused(mass, &row, &[], &default), MatrixError::IndefinitePair { .. }), "{pair:?}");
@@ -489,7 +490,7 @@ fn small_and_empty_matrices() {
     let empty: &[f64] = &[];
     let got = effective_mass(&none, empty, None, &MatrixOptions::new()).unwrap();
     assert_eq!((got.effective_mass, got.degrees_of_freedom), (EffectiveMass::Immovable, 0));
-    // M that differs from its transpose by rounding: the mean is taken.
+    // M that differs from its transpose by rounding: the mean is used.
     let mass = DMatrix::from_row_slice(2, 2, &[2.0, 1.0, 1.0 + 1e-12, 2.0]);
     let got = effective_mass(&mass, &[1.0, 0.0][..], None, &MatrixOptions::new()).unwrap();
     let EffectiveMass::Finite(m) = got.effective_mass else { panic!("{got:?}") };

@@ -1,4 +1,5 @@
-//! Which way m̄ goes: adding mass or constraints never lowers it, and two sides of one tree are no two mechanisms.
+//! Monotonicity of m̄: added mass or constraints never reduce m̄; two sides of one tree are not two independent
+//! mechanisms.
 
 use percuss_dynamics::{Base, System};
 use percuss_mechanism::LinkId;
@@ -8,7 +9,7 @@ use percuss_tests::judge::mass_or_bound;
 use rand::{Rng, SeedableRng, rngs::StdRng};
 use std::sync::Arc;
 
-/// Every case: of the zoo and at random.
+/// All cases: models of the zoo and random models.
 fn all_cases() -> Vec<Case> {
     [cases::of_the_zoo(7, 2), cases::at_random(7000, 120, 40)].concat()
 }
@@ -27,7 +28,7 @@ fn two_sides_of_one_tree_are_no_two_mechanisms() {
         let alone = |on, point| mass_or_bound(&Case { on, point, against: None, ..case.clone() }.response());
         let (one, two) = (alone(case.on, case.point), alone(other, point));
         let together = mass_or_bound(&case.response());
-        // The sum of the inverses drops the cross terms; the oracle (`routes.rs`) has them.
+        // The sum of the inverses omits the cross terms; the oracle (`routes.rs`) includes them.
         if one.is_finite() && two.is_finite() && together.is_finite() && together > 0.0 {
             let dropped = closed_form::series(one, two);
             different += usize::from((dropped / together - 1.0).abs() > 1e-2);
@@ -36,7 +37,7 @@ fn two_sides_of_one_tree_are_no_two_mechanisms() {
     assert!(different > 20, "{different} cases tell the difference");
 }
 
-/// Whether some joint that moves carries both sides.
+/// True if some moving joint is an ancestor of both sides.
 fn share_a_moving_ancestor(case: &Case, system: &System, other: LinkId) -> bool {
     let above = |link: LinkId| {
         std::iter::successors(case.mechanism.parent_joint(link), |&joint| {
@@ -67,7 +68,7 @@ fn mass_never_lightens_it() {
             let (before, after) = (mass_or_bound(&one), mass_or_bound(&two));
             assert!(after >= before * (1.0 - slack), "{}: {before} kg, then {after} kg", case.name);
             tried += 1;
-            // By its share at most (m̄ is concave in the masses); and where it has one, it counts.
+            // m̄ grows at most by the link's share (m̄ is concave in the masses), and does grow for a positive share.
             if let Some(contributions) = &one.contributions {
                 let most = before * (1.0 + 0.5 * contributions.links[link]);
                 assert!(after <= most * (1.0 + slack), "{}: {after} kg, at most {most} kg", case.name);

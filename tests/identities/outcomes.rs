@@ -1,5 +1,5 @@
-//! When there is no finite effective mass, or hardly one: contacts into the bearings, massless feelers, everything
-//! locked; and massless links that must not matter.
+//! Contacts without a finite effective mass, or nearly so: normals into the bearings, massless feelers, all joints
+//! locked; and massless links that must not affect m̄.
 
 use nalgebra::{Vector2, Vector3};
 use percuss_dynamics::{
@@ -43,14 +43,14 @@ fn nothing_moves() {
         let response = still.respond(&contact, RouteChoice::Auto);
         assert_eq!((response.degrees_of_freedom, response.contributions), (0, None), "{name}");
     }
-    // Struck against a number, an immovable wall leaves the number.
+    // An immovable wall against a free mass gives the free mass.
     let wall = pendulum.respond(&pendulum.contact("body", [0.5, 0.0, 0.0], along(0.6)), RouteChoice::Auto);
     assert_eq!(wall.against_mass(0.3).expect("a mass").effective_mass, EffectiveMass::Finite(0.3));
 }
 
 #[test]
 fn hardly_anything_moves() {
-    // From 1e-10 to 1e-6 of a right angle the answer is finite, with a remark; below, immovable.
+    // From 1e-10 to 1e-6 of a right angle m̄ is finite, with a remark; below, immovable.
     let (m, h, i_c) = (2.3, 0.35, 0.04);
     let pendulum = Bench::new(zoo::physical_pendulum(m, h, i_c));
     for (slope, finite, remarked) in
@@ -63,7 +63,7 @@ fn hardly_anything_moves() {
             assert_eq!(nearly, remarked, "{slope}");
             if finite {
                 let expected = closed_form::physical_pendulum(i_c + m * h * h, 0.5 * slope.atan().sin());
-                // The arm is a difference of ones: it keeps slope/ε digits.
+                // The lever arm is a difference of numbers of order one: its relative error is ε/slope.
                 let stated = response.effective_mass_error().expect("finite");
                 let off = (mass(&response) / expected - 1.0).abs();
                 assert!(off <= 16.0 * f64::EPSILON / slope + TOL, "{route:?}, {slope}: {off:e}");
@@ -91,14 +91,14 @@ fn nothing_opposes() {
     assert_eq!((dense.contributions.clone(), dense.effective_mass_error()), (None, None));
     assert_eq!(arm.respond(&across, RouteChoice::Auto).effective_mass, EffectiveMass::Massless);
     assert_eq!(dense.against_mass(5.0).expect("a mass").effective_mass, EffectiveMass::Massless);
-    // Along itself it pushes into the shoulder; its hinge locked, it is a part of the arm.
+    // A contact along the feeler pushes into the shoulder; with its hinge locked, the feeler is part of the arm.
     let lengthwise = arm.contact("feeler", [0.2, 0.0, 0.0], Vector3::x());
     assert_eq!(arm.respond(&lengthwise, RouteChoice::Auto).effective_mass, EffectiveMass::Immovable);
     let locked = Bench::under(Arc::clone(arm.system.mechanism()), &Conditions::new().lock("feeler_hinge"));
     let link = arm.system.mechanism().find_link("arm").unwrap();
     let j_o = arm.system.mechanism().link(link).inertia().rotational[(2, 2)];
     locked.check_mass(&across, closed_form::physical_pendulum(j_o, 0.8));
-    // A rotor at its hinge gives it mass: the arm and the rotor in the rates of the absolute angles.
+    // A rotor at its hinge gives the feeler mass: arm and rotor in the rates of the absolute angles.
     let rotor =
         Bench::under(Arc::clone(arm.system.mechanism()), &Conditions::new().armature("feeler_hinge", [0.01]));
     let j_arm = PlanarLink { mass: 0.0, length: 0.6, com: 0.0, inertia: j_o };
@@ -107,7 +107,7 @@ fn nothing_opposes() {
     rotor.check_mass(&across, expected);
 }
 
-/// A four-bar with a tail of negative inertia: the recursion has no answer, and the careful route states its own closing
+/// A four-bar with a tail of negative inertia: the recursion has no answer, and the dense route states its own closing
 /// error.
 #[test]
 fn the_route_that_answers_states_the_closing_error() {
@@ -129,7 +129,7 @@ fn the_route_that_answers_states_the_closing_error() {
 
 #[test]
 fn massless_links_within_are_exact() {
-    // Three hinges with massless links between are a ball joint, though M is singular where two axes line up.
+    // Three hinges with massless links between them form a ball joint, although M is singular if two axes are aligned.
     for (about_x, about_y, about_z) in [(0.0, 0.0, 0.0), (0.4, -0.9, 1.7), (0.3, 1.5, 0.2)] {
         let chain = Bench::new(zoo::massless_chain())
             .set("about_x", &[about_x])
@@ -137,7 +137,7 @@ fn massless_links_within_are_exact() {
             .set("about_z", &[about_z]);
         let ball = Bench::new(zoo::ball_joint());
         let normal = Vector3::new(0.2, 0.5, -0.8).normalize();
-        // The same contact in the body: struck in its own axes, both bodies are alike.
+        // The same contact in the body's own axes: both bodies give the same result.
         let point = [0.3, -0.2, 0.4];
         let of = |bench: &Bench| {
             bench.contact("body", point, normal).normal(Direction::Along(normal, Frame::Link))
@@ -158,7 +158,7 @@ fn handles_of_another_mechanism_are_refused() {
         matches!(foreign, Err(ResponseError::Contact(ContactError::ForeignLink { index, links })) if index >= links),
         "{foreign:?}"
     );
-    // A configuration or a pose of another system is no start of a way.
+    // A configuration or a pose of another system is refused.
     let foreign = arm.pose(&pendulum.configuration());
     assert!(matches!(foreign, Err(AssemblyError::ForeignConfiguration { .. })), "{foreign:?}");
     let foreign = arm.pose_from(&pose, &arm.configuration());

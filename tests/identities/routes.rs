@@ -1,5 +1,5 @@
-//! The routes to m̄ agree: the careful one, the recursion and the oracle's C (maximal coordinates), on every mechanism of
-//! the zoo and on random ones; and nothing that they should be tried on is left out.
+//! The routes to m̄ agree: the dense route, the recursion and the oracle's C (maximal coordinates), on every mechanism
+//! of the zoo and on random mechanisms. Coverage of all relevant mechanisms is checked too.
 
 use percuss_dynamics::{Base, ContactResponse, EffectiveMass, Route, RouteChoice, System};
 use percuss_mechanism::JointKind;
@@ -12,12 +12,12 @@ use percuss_tests::judge::{NEAR, near_at, regular_condition};
 use rand::{SeedableRng, rngs::StdRng};
 use std::sync::Arc;
 
-/// What route C itself may be off by, relative: its kernel of 6 links rows is not scaled by masses.
+/// Relative error of route C: its kernel of 6 · links rows is not scaled by masses.
 const ORACLE: f64 = 1e-10;
-/// Nearer to a singular pose (least over largest singular value of A) than this, rank is a matter of opinion.
+/// Limit of the least over the largest singular value of A: closer to a singular pose, the rank is ambiguous.
 const REGULAR: f64 = 1e-4;
 
-/// How many cases of each class were tried.
+/// Number of cases by class.
 #[derive(Default, Debug)]
 struct Tally {
     finite: usize,
@@ -31,7 +31,7 @@ struct Tally {
     against_a_link: usize,
 }
 
-/// What is measured in one run over many cases.
+/// Measurements of one run over many cases.
 struct Routes {
     tally: Tally,
     a_b: Gauge,
@@ -129,7 +129,7 @@ impl Routes {
         }
     }
 
-    /// Contributions are divided by the formula's m̄, so their sum is no tautology.
+    /// Contributions are divided by the formula's m̄, so this check of the sum is not a tautology.
     fn sum(&mut self, name: &str, response: &ContactResponse, near: f64) {
         let Some(contributions) = &response.contributions else { return };
         let rotors = contributions.rotors.iter().map(|(_, part)| part);
@@ -157,7 +157,7 @@ fn the_routes_agree_on_the_zoo() {
     assert!(counts.iter().all(|&n| n > 0), "some class was never tried: {counts:?}");
 }
 
-/// Of one half of the random mechanisms; two tests use two cores.
+/// One half of the random mechanisms; two tests use two cores.
 fn the_routes_agree_at_random(half: usize) {
     let cases = cases::at_random(1000, 200, 60);
     let half: Vec<Case> =
@@ -178,7 +178,7 @@ fn the_routes_agree_on_other_random_mechanisms() {
     the_routes_agree_at_random(1);
 }
 
-/// Held contacts bind trees as loops do; a lock, an armature, a floating base among them.
+/// Held contacts constrain trees as loops do; with a lock, an armature or a floating base in some cases.
 #[test]
 fn the_routes_agree_where_contacts_are_held() {
     let mut masses = Gauge::new("held contacts: both routes and route C");

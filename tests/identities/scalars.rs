@@ -1,5 +1,5 @@
-//! The recursions hold over any scalar: dual numbers give ∂M (∂m̄ has `derivatives.rs`), and lanes give each its own
-//! answer to the last bit, loops included.
+//! The recursions hold over any scalar: dual numbers give ∂M (∂m̄ is in `derivatives.rs`), and each SIMD lane is
+//! bitwise equal to its scalar result, loops included.
 
 use nalgebra::DMatrix;
 use num_traits::{One, Zero};
@@ -18,7 +18,7 @@ use percuss_tests::subjects::{Subject, of_linkages, of_trees};
 use rand::{SeedableRng, rngs::StdRng};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// Four numbers side by side.
+/// Four numbers in parallel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Lanes([f64; 4]);
 
@@ -80,7 +80,7 @@ impl Scalar for Lanes {
     }
 }
 
-/// Room over another scalar; none where a contact is massless.
+/// Workspace over another scalar; `None` for a massless contact.
 fn over<T: Scalar>(pose: &Pose, contact: &Contact) -> Option<ScalarWorkspace<T>> {
     match pose.workspace_over(contact) {
         Ok(workspace) => Some(workspace),
@@ -89,7 +89,7 @@ fn over<T: Scalar>(pose: &Pose, contact: &Contact) -> Option<ScalarWorkspace<T>>
     }
 }
 
-/// Every case: of the zoo and at random.
+/// All cases: models of the zoo and random models.
 fn all_cases() -> Vec<Case> {
     [cases::of_the_zoo(3, 2), cases::at_random(3000, 80, 30)].concat()
 }
@@ -103,7 +103,7 @@ fn dual_numbers_differentiate_the_mass_matrix() {
     for case in all_cases() {
         let system = case.system();
         let pose = case.pose(&system);
-        // One joint after another would name the culprit; all at once also sees how they mix.
+        // All joints at once: single joints would identify an error more directly, but not test mixed terms.
         let motion = Motion::random(&mut rng, &system);
         let rates = system.position_rates(pose.positions(), &motion.joints).expect("velocities that fit");
         let seeded: Vec<Dual64> =
@@ -116,12 +116,13 @@ fn dual_numbers_differentiate_the_mass_matrix() {
             continue;
         }
         let size = plain.amax();
-        // The dual product may round otherwise than the plain one: the same sum in another order.
+        // The dual product may round differently from the plain product: the same sum in another order.
         value.note(&case.name, (dual.map(|x| x.re) - &plain).amax() / size.max(1e-300), 1e-13);
         let expected: DMatrix<f64> = derivative(&motion, |h| {
             pose.advanced(&motion.joints, &motion.base, h).expect("velocities that fit").mass_matrix()
         });
-        // M is quadratic in positions that the whole chain turns: its derivative is as large as M times the rates.
+        // M is quadratic in positions that are rotated by the whole chain: its derivative is as large as M times the
+        // rates.
         let bound = 2.0 * DIFFERENCE * size * motion.size();
         let deviation = (dual.map(|x| x.eps) - expected).amax();
         if bound > 0.0 {
@@ -141,7 +142,8 @@ fn together(four: &[Vec<f64>; 4]) -> Vec<Lanes> {
     (0..four[0].len()).map(|k| Lanes(std::array::from_fn(|lane| four[lane][k]))).collect()
 }
 
-/// Four configurations of a subject: its own, and beside it along an admissible motion, where its decisions hold.
+/// Four configurations of a subject: its own, and three nearby along an admissible motion, for which its decisions
+/// hold.
 fn beside(subject: &Subject, motion: &Motion) -> [Vec<f64>; 4] {
     let step = |lane: usize| match lane {
         0 => subject.pose.positions().to_vec(),
@@ -164,9 +166,9 @@ fn every_lane_is_the_plain_answer_to_the_last_bit() {
         let (matrices, inverses) = (lanes.mass_matrix(), lanes.inverse_effective_mass());
         let mut scalar = pose.workspace_over::<f64>(contact).expect("a contact");
         let mut workspace = pose.assembly().workspace();
-        // A workspace has another way for them.
+        // True if the workspace uses the SIMD kernel for this contact.
         let in_lanes = pose.assembly().batch(contact).is_ok_and(|batch| batch.has_lanes());
-        // The lanes follow the recursion, also where the careful route is asked.
+        // The lanes follow the recursion, even if the dense route is preferred.
         let response = pose.respond(contact, RouteChoice::Auto);
         let by_recursion = response.as_ref().is_ok_and(|r| r.careful_reason.is_none() && !r.held_to_energy);
         for (lane, positions) in four.iter().enumerate() {
@@ -191,7 +193,7 @@ fn every_lane_is_the_plain_answer_to_the_last_bit() {
                 answers += 1;
                 continue;
             }
-            // Another coordinate was taken to depend: no other answer, but another way to it.
+            // Another coordinate was chosen as dependent: the same result by other operations.
             let near = (inverse * m - 1.0).abs();
             if in_lanes {
                 assert!(near < 1e-11, "{name}, lane {lane}: {} and {m} kg", 1.0 / inverse);
@@ -207,8 +209,8 @@ fn every_lane_is_the_plain_answer_to_the_last_bit() {
     assert!(20 * decided_otherwise.len() < answers, "{} of {answers}", decided_otherwise.len());
 }
 
-/// Trees without mimics decide by their configuration at most which of a joint's velocities goes first: lanes may stand
-/// anywhere.
+/// In trees without mimics, the configuration decides at most the elimination order of a joint's velocities: lanes may
+/// have any positions.
 #[test]
 fn lanes_of_trees_may_stand_anywhere() {
     let mut answers = 0;
@@ -232,7 +234,7 @@ fn lanes_of_trees_may_stand_anywhere() {
             assert_eq!(inverses.0[lane].to_bits(), inverse.to_bits(), "{}, lane {lane}", case.name);
             workspace.set_positions(positions).expect("positions that fit");
             if let Ok(EffectiveMass::Finite(m)) = workspace.effective_mass(&case.contact()) {
-                // Of a joint with several velocities, the workspace may eliminate another one first.
+                // The workspace may eliminate the velocities of a joint in another order.
                 let off = (m * inverse - 1.0).abs();
                 assert!(off < judge::NEAR, "{}, lane {lane}: {off:e}", case.name);
                 answers += 1;
@@ -242,7 +244,7 @@ fn lanes_of_trees_may_stand_anywhere() {
     assert!(answers > 500, "{answers}");
 }
 
-/// Four values of one joint of a mechanism whose other joints stay at these positions.
+/// Four values of one joint, with the other joints at the given positions.
 fn four_at(positions: &[f64], joint: usize, values: [f64; 4]) -> Vec<Lanes> {
     let at = |k: usize, value: f64| if k == joint { value } else { positions[k] };
     (0..positions.len()).map(|k| Lanes(values.map(|value| at(k, value)))).collect()
@@ -252,10 +254,10 @@ fn link(mechanism: &Mechanism, name: &str) -> LinkId {
     mechanism.find_link(name).expect("a link")
 }
 
-/// A lane tells where its pose's decisions do not hold: where a pivot of the mass is none, or one of the constraints.
+/// A lane reports decisions of its pose that do not hold: a vanishing pivot of the mass or of the constraints.
 #[test]
 fn lanes_tell_where_a_pivot_has_fallen() {
-    // A point mass on a massless arm: folded back, it lies on the shoulder.
+    // A point mass on a massless arm, folded back onto the shoulder.
     let (_, mut joints) = alter::describe(&zoo::double_pendulum());
     let names: Vec<String> = ["ground", "arm", "tip"].map(String::from).into();
     for (i, joint) in joints.iter_mut().enumerate() {
@@ -287,7 +289,7 @@ fn lanes_tell_where_a_pivot_has_fallen() {
     assert!(losses[0].max(losses[1]).max(losses[3]) < 1e-12, "{losses:?}, {inverses:?}");
     assert!(losses[2].is_nan() || losses[2] >= 1.0, "{losses:?}, {inverses:?}");
 
-    // A parallelogram: flat, its branches cross.
+    // A parallelogram: its branches cross in the flat pose.
     let (mechanism, start) = {
         let l = linkage::parallelogram();
         (l.mechanism, l.start)

@@ -1,6 +1,6 @@
-//! A workspace answers as a pose does: the same status, and the same number, also where the recursion is not accurate or
-//! claims that nothing opposes; to the last bit, but for what goes in lanes (trees of hinges and slides, linkages of few
-//! freedoms): these within the stated error.
+//! A workspace agrees with a pose: the same status and the same number, also if the recursion is inaccurate or reports
+//! a massless contact. Results are bitwise equal, except for the SIMD kernels (trees of hinges and slides, linkages of
+//! few degrees of freedom), which agree within the stated error.
 
 use nalgebra::{UnitQuaternion, Vector3};
 use percuss_dynamics::{
@@ -15,7 +15,7 @@ use percuss_spatial::{Matrix3, Transform};
 use percuss_tests::subjects::{of_linkages, of_trees};
 use std::collections::BTreeMap;
 
-/// How often each status occurred, and by what reason for the careful route.
+/// Number of results by status and by reason for the dense route.
 type Counts = BTreeMap<String, usize>;
 
 fn compare(name: &str, pose: &Pose, contact: &Contact, counts: &mut Counts) {
@@ -28,7 +28,7 @@ fn compare(name: &str, pose: &Pose, contact: &Contact, counts: &mut Counts) {
     let has_lanes = pose.assembly().batch(contact).is_ok_and(|batch| batch.has_lanes());
     match (&there, &mass) {
         (Ok(EffectiveMass::Finite(a)), Ok(EffectiveMass::Finite(b))) if has_lanes => {
-            // Its own error is at most 1e-11; an unknown one is as large as m̄.
+            // The workspace's own error is at most 1e-11; an unknown error of the pose counts as m̄.
             let allowed = response.effective_mass_error().unwrap_or(*b) + 1e-11 * b;
             assert!((a - b).abs() <= allowed, "{name}: {a} {b}, allowed {allowed:e}");
             *counts.entry("in lanes".to_owned()).or_default() += 1;
@@ -67,7 +67,7 @@ fn on_trees_and_linkages() {
     assert_occurred(&counts, &["finite", "in lanes", "immovable", "massless, massless"]);
 }
 
-/// Answers are found in rooms that an assembly keeps: what was asked in them before leaves no trace.
+/// An assembly reuses workspaces: earlier questions do not affect results.
 #[test]
 fn what_was_asked_before_changes_nothing() {
     let mut others = 0;
@@ -82,8 +82,8 @@ fn what_was_asked_before_changes_nothing() {
     assert!(others > 100, "{others} other answers");
 }
 
-/// A bar of 2 kg on a ball joint, with so much moment of inertia about its own axis (kg·m²); `tied`, its tip is held level by
-/// a rod, and the roll stays free.
+/// A bar of 2 kg on a ball joint with the moment of inertia `roll` about its own axis (kg·m²); if `tied`, a rod holds
+/// its tip level, and the roll stays free.
 fn bar(roll: f64, tied: bool) -> Mechanism {
     let inertial = Inertial {
         mass: 2.0,
@@ -104,7 +104,7 @@ fn bar(roll: f64, tied: bool) -> Mechanism {
     builder.build().expect("a mechanism").mechanism
 }
 
-/// An arm of 5 kg with a feeler of so much mass on a hinge at its tip.
+/// An arm of 5 kg with a feeler of the given mass on a hinge at its tip.
 fn feeler(mass: f64) -> Mechanism {
     let hinge = |name: &str, parent: &str, child: &str| {
         JointDescription::new(name, JointKind::Continuous, parent, child).axis([0.0, 0.0, 1.0])
@@ -139,7 +139,8 @@ fn on_contacts_that_little_or_nothing_opposes() {
             configuration.set("ball", &ball).expect("a quaternion");
             let pose = system.pose(&configuration).expect("closed");
             let link = system.mechanism().find_link("bar").expect("there");
-            // Tangential to the roll, which alone hardly has mass; with the tip's way; into the axis.
+            // Normals: tangential to the roll, which alone has little mass; with a component along the tip's motion;
+            // into the axis.
             for normal in [[0.0, 0.0, 1.0], [0.0, 0.3, 1.0], [1.0, 0.0, 0.0]] {
                 for point in [[0.0, 0.1, 0.0], [0.4, 0.1, 0.0], [0.4, 1e-4, 0.0], [0.4, 0.0, 0.0]] {
                     let along = Direction::Along(Vector3::from(normal), Frame::Link);

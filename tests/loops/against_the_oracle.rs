@@ -1,5 +1,5 @@
-//! Closed loops by both routes against route C: every linkage at many poses of its range, random linkages; one- and
-//! two-sided, on the ground and floating, with locks, held contacts and armatures.
+//! Closed loops by both routes compared with route C: every linkage at many poses of its range, and random linkages;
+//! one-sided and two-sided contacts, fixed and floating bases, with locks, held contacts and armatures.
 
 use percuss_dynamics::{
     AssemblyError, Contact, Direction, EffectiveMass, Frame, Pose, Route, RouteChoice, System,
@@ -21,7 +21,7 @@ fn contact(rng: &mut StdRng, mechanism: &Mechanism) -> Contact {
     against.map_or(contact, |other| contact.against(other))
 }
 
-/// How often each outcome came, and what was not compared.
+/// Number of cases by outcome, and of excluded cases.
 #[derive(Default, Debug)]
 struct Count {
     finite: usize,
@@ -46,7 +46,7 @@ fn compare(
     let response = by(RouteChoice::Auto);
     let case = format!("{case}, {}", given.name);
     let rank = pose.rank();
-    // Near a singular pose, or where a lock or a hold makes one, the routes may decide differently.
+    // Near a singular pose, or with a rank reduced by a lock or a hold, the routes may decide differently.
     let least = answer.singular_values.iter().copied().filter(|s| *s > answer.threshold).fold(1.0, f64::min);
     if !rank.clear || least < 1e-4 {
         count.unclear += 1;
@@ -77,7 +77,7 @@ fn compare(
                 let stated = response.effective_mass_error();
                 let stated = stated.unwrap_or_else(|| panic!("{case}: {a} kg, {:?}", response.error)) / a;
                 assert!(stated < 1e-5, "{case}: {stated:e}");
-                // Route C has roundings of its own.
+                // Route C has its own rounding error.
                 assert!(states_enough(response, c, 1e-11), "{case}: {a} ± {stated:e}, route C {c}");
                 count.finite += 1;
             }
@@ -102,12 +102,12 @@ fn every_linkage_over_its_range() {
         let large = rig.mechanism.links().len() > 30;
         for i in 0..50 {
             let drivers: Vec<f64> = rig.range.iter().map(|r| rng.random_range(r[0]..r[1])).collect();
-            // From the start: ranges may bulge inwards between other points.
+            // From the start pose: the range may bulge inwards between other points.
             let case = format!("{} at {drivers:.2?}", rig.name);
             let pose = match rig.go(&start, &drivers) {
                 Ok(pose) => pose,
                 Err(error) => {
-                    // A corner of the ranges may be out of reach: the oracle must see it so too.
+                    // A corner of the range may be out of reach; the oracle must agree.
                     assert!(oracle.go(&oracle.closed_start(), &drivers).is_err(), "{case}: {error}");
                     barred += 1;
                     continue;
@@ -180,7 +180,7 @@ fn random_linkages() {
     assert!(count.finite > 3 * 300 && spherical > 20 && mimics > 20, "{count:?}");
 }
 
-/// The pose at positions that are closed: loops by guess, and everything that does not follow set there.
+/// The pose at closed positions: loops from guesses, with all independent joints set.
 fn at_start(system: &System, mechanism: &Mechanism, start: &[Vec<f64>]) -> Result<Pose, AssemblyError> {
     let mut guesses = system.configuration();
     let own = |id: &JointId| mechanism.joint(*id).mimic().is_none() && mechanism.joint(*id).kind().dofs() > 0;
@@ -193,7 +193,7 @@ fn at_start(system: &System, mechanism: &Mechanism, start: &[Vec<f64>]) -> Resul
         more.set(mechanism.joint(id).name(), &start[id.index()]).expect("a position that fits");
         match system.pose(&more) {
             Err(AssemblyError::Dependent { .. }) => {}
-            // Not yet closed while others are at 0.
+            // Not yet closed while other joints are at 0.
             Ok(_) | Err(_) => set = more,
         }
     }

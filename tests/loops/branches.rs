@@ -1,7 +1,8 @@
-//! Branches that come near others: every row of a sweep lies on the branch it began on, whatever rows are between, or is refused.
+//! Branches close to each other: every row of a sweep is on its starting branch, for any spacing of the rows, or is
+//! refused.
 //!
-//! `PERCUSS_FAMILY=10000 cargo test -p percuss-tests --test loops -- --nocapture branches` takes as many linkages as it says, with
-//! up to 6,001 rows each.
+//! `PERCUSS_FAMILY=10000 cargo test -p percuss-tests --test loops -- --nocapture branches` tests that number of
+//! linkages, with up to 6,001 rows each.
 
 use percuss_dynamics::{AssemblyError, Contact, DrivenPath};
 use percuss_mechanism::JointId;
@@ -12,11 +13,13 @@ use std::collections::BTreeMap;
 
 /// Linkages of the short version: 40 of each kind.
 const COUNT: u64 = 40 * BRANCHING_KINDS;
-/// Rad: branches of a mismatch of 1e-6 come to 1e-3 of one another, and rounding leaves 1e-12 over that.
+/// Rad: branches of a mismatch of 1e-6 approach each other to 1e-3, and rounding leaves 1e-12 over that.
 const SAME: f64 = 1e-6;
-/// Rows as near to a limit as this are not judged, rad: the platform's limits are known to a step of its continuation.
+/// Rows closer to a limit than this are not judged, rad: the platform's limits are known to one step of its
+/// continuation.
 const AT_END: f64 = 5e-3;
-/// Rows so near to a limit of a closed form are not judged, rad: the root of the rounding of its lengths.
+/// Rows closer to a limit of a closed form than this are not judged, rad: the square root of the rounding of its
+/// lengths.
 const AT_EXACT_END: f64 = 1e-9;
 
 #[derive(Debug, Default)]
@@ -27,7 +30,7 @@ struct Seen {
     refused: usize,
     uncertain: usize,
     wrong: Vec<String>,
-    /// Refused within the branch.
+    /// Rows refused within the branch.
     lost: Vec<String>,
     worst: f64,
 }
@@ -46,7 +49,7 @@ impl Seen {
     }
 }
 
-/// The rows of a sweep in their order: forwards, backwards, from the middle to one side and the other.
+/// Orders of the rows of a sweep: forwards, backwards, from the middle to one side and to the other.
 fn sweeps([from, to]: [f64; 2], count: usize) -> [Vec<f64>; 4] {
     let at = |k: usize| from + (to - from) * k as f64 / (count - 1) as f64;
     let middle = count / 2;
@@ -109,7 +112,7 @@ impl Sweep<'_> {
         }
     }
 
-    /// As a sweep poses its rows: several at once where they are followed, one by one elsewhere.
+    /// Poses the rows as a sweep does: several rows at once if the path follows them, otherwise one by one.
     fn run(&self, rows: &[f64], line: &str, seen: &mut Seen) {
         let mut last = self.rig.closed();
         let mut path: Option<DrivenPath> = None;

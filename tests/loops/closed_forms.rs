@@ -1,4 +1,4 @@
-//! Planar linkages against their closed forms: over full turns, through crossings of branches, to their limits.
+//! Planar linkages compared with their closed forms: over full turns, through crossings of branches, to their limits.
 
 use nalgebra::Vector2;
 use percuss_dynamics::{AssemblyError, EffectiveMass, Pose, Singularity};
@@ -11,12 +11,12 @@ use percuss_tests::judge::states_enough;
 use percuss_tests::rig::{Rig, in_plane, mass};
 use std::f64::consts::{PI, TAU};
 
-/// What closed forms are rounded by, relative: some differences of squares and a root.
+/// Relative rounding error of closed forms: some differences of squares and a root.
 const FORM: f64 = 1e-14;
 
 const BODIES: [PlanarBody; 3] = linkage::FOUR_BAR_BODIES;
 
-/// Points of the three bodies, and directions, that are touched.
+/// Contact points of the three bodies, with directions.
 fn contacts() -> impl Iterator<Item = (usize, Vector2<f64>, Vector2<f64>)> {
     [(0, [0.2, 0.07]), (1, [0.31, -0.12]), (2, [0.24, 0.1])].into_iter().flat_map(|(body, point)| {
         (0..3).map(move |k| {
@@ -26,7 +26,7 @@ fn contacts() -> impl Iterator<Item = (usize, Vector2<f64>, Vector2<f64>)> {
     })
 }
 
-/// Asks for every body of a planar linkage at a pose, and compares with the bodies' motions.
+/// Compares m̄ of every body of a planar linkage at a pose with the bodies' motions.
 fn struck(
     rig: &Rig,
     pose: &Pose,
@@ -37,7 +37,7 @@ fn struck(
 ) {
     let all: Vec<_> = bodies.into_iter().zip(motions).collect();
     for (body, point, n) in contacts() {
-        // Digits are lost where the point hardly moves along the normal.
+        // Digits are lost if the point hardly moves along the normal.
         if n.dot(&motions[body].velocity_of(point)).abs() < 0.02 {
             continue;
         }
@@ -80,7 +80,7 @@ fn full_turns() {
     gauge.report();
 }
 
-/// Coupler's and rocker's angles and rates of a parallelogram, open or crossed, whatever the turn.
+/// Angles and rates of the coupler and the rocker of a parallelogram, open or crossed, for any angle.
 fn motions(bar: FourBar, open: bool, theta: f64) -> [PlanarPose; 3] {
     let wrapped = (theta + PI).rem_euclid(TAU) - PI;
     let (psi, rate) = if open { (theta, 1.0) } else { antiparallelogram(bar.ground, bar.crank, wrapped) };
@@ -107,7 +107,7 @@ fn wrapped(angle: f64) -> f64 {
     angle.sin().atan2(angle.cos())
 }
 
-/// Two turns forth, two back, in so many rows a turn, begun at `first`.
+/// Two turns forward and two back, with a number of rows per turn, starting at `first`.
 fn two_turns(linkage: Linkage, open: bool, first: f64, rows: i32) -> (Gauge, Gauge, usize) {
     let bar = linkage::PARALLELOGRAM;
     let rig = Rig::new(linkage);
@@ -129,7 +129,8 @@ fn two_turns(linkage: Linkage, open: bool, first: f64, rows: i32) -> (Gauge, Gau
         let near = theta.sin().abs();
         let state = pose.loops().expect("loops");
         if near > 1e-9 {
-            // A residual of ε leaves the pose off the branch by ε over the distance, and its motion by that over it.
+            // A residual of ε displaces the pose from the branch by ε over the distance, and changes its motion by that
+            // over the distance.
             let bound = (1e-12 + 10.0 * FORM / (near * near)).min(1e-2);
             struck(&rig, &pose, BODIES, motions, (bound, FORM / near), &mut masses);
             assert_eq!(state.singularities, [Singularity::None], "{case}");
@@ -145,7 +146,7 @@ fn two_turns(linkage: Linkage, open: bool, first: f64, rows: i32) -> (Gauge, Gau
     (angles, masses, crossings)
 }
 
-/// At a crossing (D) is a lower bound, and one of the branches' limits is this branch's.
+/// At a crossing, (D) is a lower bound, and one of the branch limits belongs to this branch.
 fn limits(rig: &Rig, pose: &Pose, motions: [PlanarPose; 3], gauge: &mut Gauge) {
     let (_, point, n) = contacts().nth(4).expect("a contact");
     let contact = rig.contact("coupler", [point.x, point.y, 0.0], in_plane(n));
@@ -169,7 +170,7 @@ fn no_branch_is_lost_at_a_crossing() {
         (linkage::parallelogram as fn() -> Linkage, true),
         (linkage::antiparallelogram as fn() -> Linkage, false),
     ] {
-        // Rows on the crossings, and beside them at many distances.
+        // Rows on the crossings, and near them at many distances.
         let mut crossings = 0;
         for (first, rows) in [(0.0, 24), (-PI, 60), (0.017, 36), (1e-3, 24), (-1e-6, 12), (1e-8, 8), (0.4, 3)]
         {
@@ -182,7 +183,7 @@ fn no_branch_is_lost_at_a_crossing() {
     }
 }
 
-/// Whole turns in one go, ends near crossings and far from them: steps land where they like.
+/// Whole turns in one call, with ends near crossings and far from them: the steps are unrestricted.
 #[test]
 fn long_ways_keep_their_branch() {
     let mut gauge = Gauge::new("angles after long ways");
@@ -190,7 +191,7 @@ fn long_ways_keep_their_branch() {
         let rig = Rig::new(linkage);
         let start = rig.closed();
         for i in 0..300 {
-            // Some pass a crossing at every distance from their last step.
+            // Some rows pass a crossing at arbitrary distances from their last step.
             let theta = (f64::from(i) * 0.618_033_988_75).fract() * 40.0 - 20.0;
             let theta = if i % 10 == 0 { (theta / PI).round() * PI + 1e-4 } else { theta };
             let from = rig.reach(&start, &[1.2 + f64::from(i) * 1e-3]);
@@ -203,7 +204,7 @@ fn long_ways_keep_their_branch() {
     gauge.report();
 }
 
-/// The limit in an error: of the driver, then of the followers.
+/// The limit in an error: first the driver, then the dependent joints.
 fn nearest(error: AssemblyError) -> Vec<(String, f64)> {
     match error {
         AssemblyError::Unreachable { nearest, .. } => nearest,
@@ -218,7 +219,7 @@ fn value(places: &[(String, f64)], joint: &str) -> f64 {
 #[test]
 fn limits_are_found() {
     let mut gauge = Gauge::new("limits");
-    // Coupler and rocker in line: cos θ = (a² + g² − (b + c)²) / 2ag; both ways round, from near and far.
+    // Coupler and rocker aligned: cos θ = (a² + g² − (b + c)²) / 2ag; in both directions, from near and far.
     let bar = FourBar { ground: 0.8, crank: 0.6, coupler: 0.5, rocker: 0.4 };
     let reach = bar.coupler + bar.rocker;
     let limit =
@@ -237,7 +238,7 @@ fn limits_are_found() {
             gauge.note(&case, (places[0].1 - limit).abs(), 1e-12);
             gauge.note(&case, wrapped(value(&places, "crank_pin") - (phi - limit)).abs(), 1e-10);
             gauge.note(&case, wrapped(value(&places, "rocker_hinge") - phi - PI).abs(), 1e-10);
-            // Put there by hand, it is a dead centre: the driver is stuck, the mechanism is not.
+            // At the limit the pose is a dead centre: the driver is blocked, the mechanism is movable.
             let mut there = rig.system.configuration();
             there.set("crank_hinge", &[places[0].1]).unwrap();
             for (name, at) in &places[1..] {
@@ -248,12 +249,13 @@ fn limits_are_found() {
             assert_eq!((state.singularities[0], state.modes[0]), (Singularity::DeadCentre, 0), "{case}");
             assert_eq!(pose.degrees_of_freedom(), 1);
             assert!(!pose.rank().singular && pose.rank().clear);
-            // Just before it the branch is still the right one.
+            // Just before the limit, the branch is still correct.
             for before in [1e-3, 1e-6, 1e-9, 1e-12] {
                 let theta = limit - before * limit.signum();
                 let pose = rig.reach(&rig.closed(), &[theta]);
                 let [_, coupler, rocker] = bar.poses(theta, crossing).expect("in reach");
-                // The angle is uncertain by ε, and its root with it.
+                // The driver's angle has an error of ε. The dependent angles vary as the square root of the distance to
+                // the limit, so their error is ε over this root.
                 let bound = 1e-10f64.max(4e-15 / before.sqrt());
                 gauge.note(
                     &case,

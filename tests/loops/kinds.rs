@@ -1,4 +1,5 @@
-//! A closed form for every kind of closure and for the coupling, and what floating and massless parts make of loops.
+//! A closed form for every kind of closure and for the coupling, and the effects of floating bases and massless parts
+//! on loops.
 
 use nalgebra::{Vector2, Vector3};
 use percuss_dynamics::{Base, Conditions, RouteChoice, System};
@@ -16,10 +17,10 @@ use percuss_tests::rig::{Rig, in_plane, mass};
 /// Masses of the wedge's sliders, kg.
 const WEDGE: [f64; 2] = [1.7, 0.9];
 
-/// Two sliders along x and along y, each hung on the ground; a closure keeps the second on a line (or a plane) that
-/// rises by `slope` on the first: y = ±x tan(slope). Struck at the first along x, m̄ = m₁ + m₂ tan².
+/// Two sliders along x and along y, each on the ground; a closure keeps the second slider on a line (or a plane) that
+/// rises by `slope` on the first: y = ±x tan(slope). For a contact on the first slider along x, m̄ = m₁ + m₂ tan².
 ///
-/// A cylindrical or planar closure leaves the axes' turn free, which the slides hold.
+/// A cylindrical or planar closure leaves the rotation about its axis free, which the slides hold.
 fn wedge(kind: ClosureKind, slope: f64) -> Mechanism {
     let body = |name: &str, mass: f64| {
         LinkDescription::new(name, Inertial::diagonal(mass, [0.02, 0.01, 0.03], [0.01, 0.012, 0.015]))
@@ -31,7 +32,7 @@ fn wedge(kind: ClosureKind, slope: f64) -> Mechanism {
     let (sin, cos) = slope.sin_cos();
     let axis = match kind {
         ClosureKind::Planar => [-sin, cos, 0.0],
-        // The second moves back along the slope of the first: y up while x moves forward.
+        // The second slider moves down the slope of the first: y up while x moves forward.
         _ => [-cos, sin, 0.0],
     };
     let closure = ClosureDescription::new("slope", kind, "first", "second").at([0.0; 3], [0.0; 3]).axis(axis);
@@ -57,7 +58,7 @@ fn sliding_closures_are_wedges() {
             let bench = Bench::new(wedge(kind, slope)).set("first", &[0.3]);
             let pose = bench.system.pose(&bench.configuration).expect("it closes");
             let y = pose.joint(bench.system.mechanism().find_joint("second").unwrap())[0];
-            // On the line the second goes up as the first goes forward; the plane pushes it down.
+            // On the line, the second slider rises as the first moves forward; on the plane, it falls.
             let rise = if kind == ClosureKind::Planar { -0.3 } else { 0.3 };
             assert!((y - rise * slope.tan()).abs() < 1e-12, "{kind:?}: {y}");
             let normal =
@@ -72,7 +73,7 @@ fn sliding_closures_are_wedges() {
     gauge.report();
 }
 
-/// One linkage with a closed form m̄(driver) of a contact at a link, along a normal that may depend on the driver.
+/// A linkage with a closed form m̄(driver) for a contact at a link, along a normal that may depend on the driver.
 type Form<'a> = (&'a str, [f64; 3], &'a dyn Fn(f64) -> Vector3<f64>, &'a dyn Fn(f64) -> f64);
 
 fn over_the_range(rig: &Rig, (link, point, normal, form): Form, degrees: usize, gauge: &mut Gauge) {
@@ -89,7 +90,7 @@ fn over_the_range(rig: &Rig, (link, point, normal, form): Form, degrees: usize, 
 #[test]
 fn every_other_kind_has_its_closed_form() {
     let mut gauge = Gauge::new("closed forms of closures and couplings");
-    // Universal.
+    // Universal closure.
     for beta in [0.2, 0.6, 1.1] {
         let across = |t: f64| linkage::plane().vector(&Vector3::new(-t.sin(), t.cos(), 0.0));
         let form = |t| closed_form::hooke_shaft(0.03, 0.08, beta, t, 0.15);
@@ -99,7 +100,7 @@ fn every_other_kind_has_its_closed_form() {
         let output = pose.joint(rig.joint("output"))[0];
         assert!((output - closed_form::hooke_output_angle(beta, 2.5)).abs() < 1e-12, "{output}");
     }
-    // Distance, and a rod between balls: it spins without mass.
+    // Distance closure: a rod between balls, whose spin is massless.
     let ([first, second], length) = linkage::TRAMMEL;
     let along = |_: f64| linkage::plane().vector(&Vector3::x());
     let form = |x: f64| closed_form::elliptic_trammel(first, second, x, (length * length - x * x).sqrt());
@@ -166,7 +167,7 @@ fn a_heavy_chassis_is_the_ground() {
         let pose = rig.reach(&rig.closed(), &[0.9]);
         let here = mass(&rig.respond(&pose, &rig.contact("coupler", [0.31, -0.12, 0.0], in_plane(n))));
         let short = 1.0 - here / fixed;
-        // The deviation falls as 1/M, down to rounding.
+        // The deviation decreases as 1/M, down to rounding.
         assert!(short > -1e-11 && short < (0.02 * last).max(1e-11), "{heavy:e}: {short:e} after {last:e}");
         last = short;
     }
@@ -175,7 +176,7 @@ fn a_heavy_chassis_is_the_ground() {
 
 #[test]
 fn a_loop_onto_the_world_does_not_let_the_base_off() {
-    // The pose stands with the base at its reference; floating, its six freedoms are bound by the closure.
+    // The base is at its reference pose; if it floats, the closure constrains its six freedoms.
     let floating = Rig::under(linkage::foot_on_the_world(), &Conditions::new().base(Base::Floating));
     let ground = Rig::new(linkage::foot_on_the_world());
     assert_eq!((floating.system.degrees_of_freedom(), ground.system.degrees_of_freedom()), (8, 2));
@@ -189,7 +190,7 @@ fn a_loop_onto_the_world_does_not_let_the_base_off() {
         let response = floating.respond(&poses.0, &contact);
         assert!(mass(&response) > 0.0);
     }
-    // Nothing but a body, hinged to the world by a closure alone.
+    // A body connected to the world by a closure alone.
     let body = LinkDescription::new("body", Inertial::diagonal(2.0, [0.3, 0.0, 0.0], [0.02, 0.03, 0.04]));
     let arm = LinkDescription::new("arm", Inertial::diagonal(0.5, [0.1, 0.0, 0.0], [0.002, 0.003, 0.004]));
     let mechanism = MechanismBuilder::new("hung")

@@ -1,4 +1,4 @@
-//! Closed loops: putting them together, following them, and what is answered on them.
+//! Closed loops: assembly, continuation, and results on them.
 
 mod against_the_oracle;
 mod assembly;

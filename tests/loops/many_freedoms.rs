@@ -1,4 +1,4 @@
-//! A loop of many links, most of which stay free: one cluster whose mass matrix is formed whole.
+//! A loop of many links, most of which stay free: one cluster with a dense mass matrix.
 
 use percuss_dynamics::{
     Conditions, Contact, ContactResponse, EffectiveMass, ResponseError, Route, RouteChoice, RouteError,
@@ -10,7 +10,8 @@ use percuss_mechanism::{
 };
 use percuss_spatial::{Matrix3, Transform, Vector3};
 
-/// `n` links of 1.3 kg in a chain on a carriage, hinges along y and z by turns, the tip held to the carriage by a rod.
+/// `n` links of 1.3 kg in a chain on a carriage, with alternating hinges along y and z; a rod holds the tip to the
+/// carriage.
 fn tethered(n: usize) -> Mechanism {
     let mut builder = MechanismBuilder::new("tethered")
         .link(LinkDescription::massless("ground"))

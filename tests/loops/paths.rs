@@ -1,4 +1,4 @@
-//! Paths of drivers in lanes: each row stands where the general way leads, and has its answer.
+//! Paths of drivers in SIMD lanes: each row has the pose and the result of the general method.
 
 use percuss_dynamics::{
     Conditions, Contact, Direction, EffectiveMass, PathAnswer, Pose, RouteChoice, System,
@@ -10,20 +10,20 @@ use percuss_oracle::linkage::Linkage;
 use percuss_tests::rig::Rig;
 use percuss_tests::subjects::{Subject, of_linkages};
 
-/// What was seen of a family.
+/// Statistics of a family.
 #[derive(Debug, Default)]
 struct Seen {
     linkages: usize,
     rows: usize,
     in_lanes: usize,
     answered: usize,
-    /// The largest difference over what both errors allow.
+    /// Largest difference as a fraction of the sum of both errors.
     worst: f64,
-    /// The largest residual, m.
+    /// Largest residual, m.
     open: f64,
 }
 
-/// Steps of a driver of one number, there and back, small ones and large.
+/// Steps of a driver with one position, forwards and backwards, small and large.
 fn rows(start: f64) -> Vec<f64> {
     let steps = (1..=40).map(|k| 1e-3 * f64::from(k)).chain((1..=12).map(|k| 0.04 - 0.01 * f64::from(k)));
     steps.chain([0.3, -0.3, 0.31]).map(|step| start + step).collect()
@@ -34,7 +34,7 @@ fn driver(pose: &Pose) -> Option<JointId> {
     pose.loops()?.drivers.iter().find(of_one).copied()
 }
 
-/// The pose at one more row, by the general way.
+/// The pose at one more row, by the general method.
 fn general(subject: &Subject, pose: &Pose, joint: JointId, value: f64) -> Option<Pose> {
     let mut configuration = subject.system.configuration();
     let in_loops = &pose.loops()?.drivers;
@@ -73,7 +73,7 @@ fn check(subject: &Subject, seen: &mut Seen) {
             break;
         }
         seen.rows += 1;
-        // The row that is in doubt, by the general way from where the path stands.
+        // The uncertain row, by the general method from the last pose of the path.
         match general(subject, &path.pose(), joint, rows[done]) {
             Some(next) if path.restart(&next) => here = next,
             _ => return,
@@ -101,7 +101,7 @@ fn compare(
     seen.worst = seen.worst.max((mass - expected).abs() / allowed);
     assert!((mass - expected).abs() <= allowed, "{name}: {answer:?} for {expected}, allowed {allowed:e}");
     for (joint, own) in pose.mechanism().joint_ids().zip(ranges(pose)) {
-        // Balls may spin about what holds them, which depends on the steps.
+        // Balls may spin freely about their rods, and the spin depends on the steps.
         if pose.joint(joint).len() == 1 {
             let (got, wanted) = (positions[own.start], pose.joint(joint)[0]);
             assert!((got - wanted).abs() < 1e-9, "{name}: {got} for {wanted}");
@@ -118,7 +118,8 @@ fn ranges(pose: &Pose) -> impl Iterator<Item = std::ops::Range<usize>> + '_ {
     })
 }
 
-/// The shipped double wishbone over its travel, struck by its bump stop along a line: every row is followed.
+/// The double wishbone of the distribution over its travel, with the contact of its bump stop along a line: the path
+/// follows every row.
 #[test]
 fn the_shipped_wishbone_is_followed() {
     let text = include_str!("../../models/double_wishbone.urdf");
@@ -139,7 +140,7 @@ fn the_shipped_wishbone_is_followed() {
     println!("{answered} of {} rows answered in lanes", rows.len());
 }
 
-/// Random linkages along a driver: rows answered in lanes stand where the general way leads from row to row.
+/// Random linkages along a driver: SIMD rows have the poses of the general method from row to row.
 #[test]
 fn rows_in_lanes_stand_where_the_general_way_leads() {
     let mut seen = Seen::default();
@@ -150,7 +151,7 @@ fn rows_in_lanes_stand_where_the_general_way_leads() {
     assert!(seen.linkages > 60 && seen.in_lanes * 2 > seen.rows, "{seen:?}");
 }
 
-/// Joints that follow a driver or a follower by a mimic are where their master puts them, in every row.
+/// Mimics of a driver or of a dependent joint follow their master in every row.
 #[test]
 fn mimics_follow_in_lanes() {
     let four_bar = percuss_oracle::linkage::branching(1).linkage;

@@ -1,4 +1,4 @@
-//! The rank of the constraints: beyond doubt on ideal mechanisms, in doubt where it must be, and the remarks of an answer.
+//! The rank of the constraints: clear on ideal mechanisms, unclear near singular poses, and the remarks of a response.
 
 use percuss_dynamics::{Remark, Singularity};
 use percuss_oracle::linkage;
@@ -29,7 +29,7 @@ fn ideal_mechanisms_have_a_clear_rank() {
     println!("least gap {least:e}");
 }
 
-/// Clear, then in doubt, then singular, and never back.
+/// Clear, then unclear, then singular, and never back.
 #[test]
 fn a_change_point_is_neared() {
     for linkage in [linkage::parallelogram(), linkage::antiparallelogram()] {
@@ -63,7 +63,7 @@ fn a_change_point_is_neared() {
     }
 }
 
-/// The lower bound at the crossing, and that the answer beside it is no such bound.
+/// The lower bound at the crossing; m̄ near the crossing is not such a bound.
 #[test]
 fn the_bound_is_left_at_once() {
     let rig = Rig::new(linkage::parallelogram());

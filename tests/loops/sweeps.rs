@@ -1,4 +1,4 @@
-//! Every linkage through its whole range in a thousand steps, and the error that is stated with an answer.
+//! Every linkage through its whole range in a thousand steps, and the error stated with a result.
 
 use percuss_dynamics::{EffectiveMass, Pose};
 use percuss_oracle::closed_form::{Crossing, FourBar, planar_effective_mass};
@@ -17,7 +17,7 @@ fn a_thousand_steps() {
     for linkage in linkage::all() {
         let rig = Rig::new(linkage);
         let begun = Instant::now();
-        // To the start of the range first: corners of it may be out of reach from others.
+        // First to the start of the range: some corners are out of reach from other poses.
         let mut pose = rig.closed();
         let first = pose.clone();
         let mut last: Option<Pose> = None;
@@ -30,7 +30,7 @@ fn a_thousand_steps() {
             open.note(&case, own, 1e-12);
             open.note(&case, rig.open(&pose), 2e-12);
             assert_eq!(state.inexactness, 0.0, "{case}");
-            // No jump: another assembly is another place.
+            // No jump: another assembly would have distant positions.
             if let Some(last) = &last {
                 let jump = pose.positions().iter().zip(last.positions()).map(|(a, b)| (a - b).abs());
                 assert!(jump.fold(0.0, f64::max) < 0.1, "{case}");
@@ -46,8 +46,8 @@ fn a_thousand_steps() {
     open.report();
 }
 
-/// A pose that the oracle closed by itself, from some way off and ten times as tightly, has no other mass than the
-/// response's error allows.
+/// A pose closed by the oracle from some distance, with a tenth of the tolerance, has the same mass within the
+/// response's error.
 #[test]
 fn the_error_bounds_what_another_closing_gives() {
     let mut gauge = Gauge::new("deviation from another closing, in units of the error stated");
@@ -84,7 +84,7 @@ fn the_error_bounds_what_another_closing_gives() {
                         let stated = response.effective_mass_error();
                         let stated =
                             stated.unwrap_or_else(|| panic!("{} {i}: {:?}", rig.name, response.error)) / a;
-                        // A free spin may have come to rest elsewhere; route C has roundings of its own.
+                        // A free spin may have another angle; route C has its own rounding error.
                         gauge.note(&format!("{} {i}", rig.name), (a / c - 1.0).abs() / (stated + 2e-12), 1.0);
                         masses.relative(rig.name, a, c, 1e-10);
                         largest = largest.max(stated);
@@ -102,7 +102,8 @@ fn the_error_bounds_what_another_closing_gives() {
     assert!(largest < 1e-8, "{largest:e}");
 }
 
-/// Near a change point and near a dead centre digits are lost; the stated error covers them, and not much more.
+/// Near a change point and near a dead centre digits are lost; the stated error covers the loss, and is not much
+/// larger.
 #[test]
 fn the_error_is_stated_near_singular_poses() {
     let mut gauge = Gauge::new("deviation near singular poses, in units of the error stated");
@@ -123,7 +124,7 @@ fn the_error_is_stated_near_singular_poses() {
             let expected = planar_effective_mass(&all, 1, point, n);
             let response = rig.respond(&pose, &contact);
             let stated = response.effective_mass_error().expect("finite") / mass(&response);
-            // The closed form's own rounding: a root of a difference.
+            // Rounding error of the closed form: a root of a difference.
             let own = 4e-15 / distance.powf(power);
             let case = format!("{} {distance:e} before", rig.name);
             gauge.note(&case, (mass(&response) / expected - 1.0).abs() / (stated + own), 1.0);
@@ -131,12 +132,12 @@ fn the_error_is_stated_near_singular_poses() {
             vague.note(&case, stated, 1e-12 + 3e-13 / distance.powf(power));
         }
     };
-    // The coupler and the rocker in line: followers' rates grow as 1/√distance.
+    // Coupler and rocker aligned: rates of dependent joints grow as 1/√distance.
     let bar = FourBar { ground: 0.8, crank: 0.6, coupler: 0.5, rocker: 0.4 };
     let limit = ((0.36 + 0.64 - 0.81f64) / 0.96).acos();
     let triple = linkage::four_bar_of("triple rocker", bar, bodies, Crossing::Left, 0.7, [-1.3, 1.3]);
     check(triple, bar, Crossing::Left, limit, 1.0);
-    // Branches cross at π: rows lose their rank as the distance.
+    // Branches cross at π: the singular values of the rows decrease with the distance.
     check(linkage::parallelogram(), linkage::PARALLELOGRAM, Crossing::Left, std::f64::consts::PI, 2.0);
     check(linkage::antiparallelogram(), linkage::PARALLELOGRAM, Crossing::Right, std::f64::consts::PI, 2.0);
     gauge.report();

@@ -1,5 +1,5 @@
-//! The travel of a point: its exact rate against differences of poses, on every linkage and on the shipped suspension;
-//! who drives it, and how far it goes.
+//! The travel of a point: its exact rate compared with differences of poses, on every linkage and on the shipped
+//! suspension; its driving joint and its range.
 
 use nalgebra::Vector3;
 use percuss_dynamics::{AssemblyError, Base, Conditions, Configuration, Pose, System, Travel, TravelError};
@@ -14,10 +14,10 @@ use rand::{Rng, SeedableRng, rngs::StdRng};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-/// Motion of the fastest joint (rad, or m) in the longer step of a difference. What remains is step⁴/120 of a fifth
+/// Motion of the fastest joint (rad, or m) in the longer step of a difference. The error is step⁴/120 of a fifth
 /// derivative, and the closing tolerance of 1e-12 over the step.
 const STEP: f64 = 2e-3;
-/// Bound of the difference's own error, in sizes a unit of the driver, for each unit of the fastest joint.
+/// Error bound of the difference, in sizes per unit of the driver, for each unit of the fastest joint.
 const NEAR: f64 = 2e-10;
 
 fn size(mechanism: &Mechanism) -> f64 {
@@ -28,7 +28,7 @@ fn unit(mechanism: &Mechanism, joint: JointId) -> f64 {
     if mechanism.joint(joint).kind() == JointKind::Prismatic { size(mechanism) } else { 1.0 }
 }
 
-/// The rate by differences of poses, followed from a pose, and how fast the fastest joint goes; none where a pose is
+/// The rate by differences of poses, followed from a pose, and the speed of the fastest joint; `None` if a pose is
 /// missing.
 fn difference(travel: &Travel, pose: &Pose, base: &Configuration, joint: JointId) -> Option<(f64, f64)> {
     let mechanism = Arc::clone(pose.mechanism());
@@ -57,7 +57,7 @@ fn difference(travel: &Travel, pose: &Pose, base: &Configuration, joint: JointId
     (!missing).then_some((rate, fastest))
 }
 
-/// The configuration that sets all drivers of the rig but one.
+/// Configuration with all drivers of the rig set except one.
 fn others(rig: &Rig, values: &[f64], but: usize) -> Configuration {
     let mut configuration = rig.system.configuration();
     for (k, (name, value)) in rig.drivers.iter().zip(values).enumerate() {
@@ -73,14 +73,15 @@ fn point(rng: &mut StdRng, mechanism: &Mechanism) -> (LinkId, Vector3<f64>, Vect
     (link, point, direction)
 }
 
-/// Every driver of every linkage, the other drivers set, at poses all over the range: on the ground, flying, with a lock.
+/// Every driver of every linkage, with the other drivers set, at poses over the whole range: fixed base, floating base,
+/// with a lock.
 #[test]
 fn rates_are_those_of_poses() {
     let mut gauge = Gauge::new("rates of travels against differences, sizes a unit");
     let (mut compared, mut moving) = (0, 0);
     let all = linkage::all().into_iter().chain(linkage::all()).chain(linkage::all());
     for (number, linkage) in all.enumerate() {
-        // Locks hold velocities and not poses; a floating base is where everything is seen from.
+        // Locks constrain velocities, not poses; a floating base is the reference frame.
         let conditions = match number / linkage::all().len() {
             0 => Conditions::new(),
             1 => Conditions::new().base(Base::Floating),
@@ -112,7 +113,7 @@ fn rates_are_those_of_poses() {
     assert!(compared > 900 && moving > 500, "{compared} {moving}");
 }
 
-/// Joints that depend where nothing is set drive where they are set, unless the file declares others.
+/// Dependent joints become drivers if set, unless the file declares other drivers.
 #[test]
 fn dependent_joints_drive_in_place_of_others() {
     let mut gauge = Gauge::new("rates of joints that depend, against differences, sizes a unit");
@@ -121,7 +122,7 @@ fn dependent_joints_drive_in_place_of_others() {
         let rig = Rig::new(linkage);
         let mut rng = StdRng::seed_from_u64(400 + number as u64);
         let regular = rig.reach(&rig.closed(), &rig.at(0.4));
-        // Where nothing is set drivers go to zero: only mechanisms with one of them stay where they are.
+        // Unset drivers move to zero: only mechanisms with a single driver keep their pose.
         if rig.system.degrees_of_freedom() > 1 || rig.mechanism.links().len() > 20 {
             continue;
         }
@@ -141,7 +142,7 @@ fn dependent_joints_drive_in_place_of_others() {
     assert!(compared > 20, "{compared}");
 }
 
-/// A displacement is met where it is asked for, by the driver that is chosen, from poses all over the range.
+/// The requested displacement is reached by the chosen driver, from poses over the whole range.
 #[test]
 fn displacements_of_every_linkage_are_met() {
     let mut met = Gauge::new("displacements met, parts of the size");
@@ -221,7 +222,7 @@ fn the_wishbone_travels_to_its_ends() {
         gauge.note(&format!("row {row}"), (rate - other).abs() / size, 1e-11);
     }
     gauge.report();
-    // The wheel's centre is lowest where its rate vanishes, before the arm comes to its own end; from near and from far.
+    // The wheel's centre is lowest at a zero of its rate, before the arm reaches its own limit; from near and from far.
     let ends = [&start, &last].map(|from| {
         let Err(TravelError::Unreachable { requested, nearest }) = travel.pose(from, &base, driver, -0.2)
         else {
@@ -233,12 +234,12 @@ fn the_wishbone_travels_to_its_ends() {
     assert!((ends[0] - ends[1]).abs() < 1e-11 && (ends[0] + 0.1834).abs() < 1e-4, "{ends:?}");
     let lowest = travel.pose(&start, &base, driver, ends[0]).expect("the end itself");
     assert!(travel.rate(&lowest, driver).expect("a rate").abs() < 1e-5);
-    // And back: on the side where it came from.
+    // Back to the start, on the original side.
     let back = travel.pose(&lowest, &base, driver, 0.0).expect("in reach");
     assert!((back.joint(driver)[0] - start.joint(driver)[0]).abs() < 1e-12);
 }
 
-/// Where branches cross nothing has a rate, and a small step tells who drives.
+/// At a crossing of branches no rate exists, and a small step determines the driver.
 #[test]
 fn a_change_point_is_left_by_a_step() {
     for linkage in [linkage::parallelogram(), linkage::antiparallelogram()] {
@@ -251,7 +252,7 @@ fn a_change_point_is_left_by_a_step() {
         assert!(start.rank().singular && travel.rate(&start, crank).is_none(), "{}", rig.name);
         let driver = travel.driver(&start, &|_| false);
         assert!(driver.is_ok(), "{}: {driver:?}", rig.name);
-        // The pin goes by the crank's sine.
+        // The displacement of the pin is proportional to the sine of the crank angle.
         for part in [-0.5, -1e-3, 1e-3, 0.0, 0.5] {
             let wanted = part * length;
             let pose = travel.pose(&start, &rig.system.configuration(), crank, wanted).expect("in reach");
@@ -270,21 +271,21 @@ fn beyond_its_ends_a_travel_is_told_the_nearest() {
         Travel::new(&start, link(&system, "coupler"), Vector3::zeros(), Vector3::x()).expect("a travel");
     let crank = joint(&system, "crank_hinge");
     assert_eq!(travel.driver(&start, &|_| false), Ok(crank));
-    // The pin goes by −0.3 sin θ.
+    // The displacement of the pin is −0.3 sin θ.
     for wanted in [-0.29999, -0.1, 0.1, 0.29999, 0.0] {
         let pose = travel.pose(&start, &system.configuration(), crank, wanted).expect("in reach");
         assert!((-0.3 * pose.joint(crank)[0].sin() - wanted).abs() < 1e-13, "{wanted}");
     }
     let error = travel.pose(&start, &system.configuration(), crank, 0.4).expect_err("beyond");
     assert_eq!(error.to_string(), "a travel of 0.4 m cannot be reached; nearest reached: 0.300000 m");
-    // What the file declares to drive drives.
+    // Joints declared as drivers in the file remain the drivers.
     let depends = joint(&system, "rocker_hinge");
     assert_eq!(travel.rate(&start, depends), None);
     let refused = travel.pose(&start, &system.configuration(), depends, 0.1);
     assert!(matches!(refused, Err(TravelError::Assembly(AssemblyError::Dependent { .. }))), "{refused:?}");
 }
 
-/// Two arms, the second a mimic of the first, and a slide that carries them.
+/// Two arms, the second a mimic of the first, on a slide.
 fn with_mimic(base: Base) -> System {
     let body = "<inertial><mass value=\"1\"/><inertia ixx=\"1\" iyy=\"1\" izz=\"1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial>";
     let text = format!(
@@ -301,7 +302,7 @@ fn with_mimic(base: Base) -> System {
     System::new(loaded.mechanism, &Conditions::new().base(base)).expect("a system")
 }
 
-/// x = d + 2 cos p + cos(0.3 − p), wherever the root stands and whether it floats.
+/// x = d + 2 cos p + cos(0.3 − p), for any pose of the root and for a fixed or floating base.
 #[test]
 fn mimics_and_floating_bases() {
     for base in [Base::Fixed, Base::Floating] {
@@ -325,7 +326,8 @@ fn mimics_and_floating_bases() {
         assert!((along.rate(&start, slide).expect("a rate") - 1.0).abs() < 1e-15);
         assert_eq!(along.rate(&start, q), None, "a mimic does not drive");
         assert!(across.rate(&start, slide).expect("a rate").abs() < 1e-15);
-        // A size of the slide's way is more than a radian of the arm, and across nothing but the arm moves the tip.
+        // A slide displacement of the mechanism's size exceeds a radian of the arm; across the slide, only the arm
+        // moves the tip.
         let most = if size(system.mechanism()) > rate(0.5).abs() { slide } else { p };
         assert_eq!(along.driver(&start, &|_| false), Ok(most));
         assert_eq!(along.driver(&start, &|id| id == slide), Ok(p));
@@ -339,13 +341,13 @@ fn mimics_and_floating_bases() {
         assert!((gone(value) - gone(0.5) + 0.4).abs() < 1e-13);
         assert!((there.joint(q)[0] - 0.3 + 2.0 * value).abs() < 1e-15);
         let there = along.pose(&start, &configuration, slide, 0.7);
-        // The arm, which is not set, goes to 0: that is 0.7 m in all.
+        // The arm is not set and goes to 0: 0.7 m in total.
         let there = there.expect("in reach");
         assert!((there.joint(slide)[0] + gone(0.0) - gone(0.5) - 0.7).abs() < 1e-14);
     }
 }
 
-/// A pendulum that hangs is at the end of its tip's travel upwards: no joint moves it at first order.
+/// A hanging pendulum is at the end of its tip's upward travel: no joint moves the tip to first order.
 #[test]
 fn a_travel_may_start_at_its_end() {
     let system = shipped("physical_pendulum.urdf");

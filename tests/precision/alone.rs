@@ -1,35 +1,35 @@
-//! Where the recursion's answer stands alone, no route has a better one.
+//! If the recursion's result is final, no route has a better result.
 //!
-//! The recursion bounds its own rounding by the terms of its pivots before its errors are counted. Where that bound is small,
-//! m̄ stands alone whatever the error budget states, and a workspace does not count errors at all: what is left must be the
-//! data's rounding, which every route has. Up to eleven digits that is what no stated error exceeds; beyond, the bound alone
-//! has decided, and the careful route must not be better by more than that.
+//! The recursion bounds its own rounding by the terms of its pivots before the error budget is computed. If this bound
+//! is small, m̄ is final for any error budget, and a workspace does not compute errors at all: the remaining error must
+//! be the rounding of the data, which every route has. Up to eleven digits, the stated errors guarantee this; beyond,
+//! only the bound has decided, and the dense route must not be better by more than that.
 
 use super::percuss::Routes;
 use super::{DIGITS, Family, Model, above, off};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-/// Links of the largest mechanisms that are asked about.
+/// Largest number of links of the tested mechanisms.
 const MOST_LINKS: usize = 110;
 
-/// Groups where the bound is small and the careful route better all the same: expected failures. A group that has become
-/// clean fails the test too, until its name is taken off.
+/// Groups with a small bound but a better dense route: expected failures. A group without failures fails the test too,
+/// until its name is removed.
 const NOT_YET_ALONE: [&str; 0] = [];
 
 #[derive(Default)]
 struct Counts {
     asked: usize,
     alone: usize,
-    /// Alone, though the error budget states more than eleven digits allow: the bound decided.
+    /// Final results with an error budget above eleven digits: the bound decided.
     decided: usize,
-    /// The worst true error of these, and by how much it exceeds the careful route's.
+    /// Worst true error of these results, and its excess over the dense route's error.
     worst: f64,
     excess: f64,
 }
 
 impl Counts {
-    /// A complaint about one answer.
+    /// Complaint about one result, if any.
     fn take(&mut self, found: &Routes, reference: &str) -> Option<String> {
         self.asked += 1;
         self.alone += usize::from(found.is_alone);
@@ -81,7 +81,7 @@ fn no_route_beats_the_recursion_where_it_stands_alone() {
                     if let Some((mass, error)) = lanes {
                         by_lanes += 1;
                         linkages_by_lanes += usize::from(!rows.loops.is_empty());
-                        // A double's own rounding: half a unit in the last place.
+                        // Rounding of a double: half a unit in the last place.
                         let truth = off(*mass, reference) - f64::EPSILON;
                         worst_by_lanes = worst_by_lanes.max(truth / (error / mass));
                         if above(truth, error / mass) {

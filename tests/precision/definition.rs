@@ -1,4 +1,4 @@
-//! The effective mass by its definition in 96 digits: m̄ = min { vᵀMv : Av = 0, jv = 1 }, with M, A and j formed from the
+//! The effective mass by its definition in 96 digits: m̄ = min { vᵀMv : Av = 0, jv = 1 }, with M, A and j from the
 //! bodies' velocities. No code is shared with the crate under test.
 
 use super::wide::Wide;
@@ -12,7 +12,7 @@ use percuss_spatial::{Transform, rotation_from_rpy};
 type Vector = [Wide; 3];
 type Matrix = [Vector; 3];
 
-/// A link: mass (kg), centre of mass (m), inertia about it (xx, xy, xz, yy, yz, zz; kg·m²).
+/// Link: mass (kg), centre of mass (m), inertia about the centre of mass (xx, xy, xz, yy, yz, zz; kg·m²).
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Link {
     pub mass: f64,
@@ -31,15 +31,15 @@ pub struct Joint {
     pub axis: [f64; 3],
 }
 
-/// A closure between two points: a ball, or a rod of a length (m).
+/// Closure between two points: a ball, or a rod of a given length (m).
 #[derive(Clone, Copy, Debug)]
 pub struct Closure {
-    /// Numbers of two links and a point of each.
+    /// Numbers of two links, each with a point.
     pub ends: [(usize, [f64; 3]); 2],
     pub rod: Option<f64>,
 }
 
-/// A mechanism whose numbers are exact; joint i carries link i + 1.
+/// Mechanism with exact numbers; joint i is the parent joint of link i + 1.
 #[derive(Clone, Debug, Default)]
 pub struct Exact {
     pub links: Vec<Link>,
@@ -101,7 +101,7 @@ fn unit(v: &Vector) -> Vector {
     times(v, Wide::new(1.0) / dot(v, v).sqrt())
 }
 
-/// A turn about coordinate axis `axis`.
+/// Rotation about coordinate axis `axis`.
 fn turn(axis: usize, angle: f64) -> Matrix {
     let ((s, c), (x, y)) = (Wide::sin_cos(angle), ((axis + 1) % 3, (axis + 2) % 3));
     let mut matrix = [[Wide::ZERO; 3]; 3];
@@ -114,7 +114,7 @@ fn of_rpy([roll, pitch, yaw]: [f64; 3]) -> Matrix {
     product(&turn(2, yaw), &product(&turn(1, pitch), &turn(0, roll)))
 }
 
-/// A turn about a unit axis: R = 1 + sin [e] + (1 − cos) [e]².
+/// Rotation about a unit axis: R = 1 + sin [e] + (1 − cos) [e]².
 fn about(e: &Vector, angle: f64) -> Matrix {
     let (s, c) = Wide::sin_cos(angle);
     let one = Wide::new(1.0);
@@ -148,22 +148,22 @@ fn of_quaternion(q: &[f64]) -> Matrix {
     matrix
 }
 
-/// One velocity: the link that it moves with all that this carries, and its twist at the world's origin.
+/// One velocity: the root link of its moving subtree, and the twist at the world's origin.
 struct Velocity {
     link: usize,
     angular: Vector,
     linear: Vector,
 }
 
-/// A pivot: its place, its value, and the factors of the columns that were left.
+/// Pivot: its index, its value, and the factors of the remaining columns.
 type Pivot = (usize, Wide, Vec<(usize, Wide)>);
 
-/// A mechanism at a pose, with what M is factorised to.
+/// Mechanism at a pose, with the factorisation of M.
 pub struct Posed {
     parents: Vec<Option<usize>>,
     frames: Vec<(Matrix, Vector)>,
     velocities: Vec<Velocity>,
-    /// Basis of the admissible motions, velocities × freedoms; none: every motion is admissible.
+    /// Basis of the admissible motions, velocities × freedoms; `None`: every motion is admissible.
     basis: Option<Vec<Vec<Wide>>>,
     /// Powers of two that scale M to a diagonal of about 1.
     scales: Vec<i64>,
@@ -207,8 +207,8 @@ impl Exact {
         builder.build().expect("a mechanism").mechanism
     }
 
-    /// M at positions (all joints one after another). Where loops bind the joints, those that depend are corrected first, and
-    /// written back as the nearest doubles; `None` where they do not close.
+    /// M at positions (all joints, concatenated). For loops, the dependent joints are corrected first and written back
+    /// as the nearest doubles; `None` if the loops do not close.
     pub fn pose(&self, positions: &mut [f64]) -> Option<Posed> {
         let mut fine: Vec<Wide> = positions.iter().map(|q| Wide::new(*q)).collect();
         let mut posed = self.place(&fine);
@@ -224,7 +224,7 @@ impl Exact {
                     return None;
                 }
                 for (c, change) in first.columns.iter().zip(solve(&rows, &first.columns, &residuals)?) {
-                    // Joints of one position each; a base's velocities come first, and close nothing.
+                    // Every joint has one position; the velocities of a base come first and are not corrected.
                     fine[c.checked_sub(if self.floating { 6 } else { 0 })?] -= change;
                 }
                 posed = self.place(&fine);
@@ -266,7 +266,7 @@ impl Exact {
             let own = product(carrier, &of_rpy(joint.rpy));
             let e = unit(&wide(&joint.axis));
             let double = |k: usize| q[k].to_f64();
-            // Angles are doubles but for those that loops decide.
+            // Angles are doubles, except for angles determined by loops.
             let angle = |k: usize| {
                 let rest = (q[k] - Wide::new(double(k))).to_f64();
                 let near = about(&e, double(k));
@@ -318,7 +318,7 @@ impl Exact {
         posed
     }
 
-    /// Rows of A, and how far each is from closed (m).
+    /// Rows of A, and the gap of each row (m).
     fn rows(&self, posed: &Posed) -> (Vec<Vec<Wide>>, Vec<Wide>) {
         let (mut rows, mut residuals) = (Vec::new(), Vec::new());
         for closure in &self.closures {
@@ -344,12 +344,12 @@ impl Exact {
     }
 }
 
-/// The turn by a small angle: a series of few terms.
+/// Rotation by a small angle: a series of few terms.
 fn about_small(e: &Vector, angle: Wide) -> Matrix {
     let mut matrix = [[Wide::ZERO; 3]; 3];
     let one = Wide::new(1.0);
     let square = angle * angle;
-    // Angles here are below one rounding of a double: the next terms are below 1e-78.
+    // These angles are below one rounding of a double: the next terms are below 1e-78.
     let s = angle * (one - square / Wide::new(6.0));
     let versine = square.shifted(-1) * (one - square / Wide::new(12.0));
     for i in 0..3 {
@@ -407,7 +407,7 @@ impl Eliminated {
     }
 }
 
-/// x with rows[·][columns] x = right.
+/// Solves rows[·][columns] x = right.
 fn solve(rows: &[Vec<Wide>], columns: &[usize], right: &[Wide]) -> Option<Vec<Wide>> {
     let n = columns.len();
     let row = |(row, r): (&Vec<Wide>, &Wide)| columns.iter().map(|c| row[*c]).chain([*r]).collect();
@@ -436,7 +436,7 @@ impl Posed {
         plus(place, &apply(rotation, &wide(at)))
     }
 
-    /// Whether a velocity moves a link.
+    /// True if a velocity moves a link.
     fn moves(&self, velocity: usize, link: usize) -> bool {
         let mut at = Some(link);
         while let Some(number) = at {
@@ -512,7 +512,7 @@ impl Posed {
                 mass[r][c] = mass[r][c].shifted(self.scales[r] + self.scales[c]);
             }
         }
-        // What is exactly zero leaves rounding of 1e-96, magnified by masses and levers.
+        // Exact zeros leave a rounding of 1e-96, magnified by masses and levers.
         let zero = Wide::new(1e-66);
         let mut open: Vec<usize> = (0..n).collect();
         loop {

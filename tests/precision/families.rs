@@ -1,7 +1,7 @@
-//! Families of trees and linkages against 96 digits: no stated error is exceeded, by lanes or by poses.
+//! Families of trees and linkages compared with 96 digits: no error stated by lanes or poses is exceeded.
 //!
-//! The short version runs with the suite. `PERCUSS_ROWS=100000 cargo test -p percuss-tests --test precision by_definition --
-//! --nocapture` asks so many rows of every family.
+//! The short version runs with the suite. `PERCUSS_ROWS=100000 cargo test -p percuss-tests --test precision
+//! by_definition -- --nocapture` tests that number of rows of every family.
 
 use super::definition::{Closure, Exact, Joint, Link, Outcome, Touch};
 use super::wide::Wide;
@@ -13,21 +13,21 @@ use percuss_mechanism::JointKind;
 use rand::{Rng, SeedableRng, rngs::StdRng};
 use std::fmt::Write;
 
-/// Contacts at every pose.
+/// Contacts per pose.
 const CONTACTS: usize = 4;
-/// A mass below this part of all is stated as none: the threshold of the remark that says how large it may be.
+/// A mass below this fraction of the total is reported as massless: the threshold of the remark with its upper limit.
 const NEGLIGIBLE: f64 = 1e-9;
 
-/// What the rows of a family come to.
+/// Results of the rows of a family.
 #[derive(Default)]
 struct Tally {
     rows: usize,
-    /// Numbers with a stated error.
+    /// Results with a stated error.
     stated: usize,
     exceeded: usize,
-    /// The largest true over stated error.
+    /// Largest ratio of true to stated error.
     worst: f64,
-    /// Stated over true errors, the latter at least half a rounding.
+    /// Ratios of stated to true errors; a true error is at least half a rounding.
     ratios: Vec<f64>,
     complaints: Vec<String>,
 }
@@ -37,7 +37,7 @@ impl Tally {
         self.stated += 1;
         let off = (Wide::new(mass) - truth).abs().to_f64();
         let rounding = f64::EPSILON / 2.0 * truth.to_f64();
-        // The number itself is a double.
+        // The result itself is rounded to a double.
         let part = (off - rounding) / error;
         self.worst = self.worst.max(part);
         self.ratios.push(error / off.max(rounding));
@@ -53,14 +53,14 @@ impl Tally {
     }
 }
 
-/// What lanes, poses and asked-again rows come to.
+/// Results of lanes, poses and repeated rows.
 #[derive(Default)]
 struct Report {
     lanes: Tally,
     poses: Tally,
     /// Rows of a batch without a stated error.
     again: usize,
-    /// Outcomes other than the definition's, that are not said to be so to rounding only.
+    /// Outcomes that differ from the definition without a remark on rounding.
     outcomes: Vec<String>,
 }
 
@@ -72,10 +72,10 @@ fn scaled(v: [f64; 3], x: f64) -> [f64; 3] {
     v.map(|part| part * x)
 }
 
-/// A body of some mass, with an extent of about a decimetre.
+/// A body of a given mass, with an extent of about a decimetre.
 fn body(rng: &mut StdRng, mass: f64) -> Link {
     let [a, b, c] = [0; 3].map(|_| mass * rng.random_range(0.02f64..0.2).powi(2));
-    // About axes a little askew: symmetric, and positive definite by a margin.
+    // About slightly skewed axes: symmetric, and positive definite with a margin.
     let askew = 0.2 * a.min(b).min(c);
     let off = [0; 3].map(|_| askew * rng.random_range(-1.0..1.0));
     Link { mass, com: scaled(any(rng), 0.2), moments: [b + c, off[0], off[1], a + c, off[2], a + b] }
@@ -111,7 +111,7 @@ fn kind(rng: &mut StdRng) -> JointKind {
     }
 }
 
-/// Kinds of joints down a chain of links of these masses.
+/// A chain of links with these joint kinds and masses.
 fn chain(rng: &mut StdRng, links: &[(JointKind, f64)], floating: bool) -> Exact {
     let root = decades(rng, -1.0, 1.0);
     let mut tree = Exact { links: vec![body(rng, root)], floating, ..Exact::default() };
@@ -124,7 +124,8 @@ fn chain(rng: &mut StdRng, links: &[(JointKind, f64)], floating: bool) -> Exact 
     tree
 }
 
-/// A slide, a ball, a light fork, a hinge, a heavy body: the ball leaves the fork's moment alone about the hinge's axis.
+/// A slide, a ball, a light fork, a hinge, a heavy body: the ball transmits only the fork's moment about the hinge's
+/// axis.
 fn fork(rng: &mut StdRng) -> Exact {
     let span = rng.random_range(0.0..9.0);
     let (light, heavy) = (decades(rng, -span, 0.0), decades(rng, 0.0, span + 0.1));
@@ -140,7 +141,7 @@ fn floating(rng: &mut StdRng) -> Exact {
     chain(rng, &[(JointKind::Spherical, light), (JointKind::Revolute, heavy)], true)
 }
 
-/// A slide with a wrist of three hinges, which may meet in a point and nearly line up.
+/// A slide with a wrist of three hinges, which may meet in a point and be nearly aligned.
 fn wrist(rng: &mut StdRng) -> Exact {
     use JointKind::{Prismatic, Revolute};
     let span = rng.random_range(0.0..6.0);
@@ -182,7 +183,7 @@ fn mixed(rng: &mut StdRng) -> Exact {
     tree
 }
 
-/// Hinges and slides that nearly line up, with links between that are massless or light.
+/// Hinges and slides that are nearly aligned, with massless or light links in between.
 fn aligned(rng: &mut StdRng) -> Exact {
     let kind = if rng.random_bool(0.7) { JointKind::Revolute } else { JointKind::Prismatic };
     let count = rng.random_range(2..4usize);
@@ -197,7 +198,7 @@ fn aligned(rng: &mut StdRng) -> Exact {
     let mut tree = chain(rng, &links[first..], floating);
     let from = 1 - first;
     for i in from..tree.joints.len() {
-        // Axes of a file are known to 1e-16, those of a pose to some 1e-14: below, they count as aligned.
+        // Axes in a file are accurate to 1e-16, axes of a pose to some 1e-14: smaller tilts count as aligned.
         let tilt = if rng.random_bool(0.2) { 0.0 } else { decades(rng, -12.0, -1.0) };
         let joint = &mut tree.joints[i];
         joint.rpy = [0.0; 3];
@@ -215,7 +216,8 @@ fn aligned(rng: &mut StdRng) -> Exact {
     tree
 }
 
-/// A chain of hinges, slides apart, closed by a ball and held by up to two rods, as far from the root's origin as said.
+/// A chain of hinges with few slides, closed by a ball and held by up to two rods, at a random distance from the root's
+/// origin.
 fn linkage(rng: &mut StdRng) -> Exact {
     let span = if rng.random_bool(0.5) { 0.5 } else { 4.0 };
     let far = decades(rng, -3.0, 6.0);
@@ -240,7 +242,7 @@ fn linkage(rng: &mut StdRng) -> Exact {
     linkage
 }
 
-/// Closes a chain as it is drawn: a ball at the last link, rods elsewhere, to the root.
+/// Closes a chain as drawn: a ball at the last link, rods at other links, to the root.
 fn close(rng: &mut StdRng, linkage: &mut Exact, freedoms: usize) {
     let mut open = vec![0.0; linkage.joints.len()];
     let posed = linkage.pose(&mut open).expect("a tree");
@@ -254,7 +256,7 @@ fn close(rng: &mut StdRng, linkage: &mut Exact, freedoms: usize) {
         let place = posed.place(link, &at);
         let away = scaled(any(rng), 0.5);
         let ground = [0, 1, 2].map(|k| place[k] + away[k]);
-        // The length that the doubles leave.
+        // Length after rounding to doubles.
         let length = Vector3::from_fn(|k, _| ground[k] - place[k]).norm();
         linkage.closures.push(Closure { ends: [(0, ground), (link, at)], rod: Some(length) });
     }
@@ -284,7 +286,7 @@ fn positions(rng: &mut StdRng, tree: &Exact) -> Vec<f64> {
     all
 }
 
-/// Its pose; `None` where percuss has another.
+/// Pose at a row; `None` if percuss finds another pose.
 fn pose_at(system: &System, tree: &Exact, row: &[f64]) -> Option<Pose> {
     let mut configuration = system.configuration();
     let (mut at, closed) = (0, !tree.closures.is_empty());
@@ -306,7 +308,7 @@ fn pose_at(system: &System, tree: &Exact, row: &[f64]) -> Option<Pose> {
     (!closed || near).then_some(pose)
 }
 
-/// One mechanism at one pose: several contacts.
+/// Tests several contacts of a mechanism at one pose.
 fn ask(label: &str, tree: &Exact, row: &mut [f64], touches: &[Touch], report: &mut Report) -> bool {
     let Some(exact) = tree.pose(row) else { return false };
     let base = if tree.floating { Base::Floating } else { Base::Fixed };
@@ -356,7 +358,7 @@ fn ask(label: &str, tree: &Exact, row: &mut [f64], touches: &[Touch], report: &m
             (EffectiveMass::Massless, Outcome::Finite(truth)) if truth.to_f64() <= up_to => {}
             (EffectiveMass::Finite(mass), Outcome::Massless)
                 if response.effective_mass_error().is_some_and(|error| error >= mass) => {}
-            // Closing speeds below 1e-10 of their terms count as none.
+            // Closing speeds below 1e-10 of their terms count as zero.
             (EffectiveMass::Immovable, Outcome::Finite(truth)) if truth.to_f64() > 1e9 * NEGLIGIBLE * all => {
             }
             (EffectiveMass::Finite(_), Outcome::Immovable) if nearly => {}
@@ -376,7 +378,7 @@ fn rows_asked(short: usize) -> usize {
     std::env::var("PERCUSS_ROWS").ok().and_then(|rows| rows.parse().ok()).unwrap_or(short)
 }
 
-/// Asks so many rows of a family. `least`: the part of the rows that lanes answer at least.
+/// Tests a number of rows of a family. `least`: least fraction of rows solved by lanes.
 fn judge(name: &str, short: usize, make: impl Fn(&mut StdRng) -> (Exact, Vec<f64>), least: f64) {
     let (mut report, mut seed, rows) = (Report::default(), 0u64, rows_asked(short));
     while report.lanes.rows < rows {
@@ -459,14 +461,14 @@ fn by_definition_linkages() {
         let mut chain = linkage(rng);
         let freedoms = rng.random_range(1..3usize);
         close(rng, &mut chain, freedoms);
-        // Near the pose that it is drawn at.
+        // Near the drawn pose.
         let row = positions(rng, &chain).iter().map(|q| 0.1 * q).collect();
         (chain, row)
     };
     judge("linkages", 400, make, 0.1);
 }
 
-/// True if a contact was refused because its line is below a tenth of its drawn length: such a line is no normal.
+/// True if a contact was refused because its line is below a tenth of its drawn length.
 pub fn is_short_line<T>(answer: &Result<T, String>) -> bool {
     answer.as_ref().is_err_and(|why| why.contains("less than a tenth of its"))
 }

@@ -1,16 +1,16 @@
 //! Floating-point numbers of 320 bits, 96 decimal digits: the arithmetic of the reference.
 //!
-//! Results are truncated, not rounded: an operation is off by at most two units in the last bit.
+//! Results are truncated, not rounded: the error of an operation is at most two units in the last bit.
 
 use std::cmp::Ordering;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-/// Words of a mantissa.
+/// Words per mantissa.
 const WORDS: usize = 5;
-/// Bits of a mantissa.
+/// Bits per mantissa.
 const BITS: i64 = 64 * WORDS as i64;
 
-/// A number: ± 0.mantissa · 2^exponent, the mantissa's highest bit set, or zero.
+/// Number ± 0.mantissa · 2^exponent, with the mantissa's highest bit set, or zero.
 #[derive(Clone, Copy, Debug)]
 pub struct Wide {
     negative: bool,
@@ -45,7 +45,7 @@ impl Wide {
         Self { negative: false, ..self }
     }
 
-    /// The double nearest to it, to one unit in the last place.
+    /// Nearest double, to one unit in the last place.
     pub fn to_f64(self) -> f64 {
         if self.is_zero() {
             return 0.0;
@@ -53,12 +53,12 @@ impl Wide {
         let [.., low, high] = self.mantissa;
         let value = high as f64 + low as f64 * 2f64.powi(-64);
         let power = (self.exponent - 64) as i32;
-        // In two steps: one alone may be below the least double.
+        // In two steps: a single power of two may underflow.
         let scaled = value * 2f64.powi(power / 2) * 2f64.powi(power - power / 2);
         if self.negative { -scaled } else { scaled }
     }
 
-    /// Times 2^power.
+    /// The number times 2^power.
     pub fn shifted(self, power: i64) -> Self {
         if self.is_zero() { self } else { Self { exponent: self.exponent + power, ..self } }
     }
@@ -76,7 +76,7 @@ impl Wide {
         }
     }
 
-    /// Mantissa shifted right by so many bits.
+    /// Mantissa shifted right by `by` bits.
     fn aligned(&self, by: i64) -> [u64; WORDS] {
         let mut shifted = [0; WORDS];
         if by >= BITS {
@@ -109,7 +109,7 @@ impl Wide {
         self
     }
 
-    /// Sum of two of the same sign, the larger first.
+    /// Sum of the magnitudes of two numbers, the larger first.
     fn sum_of_sizes(large: &Self, small: &Self) -> Self {
         let other = small.aligned(large.exponent - small.exponent);
         let (mut mantissa, mut carry) = (large.mantissa, false);
@@ -129,7 +129,7 @@ impl Wide {
         Self { negative: large.negative, exponent, mantissa }
     }
 
-    /// Difference of the sizes of two, the larger first.
+    /// Difference of the magnitudes of two numbers, the larger first.
     fn difference_of_sizes(large: &Self, small: &Self) -> Self {
         let other = small.aligned(large.exponent - small.exponent);
         let (mut mantissa, mut borrow) = (large.mantissa, false);
@@ -169,7 +169,7 @@ impl Wide {
         (near * inverse).shifted(half)
     }
 
-    /// Sine and cosine of a double: series of a small part of it, doubled again.
+    /// Sine and cosine of a double: series of a small fraction of the angle, then repeated doubling.
     pub fn sin_cos(angle: f64) -> (Self, Self) {
         const HALVINGS: i64 = 24;
         let x = Self::new(angle).shifted(-HALVINGS);
@@ -315,6 +315,6 @@ fn arithmetic_keeps_ninety_digits() {
     // Addition theorem: sin 2x = 2 sin x cos x.
     let ((sin, cos), (twice, _)) = (Wide::sin_cos(0.7), Wide::sin_cos(1.4));
     assert!(tiny(twice - (sin * cos).shifted(1)));
-    // A sum that cancels keeps what is small.
+    // A cancelling sum keeps small terms.
     assert_eq!((of(1e18) + of(1e-18) - of(1e18)).to_f64(), 1e-18);
 }

@@ -1,4 +1,4 @@
-//! What the library answers, in plain values: the one place where the suites about families call it.
+//! Results of the library as plain values: the interface to percuss for the family tests.
 
 use percuss_dynamics::{
     Conditions, Contact, ContactResponse, EffectiveMass, Pose, Remark, RouteChoice, System,
@@ -8,7 +8,7 @@ use percuss_spatial::Vector3;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
-/// A mechanism on the ground, everything free.
+/// A mechanism on the ground with all joints free.
 pub struct Model {
     system: System,
 }
@@ -18,37 +18,37 @@ pub struct PosedModel {
     pose: Pose,
 }
 
-/// What is answered to a contact.
+/// Result for a contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Answer {
-    /// Whether and how it gives way.
+    /// Kind of the result.
     pub status: Status,
     /// m̄, kg; NaN unless finite.
     pub mass: f64,
-    /// The error that is stated with it, kg; NaN where none is.
+    /// The stated error, kg; NaN if none is stated.
     pub error: f64,
-    /// Degrees of freedom here.
+    /// Degrees of freedom at this pose.
     pub degrees_of_freedom: usize,
-    /// Whether branches cross here.
+    /// True if branches cross at this pose.
     pub singular: bool,
-    /// Whether its reader is warned that digits, or the number of freedoms, are uncertain.
+    /// True if the result has a warning that digits or the number of freedoms are uncertain.
     pub warned: bool,
-    /// Whether its reader is warned that the gap hardly closes, and may not at all.
+    /// True if the result has a warning that the gap hardly closes.
     pub nearly_immovable: bool,
 }
 
-/// The kind of an answer.
+/// Kind of a result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
     /// m̄ is a number.
     Finite,
-    /// Nothing closes the gap.
+    /// No motion closes the gap.
     Immovable,
-    /// Nothing has to be moved.
+    /// A motion without mass closes the gap.
     Massless,
 }
 
-/// The value, or in a line why there is none: an error, or a panic.
+/// The value, or one line with the reason of failure: an error or a panic.
 pub type Answered<T> = Result<T, String>;
 
 fn caught<T, E: std::fmt::Display>(ask: impl FnOnce() -> Result<T, E>) -> Answered<T> {
@@ -68,7 +68,7 @@ impl Model {
         caught(|| System::new(mechanism, &Conditions::new())).map(|system| Self { system })
     }
 
-    /// Whether the rank at a generic pose is clear.
+    /// True if the rank at a generic pose is clear.
     pub fn rank_is_clear(&self) -> bool {
         self.system.reference_or_open().rank_is_clear()
     }
@@ -76,7 +76,7 @@ impl Model {
     /// Degrees of freedom and redundant rows at a generic pose.
     ///
     /// # Errors
-    /// Where the library panics.
+    /// A panic of the library.
     pub fn generic(&self) -> Answered<(usize, usize)> {
         caught(|| {
             let system = &self.system;
@@ -84,7 +84,7 @@ impl Model {
         })
     }
 
-    /// With some joints set, all others at 0 or following.
+    /// Pose with some joints set; other joints are at 0 or dependent.
     ///
     /// # Errors
     /// The error of the library, in a line.
@@ -119,7 +119,7 @@ impl PosedModel {
         self.pose.loops().map(|loops| loops.drivers.clone()).unwrap_or_default()
     }
 
-    /// A point (m) of a link against the ground, the normal in the link's axes.
+    /// Response to a contact of a point (m) of a link with the ground, with the normal in the link's axes.
     ///
     /// # Errors
     /// The error of the library, in a line.
@@ -127,7 +127,7 @@ impl PosedModel {
         self.respond_by(RouteChoice::Auto, &Contact::new(link, point, normal))
     }
 
-    /// The same by a route.
+    /// Response by a given route.
     ///
     /// # Errors
     /// The error of the library, in a line.
@@ -152,10 +152,10 @@ impl PosedModel {
         })
     }
 
-    /// The limits along the branches that cross here, kg, and whether they are all.
+    /// Limits along the branches that cross at this pose, kg; true if the list is complete.
     ///
     /// # Errors
-    /// Where the library panics.
+    /// A panic of the library.
     pub fn limits(&self, contact: &Contact) -> Answered<(Vec<EffectiveMass>, bool)> {
         let limits = caught(|| Ok::<_, String>(self.pose.branch_limits(contact)))?;
         Ok((limits.limits, limits.complete))

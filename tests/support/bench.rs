@@ -1,4 +1,4 @@
-//! A mechanism with its configuration: posed by joint names, touched by link names, answered by both routes.
+//! A mechanism with its configuration: joints and links by name, both routes compared.
 
 use crate::judge::states_enough;
 use percuss_dynamics::{
@@ -9,23 +9,23 @@ use percuss_mechanism::Mechanism;
 use percuss_spatial::Vector3;
 use std::sync::Arc;
 
-/// A few thousand roundings; the mechanisms of closed forms are well conditioned, or exact by structure.
+/// Some thousand roundings; the mechanisms with closed forms are well conditioned, or exact by structure.
 pub const TOL: f64 = 1e-12;
 
-/// What a closed form itself is rounded by, relative.
+/// Relative rounding error of a closed form.
 pub const CLOSED_FORM: f64 = 8.0 * f64::EPSILON;
 
 /// A system with its configuration.
 pub struct Bench {
     /// The system.
     pub system: System,
-    /// Where its joints stand.
+    /// Its configuration.
     pub configuration: Configuration,
 }
 
-/// Everything panics that does not fit or is not as expected.
+/// Methods panic on invalid arguments and unexpected results.
 impl Bench {
-    /// With a fixed base, everything free.
+    /// Fixed base, all joints free.
     pub fn new(mechanism: impl Into<Arc<Mechanism>>) -> Self {
         Self::under(mechanism, &Conditions::new())
     }
@@ -37,13 +37,13 @@ impl Bench {
         Self { system, configuration }
     }
 
-    /// Puts a joint at a position.
+    /// Sets the position of a joint.
     pub fn set(mut self, joint: &str, values: &[f64]) -> Self {
         self.configuration.set(joint, values).expect("a position that fits");
         self
     }
 
-    /// A point (m) of a link against the ground, the normal in the world's axes.
+    /// Contact of a point (m) of a link with the ground, with the normal in the world's axes.
     pub fn contact(&self, link: &str, point: [f64; 3], normal: Vector3<f64>) -> Contact {
         let link = self.system.mechanism().find_link(link).expect("a link");
         Contact::new(link, point, normal).normal(Direction::Along(normal, Frame::World))
@@ -55,19 +55,19 @@ impl Bench {
         pose.respond(contact, choice).expect("an answer")
     }
 
-    /// The outcome, which both routes must give.
+    /// The outcome, equal for both routes.
     pub fn outcome(&self, contact: &Contact) -> EffectiveMass {
         let by = |route| self.respond(contact, RouteChoice::Only(route)).effective_mass;
         assert_eq!(by(Route::Dense), by(Route::Articulated));
         by(Route::Dense)
     }
 
-    /// Both routes give the mass (kg).
+    /// Asserts that both routes give the mass (kg).
     pub fn check_mass(&self, contact: &Contact, expected: f64) {
         self.check_mass_by(contact, expected, &[Route::Dense, Route::Articulated]);
     }
 
-    /// These routes give the mass (kg), and the automatic choice does.
+    /// Asserts that these routes and the automatic choice give the mass (kg).
     pub fn check_mass_by(&self, contact: &Contact, expected: f64, routes: &[Route]) {
         for &route in routes {
             let response = self.respond(contact, RouteChoice::Only(route));
@@ -93,13 +93,13 @@ pub fn mass(response: &ContactResponse) -> f64 {
     }
 }
 
-/// Equal to [`TOL`].
+/// Asserts equality within [`TOL`].
 #[track_caller]
 pub fn assert_close(got: f64, expected: f64) {
     assert!((got / expected - 1.0).abs() <= TOL, "{got}, expected {expected}");
 }
 
-/// The direction at an angle (rad) in the plane of x and y.
+/// Unit vector at an angle (rad) in the xy plane.
 pub fn along(angle: f64) -> Vector3<f64> {
     Vector3::new(angle.cos(), angle.sin(), 0.0)
 }

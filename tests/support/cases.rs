@@ -1,4 +1,4 @@
-//! Mechanisms at random positions, struck at random points, with and without locks, armatures and a floating base.
+//! Mechanisms at random positions with random contacts, with and without locks, armatures and a floating base.
 
 use crate::judge::near_at;
 use nalgebra::Vector3;
@@ -13,34 +13,34 @@ use std::sync::Arc;
 /// A mechanism under conditions, at a position, with a contact.
 #[derive(Clone, Debug)]
 pub struct Case {
-    /// To be named in a failure.
+    /// Name for failure messages.
     pub name: String,
     /// The mechanism.
     pub mechanism: Arc<Mechanism>,
-    /// How its root stands.
+    /// Fixed or floating root.
     pub base: Base,
-    /// Joints held still.
+    /// Locked joints.
     pub locks: Vec<JointId>,
-    /// Armatures in place of the mechanism's own.
+    /// Armatures that replace those of the mechanism.
     pub armatures: Vec<(JointId, Vec<f64>)>,
-    /// One list a joint, mimics filled in.
+    /// One list per joint, with the positions of mimics.
     pub positions: Vec<Vec<f64>>,
-    /// The struck link.
+    /// The contact link.
     pub on: LinkId,
-    /// The other side; none: the ground.
+    /// The other side; `None`: the ground.
     pub against: Option<LinkId>,
-    /// The struck point in the struck link, m.
+    /// The contact point in the contact link, m.
     pub point: Vector3<f64>,
     /// n̂ in the root link's axes.
     pub normal: Vector3<f64>,
 }
 
 impl Case {
-    /// At a random position with a random contact, nothing imposed.
+    /// Random position and random contact, without conditions.
     pub fn plain(rng: &mut StdRng, name: String, mechanism: Arc<Mechanism>, base: Base) -> Self {
         let positions = random::positions(rng, &mechanism);
         let (mut on, mut against, point, normal) = random::contact(rng, &mechanism);
-        // A floating base can be struck itself.
+        // The contact may be on the floating base itself.
         if base == Base::Floating && rng.random_bool(0.15) {
             (on, against) = (mechanism.root(), None);
         }
@@ -58,7 +58,7 @@ impl Case {
         }
     }
 
-    /// Locks a third of the joints, at least one where there is any; mimics and fixed joints too.
+    /// Locks a third of the joints, at least one if there are joints; mimics and fixed joints too.
     pub fn with_locks(mut self, rng: &mut StdRng) -> Self {
         self.locks = self.mechanism.joint_ids().filter(|_| rng.random_bool(0.3)).collect();
         if self.locks.is_empty() {
@@ -68,7 +68,7 @@ impl Case {
         self
     }
 
-    /// Replaces the armature of half of the joints that move; sometimes by nothing.
+    /// Replaces the armature of half of the moving joints, in some cases by zero.
     pub fn with_armatures(mut self, rng: &mut StdRng) -> Self {
         for id in self.mechanism.joint_ids() {
             let kind = self.mechanism.joint(id).kind();
@@ -88,7 +88,7 @@ impl Case {
         self
     }
 
-    /// The conditions, for route A and B.
+    /// Conditions for routes A and B.
     pub fn conditions(&self) -> Conditions {
         let name = |id: JointId| self.mechanism.joint(id).name();
         let start = Conditions::new().base(self.base);
@@ -112,12 +112,12 @@ impl Case {
         configuration
     }
 
-    /// The pose, the root link at the world's origin.
+    /// The pose with the root link at the world's origin.
     pub fn pose(&self, system: &System) -> Pose {
         system.pose(&self.configuration(system)).expect("a tree poses")
     }
 
-    /// The contact, its normal in the world's axes: the root link's, where that stands at the origin.
+    /// The contact, with its normal in the world's axes; the root link is at the origin, so its axes are the world's.
     pub fn contact(&self) -> Contact {
         let contact = Contact::new(self.on, self.point, Vector3::z())
             .normal(Direction::Along(self.normal, Frame::World));
@@ -127,18 +127,18 @@ impl Case {
         }
     }
 
-    /// How near two computations of its answer must be, relative: by the condition of M.
+    /// Relative tolerance for two computations of the case's result, from the condition of M.
     pub fn near(&self) -> f64 {
         near_at(&self.pose(&self.system()))
     }
 
-    /// The response by whichever route holds.
+    /// The response by the automatic route.
     pub fn response(&self) -> ContactResponse {
         let system = self.system();
         self.pose(&system).respond(&self.contact(), RouteChoice::Auto).expect("an answer")
     }
 
-    /// The same, put to the oracle.
+    /// The question for the oracle.
     pub fn question(&self) -> Question<'_> {
         Question {
             floating_base: self.base == Base::Floating,
@@ -149,7 +149,7 @@ impl Case {
         }
     }
 
-    /// The armature in force at a joint, one value a velocity.
+    /// The effective armature of a joint, one value per velocity.
     pub fn armature(&self, joint: JointId) -> Vec<f64> {
         let own = self.mechanism.joint(joint);
         match self.armatures.iter().find(|(id, _)| *id == joint) {
@@ -159,14 +159,14 @@ impl Case {
         }
     }
 
-    /// Whether a mimic moves.
+    /// True if a mimic moves.
     pub fn has_moving_mimics(&self, system: &System) -> bool {
         let moves = |id| self.mechanism.joint(id).mimic().is_some() && !system.is_locked(id);
         self.mechanism.joint_ids().any(moves)
     }
 }
 
-/// Every mechanism of the zoo, on the ground and floating; plain, with locks, with armatures, with both, with
+/// All mechanisms of the zoo, with fixed and floating base; plain, with locks, with armatures, with both, with
 /// everything locked; `repeats` random positions and contacts each.
 pub fn of_the_zoo(seed: u64, repeats: usize) -> Vec<Case> {
     let mut rng = StdRng::seed_from_u64(seed);
@@ -190,8 +190,8 @@ pub fn of_the_zoo(seed: u64, repeats: usize) -> Vec<Case> {
     cases
 }
 
-/// `count` random mechanisms of 1 to `largest` bodies, more small ones than large ones; half of them without mimics,
-/// so that every route takes them. Bases, locks and armatures in turn.
+/// `count` random mechanisms of 1 to `largest` bodies, more small than large; half of them without mimics, so that
+/// every route solves them. Bases, locks and armatures vary in turn.
 pub fn at_random(seed: u64, count: usize, largest: usize) -> Vec<Case> {
     let case = |i: usize| {
         let mut rng = StdRng::seed_from_u64(seed + i as u64);
@@ -219,7 +219,7 @@ fn varied(rng: &mut StdRng, mut case: Case, variant: usize) -> Case {
     case
 }
 
-/// The mechanism with every mimic let go.
+/// The mechanism with all mimics replaced by free joints.
 pub fn without_mimics(mechanism: &Mechanism) -> Mechanism {
     let (links, mut joints) = alter::describe(mechanism);
     joints.iter_mut().for_each(|joint| joint.mimic = None);

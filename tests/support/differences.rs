@@ -1,4 +1,4 @@
-//! Velocities of links from differences of poses: what they are, whatever a Jacobian says.
+//! Velocities of links from differences of poses, independent of Jacobians.
 
 use crate::cases::Case;
 use crate::motion::Motion;
@@ -6,14 +6,14 @@ use percuss_dynamics::{LocatedContact, Pose};
 use percuss_mechanism::LinkId;
 use percuss_spatial::{Twist, Vector3};
 
-/// Turn (rad) of all joints together in the longer step. Central differences with Richardson's extrapolation leave
-/// step⁴/120 of the velocities, and rounding ε/step of them: 2e-13 and 2e-13.
+/// Rotation (rad) of all joints together in the longer step. Central differences with Richardson's extrapolation have a
+/// truncation error of step⁴/120 of the velocities and a rounding error of ε/step: 2e-13 and 2e-13.
 const STEP: f64 = 2e-3;
 
-/// Relative error of a velocity found by differences, with a factor of twenty for the arithmetic of a long chain.
+/// Relative error of a velocity from differences, with a factor of twenty for the arithmetic of a long chain.
 pub const DIFFERENCE: f64 = 1e-11;
 
-/// The derivative at zero of a smooth function of time, in steps that suit a motion.
+/// Derivative at zero of a smooth function of time, with steps adapted to a motion.
 pub fn derivative<V>(motion: &Motion, value: impl FnMut(f64) -> V) -> V
 where
     V: std::ops::Sub<Output = V> + std::ops::Mul<f64, Output = V>,
@@ -21,7 +21,7 @@ where
     derivative_by(STEP / motion.size().max(1e-300), value)
 }
 
-/// The derivative at zero of a smooth function: (4 D(h/2) − D(h)) / 3 of central differences D.
+/// Derivative at zero of a smooth function: (4 D(h/2) − D(h)) / 3 of central differences D.
 pub fn derivative_by<V>(h: f64, mut value: impl FnMut(f64) -> V) -> V
 where
     V: std::ops::Sub<Output = V> + std::ops::Mul<f64, Output = V>,
@@ -31,9 +31,9 @@ where
     fine * (4.0 / 3.0) - coarse * (1.0 / 3.0)
 }
 
-/// The second derivative at zero of a function of the velocities and of the time they last, along the motion with the
-/// joint accelerations `rates`: extrapolated as [`derivative`], with steps five times as long. What remains is
-/// step⁴/360 and ε/step² of the size of things: some 1e-10.
+/// Second derivative at zero of a function of velocities and duration, along the motion with the joint accelerations
+/// `rates`: extrapolated as [`derivative`], with steps five times as long. The error is step⁴/360 and ε/step² of the
+/// size of the quantities: some 1e-10.
 pub fn second_derivative(
     motion: &Motion,
     rates: &[Vec<f64>],
@@ -41,7 +41,7 @@ pub fn second_derivative(
 ) -> Vector3<f64> {
     let speed = motion.size() + rates.iter().flatten().map(|rate| rate.abs().sqrt()).sum::<f64>();
     let h = 5.0 * STEP / speed.max(1e-300);
-    // The mean velocity of the time is that of its middle.
+    // The mean velocity over the duration is the velocity at its middle.
     let at = |h: f64| {
         let mean = |(v, a): (&Vec<f64>, &Vec<f64>)| v.iter().zip(a).map(|(v, a)| v + a * h / 2.0).collect();
         let velocities: Vec<Vec<f64>> = motion.joints.iter().zip(rates).map(mean).collect();
@@ -63,8 +63,8 @@ pub fn link_twist(pose: &Pose, motion: &Motion, link: LinkId) -> Twist<f64> {
     })
 }
 
-/// Twice the kinetic energy by hand: m v_c² + ω·I_c ω of every link from differences of poses, and a q̇² of every
-/// armature. Beside it, the size of its terms were nothing to cancel.
+/// Twice the kinetic energy from its definition: m v_c² + ω·I_c ω of every link from differences of poses, and a q̇² of
+/// every armature. The second number is the sum of the terms' magnitudes.
 pub fn twice_energy(case: &Case, pose: &Pose, motion: &Motion) -> (f64, f64) {
     let (mut sum, mut size) = (0.0, 0.0);
     for (i, twist) in link_twists(pose, motion).iter().enumerate() {
@@ -88,7 +88,7 @@ pub fn link_twists(pose: &Pose, motion: &Motion) -> Vec<Twist<f64>> {
     pose.mechanism().link_ids().map(|link| link_twist(pose, motion, link)).collect()
 }
 
-/// How fast the gap closes: n̂ · (velocity of the struck point − that of the other side's point there).
+/// Closing speed of the gap: n̂ · (velocity of the contact point − velocity of the other side's point at that place).
 pub fn closing_speed(pose: &Pose, motion: &Motion, contact: &LocatedContact) -> f64 {
     let velocity = |link: LinkId| {
         let x_wl = pose.link(link);

@@ -1,6 +1,6 @@
-//! Deviations, their bounds, and the worst of them.
+//! Deviations with bounds, and the worst deviation.
 
-/// Keeps the worst of many deviations and fails on the first that passes its bound.
+/// Records the worst of many deviations and fails on the first deviation above its bound.
 #[derive(Clone, Debug)]
 pub struct Gauge {
     what: &'static str,
@@ -11,15 +11,15 @@ pub struct Gauge {
 }
 
 impl Gauge {
-    /// A gauge of one quantity.
+    /// New gauge of one quantity.
     pub fn new(what: &'static str) -> Self {
         Self { what, count: 0, worst: 0.0, worst_case: String::new(), fullest: 0.0 }
     }
 
-    /// Notes a deviation.
+    /// Records a deviation.
     ///
     /// # Panics
-    /// Where it passes its bound, or is NaN.
+    /// If the deviation exceeds its bound or is NaN.
     pub fn note(&mut self, case: &str, deviation: f64, bound: f64) {
         assert!(deviation <= bound, "{}: {case}: deviation {deviation:e}, bound {bound:e}", self.what);
         self.count += 1;
@@ -30,23 +30,23 @@ impl Gauge {
         self.fullest = self.fullest.max(deviation / bound);
     }
 
-    /// Notes how far `got` is from `expected`, relative to `expected`.
+    /// Records the deviation of `got` from `expected`, relative to `expected`.
     ///
     /// # Panics
-    /// Where that passes the bound, or is NaN.
+    /// If the deviation exceeds its bound or is NaN.
     pub fn relative(&mut self, case: &str, got: f64, expected: f64, bound: f64) {
         self.note(case, ((got - expected) / expected).abs(), bound);
     }
 
-    /// How many deviations were noted.
+    /// Number of recorded deviations.
     pub fn count(&self) -> usize {
         self.count
     }
 
-    /// Says the worst deviation, and how much of its bound was ever used (`--nocapture` shows it).
+    /// Prints the worst deviation and the largest used fraction of a bound (visible with `--nocapture`).
     ///
     /// # Panics
-    /// Where nothing was measured: a comparison that never ran proves nothing.
+    /// If no deviation was recorded: a comparison that never ran proves nothing.
     pub fn report(&self) {
         assert!(self.count > 0, "{}: nothing was compared", self.what);
         let Self { what, count, worst, worst_case, fullest } = self;

@@ -1,4 +1,4 @@
-//! Conditions of an analysis, drawn at random, and what they are for the oracle.
+//! Random conditions of an analysis, in the forms of the library and of the oracle.
 
 use percuss_dynamics::{Base, Conditions};
 use percuss_mechanism::{JointId, Mechanism};
@@ -6,23 +6,23 @@ use percuss_oracle::maximal::{Held, Question};
 use percuss_oracle::random;
 use rand::{Rng, rngs::StdRng};
 
-/// Conditions, and the same for the oracle.
+/// Conditions for the library and for the oracle.
 #[derive(Clone, Debug)]
 pub struct Imposed {
     /// For the library.
     pub conditions: Conditions,
-    /// To be named in a failure.
+    /// Name for failure messages.
     pub name: String,
     locked: Vec<JointId>,
     armature: Vec<(JointId, Vec<f64>)>,
     held: Vec<Held>,
 }
 
-/// How many variants there are: a floating base, a lock, an armature and a held contact, each or not.
+/// Number of variants: with or without a floating base, a lock, an armature and a held contact.
 pub const VARIANTS: usize = 16;
 
 impl Imposed {
-    /// A mixture: bit 0 a floating base, bit 1 a lock, bit 2 an armature, bit 3 a held contact.
+    /// Combination of conditions: bit 0 a floating base, bit 1 a lock, bit 2 an armature, bit 3 a held contact.
     pub fn at_random(rng: &mut StdRng, mechanism: &Mechanism, variant: usize) -> Self {
         let base = if variant % 2 == 1 { Base::Floating } else { Base::Fixed };
         let mut all = Self {
@@ -58,7 +58,7 @@ impl Imposed {
         all
     }
 
-    /// A question to the oracle under these conditions.
+    /// Adds these conditions to a question for the oracle.
     pub fn ask<'a>(&self, question: Question<'a>) -> Question<'a> {
         Question {
             locked: self.locked.clone(),

@@ -1,25 +1,25 @@
-//! How near two answers must be, and whether a stated error covers the truth.
+//! Tolerances for two results, and the test of a stated error.
 
 use percuss_dynamics::{ContactResponse, EffectiveMass, Pose};
 
-/// How near two computations of an answer must be, relative: some thousand roundings of what is left when terms of
-/// M a thousand times as large cancel.
+/// Relative tolerance for two computations of a result: some thousand roundings of the remainder after cancellation of
+/// terms of M a thousand times as large.
 pub const NEAR: f64 = 1e-9;
 
-/// Roundings per unit of the condition of M: a step of the elimination of each of some hundred coordinates.
+/// Rounding per unit of the condition of M: one elimination step for each of some hundred coordinates.
 const PER_CONDITION: f64 = 1e-14;
-/// Nearer than this they need not be, however well conditioned.
+/// Lower limit of the tolerance, for well-conditioned problems.
 const NEAREST: f64 = 1e-11;
-/// Worse than this no two answers may be to one question, however badly conditioned.
+/// Upper limit of the tolerance, for ill-conditioned problems.
 const WORST: f64 = 1e-7;
 
-/// The condition of M scaled to unit diagonal, where it is regular: below 1/ε by more than rounding.
+/// Condition of M scaled to unit diagonal; `None` for a singular M: a condition of about 1/ε.
 pub fn regular_condition(pose: &Pose) -> Option<f64> {
     pose.condition().filter(|condition| *condition < 1e14)
 }
 
-/// How near two computations must be, relative, by the condition of M (scaled to unit diagonal) at the pose: a law
-/// of the problem, not of the answer. A singular M has no condition; what is left of it is as good as any other.
+/// Relative tolerance for two computations, from the condition of M (scaled to unit diagonal) at the pose: a property
+/// of the problem, not of the result. A singular M has no condition and gets the default tolerance.
 pub fn near_at(pose: &Pose) -> f64 {
     match regular_condition(pose) {
         Some(condition) => (PER_CONDITION * condition).clamp(NEAREST, WORST),
@@ -27,13 +27,13 @@ pub fn near_at(pose: &Pose) -> f64 {
     }
 }
 
-/// Whether |m̄ − truth| stays within the error that the answer states, given the truth's own relative error.
+/// True if |m̄ − truth| is within the stated error, given the relative error `own` of the truth.
 pub fn states_enough(response: &ContactResponse, truth: f64, own: f64) -> bool {
     let EffectiveMass::Finite(m) = response.effective_mass else { return false };
     response.effective_mass_error().is_some_and(|stated| (m - truth).abs() <= stated + own * truth)
 }
 
-/// m̄ as a number: 0 where massless, infinite where immovable.
+/// m̄ as a number: 0 for massless, infinite for immovable.
 pub fn mass_or_bound(response: &ContactResponse) -> f64 {
     match response.effective_mass {
         EffectiveMass::Massless => 0.0,

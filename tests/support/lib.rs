@@ -1,5 +1,5 @@
-//! What the suites share: cases to try, motions, velocities from differences of poses, and a gauge that keeps the
-//! worst deviation seen. For tests only, so it panics where a case makes no sense.
+//! Shared parts of the test suites: cases, motions, velocities from differences of poses, and a gauge of the worst
+//! deviation. For tests only: invalid cases panic.
 
 pub mod answer;
 pub mod bench;

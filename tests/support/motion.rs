@@ -1,4 +1,4 @@
-//! Velocities that conditions admit.
+//! Velocities that satisfy the conditions.
 
 use nalgebra::{DVector, Vector3};
 use percuss_dynamics::{Base, ContactResponse, System};
@@ -8,9 +8,9 @@ use rand::{Rng, rngs::StdRng};
 /// Velocities of all joints, and the twist of the root link in its own axes.
 #[derive(Clone, Debug)]
 pub struct Motion {
-    /// One list a joint.
+    /// One list per joint.
     pub joints: Vec<Vec<f64>>,
-    /// Of the root link.
+    /// Twist of the root link.
     pub base: Twist<f64>,
 }
 
@@ -20,7 +20,7 @@ impl Motion {
         Self { joints: response.joint_velocities.clone(), base: response.base_velocity }
     }
 
-    /// A random motion: locked joints and a fixed base stand still, mimics follow.
+    /// Random motion: locked joints and a fixed base are at rest, mimics follow.
     pub fn random(rng: &mut StdRng, system: &System) -> Self {
         let mechanism = system.mechanism();
         let mut number = || rng.random_range(-1.0..1.0);
@@ -45,8 +45,8 @@ impl Motion {
         Self { joints, base }
     }
 
-    /// As the system's coordinates: of the floating base, then of every joint that is neither locked nor a mimic, in
-    /// tree order.
+    /// Velocities in the order of the system's coordinates: the floating base, then every joint that is neither locked
+    /// nor a mimic, in tree order.
     pub fn coordinates(&self, system: &System) -> DVector<f64> {
         let mechanism = system.mechanism();
         let mut u = Vec::new();
@@ -61,7 +61,7 @@ impl Motion {
         DVector::from_vec(u)
     }
 
-    /// The motion with these coordinates; mimics follow.
+    /// Motion with these coordinates; mimics follow.
     pub fn from_coordinates(system: &System, u: &DVector<f64>) -> Self {
         let mechanism = system.mechanism();
         let kinds = mechanism.joints().iter().map(|joint| joint.kind().dofs());
@@ -73,7 +73,7 @@ impl Motion {
                 None => motion.base.linear[component - 3] = *value,
             }
         }
-        // A mimic's master may be a mimic itself, of a joint that comes later.
+        // A mimic's master may itself be a mimic of a later joint.
         for _ in mechanism.joints() {
             for id in mechanism.joint_ids() {
                 if let Some(mimic) = mechanism.joint(id).mimic() {
@@ -85,7 +85,7 @@ impl Motion {
         motion
     }
 
-    /// The sum of all rates: no link turns faster.
+    /// Sum of all rates: an upper bound of a link's angular velocity.
     pub fn size(&self) -> f64 {
         let base = self.base.angular.abs().sum() + self.base.linear.abs().sum();
         base + self.joints.iter().flatten().map(|v| v.abs()).sum::<f64>()

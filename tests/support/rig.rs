@@ -1,4 +1,4 @@
-//! A linkage on the bench: driven along its branch, struck by link names, put to the oracle.
+//! A linkage for tests: driven along its branch, contacts by link name, compared with the oracle.
 
 use nalgebra::{Vector2, Vector3};
 use percuss_dynamics::{
@@ -13,23 +13,23 @@ use std::sync::Arc;
 /// A linkage with its system.
 #[derive(Debug)]
 pub struct Rig {
-    /// What the linkage is called.
+    /// Name of the linkage.
     pub name: &'static str,
     /// The mechanism.
     pub mechanism: Arc<Mechanism>,
-    /// Under the conditions.
+    /// System under the conditions.
     pub system: System,
-    /// Joints that drive.
+    /// Driving joints.
     pub drivers: Vec<String>,
-    /// From where to where each goes.
+    /// Range of each driver.
     pub range: Vec<[f64; 2]>,
-    /// A position not far from a closed one.
+    /// A position close to a closed pose.
     pub start: Vec<Vec<f64>>,
 }
 
-/// Everything panics that does not fit or is not as expected.
+/// Methods panic on invalid arguments and unexpected results.
 impl Rig {
-    /// On the ground, everything free.
+    /// Fixed base, all joints free.
     pub fn new(linkage: Linkage) -> Self {
         Self::under(linkage, &Conditions::new())
     }
@@ -57,12 +57,12 @@ impl Rig {
         self.mechanism.find_joint(name).expect("a joint")
     }
 
-    /// Where the drivers stand at the start.
+    /// Positions of the drivers at the start.
     pub fn start_drivers(&self) -> Vec<f64> {
         self.drivers.iter().map(|name| self.start[self.joint(name).index()][0]).collect()
     }
 
-    /// The drivers at these values.
+    /// Configuration with these driver values.
     pub fn configuration(&self, drivers: &[f64]) -> Configuration {
         let mut configuration = self.system.configuration();
         for (name, value) in self.drivers.iter().zip(drivers) {
@@ -71,7 +71,7 @@ impl Rig {
         configuration
     }
 
-    /// The drivers at these values, everything else guessed at these positions.
+    /// Configuration with these driver values and guesses for all other joints.
     pub fn guessed(&self, drivers: &[f64], guess: &[Vec<f64>]) -> Configuration {
         let mut configuration = self.configuration(drivers);
         for (id, q) in self.mechanism.joint_ids().zip(guess) {
@@ -90,23 +90,23 @@ impl Rig {
         self.system.pose(&configuration).unwrap_or_else(|error| panic!("{}: {error}", self.name))
     }
 
-    /// Along the branch to the drivers' values.
+    /// Follows the branch to the drivers' values.
     pub fn go(&self, from: &Pose, drivers: &[f64]) -> Result<Pose, AssemblyError> {
         self.system.pose_from(from, &self.configuration(drivers))
     }
 
-    /// Along the branch to the drivers' values, which must be in reach.
+    /// Follows the branch to reachable driver values.
     #[track_caller]
     pub fn reach(&self, from: &Pose, drivers: &[f64]) -> Pose {
         self.go(from, drivers).unwrap_or_else(|error| panic!("{} at {drivers:?}: {error}", self.name))
     }
 
-    /// Every driver at this part of its range.
+    /// Driver values at a fraction of their ranges.
     pub fn at(&self, part: f64) -> Vec<f64> {
         self.range.iter().map(|[from, to]| from + part * (to - from)).collect()
     }
 
-    /// A point (m) of a link against the ground, the normal in the root's axes.
+    /// Contact of a point (m) of a link with the ground, with the normal in the root's axes.
     pub fn contact(&self, link: &str, point: [f64; 3], normal: Vector3<f64>) -> Contact {
         let link = self.mechanism.find_link(link).expect("a link");
         Contact::new(link, point, normal).normal(Direction::Along(normal, Frame::World))
@@ -117,19 +117,19 @@ impl Rig {
         pose.respond(contact, RouteChoice::Auto).expect("an answer")
     }
 
-    /// By how much the oracle sees the loops open, as a part of the size.
+    /// Closure error by the oracle, relative to the mechanism's size.
     pub fn open(&self, pose: &Pose) -> f64 {
         let residual = maximal::residual(&self.mechanism, &positions(&self.mechanism, pose));
         residual / self.mechanism.characteristic_length()
     }
 }
 
-/// Positions of a pose, one list a joint.
+/// Positions of a pose, one list per joint.
 pub fn positions(mechanism: &Mechanism, pose: &Pose) -> Vec<Vec<f64>> {
     mechanism.joint_ids().map(|id| pose.joint(id).to_vec()).collect()
 }
 
-/// The same question to route C, at the pose as it stands.
+/// The question for route C at a pose.
 pub fn question<'a>(
     system: &System,
     mechanism: &'a Mechanism,
@@ -150,7 +150,7 @@ pub fn question<'a>(
     }
 }
 
-/// A direction of the planar linkages' plane, in the ground.
+/// Direction in the plane of the planar linkages, in the ground's axes.
 pub fn in_plane(n: Vector2<f64>) -> Vector3<f64> {
     linkage::plane().vector(&n.push(0.0))
 }

@@ -1,23 +1,23 @@
-//! Who answered: the recursion itself, or the careful route, and why that was asked.
+//! Statistics of the routes: the recursion or the dense route, with the reasons.
 
 use percuss_dynamics::{CarefulReason, ContactResponse, EffectiveMass, Route};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
-/// Finite contacts by who answered.
+/// Finite contacts by route.
 #[derive(Clone, Debug, Default)]
 pub struct Routes {
     /// By the recursion alone.
     pub recursion: usize,
-    /// By the recursion, though the careful route was asked: that had no better answer.
+    /// By the recursion after the dense route gave no better result.
     pub kept: usize,
-    /// By the careful route.
+    /// By the dense route.
     pub careful: usize,
-    /// Why the careful route was asked, by [`reason`].
+    /// Reasons for the dense route, by [`reason`].
     pub reasons: BTreeMap<String, usize>,
 }
 
-/// Why the careful route was asked, in words; errors by their decade.
+/// Reason for the dense route as text; errors by their decade.
 pub fn reason(reason: &CarefulReason) -> String {
     match reason {
         CarefulReason::NegativeMass => "negative mass".into(),
@@ -27,7 +27,7 @@ pub fn reason(reason: &CarefulReason) -> String {
 }
 
 impl Routes {
-    /// Counts an answer by the automatic choice, where it is finite.
+    /// Counts a finite result of the automatic choice.
     pub fn count(&mut self, response: &ContactResponse) {
         if !matches!(response.effective_mass, EffectiveMass::Finite(_)) {
             return;
@@ -42,7 +42,7 @@ impl Routes {
         }
     }
 
-    /// Adds the counts of others.
+    /// Adds other counts.
     pub fn add(&mut self, other: &Self) {
         self.recursion += other.recursion;
         self.kept += other.kept;
@@ -52,7 +52,7 @@ impl Routes {
         }
     }
 
-    /// What [`Self::line`] has, by column.
+    /// Column headings of [`Self::line`].
     pub const HEADER: &str =
         "finite contacts         recursion  careful     kept  why the careful route was asked";
 

@@ -1,4 +1,4 @@
-//! Mechanisms at closed poses with a contact, trees and linkages alike.
+//! Trees and linkages at closed poses, each with a contact.
 
 use crate::cases::Case;
 use crate::imposed::{Imposed, VARIANTS};
@@ -14,16 +14,16 @@ use percuss_spatial::Twist;
 use rand::{Rng, SeedableRng, rngs::StdRng};
 use std::sync::Arc;
 
-/// A system at a closed pose, and a contact there. The root link stands at the world's origin.
+/// A system at a closed pose with a contact. The root link is at the world's origin.
 #[derive(Debug)]
 pub struct Subject {
-    /// To be named in a failure.
+    /// Name for failure messages.
     pub name: String,
-    /// Under conditions.
+    /// System under conditions.
     pub system: System,
-    /// Where it stands.
+    /// Closed pose.
     pub pose: Pose,
-    /// Where it is touched.
+    /// Contact at this pose.
     pub contact: Contact,
     /// Joints that the oracle may move to close the loops.
     pub free: Vec<JointId>,
@@ -31,11 +31,11 @@ pub struct Subject {
     case: Option<Case>,
 }
 
-/// Part of the largest singular value of A below which one counts as zero, and above which it counts.
+/// Limits relative to the largest singular value of A: smaller values count as zero, larger values count.
 const RANK: [f64; 2] = [1e-8, 1e-3];
 
 impl Subject {
-    /// A tree.
+    /// Subject from a tree.
     pub fn of_case(case: &Case) -> Self {
         let system = case.system();
         let pose = case.pose(&system);
@@ -48,7 +48,7 @@ impl Subject {
         self.system.mechanism()
     }
 
-    /// The conditions it stands under.
+    /// Conditions of the system.
     pub fn conditions(&self) -> Conditions {
         match (&self.given, &self.case) {
             (Some(given), _) => given.conditions.clone(),
@@ -57,7 +57,7 @@ impl Subject {
         }
     }
 
-    /// The same question to the oracle.
+    /// The question for the oracle.
     pub fn question(&self) -> Question<'_> {
         match (&self.given, &self.case) {
             (Some(given), _) => {
@@ -68,8 +68,7 @@ impl Subject {
         }
     }
 
-    /// A random motion that all constraints admit, with the root link at rest; none where nothing moves, or where
-    /// the rank of A is a matter of opinion.
+    /// Random admissible motion, with the root link at rest; `None` if nothing moves, or if the rank of A is unclear.
     pub fn motion(&self, rng: &mut StdRng) -> Option<Motion> {
         let a = self.pose.constraint_matrix();
         let joints = self.system.coordinate_joints();
@@ -87,7 +86,7 @@ impl Subject {
             }
             let counted = |l: f64| if l > RANK[1].powi(2) * most { 1.0 / l } else { 0.0 };
             let inverse = DVector::from_iterator(rows.nrows(), gram.eigenvalues.iter().map(|l| counted(*l)));
-            // Again and again: each takes away the rounding of the one before.
+            // Repeated: each pass removes the rounding of the pass before.
             for _ in 0..3 {
                 let along = gram.eigenvectors.tr_mul(&(&rows * &u));
                 u -= rows.tr_mul(&(&gram.eigenvectors * along.component_mul(&inverse)));
@@ -97,7 +96,7 @@ impl Subject {
         (motion.size() > 1e-6).then_some(motion)
     }
 
-    /// All positions after the motion has run for `h`, the loops closed again by the oracle.
+    /// All positions after the motion for a time `h`, with the loops closed again by the oracle.
     pub fn positions_after(&self, motion: &Motion, h: f64) -> Vec<f64> {
         let later = self.pose.advanced(&motion.joints, &Twist::zero(), h).expect("velocities that fit");
         if self.free.is_empty() {
@@ -108,13 +107,13 @@ impl Subject {
     }
 }
 
-/// Trees of the zoo and at random.
+/// Trees of the zoo and random trees.
 pub fn of_trees(seed: u64, repeats: usize, count: usize) -> Vec<Subject> {
     let cases = [crate::cases::of_the_zoo(seed, repeats), crate::cases::at_random(1000 * seed, count, 30)];
     cases.concat().iter().map(Subject::of_case).collect()
 }
 
-/// Every linkage of the oracle at so many poses of its range, under every mixture of conditions in turn.
+/// Every linkage of the oracle at a number of poses of its range, under every combination of conditions in turn.
 pub fn of_linkages(seed: u64, poses: usize) -> Vec<Subject> {
     let mut all = Vec::new();
     for (number, linkage) in linkage::all().into_iter().enumerate() {

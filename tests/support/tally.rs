@@ -1,9 +1,9 @@
-//! Many checks, all of them made before any fails: a table of how many failed, and a line for each.
+//! Collection of many checks before a test fails: a table of the failures, and a line per failure.
 
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Checks by what is asked (the test that reports them) and by column.
+/// Checks by question (the name of the reporting test) and by column.
 #[derive(Clone, Debug, Default)]
 pub struct Tally {
     checks: BTreeMap<(&'static str, String), Column>,
@@ -16,7 +16,7 @@ struct Column {
     failures: Vec<String>,
 }
 
-/// Failures that are printed for every column, unless `PERCUSS_ALL` is set.
+/// Number of printed failures per column, unless `PERCUSS_ALL` is set.
 const SHOWN: usize = 5;
 
 impl Tally {
@@ -24,7 +24,7 @@ impl Tally {
         self.checks.entry((asked, column.to_owned())).or_default()
     }
 
-    /// Notes a check, and how to describe it in a line if it failed. Says whether it held.
+    /// Records a check with a one-line description of its failure. Returns true if it holds.
     pub fn check(
         &mut self,
         asked: &'static str,
@@ -40,12 +40,12 @@ impl Tally {
         holds
     }
 
-    /// Notes that a check makes no sense here.
+    /// Records an inapplicable check.
     pub fn skip(&mut self, asked: &'static str, column: &str) {
         self.column(asked, column).skipped += 1;
     }
 
-    /// What is asked where anything failed.
+    /// Questions with failures.
     pub fn wrong(&self) -> Vec<&'static str> {
         let mut wrong: Vec<_> = self
             .checks
@@ -57,7 +57,7 @@ impl Tally {
         wrong
     }
 
-    /// Takes over the checks of another, after its own.
+    /// Appends the checks of another tally.
     pub fn merge(&mut self, other: Tally) {
         for ((asked, column), more) in other.checks {
             let own = self.column(asked, &column);
@@ -67,10 +67,10 @@ impl Tally {
         }
     }
 
-    /// Prints what became of what was asked.
+    /// Prints the results for a question.
     ///
     /// # Panics
-    /// Where a check failed, or fewer than `least` were made in a column.
+    /// If a check failed, or a column has fewer than `least` checks.
     pub fn report(&self, asked: &str, least: usize) {
         let all = std::env::var_os("PERCUSS_ALL").is_some();
         let (mut failed, mut made, mut columns) = (0, 0, 0);
@@ -93,7 +93,7 @@ impl Tally {
     }
 }
 
-/// Runs the cases on two threads; the tallies come together in the cases' order.
+/// Runs the cases on two threads; the tallies are merged in the order of the cases.
 pub fn over<C: Sync>(cases: &[C], judge: impl Fn(&C, &mut Tally) + Sync) -> Tally {
     let next = AtomicUsize::new(0);
     let run = || {

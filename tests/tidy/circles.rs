@@ -1,11 +1,11 @@
-//! Circles among the imports of a crate's files.
+//! Cycles among the imports of a crate's files.
 
 use super::imports::Imports;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-/// The groups of files of which each imports every other, directly or through others (the strongly connected
-/// components with more than one file).
+/// Groups of files in which each file imports every other, directly or indirectly (the strongly connected components
+/// with more than one file).
 pub fn circles(imports: &Imports) -> Vec<BTreeSet<&str>> {
     let files: BTreeSet<&str> = imports.keys().flat_map(|(a, b)| [a.as_str(), b.as_str()]).collect();
     let mut found: Vec<BTreeSet<&str>> = Vec::new();
@@ -18,7 +18,7 @@ pub fn circles(imports: &Imports) -> Vec<BTreeSet<&str>> {
     found
 }
 
-/// The files that `file` imports, directly or through others.
+/// Files that `file` imports, directly or indirectly.
 fn reached<'a>(imports: &'a Imports, file: &'a str) -> BTreeSet<&'a str> {
     let mut seen = BTreeSet::new();
     let mut open = vec![file];
@@ -32,7 +32,7 @@ fn reached<'a>(imports: &'a Imports, file: &'a str) -> BTreeSet<&'a str> {
     seen
 }
 
-/// A circle in words: each import inside it, with its names.
+/// Text for a cycle: each of its imports, with the imported names.
 pub fn describe(circle: &BTreeSet<&str>, imports: &Imports) -> String {
     let mut text = String::new();
     for ((from, to), names) in imports {

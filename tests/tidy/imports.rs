@@ -1,19 +1,19 @@
-//! Which source file of a crate imports which, read from its code by syn.
+//! Import graph of a crate's source files, from the parsed code (syn).
 //!
-//! An import belongs to the file that *defines* the name: `use crate::Name` is an import of the file from which `lib.rs`
-//! re-exports `Name`, and of `lib.rs` only where `Name` stands in `lib.rs` itself. `mod` declarations are not imports,
-//! nor is the re-export of a name by a module above its definition (`pub use child::Name`). Naming a module binds a
-//! name only; what is reached through it counts. Paths in code count as `use` does, also inside macro calls and
-//! attributes. Items under `#[cfg(test)]` are left out.
+//! An import belongs to the file that *defines* the name: `use crate::Name` is an import of the file from which
+//! `lib.rs` re-exports `Name`, and of `lib.rs` only if `lib.rs` itself defines `Name`. `mod` declarations are not
+//! imports, and neither is the re-export of a name by a parent module of its definition (`pub use child::Name`). An
+//! import of a module only binds a name; items reached through the module count. Paths in code count like `use`, also
+//! inside macro calls and attributes. Items under `#[cfg(test)]` are omitted.
 
 use super::modules::{Module, Path, is_for_tests, path_attribute};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The names that one file takes from another, by (importing file, imported file).
+/// Names imported by one file from another, by (importing file, imported file).
 pub type Imports = BTreeMap<(String, String), BTreeSet<String>>;
 
-/// The imports between the files of one crate. `sources` holds its texts by path below `src`; the crate's roots are
-/// `lib.rs`, `main.rs` and the files in `bin/`, as far as they exist.
+/// Imports between the files of one crate. `sources` holds the texts by path below `src`; the crate's roots are
+/// `lib.rs`, `main.rs` and the files in `bin/`, if present.
 pub fn imports(sources: &BTreeMap<String, String>) -> Imports {
     let mut found = Imports::new();
     let mut reached = BTreeSet::new();
@@ -29,10 +29,10 @@ pub fn imports(sources: &BTreeMap<String, String>) -> Imports {
     found
 }
 
-/// The longest chain of re-exports that is followed; `use` declarations may name one another.
+/// Limit of a chain of re-exports; `use` declarations may be circular.
 const LONGEST_CHAIN: usize = 32;
 
-/// What a path leads to: a module, or an item of a module.
+/// Target of a path: a module, or an item of a module.
 #[derive(Clone, Copy, PartialEq)]
 enum Target {
     Module(usize),
@@ -46,7 +46,7 @@ struct Tree<'a> {
 }
 
 impl Tree<'_> {
-    /// Reads a file whose submodules lie in `folder`.
+    /// Reads a file with its submodules in `folder`.
     fn read_file(&mut self, file: &str, folder: &str, parent: Option<usize>) -> usize {
         self.reached.insert(file.to_string());
         let parsed = syn::parse_file(&self.sources[file]).unwrap_or_else(|e| panic!("{file}: {e}"));
@@ -92,7 +92,7 @@ impl Tree<'_> {
         self.modules[parent].children.insert(name, child);
     }
 
-    /// Resolves every `use` and every path of code to the file that defines what it names.
+    /// Resolves every `use` and every path in the code to the file that defines the named item.
     fn collect(&self, found: &mut Imports) {
         for (id, module) in self.modules.iter().enumerate() {
             let mut import = |path: &Path, re_exported: bool| {
@@ -109,7 +109,7 @@ impl Tree<'_> {
             };
             module.bindings.iter().for_each(|binding| import(&binding.path, binding.public));
             for path in &module.paths {
-                // A bare name that is also a variable somewhere in the module is taken for the variable.
+                // A bare name that is also a variable of the module counts as the variable.
                 let variable = path.len() == 1 && module.variables.contains(&path[0]);
                 if !variable {
                     import(path, false);
@@ -129,8 +129,8 @@ impl Tree<'_> {
         false
     }
 
-    /// What a path in `module` leads to, and how many of its names lead there (the rest are variants and methods of an
-    /// item); nothing where it leads out of the crate. A name may stand for a module and an item at once.
+    /// Targets of a path in `module`, and the number of its names up to the target (the rest are variants and methods
+    /// of an item); empty for a path outside the crate. A name may denote both a module and an item.
     fn resolve(&self, module: usize, path: &[String], depth: usize) -> (Vec<Target>, usize) {
         if depth > LONGEST_CHAIN {
             return (Vec::new(), 1);
@@ -148,7 +148,7 @@ impl Tree<'_> {
                 self.modules[within].parent.map(Target::Module).into_iter().collect()
             } else {
                 let found = self.look_up(within, name, depth);
-                // A name that is not seen there is made by a macro.
+                // A name without definition there is generated by a macro.
                 if found.is_empty() { vec![Target::Item(within)] } else { found }
             };
         }
@@ -162,12 +162,12 @@ impl Tree<'_> {
         if within.items.contains(name) {
             found.push(Target::Item(module));
         }
-        // `use name::…` inside a module binds nothing that its own path could stand on.
+        // `use name::…` inside a module does not bind the first name of its own path.
         for binding in within.bindings.iter().filter(|b| b.name == name && b.path != [name]) {
             found.extend(self.resolve(module, &binding.path, depth + 1).0);
         }
         if found.is_empty() {
-            // A glob that begins with a name of no module here is one of another crate.
+            // A glob whose first name is not a module of this crate refers to another crate.
             let is_here = |name: &String| {
                 matches!(name.as_str(), "crate" | "self" | "super")
                     || within.children.contains_key(name)

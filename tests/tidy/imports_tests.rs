@@ -1,4 +1,4 @@
-//! The reader of imports and the search for circles, on small made-up crates.
+//! The import reader and the search for cycles, on small artificial crates.
 
 use super::circles::{circles, describe};
 use super::imports::{Imports, imports};

@@ -1,4 +1,4 @@
-//! What one module of a crate defines, imports and names, read by syn.
+//! Definitions, imports and names of one module of a crate, read by syn.
 
 use proc_macro2::{TokenStream, TokenTree};
 use std::collections::{BTreeMap, BTreeSet};
@@ -12,20 +12,20 @@ pub struct Module {
     pub file: String,
     pub parent: Option<usize>,
     pub children: BTreeMap<String, usize>,
-    /// What it defines.
+    /// Items defined by the module.
     pub items: BTreeSet<String>,
-    /// What its `use` declarations bind, and whether they re-export it.
+    /// Names bound by its `use` declarations, with their visibility.
     pub bindings: Vec<Binding>,
-    /// Modules whose names it takes by `use …::*`.
+    /// Modules imported by `use …::*`.
     pub globs: Vec<Path>,
     /// Paths in its code.
     pub paths: Vec<Path>,
-    /// Names of its variables.
+    /// Names of its local variables.
     pub variables: BTreeSet<String>,
 }
 
 impl Module {
-    /// A module of which only the names of its items are read.
+    /// New module with the names of its items only.
     pub fn new(file: &str, parent: Option<usize>, items: &[syn::Item]) -> Self {
         Self {
             file: file.to_string(),
@@ -39,7 +39,7 @@ impl Module {
         }
     }
 
-    /// Reads the inside of one item.
+    /// Reads the content of one item.
     pub fn read(&mut self, item: &syn::Item) {
         Reader(self).visit_item(item);
     }
@@ -82,7 +82,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Paths among tokens that syn does not parse: `a::b`, and names that follow no dot.
+    /// Paths among tokens that syn does not parse: `a::b`, and names that do not follow a dot.
     fn read_tokens(&mut self, tokens: TokenStream) {
         let tokens: Vec<TokenTree> = tokens.into_iter().collect();
         let is =
@@ -162,7 +162,7 @@ fn attributes(item: &syn::Item) -> &[syn::Attribute] {
     }
 }
 
-/// Whether the item stands under `#[cfg(test)]`.
+/// True if the item has `#[cfg(test)]`.
 pub fn is_for_tests(item: &syn::Item) -> bool {
     attributes(item).iter().any(|attribute| match &attribute.meta {
         syn::Meta::List(list) => list.path.is_ident("cfg") && list.tokens.to_string() == "test",

@@ -1,13 +1,13 @@
-//! The public names of a crate, read by syn from its `lib.rs` and the files of its public modules.
+//! Public names of a crate, read by syn from its `lib.rs` and the files of its public modules.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-/// For every public type and trait, the public modules that have it: `""` is the root, `exports` a module of it.
+/// Public modules of every public type and trait: `""` is the root, `exports` a module of the root.
 pub type Names = BTreeMap<String, BTreeSet<String>>;
 
-/// The public names of the crate whose `lib.rs` lies in `source`.
+/// Public names of the crate whose `lib.rs` is in `source`.
 pub fn public_names(source: &Path) -> Names {
     let mut names = Names::new();
     read(&source.join("lib.rs"), source, "", &mut names);
@@ -18,7 +18,7 @@ fn read(file: &Path, folder: &Path, module: &str, names: &mut Names) {
     let text = fs::read_to_string(file).unwrap_or_else(|e| panic!("{}: {e}", file.display()));
     let parsed = syn::parse_file(&text).unwrap_or_else(|e| panic!("{}: {e}", file.display()));
     let mut add = |name: String| {
-        // A type's name, not a function's, a module's or a constant's.
+        // True for a type's name, false for a function, a module or a constant.
         let mut letters = name.chars();
         if letters.next().is_some_and(char::is_uppercase) && letters.any(char::is_lowercase) {
             names.entry(name).or_default().insert(module.to_string());
@@ -50,7 +50,7 @@ fn is_public(visibility: &syn::Visibility) -> bool {
     matches!(visibility, syn::Visibility::Public(_))
 }
 
-/// The names that a `use` binds.
+/// Names bound by a `use`.
 fn leaves(tree: &syn::UseTree, add: &mut impl FnMut(String)) {
     match tree {
         syn::UseTree::Path(path) => leaves(&path.tree, add),

@@ -1,11 +1,11 @@
-//! What the C interface costs: one m̄ from a warm workspace, called as a C program calls it, over the same call in Rust; CPU time of
-//! the thread, the two in turn, the least of many blocks each.
+//! Cost of the C interface: m̄ from a warm workspace by a C call, relative to the same call in Rust. CPU time of the
+//! thread, alternating calls, the least of many blocks each.
 //!
 //!     packaging/install.sh --prefix PREFIX
 //!     PERCUSS_LIBRARY=PREFIX/lib/libpercuss.so cargo bench -p percuss-capi --bench call
 //!
-//! Without PERCUSS_LIBRARY the functions are those that are linked into this program: what the interface adds, without what
-//! a library of its own changes.
+//! Without PERCUSS_LIBRARY the functions linked into this program are called: the cost of the interface without the
+//! cost of a separate library.
 
 use cpu_time::ThreadTime;
 use percuss::{Conditions, Contact, EffectiveMass, LoadOptions, Source, System, load};
@@ -15,11 +15,11 @@ use std::fmt::Write;
 use std::hint::black_box;
 use std::ptr::{null, null_mut};
 
-/// Calls of a block, and blocks of each kind.
+/// Calls per block, and blocks of each kind.
 const CALLS: usize = 4096;
 const BLOCKS: usize = 120;
 
-/// An arm of so many hinges, their axes in turn along z, y and x.
+/// Serial arm with a number of hinges, their axes in turn along z, y and x.
 fn arm(hinges: usize) -> String {
     let mut text = String::from("<robot name=\"arm\"><link name=\"link_0\"/>");
     for i in 1..=hinges {
@@ -36,7 +36,7 @@ fn arm(hinges: usize) -> String {
     text + "</robot>"
 }
 
-/// Nanoseconds a call.
+/// Nanoseconds per call.
 fn time(mut call: impl FnMut(usize)) -> f64 {
     let start = ThreadTime::now();
     (0..CALLS).for_each(&mut call);
@@ -55,7 +55,7 @@ unsafe extern "C" {
 /// Resolve everything at once.
 const RTLD_NOW: c_int = 2;
 
-/// A new handle made from another, and from something that is null here.
+/// Constructor of a handle from another handle and an argument that is null here.
 type Make<From, To> = unsafe extern "C" fn(*const From, *const c_void, *mut *mut To) -> percuss_status;
 type Load =
     unsafe extern "C" fn(*const c_char, *const c_char, usize, *mut *mut percuss_model) -> percuss_status;
@@ -71,7 +71,7 @@ type Ask = unsafe extern "C" fn(
     *mut u32,
 ) -> percuss_status;
 
-/// The functions that are called, of the library or of this program.
+/// Functions under test, of the library or of this program.
 struct Interface {
     load: Load,
     system: Make<percuss_model, percuss_system>,
@@ -80,7 +80,7 @@ struct Interface {
     effective_mass: Ask,
 }
 
-/// The address of a function: of the library, else the one that is linked in.
+/// Address of a function in the library; without a library, the linked function.
 fn address(library: *mut c_void, name: &str, linked: *const c_void) -> *const c_void {
     if library.is_null() {
         return linked;
@@ -96,8 +96,8 @@ macro_rules! function {
     ($library:expr, $name:ident as $kind:ty) => {{
         let linked = $name as *const c_void;
         let found = black_box(address($library, stringify!($name), linked));
-        // SAFETY: both are the function of this name of one version of the interface; pointers to conditions and guesses, which are null
-        // here, are of another type only.
+        // SAFETY: both are the function of this name in one version of the interface; only the types of the pointers to
+        // conditions and guesses differ, and these pointers are null here.
         unsafe { std::mem::transmute::<*const c_void, $kind>(found) }
     }};
 }
@@ -133,7 +133,7 @@ fn compare(c: &Interface, name: &str, text: &str, link: &str) {
     let system = System::new(mechanism, &Conditions::new()).expect("a system");
     let reference = system.reference().expect("it closes");
     let mut workspace = reference.workspace();
-    // Of a linkage the closed pose alone; of a tree, anything.
+    // A linkage is tested at its closed pose only, a tree at varied positions.
     let closed = system.pose(&system.configuration()).expect("a pose").positions().to_vec();
     let spread = if reference.groups().is_empty() { 1.0 } else { 0.0 };
     let positions: Vec<Vec<f64>> = (0..256)
@@ -149,7 +149,8 @@ fn compare(c: &Interface, name: &str, text: &str, link: &str) {
         normal_given: PERCUSS_NORMAL_LINK,
         toward: 0,
     };
-    // SAFETY: every pointer is to a value of this function, or a handle that these calls made; the handles live as long as the program.
+    // SAFETY: every pointer is to a value of this function, or a handle from these calls; the handles stay valid until
+    // the program ends.
     unsafe { ok((c.load)(c"arm.urdf".as_ptr(), text.as_ptr().cast(), text.len(), &mut model)) };
     // SAFETY: as above.
     unsafe { ok((c.system)(model, null(), &mut compiled)) };
@@ -171,14 +172,14 @@ fn compare(c: &Interface, name: &str, text: &str, link: &str) {
         });
         black_box(mass)
     };
-    // The value is asserted once: both answer the same question.
+    // The values are compared once before timing.
     for i in 0..256 {
         let EffectiveMass::Finite(expected) = by_rust(i) else { panic!("a finite answer") };
         assert_eq!(by_c(i), expected);
     }
     let (mut rust, mut c) = (Vec::new(), Vec::new());
     for block in 0..BLOCKS {
-        // Each first as often as the other.
+        // Each kind runs first in half of the blocks.
         let (r, s) = if block % 2 == 0 {
             let r = time(|i| {
                 black_box(by_rust(i));

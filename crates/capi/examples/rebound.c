@@ -1,6 +1,6 @@
-/* A multibody program with its own time loop. Its mechanism, an arm with two links in a vertical plane, falls until its tip meets the
- * floor. At the touch the program asks percuss for the effective mass and takes the damper that gives the restitution of its
- * handbook; then it integrates through the impact and compares the rebound.
+/* A multibody program with its own time loop. Its mechanism, an arm with two links in a vertical plane, falls until
+ * its tip meets the floor. At the touch the program gets the effective mass from percuss and the damper for the
+ * restitution of its handbook; then it integrates through the impact and compares the rebound.
  *
  * Compile: cc -std=c11 rebound.c $(pkg-config --cflags --libs percuss) -lm */
 #include <percuss.h>
@@ -14,14 +14,14 @@
 static const double M1 = 3.0, L1 = 0.5, C1 = 0.25, I1 = 0.06;
 static const double M2 = 2.0, L2 = 0.4, C2 = 0.15, I2 = 0.03;
 static const double GRAVITY = 9.81, FLOOR = -0.6;
-/* Two floors, N/m, and how near the rebound is to what is wanted. m is that of an instant; gravity and the turning of the arm change the
- * speed by some 1e-4 of itself in the fraction of a millisecond that the impact takes, which falls as one over the square root of the
- * stiffness: to a tenth on the second floor. */
+/* Two floors, N/m, and the permitted relative error of the rebound. m is the effective mass at one instant; during
+ * the impact (a fraction of a millisecond), gravity and the rotation of the arm change the speed by a relative 1e-4.
+ * The change is inversely proportional to the square root of the stiffness: a tenth on the second floor. */
 static const struct {
   double stiffness, tolerance;
 } FLOORS[] = {{1e8, 1e-3}, {1e10, 1e-4}};
 
-/* The same arm for percuss, where it has a file of its own: x along the links, hinges about z, y upwards. */
+/* The same arm as URDF for percuss: x along the links, hinges about z, y upwards. */
 static const char ARM[] =
     "<robot name=\"arm\"><link name=\"ground\"/>"
     "<link name=\"upper\"><inertial><origin xyz=\"0.25 0 0\"/><mass value=\"3\"/>"
@@ -46,7 +46,7 @@ typedef struct {
   double q[2], v[2];
 } State;
 
-/* The contact: in force or not, and its damper. */
+/* The contact: active or not, and its damper. */
 typedef struct {
   int active;
   double stiffness, damping;
@@ -54,7 +54,7 @@ typedef struct {
 
 static double height(const State *s) { return L1 * sin(s->q[0]) + L2 * sin(s->q[0] + s->q[1]); }
 
-/* The rate of the penetration at unit rates: 1x2. Penetration grows as the tip goes down. */
+/* The rate of the penetration at unit rates: 1x2. The penetration grows as the tip moves down. */
 static void contact_row(const State *s, double row[2])
 {
   row[1] = -L2 * cos(s->q[0] + s->q[1]);
@@ -68,7 +68,7 @@ static double closing_speed(const State *s)
   return row[0] * s->v[0] + row[1] * s->v[1];
 }
 
-/* The push of the floor, N. */
+/* Contact force of the floor, N. */
 static double force(const State *s, const Floor *on)
 {
   const double push = on->stiffness * (FLOOR - height(s)) + on->damping * closing_speed(s);
@@ -83,7 +83,7 @@ static void mass_matrix(const State *s, double m[4])
   m[0] = I1 + M1 * C1 * C1 + m[3] + M2 * L1 * L1 + 2.0 * coupling;
 }
 
-/* The accelerations under gravity and the push of the floor. */
+/* The accelerations under gravity and the contact force of the floor. */
 static void accelerations(const State *s, const Floor *on, double a[2])
 {
   double m[4], row[2];
@@ -98,7 +98,7 @@ static void accelerations(const State *s, const Floor *on, double a[2])
   a[1] = (m[0] * t2 - m[2] * t1) / determinant;
 }
 
-/* One step of Runge and Kutta's method of order four. */
+/* One step of the Runge-Kutta method of order four. */
 static State stepped(const State *from, const Floor *on, double dt)
 {
   static const double parts[4] = {0.0, 0.5, 0.5, 1.0}, weights[4] = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
@@ -138,7 +138,7 @@ static State fallen(State s)
   exit(1);
 }
 
-/* Goes through the impact with this damper; gives the rebound speed over the approach speed. */
+/* Integrates through the impact with this damper; returns the rebound speed over the approach speed. */
 static double rebound(State s, double stiffness, double damping, double dt)
 {
   const Floor on = {1, stiffness, damping};
@@ -175,7 +175,7 @@ int main(void)
   for (size_t i = 0; i < sizeof starts / sizeof *starts; i++) {
     const State touch = fallen(starts[i]);
     const double speed = closing_speed(&touch);
-    /* Two ways to ask: by the model, and by the program's own matrices. They agree to rounding. */
+    /* Two methods: the percuss model, and the program's own matrices. The results agree to rounding. */
     percuss_outcome outcome;
     double mass;
     check(percuss_workspace_effective_mass(workspace, touch.q, 2, &contact, &outcome, &mass, NULL));
@@ -199,7 +199,7 @@ int main(void)
         check(percuss_law_damper(law, &spring, wanted[k], speed, PERCUSS_FORCE_VANISHES, &damper));
         check(percuss_damper_impact(&damper, &spring, speed, &impact));
         const double dt = impact.duration / 2000.0, e = rebound(touch, stiffness, damper.coefficient, dt);
-        /* What the damper would give that is made for the mass of the struck link. */
+        /* For comparison: the damper designed for the mass of the contact link alone. */
         const percuss_spring link = {M2, stiffness, 1.0};
         check(percuss_law_damper(law, &link, wanted[k], speed, PERCUSS_FORCE_VANISHES, &naive));
         const double other = rebound(touch, stiffness, naive.coefficient, dt);
@@ -207,7 +207,7 @@ int main(void)
                "%.3f\n",
                mass, speed, stiffness, wanted[k], e, tolerance, other);
         if (!(fabs(e - wanted[k]) <= tolerance)) failed = 1;
-        /* What would pass with any mass is no test. */
+        /* The test must fail for a wrong mass. */
         if (!(fabs(other - wanted[k]) > 20.0 * tolerance)) failed = 1;
       }
     }

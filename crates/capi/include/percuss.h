@@ -20,12 +20,12 @@
 #define PERCUSS_NO_LINK (SIZE_MAX - 1)
 
 /*
- Worth knowing; nothing is wrong.
+ Information; nothing is wrong.
  */
 #define PERCUSS_NOTE 0
 
 /*
- Probably not what was meant; the answer uses what the message states.
+ Probable mistake; the message states the value in use.
  */
 #define PERCUSS_WARNING 1
 
@@ -40,12 +40,12 @@
 #define PERCUSS_BASE_FLOATING 1
 
 /*
- The gap hardly closes: the answer is large and uncertain.
+ The gap hardly closes: m̄ is large and uncertain.
  */
 #define PERCUSS_REMARK_NEARLY_IMMOVABLE 1
 
 /*
- Some motions have no mass. They do not matter for a finite m̄.
+ Some motions have no mass. They do not affect a finite m̄.
  */
 #define PERCUSS_REMARK_MASSLESS_MOTIONS 2
 
@@ -55,7 +55,7 @@
 #define PERCUSS_REMARK_MASSLESS_TO_ROUNDING 4
 
 /*
- A motion without mass leaves v* open; m̄ and the contributions are not.
+ A massless motion leaves v* undetermined; m̄ and the contributions are determined.
  */
 #define PERCUSS_REMARK_UNDETERMINED_MOTION 8
 
@@ -65,7 +65,7 @@
 #define PERCUSS_REMARK_UNCLEAR_RANK 16
 
 /*
- The mass matrix has negative directions: m̄ is a stationary value, no minimum.
+ The mass matrix has negative directions: m̄ is a stationary value, not a minimum.
  */
 #define PERCUSS_REMARK_INDEFINITE 32
 
@@ -75,7 +75,7 @@
 #define PERCUSS_REMARK_SINGULAR_POSE 64
 
 /*
- The pose is on another assembly mode than that of the first closed pose (percuss_configuration_allow_other_assembly).
+ The pose is on another assembly mode than the first closed pose (percuss_configuration_allow_other_assembly).
  */
 #define PERCUSS_REMARK_OTHER_ASSEMBLY 128
 
@@ -85,7 +85,7 @@
 #define PERCUSS_REMARK_DRAWN_OPEN 256
 
 /*
- The loops contradict one another by rounding: closed in least squares.
+ The loops contradict one another within rounding: closed in least squares.
  */
 #define PERCUSS_REMARK_INEXACT_LOOPS 512
 
@@ -95,28 +95,28 @@
 #define PERCUSS_REMARK_DRIVER_OFF_ZERO 1024
 
 /*
- A joint was set to more numbers than its loops leave degrees of freedom: the nearest position is taken.
+ A joint was set to more numbers than its loops leave degrees of freedom: the nearest position is used.
  */
 #define PERCUSS_REMARK_OFF_TARGET 2048
 
 /*
- A joint is outside its limits. Workspaces and batches do not look at limits.
+ A joint is outside its limits. Workspaces and batches do not check limits.
  */
 #define PERCUSS_REMARK_OUTSIDE_LIMITS 4096
 
 /*
- A little off in the figures of the file, and the loops leave one motion more.
+ A small error in the file's numbers would leave the loops one more degree of freedom.
  */
 #define PERCUSS_REMARK_WEAKLY_CONSTRAINED 8192
 
 /*
- The generic rank of the constraints is unclear: the mobility may be another.
+ The generic rank of the constraints is unclear: the mobility may differ.
  */
 #define PERCUSS_REMARK_UNCLEAR_MOBILITY 16384
 
 /*
- The normal is given in the world and the base floats, but its pose was not given: it is taken at the world's origin
- (percuss_configuration_set_base, percuss_workspace_set_base).
+ The normal is given in the world and the base floats, but the base pose was not given: the root link is taken at the
+ world's origin (percuss_configuration_set_base, percuss_workspace_set_base).
  */
 #define PERCUSS_REMARK_BASE_NOT_GIVEN 32768
 
@@ -131,7 +131,7 @@
 #define PERCUSS_REMARK_NOT_UNIT_QUATERNION 131072
 
 /*
- In batches, a row without an answer: its loops are open.
+ In batches, a row without an answer: a loop is open.
  */
 #define PERCUSS_REMARK_OPEN_LOOPS 262144
 
@@ -151,12 +151,12 @@
 #define PERCUSS_DAMPER_HUNT_CROSSLEY 1
 
 /*
- A system whose loops are put together. Cannot be changed: threads may share it.
+ A system with assembled loops. Immutable, so that threads can share it.
  */
 typedef struct percuss_assembly percuss_assembly;
 
 /*
- One contact, ready for many configurations. Cannot be changed: threads may share it.
+ One contact, prepared for many configurations. Immutable, so that threads can share it.
  */
 typedef struct percuss_batch percuss_batch;
 
@@ -166,37 +166,37 @@ typedef struct percuss_batch percuss_batch;
 typedef struct percuss_conditions percuss_conditions;
 
 /*
- Positions of the joints, and where the root link stands in the world. One thread at a time.
+ Positions of the joints, and pose of the root link in the world. One thread at a time.
  */
 typedef struct percuss_configuration percuss_configuration;
 
 /*
- A mechanism. Cannot be changed: threads may share it.
+ A mechanism. Immutable, so that threads can share it.
  */
 typedef struct percuss_model percuss_model;
 
 /*
- A mechanism at one configuration, its loops closed. Cannot be changed: threads may share it.
+ A mechanism at one configuration with closed loops. Immutable, so that threads can share it.
  */
 typedef struct percuss_pose percuss_pose;
 
 /*
- A response to a contact: m̄, v*, contributions. Cannot be changed: threads may share it.
+ A response to a contact: m̄, v*, contributions. Immutable, so that threads can share it.
  */
 typedef struct percuss_response percuss_response;
 
 /*
- A mechanism under conditions. Cannot be changed: threads may share it.
+ A mechanism under conditions. Immutable, so that threads can share it.
  */
 typedef struct percuss_system percuss_system;
 
 /*
- Room to pose an assembly again and again and to ask for m̄. One thread at a time: each thread its own.
+ Workspace for m̄ at many poses of an assembly. One thread at a time: each thread needs its own.
  */
 typedef struct percuss_workspace percuss_workspace;
 
 /*
- What a call came to: PERCUSS_OK, or one of the errors.
+ Status of a call: PERCUSS_OK, or one of the errors.
  */
 typedef int32_t percuss_status;
 
@@ -210,7 +210,7 @@ typedef int32_t percuss_joint_kind;
  */
 typedef struct percuss_joint {
   /*
-   Its name, as long as the model lives.
+   Its name; valid as long as the model.
    */
   const char *name;
   /*
@@ -218,7 +218,7 @@ typedef struct percuss_joint {
    */
   percuss_joint_kind kind;
   /*
-   1 where it has limits.
+   1 if the joint has limits.
    */
   int32_t has_limits;
   /*
@@ -230,7 +230,7 @@ typedef struct percuss_joint {
    */
   double upper;
   /*
-   How many positions it has, and which of the mechanism's is the first.
+   Number of positions of the joint, and index of its first position in the mechanism's position vector.
    */
   size_t positions;
   /*
@@ -238,7 +238,7 @@ typedef struct percuss_joint {
    */
   size_t first_position;
   /*
-   How many velocities it has, and which of the mechanism's is the first.
+   Number of velocities of the joint, and index of its first velocity in the mechanism's velocity vector.
    */
   size_t velocities;
   /*
@@ -246,7 +246,7 @@ typedef struct percuss_joint {
    */
   size_t first_velocity;
   /*
-   The link that carries it, and the one that it carries: numbers of links.
+   Numbers of the parent link and the child link.
    */
   size_t parent;
   /*
@@ -256,7 +256,7 @@ typedef struct percuss_joint {
 } percuss_joint;
 
 /*
- Something that was noticed in a file.
+ Finding about a file.
  */
 typedef struct percuss_diagnostic {
   /*
@@ -264,15 +264,15 @@ typedef struct percuss_diagnostic {
    */
   int32_t severity;
   /*
-   Line, from 1; 0 where it has none.
+   Line, from 1; 0 if unknown.
    */
   uint32_t line;
   /*
-   Column in characters, from 1; 0 where it has none.
+   Column in characters, from 1; 0 if unknown.
    */
   uint32_t column;
   /*
-   A short name that programs can rely on. The texts live as long as the model.
+   Stable short name, for programs. The texts are valid as long as the model.
    */
   const char *code;
   /*
@@ -286,16 +286,16 @@ typedef struct percuss_diagnostic {
 } percuss_diagnostic;
 
 /*
- Where a normal is given.
+ Frame or kind of a normal.
  */
 typedef int32_t percuss_normal;
 
 /*
- A contact between a point of a link and another link, or the ground. Fill it with percuss_contact_init first.
+ A contact between a point of a link and another link, or the ground. Initialise it with percuss_contact_init.
  */
 typedef struct percuss_contact {
   /*
-   The struck link: a number of percuss_model_find_link. PERCUSS_NO_LINK, from percuss_contact_init, is an error.
+   The contact link: a number of percuss_model_find_link. PERCUSS_NO_LINK, from percuss_contact_init, is an error.
    */
   size_t link;
   /*
@@ -303,36 +303,36 @@ typedef struct percuss_contact {
    */
   size_t against;
   /*
-   The contact point in the struck link's frame, m.
+   The contact point in the contact link's frame, m.
    */
   double point[3];
   /*
-   The normal, out of the struck link into the other side; its length does not matter. For PERCUSS_NORMAL_TOWARD and
-   PERCUSS_NORMAL_TURNING_TOWARD the point that it points towards, m.
+   The normal, out of the contact link into the other side; its length does not matter. For PERCUSS_NORMAL_TOWARD
+   and PERCUSS_NORMAL_TURNING_TOWARD: the target point, m.
    */
   double normal[3];
   /*
-   Where the normal is given: PERCUSS_NORMAL_LINK to PERCUSS_NORMAL_TURNING_TOWARD.
+   Kind of the normal: PERCUSS_NORMAL_LINK to PERCUSS_NORMAL_TURNING_TOWARD.
    */
   percuss_normal normal_given;
   /*
-   For both of them the link whose point is meant; not read otherwise.
+   Link of the target point, for PERCUSS_NORMAL_TOWARD and PERCUSS_NORMAL_TURNING_TOWARD; not read otherwise.
    */
   size_t toward;
 } percuss_contact;
 
 /*
- How m̄ is computed.
+ Method of computing m̄.
  */
 typedef int32_t percuss_route;
 
 /*
- What the mechanism opposes to the contact.
+ Outcome of a contact: resistance of the mechanism to the closing motion.
  */
 typedef int32_t percuss_outcome;
 
 /*
- An effective mass with what is known of it. A number that is not known, or that does not apply, is NaN.
+ Effective mass with its error and remarks. An unknown or inapplicable number is NaN.
  */
 typedef struct percuss_mass {
   /*
@@ -352,7 +352,7 @@ typedef struct percuss_mass {
    */
   uint32_t reserved;
   /*
-   Motions that the constraints leave; a floating base's 6 included.
+   Degrees of freedom left by the constraints; a floating base's 6 included.
    */
   size_t degrees_of_freedom;
   /*
@@ -360,36 +360,36 @@ typedef struct percuss_mass {
    */
   double effective_mass;
   /*
-   What m̄ may be off by, kg: the sum of what is known. NaN where rounding or closing is not known.
+   Error of m̄, kg: the sum of the known parts. NaN if the rounding or the closing part is unknown.
    */
   double error;
   /*
-   The part by rounding, kg.
+   Part by rounding, kg.
    */
   double error_rounding;
   /*
-   The part by what the loops' residual leaves open, kg.
+   Part by the residual of the loops, kg.
    */
   double error_closing;
   /*
-   The part by how far the file's loops are from fitting, kg; NaN where no redundant rows measure it.
+   Part by the misfit of the loops in the file, kg; NaN without redundant rows to measure it.
    */
   double error_file;
 } percuss_mass;
 
 /*
- How the entries of a matrix lie in memory.
+ Memory order of matrix entries.
  */
 typedef int32_t percuss_layout;
 
 /*
- Asked now and then with the number of configurations done, on the calling thread; gives 0 to go on, else the work stops. It must
- not use the batch and must not throw.
+ Watch function, called periodically on the calling thread with the number of configurations done. Returns 0 to
+ continue; another value stops the work. It must not use the batch and must not throw.
  */
 typedef int32_t (*percuss_watch)(size_t done, void *user);
 
 /*
- A contact law: its number. percuss_law_find gives it.
+ Number of a contact law, from percuss_law_find.
  */
 typedef int32_t percuss_law;
 
@@ -412,7 +412,7 @@ typedef struct percuss_spring {
 } percuss_spring;
 
 /*
- When a contact ends, for a law whose force would pull before the gap closes.
+ End of a contact, for a law whose force would pull before the gap closes.
  */
 typedef int32_t percuss_separation;
 
@@ -425,25 +425,25 @@ typedef struct percuss_damper {
    */
   int32_t kind;
   /*
-   Of a Kelvin–Voigt damper: when the contact ends.
+   End of the contact, for a Kelvin–Voigt damper.
    */
   percuss_separation separation;
   /*
-   Of a Kelvin–Voigt damper: c, N·s/m^((p+1)/2), N·s/m where p = 1; else NaN.
+   c of a Kelvin–Voigt damper, N·s/m^((p+1)/2), N·s/m for p = 1; else NaN.
    */
   double coefficient;
   /*
-   Of a Kelvin–Voigt damper: the damping ratio ζ on the contact that it was made for; else NaN.
+   Damping ratio ζ of a Kelvin–Voigt damper on its design contact; else NaN.
    */
   double ratio;
   /*
-   Of a Hunt–Crossley damper: d, s/m; else NaN.
+   d of a Hunt–Crossley damper, s/m; else NaN.
    */
   double dissipation;
 } percuss_damper;
 
 /*
- The figures of one impact.
+ Characteristics of one impact.
  */
 typedef struct percuss_impact {
   /*
@@ -451,11 +451,11 @@ typedef struct percuss_impact {
    */
   double restitution;
   /*
-   From the first touch to the end, s; NaN where the gap takes forever to close.
+   From the first touch to the end, s; NaN if the gap needs infinite time to close.
    */
   double duration;
   /*
-   m.
+   Greatest penetration, m.
    */
   double max_penetration;
   /*
@@ -463,7 +463,7 @@ typedef struct percuss_impact {
    */
   double time_of_max_penetration;
   /*
-   The greatest push, N.
+   Greatest contact force, N.
    */
   double peak_force;
   /*
@@ -471,49 +471,49 @@ typedef struct percuss_impact {
    */
   double time_of_peak_force;
   /*
-   J.
+   Dissipated energy, J.
    */
   double energy_lost;
   /*
-   m/s.
+   Rebound speed, m/s.
    */
   double rebound_speed;
 } percuss_impact;
 
 /*
- How matrices are read. Fill it with percuss_matrix_options_init first.
+ Options for reading matrices. Initialise them with percuss_matrix_options_init.
  */
 typedef struct percuss_matrix_options {
   /*
-   How coordinates are scaled where ranks are decided: for each, how far a unit rate of it moves things, in one unit for all
-   (1 for a slide in metres, a typical length for an angle). null: 1 for all.
+   Scale of each coordinate for rank decisions: displacement per unit rate, in one unit for all coordinates (1 for
+   a slide in metres, a typical length for an angle). null: 1 for all.
    */
   const double *lengths;
   /*
-   How many lengths there are: one for each coordinate, or 0.
+   Number of lengths: one per coordinate, or 0.
    */
   size_t length_count;
   /*
-   Singular values of A below this part of the largest count as zero; above 0, at most 0.1. 1e-10.
+   Singular values of A below this fraction of the largest count as zero; above 0, at most 0.1. Default 1e-10.
    */
   double rank_floor;
   /*
-   Relative error of every entry of M, A and j, 0 to 1e-3; it enters the stated error. 2.2e-16.
+   Relative error of every entry of M, A and j, 0 to 1e-3; part of the stated error. Default 2.2e-16.
    */
   double accuracy;
 } percuss_matrix_options;
 
 /*
- A matrix of the caller's, read where it lies.
+ A matrix of the caller, read in place.
  */
 typedef struct percuss_matrix {
   /*
-   The entries; null only where there are none.
+   The entries; null only for an empty matrix.
    */
   const double *values;
   /*
-   How many numbers there are at values: (rows − 1) · leading_dimension + columns at least, row by row;
-   (columns − 1) · leading_dimension + rows column by column.
+   Number of values: at least (rows − 1) · leading_dimension + columns, row by row; (columns − 1) ·
+   leading_dimension + rows, column by column.
    */
   size_t length;
   /*
@@ -525,7 +525,7 @@ typedef struct percuss_matrix {
    */
   size_t columns;
   /*
-   How far rows (row by row) or columns (column by column) are apart, as in BLAS.
+   Distance between rows (row by row) or columns (column by column), as in BLAS.
    */
   size_t leading_dimension;
   /*
@@ -539,23 +539,23 @@ typedef struct percuss_matrix {
 } percuss_matrix;
 
 /*
- What was decided about the rows of A.
+ Rank report of A.
  */
 typedef struct percuss_rank {
   /*
-   How many rows are independent.
+   Number of independent rows.
    */
   size_t rank;
   /*
-   How many are not.
+   Number of redundant rows.
    */
   size_t redundant;
   /*
-   Least gap between singular values that count and those that do not; NaN without rows.
+   Least gap between counted singular values and those taken as zero; NaN without rows.
    */
   double gap;
   /*
-   1 where no singular value is within a factor of 30 of the threshold.
+   1 if no singular value is within a factor of 30 of the threshold.
    */
   int32_t is_clear;
   /*
@@ -565,7 +565,7 @@ typedef struct percuss_rank {
 } percuss_rank;
 
 /*
- All is well.
+ Success.
  */
 #define PERCUSS_OK 0
 
@@ -575,17 +575,17 @@ typedef struct percuss_rank {
 #define PERCUSS_ERROR_NULL 1
 
 /*
- A handle is not of the kind that is expected. Freed handles are noticed where their memory was not used again.
+ A handle has another type. A freed handle is detected only while its memory is not reused.
  */
 #define PERCUSS_ERROR_HANDLE 2
 
 /*
- An array has not the length that is needed, or a matrix not the shape or the leading dimension.
+ An array has a wrong length, or a matrix a wrong shape or leading dimension.
  */
 #define PERCUSS_ERROR_LENGTH 3
 
 /*
- A number is out of range, NaN or infinite where it must not be, or no value of its enumeration.
+ A number is out of range, NaN or infinite without permission, or not a value of its enumeration.
  */
 #define PERCUSS_ERROR_ARGUMENT 4
 
@@ -595,37 +595,37 @@ typedef struct percuss_rank {
 #define PERCUSS_ERROR_TEXT 5
 
 /*
- There is no link, joint, law or other thing of this name or number.
+ No link, joint, law or other item has this name or number.
  */
 #define PERCUSS_ERROR_NAME 6
 
 /*
- A model cannot be read; the message has every error with its file and line.
+ A model cannot be read; the message lists every error with file and line.
  */
 #define PERCUSS_ERROR_LOAD 7
 
 /*
- Conditions do not fit the mechanism, or a joint cannot be set so.
+ Conditions do not fit the mechanism, or a joint cannot be set to these values.
  */
 #define PERCUSS_ERROR_CONDITIONS 8
 
 /*
- Loops do not close, or drivers cannot get where they are set.
+ Loops do not close, or drivers cannot reach their positions.
  */
 #define PERCUSS_ERROR_ASSEMBLY 9
 
 /*
- A contact means nothing, or has no answer.
+ A contact is invalid, or has no answer.
  */
 #define PERCUSS_ERROR_CONTACT 10
 
 /*
- Matrices ask nothing: not symmetric, indefinite, too large.
+ Matrices are invalid: not symmetric, indefinite, too large.
  */
 #define PERCUSS_ERROR_MATRIX 11
 
 /*
- A contact law does not give what is asked.
+ A contact law cannot provide the requested damper or impact.
  */
 #define PERCUSS_ERROR_LAW 12
 
@@ -640,12 +640,12 @@ typedef struct percuss_rank {
 #define PERCUSS_ERROR_STOPPED 14
 
 /*
- Arrays or places that a call writes overlap one another, or what it reads.
+ Output arrays or values overlap each other or an input.
  */
 #define PERCUSS_ERROR_OVERLAP 15
 
 /*
- A defect of percuss. The object that was used may be freed, and should not be used otherwise.
+ A defect of percuss. The object in use may only be freed.
  */
 #define PERCUSS_ERROR_INTERNAL 99
 
@@ -685,7 +685,7 @@ typedef struct percuss_rank {
 #define PERCUSS_FLOATING 6
 
 /*
- A vector in the struck link's frame: it turns with the link.
+ A vector in the contact link's frame: it turns with the link.
  */
 #define PERCUSS_NORMAL_LINK 0
 
@@ -695,23 +695,24 @@ typedef struct percuss_rank {
 #define PERCUSS_NORMAL_WORLD 1
 
 /*
- A vector in the other link's frame (the world's, where that is the ground).
+ A vector in the other link's frame (the world's frame if the other side is the ground).
  */
 #define PERCUSS_NORMAL_AGAINST 2
 
 /*
  From the contact point towards a point (m) of another link, in that link's frame.
- Refused where that line has turned by more than 5° from the line as drawn, or is shorter than a tenth of it.
+ Refused if that line has turned by more than 5° from the line as drawn, or is shorter than a tenth of its drawn
+ length.
  */
 #define PERCUSS_NORMAL_TOWARD 3
 
 /*
- The same line, which may turn: a spring, a damper or a rod. Refused where it is shorter than a tenth of the line as drawn.
+ The same line, which may turn: a spring, a damper or a rod. Refused if shorter than a tenth of its drawn length.
  */
 #define PERCUSS_NORMAL_TURNING_TOWARD 4
 
 /*
- A number.
+ A finite effective mass.
  */
 #define PERCUSS_FINITE 0
 
@@ -726,17 +727,18 @@ typedef struct percuss_rank {
 #define PERCUSS_MASSLESS 2
 
 /*
- In batches: no answer; the remarks have the reason, percuss_workspace_effective_mass at that configuration states it.
+ In batches: no answer. The remarks hold the reason; the error message of percuss_workspace_effective_mass at that
+ configuration states it.
  */
 #define PERCUSS_NO_ANSWER 3
 
 /*
- In batches: massless to rounding only; the error is the largest m̄, kg, that the contact may have.
+ In batches: massless to rounding only; the error is the largest possible m̄ of the contact, kg.
  */
 #define PERCUSS_MASSLESS_TO_ROUNDING 4
 
 /*
- The recursion where it is accurate, else the careful route.
+ The recursion if it is accurate enough, else the dense method.
  */
 #define PERCUSS_ROUTE_AUTO 0
 
@@ -756,7 +758,7 @@ typedef struct percuss_rank {
 #define PERCUSS_ROW_MAJOR 0
 
 /*
- Column by column, as Fortran and BLAS have it: entry (r, c) at c · leading_dimension + r.
+ Column by column, as in Fortran and BLAS: entry (r, c) at c · leading_dimension + r.
  */
 #define PERCUSS_COLUMN_MAJOR 1
 
@@ -766,17 +768,17 @@ typedef struct percuss_rank {
 #define PERCUSS_LAW_KELVIN_VOIGT 0
 
 /*
- A damper that stiffens with the spring, solved exactly.
+ A damper proportional to the spring force, solved exactly.
  */
 #define PERCUSS_LAW_HUNT_CROSSLEY 1
 
 /*
- When the force has fallen to zero: contacts that do not stick, and simulators that take max(0, F).
+ The contact ends when the force has fallen to zero: contacts that do not stick, and simulators that use max(0, F).
  */
 #define PERCUSS_FORCE_VANISHES 0
 
 /*
- When the spring has its free length again; the damper pulls shortly before.
+ The contact ends when the spring has its free length again; the damper pulls shortly before.
  */
 #define PERCUSS_GAP_CLOSES 1
 
@@ -785,14 +787,14 @@ extern "C" {
 #endif // __cplusplus
 
 /*
- The message of the last call that failed on this thread: what, where, got, expected; UTF-8, "" where none failed. It stays where it
- is until the next call of this thread fails.
+ The message of the last failed call on this thread: location, received value, expected value; UTF-8, "" without a
+ failure. Valid until the next failed call on this thread.
  */
 const char *percuss_error_message(void);
 
 /*
- The version of the library, such as "0.1.0". That of the header is PERCUSS_VERSION. While the first number is 0, the
- second changes with every change that programs must be compiled again for.
+ The version of the library, such as "0.1.0". The header's version is PERCUSS_VERSION. While the first number is 0,
+ the second number changes with every change that requires programs to be recompiled.
  */
 const char *percuss_version(void);
 
@@ -802,17 +804,18 @@ const char *percuss_version(void);
  Errors: PERCUSS_ERROR_LOAD, with every error of the file in the message.
 
  Pointers:
- path ends with a zero byte; model is null or a place for a pointer.
+ path ends with a zero byte; model is null or points to storage for a pointer.
  */
 percuss_status percuss_model_load_file(const char *path, struct percuss_model **model);
 
 /*
- Reads a URDF from memory: length bytes of UTF-8, no zero byte needed. name stands for the file in messages.
+ Reads URDF from memory: length bytes of UTF-8 without a terminating zero byte. name replaces the file name in
+ messages.
 
  Errors: as percuss_model_load_file; PERCUSS_ERROR_TEXT.
 
  Pointers:
- name ends with a zero byte; bytes has length bytes; model is null or a place for a pointer.
+ name ends with a zero byte; bytes has length bytes; model is null or points to storage for a pointer.
  */
 percuss_status percuss_model_load_memory(const char *name,
                                          const char *bytes,
@@ -820,18 +823,18 @@ percuss_status percuss_model_load_memory(const char *name,
                                          struct percuss_model **model);
 
 /*
- Frees a model and sets the handle to null; nothing where it is null. What was made from the model stays valid.
+ Frees a model and sets the handle to null; a null handle is ignored. Objects made from the model stay valid.
 
  Pointers:
- model is null or the place of a handle that nobody uses.
+ model is null or points to a handle that no other call uses.
  */
 percuss_status percuss_model_free(struct percuss_model **model);
 
 /*
- How many links a model has, joints, positions of all joints, and velocities of all joints. Each place may be null.
+ Numbers of links, joints, positions of all joints, and velocities of all joints. Each pointer may be null.
 
  Pointers:
- Every pointer is null or a place for a number.
+ Every pointer is null or points to storage for a number.
  */
 percuss_status percuss_model_counts(const struct percuss_model *model,
                                     size_t *links,
@@ -840,10 +843,10 @@ percuss_status percuss_model_counts(const struct percuss_model *model,
                                     size_t *velocities);
 
 /*
- The name of link number index, from 0. It lives as long as the model; null where the call fails.
+ The name of link number index, from 0. Valid as long as the model; null if the call fails.
 
  Pointers:
- name is null or a place for a pointer.
+ name is null or points to storage for a pointer.
  */
 percuss_status percuss_model_link_name(const struct percuss_model *model, size_t index, const char **name);
 
@@ -851,7 +854,7 @@ percuss_status percuss_model_link_name(const struct percuss_model *model, size_t
  The number of the link of this name. Errors: PERCUSS_ERROR_NAME, with the most similar name.
 
  Pointers:
- name ends with a zero byte; index is null or a place for a number.
+ name ends with a zero byte; index is null or points to storage for a number.
  */
 percuss_status percuss_model_find_link(const struct percuss_model *model, const char *name, size_t *index);
 
@@ -859,7 +862,7 @@ percuss_status percuss_model_find_link(const struct percuss_model *model, const 
  The number of the joint of this name. Errors: PERCUSS_ERROR_NAME, with the most similar name.
 
  Pointers:
- name ends with a zero byte; index is null or a place for a number.
+ name ends with a zero byte; index is null or points to storage for a number.
  */
 percuss_status percuss_model_find_joint(const struct percuss_model *model, const char *name, size_t *index);
 
@@ -867,15 +870,15 @@ percuss_status percuss_model_find_joint(const struct percuss_model *model, const
  Joint number index, from 0.
 
  Pointers:
- joint is null or a place for a percuss_joint.
+ joint is null or points to storage for a percuss_joint.
  */
 percuss_status percuss_model_joint(const struct percuss_model *model, size_t index, struct percuss_joint *joint);
 
 /*
- How many notes and warnings came of the file.
+ Number of notes and warnings about the file.
 
  Pointers:
- count is null or a place for a number.
+ count is null or points to storage for a number.
  */
 percuss_status percuss_model_diagnostic_count(const struct percuss_model *model, size_t *count);
 
@@ -883,30 +886,30 @@ percuss_status percuss_model_diagnostic_count(const struct percuss_model *model,
  Note or warning number index, from 0, in the order of the file.
 
  Pointers:
- diagnostic is null or a place for a percuss_diagnostic.
+ diagnostic is null or points to storage for a percuss_diagnostic.
  */
 percuss_status percuss_model_diagnostic(const struct percuss_model *model,
                                         size_t index,
                                         struct percuss_diagnostic *diagnostic);
 
 /*
- Fixed base, everything free, armatures as declared. Free them with percuss_conditions_free.
+ Fixed base, every joint free, armatures as declared in the file. Free the conditions with percuss_conditions_free.
 
  Pointers:
- conditions is null or a place for a pointer.
+ conditions is null or points to storage for a pointer.
  */
 percuss_status percuss_conditions_new(struct percuss_conditions **conditions);
 
 /*
- Frees conditions and sets the handle to null; nothing where it is null.
+ Frees conditions and sets the handle to null; a null handle is ignored.
 
  Pointers:
- conditions is null or the place of a handle that nobody uses.
+ conditions is null or points to a handle that no other call uses.
  */
 percuss_status percuss_conditions_free(struct percuss_conditions **conditions);
 
 /*
- How the root link stands: PERCUSS_BASE_FIXED (the default) or PERCUSS_BASE_FLOATING.
+ Sets the mobility of the root link: PERCUSS_BASE_FIXED (the default) or PERCUSS_BASE_FLOATING.
 
  Pointers:
  conditions is null or a handle.
@@ -914,7 +917,7 @@ percuss_status percuss_conditions_free(struct percuss_conditions **conditions);
 percuss_status percuss_conditions_base(struct percuss_conditions *conditions, int32_t base);
 
 /*
- Holds a joint at its position: its velocities are zero. That there is such a joint is checked by percuss_system_new.
+ Locks a joint at its position: its velocities are zero. percuss_system_new checks the name of the joint.
 
  Pointers:
  joint ends with a zero byte.
@@ -922,8 +925,8 @@ percuss_status percuss_conditions_base(struct percuss_conditions *conditions, in
 percuss_status percuss_conditions_lock(struct percuss_conditions *conditions, const char *joint);
 
 /*
- Replaces a joint's armature (the rotor's inertia at the joint, kg·m² or kg): one value for all its velocities, or
- count of them. Checked by percuss_system_new.
+ Replaces a joint's armature (the rotor's inertia at the joint, kg·m² or kg): one value for all velocities of the
+ joint, or one value per velocity. percuss_system_new checks the values.
 
  Pointers:
  joint ends with a zero byte; values has count numbers.
@@ -934,8 +937,8 @@ percuss_status percuss_conditions_armature(struct percuss_conditions *conditions
                                            size_t count);
 
 /*
- Holds a point (3 numbers, m, link's frame) of a link to the ground: along a normal (3 numbers, root link's axes), or in
- all directions where that is null. Velocities only. Checked by percuss_system_new.
+ Holds a point (3 numbers, m, link's frame) of a link to the ground: along a normal (3 numbers, root link's axes), or
+ in all directions if normal is null. Constrains velocities only. percuss_system_new checks the values.
 
  Pointers:
  link ends with a zero byte; point has 3 numbers; normal is null or has 3.
@@ -949,21 +952,21 @@ percuss_status percuss_conditions_hold(struct percuss_conditions *conditions,
  Every joint at zero (quaternions at 1, 0, 0, 0), the root link at the world's origin. Free it with percuss_configuration_free.
 
  Pointers:
- model is a handle; configuration is null or a place for a pointer.
+ model is a handle; configuration is null or points to storage for a pointer.
  */
 percuss_status percuss_configuration_new(const struct percuss_model *model,
                                          struct percuss_configuration **configuration);
 
 /*
- Frees a configuration and sets the handle to null; nothing where it is null.
+ Frees a configuration and sets the handle to null; a null handle is ignored.
 
  Pointers:
- configuration is null or the place of a handle that nobody uses.
+ configuration is null or points to a handle that no other call uses.
  */
 percuss_status percuss_configuration_free(struct percuss_configuration **configuration);
 
 /*
- Every joint at zero again, nothing set and nothing guessed.
+ Resets every joint to zero and removes all settings and guesses.
 
  Pointers:
  configuration is null or a handle.
@@ -971,9 +974,10 @@ percuss_status percuss_configuration_free(struct percuss_configuration **configu
 percuss_status percuss_configuration_reset(struct percuss_configuration *configuration);
 
 /*
- Sets a driving joint to count values (layouts of percuss_joint_kind). Joints of loops that are not set follow.
+ Sets a driving joint to count values (layouts of percuss_joint_kind). Other joints of the loops follow.
 
- Errors: PERCUSS_ERROR_CONDITIONS: no such joint, set twice, a mimic, another number of values, a value that is none.
+ Errors: PERCUSS_ERROR_CONDITIONS: unknown joint, repeated setting, a mimic, a wrong number of values, an invalid
+ value.
 
  Pointers:
  joint ends with a zero byte; values has count numbers.
@@ -984,7 +988,7 @@ percuss_status percuss_configuration_set(struct percuss_configuration *configura
                                          size_t count);
 
 /*
- Sets where to look for a joint that follows from loops: which assembly mode is meant.
+ Sets the initial position in the search for a dependent joint of a loop, which selects the assembly mode.
 
  Errors: as percuss_configuration_set.
 
@@ -997,8 +1001,8 @@ percuss_status percuss_configuration_guess(struct percuss_configuration *configu
                                            size_t count);
 
 /*
- Sets a whole configuration: the positions of all joints one after another, in joint order; those of mimics are not read. Loops
- are closed from there. What was set before is forgotten.
+ Sets the whole configuration: the positions of all joints, concatenated in joint order; positions of mimics are not
+ read. Loops are closed from there. Earlier settings are dropped.
 
  Errors: PERCUSS_ERROR_CONDITIONS.
 
@@ -1010,8 +1014,8 @@ percuss_status percuss_configuration_set_positions(struct percuss_configuration 
                                                    size_t count);
 
 /*
- Sets where the root link stands in the world: its origin (3 numbers, m) and its orientation (4 numbers, a unit quaternion w, x,
- y, z: a norm within 0.01 of 1, which is normalised).
+ Sets the pose of the root link in the world: its origin (3 numbers, m) and its orientation (4 numbers, a unit
+ quaternion w, x, y, z: a norm within 0.01 of 1, which is normalised).
 
  Errors: PERCUSS_ERROR_ARGUMENT: a number that is not finite, another norm.
 
@@ -1023,8 +1027,9 @@ percuss_status percuss_configuration_set_base(struct percuss_configuration *conf
                                               const double *quaternion);
 
 /*
- Accepts a pose on another assembly mode, where the branch of the first closed pose does not reach the driving joints. Such a
- pose has PERCUSS_REMARK_OTHER_ASSEMBLY; without this it is PERCUSS_ERROR_ASSEMBLY. A guess chooses a mode by itself.
+ Accepts a pose on another assembly mode, beyond the reach of the branch of the first closed pose. Such a pose has
+ PERCUSS_REMARK_OTHER_ASSEMBLY; without this setting, the result is PERCUSS_ERROR_ASSEMBLY. A guess also selects a
+ mode.
 
  Pointers:
  configuration is null or a handle.
@@ -1032,132 +1037,136 @@ percuss_status percuss_configuration_set_base(struct percuss_configuration *conf
 percuss_status percuss_configuration_allow_other_assembly(struct percuss_configuration *configuration);
 
 /*
- Compiles a mechanism with the conditions of an analysis; null: fixed base, everything free. The model and the conditions may be
- freed afterwards. Free the system with percuss_system_free.
+ Compiles a mechanism with the conditions of an analysis; null conditions: fixed base, every joint free. The model
+ and the conditions may be freed afterwards. Free the system with percuss_system_free.
 
  Errors: PERCUSS_ERROR_CONDITIONS.
 
  Pointers:
- model is a handle; conditions is null or a handle; system is null or a place for a pointer.
+ model is a handle; conditions is null or a handle; system is null or points to storage for a pointer.
  */
 percuss_status percuss_system_new(const struct percuss_model *model,
                                   const struct percuss_conditions *conditions,
                                   struct percuss_system **system);
 
 /*
- Frees a system and sets the handle to null; nothing where it is null. What was made from it stays valid.
+ Frees a system and sets the handle to null; a null handle is ignored. Objects made from the system stay valid.
 
  Pointers:
- system is null or the place of a handle that nobody uses.
+ system is null or points to a handle that no other call uses.
  */
 percuss_status percuss_system_free(struct percuss_system **system);
 
 /*
- How many coordinates there are: independent velocities of the tree, without locked joints and mimics; a floating base
- counts 6. The order is that of the base, then of the joints from the root.
+ Number of coordinates: independent velocities of the tree, without locked joints and mimics; a floating base adds
+ six. Order: the base first, then the joints from the root.
 
  Pointers:
- coordinates is null or a place for a number.
+ coordinates is null or points to storage for a number.
  */
 percuss_status percuss_system_coordinates(const struct percuss_system *system, size_t *coordinates);
 
 /*
- Puts loops together: from all joints at 0 where configuration is null, else from its guesses. A mechanism without loops has
- one assembly. Free it with percuss_assembly_free.
+ Assembles the loops: from all joints at 0 if configuration is null, else from its guesses. A mechanism without loops
+ has one assembly. Free it with percuss_assembly_free.
 
- Errors: PERCUSS_ERROR_ASSEMBLY, naming the loop that does not close.
+ Errors: PERCUSS_ERROR_ASSEMBLY, with the name of the open loop.
 
  Pointers:
- system is a handle; configuration is null or a handle; assembly is null or a place for a pointer.
+ system is a handle; configuration is null or a handle; assembly is null or points to storage for a pointer.
  */
 percuss_status percuss_assembly_new(const struct percuss_system *system,
                                     const struct percuss_configuration *configuration,
                                     struct percuss_assembly **assembly);
 
 /*
- Frees an assembly and sets the handle to null; nothing where it is null. What was made from it stays valid.
+ Frees an assembly and sets the handle to null; a null handle is ignored. Objects made from the assembly stay valid.
 
  Pointers:
- assembly is null or the place of a handle that nobody uses.
+ assembly is null or points to a handle that no other call uses.
  */
 percuss_status percuss_assembly_free(struct percuss_assembly **assembly);
 
 /*
- Degrees of freedom at a generic pose (a floating base counts 6), and rows of A that are redundant there. Each place may be
- null.
+ Degrees of freedom at a generic pose (a floating base counts 6), and number of redundant rows of A at that pose.
+ Each pointer may be null.
 
  Pointers:
- Every pointer is null or a place for a number.
+ Every pointer is null or points to storage for a number.
  */
 percuss_status percuss_assembly_mobility(const struct percuss_assembly *assembly,
                                          size_t *degrees_of_freedom,
                                          size_t *redundant_constraints);
 
 /*
- A contact with the ground at the origin of a link, which must be set (PERCUSS_NO_LINK), along a normal in the link's frame, which
- must be set too (0, 0, 0).
+ Contact with the ground at the origin of a link. The caller must set the link (initially PERCUSS_NO_LINK) and the
+ normal (initially 0, 0, 0, in the link's frame).
 
  Pointers:
- contact is null or a place for a percuss_contact.
+ contact is null or points to storage for a percuss_contact.
  */
 percuss_status percuss_contact_init(struct percuss_contact *contact);
 
 /*
- The pose at a configuration: joints that were set drive, the others of the loops follow. Of the assembly found from all joints
- at 0, or, where nothing closes from there, of that found from the configuration's guesses. Free it with percuss_pose_free.
+ The pose at a configuration: set joints drive, other joints of the loops follow. The pose belongs to the assembly
+ found from all joints at 0 or, if no loop closes from there, to the assembly found from the configuration's guesses.
+ Free it with percuss_pose_free.
 
- Errors: PERCUSS_ERROR_ASSEMBLY: loops that do not close, drivers that cannot get there, a dependent joint that was set.
+ Errors: PERCUSS_ERROR_ASSEMBLY: loops that do not close, drivers that cannot reach their positions, a dependent
+ joint that was set.
 
  Pointers:
- system and configuration are handles; pose is null or a place for a pointer.
+ system and configuration are handles; pose is null or points to storage for a pointer.
  */
 percuss_status percuss_pose_new(const struct percuss_system *system,
                                 const struct percuss_configuration *configuration,
                                 struct percuss_pose **pose);
 
 /*
- The same of a given assembly.
+ Like percuss_pose_new, for a given assembly.
 
  Pointers:
- assembly and configuration are handles; pose is null or a place for a pointer.
+ assembly and configuration are handles; pose is null or points to storage for a pointer.
  */
 percuss_status percuss_assembly_pose(const struct percuss_assembly *assembly,
                                      const struct percuss_configuration *configuration,
                                      struct percuss_pose **pose);
 
 /*
- The pose at a configuration on the branch of another pose of the same assembly, followed from there: for steps of a motion.
+ The pose at a configuration on the branch of another pose of the same assembly, followed from that pose: for steps
+ of a motion.
 
  Pointers:
- from and configuration are handles; pose is null or a place for a pointer, not the place of from.
+ from and configuration are handles; pose is null or points to storage for a pointer, other than from.
  */
 percuss_status percuss_pose_follow(const struct percuss_pose *from,
                                    const struct percuss_configuration *configuration,
                                    struct percuss_pose **pose);
 
 /*
- Frees a pose and sets the handle to null; nothing where it is null.
+ Frees a pose and sets the handle to null; a null handle is ignored.
 
  Pointers:
- pose is null or the place of a handle that nobody uses.
+ pose is null or points to a handle that no other call uses.
  */
 percuss_status percuss_pose_free(struct percuss_pose **pose);
 
 /*
- The positions of all joints one after another, in joint order, mimics included: count is that of percuss_model_counts.
+ The positions of all joints, concatenated in joint order, mimics included: count is the positions of
+ percuss_model_counts.
 
  Pointers:
- positions has room for count numbers.
+ positions has space for count numbers.
  */
 percuss_status percuss_pose_positions(const struct percuss_pose *pose, double *positions, size_t count);
 
 /*
- m̄ of a contact, with its error. route: PERCUSS_ROUTE_AUTO, unless another is wanted.
+ m̄ of a contact, with its error. route: normally PERCUSS_ROUTE_AUTO.
 
- Errors: PERCUSS_ERROR_CONTACT: a contact that means nothing, or that the route does not take.
+ Errors: PERCUSS_ERROR_CONTACT: an invalid contact, or a contact that the route cannot solve.
 
  Pointers:
- pose is a handle; contact is null or points to a contact; mass is null or a place for a percuss_mass.
+ pose is a handle; contact is null or points to a contact; mass is null or points to storage for a percuss_mass.
  */
 percuss_status percuss_pose_effective_mass(const struct percuss_pose *pose,
                                            const struct percuss_contact *contact,
@@ -1165,12 +1174,12 @@ percuss_status percuss_pose_effective_mass(const struct percuss_pose *pose,
                                            struct percuss_mass *mass);
 
 /*
- The whole response to a contact: v* and the contributions as well. Free it with percuss_response_free.
+ The full response to a contact, with v* and the contributions. Free it with percuss_response_free.
 
  Errors: as percuss_pose_effective_mass.
 
  Pointers:
- As percuss_pose_effective_mass; response is null or a place for a pointer.
+ As percuss_pose_effective_mass; response is null or points to storage for a pointer.
  */
 percuss_status percuss_pose_respond(const struct percuss_pose *pose,
                                     const struct percuss_contact *contact,
@@ -1178,10 +1187,10 @@ percuss_status percuss_pose_respond(const struct percuss_pose *pose,
                                     struct percuss_response **response);
 
 /*
- M, the mass matrix over the coordinates, n×n (kg, kg·m, kg·m²), into room for length numbers.
+ M, the mass matrix over the coordinates, n×n (kg, kg·m, kg·m²), written to an array of length numbers.
 
  Pointers:
- values has room for length numbers.
+ values has space for length numbers.
  */
 percuss_status percuss_pose_mass_matrix(const struct percuss_pose *pose,
                                         double *values,
@@ -1190,19 +1199,19 @@ percuss_status percuss_pose_mass_matrix(const struct percuss_pose *pose,
                                         size_t leading_dimension);
 
 /*
- How many rows A has, the redundant ones included.
+ Number of rows of A, redundant rows included.
 
  Pointers:
- rows is null or a place for a number.
+ rows is null or points to storage for a number.
  */
 percuss_status percuss_pose_constraint_rows(const struct percuss_pose *pose, size_t *rows);
 
 /*
- A, the Jacobian of all constraints over the coordinates, rows×n, into room for length numbers; each group of loops is scaled to
- entries of at most 1.
+ A, the Jacobian of all constraints over the coordinates, rows×n, written to an array of length numbers; each group
+ of loops is scaled to entries of at most 1.
 
  Pointers:
- values has room for length numbers.
+ values has space for length numbers.
  */
 percuss_status percuss_pose_constraint_matrix(const struct percuss_pose *pose,
                                               double *values,
@@ -1214,7 +1223,7 @@ percuss_status percuss_pose_constraint_matrix(const struct percuss_pose *pose,
  j, the closing speed of a contact at unit rates of the coordinates, 1×n (m, 1): count is n.
 
  Pointers:
- contact is null or points to a contact; values has room for count numbers.
+ contact is null or points to a contact; values has space for count numbers.
  */
 percuss_status percuss_pose_contact_row(const struct percuss_pose *pose,
                                         const struct percuss_contact *contact,
@@ -1222,10 +1231,10 @@ percuss_status percuss_pose_contact_row(const struct percuss_pose *pose,
                                         size_t count);
 
 /*
- Frees a response and sets the handle to null; nothing where it is null.
+ Frees a response and sets the handle to null; a null handle is ignored.
 
  Pointers:
- response is null or the place of a handle that nobody uses.
+ response is null or points to a handle that no other call uses.
  */
 percuss_status percuss_response_free(struct percuss_response **response);
 
@@ -1233,45 +1242,43 @@ percuss_status percuss_response_free(struct percuss_response **response);
  m̄ and its error.
 
  Pointers:
- mass is null or a place for a percuss_mass.
+ mass is null or points to storage for a percuss_mass.
  */
 percuss_status percuss_response_mass(const struct percuss_response *response, struct percuss_mass *mass);
 
 /*
- The same where the other side is a free mass (kg) of its own: 1/m̄ = 1/m̄₁ + 1/m₂.
+ m̄ and its error with a free body of mass other (kg) as the other side: 1/m̄ = 1/m̄₁ + 1/m₂.
 
  Pointers:
- mass is null or a place for a percuss_mass.
+ mass is null or points to storage for a percuss_mass.
  */
 percuss_status percuss_response_against_mass(const struct percuss_response *response,
                                              double other,
                                              struct percuss_mass *mass);
 
 /*
- v*: the velocities of all joints at unit closing speed (1/m·rad, 1), one after another in joint order; count is that of
- percuss_model_counts. Of a contact that is not finite too, where a motion is known; else zeros.
+ v*: the velocities of all joints at unit closing speed (1/m·rad, 1), concatenated in joint order; count is the
+ velocities of percuss_model_counts. Also defined for a contact that is not finite, if a motion is known; else zeros.
 
  Pointers:
- velocities has room for count numbers.
+ velocities has space for count numbers.
  */
-percuss_status percuss_response_velocities(const struct percuss_response *response,
-                                           double *velocities,
-                                           size_t count);
+percuss_status percuss_response_velocities(const struct percuss_response *response, double *velocities, size_t count);
 
 /*
- v* of a floating root link: 3 angular and 3 linear numbers, in its axes at its origin; zeros where it is the ground.
+ v* of a floating root link: 3 angular and 3 linear numbers, in its axes at its origin; zeros for a fixed root link.
 
  Pointers:
- twist has room for 6 numbers.
+ twist has space for 6 numbers.
  */
 percuss_status percuss_response_base_velocity(const struct percuss_response *response, double *twist);
 
 /*
- The contribution of each link to m̄, in link order (links numbers), and of the rotor of each joint (joints numbers): together 1.
- Errors: PERCUSS_ERROR_CONTACT where m̄ is not finite.
+ The contribution of each link to m̄, in link order (link_count numbers), and of the rotor of each joint (joint_count
+ numbers): their sum is 1. Errors: PERCUSS_ERROR_CONTACT if m̄ is not finite.
 
  Pointers:
- links has room for link_count numbers, rotors for joint_count; rotors may be null.
+ links has space for link_count numbers, rotors for joint_count; rotors may be null.
  */
 percuss_status percuss_response_contributions(const struct percuss_response *response,
                                               double *links,
@@ -1280,38 +1287,38 @@ percuss_status percuss_response_contributions(const struct percuss_response *res
                                               size_t joint_count);
 
 /*
- Room for many poses of an assembly; it stands at its first closed pose. Free it with percuss_workspace_free.
+ Workspace for many poses of an assembly, initially at its first closed pose. Free it with percuss_workspace_free.
 
  Pointers:
- assembly is a handle; workspace is null or a place for a pointer.
+ assembly is a handle; workspace is null or points to storage for a pointer.
  */
 percuss_status percuss_workspace_new(const struct percuss_assembly *assembly, struct percuss_workspace **workspace);
 
 /*
- Frees a workspace and sets the handle to null; nothing where it is null.
+ Frees a workspace and sets the handle to null; a null handle is ignored.
 
  Pointers:
- workspace is null or the place of a handle that nobody uses.
+ workspace is null or points to a handle that no other call uses.
  */
 percuss_status percuss_workspace_free(struct percuss_workspace **workspace);
 
 /*
- m̄ of a contact at the positions of all joints (one after another, in joint order; unit quaternions; those of mimics are not
- read): count numbers, as percuss_model_counts says. Loops must be closed there, to a millionth of their size: positions of a pose
- of the same assembly are.
+ m̄ of a contact at the positions of all joints (concatenated in joint order; unit quaternions; positions of mimics
+ are not read): count numbers, the positions of percuss_model_counts. Loops must be closed at these positions, to a
+ millionth of their size; positions of a pose of the same assembly satisfy this.
 
- effective_mass: kg; NaN unless the outcome is PERCUSS_FINITE. remarks: null, or a place for PERCUSS_REMARK_… added together. States
- no error: percuss_pose_effective_mass does. Allocates nothing after the first call, but where the recursion is not accurate
- enough. Normals in the world are taken with the root link where percuss_workspace_set_base has put it, else at the world's
- origin.
+ effective_mass: kg; NaN unless the outcome is PERCUSS_FINITE. remarks: null, or storage for PERCUSS_REMARK_… added
+ together. No error bound is computed: use percuss_pose_effective_mass. Allocates nothing after the first call,
+ unless the recursion is not accurate enough. For normals in the world, the root link is at the pose of
+ percuss_workspace_set_base, else at the world's origin.
 
- Errors: PERCUSS_ERROR_NULL, PERCUSS_ERROR_LENGTH; PERCUSS_ERROR_ARGUMENT: a position that matters is not finite, a quaternion is not
- of unit length; PERCUSS_ERROR_ASSEMBLY: a loop is open, with the gap and the tolerance; PERCUSS_ERROR_CONTACT; PERCUSS_ERROR_OVERLAP;
- PERCUSS_ERROR_BUSY where another thread uses the workspace.
+ Errors: PERCUSS_ERROR_NULL, PERCUSS_ERROR_LENGTH; PERCUSS_ERROR_ARGUMENT: a relevant position is not finite, a
+ quaternion is not of unit length; PERCUSS_ERROR_ASSEMBLY: a loop is open, with the gap and the tolerance;
+ PERCUSS_ERROR_CONTACT; PERCUSS_ERROR_OVERLAP; PERCUSS_ERROR_BUSY if another thread uses the workspace.
 
  Pointers:
- workspace is a handle; positions is null or has count numbers; contact is null or points to a contact; the other pointers are null
- or places.
+ workspace is a handle; positions is null or has count numbers; contact is null or points to a contact; the other
+ pointers are null or point to storage.
  */
 percuss_status percuss_workspace_effective_mass(struct percuss_workspace *workspace,
                                                 const double *positions,
@@ -1322,7 +1329,7 @@ percuss_status percuss_workspace_effective_mass(struct percuss_workspace *worksp
                                                 uint32_t *remarks);
 
 /*
- The same of another contact at the positions last given to the workspace; at its first closed pose where none were.
+ m̄ of another contact at the last positions of the workspace; at its first closed pose if no positions were given.
 
  Errors: as percuss_workspace_effective_mass.
 
@@ -1336,7 +1343,8 @@ percuss_status percuss_workspace_effective_mass_again(struct percuss_workspace *
                                                       uint32_t *remarks);
 
 /*
- Sets where the root link stands in the world, as percuss_configuration_set_base: for normals that are given in the world.
+ Sets the pose of the root link in the world, as percuss_configuration_set_base: for normals that are given in the
+ world.
 
  Errors: PERCUSS_ERROR_ARGUMENT.
 
@@ -1348,14 +1356,14 @@ percuss_status percuss_workspace_set_base(struct percuss_workspace *workspace,
                                           const double *quaternion);
 
 /*
- Room to ask for m̄ of one contact at many configurations of an assembly, by so many threads (at most 1024), which belong to the
- batch; 1: the calling thread alone, 0: as many as the machine has processors. Normals in the world are taken with the root link
- at the world's origin; percuss_workspace_batch has another base. Free it with percuss_batch_free.
+ Prepares m̄ of one contact at many configurations of an assembly. threads: number of threads (at most 1024), which
+ belong to the batch; 1: the calling thread alone; 0: one per processor of the machine. For normals in the world, the
+ root link is at the world's origin; percuss_workspace_batch uses another base. Free it with percuss_batch_free.
 
  Errors: PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_ARGUMENT.
 
  Pointers:
- assembly is a handle; contact is null or points to a contact; batch is null or a place for a pointer.
+ assembly is a handle; contact is null or points to a contact; batch is null or points to storage for a pointer.
  */
 percuss_status percuss_batch_new(const struct percuss_assembly *assembly,
                                  const struct percuss_contact *contact,
@@ -1363,13 +1371,13 @@ percuss_status percuss_batch_new(const struct percuss_assembly *assembly,
                                  struct percuss_batch **batch);
 
 /*
- The same with the assembly and the base of a workspace (percuss_workspace_set_base), for normals in the world. The workspace may be
- used otherwise afterwards, or freed.
+ Like percuss_batch_new, with the assembly and the base of a workspace (percuss_workspace_set_base), for normals in
+ the world. The workspace may be used or freed afterwards.
 
  Errors: as percuss_batch_new; PERCUSS_ERROR_BUSY.
 
  Pointers:
- workspace is a handle; contact is null or points to a contact; batch is null or a place for a pointer.
+ workspace is a handle; contact is null or points to a contact; batch is null or points to storage for a pointer.
  */
 percuss_status percuss_workspace_batch(struct percuss_workspace *workspace,
                                        const struct percuss_contact *contact,
@@ -1377,29 +1385,32 @@ percuss_status percuss_workspace_batch(struct percuss_workspace *workspace,
                                        struct percuss_batch **batch);
 
 /*
- Ends the threads of a batch, frees it and sets the handle to null; nothing where it is null.
+ Ends the threads of a batch, frees it and sets the handle to null; a null handle is ignored.
 
  Pointers:
- batch is null or the place of a handle that nobody uses.
+ batch is null or points to a handle that no other call uses.
  */
 percuss_status percuss_batch_free(struct percuss_batch **batch);
 
 /*
- m̄ at count configurations, the positions of all joints each (p of them, as percuss_model_counts says; loops closed).
+ m̄ at count configurations. A configuration holds the positions of all joints (p numbers, the positions of
+ percuss_model_counts) with closed loops.
 
- positions: length numbers; PERCUSS_ROW_MAJOR: configuration c begins at c · stride, stride ≥ p; PERCUSS_COLUMN_MAJOR: position q of
- configuration c stands at q · stride + c, stride ≥ count: the fastest. outcomes and effective_masses: count values each, as
- percuss_workspace_effective_mass has them; PERCUSS_NO_ANSWER where there is none, PERCUSS_MASSLESS_TO_ROUNDING where rounding
- may hide a mass. errors: null, or room for count numbers: the error by rounding, kg; NaN where it was not counted; of a contact that
- is massless to rounding only, the largest m̄ that it may have. remarks: null, or room for count numbers: PERCUSS_REMARK_… added
- together, the reason of a row without an answer among them. watch: null, or asked now and then with user, in the default
- floating-point environment. What is written must not overlap, and must not overlap the positions.
+ positions: length numbers; PERCUSS_ROW_MAJOR: configuration c begins at c · stride, stride ≥ p;
+ PERCUSS_COLUMN_MAJOR: position q of configuration c is at q · stride + c, stride ≥ count: the fastest layout.
+ outcomes and effective_masses: count values each, as for percuss_workspace_effective_mass; PERCUSS_NO_ANSWER for a
+ row without an answer, PERCUSS_MASSLESS_TO_ROUNDING if rounding may hide a mass. errors: null, or count numbers of
+ output: the error by rounding, kg; NaN if not computed; for a contact that is massless to rounding only, its largest
+ possible m̄. remarks: null, or count numbers of output: PERCUSS_REMARK_… added together, with the reason for a row
+ without an answer. watch: null, or a function that is called periodically with user, in the default floating-point
+ environment. Output arrays must not overlap each other or the positions.
 
- Errors: PERCUSS_ERROR_LENGTH; PERCUSS_ERROR_OVERLAP; PERCUSS_ERROR_STOPPED: what was answered until then is there, the rest is PERCUSS_NO_ANSWER.
- PERCUSS_ERROR_HANDLE: the process was forked since the batch was made, whose threads are the parent's.
+ Errors: PERCUSS_ERROR_LENGTH; PERCUSS_ERROR_OVERLAP; PERCUSS_ERROR_STOPPED: finished results are kept, the other
+ rows are PERCUSS_NO_ANSWER. PERCUSS_ERROR_HANDLE: the process was forked after percuss_batch_new, and the threads
+ belong to the parent process.
 
  Pointers:
- batch is a handle; every array has as many values as is said; watch may be called with user.
+ batch is a handle; every array has the stated number of values; watch may be called with user.
  */
 percuss_status percuss_batch_run(const struct percuss_batch *batch,
                                  const double *positions,
@@ -1415,15 +1426,15 @@ percuss_status percuss_batch_run(const struct percuss_batch *batch,
                                  void *user);
 
 /*
- How many laws there are: their numbers are 0 to this − 1.
+ Number of laws: a law has a number from 0 to this count − 1.
  */
 size_t percuss_law_count(void);
 
 /*
- The name of a law; it lives as long as the program.
+ The name of a law; valid until the program ends.
 
  Pointers:
- name is null or a place for a pointer.
+ name is null or points to storage for a pointer.
  */
 percuss_status percuss_law_name(percuss_law law, const char **name);
 
@@ -1431,18 +1442,18 @@ percuss_status percuss_law_name(percuss_law law, const char **name);
  The law of this name or alias, upper and lower case alike. Errors: PERCUSS_ERROR_NAME, with the most similar name.
 
  Pointers:
- name ends with a zero byte; law is null or a place for a number.
+ name ends with a zero byte; law is null or points to storage for a number.
  */
 percuss_status percuss_law_find(const char *name, percuss_law *law);
 
 /*
- The damper of a law for the restitution e on this spring, at the approach speed in m/s; 0 where the law needs none
- (Kelvin–Voigt does not). separation matters to Kelvin–Voigt alone.
+ The damper of a law for the restitution e on this spring, at the approach speed in m/s; speed 0 means unknown
+ (Kelvin–Voigt needs no speed). separation is used by Kelvin–Voigt only.
 
- Errors: PERCUSS_ERROR_LAW: out of range, the speed missing, an e that the law does not reach.
+ Errors: PERCUSS_ERROR_LAW: out of range, missing speed, an e that the law cannot reach.
 
  Pointers:
- spring is null or points to one; damper is null or a place for one.
+ spring is null or points to one; damper is null or points to storage for one.
  */
 percuss_status percuss_law_damper(percuss_law law,
                                   const struct percuss_spring *spring,
@@ -1452,12 +1463,12 @@ percuss_status percuss_law_damper(percuss_law law,
                                   struct percuss_damper *damper);
 
 /*
- The restitution that a damper gives on this spring at this approach speed, m/s. Exact for the force.
+ The restitution of a damper on this spring at this approach speed, m/s. Exact for the force law.
 
  Errors: PERCUSS_ERROR_LAW.
 
  Pointers:
- spring and damper are null or point to one; restitution is null or a place for a number.
+ spring and damper are null or point to one; restitution is null or points to storage for a number.
  */
 percuss_status percuss_damper_restitution(const struct percuss_damper *damper,
                                           const struct percuss_spring *spring,
@@ -1465,12 +1476,12 @@ percuss_status percuss_damper_restitution(const struct percuss_damper *damper,
                                           double *restitution);
 
 /*
- The figures of the impact on this spring at this approach speed, m/s.
+ Characteristics of the impact on this spring at this approach speed, m/s.
 
  Errors: PERCUSS_ERROR_LAW.
 
  Pointers:
- spring and damper are null or point to one; impact is null or a place for one.
+ spring and damper are null or point to one; impact is null or points to storage for one.
  */
 percuss_status percuss_damper_impact(const struct percuss_damper *damper,
                                      const struct percuss_spring *spring,
@@ -1478,26 +1489,27 @@ percuss_status percuss_damper_impact(const struct percuss_damper *damper,
                                      struct percuss_impact *impact);
 
 /*
- The defaults.
+ Sets the default options.
 
  Pointers:
- options is null or a place for percuss_matrix_options.
+ options is null or points to storage for a percuss_matrix_options.
  */
 percuss_status percuss_matrix_options_init(struct percuss_matrix_options *options);
 
 /*
- m̄ = min { vᵀMv : Av = 0, jv = 1 } of a system that is given by its matrices: mass is M, n×n, symmetric, positive semi-definite (kg,
- kg·m, kg·m²); contact_row is j, count = n numbers (m, 1); constraints is A, m×n, or null. M may be singular, rows of A redundant.
+ m̄ = min { vᵀMv : Av = 0, jv = 1 } of a system given by its matrices: mass is M, n×n, symmetric, positive
+ semi-definite (kg, kg·m, kg·m²); contact_row is j, count = n numbers (m, 1); constraints is A, m×n, or null. M may
+ be singular, rows of A may be redundant.
 
- mass_result: the outcome, m̄ (kg), what it may be off by (error and error_rounding), the remarks. velocities: null, or room for n
- numbers: v*, the velocities at unit closing speed. rank: null, or a place for the report on A. redundant_rows: null, or
- room for m bytes: 1 for each row of A that follows from those that count, else 0. options: null for the defaults.
+ mass_result: the outcome, m̄ (kg), its error (error and error_rounding), the remarks. velocities: null, or n numbers
+ of output: v*, the velocities at unit closing speed. rank: null, or storage for the rank report of A.
+ redundant_rows: null, or m bytes of output: 1 for each redundant row of A, else 0. options: null for the defaults.
 
- Errors: PERCUSS_ERROR_LENGTH: shapes; PERCUSS_ERROR_ARGUMENT: NaN, infinities, options; PERCUSS_ERROR_MATRIX: not symmetric,
- not positive semi-definite, more than 1000 coordinates.
+ Errors: PERCUSS_ERROR_LENGTH: shapes; PERCUSS_ERROR_ARGUMENT: NaN, infinities, options; PERCUSS_ERROR_MATRIX: not
+ symmetric, not positive semi-definite, more than 1000 coordinates.
 
  Pointers:
- Every pointer is null or points to what is said; the arrays of the matrices have as many numbers as they say.
+ Every pointer is null or points to the stated values; the arrays of the matrices have the stated lengths.
  */
 percuss_status percuss_effective_mass(const struct percuss_matrix *mass,
                                       const double *contact_row,

@@ -1,7 +1,8 @@
-// percuss for C++17: a thin layer over percuss.h. Objects own their handles; failures are exceptions with the library's message.
+// percuss for C++17: a thin layer over percuss.h. Objects own their handles; failures are exceptions with the library's
+// message.
 //
-// A Model, System, Assembly, Pose or Batch cannot be changed and may be shared between threads; a Conditions, Configuration or
-// Workspace is for one thread at a time (percuss::Error with PERCUSS_ERROR_BUSY otherwise).
+// Model, System, Assembly, Pose and Batch are immutable and may be shared between threads. A Conditions, Configuration
+// or Workspace is for one thread at a time (otherwise percuss::Error with PERCUSS_ERROR_BUSY).
 #ifndef PERCUSS_HPP
 #define PERCUSS_HPP
 
@@ -22,7 +23,7 @@
 
 namespace percuss {
 
-/// A call that failed: its status and message.
+/// Failure of a call: its status and message.
 class Error : public std::runtime_error {
  public:
   Error(percuss_status status, const std::string &message) : std::runtime_error(message), status_(status) {}
@@ -33,7 +34,7 @@ class Error : public std::runtime_error {
   percuss_status status_;
 };
 
-/// Throws where a call failed.
+/// Throws if a call failed.
 inline void check(percuss_status status) {
   if (status != PERCUSS_OK) throw Error(status, percuss_error_message());
 }
@@ -66,13 +67,13 @@ class Model {
     check(percuss_model_load_file(path.c_str(), &handle));
     return Model(handle);
   }
-  /// Reads a text; name stands for the file in messages.
+  /// Reads URDF text; name replaces the file name in messages.
   static Model load_text(std::string_view text, const std::string &name = "text.urdf") {
     percuss_model *handle = nullptr;
     check(percuss_model_load_memory(name.c_str(), text.data(), text.size(), &handle));
     return Model(handle);
   }
-  /// How many links, joints, positions of all joints and velocities of all joints there are.
+  /// Numbers of links, joints, positions of all joints and velocities of all joints.
   struct Counts {
     std::size_t links, joints, positions, velocities;
   };
@@ -91,19 +92,19 @@ class Model {
     check(percuss_model_find_joint(get(), name.c_str(), &index));
     return index;
   }
-  /// The name of a link; it lives as long as the model.
+  /// The name of a link; valid as long as the model.
   const char *link_name(std::size_t index) const {
     const char *name = nullptr;
     check(percuss_model_link_name(get(), index, &name));
     return name;
   }
-  /// A joint; its name lives as long as the model.
+  /// A joint; its name is valid as long as the model.
   percuss_joint joint(std::size_t index) const {
     percuss_joint joint{};
     check(percuss_model_joint(get(), index, &joint));
     return joint;
   }
-  /// Notes and warnings; their texts live as long as the model.
+  /// Notes and warnings; their texts are valid as long as the model.
   std::vector<percuss_diagnostic> diagnostics() const {
     std::size_t count = 0;
     check(percuss_model_diagnostic_count(get(), &count));
@@ -129,8 +130,8 @@ class Model {
   detail::Owner<percuss_model, percuss_model_free> handle_;
 };
 
-/// The base, locks, armatures and held contacts of an analysis. Setters return the object itself; of a temporary object they return
-/// a new one that it is moved into, so that `auto &&c = Conditions().lock("j")` does not dangle.
+/// The base, locks, armatures and held contacts of an analysis. Setters return the object itself. Setters of a
+/// temporary object return a new object by move, so that `auto &&c = Conditions().lock("j")` does not dangle.
 class Conditions {
  public:
   Conditions() {
@@ -155,7 +156,7 @@ class Conditions {
     lock(joint);
     return std::move(*this);
   }
-  /// kg·m² or kg: one value, or one for each velocity of the joint.
+  /// Armature in kg·m² or kg: one value, or one for each velocity of the joint.
   Conditions &armature(const std::string &joint, const std::vector<double> &values) & {
     check(percuss_conditions_armature(get(), joint.c_str(), values.data(), values.size()));
     return *this;
@@ -179,7 +180,7 @@ class Conditions {
   detail::Owner<percuss_conditions, percuss_conditions_free> handle_;
 };
 
-/// Positions of the joints. Setters as those of Conditions.
+/// Positions of the joints. Setters follow the rules of Conditions.
 class Configuration {
  public:
   explicit Configuration(const Model &model) {
@@ -204,7 +205,7 @@ class Configuration {
     set(joint, value);
     return std::move(*this);
   }
-  /// Sets where to look for a joint that follows from loops.
+  /// Sets the initial position in the search for a dependent joint of a loop.
   Configuration &guess(const std::string &joint, const std::vector<double> &values) & {
     check(percuss_configuration_guess(get(), joint.c_str(), values.data(), values.size()));
     return *this;
@@ -222,7 +223,7 @@ class Configuration {
     set_positions(positions);
     return std::move(*this);
   }
-  /// Where the root link stands in the world: m, and a unit quaternion w, x, y, z.
+  /// Sets the pose of the root link in the world: m, and a unit quaternion w, x, y, z.
   Configuration &set_base(const Vector3 &position, const std::array<double, 4> &quaternion) & {
     check(percuss_configuration_set_base(get(), position.data(), quaternion.data()));
     return *this;
@@ -231,7 +232,7 @@ class Configuration {
     set_base(position, quaternion);
     return std::move(*this);
   }
-  /// Every joint at zero again.
+  /// Resets every joint to zero.
   Configuration &reset() & {
     check(percuss_configuration_reset(get()));
     return *this;
@@ -240,7 +241,7 @@ class Configuration {
     reset();
     return std::move(*this);
   }
-  /// Accepts a pose on another assembly mode, where the branch of the first closed pose does not reach the driving joints.
+  /// Accepts a pose on another assembly mode, beyond the reach of the branch of the first closed pose.
   Configuration &allow_other_assembly() & {
     check(percuss_configuration_allow_other_assembly(get()));
     return *this;
@@ -255,7 +256,7 @@ class Configuration {
   detail::Owner<percuss_configuration, percuss_configuration_free> handle_;
 };
 
-/// The whole response to a contact.
+/// The full response to a contact.
 class Response {
  public:
   Mass mass() const {
@@ -263,7 +264,7 @@ class Response {
     check(percuss_response_mass(get(), &mass));
     return mass;
   }
-  /// Against a free mass, kg.
+  /// m̄ and its error with a free mass (kg) as the other side.
   Mass against_mass(double other) const {
     Mass mass;
     check(percuss_response_against_mass(get(), other, &mass));
@@ -281,7 +282,7 @@ class Response {
     check(percuss_response_base_velocity(get(), twist.data()));
     return twist;
   }
-  /// The contribution of each link, and of the rotor of each joint: together 1.
+  /// Contributions of each link and of the rotor of each joint: their sum is 1.
   struct Contributions {
     std::vector<double> links, rotors;
   };
@@ -305,13 +306,13 @@ struct Matrix {
   std::size_t rows = 0, columns = 0;
   std::vector<double> values;
   double operator()(std::size_t r, std::size_t c) const { return values[c * rows + r]; }
-  /// As percuss_effective_mass reads it.
+  /// The matrix in the form of percuss_effective_mass.
   percuss_matrix view() const {
     return {values.data(), values.size(), rows, columns, rows, PERCUSS_COLUMN_MAJOR, 0};
   }
 };
 
-/// A mechanism at one configuration, its loops closed.
+/// A mechanism at one configuration with closed loops.
 class Pose {
  public:
   Mass effective_mass(const Contact &contact, percuss_route route = PERCUSS_ROUTE_AUTO) const {
@@ -330,7 +331,7 @@ class Pose {
     check(percuss_pose_positions(get(), all.data(), all.size()));
     return all;
   }
-  /// The pose at a configuration on the branch of this one.
+  /// The pose at a configuration, followed along the branch of this pose.
   Pose follow(const Configuration &configuration) const {
     percuss_pose *handle = nullptr;
     check(percuss_pose_follow(get(), configuration.get(), &handle));
@@ -368,10 +369,11 @@ class Pose {
   std::size_t coordinates_;
 };
 
-/// Room for one configuration after another. One thread at a time.
+/// Workspace for one configuration after another. One thread at a time.
 class Workspace {
  public:
-  /// m̄ in kg at the positions of all joints; none unless finite. `outcome` says which it is, `remarks` has PERCUSS_REMARK_….
+  /// m̄ in kg at the positions of all joints; empty unless finite. `outcome` receives the outcome, `remarks` the
+  /// PERCUSS_REMARK_… bits.
   std::optional<double> effective_mass(const double *positions, std::size_t count, const Contact &contact,
                                        percuss_outcome *outcome = nullptr, std::uint32_t *remarks = nullptr) {
     percuss_outcome found = PERCUSS_NO_ANSWER;
@@ -384,7 +386,7 @@ class Workspace {
                                        percuss_outcome *outcome = nullptr, std::uint32_t *remarks = nullptr) {
     return effective_mass(positions.data(), positions.size(), contact, outcome, remarks);
   }
-  /// The same of another contact at the positions last given.
+  /// m̄ of another contact at the last positions.
   std::optional<double> effective_mass_again(const Contact &contact, percuss_outcome *outcome = nullptr,
                                              std::uint32_t *remarks = nullptr) {
     percuss_outcome found = PERCUSS_NO_ANSWER;
@@ -393,7 +395,8 @@ class Workspace {
     if (outcome != nullptr) *outcome = found;
     return found == PERCUSS_FINITE ? std::optional<double>(mass) : std::nullopt;
   }
-  /// Where the root link stands in the world (m, and a unit quaternion w, x, y, z), for normals that are given in the world.
+  /// Sets the pose of the root link in the world (m, and a unit quaternion w, x, y, z), for normals that are given in
+  /// the world.
   void set_base(const Vector3 &position, const std::array<double, 4> &quaternion) {
     check(percuss_workspace_set_base(handle_.get(), position.data(), quaternion.data()));
   }
@@ -412,15 +415,16 @@ class Batch {
     std::vector<percuss_outcome> outcomes;
     /// kg; NaN unless finite.
     std::vector<double> effective_masses;
-    /// kg; NaN where it was not counted.
+    /// kg; NaN if not computed.
     std::vector<double> errors;
-    /// PERCUSS_REMARK_… added together; of a row without an answer the reason among them.
+    /// PERCUSS_REMARK_… added together, with the reason for a row without an answer.
     std::vector<std::uint32_t> remarks;
   };
-  /// Asked now and then with how many are done; false stops the work. An exception stops it too, and comes out of run.
+  /// Watch function, called periodically with the number of configurations done; false stops the work. An exception
+  /// stops the work too, and `run` rethrows it.
   using Watch = std::function<bool(std::size_t)>;
 
-  /// m̄ at count configurations, the positions of all joints each: one configuration after another.
+  /// m̄ at count configurations; positions holds the positions of all joints, one configuration after another.
   Answers run(const std::vector<double> &positions, std::size_t count, const Watch &watch = {}) const {
     return run(positions.data(), positions.size(), PERCUSS_ROW_MAJOR, positions_, count, watch);
   }
@@ -460,7 +464,7 @@ class Batch {
   std::size_t positions_;
 };
 
-/// A system whose loops are put together.
+/// A system with assembled loops.
 class Assembly {
  public:
   struct Mobility {
@@ -481,7 +485,7 @@ class Assembly {
     check(percuss_workspace_new(get(), &handle));
     return Workspace(handle);
   }
-  /// threads: 1 the calling thread alone, 0 as many as the machine has processors.
+  /// threads: 1: the calling thread alone; 0: one per processor of the machine.
   Batch batch(const Contact &contact, std::size_t threads = 0) const {
     percuss_batch *handle = nullptr;
     check(percuss_batch_new(get(), &contact, threads, &handle));
@@ -501,13 +505,13 @@ class Assembly {
 /// A mechanism under conditions.
 class System {
  public:
-  /// Fixed base, everything free.
+  /// Fixed base, every joint free.
   explicit System(const Model &model) : System(model, nullptr) {}
   System(const Model &model, const Conditions &conditions) : System(model, conditions.get()) {}
   std::size_t coordinates() const noexcept { return coordinates_; }
-  /// The loops put together from all joints at 0.
+  /// Assembles the loops from all joints at 0.
   Assembly assemble() const { return assemble(nullptr); }
-  /// The loops put together from guesses.
+  /// Assembles the loops from guesses.
   Assembly assemble(const Configuration &guesses) const { return assemble(guesses.get()); }
   Pose pose(const Configuration &configuration) const {
     percuss_pose *handle = nullptr;
@@ -533,25 +537,25 @@ class System {
   std::size_t coordinates_ = 0;
 };
 
-/// How matrices are read: percuss_matrix_options.
+/// Options for reading matrices: percuss_matrix_options.
 struct MatrixOptions {
-  /// For each coordinate, how far a unit rate of it moves things; empty: 1 for all.
+  /// Displacement per unit rate of each coordinate; empty: 1 for all.
   std::vector<double> lengths{};
   double rank_floor = 1e-10;
   double accuracy = 2.220446049250313e-16;
 };
 
-/// The answer to the matrices of the caller.
+/// Result for matrices of the caller.
 struct MatrixResponse {
   Mass mass{};
   /// v*, n numbers.
   std::vector<double> velocities;
   percuss_rank rank{};
-  /// For each row of A, 1 where it is redundant.
+  /// 1 for each redundant row of A, else 0.
   std::vector<std::uint8_t> redundant_rows;
 };
 
-/// m̄ = min { vᵀMv : Av = 0, jv = 1 } of matrices that the caller has, read where they lie; constraints may be null.
+/// m̄ = min { vᵀMv : Av = 0, jv = 1 } from matrices of the caller, read in place; constraints may be null.
 inline MatrixResponse effective_mass(const percuss_matrix &mass, const std::vector<double> &contact_row,
                                      const percuss_matrix *constraints = nullptr,
                                      const MatrixOptions &options = {}) {
@@ -572,7 +576,7 @@ inline percuss_law find_law(const std::string &name) {
   return law;
 }
 
-/// The damper of a law for a restitution; speed (m/s) where the law needs one.
+/// The damper of a law for a restitution; speed (m/s) if the law needs a speed.
 inline Damper damper(percuss_law law, const Spring &spring, double restitution, double speed = 0.0,
                      percuss_separation separation = PERCUSS_FORCE_VANISHES) {
   Damper damper;

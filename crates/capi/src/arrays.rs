@@ -1,4 +1,4 @@
-//! Arrays and texts of the caller's.
+//! Arrays and texts of the caller.
 
 use crate::status::{
     Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_LENGTH, PERCUSS_ERROR_NULL, PERCUSS_ERROR_OVERLAP,
@@ -6,29 +6,29 @@ use crate::status::{
 };
 use std::ffi::{CStr, c_char};
 
-/// `length` values that the caller lends; an empty array may be null.
+/// Slice of `length` input values; an empty array may be null.
 #[inline]
 pub(crate) fn input<'a, T>(values: *const T, length: usize, name: &str) -> Result<&'a [T], Failure> {
     check(values, length, name)?;
     if length == 0 {
         return Ok(&[]);
     }
-    // SAFETY: neither null nor misaligned, no larger than memory; the caller promises that so many values are there.
+    // SAFETY: neither null nor misaligned, no larger than memory; the caller promises that `length` values are there.
     Ok(unsafe { std::slice::from_raw_parts(values, length) })
 }
 
-/// Room for `length` values; an empty array may be null.
+/// Mutable slice of `length` output values; an empty array may be null.
 pub(crate) fn output<'a, T>(values: *mut T, length: usize, name: &str) -> Result<&'a mut [T], Failure> {
     check(values, length, name)?;
     if length == 0 {
         return Ok(&mut []);
     }
-    // SAFETY: as above; the caller promises that nobody else uses them during the call, and that they are numbers, of which
-    // every bit pattern is one.
+    // SAFETY: as above; the caller promises exclusive access during the call, and plain numbers, which have no invalid
+    // bit pattern.
     Ok(unsafe { std::slice::from_raw_parts_mut(values, length) })
 }
 
-/// The same, or none where it is null.
+/// Like [`output`]; `None` for a null pointer.
 pub(crate) fn optional_output<'a, T>(
     values: *mut T,
     length: usize,
@@ -61,7 +61,7 @@ fn refuse<T>(values: *const T, length: usize, fits: bool, name: &str) -> Result<
     Ok(())
 }
 
-/// The bytes that an array or a place of the caller's spans.
+/// Byte range of an array or of a single value of the caller.
 #[derive(Clone, Copy)]
 pub(crate) struct Span {
     first: usize,
@@ -70,7 +70,7 @@ pub(crate) struct Span {
 }
 
 impl Span {
-    /// `length` values; none where the pointer is null.
+    /// Span of `length` values; empty for a null pointer.
     #[inline]
     pub fn of<T>(values: *const T, length: usize, name: &'static str) -> Self {
         let length = if values.is_null() { 0 } else { length };
@@ -86,7 +86,7 @@ impl Span {
     }
 }
 
-/// Refuses arrays and places that are written and overlap one another, or those that are read.
+/// Refuses output ranges that overlap each other or an input range.
 #[inline]
 pub(crate) fn refuse_overlaps(written: &[Span], read: &[Span]) -> Result<(), Failure> {
     for (i, own) in written.iter().enumerate() {
@@ -104,7 +104,7 @@ fn overlap(written: &str, other: &str) -> Failure {
     Failure::new(PERCUSS_ERROR_OVERLAP, message)
 }
 
-/// Whether an array has the length that is needed.
+/// Refuses an array of the wrong length.
 pub(crate) fn expect_length(got: usize, expected: usize, name: &str) -> Result<(), Failure> {
     if got == expected {
         return Ok(());
@@ -113,14 +113,14 @@ pub(crate) fn expect_length(got: usize, expected: usize, name: &str) -> Result<(
     Err(Failure::new(PERCUSS_ERROR_LENGTH, message))
 }
 
-/// Copies values out, whose number must be that of the room.
+/// Copies values to an array of the caller, whose length must match.
 pub(crate) fn copy_out(from: &[f64], to: *mut f64, length: usize, name: &str) -> Result<(), Failure> {
     expect_length(length, from.len(), name)?;
     output(to, length, name)?.copy_from_slice(from);
     Ok(())
 }
 
-/// A text that ends with a zero byte.
+/// UTF-8 string from a zero-terminated text.
 pub(crate) fn text<'a>(text: *const c_char, name: &str) -> Result<&'a str, Failure> {
     if text.is_null() {
         return Err(Failure::new(PERCUSS_ERROR_NULL, format_args!("{name} is null")));
@@ -130,7 +130,7 @@ pub(crate) fn text<'a>(text: *const c_char, name: &str) -> Result<&'a str, Failu
     text.to_str().map_err(|_| Failure::new(PERCUSS_ERROR_TEXT, format_args!("{name} is not UTF-8")))
 }
 
-/// One of some values by its number.
+/// Element of `all` by an enumeration number of C.
 pub(crate) fn choice<T: Copy>(all: &[T], number: i32, name: &str) -> Result<T, Failure> {
     usize::try_from(number).ok().and_then(|at| all.get(at)).copied().ok_or_else(|| {
         let most = all.len() - 1;
@@ -138,7 +138,7 @@ pub(crate) fn choice<T: Copy>(all: &[T], number: i32, name: &str) -> Result<T, F
     })
 }
 
-/// A number that may be unknown: NaN then.
+/// Value for C: NaN if unknown.
 pub(crate) fn known(value: Option<f64>) -> f64 {
     value.unwrap_or(f64::NAN)
 }

@@ -1,4 +1,4 @@
-//! Batches: one contact at many configurations, in lanes and by threads.
+//! Batches: one contact at many configurations, with SIMD lanes and threads.
 
 use crate::arrays::{Span, expect_length, input, known, optional_output, output, refuse_overlaps};
 use crate::contact::{
@@ -16,12 +16,12 @@ use percuss::{Batch, BatchAnswer, BatchError, BatchPositions};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::ffi::c_void;
 
-/// One contact, ready for many configurations. Cannot be changed: threads may share it.
+/// One contact, prepared for many configurations. Immutable, so that threads can share it.
 pub struct percuss_batch {
     _opaque: [u8; 0],
 }
 
-/// A batch, and its own threads, with the process that they are in; none where the calling thread works alone.
+/// Batch with its thread pool and the id of the process that started the pool; `None` without a pool.
 pub(crate) struct Threaded {
     batch: Batch,
     positions: usize,
@@ -34,23 +34,23 @@ impl Handle for percuss_batch {
     const NAME: &'static str = "percuss_batch";
 }
 
-/// Configurations between two calls of the watching function: some milliseconds of a small mechanism.
+/// Number of configurations between two calls of the watch function: some milliseconds for a small mechanism.
 const PORTION: usize = 1 << 14;
-/// Threads at most.
+/// Limit of the number of threads.
 const MOST_THREADS: usize = 1024;
 
-/// Asked now and then with the number of configurations done, on the calling thread; gives 0 to go on, else the work stops. It must
-/// not use the batch and must not throw.
+/// Watch function, called periodically on the calling thread with the number of configurations done. Returns 0 to
+/// continue; another value stops the work. It must not use the batch and must not throw.
 pub type percuss_watch = Option<unsafe extern "C" fn(done: usize, user: *mut c_void) -> i32>;
 
-/// Room to ask for m̄ of one contact at many configurations of an assembly, by so many threads (at most 1024), which belong to the
-/// batch; 1: the calling thread alone, 0: as many as the machine has processors. Normals in the world are taken with the root link
-/// at the world's origin; percuss_workspace_batch has another base. Free it with percuss_batch_free.
+/// Prepares m̄ of one contact at many configurations of an assembly. threads: number of threads (at most 1024), which
+/// belong to the batch; 1: the calling thread alone; 0: one per processor of the machine. For normals in the world, the
+/// root link is at the world's origin; percuss_workspace_batch uses another base. Free it with percuss_batch_free.
 ///
 /// Errors: PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_ARGUMENT.
 ///
 /// # Safety
-/// assembly is a handle; contact is null or points to a contact; batch is null or a place for a pointer.
+/// assembly is a handle; contact is null or points to a contact; batch is null or points to storage for a pointer.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_batch_new(
     assembly: *const percuss_assembly,
@@ -67,13 +67,13 @@ pub unsafe extern "C" fn percuss_batch_new(
     })
 }
 
-/// The same with the assembly and the base of a workspace (percuss_workspace_set_base), for normals in the world. The workspace may be
-/// used otherwise afterwards, or freed.
+/// Like percuss_batch_new, with the assembly and the base of a workspace (percuss_workspace_set_base), for normals in
+/// the world. The workspace may be used or freed afterwards.
 ///
 /// Errors: as percuss_batch_new; PERCUSS_ERROR_BUSY.
 ///
 /// # Safety
-/// workspace is a handle; contact is null or points to a contact; batch is null or a place for a pointer.
+/// workspace is a handle; contact is null or points to a contact; batch is null or points to storage for a pointer.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_workspace_batch(
     workspace: *mut percuss_workspace,
@@ -107,30 +107,33 @@ impl Threaded {
     }
 }
 
-/// Ends the threads of a batch, frees it and sets the handle to null; nothing where it is null.
+/// Ends the threads of a batch, frees it and sets the handle to null; a null handle is ignored.
 ///
 /// # Safety
-/// batch is null or the place of a handle that nobody uses.
+/// batch is null or points to a handle that no other call uses.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_batch_free(batch: *mut *mut percuss_batch) -> percuss_status {
     guarded(|| free(batch))
 }
 
-/// m̄ at count configurations, the positions of all joints each (p of them, as percuss_model_counts says; loops closed).
+/// m̄ at count configurations. A configuration holds the positions of all joints (p numbers, the positions of
+/// percuss_model_counts) with closed loops.
 ///
-/// positions: length numbers; PERCUSS_ROW_MAJOR: configuration c begins at c · stride, stride ≥ p; PERCUSS_COLUMN_MAJOR: position q of
-/// configuration c stands at q · stride + c, stride ≥ count: the fastest. outcomes and effective_masses: count values each, as
-/// percuss_workspace_effective_mass has them; PERCUSS_NO_ANSWER where there is none, PERCUSS_MASSLESS_TO_ROUNDING where rounding
-/// may hide a mass. errors: null, or room for count numbers: the error by rounding, kg; NaN where it was not counted; of a contact that
-/// is massless to rounding only, the largest m̄ that it may have. remarks: null, or room for count numbers: PERCUSS_REMARK_… added
-/// together, the reason of a row without an answer among them. watch: null, or asked now and then with user, in the default
-/// floating-point environment. What is written must not overlap, and must not overlap the positions.
+/// positions: length numbers; PERCUSS_ROW_MAJOR: configuration c begins at c · stride, stride ≥ p;
+/// PERCUSS_COLUMN_MAJOR: position q of configuration c is at q · stride + c, stride ≥ count: the fastest layout.
+/// outcomes and effective_masses: count values each, as for percuss_workspace_effective_mass; PERCUSS_NO_ANSWER for a
+/// row without an answer, PERCUSS_MASSLESS_TO_ROUNDING if rounding may hide a mass. errors: null, or count numbers of
+/// output: the error by rounding, kg; NaN if not computed; for a contact that is massless to rounding only, its largest
+/// possible m̄. remarks: null, or count numbers of output: PERCUSS_REMARK_… added together, with the reason for a row
+/// without an answer. watch: null, or a function that is called periodically with user, in the default floating-point
+/// environment. Output arrays must not overlap each other or the positions.
 ///
-/// Errors: PERCUSS_ERROR_LENGTH; PERCUSS_ERROR_OVERLAP; PERCUSS_ERROR_STOPPED: what was answered until then is there, the rest is PERCUSS_NO_ANSWER.
-/// PERCUSS_ERROR_HANDLE: the process was forked since the batch was made, whose threads are the parent's.
+/// Errors: PERCUSS_ERROR_LENGTH; PERCUSS_ERROR_OVERLAP; PERCUSS_ERROR_STOPPED: finished results are kept, the other
+/// rows are PERCUSS_NO_ANSWER. PERCUSS_ERROR_HANDLE: the process was forked after percuss_batch_new, and the threads
+/// belong to the parent process.
 ///
 /// # Safety
-/// batch is a handle; every array has as many values as is said; watch may be called with user.
+/// batch is a handle; every array has the stated number of values; watch may be called with user.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_batch_run(
     batch: *const percuss_batch,
@@ -200,7 +203,7 @@ pub unsafe extern "C" fn percuss_batch_run(
             }
             done += here;
             let Some(watch) = watch else { continue };
-            // SAFETY: the caller promises that it may be called with what he gave for it.
+            // SAFETY: the caller promises that `watch` may be called with `user`.
             if unsafe { watch(done, user) } != 0 && done < count {
                 let message = format_args!("stopped after {done} of {count} configurations");
                 return Err(Failure::new(PERCUSS_ERROR_STOPPED, message));
@@ -211,7 +214,7 @@ pub unsafe extern "C" fn percuss_batch_run(
 }
 
 impl Threaded {
-    /// Its threads. A process that was forked has none of those of its parent, and would wait for them for ever.
+    /// Thread pool of the batch. A forked process has none of its parent's threads and would wait for them forever.
     fn pool(&self) -> Result<Option<&ThreadPool>, Failure> {
         let Some((process, pool)) = &self.pool else { return Ok(None) };
         if *process == std::process::id() {
@@ -222,7 +225,7 @@ impl Threaded {
         Err(Failure::new(PERCUSS_ERROR_HANDLE, message))
     }
 
-    /// Whether so many numbers hold the configurations.
+    /// Refuses a `length` that is too small for the configurations.
     fn check(&self, length: usize, layout: i32, stride: usize, count: usize) -> Result<(), Failure> {
         let (outer, inner) = match layout {
             PERCUSS_ROW_MAJOR => (count, self.positions),

@@ -23,10 +23,10 @@ pub const PERCUSS_BASE_FIXED: i32 = 0;
 /// The root link moves freely.
 pub const PERCUSS_BASE_FLOATING: i32 = 1;
 
-/// Fixed base, everything free, armatures as declared. Free them with percuss_conditions_free.
+/// Fixed base, every joint free, armatures as declared in the file. Free the conditions with percuss_conditions_free.
 ///
 /// # Safety
-/// conditions is null or a place for a pointer.
+/// conditions is null or points to storage for a pointer.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_conditions_new(conditions: *mut *mut percuss_conditions) -> percuss_status {
     guarded(|| {
@@ -35,10 +35,10 @@ pub unsafe extern "C" fn percuss_conditions_new(conditions: *mut *mut percuss_co
     })
 }
 
-/// Frees conditions and sets the handle to null; nothing where it is null.
+/// Frees conditions and sets the handle to null; a null handle is ignored.
 ///
 /// # Safety
-/// conditions is null or the place of a handle that nobody uses.
+/// conditions is null or points to a handle that no other call uses.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_conditions_free(conditions: *mut *mut percuss_conditions) -> percuss_status {
     guarded(|| free(conditions))
@@ -53,7 +53,7 @@ fn change(
     Ok(())
 }
 
-/// How the root link stands: PERCUSS_BASE_FIXED (the default) or PERCUSS_BASE_FLOATING.
+/// Sets the mobility of the root link: PERCUSS_BASE_FIXED (the default) or PERCUSS_BASE_FLOATING.
 ///
 /// # Safety
 /// conditions is null or a handle.
@@ -68,7 +68,7 @@ pub unsafe extern "C" fn percuss_conditions_base(
     })
 }
 
-/// Holds a joint at its position: its velocities are zero. That there is such a joint is checked by percuss_system_new.
+/// Locks a joint at its position: its velocities are zero. percuss_system_new checks the name of the joint.
 ///
 /// # Safety
 /// joint ends with a zero byte.
@@ -83,8 +83,8 @@ pub unsafe extern "C" fn percuss_conditions_lock(
     })
 }
 
-/// Replaces a joint's armature (the rotor's inertia at the joint, kg·m² or kg): one value for all its velocities, or
-/// count of them. Checked by percuss_system_new.
+/// Replaces a joint's armature (the rotor's inertia at the joint, kg·m² or kg): one value for all velocities of the
+/// joint, or one value per velocity. percuss_system_new checks the values.
 ///
 /// # Safety
 /// joint ends with a zero byte; values has count numbers.
@@ -101,8 +101,8 @@ pub unsafe extern "C" fn percuss_conditions_armature(
     })
 }
 
-/// Holds a point (3 numbers, m, link's frame) of a link to the ground: along a normal (3 numbers, root link's axes), or in
-/// all directions where that is null. Velocities only. Checked by percuss_system_new.
+/// Holds a point (3 numbers, m, link's frame) of a link to the ground: along a normal (3 numbers, root link's axes), or
+/// in all directions if normal is null. Constrains velocities only. percuss_system_new checks the values.
 ///
 /// # Safety
 /// link ends with a zero byte; point has 3 numbers; normal is null or has 3.

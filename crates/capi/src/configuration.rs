@@ -1,4 +1,4 @@
-//! Configurations: where the joints stand, as the user gives it.
+//! Configurations: joint positions given by the user.
 
 use crate::arrays::{input, text};
 use crate::handle::{Exclusive, Handle, clear, free, get, give, take};
@@ -9,19 +9,19 @@ use percuss::{Configuration, ConfigurationError};
 use std::ffi::c_char;
 use std::sync::Arc;
 
-/// Positions of the joints, and where the root link stands in the world. One thread at a time.
+/// Positions of the joints, and pose of the root link in the world. One thread at a time.
 pub struct percuss_configuration {
     _opaque: [u8; 0],
 }
 
-/// A configuration, and the model it is of.
+/// A configuration with its model.
 pub(crate) struct Given {
     model: Arc<Model>,
     pub values: Configuration,
 }
 
 impl Given {
-    /// Whether it is of this model.
+    /// Refuses a configuration of another model.
     pub fn check(&self, model: &Arc<Model>) -> Result<(), Failure> {
         if Arc::ptr_eq(&self.model, model) {
             return Ok(());
@@ -42,7 +42,7 @@ impl Handle for percuss_configuration {
 /// Every joint at zero (quaternions at 1, 0, 0, 0), the root link at the world's origin. Free it with percuss_configuration_free.
 ///
 /// # Safety
-/// model is a handle; configuration is null or a place for a pointer.
+/// model is a handle; configuration is null or points to storage for a pointer.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_configuration_new(
     model: *const percuss_model,
@@ -56,10 +56,10 @@ pub unsafe extern "C" fn percuss_configuration_new(
     })
 }
 
-/// Frees a configuration and sets the handle to null; nothing where it is null.
+/// Frees a configuration and sets the handle to null; a null handle is ignored.
 ///
 /// # Safety
-/// configuration is null or the place of a handle that nobody uses.
+/// configuration is null or points to a handle that no other call uses.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_configuration_free(
     configuration: *mut *mut percuss_configuration,
@@ -67,7 +67,7 @@ pub unsafe extern "C" fn percuss_configuration_free(
     guarded(|| free(configuration))
 }
 
-/// Every joint at zero again, nothing set and nothing guessed.
+/// Resets every joint to zero and removes all settings and guesses.
 ///
 /// # Safety
 /// configuration is null or a handle.
@@ -82,7 +82,7 @@ pub unsafe extern "C" fn percuss_configuration_reset(
     })
 }
 
-/// What is done with a joint's values.
+/// Setter of a joint's values.
 type OfJoint =
     for<'a> fn(&'a mut Configuration, &str, &[f64]) -> Result<&'a mut Configuration, ConfigurationError>;
 
@@ -101,9 +101,10 @@ fn of_joint(
     })
 }
 
-/// Sets a driving joint to count values (layouts of percuss_joint_kind). Joints of loops that are not set follow.
+/// Sets a driving joint to count values (layouts of percuss_joint_kind). Other joints of the loops follow.
 ///
-/// Errors: PERCUSS_ERROR_CONDITIONS: no such joint, set twice, a mimic, another number of values, a value that is none.
+/// Errors: PERCUSS_ERROR_CONDITIONS: unknown joint, repeated setting, a mimic, a wrong number of values, an invalid
+/// value.
 ///
 /// # Safety
 /// joint ends with a zero byte; values has count numbers.
@@ -117,7 +118,7 @@ pub unsafe extern "C" fn percuss_configuration_set(
     of_joint(configuration, joint, values, count, Configuration::set)
 }
 
-/// Sets where to look for a joint that follows from loops: which assembly mode is meant.
+/// Sets the initial position in the search for a dependent joint of a loop, which selects the assembly mode.
 ///
 /// Errors: as percuss_configuration_set.
 ///
@@ -133,8 +134,8 @@ pub unsafe extern "C" fn percuss_configuration_guess(
     of_joint(configuration, joint, values, count, Configuration::guess)
 }
 
-/// Sets a whole configuration: the positions of all joints one after another, in joint order; those of mimics are not read. Loops
-/// are closed from there. What was set before is forgotten.
+/// Sets the whole configuration: the positions of all joints, concatenated in joint order; positions of mimics are not
+/// read. Loops are closed from there. Earlier settings are dropped.
 ///
 /// Errors: PERCUSS_ERROR_CONDITIONS.
 ///
@@ -155,8 +156,8 @@ pub unsafe extern "C" fn percuss_configuration_set_positions(
     })
 }
 
-/// Sets where the root link stands in the world: its origin (3 numbers, m) and its orientation (4 numbers, a unit quaternion w, x,
-/// y, z: a norm within 0.01 of 1, which is normalised).
+/// Sets the pose of the root link in the world: its origin (3 numbers, m) and its orientation (4 numbers, a unit
+/// quaternion w, x, y, z: a norm within 0.01 of 1, which is normalised).
 ///
 /// Errors: PERCUSS_ERROR_ARGUMENT: a number that is not finite, another norm.
 ///
@@ -176,7 +177,7 @@ pub unsafe extern "C" fn percuss_configuration_set_base(
     })
 }
 
-/// The pose of a base: its origin (3 numbers) and its orientation (4).
+/// Pose of a base from its origin (3 numbers) and its orientation (4 numbers).
 pub(crate) fn base_pose(position: *const f64, quaternion: *const f64) -> Result<Transform<f64>, Failure> {
     let (mut p, mut q) = ([0.0; 3], [0.0; 4]);
     p.copy_from_slice(input(position, 3, "position")?);
@@ -184,8 +185,9 @@ pub(crate) fn base_pose(position: *const f64, quaternion: *const f64) -> Result<
     percuss::input::base_pose(p, q).map_err(Failure::of(PERCUSS_ERROR_ARGUMENT))
 }
 
-/// Accepts a pose on another assembly mode, where the branch of the first closed pose does not reach the driving joints. Such a
-/// pose has PERCUSS_REMARK_OTHER_ASSEMBLY; without this it is PERCUSS_ERROR_ASSEMBLY. A guess chooses a mode by itself.
+/// Accepts a pose on another assembly mode, beyond the reach of the branch of the first closed pose. Such a pose has
+/// PERCUSS_REMARK_OTHER_ASSEMBLY; without this setting, the result is PERCUSS_ERROR_ASSEMBLY. A guess also selects a
+/// mode.
 ///
 /// # Safety
 /// configuration is null or a handle.

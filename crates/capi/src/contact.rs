@@ -1,4 +1,4 @@
-//! Contacts, and what is answered to them.
+//! Contacts and their results.
 
 use crate::arrays::{choice, known};
 use crate::handle::place;
@@ -16,44 +16,45 @@ pub const PERCUSS_GROUND: usize = usize::MAX;
 /// No link is given: the link of a contact before it is set.
 pub const PERCUSS_NO_LINK: usize = usize::MAX - 1;
 
-/// Where a normal is given.
+/// Frame or kind of a normal.
 pub type percuss_normal = i32;
-/// A vector in the struck link's frame: it turns with the link.
+/// A vector in the contact link's frame: it turns with the link.
 pub const PERCUSS_NORMAL_LINK: percuss_normal = 0;
 /// A vector in the world's frame.
 pub const PERCUSS_NORMAL_WORLD: percuss_normal = 1;
-/// A vector in the other link's frame (the world's, where that is the ground).
+/// A vector in the other link's frame (the world's frame if the other side is the ground).
 pub const PERCUSS_NORMAL_AGAINST: percuss_normal = 2;
 /// From the contact point towards a point (m) of another link, in that link's frame.
-/// Refused where that line has turned by more than 5° from the line as drawn, or is shorter than a tenth of it.
+/// Refused if that line has turned by more than 5° from the line as drawn, or is shorter than a tenth of its drawn
+/// length.
 pub const PERCUSS_NORMAL_TOWARD: percuss_normal = 3;
-/// The same line, which may turn: a spring, a damper or a rod. Refused where it is shorter than a tenth of the line as drawn.
+/// The same line, which may turn: a spring, a damper or a rod. Refused if shorter than a tenth of its drawn length.
 pub const PERCUSS_NORMAL_TURNING_TOWARD: percuss_normal = 4;
 
-/// A contact between a point of a link and another link, or the ground. Fill it with percuss_contact_init first.
+/// A contact between a point of a link and another link, or the ground. Initialise it with percuss_contact_init.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct percuss_contact {
-    /// The struck link: a number of percuss_model_find_link. PERCUSS_NO_LINK, from percuss_contact_init, is an error.
+    /// The contact link: a number of percuss_model_find_link. PERCUSS_NO_LINK, from percuss_contact_init, is an error.
     pub link: usize,
     /// The other side: a link, or PERCUSS_GROUND.
     pub against: usize,
-    /// The contact point in the struck link's frame, m.
+    /// The contact point in the contact link's frame, m.
     pub point: [f64; 3],
-    /// The normal, out of the struck link into the other side; its length does not matter. For PERCUSS_NORMAL_TOWARD and
-    /// PERCUSS_NORMAL_TURNING_TOWARD the point that it points towards, m.
+    /// The normal, out of the contact link into the other side; its length does not matter. For PERCUSS_NORMAL_TOWARD
+    /// and PERCUSS_NORMAL_TURNING_TOWARD: the target point, m.
     pub normal: [f64; 3],
-    /// Where the normal is given: PERCUSS_NORMAL_LINK to PERCUSS_NORMAL_TURNING_TOWARD.
+    /// Kind of the normal: PERCUSS_NORMAL_LINK to PERCUSS_NORMAL_TURNING_TOWARD.
     pub normal_given: percuss_normal,
-    /// For both of them the link whose point is meant; not read otherwise.
+    /// Link of the target point, for PERCUSS_NORMAL_TOWARD and PERCUSS_NORMAL_TURNING_TOWARD; not read otherwise.
     pub toward: usize,
 }
 
-/// A contact with the ground at the origin of a link, which must be set (PERCUSS_NO_LINK), along a normal in the link's frame, which
-/// must be set too (0, 0, 0).
+/// Contact with the ground at the origin of a link. The caller must set the link (initially PERCUSS_NO_LINK) and the
+/// normal (initially 0, 0, 0, in the link's frame).
 ///
 /// # Safety
-/// contact is null or a place for a percuss_contact.
+/// contact is null or points to storage for a percuss_contact.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_contact_init(contact: *mut percuss_contact) -> percuss_status {
     guarded(|| {
@@ -109,71 +110,72 @@ fn no_link(field: &str) -> Failure {
     Failure::new(PERCUSS_ERROR_CONTACT, message)
 }
 
-/// What the mechanism opposes to the contact.
+/// Outcome of a contact: resistance of the mechanism to the closing motion.
 pub type percuss_outcome = i32;
-/// A number.
+/// A finite effective mass.
 pub const PERCUSS_FINITE: percuss_outcome = 0;
 /// No admissible motion closes the gap.
 pub const PERCUSS_IMMOVABLE: percuss_outcome = 1;
 /// A motion without energy closes the gap.
 pub const PERCUSS_MASSLESS: percuss_outcome = 2;
-/// In batches: no answer; the remarks have the reason, percuss_workspace_effective_mass at that configuration states it.
+/// In batches: no answer. The remarks hold the reason; the error message of percuss_workspace_effective_mass at that
+/// configuration states it.
 pub const PERCUSS_NO_ANSWER: percuss_outcome = 3;
-/// In batches: massless to rounding only; the error is the largest m̄, kg, that the contact may have.
+/// In batches: massless to rounding only; the error is the largest possible m̄ of the contact, kg.
 pub const PERCUSS_MASSLESS_TO_ROUNDING: percuss_outcome = 4;
 
-/// How m̄ is computed.
+/// Method of computing m̄.
 pub type percuss_route = i32;
-/// The recursion where it is accurate, else the careful route.
+/// The recursion if it is accurate enough, else the dense method.
 pub const PERCUSS_ROUTE_AUTO: percuss_route = 0;
 /// Mass matrix, kernel of the constraints, least energy: O(n³).
 pub const PERCUSS_ROUTE_DENSE: percuss_route = 1;
 /// Articulated recursion over clusters: O(n).
 pub const PERCUSS_ROUTE_ARTICULATED: percuss_route = 2;
 
-/// The gap hardly closes: the answer is large and uncertain.
+/// The gap hardly closes: m̄ is large and uncertain.
 pub const PERCUSS_REMARK_NEARLY_IMMOVABLE: u32 = 1;
-/// Some motions have no mass. They do not matter for a finite m̄.
+/// Some motions have no mass. They do not affect a finite m̄.
 pub const PERCUSS_REMARK_MASSLESS_MOTIONS: u32 = 2;
 /// The contact is massless to rounding only.
 pub const PERCUSS_REMARK_MASSLESS_TO_ROUNDING: u32 = 4;
-/// A motion without mass leaves v* open; m̄ and the contributions are not.
+/// A massless motion leaves v* undetermined; m̄ and the contributions are determined.
 pub const PERCUSS_REMARK_UNDETERMINED_MOTION: u32 = 8;
 /// The rank of the constraints is unclear.
 pub const PERCUSS_REMARK_UNCLEAR_RANK: u32 = 16;
-/// The mass matrix has negative directions: m̄ is a stationary value, no minimum.
+/// The mass matrix has negative directions: m̄ is a stationary value, not a minimum.
 pub const PERCUSS_REMARK_INDEFINITE: u32 = 32;
 /// Branches cross at this pose: m̄ is a lower bound that no branch attains.
 pub const PERCUSS_REMARK_SINGULAR_POSE: u32 = 64;
-/// The pose is on another assembly mode than that of the first closed pose (percuss_configuration_allow_other_assembly).
+/// The pose is on another assembly mode than the first closed pose (percuss_configuration_allow_other_assembly).
 pub const PERCUSS_REMARK_OTHER_ASSEMBLY: u32 = 128;
 /// A loop is open as drawn by more than a hundredth of its size: a point may be mistyped.
 pub const PERCUSS_REMARK_DRAWN_OPEN: u32 = 256;
-/// The loops contradict one another by rounding: closed in least squares.
+/// The loops contradict one another within rounding: closed in least squares.
 pub const PERCUSS_REMARK_INEXACT_LOOPS: u32 = 512;
 /// A driving joint was not set, and 0 is out of reach.
 pub const PERCUSS_REMARK_DRIVER_OFF_ZERO: u32 = 1024;
-/// A joint was set to more numbers than its loops leave degrees of freedom: the nearest position is taken.
+/// A joint was set to more numbers than its loops leave degrees of freedom: the nearest position is used.
 pub const PERCUSS_REMARK_OFF_TARGET: u32 = 2048;
-/// A joint is outside its limits. Workspaces and batches do not look at limits.
+/// A joint is outside its limits. Workspaces and batches do not check limits.
 pub const PERCUSS_REMARK_OUTSIDE_LIMITS: u32 = 4096;
-/// A little off in the figures of the file, and the loops leave one motion more.
+/// A small error in the file's numbers would leave the loops one more degree of freedom.
 pub const PERCUSS_REMARK_WEAKLY_CONSTRAINED: u32 = 8192;
-/// The generic rank of the constraints is unclear: the mobility may be another.
+/// The generic rank of the constraints is unclear: the mobility may differ.
 pub const PERCUSS_REMARK_UNCLEAR_MOBILITY: u32 = 16384;
-/// The normal is given in the world and the base floats, but its pose was not given: it is taken at the world's origin
-/// (percuss_configuration_set_base, percuss_workspace_set_base).
+/// The normal is given in the world and the base floats, but the base pose was not given: the root link is taken at the
+/// world's origin (percuss_configuration_set_base, percuss_workspace_set_base).
 pub const PERCUSS_REMARK_BASE_NOT_GIVEN: u32 = 32768;
 /// In batches, a row without an answer: a position is not finite.
 pub const PERCUSS_REMARK_NOT_FINITE: u32 = 65536;
 /// In batches, a row without an answer: a quaternion is not of unit length.
 pub const PERCUSS_REMARK_NOT_UNIT_QUATERNION: u32 = 131072;
-/// In batches, a row without an answer: its loops are open.
+/// In batches, a row without an answer: a loop is open.
 pub const PERCUSS_REMARK_OPEN_LOOPS: u32 = 262144;
 /// In batches, a row without an answer for another reason.
 pub const PERCUSS_REMARK_NO_ANSWER: u32 = 524288;
 
-/// An effective mass with what is known of it. A number that is not known, or that does not apply, is NaN.
+/// Effective mass with its error and remarks. An unknown or inapplicable number is NaN.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct percuss_mass {
@@ -185,17 +187,17 @@ pub struct percuss_mass {
     pub remarks: u32,
     /// 0.
     pub reserved: u32,
-    /// Motions that the constraints leave; a floating base's 6 included.
+    /// Degrees of freedom left by the constraints; a floating base's 6 included.
     pub degrees_of_freedom: usize,
     /// m̄, kg; NaN unless the outcome is PERCUSS_FINITE.
     pub effective_mass: f64,
-    /// What m̄ may be off by, kg: the sum of what is known. NaN where rounding or closing is not known.
+    /// Error of m̄, kg: the sum of the known parts. NaN if the rounding or the closing part is unknown.
     pub error: f64,
-    /// The part by rounding, kg.
+    /// Part by rounding, kg.
     pub error_rounding: f64,
-    /// The part by what the loops' residual leaves open, kg.
+    /// Part by the residual of the loops, kg.
     pub error_closing: f64,
-    /// The part by how far the file's loops are from fitting, kg; NaN where no redundant rows measure it.
+    /// Part by the misfit of the loops in the file, kg; NaN without redundant rows to measure it.
     pub error_file: f64,
 }
 

@@ -1,4 +1,4 @@
-//! The dense entry: m̄ of matrices that the caller has already.
+//! Dense entry: m̄ from matrices of the caller.
 
 use crate::arrays::{Span, expect_length, input, known, optional_output, refuse_overlaps};
 use crate::contact::{PERCUSS_ROUTE_DENSE, outcome, percuss_mass, remark_bits};
@@ -9,20 +9,20 @@ use crate::status::{
 };
 use percuss::{LayoutError, MatrixError, MatrixOptions, MatrixView, effective_mass};
 
-/// A matrix of the caller's, read where it lies.
+/// A matrix of the caller, read in place.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct percuss_matrix {
-    /// The entries; null only where there are none.
+    /// The entries; null only for an empty matrix.
     pub values: *const f64,
-    /// How many numbers there are at values: (rows − 1) · leading_dimension + columns at least, row by row;
-    /// (columns − 1) · leading_dimension + rows column by column.
+    /// Number of values: at least (rows − 1) · leading_dimension + columns, row by row; (columns − 1) ·
+    /// leading_dimension + rows, column by column.
     pub length: usize,
     /// Rows.
     pub rows: usize,
     /// Columns.
     pub columns: usize,
-    /// How far rows (row by row) or columns (column by column) are apart, as in BLAS.
+    /// Distance between rows (row by row) or columns (column by column), as in BLAS.
     pub leading_dimension: usize,
     /// PERCUSS_ROW_MAJOR or PERCUSS_COLUMN_MAJOR.
     pub layout: percuss_layout,
@@ -30,41 +30,41 @@ pub struct percuss_matrix {
     pub reserved: u32,
 }
 
-/// How matrices are read. Fill it with percuss_matrix_options_init first.
+/// Options for reading matrices. Initialise them with percuss_matrix_options_init.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct percuss_matrix_options {
-    /// How coordinates are scaled where ranks are decided: for each, how far a unit rate of it moves things, in one unit for all
-    /// (1 for a slide in metres, a typical length for an angle). null: 1 for all.
+    /// Scale of each coordinate for rank decisions: displacement per unit rate, in one unit for all coordinates (1 for
+    /// a slide in metres, a typical length for an angle). null: 1 for all.
     pub lengths: *const f64,
-    /// How many lengths there are: one for each coordinate, or 0.
+    /// Number of lengths: one per coordinate, or 0.
     pub length_count: usize,
-    /// Singular values of A below this part of the largest count as zero; above 0, at most 0.1. 1e-10.
+    /// Singular values of A below this fraction of the largest count as zero; above 0, at most 0.1. Default 1e-10.
     pub rank_floor: f64,
-    /// Relative error of every entry of M, A and j, 0 to 1e-3; it enters the stated error. 2.2e-16.
+    /// Relative error of every entry of M, A and j, 0 to 1e-3; part of the stated error. Default 2.2e-16.
     pub accuracy: f64,
 }
 
-/// What was decided about the rows of A.
+/// Rank report of A.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct percuss_rank {
-    /// How many rows are independent.
+    /// Number of independent rows.
     pub rank: usize,
-    /// How many are not.
+    /// Number of redundant rows.
     pub redundant: usize,
-    /// Least gap between singular values that count and those that do not; NaN without rows.
+    /// Least gap between counted singular values and those taken as zero; NaN without rows.
     pub gap: f64,
-    /// 1 where no singular value is within a factor of 30 of the threshold.
+    /// 1 if no singular value is within a factor of 30 of the threshold.
     pub is_clear: i32,
     /// 0.
     pub reserved: u32,
 }
 
-/// The defaults.
+/// Sets the default options.
 ///
 /// # Safety
-/// options is null or a place for percuss_matrix_options.
+/// options is null or points to storage for a percuss_matrix_options.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_matrix_options_init(options: *mut percuss_matrix_options) -> percuss_status {
     guarded(|| {
@@ -103,18 +103,19 @@ fn refusal(error: MatrixError) -> Failure {
     Failure::new(status, error)
 }
 
-/// m̄ = min { vᵀMv : Av = 0, jv = 1 } of a system that is given by its matrices: mass is M, n×n, symmetric, positive semi-definite (kg,
-/// kg·m, kg·m²); contact_row is j, count = n numbers (m, 1); constraints is A, m×n, or null. M may be singular, rows of A redundant.
+/// m̄ = min { vᵀMv : Av = 0, jv = 1 } of a system given by its matrices: mass is M, n×n, symmetric, positive
+/// semi-definite (kg, kg·m, kg·m²); contact_row is j, count = n numbers (m, 1); constraints is A, m×n, or null. M may
+/// be singular, rows of A may be redundant.
 ///
-/// mass_result: the outcome, m̄ (kg), what it may be off by (error and error_rounding), the remarks. velocities: null, or room for n
-/// numbers: v*, the velocities at unit closing speed. rank: null, or a place for the report on A. redundant_rows: null, or
-/// room for m bytes: 1 for each row of A that follows from those that count, else 0. options: null for the defaults.
+/// mass_result: the outcome, m̄ (kg), its error (error and error_rounding), the remarks. velocities: null, or n numbers
+/// of output: v*, the velocities at unit closing speed. rank: null, or storage for the rank report of A.
+/// redundant_rows: null, or m bytes of output: 1 for each redundant row of A, else 0. options: null for the defaults.
 ///
-/// Errors: PERCUSS_ERROR_LENGTH: shapes; PERCUSS_ERROR_ARGUMENT: NaN, infinities, options; PERCUSS_ERROR_MATRIX: not symmetric,
-/// not positive semi-definite, more than 1000 coordinates.
+/// Errors: PERCUSS_ERROR_LENGTH: shapes; PERCUSS_ERROR_ARGUMENT: NaN, infinities, options; PERCUSS_ERROR_MATRIX: not
+/// symmetric, not positive semi-definite, more than 1000 coordinates.
 ///
 /// # Safety
-/// Every pointer is null or points to what is said; the arrays of the matrices have as many numbers as they say.
+/// Every pointer is null or points to the stated values; the arrays of the matrices have the stated lengths.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_effective_mass(
     mass: *const percuss_matrix,

@@ -1,12 +1,13 @@
-//! The floating-point environment of a call.
+//! Floating-point environment of a call.
 //!
-//! The library divides by zero where lanes are masked afterwards, and computes with NaN: a caller that lets the processor trap on
-//! these (`feenableexcept`), rounds another way or flushes denormal numbers to zero would be ended by a signal, or get other
-//! numbers. Each call runs in the default environment: no traps, rounding to nearest, denormal numbers kept. Where the caller's
-//! is the default already, that is one read of the control register (about 2 ns); otherwise it is replaced, and restored with its
-//! flags at the end (about 20 ns). Threads of a batch are started in the default environment.
+//! The library divides by zero in lanes that are masked afterwards, and computes with NaN. In a caller's environment
+//! with traps (`feenableexcept`), another rounding mode or denormal numbers flushed to zero, it would be ended by a
+//! signal or return other numbers. Each call therefore runs in the default environment: no traps, rounding to nearest,
+//! denormal numbers kept. If the caller's environment is the default, the cost is one read of the control register
+//! (about 2 ns); otherwise the environment is replaced, and restored with its flags at the end (about 20 ns). Threads
+//! of a batch start in the default environment.
 
-/// The default environment, until it is dropped.
+/// Guard that sets the default environment until it is dropped.
 #[must_use]
 pub(crate) struct DefaultEnvironment(Option<control::Register>);
 
@@ -38,20 +39,21 @@ mod control {
     pub type Register = u32;
     /// All exceptions masked, rounding to nearest.
     pub const DEFAULT: u32 = 0x1f80;
-    /// Exceptions that were met: they stay where no trap is enabled.
+    /// Exception flags: they persist while no trap is enabled.
     pub const FLAGS: u32 = 0x3f;
 
     #[inline]
     pub fn read() -> u32 {
         let mut register = 0_u32;
-        // SAFETY: it stores four bytes at the address of a local number.
+        // SAFETY: the instruction stores four bytes at the address of a local number.
         unsafe { asm!("stmxcsr [{}]", in(reg) &raw mut register, options(nostack, preserves_flags)) };
         register
     }
 
     #[inline]
     pub fn write(register: u32) {
-        // SAFETY: it loads four bytes from a local number, a value of this register or its default: no reserved bit is set.
+        // SAFETY: the instruction loads four bytes from a local number, a value of this register or its default: no
+        // reserved bit is set.
         unsafe { asm!("ldmxcsr [{}]", in(reg) &raw const register, options(nostack, preserves_flags)) };
     }
 }
@@ -63,13 +65,13 @@ mod control {
     pub type Register = u64;
     /// No traps, rounding to nearest.
     pub const DEFAULT: u64 = 0;
-    /// The flags are in a register of their own.
+    /// The flags are in a separate register.
     pub const FLAGS: u64 = 0;
 
     #[inline]
     pub fn read() -> u64 {
         let register: u64;
-        // SAFETY: it reads the control register of floating-point arithmetic.
+        // SAFETY: the instruction reads the control register of floating-point arithmetic.
         unsafe { asm!("mrs {}, fpcr", out(reg) register, options(nostack, preserves_flags)) };
         register
     }
@@ -81,7 +83,7 @@ mod control {
     }
 }
 
-/// Other processors: the environment is the caller's.
+/// Other processors: the caller's environment stays in force.
 #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
 mod control {
     pub type Register = u32;

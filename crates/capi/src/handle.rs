@@ -1,7 +1,7 @@
-//! Handles: what C holds of an object.
+//! Handles: C's references to objects.
 //!
-//! The functions here and in `arrays` take pointers as C gives them and trust them as far as the contract of the C function says that was
-//! called ("Pointers" in the header): they are called by such functions alone, with that function's own arguments.
+//! The functions here and in `arrays` take pointers from C and rely on the contract of the calling C function
+//! ("Pointers" in the header). They are called only by C functions, with the arguments of those functions.
 
 use crate::status::{
     Failure, PERCUSS_ERROR_BUSY, PERCUSS_ERROR_HANDLE, PERCUSS_ERROR_INTERNAL, PERCUSS_ERROR_NULL,
@@ -9,50 +9,50 @@ use crate::status::{
 use std::ops::{Deref, DerefMut};
 use try_lock::{Locked, TryLock};
 
-/// What a handle of C's stands for.
+/// Type of a C handle.
 pub(crate) trait Handle {
-    /// The object: calls from several threads share it.
+    /// The object; calls from several threads share it.
     type Object: Send + Sync;
-    /// A number that is in memory before the object: other handles have another one.
+    /// Number in memory before the object; different for each handle type.
     const TAG: u64;
     /// The name of the type in C.
     const NAME: &'static str;
 }
 
-/// The number that replaces the tag of an object that was freed.
+/// Tag of a freed object.
 const FREED: u64 = 0x6672_6565_6421_2121;
 
-/// An object as it lies in memory.
+/// Memory layout of an object.
 #[repr(C)]
 struct Tagged<T> {
     tag: u64,
     object: T,
 }
 
-/// A place that an argument points to.
+/// Mutable reference to an argument's target.
 #[inline]
 pub(crate) fn place<'a, T>(pointer: *mut T, name: &str) -> Result<&'a mut T, Failure> {
     check(pointer, name)?;
-    // SAFETY: it is neither null nor misaligned; the caller of the C function promises that it points to a T of his own.
+    // SAFETY: neither null nor misaligned; the caller of the C function promises that it points to a T of its own.
     Ok(unsafe { &mut *pointer })
 }
 
-/// A value that an argument points to.
+/// Copy of an argument's target.
 pub(crate) fn value<T: Copy>(pointer: *const T, name: &str) -> Result<T, Failure> {
     check(pointer, name)?;
-    // SAFETY: as above; the types that are read so are plain numbers, for which every bit pattern has a meaning.
+    // SAFETY: as above; T is a type of plain numbers, which have no invalid bit pattern.
     Ok(unsafe { *pointer })
 }
 
-/// A value that an argument points to, where it lies.
+/// Shared reference to an argument's target.
 #[inline]
 pub(crate) fn lent<'a, T: Copy>(pointer: *const T, name: &str) -> Result<&'a T, Failure> {
     check(pointer, name)?;
-    // SAFETY: as above; the caller of the C function promises that it does not change during the call.
+    // SAFETY: as above; the caller of the C function promises that the value does not change during the call.
     Ok(unsafe { &*pointer })
 }
 
-/// The same as `value`, or none where it is null.
+/// Like [`value`]; `None` for a null pointer.
 pub(crate) fn optional<T: Copy>(pointer: *const T, name: &str) -> Result<Option<T>, Failure> {
     if pointer.is_null() { Ok(None) } else { value(pointer, name).map(Some) }
 }
@@ -68,14 +68,14 @@ fn no_place(null: bool, name: &str) -> Failure {
     Failure::new(PERCUSS_ERROR_NULL, format_args!("{name} is {fault}"))
 }
 
-/// Hands an object out.
+/// Moves an object to the heap and writes its handle to `to`.
 pub(crate) fn give<H: Handle>(object: H::Object, to: *mut *mut H) -> Result<(), Failure> {
     let to = place(to, "the place for the new handle")?;
     *to = Box::into_raw(Box::new(Tagged { tag: H::TAG, object })).cast();
     Ok(())
 }
 
-/// Sets the place for a new handle to null, so that none is there where the call fails.
+/// Sets the new handle to null, so that a failed call leaves a null handle.
 pub(crate) fn clear<H: Handle>(to: *mut *mut H) -> Result<(), Failure> {
     *place(to, "the place for the new handle")? = std::ptr::null_mut();
     Ok(())
@@ -85,8 +85,8 @@ pub(crate) fn clear<H: Handle>(to: *mut *mut H) -> Result<(), Failure> {
 fn tagged<H: Handle>(handle: *const H) -> Result<*const Tagged<H::Object>, Failure> {
     let pointer: *const Tagged<H::Object> = handle.cast();
     check(pointer, H::NAME)?;
-    // SAFETY: it is neither null nor misaligned; all handles begin with a tag. One that was freed must not be read: that it is noticed,
-    // where its memory is still there, is a help and no promise.
+    // SAFETY: neither null nor misaligned; all handles begin with a tag. A freed handle must not be read: its
+    // detection, while its memory is intact, is a help without guarantee.
     let tag = unsafe { pointer.cast::<u64>().read() };
     if tag == H::TAG { Ok(pointer) } else { Err(no_handle(tag, H::NAME)) }
 }
@@ -99,16 +99,16 @@ fn no_handle(tag: u64, name: &str) -> Failure {
     }
 }
 
-/// The object of a handle.
+/// Object of a handle.
 #[inline]
 pub(crate) fn get<'a, H: Handle>(handle: *const H) -> Result<&'a H::Object, Failure> {
     let pointer = tagged(handle)?;
-    // SAFETY: the tag says that it is an object of this kind, made by `give`; the caller promises not to free it during the call. It is
-    // only ever shared: what can be changed is behind a lock.
+    // SAFETY: the tag proves an object of this kind, made by `give`; the caller promises not to free it during the
+    // call. References are shared only: mutable objects are behind a lock.
     Ok(unsafe { &(*pointer).object })
 }
 
-/// Frees the object of a handle and sets that to null; nothing where it is null already.
+/// Frees the object of a handle and sets the handle to null; a null handle is ignored.
 pub(crate) fn free<H: Handle>(handle: *mut *mut H) -> Result<(), Failure> {
     let handle = place(handle, "the place of the handle")?;
     if handle.is_null() {
@@ -116,24 +116,27 @@ pub(crate) fn free<H: Handle>(handle: *mut *mut H) -> Result<(), Failure> {
     }
     let pointer = tagged(*handle)?.cast_mut();
     *handle = std::ptr::null_mut();
-    // SAFETY: the tag says that `give` made it from a box, and that it was not freed; the caller promises that nobody uses it.
+    // SAFETY: the tag proves that `give` made the object from a box, and that it was not freed; the caller promises
+    // that no other call uses it.
     let mut boxed = unsafe { Box::from_raw(pointer) };
-    // SAFETY: it is the box's own. Volatile, so that it is written though nobody may read it.
+    // SAFETY: the field belongs to the box. The write is volatile, because the compiler could otherwise remove it as
+    // unread.
     unsafe { std::ptr::addr_of_mut!(boxed.tag).write_volatile(FREED) };
     drop(boxed);
     Ok(())
 }
 
-/// An object that can be changed, by one call at a time. It is never waited for, so that to give it back takes no more than a store.
+/// Mutable object with exclusive access by one call at a time. No call waits for the lock, so that a release is a
+/// single store.
 pub(crate) struct Exclusive<T>(TryLock<Kept<T>>);
 
 struct Kept<T> {
-    /// A call failed by a defect while it used the object.
+    /// True if a call panicked while it used the object.
     broken: bool,
     object: T,
 }
 
-/// The object, for one call.
+/// Lock guard of an [`Exclusive`] object.
 pub(crate) struct Taken<'a, T>(Locked<'a, Kept<T>>);
 
 impl<T> Exclusive<T> {
@@ -167,7 +170,7 @@ impl<T> Drop for Taken<'_, T> {
     }
 }
 
-/// Takes an object that can be changed for one call.
+/// Locks a mutable object for one call; fails if another call uses it.
 #[inline]
 pub(crate) fn take<'a, T>(object: &'a Exclusive<T>, name: &str) -> Result<Taken<'a, T>, Failure> {
     match object.0.try_lock() {

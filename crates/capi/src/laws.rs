@@ -1,4 +1,4 @@
-//! Contact laws: the damper that gives a restitution, and what an impact with it is like.
+//! Contact laws: the damper for a restitution, and the characteristics of an impact.
 
 use crate::arrays::{choice, known, text};
 use crate::handle::{place, value};
@@ -7,18 +7,18 @@ use crate::status::{Failure, PERCUSS_ERROR_LAW, PERCUSS_ERROR_NAME, guarded, per
 use percuss::contact::{CompliantContact, ContactLawError, Damper, Law, Separation};
 use std::ffi::{CStr, c_char};
 
-/// A contact law: its number. percuss_law_find gives it.
+/// Number of a contact law, from percuss_law_find.
 pub type percuss_law = i32;
 /// A spring in parallel with a damper, solved exactly.
 pub const PERCUSS_LAW_KELVIN_VOIGT: percuss_law = 0;
-/// A damper that stiffens with the spring, solved exactly.
+/// A damper proportional to the spring force, solved exactly.
 pub const PERCUSS_LAW_HUNT_CROSSLEY: percuss_law = 1;
 
-/// When a contact ends, for a law whose force would pull before the gap closes.
+/// End of a contact, for a law whose force would pull before the gap closes.
 pub type percuss_separation = i32;
-/// When the force has fallen to zero: contacts that do not stick, and simulators that take max(0, F).
+/// The contact ends when the force has fallen to zero: contacts that do not stick, and simulators that use max(0, F).
 pub const PERCUSS_FORCE_VANISHES: percuss_separation = 0;
-/// When the spring has its free length again; the damper pulls shortly before.
+/// The contact ends when the spring has its free length again; the damper pulls shortly before.
 pub const PERCUSS_GAP_CLOSES: percuss_separation = 1;
 
 /// F = k xᵖ + c x^((p−1)/2) ẋ.
@@ -44,35 +44,35 @@ pub struct percuss_spring {
 pub struct percuss_damper {
     /// PERCUSS_DAMPER_KELVIN_VOIGT or PERCUSS_DAMPER_HUNT_CROSSLEY.
     pub kind: i32,
-    /// Of a Kelvin–Voigt damper: when the contact ends.
+    /// End of the contact, for a Kelvin–Voigt damper.
     pub separation: percuss_separation,
-    /// Of a Kelvin–Voigt damper: c, N·s/m^((p+1)/2), N·s/m where p = 1; else NaN.
+    /// c of a Kelvin–Voigt damper, N·s/m^((p+1)/2), N·s/m for p = 1; else NaN.
     pub coefficient: f64,
-    /// Of a Kelvin–Voigt damper: the damping ratio ζ on the contact that it was made for; else NaN.
+    /// Damping ratio ζ of a Kelvin–Voigt damper on its design contact; else NaN.
     pub ratio: f64,
-    /// Of a Hunt–Crossley damper: d, s/m; else NaN.
+    /// d of a Hunt–Crossley damper, s/m; else NaN.
     pub dissipation: f64,
 }
 
-/// The figures of one impact.
+/// Characteristics of one impact.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct percuss_impact {
     /// Rebound speed over approach speed.
     pub restitution: f64,
-    /// From the first touch to the end, s; NaN where the gap takes forever to close.
+    /// From the first touch to the end, s; NaN if the gap needs infinite time to close.
     pub duration: f64,
-    /// m.
+    /// Greatest penetration, m.
     pub max_penetration: f64,
     /// From the first touch, s.
     pub time_of_max_penetration: f64,
-    /// The greatest push, N.
+    /// Greatest contact force, N.
     pub peak_force: f64,
     /// From the first touch, s.
     pub time_of_peak_force: f64,
-    /// J.
+    /// Dissipated energy, J.
     pub energy_lost: f64,
-    /// m/s.
+    /// Rebound speed, m/s.
     pub rebound_speed: f64,
 }
 
@@ -127,7 +127,7 @@ impl percuss_damper {
         }
     }
 
-    /// The damper on this contact: the force goes by the coefficient.
+    /// The damper on this contact: its force depends on the coefficient.
     fn on(&self, contact: CompliantContact) -> Result<Damper, Failure> {
         let kinds = [PERCUSS_DAMPER_KELVIN_VOIGT, PERCUSS_DAMPER_HUNT_CROSSLEY];
         match choice(&kinds, self.kind, "kind of the damper")? {
@@ -140,16 +140,16 @@ impl percuss_damper {
     }
 }
 
-/// How many laws there are: their numbers are 0 to this − 1.
+/// Number of laws: a law has a number from 0 to this count − 1.
 #[unsafe(no_mangle)]
 pub extern "C" fn percuss_law_count() -> usize {
     Law::ALL.len()
 }
 
-/// The name of a law; it lives as long as the program.
+/// The name of a law; valid until the program ends.
 ///
 /// # Safety
-/// name is null or a place for a pointer.
+/// name is null or points to storage for a pointer.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_law_name(law: percuss_law, name: *mut *const c_char) -> percuss_status {
     guarded(|| {
@@ -162,7 +162,7 @@ pub unsafe extern "C" fn percuss_law_name(law: percuss_law, name: *mut *const c_
 /// The law of this name or alias, upper and lower case alike. Errors: PERCUSS_ERROR_NAME, with the most similar name.
 ///
 /// # Safety
-/// name ends with a zero byte; law is null or a place for a number.
+/// name ends with a zero byte; law is null or points to storage for a number.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_law_find(name: *const c_char, law: *mut percuss_law) -> percuss_status {
     guarded(|| {
@@ -173,13 +173,13 @@ pub unsafe extern "C" fn percuss_law_find(name: *const c_char, law: *mut percuss
     })
 }
 
-/// The damper of a law for the restitution e on this spring, at the approach speed in m/s; 0 where the law needs none
-/// (Kelvin–Voigt does not). separation matters to Kelvin–Voigt alone.
+/// The damper of a law for the restitution e on this spring, at the approach speed in m/s; speed 0 means unknown
+/// (Kelvin–Voigt needs no speed). separation is used by Kelvin–Voigt only.
 ///
-/// Errors: PERCUSS_ERROR_LAW: out of range, the speed missing, an e that the law does not reach.
+/// Errors: PERCUSS_ERROR_LAW: out of range, missing speed, an e that the law cannot reach.
 ///
 /// # Safety
-/// spring is null or points to one; damper is null or a place for one.
+/// spring is null or points to one; damper is null or points to storage for one.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_law_damper(
     law: percuss_law,
@@ -201,12 +201,12 @@ pub unsafe extern "C" fn percuss_law_damper(
     })
 }
 
-/// The restitution that a damper gives on this spring at this approach speed, m/s. Exact for the force.
+/// The restitution of a damper on this spring at this approach speed, m/s. Exact for the force law.
 ///
 /// Errors: PERCUSS_ERROR_LAW.
 ///
 /// # Safety
-/// spring and damper are null or point to one; restitution is null or a place for a number.
+/// spring and damper are null or point to one; restitution is null or points to storage for a number.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_damper_restitution(
     damper: *const percuss_damper,
@@ -222,12 +222,12 @@ pub unsafe extern "C" fn percuss_damper_restitution(
     })
 }
 
-/// The figures of the impact on this spring at this approach speed, m/s.
+/// Characteristics of the impact on this spring at this approach speed, m/s.
 ///
 /// Errors: PERCUSS_ERROR_LAW.
 ///
 /// # Safety
-/// spring and damper are null or point to one; impact is null or a place for one.
+/// spring and damper are null or point to one; impact is null or points to storage for one.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_damper_impact(
     damper: *const percuss_damper,

@@ -1,13 +1,14 @@
-//! The C interface of percuss: `include/percuss.h` is made from this crate, `include/percuss.hpp` wraps it for C++17.
+//! The C interface of percuss. `include/percuss.h` is generated from this crate; `include/percuss.hpp` wraps it for
+//! C++17.
 //!
-//! Every function but a few that cannot fail gives a status, 0 where all is well; the message of the last failure is kept for each
-//! thread. Nothing is global. Handles are opaque; an object that cannot be changed may be shared between threads,
-//! one that can gives an error where two threads use it at once. docs/C.md says how to use it.
+//! Functions return a status, 0 on success, except for a few functions that cannot fail. The message of the last
+//! failure is kept per thread. There is no other global state. Handles are opaque. Immutable objects may be shared
+//! between threads; concurrent use of a mutable object is an error. User guide: docs/C.md.
 //!
-//! Every pointer that is given must be null, or point to as many values as the function says: null is an error, the
-//! rest cannot be checked.
+//! Every pointer argument must be null or point to the stated number of values. Null is reported as an error; other
+//! violations cannot be checked.
 
-// The names are those of the header.
+// Names follow the header.
 #![allow(non_camel_case_types)]
 
 mod arrays;

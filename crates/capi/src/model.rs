@@ -1,4 +1,4 @@
-//! Models: mechanisms read from URDF, the names of their links and joints, and what was noticed in the file.
+//! Models: mechanisms read from URDF, the names of their links and joints, and findings about the file.
 
 use crate::arrays::{input, text};
 use crate::handle::{Handle, clear, free, get, give, place};
@@ -13,7 +13,7 @@ use std::ffi::{CString, c_char};
 use std::ptr::null;
 use std::sync::Arc;
 
-/// A mechanism. Cannot be changed: threads may share it.
+/// A mechanism. Immutable, so that threads can share it.
 pub struct percuss_model {
     _opaque: [u8; 0],
 }
@@ -23,7 +23,7 @@ pub(crate) struct Model {
     pub mechanism: Arc<Mechanism>,
     pub links: Vec<LinkId>,
     pub joints: Vec<JointId>,
-    /// Where each joint's positions and velocities begin.
+    /// Offset of each joint's positions and velocities.
     pub first: Vec<(usize, usize)>,
     pub positions: usize,
     pub velocities: usize,
@@ -68,46 +68,46 @@ pub const PERCUSS_FLOATING: percuss_joint_kind = 6;
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct percuss_joint {
-    /// Its name, as long as the model lives.
+    /// Its name; valid as long as the model.
     pub name: *const c_char,
     /// A percuss_joint_kind.
     pub kind: percuss_joint_kind,
-    /// 1 where it has limits.
+    /// 1 if the joint has limits.
     pub has_limits: i32,
     /// Least and greatest position (rad or m); NaN without limits.
     pub lower: f64,
     /// See lower.
     pub upper: f64,
-    /// How many positions it has, and which of the mechanism's is the first.
+    /// Number of positions of the joint, and index of its first position in the mechanism's position vector.
     pub positions: usize,
     /// See positions.
     pub first_position: usize,
-    /// How many velocities it has, and which of the mechanism's is the first.
+    /// Number of velocities of the joint, and index of its first velocity in the mechanism's velocity vector.
     pub velocities: usize,
     /// See velocities.
     pub first_velocity: usize,
-    /// The link that carries it, and the one that it carries: numbers of links.
+    /// Numbers of the parent link and the child link.
     pub parent: usize,
     /// See parent.
     pub child: usize,
 }
 
-/// Worth knowing; nothing is wrong.
+/// Information; nothing is wrong.
 pub const PERCUSS_NOTE: i32 = 0;
-/// Probably not what was meant; the answer uses what the message states.
+/// Probable mistake; the message states the value in use.
 pub const PERCUSS_WARNING: i32 = 1;
 
-/// Something that was noticed in a file.
+/// Finding about a file.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct percuss_diagnostic {
     /// PERCUSS_NOTE or PERCUSS_WARNING; errors make the load fail.
     pub severity: i32,
-    /// Line, from 1; 0 where it has none.
+    /// Line, from 1; 0 if unknown.
     pub line: u32,
-    /// Column in characters, from 1; 0 where it has none.
+    /// Column in characters, from 1; 0 if unknown.
     pub column: u32,
-    /// A short name that programs can rely on. The texts live as long as the model.
+    /// Stable short name, for programs. The texts are valid as long as the model.
     pub code: *const c_char,
     /// The finding.
     pub message: *const c_char,
@@ -163,7 +163,7 @@ impl Model {
 /// Errors: PERCUSS_ERROR_LOAD, with every error of the file in the message.
 ///
 /// # Safety
-/// path ends with a zero byte; model is null or a place for a pointer.
+/// path ends with a zero byte; model is null or points to storage for a pointer.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_model_load_file(
     path: *const c_char,
@@ -180,12 +180,13 @@ pub unsafe extern "C" fn percuss_model_load_file(
     })
 }
 
-/// Reads a URDF from memory: length bytes of UTF-8, no zero byte needed. name stands for the file in messages.
+/// Reads URDF from memory: length bytes of UTF-8 without a terminating zero byte. name replaces the file name in
+/// messages.
 ///
 /// Errors: as percuss_model_load_file; PERCUSS_ERROR_TEXT.
 ///
 /// # Safety
-/// name ends with a zero byte; bytes has length bytes; model is null or a place for a pointer.
+/// name ends with a zero byte; bytes has length bytes; model is null or points to storage for a pointer.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_model_load_memory(
     name: *const c_char,
@@ -211,19 +212,19 @@ pub unsafe extern "C" fn percuss_model_load_memory(
     })
 }
 
-/// Frees a model and sets the handle to null; nothing where it is null. What was made from the model stays valid.
+/// Frees a model and sets the handle to null; a null handle is ignored. Objects made from the model stay valid.
 ///
 /// # Safety
-/// model is null or the place of a handle that nobody uses.
+/// model is null or points to a handle that no other call uses.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_model_free(model: *mut *mut percuss_model) -> percuss_status {
     guarded(|| free(model))
 }
 
-/// How many links a model has, joints, positions of all joints, and velocities of all joints. Each place may be null.
+/// Numbers of links, joints, positions of all joints, and velocities of all joints. Each pointer may be null.
 ///
 /// # Safety
-/// Every pointer is null or a place for a number.
+/// Every pointer is null or points to storage for a number.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_model_counts(
     model: *const percuss_model,
@@ -244,10 +245,10 @@ pub unsafe extern "C" fn percuss_model_counts(
     })
 }
 
-/// The name of link number index, from 0. It lives as long as the model; null where the call fails.
+/// The name of link number index, from 0. Valid as long as the model; null if the call fails.
 ///
 /// # Safety
-/// name is null or a place for a pointer.
+/// name is null or points to storage for a pointer.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_model_link_name(
     model: *const percuss_model,
@@ -265,7 +266,7 @@ pub unsafe extern "C" fn percuss_model_link_name(
 /// The number of the link of this name. Errors: PERCUSS_ERROR_NAME, with the most similar name.
 ///
 /// # Safety
-/// name ends with a zero byte; index is null or a place for a number.
+/// name ends with a zero byte; index is null or points to storage for a number.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_model_find_link(
     model: *const percuss_model,
@@ -282,7 +283,7 @@ pub unsafe extern "C" fn percuss_model_find_link(
 /// The number of the joint of this name. Errors: PERCUSS_ERROR_NAME, with the most similar name.
 ///
 /// # Safety
-/// name ends with a zero byte; index is null or a place for a number.
+/// name ends with a zero byte; index is null or points to storage for a number.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_model_find_joint(
     model: *const percuss_model,
@@ -299,7 +300,7 @@ pub unsafe extern "C" fn percuss_model_find_joint(
 /// Joint number index, from 0.
 ///
 /// # Safety
-/// joint is null or a place for a percuss_joint.
+/// joint is null or points to storage for a percuss_joint.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_model_joint(
     model: *const percuss_model,
@@ -337,10 +338,10 @@ pub unsafe extern "C" fn percuss_model_joint(
     })
 }
 
-/// How many notes and warnings came of the file.
+/// Number of notes and warnings about the file.
 ///
 /// # Safety
-/// count is null or a place for a number.
+/// count is null or points to storage for a number.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_model_diagnostic_count(
     model: *const percuss_model,
@@ -355,7 +356,7 @@ pub unsafe extern "C" fn percuss_model_diagnostic_count(
 /// Note or warning number index, from 0, in the order of the file.
 ///
 /// # Safety
-/// diagnostic is null or a place for a percuss_diagnostic.
+/// diagnostic is null or points to storage for a percuss_diagnostic.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_model_diagnostic(
     model: *const percuss_model,

@@ -15,7 +15,7 @@ use percuss::nalgebra::DMatrix;
 use percuss::{ContactResponse, Pose};
 use std::sync::Arc;
 
-/// A mechanism at one configuration, its loops closed. Cannot be changed: threads may share it.
+/// A mechanism at one configuration with closed loops. Immutable, so that threads can share it.
 pub struct percuss_pose {
     _opaque: [u8; 0],
 }
@@ -32,20 +32,22 @@ impl Handle for percuss_pose {
     const NAME: &'static str = "percuss_pose";
 }
 
-/// How the entries of a matrix lie in memory.
+/// Memory order of matrix entries.
 pub type percuss_layout = i32;
 /// Row by row: entry (r, c) at r · leading_dimension + c.
 pub const PERCUSS_ROW_MAJOR: percuss_layout = 0;
-/// Column by column, as Fortran and BLAS have it: entry (r, c) at c · leading_dimension + r.
+/// Column by column, as in Fortran and BLAS: entry (r, c) at c · leading_dimension + r.
 pub const PERCUSS_COLUMN_MAJOR: percuss_layout = 1;
 
-/// The pose at a configuration: joints that were set drive, the others of the loops follow. Of the assembly found from all joints
-/// at 0, or, where nothing closes from there, of that found from the configuration's guesses. Free it with percuss_pose_free.
+/// The pose at a configuration: set joints drive, other joints of the loops follow. The pose belongs to the assembly
+/// found from all joints at 0 or, if no loop closes from there, to the assembly found from the configuration's guesses.
+/// Free it with percuss_pose_free.
 ///
-/// Errors: PERCUSS_ERROR_ASSEMBLY: loops that do not close, drivers that cannot get there, a dependent joint that was set.
+/// Errors: PERCUSS_ERROR_ASSEMBLY: loops that do not close, drivers that cannot reach their positions, a dependent
+/// joint that was set.
 ///
 /// # Safety
-/// system and configuration are handles; pose is null or a place for a pointer.
+/// system and configuration are handles; pose is null or points to storage for a pointer.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_pose_new(
     system: *const percuss_system,
@@ -63,10 +65,10 @@ pub unsafe extern "C" fn percuss_pose_new(
     })
 }
 
-/// The same of a given assembly.
+/// Like percuss_pose_new, for a given assembly.
 ///
 /// # Safety
-/// assembly and configuration are handles; pose is null or a place for a pointer.
+/// assembly and configuration are handles; pose is null or points to storage for a pointer.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_assembly_pose(
     assembly: *const percuss_assembly,
@@ -84,10 +86,11 @@ pub unsafe extern "C" fn percuss_assembly_pose(
     })
 }
 
-/// The pose at a configuration on the branch of another pose of the same assembly, followed from there: for steps of a motion.
+/// The pose at a configuration on the branch of another pose of the same assembly, followed from that pose: for steps
+/// of a motion.
 ///
 /// # Safety
-/// from and configuration are handles; pose is null or a place for a pointer, not the place of from.
+/// from and configuration are handles; pose is null or points to storage for a pointer, other than from.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_pose_follow(
     from: *const percuss_pose,
@@ -105,19 +108,20 @@ pub unsafe extern "C" fn percuss_pose_follow(
     })
 }
 
-/// Frees a pose and sets the handle to null; nothing where it is null.
+/// Frees a pose and sets the handle to null; a null handle is ignored.
 ///
 /// # Safety
-/// pose is null or the place of a handle that nobody uses.
+/// pose is null or points to a handle that no other call uses.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_pose_free(pose: *mut *mut percuss_pose) -> percuss_status {
     guarded(|| free(pose))
 }
 
-/// The positions of all joints one after another, in joint order, mimics included: count is that of percuss_model_counts.
+/// The positions of all joints, concatenated in joint order, mimics included: count is the positions of
+/// percuss_model_counts.
 ///
 /// # Safety
-/// positions has room for count numbers.
+/// positions has space for count numbers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_pose_positions(
     pose: *const percuss_pose,
@@ -133,12 +137,12 @@ fn respond(posed: &Posed, contact: *const percuss_contact, route: i32) -> Result
     found.map_err(Failure::of(PERCUSS_ERROR_CONTACT))
 }
 
-/// m̄ of a contact, with its error. route: PERCUSS_ROUTE_AUTO, unless another is wanted.
+/// m̄ of a contact, with its error. route: normally PERCUSS_ROUTE_AUTO.
 ///
-/// Errors: PERCUSS_ERROR_CONTACT: a contact that means nothing, or that the route does not take.
+/// Errors: PERCUSS_ERROR_CONTACT: an invalid contact, or a contact that the route cannot solve.
 ///
 /// # Safety
-/// pose is a handle; contact is null or points to a contact; mass is null or a place for a percuss_mass.
+/// pose is a handle; contact is null or points to a contact; mass is null or points to storage for a percuss_mass.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_pose_effective_mass(
     pose: *const percuss_pose,
@@ -153,12 +157,12 @@ pub unsafe extern "C" fn percuss_pose_effective_mass(
     })
 }
 
-/// The whole response to a contact: v* and the contributions as well. Free it with percuss_response_free.
+/// The full response to a contact, with v* and the contributions. Free it with percuss_response_free.
 ///
 /// Errors: as percuss_pose_effective_mass.
 ///
 /// # Safety
-/// As percuss_pose_effective_mass; response is null or a place for a pointer.
+/// As percuss_pose_effective_mass; response is null or points to storage for a pointer.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_pose_respond(
     pose: *const percuss_pose,
@@ -174,7 +178,7 @@ pub unsafe extern "C" fn percuss_pose_respond(
     })
 }
 
-/// Writes a matrix into the caller's room.
+/// Writes a matrix to an array of the caller.
 fn write(
     matrix: &DMatrix<f64>,
     values: *mut f64,
@@ -215,10 +219,10 @@ fn write(
     Ok(())
 }
 
-/// M, the mass matrix over the coordinates, n×n (kg, kg·m, kg·m²), into room for length numbers.
+/// M, the mass matrix over the coordinates, n×n (kg, kg·m, kg·m²), written to an array of length numbers.
 ///
 /// # Safety
-/// values has room for length numbers.
+/// values has space for length numbers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_pose_mass_matrix(
     pose: *const percuss_pose,
@@ -230,10 +234,10 @@ pub unsafe extern "C" fn percuss_pose_mass_matrix(
     guarded(|| write(&get(pose)?.pose.mass_matrix(), values, length, layout, leading_dimension))
 }
 
-/// How many rows A has, the redundant ones included.
+/// Number of rows of A, redundant rows included.
 ///
 /// # Safety
-/// rows is null or a place for a number.
+/// rows is null or points to storage for a number.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_pose_constraint_rows(
     pose: *const percuss_pose,
@@ -245,11 +249,11 @@ pub unsafe extern "C" fn percuss_pose_constraint_rows(
     })
 }
 
-/// A, the Jacobian of all constraints over the coordinates, rows×n, into room for length numbers; each group of loops is scaled to
-/// entries of at most 1.
+/// A, the Jacobian of all constraints over the coordinates, rows×n, written to an array of length numbers; each group
+/// of loops is scaled to entries of at most 1.
 ///
 /// # Safety
-/// values has room for length numbers.
+/// values has space for length numbers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_pose_constraint_matrix(
     pose: *const percuss_pose,
@@ -264,7 +268,7 @@ pub unsafe extern "C" fn percuss_pose_constraint_matrix(
 /// j, the closing speed of a contact at unit rates of the coordinates, 1×n (m, 1): count is n.
 ///
 /// # Safety
-/// contact is null or points to a contact; values has room for count numbers.
+/// contact is null or points to a contact; values has space for count numbers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_pose_contact_row(
     pose: *const percuss_pose,

@@ -1,4 +1,4 @@
-//! The whole response to a contact.
+//! Full response to a contact.
 
 use crate::arrays::{Span, copy_out, expect_length, output, refuse_overlaps};
 use crate::contact::{percuss_mass, summary};
@@ -8,7 +8,7 @@ use crate::status::{Failure, PERCUSS_ERROR_CONTACT, guarded, percuss_status};
 use percuss::ContactResponse;
 use std::sync::Arc;
 
-/// A response to a contact: m̄, v*, contributions. Cannot be changed: threads may share it.
+/// A response to a contact: m̄, v*, contributions. Immutable, so that threads can share it.
 pub struct percuss_response {
     _opaque: [u8; 0],
 }
@@ -25,10 +25,10 @@ impl Handle for percuss_response {
     const NAME: &'static str = "percuss_response";
 }
 
-/// Frees a response and sets the handle to null; nothing where it is null.
+/// Frees a response and sets the handle to null; a null handle is ignored.
 ///
 /// # Safety
-/// response is null or the place of a handle that nobody uses.
+/// response is null or points to a handle that no other call uses.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_response_free(response: *mut *mut percuss_response) -> percuss_status {
     guarded(|| free(response))
@@ -37,7 +37,7 @@ pub unsafe extern "C" fn percuss_response_free(response: *mut *mut percuss_respo
 /// m̄ and its error.
 ///
 /// # Safety
-/// mass is null or a place for a percuss_mass.
+/// mass is null or points to storage for a percuss_mass.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_response_mass(
     response: *const percuss_response,
@@ -49,10 +49,10 @@ pub unsafe extern "C" fn percuss_response_mass(
     })
 }
 
-/// The same where the other side is a free mass (kg) of its own: 1/m̄ = 1/m̄₁ + 1/m₂.
+/// m̄ and its error with a free body of mass other (kg) as the other side: 1/m̄ = 1/m̄₁ + 1/m₂.
 ///
 /// # Safety
-/// mass is null or a place for a percuss_mass.
+/// mass is null or points to storage for a percuss_mass.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_response_against_mass(
     response: *const percuss_response,
@@ -66,11 +66,11 @@ pub unsafe extern "C" fn percuss_response_against_mass(
     })
 }
 
-/// v*: the velocities of all joints at unit closing speed (1/m·rad, 1), one after another in joint order; count is that of
-/// percuss_model_counts. Of a contact that is not finite too, where a motion is known; else zeros.
+/// v*: the velocities of all joints at unit closing speed (1/m·rad, 1), concatenated in joint order; count is the
+/// velocities of percuss_model_counts. Also defined for a contact that is not finite, if a motion is known; else zeros.
 ///
 /// # Safety
-/// velocities has room for count numbers.
+/// velocities has space for count numbers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_response_velocities(
     response: *const percuss_response,
@@ -83,10 +83,10 @@ pub unsafe extern "C" fn percuss_response_velocities(
     })
 }
 
-/// v* of a floating root link: 3 angular and 3 linear numbers, in its axes at its origin; zeros where it is the ground.
+/// v* of a floating root link: 3 angular and 3 linear numbers, in its axes at its origin; zeros for a fixed root link.
 ///
 /// # Safety
-/// twist has room for 6 numbers.
+/// twist has space for 6 numbers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_response_base_velocity(
     response: *const percuss_response,
@@ -99,11 +99,11 @@ pub unsafe extern "C" fn percuss_response_base_velocity(
     })
 }
 
-/// The contribution of each link to m̄, in link order (links numbers), and of the rotor of each joint (joints numbers): together 1.
-/// Errors: PERCUSS_ERROR_CONTACT where m̄ is not finite.
+/// The contribution of each link to m̄, in link order (link_count numbers), and of the rotor of each joint (joint_count
+/// numbers): their sum is 1. Errors: PERCUSS_ERROR_CONTACT if m̄ is not finite.
 ///
 /// # Safety
-/// links has room for link_count numbers, rotors for joint_count; rotors may be null.
+/// links has space for link_count numbers, rotors for joint_count; rotors may be null.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_response_contributions(
     response: *const percuss_response,

@@ -1,4 +1,4 @@
-//! What a call came to, and the message of a failure.
+//! Status of a call, and the message of a failure.
 
 use crate::floating_point::DefaultEnvironment;
 use std::cell::RefCell;
@@ -6,45 +6,45 @@ use std::ffi::{CString, c_char};
 use std::fmt::Display;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// What a call came to: PERCUSS_OK, or one of the errors.
+/// Status of a call: PERCUSS_OK, or one of the errors.
 pub type percuss_status = i32;
 
-/// All is well.
+/// Success.
 pub const PERCUSS_OK: percuss_status = 0;
 /// A pointer is null, or not aligned.
 pub const PERCUSS_ERROR_NULL: percuss_status = 1;
-/// A handle is not of the kind that is expected. Freed handles are noticed where their memory was not used again.
+/// A handle has another type. A freed handle is detected only while its memory is not reused.
 pub const PERCUSS_ERROR_HANDLE: percuss_status = 2;
-/// An array has not the length that is needed, or a matrix not the shape or the leading dimension.
+/// An array has a wrong length, or a matrix a wrong shape or leading dimension.
 pub const PERCUSS_ERROR_LENGTH: percuss_status = 3;
-/// A number is out of range, NaN or infinite where it must not be, or no value of its enumeration.
+/// A number is out of range, NaN or infinite without permission, or not a value of its enumeration.
 pub const PERCUSS_ERROR_ARGUMENT: percuss_status = 4;
 /// A text is not UTF-8.
 pub const PERCUSS_ERROR_TEXT: percuss_status = 5;
-/// There is no link, joint, law or other thing of this name or number.
+/// No link, joint, law or other item has this name or number.
 pub const PERCUSS_ERROR_NAME: percuss_status = 6;
-/// A model cannot be read; the message has every error with its file and line.
+/// A model cannot be read; the message lists every error with file and line.
 pub const PERCUSS_ERROR_LOAD: percuss_status = 7;
-/// Conditions do not fit the mechanism, or a joint cannot be set so.
+/// Conditions do not fit the mechanism, or a joint cannot be set to these values.
 pub const PERCUSS_ERROR_CONDITIONS: percuss_status = 8;
-/// Loops do not close, or drivers cannot get where they are set.
+/// Loops do not close, or drivers cannot reach their positions.
 pub const PERCUSS_ERROR_ASSEMBLY: percuss_status = 9;
-/// A contact means nothing, or has no answer.
+/// A contact is invalid, or has no answer.
 pub const PERCUSS_ERROR_CONTACT: percuss_status = 10;
-/// Matrices ask nothing: not symmetric, indefinite, too large.
+/// Matrices are invalid: not symmetric, indefinite, too large.
 pub const PERCUSS_ERROR_MATRIX: percuss_status = 11;
-/// A contact law does not give what is asked.
+/// A contact law cannot provide the requested damper or impact.
 pub const PERCUSS_ERROR_LAW: percuss_status = 12;
 /// Another thread is using this object.
 pub const PERCUSS_ERROR_BUSY: percuss_status = 13;
 /// The caller stopped the work.
 pub const PERCUSS_ERROR_STOPPED: percuss_status = 14;
-/// Arrays or places that a call writes overlap one another, or what it reads.
+/// Output arrays or values overlap each other or an input.
 pub const PERCUSS_ERROR_OVERLAP: percuss_status = 15;
-/// A defect of percuss. The object that was used may be freed, and should not be used otherwise.
+/// A defect of percuss. The object in use may only be freed.
 pub const PERCUSS_ERROR_INTERNAL: percuss_status = 99;
 
-/// Why a call failed.
+/// Reason of a failed call.
 #[derive(Debug)]
 pub(crate) struct Failure {
     pub status: percuss_status,
@@ -56,7 +56,7 @@ impl Failure {
         Self { status, message: message.to_string() }
     }
 
-    /// For `map_err`: a status with the error's own message.
+    /// Conversion for `map_err`: a status with the error's own message.
     pub fn of<E: Display>(status: percuss_status) -> impl Fn(E) -> Self {
         move |error| Self::new(status, error)
     }
@@ -66,8 +66,8 @@ thread_local! {
     static MESSAGE: RefCell<CString> = RefCell::default();
 }
 
-/// Runs a call in the default floating-point environment; keeps the message of a failure for this thread. A panic, which is a
-/// defect, does not cross the border.
+/// Runs a call in the default floating-point environment and keeps the message of a failure for this thread. A panic,
+/// which is a defect, does not unwind into C.
 #[inline]
 pub(crate) fn guarded(call: impl FnOnce() -> Result<(), Failure>) -> percuss_status {
     let _environment = DefaultEnvironment::enter();
@@ -81,13 +81,13 @@ pub(crate) fn guarded(call: impl FnOnce() -> Result<(), Failure>) -> percuss_sta
 #[cold]
 fn fail(failure: Failure) -> percuss_status {
     let message = CString::new(failure.message.replace('\0', "\u{fffd}")).unwrap_or_default();
-    // At the end of a thread there is no place for it.
+    // Fails at the end of a thread, when its storage is gone.
     let _ = MESSAGE.try_with(|kept| kept.replace(message));
     failure.status
 }
 
-/// The message of the last call that failed on this thread: what, where, got, expected; UTF-8, "" where none failed. It stays where it
-/// is until the next call of this thread fails.
+/// The message of the last failed call on this thread: location, received value, expected value; UTF-8, "" without a
+/// failure. Valid until the next failed call on this thread.
 #[unsafe(no_mangle)]
 pub extern "C" fn percuss_error_message() -> *const c_char {
     MESSAGE.try_with(|kept| kept.borrow().as_ptr()).unwrap_or(c"".as_ptr())

@@ -1,4 +1,4 @@
-//! Systems: a mechanism under conditions. Assemblies: their loops put together.
+//! Systems (a mechanism under conditions) and assemblies (systems with closed loops).
 
 use crate::conditions::percuss_conditions;
 use crate::configuration::percuss_configuration;
@@ -8,7 +8,7 @@ use crate::status::{Failure, PERCUSS_ERROR_ASSEMBLY, PERCUSS_ERROR_CONDITIONS, g
 use percuss::{Assembly, Conditions, System};
 use std::sync::Arc;
 
-/// A mechanism under conditions. Cannot be changed: threads may share it.
+/// A mechanism under conditions. Immutable, so that threads can share it.
 pub struct percuss_system {
     _opaque: [u8; 0],
 }
@@ -26,7 +26,7 @@ impl Handle for percuss_system {
     const NAME: &'static str = "percuss_system";
 }
 
-/// A system whose loops are put together. Cannot be changed: threads may share it.
+/// A system with assembled loops. Immutable, so that threads can share it.
 pub struct percuss_assembly {
     _opaque: [u8; 0],
 }
@@ -43,13 +43,13 @@ impl Handle for percuss_assembly {
     const NAME: &'static str = "percuss_assembly";
 }
 
-/// Compiles a mechanism with the conditions of an analysis; null: fixed base, everything free. The model and the conditions may be
-/// freed afterwards. Free the system with percuss_system_free.
+/// Compiles a mechanism with the conditions of an analysis; null conditions: fixed base, every joint free. The model
+/// and the conditions may be freed afterwards. Free the system with percuss_system_free.
 ///
 /// Errors: PERCUSS_ERROR_CONDITIONS.
 ///
 /// # Safety
-/// model is a handle; conditions is null or a handle; system is null or a place for a pointer.
+/// model is a handle; conditions is null or a handle; system is null or points to storage for a pointer.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_system_new(
     model: *const percuss_model,
@@ -69,20 +69,20 @@ pub unsafe extern "C" fn percuss_system_new(
     })
 }
 
-/// Frees a system and sets the handle to null; nothing where it is null. What was made from it stays valid.
+/// Frees a system and sets the handle to null; a null handle is ignored. Objects made from the system stay valid.
 ///
 /// # Safety
-/// system is null or the place of a handle that nobody uses.
+/// system is null or points to a handle that no other call uses.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_system_free(system: *mut *mut percuss_system) -> percuss_status {
     guarded(|| free(system))
 }
 
-/// How many coordinates there are: independent velocities of the tree, without locked joints and mimics; a floating base
-/// counts 6. The order is that of the base, then of the joints from the root.
+/// Number of coordinates: independent velocities of the tree, without locked joints and mimics; a floating base adds
+/// six. Order: the base first, then the joints from the root.
 ///
 /// # Safety
-/// coordinates is null or a place for a number.
+/// coordinates is null or points to storage for a number.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_system_coordinates(
     system: *const percuss_system,
@@ -94,13 +94,13 @@ pub unsafe extern "C" fn percuss_system_coordinates(
     })
 }
 
-/// Puts loops together: from all joints at 0 where configuration is null, else from its guesses. A mechanism without loops has
-/// one assembly. Free it with percuss_assembly_free.
+/// Assembles the loops: from all joints at 0 if configuration is null, else from its guesses. A mechanism without loops
+/// has one assembly. Free it with percuss_assembly_free.
 ///
-/// Errors: PERCUSS_ERROR_ASSEMBLY, naming the loop that does not close.
+/// Errors: PERCUSS_ERROR_ASSEMBLY, with the name of the open loop.
 ///
 /// # Safety
-/// system is a handle; configuration is null or a handle; assembly is null or a place for a pointer.
+/// system is a handle; configuration is null or a handle; assembly is null or points to storage for a pointer.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_assembly_new(
     system: *const percuss_system,
@@ -123,20 +123,20 @@ pub unsafe extern "C" fn percuss_assembly_new(
     })
 }
 
-/// Frees an assembly and sets the handle to null; nothing where it is null. What was made from it stays valid.
+/// Frees an assembly and sets the handle to null; a null handle is ignored. Objects made from the assembly stay valid.
 ///
 /// # Safety
-/// assembly is null or the place of a handle that nobody uses.
+/// assembly is null or points to a handle that no other call uses.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_assembly_free(assembly: *mut *mut percuss_assembly) -> percuss_status {
     guarded(|| free(assembly))
 }
 
-/// Degrees of freedom at a generic pose (a floating base counts 6), and rows of A that are redundant there. Each place may be
-/// null.
+/// Degrees of freedom at a generic pose (a floating base counts 6), and number of redundant rows of A at that pose.
+/// Each pointer may be null.
 ///
 /// # Safety
-/// Every pointer is null or a place for a number.
+/// Every pointer is null or points to storage for a number.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_assembly_mobility(
     assembly: *const percuss_assembly,

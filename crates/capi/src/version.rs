@@ -1,4 +1,4 @@
-//! The version of the library, which may be newer than the header.
+//! Version of the library, which may be newer than the header.
 
 use std::ffi::c_char;
 
@@ -8,8 +8,8 @@ const VERSION: &std::ffi::CStr =
         Err(_) => c"",
     };
 
-/// The version of the library, such as "0.1.0". That of the header is PERCUSS_VERSION. While the first number is 0, the
-/// second changes with every change that programs must be compiled again for.
+/// The version of the library, such as "0.1.0". The header's version is PERCUSS_VERSION. While the first number is 0,
+/// the second number changes with every change that requires programs to be recompiled.
 #[unsafe(no_mangle)]
 pub extern "C" fn percuss_version() -> *const c_char {
     VERSION.as_ptr()

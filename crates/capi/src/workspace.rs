@@ -13,16 +13,16 @@ use crate::system::percuss_assembly;
 use percuss::{Contact, ResponseError, Workspace};
 use std::sync::Arc;
 
-/// Room to pose an assembly again and again and to ask for m̄. One thread at a time: each thread its own.
+/// Workspace for m̄ at many poses of an assembly. One thread at a time: each thread needs its own.
 pub struct percuss_workspace {
     _opaque: [u8; 0],
 }
 
-/// A workspace, with the names of links.
+/// A workspace, with its model and its last contact.
 pub(crate) struct Room {
     pub model: Arc<Model>,
     pub workspace: Workspace,
-    /// The contact that was asked for last, as it was given and as it is on the model.
+    /// The last contact, in C form and resolved on the model.
     asked: Option<(percuss_contact, Contact)>,
 }
 
@@ -32,10 +32,10 @@ impl Handle for percuss_workspace {
     const NAME: &'static str = "percuss_workspace";
 }
 
-/// Room for many poses of an assembly; it stands at its first closed pose. Free it with percuss_workspace_free.
+/// Workspace for many poses of an assembly, initially at its first closed pose. Free it with percuss_workspace_free.
 ///
 /// # Safety
-/// assembly is a handle; workspace is null or a place for a pointer.
+/// assembly is a handle; workspace is null or points to storage for a pointer.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_workspace_new(
     assembly: *const percuss_assembly,
@@ -50,31 +50,31 @@ pub unsafe extern "C" fn percuss_workspace_new(
     })
 }
 
-/// Frees a workspace and sets the handle to null; nothing where it is null.
+/// Frees a workspace and sets the handle to null; a null handle is ignored.
 ///
 /// # Safety
-/// workspace is null or the place of a handle that nobody uses.
+/// workspace is null or points to a handle that no other call uses.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_workspace_free(workspace: *mut *mut percuss_workspace) -> percuss_status {
     guarded(|| free(workspace))
 }
 
-/// m̄ of a contact at the positions of all joints (one after another, in joint order; unit quaternions; those of mimics are not
-/// read): count numbers, as percuss_model_counts says. Loops must be closed there, to a millionth of their size: positions of a pose
-/// of the same assembly are.
+/// m̄ of a contact at the positions of all joints (concatenated in joint order; unit quaternions; positions of mimics
+/// are not read): count numbers, the positions of percuss_model_counts. Loops must be closed at these positions, to a
+/// millionth of their size; positions of a pose of the same assembly satisfy this.
 ///
-/// effective_mass: kg; NaN unless the outcome is PERCUSS_FINITE. remarks: null, or a place for PERCUSS_REMARK_… added together. States
-/// no error: percuss_pose_effective_mass does. Allocates nothing after the first call, but where the recursion is not accurate
-/// enough. Normals in the world are taken with the root link where percuss_workspace_set_base has put it, else at the world's
-/// origin.
+/// effective_mass: kg; NaN unless the outcome is PERCUSS_FINITE. remarks: null, or storage for PERCUSS_REMARK_… added
+/// together. No error bound is computed: use percuss_pose_effective_mass. Allocates nothing after the first call,
+/// unless the recursion is not accurate enough. For normals in the world, the root link is at the pose of
+/// percuss_workspace_set_base, else at the world's origin.
 ///
-/// Errors: PERCUSS_ERROR_NULL, PERCUSS_ERROR_LENGTH; PERCUSS_ERROR_ARGUMENT: a position that matters is not finite, a quaternion is not
-/// of unit length; PERCUSS_ERROR_ASSEMBLY: a loop is open, with the gap and the tolerance; PERCUSS_ERROR_CONTACT; PERCUSS_ERROR_OVERLAP;
-/// PERCUSS_ERROR_BUSY where another thread uses the workspace.
+/// Errors: PERCUSS_ERROR_NULL, PERCUSS_ERROR_LENGTH; PERCUSS_ERROR_ARGUMENT: a relevant position is not finite, a
+/// quaternion is not of unit length; PERCUSS_ERROR_ASSEMBLY: a loop is open, with the gap and the tolerance;
+/// PERCUSS_ERROR_CONTACT; PERCUSS_ERROR_OVERLAP; PERCUSS_ERROR_BUSY if another thread uses the workspace.
 ///
 /// # Safety
-/// workspace is a handle; positions is null or has count numbers; contact is null or points to a contact; the other pointers are null
-/// or places.
+/// workspace is a handle; positions is null or has count numbers; contact is null or points to a contact; the other
+/// pointers are null or point to storage.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_workspace_effective_mass(
     workspace: *mut percuss_workspace,
@@ -97,7 +97,7 @@ pub unsafe extern "C" fn percuss_workspace_effective_mass(
     })
 }
 
-/// The same of another contact at the positions last given to the workspace; at its first closed pose where none were.
+/// m̄ of another contact at the last positions of the workspace; at its first closed pose if no positions were given.
 ///
 /// Errors: as percuss_workspace_effective_mass.
 ///
@@ -120,7 +120,8 @@ pub unsafe extern "C" fn percuss_workspace_effective_mass_again(
     })
 }
 
-/// Sets where the root link stands in the world, as percuss_configuration_set_base: for normals that are given in the world.
+/// Sets the pose of the root link in the world, as percuss_configuration_set_base: for normals that are given in the
+/// world.
 ///
 /// Errors: PERCUSS_ERROR_ARGUMENT.
 ///
@@ -139,7 +140,7 @@ pub unsafe extern "C" fn percuss_workspace_set_base(
     })
 }
 
-/// Where an answer goes.
+/// Output pointers of a result.
 struct Places<'a> {
     outcome: &'a mut percuss_outcome,
     mass: &'a mut f64,
@@ -180,7 +181,7 @@ impl Room {
     }
 }
 
-/// The status of a row that is refused.
+/// Status of a refused row.
 fn refusal(error: ResponseError) -> Failure {
     let status = match &error {
         ResponseError::NotFinite { .. } | ResponseError::Quaternion { .. } => PERCUSS_ERROR_ARGUMENT,

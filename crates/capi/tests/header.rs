@@ -1,6 +1,6 @@
-//! The header that is checked in is what the sources say; the library exports what the list says, and nothing else.
+//! The checked-in header matches the sources; the library exports the listed symbols and no others.
 //!
-//! `PERCUSS_UPDATE=1 cargo test -p percuss-capi --test header` writes both anew.
+//! `PERCUSS_UPDATE=1 cargo test -p percuss-capi --test header` rewrites both files.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -29,7 +29,7 @@ fn versions() -> String {
     )
 }
 
-/// Types first, in the order in which a reader meets them.
+/// Types first, in reading order.
 const FILES: [&str; 12] = [
     "status",
     "version",
@@ -86,7 +86,7 @@ fn names(header: &str) -> BTreeSet<String> {
     found.filter(|name| name.starts_with("percuss_")).collect()
 }
 
-/// The file is as expected, or is written anew where that is wished.
+/// Compares a file with the expected text, or rewrites the file if PERCUSS_UPDATE is set.
 fn same(path: &Path, expected: &str) {
     if std::env::var_os("PERCUSS_UPDATE").is_some() {
         fs::write(path, expected).expect("a file that can be written");

@@ -1,7 +1,8 @@
-//! C and C++ programs against the library: compiled with every warning an error, linked both ways, and run.
+//! C and C++ programs with the library: compiled with all warnings as errors, linked statically and dynamically, and
+//! run.
 //!
-//! Needs a C compiler (`CC`, else cc) and a C++ compiler (`CXX`, else c++): without them these tests fail. Programs are linked with the
-//! libraries as they are installed (`packaging/install.sh`).
+//! Needs a C compiler (`CC`, else cc) and a C++ compiler (`CXX`, else c++); the tests fail without them. Programs are
+//! linked with the installed libraries (`packaging/install.sh`).
 
 #![cfg(unix)]
 
@@ -38,7 +39,7 @@ fn run(command: &mut Command) -> Output {
     output
 }
 
-/// Where the library is installed.
+/// Installation folder of the library.
 fn prefix() -> &'static Path {
     static PREFIX: OnceLock<PathBuf> = OnceLock::new();
     PREFIX.get_or_init(|| {
@@ -50,7 +51,7 @@ fn prefix() -> &'static Path {
     })
 }
 
-/// Compiles a program, runs it, and gives what it prints.
+/// Compiles and runs a program; returns its output.
 fn program(source: &str, linked: Linked) -> String {
     let is_c = source.ends_with(".c");
     let (variable, default, standard) =
@@ -91,14 +92,14 @@ fn misuse_gives_errors() {
     assert!(program("tests/c/misuse.c", Linked::Static).contains("every misuse was noticed"));
 }
 
-/// Rules of input × entry points of C: that so many were tried is checked here.
+/// Input rules × entry points of C; this test checks the number of tested combinations.
 #[test]
 fn every_rule_holds_at_every_entry_point() {
     let printed = program("tests/c/rules.c", Linked::Static);
     assert!(printed.contains("205 cases of rule and entry point"), "{printed}");
 }
 
-/// Traps of floating-point arithmetic are enabled by a function of glibc's.
+/// glibc's function feenableexcept enables traps of floating-point arithmetic.
 #[test]
 #[cfg(all(target_os = "linux", target_env = "gnu"))]
 fn callers_with_traps_meet_none() {

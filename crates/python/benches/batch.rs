@@ -1,5 +1,5 @@
-//! The sweep of sweep.py without Python: reads configurations (raw float64, row by row) and prints the least CPU time, of all threads, in
-//! seconds: with answers in a new vector, as Python's are, and in one that is kept.
+//! The sweep of sweep.py without Python: reads configurations (raw float64, row by row) and prints the least CPU time
+//! of all threads, in seconds, for results in a new vector (as in Python) and in a reused vector.
 //!
 //!     batch MODEL.urdf LINK X,Y,Z NX,NY,NZ FILE
 

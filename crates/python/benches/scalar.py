@@ -1,6 +1,6 @@
-"""One effective mass by a scalar call from Python: percuss beside what is written with Pinocchio and MuJoCo, and what of it is the
-call alone. Run it where what is to be compared is installed. CPU time of the thread; libraries of linear algebra must not start threads of
-their own (OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1).
+"""One effective mass by a scalar call from Python: percuss compared with code for Pinocchio and MuJoCo, and the cost of
+the call alone. Run it where the compared programs are installed. CPU time of the thread; libraries of linear algebra
+must not start their own threads (OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1).
 
     scalar.py [URDF LINK]
 """
@@ -26,7 +26,7 @@ TURNS = 25
 
 
 def best_of(calls: dict[str, Callable[[np.ndarray], object]], rows: np.ndarray) -> dict[str, float]:
-    """µs a call: CPU time of this thread, the least of some turns, all calls in each turn."""
+    """Microseconds per call: CPU time of this thread, the least of several turns, with all calls in each turn."""
     best = dict.fromkeys(calls, np.inf)
     for _ in range(TURNS):
         for name, call in calls.items():

@@ -1,5 +1,6 @@
-"""percuss.sweep on (1,000,000, p) beside the same batch in Rust: CPU time of all threads, in turns on the same machine. Rust's answers
-go into a new vector, as Python's go into new arrays; and, for what that costs, into one that is kept.
+"""percuss.sweep on (1,000,000, p) compared with the same batch in Rust: CPU time of all threads, in turns on the same
+machine. Rust writes its results into a new vector, as Python does into new arrays, and into a reused vector, which
+shows the cost of allocation.
 
     cargo bench -p percuss-python --no-run      prints the program's path
     sweep.py PROGRAM                            prints the median over turns of the best of five runs each, and the ratios
@@ -31,7 +32,7 @@ CASES = [
 
 
 def configurations(model: percuss.Model) -> np.ndarray:
-    """Random ones of a tree; of a linkage closed ones, again and again."""
+    """Random configurations of a tree; for a linkage, a few closed configurations in repetition."""
     drivers = model.assemble().drivers
     if not drivers:
         return np.random.default_rng(0).uniform(-1, 1, (COUNT, model.position_count))

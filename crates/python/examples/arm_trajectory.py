@@ -1,7 +1,7 @@
-"""The reflected mass of an arm's hand along a trajectory, and how fast it may go there beside a person.
+"""Reflected mass of an arm's hand along a trajectory, and the safe speed of the hand near a person.
 
-The trajectory is a CSV of joint angles: a header with the joints' names, rad; without one, a reach is made. The limit of force is an example: take
-yours from the edition of the standard that applies to you.
+The trajectory is a CSV of joint angles: a header with the joints' names, rad; the default is a built-in reaching
+motion. The force limit is an example: use the limit from the applicable edition of the standard.
 
     arm_trajectory.py [ARM.urdf LINK ANGLES.csv]
 """
@@ -23,7 +23,7 @@ POINT, NORMAL = [0.0, 0.0, 0.1], [0.0, 0.0, 1.0]
 
 
 def trajectory(model: percuss.Model, path: str | None) -> tuple[list[str], np.ndarray]:
-    """Names of joints, and a row of angles for each moment."""
+    """Joint names, and a row of angles per time step."""
     if path is not None:
         with open(path, newline="") as file:
             heading, *rows = csv.reader(file)

@@ -1,4 +1,5 @@
-"""A suspension over its wheel travel: the effective mass that the spring feels, beside the classical estimate, and the damper of a bump stop.
+"""Suspension over its wheel travel: the effective mass at the spring, the classical estimate, and the damper of a bump
+stop.
 
     suspension_study.py [SHEET.toml]
 """
@@ -15,7 +16,7 @@ SHEET = Path(__file__).resolve().parents[3] / "models/suspensions/double-wishbon
 
 
 def main() -> None:
-    # Real inertias break the triangle inequality, of which the model is warned.
+    # Some real inertias violate the triangle inequality, which raises a warning.
     warnings.simplefilter("ignore", percuss.ModelWarning)
     corner = percuss.load_suspension(Path(sys.argv[1]) if len(sys.argv) > 1 else SHEET)
     spring = percuss.Contact(

@@ -1,5 +1,5 @@
-"""100,000 poses of a tree of 30 joints with a free root: the effective mass of a hand against the ground. Ordered by columns the
-positions go fastest."""
+"""100,000 poses of a tree of 30 joints with a free root: the effective mass of a hand against the ground. Positions
+in column order are the fastest."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ COUNT = 100_000
 
 
 def humanoid() -> str:
-    """A trunk with two arms and two legs of seven joints each, and two joints to the head; figures of our own."""
+    """A trunk with two arms and two legs of seven joints each, and two joints to the head. The dimensions are
+    invented."""
     inertia = '<inertial><origin xyz="0 0 -0.06"/><mass value="{mass}"/><inertia ixx="{i}" iyy="{i}" izz="{i}" ixy="0" ixz="0" iyz="0"/></inertial>'
     axes = ["1 0 0", "0 1 0", "0 0 1"]
     parts = ['<robot name="humanoid"><link name="pelvis">' + inertia.format(mass=12, i=0.2) + "</link>"]

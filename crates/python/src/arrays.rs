@@ -1,4 +1,5 @@
-//! Numbers of the caller's: what is no array of float64 is made one, or refused with what it is and what is expected.
+//! Conversion of the caller's numbers to float64 arrays. A value that cannot be converted is refused; the message names
+//! the value and the expected type.
 
 use crate::errors::input;
 use crate::labels::{AXES, Labels, reordered};
@@ -11,16 +12,17 @@ use pyo3::PyTypeInfo;
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyString};
 
-/// Numbers of the caller.
+/// Array of the caller, with accuracy and labels.
 pub struct Numbers<'py> {
     pub array: PyReadonlyArrayDyn<'py, f64>,
-    /// Relative error of each by the type in which they were held: a rounding of single or half precision, 0 for whole numbers.
+    /// Relative error of the entries, from their original type: the rounding of single or half precision; 0 for
+    /// integers.
     pub accuracy: f64,
     pub labels: Labels,
 }
 
 impl<'py> Numbers<'py> {
-    /// An array of float64 of one of some numbers of dimensions, read where it lies if it is one already. Sparse matrices become
+    /// Array of float64 with a permitted number of dimensions. A float64 array is read in place; sparse matrices become
     /// dense.
     pub fn of(value: &Bound<'py, PyAny>, what: &str, dimensions: &[usize], expected: &str) -> PyResult<Self> {
         refuse_hidden(value, what)?;
@@ -39,7 +41,7 @@ impl<'py> Numbers<'py> {
         Ok(Self { array, accuracy, labels })
     }
 
-    /// With the last axis in the order of these names, where it has labels.
+    /// Reorders the last axis by the given names if the value has labels.
     pub fn in_order<S: AsRef<str>>(self, what: &str, names: &[S], hint: &str) -> PyResult<Self> {
         let Some(order) = self.labels.order(what, names, hint)? else { return Ok(self) };
         let found = reordered(&self.array.as_any().cast::<PyArrayDyn<f64>>()?.clone(), Some(order))?;
@@ -48,7 +50,7 @@ impl<'py> Numbers<'py> {
     }
 }
 
-/// The same for numbers that have no names.
+/// Like [`Numbers::of`], for values whose entries have no names: labels are refused.
 pub fn float64<'py>(
     value: &Bound<'py, PyAny>,
     what: &str,
@@ -60,7 +62,7 @@ pub fn float64<'py>(
     Ok(found.array)
 }
 
-/// The same with two dimensions, and with names of the columns.
+/// Like [`Numbers::of`], for matrices with named columns.
 pub fn float64_matrix<'py, S: AsRef<str>>(
     value: &Bound<'py, PyAny>,
     what: &str,
@@ -73,7 +75,7 @@ pub fn float64_matrix<'py, S: AsRef<str>>(
     found.try_readonly().map_err(|error| input(format_args!("{what}: {error}")))
 }
 
-/// Refuses entries that a mask hides: as plain numbers they would count.
+/// Refuses arrays with masked entries: as plain numbers they would count.
 fn refuse_hidden(value: &Bound<'_, PyAny>, what: &str) -> PyResult<()> {
     let py = value.py();
     if value.get_type().is(PyUntypedArray::type_object(py)) || !value.hasattr("mask")? {
@@ -85,7 +87,7 @@ fn refuse_hidden(value: &Bound<'_, PyAny>, what: &str) -> PyResult<()> {
     }
 }
 
-/// Relative error of numbers by the name of their type; 0 where they are exact.
+/// Relative error of numbers from the name of their type; 0 for exact types.
 fn accuracy_of_type(name: &str) -> f64 {
     let name = name.to_ascii_lowercase();
     let ends = |type_: &str| name.ends_with(type_);
@@ -100,7 +102,7 @@ fn accuracy_of_type(name: &str) -> f64 {
     }
 }
 
-/// As an array of float64, with the relative error of the type in which the numbers were held.
+/// Converts to an array of float64 and returns the relative error of the original type.
 fn converted<'py>(value: &Bound<'py, PyAny>, what: &str) -> PyResult<(Bound<'py, PyArrayDyn<f64>>, f64)> {
     let py = value.py();
     if value.is_instance_of::<PyString>() {
@@ -109,7 +111,7 @@ fn converted<'py>(value: &Bound<'py, PyAny>, what: &str) -> PyResult<(Bound<'py,
     }
     let numpy = py.import("numpy")?;
     let dense = if value.hasattr("toarray")? { value.call_method0("toarray")? } else { value.clone() };
-    // Rows of different lengths.
+    // Fails for rows of different lengths.
     let array = numpy
         .call_method1("asarray", (dense,))
         .map_err(|error| input(format_args!("{what} is no array of numbers: {}", error.value(py))))?;
@@ -120,7 +122,7 @@ fn converted<'py>(value: &Bound<'py, PyAny>, what: &str) -> PyResult<(Bound<'py,
         return Err(input(format_args!("{what} has dtype {name}; expected real numbers (float64)")));
     }
     let mut accuracy = accuracy_of_type(&dtype.getattr("name")?.extract::<String>()?);
-    // Columns of a table have types of their own, of which the array has the widest.
+    // Each column of a table has its own type; the array has the widest type of all columns.
     if let Some(types) = value.getattr_opt("dtypes")?
         && let Ok(types) = types.try_iter()
     {
@@ -132,7 +134,7 @@ fn converted<'py>(value: &Bound<'py, PyAny>, what: &str) -> PyResult<(Bound<'py,
     Ok((array.cast_into::<PyArrayDyn<f64>>()?, accuracy))
 }
 
-/// As numpy writes it.
+/// Shape in the notation of numpy.
 pub fn shape(lengths: &[usize]) -> String {
     match lengths {
         [one] => format!("({one},)"),
@@ -140,7 +142,7 @@ pub fn shape(lengths: &[usize]) -> String {
     }
 }
 
-/// A list of numbers: a number, a sequence, an array of one dimension.
+/// Accepts a number, a sequence or an array of one dimension.
 pub fn list(value: &Bound<'_, PyAny>, what: &str) -> PyResult<Vec<f64>> {
     if let Ok(number) = value.extract::<f64>() {
         return Ok(vec![number]);
@@ -149,7 +151,7 @@ pub fn list(value: &Bound<'_, PyAny>, what: &str) -> PyResult<Vec<f64>> {
     Ok(array.as_array().iter().copied().collect())
 }
 
-/// Three components, by the names x, y, z where they have names; finite.
+/// Three finite components, matched by the names x, y, z if the value has labels.
 pub fn triple(value: &Bound<'_, PyAny>, what: &str) -> PyResult<[f64; 3]> {
     let found = Numbers::of(value, what, &[1], "(3,)")?.in_order(what, &AXES, "")?;
     let found: Vec<f64> = found.array.as_array().iter().copied().collect();
@@ -161,7 +163,7 @@ pub fn triple(value: &Bound<'_, PyAny>, what: &str) -> PyResult<[f64; 3]> {
     }
 }
 
-/// A matrix to Python, row by row.
+/// Matrix as a numpy array, row by row.
 pub fn matrix<'py>(py: Python<'py>, matrix: &DMatrix<f64>) -> PyResult<Bound<'py, PyArray2<f64>>> {
     let rows: Vec<f64> = matrix.transpose().as_slice().to_vec();
     PyArray1::from_vec(py, rows).reshape([matrix.nrows(), matrix.ncols()])

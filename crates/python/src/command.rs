@@ -3,7 +3,7 @@
 use pyo3::prelude::*;
 use std::ffi::OsString;
 
-/// Runs the command with these arguments, the program's name the first of them, and ends the process with its exit code.
+/// Runs the command and ends the process with its exit code. The first argument is the program name.
 #[pyfunction]
 pub fn run_command(py: Python<'_>, arguments: Vec<OsString>) {
     py.detach(|| std::process::exit(percuss_cli::run(arguments).into()))

@@ -1,4 +1,4 @@
-//! Contacts, by the names of links.
+//! Contacts, with links given by name.
 
 use crate::arrays::triple;
 use crate::errors::input;
@@ -7,19 +7,19 @@ use percuss::{Contact as Resolved, Direction, Frame, Mechanism};
 use pyo3::prelude::*;
 use pyo3::types::PyAny;
 
-/// Contact(link, point, normal=None, *, against=None, toward=None, normal_frame="link")
+/// Contact(link, point, normal=None, *, against=None, toward=None, normal_frame="link", turning=False)
 /// --
 ///
-/// A point of a link meets another link, or the ground.
+/// Contact between a point of a link and another link or the ground.
 ///
-/// link: the struck link. point: (3,) m, in its frame. normal: (3,), out of the struck link into the other side; its length
-/// does not matter. against: the other link; None: the ground. toward: (link, point), in place of normal: the normal points
-/// from the contact towards that point (m, in that link's frame). normal_frame: "link": the normal turns with the struck link;
-/// "world"; "against".
+/// link: the contact link. point: (3,) m, in its frame. normal: (3,), out of the contact link into the other side; its
+/// length does not matter. against: the other link; None: the ground. toward: (link, point), instead of normal: the
+/// normal points from the contact towards that point (m, in that link's frame). normal_frame: "link": the normal turns
+/// with the contact link; "world"; "against". turning: True if the line of toward may turn: a spring, a damper, a rod.
 #[pyclass(frozen, eq, module = "percuss")]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contact {
-    /// The struck link.
+    /// The contact link.
     #[pyo3(get)]
     pub link: String,
     /// The other link; None: the ground.
@@ -37,7 +37,7 @@ enum Given {
     TurningToward(String, [f64; 3]),
 }
 
-/// A frame by its name.
+/// Parses a frame name.
 pub fn frame(name: &str, what: &str) -> PyResult<Frame> {
     match name {
         "link" => Ok(Frame::Link),
@@ -84,13 +84,13 @@ impl Contact {
         Ok(Self { link, against, point: triple(point, "point")?, normal })
     }
 
-    /// The contact point in the struck link's frame, m.
+    /// The contact point in the contact link's frame, m.
     #[getter]
     fn point(&self) -> (f64, f64, f64) {
         self.point.into()
     }
 
-    /// The normal as given; None where it points toward a point.
+    /// The normal as given; None if toward is given.
     #[getter]
     fn normal(&self) -> Option<(f64, f64, f64)> {
         match &self.normal {
@@ -99,7 +99,7 @@ impl Contact {
         }
     }
 
-    /// The link and the point (m, its frame) that the normal points to; None where it is given.
+    /// The link and the point (m, its frame) that the normal points to; None if normal is given.
     #[getter]
     fn toward(&self) -> Option<(String, (f64, f64, f64))> {
         match &self.normal {
@@ -110,7 +110,7 @@ impl Contact {
         }
     }
 
-    /// True where the line of toward may turn: a spring, a damper, a rod.
+    /// True if the line of toward may turn: a spring, a damper, a rod.
     #[getter]
     fn turning(&self) -> bool {
         matches!(self.normal, Given::TurningToward(..))
@@ -125,7 +125,7 @@ impl Contact {
         }
     }
 
-    /// What `Contact` was called with, so that contacts can be sent to other processes.
+    /// Arguments for the constructor, so that contacts can be sent to other processes.
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)> {
         let py = slf.py();
         let contact = slf.get();
@@ -157,7 +157,7 @@ impl Contact {
 }
 
 impl Contact {
-    /// With the links of a mechanism.
+    /// Resolves the link names in a mechanism.
     pub fn on(&self, mechanism: &Mechanism) -> PyResult<Resolved> {
         let find = |name: &str| mechanism.find_link(name).map_err(input);
         let normal = match &self.normal {

@@ -1,4 +1,4 @@
-//! Dampers that give a restitution, parameters of simulators, what there is to choose from.
+//! Dampers for a given restitution, simulator parameters, and the available laws, simulators and body regions.
 
 use crate::contact::Contact;
 use crate::errors::{self, input};
@@ -12,13 +12,13 @@ use percuss::contact::{BodyRegion, Law};
 use percuss::study::{self, JointStop, StopEnd};
 use pyo3::prelude::*;
 
-/// The damper of an effective mass, kg.
+/// Damper for an effective mass, kg.
 #[pyfunction]
 pub fn damp_mass(mass: f64, damping: Damping) -> PyResult<String> {
     json(&study::damp(&damping.question()?, mass).map_err(errors::study)?)
 }
 
-/// The damper of a contact of a model, or of the stop of a joint ((joint, None, "lower" or "upper")).
+/// Damper for a contact of a model, or for a stop of a joint: (joint, None, "lower" or "upper").
 #[pyfunction]
 pub fn damp(
     py: Python<'_>,
@@ -67,7 +67,7 @@ pub fn impact_history<'py>(
     PyArray1::from_vec(py, flat).reshape([found.len(), 4])
 }
 
-/// The laws: name, title, formula, source, whether it is exact, whether it needs the speed.
+/// Contact laws: name, title, formula, source, exactness, need for the impact speed.
 #[pyfunction]
 pub fn laws() -> Vec<(&'static str, &'static str, &'static str, &'static str, bool, bool)> {
     let of =
@@ -75,13 +75,13 @@ pub fn laws() -> Vec<(&'static str, &'static str, &'static str, &'static str, bo
     Law::ALL.into_iter().map(of).collect()
 }
 
-/// The simulators: name, title.
+/// Simulators: name, title.
 #[pyfunction]
 pub fn tools() -> Vec<(&'static str, &'static str)> {
     Tool::ALL.into_iter().map(|tool| (tool.name(), tool.facts().title)).collect()
 }
 
-/// The regions of the body: name, title, mass (kg), stiffness (N/m).
+/// Body regions: name, title, mass (kg), stiffness (N/m).
 #[pyfunction]
 pub fn regions() -> Vec<(String, String, f64, f64)> {
     BodyRegion::all().iter().map(|r| (r.name.clone(), r.title.clone(), r.mass, r.stiffness)).collect()

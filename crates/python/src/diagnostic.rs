@@ -1,9 +1,9 @@
-//! What was noticed in a file, as an object.
+//! Findings of the reader and of the solver as Python objects.
 
 use percuss::study::DiagnosticRecord;
 use pyo3::prelude::*;
 
-/// Something that was noticed in a file, or about an answer.
+/// Finding about a file or about a result.
 #[pyclass(frozen, module = "percuss")]
 #[derive(Clone, Debug)]
 pub struct Diagnostic(pub DiagnosticRecord);
@@ -16,13 +16,13 @@ impl Diagnostic {
         self.0.severity
     }
 
-    /// A short name that programs can rely on.
+    /// Stable short name, for programs.
     #[getter]
     fn code(&self) -> &'static str {
         self.0.code
     }
 
-    /// The file; None for a finding about an answer.
+    /// The file; None for a finding about a result.
     #[getter]
     fn path(&self) -> Option<&str> {
         self.0.path.as_deref()
@@ -46,7 +46,7 @@ impl Diagnostic {
         self.0.element.as_deref()
     }
 
-    /// What is the matter.
+    /// Text of the finding.
     #[getter]
     fn message(&self) -> &str {
         &self.0.message

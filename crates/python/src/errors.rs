@@ -15,27 +15,27 @@ mod named {
 }
 use named::AssemblyError as LoopsError;
 
-/// Something that was given means nothing.
+/// `InputError`: an invalid argument.
 pub fn input(error: impl Display) -> PyErr {
     InputError::new_err(error.to_string())
 }
 
-/// What was asked is fine and has no answer.
+/// `NoAnswerError`: a valid question without an answer.
 pub fn no_answer(error: impl Display) -> PyErr {
     NoAnswerError::new_err(error.to_string())
 }
 
-/// Loops that do not close, or not there.
+/// `AssemblyError`: loops that do not close, or that do not close at the requested configuration.
 pub fn assembly(error: AssemblyError) -> PyErr {
     loops(error)
 }
 
-/// The same, in words of this crate.
+/// `AssemblyError` with a message of this crate.
 pub fn loops(error: impl Display) -> PyErr {
     LoopsError::new_err(error.to_string())
 }
 
-/// A contact that means nothing, or that no route answers.
+/// Error of a response: an invalid contact, or a contact that no route solves.
 pub fn response(error: ResponseError) -> PyErr {
     match error {
         ResponseError::Contact(error) => input(error),
@@ -44,7 +44,7 @@ pub fn response(error: ResponseError) -> PyErr {
     }
 }
 
-/// A route that declines.
+/// Error of a route.
 pub fn route(error: RouteError) -> PyErr {
     match error {
         RouteError::ForeignLink { .. }
@@ -55,7 +55,7 @@ pub fn route(error: RouteError) -> PyErr {
     }
 }
 
-/// A travel that means nothing, or that the mechanism does not make.
+/// Error of a travel: invalid arguments, or a displacement that the mechanism cannot make.
 pub fn travel(error: TravelError) -> PyErr {
     match error {
         TravelError::Assembly(error) => assembly(error),
@@ -66,7 +66,8 @@ pub fn travel(error: TravelError) -> PyErr {
     }
 }
 
-/// A file that cannot be read: every error of it in the message, everything that was found as objects.
+/// `LoadError` for an unreadable file: the message lists every error; the second argument lists all findings as
+/// objects.
 pub fn load(error: Refused) -> PyErr {
     let records: Vec<DiagnosticRecord> = error.diagnostics.into_iter().map(Into::into).collect();
     let of_errors: Vec<String> =
@@ -75,7 +76,7 @@ pub fn load(error: Refused) -> PyErr {
     LoadError::new_err((of_errors.join("\n"), found))
 }
 
-/// A question of the command line's kind.
+/// Error of a study function, also used by the command line.
 pub fn study(error: StudyError) -> PyErr {
     let message = error.message(Names::Fields);
     match error {
@@ -85,7 +86,7 @@ pub fn study(error: StudyError) -> PyErr {
     }
 }
 
-/// A change of a model that cannot be had.
+/// Error of a design change.
 pub fn design(error: DesignError) -> PyErr {
     match error {
         DesignError::Load(error) => load(error),
@@ -94,7 +95,7 @@ pub fn design(error: DesignError) -> PyErr {
     }
 }
 
-/// A study that cannot be run.
+/// Error of a study file.
 pub fn study_file(error: StudyFileError) -> PyErr {
     match error {
         StudyFileError::Load(error) => load(error),
@@ -102,7 +103,7 @@ pub fn study_file(error: StudyFileError) -> PyErr {
     }
 }
 
-/// Warns of what was found in a file; notes stand among the model's diagnostics.
+/// Issues a `ModelWarning` for each warning of a file. Notes are only in the model's diagnostics.
 pub fn warn(py: Python<'_>, found: &[DiagnosticRecord]) -> PyResult<()> {
     let category = py.get_type::<ModelWarning>();
     for record in found.iter().filter(|record| record.severity == "warning") {

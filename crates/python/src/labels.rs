@@ -9,7 +9,7 @@ use pyo3::types::{PyAny, PyDict, PyList, PySlice, PyString, PyTuple};
 /// Names of the three components of a point or a vector.
 pub const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// Names along an axis, `None` where entries are only numbered from 0.
+/// Names along an axis; `None` if entries are only numbered from 0.
 type Names = Option<Vec<String>>;
 
 /// Labels of a table (its rows and its columns) or of a series (its entries, as columns).
@@ -33,7 +33,7 @@ impl Labels {
             return Ok(Self::default());
         }
         if value.hasattr("dims")? && value.hasattr("to_pandas")? {
-            // xarray; beyond two dimensions pandas has no form.
+            // xarray; pandas has no form for more than two dimensions.
             let is_table = value.getattr("ndim")?.extract::<usize>().is_ok_and(|axes| axes == 1 || axes == 2);
             return match is_table {
                 true => Self::of(&value.call_method0("to_pandas")?, what),
@@ -46,7 +46,7 @@ impl Labels {
                 _ => Ok(None),
             }
         };
-        // Tables of pandas and polars have columns, those of Arrow column_names.
+        // Tables of pandas and polars have `columns`; tables of Arrow have `column_names`.
         for columns in ["columns", "column_names"] {
             if value.hasattr(columns)? {
                 return Ok(Self { rows: along("index")?, columns: along(columns)? });
@@ -56,7 +56,7 @@ impl Labels {
         Ok(Self { rows: None, columns: if is_series { along("index")? } else { None } })
     }
 
-    /// Refuses labels where no names are expected: their order would be ignored.
+    /// Refuses labels for unnamed quantities: their order would be ignored.
     pub fn refuse(&self, what: &str) -> PyResult<()> {
         match &self.columns {
             None => Ok(()),
@@ -68,8 +68,8 @@ impl Labels {
         }
     }
 
-    /// For each expected name, the number of its column; `None` if the columns have no labels, or are in order. `hint`: appended to
-    /// the message where the names differ.
+    /// Column number of each expected name; `None` if the columns have no labels or are in order already. `hint` is
+    /// appended to the message if the names differ.
     pub fn order<S: AsRef<str>>(
         &self,
         what: &str,
@@ -111,7 +111,7 @@ fn names(labels: &Bound<'_, PyAny>, what: &str) -> PyResult<Names> {
     found.map(Some).map_err(|error: PyErr| input(format_args!("the labels of {what}: {error}")))
 }
 
-/// Puts the last axis of an array in an order.
+/// Permutes the last axis of an array.
 pub fn reordered<'py>(
     array: &Bound<'py, PyArrayDyn<f64>>,
     order: Option<Vec<usize>>,
@@ -120,12 +120,12 @@ pub fn reordered<'py>(
     let axis = array.ndim().saturating_sub(1);
     let taken = array.as_any().call_method1("take", (order, axis))?;
     let py = array.py();
-    // A scalar where the array has no dimension.
+    // Gives a scalar for an array without dimensions.
     let taken = py.import("numpy")?.call_method1("asarray", (taken,))?;
     Ok(taken.cast_into::<PyArrayDyn<f64>>()?.to_dyn().clone())
 }
 
-/// The first few of some names.
+/// First eight names, for messages.
 fn listed<S: AsRef<str>>(names: &[S]) -> String {
     let shown: Vec<String> = names.iter().take(8).map(|name| format!("\"{}\"", name.as_ref())).collect();
     let more = names.len().saturating_sub(8);

@@ -1,5 +1,5 @@
-//! The extension module `percuss._percuss` of the Python package: arrays, names and messages to Python's kind and back. What is
-//! computed, and how, is the façade's. docs/PYTHON.md says how to use it; `python/percuss/_percuss.pyi` has the types.
+//! Extension module `percuss._percuss` of the Python package: conversion of arrays, names and messages between Python
+//! and the Rust façade, which does all computation. User guide: docs/PYTHON.md; types: `python/percuss/_percuss.pyi`.
 
 mod arrays;
 mod command;
@@ -23,7 +23,7 @@ mod sweep;
 mod system;
 mod threads;
 
-/// Everything that the package re-exports.
+/// Items that the package re-exports.
 #[pyo3::pymodule(name = "_percuss")]
 mod module {
     #[pymodule_export]

@@ -13,13 +13,13 @@ use percuss::{ContactColumns, ContactMap, ContactStatus, MapAnswers};
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 
-/// Contacts between two looks for Ctrl-C.
+/// Number of contacts between two checks for Ctrl-C.
 const PORTION: usize = 1 << 18;
 
-/// m̄ (kg), its error (kg), its outcome.
+/// m̄ (kg), its error (kg), status code.
 pub type Answers<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<u8>>);
 
-/// The number of an outcome.
+/// Status code of an outcome.
 pub fn code(status: ContactStatus) -> u8 {
     match status {
         ContactStatus::Finite => 0,
@@ -29,7 +29,7 @@ pub fn code(status: ContactStatus) -> u8 {
     }
 }
 
-/// Φ of a link about a place of it, for contacts so far around it.
+/// Contact map: Φ of a link about `centre`, for contacts within the radius `reach` (m).
 fn prepared<'a>(
     pose: &'a Pose,
     link: &str,
@@ -43,12 +43,12 @@ fn prepared<'a>(
     pose.pose.contact_map(link, against, centre, reach).map_err(input)
 }
 
-/// Three columns.
+/// The three columns of an (N, 3) array.
 fn columns(values: ArrayView2<'_, f64>) -> [Vec<f64>; 3] {
     [0, 1, 2].map(|axis| values.column(axis).iter().copied().collect())
 }
 
-/// Refuses what is no number.
+/// Refuses entries that are not finite.
 fn refuse(values: ArrayView2<'_, f64>, what: &str) -> PyResult<()> {
     match values.indexed_iter().find(|(_, x)| !x.is_finite()) {
         Some(((row, axis), bad)) => {
@@ -81,7 +81,7 @@ pub fn contact_map<'py>(
         refuse(array.as_array(), what)?;
     }
     let (points, normals) = (columns(points.as_array()), columns(normals.as_array()));
-    // About the middle of a box around the points; errors are stated for contacts in it.
+    // Φ refers to the middle of a box around the points; error bounds hold for contacts in this box.
     let least = |axis: usize| points[axis].iter().copied().reduce(f64::min).unwrap_or(0.0);
     let most = |axis: usize| points[axis].iter().copied().reduce(f64::max).unwrap_or(0.0);
     let centre = Vector3::from_fn(|axis, _| 0.5 * (least(axis) + most(axis)));
@@ -106,7 +106,7 @@ pub fn contact_map<'py>(
         py.check_signals()?;
     }
     for ((mass, error), status) in masses.iter_mut().zip(&mut errors).zip(&statuses) {
-        // Of a map errors are relative.
+        // Errors of a map are relative.
         *error *= *mass;
         if *status != ContactStatus::Finite {
             (*mass, *error) = (f64::NAN, f64::NAN);
@@ -116,7 +116,7 @@ pub fn contact_map<'py>(
     Ok((PyArray1::from_vec(py, masses), PyArray1::from_vec(py, errors), PyArray1::from_vec(py, codes)))
 }
 
-/// The directions along which m̄ is stationary at a point.
+/// Directions along which m̄ is stationary at a point.
 pub fn principal_masses<'py>(
     py: Python<'py>,
     pose: &Pose,

@@ -1,4 +1,4 @@
-//! m̄ from matrices that the caller has: M, j and A of a solver of their own.
+//! m̄ from matrices M, j and A of the caller's own solver.
 
 use crate::arrays::{Numbers, shape};
 use crate::errors::input;
@@ -13,7 +13,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 use rayon::prelude::*;
 
-/// m̄ from matrices, and what follows from it.
+/// m̄ from matrices, with its error, rank report and remarks.
 #[pyclass(frozen, module = "percuss")]
 #[derive(Clone, Debug)]
 pub struct MatrixResponse(Found);
@@ -26,34 +26,34 @@ impl MatrixResponse {
         value(self.0.effective_mass)
     }
 
-    /// "finite"; "immovable": no motion with A v = 0 closes the gap; "massless": one without energy does.
+    /// "finite"; "immovable": no motion with A v = 0 closes the gap; "massless": a motion without energy closes it.
     #[getter]
     fn status(&self) -> &'static str {
         status(self.0.effective_mass)
     }
 
-    /// Bound on the error of m̄ by the accuracy of the entries and by rounding, kg; None where it is not known, and where the rank
+    /// Bound on the error of m̄ from the accuracy of the entries and from rounding, kg; None if unknown, or if the rank
     /// is unclear.
     #[getter]
     fn error(&self) -> Option<f64> {
         self.0.error
     }
 
-    /// v*: velocities at unit closing speed, in the units of the coordinates; zero where immovable; (n,).
+    /// v*: velocities at unit closing speed, in the units of the coordinates; zero if immovable; (n,).
     #[getter]
     fn velocity<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         PyArray1::from_slice(py, &self.0.velocity)
     }
 
-    /// How many motions A leaves: coordinates less rank.
+    /// Degrees of freedom: coordinates minus rank of A.
     #[getter]
     fn degrees_of_freedom(&self) -> usize {
         self.0.degrees_of_freedom
     }
 
-    /// Which rows of A count: "rank", "gap" (least gap between singular values that count and those that do not; None without
-    /// rows), "is_clear", "redundant_rows", "dependent_sets", "small_rows" (those that count and are below the rounding of others);
-    /// numbers of rows, from 0.
+    /// Rank report of A, with row numbers from 0: "rank"; "gap" (least gap between counted singular values and those
+    /// taken as zero; None without rows); "is_clear"; "redundant_rows"; "dependent_sets"; "small_rows" (counted rows
+    /// below the rounding of other rows).
     #[getter]
     fn rank<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let (report, rank) = (PyDict::new(py), &self.0.rank);
@@ -66,7 +66,7 @@ impl MatrixResponse {
         Ok(report)
     }
 
-    /// What the reader should know.
+    /// Remarks about the result.
     #[getter]
     fn remarks(&self) -> Vec<String> {
         let small = &self.0.rank.small_rows;
@@ -89,16 +89,16 @@ impl MatrixResponse {
     }
 }
 
-/// Options as they are given, kept while the interpreter is released.
+/// Options in owned form, for use while the interpreter is released.
 struct Reading {
     lengths: Option<Vec<f64>>,
     rank_floor: Option<f64>,
     row_noise: Option<f64>,
-    /// Of M, A and j.
+    /// Accuracies of M, A and j.
     accuracy: [f64; 3],
 }
 
-/// M, j and A with the names of their coordinates in one order.
+/// M, j and A with their coordinates in the same order.
 struct Matrices<'py> {
     mass: PyReadonlyArrayDyn<'py, f64>,
     row: PyReadonlyArrayDyn<'py, f64>,
@@ -106,7 +106,7 @@ struct Matrices<'py> {
     reading: Reading,
 }
 
-/// What a caller gives, before it is read.
+/// Arguments of the caller before validation.
 struct Given<'a, 'py> {
     mass: &'a Bound<'py, PyAny>,
     row: &'a Bound<'py, PyAny>,
@@ -117,7 +117,7 @@ struct Given<'a, 'py> {
     row_noise: Option<f64>,
 }
 
-/// Expected shapes: the numbers of dimensions, and in words.
+/// Permitted numbers of dimensions of each matrix, with the expected shape as text.
 struct Shapes {
     mass: (&'static [usize], &'static str),
     row: (&'static [usize], &'static str),
@@ -189,7 +189,7 @@ impl Reading {
     }
 }
 
-/// Numbers of an array with their layout: where they lie if that is one block, else copied.
+/// Values of an array with their layout. An array in one contiguous block is read in place; other arrays are copied.
 struct Block<'a> {
     values: std::borrow::Cow<'a, [f64]>,
     shape: Vec<usize>,
@@ -211,7 +211,7 @@ impl<'a> Block<'a> {
             Ok(values) if array.is_c_contiguous() => {
                 Self { values: values.into(), strides: by_rows(), shape }
             }
-            // One block by columns.
+            // One block, column by column.
             Ok(values) => Self { values: values.into(), strides: view.strides().to_vec(), shape },
             Err(_) => {
                 let values: Vec<f64> = view.iter().copied().collect();
@@ -220,7 +220,7 @@ impl<'a> Block<'a> {
         }
     }
 
-    /// Matrix number c of a batch (the last two axes), or the one that there is.
+    /// Matrix `c` of a batch (last two axes), or the only matrix.
     fn matrix(&self, c: usize) -> PyResult<MatrixView<'_>> {
         let axes = self.shape.len();
         let first = if axes == 3 { c as isize * self.strides[0] } else { 0 };
@@ -229,7 +229,7 @@ impl<'a> Block<'a> {
         MatrixView::strided(&self.values, first.unsigned_abs(), shape, strides).map_err(input)
     }
 
-    /// Row number c of a batch (the last axis), or the one that there is.
+    /// Row `c` of a batch (last axis), or the only row.
     fn row(&self, c: usize) -> PyResult<MatrixView<'_>> {
         let axes = self.shape.len();
         let first = if axes == 2 { c as isize * self.strides[0] } else { 0 };
@@ -238,20 +238,21 @@ impl<'a> Block<'a> {
     }
 }
 
-/// Effective mass along a contact row of a system that is given by its matrices, in the unit of M (kg).
+/// Effective mass along a contact row of a system given by its matrices, in the unit of M (kg).
 ///
-/// m̄ = min { vᵀMv : Av = 0, jv = 1 }; 1/(j M⁻¹ jᵀ) where M is regular and there is no A. M: (n, n), symmetric, positive
-/// semi-definite, kg, kg·m, kg·m². j: (n,), closing speed per rate, m, 1. A: (m, n) or None, Jacobian of the constraints, each row in
-/// any unit. Dense, of any strides and read where they lie if they are one block, or sparse (made dense: the cost is
-/// O(n³ + m n²), up to 1000 coordinates). Labels of tables (pandas) name the coordinates: j, A and lengths are put in the order of M.
+/// m̄ = min { vᵀMv : Av = 0, jv = 1 }; 1/(j M⁻¹ jᵀ) if M is regular and A is None. M: (n, n), symmetric, positive
+/// semi-definite, kg, kg·m, kg·m². j: (n,), closing speed per rate, m, 1. A: (m, n) or None, Jacobian of the
+/// constraints, each row in any unit. Arrays may be dense with any strides (one contiguous block is read in place) or
+/// sparse (made dense: the cost is O(n³ + m n²), up to 1000 coordinates). Labels of tables (pandas) name the
+/// coordinates: j, A and lengths are put in the order of M.
 ///
-/// lengths: (n,), how coordinates are scaled where ranks are decided, and whether the gap closes at all: how far a unit rate
-/// of each moves things, in one unit for all: 1 for a slide in metres, a typical length for an angle. Default: 1 for all. No
-/// finite m̄ depends on them beyond rounding. rank_floor: singular values of A below this part of the largest count as zero, each row
-/// scaled to 1; default 1e-10, or 10 times the accuracy where that is more. accuracy: relative error of the entries, 0 to 1e-3;
-/// default: by the type of each array, 2.2e-16 (float64), 6e-8 (float32), 4.9e-4 (float16), exact (integers). row_noise: rows
-/// of A with no entry above this, in A's unit, count as zero; default: 1e-14 of the largest entry of rows that bind the same
-/// coordinates.
+/// lengths: (n,), scale of each coordinate for rank decisions and for the test of whether the gap closes at all:
+/// displacement per unit rate, in one unit for all coordinates: 1 for a slide in metres, a typical length for an angle.
+/// Default: 1 for all. A finite m̄ does not depend on lengths, except for rounding. rank_floor: singular values of A
+/// below this fraction of the largest count as zero, with each row scaled to 1; default 1e-10, or 10 times the accuracy
+/// if larger. accuracy: relative error of the entries, 0 to 1e-3; default by the type of each array: 2.2e-16 (float64),
+/// 6e-8 (float32), 4.9e-4 (float16), exact (integers). row_noise: rows of A with no entry above this value, in A's
+/// unit, count as zero; default: 1e-14 of the largest entry of the rows that bind the same coordinates.
 #[pyfunction]
 #[pyo3(signature = (M, j, A=None, *, lengths=None, rank_floor=None, accuracy=None, row_noise=None))]
 #[allow(non_snake_case, reason = "the names that users of matrices expect")]
@@ -282,9 +283,10 @@ pub fn effective_mass(
     Ok(MatrixResponse(found))
 }
 
-/// m̄, its error and its outcome for a batch: M (b, n, n), j (b, n) or (n,), A (b, m, n), (m, n) or None; an array without
-/// a batch axis is the same for all. Gives effective_mass (b,) kg, NaN unless finite; error (b,) kg, NaN where it is not known; status (b,) uint8:
-/// 0 finite, 1 immovable, 2 massless. The rest as effective_mass. An error of one names its number.
+/// m̄, error and status for a batch: M (b, n, n), j (b, n) or (n,), A (b, m, n), (m, n) or None. An array without a
+/// batch axis is shared by the whole batch. Returns effective_mass (b,) kg, NaN unless finite; error (b,) kg, NaN if
+/// unknown; status (b,) uint8: 0 finite, 1 immovable, 2 massless. Other parameters as for effective_mass. An error
+/// message names the number of the failing problem.
 #[pyfunction]
 #[pyo3(signature = (M, j, A=None, *, lengths=None, rank_floor=None, accuracy=None, row_noise=None))]
 #[allow(non_snake_case, reason = "the names that users of matrices expect")]
@@ -330,7 +332,7 @@ pub fn effective_masses<'py>(
         let (mass, code) = coded(Some(found.effective_mass));
         Ok((mass, found.error.unwrap_or(f64::NAN), code))
     };
-    // A few hundred at a time, so that Ctrl-C is heard.
+    // 256 problems per portion, with a check for Ctrl-C between portions.
     let (mut masses, mut errors, mut codes) = (Vec::new(), Vec::new(), Vec::new());
     for first in (0..count).step_by(256) {
         let part = detached(py, || {
@@ -346,7 +348,7 @@ pub fn effective_masses<'py>(
     Ok((PyArray1::from_vec(py, masses), PyArray1::from_vec(py, errors), PyArray1::from_vec(py, codes)))
 }
 
-/// The number of an outcome in arrays, and m̄ where it is finite.
+/// m̄ (NaN unless finite) and status code of an outcome.
 pub fn coded(mass: Option<EffectiveMass>) -> (f64, u8) {
     match mass {
         Some(EffectiveMass::Finite(m)) => (m, 0),

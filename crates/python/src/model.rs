@@ -1,4 +1,4 @@
-//! Models: mechanisms read from URDF, and how they are read.
+//! Models: mechanisms from URDF, and their loading functions.
 
 use crate::errors;
 use percuss::study::Model as Read;
@@ -11,19 +11,19 @@ use std::sync::Arc;
 #[pyclass(frozen, get_all, module = "percuss")]
 #[derive(Clone, Debug)]
 pub struct Joint {
-    /// Its name.
+    /// Name of the joint.
     pub name: String,
     /// "fixed", "revolute", "continuous", "prismatic", "planar", "spherical" or "floating".
     pub kind: &'static str,
-    /// The link that carries it.
+    /// Parent link.
     pub parent: String,
-    /// The link that it carries.
+    /// Child link.
     pub child: String,
     /// Least and greatest position, rad or m; None without limits.
     pub limits: Option<(f64, f64)>,
-    /// The joint that it follows; None unless it mimics one.
+    /// Name of the joint that a mimic joint follows; None for other joints.
     pub mimics: Option<String>,
-    /// Which of a configuration's positions are its own: the first, and one past the last.
+    /// Range of the joint's entries in the position vector: first index, and last index plus one.
     pub positions: (usize, usize),
 }
 
@@ -34,17 +34,17 @@ impl Joint {
     }
 }
 
-/// A mechanism that was read from a file. Cannot be changed: threads may share it.
+/// Mechanism read from a file. Immutable, so that threads can share it.
 #[pyclass(frozen, module = "percuss")]
 #[derive(Clone, Debug)]
 pub struct Model {
     pub read: Arc<Read>,
-    /// What it was read from and what was accepted; none where it was not read from URDF.
+    /// Source text and accepted findings; `None` if the model does not come from URDF.
     pub source: Option<Arc<(Source, Vec<String>)>>,
 }
 
 impl Model {
-    /// Warns of what was found.
+    /// Wraps a model and issues its warnings.
     pub fn new(py: Python<'_>, read: Read) -> PyResult<Self> {
         errors::warn(py, &read.diagnostics)?;
         Ok(Self { read: Arc::new(read), source: None })
@@ -75,8 +75,9 @@ fn options(accept: &[String]) -> PyResult<LoadOptions> {
 
 /// Reads a URDF file, closed loops and couplings included.
 ///
-/// accept: findings that are accepted: "indefinite-inertia", "implausible-inertia". max_size: larger files are refused, bytes. Warnings go through
-/// `warnings` (ModelWarning); warnings and notes are the model's diagnostics. Raises LoadError, with every error of the file.
+/// accept: findings that are accepted: "indefinite-inertia", "implausible-inertia". max_size: size limit in bytes;
+/// larger files are refused. Warnings go through `warnings` (ModelWarning); the model's diagnostics hold warnings and
+/// notes. Raises LoadError, with every error of the file.
 #[pyfunction]
 #[pyo3(signature = (path, *, accept=Vec::new(), max_size=DEFAULT_MAX_SIZE))]
 pub fn load(py: Python<'_>, path: PathBuf, accept: Vec<String>, max_size: u64) -> PyResult<Model> {
@@ -87,7 +88,7 @@ pub fn load(py: Python<'_>, path: PathBuf, accept: Vec<String>, max_size: u64) -
     Model::of(py, Source::read(&path, max_size).map_err(errors::load)?, accept)
 }
 
-/// Reads a URDF from text. name stands for the file in messages. As load otherwise.
+/// Reads URDF from text. name replaces the file name in messages. Other parameters as for load.
 #[pyfunction]
 #[pyo3(signature = (text, *, name="<text>", accept=Vec::new()))]
 pub fn loads(py: Python<'_>, text: &str, name: &str, accept: Vec<String>) -> PyResult<Model> {
@@ -99,7 +100,7 @@ pub fn loads(py: Python<'_>, text: &str, name: &str, accept: Vec<String>) -> PyR
     Model::of(py, Source::from_text(name, text), accept)
 }
 
-/// The model of another process.
+/// Rebuilds a pickled model in another process.
 #[pyfunction]
 pub fn model_of_bytes(py: Python<'_>, bytes: Vec<u8>, name: String, accept: Vec<String>) -> PyResult<Model> {
     Model::of(py, Source { name, bytes }, accept)

@@ -1,4 +1,4 @@
-//! What Python asks of a model: its names, and the steps from it on.
+//! Python methods of a model: names, and construction of systems, assemblies and poses.
 
 use crate::diagnostic::Diagnostic;
 use crate::errors;
@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 use std::collections::BTreeMap;
 
-/// A function, and what it is called with.
+/// Reconstructor and its arguments, for pickle.
 type Rebuilt<'py> = (Bound<'py, PyAny>, (Vec<u8>, String, Vec<String>));
 
 #[pymethods]
@@ -28,7 +28,7 @@ impl Model {
         self.read.mechanism.links().iter().map(|link| link.name()).collect()
     }
 
-    /// The joints, in the order of the file: that of their positions.
+    /// The joints, in the order of the file, which is also the order of their positions.
     #[getter]
     fn joints(&self) -> Vec<Joint> {
         let mechanism = &self.read.mechanism;
@@ -50,7 +50,7 @@ impl Model {
         mechanism.joints().iter().map(of).collect()
     }
 
-    /// Names of the closures of loops, and of couplings.
+    /// Names of the loop closures and couplings.
     #[getter]
     fn closures(&self) -> Vec<&str> {
         let mechanism = &self.read.mechanism;
@@ -58,19 +58,19 @@ impl Model {
         mechanism.closures().iter().map(|closure| closure.name()).chain(couplings).collect()
     }
 
-    /// How many positions a configuration has: those of all joints one after another.
+    /// Number of positions of a configuration: the positions of all joints together.
     #[getter]
     pub fn position_count(&self) -> usize {
         self.read.mechanism.joints().iter().map(|joint| joint.kind().positions()).sum()
     }
 
-    /// Names of the positions, in order: the joint's, or JOINT[0], JOINT[1], … where it has several.
+    /// Names of the positions, in order: the joint's name, or JOINT[0], JOINT[1], … for a joint with several positions.
     #[getter]
     fn position_names(&self) -> Vec<String> {
         position_names(&self.read.mechanism)
     }
 
-    /// kg.
+    /// Total mass, kg.
     #[getter]
     fn total_mass(&self) -> f64 {
         self.read.mechanism.total_mass()
@@ -87,15 +87,15 @@ impl Model {
         write_urdf(&self.read.mechanism)
     }
 
-    /// Names of the hardpoints that `changed` can move: those of a sheet that `load` read.
+    /// Names of the hardpoints that `changed` can move; empty unless the model comes from a sheet.
     #[getter]
     fn hardpoints(&self) -> Vec<String> {
         self.read.hardpoints().to_vec()
     }
 
-    /// The model with something changed, after what was changed before. link_mass: link to kg, moments about its centre of mass
-    /// in proportion. link_com: link to centre of mass, (3,) m in the link's frame, moments about it as they are. move:
-    /// hardpoint of a sheet to how far it is moved, (3,) m, sheet's axes.
+    /// Copy of the model with changes, added to earlier changes. link_mass: link to mass in kg; the moments about the
+    /// centre of mass scale in proportion. link_com: link to centre of mass, (3,) m in the link's frame; the moments
+    /// about the centre of mass stay as they are. move: hardpoint of a sheet to displacement, (3,) m, sheet's axes.
     #[pyo3(signature = (*, link_mass=BTreeMap::new(), link_com=BTreeMap::new(), r#move=BTreeMap::new()))]
     fn changed(
         &self,
@@ -115,9 +115,10 @@ impl Model {
 
     /// The mechanism under conditions.
     ///
-    /// base: "fixed" or "floating". lock: joints that are held. armature: joint to inertia (kg·m² or kg), one value or one for
-    /// each velocity. hold: points that are held, (link, point) or (link, point, normal): point (3,) m in the link's frame,
-    /// normal (3,) in the root link's axes; without one, in all directions.
+    /// base: "fixed" or "floating". lock: joints that are locked. armature: joint to inertia (kg·m² or kg), one value,
+    /// or one for each velocity of the joint. hold: points that are held, (link, point) or (link, point, normal): point
+    /// (3,) m in the link's frame, normal (3,) in the root link's axes; without a normal, the point is held in all
+    /// directions.
     #[pyo3(signature = (*, base="fixed", lock=Vec::new(), armature=None, hold=Vec::new()))]
     fn system(
         &self,
@@ -129,13 +130,13 @@ impl Model {
         System::new(self, base, lock, armature, hold)
     }
 
-    /// Puts the loops together, every joint free, the base fixed: system().assemble(guess).
+    /// Assembles the loops with every joint free and a fixed base: system().assemble(guess).
     #[pyo3(signature = (guess=None))]
     fn assemble(&self, py: Python<'_>, guess: Option<&Bound<'_, PyDict>>) -> PyResult<Assembly> {
         System::plain(self)?.assemble(py, guess)
     }
 
-    /// The pose at a configuration, every joint free, the base fixed: system().pose(…).
+    /// The pose at a configuration with every joint free and a fixed base: system().pose(…).
     #[pyo3(signature = (q=None, *, guess=None, base_pose=None, other_assembly=false))]
     fn pose(
         &self,
@@ -148,7 +149,7 @@ impl Model {
         System::plain(self)?.pose(py, q, guess, base_pose, other_assembly)
     }
 
-    /// A model goes to another process as the text that it was read from; one that came of hardpoints as URDF.
+    /// Pickles a model as its source text; a model from hardpoints is pickled as URDF.
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Rebuilt<'py>> {
         let (bytes, accept) = match self.source.as_deref() {
             Some((source, accept)) => (source.bytes.clone(), accept.clone()),

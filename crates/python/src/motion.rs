@@ -18,11 +18,12 @@ use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 use std::sync::Arc;
 
-/// Velocities that leave loops open by more than this part of what their terms sum to are not those of the mechanism: single
-/// precision, in which users may have kept them.
+/// Largest relative residual of A v for admissible velocities, as a fraction of the sum of the terms' sizes: the
+/// rounding of single precision, in which users may have stored the velocities.
 const OPENING: f64 = 1e-6;
 
-/// The travel of a point along a direction, from where the point is at a pose. Cannot be changed: threads may share it.
+/// Travel of a point along a direction, measured from the point's position at a pose. Immutable, so that threads can
+/// share it.
 #[pyclass(frozen, module = "percuss")]
 #[derive(Clone, Debug)]
 pub struct Travel {
@@ -45,7 +46,8 @@ impl Travel {
 
 #[pymethods]
 impl Travel {
-    /// pose: where it begins. link, point: (3,) m, link's frame. direction: (3,), world axes; its length does not matter.
+    /// pose: the starting pose. link, point: (3,) m, link's frame. direction: (3,), world axes; its length does not
+    /// matter.
     #[new]
     fn new(
         pose: &Pose,
@@ -77,22 +79,22 @@ impl Travel {
         PyArray1::from_slice(py, self.travel.direction().as_slice())
     }
 
-    /// How far the point is displaced at a pose of the same model, m.
+    /// Displacement of the point at a pose of the same model, m.
     fn displacement(&self, pose: &Pose) -> PyResult<f64> {
         self.of_the_model(pose)?;
         Ok(self.travel.displacement(&pose.pose))
     }
 
-    /// ds/dq at a pose: the displacement per motion of a driving joint, m/rad or m/m, while loops follow and other drivers stand
-    /// still. None at a change point, at a dead centre of the joint, and for a joint that cannot drive.
+    /// ds/dq at a pose: displacement per motion of a driving joint, m/rad or m/m. The loops stay closed and other
+    /// drivers are at rest. None at a change point, at a dead centre of the joint, and for a joint that cannot drive.
     fn rate(&self, pose: &Pose, joint: &str) -> PyResult<Option<f64>> {
         self.of_the_model(pose)?;
         let joint = self.model.read.mechanism.find_joint(joint).map_err(input)?;
         Ok(self.travel.rate(&pose.pose, joint))
     }
 
-    /// The joint that turns furthest with the point at a pose, among those that can drive it; `set` are not available. Raises
-    /// NoAnswerError where nothing moves it.
+    /// The joint that turns furthest with the point at a pose, among the joints that can drive the point. Joints in set
+    /// are excluded. Raises NoAnswerError if no joint moves the point.
     #[pyo3(signature = (pose, *, set=Vec::new()))]
     fn driver(&self, pose: &Pose, set: Vec<String>) -> PyResult<String> {
         self.of_the_model(pose)?;
@@ -104,9 +106,10 @@ impl Travel {
         Ok(mechanism.joint(driver).name().to_owned())
     }
 
-    /// The pose where the point is displaced by so much (m), followed from another pose along its branch. driver: the joint that
-    /// moves; None: the one that `driver` finds. q: where other driving joints stand, as for Model.pose; None: at 0. Raises
-    /// NoAnswerError beyond the range where the displacement goes one way, with the nearest.
+    /// The pose with a given displacement of the point (m), followed from the pose start along its branch. driver: the
+    /// joint that moves; None: the result of `driver`. q: positions of other driving joints, as for Model.pose; None:
+    /// all at zero. Raises NoAnswerError beyond the range in which the displacement is monotonic; the message gives the
+    /// nearest reachable value.
     #[pyo3(signature = (start, displacement, *, driver=None, q=None))]
     fn pose(
         &self,
@@ -146,7 +149,7 @@ impl Travel {
     }
 }
 
-/// Velocities of all joints, joint by joint, of those of some; mimics follow, the others are at rest.
+/// Velocities of all joints, joint by joint, from a dict of some joints. Mimic joints follow; other joints are at rest.
 fn velocities(mechanism: &Mechanism, given: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<Vec<f64>>> {
     let mut all: Vec<Vec<f64>> =
         mechanism.joints().iter().map(|joint| vec![0.0; joint.kind().dofs()]).collect();
@@ -179,7 +182,7 @@ fn velocities(mechanism: &Mechanism, given: Option<&Bound<'_, PyDict>>) -> PyRes
     Ok(all)
 }
 
-/// Six numbers: angular, then linear.
+/// Twist from six numbers: angular, then linear.
 fn twist(given: Option<&Bound<'_, PyAny>>, what: &str) -> PyResult<Twist<f64>> {
     let Some(given) = given else { return Ok(Twist::zero()) };
     let values = list(given, what)?;
@@ -192,7 +195,7 @@ fn twist(given: Option<&Bound<'_, PyAny>>, what: &str) -> PyResult<Twist<f64>> {
     Ok(Twist::new(Vector3::new(a, b, c), Vector3::new(x, y, z)))
 }
 
-/// dm̄/dt, kg/s, at joint velocities; none unless finite.
+/// dm̄/dt, kg/s, at joint velocities; `None` unless finite.
 pub fn effective_mass_rate(
     py: Python<'_>,
     pose: &Pose,
@@ -220,7 +223,7 @@ pub fn effective_mass_rate(
     })
 }
 
-/// Refuses velocities of locked joints, and those under which the loops open: A u is not 0.
+/// Refuses velocities of locked joints, and velocities that open the loops: A v ≠ 0.
 fn refuse_opening(pose: &Pose, velocities: &[Vec<f64>]) -> PyResult<()> {
     let mechanism = &pose.model.read.mechanism;
     let moves = |joint: &JointId| velocities[joint.index()].iter().any(|rate| *rate != 0.0);
@@ -257,7 +260,8 @@ pub struct Accelerations {
 
 #[pymethods]
 impl Accelerations {
-    /// Rates of the velocities of each movable joint, by its name: rad/s², m/s²; (1,), or as many as it has.
+    /// Rates of the velocities of each movable joint, by joint name: rad/s², m/s²; (1,), or one entry per velocity of
+    /// the joint.
     #[getter]
     fn joints<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let by_name = PyDict::new(py);
@@ -290,7 +294,8 @@ impl Accelerations {
     }
 }
 
-/// Accelerations at a pose under gravity and forces: (link, point, force). axes: from the root link's to those of the vectors given.
+/// Accelerations at a pose under gravity and forces: (link, point, force). axes: rotation from the root link's axes to
+/// the axes of the given vectors.
 pub fn accelerations(
     py: Python<'_>,
     pose: &Pose,

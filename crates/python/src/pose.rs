@@ -1,4 +1,4 @@
-//! Poses: a mechanism at one configuration. What Python asks of one: `pose_methods.rs`.
+//! Poses: a mechanism at one configuration. The Python methods are in `pose_methods.rs`.
 
 use crate::errors::input;
 use crate::model::Model;
@@ -7,7 +7,7 @@ use percuss::spatial::Transform;
 use percuss::{Pose as Posed, System};
 use pyo3::prelude::*;
 
-/// A mechanism at one configuration, its loops closed. Cannot be changed: threads may share it.
+/// Mechanism at one configuration with closed loops. Immutable, so that threads can share it.
 #[pyclass(frozen, module = "percuss")]
 #[derive(Clone, Debug)]
 pub struct Pose {
@@ -17,9 +17,10 @@ pub struct Pose {
 }
 
 impl Pose {
-    /// The frame in which vectors of the root link's axes are given or wanted: the transform from the root link's frame to it.
+    /// Transform from the root link's frame to the frame of the caller's vectors.
     ///
-    /// "root", "world", or `None`: accepted where both are one frame, because no base_pose turns or moves the root link.
+    /// frame: "root", "world", or `None`. `None` is accepted only if both frames are the same, because no base_pose
+    /// moves the root link.
     pub fn frame(&self, frame: Option<&str>) -> PyResult<Transform<f64>> {
         let base = self.pose.base();
         match frame {

@@ -1,4 +1,4 @@
-//! What Python asks of a pose.
+//! Python methods of a pose.
 
 use crate::arrays::{matrix, triple};
 use crate::contact::Contact;
@@ -31,13 +31,13 @@ impl Pose {
         self.model.clone()
     }
 
-    /// Positions of all joints one after another, in the order of the file; (p,).
+    /// Positions of all joints, concatenated in the order of the file; (p,).
     #[getter]
     fn positions<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         PyArray1::from_slice(py, self.pose.positions())
     }
 
-    /// Position of each movable joint, by its name; (1,), or as many as it has.
+    /// Position of each movable joint, by joint name; (1,), or one entry per position of the joint.
     #[getter]
     fn joints<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let (by_name, mechanism) = (PyDict::new(py), &self.model.read.mechanism);
@@ -50,34 +50,34 @@ impl Pose {
         Ok(by_name)
     }
 
-    /// Degrees of freedom here; a floating base counts 6.
+    /// Degrees of freedom at this pose; a floating base counts 6.
     #[getter]
     fn degrees_of_freedom(&self) -> usize {
         self.pose.degrees_of_freedom()
     }
 
-    /// Whether branches cross here.
+    /// True if branches cross at this pose.
     #[getter]
     fn is_singular(&self) -> bool {
         self.pose.rank().singular
     }
 
-    /// How far the farthest loop is from closed, m; None without loops.
+    /// Largest closure error of all loops, m; None without loops.
     #[getter]
     fn closure_residual(&self) -> Option<f64> {
         self.pose.loops().map(|loops| loops.residual)
     }
 
-    /// Findings about the pose, as the command line reports them: joints outside their limits, loops open as drawn, another
-    /// assembly mode, an unclear rank.
+    /// Findings about the pose, as in reports of the command line: joints outside their limits, loops open as drawn,
+    /// another assembly mode, an unclear rank.
     #[getter]
     fn findings(&self, py: Python<'_>) -> Vec<Diagnostic> {
         let found = py.detach(|| percuss::study::pose_findings(&self.system, &self.pose));
         found.into_iter().map(Diagnostic).collect()
     }
 
-    /// The frame of a link in the root link's frame (frame="root") or in the world (frame="world"), homogeneous; (4, 4). frame may
-    /// be left out where the pose has no base_pose: both are one then.
+    /// The frame of a link in the root link's frame (frame="root") or in the world (frame="world"), homogeneous; (4,
+    /// 4). frame may be omitted if the pose has no base_pose: both frames are then the same.
     #[pyo3(signature = (link, *, frame=None))]
     fn link_frame<'py>(
         &self,
@@ -86,7 +86,7 @@ impl Pose {
         frame: Option<&str>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let own = self.pose.link(self.model.read.mechanism.find_link(link).map_err(input)?);
-        // The pose has its links in the world.
+        // The pose stores link frames in the world.
         let frame = self.frame(frame)? * (self.pose.base().inverse() * own);
         let mut values = Vec::with_capacity(16);
         for row in 0..3 {
@@ -128,9 +128,9 @@ impl Pose {
         matrix(py, &DMatrix::from_column_slice(3, turned.ncols(), turned.as_slice()))
     }
 
-    /// Φ = J M⁻¹ Jᵀ of both sides of a contact at its point, constraints included; (12, 12), 1/kg and so on: six rows, angular
-    /// then linear, for the struck link, six for the other; 1/m̄ = wᵀΦw with w = (0, n̂, 0, −n̂). Axes of the root link or of the world,
-    /// as for link_frame.
+    /// Φ = J M⁻¹ Jᵀ of both sides of a contact at its point, constraints included; (12, 12), 1/kg and so on. Rows: six
+    /// for the contact link (angular, then linear), six for the other side. 1/m̄ = wᵀΦw with w = (0, n̂, 0, −n̂). Axes
+    /// of the root link or of the world, as for link_frame.
     #[pyo3(signature = (contact, *, frame=None))]
     fn inverse_operational_inertia<'py>(
         &self,
@@ -149,10 +149,10 @@ impl Pose {
         PyArray1::from_vec(py, rows).reshape([12, 12])
     }
 
-    /// m̄ of many contacts of a link with the ground or with another link: points (N, 3) m and normals (N, 3), out of the link, of
-    /// any length that is not zero, in the link's frame. Some nanoseconds each, by Φ about the middle of the points. Gives
-    /// effective_mass (N,) kg, NaN unless finite; error (N,) kg, NaN where it is not known; status (N,) uint8: 0 finite, 1 immovable,
-    /// 2 massless, 3 no answer.
+    /// m̄ of many contacts of a link with the ground or with another link: points (N, 3) m and normals (N, 3), out of
+    /// the link, of any nonzero length, in the link's frame. Costs some nanoseconds per contact, by Φ about the middle
+    /// of the points. Returns effective_mass (N,) kg, NaN unless finite; error (N,) kg, NaN if unknown; status (N,)
+    /// uint8: 0 finite, 1 immovable, 2 massless, 3 no answer.
     #[pyo3(signature = (link, points, normals, *, against=None))]
     fn contact_map<'py>(
         &self,
@@ -165,9 +165,9 @@ impl Pose {
         contact_map(py, self, link, points, normals, against)
     }
 
-    /// The three directions along which m̄ is stationary among all directions at a point (3,) m of a link, the lightest first, as
-    /// dicts: "effective_mass" (kg; None unless finite), "status", "error" (kg) and "direction" (a unit vector, link's frame, (3,)).
-    /// None where a mass has no answer.
+    /// The three directions along which m̄ is stationary among all directions at a point (3,) m of a link, lightest
+    /// first, as dicts: "effective_mass" (kg; None unless finite), "status", "error" (kg) and "direction" (a unit
+    /// vector, link's frame, (3,)). None if a mass has no answer.
     #[pyo3(signature = (link, point, *, against=None))]
     fn principal_masses<'py>(
         &self,
@@ -179,9 +179,9 @@ impl Pose {
         principal_masses(py, self, link, point, against)
     }
 
-    /// dm̄/dt at a contact, kg/s, where the joints move at velocities: a dict of joints to rates (rad/s, m/s), those that are
-    /// not named at rest, mimics following. Of loops all that move are to be given: velocities under which loops open are refused;
-    /// those of a Response, which are admissible, are taken as they are. Exact to rounding, by dual numbers. None unless m̄ is finite.
+    /// dm̄/dt at a contact, kg/s, at joint velocities: a dict of joints to rates (rad/s, m/s). Joints without an entry
+    /// are at rest; mimics follow. For loops, all moving joints must be given: velocities that open loops are refused.
+    /// Velocities of a Response are admissible. Exact to rounding, by dual numbers. None unless m̄ is finite.
     fn effective_mass_rate(
         &self,
         py: Python<'_>,
@@ -191,10 +191,10 @@ impl Pose {
         effective_mass_rate(py, self, contact, Some(velocities))
     }
 
-    /// Accelerations of a tree at joint velocities (a dict; those that are not named are 0), base (6,): the twist of a floating root
-    /// (angular, linear), gravity (3,) m/s², none by default, and forces: (link, point (3,) m in the link's frame, force (3,) N) of
-    /// each. base, gravity and forces have the axes of the root link or of the world, as for link_frame. Raises InputError with loops,
-    /// mimics or held points.
+    /// Accelerations of a tree at joint velocities (a dict; other joints are at rest), base (6,): the twist of a
+    /// floating root (angular, linear), gravity (3,) m/s², zero by default, and forces: a list of (link, point (3,) m
+    /// in the link's frame, force (3,) N). base, gravity and forces have the axes of the root link or of the world, as
+    /// for link_frame. Raises InputError with loops, mimics or held points.
     #[pyo3(signature = (velocities=None, *, base=None, gravity=None, forces=Vec::new(), frame=None))]
     #[allow(clippy::too_many_arguments, reason = "what acts on the mechanism")]
     fn accelerations(
@@ -211,8 +211,9 @@ impl Pose {
         accelerations(py, self, velocities, base, gravity, &forces, &axes)
     }
 
-    /// The pose after the mechanism has gone along v* of a response at this pose until the gap has closed by a distance (m;
-    /// negative: opened), loops closed again: exact to second order. None where they do not close there, or where nothing moves.
+    /// The pose after a motion along v* of a response at this pose until the gap has closed by a distance (m; negative:
+    /// opened), with the loops closed again: exact to second order. None if the loops do not close there, or if nothing
+    /// moves.
     fn advanced_along(&self, py: Python<'_>, response: &Response, distance: f64) -> PyResult<Option<Self>> {
         if !Arc::ptr_eq(&response.model.read.mechanism, &self.model.read.mechanism) {
             return Err(input("the response is of another model; expected one of this pose"));
@@ -224,15 +225,15 @@ impl Pose {
         Ok(pose.map(|pose| Self { pose, ..self.clone() }))
     }
 
-    /// Joints that stand outside their limits: joint to (position, (lower, upper)), rad or m.
+    /// Joints outside their limits: joint to (position, (lower, upper)), rad or m.
     fn outside_limits(&self) -> BTreeMap<String, (f64, (f64, f64))> {
         let name = |joint| self.model.read.mechanism.joint(joint).name().to_owned();
         let outside = self.pose.outside_limits();
         outside.map(|(joint, at, limits)| (name(joint), (at, (limits.lower, limits.upper)))).collect()
     }
 
-    /// Of the rows of A here: "rank"; "gap", the least between singular values that count and those that do not (None without
-    /// rows); "is_clear"; "is_singular".
+    /// Rank report of A at this pose: "rank"; "gap", the least gap between counted singular values and those taken as
+    /// zero (None without rows); "is_clear"; "is_singular".
     fn rank<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let (report, rank) = (PyDict::new(py), self.pose.rank());
         report.set_item("rank", rank.rank)?;
@@ -242,7 +243,7 @@ impl Pose {
         Ok(report)
     }
 
-    /// m̄ at a contact, and what follows from it. route: "auto", "dense" (O(n³)) or "articulated" (O(n)).
+    /// m̄ at a contact, and the quantities derived from it. route: "auto", "dense" (O(n³)) or "articulated" (O(n)).
     #[pyo3(signature = (contact, *, route="auto"))]
     fn respond(&self, py: Python<'_>, contact: &Contact, route: &str) -> PyResult<Response> {
         let (contact, route) = (contact.on(&self.model.read.mechanism)?, route_choice(route)?);

@@ -1,4 +1,4 @@
-//! Questions as the command line asks them: from the package's dataclasses.
+//! Questions of the study crate, from the package's dataclasses.
 
 use crate::arrays::{list, triple};
 use crate::contact::{Contact, frame};
@@ -15,7 +15,7 @@ use percuss::{Frame, Mechanism};
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 
-/// `percuss.Conditions`.
+/// Python class `percuss.Conditions`.
 #[derive(FromPyObject)]
 pub struct Conditions<'py> {
     frame: String,
@@ -29,7 +29,7 @@ pub struct Conditions<'py> {
     estimate: Option<Bound<'py, PyAny>>,
 }
 
-/// Positions by joint: numbers, or text such as "30deg".
+/// Positions by joint, from numbers or text such as "30deg".
 fn positions(given: Option<&Bound<'_, PyDict>>, what: &str) -> PyResult<Vec<(String, GivenPosition)>> {
     let Some(given) = given else { return Ok(Vec::new()) };
     let one = |(joint, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
@@ -44,7 +44,7 @@ fn positions(given: Option<&Bound<'_, PyDict>>, what: &str) -> PyResult<Vec<(Str
     given.iter().map(one).collect()
 }
 
-/// (links) or (links, point) or (links, point, direction).
+/// Estimate from (links), (links, point) or (links, point, direction).
 fn estimate(given: &Bound<'_, PyAny>) -> PyResult<EstimateQuestion> {
     let parts: Vec<Bound<'_, PyAny>> = given.extract()?;
     let (links, point, direction) = match &parts[..] {
@@ -66,7 +66,7 @@ fn estimate(given: &Bound<'_, PyAny>) -> PyResult<EstimateQuestion> {
 }
 
 impl Conditions<'_> {
-    /// Without a contact.
+    /// Mass question without a contact.
     pub fn question(&self) -> PyResult<MassQuestion> {
         let hold = |hold: &Bound<'_, PyAny>| {
             let (link, point, normal) = held(hold)?;
@@ -88,7 +88,7 @@ impl Conditions<'_> {
         })
     }
 
-    /// With a contact of the mechanism.
+    /// Mass question for a contact of the mechanism.
     pub fn of_contact(&self, mechanism: &Mechanism, contact: &Contact) -> PyResult<MassQuestion> {
         let resolved = contact.on(mechanism)?;
         let name = |link| mechanism.link(link).name().to_owned();
@@ -114,7 +114,7 @@ impl Conditions<'_> {
     }
 }
 
-/// `percuss.Damping`.
+/// Python class `percuss.Damping`.
 #[derive(FromPyObject)]
 pub struct Damping {
     restitution: f64,
@@ -133,7 +133,6 @@ pub struct Damping {
 }
 
 impl Damping {
-    /// As a question.
     pub fn question(&self) -> PyResult<DampingQuestion> {
         let mut question = DampingQuestion::new(self.restitution, self.stiffness);
         let end = |name: &String| {
@@ -163,7 +162,7 @@ impl Damping {
     }
 }
 
-/// A range of a sweep: text as of the command line, or (joint, from, to, count), SI.
+/// Range of a sweep, from text in command-line syntax or from (joint, from, to, count) in SI units.
 pub fn vary(given: &Bound<'_, PyAny>) -> PyResult<Vary> {
     if let Ok(text) = given.extract::<String>() {
         return Vary::parse(&text).map_err(|error| input(format_args!("vary: \"{text}\": {error}")));
@@ -174,7 +173,7 @@ pub fn vary(given: &Bound<'_, PyAny>) -> PyResult<Vary> {
     Ok(Vary { what: Varied::Joint(joint), from: number(from)?, to: number(to)?, count })
 }
 
-/// Where rows come from, if any are asked for.
+/// Source of the rows of a sweep; `None` if no source is given.
 pub fn optional_rows(
     ranges: Option<Vec<Bound<'_, PyAny>>>,
     file: Option<(String, Vec<String>)>,
@@ -186,7 +185,7 @@ pub fn optional_rows(
     rows(ranges, file, random).map(Some)
 }
 
-/// Where the rows of a sweep come from: exactly one.
+/// Source of the rows of a sweep. Exactly one source must be given.
 pub fn rows(
     ranges: Option<Vec<Bound<'_, PyAny>>>,
     file: Option<(String, Vec<String>)>,

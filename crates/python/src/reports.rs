@@ -1,4 +1,4 @@
-//! The answers of the command line: reports as JSON text, which the package makes dicts of.
+//! Reports of the command line as JSON text; the Python package converts them to dicts.
 
 use crate::contact::Contact;
 use crate::errors::{self, input};
@@ -23,7 +23,7 @@ pub fn json(report: &impl Serialize) -> PyResult<String> {
     serde_json::to_string(report).map_err(errors::no_answer)
 }
 
-/// What is answered to a contact of a model under conditions, as JSON.
+/// Evaluates `answer` for a contact of a model under conditions and returns the report as JSON.
 fn asked<R: Serialize + Send>(
     py: Python<'_>,
     model: &Model,
@@ -35,13 +35,13 @@ fn asked<R: Serialize + Send>(
     json(&detached(py, || answer(&model.read, &question)).map_err(errors::study)?)
 }
 
-/// What is in a model.
+/// Summary of a model.
 #[pyfunction]
 pub fn check(py: Python<'_>, model: &Model) -> PyResult<String> {
     json(&detached(py, || study::check(&model.read)).map_err(errors::study)?)
 }
 
-/// One contact of a model, with the damper where one is asked for.
+/// Report on one contact of a model, with the damper if damping is given.
 #[pyfunction]
 pub fn mass_report(
     py: Python<'_>,
@@ -57,7 +57,7 @@ pub fn mass_report(
     })
 }
 
-/// What the mass of a contact depends on; null where it has none.
+/// Sensitivity of the mass of a contact to the model's parameters; null if the contact has no finite mass.
 #[pyfunction]
 pub fn explain(
     py: Python<'_>,
@@ -68,7 +68,8 @@ pub fn explain(
     asked(py, model, contact, &conditions, study::explain)
 }
 
-/// What tolerances leave of the mass of a contact; null where it has none. samples: how many, and their seed.
+/// Variation of the mass of a contact within tolerances; null if the contact has no finite mass. samples: their number
+/// and seed.
 #[pyfunction]
 pub fn tolerate(
     py: Python<'_>,
@@ -85,7 +86,7 @@ pub fn tolerate(
     })
 }
 
-/// The same contact at many rows of positions.
+/// Report on a contact at many rows of positions.
 #[pyfunction]
 pub fn sweep_report<'py>(
     py: Python<'py>,
@@ -103,7 +104,7 @@ pub fn sweep_report<'py>(
     json(&report)
 }
 
-/// Goes through a sweep; ends it where Ctrl-C was pressed.
+/// Runs a sweep; stops on Ctrl-C.
 fn watched<'a>(
     py: Python<'_>,
     model: &study::Model,
@@ -130,7 +131,7 @@ fn watched<'a>(
     }
 }
 
-/// The facets of a link as arrays.
+/// Facets of a link as arrays.
 fn facets<'py>(py: Python<'py>, skin: &SkinFacets) -> PyResult<Bound<'py, PyDict>> {
     let count = skin.facets.len();
     let records: Vec<_> = skin.records().collect();
@@ -191,7 +192,7 @@ pub fn map_report<'py>(
     Ok((json(&answer.report)?, by_link, picture))
 }
 
-/// Directions at a point.
+/// Report on directions at a point.
 #[pyfunction]
 pub fn map_point_report(
     py: Python<'_>,
@@ -203,7 +204,7 @@ pub fn map_point_report(
     asked(py, model, contact, &conditions, |model, question| study::map_point(model, question, directions))
 }
 
-/// `percuss._reports._SafeSpeed`.
+/// Python class `percuss._reports._SafeSpeed`.
 #[derive(FromPyObject)]
 pub struct SpeedQuestion {
     region: Option<String>,
@@ -217,8 +218,8 @@ pub struct SpeedQuestion {
     worst: bool,
 }
 
-/// How fast the contact of a robot may go, as a list: at its pose, or at the slowest of rows of positions; or in each of several
-/// directions of the world, the worst of all last.
+/// Safe speeds of a contact of a robot, as a list: at its pose, or at the slowest row of positions; or in each of
+/// several world directions, the worst direction last.
 #[pyfunction]
 #[allow(clippy::too_many_arguments, clippy::type_complexity, reason = "the question of a safe speed")]
 pub fn safe_speed(
@@ -241,7 +242,7 @@ pub fn safe_speed(
     })
 }
 
-/// `percuss.Design`.
+/// Python class `percuss.Design`.
 #[derive(FromPyObject)]
 pub struct Design<'py> {
     name: String,
@@ -250,7 +251,7 @@ pub struct Design<'py> {
     conditions: Conditions<'py>,
 }
 
-/// One question asked of several designs, at the same rows of positions where there are some.
+/// Compares several designs by one question, at the same rows of positions if rows are given.
 #[pyfunction]
 #[allow(clippy::type_complexity, reason = "where rows come from")]
 pub fn compare(
@@ -274,7 +275,7 @@ pub fn compare(
     compared(py, &designs)
 }
 
-/// The designs of a study: its model under a name, then its variants.
+/// Compares the designs of a study file: its model under a name, then its variants.
 #[pyfunction]
 pub fn compare_study(py: Python<'_>, path: PathBuf, name: &str) -> PyResult<String> {
     let path = path.to_string_lossy().into_owned();
@@ -288,20 +289,20 @@ fn compared(py: Python<'_>, designs: &[study::Design]) -> PyResult<String> {
     json(&report.map_err(|error| input(error.message(Names::Fields)))?)
 }
 
-/// The JSON schema of studies.
+/// JSON schema of study files.
 #[pyfunction]
 pub fn study_schema() -> PyResult<String> {
     json(study::study_schema())
 }
 
-/// A study of a model, which it calls by a path.
+/// Initial study file for a model, which the file refers to by a path.
 #[pyfunction]
 pub fn starting_study(py: Python<'_>, model: &Model, path: PathBuf) -> PyResult<String> {
     let path = path.to_string_lossy();
     detached(py, || study::starting_study(&model.read, &path)).map_err(errors::study)
 }
 
-/// Runs a study: its sweep's report where it has one, else that of its contact.
+/// Runs a study and returns the report of its sweep, or of its contact if the study has no sweep.
 #[pyfunction]
 pub fn run_study(py: Python<'_>, path: PathBuf) -> PyResult<String> {
     let path = path.to_string_lossy().into_owned();
@@ -323,7 +324,7 @@ pub fn run_study(py: Python<'_>, path: PathBuf) -> PyResult<String> {
     }
 }
 
-/// A study that asks for something else than a contact: a stop, a map, a safe speed.
+/// Runs a study without a contact: a stop, a map, a safe speed.
 fn without_contact(py: Python<'_>, study: &StudyFile) -> PyResult<String> {
     if let Some(study::StudyDamping { question, stop: Some((stop, conditions)), .. }) = &study.damping {
         let report = detached(py, || study::damp_stop(&study.model, stop, conditions.clone(), question));

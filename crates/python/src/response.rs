@@ -1,4 +1,4 @@
-//! What is answered to a contact at a pose.
+//! Response to a contact at a pose.
 
 use crate::arrays::triple;
 use crate::diagnostic::Diagnostic;
@@ -14,7 +14,7 @@ use percuss::{
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 
-/// m̄ at a contact of a pose, and what follows from it.
+/// m̄ at a contact of a pose, and the quantities derived from it.
 #[pyclass(frozen, module = "percuss")]
 #[derive(Clone, Debug)]
 pub struct Response {
@@ -25,7 +25,7 @@ pub struct Response {
     pub response: ContactResponse,
 }
 
-/// An outcome by its name.
+/// Name of an outcome.
 pub fn status(mass: EffectiveMass) -> &'static str {
     match mass {
         EffectiveMass::Finite(_) => "finite",
@@ -34,12 +34,12 @@ pub fn status(mass: EffectiveMass) -> &'static str {
     }
 }
 
-/// kg; none unless finite.
+/// m̄ in kg; `None` unless finite.
 pub fn value(mass: EffectiveMass) -> Option<f64> {
     if let EffectiveMass::Finite(m) = mass { Some(m) } else { None }
 }
 
-/// A route by its name.
+/// Parses a route name.
 pub fn route_choice(name: &str) -> PyResult<RouteChoice> {
     match name {
         "auto" => Ok(RouteChoice::Auto),
@@ -49,7 +49,7 @@ pub fn route_choice(name: &str) -> PyResult<RouteChoice> {
     }
 }
 
-/// A remark by its name, as in the reports of the command line.
+/// Text of a remark, as in the reports of the command line.
 pub fn remark(remark: &Remark) -> String {
     match *remark {
         Remark::NearlyImmovable { uncertainty, .. } => {
@@ -72,19 +72,20 @@ impl Response {
         value(self.response.effective_mass)
     }
 
-    /// "finite"; "immovable": no admissible motion closes the gap; "massless": one without energy does.
+    /// "finite"; "immovable": no admissible motion closes the gap; "massless": a motion without energy closes it.
     #[getter]
     fn status(&self) -> &'static str {
         status(self.response.effective_mass)
     }
 
-    /// What m̄ may be off by, kg: the sum of the budget's known parts; None where rounding or closing is unknown.
+    /// Error of m̄, kg: the sum of the known parts of the error budget; None if the rounding or the closing part is
+    /// unknown.
     #[getter]
     fn error(&self) -> Option<f64> {
         self.response.effective_mass_error()
     }
 
-    /// Its parts, kg: "rounding", "closing", "file"; None where nothing measures one.
+    /// Parts of the error budget, kg: "rounding", "closing", "file"; None for a part without a measure.
     #[getter]
     fn error_budget<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let budget = self.response.error.unwrap_or_default();
@@ -110,19 +111,19 @@ impl Response {
         self.response.degrees_of_freedom
     }
 
-    /// Whether branches cross at the pose: m̄ is a lower bound that no branch attains.
+    /// True if branches cross at the pose: m̄ is then a lower bound that no branch attains.
     #[getter]
     fn singular_pose(&self) -> bool {
         self.response.singular_pose
     }
 
-    /// What the reader should know.
+    /// Remarks about the result.
     #[getter]
     fn remarks(&self) -> Vec<String> {
         self.response.remarks.iter().map(remark).collect()
     }
 
-    /// Findings about the pose and about the answer, as the command line reports them. At a singular pose its branches are
+    /// Findings about the pose and the result, as in reports of the command line. At a singular pose, its branches are
     /// followed.
     #[getter]
     fn findings(&self, py: Python<'_>) -> Vec<Diagnostic> {
@@ -130,7 +131,7 @@ impl Response {
         found.into_iter().map(Diagnostic).collect()
     }
 
-    /// v*: velocities of each joint at unit closing speed, by its name; (d,) rad or m, per m.
+    /// v*: velocities of each joint at unit closing speed, by joint name; (d,) rad or m, per m.
     #[getter]
     fn joint_velocities<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let by_name = PyDict::new(py);
@@ -149,7 +150,7 @@ impl Response {
         PyArray1::from_vec(py, parts.collect())
     }
 
-    /// Share of the kinetic energy at unit closing speed of each link, by its name; None unless finite.
+    /// Share of each link in the kinetic energy at unit closing speed, by link name; None unless finite.
     #[getter]
     fn contributions<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
         let Some(shares) = &self.response.contributions else { return Ok(None) };
@@ -160,7 +161,7 @@ impl Response {
         Ok(Some(by_name))
     }
 
-    /// The same of each rotor (armature), by its joint; None unless finite.
+    /// Share of each rotor (armature) in the same energy, by joint name; None unless finite.
     #[getter]
     fn rotor_contributions<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
         let Some(shares) = &self.response.contributions else { return Ok(None) };
@@ -177,13 +178,14 @@ impl Response {
         PyArray1::from_slice(py, self.response.contact.point_world.as_slice())
     }
 
-    /// The normal in the world, out of the struck link; (3,).
+    /// The normal in the world, out of the contact link; (3,).
     #[getter]
     fn normal_world<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         PyArray1::from_slice(py, self.response.contact.normal_world.as_slice())
     }
 
-    /// Limits of m̄ along the branches that cross at a singular pose, kg; None for one along which the gap does not close.
+    /// Limits of m̄ along the branches that cross at a singular pose, kg; None for a branch along which the gap does
+    /// not close.
     fn branch_limits(&self, py: Python<'_>) -> Vec<Option<f64>> {
         let limits = py.detach(|| self.pose.branch_limits(&self.contact).limits);
         let limit = |mass: EffectiveMass| match mass {
@@ -194,9 +196,9 @@ impl Response {
         limits.into_iter().map(limit).collect()
     }
 
-    /// Velocity of a point of a link at unit closing speed, relative to the contact's other side; (3,). Its length is the motion
-    /// ratio. Axes of the root link or of the world, as for Pose.link_frame. None where the response has no motion, or where a motion
-    /// without mass leaves it open.
+    /// Velocity of a point of a link at unit closing speed, relative to the contact's other side; (3,). Its length is
+    /// the motion ratio. Axes of the root link or of the world, as for Pose.link_frame. None if the response has no
+    /// motion, or if a massless motion leaves the velocity undetermined.
     #[pyo3(signature = (link, point, *, frame=None))]
     fn point_velocity<'py>(
         &self,
@@ -217,7 +219,7 @@ impl Response {
         })
     }
 
-    /// The same answer where the other side is a free body of this mass, kg.
+    /// The response with a free body of this mass (kg) as the other side.
     fn against_mass(&self, mass: f64) -> PyResult<Self> {
         let response = self.response.clone().against_mass(mass).map_err(input)?;
         Ok(Self { response, ..self.clone() })

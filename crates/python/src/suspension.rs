@@ -42,9 +42,10 @@ fn side(name: &str) -> PyResult<Side> {
 
 /// Reads a sheet (TOML), a table of hardpoints (CSV, XLSX) or a suspension file of Chrono::Vehicle (JSON).
 ///
-/// side: "left", "right" or "both". unit: "m", "cm", "mm", "in"; axes: "iso", "adams"; template: what the file does not say.
-/// wheel: (mass kg, (Ixx, Iyy, Izz) kg·m² about its centre, radius m or None). rack_mass: the rack slides and has this mass, kg. move:
-/// hardpoints of a sheet that are moved: name to (3,) m, in the sheet's own axes. Warnings and errors as load.
+/// side: "left", "right" or "both". unit: "m", "cm", "mm", "in"; axes: "iso", "adams"; template: values that the file
+/// does not state. wheel: (mass kg, (Ixx, Iyy, Izz) kg·m² about its centre, radius m or None). rack_mass: mass of a
+/// sliding rack, kg. move: hardpoints of a sheet that are moved: name to (3,) m, in the sheet's own axes. Warnings and
+/// errors as for load.
 #[pyfunction]
 #[pyo3(signature = (path, *, side=None, unit=None, axes=None, template=None, wheel=None, rack_mass=None, r#move=None))]
 #[allow(clippy::too_many_arguments, clippy::type_complexity, reason = "the options of the command")]
@@ -83,13 +84,13 @@ pub fn load_suspension(
     Model::new(py, read)
 }
 
-/// The templates of sheets: name, title.
+/// Templates of sheets: name, title.
 #[pyfunction]
 pub fn suspension_templates() -> Vec<(&'static str, &'static str)> {
     template_names()
 }
 
-/// An empty sheet of a template, to fill in: TOML text.
+/// Empty sheet of a template, to fill in: TOML text.
 #[pyfunction]
 #[pyo3(signature = (name, *, unit="mm", axes="iso"))]
 pub fn suspension_template(name: &str, unit: &str, axes: &str) -> PyResult<String> {

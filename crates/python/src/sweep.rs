@@ -1,4 +1,4 @@
-//! m̄ of one contact at many configurations: arrays in and out, the interpreter released.
+//! m̄ of one contact at many configurations, from arrays to arrays, with the interpreter released.
 
 use crate::arrays::{float64_matrix as matrix, shape};
 use crate::contact::Contact;
@@ -22,19 +22,20 @@ use std::ops::Range;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Rows of a path between two looks for Ctrl-C. Fixed, since a path that is followed in other portions differs in its last digits; by
-/// itself a row takes up to some milliseconds.
+/// Number of path rows between two checks for Ctrl-C. Fixed, because other portions change the last digits of a
+/// followed path. A single row takes up to some milliseconds.
 const PATH_PORTION: usize = 512;
-/// Configurations of the first portion, at most of one, and by how much portions grow. Between portions Ctrl-C is looked for. Rows
-/// that are answered one by one do not depend on the portions.
+/// Portion sizes in configurations: limit of the first portion, limit of all portions, and growth factor. Ctrl-C is
+/// checked between portions. Rows that are solved independently do not depend on the portions.
 const FIRST: usize = 1024;
 const LARGEST: usize = 1 << 22;
 const GROWTH: f64 = 8.0;
-/// How long a portion should take.
+/// Target duration of a portion.
 const LOOK_AFTER: Duration = Duration::from_millis(50);
-/// Configurations that a thread takes at once: at least so many; at most so many, for which positions and answers stay in its cache.
+/// Least and greatest block size of a thread, in configurations. At the greatest size, positions and results stay in
+/// the cache.
 const AT_ONCE: (usize, usize) = (256, 1 << 11);
-/// Blocks of a portion for each thread: more even out what others on the machine take.
+/// Blocks per thread and portion. Several blocks balance the load from other processes.
 const SHARES: usize = 8;
 
 /// m̄ of a contact at many configurations.
@@ -44,29 +45,29 @@ pub struct Sweep {
     /// m̄, kg; NaN unless finite; (N,).
     #[pyo3(get)]
     effective_mass: Py<PyArray1<f64>>,
-    /// What it may be off by, kg; NaN where that was not counted; (N,).
+    /// Error of m̄, kg; NaN if not computed; (N,).
     #[pyo3(get)]
     error: Py<PyArray1<f64>>,
-    /// 0 finite, 1 immovable, 2 massless, 3 no answer: the pose does not exist, or no route takes it; 4 massless to rounding only,
-    /// where the error is the largest m̄ that the contact may have; uint8, (N,).
+    /// 0 finite, 1 immovable, 2 massless, 3 no answer: the pose does not exist, or no route solves it; 4 massless to
+    /// rounding only: error is then the largest possible m̄ of the contact; uint8, (N,).
     #[pyo3(get)]
     status: Py<PyArray1<u8>>,
-    /// What the picture is headed by.
+    /// Link name in the title of the picture.
     link: String,
 }
 
-/// Status of a contact that is massless to rounding only: masses left out in sums of larger ones may be there.
+/// Status of a contact that is massless to rounding only: its mass may be hidden by the rounding of larger masses.
 const MASSLESS_TO_ROUNDING: u8 = 4;
 
-/// What is answered, by columns.
+/// Results by columns.
 struct Columns<'a> {
     masses: &'a mut [f64],
     errors: &'a mut [f64],
     codes: &'a mut [u8],
 }
 
-/// An array of zeros, of numpy's memory: it takes large ones in large pages, whose first writing costs next to nothing. By pages of
-/// 4 kB it would take as long as a third of an arm's answers.
+/// Array of zeros in numpy's memory. numpy allocates large arrays in large pages, so the first write is almost free.
+/// Pages of 4 kB would cost a third of the solution time of an arm.
 fn zeros<T: Element>(py: Python<'_>, count: usize) -> (Bound<'_, PyArray1<T>>, PyReadwriteArray1<'_, T>) {
     let array = PyArray1::zeros(py, count, false);
     (array.clone(), array.readwrite())
@@ -79,7 +80,7 @@ impl Columns<'_> {
     }
 }
 
-/// What a sweep goes over.
+/// Model and assembly of a sweep.
 fn swept(over: &Bound<'_, PyAny>) -> PyResult<(Model, Arc<Assembled>)> {
     let of_system = |system: &System| PyResult::Ok((system.model.clone(), system.reference(over.py())?));
     if let Ok(found) = over.cast::<Assembly>() {
@@ -97,20 +98,21 @@ fn swept(over: &Bound<'_, PyAny>) -> PyResult<(Model, Arc<Assembled>)> {
     }
 }
 
-/// m̄ of a contact at the rows of q, by all processors. Answers do not depend on how many there are.
+/// m̄ of a contact at the rows of q, on all processors. Results do not depend on the number of processors.
 ///
-/// model: a Model, System or Assembly. q: (N, p) float64, rad, m: the positions of all joints in the order of the file, loops
-/// closed (positions of a Pose are); mimics are not read. Any strides; a C-ordered array is read where it lies, and an F-ordered one
-/// is the fastest. Other types of numbers are converted.
+/// model: a Model, System or Assembly. q: (N, p) float64, rad, m: the positions of all joints in the order of the file,
+/// with closed loops (positions of a Pose satisfy this); mimics are not read. Any strides: a C-ordered array is read in
+/// place, and an F-ordered array is the fastest. Other numeric types are converted.
 ///
-/// joints: names of driving joints of one position each, when the columns of q are theirs: (N, len(joints)). Others are at 0 or
-/// follow; loops are closed, each row followed from the row before, on one branch. Rows that cannot be reached have no answer.
+/// joints: names of the driving joints in the columns of q, with one position each: (N, len(joints)). Other joints are
+/// at 0 or follow; loops are closed, and each row continues from the row before, on one branch. Unreachable rows have
+/// no answer.
 ///
-/// A DataFrame is matched by the names of its columns, those of joints or of Model.position_names, in any order.
+/// A DataFrame is matched by its column names, which are those of joints or of Model.position_names, in any order.
 ///
-/// base_pose: pose of the root link in the world, x, y, z (m), w, x, y, z, for normals in the world; default: the world's origin.
-/// other_assembly: rows on another assembly mode are answered too, where the branch of the first closed pose does not reach;
-/// otherwise they have no answer. Ctrl-C stops it.
+/// base_pose: pose of the root link in the world, x, y, z (m), w, x, y, z, for normals in the world; default: the
+/// world's origin. other_assembly: also solves rows on another assembly mode, beyond the reach of the branch of the
+/// first closed pose; otherwise these rows have no answer. Ctrl-C stops the sweep.
 #[pyfunction]
 #[pyo3(signature = (model, contact, q, *, joints=None, base_pose=None, other_assembly=false))]
 #[allow(clippy::too_many_arguments, reason = "the question of a sweep")]
@@ -178,7 +180,7 @@ pub fn sweep(
     })
 }
 
-/// Names, as a list or another sequence of texts; one text is none.
+/// Names from a list or another sequence of strings; a single string is refused.
 fn words(names: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
     names.extract().map_err(|_| {
         let given = names.repr().map_or_else(|_| "no text".to_owned(), |text| text.to_string());
@@ -186,7 +188,7 @@ fn words(names: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
     })
 }
 
-/// The joints of the columns, with the place of each among all positions.
+/// Joint of each column, with its index in the position vector.
 fn drivers(model: &Model, names: &[String], given: &[usize]) -> PyResult<Vec<(JointId, usize)>> {
     if given[1] != names.len() {
         return Err(input(format_args!(
@@ -196,7 +198,7 @@ fn drivers(model: &Model, names: &[String], given: &[usize]) -> PyResult<Vec<(Jo
         )));
     }
     let mechanism = &model.read.mechanism;
-    // Unknown names, mimics and joints that are named twice are refused as where they are set.
+    // `set` refuses unknown names, mimics and repeated joints.
     let mut trial = Configuration::zero(mechanism);
     let find = |name: &String| {
         let id = mechanism.find_joint(name).map_err(input)?;
@@ -214,13 +216,13 @@ fn drivers(model: &Model, names: &[String], given: &[usize]) -> PyResult<Vec<(Jo
     names.iter().map(find).collect()
 }
 
-/// Whether every number is finite. All are looked at, so that many are at once: a sum, or an end at the first, would take as long as the
-/// answers of an arm.
+/// True if every number is finite. The loop visits all entries so that it vectorizes; a sum or an early exit would take
+/// as long as solving an arm.
 fn is_finite(values: &[f64]) -> bool {
     !values.iter().fold(false, |bad, x| bad | !x.is_finite())
 }
 
-/// Names the first number of some rows that is not finite.
+/// Error that names the first nonfinite entry of some rows.
 fn refuse(q: ArrayView2<'_, f64>, rows: Range<usize>) -> PyErr {
     let places = rows.flat_map(|row| (0..q.ncols()).map(move |column| (row, column)));
     let mut bad = places.filter(|place| !q[*place].is_finite());
@@ -228,7 +230,7 @@ fn refuse(q: ArrayView2<'_, f64>, rows: Range<usize>) -> PyErr {
     input(format_args!("q[{row}, {column}] is {}; expected finite numbers", q[(row, column)]))
 }
 
-/// Portions of configurations that grow while they are quick; looks for Ctrl-C between them.
+/// Runs portions of configurations, with sizes adapted to [`LOOK_AFTER`]; checks for Ctrl-C after each.
 fn portions(
     py: Python<'_>,
     count: usize,
@@ -248,7 +250,7 @@ fn portions(
     Ok(())
 }
 
-/// Portions of a path, of [`PATH_PORTION`] rows; looks for Ctrl-C between them.
+/// Runs portions of a path, of [`PATH_PORTION`] rows; checks for Ctrl-C after each.
 fn fixed_portions(
     py: Python<'_>,
     count: usize,
@@ -261,21 +263,22 @@ fn fixed_portions(
     Ok(())
 }
 
-/// Where the rows of q stand.
+/// Layout of the rows of q.
 #[derive(Clone, Copy)]
 enum Rows<'a> {
-    /// All positions of a row, one row after another.
+    /// All positions, row by row.
     One(&'a [f64]),
-    /// All positions, one column after another.
+    /// All positions, column by column.
     Columns(&'a [f64]),
-    /// All positions, anywhere.
+    /// All positions, with any strides.
     Apart,
-    /// Some positions: where each column belongs, and what the others are.
+    /// Some positions: `places` maps each column to its position; `others` holds all positions of the zero
+    /// configuration.
     Some { places: &'a [usize], others: &'a [f64] },
 }
 
-/// Answers rows of q, block by block, all threads at once: each number is read, checked, answered and written while it is in
-/// the cache.
+/// Solves the rows of q in blocks, on all threads. Each number is read, checked, solved and written while it is in the
+/// cache.
 fn answer(
     py: Python<'_>,
     batch: &Batch,
@@ -284,7 +287,7 @@ fn answer(
     columns: Columns<'_>,
 ) -> PyResult<()> {
     let count = q.nrows();
-    // Rooms for positions that no block uses: kept from one to the next.
+    // Pool of position buffers.
     let rooms = Mutex::new(Vec::new());
     let rooms = || rooms.lock().unwrap_or_else(PoisonError::into_inner);
     let threads = rayon::current_num_threads();
@@ -301,7 +304,7 @@ fn answer(
             let Some(positions) = stand.of_block(q, own.clone(), &mut room) else {
                 return Err(Stopped::NotFinite);
             };
-            // Codes are those of finite masses already.
+            // `codes` already holds the code of finite masses.
             let other = |at: usize, answer: BatchAnswer| {
                 let rounding = answer.is_massless_to_rounding();
                 codes[at] = if rounding { MASSLESS_TO_ROUNDING } else { coded(answer.mass).1 };
@@ -317,14 +320,14 @@ fn answer(
     })
 }
 
-/// Why a block was not answered.
+/// Reason for a failed block.
 enum Stopped {
     NotFinite,
     Refused(BatchError),
 }
 
 impl<'a> Rows<'a> {
-    /// The positions of some rows; none where a number is not finite.
+    /// Positions of a range of rows; `None` if a number is not finite.
     fn of_block<'b>(
         self,
         q: ArrayView2<'_, f64>,
@@ -353,7 +356,7 @@ impl<'a> Rows<'a> {
                 q.slice(s![rows, ..]).rows().into_iter().for_each(|row| room.extend(row));
                 (&room[..], BatchPositions::Rows { values: room, stride: width })
             }
-            // By columns, the fastest.
+            // Column by column: the fastest layout.
             Rows::Some { places, others } => {
                 room.clear();
                 others.iter().for_each(|x| room.extend(std::iter::repeat_n(*x, here)));
@@ -368,7 +371,7 @@ impl<'a> Rows<'a> {
     }
 }
 
-/// All positions of every row.
+/// Solves rows with all positions.
 fn whole(py: Python<'_>, batch: &Batch, q: &PyReadonlyArray2<'_, f64>, columns: Columns<'_>) -> PyResult<()> {
     let stand = match q.as_slice() {
         Ok(values) if q.is_c_contiguous() => Rows::One(values),
@@ -378,7 +381,7 @@ fn whole(py: Python<'_>, batch: &Batch, q: &PyReadonlyArray2<'_, f64>, columns: 
     answer(py, batch, q.as_array(), stand, columns)
 }
 
-/// Some positions of every row, the others at 0, where nothing closes a loop.
+/// Solves rows with some positions and the others at 0, for mechanisms without loops.
 fn of_tree(
     py: Python<'_>,
     batch: &Batch,
@@ -394,16 +397,16 @@ fn of_tree(
     answer(py, batch, q.as_array(), Rows::Some { places: &places, others: &others }, columns)
 }
 
-/// Rows of the drivers of a linkage, each followed from the row before.
+/// Path of a linkage by its drivers; each row continues from the row before.
 struct Path<'a> {
     model: &'a Model,
     assembly: &'a Arc<Assembled>,
     contact: Resolved,
     joints: Vec<JointId>,
-    /// Where the last row that was reached stands.
+    /// Pose of the last reached row.
     stands: Posed,
     driven: Option<DrivenPath>,
-    /// True if rows on another assembly mode are answered.
+    /// True if rows on another assembly mode are solved.
     other_assembly: bool,
 }
 
@@ -441,7 +444,7 @@ impl<'a> Path<'a> {
             while done < here {
                 done += self.in_lanes(&values[done * width..], first + done, &mut columns);
                 if done < here {
-                    // No answer, unless there is one.
+                    // "No answer" until `by_itself` succeeds.
                     columns.set(first + done, None, None);
                     self.by_itself(&values[done * width..(done + 1) * width], first + done, &mut columns);
                     done += 1;
@@ -451,7 +454,7 @@ impl<'a> Path<'a> {
         })
     }
 
-    /// As many rows as the branch is beyond doubt.
+    /// Solves rows in SIMD lanes while the branch is certain. Returns their number.
     fn in_lanes(&mut self, rows: &[f64], first: usize, columns: &mut Columns<'_>) -> usize {
         let Some(driven) = &mut self.driven else { return 0 };
         let (mut answers, mut positions): (Vec<PathAnswer>, Vec<f64>) = (Vec::new(), Vec::new());
@@ -477,7 +480,7 @@ impl<'a> Path<'a> {
         reached
     }
 
-    /// One row; where it is not reached the path goes on from where it stands.
+    /// Solves one row. If the row is not reached, the path continues from the last pose.
     fn by_itself(&mut self, row: &[f64], at: usize, columns: &mut Columns<'_>) {
         let mechanism = &self.model.read.mechanism;
         let mut there = Configuration::zero(mechanism);
@@ -510,7 +513,7 @@ fn respond(pose: &Posed, contact: &Resolved, at: usize, columns: &mut Columns<'_
     }
 }
 
-/// A sweep of another process.
+/// Rebuilds a pickled sweep in another process.
 #[pyfunction]
 pub fn sweep_of_arrays(
     effective_mass: Py<PyArray1<f64>>,
@@ -527,7 +530,7 @@ impl Sweep {
         self.status.bind(py).len()
     }
 
-    /// Its arrays, for another process.
+    /// Arrays of the sweep, for pickle.
     #[allow(clippy::type_complexity, reason = "what pickle calls, and with what")]
     fn __reduce__<'py>(
         &self,
@@ -550,7 +553,7 @@ impl Sweep {
         format!("<Sweep: {} configurations, {} finite{range}>", codes.len(), finite.len())
     }
 
-    /// The picture as SVG: m̄ over the number of the row.
+    /// The picture as SVG: m̄ over the row number.
     fn to_svg(&self, py: Python<'_>) -> String {
         let masses = self.effective_mass.bind(py).readonly();
         let points = masses.as_array();

@@ -1,4 +1,5 @@
-//! Systems (a mechanism under conditions), assemblies (their loops put together), and m̄ at one configuration after another.
+//! Systems (a mechanism under conditions), assemblies (systems with closed loops), and workspaces for one configuration
+//! after another.
 
 use crate::arrays::{Numbers, list, triple};
 use crate::contact::Contact;
@@ -20,7 +21,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 use std::sync::Arc;
 
-/// A mechanism under conditions. Cannot be changed: threads may share it.
+/// Mechanism under conditions. Immutable, so that threads can share it.
 #[pyclass(frozen, module = "percuss")]
 #[derive(Clone, Debug)]
 pub struct System {
@@ -28,7 +29,7 @@ pub struct System {
     pub system: Compiled,
 }
 
-/// A system whose loops are put together. Cannot be changed: threads may share it.
+/// System with assembled loops. Immutable, so that threads can share it.
 #[pyclass(frozen, module = "percuss")]
 #[derive(Clone, Debug)]
 pub struct Assembly {
@@ -37,7 +38,7 @@ pub struct Assembly {
     pub assembly: Arc<Assembled>,
 }
 
-/// Base by its name.
+/// Parses a base name.
 pub fn base(name: &str) -> PyResult<Base> {
     match name {
         "fixed" => Ok(Base::Fixed),
@@ -46,10 +47,10 @@ pub fn base(name: &str) -> PyResult<Base> {
     }
 }
 
-/// A held point as it is given: (link, point) or (link, point, normal).
+/// Held point: (link, point) or (link, point, normal).
 pub type Held = (String, [f64; 3], Option<[f64; 3]>);
 
-/// Reads what is held.
+/// Reads a held point.
 pub fn held(hold: &Bound<'_, PyAny>) -> PyResult<Held> {
     let parts: Vec<Bound<'_, PyAny>> = hold.extract()?;
     let (link, point, normal) = match &parts[..] {
@@ -61,7 +62,7 @@ pub fn held(hold: &Bound<'_, PyAny>) -> PyResult<Held> {
     Ok((link.extract()?, triple(point, "point of hold")?, normal))
 }
 
-/// Names with numbers.
+/// Numbers by name, from a dict.
 pub fn numbers(given: Option<&Bound<'_, PyDict>>, what: &str) -> PyResult<Vec<(String, Vec<f64>)>> {
     let Some(given) = given else { return Ok(Vec::new()) };
     let one = |(name, values): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
@@ -72,7 +73,7 @@ pub fn numbers(given: Option<&Bound<'_, PyDict>>, what: &str) -> PyResult<Vec<(S
     given.iter().map(one).collect()
 }
 
-/// Names of all positions, in order: the joint's, or JOINT[0], JOINT[1], … where it has several.
+/// Names of all positions, in order: the joint's name, or JOINT[0], JOINT[1], … for a joint with several positions.
 pub fn position_names(mechanism: &Mechanism) -> Vec<String> {
     let of = |joint: &percuss::Joint| -> Vec<String> {
         match joint.kind().positions() {
@@ -83,7 +84,7 @@ pub fn position_names(mechanism: &Mechanism) -> Vec<String> {
     mechanism.joints().iter().flat_map(of).collect()
 }
 
-/// A configuration of joints by name, or of all positions.
+/// Configuration from a dict of joints or from the vector of all positions.
 pub fn configuration(
     mechanism: &Arc<Mechanism>,
     q: Option<&Bound<'_, PyAny>>,
@@ -160,12 +161,12 @@ impl System {
         Ok(Self { model: model.clone(), system })
     }
 
-    /// Every joint free, the base fixed.
+    /// System with every joint free and a fixed base.
     pub fn plain(model: &Model) -> PyResult<Self> {
         Self::new(model, "fixed", Vec::new(), None, Vec::new())
     }
 
-    /// The loops put together from all joints at 0.
+    /// Assembly of the loops from all joints at 0.
     pub fn reference(&self, py: Python<'_>) -> PyResult<Arc<Assembled>> {
         py.detach(|| self.system.reference().map(Arc::clone)).map_err(errors::assembly)
     }
@@ -185,14 +186,14 @@ impl System {
         self.system.coordinates()
     }
 
-    /// For each coordinate its joint, None for the base, and which of its velocities it is: the order of M, A, j.
+    /// Joint (None for the base) and velocity number of each coordinate, in the order of M, A, j.
     #[getter]
     fn coordinate_joints(&self) -> Vec<(Option<String>, usize)> {
         let name = |joint| self.model.read.mechanism.joint(joint).name().to_owned();
         self.system.coordinate_joints().into_iter().map(|(joint, number)| (joint.map(name), number)).collect()
     }
 
-    /// Puts the loops together: from all joints at 0, else from guesses (joint to position). Raises AssemblyError.
+    /// Assembles the loops, from all joints at 0 or from guesses (joint to position). Raises AssemblyError.
     #[pyo3(signature = (guess=None))]
     pub fn assemble(&self, py: Python<'_>, guess: Option<&Bound<'_, PyDict>>) -> PyResult<Assembly> {
         let assembly = match guess {
@@ -205,13 +206,14 @@ impl System {
         Ok(Assembly { model: self.model.clone(), system: self.system.clone(), assembly })
     }
 
-    /// The pose at a configuration, the loops closed.
+    /// The pose at a configuration, with closed loops.
     ///
-    /// q: dict of driving joints to their positions (rad, m; quaternions w, x, y, z), others at 0; or the positions of all joints, (p,):
-    /// driving joints stand where they are given, the others next to it; a pandas Series is matched by name
-    /// (Model.position_names). guess: where dependent joints are looked for. base_pose: pose of the root link in the world, x, y, z (m),
-    /// w, x, y, z; contacts with normal_frame="world" and travels refer to that world. other_assembly: accepts a pose on another
-    /// assembly mode, where the branch of the first closed pose does not reach the driving joints. Raises AssemblyError.
+    /// q: dict of driving joints to their positions (rad, m; quaternions w, x, y, z), others at 0; or the positions of
+    /// all joints, (p,): driving joints keep the given positions, dependent joints take the nearest solution; a pandas
+    /// Series is matched by name (Model.position_names). guess: initial positions in the search for dependent joints.
+    /// base_pose: pose of the root link in the world, x, y, z (m), w, x, y, z; contacts with normal_frame="world" and
+    /// travels refer to that world. other_assembly: accepts a pose on another assembly mode, beyond the reach of the
+    /// branch of the first closed pose. Raises AssemblyError.
     #[pyo3(signature = (q=None, *, guess=None, base_pose=None, other_assembly=false))]
     pub fn pose(
         &self,
@@ -265,7 +267,7 @@ impl Assembly {
         self.assembly.redundant_constraints()
     }
 
-    /// Loops and couplings on which redundant rows lie, those that cannot be separated together.
+    /// Groups of loops and couplings with redundant rows; a group cannot be separated further.
     #[getter]
     fn redundant_loops(&self) -> Vec<Vec<String>> {
         self.assembly.redundant_loops().to_vec()
@@ -278,10 +280,11 @@ impl Assembly {
         self.assembly.drivers().into_iter().map(name).collect()
     }
 
-    /// Loops and couplings that leave the joints that they bind no motion at a generic pose, whatever is locked or held, as
-    /// dicts: "loops" and "joints" (names), and "departing": in each loop whose other axes fit a motion in a plane, the one that
-    /// does not, with "closure", "joint" (None: the loop's own axis), "slides" (whether it is a slide's, which should be normal
-    /// to the direction), "angle" (rad) and "direction" that the other hinges share ((3,), root link's axes).
+    /// Loops and couplings that leave their joints no motion at a generic pose, without regard to locks and holds, as
+    /// dicts: "loops" and "joints" (names), and "departing": for each loop whose other axes fit a planar motion, the
+    /// axis that does not fit, with "closure", "joint" (None: the loop's own axis), "slides" (true for the axis of a
+    /// slide, which should be normal to the direction), "angle" (rad) and "direction", shared by the other hinges
+    /// ((3,), root link's axes).
     fn rigid_loops<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
         let name = |joint| self.model.read.mechanism.joint(joint).name();
         let departing = |axis: &DepartingAxis| {
@@ -304,9 +307,9 @@ impl Assembly {
         self.assembly.rigid_loops().into_iter().map(one).collect()
     }
 
-    /// Loops and couplings that are not closed where they are drawn (all joints at 0, or as guessed), as dicts: "constraint",
-    /// "gap" (m), "size" of its group (m), "moved" (the joint that moved most to close it, and by how much, rad or m; or None),
-    /// "is_wide": more than a hundredth of the size, which is no rounding.
+    /// Loops and couplings that are open as drawn (all joints at 0, or at the guess), as dicts: "constraint", "gap"
+    /// (m), "size" of its group (m), "moved" (the joint with the largest motion in closing, and this motion, rad or m;
+    /// or None), "is_wide": the gap exceeds a hundredth of the size, so it is not rounding.
     fn drawn_gaps<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
         let one = |gap: DrawnGap| {
             let found = PyDict::new(py);
@@ -321,7 +324,7 @@ impl Assembly {
         self.assembly.drawn_gaps().into_iter().map(one).collect()
     }
 
-    /// The pose at a configuration of this assembly; as System.pose.
+    /// The pose at a configuration of this assembly; parameters as for System.pose.
     #[pyo3(signature = (q=None, *, guess=None, base_pose=None, other_assembly=false))]
     fn pose(
         &self,
@@ -342,8 +345,8 @@ impl Assembly {
         Ok(Pose { model: self.model.clone(), system: self.system.clone(), pose })
     }
 
-    /// A contact, ready for one configuration after another. base_pose: pose of the root link in the world, for normals in the
-    /// world; as for pose.
+    /// Workspace of a contact, for one configuration after another. base_pose: pose of the root link in the world, for
+    /// normals in the world; as for pose.
     #[pyo3(signature = (contact, *, base_pose=None))]
     fn workspace(&self, contact: &Contact, base_pose: Option<&Bound<'_, PyAny>>) -> PyResult<Workspace> {
         let base = base_pose.map(root_frame).transpose()?;
@@ -362,7 +365,7 @@ impl Assembly {
     }
 }
 
-/// The contact with a normal in the world turned into the root link's axes: batches take the root link at the world's origin.
+/// Contact with a world normal converted to the root link's axes: batches place the root link at the world's origin.
 pub fn in_root_axes(contact: Resolved, base: Option<&Transform<f64>>) -> Resolved {
     let normal = match (contact.normal, base, contact.against) {
         (Direction::Along(normal, Frame::World), Some(base), _)
@@ -374,7 +377,7 @@ pub fn in_root_axes(contact: Resolved, base: Option<&Transform<f64>>) -> Resolve
     Resolved { normal, ..contact }
 }
 
-/// A contact, ready for one configuration after another. Two threads that use one at once get an error.
+/// Workspace of a contact, for one configuration after another. Concurrent use by two threads raises an error.
 #[pyclass(module = "percuss")]
 #[derive(Debug)]
 pub struct Workspace {
@@ -383,14 +386,15 @@ pub struct Workspace {
     base: Option<Transform<f64>>,
     batch: Batch,
     last: Option<EffectiveMass>,
-    /// Of the last configuration.
+    /// Positions of the last configuration.
     positions: Vec<f64>,
 }
 
 #[pymethods]
 impl Workspace {
-    /// m̄ in kg at the positions of all joints, (p,), loops closed; None unless finite: then status has the outcome. A pandas
-    /// Series is matched by name. findings has what is to be known about the last answer; Pose.respond gives more.
+    /// m̄ in kg at the positions of all joints, (p,), with closed loops; None unless finite, with the outcome in
+    /// status. A pandas Series is matched by name. findings holds the findings about the last result; Pose.respond
+    /// returns more quantities.
     fn effective_mass(&mut self, q: &Bound<'_, PyAny>) -> PyResult<Option<f64>> {
         let mut q = Numbers::of(q, "q", &[1], "one dimension: the positions of all joints")?;
         if q.labels != Labels::default() {
@@ -406,14 +410,15 @@ impl Workspace {
         Ok(if let EffectiveMass::Finite(m) = answer { Some(m) } else { None })
     }
 
-    /// Outcome of the last configuration: "finite", "immovable" or "massless"; None before the first, and after an error.
+    /// Outcome of the last configuration: "finite", "immovable" or "massless"; None before the first configuration, and
+    /// after an error.
     #[getter]
     fn status(&self) -> Option<&'static str> {
         self.last.map(status)
     }
 
-    /// Findings about the last configuration and its answer, as the command line reports them. They are found when they are read, by
-    /// Pose.respond at that configuration. None before the first, and after an error.
+    /// Findings about the last configuration and its result, as in reports of the command line. Reading this property
+    /// computes them, by Pose.respond at that configuration. None before the first configuration, and after an error.
     #[getter]
     fn findings(&self, py: Python<'_>) -> PyResult<Option<Vec<Diagnostic>>> {
         if self.last.is_none() {

@@ -1,23 +1,24 @@
-//! The threads that sweeps, maps and reports share work out to. A process that was forked, as Python's multiprocessing does on Linux, has
-//! none of those of its parent, and would wait for them for ever: it makes its own.
+//! Thread pools of sweeps, maps and reports. A forked process (Python's multiprocessing on Linux) has none of its
+//! parent's threads and would wait for them forever; it therefore starts its own pool.
 
 use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::process;
 use std::sync::{Mutex, OnceLock, PoisonError};
 
-/// The process that loaded this module: its threads are rayon's own.
+/// Id of the process that loaded this module; it uses rayon's global pool.
 static FIRST: OnceLock<u32> = OnceLock::new();
 
-/// The threads of a process that was forked from another. Never ended: those of a parent are not there to be waited for.
+/// Pool of a forked process, with the process id. Never dropped: in another fork, dropping would wait for threads that
+/// do not exist.
 static FORKED: Mutex<Option<(u32, &'static ThreadPool)>> = Mutex::new(None);
 
-/// Remembers which process this is.
+/// Records the id of the loading process.
 pub fn begin() {
     FIRST.get_or_init(process::id);
 }
 
-/// Works without the interpreter, with threads to share the work out to.
+/// Runs `work` without the interpreter, on the thread pool of this process.
 pub fn detached<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> T {
     py.detach(|| match forked() {
         None => work(),

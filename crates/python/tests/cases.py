@@ -1,4 +1,4 @@
-"""The contacts that the shipped models state, with their masses: <?percuss mass MODEL --flag … --expect KG?>."""
+"""The contacts stated in the shipped models, with their masses: <?percuss mass MODEL --flag … --expect KG?>."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class Case:
         return f"{self.path.stem}-{self.contact.link}"
 
     def pose(self) -> percuss.Pose:
-        """By the steps of the library, not by the report."""
+        """Response through the library's steps, not through the report."""
         given = self.conditions
         system = percuss.load(self.path).system(
             base=given.base, lock=list(given.lock), armature=dict(given.armature)
@@ -62,7 +62,7 @@ def parse(command: str) -> Case:
     words = [re.sub(r"^(--point|--normal)$", r"\1", word) for word in shlex.split(command)[1:]]
     joined: list[str] = []
     for word in words:
-        # argparse takes -1,0,0 for a flag.
+        # argparse would read -1,0,0 as a flag.
         if joined and joined[-1] in ("--point", "--normal"):
             joined[-1] += "=" + word
         else:

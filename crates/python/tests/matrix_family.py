@@ -1,9 +1,9 @@
-"""Random problems of matrices (M, A, j) against arithmetic of 60 digits: no stated error is exceeded.
+"""Random matrix problems (M, A, j) compared with 60-digit arithmetic: no stated error is exceeded.
 
     python matrix_family.py [--problems 100000] [--seed 1]
 
-A problem is made of exact numbers and rounded to the type of the arrays: the answer of percuss must agree with the exact one to
-within the stated error. test_matrix_family.py runs some hundred.
+A problem consists of exact numbers, rounded to the type of the arrays. The result of percuss must agree with the exact
+result within the stated error. test_matrix_family.py runs a few hundred problems.
 """
 
 # gmpy2 has no types.
@@ -27,7 +27,7 @@ gmpy2.get_context().precision = 200
 #: Arrays of gmpy2.mpfr.
 Exact = NDArray[Any]
 TYPES = {"float64": 0.7, "float32": 0.2, "float16": 0.05, "int64": 0.05}
-#: Below this part of its terms a number of the exact arithmetic is zero: 200 bits leave 1e-60.
+#: A number of the exact arithmetic below this fraction of its terms is zero: 200 bits leave 1e-60.
 ZERO = gmpy2.mpfr("1e-40")
 
 
@@ -57,7 +57,7 @@ def problem(random: np.random.Generator, number: int) -> Problem:
     def normal(*shape: int) -> Exact:
         if whole:
             return exact(random.integers(-3, 4, shape))
-        # Zeros as in Jacobians.
+        # Zeros, as in Jacobians.
         return exact(random.normal(size=shape) * (random.random(shape) < 0.8))
 
     bodies = normal(n + int(random.integers(-1, 3)), n)
@@ -65,7 +65,7 @@ def problem(random: np.random.Generator, number: int) -> Problem:
     masses[random.random(len(bodies)) < 0.15] = 0.0
     M = bodies.T @ (exact(masses)[:, None] * bodies) if len(bodies) else exact(np.zeros((n, n)))
     A = normal(int(random.integers(0, n)), n)
-    # By how much a row differs from a combination of others.
+    # Difference of a row from a combination of other rows.
     beside = 10.0 ** -random.uniform(0, {"float64": 8, "float32": 4, "float16": 1, "int64": 0}[kind])
     if len(A) > 1 and random.random() < 0.2:
         A[-1] = exact(beside) * A[-1] + normal(len(A) - 1) @ A[:-1]
@@ -86,7 +86,7 @@ def problem(random: np.random.Generator, number: int) -> Problem:
 
 
 def independent(rows: Exact) -> Exact:
-    """The rows that do not follow from those before."""
+    """Rows that are linearly independent of the rows before."""
     kept: list[Exact] = []
     reduced: list[tuple[int, Exact]] = []
     for row in rows:
@@ -153,7 +153,7 @@ def solved(problem: Problem) -> tuple[str, Any]:
 @dataclass
 class Tally:
     counts: Counter[str] = field(default_factory=Counter)
-    #: Of the finite answers: true error over stated error, and stated over true.
+    #: Finite results only: true error over stated error, and stated error over true error.
     worst: dict[str, float] = field(default_factory=dict)
     ratios: dict[str, list[float]] = field(default_factory=dict)
     failures: list[str] = field(default_factory=list)
@@ -187,13 +187,14 @@ class Tally:
                 if off > found.error:
                     self.failures.append(f"{name}: {found.effective_mass} ± {found.error:.2e}, truly {float(truth)}")
         elif outcome == "finite" and found.status == "massless":
-            # Lost in the rounding of M: less than what is reported, or than 1e-9 of the greatest mass, which is not.
+            # Mass lost in the rounding of M: below the reported limit, or below 1e-9 of the greatest mass, which is not
+            # reported.
             limits = [float(r.split("up to ")[1].split(" ")[0]) for r in found.remarks if "up to" in r]
             most = max([*limits, 1e-9 * float(np.max(np.diag(M).astype(float)))])
             if truth > 1.05 * most:
                 self.failures.append(f"{name}: massless up to {most}, truly {float(truth)}")
         elif outcome == "massless" and found.status == "finite":
-            # A positive energy that is rounding.
+            # A positive energy at rounding level.
             if found.error is not None and found.error < found.effective_mass:  # type: ignore[operator]
                 self.failures.append(f"{name}: {found.effective_mass} ± {found.error:.2e}, truly massless")
         elif outcome != found.status:

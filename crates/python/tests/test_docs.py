@@ -1,4 +1,4 @@
-"""The Python of docs/PYTHON.md runs, block after block, and so do the examples and the notebook."""
+"""The Python blocks of docs/PYTHON.md run in order; the examples and the notebook run too."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def test_the_notebook(tmp_path: Path) -> None:
     client.execute()
     shown = [output for cell in notebook.cells for output in cell.get("outputs", [])]
     pages = [output["data"]["text/html"] for output in shown if "text/html" in output.get("data", {})]
-    # The curve of the motion, the surface of the map; tables of the reports.
+    # Pictures: the curve of the motion and the surface of the map. Tables: the reports.
     assert sum("<svg" in page for page in pages) == 2, len(pages)
     assert sum("<table" in page for page in pages) == 3
     printed = "".join(output["text"] for output in shown if output["output_type"] == "stream")

@@ -1,4 +1,4 @@
-"""docs/PYTHON_NAMES.md: everything public of the Rust façade has a name in Python, or the reason why not."""
+"""docs/PYTHON_NAMES.md lists every public item of the Rust façade, with its Python name or the reason for omission."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from cases import ROOT
 import percuss
 
 PAGE = ROOT / "docs/PYTHON_NAMES.md"
-#: Sections of the page, and the files whose public names they have.
+#: Sections of the page, and the source files of their public names.
 SECTIONS = {
     "percuss": "crates/percuss/src/lib.rs",
     "percuss::study": "crates/study/src/lib.rs",
@@ -21,11 +21,11 @@ SECTIONS = {
 
 
 def public_names(path: Path) -> set[str]:
-    """Names that a file re-exports or declares for all."""
+    """Names that a file re-exports or declares in public."""
     text = re.sub(r"//.*", "", path.read_text())
     found: set[str] = set()
     for used in re.findall(r"^pub use ([^;]+);", text, flags=re.M):
-        # a::b::{C, d as e}: what stands last in each.
+        # a::b::{C, d as e}: the last name of each path.
         inside = re.sub(r"^.*\{|\}$", "", used.strip(), flags=re.S) if "{" in used else used
         for item in filter(None, (part.strip() for part in inside.split(","))):
             found.add(re.split(r"::|\s+as\s+", item)[-1])
@@ -34,7 +34,7 @@ def public_names(path: Path) -> set[str]:
 
 
 def rows() -> dict[str, list[tuple[list[str], str]]]:
-    """Of each section: names in Rust, and the cell beside them."""
+    """For each section: names in Rust, and the next cell."""
     found: dict[str, list[tuple[list[str], str]]] = {}
     section = ""
     for line in PAGE.read_text().splitlines():
@@ -75,7 +75,7 @@ def test_the_names_of_python_are_there(names: list[str], cell: str) -> None:
 
 
 def test_everything_of_python_stands_on_the_page() -> None:
-    """The other way round: what the package exports is somebody's."""
+    """The reverse: every export of the package is on a documentation page."""
     text = PAGE.read_text() + (ROOT / "docs/PYTHON.md").read_text()
     for name in percuss.__all__:
         assert re.search(rf"\b{name}\b", text), f"{name} stands on neither page"

@@ -1,4 +1,4 @@
-"""One list of input rules for every entry point: numbers that break a rule are refused, labels are matched by name."""
+"""One list of input rules for every entry point: invalid numbers are refused, labels are matched by name."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ ON_BALL = percuss.Contact("body", [0.3, 0.1, 0.5], [1, 2, 0])
 
 
 def finite(value: Any) -> float:
-    """The first number of an answer, an error if there is none."""
+    """The first number of a result; fails if the result has no number."""
     if isinstance(value, percuss.Sweep):
         assert (value.status != percuss.NO_ANSWER).all()
         return float(value.effective_mass[0])
@@ -46,11 +46,11 @@ def finite(value: Any) -> float:
 
 @dataclass
 class Entry:
-    """What takes numbers: called with good ones it answers."""
+    """Entry point with an argument of numbers, and a valid value of this argument."""
 
     call: Callable[[Any], Any]
     good: Any
-    #: Names along the last axis; None where labels have no meaning.
+    #: Names along the last axis; None if labels have no meaning.
     names: list[str] | None = None
 
 
@@ -123,7 +123,7 @@ ENTRIES: Mapping[str, Entry] = {
 
 
 def one(good: Any, value: Any) -> Any:
-    """With one number replaced: the last one."""
+    """The array with its last number replaced."""
     array = np.array(good, dtype=object if isinstance(value, str) else None)
     array = array.astype(complex) if isinstance(value, complex) else array
     array.reshape(-1)[-1] = value
@@ -152,9 +152,9 @@ RULES: Mapping[str, Callable[[Any], Any]] = {
     "a dict in a list": lambda good: [{}],
 }
 
-#: Rules that mean something else at an entry point.
+#: Rules with another meaning at an entry point.
 MEANT = {
-    # A table of a row more is a row of constraints more.
+    # A table with an extra row has an extra constraint.
     ("effective_mass, A", "nothing"),
 }
 CASES = [(e, r) for e in ENTRIES for r in RULES if (e, r) not in MEANT]
@@ -230,7 +230,7 @@ def test_the_accuracy_follows_from_the_type() -> None:
     found = percuss.effective_mass(*single)
     assert found.rank["rank"] == 1 and found.effective_mass is not None and found.error is not None
     assert abs(found.effective_mass - 3) <= found.error and 1e-8 < found.error < 1e-4
-    # Types are those of each array, of tables those of their columns.
+    # Each array has its own type; a table has the types of its columns.
     of_rows = percuss.effective_mass(mass, j, pd.DataFrame(rows.astype(np.float32)))
     assert of_rows.rank["rank"] == 1
     assert percuss.effective_mass(*single, accuracy=1e-16).status == "immovable"
@@ -252,7 +252,7 @@ def test_rows_in_any_unit() -> None:
     assert without.effective_mass == pytest.approx(2) and without.rank["small_rows"] == []
 
 
-#: The rules that `dynamics` has for rows of positions.
+#: Rules of `dynamics` for rows of positions.
 ROWS: Mapping[str, Callable[[percuss.Model, percuss.Contact, np.ndarray], Any]] = {
     "workspace": lambda model, contact, q: model.assemble().workspace(contact).effective_mass(q),
     "sweep": lambda model, contact, q: percuss.sweep(model, contact, [q]),
@@ -302,7 +302,7 @@ def test_one_world_for_all() -> None:
     assert swept.effective_mass[0] == pytest.approx(response.effective_mass, rel=1e-12)
     named = percuss.sweep(ARM, WORLD, [Q], joints=JOINTS, base_pose=BASE)
     assert named.effective_mass[0] == pytest.approx(response.effective_mass, rel=1e-12)
-    # What has the root link's axes says which: mixed with the world's it gave other masses.
+    # The frame of root-link vectors is explicit: mixed with world vectors, the masses were different.
     root = moved.link_frame("tool", frame="root")
     world = moved.link_frame("tool", frame="world")
     assert np.allclose(root, ARM.pose(Q).link_frame("tool"), atol=1e-15)

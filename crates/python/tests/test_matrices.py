@@ -1,4 +1,4 @@
-"""m̄ from matrices of a solver of one's own."""
+"""m̄ from the matrices of an external solver."""
 
 from __future__ import annotations
 
@@ -85,12 +85,12 @@ def test_batches() -> None:
 
 
 def test_lengths_decide_what_is_zero() -> None:
-    # A turn in which a millimetre-sized part moves: as it is, the row is below the floor.
+    # Rotation of a millimetre-sized part: with the default lengths, the row is below the floor.
     A = np.array([[1.0, 0.0, 0.0], [0.0, 1e-11, 0.0]])
     M, j = np.eye(3), np.array([0.0, 1.0, 1.0])
     joined = np.array([[1.0, 1.0, 0.0], [1.0, 1.0 + 1e-11, 0.0]])
     assert percuss.effective_mass(M, j, joined).rank["rank"] == 1
-    # Rows that share no coordinate are decided by themselves.
+    # Rows without a common coordinate are decided separately.
     assert percuss.effective_mass(M, j, A).rank["rank"] == 2
     skew = np.array([[1.0, 1e-12, 0.0], [1.0, -1e-12, 0.0]])
     assert percuss.effective_mass(M, j, skew).rank["rank"] == 1

@@ -1,4 +1,4 @@
-"""The short form of the family of matrices; the long one: python tests/matrix_family.py."""
+"""Short run of the matrix family; long run: python tests/matrix_family.py."""
 
 from __future__ import annotations
 
@@ -11,6 +11,6 @@ def test_no_stated_error_is_exceeded() -> None:
     assert sum(tally.counts.values()) == 1000
     finite = sum(count for what, count in tally.counts.items() if "finite as finite" in what)
     unclear = sum(count for what, count in tally.counts.items() if "unclear" in what)
-    # A family that is refused proves nothing.
+    # A family with refused problems proves nothing.
     assert finite > 500 and unclear < 100, tally.report()
     assert all(tally.median(kind) < 1e4 for kind in tally.ratios), tally.report()

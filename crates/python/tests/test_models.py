@@ -1,4 +1,4 @@
-"""Load, pose, respond, on every contact that the shipped models state."""
+"""Load, pose, respond, for every contact stated in the shipped models."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ def test_the_matrices_of_a_pose_have_its_mass(case: Case) -> None:
 
 @pytest.mark.parametrize("case", CASES[::4], ids=str)
 def test_the_command_says_the_same(case: Case) -> None:
-    # Without the mass that is expected, and its tolerance.
+    # Without the expected mass and its tolerance.
     words = case.command[: case.command.index("--expect")]
     ran = command(*words, "--format", "json")
     assert ran.returncode == 0, ran.stderr

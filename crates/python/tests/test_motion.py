@@ -1,4 +1,4 @@
-"""What a pose answers besides one contact: many contacts of a link, travels, rates, accelerations; and what a model changes."""
+"""Other pose methods than respond: contact maps, travels, rates, accelerations; and changes of a model."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def test_a_map_answers_as_contacts_do(case: Case) -> None:
             assert np.isnan(masses[at]) and np.isnan(errors[at])
         else:
             assert response.error is not None
-            # Both state what they may be off by; to first order, hence the last term.
+            # Both results state an error; the last term covers second order.
             allowed = errors[at] + response.error + 1e-13 * response.effective_mass
             assert abs(masses[at] - response.effective_mass) <= allowed
     again = pose.contact_map(case.contact.link, np.asfortranarray(points), normals.tolist(), against=against)
@@ -48,7 +48,7 @@ def test_principal_masses_bound_all_directions() -> None:
     normals = np.random.default_rng(0).normal(size=(500, 3))
     found, _, _ = pose.contact_map("tool", np.tile([0.08, 0, 0], (500, 1)), normals)
     assert masses[0] * (1 - 1e-9) <= found.min() and found.max() <= masses[2] * (1 + 1e-9)  # type: ignore[operator]
-    # 1/m̄ is a quadratic form of the direction, its axes are these.
+    # 1/m̄ is a quadratic form of the direction, with the principal directions as axes.
     unit = normals / np.linalg.norm(normals, axis=1)[:, None]
     form = ((unit @ axes.T) ** 2 / np.array(masses, dtype=float)).sum(axis=1)
     assert 1 / found == pytest.approx(form, rel=1e-9)
@@ -97,7 +97,7 @@ def test_travels(name: str, link: str, direction: list[float], distance: float) 
     assert travel.direction == pytest.approx(direction) and travel.point == pytest.approx([0.05, 0.1, 0.02])
     driver = travel.driver(start)
     moved = travel.pose(start, distance, driver=driver)
-    # By Newton's method, to 1e-12 of the mechanism's size.
+    # Newton's method, to 1e-12 of the mechanism's size.
     assert travel.displacement(moved) == pytest.approx(distance, abs=1e-10)
     frames = [pose.link_frame(link) @ [0.05, 0.1, 0.02, 1] for pose in (start, moved)]
     assert (frames[1] - frames[0])[:3] @ direction == pytest.approx(distance, abs=1e-10)
@@ -192,7 +192,7 @@ def test_accelerations() -> None:
         jacobian = pose.point_jacobian("tool", point)
         assert pose.mass_matrix() @ rates == pytest.approx(jacobian.T @ force, rel=1e-8, abs=1e-10)
         assert found.point("tool", point) == pytest.approx(jacobian @ rates, rel=1e-9)
-    # A free body falls, and a force on it does what force over mass does to its centre.
+    # A free body falls; a force accelerates its centre of mass by force over mass.
     free = pendulum.system(base="floating", lock=["hinge"]).pose()
     falling = free.accelerations(gravity=[0, 0, -9.81], forces=[("body", [0, 0, -0.4], [6.0, 0, 0])])
     assert falling.point("body", [0, 0, -0.4]) == pytest.approx([2.0, 0, -9.81], rel=1e-9)
@@ -217,7 +217,7 @@ def test_rigid_loops_and_gaps_as_drawn() -> None:
     four_bar = percuss.load(ROOT / "models/four_bar.urdf").assemble()
     assert four_bar.rigid_loops() == []
     assert four_bar.drawn_gaps() == []
-    # The pin of the coupler 4 mm beside that of the rocker.
+    # The pin of the coupler is 4 mm from the pin of the rocker.
     text = (ROOT / "models/four_bar.urdf").read_text().replace("0.4 0.3 0", "0.404 0.3 0", 1)
     (gap,) = percuss.loads(text).assemble().drawn_gaps()
     assert gap["constraint"] == "rocker_pin" and not gap["is_wide"]

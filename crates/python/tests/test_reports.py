@@ -1,4 +1,4 @@
-"""The reports of the command line: the same keys, the same numbers."""
+"""Reports of the package and of the command line have the same keys and numbers."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def printed(*arguments: str) -> dict[str, object]:
 
 
 def without_paths(report: dict[str, object]) -> dict[str, object]:
-    """Files are named as they were given."""
+    """The report without file names, which depend on the given path."""
     return {key: value for key, value in report.items() if key not in ("inputs", "diagnostics")}
 
 
@@ -99,7 +99,7 @@ def test_maps() -> None:
 
 def test_dampers() -> None:
     damping = percuss.Damping(0.5, 1e5, speed=0.4)
-    # The command takes a mass alone for that of a body without loops.
+    # The command assumes a body without loops for a mass alone.
     report = percuss.damp(2.281, percuss.Damping(0.5, 1e5, speed=0.4, tools=["all"], closed_loops=False))
     assert percuss.damp(2.281, damping).exports == {}
     assert without_paths(report) == without_paths(

@@ -24,7 +24,7 @@ PLAIN = [c for c in CASES if not c.conditions.lock and c.conditions.against_mass
 
 
 def poses(case: Case, count: int = 40) -> NDArray[np.float64]:
-    """Closed configurations around the one stated."""
+    """Closed configurations near the stated configuration."""
     pose = case.pose()
     assembly = percuss.load(case.path).assemble()
     random, rows = np.random.default_rng(1), []
@@ -214,7 +214,7 @@ def test_a_sweep_comes_from_another_process() -> None:
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="processes are not forked on Windows")
 def test_forked_processes_have_threads_of_their_own() -> None:
-    # A forked process has none of the threads of its parent: it would wait for them for ever.
+    # A forked process has none of the threads of its parent and would wait for them forever.
     program = textwrap.dedent(f"""
         import multiprocessing, numpy as np, percuss
         model = percuss.load({str(ROOT / "models/six_r_arm.urdf")!r})
@@ -232,7 +232,7 @@ def test_forked_processes_have_threads_of_their_own() -> None:
                     assert np.array_equal(there[0].effective_mass, here[0].effective_mass) and there[1:] == here[1:]
         print("all answered")
     """)
-    # Well above the seconds that it takes; a process that waits for threads never ends.
+    # Well above the required seconds; a process that waits for threads never ends.
     ran = subprocess.run(
         [sys.executable, "-W", "ignore", "-c", program], capture_output=True, text=True, timeout=300
     )
@@ -260,7 +260,7 @@ def test_other_threads_run_meanwhile() -> None:
     elapsed, after = time.perf_counter() - begun, counted
     over = True
     thread.join()
-    # Portions are of 50 ms and more: with the interpreter held, one turn each.
+    # Portions last 50 ms or more: with the interpreter held, one turn each.
     assert after - before > elapsed / 0.02, (after - before, elapsed)
 
 

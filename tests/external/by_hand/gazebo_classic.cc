@@ -1,8 +1,9 @@
-// Impacts in Gazebo Classic 11: a world file with models "struck0", "struck1", …, whose links "link" strike something.
+// Impacts in Gazebo Classic 11: a world file with models "struck0", "struck1", …, whose links "link" hit an obstacle.
 //
 //   gazebo_classic WORLD ITERATIONS SPEED LEVER GAP..
-//   Each link's point (LEVER, 0, 0) touches when it is GAP below its first place; it moves down at SPEED, turning about the link's
-//   origin where LEVER is not 0. For each a line: speed of rebound over SPEED, deepest penetration.
+//   Each link's point (LEVER, 0, 0) touches when it is GAP below its initial position; it moves down at SPEED, and
+//   rotates about the link's origin if LEVER is not 0. Output: a line per link with rebound speed over SPEED, deepest
+//   penetration.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

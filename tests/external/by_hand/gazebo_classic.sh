@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Gazebo Classic 11 with percuss's parameters. It is not in Debian 12; this takes Debian 11's into a root of its own
-# (debootstrap, 2.5 GB, about 10 minutes the first time), and needs to be root.
-#   gazebo_classic.sh PERCUSS [FOLDER]        PERCUSS: the program; FOLDER: where the root is, or is to be made
+# Gazebo Classic 11 with percuss's parameters. Debian 12 does not contain it; this script installs Debian 11's package
+# into a separate root (debootstrap, 2.5 GB, about 10 minutes the first time), and must run as root.
+#   gazebo_classic.sh PERCUSS [FOLDER]        PERCUSS: the program; FOLDER: the separate root, created if missing
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 percuss=$(realpath "$1")

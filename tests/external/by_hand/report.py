@@ -1,9 +1,9 @@
-"""Reports as a browser shows them: nothing is fetched, nothing is said on the console, every picture is there, the numbers are right.
+"""Reports in a browser: no network access, no console messages, all pictures present, correct numbers.
 
     python3 tests/external/by_hand/report.py PERCUSS [CHROMIUM]
 
-Debian's package chromium. Every study of models/, and one of each model by percuss init, is reported and opened without a screen; a page
-on A4 is printed too. Takes some 5 s a report.
+Needs Debian's package chromium. Every study of models/, and an initial study of each model by percuss init, is reported
+and opened headless; each page is also printed on A4. Takes about 5 s per report.
 """
 
 import json
@@ -17,7 +17,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 FLAGS = """--headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking --disable-component-update
 --disable-sync --disable-extensions --enable-logging=stderr --virtual-time-budget=4000""".split()
-# Added to a copy of the page, which may run a script: says how many pictures there are and how many were drawn.
+# Added to a copy of the page, in which scripts may run: counts the pictures and the drawn pictures.
 COUNT = """<script>addEventListener('load', () => { const all = [...document.images];
 document.title = 'pictures ' + all.length + ' drawn ' + all.filter(i => i.complete && i.naturalWidth > 100).length; })</script>"""
 
@@ -40,7 +40,7 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         shutil.copytree(ROOT / "models", folder / "models")
-        # What the browser itself asks for, whatever page it shows.
+        # Requests of the browser itself, independent of the page.
         empty = folder / "empty.html"
         empty.write_text("<!DOCTYPE html><title>empty</title><p>empty</p>")
         _, own, _ = opened(chromium, folder, empty, "--dump-dom")

@@ -1,10 +1,10 @@
-"""Whether simulators bounce as asked with the parameters that `percuss damp` writes for them.
+"""Checks the restitution of simulators with the parameters of `percuss damp`.
 
     check.py --percuss PATH     prints tables and `N passed, N failed`
 
-A ball and pendulums in MuJoCo and Drake, a four-bar and a double wishbone on its bump stop in MuJoCo. Each is run with the
-parameters that percuss exports, at the time step it recommends; and beside that with the struck body's own mass in place of the
-effective mass, to show what that does. Run from the repository's root, with tests/external on PYTHONPATH."""
+A ball and pendulums in MuJoCo and Drake, a four-bar and a double wishbone on its bump stop in MuJoCo. Each runs with
+the exported parameters at the recommended time step, and, for comparison, with the contact body's own mass instead
+of the effective mass. Run from the repository's root, with tests/external on PYTHONPATH."""
 
 import argparse
 import dataclasses
@@ -24,20 +24,21 @@ from scenes import Pendulum
 from tally import Tally
 
 RESTITUTIONS = (0.2, 0.5, 0.8)
-# The error that percuss promises at its time step.
+# Error limit guaranteed by percuss at its time step.
 RESTITUTION = 1e-3
-# Of the penetration, relative: it is looked at once a step.
+# Relative tolerance of the penetration, which is sampled once per step.
 DEPTH = 5e-3
-# Of the effective mass over the penetration, so that one number is good enough; and between percuss's and MuJoCo's.
+# Limits: relative change of the effective mass over the penetration, small enough for a single number; and its
+# difference between percuss and MuJoCo.
 DRIFT, DRIFT_AGREEMENT = 1e-3, 2e-6
-# Of the effective mass by MuJoCo's matrices; of α = Â m̄.
+# Relative tolerances: effective mass by MuJoCo's matrices; α = Â m̄.
 MASS, ALPHA = 1e-9, 1e-6
-# Of what percuss says that a damper for the wrong mass does.
+# Relative tolerance of percuss's prediction for a damper with the wrong mass.
 STATED = 1e-9
-# Of an impact with wrong numbers about what it should then do: the time step is not made for it.
+# Tolerance of an impact with wrong numbers compared with its prediction: the time step is not designed for it.
 WRONG = 0.01
 
-# In MuJoCo each contact is run in these other ways too. With closed loops implicitfast needs half the step.
+# Other settings for each contact in MuJoCo. With closed loops, implicitfast needs half the step.
 OTHERWISE = {
     "implicitfast": lambda p: {
         "integrator": "implicitfast",
@@ -62,8 +63,8 @@ BUMP_STOP = Contact(
 )
 
 
-# Joints that run into their limits: scene, model, any link, joint, stiffness (N·m/rad or N/m), speed, position, conditions. The linkages so slow that
-# the inertia hardly changes.
+# Joints that run into their limits: scene, model, any link, joint, stiffness (N·m/rad or N/m), speed, position,
+# conditions. The linkages are so slow that their inertia hardly changes.
 STOPS = (
     ("stop of an elbow", "models/planar_2r.urdf", "outer", "elbow", 1e4, 1e-2, "elbow=1.0", "--armature", "elbow=0.4", "--armature", "shoulder=0"),
     ("stop of a crank", "models/four_bar.urdf", "coupler", "crank_hinge", 1e4, 2e-3, "crank_hinge=1.0"),
@@ -74,7 +75,7 @@ STOPS = (
 
 @dataclasses.dataclass
 class Row:
-    """A line of the printed table: restitution and penetration as measured, the latter over what percuss states; likewise
+    """A line of the printed table: measured restitution, and measured penetration relative to percuss's; the same
     with the wrong parameters."""
 
     tool: str
@@ -95,27 +96,27 @@ class Row:
 class Check:
     def __init__(self, percuss):
         self.percuss, self.tally, self.rows = percuss, Tally(), []
-        # What could not be read for want of a program.
+        # Missing programs of unread snippets.
         self.absents = set()
 
     def right(self, tool, scene, report, outcome, linear=True):
-        """An impact with percuss's parameters."""
+        """Records an impact with percuss's parameters."""
         e, where = report["restitution"], f"{scene}, e = {report['restitution']}"
         depth = outcome.depth / report["max_penetration"]
         self.tally.within(f"restitution: {tool}", where, outcome.error(e), RESTITUTION)
-        # What the export says was measured, where it names this solver.
+        # Compares the export's `measured` values for this solver.
         program, solver = (tool.split(" ", 1) + ["Euler"])[:2]
         for known in report["exports"][program.lower()]["measured"]:
             if known["solver"] == solver and known["engine"].startswith(program):
                 limit = known["worst"][RESTITUTIONS.index(e)]
                 self.tally.within(f"as measured before: {tool}", where, outcome.error(e) / limit, 1.0)
-        if linear:  # percuss states the penetration of the law it was asked for
+        if linear:  # percuss states the penetration of the requested law
             self.tally.within(f"penetration: {tool}", where, abs(depth - 1), DEPTH)
         self.rows.append(Row(tool, scene, e, outcome.mean, outcome.error(e), depth))
         return self.rows[-1]
 
     def wrong(self, row, name, report, outcome, foreseen=None):
-        """An impact with wrong parameters; restitution and penetration as they follow from the law."""
+        """Records an impact with wrong parameters; the law predicts restitution and penetration."""
         row.wrong[name] = outcome.mean, outcome.depth / report["max_penetration"]
         if foreseen:
             where, (e, depth) = f"{row.tool}, {row.scene}, e = {row.restitution}", foreseen
@@ -126,15 +127,15 @@ class Check:
         return damp(self.percuss, contact, e, *more)
 
     def mujoco(self, scene, report, impact):
-        """`impact(parameters)` gives the outcome."""
+        """`impact(parameters)` returns the outcome."""
         given = parameters(report, "mujoco")
         for name, change in OTHERWISE.items():
             self.right(f"MuJoCo {name}", scene, report, impact(given | change(given)))
         return self.right("MuJoCo", scene, report, impact(given))
 
     def wrong_in_mujoco(self, row, contact, report, alone, impact):
-        """Everything computed for the struck body's own mass; the contact's k and c over that mass; k and c as they are; and,
-        where loops are closed, MuJoCo's own settings of the equality constraints."""
+        """Impacts with the contact body's own mass in all computations; with the contact's k and c over that mass;
+        with k and c directly; and, for closed loops, with MuJoCo's default settings of the equality constraints."""
         given, own = parameters(report, "mujoco"), report["body_alone"]["mass"]
         k, c = contact.stiffness, report["damping"]
         for name, solref in (
@@ -142,7 +143,7 @@ class Check:
             ("k, c over own mass", [-k / own, -c / own]),
             ("k, c undivided", [-k, -c]),
         ):
-            # As many steps to a period as with the right stiffness.
+            # The same number of steps per period as with the right stiffness.
             step = given["timestep"] * (given["solref"][0] / solref[0]) ** 0.5
             outcome = impact(given | {"solref": solref, "timestep": step})
             self.wrong(row, name, report, outcome, linear_impact(-solref[0], -solref[1], contact.speed))
@@ -151,7 +152,7 @@ class Check:
             self.wrong(row, "loops at default", report, impact(loose))
 
     def alone(self, contact, report):
-        """What percuss would say of the struck body's own mass; None where that is the effective mass."""
+        """percuss's prediction for the contact body's own mass; None if this equals the effective mass."""
         own, mass = report["body_alone"], report["effective_mass"]
         if abs(own["mass"] / mass - 1) < MASS:
             return None
@@ -184,13 +185,14 @@ class Check:
             for mode in drake_scenes.MODES:
                 row = self.right(f"Drake {mode}", scene, report, impact(report, mode), linear=mode == "sap")
                 if alone:
-                    # SAP integrates k and c as they are; the other plants' numbers do not depend on a mass.
+                    # SAP integrates k and c directly; the numbers of the other plants do not depend on a mass.
                     mass = report["effective_mass"]
                     foreseen = linear_impact(contact.stiffness / mass, alone["damping"] / mass, contact.speed)
                     self.wrong(row, "own mass", report, impact(alone, mode), foreseen if mode == "sap" else None)
 
     def mechanism(self, scene, contact):
-        """A model's contact in MuJoCo. Gives percuss's report for each restitution, and what it says of the own mass."""
+        """A model's contact in MuJoCo. Returns percuss's report for each restitution, and its prediction for the own
+        mass."""
         _, path, *flags = contact.flags
         theirs = mujoco_scenes.Mechanism(path, answer(self.percuss, "mass", path, *flags))
         mass = theirs.effective_mass(theirs.pose)
@@ -199,7 +201,7 @@ class Check:
             report = self.damp(contact, e)
             given, ours = parameters(report, "mujoco"), report["effective_mass"]
             self.tally.within("effective mass by MuJoCo's matrices", where, abs(ours / mass - 1), MASS)
-            # The direct solref is that of an exact diagonal times d + (1 − d)α, d the impedance.
+            # The direct solref is the solref of an exact diagonal times d + (1 − d)α, with the impedance d.
             d = given["solimp"][0]
             alpha = (-given["solref"][0] * ours / contact.stiffness - d) / (1 - d)
             their_alpha = theirs.inverse_diagonal() * mass
@@ -210,7 +212,7 @@ class Check:
             if alone:
                 self.wrong_in_mujoco(row, contact, report, alone, lambda p: theirs.impact(p, contact.speed)[0])
 
-            # The plane's normal stays; that of the contact asked for may turn with the mechanism.
+            # The plane's normal is fixed; the normal of the contact in the report may turn with the mechanism.
             drift = report["drift"]["over_penetration"]
             on_plane = self.damp(contact.along(theirs.normal), e)["drift"]["over_penetration"]
             their_drift = theirs.effective_mass(theirs.impact(given, contact.speed)[1]) / mass - 1
@@ -228,7 +230,7 @@ class Check:
         """Joints that run into their limits."""
         for scene, path, link, joint, stiffness, speed, *conditions in STOPS:
             with_pose = ("--set", *conditions)
-            # Any contact gives the pose.
+            # Any contact, to get the pose.
             pose = answer(self.percuss, "mass", path, "--link", link, "--point", "0,0,0", "--normal", "1,0,0", *with_pose)
             theirs = mujoco_scenes.LimitedJoint(path, pose, joint)
             contact = Contact(("--mass-from", path, "--limit", joint, *with_pose), stiffness, speed)
@@ -270,7 +272,7 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--percuss", required=True)
     started = time.monotonic()
-    # The exports' `measured` is compared whatever the version is.
+    # The exports' `measured` values are compared for any version.
     print("with " + ", ".join(f"{name} {importlib.metadata.version(name)}" for name in ("mujoco", "drake")), flush=True)
     check = Check(parser.parse_args().percuss)
     check.snippets()

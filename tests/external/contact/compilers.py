@@ -1,8 +1,9 @@
-"""What is to paste, given to compilers and readers that may not be on this machine: Jolt's and PhysX's C++ to a compiler with their
-headers, MATLAB to Octave, SDF to the SDFormat program. Each reader raises Absent where its program is not there.
+"""Tests the exported snippets with compilers and readers, if installed: Jolt's and PhysX's C++ with a compiler and
+their headers, MATLAB with Octave, SDF with the SDFormat program. Each reader raises Absent if its program is
+missing.
 
-The headers are those of the packages that `headers/Cargo.toml` names (`cargo fetch` brings them), or lie where PERCUSS_PHYSX_HEADERS
-and PERCUSS_JOLT_HEADERS say."""
+The headers are those of the packages in `headers/Cargo.toml` (fetched by `cargo fetch`), or are in
+PERCUSS_PHYSX_HEADERS and PERCUSS_JOLT_HEADERS."""
 
 import functools
 import json
@@ -50,7 +51,7 @@ def needs(program, install):
 
 @functools.cache
 def headers():
-    """{package: its folder} of what cargo has fetched."""
+    """{package: its folder} of the packages fetched by cargo."""
     needs("cargo", "cargo")
     host = re.search("host: (.*)", output("rustc", "-vV"))[1]
     words = ("--offline", "--locked", "--format-version", "1", "--filter-platform", host, "--manifest-path", MANIFEST)
@@ -61,7 +62,7 @@ def headers():
     return {package["name"]: Path(package["manifest_path"]).parent for package in found["packages"]}
 
 
-# Compiled already, without their numbers: what differs in numbers alone is compiled once.
+# Compiled snippets without their numbers: snippets that differ only in numbers are compiled once.
 _compiled = set()
 
 
@@ -78,7 +79,7 @@ def compiles(text, frame, variable, package, *folders):
 
 
 def of(pattern, text):
-    """The number behind a pattern."""
+    """The number that follows a pattern."""
     return float(re.search(pattern + f"({NUMBER})", text)[1])
 
 
@@ -93,7 +94,7 @@ def physx(text, parameters):
 
 
 def physx_stop(text, parameters):
-    """For the joint that the text says it is for."""
+    """Checks the numbers for the joint named in the text."""
     spring = [float(number) for number in re.search(rf"PxSpring\(({NUMBER})f, ({NUMBER})f\)", text).groups()]
     assert spring == [parameters["limit_stiffness"], parameters["limit_damping"]], spring
     assert of(r"simulate\(", text) == parameters["dt"]
@@ -109,7 +110,7 @@ def jolt(text, parameters):
 
 
 def matlab(text, parameters):
-    """Octave runs it; what Simulink would be set to is printed."""
+    """Runs the snippet in Octave; prints the settings for Simulink."""
     needs("octave-cli", "octave (packages.sh --with-octave)")
     test = (
         "gcs = 'model';\nfunction set_param(model, varargin)\n  printf('%s\\n', varargin{:});\nend\n"
@@ -133,8 +134,8 @@ def specification(version):
 
 
 def sdf(text, parameters):
-    """The SDFormat program takes it, and every element of it is in the specification of the version that it states: elements unknown
-    there are taken without a word."""
+    """The SDFormat program accepts the text, and every element is in the specification of its stated version: the
+    program silently accepts unknown elements."""
     needs("ign", "ignition-tools and libsdformat-dev (packages.sh)")
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "pasted.sdf"

@@ -1,8 +1,9 @@
-"""Impacts in Drake. `parameters` in Drake's own names, as percuss writes them, the same for both geometries of the pair:
-"point_contact_stiffness", "hunt_crossley_dissipation", "relaxation_time"; and of the plant: "integration_scheme", "accuracy",
-"max_step_size" (continuous), "time_step_lagged", "time_step_sap". `mode` says which plant.
+"""Impacts in Drake. `parameters` has Drake's own names, as in percuss's export, the same for both geometries of the
+pair: "point_contact_stiffness", "hunt_crossley_dissipation", "relaxation_time"; and for the plant:
+"integration_scheme", "accuracy", "max_step_size" (continuous), "time_step_lagged", "time_step_sap". `mode` selects
+the plant.
 
-Nothing here knows a contact law: the parameters come from elsewhere."""
+This file contains no contact law: the parameters come from the caller."""
 
 import logging
 
@@ -16,7 +17,7 @@ from pydrake.systems.framework import DiagramBuilder, EventStatus
 
 from impacts import RADIUS, Outcome
 
-# It warns that half spaces do not touch deformable bodies.
+# Drake warns that half spaces do not touch deformable bodies.
 logging.getLogger("drake").setLevel(logging.ERROR)
 # mode: the approximation of a discrete plant, and its time step.
 MODES = {
@@ -24,12 +25,12 @@ MODES = {
     "lagged": (DiscreteContactApproximation.kLagged, "time_step_lagged"),
     "sap": (DiscreteContactApproximation.kSap, "time_step_sap"),
 }
-# The flight before an impact in a continuous plant, in steps of the integrator; and the longest impact that is waited for, likewise.
+# Flight before an impact in a continuous plant, and limit of the impact's duration, both in steps of the integrator.
 FLIGHT, LONGEST = 200, 20_000
 
 
 def ball(parameters, mode, mass, speed):
-    """A ball thrown square at a half space. Effective mass: `mass`."""
+    """A ball thrown perpendicularly at a half space. Effective mass: `mass`."""
 
     def build(plant):
         body = plant.AddRigidBody("ball", SpatialInertia.SolidSphereWithMass(mass, RADIUS))
@@ -40,7 +41,7 @@ def ball(parameters, mode, mass, speed):
 
 
 def pendulum(parameters, mode, urdf, length, rotor_inertia, speed):
-    """The pendulum of a URDF, as Drake reads it, swung on to a stop below its end."""
+    """The pendulum of a URDF, read by Drake, swung against a stop below its end."""
 
     def build(plant):
         Parser(plant).AddModelsFromString(urdf, "urdf")
@@ -52,12 +53,12 @@ def pendulum(parameters, mode, urdf, length, rotor_inertia, speed):
 
 
 def impacts(build, parameters, mode, lever, speed):
-    """In a continuous plant the phase is where in a step of the integrator the contact begins."""
+    """In a continuous plant, the phase is the start of the contact within a step of the integrator."""
     return Outcome.of(lambda phase: impact(build, parameters, mode, lever, speed, phase))
 
 
 def impact(build, parameters, mode, lever, speed, phase):
-    """A plant of one coordinate; `lever`: metres of gap for each unit of it."""
+    """Impact in a plant of one coordinate; `lever`: gap in metres per unit of the coordinate."""
     discrete = MODES[mode]
     builder = DiagramBuilder()
     plant, _ = AddMultibodyPlantSceneGraph(builder, time_step=parameters[discrete[1]] if discrete else 0.0)
@@ -107,7 +108,7 @@ def simulation(parameters):
 
 
 class Watch:
-    """Looks on after each step, and ends the run once the gap has opened again."""
+    """Monitors each step, and ends the run after the gap has opened again."""
 
     def __init__(self, plant, lever):
         self.plant, self.lever = plant, lever

@@ -1,4 +1,5 @@
-"""What the contact scenes share: percuss's answer, the outcome of an impact, and the linear law in closed form."""
+"""Shared parts of the contact scenes: percuss's results, the outcome of an impact, and the linear law in closed
+form."""
 
 import dataclasses
 import json
@@ -7,22 +8,22 @@ import subprocess
 
 import numpy as np
 
-# Where within a step the contact begins is chance: a scene is run once for each of these parts of a step.
+# The start of the contact within a step is random: a scene runs once for each of these phases.
 PHASES = (0.05, 0.25, 0.45, 0.65, 0.85)
-# Of the spheres that stand for the struck bodies' shapes, m.
+# Radius of the spheres that represent the shapes of the contact bodies, m.
 RADIUS = 0.02
 
 
 @dataclasses.dataclass
 class Outcome:
-    """What a simulator showed: the restitution for each phase, and the deepest penetration of all."""
+    """Result of a simulator: the restitution for each phase, and the deepest penetration of all phases."""
 
     restitutions: np.ndarray
     depth: float
 
     @classmethod
     def of(cls, run, phases=PHASES):
-        """`run(phase)` gives a restitution and a penetration."""
+        """Outcome from `run(phase)`, which returns a restitution and a penetration."""
         restitutions, depths = np.array([run(phase) for phase in phases]).T
         return cls(restitutions, float(depths.max()))
 
@@ -31,24 +32,24 @@ class Outcome:
         return float(np.mean(self.restitutions))
 
     def error(self, restitution):
-        """The worst of all phases."""
+        """Worst deviation of all phases."""
         return float(np.max(np.abs(self.restitutions - restitution)))
 
 
 @dataclasses.dataclass
 class Contact:
-    """A contact that percuss is asked about: the flags that say whose mass it is, the spring, the approach speed."""
+    """A contact for percuss: the flags of the mass, the spring, the approach speed."""
 
     flags: tuple
     stiffness: float
     speed: float
 
     def of_mass(self, mass):
-        """The same of a mass that is given."""
+        """The contact with a given mass."""
         return dataclasses.replace(self, flags=("--mass", repr(mass)))
 
     def along(self, normal):
-        """The same with a normal that stays where it is in the world, as that of a plane does."""
+        """The contact with a normal that is fixed in the world, such as the normal of a plane."""
         pairs = zip(self.flags[::2], self.flags[1::2])
         kept = [flag for pair in pairs if pair[0] not in ("--normal", "--along-line") for flag in pair]
         normal = ",".join(repr(float(x)) for x in normal)
@@ -76,8 +77,8 @@ def parameters(report, tool):
 
 
 def linear_impact(stiffness, damping, speed):
-    """Restitution and penetration of ẍ = −max(0, stiffness x + damping ẋ), both per unit of mass: e = exp(−2ζC),
-    C = arccos ζ/√(1−ζ²), and (v/ω)√e."""
+    """Restitution and penetration of ẍ = −max(0, stiffness x + damping ẋ), both per unit of mass: e = exp(−2ζC), C =
+    arccos ζ/√(1−ζ²), and (v/ω)√e."""
     frequency = math.sqrt(stiffness)
     ratio = damping / (2 * frequency)
     if ratio < 1:

@@ -1,12 +1,12 @@
-"""Impacts in the laws of Adams and Simscape, by integrators of the kind that these have: what the parameters are worth that
-percuss writes for tools which cannot be run here.
+"""Impacts in the laws of Adams and Simscape with similar integrators: tests percuss's parameters for tools that
+cannot run here.
 
     integrators.py --percuss PATH     prints a table and `N passed, N failed`
 
-Backward differentiation formulas of variable order and step (SciPy's BDF; GSTIFF in Adams and ode15s in Simulink are of this kind),
-and the trapezoidal rule with error control (of the kind of ode23t). Adams does not look for the moment at which the contact begins:
-the steps stumble over it, up to the exported greatest one. Simulink stops there (zero-crossing detection). A mass of 2 kg, no
-gravity; the worst of nine phases."""
+Backward differentiation formulas of variable order and step (SciPy's BDF; similar to GSTIFF in Adams and ode15s in
+Simulink), and the trapezoidal rule with error control (similar to ode23t). Adams does not locate the start of the
+contact: a step of up to the exported greatest size passes it. Simulink stops at the start (zero-crossing detection).
+A mass of 2 kg, no gravity; the worst of nine phases."""
 
 import argparse
 import sys
@@ -23,7 +23,7 @@ MASS = 2.0
 # N/m and m/s.
 CONTACTS = ((1e5, 0.3), (1e5, 3.0), (1e8, 0.03))
 PHASES = np.linspace(0.05, 0.95, 9)
-# The flight before the contact in times of the undamped contact, and how long its end is waited for.
+# Flight before the contact, and limit of the duration, in durations of the undamped contact.
 FLIGHT, LONGEST = 1.0, 12.0
 
 
@@ -48,7 +48,7 @@ def simscape(p):
 
 
 def through(force, speed, span, gap, **settings):
-    """From before the contact to after it, without looking for it."""
+    """Integrates from before the contact to after it, without locating it."""
     found = solve_ivp(
         lambda t, s: [s[1], -force(s[0], s[1]) / MASS], (0.0, span), [-gap, speed], method="BDF", **settings
     )
@@ -56,7 +56,7 @@ def through(force, speed, span, gap, **settings):
 
 
 def from_touch(force, speed, span, method, **settings):
-    """From the contact's beginning, which is known, to its end."""
+    """Integrates from the known start of the contact to its end."""
 
     def opened(t, s):
         return s[0] if t > 0 else 1.0
@@ -71,11 +71,11 @@ def from_touch(force, speed, span, method, **settings):
 
 
 def trapezoidal(force, speed, span, rtol, atol):
-    """Error control by the difference to two half steps, over three."""
+    """Error control: difference from two half steps, divided by three."""
 
     def step(s, h):
         f, x, v = force(*s), s[0], s[1]
-        # v⁺ by bisection: the force never falls with it.
+        # v⁺ by bisection: the force is monotonic in v⁺.
         low, high = v - h * 10 * (abs(f) / MASS + abs(v) / h), v + abs(v) + 1e-12
         for _ in range(60):
             u = (low + high) / 2

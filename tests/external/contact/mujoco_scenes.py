@@ -1,8 +1,8 @@
-"""Impacts in MuJoCo. `parameters` in MuJoCo's own names, as percuss writes them: "solref", "solimp", "timestep", for closed
-loops "equality_solref" and "equality_solimp"; and where wanted "integrator".
+"""Impacts in MuJoCo. `parameters` has MuJoCo's own names, as in percuss's export: "solref", "solimp", "timestep",
+for closed loops "equality_solref" and "equality_solimp"; and optionally "integrator".
 
-Nothing here knows a contact law: the parameters come from elsewhere. Everything else is MuJoCo's default, but that there is no
-gravity and no friction."""
+This file contains no contact law: the parameters come from the caller. All other settings are MuJoCo's defaults,
+except gravity and friction, which are zero."""
 
 import xml.etree.ElementTree as ElementTree
 
@@ -12,12 +12,12 @@ import numpy as np
 from impacts import RADIUS, Outcome
 from loops import least_energy, mjcf, quaternion
 
-# An impact that has not ended after this many steps is not one.
+# Limit of the number of steps of an impact.
 STEPS = 2_000_000
 
 
 def dress(spec, parameters):
-    """Gives the parameters to all geoms and equality constraints."""
+    """Sets the parameters of all geoms and equality constraints."""
     spec.option.timestep = parameters["timestep"]
     spec.option.integrator = getattr(mujoco.mjtIntegrator, f"mjINT_{parameters.get('integrator', 'Euler').upper()}")
     for geom in spec.geoms:
@@ -36,7 +36,7 @@ def dress(spec, parameters):
 
 
 def ball(parameters, mass, speed):
-    """A ball thrown square at a plane. Effective mass: `mass`."""
+    """A ball thrown perpendicularly at a plane. Effective mass: `mass`."""
     spec = mujoco.MjSpec.from_string(
         '<mujoco><option gravity="0 0 0"/><worldbody><geom type="plane" size="1 1 .1"/>'
         f'<body pos="0 0 {RADIUS}"><joint type="slide" axis="0 0 1"/>'
@@ -48,10 +48,11 @@ def ball(parameters, mass, speed):
 
 
 class Mechanism:
-    """One of percuss's models, made MJCF by loops.py, with a stop before the contact of a report of `percuss mass`: a small
-    sphere about the contact point and a plane that touches it. Pose, point and normal are the report's.
+    """One of percuss's models, converted to MJCF by loops.py, with a stop in front of the contact of a report of
+    `percuss mass`: a small sphere about the contact point and a plane that touches it. Pose, point and normal come
+    from the report.
 
-    The sphere belongs to the body that the struck link is welded to, as when MuJoCo reads a URDF (fusestatic)."""
+    The sphere belongs to the body to which the contact link is welded, as when MuJoCo reads a URDF (fusestatic)."""
 
     def __init__(self, path, report):
         text, _ = mjcf(path)
@@ -72,7 +73,7 @@ class Mechanism:
         self.probed = mujoco.MjData(self.model)
 
     def stop(self, bare, report):
-        """Puts the stop before the contact."""
+        """Places the stop in front of the contact."""
         contact = report["contact"]
         self.normal = np.array(contact["normal_world"])
         data = mujoco.MjData(bare)
@@ -91,7 +92,7 @@ class Mechanism:
         )
 
     def depth(self, data):
-        """How deep the contact is; none where there is none."""
+        """Penetration of the contact; None without a contact."""
         return -data.contact[0].dist if data.ncon else None
 
     def impact(self, parameters, speed):
@@ -100,7 +101,7 @@ class Mechanism:
         return impact.outcome(speed), impact.deepest
 
     def inverse_diagonal(self):
-        """Â, what MuJoCo takes for the contact's inverse mass."""
+        """Â, MuJoCo's approximation of the contact's inverse mass."""
         return self.model.body_invweight0[self.body][0]
 
     def effective_mass(self, pose):
@@ -117,15 +118,16 @@ class Mechanism:
         return mass, rows, self.row(m, d)
 
     def row(self, model, data):
-        """How fast the gap closes, per joint rate. The sphere's centre and its contact lie on one normal."""
+        """Opening rate of the gap per joint rate. The sphere's centre and its contact are on one normal."""
         jacobian = np.zeros((3, model.nv))
         mujoco.mj_jacGeom(model, data, jacobian, None, model.geom("struck").id)
         return self.normal @ jacobian
 
     def opening(self):
-        """The motion of least energy that the loops admit and that opens the gap at 1 m/s: the one an impact excites."""
+        """The motion of least energy that satisfies the loops and opens the gap at 1 m/s: the motion excited by an
+        impact."""
         mass, rows, row = self.matrices(self.pose)
-        # Stationary energy under both kinds of constraint; least squares, for rows that do not count.
+        # Stationary energy under both kinds of constraint; least squares, because rows may be redundant.
         held = np.vstack([rows, row])
         n = len(mass)
         system = np.block([[mass, held.T], [held, np.zeros((len(held), len(held)))]])
@@ -141,8 +143,8 @@ class Mechanism:
 
 
 class LimitedJoint(Mechanism):
-    """One of percuss's models with an end of a joint's range (1 the upper, -1 the lower) where a report of `percuss mass` has the
-    joint."""
+    """One of percuss's models with an end of a joint's range (1 the upper, -1 the lower) at the joint's position in
+    a report of `percuss mass`."""
 
     def __init__(self, path, report, joint, end=1):
         self.joint, self.end = joint, end
@@ -169,14 +171,14 @@ class LimitedJoint(Mechanism):
 
 
 def facing(normal):
-    """The quaternion that turns z to a direction."""
+    """Quaternion of a rotation from z to a direction."""
     x = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
     x /= np.linalg.norm(x)
     return [float(q) for q in quaternion(np.column_stack([x, np.cross(normal, x), normal])).split()]
 
 
 class Impact:
-    """A model about to touch: its touching pose, the rates by which its gap opens at 1 m/s, and how fast it opens."""
+    """A model about to touch: its touching pose, the joint rates that open its gap, and the opening speed."""
 
     def __init__(self, model, pose, opening, opening_speed, depth):
         self.model, self.pose, self.opening = model, pose, opening

@@ -1,9 +1,9 @@
-"""Whether what `percuss damp … --for all` gives to paste is taken by the programs it is for.
+"""Checks the snippets of `percuss damp … --for all` in their target programs.
 
-All XML must parse, all JSON too, all Python compile. MuJoCo's snippets are loaded by MuJoCo; Drake's Python is run, its URDF and
-SDF are read by Drake in the place they are for; Gazebo's SDF by the SDFormat library that Drake has. What they hold must then be
-the exported parameters. Those of other tools go to the compilers and readers of compilers.py, where these are installed; what is not
-read is said."""
+All XML and JSON must parse, and all Python must compile. MuJoCo loads its snippets; Drake's Python is run, and Drake
+reads its URDF and SDF in their place; Drake's SDFormat library reads Gazebo's SDF. The values read must equal the
+exported parameters. Snippets of other tools go to the compilers and readers of compilers.py, if installed; unread
+snippets are reported."""
 
 import ast
 import json
@@ -19,7 +19,7 @@ import compilers
 from scenes import Absent
 
 PARSERS = {"xml": ElementTree.fromstring, "json": json.loads, "python": ast.parse}
-# What there must be at least, so that nothing passes by being absent.
+# Required snippets: a missing snippet is a failure.
 EXPECTED = {
     ("mujoco", "xml"),
     ("drake", "xml"),
@@ -31,13 +31,13 @@ EXPECTED = {
     ("physx", "cpp"),
     ("simscape", "matlab"),
 }
-# The same of a joint's stop.
+# Required snippets of a joint's stop.
 EXPECTED_OF_STOPS = {("mujoco", "xml"), ("ode", "cpp"), ("newton", "python"), ("physx", "cpp")}
 INERTIAL = '<mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>'
 
 
 def check(report, where, tally, expected=EXPECTED):
-    """All snippets of a report. Gives a line for each that the program for it is missing for."""
+    """Tests all snippets of a report. Returns a line for each snippet without its program."""
     seen, absents = set(), set()
     for tool, export in report["exports"].items():
         for snippet in export["snippets"]:
@@ -54,7 +54,7 @@ def check(report, where, tally, expected=EXPECTED):
                 except Absent as absent:
                     absents.add(f"snippets not read: {tool}, {language}; install {absent}")
                     continue
-                except Exception as error:  # whatever a foreign reader raises is the answer looked for
+                except Exception as error:  # any exception of an external reader is a failure of the snippet
                     wrong = f"{type(error).__name__}: {error}"
                 tally.check(f"snippets: {tool}, {language}", f"{where}, {snippet['title']}", not wrong, wrong)
     tally.check("snippets: none is missing", where, seen >= expected, f"{expected - seen}")
@@ -102,7 +102,7 @@ def in_pydrake(text, parameters):
 
 
 def in_drake_file(text, parameters):
-    """Which of the two it is shows in how a number is written."""
+    """The notation of numbers distinguishes the two formats."""
     if 'value="' in text:
         collision = f'<collision><geometry><sphere radius="1"/></geometry>{text}</collision>'
         document, kind = f'<robot name="r"><link name="l"><inertial>{INERTIAL}</inertial>{collision}</link></robot>', "urdf"

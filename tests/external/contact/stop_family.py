@@ -1,6 +1,6 @@
-"""Stops of the joints of random mechanisms: the inertia that percuss states against MuJoCo's matrices, and for some of them
-MuJoCo's rebound. Trees of revolute and prismatic joints; four-bars and slider-cranks on a base that is fixed, turns or slides;
-lengths, masses, inertias, rotors, frames and ends of the range from a seed."""
+"""Stops of joints of random mechanisms: percuss's inertia compared with MuJoCo's matrices, and for some of them
+MuJoCo's rebound. Trees of revolute and prismatic joints; four-bars and slider-cranks on a base that is fixed, turns
+or slides; lengths, masses, inertias, rotors, frames and ends of the range from a seed."""
 
 import dataclasses
 import tempfile
@@ -11,10 +11,10 @@ import numpy as np
 from impacts import Contact, answer, damp, parameters
 
 SEED, TREES, LINKAGES = 20261122, 28, 28
-# Every so many of them run in MuJoCo too.
+# Every fourth mechanism runs in MuJoCo too.
 RUN_EVERY = 4
 RESTITUTIONS = (0.2, 0.5, 0.8)
-# Of the inertia, relative; of α; of the restitution.
+# Tolerances: inertia, relative; α; restitution.
 INERTIA, ALPHA, RESTITUTION = 1e-9, 1e-6, 1e-3
 # Stiff and slow, so that the inertia hardly changes: rad/s, and rad/s or m/s.
 FREQUENCY, SPEED = 100.0, 1e-3
@@ -26,7 +26,7 @@ class Case:
     urdf: str
     joint: str
     end: int
-    # Where the stopped joint is; of other joints where they are set.
+    # Position of the stopped joint; positions of other joints that are set.
     at: float
     pose: dict
 
@@ -47,7 +47,7 @@ class Maker:
 
     def link(self, name):
         mass, size = self.decades(-0.5, 1), self.between(0.05, 0.3)
-        # Positive, and within the triangle inequality.
+        # Positive moments within the triangle inequality.
         moments = mass * size**2 * self.rng.uniform(0.7, 1.0, 3)
         axes, _ = np.linalg.qr(self.rng.normal(size=(3, 3)))
         i = axes @ np.diag(moments) @ axes.T
@@ -79,7 +79,7 @@ class Maker:
 
 
 def tree(number):
-    """Of 2 to 6 links, chains and bushes; everything general."""
+    """A tree of 2 to 6 links, chains and branched trees; general parameters."""
     make = Maker([SEED, 0, number])
     count = int(make.rng.integers(2, 7))
     stopped, pose, at = int(make.rng.integers(1, count + 1)), {}, 0.0
@@ -100,7 +100,7 @@ def tree(number):
 
 
 def based(make):
-    """A base on the ground, fixed or not, that carries a plane."""
+    """A base on the ground, fixed or movable, with the plane of the linkage."""
     kind = ("fixed", "revolute", "prismatic")[int(make.rng.integers(3))]
     make.link("base")
     limits = (-1.0, 1.0) if kind != "fixed" else None
@@ -116,7 +116,7 @@ def loop(before, at_before, after, at_after):
 
 
 def four_bar(number):
-    """The crank is the shortest, and turns all round; its stop, or that of the rocker."""
+    """A four-bar with the crank as its shortest link, which turns fully; the stop is on the crank or on the rocker."""
     make = Maker([SEED, 1, number])
     pose = based(make)
     crank = make.between(0.1, 0.2)
@@ -133,7 +133,7 @@ def four_bar(number):
         return a, a + part * along + np.sqrt(coupler**2 / reach**2 - part**2) * across
 
     def turned(by):
-        """The rocker, from where it is drawn, as the crank turns."""
+        """Angle of the rocker from its drawn position, as a function of the crank angle."""
         (x0, y0), (x, y) = closed(angle)[1] - d, closed(angle + by)[1] - d
         return float(np.arctan2(x0 * y - y0 * x, x0 * x + y0 * y))
 
@@ -152,7 +152,7 @@ def four_bar(number):
 
 
 def slider_crank(number):
-    """The stop of the crank, or of the slide."""
+    """A slider-crank with a stop of the crank or of the slide."""
     make = Maker([SEED, 2, number])
     pose = based(make)
     crank = make.between(0.1, 0.3)
@@ -162,7 +162,7 @@ def slider_crank(number):
     x = float(a[0] + np.sqrt(rod**2 - a[1] ** 2))
 
     def moved(by):
-        """The slider, from where it is drawn, as the crank turns."""
+        """Displacement of the slider from its drawn position, as a function of the crank angle."""
         c, s = crank * np.cos(angle + by), crank * np.sin(angle + by)
         return float(c + np.sqrt(rod**2 - s**2)) - x
 
@@ -217,11 +217,11 @@ def one(percuss, tally, case, path, run):
         outcome = theirs.impact(given, SPEED)[0]
         bound = min(RESTITUTION, report["exports"]["mujoco"]["error_bound"])
         tally.within("random stops: restitution over the stated bound: MuJoCo", f"{where}, e = {e}", outcome.error(e) / bound, 1.0)
-        # Looked at once a step.
+        # Sampled once per step.
         depth = abs(outcome.depth / report["max_penetration"] - 1)
         tally.within("random stops: penetration: MuJoCo", f"{where}, e = {e}", depth, 5e-3)
 
 
 def anywhere(case):
-    """A link that moves."""
+    """Name of a moving link."""
     return "link_1" if case.joint.startswith("joint") else "crank"

@@ -1,4 +1,4 @@
-"""Joints that run into their stops in the engines, whatever the engine. No gravity; all in the x-y plane."""
+"""Joints that run into their stops, for all engines. No gravity; all motions in the x-y plane."""
 
 import dataclasses
 import math
@@ -10,8 +10,8 @@ from scenes import FOUR_BAR, velocities
 
 @dataclasses.dataclass(frozen=True)
 class Body:
-    """Inertia about the centre of mass, along z (the same may be taken for all axes); where the centre of mass is, and how it
-    moves as the stopped joint moves at 1 into its stop."""
+    """Inertia about the centre of mass along z (engines may use the same value for all axes); position of the centre
+    of mass, and its velocity when the stopped joint moves at unit speed into its stop."""
 
     name: str
     mass: float  # kg
@@ -23,7 +23,7 @@ class Body:
 
 @dataclasses.dataclass(frozen=True)
 class Joint:
-    """A hinge along z at `where`, or a slider along it. It moves as `child` does beside `parent` (None: the ground)."""
+    """A hinge along z at `where`, or a slider along it: motion of `child` relative to `parent` (None: the ground)."""
 
     child: str
     parent: str | None
@@ -33,10 +33,10 @@ class Joint:
 
 @dataclasses.dataclass(frozen=True)
 class Stop:
-    """`flags`: what percuss is asked, `urdf` the model in place of a file of models/ (written as {name}.urdf). The joint `limited`
-    of `joints` moves at `speed` into its stop at the `end` (1 upper, -1 lower) of its range; `bodies` move with the least
-    energy that this takes. `tree`: shoulder, elbow, where there are no loops: the angle of each joint at the stop, its rate
-    over the limited joint's, and its rotor's inertia."""
+    """`flags`: the question for percuss, `urdf`: a model that replaces a file of models/ (written as {name}.urdf).
+    The joint `limited` of `joints` moves at `speed` into its stop at the `end` (1 upper, -1 lower) of its range;
+    `bodies` move with the least energy for this. `tree`: shoulder, elbow, for models without loops: the angle of
+    each joint at the stop, its rate over the limited joint's rate, and its rotor's inertia."""
 
     flags: tuple
     bodies: tuple
@@ -55,7 +55,7 @@ class Stop:
 
     @property
     def effective_mass(self):
-        """kg·m², or kg of a slider."""
+        """Inertia at the stop, kg·m², or kg for a slider."""
         rotors = sum(rotor * rate**2 for _, rate, rotor in self.tree or ())
         return rotors + sum(b.mass * (b.velocity[0] ** 2 + b.velocity[1] ** 2) + b.inertia * b.rate**2 for b in self.bodies)
 
@@ -68,14 +68,14 @@ class Stop:
         return Contact(flags, self.stiffness, self.speed)
 
     def alone(self, folder):
-        """The same of the stopped link by itself."""
+        """The stop with the stopped link alone."""
         path = Path(folder) / "alone.urdf"
         path.write_text(single("prismatic" if self.slides else "continuous", self.own_mass))
         return Contact(("--mass-from", str(path), "--limit", "joint"), self.stiffness, self.speed)
 
 
 def single(kind, amount):
-    """One link on one joint, whose mass or inertia about the joint is `amount`."""
+    """URDF of one link on one joint, with mass or inertia about the joint `amount`."""
     mass, inertia = (amount, 1.0) if kind == "prismatic" else (1.0, amount)
     return f"""<robot name="single">
   <link name="ground"/>
@@ -128,7 +128,8 @@ def hinge(end, rotor):
 
 
 def elbow():
-    """The elbow of models/planar_2r.urdf at 1 rad, without rotors; the shoulder is free. So slow that the inertia hardly changes."""
+    """The elbow of models/planar_2r.urdf at 1 rad, without rotors; the shoulder is free. The speed is so low that
+    the inertia hardly changes."""
     m1, l1, m2, l2, angle = 4.0, 0.5, 2.0, 0.4, 1.0
     along = m2 * l1 * l2 / 2 * math.cos(angle)
     m11 = m1 * l1**2 / 3 + m2 * l1**2 + m2 * l2**2 / 3 + 2 * along
@@ -154,7 +155,7 @@ def elbow():
 
 
 def crank():
-    """The crank of models/four_bar.urdf as it is drawn; so slow that the inertia hardly changes."""
+    """The crank of models/four_bar.urdf in the drawn pose; the speed is so low that the inertia hardly changes."""
     moving = velocities(FOUR_BAR, 1 / FOUR_BAR.crank_rate)
     bodies = [Body(name, m, i, at, *moving[name]) for name, (m, i, at, _) in FOUR_BAR.bodies.items()]
     mass, inertia, (x, y), _ = FOUR_BAR.bodies["crank"]
@@ -170,7 +171,8 @@ def crank():
 
 
 def slide():
-    """The slider of models/slider_crank.urdf as it is drawn: the rod does not turn, all but the crank move alike."""
+    """The slider of models/slider_crank.urdf in the drawn pose: the rod does not rotate, all bodies except the crank
+    have the same velocity."""
     return Stop(
         flags=("--mass-from", "models/slider_crank.urdf", "--limit", "guide"),
         bodies=(

@@ -1,7 +1,7 @@
-"""The mechanisms, positions and contacts of the fixtures: seeded draws of short decimals.
+"""Mechanisms, positions and contacts of the fixtures: seeded random short decimals.
 
 A family is {"mechanisms": [rows], "cases": [case]}. A case names its mechanism, the drivers' values (strings), guesses
-for the joints that follow (floats, here), the base, and contacts still without masses.
+for the dependent joints (floats, here), the base, and contacts, still without masses.
 """
 
 import math
@@ -18,7 +18,7 @@ def text(x, digits=3):
 
 
 class Draw:
-    """Seeded draws; `random.Random.random` is the same in every version of Python."""
+    """Seeded random numbers; `random.Random.random` is the same in every version of Python."""
 
     def __init__(self, *seed):
         self.r = random.Random("percuss/" + "/".join(map(str, seed)))
@@ -48,11 +48,11 @@ class Draw:
                 return " ".join(text(x, digits) for x in a)
 
     def height(self):
-        """Exact in binary, and so are the sums of a few."""
+        """A height that is exact in binary, as are sums of a few heights."""
         return (self.index(17) - 8) / 16
 
     def inertia(self, mass, size, turned=False):
-        """Of a real body: moments from positive second moments."""
+        """Inertia of a real body: moments from positive second moments."""
         a, b, c = (self.real(0.02, 0.1) for _ in range(3))
         ab, ac, bc = (self.real(-0.3, 0.3) * min(a, b, c) for _ in range(3))
         scale = float(mass) * size * size
@@ -62,17 +62,17 @@ class Draw:
 
 
 def contact(on, point, normal, against=None, world=False, toward=None):
-    """With `toward`, a link, `normal` is the point of it that the normal leads to."""
+    """Contact row. With `toward`, a link, `normal` is the target point on this link."""
     return {"on": on, "against": against, "point": point, "normal": normal, "world": world, "toward": toward}
 
 
 def exact(x):
-    """A double in the digits that it takes."""
+    """Shortest decimal of a double."""
     return repr(float(x))
 
 
 def plain(height):
-    """All of a sum of sixteenths."""
+    """Exact decimal of a sum of sixteenths."""
     assert float(f"{height:g}") == height
     return f"{height:g}"
 
@@ -87,9 +87,9 @@ MOUNT, CRANK, COUPLER, THIRD = 1, 2, 3, 4
 def planar(draw, masses, crank, coupler, third, closure, size, mount=None, root=None, driver=CRANK):
     """root - mount - crank - coupler, mount - third; the last two closed by a hinge.
 
-    Planar in exact arithmetic: heights are exact, every axis is the mount's z or normal to it.
-    crank: (x, y, yaw); coupler: (x, y, yaw) in the crank; third: (kind, x, y, yaw, axis); closure: (x, y) in the
-    coupler and in the third."""
+    Planar in exact arithmetic: heights are exact, every axis is the mount's z or normal to it. crank: (x, y, yaw);
+    coupler: (x, y, yaw) in the crank; third: (kind, x, y, yaw, axis); closure: (x, y) in the coupler and in the
+    third."""
     z = [draw.height() for _ in range(3)]
     before = draw.height()
     after = z[0] + z[1] + before - z[2]
@@ -114,8 +114,8 @@ def turned(angle, x, y):
 
 
 def moves(rows, case, least):
-    """Whether every contact moves by more than this (m) along its normal, per rad of the crank (m per m of a slider):
-    by differences, good enough to choose contacts by."""
+    """True if every contact moves by more than this (m) along its normal, per rad of the crank (m per m of a
+    slider). By differences, which are accurate enough for a choice of contacts."""
     from mechanics import Mechanism, closed
     mechanism = Mechanism(rows)
     driver = next(iter(case["drivers"]))
@@ -138,7 +138,7 @@ def moves(rows, case, least):
 
 
 def contacts_on(draw, links, size, pairs=False):
-    """A contact on each link; every third time one between two of them."""
+    """A contact on each link; every third contact is between two links."""
     out = [
         contact(link, draw.three(size, 2), draw.direction(), world=draw.r.random() < 0.5) for link in links
     ]
@@ -150,7 +150,7 @@ def contacts_on(draw, links, size, pairs=False):
 
 
 def slider_crank(draw, masses, **more):
-    """Away from its dead centres; (rows, case)."""
+    """Case away from dead centres; (rows, case)."""
     while True:
         x, y, yaw = draw.number(-0.3, 0.3), draw.number(-0.3, 0.3), draw.number(-3, 3)
         length, bend = draw.number(0.2, 0.6), draw.number(-2, 2)
@@ -161,7 +161,7 @@ def slider_crank(draw, masses, **more):
         rows = planar(draw, masses, (x, y, yaw), (length, "0", bend), ("p", tx, ty, "0", f"{ax} {ay} 0"),
                       (rod, pin), 0.5, **more)
         sign = draw.pick([1, -1])
-        # The crank's pin A, and q: |A - slide(q)| is the rod's length.
+        # The crank's pin A, and q with |A - slide(q)| equal to the rod's length.
         yaw, theta, bend, length = float(yaw), float(theta), float(bend), float(length)
         ax, ay = float(ax), float(ay)
         norm = math.hypot(ax, ay)
@@ -186,7 +186,7 @@ def slider_crank(draw, masses, **more):
 
 
 def four_bar(draw, masses, **more):
-    """Away from change points and limits; (rows, case)."""
+    """Case away from change points and limits; (rows, case)."""
     while True:
         x, y = draw.number(-0.3, 0.3), draw.number(-0.3, 0.3)
         tx, ty = draw.number(0.4, 1), draw.number(-0.4, 0.4)
@@ -204,7 +204,7 @@ def four_bar(draw, masses, **more):
         d = math.hypot(*gap)
         one, two = math.hypot(*map(float, rod)), math.hypot(*map(float, arm))
         cos = (one * one + d * d - two * two) / (2 * one * d)
-        # The angle between coupler and rocker, too, is to be well away from 0 and pi.
+        # The angle between coupler and rocker must also be well away from 0 and pi.
         other = (one * one + two * two - d * d) / (2 * one * two)
         if abs(cos) > 0.95 or abs(other) > 0.95:
             continue
@@ -220,7 +220,7 @@ def four_bar(draw, masses, **more):
 
 
 def tree(draw, masses, first=None, root=None):
-    """Open, of so many links besides the root; (rows, case)."""
+    """Open tree with a number of links besides the root; (rows, case)."""
     n = len(masses)
     bushy = draw.index(2) == 0
     links, joints, drivers = [root or []], [], {}
@@ -282,7 +282,7 @@ def decades():
 
 
 def chains():
-    """Links of 1 m and 1 kg, 5 cm thick, one after the other."""
+    """Chain of links of 1 m and 1 kg, 5 cm thick."""
     family = Family()
     draw = Draw("chain")
     link = ["1", "0.5 0 0", "0.0003 0 0 0.0834 0 0.0834"]
@@ -305,14 +305,15 @@ def chains():
 
 
 def engine(draw, length, rod, offset, driver):
-    """Crank at the mount's origin, slider along x at y = offset; no yaw, so that dead centres have closed forms."""
+    """Crank at the mount's origin, slider along x at y = offset; without yaw, so that dead centres have closed
+    forms."""
     masses = [draw.number(0.5, 5) for _ in range(3)]
     return planar(draw, masses, ("0", "0", "0"), (length, "0", "0"), ("p", "0", offset, "0", "1 0 0"),
                   ((rod, "0"), ("0", "0")), 0.5, driver=driver)
 
 
 def engine_at(rows, theta, driver, sign=1):
-    """The engine at a crank angle (mpf) as near as doubles give it, the rod towards +x (sign 1) or -x."""
+    """The engine at the doubles closest to a crank angle (mpf), the rod towards +x (sign 1) or -x."""
     length, rod, offset = (float(rows["joints"][2][2].split()[0]), float(rows["loops"][0][1].split()[0]),
                            float(rows["joints"][3][2].split()[1]))
     if driver == CRANK:
@@ -335,7 +336,7 @@ def dead_centres():
         contact(COUPLER, "0.3 0.1 0", "0.7 -0.5 0.1"),
         contact(THIRD, "0.1 0.1 0.1", "0.8 0.3 0.2"),
     ]
-    # The slider turns back: in line with the crank (offset 0), or with an offset.
+    # Dead centre of the slider: aligned with the crank (offset 0), or with an offset.
     for seed, (length, rod, offset) in enumerate([("0.3", "0.7", "0"), ("0.35", "0.8", "0.13"), ("0.25", "1.1", "-0.2")]):
         for group, driver in [("dead centre of the slider, crank drives", CRANK),
                               ("dead centre of the slider, slider drives", THIRD)]:
@@ -351,7 +352,7 @@ def dead_centres():
                             case["contacts"] = touched
                             case["near"] = side * delta
                             family.case(group, seed, index, case)
-    # The crank turns back, longer than the rod: the rod stands across the slide.
+    # Dead centre of a crank longer than the rod: the rod is normal to the slide.
     for seed, (length, rod, offset) in enumerate([("0.7", "0.3", "0"), ("0.8", "0.35", "0.13")]):
         group = "dead centre of the crank, crank drives"
         rows = engine(Draw(group, seed), length, rod, offset, CRANK)
@@ -374,7 +375,8 @@ def dead_centres():
             for centre in [mpf(0), mp.pi]:
                 for side in [1, -1]:
                     theta = mpf(float(centre + side * delta))
-                    # The pin's distance from the rocker's hinge is the diagonal; B is D mirrored in it, or opposite.
+                    # The diagonal is the pin's distance from the rocker's hinge; B is D mirrored in the diagonal, or
+                    # opposite.
                     ax, ay = c * mp.cos(theta), c * mp.sin(theta)
                     diagonal = mp.atan2(-ay, g - ax)
                     opened = mp.atan2(0, 1) - theta
@@ -391,7 +393,7 @@ def dead_centres():
 
 
 def hubs():
-    """The arms of the small ones are the first of the large one's."""
+    """The small mechanisms have the first arms of the large mechanism."""
     family = Family()
     for name, floating in [("hub, floating", True), ("hub, hinged", False)]:
         draw = Draw(name)
@@ -444,7 +446,8 @@ def rpy_of(r):
 
 
 def ring(draw, n, spatial, is_round):
-    """One loop of n links, the root among them; (rows, case). Planar in exact arithmetic, or with axes of all directions."""
+    """One loop of n links, the root included; (rows, case). Planar in exact arithmetic, or with axes in all
+    directions."""
     from mechanics import Mechanism, Position, about, closure_rows, eliminate, numbers, paths, product, transpose, unit
     last = n - 1
     kinds = min(last, 20)
@@ -462,7 +465,7 @@ def ring(draw, n, spatial, is_round):
     doubles = {i: mpf(float(q)) for i, q in values.items()}
     tip = ["0.5", "0.05", "0"]
     if spatial:
-        # The last link comes out parallel to the root.
+        # The last link becomes parallel to the root.
         before = Position(Mechanism(rows), doubles).r[last - 1]
         turn = about(unit(numbers(joints[-1][3])), doubles[last])
         joints[-1][4] = " ".join(exact(x) for x in rpy_of(transpose(product(turn, before))))
@@ -473,7 +476,7 @@ def ring(draw, n, spatial, is_round):
     rows["loops"] = [[0, " ".join(exact(x) for x in end), last, " ".join(tip), draw.direction() if spatial else UPRIGHT]]
     at = Position(Mechanism(rows), doubles)
     path, columns = paths(at)
-    # Heights and turns out of the plane come to zero but for rounding of the last link's turn.
+    # Heights and rotations out of the plane vanish, except for the rounding of the last link's rotation.
     clear = [[x if abs(x) > mpf(10) ** -12 else mpf(0) for x in row] for row in closure_rows(at, path, columns)[0]]
     pivots, _ = eliminate(clear)
     follows = sorted(k + 1 for _, k in pivots)
@@ -509,8 +512,8 @@ def powers(first, last):
 
 
 def carried(draw, between, last, joints, beside):
-    """A link on a hinge, and on it a heavy one by joints in a row, whose own links hardly weigh: (rows, contacts). The contact is
-    on the first, or, unless it is to lie beside them, on the last too."""
+    """A link on a hinge, and a heavy link attached to it by joints in series with nearly massless links: (rows,
+    contacts). The contact is on the first link, or also on the last link unless the series is off the contact path."""
     links = [[], draw.inertia(draw.number(0.5, 5), 0.5)] + [between] * (len(joints) - 1) + [last]
     rows = [["c", 0, draw.three(0.5), draw.direction(), draw.three(3)]]
     rows += [[kind, i, place, axis, turn] for i, (kind, place, axis, turn) in enumerate(joints, 1)]
@@ -524,14 +527,14 @@ def carried(draw, between, last, joints, beside):
 
 
 def pivots():
-    """Where small pivots pass on what large ones are sums of; contacts that little opposes; lines."""
+    """Small pivots that transmit sums of large terms; contacts with little resistance; lines."""
     family = Family()
     for beside in [True, False]:
         side = "beside" if beside else "behind"
         for delta in powers(-1, -7):
             for seed in range(8):
                 light = [[], draw_light(seed, delta)][seed % 2]
-                # Three hinges that make a ball; it locks where the one in the middle is at zero.
+                # Three hinges that form a ball joint; the ball locks at zero angle of the middle hinge.
                 group = f"{side} a ball's lock"
                 draw = Draw(group, delta, seed)
                 heavy = draw.inertia(draw.pick(["1", "30", "1e3"]), 0.5)
@@ -541,7 +544,7 @@ def pivots():
                 drivers = {1: draw.number(-3, 3), 2: draw.number(-3, 3), 3: delta, 4: draw.number(-3, 3)}
                 case = {"drivers": drivers, "guess": {}, "contacts": contacts, "near": mpf(delta)}
                 family.case(group, seed, family.mechanism(rows), case)
-                # Two slides, all but parallel.
+                # Two slides that are nearly parallel.
                 group = f"{side} two slides"
                 draw = Draw(group, delta, seed)
                 heavy = draw.inertia(draw.pick(["1", "30", "1e3"]), 0.5)
@@ -562,7 +565,8 @@ def pivots():
                         contact(2, draw.three(0.3), draw.three(0.3), against=1, toward=1)]
             case = {"drivers": {1: draw.number(-3, 3), 2: draw.number(-3, 3)}, "guess": {}, "contacts": contacts}
             family.case(group, seed, family.mechanism({"links": links, "joints": joints}), case)
-            # A needle that rolls: its own moment is so small a part of the others; and one that hangs aside by so much.
+            # A rolling needle: its own moment is a small fraction of the other moments; and a needle with a small
+            # offset.
             group = "rolling needle"
             draw = Draw(group, part, seed)
             aside = part if seed % 2 else "0"
@@ -593,7 +597,7 @@ def pivots():
         short = 10 ** -draw.real(0, 3)
         case["contacts"] = [contact(on, draw.three(short), draw.three(short), against=draw.pick([None, to]), toward=to)]
         family.case(group, seed, family.mechanism(rows), case)
-        # Axes that differ by little, light links between.
+        # Nearly parallel axes with light links between them.
         group = "tree of axes alike"
         draw = Draw(group, seed)
         rows, case = tree(draw, [draw.decades(-9, 9) for _ in range(2 + draw.index(8))])

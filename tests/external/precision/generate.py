@@ -1,5 +1,5 @@
-"""Writes tests/data/precision/*.json: `python generate.py [FAMILY…]`. `--self-test` tries the mechanics instead,
-`--conditions` tells how hard the questions are. README.md beside this file."""
+"""Writes tests/data/precision/*.json: `python generate.py [FAMILY…]`. `--self-test` tests the mechanics instead,
+`--conditions` prints the condition of the questions. See README.md in this folder."""
 
 import json
 import sys
@@ -25,7 +25,7 @@ def position(rows, case):
 
 
 def check(case, found):
-    """The branch asked for, not another one."""
+    """Checks that the solution is on the requested branch."""
     for i, guess in case["guess"].items():
         bound = abs(case.get("near", mpf(1))) / 4
         assert abs(found.q[i] - guess) < min(bound, mpf(10) ** -6), (case["group"], case["seed"], i)

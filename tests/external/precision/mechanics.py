@@ -1,28 +1,28 @@
-"""Effective masses in many digits, from nothing but the numbers of a mechanism.
+"""Effective masses in many digits, from the numbers of a mechanism alone.
 
-m = min { v'Mv : A v = 0, j v = 1 }, four ways that share only the positions of the bodies:
+m = min { v'Mv : A v = 0, j v = 1 }, by four methods that share only the positions of the bodies:
 
 - `by_recursion`: open trees, from the leaves to the root, O(n).
-- `by_closing`: loops, from the responses of their tree to wrenches that close them, O(n).
+- `by_closing`: loops, from the responses of their tree to closing wrenches, O(n).
 - `by_joints`: mass matrix over the joints, kernel of the closures' rows, one linear solve.
 - `by_bodies`: six velocities for every body, every joint a constraint, the KKT equations.
 
-Numbers come as decimal strings and count as the doubles nearest to them, exactly. Everything after that is done in
-`mp.dps` digits. All vectors are in the root link's axes; twists are (turning, velocity at the root's origin).
+Numbers are decimal strings and denote exactly the nearest doubles. All further arithmetic uses `mp.dps` digits. All
+vectors are in the root link's axes; twists are (angular velocity, velocity at the root's origin).
 """
 
 from mpmath import mp, mpf
 
 mp.dps = 90
 
-# Lengths decide a rank; they are of order one to 1e4, and the noise is 1e-80.
+# Lengths decide a rank; they are between one and 1e4, and the noise is 1e-80.
 RANK = mpf(10) ** -40
-# Bodies up to which equations over all joints of loops are solved.
+# Largest number of bodies for equations over all joints of loops.
 SMALL = 13
 
 
 def numbers(text):
-    """The doubles of a string of decimals."""
+    """Doubles of a string of decimals."""
     return [mpf(float(word)) for word in text.split()]
 
 
@@ -66,7 +66,7 @@ def transpose(r):
 
 
 def about(axis, angle):
-    """The rotation about a unit vector (Rodrigues)."""
+    """Rotation about a unit vector (Rodrigues)."""
     s, c = mp.sin(angle), mp.cos(angle)
     x, y, z = axis
     t = 1 - c
@@ -78,14 +78,14 @@ def about(axis, angle):
 
 
 def of_rpy(rpy):
-    """Rz(yaw) Ry(pitch) Rx(roll), URDF's."""
+    """Rz(yaw) Ry(pitch) Rx(roll), as in URDF."""
     one, zero = mpf(1), mpf(0)
     x, y, z = [one, zero, zero], [zero, one, zero], [zero, zero, one]
     return product(about(z, rpy[2]), product(about(y, rpy[1]), about(x, rpy[0])))
 
 
 def perpendiculars(a):
-    """Two unit vectors normal to a and to one another."""
+    """Two unit vectors normal to a and to each other."""
     least = min(range(3), key=lambda i: abs(a[i]))
     e = [mpf(int(i == least)) for i in range(3)]
     t = unit(cross(a, e))
@@ -100,7 +100,7 @@ class Joint:
 
 
 class Body:
-    """Nothing, or mass, centre, moments about the centre in the link's axes."""
+    """Empty, or mass, centre, moments about the centre in the link's axes."""
 
     def __init__(self, row):
         self.mass = mpf(0)
@@ -115,8 +115,8 @@ class Body:
 
 
 class Loop:
-    """A closure: frames are parallel to their links' axes. An axis makes it revolute, one number, the distance of the two
-    points, a rod, nothing a ball."""
+    """A closure: frames are parallel to their links' axes. An axis: revolute; one number, the distance of the two
+    points: a rod; neither: a ball."""
 
     def __init__(self, row):
         self.predecessor, before, self.successor, after, words = row
@@ -130,14 +130,14 @@ class Loop:
 
 
 class Mechanism:
-    """Read from a fixture's rows (README.md); `count` links besides the root, all by default."""
+    """Mechanism from a fixture's rows (README.md); `count` links besides the root, all by default."""
 
     def __init__(self, rows, count=None):
         links = rows["links"]
         count = len(links) - 1 if count is None else count
         full = [links[row] if isinstance(row, int) else row for row in links[: count + 1]]
         self.bodies = [Body(row) for row in full]
-        # The joint i carries the link i; the root has none.
+        # Joint i is the parent joint of link i; the root has no joint.
         self.joints = [None] + [Joint(*row[:5]) for row in rows["joints"][:count]]
         self.loops = [Loop(row) for row in rows.get("loops", [])]
         assert len(self.joints) == len(self.bodies)
@@ -147,7 +147,7 @@ class Mechanism:
 
 
 class Position:
-    """Where the bodies stand; q maps joint to value."""
+    """Poses of the bodies; q maps joint to value."""
 
     def __init__(self, mechanism, q, floating=False):
         self.mechanism, self.q, self.floating = mechanism, q, floating
@@ -172,7 +172,7 @@ class Position:
         return add(self.p[body], apply(self.r[body], p))
 
     def column(self, i):
-        """The twist of a unit rate of joint i."""
+        """Twist of joint i at unit rate."""
         if self.mechanism.joints[i].kind == "c":
             return self.axis[i] + cross(self.p[i], self.axis[i])
         return [mpf(0)] * 3 + self.axis[i]
@@ -199,7 +199,7 @@ class Position:
         return out
 
     def touched(self, contact):
-        """Point and normal in the root's axes."""
+        """Contact point and normal in the root's axes."""
         point = self.point(contact["on"], numbers(contact["point"]))
         if contact["toward"] is not None:
             return point, unit(sub(self.point(contact["toward"], numbers(contact["normal"])), point))
@@ -212,14 +212,14 @@ def dot6(a, b):
 
 
 def by_recursion(position, contacts):
-    """Masses of an open tree; None where a contact does not move."""
+    """Masses of an open tree; None for a contact that does not move."""
     assert not position.mechanism.loops
     inverse = responses(position, [wrench_on(position, c) for c in contacts], crossed=False)
     return [1 / x if x > RANK else None for x in inverse]
 
 
 def wrench_on(position, contact):
-    """By body: a unit force along the normal, and its opposite."""
+    """Per body: a unit force along the normal, and its opposite."""
     p, normal = position.touched(contact)
     w = cross(p, normal) + normal
     out = {contact["on"]: w}
@@ -230,7 +230,7 @@ def wrench_on(position, contact):
 
 
 def responses(position, wrenches, crossed):
-    """w' M^-1 w of the tree for every wrench; with `crossed`, for every two of them."""
+    """w' M^-1 w of the tree for every wrench; with `crossed`, for every pair of wrenches."""
     mechanism = position.mechanism
     n, count = len(mechanism.bodies), len(wrenches)
     inertia = [position.inertia(i) for i in range(n)]
@@ -283,7 +283,7 @@ def responses(position, wrenches, crossed):
 
 
 def by_closing(position, contacts):
-    """Masses where few loops bind many joints: responses of the tree to the contacts and to what closes the loops."""
+    """Masses for few loops with many joints: responses of the tree to the contacts and to the closing wrenches."""
     closing = []
     for loop in position.mechanism.loops:
         before, after = loop.predecessor, loop.successor
@@ -313,7 +313,7 @@ def by_closing(position, contacts):
 
 
 def solve(matrix, right, column=None):
-    """Gauss with partial pivots of scaled rows."""
+    """Gauss elimination with partial pivoting of scaled rows."""
     n = len(matrix)
     work = []
     for row, r in zip(matrix, right):
@@ -339,8 +339,8 @@ def solve(matrix, right, column=None):
 
 
 def eliminate(rows):
-    """Gauss-Jordan with complete pivoting: [(row, column)] of the pivots and the reduced rows. A pivot is clear of
-    zero by 1e-40, and what is left is below that by 1e20 at least: no rank is a matter of taste here."""
+    """Gauss-Jordan elimination with complete pivoting: [(row, column)] of the pivots and the reduced rows. Every
+    pivot exceeds 1e-40, and the remainder is smaller by at least 1e20: no rank is ambiguous."""
     work = [list(row) for row in rows]
     free = set(range(len(work)))
     columns = set(range(len(work[0]))) if work else set()
@@ -363,7 +363,7 @@ def eliminate(rows):
 
 
 def paths(position):
-    """For every body the coordinates that move it."""
+    """Coordinates that move each body."""
     mechanism = position.mechanism
     base = list(range(6)) if position.floating else []
     place = {i: len(base) + k for k, i in enumerate(mechanism.moving())}
@@ -376,7 +376,7 @@ def paths(position):
 
 
 def velocity_rows(position, path, columns, p):
-    """Rows of turning and of velocity at the point p, for a body moved by `path`."""
+    """Rows of the angular velocity and of the velocity at the point p, for a body moved by `path`."""
     rows = [[mpf(0)] * len(columns) for _ in range(6)]
     for k in path:
         turning, at_origin = columns[k][:3], columns[k][3:]
@@ -406,7 +406,7 @@ def closure_rows(position, path, columns):
             continue
         axis, other = apply(position.r[before], loop.axis), apply(position.r[after], loop.axis)
         for t in perpendiculars(axis):
-            # d(t . other) = (turning of the successor - of the predecessor) . (other x t)
+            # d(t . other) = (angular velocity of the successor - angular velocity of the predecessor) . (other x t)
             weights = cross(other, t)
             rows.append([dot(weights, column) for column in zip(*difference[:3])])
             residual.append(dot(t, other))
@@ -414,7 +414,7 @@ def closure_rows(position, path, columns):
 
 
 def closed(mechanism, drivers, guess, floating=False):
-    """The position at which loops close, by Newton's method from the guess."""
+    """The closed position, by Newton's method from the guess."""
     dependent = sorted(guess)
     moving = mechanism.moving()
     q = {**drivers, **{i: mpf(x) for i, x in guess.items()}}
@@ -425,7 +425,7 @@ def closed(mechanism, drivers, guess, floating=False):
         if max(map(abs, residual)) < mpf(10) ** (8 - mp.dps):
             return Position(mechanism, q, floating)
         chosen = [[row[moving.index(i)] for i in dependent] + [-r] for row, r in zip(rows, residual)]
-        # Pivots among the unknowns only; dropped rows follow from the others.
+        # Pivots among the unknowns only; dropped rows are dependent.
         pivots, _ = eliminate([row[:-1] for row in chosen])
         assert len(pivots) == len(dependent), "the dependent joints are not determined"
         square = [chosen[i] for i, _ in pivots]
@@ -436,7 +436,7 @@ def closed(mechanism, drivers, guess, floating=False):
 
 
 def kernel(rows, n):
-    """A basis of the vectors that the rows send to zero, as columns' lists."""
+    """Basis of the kernel of the rows, as lists of columns."""
     pivots, work = eliminate(rows)
     bound = {k for _, k in pivots}
     basis = []
@@ -451,7 +451,7 @@ def kernel(rows, n):
 
 
 def by_joints(position, contacts):
-    """Masses over the joints' rates; None where a contact does not move. Loops must be closed."""
+    """Masses over the joints' rates; None for a contact that does not move. Loops must be closed."""
     mechanism = position.mechanism
     path, columns = paths(position)
     n = len(columns)
@@ -487,7 +487,8 @@ def by_joints(position, contacts):
 
 
 def by_bodies(position, contacts):
-    """Masses over six velocities of every body: (turning, velocity of the centre), every joint a constraint."""
+    """Masses over six velocities per body (angular velocity, velocity of the centre), with every joint as a
+    constraint."""
     mechanism = position.mechanism
     n = len(mechanism.bodies)
     centres = [position.point(i, b.centre) if b.mass else position.p[i] for i, b in enumerate(mechanism.bodies)]
@@ -501,7 +502,7 @@ def by_bodies(position, contacts):
         return out
 
     def point(body, p, direction, sign=1):
-        """sign direction . velocity at p."""
+        """Row of sign direction . velocity at p."""
         return body, times(sign, cross(sub(p, centres[body]), direction)), times(sign, direction)
 
     zero = [mpf(0)] * 3
@@ -509,7 +510,7 @@ def by_bodies(position, contacts):
     rows = []
 
     def alike(one, two, p, axis, turns, slides):
-        """Two bodies that move alike at p, but for turning about, or sliding along, the axis."""
+        """Rows for equal motion of two bodies at p, except for a rotation about the axis or a translation along it."""
         across = perpendiculars(axis)
         for direction in across if turns else axes:
             rows.append(row([(one, direction, zero), (two, times(-1, direction), zero)]))
@@ -563,7 +564,7 @@ def by_bodies(position, contacts):
 
 
 def masses(position, contacts):
-    """By the formulation that suits."""
+    """Masses by the appropriate formulation."""
     if not position.mechanism.loops:
         return by_recursion(position, contacts)
     return (by_joints if len(position.mechanism.bodies) <= SMALL else by_closing)(position, contacts)

@@ -1,4 +1,4 @@
-"""The reference program against closed forms, and against itself by other equations and with more digits."""
+"""Tests of the reference program: closed forms, other equations, and more digits."""
 
 from mpmath import mp, mpf
 
@@ -28,22 +28,24 @@ def pendulum():
 
 
 def central_impact():
-    """Two free bodies: m1 m2 / (m1 + m2). The second hangs on three slides of a massless chain."""
+    """Two free bodies: m1 m2 / (m1 + m2). The second body is on three slides of a massless chain."""
     sphere = ["3", "0 0 0", "0.5 0 0 0.5 0 0.5"]
     rows = {
         "links": [sphere, [], [], ["5", "0 0 0", "0.25 0 0 0.25 0 0.25"]],
         "joints": [["p", i, "0 0 0", axis, ""] for i, axis in enumerate(["1 0 0", "0 1 0", "0 0 1"])],
     }
     at = Position(Mechanism(rows), {1: mpf(1) / 2, 2: mpf(1), 3: mpf(-2)}, floating=True)
-    # Through both centres: seen from the one at (0.5, 1, -2), the other lies at minus that.
+    # Line through both centres: relative to the centre (0.5, 1, -2), the other centre is at the negative of this
+    # vector.
     for way in (by_recursion, by_joints, by_bodies):
         near("central impact", way(at, [contact(3, "0 0 0", "0.5 1 -2", against=0)])[0], mpf(15) / 8)
-        # Struck at its centre it does not turn, and its passenger, which slides any way, does not feel it.
+        # A force at its centre does not turn the body, and its passenger, which slides in any direction, does not
+        # contribute.
         near("a free body", way(at, [contact(0, "0 0 0", "0.3 0.4 0.1")])[0], mpf(3))
 
 
 def crank_formula():
-    """Twice the energy per unit speed of the slider, from derivatives written down by hand."""
+    """Twice the energy per unit speed of the slider, from derivatives by hand."""
     l, r, theta = mpf(float("0.3")), mpf(float("0.7")), mpf(float("0.9"))
     rows = {
         "links": [[], [], ["2", "0.15 0.05 0", "1 0 0 1 0 0.25"], ["3", "0.3 0.1 0", "1 0 0 1 0 0.5"],
@@ -70,11 +72,11 @@ def crank_formula():
 
 
 def other_equations(position):
-    """Samples of the families: other equations, and half as many digits again."""
+    """Samples of the families: other equations, and 50 % more digits."""
     count = 0
     for name, make in FAMILIES.items():
         if name == "rings_1000":
-            # As the smaller rings, a minute a sample.
+            # Like the smaller rings, but a minute per sample.
             continue
         family = make()
         sample = [c for i, c in enumerate(family.cases) if i % (7 if name == "far" else 23) == 0]
@@ -110,7 +112,7 @@ def other_equations(position):
 
 
 def large_hub():
-    """The recursion against the dense equations once where there are many arms."""
+    """The recursion compared with the dense equations for many arms."""
     draw = Draw("self-test hub")
     rows = {"links": [draw.inertia("40", 1)], "joints": []}
     for _ in range(40):
@@ -123,17 +125,18 @@ def large_hub():
 
 
 def conditions(position):
-    """By how much m magnifies small relative changes of all numbers: what no arithmetic of doubles can undercut."""
+    """Condition of m with respect to small relative changes of all numbers: a lower bound of the error of any double
+    arithmetic."""
     draw = Draw("conditions")
     usual, size = mechanics.numbers, mpf(10) ** -40
 
     def wobbling(text):
-        # Zeros, ones and the heights of planar linkages stay, so that these remain planar.
+        # Zeros, ones and the heights of planar linkages are kept, so that the linkages remain planar.
         return [x if x * 16 == int(x * 16) else x * (1 + size * draw.real(-1, 1)) for x in usual(text)]
 
     for name, make in FAMILIES.items():
         if name == "rings_1000":
-            # As the smaller rings, a minute a sample.
+            # Like the smaller rings, but a minute per sample.
             continue
         family, groups = make(), {}
         for i, case in enumerate(family.cases):

@@ -1,5 +1,5 @@
-"""Linkages in space without a redundant row: chains of hinges and slides with axes of all directions, closed by balls and
-held by rods."""
+"""Spatial linkages without a redundant row: chains of hinges and slides with axes in all directions, closed by balls
+and held by rods."""
 
 from mpmath import mp, mpf
 
@@ -11,7 +11,7 @@ SEEDS = 30
 
 
 def chain(draw, links, joints, values, carrier, count, mass):
-    """Links one after another on a carrier; gives the last."""
+    """Appends links in series to a base link; returns the last."""
     for _ in range(count):
         links.append(draw.inertia(mass(), 0.3, turned=draw.index(3) == 0))
         kind = "p" if draw.index(4) == 0 else "c"
@@ -23,7 +23,8 @@ def chain(draw, links, joints, values, carrier, count, mass):
 
 
 def linkage(draw, decades, rods):
-    """A chain from the root whose end is a ball on the root; with rods, one or two branches of it, whose ends rods hold."""
+    """A chain from the root with a ball on the root at its end; with rods, one or two branches whose ends are held
+    by rods."""
     def mass():
         return draw.decades(-decades, decades) if decades else draw.number(0.2, 5)
 
@@ -51,7 +52,7 @@ def linkage(draw, decades, rods):
     at = Position(Mechanism(rows), at.q)
     found, columns = paths(at)
     pivots, reduced = eliminate(closure_rows(at, found, columns)[0])
-    # Near a singular pose, another row or another branch: these are other families' questions.
+    # Singular poses, additional rows and other branches belong to other families.
     if len(pivots) < 3 + rods or max(abs(x) for row in reduced for x in row) > 30:
         return None
     follows = sorted(k + 1 for _, k in pivots)

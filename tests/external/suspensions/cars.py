@@ -1,10 +1,10 @@
-"""What a suspension's sheet means, from docs/SUSPENSIONS.md and nothing else: bodies and joints of each template.
+"""Meaning of a suspension's sheet, from docs/SUSPENSIONS.md alone: bodies and joints of each template.
 
 A car is in metres and kilograms, in axes of ISO 8855 (x forward, y left, z up), and describes its left side:
 
     points   name: position
-    bodies   section: Given, or none where the sheet leaves the section out
-    on       what is on which link: spring, damper, bump_stop, rebound_stop, drop_link, pushrod
+    bodies   section: Given, or None for an omitted section
+    on       carrier link of each part: spring, damper, bump_stop, rebound_stop, drop_link, pushrod
 """
 
 from dataclasses import dataclass, field
@@ -14,14 +14,14 @@ import numpy as np
 MIRROR = np.diag([1.0, -1.0, 1.0])
 CHASSIS = "chassis"
 
-# Points of the axle as a whole: they stay where they are, whichever side the others describe.
+# Points of the whole axle: their positions do not depend on the described side.
 SHARED = {
     "middle_link_chassis", "middle_link_axle", "panhard_chassis", "panhard_axle", "watt_pivot", "watt_left_chassis",
     "watt_left_crank", "watt_right_chassis", "watt_right_crank",
 }  # fmt: skip
 SHARED_BODIES = {"axle", "middle_link", "panhard_rod", "watt_crank", "watt_left_rod", "watt_right_rod", "rack"}
 
-# The links that a spring, a stop or a drop link may be on.
+# Possible carrier links of a spring, a stop or a drop link.
 CARRIERS = {
     "double-wishbone": ["lower_arm", "upper_arm", "upright"],
     "double-wishbone-rods": ["upright"],
@@ -37,7 +37,7 @@ CARRIERS = {
     "swing-axle": ["axle_tube"],
 }
 AXLES = {"solid-axle-four-links", "solid-axle-panhard", "solid-axle-watt"}
-# Rods: the points of their ends, first that which a universal joint holds.
+# Rods: their end points; the first is at the universal joint.
 RODS = {
     "tie_rod": ("tie_rod_inner", "tie_rod_outer"),
     "upper_link": ("upper_link_chassis", "upper_link_outer"),
@@ -59,7 +59,8 @@ RODS = {
 
 @dataclass
 class Given:
-    """What a section says of a body: inertia about the centre of mass, in the vehicle's axes; of a rod the mass may be all."""
+    """A section of a body: inertia about the centre of mass, in the vehicle's axes; for a rod, the mass alone is
+    sufficient."""
 
     mass: float
     com: np.ndarray | None = None
@@ -96,8 +97,8 @@ class Body:
 
 @dataclass
 class Joint:
-    """Holds the second body to the first: kind, where, and a direction (the axis; of a universal joint that about which
-    nothing turns; of a rod its line, `at` being its end on the first body)."""
+    """A joint between two bodies: kind, position, and a direction (the axis; for a universal joint, the blocked axis
+    of rotation; for a rod, its line, with `at` as its end on the first body)."""
 
     kind: str
     first: str
@@ -110,7 +111,7 @@ class Joint:
 class Built:
     bodies: dict = field(default_factory=dict)
     joints: list = field(default_factory=list)
-    # Of the command's frames: on which body, and where.
+    # Frames of the command: body and position.
     frames: dict = field(default_factory=dict)
 
 
@@ -126,7 +127,7 @@ def unit(v):
 
 
 class Side:
-    """Puts one side of a car together, or what belongs to both."""
+    """Builds one side of a car, or the shared parts."""
 
     def __init__(self, car, built, right, ending):
         self.car, self.built, self.ending = car, built, ending
@@ -158,7 +159,8 @@ class Side:
         self.join("hinge", carrier, link, one, self.point(other) - self.point(one))
 
     def rod(self, link, first, second):
-        """Between its two ends: massless, slender, or any body; it does not turn about its line as seen from its first end."""
+        """A rod between its two ends: massless, slender, or any body; it does not rotate about its line relative to
+        its first end."""
         inner, outer = RODS[link]
         a, b = self.point(inner), self.point(outer)
         given = self.car.bodies.get(link)
@@ -295,7 +297,7 @@ def axle(car, built, sides):
 
 
 def build(car, which):
-    """The bodies and joints of `left`, `right` or `both`; with both, names end in _left and _right."""
+    """The bodies and joints of `left`, `right` or `both`; for both, names end in _left and _right."""
     built = Built()
     endings = {"left": [(False, "")], "right": [(True, "")], "both": [(False, "_left"), (True, "_right")]}[which]
     sides = [Side(car, built, right, ending) for right, ending in endings]

@@ -1,14 +1,14 @@
-"""Imported suspensions against the same cars built independently.
+"""Imported suspensions compared with the same cars built independently.
 
     check.py --percuss PATH [--count N] [--seed S] [--template NAME] [--keep FOLDER]     prints `N passed, N failed`
 
-For each template N random sheets: every figure another, sections left out at random, in any unit, either axes, from either side,
-one or both sides built. Of each sheet three things are compared at the wheel's centre, the contact patch, the stops and the
-seats: what percuss makes of the sheet; a URDF+ file of the same car, its tree grown in random order, over links with axes of
-their own; and a program that shares neither code nor method with percuss (velocities of all bodies, every joint as rows). The
-last two know of a sheet what docs/SUSPENSIONS.md says. Mobilities are compared too, and hardpoints moved by --move, masses and
-centres of mass given by --link-mass and --link-com. With both sides built, each contact of the
-left one has the mass of the right one's where the car is symmetric.
+For each template N random sheets: all numbers different, sections omitted at random, any unit, both axes conventions,
+either side described, one or both sides built. Three results are compared at the wheel's centre, the contact patch, the
+stops and the seats: percuss with the sheet; a URDF+ file of the same car, with a random spanning tree and other link
+axes; and a program that shares neither code nor method with percuss (velocities of all bodies, every joint as rows).
+The last two interpret a sheet by docs/SUSPENSIONS.md. Mobilities are compared too, and hardpoints moved by --move,
+masses and centres of mass given by --link-mass and --link-com. With both sides built, each left contact has the same
+mass as the right contact if the car is symmetric.
 """
 
 import argparse
@@ -26,9 +26,9 @@ from mechanics import Independent, Twin
 from sheets import example, random_build, random_car, random_spelling, to_sheet, written
 
 ROOT = Path(__file__).resolve().parents[3]
-# Both sides round at 1e-16; conditions of the reduced mass matrix and of the rows reach some 1e5 together.
+# Both programs round at 1e-16; conditions of the reduced mass matrix and of the rows reach some 1e5 together.
 TOLERANCE = 1e-9
-# Left and right are the same numbers but for signs; the loops' elimination may take another order.
+# Left and right have the same numbers except for signs; the loops' elimination may use another order.
 MIRRORED = 1e-12
 STOPS = [
     ("bump_stop_pad", "bump_stop"),
@@ -63,7 +63,7 @@ class Checker:
         return json.loads(out)["effective_mass"] if code == 0 else err.strip()
 
     def coms(self, model):
-        """Of each link with a mass, its centre of mass in its own frame."""
+        """Centre of mass of each link with a mass, in its own frame."""
         code, out, _ = self.run("check", str(model), "--format", "json")
         links = json.loads(out)["links"] if code == 0 else []
         return {link["name"]: link["com"] for link in links if link["com"] is not None}
@@ -74,7 +74,7 @@ class Checker:
 
 
 def contacts(built, rng):
-    """Name, link and place of each contact, its direction, and the flags that ask for it in the imported model."""
+    """Name, link and position of each contact, its direction, and the flags for the contact in the imported model."""
     for ending in ("", "_left", "_right"):
         if f"wheel_centre{ending}" not in built.frames:
             continue
@@ -116,7 +116,7 @@ def compare(checker, car, spelling, which, rng, name):
 
 
 def changed(checker, car, spelling, which, rng, name):
-    """Hardpoints moved, masses and centres of mass changed by the flags, against a car that has them so."""
+    """Hardpoints moved, masses and centres of mass changed by the flags, compared with a car that has these values."""
     sheet = checker.folder / f"{name}.toml"
     sheet.write_text(written(car, spelling, which))
     built = build(car, which)
@@ -158,7 +158,7 @@ def changed(checker, car, spelling, which, rng, name):
 
 
 def mirrored(checker, car, spelling, rng, name):
-    """Both sides of a corner: every contact of the left one and its mirror image."""
+    """Both sides of a corner: every contact of the left side and its mirror image."""
     sheet, model = (checker.folder / f"{name}{end}" for end in (".toml", ".urdf"))
     sheet.write_text(written(car, spelling, "both"))
     code, _, err = checker.run("import", str(sheet), "-o", str(model), "--force")

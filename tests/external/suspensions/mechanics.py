@@ -1,5 +1,5 @@
-"""The effective mass from the velocities of all bodies, every joint as rows; and the same bodies written as a URDF+ file, over
-a spanning tree of one's own."""
+"""The effective mass from the velocities of all bodies, every joint as rows; and the same bodies written as a URDF+
+file with a random spanning tree."""
 
 from xml.sax.saxutils import quoteattr
 
@@ -19,7 +19,7 @@ def across(line):
 
 
 class Velocities:
-    """Columns: of each body its angular velocity and that of its centre of mass, in the vehicle's axes."""
+    """Columns: the angular velocity and the velocity of the centre of mass of each body, in the vehicle's axes."""
 
     def __init__(self, built):
         self.built = built
@@ -74,7 +74,7 @@ class Independent:
     def __init__(self, built):
         self.velocities = Velocities(built)
         rows = np.array([row for joint in built.joints for row in self.velocities.rows(joint)])
-        # A rod's row has its length in it: rows of the same size, since the rank is taken.
+        # A rod's row is proportional to its length; rows are normalised for the rank decision.
         rows /= np.linalg.norm(rows, axis=1, keepdims=True)
         _, s, vt = np.linalg.svd(rows)
         rank = int((s > 1e-9 * s[0]).sum())
@@ -97,7 +97,7 @@ def rpy(r):
 
 
 def random_rotation(rng):
-    """Away from a pitch of 90°, where angles say little of a rotation."""
+    """A random rotation away from a pitch of 90°, where roll and yaw are ill-defined."""
     while True:
         q, r = np.linalg.qr(rng.normal(size=(3, 3)))
         q = q * np.sign(np.diag(r))
@@ -107,11 +107,11 @@ def random_rotation(rng):
 
 
 class Twin:
-    """A URDF+ file of built bodies: links with axes of their own, the tree grown from the chassis in random order."""
+    """A URDF+ file of built bodies: links with random axes, the tree grown from the chassis in random order."""
 
     def __init__(self, built, rng):
         self.built, self.rng, self.text = built, rng, ['<robot name="twin">', '  <link name="chassis"/>']
-        # Of each link: its axes (columns) and its origin, in the vehicle's.
+        # Axes (columns) and origin of each link, in the vehicle's frame.
         self.frames = {CHASSIS: (np.eye(3), np.zeros(3))}
         self.crosses = 0
         self.grow()
@@ -200,7 +200,7 @@ class Twin:
                 parent, child = ends if grown.first in self.frames else ends[::-1]
                 self.in_tree(grown, parent, child)
                 continue
-            # Bodies that nothing but rods or loops hold hang on the chassis by all six velocities.
+            # Bodies connected only by rods or loops get a joint to the chassis with all six velocities.
             alone = next((name for name in bodies if name not in self.frames), None)
             if alone is not None:
                 self.joint("floating", CHASSIS, alone, self.built.bodies[alone].com)

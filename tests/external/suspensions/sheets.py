@@ -1,4 +1,4 @@
-"""Random cars, and a car written as a sheet: in any unit, either axes, from either side."""
+"""Random cars, and a car written as a sheet: any unit, both axes conventions, either side."""
 
 import tomllib
 
@@ -6,10 +6,10 @@ import numpy as np
 
 from cars import AXLES, CARRIERS, MIRROR, RODS, SHARED, SHARED_BODIES, Car, Given, Wheel
 
-# Of one unit of the sheet, in metres.
+# One unit of the sheet in metres.
 LENGTHS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "in": 0.0254}
 INERTIAS = {"kg m2": 1.0, "kg cm2": 1e-4, "kg mm2": 1e-6, "g mm2": 1e-9, "t mm2": 1e-3}
-# Points that may be left out, with what is on them.
+# Optional points, with their parts.
 PAIRS = {
     "spring": ("spring_seat", "spring_chassis_seat"),
     "damper": ("damper_seat", "damper_chassis_seat"),
@@ -53,7 +53,7 @@ def example(path):
 
 
 def random_inertia(rng, size):
-    """Of some rigid body: from a density's second moments."""
+    """Inertia of a rigid body, from second moments of a density."""
     directions = rng.normal(size=(4, 3))
     second = directions.T @ directions
     inertia = np.trace(second) * np.eye(3) - second
@@ -61,7 +61,8 @@ def random_inertia(rng, size):
 
 
 def random_car(rng, path):
-    """The example with every figure another: points some centimetres away, sections and parts left out at random."""
+    """The example with all numbers changed: points displaced by some centimetres, sections and parts omitted at
+    random."""
     car = example(path)
     for name in car.points:
         car.points[name] = car.points[name] + rng.uniform(-0.03, 0.03, size=3)
@@ -70,7 +71,7 @@ def random_car(rng, path):
         assert np.linalg.norm(car.points["strut_top"] - car.points["strut_bottom"]) > 0.1
     carriers = CARRIERS[car.template]
     for what in car.on:
-        # A drop link or a pushrod to the link that it begins on would not move.
+        # A drop link or a pushrod to its own first link would not move.
         choice = [link for link in carriers if not (what == "pushrod" and link == "rocker")]
         car.on[what] = str(rng.choice(choice))
     for name, given in list(car.bodies.items()):
@@ -117,13 +118,13 @@ def random_car(rng, path):
 
 
 def turned_axes(adams, right, shared):
-    """From the car's axes to those of the sheet."""
+    """Matrix from the car's axes to the sheet's axes."""
     axes = np.diag([-1.0, -1, 1]) if adams else np.eye(3)
     return axes @ (MIRROR if right and not shared else np.eye(3))
 
 
 def to_sheet(spelling, point):
-    """The same for a point."""
+    """Matrix for the axes of a point."""
     _, _, adams, right = spelling
     return turned_axes(adams, right, point in SHARED)
 
@@ -158,7 +159,7 @@ def written(car, spelling, build):
         if given.com is not None:
             text.append(f"com = {point(given.com, shared)}")
         if given.inertia is not None:
-            # The spindle's are in the wheel's own axes.
+            # The spindle's inertia is in the wheel's own axes.
             by = turned(shared)
             text.append(f"inertia = {moments(given.inertia) if name == 'spindle' else inertia(by @ given.inertia @ by.T)}")
         if name == "spindle":

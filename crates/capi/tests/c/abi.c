@@ -1,5 +1,5 @@
-/* The layout of what crosses the border, on machines with 64 bits: a program that was compiled with one header reads what another
-   library of the same second version number writes. C11 and C++17. */
+/* Layouts of the interface types on 64-bit machines: programs compiled with one header work with any library of the
+   same second version number. C11 and C++17. */
 #include <percuss.h>
 
 #include <stddef.h>

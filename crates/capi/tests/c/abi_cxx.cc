@@ -1,2 +1,2 @@
-// The same layouts as C has them.
+// The C++ layouts equal the C layouts.
 #include "abi.c"

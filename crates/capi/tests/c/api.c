@@ -1,4 +1,5 @@
-/* Every function, as a program uses it: load, set conditions, assemble, pose, m, response, workspace, batch, laws, matrices. */
+/* Every function, as in an application: load, set conditions, assemble, pose, m, response, workspace, batch, laws,
+   matrices. */
 #include "check.h"
 
 static void the_model(void)
@@ -24,7 +25,7 @@ static void the_model(void)
   OK(percuss_model_free(&model));
   CHECK(model == NULL);
   OK(percuss_model_free(&model));
-  /* What is noticed in a file. */
+  /* Findings about a file. */
   const char odd[] = "<robot name=\"odd\"><link name=\"a\"/><unknown_thing/></robot>";
   model = loaded(odd);
   size_t count;
@@ -63,7 +64,7 @@ static void the_pendulum(void)
   percuss_contact contact = contact_of(model, "rod", 0.0, 0.0, -0.8);
   contact.normal[0] = 1.0;
   contact.normal[2] = 0.0;
-  /* What was made from the model stays valid. */
+  /* Objects made from the model stay valid. */
   OK(percuss_model_free(&model));
   const double angle = 0.3;
   OK(percuss_configuration_set(configuration, "hinge", &angle, 1));
@@ -76,7 +77,8 @@ static void the_pendulum(void)
   percuss_mass again;
   OK(percuss_response_mass(response, &again));
   CHECK(again.route == PERCUSS_ROUTE_DENSE && near_to(again.effective_mass, 0.78125, 1e-14));
-  /* The point moves 0.8 m a radian; the normal is +x, the hinge's axis +y, the point below: closing speed -0.8 a radian. */
+  /* The point moves 0.8 m per radian; the normal is +x, the hinge's axis +y, the point below: closing speed -0.8 per
+     radian. */
   double velocity, shares[2], rotors[1], twist[6];
   OK(percuss_response_velocities(response, &velocity, 1));
   CHECK(near_to(velocity, -1.0 / 0.8, 1e-14));
@@ -86,7 +88,7 @@ static void the_pendulum(void)
   CHECK(twist[0] == 0.0 && twist[5] == 0.0);
   OK(percuss_response_against_mass(response, 0.78125, &again));
   CHECK(near_to(again.effective_mass, 0.78125 / 2.0, 1e-14));
-  /* Along the rod nothing gives way. */
+  /* Along the rod the mechanism is immovable. */
   contact.normal[0] = 0.0;
   contact.normal[2] = 1.0;
   OK(percuss_pose_effective_mass(pose, &contact, PERCUSS_ROUTE_AUTO, &mass));
@@ -159,7 +161,7 @@ static void conditions(void)
   OK(percuss_model_free(&model));
 }
 
-/* The four-bar: pose, workspace, batch and the dense entry say the same. */
+/* The four-bar: pose, workspace, batch and the dense entry agree. */
 static int stop_at_once(size_t done, void *user)
 {
   *(size_t *)user = done;
@@ -245,7 +247,7 @@ static void the_four_bar(void)
       CHECK(near_to(j[0] * v[0] + j[1] * v[1] + j[2] * v[2], 1.0, 1e-12));
     }
   }
-  /* The batch, by rows and by columns, by one thread and by two. */
+  /* The batch by rows and by columns, with one thread and with two. */
   double *columns = malloc(3 * MANY * sizeof *columns), *masses = malloc(MANY * sizeof *masses);
   double *errors = malloc(MANY * sizeof *errors);
   percuss_outcome *outcomes = malloc(MANY * sizeof *outcomes);

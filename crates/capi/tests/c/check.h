@@ -1,4 +1,4 @@
-/* What the test programs share: a check that ends the program where it fails, and the model that they load. */
+/* Shared parts of the test programs: a check that ends the program on failure, and the test models. */
 #ifndef CHECK_H
 #define CHECK_H
 
@@ -20,7 +20,7 @@
 
 #define OK(call) CHECK((call) == PERCUSS_OK)
 
-/* The call fails with this status and says why: the message has this text. */
+/* The call fails with this status, and the message contains this text. */
 #define FAILS(call, status, text)                                                                 \
   do {                                                                                            \
     CHECK((call) == (status));                                                                    \
@@ -29,7 +29,8 @@
 
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
 
-/* A point mass of 2 kg on a massless rod, 0.5 m below its hinge: m = 2 (0.5/0.8)^2 = 0.78125 kg felt 0.8 m below it. */
+/* A point mass of 2 kg on a massless rod, 0.5 m below its hinge: m = 2 (0.5/0.8)^2 = 0.78125 kg at a point 0.8 m
+   below the hinge. */
 static const char PENDULUM[] =
     "<robot name=\"pendulum\"><link name=\"ground\"/><link name=\"rod\"><inertial><origin xyz=\"0 0 -0.5\"/>"
     "<mass value=\"2\"/></inertial></link><joint name=\"hinge\" type=\"continuous\"><parent link=\"ground\"/>"

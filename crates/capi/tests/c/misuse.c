@@ -1,4 +1,5 @@
-/* Misuse gives an error code and a message, never a crash: null, wrong lengths, wrong handles, values out of range. */
+/* Misuse returns an error code and a message, never a crash: null, wrong lengths, wrong handles, values out of
+   range. */
 #include "check.h"
 
 static void nulls(void)
@@ -83,13 +84,13 @@ static void nulls(void)
   FAILS(percuss_matrix_options_init(NULL), null, "options");
   FAILS(percuss_effective_mass(NULL, &value, 1, NULL, NULL, &mass, NULL, NULL, NULL), null, "mass");
 
-  /* A handle of another kind. */
+  /* A handle of another type. */
   const percuss_status handle = PERCUSS_ERROR_HANDLE;
   FAILS(percuss_system_coordinates((const percuss_system *)(const void *)model, &count), handle, "percuss_system");
   FAILS(percuss_pose_positions((const percuss_pose *)(const void *)response, &value, 1), handle, "percuss_pose");
   percuss_system *wrong = (percuss_system *)(void *)model;
   FAILS(percuss_system_free(&wrong), handle, "percuss_system");
-  /* A handle that is not aligned, as no handle is. */
+  /* A misaligned handle. */
   FAILS(percuss_system_coordinates((const percuss_system *)(const void *)((const char *)system + 1), &count), null,
         "aligned");
 
@@ -180,7 +181,7 @@ static void nulls(void)
   OK(percuss_model_free(&other));
   CHECK(strstr(percuss_error_message(), "four_bar") != NULL);
 
-  /* Freed handles are null, and null is noticed. */
+  /* Freed handles are null, and a null handle is an error. */
   OK(percuss_response_free(&response));
   FAILS(percuss_response_mass(response, &mass), null, "percuss_response");
   OK(percuss_batch_free(&batch));

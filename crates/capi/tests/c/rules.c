@@ -1,4 +1,4 @@
-/* Every rule of input at every entry point of C, findings as data, and memory that overlaps. */
+/* Every input rule at every entry point of C, findings as data, and overlapping memory. */
 #include "check.h"
 
 /* A rod on a ball joint. */
@@ -51,7 +51,7 @@ static void dispose(Subject *s)
 
 static int cases = 0;
 
-/* A row of positions is refused by the workspace, with words, and by the batch, with a reason as data. */
+/* The workspace refuses a row of positions with a message, the batch with a remark. */
 static void refused_row(Subject *s, const double *row, percuss_status status, const char *words, uint32_t reason)
 {
   percuss_outcome outcome = 77;
@@ -95,7 +95,7 @@ static void rows_of_positions(void)
     row[1] = bad[i];
     refused_row(&ball, row, PERCUSS_ERROR_ARGUMENT, "position 1", PERCUSS_REMARK_NOT_FINITE);
   }
-  /* Empty and null are no positions: they gave the answer of the row before. */
+  /* Empty or null positions are refused; formerly the result of the previous row was returned. */
   percuss_outcome outcome;
   double mass;
   FAILS(percuss_workspace_effective_mass(ball.workspace, NULL, 0, &ball.contact, &outcome, &mass, NULL),
@@ -106,7 +106,7 @@ static void rows_of_positions(void)
         PERCUSS_ERROR_LENGTH, "0 positions");
   cases += 3;
   dispose(&ball);
-  /* Loops that are open. */
+  /* Open loops. */
   Subject bars = subject(FOUR_BAR, "coupler", 0.35, 0.1, 0.0, PERCUSS_BASE_FIXED);
   percuss_configuration *configuration = NULL;
   percuss_pose *pose = NULL;
@@ -135,7 +135,7 @@ static void rows_of_positions(void)
   dispose(&bars);
 }
 
-/* A contact is refused by the pose, the workspace, the batch and the row j. */
+/* The pose, the workspace, the batch and the row j refuse an invalid contact. */
 static void refused_contact(Subject *s, percuss_pose *pose, const percuss_contact *contact, percuss_status status,
                             const char *words)
 {
@@ -208,7 +208,7 @@ static void contacts(void)
   CHECK(percuss_configuration_set_base(configuration, far, unit) == PERCUSS_ERROR_ARGUMENT);
   CHECK(percuss_workspace_set_base(ball.workspace, far, unit) == PERCUSS_ERROR_ARGUMENT);
   cases += 2;
-  /* Laws: speeds that are none. */
+  /* Laws: invalid speeds. */
   const percuss_spring spring = {2.0, 1e5, 1.5};
   percuss_damper damper;
   percuss_impact impact;
@@ -266,7 +266,7 @@ static void overlaps(void)
   dispose(&ball);
 }
 
-/* The four-bar with its coupler's pin 30 mm off, and the one whose rocker is driven past its range. */
+/* The four-bar with its coupler's pin 30 mm off, and the four-bar with its rocker driven past its range. */
 static void findings(void)
 {
   char text[sizeof FOUR_BAR + 16];
@@ -298,7 +298,8 @@ static void findings(void)
 
   Subject bars = subject(FOUR_BAR, "coupler", 0.35, 0.1, 0.0, PERCUSS_BASE_FIXED);
   OK(percuss_configuration_new(bars.model, &configuration));
-  /* The drawing mirrored in the line of the hinges: the rocker's pin is at (-0.1, 0.49) from its hinge where it closes. */
+  /* The drawing mirrored in the line of the hinges: the rocker's pin is at (-0.1, 0.49) from its hinge in the closed
+     pose. */
   const double mirrored = -2.95;
   int refused = 0;
   for (int i = 0; i < 8; i++) {
@@ -319,7 +320,7 @@ static void findings(void)
   OK(percuss_configuration_free(&configuration));
   dispose(&bars);
 
-  /* Nearly immovable: along the rod, but for a tilt. */
+  /* Nearly immovable: along the rod, with a slight tilt. */
   Subject ball = subject(BALL, "rod", 0.5, 0.0, 0.0, PERCUSS_BASE_FIXED);
   const double row[4] = {1.0, 0.0, 0.0, 0.0};
   ball.contact.normal[0] = 1.0;

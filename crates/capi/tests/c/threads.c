@@ -1,4 +1,5 @@
-/* Threads: what cannot be changed is shared, each thread has its own workspace; one workspace used by two gives an error. */
+/* Threads: immutable objects are shared, each thread has its own workspace; two threads in one workspace get an
+   error. */
 #define _POSIX_C_SOURCE 200809L
 #include "check.h"
 
@@ -36,7 +37,7 @@ static void *own_workspace(void *argument)
     OK(percuss_batch_run(batch, &angle, 1, PERCUSS_ROW_MAJOR, 1, 1, &outcome, &mass, NULL, NULL, NULL, NULL));
     check_mass(PERCUSS_OK, outcome, mass);
   }
-  /* Messages are each thread's own: none failed here. */
+  /* Messages are kept per thread: this thread has no failure. */
   CHECK(strcmp(percuss_error_message(), "") == 0);
   OK(percuss_workspace_free(&workspace));
   return NULL;
@@ -47,7 +48,7 @@ static void *shared_workspace(void *argument)
   (void)argument;
   atomic_fetch_add(&started, 1);
   while (atomic_load(&started) < THREADS) { }
-  /* Until both have met: at most some thousand calls where two processors work. */
+  /* Until the two calls coincide: at most some thousand calls on two processors. */
   for (long i = 0; i < 20000000L && atomic_load(&busy) == 0; i++) {
     percuss_outcome outcome = -1;
     double mass = 0.0;
@@ -71,7 +72,7 @@ static void both(void *(*work)(void *))
   for (int i = 0; i < THREADS; i++) CHECK(pthread_join(threads[i], NULL) == 0);
 }
 
-/* While the batch calls back, another call on what cannot be changed is allowed, one on a workspace too. */
+/* During a callback of the batch, calls on immutable objects and on a workspace are allowed. */
 static int while_running(size_t done, void *user)
 {
   (void)done;
@@ -84,7 +85,8 @@ static int while_running(size_t done, void *user)
   return 0;
 }
 
-/* A forked process has none of its parent's threads: a batch that has some says so there, and does not wait for them. */
+/* A forked process has none of its parent's threads: a threaded batch returns an error there instead of waiting for
+   them. */
 static void forked(void)
 {
   percuss_batch *threaded = NULL;
@@ -101,11 +103,11 @@ static void forked(void)
     percuss_status status =
         percuss_batch_run(threaded, angles, 3, PERCUSS_ROW_MAJOR, 1, 3, outcomes, masses, NULL, NULL, NULL, NULL);
     int wrong = status != PERCUSS_ERROR_HANDLE || strstr(percuss_error_message(), "after fork") == NULL;
-    /* The one of this thread alone has no others. */
+    /* The batch without threads works in the forked process. */
     status = percuss_batch_run(batch, angles, 3, PERCUSS_ROW_MAJOR, 1, 3, outcomes, masses, NULL, NULL, NULL, NULL);
     const char right = !wrong && status == PERCUSS_OK ? 'y' : 'n';
     (void)!write(told[1], &right, 1);
-    /* At once: what the threads of the parent held is lost here, which is nothing to look for. */
+    /* Killed at once: resources of the parent's threads are lost here, and leak checks must not report them. */
     kill(getpid(), SIGKILL);
   }
   char right = 0;

@@ -1,11 +1,11 @@
-/* A caller that lets the processor trap on division by zero, on invalid operations and on overflow: no call raises a signal, the
-   numbers are the same, and the caller's environment is as it was. Linux with glibc. */
+/* A caller with traps on division by zero, invalid operations and overflow: no call raises a signal, the numbers are
+   the same, and the caller's environment is restored. Linux with glibc. */
 #define _GNU_SOURCE
 #include "check.h"
 
 #include <fenv.h>
 
-/* A chain of hinges and slides about all axes, every third link without mass where `massless`. */
+/* A chain of hinges and slides about all axes; every third link is massless if `massless`. */
 static void chain(char *text, size_t size, int links, int massless)
 {
   size_t at = (size_t)snprintf(text, size, "<robot name=\"chain\"><link name=\"l0\"/>");
@@ -58,7 +58,7 @@ static void ask(const char *text, Answers *answers)
   OK(percuss_contact_init(&contact));
   contact.link = links - 1;
   contact.point[0] = 0.1;
-  /* Directions that are finite, immovable and massless, and rows that are good, open and not numbers. */
+  /* Finite, immovable and massless directions, and rows that are valid, open and not numbers. */
   const double normals[3][3] = {{0.3, -0.5, 0.8}, {0.0, 1.0, 0.0}, {1.0, 0.0, 0.0}};
   for (int k = 0; k < 3; k++) {
     memcpy(contact.normal, normals[k], sizeof contact.normal);
@@ -100,7 +100,7 @@ static void ask(const char *text, Answers *answers)
   OK(percuss_model_free(&model));
 }
 
-/* What must be the same: all but NaN, whose bits have no meaning. */
+/* Compares the results, except the bits of NaN, which have no meaning. */
 static void same(const Answers *a, const Answers *b)
 {
   for (int i = 0; i < 91; i++) {
@@ -123,7 +123,7 @@ int main(void)
     memset(&plain, 0, sizeof plain);
     memset(&trapped, 0, sizeof trapped);
     ask(texts[i], &plain);
-    /* Flags that are set already raise no trap. */
+    /* Flags that are already set raise no trap. */
     CHECK(feclearexcept(FE_ALL_EXCEPT) == 0);
     CHECK(feenableexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW) != -1);
     const int enabled = fegetexcept();
@@ -131,7 +131,7 @@ int main(void)
     CHECK(fegetexcept() == enabled && fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW) == 0);
     fedisableexcept(FE_ALL_EXCEPT);
     same(&plain, &trapped);
-    /* Another rounding is the caller's too, and changes no answer. */
+    /* Another rounding mode of the caller is kept, and changes no result. */
     CHECK(fesetround(FE_UPWARD) == 0);
     ask(texts[i], &trapped);
     CHECK(fegetround() == FE_UPWARD && fesetround(FE_TONEAREST) == 0);

@@ -82,7 +82,7 @@ static void four_bar() {
   CHECK(caught);
 }
 
-/* What a chain on a temporary object returns is an object, not a reference to one that is gone. */
+/* A chain on a temporary object returns an object, not a dangling reference. */
 static_assert(std::is_same_v<decltype(std::declval<percuss::Configuration>().set("j", 0.0)), percuss::Configuration>);
 static_assert(std::is_same_v<decltype(std::declval<percuss::Configuration &>().set("j", 0.0)), percuss::Configuration &>);
 static_assert(std::is_same_v<decltype(std::declval<percuss::Conditions>().lock("j")), percuss::Conditions>);
@@ -100,10 +100,10 @@ static void rules() {
   std::uint32_t remarks = 77;
   const double m = workspace.effective_mass(closed, contact, nullptr, &remarks).value();
   CHECK(near_to(m, pose.effective_mass(contact).effective_mass, 1e-10));
-  /* The drawing is not closed. */
+  /* The drawing is open. */
   CHECK(remarks == PERCUSS_REMARK_DRAWN_OPEN);
   CHECK(workspace.effective_mass_again(contact).value() == m);
-  /* Rules of input: each with its status. */
+  /* Input rules, with the status of each. */
   throws(PERCUSS_ERROR_LENGTH, "0 positions", [&] { workspace.effective_mass(std::vector<double>{}, contact); });
   throws(PERCUSS_ERROR_LENGTH, "2 positions", [&] { workspace.effective_mass({0.0, 0.0}, contact); });
   throws(PERCUSS_ERROR_ASSEMBLY, "is open by", [&] { workspace.effective_mass({closed[0] + 0.1, closed[1], closed[2]}, contact); });

@@ -1,4 +1,4 @@
-"""The same as ray_sweep.py by Dask: partitions of the table are tasks of its scheduler.
+"""The sweep of ray_sweep.py with Dask: the partitions of the table are tasks of its scheduler.
 
     dask_sweep.py MODEL.urdf LINK X,Y,Z NX,NY,NZ IN OUT [--workers N] [--address ADDRESS]
 """
@@ -23,7 +23,7 @@ META = {"row": "int64", "effective_mass": "float64", "error": "float64", "status
 
 @lru_cache(maxsize=1)
 def assembly(text: str) -> percuss.Assembly:
-    """A worker's own, made once."""
+    """Assembly of a worker, built once."""
     return percuss.loads(text).assemble()
 
 
@@ -43,7 +43,8 @@ def answer(part: pd.DataFrame, text: str, contact: percuss.Contact) -> pd.DataFr
 
 
 def sweep(model: percuss.Model, contact: percuss.Contact, source: str, target: str) -> None:
-    """By the workers of the client that is connected. A task whose worker dies is done again elsewhere and writes the same file."""
+    """Runs on the workers of the connected client. If a worker dies, its task runs again elsewhere and writes the
+    same file."""
     table = dask.dataframe.read_parquet(source, split_row_groups=False)
     answered = table.map_partitions(answer, model.to_urdf(), contact, meta=pd.DataFrame(columns=list(META)).astype(META))
     answered.to_parquet(target, write_index=False)

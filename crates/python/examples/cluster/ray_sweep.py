@@ -1,4 +1,5 @@
-"""m̄ of a contact at the rows of a Parquet table, shared out by Ray Data: each worker takes the model once, then one batch after another.
+"""m̄ of a contact at the rows of a Parquet table, distributed by Ray Data: each worker receives the model once, then
+one batch after another.
 
     ray_sweep.py MODEL.urdf LINK X,Y,Z NX,NY,NZ IN OUT [--workers N] [--batch ROWS] [--address ADDRESS]
 
@@ -23,13 +24,13 @@ import percuss
 
 
 class Sweeper:
-    """A worker's own: the assembly, made once."""
+    """Worker with its own assembly, built once."""
 
     def __init__(self, model: percuss.Model, contact: percuss.Contact) -> None:
         self.assembly, self.contact, self.columns = model.assemble(), contact, model.position_names
 
     def __call__(self, batch: dict[str, NDArray[np.generic]]) -> dict[str, NDArray[np.generic]]:
-        # Column after column, as Parquet has them: that is the fastest.
+        # Column by column, as in Parquet: the fastest layout.
         q = np.array([batch[name] for name in self.columns], dtype=np.float64).T
         swept = percuss.sweep(self.assembly, self.contact, q)
         worker = np.full(len(swept), os.getpid(), dtype=np.int32)
@@ -51,9 +52,9 @@ def sweep(
     workers: int,
     batch: int = 1 << 17,
 ) -> None:
-    """By so many workers at once. A worker that dies is replaced, and what it was doing is done again: every file of the
-    table is written under one name, so that nothing is doubled. batch: rows of what is handed out, and of each file."""
-    # Small files are read together: without this one worker might get all.
+    """Runs on a number of workers. A dead worker is replaced, and its task runs again: every file of the table has a
+    fixed name, so no file is doubled. batch: rows per task and per output file."""
+    # Small files are read together; without repartition, one worker might receive all rows.
     table = ray.data.read_parquet(source).repartition(target_num_rows_per_block=batch)
     answered = table.map_batches(
         Sweeper,
@@ -67,10 +68,10 @@ def sweep(
 
 
 def start(address: str | None, workers: int) -> None:
-    """A worker has one processor, and takes no more."""
+    """A worker has one processor and uses no more."""
     environment = {"env_vars": {"RAYON_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}}
     logging.getLogger("ray.data").setLevel(logging.WARNING)
-    # Reading and writing have two places more.
+    # Reading and writing need two more places.
     local = {} if address else {"num_cpus": workers + 2, "include_dashboard": False}
     ray.init(address=address, runtime_env=environment, log_to_driver=False, **local)
 

@@ -79,7 +79,7 @@ from ._reports import (
 
 __version__ = _version("percuss")
 
-#: Numbers of outcomes in the arrays of sweep, effective_masses and maps.
+#: Status codes in the arrays of sweep, effective_masses and contact maps.
 FINITE, IMMOVABLE, MASSLESS, NO_ANSWER, MASSLESS_TO_ROUNDING = range(5)
 
 __all__ = [
@@ -153,14 +153,14 @@ def _contact(
     normal_frame: str,
     turning: bool,
 ) -> Contact:
-    """A contact that came from another process."""
+    """Rebuilds a pickled contact."""
     return Contact(
         link, point, normal, against=against, toward=toward, normal_frame=normal_frame, turning=turning
     )
 
 
 def _model(text: bytes, name: str, accept: list[str]) -> Model:
-    """A model that came from another process; it was warned of there."""
+    """Rebuilds a pickled model, without the warnings of its first loading."""
     import warnings
 
     with warnings.catch_warnings():
@@ -169,5 +169,5 @@ def _model(text: bytes, name: str, accept: list[str]) -> Model:
 
 
 def _sweep(effective_mass: _Any, error: _Any, status: _Any, link: str) -> Sweep:
-    """A sweep that came from another process."""
+    """Rebuilds a pickled sweep."""
     return _sweep_of_arrays(effective_mass, error, status, link)

@@ -10,7 +10,7 @@ from ._percuss import run_command
 
 
 def main() -> NoReturn:
-    """Runs the command as the program does: the same output, the same exit codes."""
-    # Ctrl-C ends it at once, as it does the program.
+    """Runs the command, with the same output and exit codes as the program."""
+    # Ctrl-C ends the process at once, as for the program.
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     run_command(["percuss", *sys.argv[1:]])

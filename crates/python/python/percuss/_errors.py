@@ -1,4 +1,4 @@
-"""Exceptions and warnings. Messages are those of the command line."""
+"""Exceptions and warnings. Messages are the same as on the command line."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ if TYPE_CHECKING:
 
 
 class PercussError(Exception):
-    """What percuss raises."""
+    """Base class of all percuss exceptions."""
 
 
 class InputError(PercussError, ValueError):
-    """Something that was given means nothing: a name, a number, a shape (exit code 2 of the command)."""
+    """Invalid argument: a name, a number, a shape (exit code 2 of the command)."""
 
 
 class LoadError(InputError):
-    """A file that cannot be read: every error of it in the message, warnings and notes too in diagnostics."""
+    """Unreadable file. The message lists every error; diagnostics lists warnings and notes too."""
 
     diagnostics: list[Diagnostic]
 
@@ -28,12 +28,12 @@ class LoadError(InputError):
 
 
 class NoAnswerError(PercussError):
-    """What was asked is fine and has no answer (exit code 1 of the command)."""
+    """Valid question without an answer (exit code 1 of the command)."""
 
 
 class AssemblyError(NoAnswerError):
-    """Loops that do not close, or joints that cannot get where they are set."""
+    """Loops that do not close, or joints unable to reach their requested positions."""
 
 
 class ModelWarning(UserWarning):
-    """A warning about a file: probably not what was meant."""
+    """Warning about a file: probably not the author's intention."""

@@ -1,4 +1,4 @@
-"""Questions of the command line's kind, and their reports."""
+"""Questions and reports of the command line."""
 
 from __future__ import annotations
 
@@ -16,22 +16,22 @@ from . import _percuss
 from ._errors import InputError
 from ._percuss import Contact, Model
 
-#: Where a joint stands: a number (rad, m), several, or text with a unit: "30deg", "12mm".
+#: Position of a joint: a number (rad, m), several numbers, or text with a unit: "30deg", "12mm".
 Position = Union[float, Sequence[float], str]
-#: What is varied: text as of the command line, or (joint, from, to, count) in SI.
+#: Range of a sweep: text in command-line syntax, or (joint, from, to, count) in SI.
 Range = Union[str, tuple[str, float, float, int]]
 
 
 @dataclass(frozen=True)
 class Conditions:
-    """Under what a contact is asked: the flags of ``percuss mass``.
+    """Conditions of a contact: the flags of ``percuss mass``.
 
-    frame: in which frame the point of the contact is given: "link", "world", "against".
+    frame: frame of the contact point: "link", "world", "against".
     against_mass: mass of a free body on the other side, kg.
-    set: driving joints and where they stand. guess: where dependent joints are looked for.
-    lock: joints that are held. hold: points that are held: (link, point) or (link, point, normal).
-    armature: joints and their rotors' inertia, kg·m² or kg. base: "fixed" or "floating".
-    estimate: the classical estimate beside the answer: (links,), (links, point) or (links, point, direction).
+    set: driving joints and their positions. guess: initial positions in the search for dependent joints.
+    lock: joints that are locked. hold: points that are held: (link, point) or (link, point, normal).
+    armature: joints and the inertia of their rotors, kg·m² or kg. base: "fixed" or "floating".
+    estimate: adds the classical estimate to the result: (links,), (links, point) or (links, point, direction).
     """
 
     frame: str = "link"
@@ -47,14 +47,15 @@ class Conditions:
 
 @dataclass(frozen=True)
 class Damping:
-    """Which damper is asked for: the flags of ``percuss damp``.
+    """Damper to design: the flags of ``percuss damp``.
 
-    restitution: e, 0 to 1. stiffness: k, N/m^exponent (N·m/rad of the stop of a joint that turns). exponent: p of the spring's
-    force k x^p, 1 unless the law says otherwise. speed: approach speed, m/s. law: a name of laws(). separation: "force" (the contact
-    ends as the force vanishes) or "gap". tools: simulators to write parameters for, names of tools(), or ("all",).
-    accuracy: how far a simulator's restitution may be off. time_step: the simulator's, s. own_mass, other_own_mass: of the bodies by
-    themselves, kg. diagonal_ratio: MuJoCo's. closed_loops: whether loops bind what is struck, which a model knows by itself; None: of
-    a mass alone it is not known, and the parameters of MuJoCo's equality constraints are given too.
+    restitution: e, 0 to 1. stiffness: k, N/m^exponent (N·m/rad for the stop of a revolute joint). exponent: p of the
+    spring's force k x^p, default 1 unless the law has another exponent. speed: approach speed, m/s. law: a name of
+    laws(). separation: "force" (the contact ends when the force vanishes) or "gap". tools: simulators whose parameters
+    are computed, names of tools(), or ("all",). accuracy: permitted error of a simulator's restitution. time_step: time
+    step of the simulator, s. own_mass, other_own_mass: masses of the two bodies alone, kg. diagonal_ratio: MuJoCo's
+    diagonal ratio. closed_loops: true if loops bind the contact link. A model supplies this value; for a mass alone,
+    None means unknown, and the parameters of MuJoCo's equality constraints are given too.
     """
 
     restitution: float
@@ -74,7 +75,7 @@ class Damping:
 
 @dataclass(frozen=True)
 class Design:
-    """A model, and what is asked of it, under a name: one of those that ``compare`` sets side by side."""
+    """Design for ``compare``: a model, a contact and conditions, under a name."""
 
     name: str
     model: Model
@@ -84,7 +85,7 @@ class Design:
 
 @dataclass(frozen=True)
 class _SafeSpeed:
-    """A safe speed, as the extension reads it."""
+    """Safe-speed question in the form that the extension reads."""
 
     region: str | None
     force: float | None
@@ -97,7 +98,7 @@ class _SafeSpeed:
     worst: bool = False
 
 
-#: Where rows come from, as the extension reads it.
+#: Row source in the form that the extension reads: ranges, file, random rows.
 _Rows = tuple[
     Union[Sequence[Range], None], Union[tuple[str, list[str]], None], Union[tuple[int, int], None]
 ]
@@ -124,7 +125,7 @@ def _rows(
 
 
 class Report(dict[str, Any]):
-    """A report: the dict that ``--format json`` of the command prints. Keys are attributes too."""
+    """Report: the dict that the command prints with ``--format json``. Keys are attributes too."""
 
     def __getattr__(self, key: str) -> Any:
         try:
@@ -157,7 +158,7 @@ class Report(dict[str, Any]):
 
 
 class MapReport(Report):
-    """Maps of links. facets: for each link its facets as arrays: points, normals, points_world (k, 3) m, area (k,) m²,
+    """Maps of links. facets: for each link a dict of arrays: points, normals, points_world (k, 3) m, area (k,) m²,
     effective_mass and error (k,) kg (NaN unless finite), status (k,) uint8."""
 
     def __init__(self, report: dict[str, Any], facets: dict[str, dict[str, NDArray[Any]]], svg: str) -> None:
@@ -177,7 +178,7 @@ class MapReport(Report):
 
 
 def _asked(conditions: Conditions | None) -> Conditions:
-    """With plain dicts and lists, as the extension reads them."""
+    """Conditions with plain dicts and lists, as the extension requires."""
     given = Conditions() if conditions is None else conditions
     return Conditions(
         frame=given.frame,
@@ -193,14 +194,14 @@ def _asked(conditions: Conditions | None) -> Conditions:
 
 
 def check(model: Model) -> Report:
-    """What is in a model: links, joints, loops, mobility, redundancy, mass, diagnostics. As ``percuss check``."""
+    """Summary of a model: links, joints, loops, mobility, redundancy, mass, diagnostics. As ``percuss check``."""
     return Report(json.loads(_percuss.check(model)))
 
 
 def mass(
     model: Model, contact: Contact, conditions: Conditions | None = None, *, damping: Damping | None = None
 ) -> Report:
-    """One contact of a model, with the damper that gives it a restitution where one is asked for. As ``percuss mass``."""
+    """Report on one contact of a model, with the damper if damping is given. As ``percuss mass``."""
     return Report(json.loads(_percuss.mass_report(model, contact, _asked(conditions), damping)))
 
 
@@ -215,12 +216,13 @@ def sweep_report(
     random: int | None = None,
     seed: int = 0,
 ) -> Report:
-    """A contact at many rows of positions, loops closed along one branch, each row with its pose, estimate and motion ratio.
-    As ``percuss sweep``; ``sweep`` takes arrays and is far quicker.
+    """Report on a contact at many rows of positions, with loops closed along one branch; each row has its pose,
+    estimate and motion ratio. As ``percuss sweep``; ``sweep`` takes arrays and is far quicker.
 
-    vary: one range or several, the first the slowest: "JOINT=FROM:TO:COUNT", "travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT", or
-    (joint, from, to, count). input: a file of positions, .csv or .parquet, without the columns of ignore. random: so many random
-    rows within the limits of the joints, by a seed. One of the three.
+    vary: one range or several, the first the slowest: "JOINT=FROM:TO:COUNT",
+    "travel:LINK:X,Y,Z:DX,DY,DZ=FROM:TO:COUNT", or (joint, from, to, count). input: a file of positions, .csv or
+    .parquet, without the columns of ignore. random: number of random rows within the limits of the joints, with seed.
+    Exactly one of vary, input and random.
     """
     rows = _rows(vary, input, ignore, random, seed)
     return Report(json.loads(_percuss.sweep_report(model, contact, _asked(conditions), *rows)))
@@ -236,9 +238,10 @@ def map(
     edge: float | None = None,
     packages: Mapping[str, str | os.PathLike[str]] | None = None,
 ) -> MapReport:
-    """m̄ over the surfaces of links, one contact in each facet, along its outward normal. As ``percuss map``.
+    """m̄ over the surfaces of links, with one contact per facet, along its outward normal. As ``percuss map``.
 
-    against: the other side; None: the ground. links: None: all that have a shape. shapes: "auto", "collision", "visual".
+    against: the other side; None: the ground. links: None: all links with a shape. shapes: "auto", "collision",
+    "visual".
     edge: longest edge of a facet, m. packages: folders of ``package://`` names.
     """
     folders = [(name, os.fspath(path)) for name, path in (packages or {}).items()]
@@ -250,19 +253,20 @@ def map(
 def map_point(
     model: Model, contact: Contact, directions: int = 500, conditions: Conditions | None = None
 ) -> Report:
-    """m̄ in many directions at the point of a contact (its normal is not read), and the principal effective masses."""
+    """m̄ in many directions at the point of a contact, and the principal effective masses. The contact's normal is
+    not used."""
     return Report(json.loads(_percuss.map_point_report(model, contact, _asked(conditions), directions)))
 
 
 def damp(mass: float, damping: Damping) -> Report:
-    """The damper of an effective mass (kg), and parameters for simulators. As ``percuss damp --mass``."""
+    """Damper for an effective mass (kg), and parameters for simulators. As ``percuss damp --mass``."""
     return Report(json.loads(_percuss.damp_mass(mass, damping)))
 
 
 def damp_contact(
     model: Model, contact: Contact, damping: Damping, conditions: Conditions | None = None
 ) -> Report:
-    """The damper of a contact of a model, and what changes over the penetration. As ``percuss damp --mass-from``."""
+    """Damper for a contact of a model, and its changes over the penetration. As ``percuss damp --mass-from``."""
     return Report(json.loads(_percuss.damp(model, contact, None, _asked(conditions), damping)))
 
 
@@ -274,20 +278,21 @@ def damp_stop(
     *,
     end: str | None = None,
 ) -> Report:
-    """The damper of a joint's stop: where the joint stands, or at an end of its range ("lower", "upper").
-    As ``percuss damp --limit``."""
+    """Damper for a joint's stop, at the joint's position or at an end of its range ("lower", "upper"). As ``percuss
+    damp --limit``."""
     return Report(json.loads(_percuss.damp(model, None, (joint, end), _asked(conditions), damping)))
 
 
 def impact_history(mass: float, damping: Damping, samples: int = 200) -> NDArray[np.float64]:
-    """An impact of a mass (kg) in time; damping.speed is its approach speed. (samples, 4): time (s), penetration (m), its rate
-    (m/s), force (N)."""
+    """Impact of a mass (kg) over time, with the approach speed damping.speed. Returns (samples, 4): time (s),
+    penetration (m), penetration rate (m/s), force (N)."""
     return _percuss.impact_history(mass, damping, samples)
 
 
 def explain(model: Model, contact: Contact, conditions: Conditions | None = None) -> Report | None:
-    """What m̄ depends on: its rate with the mass and the centre of mass of each link, with each armature, and with each
-    hardpoint of a sheet. None where it has no finite mass, or another on each branch. As ``percuss mass --explain``."""
+    """Sensitivity of m̄: its derivative with respect to the mass and the centre of mass of each link, each armature,
+    and each hardpoint of a sheet. None if the contact has no finite mass, or different masses on its branches. As
+    ``percuss mass --explain``."""
     found = json.loads(_percuss.explain(model, contact, _asked(conditions)))
     return None if found is None else Report(found)
 
@@ -301,8 +306,9 @@ def tolerate(
     samples: int | None = None,
     seed: int = 0,
 ) -> Report | None:
-    """What tolerances leave of m̄, to first order and by random samples. tolerance: "mass=2%,com=1mm,armature=10%,point=0.5mm",
-    or some of these. None as for ``explain``. As ``percuss mass --tolerance``."""
+    """Variation of m̄ within tolerances, to first order and by random samples. tolerance:
+    "mass=2%,com=1mm,armature=10%,point=0.5mm", or some of these. None as for ``explain``. As ``percuss mass
+    --tolerance``."""
     drawn = None if samples is None else (samples, seed)
     found = json.loads(_percuss.tolerate(model, contact, _asked(conditions), tolerance, drawn))
     return None if found is None else Report(found)
@@ -317,14 +323,14 @@ def compare(
     random: int | None = None,
     seed: int = 0,
 ) -> Report:
-    """One question asked of several designs, two at least: each answer, and by how much it differs from the first. vary, input,
-    random: rows to go through, as of ``sweep_report``; none at all: at the pose alone. As ``percuss compare``."""
+    """Compares at least two designs by one question: each result, with its difference from the first. vary, input,
+    random: row source, as for ``sweep_report``; without rows, only the pose is compared. As ``percuss compare``."""
     asked = [Design(d.name, d.model, d.contact, _asked(d.conditions)) for d in designs]
     return Report(json.loads(_percuss.compare(asked, *_rows(vary, input, ignore, random, seed))))
 
 
 def compare_study(path: str | os.PathLike[str], name: str = "as given") -> Report:
-    """Compares the variants of a study (TOML) with its model, which is called by the name. As ``percuss compare STUDY``."""
+    """Compares the variants of a study (TOML) with its model, under the given name. As ``percuss compare STUDY``."""
     return Report(json.loads(_percuss.compare_study(path, name)))
 
 
@@ -346,10 +352,10 @@ def safe_speed(
     random: int | None = None,
     seed: int = 0,
 ) -> Report:
-    """How fast a robot may move where it may hit a person. region: a name of regions(); None: what is struck does not give way,
-    which an energy or a momentum may limit. The limit, from the edition of the standard that applies, one of: force (N), pressure (Pa)
-    with area (m²), energy (J), momentum (N·s). load: kg. vary, input, random: rows as of ``sweep_report``; the slowest of them is
-    under "along". As ``percuss safe-speed``."""
+    """Safe speed of a robot in a possible impact with a person. region: a name of regions(); None: a rigid obstacle,
+    with a limit of energy or momentum. Exactly one limit, from the applicable edition of the standard: force (N),
+    pressure (Pa) with area (m²), energy (J), momentum (N·s). load: kg. vary, input, random: row source, as for
+    ``sweep_report``; the slowest row is under "along". As ``percuss safe-speed``."""
     speed = _SafeSpeed(region, force, pressure, area, energy, momentum, load)
     rows = _rows(vary, input, ignore, random, seed)
     return Report(json.loads(_percuss.safe_speed(model, contact, _asked(conditions), speed, *rows))[0])
@@ -370,8 +376,8 @@ def safe_speed_directions(
     momentum: float | None = None,
     load: float = 0.0,
 ) -> list[Report]:
-    """``safe_speed`` in several directions, (3,) each, world axes, and with worst, last, in the worst of all: that of the greatest
-    effective mass at the point. The contact's normal is not read."""
+    """``safe_speed`` in several directions, (3,) each, world axes. With worst, the last report is for the worst
+    direction: the direction of the greatest effective mass at the point. The contact's normal is not used."""
     along = [[float(x) for x in direction] for direction in directions]
     if not along and not worst:
         raise InputError("directions: none is given; give at least one, or worst=True")
@@ -381,16 +387,17 @@ def safe_speed_directions(
 
 
 def run_study(path: str | os.PathLike[str]) -> Report:
-    """Runs a study (TOML): the report of its sweep where it has one, else of its contact. Writes no file. As ``percuss run``."""
+    """Runs a study (TOML) and returns the report of its sweep, or of its contact if the study has no sweep. Writes
+    no file. As ``percuss run``."""
     return Report(json.loads(_percuss.run_study(path)))
 
 
 def starting_study(model: Model, path: str | os.PathLike[str]) -> str:
-    """A study of a model as TOML, complete, with a contact to begin with; path: the model's file as the study names it, relative to
-    the study's folder. As ``percuss init``."""
+    """Complete initial study of a model as TOML, with a contact. path: path of the model's file in the study,
+    relative to the study's folder. As ``percuss init``."""
     return _percuss.starting_study(model, path)
 
 
 def study_schema() -> dict[str, Any]:
-    """The JSON schema of studies: which tables and keys there are. As ``percuss schema``."""
+    """JSON schema of studies: the permitted tables and keys. As ``percuss schema``."""
     return cast("dict[str, Any]", json.loads(_percuss.study_schema()))

@@ -1,5 +1,6 @@
-"""Matrices of other programs, given to percuss.effective_mass: those of Pinocchio (M, the Jacobian of a point), of MuJoCo (mj_fullM, a
-contact's Jacobian, equality rows) and of Drake (the mass matrix of a plant) have the effective mass of percuss's own pose.
+"""percuss.effective_mass with matrices of other programs: Pinocchio (M, the Jacobian of a point), MuJoCo (mj_fullM, a
+contact's Jacobian, equality rows) and Drake (the mass matrix of a plant) gives the effective mass of percuss's own
+pose.
 
     matrices.py --package FOLDER     runs what can be imported; prints `N passed, N failed`
 """
@@ -13,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 ROOT = Path(__file__).resolve().parents[4]
-# Both sides form M and J by their own recursions; conditions up to some thousand.
+# Both sides compute M and J by their own recursions; condition numbers up to some thousand.
 TOLERANCE = 1e-9
 
 passed = failed = 0
@@ -29,7 +30,7 @@ def compare(what, found, expected):
 
 
 def contacts(model, count, seed):
-    """Random contacts of links with mass, none held by the ground."""
+    """Random contacts of links with mass, except the root link."""
     random = np.random.default_rng(seed)
     links = [link["name"] for link in percuss.check(model).links if link["mass"] > 0 and link["name"] != model.links[0]]
     for _ in range(count):
@@ -38,12 +39,12 @@ def contacts(model, count, seed):
 
 
 def plain(path):
-    """Without processing instructions, which some readers of XML refuse."""
+    """File without processing instructions, which some XML readers refuse."""
     return re.sub(r"<\?percuss.*?\?>", "", path.read_text())
 
 
 def arms():
-    """Serial arms: the shipped one, and others where the package of robots is there."""
+    """Serial arms: the shipped arm, and further arms if the package example_robot_data is installed."""
     paths = [ROOT / "models/six_r_arm.urdf"]
     if importlib.util.find_spec("example_robot_data"):
         spec = importlib.util.find_spec("example_robot_data")
@@ -62,8 +63,8 @@ def pinocchio():
         data = peer.createData()
         random = np.random.default_rng(3)
         for number, contact in enumerate(contacts(model, 20, 5)):
-            # Pinocchio's joints by name: mimics are joints of their own there, so they are left out by locking nothing but asking
-            # arms without them.
+            # Pinocchio's joints by name. Pinocchio treats mimics as independent joints, so no joint is locked and
+            # mimics get no position.
             joints = [joint for joint in model.joints if joint.kind != "fixed"]
             values = {joint.name: random.uniform(*(joint.limits or (-1, 1))) for joint in joints if not joint.mimics}
             q = pin.neutral(peer)
@@ -88,7 +89,7 @@ def pinocchio():
             mimics = [joint for joint in model.joints if joint.mimics]
             rows = np.zeros((len(mimics), peer.nv))
             for row, joint in zip(rows, mimics):
-                # In these files a mimic moves as its master does.
+                # In these files a mimic moves exactly as its master.
                 row[peer.joints[peer.getJointId(joint.name)].idx_v] = 1
                 row[peer.joints[peer.getJointId(joint.mimics)].idx_v] = -1
             found = percuss.effective_mass(mass, normal @ at_point, rows)
@@ -126,7 +127,7 @@ def mujoco():
             rows = d.efc_J.reshape(d.nefc, m.nv)[d.efc_type == mj.mjtConstraint.mjCNSTR_EQUALITY]
             jacobian = np.zeros((3, m.nv))
             mj.mj_jac(m, d, jacobian, None, response.point_world, m.body(contact.link).id)
-            # MuJoCo's equality rows of closed loops hold to 1e-9 or so: rank is decided beyond that.
+            # MuJoCo's equality rows of closed loops hold to about 1e-9; the rank floor is above.
             found = percuss.effective_mass(mass, response.normal_world @ jacobian, rows, rank_floor=1e-8)
             compare(f"MuJoCo, {name}, contact {number}", found.effective_mass, response.effective_mass)
             assert found.rank["redundant_rows"] or name == "double_wishbone"
@@ -134,7 +135,8 @@ def mujoco():
 
 
 def contact_of_its_own(mj):
-    """A contact that MuJoCo found: a ball at the end of a double pendulum on a plane. Its first row is the normal's."""
+    """A contact found by MuJoCo: a ball at the end of a double pendulum on a plane. The first row belongs to the
+    normal."""
     text = """<mujoco><option cone="elliptic"/><worldbody><geom type="plane" size="5 5 1"/>
       <body pos="0 0 0.9"><joint type="hinge" axis="0 1 0"/><geom type="capsule" fromto="0 0 0 0.5 0 0" size="0.02" mass="2" contype="0" conaffinity="0"/>
         <body pos="0.5 0 0"><joint type="hinge" axis="0 1 0"/>
@@ -142,7 +144,7 @@ def contact_of_its_own(mj):
           <geom type="sphere" pos="0.5 0 0" size="0.1" mass="0.3" name="tip"/></body></body></worldbody></mujoco>"""
     m = mj.MjModel.from_xml_string(text)
     d = mj.MjData(m)
-    # The tip 5 mm in the ground.
+    # Penetration of the tip: 5 mm.
     d.qpos[:] = (np.arcsin(0.9), np.arcsin(0.71) - np.arcsin(0.9))
     mj.mj_fwdPosition(m, d)
     assert d.ncon == 1, d.ncon
@@ -151,7 +153,7 @@ def contact_of_its_own(mj):
     row = d.efc_J.reshape(d.nefc, m.nv)[d.contact[0].efc_address]
     found = percuss.effective_mass(mass, row)
     compare("MuJoCo's own contact", found.effective_mass, 1 / (row @ np.linalg.solve(mass, row)))
-    # The contact point is halfway in the overlap, not on the ball: the row is that of its Jacobian.
+    # The contact point is in the middle of the overlap, not on the ball; the row is the Jacobian of this point.
     jacobian = np.zeros((3, m.nv))
     mj.mj_jac(m, d, jacobian, None, d.contact[0].pos, m.geom("tip").bodyid[0])
     compare("MuJoCo's contact row", float(row @ row), float((jacobian[2]) @ jacobian[2]))

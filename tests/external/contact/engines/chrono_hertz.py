@@ -1,4 +1,4 @@
-"""Project Chrono's smooth contacts with material properties, Hertz: chrono.py says how it is run."""
+"""Project Chrono's smooth contacts with material properties, Hertz: see chrono.py for its usage."""
 
 from engines import chrono
 from engines.chrono import engine  # noqa: F401
@@ -6,7 +6,7 @@ from engines.chrono import engine  # noqa: F401
 TOOL, BY_HAND, SNIPPETS = chrono.TOOL, True, chrono.SNIPPETS
 EXPONENT = 1.5
 SOLVERS = {"Hertz, material properties": "default"}
-# The step that the export leaves open, s: several hundred in a contact.
+# Time step, not set by the export, s: several hundred steps per contact.
 STEP = 5e-6
 
 

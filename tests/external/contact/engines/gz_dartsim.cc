@@ -1,8 +1,9 @@
 // Impacts in new Gazebo's physics: the dartsim plugin of gz-physics (here ign-physics 5).
 //
 //   gz_dartsim PLUGIN TIME_STEP SPEED LEVER SDF..
-//   Each SDF has a model "struck": a link "link" that touches something when its z is 0 (LEVER 0), or a joint "hinge" whose
-//   angle is 0 there, approached at -SPEED/LEVER. For each a line: speed of rebound over SPEED, deepest penetration seen.
+//   Each SDF has a model "struck": a link "link" that touches an obstacle at z = 0 (LEVER 0), or a joint "hinge" with
+//   angle 0 at the touch, approached at -SPEED/LEVER. Output: a line per SDF with rebound speed over SPEED, deepest
+//   observed penetration.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

@@ -1,10 +1,11 @@
 /* Joints that run into their stops in Open Dynamics Engine: bodies and joints in the x-y plane.
 
    ode_stops SOLVER ITERATIONS STOP_ERP STOP_CFM BOUNCE TIME_STEP SPEED BODIES JOINTS LIMITED END BODY.. JOINT.. GAP..
-   SOLVER step, or quick with that many iterations. LIMITED: which joint; END: 1 its upper stop, -1 its lower one.
-   BODY: MASS INERTIA X Y VX VY RATE, the velocities at SPEED. JOINT: SLIDES BODY BODY X Y (-1: the ground), a hinge along z
-   at X Y, or a slider along X Y; it moves as the first of its bodies does beside the second.
-   For each GAP (rad or m, at the start) a line: speed of return over SPEED, deepest penetration. */
+   SOLVER: step, or quick with ITERATIONS iterations. LIMITED: number of the joint; END: 1 its upper stop, -1 its
+   lower stop.
+   BODY: MASS INERTIA X Y VX VY RATE, the velocities at SPEED. JOINT: SLIDES BODY BODY X Y (-1: the ground), a hinge
+   along z at X Y, or a slider along X Y; positive motion is that of the first body relative to the second.
+   Output: a line per GAP (rad or m, at the start) with return speed over SPEED, deepest penetration. */
 #include <ode/ode.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -64,7 +65,7 @@ int main(int count, char **words) {
       }
       if (i == limited) joint = next, slides = sliding;
     }
-    /* Its position is 0 now. */
+    /* The present position is 0. */
     set(joint, slides, end > 0 ? dParamHiStop : dParamLoStop, end * gap);
     set(joint, slides, dParamStopERP, erp);
     set(joint, slides, dParamStopCFM, cfm);

@@ -1,1 +1,1 @@
-//! Nothing: the packages are fetched for the headers that they carry.
+//! Empty crate: cargo fetches its dependencies for their C++ headers.
