@@ -224,7 +224,7 @@ pub enum Remark {
     UndeterminedMotion,
     /// The rank of the constraints is unclear, because the pose is close to a crossing of branches.
     UnclearRank {
-        /// Ratio across the gap between nonzero and zero singular values.
+        /// Ratio of the smallest nonzero singular value to the largest zero one.
         gap: f64,
     },
     /// M has negative directions (accepted indefinite inertias). m̄ is a stationary value, not a minimum.
@@ -275,7 +275,7 @@ pub enum Remark {
     },
     /// The generic rank of the constraints is unclear; the mobility may differ.
     UnclearMobility {
-        /// Ratio across the gap between nonzero and zero singular values.
+        /// Ratio of the smallest nonzero singular value to the largest zero one.
         gap: f64,
     },
     /// The normal is given in the world and the base floats, but no base pose was given. The root link is taken to be

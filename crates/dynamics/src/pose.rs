@@ -36,7 +36,7 @@ pub struct Pose {
 pub struct PoseRank {
     /// Number of independent rows of A.
     pub rank: usize,
-    /// Smallest gap, over all groups, between nonzero and zero singular values; `None` without constraints.
+    /// Smallest gap (ratio), over all groups, between nonzero and zero singular values; `None` without constraints.
     pub gap: Option<f64>,
     /// True if no singular value is within a factor of 30 of the threshold.
     pub clear: bool,

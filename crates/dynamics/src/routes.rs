@@ -282,8 +282,8 @@ impl Question<'_> {
         }
         let recursive = self.recursive(room, errors);
         let careful = self.careful(room).map(|found| {
-            // Directions that the recursion dropped in spite of significant errors are dropped by the dense route
-            // too, if the dense route dropped any direction.
+            // `frozen >= 1`: the recursion dropped a motion that couples beyond rounding. If the dense route dropped
+            // any motion, this motion is assumed to be among them.
             let drops = found.remarks.iter().any(|remark| matches!(remark, Remark::MasslessMotions { .. }));
             let doubted = drops && errors.frozen >= 1.0;
             let errors = if doubted { found.errors.with_all_in_doubt() } else { found.errors };

@@ -1,4 +1,4 @@
-//! Pivots that do not count, though what they pass on does.
+//! Error due to dropped (frozen) pivots that still couple to the parent.
 
 use super::{BudgetRoom, UnitImpulse, components, energy_root};
 use crate::model::Body;
@@ -8,10 +8,11 @@ use nalgebra::Vector6;
 use percuss_spatial::Twist;
 
 impl UnitImpulse<'_> {
-    /// What the pivots of a plain joint that do not count may change 1/m̄ by, 1/kg.
+    /// Bound for the change of 1/m̄ due to the dropped pivots of a plain joint, 1/kg.
     ///
-    /// Iᴬ ≥ U Uᵀ/D: a motion without mass has no U. One that has, beyond rounding, has a mass that is smaller than rounding, and
-    /// was frozen. Free, it may take away all of m̄, since what is left of its mass beside other free motions is unknown.
+    /// Iᴬ ≥ U Uᵀ/D, so a motion without mass has U = 0. A dropped motion with U above rounding has a mass below
+    /// rounding. Such a motion, if not dropped, may reduce m̄ to zero, because its mass after the elimination of the
+    /// other free motions is unknown.
     pub(super) fn of_frozen(
         &self,
         room: &mut BudgetRoom,
@@ -27,7 +28,7 @@ impl UnitImpulse<'_> {
         let arm = (self.kinematics.frames[i].translation - self.contact.point_root).norm();
         let mut twist = body.parent.map_or_else(Twist::zero, |p| self.twists[p]);
         let mut sum = 0.0;
-        // What is eliminated first is found last.
+        // The last eliminated pivot comes first.
         for &v in recursion.order[body.v.clone()].iter().rev() {
             let e = &recursion.joints[v];
             if e.counts {
@@ -43,7 +44,7 @@ impl UnitImpulse<'_> {
                 * if passed > PIVOT * own * carried {
                     frozen.max(recursion.response(0, 0))
                 } else {
-                    // What is left of U is as small as the rounding of D lets it be, or there is none.
+                    // U is zero, or as small as the rounding of D permits.
                     let most = passed + SUM_ROUNDINGS * f64::EPSILON * own * carried;
                     (most * most / e.d.abs().max(f64::EPSILON * own * own).max(f64::MIN_POSITIVE)).min(frozen)
                 };
