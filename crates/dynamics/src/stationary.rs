@@ -216,7 +216,7 @@ impl Stationary<'_> {
 
 /// K = A[rows, columns] of a group, over coordinates scaled by lengths.
 pub(crate) struct Pivoted {
-    /// For each row of A, which pivot it is.
+    /// For each row of A: the index of its pivot.
     pub row_of: Vec<usize>,
     count: usize,
     /// (row, column, value), by pivot indices.

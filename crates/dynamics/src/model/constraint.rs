@@ -29,8 +29,8 @@ pub(crate) struct CompiledClosure {
 #[derive(Clone, Debug)]
 pub(crate) struct CompiledCoupling {
     pub name: String,
-    /// Position, body and factor of each joint.
+    /// Position index, body and factor of each joint.
     pub terms: Vec<(usize, usize, f64)>,
-    /// Whether its sum is an angle (rad) and not a length (m).
+    /// True if the sum is an angle (rad), false for a length (m).
     pub turns: bool,
 }
