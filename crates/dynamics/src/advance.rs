@@ -93,7 +93,7 @@ impl Pose {
 }
 
 /// Closes a group by plain Gauss–Newton steps of least norm. Contradictions of a rounded file are not corrected,
-/// because the damped steps of [`Model::correct`](crate::model::Model::correct) would follow them.
+/// because the damped steps of `Model::correct` would follow them.
 fn closed_again(
     kinematics: &mut Kinematics<f64>,
     from: &Pose,

@@ -114,7 +114,7 @@ impl LimitRoute {
 struct Crossings<'a> {
     /// Groups with branches; groups that move the contact directly come first.
     crossings: Vec<&'a Surroundings>,
-    /// Whether all was found of each.
+    /// True if the search was complete for every group.
     complete: bool,
 }
 
@@ -196,7 +196,7 @@ fn limit_along(
     best.filter(|(doubt, _)| *doubt <= DOUBTFUL_LIMIT).map(|(_, limit)| limit)
 }
 
-/// For sorting.
+/// Sort key of a limit.
 fn value(limit: &EffectiveMass) -> f64 {
     match limit {
         EffectiveMass::Finite(m) => *m,
