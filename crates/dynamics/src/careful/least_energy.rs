@@ -39,17 +39,18 @@ pub(crate) struct Solution {
     pub minimum: Minimum,
     /// v* (zero if immovable).
     pub velocity: Vec<f64>,
-    /// Whether a motion without mass that leaves the gap as it is leaves v* open.
+    /// True if a massless motion that does not close the gap makes v* ambiguous.
     pub is_open: bool,
     /// |j on ker A| relative to the size of its terms.
     pub closing_speed: f64,
-    /// How many directions of motion carry no mass.
+    /// Number of massless directions.
     pub massless_directions: usize,
-    /// True if a direction whose energy is below rounding couples to the motion found: free, it may take away all of m̄.
+    /// True if a direction with an energy below rounding couples to the solution. Such a direction, if not dropped,
+    /// may reduce m̄ to zero.
     pub couples: bool,
 }
 
-/// M = L Lᵀ with pivots; zero pivots end it.
+/// Factorisation M = L Lᵀ with pivoting, up to the first zero pivot.
 struct Factor {
     /// Lᵀ, rank×n.
     transpose: Mat<f64>,

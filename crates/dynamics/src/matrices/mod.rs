@@ -157,10 +157,8 @@ pub struct MatrixResponse {
 ///
 /// ```
 /// use percuss_dynamics::{EffectiveMass, MatrixOptions, MatrixView, effective_mass};
-/// ```
-/// use percuss_dynamics::{EffectiveMass, MatrixOptions, MatrixView, effective_mass};
 ///
-/// // Two carts of 2 kg and 3 kg, coupled so that they move together; the first is struck.
+/// // Two carts of 2 kg and 3 kg, coupled to move together; the contact is on the first cart.
 /// let mass = MatrixView::row_major(&[2.0, 0.0, 0.0, 3.0], 2, 2)?;
 /// let coupled = MatrixView::from(&[1.0, -1.0][..]);
 /// let response = effective_mass(mass, &[1.0, 0.0][..], Some(coupled), &MatrixOptions::new())?;
