@@ -3,7 +3,7 @@
 //! Two kinds of mechanisms have a SIMD kernel: trees without mimics (on the ground or floating), and linkages of few
 //! degrees of freedom. A lane with an uncertain result (massless, immovable, close to either, or with too much
 //! rounding) is computed again by [`Workspace`]. For all other mechanisms, [`Workspace`] computes every
-//! configuration. The results do not depend on the path.
+//! configuration. Every result equals that of [`Batch::effective_mass`] at the same configuration, bit for bit.
 
 use crate::aligned::Aligned;
 use crate::answered::{Answered, Answers, Columns};
@@ -204,7 +204,7 @@ impl Batch {
     }
 
     /// m̄ at one configuration: the positions of all joints one after another. Bitwise equal to the result of
-    /// [`run`](Self::run). Allocates nothing if the SIMD kernel gives a certain result.
+    /// [`run`](Self::run). Allocates nothing if the result is not in doubt.
     ///
     /// # Errors
     /// [`VelocityError::Positions`]: a wrong number of positions.
@@ -226,8 +226,8 @@ impl Batch {
         self.run_watched(positions, answers, |_| ControlFlow::Continue(()))
     }
 
-    /// Like [`run`](Self::run), on the calling thread only. Allocates nothing after the first call, if all lanes give
-    /// certain results.
+    /// Like [`run`](Self::run), on the calling thread only. Allocates nothing after the first call, if no result is
+    /// in doubt.
     ///
     /// # Errors
     /// As for [`run`](Self::run).

@@ -195,7 +195,7 @@ pub enum ContactError {
         /// Number of links of this mechanism.
         links: usize,
     },
-    /// The mass of a free body on the other side is missing, not finite or too small.
+    /// The mass of a free body on the other side is not a finite number above the limit.
     #[error("the other side's mass is {mass} kg; expected a finite number above {least:e}")]
     OtherMass {
         /// The given mass, kg.

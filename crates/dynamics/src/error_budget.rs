@@ -177,8 +177,7 @@ impl UnitImpulse<'_> {
     ) -> RelativeErrors {
         let (mut route, mut stationary) = (self.of_eliminations(room, recursion), None);
         let response = recursion.response(0, 0);
-        // Pivots of a tree contain only inertia transmitted from below the joint; the energy would not be more
-        // accurate.
+        // Pivots of a tree contain only inertia transmitted from below the joint, so the energy is not needed.
         if !is_clear && !recursion.clusters.is_empty() && f64::EPSILON * route > VAGUE_RESPONSE * response {
             let found = self.stationary(recursion).value().filter(|(value, error)| {
                 *value > 0.0 && *error < NOTHING_LEFT * value && *error < f64::EPSILON * route

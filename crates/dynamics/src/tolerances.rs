@@ -86,7 +86,7 @@ pub(crate) const WEAKLY_CONSTRAINED: f64 = 1e-4;
 /// Shortest vector with a defined direction. Any unit.
 pub(crate) const SHORTEST_DIRECTION: f64 = 1e-9;
 /// Shortest line of a contact relative to its length as drawn. At this limit, a lateral displacement of one
-/// millimetre turns the line of a stop drawn 30 mm long by more than 18°.
+/// millimetre turns the line of a stop drawn with a length of 30 mm by more than 18°.
 pub(crate) const SHORTEST_LINE: f64 = 0.1;
 /// Cosine of the largest accepted rotation of a stop's line from its direction as drawn: 5°, which changes m̄ by some
 /// per cent.

@@ -6,7 +6,7 @@ pub(crate) struct Partition {
 }
 
 impl Partition {
-    /// Every index a set of its own.
+    /// Partition with every index in a set of its own.
     pub fn new(n: usize) -> Self {
         Self { parent: (0..n).collect() }
     }

@@ -47,7 +47,7 @@ pub(crate) struct Group {
     pub rows: usize,
     /// Indices of the coordinates, ascending.
     pub coordinates: Vec<usize>,
-    /// Characteristic length, m: largest distance between the group's bodies and frames with all joints at 0.
+    /// Characteristic length, m: extent of the group's bodies and frames with all joints at 0.
     pub size: f64,
     /// Largest distance from the root, m; position coordinates are accurate to one ulp of this distance.
     pub far: f64,
