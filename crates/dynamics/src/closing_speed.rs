@@ -71,7 +71,8 @@ pub(crate) struct ClosingRoom {
     place: Vec<usize>,
 }
 
-/// |projection of j on the kernel|² within a cluster, without rounding. `of`: G of the cluster and the number of its independent coordinates.
+/// Squared norm of the projection of j on the kernel within a cluster, without rounding. `of`: G of the cluster and
+/// the number of its independent coordinates.
 fn projected(
     room: &mut ClosingRoom,
     model: &Model,
