@@ -59,6 +59,7 @@ pub(crate) struct Columns<'a> {
 }
 
 impl Columns<'_> {
+    /// Loads position `q` of the configurations from `first` on, one per lane.
     #[inline(always)]
     pub fn at<T: Lanes>(&self, q: usize, first: usize) -> T {
         T::load(&self.values[q * self.stride + first..])

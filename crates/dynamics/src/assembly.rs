@@ -97,18 +97,22 @@ impl Assembly {
         Arc::new(Self::new(models, self.facts.clone()))
     }
 
+    /// Pool of recursion workspaces.
     pub(crate) fn rooms(&self) -> &Rooms {
         &self.rooms
     }
 
+    /// Model with locks and held contacts, used for effective masses.
     pub(crate) fn model(&self) -> &Model {
         &self.models.answering
     }
 
+    /// Model without locks and held contacts, used for poses.
     pub(crate) fn posing(&self) -> &Model {
         &self.models.posing
     }
 
+    /// Facts about the loops.
     pub(crate) fn facts(&self) -> &Facts {
         &self.facts
     }
@@ -123,6 +127,7 @@ impl Assembly {
         &self.facts.groups[number]
     }
 
+    /// True if the assembly was made for the model.
     pub(crate) fn is_of(&self, model: &Arc<Model>) -> bool {
         Arc::ptr_eq(&self.models.answering, model)
     }
@@ -142,6 +147,7 @@ impl Assembly {
         self.generic[number].rank
     }
 
+    /// Rank of A at a generic pose, over all groups.
     pub(crate) fn generic_rank(&self) -> usize {
         self.generic.iter().map(|g| g.rank).sum()
     }

@@ -293,6 +293,7 @@ impl Batch {
         if done < answers.len() { Err(BatchError::Stopped { done }) } else { Ok(()) }
     }
 
+    /// Checks the stride and the number of positions.
     fn check(&self, positions: BatchPositions<'_>, configurations: usize) -> Result<(), BatchError> {
         let count = self.assembly.model().positions;
         let (got, stride, least, outer, inner) = match positions {
@@ -318,6 +319,7 @@ impl Batch {
 
 /// Destination of the results.
 trait Places {
+    /// Number of results.
     fn count(&self) -> usize;
 
     /// Stores the lane results from index `first` on, certain or not.
@@ -344,6 +346,7 @@ impl Places for [BatchAnswer] {
     }
 }
 
+/// Results in columns; `other` receives results that need a separate computation.
 struct AnswerColumns<'a, F> {
     masses: &'a mut [f64],
     errors: &'a mut [f64],
@@ -419,6 +422,7 @@ impl Worker {
 }
 
 impl BatchPositions<'_> {
+    /// Position `q` of a configuration.
     #[inline]
     fn at(&self, configuration: usize, q: usize) -> f64 {
         match self {

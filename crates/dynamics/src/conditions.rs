@@ -26,6 +26,7 @@ pub(crate) struct CompiledHold {
 }
 
 impl CompiledHold {
+    /// Number of constraint rows.
     pub fn rows(&self) -> usize {
         if self.normal.is_some() { 1 } else { 3 }
     }
@@ -233,6 +234,7 @@ pub enum ConditionsError {
     },
 }
 
+/// Accepted numbers of armatures, for messages.
 fn expected(kind: JointKind) -> String {
     match (kind.dofs(), kind.is_homogeneous()) {
         (0, _) => "none: it does not move".into(),

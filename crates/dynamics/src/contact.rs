@@ -217,6 +217,7 @@ fn triple(v: &Vector3<f64>) -> String {
     format!("({x}, {y}, {z})")
 }
 
+/// Name of the link or frame that defines a frame, for messages.
 fn side(frame: Frame) -> &'static str {
     match frame {
         Frame::Link => "struck link",
@@ -505,6 +506,7 @@ pub(crate) struct ContactRow {
     pub length: f64,
 }
 
+/// Checks that all components are valid numbers.
 fn finite(part: ContactPart, v: &Vector3<f64>) -> Result<(), ContactError> {
     match v.iter().find(|x| !is_number(**x)) {
         Some(&value) => Err(ContactError::NotFinite { part, value }),

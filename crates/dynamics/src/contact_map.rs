@@ -346,6 +346,7 @@ impl ContactMap<'_> {
         is_still.then_some(ContactStatus::Immovable)
     }
 
+    /// Computes status, m̄ and relative error of contact `i` by [`Pose::respond`].
     fn by_itself(&self, contacts: ContactColumns<'_>, i: usize) -> (ContactStatus, f64, f64) {
         let (point, normal) = contacts.at(i);
         let contact = Contact { against: self.against, ..Contact::new(self.link, point, normal) };
@@ -361,10 +362,12 @@ impl ContactMap<'_> {
     }
 }
 
+/// m̄ reported for a status other than finite.
 fn number_of(status: ContactStatus) -> f64 {
     if status == ContactStatus::Massless { 0.0 } else { f64::NAN }
 }
 
+/// m̄, if finite; otherwise 0.
 fn finite(mass: EffectiveMass) -> f64 {
     match mass {
         EffectiveMass::Finite(m) => m,

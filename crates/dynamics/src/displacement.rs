@@ -20,6 +20,7 @@ impl Model {
         }
     }
 
+    /// Moves the positions of one body by the rates of its coordinates over unit time; mimics are skipped.
     fn advance_body(&self, kinematics: &mut Kinematics<f64>, body: usize, rate: impl Fn(usize) -> f64) {
         let body = &self.bodies[body];
         if body.v.is_empty() || body.joint.is_none() || body.mimic.is_some() {

@@ -106,6 +106,7 @@ impl DrivenPath {
         Ok(self.made(positions, residual))
     }
 
+    /// Pose at given positions, with the given residual of the loops.
     fn made(&self, positions: &[f64], residual: f64) -> Pose {
         let model = self.from.assembly.posing();
         let mut kinematics = Kinematics::new(model);

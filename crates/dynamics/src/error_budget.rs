@@ -64,6 +64,7 @@ struct FrameErrors {
 }
 
 impl FrameErrors {
+    /// Accumulates the error bounds from the root to the tips.
     fn fill(&mut self, model: &Model, kinematics: &Kinematics<f64>) {
         self.of.clear();
         self.walks.clear();
@@ -81,6 +82,7 @@ impl FrameErrors {
         }
     }
 
+    /// Error bounds of a body: orientation (rad) and position (m); zero for the ground.
     fn at(&self, body: Option<usize>) -> (f64, f64) {
         body.map_or((0.0, 0.0), |b| self.of[b])
     }
@@ -202,6 +204,7 @@ impl UnitImpulse<'_> {
         f64::EPSILON * self.of_eliminations(room, recursion) / recursion.response(0, 0)
     }
 
+    /// Sum of the errors of all eliminations, in units of ε.
     fn of_eliminations(&self, room: &mut BudgetRoom, recursion: &Recursion<f64, 1>) -> f64 {
         room.composites.clear();
         room.frozen = 0.0;
@@ -225,6 +228,7 @@ impl UnitImpulse<'_> {
         }
     }
 
+    /// Divides a sum of errors by the response 1/m̄.
     fn relative(&self, sum: RelativeErrors, response: f64) -> RelativeErrors {
         RelativeErrors {
             rounding: f64::EPSILON * sum.rounding / response,
@@ -237,6 +241,7 @@ impl UnitImpulse<'_> {
         }
     }
 
+    /// Wrench transmitted by the joint of every body, accumulated along the tree within clusters with constraints.
     fn fill_transmitted(&self, transmitted: &mut Vec<Wrench<f64>>, recursion: &Recursion<f64, 1>) {
         let own = |i: usize| recursion.wrenches[i][0] - self.carried(recursion, i).apply(&self.twists[i]);
         transmitted.clear();
@@ -491,20 +496,24 @@ fn roots(inertia: &ArticulatedInertia<f64>) -> Vector6<f64> {
     diagonal(inertia).map(|x| x.abs().sqrt())
 }
 
+/// Diagonal of an inertia: angular, then linear components.
 fn diagonal(inertia: &ArticulatedInertia<f64>) -> Vector6<f64> {
     let (a, l) = (&inertia.angular, &inertia.linear);
     Vector6::new(a.m11, a.m22, a.m33, l.m11, l.m22, l.m33)
 }
 
+/// Magnitudes of the components of a twist.
 fn components(twist: &Twist<f64>) -> Vector6<f64> {
     let (w, v) = (&twist.angular, &twist.linear);
     Vector6::new(w.x, w.y, w.z, v.x, v.y, v.z).map(f64::abs)
 }
 
+/// Bound for the root energy of a motion: roots of the inertia's diagonal times component magnitudes.
 fn energy_root(roots: &Vector6<f64>, components: &Vector6<f64>) -> f64 {
     roots.dot(components)
 }
 
+/// Sum of the term magnitudes of the power of a wrench.
 fn dot_abs(wrench: &Wrench<f64>, components: &Vector6<f64>) -> f64 {
     let (m, f) = (&wrench.moment, &wrench.force);
     Vector6::new(m.x, m.y, m.z, f.x, f.y, f.z).map(f64::abs).dot(components)

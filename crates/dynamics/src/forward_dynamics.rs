@@ -41,6 +41,7 @@ struct Step {
     t: f64,
 }
 
+/// Refuses held contacts, loops and mimics.
 fn refuse_bound(model: &Model) -> Result<(), RouteError> {
     if model.groups.iter().any(|g| g.is_held) {
         Err(RouteError::Bound { what: "held contacts" })
@@ -114,6 +115,7 @@ impl Pose {
         Ok(self.root_to_tips(&steps, motions, &biases, gravity))
     }
 
+    /// Eliminates the velocities of all joints from the tips to the root.
     fn tips_to_root(
         &self,
         biases: &[Twist<f64>],
@@ -161,6 +163,7 @@ impl Pose {
         Ok(steps)
     }
 
+    /// Accelerations of all joints and bodies, from the root to the tips.
     fn root_to_tips(
         &self,
         steps: &[Step],

@@ -53,6 +53,7 @@ impl<T: Scalar> Kinematics<T> {
         }
     }
 
+    /// Updates the frames of body `i` from the positions and the frame of its parent.
     #[inline]
     fn place(&mut self, model: &Model, i: usize) {
         let body = &model.bodies[i];

@@ -68,11 +68,13 @@ enum LimitRoute {
 }
 
 impl LimitRoute {
+    /// Chooses the dense route if its total work is within the limit.
     fn of(model: &Model, combinations: usize) -> Self {
         let work = model.follows.len().saturating_pow(3).saturating_mul(LIMIT_PLACES * combinations);
         if work <= LIMITS_BY_CAREFUL_ROUTE { LimitRoute::Careful } else { LimitRoute::Recursion }
     }
 
+    /// Largest number of combinations of branches within the work limit.
     fn most_combinations(self, model: &Model) -> usize {
         match self {
             LimitRoute::Careful => BRANCH_COMBINATIONS,
@@ -118,6 +120,7 @@ struct Crossings<'a> {
     complete: bool,
 }
 
+/// Crossings of branches at a pose that affect a contact.
 fn crossings_of<'a>(pose: &'a Pose, contact: &Contact) -> Crossings<'a> {
     let known = pose.crossings();
     let of_group = |number| known.iter().find(|(n, _)| *n == number).map(|(_, around)| around);

@@ -283,6 +283,7 @@ pub enum Remark {
     BaseNotGiven,
 }
 
+/// Up to six names in quotation marks, for messages.
 fn quoted(names: &[String]) -> String {
     if names.is_empty() {
         return "mimics".into();

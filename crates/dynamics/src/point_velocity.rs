@@ -41,6 +41,7 @@ impl Pose {
         self.velocity_against(response, link, point, None)
     }
 
+    /// Velocity of a point in the response, relative to a link or to the ground.
     fn velocity_against(
         &self,
         response: &ContactResponse,

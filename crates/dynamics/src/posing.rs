@@ -37,6 +37,7 @@ impl Assembly {
         self.pose_along(configuration, Some(from))
     }
 
+    /// Pose at a configuration, on the branch of `from` if given.
     fn pose_along(
         self: &Arc<Self>,
         configuration: &Configuration,

@@ -137,6 +137,7 @@ impl Pose {
         Ok(answer?)
     }
 
+    /// The contact at the frames of this pose.
     fn question<'a>(&'a self, located: &'a LocatedContact) -> Question<'a> {
         Question {
             model: self.assembly.model(),
@@ -157,6 +158,7 @@ struct Asked<'a> {
 }
 
 impl Asked<'_> {
+    /// Runs the recursion, selects the result, and adds motion, contributions and errors.
     fn answer(&mut self, choice: RouteChoice) -> Result<ContactResponse, RouteError> {
         let question = self.pose.question(self.located);
         question.model.refuse_large_clusters::<f64>(&self.pose.groups)?;
@@ -168,6 +170,7 @@ impl Asked<'_> {
         Ok(response)
     }
 
+    /// Converts the result of a route to a contact response.
     fn finish(&mut self, mut found: Found) -> ContactResponse {
         let pose = self.pose;
         let model = pose.assembly.model();
@@ -220,6 +223,7 @@ impl Asked<'_> {
         }
     }
 
+    /// Error budget of a finite m̄.
     fn budget(&mut self, m: f64, found: &Found) -> ErrorBudget {
         let (closing_speed, errors) = (found.closing_speed, &found.errors);
         let own = errors.rounding + 2.0 * f64::EPSILON / closing_speed;

@@ -366,6 +366,7 @@ impl Question<'_> {
         }
     }
 
+    /// Input of the error budget for a motion at a unit impulse.
     fn impulse<'b>(&'b self, twists: &'b [Twist<f64>], velocities: &'b [f64]) -> UnitImpulse<'b> {
         UnitImpulse {
             model: self.model,
@@ -378,6 +379,7 @@ impl Question<'_> {
         }
     }
 
+    /// Result of the dense route.
     fn careful(&self, room: &mut RecursionRoom) -> Result<Found, RouteError> {
         let model = self.model;
         // M is formed over the tree velocities; mimics are folded afterwards.

@@ -106,6 +106,7 @@ impl Stationary<'_> {
         (twists, slack)
     }
 
+    /// True for a floating base without constraints.
     fn is_free_base(&self, i: usize) -> bool {
         self.model.bodies[i].joint.is_none() && self.recursion.place[self.model.cluster_of[i]].is_none()
     }
@@ -137,6 +138,7 @@ impl Stationary<'_> {
         transmitted
     }
 
+    /// Closing speed of the contact at given twists.
     fn closing_speed(&self, twists: &[Twist<f64>]) -> f64 {
         let speed = |link| {
             let body = self.model.body_of(link);
@@ -145,6 +147,7 @@ impl Stationary<'_> {
         speed(self.contact.link) - self.contact.against.map_or(0.0, speed)
     }
 
+    /// Residuals of the equations for given transmitted wrenches.
     fn residuals(&self, transmitted: &[Wrench<f64>]) -> Residuals {
         let model = self.model;
         let mut left = Residuals {

@@ -51,6 +51,7 @@ impl System {
         self.model().base
     }
 
+    /// Model with locks and held contacts.
     pub(crate) fn model(&self) -> &Arc<Model> {
         &self.models.answering
     }
@@ -120,6 +121,7 @@ impl System {
         self.put_together(start)
     }
 
+    /// Closes the loops from a start, and collects the facts about the loops.
     fn put_together(&self, start: Kinematics<f64>) -> Result<Arc<Assembly>, AssemblyError> {
         let facts = self.models.posing.put_together(start)?;
         Ok(Arc::new(Assembly::new(self.models.clone(), facts)))

@@ -286,6 +286,7 @@ impl Travel {
         })
     }
 
+    /// Displacement and rate at a pose.
     fn place(&self, pose: Pose, driver: JointId) -> Place<Pose> {
         let (gone, rate) = (self.displacement(&pose), self.rate(&pose, driver));
         Place { driver: pose.joint(driver)[0], gone, rate, pose }

@@ -63,6 +63,7 @@ enum Far<P> {
 }
 
 impl<P> Far<P> {
+    /// Position of the driver at this end.
     fn driver(&self) -> f64 {
         match self {
             Far::Over(place) | Far::Turned(place) | Far::End(place) => place.driver,
@@ -84,10 +85,12 @@ pub(crate) struct Search<'a, P> {
 }
 
 impl<P> Search<'_, P> {
+    /// Remaining displacement to the requested one, m.
     fn miss(&self, place: &Place<P>) -> f64 {
         self.requested - place.gone
     }
 
+    /// True if the requested displacement is reached.
     fn is_met(&self, place: &Place<P>) -> bool {
         self.miss(place).abs() <= MET * self.scale.size
     }

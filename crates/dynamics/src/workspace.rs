@@ -139,6 +139,7 @@ impl Workspace {
         self.in_lanes.take()
     }
 
+    /// Updates the frames and the mobility decisions.
     fn refill(&mut self) {
         self.stale = false;
         let model = self.assembly.model();

@@ -85,6 +85,7 @@ impl Closer<'_> {
         Ok(())
     }
 
+    /// True if the joint of a coordinate was set.
     fn is_given(&self, group: &Group, at: usize) -> bool {
         group.joints[at].is_some_and(|id| self.configuration.given[id.index()])
     }
@@ -154,6 +155,7 @@ impl Closer<'_> {
         Err(failed.after_starts(starts))
     }
 
+    /// Driving joints with a single position, and their requested positions.
     fn drivers(&self, group: &Group, divided: &Drivers) -> Vec<Driver> {
         let driver = |&at: &usize| {
             let joint = group.joints[at]?;
@@ -165,6 +167,7 @@ impl Closer<'_> {
         divided.driving.iter().filter_map(driver).collect()
     }
 
+    /// Closes the group by moving the coordinates `unknown`. Returns true if closed.
     fn correct(&mut self, group: &Group, unknown: &[usize], tolerance: f64) -> bool {
         let directions = Directions::of(unknown);
         self.model.correct(&mut self.kinematics, group, directions, tolerance).closed
@@ -298,6 +301,7 @@ impl Closer<'_> {
         }
     }
 
+    /// True if all drivers are at the requested positions.
     fn stands(&self, drivers: &[&Driver]) -> bool {
         drivers.iter().all(|d| self.kinematics.q[d.q] == d.requested)
     }
@@ -491,6 +495,7 @@ impl Closer<'_> {
         }
     }
 
+    /// Error with the requested and the current positions of the drivers.
     fn uncertain(&self, group: &Group, drivers: &[Driver]) -> AssemblyError {
         let name = |id: JointId| self.model.joint_name(id).to_owned();
         AssemblyError::BranchUncertain {

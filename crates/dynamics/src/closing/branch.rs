@@ -131,10 +131,12 @@ impl<'a> DriverPath<'a> {
         Some(Self { model, group, unknown, direction, length, tolerance, conditioning, ends })
     }
 
+    /// Directions: dependent coordinates, and the driver path.
     pub(super) fn directions(&self) -> Directions<'_> {
         Directions { unknown: self.unknown, path: Some(&self.direction) }
     }
 
+    /// Directions: dependent coordinates only.
     fn followers(&self) -> Directions<'_> {
         Directions { unknown: self.unknown, path: None }
     }
@@ -163,6 +165,7 @@ impl<'a> DriverPath<'a> {
         Point { q: kinematics.q.clone(), gone, tangent: self.tangent(&jacobian, before), jacobian }
     }
 
+    /// Restores the positions `q` and the frames of the group.
     pub(super) fn stand(&self, kinematics: &mut Kinematics<f64>, q: &[f64]) {
         if kinematics.q != q {
             kinematics.q.copy_from_slice(q);
@@ -289,6 +292,7 @@ impl<'a> DriverPath<'a> {
         Arrival::at_end(Some(anchor))
     }
 
+    /// Longest step along a tangent, m.
     pub(super) fn longest(&self, tangent: &[f64]) -> f64 {
         LONGEST_BRANCH_STEP * self.size() / tangent.iter().fold(0.0, |most: f64, t| most.max(t.abs()))
     }
@@ -323,6 +327,7 @@ impl<'a> DriverPath<'a> {
         }
     }
 
+    /// Point of the curve after a correction.
     fn corrected(
         &self,
         kinematics: &Kinematics<f64>,

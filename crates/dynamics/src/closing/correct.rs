@@ -80,6 +80,7 @@ pub(crate) struct Linearised {
 }
 
 impl Linearised {
+    /// Residuals and rows at given frames.
     pub fn at(model: &Model, kinematics: &Kinematics<f64>, group: &Group) -> Self {
         let mut rows = GroupRows::default();
         rows.fill(model, group, kinematics);

@@ -88,6 +88,7 @@ impl DriverPath<'_> {
         found
     }
 
+    /// Interpolates the pose at the target from places at multiples of `apart`; `None` if a place is not reached.
     fn interpolated(
         &self,
         kinematics: &mut Kinematics<f64>,

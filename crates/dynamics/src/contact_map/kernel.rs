@@ -23,6 +23,7 @@ impl<'a> ContactColumns<'a> {
         Self { points, normals }
     }
 
+    /// Point and normal of contact `i`.
     pub(super) fn at(&self, i: usize) -> (Vector3<f64>, Vector3<f64>) {
         let [point, normal] = [self.points, self.normals].map(|c| Vector3::new(c[0][i], c[1][i], c[2][i]));
         (point, normal)

@@ -103,6 +103,7 @@ impl Factor {
         values.iter().all(|v| v.abs() <= rounding * most || *v >= clear * most)
     }
 
+    /// Wrenches with a massless response.
     pub fn free(self) -> FreeWrenches {
         FreeWrenches { reach: self.reach, units: self.free }
     }

@@ -52,6 +52,7 @@ impl UnitImpulse<'_> {
         sum
     }
 
+    /// Sums moment (about the contact point) and mass of every body over its subtree.
     fn fill_composites(&self, composites: &mut Vec<(f64, f64)>) {
         let own = |(i, body): (usize, &Body)| {
             let arm = (self.kinematics.frames[i].translation - self.contact.point_root).norm();

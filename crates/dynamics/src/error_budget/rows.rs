@@ -92,6 +92,7 @@ impl UnitImpulse<'_> {
         }
     }
 
+    /// Bodies on the two sides of a constraint; none for a coupling.
     fn sides(&self, constraint: &ConstraintRows) -> Sides {
         match constraint.constraint {
             Constraint::Closure(i) => {

@@ -49,6 +49,7 @@ impl<T: Scalar> SparseRows<T> {
         }
     }
 
+    /// Entry of a row in a column, if stored.
     pub fn entry(&self, row: usize, column: usize) -> Option<T> {
         let entries = &self.rows[row];
         entries.binary_search_by_key(&column, |(c, _)| *c).ok().map(|at| entries[at].1)

@@ -222,6 +222,7 @@ struct Asked<'a> {
 }
 
 impl Asked<'_> {
+    /// Computes m̄, its error and the findings.
     fn answer(&self, rank: ConstraintRank) -> Result<MatrixResponse, MatrixError> {
         let n = self.row.len();
         let solution = self.solve();
@@ -340,6 +341,7 @@ impl Asked<'_> {
         }
     }
 
+    /// Solves the least-energy problem.
     fn solve(&self) -> Solution {
         // The error of a diagonal entry, expressed in roundings.
         let scale = self.mass.accuracy / f64::EPSILON;

@@ -197,6 +197,7 @@ impl<'a> From<&'a DMatrix<f64>> for MatrixView<'a> {
     }
 }
 
+/// Checks a leading dimension, and converts it to a stride.
 fn leading(
     got: usize,
     least: usize,

@@ -72,6 +72,7 @@ impl Model {
         self.divide(group, of_movable(group, rows), default.dependent.len(), floor, given)
     }
 
+    /// Priority of a coordinate for driving.
     fn priority(&self, group: &Group, at: usize, given: impl Fn(usize) -> bool) -> Priority {
         let coordinate = &self.coordinates[group.coordinates[at]];
         let single = coordinate.joint.is_some_and(|id| self.mechanism.joint(id).kind().dofs() == 1);
@@ -135,6 +136,7 @@ fn of_movable(group: &Group, rows: &GroupRows<f64>) -> Jacobian {
     Jacobian { rows: group.rows, columns: group.movable.len(), entries }
 }
 
+/// Columns of a Jacobian.
 fn restricted(jacobian: &Jacobian, columns: &[usize]) -> Jacobian {
     let place = |(r, c, a): &(usize, usize, f64)| Some((*r, columns.binary_search(c).ok()?, *a));
     Jacobian {

@@ -136,6 +136,7 @@ fn decide_large(group: &Group, floor: f64, decided: &mut GroupMobility) {
     (decided.rank, decided.floor, decided.pivots) = (rank, floor, pivots);
 }
 
+/// Eliminates the rows of a large group by sparse pivots.
 fn eliminate_large(rows: &GroupRows<f64>, group: &Group, floor: f64) -> (Pivots, Rank) {
     let mut scaled = SparseRows::default();
     scaled.load(group.rows, group.coordinates.len(), |add| {
@@ -229,6 +230,7 @@ impl MobilityRoom {
         seen
     }
 
+    /// Updates the largest entry of row `r` among unused columns.
     fn find_largest(&mut self, r: usize, n: usize) {
         let mut best = (0.0, 0);
         for (c, (entry, used)) in self.dense[r * n..(r + 1) * n].iter().zip(&self.used).enumerate() {
@@ -324,6 +326,7 @@ impl<T: Scalar> Rates<T> {
         self.rows = rows;
     }
 
+    /// Eliminates the dependent coordinates of given rows, in the decided order.
     fn fill_from(&mut self, rows: &GroupRows<T>, group: &Group, known: &GroupMobility) {
         let n = group.coordinates.len();
         self.count = known.independent.len();

@@ -63,6 +63,7 @@ impl<N: Clone + PartialEq> Redundancy<N> {
     }
 }
 
+/// Representative of the set of a row.
 fn root(together: &[usize], mut row: usize) -> usize {
     while together[row] != row {
         row = together[row];

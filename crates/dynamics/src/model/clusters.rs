@@ -109,6 +109,7 @@ impl Model {
         on_path.into_keys().collect()
     }
 
+    /// Fills parents, coordinates and velocities of a cluster.
     fn complete_cluster(&self, cluster: &mut Cluster) {
         for (at, &body) in cluster.bodies.iter().enumerate() {
             let parent = self.bodies[body].parent;

@@ -59,6 +59,7 @@ impl Model {
         self.holds = holds.to_vec();
     }
 
+    /// Loop frame of a closure's end on its body.
     fn loop_frame(&self, end: &LoopFrame) -> LinkFrame {
         let ground = LinkFrame { body: None, frame: Transform::identity() };
         let of_link = end.link.map_or(ground, |link| self.link_frames[link.index()].clone());

@@ -105,6 +105,7 @@ impl Model {
         terms
     }
 
+    /// Fills joints, bodies, size and lengths of a group.
     fn complete(&self, group: &mut Group, zero: &ZeroFrames) {
         for terms in group.constraints.iter_mut().map(|c| &mut c.terms) {
             for term in terms {

@@ -72,6 +72,7 @@ impl Model {
         around
     }
 
+    /// Finds the branches through a pose by trying directions in the kernel of A.
     fn find_branches(&self, kinematics: &Kinematics<f64>, kernel: &[Vec<f64>], around: &mut Surroundings) {
         let cube = cube_of(&around.group);
         let (mut newest, mut regular) = (0, None);
@@ -117,6 +118,7 @@ impl Model {
             .is_some_and(|branch| dot(&branch.along, direction) > 0.99)
     }
 
+    /// Branch reached in a direction, with its tangent space; `None` if no closed pose is reached.
     fn branch_beside(
         &self,
         kinematics: &Kinematics<f64>,
