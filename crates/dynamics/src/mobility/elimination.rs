@@ -27,7 +27,8 @@ pub(crate) struct GroupMobility {
     pub pivots: Pivots,
     /// Independent coordinates (by index into the group), ascending.
     pub independent: Vec<usize>,
-    /// |K⁻¹||A|, dependent × independent coordinates: the sum of the term magnitudes of each rate, over coordinates scaled by the group's lengths. Empty for groups decided by sparse pivots; the entries are then taken as 1.
+    /// |K⁻¹||A|, dependent × independent coordinates: the sum of the term magnitudes of each rate, over coordinates
+    /// scaled by the group's lengths. Empty for groups decided by sparse pivots; the entries are then taken as 1.
     pub sizes: Vec<f64>,
     /// G of the group, coordinates × independent, row by row: rates over the independent coordinates. Empty for
     /// groups decided by sparse pivots.
