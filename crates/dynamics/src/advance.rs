@@ -1,4 +1,4 @@
-//! A little further in time or into the contact: the pose after joint velocities, or v*, have acted.
+//! Poses after a small step in time or along the contact: after joint velocities, or v*, have acted.
 
 use crate::closing::{Directions, Linearised};
 use crate::kinematics::Kinematics;
@@ -14,10 +14,10 @@ use percuss_mechanism::JointKind;
 use percuss_spatial::{Scalar, Transform, Twist, rotation_from_quaternion};
 
 impl System {
-    /// q̇ of all joints at the velocities `v`, one list a joint; both in joint order (layouts of [`JointKind`]).
+    /// q̇ of all joints at the velocities `v`, one list per joint; both in joint order (layouts of [`JointKind`]).
     ///
     /// # Errors
-    /// [`VelocityError`]: numbers of positions or velocities that are not the mechanism's.
+    /// [`VelocityError`]: a wrong number of positions or velocities.
     pub fn position_rates<T: Scalar>(
         &self,
         positions: &[T],
@@ -35,12 +35,12 @@ impl System {
 }
 
 impl Pose {
-    /// The pose a short time `h` (s) later at joint velocities `velocities` and base twist `base` (root link's axes,
-    /// at its origin), to second order in `h`. Quaternions stay normalised. Loops are not closed again: the pose's
-    /// residual is how far they have come apart.
+    /// Pose after a short time `h` (s) at joint velocities `velocities` and base twist `base` (root axes, at the root
+    /// origin), to second order in `h`. Quaternions are normalised. Loops are not closed again; the residual of the
+    /// new pose is the resulting gap.
     ///
     /// # Errors
-    /// [`VelocityError`]: velocities that are not the mechanism's.
+    /// [`VelocityError`]: velocities that do not fit the mechanism.
     pub fn advanced(
         &self,
         velocities: &[Vec<f64>],
@@ -70,10 +70,10 @@ impl Pose {
         Ok(self.assembly.pose_at(kinematics, self.base * step, loops, self))
     }
 
-    /// The pose after the mechanism has gone along v* until the gap has closed by `distance` (m; negative: opened).
+    /// Pose after a motion along v* until the gap has closed by `distance` (m; negative: opened).
     ///
-    /// Every joint goes at its rate of the response, then the loops are closed by the shortest motion: exact to second
-    /// order in the distance. None where they do not close there, or where nothing moves.
+    /// Every joint moves at its rate of the response. Then the loops are closed by the shortest motion. The result is
+    /// exact to second order in the distance. `None` if the loops do not close, or v* is zero.
     pub fn advanced_along(&self, response: &ContactResponse, distance: f64) -> Option<Pose> {
         if !response.gives_way() {
             return None;
@@ -92,8 +92,8 @@ impl Pose {
     }
 }
 
-/// Closes a group by plain Gauss–Newton steps of least norm, as long as they help. What contradicts itself in a rounded
-/// file is left as it is: the damped steps that settle a group would follow it.
+/// Closes a group by plain Gauss–Newton steps of least norm. Contradictions of a rounded file are not corrected,
+/// because the damped steps of `Model::correct` would follow them.
 fn closed_again(
     kinematics: &mut Kinematics<f64>,
     from: &Pose,

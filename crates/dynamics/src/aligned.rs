@@ -1,23 +1,23 @@
-//! Room for lanes, where loads and stores of whole registers cross no cache line.
+//! Aligned buffers for SIMD: loads and stores of whole registers do not cross a cache line.
 
 use std::ops::{Deref, DerefMut};
 
 /// Bytes of the widest register, and of a cache line.
 const LINE: usize = 64;
-/// Numbers that are in a line.
+/// Numbers per cache line.
 const NUMBERS: usize = LINE / size_of::<f64>();
 
-/// Numbers of which the first stands at the start of a cache line.
+/// Buffer of numbers that begins at the start of a cache line.
 #[derive(Debug)]
 pub(crate) struct Aligned {
-    /// With some before and after.
+    /// The numbers, with padding before and after.
     values: Vec<f64>,
     first: usize,
     count: usize,
 }
 
 impl Aligned {
-    /// As many zeros.
+    /// Buffer of `count` zeros.
     pub fn zeros(count: usize) -> Self {
         let values = vec![0.0; count + NUMBERS];
         let first = values.as_ptr().align_offset(LINE).min(NUMBERS);

@@ -1,30 +1,30 @@
-//! What mechanisms that are answered in lanes share: positions by columns, and answers that rounding leaves no doubt of.
+//! Positions by columns and certified results, shared by the SIMD kernels.
 
 use crate::tolerances::{TRUSTED_ERROR, UNIT_QUATERNION};
 use nalgebra::Matrix3;
 use percuss_spatial::SpatialInertia;
 use percuss_spatial::lanes::Lanes;
 
-/// The widest lanes.
+/// Largest number of lanes.
 pub(crate) const WIDEST: usize = 8;
 
-/// m̄, and what rounding may amount to.
+/// m̄ with its rounding error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Answered {
     /// m̄, kg.
     pub mass: f64,
-    /// Its error, kg.
+    /// Rounding error, kg.
     pub error: f64,
 }
 
 impl Answered {
-    /// Whether it is a finite m̄ that rounding leaves no doubt of. NaN is not small.
+    /// True if m̄ is finite and the rounding error is small. False for NaN.
     #[inline]
     pub fn is_clear(&self) -> bool {
         (self.mass > 0.0) & (self.mass <= f64::MAX) & (self.error <= TRUSTED_ERROR * self.mass)
     }
 
-    /// What work on one lane puts, where it is beyond doubt.
+    /// Result of `work` on one lane, if certified.
     #[inline]
     pub fn of_one(work: impl FnOnce(Answers<'_>)) -> Option<Self> {
         let (mut mass, mut error) = ([f64::NAN], [f64::NAN]);
@@ -33,16 +33,16 @@ impl Answered {
     }
 }
 
-/// What lanes answer, in doubt or not: divided while they are side by side.
+/// Results of lanes, certified or not.
 pub(crate) struct Answers<'a> {
     /// m̄, kg.
     pub masses: &'a mut [f64],
-    /// Their errors, kg.
+    /// Rounding errors, kg.
     pub errors: &'a mut [f64],
 }
 
 impl Answers<'_> {
-    /// Of the lanes from `first` on: 1/m̄ (1/kg), and how many ε, 1/kg, that may be off by.
+    /// Stores m̄ and errors for the lanes from `first` on. Input: 1/m̄ (1/kg), and its error in units of ε (1/kg).
     #[inline(always)]
     pub fn put<T: Lanes>(&mut self, first: usize, response: T, error: T) {
         let mass = T::one() / response;
@@ -51,7 +51,7 @@ impl Answers<'_> {
     }
 }
 
-/// Positions by columns: that of configuration `c` and position `q` stands at `q · stride + c`.
+/// Positions by columns: position `q` of configuration `c` has index `q · stride + c`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Columns<'a> {
     pub values: &'a [f64],
@@ -59,13 +59,14 @@ pub(crate) struct Columns<'a> {
 }
 
 impl Columns<'_> {
+    /// Loads position `q` of the configurations from `first` on, one per lane.
     #[inline(always)]
     pub fn at<T: Lanes>(&self, q: usize, first: usize) -> T {
         T::load(&self.values[q * self.stride + first..])
     }
 }
 
-/// How far a quaternion is from a unit one, beyond rounding.
+/// Deviation of a quaternion from unit norm, beyond rounding.
 #[inline(always)]
 pub(crate) fn off_unit<T: Lanes>(columns: Columns<'_>, q: usize, first: usize) -> T {
     let mut square = -T::one();
@@ -76,14 +77,14 @@ pub(crate) fn off_unit<T: Lanes>(columns: Columns<'_>, q: usize, first: usize) -
     over(square, UNIT_QUATERNION)
 }
 
-/// Twice what |x| is above a limit.
+/// Twice the excess of |x| over a limit; 0 below the limit.
 #[inline(always)]
 pub(crate) fn over<T: Lanes>(x: T, most: f64) -> T {
     let above = x.abs() - T::from_f64(most);
     above + above.abs()
 }
 
-/// Whether no motion has a negative energy, to rounding.
+/// True if no motion has a negative kinetic energy, within rounding.
 pub(crate) fn is_positive(inertia: &SpatialInertia<f64>) -> bool {
     if inertia.mass <= 0.0 {
         return inertia.mass == 0.0 && inertia.first_moment.norm() == 0.0 && inertia.rotational.norm() == 0.0;

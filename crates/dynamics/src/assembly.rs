@@ -1,5 +1,5 @@
-//! The loops of a system put together once, from a given guess: a first closed pose, a generic one, who drives, the
-//! mobility. A value: nothing that is asked of it changes it.
+//! Assembly of the loops of a system, computed once from a given guess: a first closed pose, a generic pose, the
+//! driving joints and the mobility. The assembly is an immutable value.
 
 use crate::assembling::{Facts, GroupFacts};
 use crate::conditions::Base;
@@ -17,45 +17,46 @@ use crate::tolerances::{
 use percuss_mechanism::JointId;
 use std::sync::{Arc, OnceLock};
 
-/// A system whose loops are put together.
+/// A system with assembled loops.
 #[derive(Debug)]
 pub struct Assembly {
     models: Models,
     facts: Facts,
-    /// For each group of the model with its locks and holds: the rank at a generic pose.
+    /// For each group of the model with its locks and held contacts: rank at a generic pose.
     generic: Vec<Rank>,
-    /// For each of these groups: singular values of A below this part of the largest count as zero.
+    /// For each of these groups: threshold for singular values of A, relative to the largest; smaller values count as
+    /// zero.
     floors: Vec<f64>,
-    /// For each of these groups: how far its loops are from fitting, as a part of its size.
+    /// For each of these groups: residual misfit of its loops, relative to the group's size.
     misfits: Vec<f64>,
-    /// A closed generic pose, held contacts off the zero pose.
+    /// Closed generic pose. With held contacts, joints outside loops are moved away from zero.
     generic_kinematics: Kinematics<f64>,
-    /// Found when first asked for, a function of the rest.
+    /// Computed on first use from the other fields.
     redundant: OnceLock<Vec<Vec<String>>>,
     rooms: Rooms,
     remarks: Vec<Remark>,
 }
 
-/// The two sides of a system: what answers, and what is posed. A lock or a held contact holds velocities, not the pose:
-/// loops are closed with every joint free.
+/// The two models of a system: `answering` computes effective masses, `posing` computes poses. Locks and held
+/// contacts constrain velocities, not the pose: loops are closed with every joint free.
 #[derive(Clone, Debug)]
 pub(crate) struct Models {
     pub answering: Arc<Model>,
     pub posing: Arc<Model>,
 }
 
-/// How far a loop is from closed where it is drawn: with all joints at 0, or as guessed.
+/// Gap of a loop in the configuration as drawn: all joints at 0, or at their guesses.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DrawnGap {
-    /// The closure or coupling.
+    /// Name of the closure or coupling.
     pub constraint: String,
-    /// Its largest residual, m (angles times the size of its group).
+    /// Largest residual, m (angles times the size of the group).
     pub gap: f64,
-    /// The size of its group, m.
+    /// Size of the group of loops, m.
     pub size: f64,
-    /// The joint that moved most to close its group, and by how much (rad or m).
+    /// The joint that moved most to close the group, and its displacement (rad or m).
     pub moved: Option<(JointId, f64)>,
-    /// Whether that is more than a hundredth of the size: no rounding, a mistyped point.
+    /// True if the gap exceeds a hundredth of the size. Such a gap is not rounding; a point may be mistyped.
     pub is_wide: bool,
 }
 
@@ -91,61 +92,67 @@ impl Assembly {
         }
     }
 
-    /// The same loops under other conditions of the same mechanism.
+    /// Returns the same loops under other conditions of the same mechanism.
     pub(crate) fn under(&self, models: Models) -> Arc<Self> {
         Arc::new(Self::new(models, self.facts.clone()))
     }
 
+    /// Pool of recursion workspaces.
     pub(crate) fn rooms(&self) -> &Rooms {
         &self.rooms
     }
 
+    /// Model with locks and held contacts, used for effective masses.
     pub(crate) fn model(&self) -> &Model {
         &self.models.answering
     }
 
+    /// Model without locks and held contacts, used for poses.
     pub(crate) fn posing(&self) -> &Model {
         &self.models.posing
     }
 
+    /// Facts about the loops.
     pub(crate) fn facts(&self) -> &Facts {
         &self.facts
     }
 
-    /// Whether two assemblies are of the same system.
+    /// True if both assemblies belong to the same system.
     pub(crate) fn is_like(&self, other: &Self) -> bool {
         self.is_of(&other.models.answering)
     }
 
-    /// What was found about a group of loops.
+    /// Facts about a group of loops.
     pub(crate) fn group_facts(&self, number: usize) -> &GroupFacts {
         &self.facts.groups[number]
     }
 
+    /// True if the assembly was made for the model.
     pub(crate) fn is_of(&self, model: &Arc<Model>) -> bool {
         Arc::ptr_eq(&self.models.answering, model)
     }
 
-    /// Whether what answers is what is posed: their groups are the same.
+    /// True if both models are the same; then their groups are the same.
     pub(crate) fn is_of_posing(&self) -> bool {
         Arc::ptr_eq(&self.models.answering, &self.models.posing)
     }
 
-    /// Singular values of A below this part of the largest count as zero, of a group.
+    /// Threshold for singular values of A of a group, relative to the largest; smaller values count as zero.
     pub(crate) fn floor(&self, number: usize) -> f64 {
         self.floors[number]
     }
 
-    /// The rank of a group's rows at a generic pose.
+    /// Rank of a group's rows at a generic pose.
     pub(crate) fn expected_rank(&self, number: usize) -> usize {
         self.generic[number].rank
     }
 
+    /// Rank of A at a generic pose, over all groups.
     pub(crate) fn generic_rank(&self) -> usize {
         self.generic.iter().map(|g| g.rank).sum()
     }
 
-    /// What is decided about each group at some frames.
+    /// Decides the rank and the dependent coordinates of each group at the given frames.
     pub(crate) fn decide(&self, kinematics: &Kinematics<f64>) -> Vec<GroupMobility> {
         let model = self.model();
         let mut room = MobilityRoom::default();
@@ -158,12 +165,12 @@ impl Assembly {
         model.groups.iter().enumerate().map(decide).collect()
     }
 
-    /// For each group, how far its loops are from fitting, as a part of its size.
+    /// For each group: residual misfit of its loops, relative to the group's size.
     pub(crate) fn misfits(&self) -> &[f64] {
         &self.misfits
     }
 
-    /// How many coordinates there are: independent velocities of the tree; a floating base counts 6.
+    /// Number of coordinates: independent velocities of the tree. A floating base counts 6.
     pub fn coordinates(&self) -> usize {
         self.model().coordinates.len()
     }
@@ -173,13 +180,14 @@ impl Assembly {
         self.coordinates() - self.generic_rank()
     }
 
-    /// Constraint rows that add nothing at a generic pose: of loops, couplings, held contacts and locks.
+    /// Number of redundant constraint rows at a generic pose: of loops, couplings, held contacts and locks.
     pub fn redundant_constraints(&self) -> usize {
         let rows: usize = self.model().groups.iter().map(|g| g.rows).sum();
         self.model().redundant_locks + rows - self.generic_rank()
     }
 
-    /// Sets of loops, couplings and held contacts on which redundant rows lie; those that cannot be separated together.
+    /// Sets of loops, couplings and held contacts that contain redundant rows. Constraints whose redundancy cannot be
+    /// separated form one set.
     pub fn redundant_loops(&self) -> &[Vec<String>] {
         self.redundant.get_or_init(|| {
             let model = self.model();
@@ -196,17 +204,18 @@ impl Assembly {
         })
     }
 
-    /// Names of the constraints of each group: those that bind the same coordinates, directly or through one another.
+    /// Names of the constraints of each group. A group contains the constraints that share coordinates, directly or
+    /// through other constraints.
     pub fn groups(&self) -> Vec<Vec<String>> {
         self.model().groups.iter().map(|group| self.model().group_names(group)).collect()
     }
 
-    /// The rank of each group's rows at a generic pose, in the order of [`groups`](Self::groups).
+    /// Rank of each group's rows at a generic pose, in the order of [`groups`](Self::groups).
     pub fn group_ranks(&self) -> Vec<usize> {
         self.generic.iter().map(|g| g.rank).collect()
     }
 
-    /// The joints that drive the loops where nothing is set, in joint order.
+    /// Joints that drive the loops by default, in joint order.
     pub fn drivers(&self) -> Vec<JointId> {
         let groups = self.facts.groups.iter().zip(&self.posing().groups);
         let of_group = groups.flat_map(|(f, g)| f.drivers.driving.iter().filter_map(|&at| g.joints[at]));
@@ -216,39 +225,41 @@ impl Assembly {
         drivers
     }
 
-    /// Least gap between singular values of A that count and those that do not; none without constraints.
+    /// Smallest gap between the nonzero and the zero singular values of A, over all groups; `None` without
+    /// constraints.
     pub fn rank_gap(&self) -> Option<f64> {
         self.generic.iter().map(|g| g.gap).min_by(f64::total_cmp)
     }
 
-    /// The least singular value of A that counts at the generic pose, as a part of the largest of its group. Where it is
-    /// small, the mechanism is weakly constrained: a little off in the figures of a file, and one more motion is free.
+    /// Smallest nonzero singular value of A at the generic pose, relative to the largest of its group. A small value
+    /// means a weakly constrained mechanism: a small error in the figures of a file can free one more motion.
     pub fn least_singular_value(&self) -> f64 {
         self.generic.iter().map(|g| g.least).fold(1.0, f64::min)
     }
 
-    /// Whether the generic rank is clear.
+    /// True if the generic rank is clear.
     pub fn rank_is_clear(&self) -> bool {
         self.generic.iter().all(|g| g.clear)
     }
 
-    /// True if the mechanism is weakly constrained: figures rounded to four digits may leave one motion more.
+    /// True if the mechanism is weakly constrained: with figures rounded to four digits, one more motion may be free.
     pub fn is_weakly_constrained(&self) -> bool {
         self.least_singular_value() < WEAKLY_CONSTRAINED
     }
 
-    /// Findings about the loops, whatever the pose is.
+    /// Findings about the loops that hold at every pose.
     pub fn remarks(&self) -> &[Remark] {
         &self.remarks
     }
 
-    /// The remark on a contact whose normal is given in the world, where the base floats and its pose is not given.
+    /// Returns a remark if the normal of the contact is given in the world, the base floats, and the base pose is not
+    /// given.
     pub(crate) fn base_remark(&self, contact: &Contact, base_is_given: bool) -> Option<Remark> {
         let missing = self.model().base == Base::Floating && !base_is_given && contact.has_world_normal();
         missing.then_some(Remark::BaseNotGiven)
     }
 
-    /// Refuses positions at which a group of loops is open. `residuals`: reused.
+    /// Refuses positions at which a group of loops is open. `residuals` is a reusable buffer.
     pub(crate) fn refuse_open_loops(
         &self,
         kinematics: &Kinematics<f64>,
@@ -259,7 +270,7 @@ impl Assembly {
             model.group_residuals_into(kinematics, group, residuals);
             let (gap, worst) = largest(residuals);
             let accepted = OPEN_ROW * group.size;
-            // The tolerance of far and rounded loops costs more than the residuals.
+            // The tolerance of far and rounded loops is more expensive than the residuals.
             if gap <= accepted {
                 continue;
             }
@@ -275,7 +286,7 @@ impl Assembly {
         Ok(())
     }
 
-    /// How far each loop is from closed where it is drawn, beyond rounding.
+    /// Gap of each loop in the configuration as drawn, if larger than rounding.
     pub fn drawn_gaps(&self) -> Vec<DrawnGap> {
         let model = self.posing();
         let mut gaps = Vec::new();
@@ -296,7 +307,7 @@ impl Assembly {
         gaps
     }
 
-    /// Whether a group of loops has less than its generic rank at some frames.
+    /// True if a group of loops has less than its generic rank at the given frames.
     pub(crate) fn has_lost_rank(&self, kinematics: &Kinematics<f64>, number: usize) -> bool {
         let (model, facts) = (self.posing(), &self.facts.groups[number]);
         let group = &model.groups[number];
@@ -305,13 +316,13 @@ impl Assembly {
         rank_of_rows(&rows, group, facts.floor).rank < facts.rank.rank
     }
 
-    /// What lies around a pose of a group of loops.
+    /// Surroundings of a pose of a group of loops: the branches near the pose.
     pub(crate) fn around(&self, kinematics: &Kinematics<f64>, number: usize) -> Surroundings {
         let model = self.posing();
         model.surroundings(kinematics, &model.groups[number], self.facts.groups[number].inexactness)
     }
 
-    /// Tolerance at which a group counts as closed, m.
+    /// Residual at which a group counts as closed, m.
     pub(crate) fn tolerance(&self, kinematics: &Kinematics<f64>, number: usize) -> f64 {
         let model = self.posing();
         let group = &model.groups[number];
@@ -346,7 +357,7 @@ fn remarks_on(posing: &Model, facts: &Facts, generic: &[Rank]) -> Vec<Remark> {
     remarks
 }
 
-/// The greatest of a fact of the groups of loops that a group of the answering model has constraints of.
+/// Largest value of a fact over the posed groups that share constraints with a group of the answering model.
 fn greatest(models: &Models, facts: &Facts, group: &Group, of: fn(&GroupFacts) -> f64) -> f64 {
     let shares = |posed: &Group| {
         posed.constraints.iter().any(|c| group.constraints.iter().any(|own| own.constraint == c.constraint))
@@ -357,7 +368,8 @@ fn greatest(models: &Models, facts: &Facts, group: &Group, of: fn(&GroupFacts) -
     meant.map(|(_, facts)| of(facts)).fold(0.0, f64::max)
 }
 
-/// Every group at its generic pose; where contacts are held, the joints outside loops aside from zero too.
+/// Kinematics with every group at its generic pose. With held contacts, the joints outside loops are moved away from
+/// zero.
 fn generic_kinematics(models: &Models, facts: &Facts) -> Kinematics<f64> {
     let posing = &models.posing;
     let mut kinematics = Kinematics::zero(posing);

@@ -1,8 +1,9 @@
-//! m̄ of one contact at many configurations: in lanes, by threads.
+//! m̄ of one contact at many configurations, with SIMD lanes and threads.
 //!
-//! Trees without mimics, on the ground or floating, and linkages of few freedoms go in as many lanes as the processor
-//! has. A lane that is not sure (massless, immovable, near either, too much rounding) is asked again by itself,
-//! by [`Workspace`], and so is every configuration of other mechanisms: the answers are the same, one by one.
+//! Two kinds of mechanisms have a SIMD kernel: trees without mimics (on the ground or floating), and linkages of few
+//! degrees of freedom. A lane with an uncertain result (massless, immovable, close to either, or with too much
+//! rounding) is computed again by [`Workspace`]. For all other mechanisms, [`Workspace`] computes every
+//! configuration. Every result equals that of [`Batch::effective_mass`] at the same configuration, bit for bit.
 
 use crate::aligned::Aligned;
 use crate::answered::{Answered, Answers, Columns};
@@ -20,92 +21,94 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-/// How many configurations a thread takes at once.
+/// Number of configurations per task of a thread.
 const PORTION: usize = 512;
-/// How many of them go through lanes in one call: a multiple of every instruction set's lanes.
+/// Number of configurations per call of the SIMD kernel: a multiple of the lane count of every instruction set.
 const BLOCK: usize = 64;
 
-/// Configurations: the positions of all joints one after another, in joint order, for each.
+/// Positions of many configurations. Each configuration holds the positions of all joints one after another, in joint
+/// order.
 #[derive(Clone, Copy, Debug)]
 pub enum BatchPositions<'a> {
-    /// Configuration `c` begins at `c · stride`.
+    /// Configuration `c` begins at index `c · stride`.
     Rows {
         /// The positions.
         values: &'a [f64],
-        /// How far configurations are apart.
+        /// Distance between consecutive configurations.
         stride: usize,
     },
-    /// Position `q` of configuration `c` stands at `q · stride + c`: the fastest.
+    /// Position `q` of configuration `c` has index `q · stride + c`. The fastest layout.
     Columns {
         /// The positions.
         values: &'a [f64],
-        /// How far positions are apart.
+        /// Distance between consecutive positions.
         stride: usize,
     },
 }
 
-/// What one configuration is answered.
+/// Result for one configuration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BatchAnswer {
-    /// None: there is no answer: `remarks` has the reason, [`Workspace::effective_mass`] at that configuration states it.
+    /// m̄; `None` if there is no result. `remarks` contains the reason, and [`Workspace::effective_mass`] at the
+    /// configuration returns the error.
     pub mass: Option<EffectiveMass>,
-    /// The error by rounding, kg; `None` if it was not counted. Of a massless contact: the largest m̄ that it may have, if it
-    /// is massless to rounding only ([`Remark::MasslessToRounding`](crate::Remark::MasslessToRounding) of a pose).
+    /// Rounding error, kg; `None` if not computed. For a massless contact: upper limit of m̄, if the contact is
+    /// massless only within rounding ([`Remark::MasslessToRounding`](crate::Remark::MasslessToRounding) of a pose).
     pub error: Option<f64>,
-    /// The findings about the answer, or why there is none. Limits of joints are not looked at.
+    /// Findings about the result, or the reason for a missing result. Joint limits are not checked.
     pub remarks: RemarkFlags,
 }
 
 impl BatchAnswer {
-    /// No answer yet.
+    /// Initial value: no result yet.
     pub const NONE: Self = Self { mass: None, error: None, remarks: RemarkFlags::NONE };
 
-    /// True if the contact is massless to rounding only: masses left out in sums of larger ones may be there.
+    /// True if the contact is massless only within rounding. Masses lost in sums with larger masses may be present.
     pub fn is_massless_to_rounding(&self) -> bool {
         self.mass == Some(EffectiveMass::Massless) && self.error.is_some()
     }
 }
 
-/// Why a batch does not run.
+/// Error of a batch run.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum BatchError {
-    /// Fewer numbers than the configurations need.
+    /// Too few numbers for the configurations.
     #[error(
         "{got} numbers are given; {configurations} configurations of {positions} positions, {stride} apart, need {needed}"
     )]
     Short {
-        /// How many are given.
+        /// Number of given values.
         got: usize,
-        /// How many are needed.
+        /// Number of required values.
         needed: usize,
-        /// How many configurations are asked for.
+        /// Number of configurations.
         configurations: usize,
-        /// How many positions each has.
+        /// Number of positions per configuration.
         positions: usize,
         /// The stride.
         stride: usize,
     },
-    /// The stride lets configurations overlap.
+    /// The stride is too small; configurations would overlap.
     #[error("the stride is {stride}; expected at least {least}")]
     Stride {
-        /// What was given.
+        /// The given stride.
         stride: usize,
-        /// The least.
+        /// The smallest valid stride.
         least: usize,
     },
-    /// Columns of different lengths.
+    /// The output columns have different lengths.
     #[error("there is room for {masses} masses and {errors} errors; expected as many of both")]
     Columns {
-        /// How many masses there is room for.
+        /// Length of the column of masses.
         masses: usize,
-        /// How many errors.
+        /// Length of the column of errors.
         errors: usize,
     },
-    /// The caller stopped it.
+    /// The caller stopped the run.
     #[error("stopped after {done} configurations")]
     Stopped {
-        /// How many are answered.
+        /// Number of finished configurations.
         done: usize,
     },
 }
@@ -120,37 +123,37 @@ pub struct Batch {
     idle: Idle<Worker>,
 }
 
-/// What a thread works with.
+/// Workspace of one thread.
 #[derive(Clone, Debug)]
 struct Worker {
     in_lanes: Option<InLanes>,
-    /// Which positions lanes read.
+    /// Indices of the positions that the SIMD kernel reads.
     read: Vec<usize>,
     /// Positions of a block by columns, [`BLOCK`] apart.
     columns: Aligned,
     /// Positions of one configuration.
     row: Vec<f64>,
     workspace: Workspace,
-    /// The findings that hold at every configuration.
+    /// Findings that hold at every configuration.
     remarks: RemarkFlags,
 }
 
 impl Assembly {
-    /// Room to ask for m̄ of one contact at many configurations of this assembly. Normals in the world are taken with the root
-    /// link at the world's origin; [`Workspace::batch`] has another base.
+    /// Prepares m̄ of one contact at many configurations of this assembly. For normals given in the world, the root
+    /// link is at the world's origin; [`Workspace::batch`] uses another base pose.
     ///
     /// # Errors
-    /// [`ResponseError`]: a contact that means nothing.
+    /// [`ResponseError`]: an invalid contact.
     pub fn batch(self: &Arc<Self>, contact: &Contact) -> Result<Batch, ResponseError> {
         self.workspace().batch(contact)
     }
 }
 
 impl Workspace {
-    /// Room to ask for m̄ of one contact at many configurations, with the assembly and the base of this workspace.
+    /// Prepares m̄ of one contact at many configurations, with the assembly and the base pose of this workspace.
     ///
     /// # Errors
-    /// [`ResponseError`]: a contact that means nothing.
+    /// [`ResponseError`]: an invalid contact.
     pub fn batch(&self, contact: &Contact) -> Result<Batch, ResponseError> {
         let assembly = Arc::clone(self.assembly());
         let model = assembly.model();
@@ -180,12 +183,12 @@ impl Workspace {
 }
 
 impl Batch {
-    /// The instruction set that lanes take.
+    /// Instruction set of the SIMD kernel.
     pub fn instructions(&self) -> Instructions {
         self.instructions
     }
 
-    /// Takes another instruction set; the baseline where this processor has not that one.
+    /// Selects another instruction set; the baseline if this processor does not support `set`.
     pub fn with_instructions(mut self, set: Instructions) -> Self {
         self.instructions = if set.is_available() { set } else { Instructions::Baseline };
         if let Some(lanes) = &mut self.worker.in_lanes {
@@ -195,16 +198,16 @@ impl Batch {
         self
     }
 
-    /// Whether configurations go through lanes; else each is asked by itself.
+    /// True if the mechanism has a SIMD kernel; otherwise each configuration is computed separately.
     pub fn has_lanes(&self) -> bool {
         self.worker.in_lanes.is_some()
     }
 
-    /// m̄ at one configuration: the positions of all joints one after another. Equal to the last bit to that of
-    /// [`run`](Self::run). Allocates nothing where nothing is in doubt.
+    /// m̄ at one configuration: the positions of all joints one after another. Bitwise equal to the result of
+    /// [`run`](Self::run). Allocates nothing if the result is not in doubt.
     ///
     /// # Errors
-    /// [`VelocityError::Positions`]: not as many as the mechanism has.
+    /// [`VelocityError::Positions`]: a wrong number of positions.
     pub fn effective_mass(&mut self, positions: &[f64]) -> Result<BatchAnswer, VelocityError> {
         check_positions(positions.len(), self.assembly.model().positions)?;
         if let Some(clear) = self.worker.in_lanes.as_mut().and_then(|lanes| lanes.one(positions)) {
@@ -214,8 +217,8 @@ impl Batch {
         Ok(by_itself(&mut self.worker.workspace, &self.contact, positions, self.worker.remarks))
     }
 
-    /// m̄ at as many configurations as there are answers, by all threads of rayon's pool. The order of the work has no
-    /// influence on any answer.
+    /// Computes m̄ at `answers.len()` configurations on all threads of rayon's pool. The results do not depend on the
+    /// order of the work.
     ///
     /// # Errors
     /// [`BatchError`]: too few numbers, a stride that is too small.
@@ -223,10 +226,11 @@ impl Batch {
         self.run_watched(positions, answers, |_| ControlFlow::Continue(()))
     }
 
-    /// As [`run`](Self::run), by the calling thread alone. Allocates nothing after the first time, where nothing is in doubt.
+    /// Like [`run`](Self::run), on the calling thread only. Allocates nothing after the first call, if no result is
+    /// in doubt.
     ///
     /// # Errors
-    /// As [`run`](Self::run).
+    /// As for [`run`](Self::run).
     pub fn run_here(
         &self,
         positions: BatchPositions<'_>,
@@ -237,12 +241,13 @@ impl Batch {
         Ok(())
     }
 
-    /// As [`run_here`](Self::run_here), into columns: m̄, kg, NaN unless finite, and what rounding may amount
-    /// to, kg, NaN where it was not counted, for as many configurations as they are long. A configuration that lanes leave in doubt is
-    /// asked by itself, and `other` gets its number and its answer: all that are not finite are among them.
+    /// Like [`run_here`](Self::run_here), with results in columns. `masses` receives m̄, kg (NaN unless finite).
+    /// `errors` receives the rounding error, kg (NaN if not computed). The length of the columns is the number of
+    /// configurations. Configurations with an uncertain lane are computed separately; `other` is called with the
+    /// index and the result of each of them. All results that are not finite are among these.
     ///
     /// # Errors
-    /// As [`run`](Self::run); `errors` is not as long as `masses`.
+    /// As for [`run`](Self::run); `errors` and `masses` differ in length.
     pub fn run_columns(
         &self,
         positions: BatchPositions<'_>,
@@ -259,10 +264,12 @@ impl Batch {
         Ok(())
     }
 
-    /// As [`run`](Self::run); tells how many are done, now and then and from any thread, and stops when it is told to.
+    /// Like [`run`](Self::run), with progress reports. `watch` receives the number of finished configurations from
+    /// time to time, from any thread, and may stop the run.
     ///
     /// # Errors
-    /// As [`run`](Self::run); [`BatchError::Stopped`]: stopped. What was answered until then stands in `answers`.
+    /// As for [`run`](Self::run); [`BatchError::Stopped`]: stopped by `watch`. `answers` contains the results up to
+    /// that point.
     pub fn run_watched(
         &self,
         positions: BatchPositions<'_>,
@@ -286,6 +293,7 @@ impl Batch {
         if done < answers.len() { Err(BatchError::Stopped { done }) } else { Ok(()) }
     }
 
+    /// Checks the stride and the number of positions.
     fn check(&self, positions: BatchPositions<'_>, configurations: usize) -> Result<(), BatchError> {
         let count = self.assembly.model().positions;
         let (got, stride, least, outer, inner) = match positions {
@@ -309,14 +317,15 @@ impl Batch {
     }
 }
 
-/// Where answers go.
+/// Destination of the results.
 trait Places {
+    /// Number of results.
     fn count(&self) -> usize;
 
-    /// What lanes answer from a configuration on, in doubt or not.
+    /// Stores the lane results from index `first` on, certain or not.
     fn put(&mut self, first: usize, masses: &[f64], errors: &[f64], remarks: RemarkFlags);
 
-    /// What one that was asked by itself is answered.
+    /// Stores the result of a configuration computed separately.
     fn put_one(&mut self, at: usize, answer: BatchAnswer);
 }
 
@@ -337,6 +346,7 @@ impl Places for [BatchAnswer] {
     }
 }
 
+/// Results in columns; `other` receives results that need a separate computation.
 struct AnswerColumns<'a, F> {
     masses: &'a mut [f64],
     errors: &'a mut [f64],
@@ -363,7 +373,7 @@ impl<F: FnMut(usize, BatchAnswer)> Places for AnswerColumns<'_, F> {
 }
 
 impl Worker {
-    /// As many configurations as there are places, `first` and those after it.
+    /// Computes `places.count()` configurations, starting at configuration `first`.
     fn portion(
         &mut self,
         contact: &Contact,
@@ -390,7 +400,7 @@ impl Worker {
                 if done < here {
                     let left = here - done;
                     let padded = left.next_multiple_of(width);
-                    // The last lanes repeat the last configuration.
+                    // Unused lanes repeat the last configuration.
                     for lane in 0..padded {
                         positions.put(start + done + lane.min(left - 1), read, &mut columns[lane..]);
                     }
@@ -412,6 +422,7 @@ impl Worker {
 }
 
 impl BatchPositions<'_> {
+    /// Position `q` of a configuration.
     #[inline]
     fn at(&self, configuration: usize, q: usize) -> f64 {
         match self {
@@ -420,7 +431,7 @@ impl BatchPositions<'_> {
         }
     }
 
-    /// Writes some positions of a configuration, [`BLOCK`] apart.
+    /// Writes the positions with indices `read` of a configuration to `to`, [`BLOCK`] apart.
     fn put(&self, configuration: usize, read: &[usize], to: &mut [f64]) {
         match self {
             BatchPositions::Rows { values, stride } => {
@@ -434,7 +445,7 @@ impl BatchPositions<'_> {
     }
 }
 
-/// The answer of a workspace.
+/// Computes one configuration by the workspace.
 fn by_itself(
     workspace: &mut Workspace,
     contact: &Contact,

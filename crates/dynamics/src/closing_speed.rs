@@ -1,5 +1,5 @@
-//! Whether any admissible motion closes the gap: |j restricted to ker A| relative to the size of its terms, on lengths
-//! alone. Mass has no influence.
+//! Relative closing speed: |j restricted to ker A| relative to the size of its terms. Decides if any admissible
+//! motion closes the gap. The result depends on lengths, not on masses.
 
 use crate::contact::ContactRow;
 use crate::linear::dense::dot;
@@ -8,9 +8,9 @@ use crate::model::{Cluster, Follows, Model};
 use crate::recursion::Recursion;
 use crate::tolerances::{IMMOVABLE, RATE_ROUNDINGS};
 
-/// |j on ker A| / |size of j's terms|, over coordinates scaled by the contact's own length.
+/// |j on ker A| / |size of the terms of j|, over coordinates scaled by the contact's length.
 ///
-/// The squares of the projections of j on the kernels of the clusters add: ker A is their product.
+/// ker A is the product of the kernels of the clusters, so the squared projections of j on these kernels are summed.
 pub(crate) fn relative_closing_speed<const K: usize>(
     room: &mut ClosingRoom,
     model: &Model,
@@ -38,8 +38,9 @@ pub(crate) fn relative_closing_speed<const K: usize>(
     if size > 0.0 { (along / size).sqrt() } else { 0.0 }
 }
 
-/// Below this, a relative closing speed may be rounding alone, or the misfit of loops that the contact moves: by the floor
-/// that their rank was decided with. It need not be: a contact may be as slow on the exact twin.
+/// Threshold below which a relative closing speed may be only rounding, or only the misfit of loops moved by the
+/// contact. The threshold is the largest rank threshold of these loops. A slower closing speed may still be real: the
+/// exact mechanism may have the same speed.
 pub(crate) fn closing_floor(model: &Model, groups: &[GroupMobility], row: &ContactRow) -> f64 {
     let mut floor = IMMOVABLE;
     for entry in &row.entries {
@@ -54,24 +55,24 @@ pub(crate) fn closing_floor(model: &Model, groups: &[GroupMobility], row: &Conta
     floor
 }
 
-/// Whether an entry before this one lies in the same cluster.
+/// True if an earlier entry of the row lies in the same cluster.
 fn seen(model: &Model, row: &ContactRow, number: usize, velocity: usize) -> bool {
     let before = row.entries.iter().take_while(|e| e.velocity != velocity);
     before.into_iter().any(|e| model.cluster_of[e.body] == number)
 }
 
-/// Room for the projections; refilled in place.
+/// Buffers for the projections; refilled in place.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ClosingRoom {
     j: Vec<f64>,
-    /// Orthonormal vectors one after another.
+    /// Orthonormal vectors, one after another.
     basis: Vec<f64>,
     part: Vec<f64>,
     place: Vec<usize>,
 }
 
-/// |projection of j on the kernel|² within a cluster, rounding left out; `of`: its G and the number of its independent
-/// coordinates.
+/// Squared norm of the projection of j on the kernel within a cluster, without rounding. `of`: G of the cluster and
+/// the number of its independent coordinates.
 fn projected(
     room: &mut ClosingRoom,
     model: &Model,
@@ -97,7 +98,7 @@ fn projected(
     }
 }
 
-/// On the columns of G, made orthonormal one after another.
+/// Projection on the columns of G, orthonormalised one after another.
 fn on_kernel(
     room: &mut ClosingRoom,
     groups: &[GroupMobility],
@@ -124,7 +125,7 @@ fn on_kernel(
         column.iter_mut().for_each(|c| *c /= left);
         let value = dot(&room.j, column);
         let terms = room.j.iter().zip(column.iter()).map(|(a, b)| (a * b).abs()).fold(0.0, f64::max);
-        // What is left of terms that cancel, or of G's own rounding, is nothing.
+        // Values within the rounding of cancelling terms, or of G, count as zero.
         let rounding = RATE_ROUNDINGS * f64::EPSILON * (terms + growth * largest * norm / left);
         if value.abs() > rounding {
             sum += value * value;
@@ -133,7 +134,8 @@ fn on_kernel(
     sum
 }
 
-/// Takes the parts along orthonormal vectors (one after another in `known`) from a vector; twice is enough.
+/// Subtracts the components along orthonormal vectors (one after another in `known`) from a vector. Two passes are
+/// sufficient.
 fn orthogonalise(known: &[f64], vector: &mut [f64]) {
     for _ in 0..2 {
         for other in known.chunks_exact(vector.len().max(1)) {
@@ -143,7 +145,8 @@ fn orthogonalise(known: &[f64], vector: &mut [f64]) {
     }
 }
 
-/// Where rows are fewer than freedoms: what is left of j off the rows that count.
+/// Projection of j on the complement of the independent rows, for clusters with fewer rows than independent
+/// coordinates.
 fn off_rows(
     room: &mut ClosingRoom,
     model: &Model,
@@ -189,7 +192,7 @@ fn off_rows(
     dot(&room.j, &room.j)
 }
 
-/// The largest of |K⁻¹||A| over the groups of a cluster.
+/// Largest entry of |K⁻¹||A| over the groups of a cluster.
 fn growth_of(groups: &[GroupMobility], cluster: &Cluster) -> f64 {
     let of_group = |known: &GroupMobility| match known.pivots.rows.is_empty() {
         true => 0.0,

@@ -1,11 +1,11 @@
-//! What an analysis imposes on a mechanism, without rebuilding it.
+//! Conditions of an analysis: base, locks, held contacts and armatures, imposed without rebuilding the mechanism.
 
 use crate::input::is_number;
 use crate::tolerances::SHORTEST_DIRECTION;
 use nalgebra::Vector3;
 use percuss_mechanism::{JointKind, LinkId, Mechanism, UnknownName};
 
-/// How the root link stands in the world.
+/// Attachment of the root link to the world.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Base {
     /// The root link is the ground.
@@ -15,28 +15,30 @@ pub enum Base {
     Floating,
 }
 
-/// A held contact: velocity rows only.
+/// A held contact; a constraint on velocities only.
 #[derive(Clone, Debug)]
 pub(crate) struct CompiledHold {
     pub link: LinkId,
-    /// In the link's frame, m.
+    /// Held point in the frame of the link, m.
     pub point: Vector3<f64>,
-    /// Root axes; none holds three directions.
+    /// Held direction in root axes; `None` holds all three directions.
     pub normal: Option<Vector3<f64>>,
 }
 
 impl CompiledHold {
+    /// Number of constraint rows.
     pub fn rows(&self) -> usize {
         if self.normal.is_some() { 1 } else { 3 }
     }
 
-    /// Held directions in root axes: the first [`rows`](Self::rows) of them.
+    /// Held directions in root axes; only the first [`rows`](Self::rows) are used.
     pub fn directions(&self) -> [Vector3<f64>; 3] {
         self.normal.map_or_else(|| [Vector3::x(), Vector3::y(), Vector3::z()], |n| [n; 3])
     }
 }
 
-/// Base, locks and armatures of one analysis. The default: fixed base, everything free, armatures as declared.
+/// Base, locks, held contacts and armatures of one analysis. Default: fixed base, all joints free, armatures as
+/// declared.
 #[derive(Clone, Debug, Default)]
 pub struct Conditions {
     pub(crate) base: Base,
@@ -47,31 +49,31 @@ pub struct Conditions {
 }
 
 impl Conditions {
-    /// Fixed base, everything free, armatures as declared.
+    /// Conditions with fixed base, all joints free, and armatures as declared.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Sets how the root link stands in the world.
+    /// Sets the attachment of the root link to the world.
     pub fn base(mut self, base: Base) -> Self {
         self.base = base;
         self
     }
 
-    /// Holds a joint at its position: its velocities are zero.
+    /// Locks a joint at its position: its velocities are zero.
     pub fn lock(mut self, joint: impl Into<String>) -> Self {
         self.locked.push(joint.into());
         self
     }
 
-    /// Replaces a joint's armature: one value for all its velocities, or one each (kg·m² or kg).
+    /// Replaces a joint's armature: one value for all its velocities, or one value per velocity (kg·m² or kg).
     pub fn armature(mut self, joint: impl Into<String>, values: impl Into<Vec<f64>>) -> Self {
         self.armatures.push((joint.into(), values.into()));
         self
     }
 
-    /// Holds a point (m, link's frame) of a link to the ground: along a normal in the root link's axes, or in all
-    /// three directions. Velocities only; the pose does not move.
+    /// Holds a point (m, link frame) of a link to the ground, along a normal in the axes of the root link or in all
+    /// three directions. Only velocities are constrained; the pose does not change.
     pub fn hold(
         mut self,
         link: impl Into<String>,
@@ -82,23 +84,23 @@ impl Conditions {
         self
     }
 
-    /// Keeps links joined by fixed joints as bodies of their own. The results do not change; the cost does.
+    /// Keeps links joined by fixed joints as separate bodies. The results do not change; the cost does.
     pub fn keep_fixed_joints(mut self) -> Self {
         self.keep_fixed_joints = true;
         self
     }
 
-    /// Whether it holds velocities that the pose does not know of.
+    /// True if joints are locked or contacts are held. These conditions constrain velocities, not the pose.
     pub(crate) fn holds_velocities(&self) -> bool {
         !self.locked.is_empty() || !self.held.is_empty()
     }
 
-    /// The same without locks and held contacts.
+    /// Returns the conditions without locks and held contacts.
     pub(crate) fn without_holds(self) -> Self {
         Self { locked: Vec::new(), held: Vec::new(), ..self }
     }
 
-    /// Armature of every joint, one value a velocity, overrides applied.
+    /// Armature of every joint, one value per velocity, with overrides applied.
     pub(crate) fn resolve_armatures(&self, mechanism: &Mechanism) -> Result<Vec<Vec<f64>>, ConditionsError> {
         let mut all: Vec<Vec<f64>> = mechanism.joints().iter().map(|j| j.armature().to_vec()).collect();
         let mut seen = vec![false; all.len()];
@@ -130,7 +132,7 @@ impl Conditions {
         Ok(all)
     }
 
-    /// Held contacts, their links found and their normals made unit vectors.
+    /// Resolves the links of the held contacts and normalises the normals.
     pub(crate) fn resolve_holds(&self, mechanism: &Mechanism) -> Result<Vec<CompiledHold>, ConditionsError> {
         let resolve = |(name, point, normal): &(String, Vector3<f64>, Option<Vector3<f64>>)| {
             let link = mechanism.find_link(name)?;
@@ -152,7 +154,7 @@ impl Conditions {
         self.held.iter().map(resolve).collect()
     }
 
-    /// Whether each joint is locked.
+    /// Lock flag of every joint.
     pub(crate) fn resolve_locks(&self, mechanism: &Mechanism) -> Result<Vec<bool>, ConditionsError> {
         let mut locked = vec![false; mechanism.joints().len()];
         for name in &self.locked {
@@ -168,17 +170,17 @@ impl Conditions {
     }
 }
 
-/// A condition that is given for a joint.
+/// Condition of a joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ConditionOfJoint {
-    /// Its rotor's inertia.
+    /// Rotor inertia.
     Armature,
-    /// It cannot move.
+    /// Lock.
     Lock,
 }
 
 impl ConditionOfJoint {
-    /// In words.
+    /// Name for messages.
     pub fn name(self) -> &'static str {
         match self {
             ConditionOfJoint::Armature => "armature",
@@ -187,51 +189,52 @@ impl ConditionOfJoint {
     }
 }
 
-/// Conditions that do not fit the mechanism.
+/// Error of conditions that do not fit the mechanism.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ConditionsError {
-    /// A joint or link that does not exist.
+    /// A joint or link does not exist.
     #[error(transparent)]
     UnknownName(#[from] UnknownName),
-    /// A held contact that means nothing.
+    /// A held contact is invalid.
     #[error("the held contact of link \"{link}\": {why}")]
     BadHold {
         /// The link.
         link: String,
-        /// What is wrong.
+        /// Description of the defect.
         why: String,
     },
-    /// The same condition given twice for a joint.
+    /// A condition is given twice for a joint.
     #[error("{} of joint \"{joint}\" is given twice", condition.name())]
     Twice {
-        /// Which.
+        /// The condition.
         condition: ConditionOfJoint,
         /// The joint.
         joint: String,
     },
-    /// Not a number ≥ 0.
+    /// An armature is negative or not finite.
     #[error("armature of joint \"{joint}\" is {value}; expected a finite number ≥ 0 (kg·m² or kg)")]
     BadArmature {
         /// The joint.
         joint: String,
-        /// What was given.
+        /// The given value.
         value: f64,
     },
-    /// The count fits neither one nor the joint's velocities.
+    /// The number of armatures is neither one nor the number of the joint's velocities.
     #[error(
         "armature of joint \"{joint}\" has {got} values; a {} joint takes {}", kind.name(), expected(*kind)
     )]
     ArmatureCount {
         /// The joint.
         joint: String,
-        /// Its kind.
+        /// Kind of the joint.
         kind: JointKind,
-        /// How many were given.
+        /// Number of given values.
         got: usize,
     },
 }
 
+/// Accepted numbers of armatures, for messages.
 fn expected(kind: JointKind) -> String {
     match (kind.dofs(), kind.is_homogeneous()) {
         (0, _) => "none: it does not move".into(),

@@ -1,4 +1,4 @@
-//! Where the joints stand, as the user gives it.
+//! Configurations: joint positions and base pose as given by the user.
 
 use crate::input::{normalise_quaternion, not_a_number, quaternion_of};
 use crate::tangent;
@@ -6,69 +6,69 @@ use percuss_mechanism::{Joint, JointId, JointKind, Mechanism, UnknownName};
 use percuss_spatial::Transform;
 use std::sync::Arc;
 
-/// Positions of the joints, and where the root link stands in the world. Starts at zero everywhere.
+/// Positions of the joints and the pose of the root link in the world. All joints start at zero.
 #[derive(Clone, Debug)]
 pub struct Configuration {
     mechanism: Arc<Mechanism>,
-    /// One list a joint, in joint order; mimics are filled in when a pose is made.
+    /// Positions of each joint, in joint order. The positions of mimics are computed with the pose.
     pub(crate) values: Vec<Vec<f64>>,
     pub(crate) given: Vec<bool>,
-    /// Where joints of loops are looked for.
+    /// Initial guesses for the joints of loops.
     guesses: Vec<Option<Vec<f64>>>,
     pub(crate) base: Transform<f64>,
     pub(crate) base_is_given: bool,
-    /// Whether another assembly mode than that of the first closed pose is accepted.
+    /// True if an assembly mode other than that of the first closed pose is accepted.
     pub(crate) other_assembly: bool,
 }
 
-/// A position that cannot be set.
+/// Error of a position that cannot be set.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ConfigurationError {
-    /// A joint that does not exist.
+    /// A joint does not exist.
     #[error(transparent)]
     UnknownJoint(#[from] UnknownName),
-    /// A joint that is set already.
+    /// A joint is already set.
     #[error("joint \"{joint}\" is set twice")]
     Twice {
         /// The joint.
         joint: String,
     },
-    /// A joint that follows another.
+    /// A joint is a mimic of another joint.
     #[error("joint \"{joint}\" mimics \"{master}\"; set \"{master}\" instead")]
     Mimic {
         /// The joint.
         joint: String,
-        /// What it follows.
+        /// Name of the joint that the mimic follows.
         master: String,
     },
-    /// The number of values does not fit the kind.
+    /// The number of values does not fit the kind of the joint.
     #[error("joint \"{joint}\" is {}: {got} values given, expected {}", kind.name(), kind.layout())]
     Count {
         /// The joint.
         joint: String,
-        /// Its kind.
+        /// Kind of the joint.
         kind: JointKind,
-        /// How many were given.
+        /// Number of given values.
         got: usize,
     },
-    /// A whole configuration of another length.
+    /// The length of a whole configuration is wrong.
     #[error("{got} positions are given, the mechanism has {expected}: those of all joints, in joint order")]
     PositionCount {
-        /// How many were given.
+        /// Number of given positions.
         got: usize,
-        /// How many there are.
+        /// Number of positions of the mechanism.
         expected: usize,
     },
-    /// NaN or infinite.
+    /// A value is NaN, infinite or above 1e100 in magnitude.
     #[error("joint \"{joint}\" is set to {value:e}; expected a finite number of at most 1e100")]
     NotFinite {
         /// The joint.
         joint: String,
-        /// What was given.
+        /// The given value.
         value: f64,
     },
-    /// The quaternion is more than [`QUATERNION_TOLERANCE`](crate::input::QUATERNION_TOLERANCE) from unit norm.
+    /// The norm of a quaternion is more than [`QUATERNION_TOLERANCE`](crate::input::QUATERNION_TOLERANCE) from 1.
     #[error(
         "joint \"{joint}\": the quaternion w,x,y,z has norm {norm}; expected a unit quaternion, 1 ± {}: divide it by its norm",
         crate::input::QUATERNION_TOLERANCE
@@ -76,13 +76,13 @@ pub enum ConfigurationError {
     Quaternion {
         /// The joint.
         joint: String,
-        /// Its norm.
+        /// Norm of the quaternion.
         norm: f64,
     },
 }
 
 impl Configuration {
-    /// Every joint at zero (quaternions at identity).
+    /// Configuration with every joint at zero (quaternions at identity).
     pub fn zero(mechanism: &Arc<Mechanism>) -> Self {
         let values = mechanism.joints().iter().map(|j| zero_position(j.kind())).collect();
         Self {
@@ -96,11 +96,11 @@ impl Configuration {
         }
     }
 
-    /// Sets a driving joint (layouts of [`JointKind`]); quaternions are normalised.
+    /// Sets a driving joint (layouts of [`JointKind`]). Quaternions are normalised.
     ///
     /// # Errors
-    /// [`ConfigurationError`]: unknown, set twice, a mimic (the message names its master), a count that does not
-    /// fit, not finite.
+    /// [`ConfigurationError`]: an unknown joint, a joint set twice, a mimic (the message names its master), a wrong
+    /// number of values, a value that is not finite.
     pub fn set(&mut self, joint: &str, values: &[f64]) -> Result<&mut Self, ConfigurationError> {
         let id = self.mechanism.find_joint(joint)?;
         let found = self.mechanism.joint(id);
@@ -116,7 +116,7 @@ impl Configuration {
         Ok(self)
     }
 
-    /// Sets where to look for a joint that follows from loops: which assembly mode is meant.
+    /// Sets the initial guess for a joint whose position follows from loops. The guess selects the assembly mode.
     ///
     /// # Errors
     /// [`ConfigurationError`], as for [`set`](Self::set).
@@ -130,23 +130,23 @@ impl Configuration {
         Ok(self)
     }
 
-    /// The guesses given.
+    /// Iterates over the given guesses.
     pub fn guesses(&self) -> impl Iterator<Item = (JointId, &[f64])> {
         self.mechanism.joint_ids().filter_map(|id| Some((id, self.guesses[id.index()].as_deref()?)))
     }
 
-    /// The same without guesses, to follow a branch from a pose that is known.
+    /// Removes the guesses, for following a branch from a known pose.
     pub fn without_guesses(mut self) -> Self {
         self.guesses.fill(None);
         self
     }
 
-    /// The mechanism it belongs to.
+    /// The mechanism of the configuration.
     pub fn mechanism(&self) -> &Arc<Mechanism> {
         &self.mechanism
     }
 
-    /// All positions with the guesses for these joints in place, if there is any.
+    /// All positions, with the guesses for the given joints inserted; `None` if none of these joints has a guess.
     pub(crate) fn guess_for(
         &self,
         joint_q: &[std::ops::Range<usize>],
@@ -162,17 +162,17 @@ impl Configuration {
         found
     }
 
-    /// Whether any joint is guessed.
+    /// True if any joint has a guess.
     pub(crate) fn has_guesses(&self) -> bool {
         self.guesses.iter().any(Option::is_some)
     }
 
-    /// A whole configuration: positions of all joints one after another, in joint order (layouts of [`JointKind`]); those
-    /// of mimics are not read. Loops are closed from there: driving joints stand where they are given, the others come out
-    /// next to where they are given.
+    /// Configuration from the positions of all joints one after another, in joint order (layouts of [`JointKind`]).
+    /// Positions of mimics are not read. The pose closes the loops starting from these positions: driving joints keep
+    /// the given positions, the other joints move to the nearest closed solution.
     ///
     /// # Errors
-    /// [`ConfigurationError`]: a number of positions that is not the mechanism's, a value that is none.
+    /// [`ConfigurationError`]: a wrong number of positions, an invalid value.
     pub fn from_positions(mechanism: &Arc<Mechanism>, positions: &[f64]) -> Result<Self, ConfigurationError> {
         let expected = mechanism.joints().iter().map(|j| j.kind().positions()).sum();
         if positions.len() != expected {
@@ -192,33 +192,34 @@ impl Configuration {
         Ok(configuration)
     }
 
-    /// Sets where the root link stands in the world: X_wr. Moves nothing relative to the root. Checked when a pose is made: a
-    /// rigid frame ([`input::rigid_base_pose`](crate::input::rigid_base_pose)).
+    /// Sets the pose X_wr of the root link in the world. Poses relative to the root do not change. The pose functions
+    /// check that X_wr is a rigid frame ([`input::rigid_base_pose`](crate::input::rigid_base_pose)).
     pub fn set_base(&mut self, x_wr: Transform<f64>) -> &mut Self {
         self.base = x_wr;
         self.base_is_given = true;
         self
     }
 
-    /// Accepts a pose on another assembly mode, where the branch of the first closed pose does not reach the driving joints.
-    /// Such a pose has the remark [`OtherAssembly`](crate::Remark::OtherAssembly); without this it is the error
-    /// [`OtherAssembly`](crate::AssemblyError::OtherAssembly). A guess chooses a mode by itself.
+    /// Accepts a pose in another assembly mode if the driving joints cannot be reached on the branch of the first
+    /// closed pose. Such a pose carries the remark [`OtherAssembly`](crate::Remark::OtherAssembly). Without this
+    /// setting the pose fails with [`OtherAssembly`](crate::AssemblyError::OtherAssembly). A guess selects a mode
+    /// without this setting.
     pub fn allow_other_assembly(&mut self) -> &mut Self {
         self.other_assembly = true;
         self
     }
 
-    /// The position of a joint that follows none; a mimic's is filled in by the pose.
+    /// Position of a joint. The positions of mimics are not set here; the pose computes them.
     ///
     /// # Panics
-    /// A joint of another mechanism.
+    /// If the joint belongs to another mechanism.
     pub fn get(&self, joint: JointId) -> &[f64] {
         assert!(self.mechanism.has_joint(joint), "joint number {} is of another mechanism", joint.index());
         &self.values[joint.index()]
     }
 }
 
-/// The values as a position of the joint, or why they are none.
+/// Validates the values as a position of the joint and normalises quaternions.
 fn checked(joint: &Joint, values: &[f64]) -> Result<Vec<f64>, ConfigurationError> {
     let (name, kind) = (joint.name().to_owned(), joint.kind());
     if values.len() != kind.positions() || values.is_empty() {

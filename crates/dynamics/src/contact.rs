@@ -1,4 +1,4 @@
-//! Where the mechanism is struck, and how fast the gap closes.
+//! Contacts: the contact point, the normal, and the closing speed of the gap per joint rate.
 
 use crate::input::{foreign_link, is_number};
 use crate::kinematics::Kinematics;
@@ -9,34 +9,36 @@ use nalgebra::{DMatrix, Vector3};
 use percuss_mechanism::LinkId;
 use percuss_spatial::{Scalar, Transform};
 
-/// In which frame a point or a normal is given.
+/// Frame of a contact point or a normal.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Frame {
-    /// The struck link's.
+    /// The frame of the contact link.
     #[default]
     Link,
-    /// The world's.
+    /// The world frame.
     World,
-    /// The other link's (the world's, where the ground is struck).
+    /// The frame of the other link; the world frame if the other side is the ground.
     Against,
 }
 
-/// Where the normal points.
+/// Direction of the contact normal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Direction {
-    /// Along a vector given in a frame; its length does not matter.
+    /// Along a vector given in a frame; the length of the vector has no effect.
     Along(Vector3<f64>, Frame),
-    /// From the contact point towards a point (m) of another link, in that link's frame: the normal of a stop. Refused where
-    /// the line has turned by more than 5° from the line as drawn (all joints at 0), seen from the other side, or is shorter
-    /// than a tenth of it: where its points come past each other it is no longer the normal of anything.
+    /// From the contact point towards a point (m) of another link, in that link's frame: the normal of a stop.
+    /// Refused if the line has turned by more than 5° from its direction as drawn (all joints at 0), measured in the
+    /// frame of the other side, or if the line is shorter than a tenth of its length as drawn. In both cases the line
+    /// no longer represents the normal of the stop.
     Toward(LinkId, Vector3<f64>),
-    /// The same line, which may turn: a spring, a damper or a rod between two points. Refused where it is shorter than a tenth
-    /// of the line as drawn.
+    /// Along the same line, which may turn: a spring, a damper or a rod between two points. Refused if the line is
+    /// shorter than a tenth of its length as drawn.
     TurningToward(LinkId, Vector3<f64>),
 }
 
 impl Direction {
-    /// The far end of the line that the normal is taken along, if it is: a link and a point (m) in its frame.
+    /// Far end of the line that defines the normal, as a link and a point (m) in the link's frame; `None` for a fixed
+    /// normal.
     pub fn line(&self) -> Option<(LinkId, Vector3<f64>)> {
         match *self {
             Direction::Along(..) => None,
@@ -44,7 +46,7 @@ impl Direction {
         }
     }
 
-    /// The least cosine of the angle between the line and the line as drawn; below −1 where the line may turn.
+    /// Smallest accepted cosine of the angle between the line and the line as drawn; below −1 if the line may turn.
     pub(crate) fn least_cosine(&self) -> f64 {
         match self {
             Direction::Toward(..) => LINE_TURNED,
@@ -56,18 +58,18 @@ impl Direction {
 /// A contact between a point of one link and another link, or the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
-    /// The struck link.
+    /// The contact link.
     pub link: LinkId,
-    /// The other side; none: the ground.
+    /// The link on the other side; `None` for the ground.
     pub against: Option<LinkId>,
-    /// The contact point in the struck link's frame, m.
+    /// The contact point in the frame of the contact link, m.
     pub point: Vector3<f64>,
-    /// The normal n̂, **out of the struck link into the other side**.
+    /// The normal n̂, **out of the contact link into the other side**.
     pub normal: Direction,
 }
 
 impl Contact {
-    /// A point (m) of a link meets the ground along a normal, both in the link's frame.
+    /// Contact of a point (m) of a link with the ground along a normal, both in the link's frame.
     pub fn new(link: LinkId, point: impl Into<Vector3<f64>>, normal: impl Into<Vector3<f64>>) -> Self {
         Self {
             link,
@@ -77,13 +79,13 @@ impl Contact {
         }
     }
 
-    /// Puts another link on the other side, instead of the ground.
+    /// Replaces the ground on the other side by a link.
     pub fn against(mut self, link: LinkId) -> Self {
         self.against = Some(link);
         self
     }
 
-    /// True if the normal is given in the world.
+    /// True if the normal is constant in the world frame.
     pub(crate) fn has_world_normal(&self) -> bool {
         match self.normal {
             Direction::Along(_, Frame::World) => true,
@@ -92,14 +94,14 @@ impl Contact {
         }
     }
 
-    /// Gives the normal otherwise.
+    /// Replaces the normal.
     pub fn normal(mut self, normal: Direction) -> Self {
         self.normal = normal;
         self
     }
 }
 
-/// A vector that a contact is given by.
+/// Vector in the definition of a contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ContactPart {
     /// The contact point.
@@ -111,7 +113,7 @@ pub enum ContactPart {
 }
 
 impl ContactPart {
-    /// In words.
+    /// Name for messages.
     pub fn name(self) -> &'static str {
         match self {
             ContactPart::Point => "point",
@@ -121,35 +123,35 @@ impl ContactPart {
     }
 }
 
-/// A contact that means nothing.
+/// Error of an invalid contact.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ContactError {
-    /// NaN, infinite or absurdly large.
+    /// A component is NaN, infinite or above 1e100 in magnitude.
     #[error("the contact {} has a component {value:e}; expected a finite number of at most 1e100", part.name())]
     NotFinite {
-        /// Of what.
+        /// The vector with the component.
         part: ContactPart,
         /// The component.
         value: f64,
     },
-    /// The normal is zero, or all but.
+    /// The normal is zero or shorter than 1e-9.
     #[error("the normal has length {length:e}; expected at least 1e-9, for a direction")]
     NoNormal {
-        /// Its length.
+        /// Length of the normal.
         length: f64,
     },
-    /// The line's point is the contact point.
+    /// The end point of the line coincides with the contact point.
     #[error(
         "the line's point on \"{link}\" is the contact point (distance {distance:e} m): there is no direction"
     )]
     NoLine {
         /// The other link.
         link: String,
-        /// How far the points are apart, m.
+        /// Distance of the two points, m.
         distance: f64,
     },
-    /// The line's points come past each other: its direction says nothing.
+    /// The line is too short at this pose to define a direction.
     #[error(
         "the line towards \"{link}\" is {length:.3e} m long at this pose, less than a tenth of its {drawn:.3e} m as drawn: its \
          direction is no normal. Give the direction as drawn as a fixed normal, {} in the frame of the {}",
@@ -158,16 +160,16 @@ pub enum ContactError {
     LineShort {
         /// The other link.
         link: String,
-        /// Its length, m.
+        /// Length of the line, m.
         length: f64,
-        /// Its length as drawn, m.
+        /// Length of the line as drawn, m.
         drawn: f64,
-        /// Its unit vector as drawn.
+        /// Unit vector of the line as drawn.
         normal: Vector3<f64>,
-        /// The frame of that: of the other side, or the world's.
+        /// Frame of `normal`: `Against` or `World`.
         frame: Frame,
     },
-    /// The line of a stop has turned.
+    /// The line of a stop has turned too far.
     #[error(
         "the line towards \"{link}\" has turned by {:.1}° from its direction as drawn; up to 5° is the normal of a stop. Give the \
          direction as drawn as a fixed normal, {} in the frame of the {}, or state that the line may turn, as of a spring",
@@ -176,32 +178,32 @@ pub enum ContactError {
     LineTurned {
         /// The other link.
         link: String,
-        /// By how much, rad.
+        /// Angle of the turn, rad.
         angle: f64,
-        /// Its unit vector as drawn.
+        /// Unit vector of the line as drawn.
         normal: Vector3<f64>,
-        /// The frame of that: of the other side, or the world's.
+        /// Frame of `normal`: `Against` or `World`.
         frame: Frame,
     },
-    /// A handle of another mechanism.
+    /// A link handle of another mechanism.
     #[error(
         "link number {index} is not of this mechanism, which has {links} links; ask it for the link by name"
     )]
     ForeignLink {
-        /// The handle's number.
+        /// Index of the handle.
         index: usize,
-        /// How many links this mechanism has.
+        /// Number of links of this mechanism.
         links: usize,
     },
-    /// A free body on the other side without a mass, or with one that is none.
+    /// The mass of a free body on the other side is not a finite number above the limit.
     #[error("the other side's mass is {mass} kg; expected a finite number above {least:e}")]
     OtherMass {
-        /// What was given, kg.
+        /// The given mass, kg.
         mass: f64,
-        /// What it must exceed, kg.
+        /// Exclusive lower limit, kg.
         least: f64,
     },
-    /// A link struck by itself.
+    /// The contact link is also the other side.
     #[error("link \"{link}\" cannot be in contact with itself; name another link, or none for the ground")]
     Itself {
         /// The link.
@@ -209,12 +211,13 @@ pub enum ContactError {
     },
 }
 
-/// A direction with six decimals: a millionth of a radian is 1e-12 of m̄.
+/// Formats a direction with six decimals. An error of 1e-6 rad changes m̄ by about 1e-12, relative.
 fn triple(v: &Vector3<f64>) -> String {
     let [x, y, z] = [v.x, v.y, v.z].map(|x| (x * 1e6).round() / 1e6 + 0.0);
     format!("({x}, {y}, {z})")
 }
 
+/// Name of the link or frame that defines a frame, for messages.
 fn side(frame: Frame) -> &'static str {
     match frame {
         Frame::Link => "struck link",
@@ -223,39 +226,39 @@ fn side(frame: Frame) -> &'static str {
     }
 }
 
-/// The line of a contact as drawn, all joints at 0.
+/// Line of a contact as drawn (all joints at 0).
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DrawnLine {
-    /// Unit vector in the frame of the other side; the root link's, where that is the ground.
+    /// Unit vector in the frame of the other side; in the frame of the root link if the other side is the ground.
     pub unit: Vector3<f64>,
-    /// Its length, m.
+    /// Length, m.
     pub length: f64,
 }
 
-/// A contact at a pose: the point and the unit normal in the world and in the struck link.
+/// A contact at a pose: the point and the unit normal in the world frame and in the frame of the contact link.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LocatedContact {
-    /// The struck link.
+    /// The contact link.
     pub link: LinkId,
-    /// The other side; none: the ground.
+    /// The link on the other side; `None` for the ground.
     pub against: Option<LinkId>,
     /// The point in the world, m.
     pub point_world: Vector3<f64>,
     /// n̂ in the world.
     pub normal_world: Vector3<f64>,
-    /// The point in the struck link, m.
+    /// The point in the frame of the contact link, m.
     pub point_link: Vector3<f64>,
-    /// n̂ in the struck link.
+    /// n̂ in the frame of the contact link.
     pub normal_link: Vector3<f64>,
     /// The point in the root link's frame, m.
     pub(crate) point_root: Vector3<f64>,
     /// n̂ in the root link's frame.
     pub(crate) normal_root: Vector3<f64>,
-    /// The far end of the line that n̂ is taken along, if it is: a link and a point (m) in its frame.
+    /// Far end of the line that defines n̂, as a link and a point (m) in the link's frame; `None` for a fixed normal.
     pub(crate) line: Option<(LinkId, Vector3<f64>)>,
 }
 
-/// A contact's point and unit normal in the root link's frame.
+/// Contact point and unit normal in the frame of the root link.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ContactPoint<T: Scalar> {
     pub point: Vector3<T>,
@@ -263,7 +266,7 @@ pub(crate) struct ContactPoint<T: Scalar> {
 }
 
 impl Model {
-    /// Refuses a contact that means nothing on this mechanism.
+    /// Refuses a contact that is invalid on this mechanism.
     pub fn check_contact(&self, contact: &Contact) -> Result<(), ContactError> {
         let line = contact.normal.line().map(|(link, _)| link);
         let links = self.mechanism.links().len();
@@ -288,8 +291,8 @@ impl Model {
         }
     }
 
-    /// The line that the normal of a contact is taken along, all joints at 0. `None` for another normal, and where the line
-    /// has no length as drawn.
+    /// Line that defines the normal of a contact, with all joints at 0. `None` for a fixed normal, and for a line of
+    /// zero length as drawn.
     pub fn drawn_line(&self, contact: &Contact) -> Option<DrawnLine> {
         let (link, to) = contact.normal.line()?;
         let line = self.drawn_frame(link).point(&to) - self.drawn_frame(contact.link).point(&contact.point);
@@ -298,14 +301,14 @@ impl Model {
         Some(DrawnLine { unit, length: line.norm() })
     }
 
-    /// X_rl of a link, all joints at 0.
+    /// X_rl of a link with all joints at 0.
     fn drawn_frame(&self, link: LinkId) -> Transform<f64> {
         let on = &self.link_frames[link.index()];
         let (mut frame, mut at) = (on.frame, on.body);
         while let Some(i) = at {
             let body = &self.bodies[i];
             if let Some(joint) = body.joint {
-                // A floating joint has the most positions.
+                // A floating joint has the largest number of positions, 7.
                 let mut q = [0.0; 7];
                 let q = &mut q[..body.q.len()];
                 tangent::zero_position(self.mechanism.joint(joint).kind(), q);
@@ -319,7 +322,7 @@ impl Model {
         frame
     }
 
-    /// Refuses a line that is not, at this pose, the normal that it is as drawn.
+    /// Refuses a line that at this pose is too short, or turned too far from the line as drawn.
     fn check_line(
         &self,
         kinematics: &Kinematics<f64>,
@@ -356,7 +359,7 @@ impl Model {
         Ok(())
     }
 
-    /// The point and the normal of a checked contact. A line whose ends coincide has no normal: it comes out as zero.
+    /// Contact point and normal of a checked contact. The normal is zero if the ends of the line coincide.
     pub fn contact_point<T: Scalar>(
         &self,
         kinematics: &Kinematics<T>,
@@ -384,7 +387,7 @@ impl Model {
         ContactPoint { point, normal }
     }
 
-    /// Finds the point and the normal of a contact.
+    /// Computes the point and the normal of a contact; refuses an invalid contact.
     pub fn locate(
         &self,
         kinematics: &Kinematics<f64>,
@@ -408,15 +411,15 @@ impl Model {
         })
     }
 
-    /// The contact row over tree velocities, and the size of the terms whose sum each entry is. Velocities that carry both
-    /// sides cancel and are left out.
+    /// Contact row over the tree velocities, with the size of the summed terms of each entry. Joints that move both
+    /// sides equally are left out: their contributions cancel.
     pub fn contact_row(&self, kinematics: &Kinematics<f64>, contact: &LocatedContact) -> ContactRow {
         let mut row = ContactRow::default();
         self.contact_row_into(kinematics, contact, &mut row);
         row
     }
 
-    /// [`contact_row`](Self::contact_row) in place.
+    /// Computes [`contact_row`](Self::contact_row) in place.
     pub fn contact_row_into(
         &self,
         kinematics: &Kinematics<f64>,
@@ -444,7 +447,8 @@ impl Model {
         }
     }
 
-    /// Velocity of the point `at` (root frame) at unit velocity `k` of body `i`, and the size of its terms.
+    /// Velocity of the point `at` (root frame) at unit velocity `k` of body `i`, and the sum of the magnitudes of its
+    /// terms.
     fn velocity_column(
         &self,
         kinematics: &Kinematics<f64>,
@@ -459,7 +463,7 @@ impl Model {
         (slide + omega.cross(&arm), slide.norm() + omega.norm() * arm.norm())
     }
 
-    /// Jacobian of a point (m, link's frame) of a link, 3×n over the coordinates, root axes.
+    /// Jacobian of a point (m, link frame) of a link over the coordinates, 3×n, in root axes.
     pub fn point_jacobian(
         &self,
         kinematics: &Kinematics<f64>,
@@ -481,26 +485,28 @@ impl Model {
     }
 }
 
-/// An entry of the contact row.
+/// Entry of the contact row.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RowEntry {
-    /// Among the tree's velocities.
+    /// Index among the tree velocities.
     pub velocity: usize,
     pub body: usize,
     pub value: f64,
-    /// Size of the terms whose sum it is.
+    /// Sum of the magnitudes of the terms of `value`.
     pub size: f64,
     pub turns: bool,
 }
 
-/// The contact row over tree velocities, its entries that are not structurally zero.
+/// Contact row over the tree velocities, without the structural zeros.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ContactRow {
     pub entries: Vec<RowEntry>,
-    /// The contact's own length, m: its greatest arm about a joint that turns.
+    /// Characteristic length of the contact, m: the largest distance of the contact point from a rotating joint on
+    /// its path; 1 without such a joint.
     pub length: f64,
 }
 
+/// Checks that all components are valid numbers.
 fn finite(part: ContactPart, v: &Vector3<f64>) -> Result<(), ContactError> {
     match v.iter().find(|x| !is_number(**x)) {
         Some(&value) => Err(ContactError::NotFinite { part, value }),

@@ -1,15 +1,17 @@
-//! Many contacts on one link, or between a pair of links, at one pose: what is left to do for each is algebra on Φ.
+//! Many contacts on one link, or between two links, at one pose. After one computation of Φ, each contact needs only
+//! algebra on Φ.
 //!
-//! A force along n̂ at p is the wrench w = ((p − o) × n̂, n̂) about a point o of the struck link, in its axes, and
+//! A force along n̂ at p is the wrench w = ((p − o) × n̂, n̂) about a point o of the contact link, in its axes, and
 //!
 //! ```text
 //! 1/m̄ = wᵀ Φ w = |R w|²,   Φ = J M_c⁻¹ Jᵀ = RᵀR
 //! ```
 //!
-//! with J the relative motion of the two links at o and M_c⁻¹ the inverse under the constraints. The recursion gives Φ as a sum of
-//! squares, one for each pivot; R is their triangular factor (Givens rotations), so that m̄ has as many digits as the wrench
-//! leaves it. Wrenches that a motion without mass answers are kept beside R. Loops, mimics, held contacts and free bases have
-//! gone into both.
+//! J is the Jacobian of the relative motion of the two links at o, and M_c⁻¹ the inverse mass matrix under the
+//! constraints. The recursion gives Φ as a sum of squares, one for each pivot. R is the triangular factor of the sum,
+//! computed by Givens rotations. m̄ = 1/|R w|² therefore loses no digits by squaring. Wrenches to which a motion
+//! without mass responds are stored separately from R. Loops, mimics, held contacts and free bases are included in
+//! both.
 
 mod kernel;
 mod probes;
@@ -30,42 +32,42 @@ use percuss_mechanism::LinkId;
 use percuss_spatial::Wrench;
 use percuss_spatial::lanes::Instructions;
 
-/// What a contact of a map is.
+/// Status of a contact of a map.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ContactStatus {
-    /// It has a mass.
+    /// m̄ is finite.
     #[default]
     Finite,
-    /// No motion closes the gap.
+    /// No admissible motion closes the gap.
     Immovable,
-    /// A motion without mass closes it: m̄ = 0.
+    /// A motion without mass closes the gap: m̄ = 0.
     Massless,
-    /// There is no answer: the contact means nothing (no normal, a number that is not finite), or
-    /// [`Pose::respond`] says why.
+    /// No result: the contact is invalid (no normal, a number that is not finite), or [`Pose::respond`] returns an
+    /// error.
     Unanswered,
 }
 
-/// Where the answers of a map go: columns as long as those of the contacts.
+/// Output columns of a map, as long as the columns of the contacts.
 #[derive(Debug)]
 pub struct MapAnswers<'a> {
-    /// m̄, kg; 0 where it is massless, NaN where it has no number: its status says why.
+    /// m̄, kg; 0 if massless, NaN if the status is neither finite nor massless.
     pub masses: &'a mut [f64],
-    /// What m̄ may be off by, relative; NaN where it has no number or the error is unknown.
+    /// Relative error of m̄; NaN if m̄ is not finite or the error is unknown.
     pub errors: &'a mut [f64],
-    /// What each is.
+    /// Status of each contact.
     pub statuses: &'a mut [ContactStatus],
 }
 
-/// Why a map is not filled.
+/// Error of filling a map.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MapError {
-    /// Columns of several lengths.
+    /// Columns have different lengths.
     #[error("the columns have {got} and {expected} numbers; expected columns of one length")]
     Lengths {
-        /// The length of a column.
+        /// Length of the column.
         got: usize,
-        /// That of the first.
+        /// Length of the first column.
         expected: usize,
     },
 }
@@ -78,19 +80,19 @@ pub struct ContactMap<'a> {
     against: Option<LinkId>,
     constants: Constants,
     free: FreeWrenches,
-    /// Whether what Φ leaves of a wrench is either rounding or clearly more.
+    /// True if no eigenvalue of Φ is ambiguous: what Φ leaves of a wrench is either rounding or clearly larger.
     is_clear: bool,
     in_lanes: bool,
     instructions: Instructions,
 }
 
 impl Pose {
-    /// Prepares for many contacts of a link with the ground or with another link: Φ about `centre` (m, the struck link's frame),
-    /// for contacts about `reach` (m) around it. Errors are stated for contacts there; farther ones are right, and their errors
-    /// larger.
+    /// Prepares a map for many contacts of a link with the ground or with another link. Φ is computed about `centre`
+    /// (m, frame of the contact link), and errors are calibrated for contacts within about `reach` (m) of `centre`.
+    /// Results for contacts farther away are correct, with larger errors.
     ///
-    /// Cost: the recursion with six unit wrenches, and [`respond`](Self::respond) at some dozen contacts, by whose errors those
-    /// of the map are scaled. Source of Φ: Khatib 1987, §IV; Featherstone 2008, §7.3.
+    /// Cost: the recursion with six unit wrenches, and [`respond`](Self::respond) at some dozen contacts, used to
+    /// calibrate the errors of the map. Source of Φ: Khatib 1987, §IV; Featherstone 2008, §7.3.
     ///
     /// # Errors
     /// [`ContactError`]: links of another mechanism, a link against itself, a centre or reach that is not finite.
@@ -108,7 +110,7 @@ impl Pose {
         if !(reach.is_finite() && reach >= 0.0) {
             return Err(ContactError::NotFinite { part: ContactPart::Point, value: reach });
         }
-        // A point has no reach of its own; any length serves then.
+        // For a reach of zero, any positive length can be used.
         let reach = if reach > 0.0 { reach } else { 1.0 };
         let mut map = ContactMap {
             pose: self,
@@ -126,28 +128,29 @@ impl Pose {
 }
 
 impl ContactMap<'_> {
-    /// The instruction set that lanes take.
+    /// Instruction set of the SIMD kernel.
     pub fn instructions(&self) -> Instructions {
         self.instructions
     }
 
-    /// Takes another instruction set; the baseline where this processor has not that one.
+    /// Selects another instruction set; the baseline if this processor does not support `set`.
     pub fn with_instructions(mut self, set: Instructions) -> Self {
         self.instructions = if set.is_available() { set } else { Instructions::Baseline };
         self
     }
 
-    /// Whether contacts are answered by Φ; else each is asked by itself, by [`Pose::respond`]: where Φ would have fewer than eight
-    /// digits, or a mass below zero.
+    /// True if contacts are computed from Φ. Otherwise, with fewer than eight correct digits in Φ or a negative mass,
+    /// each contact is computed separately by [`Pose::respond`].
     pub fn is_by_inertia(&self) -> bool {
         self.in_lanes
     }
 
-    /// Answers contacts: points (m) and normals (of any length that is not zero) in the struck link's frame, by columns. Allocates
-    /// nothing for those that Φ answers beyond doubt; others are asked by themselves.
+    /// Computes m̄ for contacts given by columns: points (m) and normals (any nonzero length) in the frame of the
+    /// contact link. Contacts with a reliable result from Φ need no allocation. The other contacts are computed
+    /// separately by [`Pose::respond`].
     ///
     /// # Errors
-    /// [`MapError`]: columns of several lengths.
+    /// [`MapError`]: columns of different lengths.
     pub fn fill_answers(
         &self,
         contacts: ContactColumns<'_>,
@@ -175,13 +178,13 @@ impl ContactMap<'_> {
         Ok(())
     }
 
-    /// One contact; equal to that of [`fill_answers`](Self::fill_answers) within the error stated.
+    /// m̄ of one contact; equal to the result of [`fill_answers`](Self::fill_answers) within the stated error.
     pub fn effective_mass(&self, point: &Vector3<f64>, normal: &Vector3<f64>) -> BatchAnswer {
         let (mut mass, mut error, mut status) = ([0.0], [0.0], [ContactStatus::Finite]);
         let (p, n) = (point, normal);
         let contacts = ContactColumns { points: [&[p.x], &[p.y], &[p.z]], normals: [&[n.x], &[n.y], &[n.z]] };
         let mut answers = MapAnswers { masses: &mut mass, errors: &mut error, statuses: &mut status };
-        // Columns of one number each.
+        // All columns have length one, so no error is possible.
         let _ = self.fill_answers(contacts, &mut answers);
         let mass = match status[0] {
             ContactStatus::Finite => Some(EffectiveMass::Finite(mass[0])),
@@ -194,18 +197,20 @@ impl ContactMap<'_> {
         BatchAnswer { mass, error: error.map(|e| e * mass.map_or(0.0, finite)), remarks }
     }
 
-    /// The belted ellipsoid at a point (m, the struck link's frame): the three directions along which m̄ is stationary, from the
-    /// lightest to the heaviest. Λ⁻¹ = J_v M_c⁻¹ J_vᵀ, 3×3; 1/m̄(n̂) = n̂ᵀ Λ⁻¹ n̂. None where a mass has no answer.
+    /// Principal masses at a point (m, frame of the contact link): the axes of the belted ellipsoid. m̄ is stationary
+    /// along the three directions, sorted from the lightest to the heaviest. Λ⁻¹ = J_v M_c⁻¹ J_vᵀ, 3×3; 1/m̄(n̂) =
+    /// n̂ᵀ Λ⁻¹ n̂. `None` if a principal mass cannot be computed.
     ///
-    /// A direction whose inverse mass is rounding is immovable; where motions without mass answer forces at the point, those
-    /// directions are massless and come first. Source: Khatib 1995, §4 (cited from memory).
+    /// A direction is immovable if its inverse mass is only rounding. If motions without mass respond to forces at
+    /// the point, the corresponding directions are massless and come first. Source: Khatib 1995, §4 (cited from
+    /// memory).
     pub fn principal_masses(&self, point: &Vector3<f64>) -> Option<[PrincipalMass; 3]> {
         let arm = point - self.constants.centre();
         let free = self.free.of_forces(&arm);
         let free_part = free.transpose() * free;
         let strength = free_part.trace();
         let matrix = self.inverse_mass(point);
-        // Directions that motions without mass answer come first; m̄ is stationary among the rest.
+        // Massless directions come first; m̄ is stationary within the remaining subspace.
         let massless = if strength > MASSLESS_CLOSING {
             SymmetricEigen::new(free_part)
         } else {
@@ -237,7 +242,7 @@ impl ContactMap<'_> {
         directions.extend(found.into_iter().take(rest.len()).map(|(_, v)| (v.normalize(), false)));
         let mut principal = Vec::with_capacity(3);
         for (direction, _) in directions {
-            // The sign with its largest component above zero.
+            // Choose the sign that makes the largest component positive.
             let largest =
                 direction.iter().copied().fold(0.0, |m: f64, x| if x.abs() > m.abs() { x } else { m });
             let direction = if largest < 0.0 { -direction } else { direction };
@@ -247,13 +252,13 @@ impl ContactMap<'_> {
         principal.try_into().ok()
     }
 
-    /// Λ⁻¹ (1/kg) at a point, the struck link's axes; without what motions without mass answer.
+    /// Λ⁻¹ (1/kg) at a point, in the axes of the contact link, without the responses of massless motions.
     fn inverse_mass(&self, point: &Vector3<f64>) -> Matrix3<f64> {
         let forces = self.constants.of_forces(&(point - self.constants.centre()));
         forces.transpose() * forces
     }
 
-    /// Φ, and what is known of its errors.
+    /// Computes Φ and calibrates its errors.
     fn fill(&mut self) {
         let pose = self.pose;
         let model = pose.assembly.model();
@@ -292,7 +297,7 @@ impl ContactMap<'_> {
         self.in_lanes = self.scale_errors();
     }
 
-    /// m̄ and relative errors by Φ; whether some are to be looked at again.
+    /// Computes m̄ and relative errors from Φ. Returns true if some contacts need a second check.
     fn evaluate(&self, contacts: ContactColumns<'_>, masses: &mut [f64], errors: &mut [f64]) -> bool {
         let mut doubt = false;
         let work = Evaluate { constants: &self.constants, contacts, masses, errors, doubt: &mut doubt };
@@ -300,7 +305,7 @@ impl ContactMap<'_> {
         doubt || !self.free.is_empty()
     }
 
-    /// Looks again at those whose errors are not small.
+    /// Checks each contact again; contacts that Φ does not decide are computed separately.
     fn settle(
         &self,
         contacts: ContactColumns<'_>,
@@ -318,7 +323,7 @@ impl ContactMap<'_> {
         }
     }
 
-    /// What Φ says beyond doubt of a contact whose relative error was found.
+    /// Status of a contact if Φ and the relative error decide the status reliably.
     fn known_status(&self, contacts: ContactColumns<'_>, i: usize, error: f64) -> Option<ContactStatus> {
         if !contacts.is_direction(i) {
             return None;
@@ -329,7 +334,7 @@ impl ContactMap<'_> {
             if part > MAP_FREE_CLEAR {
                 return Some(ContactStatus::Massless);
             }
-            // NaN is not small.
+            // The comparison also rejects NaN.
             if part.is_nan() || part > MASSLESS_CLOSING {
                 return None;
             }
@@ -341,6 +346,7 @@ impl ContactMap<'_> {
         is_still.then_some(ContactStatus::Immovable)
     }
 
+    /// Computes status, m̄ and relative error of contact `i` by [`Pose::respond`].
     fn by_itself(&self, contacts: ContactColumns<'_>, i: usize) -> (ContactStatus, f64, f64) {
         let (point, normal) = contacts.at(i);
         let contact = Contact { against: self.against, ..Contact::new(self.link, point, normal) };
@@ -356,10 +362,12 @@ impl ContactMap<'_> {
     }
 }
 
+/// m̄ reported for a status other than finite.
 fn number_of(status: ContactStatus) -> f64 {
     if status == ContactStatus::Massless { 0.0 } else { f64::NAN }
 }
 
+/// m̄, if finite; otherwise 0.
 fn finite(mass: EffectiveMass) -> f64 {
     match mass {
         EffectiveMass::Finite(m) => m,

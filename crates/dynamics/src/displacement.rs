@@ -1,17 +1,18 @@
-//! Motion of a group along velocities of its coordinates, and the velocities between two of its poses.
+//! Motion of a group by velocities of its coordinates, and velocities between two poses of a group.
 
 use crate::kinematics::Kinematics;
 use crate::model::{Group, Model};
 use crate::tangent;
 
 impl Model {
-    /// Moves the positions in `kinematics` by velocities `u` of a group's coordinates over unit time.
+    /// Moves the positions in `kinematics` by the velocities `u` of a group's coordinates over unit time, and updates
+    /// frames.
     pub fn advance_group(&self, kinematics: &mut Kinematics<f64>, group: &Group, u: &[f64]) {
         self.advance_positions(kinematics, group, u);
         self.refill_group(kinematics, group);
     }
 
-    /// The same of the positions alone: frames and mimics are left where they were.
+    /// Moves only the positions, without updating frames and mimics.
     pub fn advance_positions(&self, kinematics: &mut Kinematics<f64>, group: &Group, u: &[f64]) {
         for &body in &group.bodies {
             let rate = |c: usize| group.column(c).map_or(0.0, |at| u[at]);
@@ -19,6 +20,7 @@ impl Model {
         }
     }
 
+    /// Moves the positions of one body by the rates of its coordinates over unit time; mimics are skipped.
     fn advance_body(&self, kinematics: &mut Kinematics<f64>, body: usize, rate: impl Fn(usize) -> f64) {
         let body = &self.bodies[body];
         if body.v.is_empty() || body.joint.is_none() || body.mimic.is_some() {
@@ -38,12 +40,12 @@ impl Model {
         }
     }
 
-    /// The velocities over a group's coordinates that lead from one position to another in unit time.
+    /// Velocities over a group's coordinates that lead from one position to another in unit time.
     pub fn displacement(&self, group: &Group, from: &[f64], to: &[f64]) -> Vec<f64> {
         self.displacement_from(group, &self.group_positions(group, from), to)
     }
 
-    /// The same from positions of the group's bodies, one after another.
+    /// Like [`displacement`](Self::displacement), from positions of the group's bodies, one after another.
     pub fn displacement_from(&self, group: &Group, from: &[f64], to: &[f64]) -> Vec<f64> {
         let mut u = vec![0.0; group.coordinates.len()];
         let mut rest = from;
@@ -64,26 +66,26 @@ impl Model {
         u
     }
 
-    /// Frames of a group's bodies at the positions in `q`, mimics filled in.
+    /// Updates the frames and mimics of a group's bodies from the positions in `q`.
     pub fn refill_group(&self, kinematics: &mut Kinematics<f64>, group: &Group) {
         kinematics.refill_bodies(self, &group.bodies);
     }
 
-    /// The positions of a group's bodies, one after another: all that a motion of the group changes.
+    /// Positions of a group's bodies, one after another: all positions that a motion of the group changes.
     pub fn group_positions(&self, group: &Group, q: &[f64]) -> Vec<f64> {
         let mut positions = Vec::new();
         self.group_positions_into(group, q, &mut positions);
         positions
     }
 
-    /// The same into a vector that is written over.
+    /// Like [`group_positions`](Self::group_positions), into a reused vector.
     pub fn group_positions_into(&self, group: &Group, q: &[f64], positions: &mut Vec<f64>) {
         positions.clear();
         positions.reserve(group.coordinates.len() + group.bodies.len());
         group.bodies.iter().for_each(|&b| positions.extend_from_slice(&q[self.bodies[b].q.clone()]));
     }
 
-    /// Puts a group at positions of its bodies, one after another.
+    /// Restores positions of a group's bodies, given one after another.
     pub fn restore_group(&self, kinematics: &mut Kinematics<f64>, group: &Group, positions: &[f64]) {
         let mut rest = positions;
         for &b in &group.bodies {
@@ -95,7 +97,7 @@ impl Model {
         self.refill_group(kinematics, group);
     }
 
-    /// Copies the positions of a group's joints.
+    /// Copies the positions of a group's joints from `q`.
     pub fn set_group(&self, kinematics: &mut Kinematics<f64>, group: &Group, q: &[f64]) {
         for id in group.joints.iter().copied().flatten() {
             let range = self.joint_q[id.index()].clone();

@@ -1,4 +1,5 @@
-//! One contact along a path of the drivers, loops closed on the way: for linkages of few freedoms, in lanes.
+//! m̄ of one contact along a path of the drivers with closed loops: a SIMD kernel for linkages of few degrees of
+//! freedom.
 
 use crate::assembling::LoopState;
 use crate::contact::Contact;
@@ -9,37 +10,39 @@ use crate::pose::Pose;
 use crate::velocities::{VelocityError, check_positions};
 use percuss_mechanism::JointId;
 
-/// A row of a path that was reached.
+/// Result of one row of a path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PathAnswer {
-    /// m̄, kg, and what rounding and what is left open of the loops may amount to; none where that is in doubt:
-    /// [`DrivenPath::pose_at`] is the pose to ask.
+    /// m̄ and its error by rounding and by the residual of the loops, kg. `None` if the result is uncertain; query
+    /// the pose of [`DrivenPath::pose_at`] instead.
     pub mass: Option<(f64, f64)>,
-    /// How far the farthest loop is from closed, m.
+    /// Largest residual of the loops, m.
     pub residual: f64,
 }
 
-/// One contact of a linkage whose drivers follow a path: each row's loops are closed by Newton's method from the row before,
-/// several rows at once.
+/// One contact of a linkage whose drivers follow a path. Newton's method closes the loops of each row, starting from
+/// the previous row, for several rows at once.
 ///
-/// It stands on the branch of the pose that it came from, and stops before a row of which that is in doubt.
-/// [`pose`](Self::pose) then gives where it stands, for [`Assembly::pose_from`](crate::Assembly::pose_from) to go on, and
-/// [`restart`](Self::restart) takes it up again behind. m̄ is answered where it is finite and its error below 1e-11.
+/// The path stays on the branch of its start pose, and stops before a row for which the branch is in doubt.
+/// [`pose`](Self::pose) then returns the current pose, from which [`Assembly::pose_from`](crate::Assembly::pose_from)
+/// can continue. [`restart`](Self::restart) continues the path after the doubtful row. A row has a result for m̄ if
+/// m̄ is finite and its error below 1e-11.
 #[derive(Clone, Debug)]
 pub struct DrivenPath {
-    /// The pose that it came from.
+    /// Start pose.
     from: Pose,
     driven: Driven,
     residual: f64,
 }
 
 impl Pose {
-    /// A path of `joints` from here, which rows give one number each; all other drivers stay. None where the mechanism is
-    /// no linkage of few freedoms, its rows of A are redundant or bind velocities alone, this pose is singular, or these joints
-    /// are not drivers. Points and normals in the world are taken with the root link at the world's origin.
+    /// Path of `joints` from this pose; each row gives one number per joint. All other drivers keep their positions.
+    /// `None` if the mechanism is not a linkage of few degrees of freedom, the rows of A are redundant or constrain
+    /// only velocities, the pose is singular, or a joint is not a driver. For points and normals in the world, the
+    /// root link is at the world's origin.
     ///
     /// # Errors
-    /// [`ResponseError`]: a contact that means nothing.
+    /// [`ResponseError`]: an invalid contact.
     pub fn driven_path(
         &self,
         contact: &Contact,
@@ -57,7 +60,8 @@ impl Pose {
         Ok(driven.map(|driven| DrivenPath { from: self.clone(), driven, residual }))
     }
 
-    /// For each coordinate, whether it depends; none where the loops are not those that answer, or stand at a singular pose.
+    /// Dependence flag of each coordinate; `None` if locks or held contacts change the groups, or the pose is
+    /// singular.
     fn dependent_coordinates(&self) -> Option<Vec<bool>> {
         let (model, loops) = (self.assembly.model(), self.loops.as_ref()?);
         if !self.assembly.is_of_posing() || loops.anchors.iter().any(Option::is_some) {
@@ -72,8 +76,9 @@ impl Pose {
 }
 
 impl DrivenPath {
-    /// Follows rows, each of one number for every joint of the path, until one is in doubt. Gives how many were reached: what
-    /// is known of them and the positions of all joints (one row after another) are added to `answers` and `positions`.
+    /// Follows rows, each with one number per joint of the path, until a row is in doubt. Returns the number of
+    /// completed rows. Their results and the positions of all joints (row by row) are appended to `answers` and
+    /// `positions`.
     pub fn follow(&mut self, rows: &[f64], answers: &mut Vec<PathAnswer>, positions: &mut Vec<f64>) -> usize {
         let width = self.driven.positions().len();
         let residual = &mut self.residual;
@@ -87,20 +92,21 @@ impl DrivenPath {
         })
     }
 
-    /// The pose where it stands.
+    /// The current pose of the path.
     pub fn pose(&self) -> Pose {
         self.made(self.driven.positions(), self.residual)
     }
 
-    /// The pose of a row that was reached: its positions, as [`follow`](Self::follow) gave them, and its residual (m).
+    /// Pose of a completed row, from its positions (see [`follow`](Self::follow)) and its residual (m).
     ///
     /// # Errors
-    /// [`VelocityError::Positions`]: not as many as the mechanism has.
+    /// [`VelocityError::Positions`]: a wrong number of positions.
     pub fn pose_at(&self, positions: &[f64], residual: f64) -> Result<Pose, VelocityError> {
         check_positions(positions.len(), self.driven.positions().len())?;
         Ok(self.made(positions, residual))
     }
 
+    /// Pose at given positions, with the given residual of the loops.
     fn made(&self, positions: &[f64], residual: f64) -> Pose {
         let model = self.from.assembly.posing();
         let mut kinematics = Kinematics::new(model);
@@ -110,8 +116,8 @@ impl DrivenPath {
         self.from.assembly.pose_at(kinematics, self.from.base, loops, &self.from)
     }
 
-    /// Stands at another pose of the same path, which the rows after it are followed from; false where it does not go on from
-    /// there: its pose is singular, of another assembly, or other joints drive it.
+    /// Moves the path to another pose; the following rows start from this pose. False if the path cannot continue
+    /// there: the pose is singular, belongs to another assembly, or is driven by other joints.
     pub fn restart(&mut self, pose: &Pose) -> bool {
         let alike = std::sync::Arc::ptr_eq(&self.from.assembly, &pose.assembly)
             && pose.dependent_coordinates().is_some()

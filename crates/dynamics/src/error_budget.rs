@@ -1,16 +1,17 @@
-//! How far m̄ may be off: rounding, closing, file.
+//! Error budget of m̄: rounding, closing error of the loops, and inexactness of the file.
 //!
-//! First-order perturbations of 1/m̄ under a unit impulse, with V the twists, h the wrenches that joints transmit, u the rates
-//! and λ the multipliers of the constraints:
+//! First-order perturbation of 1/m̄ under a unit impulse, with the twists V, the wrenches h transmitted by the
+//! joints, the rates u and the multipliers λ of the constraints:
 //!
 //! ```text
 //! δ(1/m̄) = −VᵀδI V + 2 Vᵀδf + 2u δSᵀh + 2λᵀδA u
 //! ```
 //!
-//! for changes of a body's inertia, of a wrench on it, of a joint's column, of rows of A. λ balances what the tree leaves on the
-//! coordinates that depend: λᵀK = τ. An error made while Iᴬ is summed up is an error of the body's inertia, so the
-//! recursion's own terms bound it: each step counts by what is left below it, not by all that hangs there frozen. Running
-//! error analysis: Higham, Accuracy and Stability of Numerical Algorithms, 2002, §3.3 (cited from memory).
+//! The terms are changes of a body's inertia, of a wrench on a body, of a joint's column, and of rows of A. λ
+//! balances the forces τ of the tree on the dependent coordinates: λᵀK = τ. An error in the summation of Iᴬ is
+//! equivalent to an error of the body's inertia, so the terms of the recursion bound the error. Each elimination is
+//! weighted by the articulated inertia below the joint, not by the composite inertia of the frozen subtree. Method:
+//! running error analysis, Higham, Accuracy and Stability of Numerical Algorithms, 2002, §3.3 (cited from memory).
 
 mod frozen;
 mod multipliers;
@@ -28,20 +29,21 @@ use nalgebra::{Vector3, Vector6};
 use percuss_mechanism::LinkId;
 use percuss_spatial::{ArticulatedInertia, Transform, Twist, Wrench};
 
-/// What m̄ may be off by, kg, to first order. A part that nothing measures is none.
+/// First-order error of m̄, kg, in three parts. A part without a measure is `None`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ErrorBudget {
-    /// Rounding of positions, frames, rows and of the route itself.
+    /// Rounding of positions, frames, constraint rows and of the route.
     pub rounding: Option<f64>,
-    /// What the loops' residual leaves open; 0 where nothing closes.
+    /// Error due to the residual of the loops; 0 without loops.
     pub closing: Option<f64>,
-    /// How far the file's loops are from fitting. Only redundant rows measure it: none, unknown, where there are none.
+    /// Error due to the misfit of the file's loops. Only redundant rows measure the misfit; `None` without redundant
+    /// rows.
     pub file: Option<f64>,
 }
 
 impl ErrorBudget {
-    /// The sum of what is known, kg: rounding, closing, and the file's part where redundant rows measure it. None where
-    /// rounding or closing is unknown: these always have a measure.
+    /// Sum of the known parts, kg: rounding, closing, and the file's part if redundant rows measure this part. `None`
+    /// if rounding or closing is unknown; both normally have a measure.
     pub fn known(&self) -> Option<f64> {
         Some(self.rounding? + self.closing? + self.file.unwrap_or(0.0))
     }
@@ -52,16 +54,17 @@ impl ErrorBudget {
     }
 }
 
-/// How far the frames of bodies may be off, in units of ε.
+/// Error bounds of the body frames, in units of ε.
 #[derive(Clone, Debug, Default)]
 struct FrameErrors {
     /// For every body: orientation (rad) and position (m).
     of: Vec<(f64, f64)>,
-    /// For every body: the squares of its random walks, and how many joints carry it.
+    /// For every body: squared random walks of orientation and position, and the number of joints from the root.
     walks: Vec<(f64, f64, f64)>,
 }
 
 impl FrameErrors {
+    /// Accumulates the error bounds from the root to the tips.
     fn fill(&mut self, model: &Model, kinematics: &Kinematics<f64>) {
         self.of.clear();
         self.walks.clear();
@@ -79,80 +82,82 @@ impl FrameErrors {
         }
     }
 
+    /// Error bounds of a body: orientation (rad) and position (m); zero for the ground.
     fn at(&self, body: Option<usize>) -> (f64, f64) {
         body.map_or((0.0, 0.0), |b| self.of[b])
     }
 }
 
-/// How errors of the frames' places are counted.
+/// Accumulation of frame position errors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Places {
-    /// Added up from the root to each body.
+    /// Summed from the root to each body.
     Added,
-    /// Each joint's own, by what it transmits: those of a long chain do not add up.
+    /// Per joint, weighted by the transmitted wrench. The errors of a long chain are then not summed.
     ByJoint,
 }
 
-/// Room for the terms of an error budget; refilled in place.
+/// Buffers for the terms of an error budget; refilled in place.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct BudgetRoom {
     frames: FrameErrors,
-    /// The wrench that each body's joint transmits; within a bound cluster without those of its constraints.
+    /// Wrench transmitted by each body's joint. Within a cluster with constraints, constraint wrenches are excluded.
     transmitted: Vec<Wrench<f64>>,
-    /// For every body: the size of all that it carries, were its joints frozen: moment (kg·m²) and mass (kg). Filled where it
-    /// is asked for.
+    /// For every body: moment (kg·m²) and mass (kg) of the subtree with frozen joints. Filled on first use.
     composites: Vec<(f64, f64)>,
-    /// The change of 1/m̄ by motions that were frozen, 1/kg.
+    /// Change of 1/m̄ due to motions dropped (frozen) as massless, 1/kg.
     frozen: f64,
-    /// Of the cluster at hand, over its coordinates: the forces that the tree leaves, and the rates.
+    /// Forces of the tree on the coordinates of the current cluster, and the rates of the coordinates.
     forces: Vec<f64>,
     rates: Vec<f64>,
-    /// Of the cluster at hand: the rates of its independent coordinates.
+    /// Rates of the independent coordinates of the current cluster.
     independent: Vec<f64>,
-    /// Of each row of the group at hand: the size of its terms, and its largest entry.
+    /// Sum of the terms and largest entry of each row of the current group.
     terms: Vec<f64>,
     largest: Vec<f64>,
     multipliers: MultiplierRoom,
-    /// Of the cluster at hand, for each of its bodies: the wrenches on it that close loops.
+    /// Constraint wrenches on each body of the current cluster.
     closing: Vec<Wrench<f64>>,
 }
 
 impl BudgetRoom {
-    /// Whether errors were counted before, so that there is room for them.
+    /// True if errors were computed before, so that the buffers are allocated.
     pub fn is_filled(&self) -> bool {
         !self.frames.of.is_empty()
     }
 }
 
-/// What an error budget is asked about: a route's answer to a unit impulse along the normal.
+/// Result of a route for a unit impulse along the normal: the input of the error budget.
 pub(crate) struct UnitImpulse<'a> {
     pub model: &'a Model,
     pub kinematics: &'a Kinematics<f64>,
     pub groups: &'a [GroupMobility],
-    /// For each group, how far its loops are from fitting, as a part of its size.
+    /// For each group: residual misfit of its loops, relative to the group's size.
     pub misfits: &'a [f64],
     pub contact: &'a LocatedContact,
-    /// Twists of the bodies, root axes at the contact point.
+    /// Twists of the bodies, in root axes at the contact point.
     pub twists: &'a [Twist<f64>],
-    /// Velocities of the tree.
+    /// Tree velocities.
     pub velocities: &'a [f64],
 }
 
-/// The parts of the error of 1/m̄, relative to it.
+/// Parts of the error of 1/m̄, relative to 1/m̄.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct RelativeErrors {
     pub rounding: f64,
-    /// What of it is the route's own: another route has the rest too.
+    /// Part of `rounding` caused by the route itself; another route could avoid this part.
     pub route: f64,
-    /// What of that is due to motions that were frozen because their mass is below rounding, though they couple to the contact.
+    /// Part of `route` caused by motions dropped because their mass is below rounding, although the motions couple to
+    /// the contact.
     pub frozen: f64,
-    /// What rows of A do that are off by as much as their loops are from fitting.
+    /// Error due to constraint rows that are wrong by the misfit of their loops.
     pub file: f64,
-    /// The greatest misfit of a group that moves.
+    /// Largest misfit of a moving group.
     pub misfit: f64,
-    /// Whether a group that moves has redundant rows, which measure the misfit.
+    /// True if a moving group has redundant rows, which measure the misfit.
     pub is_measured: bool,
-    /// The response (1/kg) by its energy, where the recursion's own is vague; `rounding` is its then.
+    /// Stationary value of the energy (1/kg), if the pivot sum of the recursion is too inaccurate; `rounding` then
+    /// applies to this value.
     pub stationary: Option<f64>,
 }
 
@@ -165,7 +170,7 @@ impl RelativeErrors {
 }
 
 impl UnitImpulse<'_> {
-    /// The error of the recursion's answer; `is_clear`: whose own rounding is beyond doubt.
+    /// Errors of the recursion's result. `is_clear`: the rounding of the recursion is known to be negligible.
     pub fn of_recursion(
         &self,
         room: &mut BudgetRoom,
@@ -174,7 +179,7 @@ impl UnitImpulse<'_> {
     ) -> RelativeErrors {
         let (mut route, mut stationary) = (self.of_eliminations(room, recursion), None);
         let response = recursion.response(0, 0);
-        // A tree's pivots are sums over what is left below each joint only.
+        // Pivots of a tree contain only inertia transmitted from below the joint, so the energy is not needed.
         if !is_clear && !recursion.clusters.is_empty() && f64::EPSILON * route > VAGUE_RESPONSE * response {
             let found = self.stationary(recursion).value().filter(|(value, error)| {
                 *value > 0.0 && *error < NOTHING_LEFT * value && *error < f64::EPSILON * route
@@ -193,12 +198,13 @@ impl UnitImpulse<'_> {
         self.relative(sum, response)
     }
 
-    /// The relative error that the recursion itself makes, of no more than its eliminations: where it is small, that of
-    /// [`of_recursion`](Self::of_recursion).
+    /// Relative error of the recursion itself, from its eliminations alone. Equal to `route` of
+    /// [`of_recursion`](Self::of_recursion), if small.
     pub fn of_route(&self, room: &mut BudgetRoom, recursion: &Recursion<f64, 1>) -> f64 {
         f64::EPSILON * self.of_eliminations(room, recursion) / recursion.response(0, 0)
     }
 
+    /// Sum of the errors of all eliminations, in units of ε.
     fn of_eliminations(&self, room: &mut BudgetRoom, recursion: &Recursion<f64, 1>) -> f64 {
         room.composites.clear();
         room.frozen = 0.0;
@@ -209,7 +215,7 @@ impl UnitImpulse<'_> {
         self.model.clusters.iter().enumerate().map(of_cluster).sum()
     }
 
-    /// The same answer by its energy.
+    /// The same result as the stationary value of the energy.
     pub fn stationary<'b>(&'b self, recursion: &'b Recursion<f64, 1>) -> Stationary<'b> {
         Stationary {
             model: self.model,
@@ -222,6 +228,7 @@ impl UnitImpulse<'_> {
         }
     }
 
+    /// Divides a sum of errors by the response 1/m̄.
     fn relative(&self, sum: RelativeErrors, response: f64) -> RelativeErrors {
         RelativeErrors {
             rounding: f64::EPSILON * sum.rounding / response,
@@ -234,6 +241,7 @@ impl UnitImpulse<'_> {
         }
     }
 
+    /// Wrench transmitted by the joint of every body, accumulated along the tree within clusters with constraints.
     fn fill_transmitted(&self, transmitted: &mut Vec<Wrench<f64>>, recursion: &Recursion<f64, 1>) {
         let own = |i: usize| recursion.wrenches[i][0] - self.carried(recursion, i).apply(&self.twists[i]);
         transmitted.clear();
@@ -248,7 +256,7 @@ impl UnitImpulse<'_> {
         }
     }
 
-    /// What every route shares: frames, bodies' inertias, joints' columns, the contact, rows of A.
+    /// Errors common to all routes: frames, body inertias, joint columns, the contact, rows of A.
     fn of_data(
         &self,
         room: &mut BudgetRoom,
@@ -267,11 +275,11 @@ impl UnitImpulse<'_> {
         let reach = point.norm();
         let own_struck = 2.0 * reach + (on.0 + SUM_ROUNDINGS) * self.contact.point_link.norm();
         let struck = (on.0.max(against.0), on.1 + own_struck);
-        // The normal turns with a link; the relative velocity there is what it is multiplied with.
+        // The normal rotates with a link; a rotation error is multiplied by the relative velocity.
         let relative = self.relative_velocity().norm();
         sum.rounding += 2.0 * (TURN_ROUNDINGS + struck.0) * relative;
         if let Some((end, at)) = self.contact.line {
-            // A line turns by what its ends are off, over its length.
+            // A line rotates by the position errors of its ends divided by its length.
             let far = frames.at(model.body_of(end));
             let position = kinematics.link_frame(model, end).point(&at);
             let off = far.1 + 2.0 * position.norm() + (far.0 + SUM_ROUNDINGS) * at.norm();
@@ -281,7 +289,7 @@ impl UnitImpulse<'_> {
         }
         let by_joint = places == Places::ByJoint;
         if let Some(other) = self.contact.against.and_then(|l| model.body_of(l)).filter(|_| by_joint) {
-            // The point is the struck link's: it is off on the other one.
+            // The contact point belongs to the contact link; relative to the other link it has a position error.
             sum.rounding += 2.0 * self.off_between(frames) * self.twists[other].angular.norm();
         }
         for (i, body) in model.bodies.iter().enumerate() {
@@ -307,7 +315,7 @@ impl UnitImpulse<'_> {
                 sum.rounding += self.of_place(i, turn, off, &transmitted[i]);
                 continue;
             }
-            // A free base is seen from itself.
+            // A free base has no frame error: all frames are relative to the base.
             for (k, v) in body.v.clone().enumerate().filter(|_| body.joint.is_some()) {
                 let rate = self.velocities[v].abs();
                 let s = kinematics.column_at(model, i, k, point);
@@ -321,7 +329,7 @@ impl UnitImpulse<'_> {
         sum
     }
 
-    /// How far the contact point is off on the other side: what the joints between the two sides turn and shift wrongly.
+    /// Position error of the contact point on the other side, caused by the joints between the two sides.
     fn off_between(&self, frames: &FrameErrors) -> f64 {
         let (model, kinematics, point) = (self.model, self.kinematics, &self.contact.point_root);
         let (mut alike, mut squares) = (0.0, 0.0);
@@ -330,7 +338,7 @@ impl UnitImpulse<'_> {
         model.for_each_support(on, against, |i, _| {
             let place = &kinematics.frames[i].translation;
             let arm = (place - point).norm();
-            // Products of rotations are stretched as far as they are turned.
+            // Products of rotations accumulate scaling errors as large as the orientation errors.
             let own = (SUM_ROUNDINGS + frames.walks[i].0.sqrt()) * kinematics.steps[i].translation.norm()
                 + 2.0 * place.norm();
             alike += REPEATED_ROUNDINGS * arm;
@@ -339,11 +347,12 @@ impl UnitImpulse<'_> {
         2.0 * point.norm() + SUM_ROUNDINGS * self.contact.point_link.norm() + alike + squares.sqrt()
     }
 
-    /// What a joint turns and shifts wrongly it carries along as it is: only what it transmits knows of it.
+    /// Error of 1/m̄ due to the frame error of one joint. The frame error moves the subtree rigidly, so only the
+    /// transmitted wrench matters.
     fn of_place(&self, i: usize, turn: f64, off: f64, transmitted: &Wrench<f64>) -> f64 {
         let (model, kinematics, point) = (self.model, self.kinematics, &self.contact.point_root);
         let body = &model.bodies[i];
-        // A free base is seen from itself.
+        // A free base has no frame error: all frames are relative to the base.
         if body.joint.is_none() {
             return 0.0;
         }
@@ -365,14 +374,14 @@ impl UnitImpulse<'_> {
         2.0 * sum
     }
 
-    /// Velocity of the struck link at the contact point against the other side.
+    /// Velocity of the contact link at the contact point relative to the other side.
     fn relative_velocity(&self) -> Vector3<f64> {
         let twist = |body: Option<usize>| body.map_or_else(Vector3::zeros, |b| self.twists[b].linear);
         twist(self.model.body_of(self.contact.link))
             - twist(self.contact.against.and_then(|l| self.model.body_of(l)))
     }
 
-    /// How far loops that carry any of these links are from fitting, m.
+    /// Largest misfit, m, of the loops that contain an ancestor of one of the links.
     fn misfit_of(&self, links: [LinkId; 2]) -> f64 {
         let mut carriers = vec![false; self.model.bodies.len()];
         for body in links.into_iter().filter_map(|link| self.model.body_of(link)) {
@@ -384,7 +393,7 @@ impl UnitImpulse<'_> {
         carrying.map(|(group, misfit)| misfit * group.size).fold(0.0, f64::max)
     }
 
-    /// Iᴬ as it arrives at a body, before its own joint is eliminated.
+    /// Iᴬ propagated to a body, before the elimination of the body's own joint.
     fn carried(&self, recursion: &Recursion<f64, 1>, i: usize) -> ArticulatedInertia<f64> {
         let mut inertia = recursion.inertias[i];
         if recursion.place[self.model.cluster_of[i]].is_none() {
@@ -395,14 +404,15 @@ impl UnitImpulse<'_> {
         inertia
     }
 
-    /// The elimination of a plain joint. What is left after some of its velocities moves as the body would if these stood
-    /// still, which can be much faster than the body and what carries it.
+    /// Error of the elimination of a plain joint. The inertia left after each pivot is weighted by the motion of the
+    /// body with the eliminated velocities at zero. This motion can be much faster than the motion of the body and
+    /// its parent.
     fn of_joint(&self, room: &mut BudgetRoom, recursion: &Recursion<f64, 1>, i: usize) -> f64 {
         let body = &self.model.bodies[i];
         let mut squares = diagonal(&recursion.inertias[i]);
         let mut twist = body.parent.map_or_else(Twist::zero, |p| self.twists[p]);
         let mut sum = 0.0;
-        // From what is left at last back to what there was at first: what each pivot took is added again.
+        // From the last pivot back to the first; each pivot adds the terms that its elimination subtracted.
         for &v in recursion.order[body.v.clone()].iter().rev() {
             let (e, rate) = (&recursion.joints[v], self.velocities[v]);
             if !e.counts {
@@ -428,7 +438,7 @@ impl UnitImpulse<'_> {
         sum + 2.0 * SUM_ROUNDINGS * dot_abs(&recursion.wrenches[i][0], &components(&self.twists[i]))
     }
 
-    /// The elimination of a bound cluster.
+    /// Error of the elimination of a cluster with constraints.
     fn of_cluster(
         &self,
         room: &mut BudgetRoom,
@@ -443,7 +453,7 @@ impl UnitImpulse<'_> {
         let carried = components(&carrier);
         let mut sum = 0.0;
         for (at, &b) in cluster.bodies.iter().enumerate() {
-            // Roundings of many terms add as a random walk.
+            // Roundings of many terms are added as a random walk.
             let mut squares = carried.component_mul(&carried);
             for (psi, u) in eliminated.psi[at * d..(at + 1) * d].iter().zip(&*u) {
                 let part = components(psi) * *u;
@@ -462,8 +472,8 @@ impl UnitImpulse<'_> {
         sum
     }
 
-    /// The error of the careful route's answer: a backward error of n ε in M scaled to unit diagonal. `mass`: M's diagonal
-    /// entries and the sizes of their terms.
+    /// Errors of the dense route: a backward error of n ε in M scaled to unit diagonal. `mass_size`: term sizes of
+    /// the diagonal entries of M.
     pub fn of_least_energy(
         &self,
         room: &mut BudgetRoom,
@@ -480,25 +490,30 @@ impl UnitImpulse<'_> {
     }
 }
 
-/// Square roots of the diagonal of an inertia: entries of a positive one are at most products of two of them.
+/// Square roots of the diagonal of an inertia. The entries of a positive inertia are bounded by the products of two
+/// of these roots.
 fn roots(inertia: &ArticulatedInertia<f64>) -> Vector6<f64> {
     diagonal(inertia).map(|x| x.abs().sqrt())
 }
 
+/// Diagonal of an inertia: angular, then linear components.
 fn diagonal(inertia: &ArticulatedInertia<f64>) -> Vector6<f64> {
     let (a, l) = (&inertia.angular, &inertia.linear);
     Vector6::new(a.m11, a.m22, a.m33, l.m11, l.m22, l.m33)
 }
 
+/// Magnitudes of the components of a twist.
 fn components(twist: &Twist<f64>) -> Vector6<f64> {
     let (w, v) = (&twist.angular, &twist.linear);
     Vector6::new(w.x, w.y, w.z, v.x, v.y, v.z).map(f64::abs)
 }
 
+/// Bound for the root energy of a motion: roots of the inertia's diagonal times component magnitudes.
 fn energy_root(roots: &Vector6<f64>, components: &Vector6<f64>) -> f64 {
     roots.dot(components)
 }
 
+/// Sum of the term magnitudes of the power of a wrench.
 fn dot_abs(wrench: &Wrench<f64>, components: &Vector6<f64>) -> f64 {
     let (m, f) = (&wrench.moment, &wrench.force);
     Vector6::new(m.x, m.y, m.z, f.x, f.y, f.z).map(f64::abs).dot(components)

@@ -1,4 +1,4 @@
-//! Accelerations under forces, by the articulated-body algorithm in body coordinates. Forms no matrix.
+//! Accelerations under given forces, by the articulated-body algorithm in body coordinates, without matrices.
 
 use crate::input::foreign_link;
 use crate::model::Model;
@@ -10,37 +10,38 @@ use nalgebra::Vector3;
 use percuss_mechanism::LinkId;
 use percuss_spatial::{ArticulatedInertia, Twist, Wrench};
 
-/// A force (N, root link's axes) on a point of a link (m, link's frame).
+/// A force (N, root axes) on a point of a link (m, link frame).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointForce {
     /// The link.
     pub link: LinkId,
-    /// Where it acts, in the link's frame, m.
+    /// Point of application in the frame of the link, m.
     pub point: Vector3<f64>,
-    /// The force in the root link's axes, N.
+    /// Force in root axes, N.
     pub force: Vector3<f64>,
 }
 
 /// Accelerations of a moving mechanism.
 #[derive(Clone, Debug)]
 pub struct Accelerations {
-    /// Spatial velocity and acceleration of every body, in its own axes at its own origin, seen from a frame that
-    /// does not fall.
+    /// Spatial velocity and acceleration of every body, in the body's axes at its origin, relative to an inertial
+    /// frame.
     motions: Vec<(Twist<f64>, Twist<f64>)>,
     /// Rates of the velocities of every joint, in joint order.
     pub joints: Vec<Vec<f64>>,
 }
 
-/// One velocity's part of the recursion.
+/// Intermediate values of the recursion for one velocity.
 #[derive(Clone)]
 struct Step {
     s: Twist<f64>,
     u: Wrench<f64>,
     d: f64,
-    /// Generalised force left for this velocity.
+    /// Remaining generalised force of this velocity.
     t: f64,
 }
 
+/// Refuses held contacts, loops and mimics.
 fn refuse_bound(model: &Model) -> Result<(), RouteError> {
     if model.groups.iter().any(|g| g.is_held) {
         Err(RouteError::Bound { what: "held contacts" })
@@ -60,11 +61,11 @@ fn refuse_foreign(model: &Model, link: LinkId) -> Result<(), RouteError> {
 }
 
 impl Pose {
-    /// Accelerations at a pose with joint velocities (joint order), the root link at rest in the world if it is fixed
-    /// and starting from the twist `base` if it floats, under gravity (m/s², root link's axes) and point forces.
+    /// Accelerations at a pose with joint velocities (joint order), under gravity (m/s², root axes) and point forces.
+    /// A fixed root link is at rest in the world; a floating root link has the twist `base`.
     ///
-    /// pᴬ = v × I v − f; per joint U = Iᴬ S, D = SᵀU + armature, t = −Sᵀpᴬ; q̈ = D⁻¹(t − Uᵀa′).
-    /// Featherstone 2008, table 7.1; joints with several velocities are eliminated one after another.
+    /// pᴬ = v × I v − f; per joint U = Iᴬ S, D = SᵀU + armature, t = −Sᵀpᴬ; q̈ = D⁻¹(t − Uᵀa′). Featherstone 2008,
+    /// table 7.1. The velocities of a joint with several velocities are eliminated one after another.
     ///
     /// # Errors
     /// [`RouteError`]: loops, mimics or held contacts; a joint that moves no mass; velocities or a link of another
@@ -114,6 +115,7 @@ impl Pose {
         Ok(self.root_to_tips(&steps, motions, &biases, gravity))
     }
 
+    /// Eliminates the velocities of all joints from the tips to the root.
     fn tips_to_root(
         &self,
         biases: &[Twist<f64>],
@@ -123,11 +125,11 @@ impl Pose {
         let model = self.assembly.model();
         let mut steps =
             vec![Step { s: Twist::zero(), u: Wrench::zero(), d: 0.0, t: 0.0 }; model.follows.len()];
-        // Rigid inertia carried, about each body's origin: trace of the rotational part (or more), mass.
+        // Size of the subtree inertia about each body's origin: bound for the trace of the rotational part, and mass.
         let mut sizes: Vec<(f64, f64)> =
             model.bodies.iter().map(|b| (b.inertia.rotational.trace().abs(), b.inertia.mass)).collect();
         for (i, body) in model.bodies.iter().enumerate().rev() {
-            // The bias acceleration c acts on the child's side of all the joint's velocities.
+            // The bias acceleration c acts on the child's side of all velocities of the joint.
             wrenches[i] += inertias[i].apply(&biases[i]);
             for (k, v) in body.v.clone().enumerate() {
                 let s = self.kinematics.column(model, i, k);
@@ -151,7 +153,7 @@ impl Pose {
                 inertias[parent] += &carried;
                 let wrench = step.wrench(&wrenches[i]);
                 wrenches[parent] += wrench;
-                // The trace about the parent's origin is ∫ 2 r² dm, r at most the distances together.
+                // The trace about the parent's origin is ∫ 2 r² dm, with r at most the sum of the distances.
                 let (turn, mass) = sizes[i];
                 let shift = step.translation.norm() * (2.0 * mass).sqrt();
                 sizes[parent].0 += (turn.sqrt() + shift).powi(2);
@@ -161,6 +163,7 @@ impl Pose {
         Ok(steps)
     }
 
+    /// Accelerations of all joints and bodies, from the root to the tips.
     fn root_to_tips(
         &self,
         steps: &[Step],
@@ -192,7 +195,7 @@ impl Pose {
         Accelerations { motions: motions.into_iter().zip(accelerations).collect(), joints }
     }
 
-    /// Acceleration (m/s², root link's axes) of a point (m, link's frame) of a link.
+    /// Acceleration (m/s², root axes) of a point (m, link frame) of a link.
     ///
     /// # Errors
     /// [`RouteError`]: a link or accelerations of another mechanism.
@@ -217,7 +220,7 @@ impl Pose {
     }
 }
 
-/// X Iᴬ X* : an articulated inertia in the parent's coordinates, column by column.
+/// X Iᴬ X*: articulated inertia in the parent's coordinates, column by column.
 fn transformed(
     step: &percuss_spatial::Transform<f64>,
     inertia: &ArticulatedInertia<f64>,

@@ -1,13 +1,14 @@
-//! Workers that stand by until somebody has work for them: where none does, one is made.
+//! Pool of idle workers; clones a new worker if the pool is empty.
 
 use std::sync::Mutex;
 
-/// Workers that nobody uses now: at most as many as were ever used at once.
+/// Idle workers: at most the largest number of workers used at the same time.
 #[derive(Debug)]
 pub(crate) struct Idle<W>(Mutex<Vec<Box<W>>>);
 
 impl<W: Clone> Idle<W> {
-    /// Does work by a worker that stands by, or by a copy of `model`; waits for nobody. One that panics is not used again.
+    /// Runs `work` with a worker from the pool, or with a clone of `model`; never waits. A worker is dropped if
+    /// `work` panics.
     pub fn with<A>(&self, model: &W, work: impl FnOnce(&mut W) -> A) -> A {
         let waiting = self.0.try_lock().ok().and_then(|mut idle| idle.pop());
         let mut worker = waiting.unwrap_or_else(|| Box::new(model.clone()));
@@ -25,7 +26,7 @@ impl<W> Default for Idle<W> {
     }
 }
 
-/// For a copy, nobody stands by yet.
+/// A clone starts with an empty pool.
 impl<W> Clone for Idle<W> {
     fn clone(&self) -> Self {
         Self::default()

@@ -1,5 +1,5 @@
-//! What answers many configurations at once: trees in their bodies' own axes, for contacts with the ground; linkages of few
-//! freedoms by their velocities, for all contacts.
+//! SIMD kernels for many configurations at once. Trees use body-fixed axes, for contacts with the ground. Linkages of
+//! few degrees of freedom use their velocities, for all contacts.
 
 use crate::answered::{Answered, Answers, Columns};
 use crate::assembly::Assembly;
@@ -9,7 +9,7 @@ use crate::model::Model;
 use crate::own_axes::OwnAxes;
 use percuss_spatial::lanes::Instructions;
 
-/// A mechanism prepared for lanes, and room.
+/// SIMD kernel of a mechanism, with its buffers.
 #[derive(Clone, Debug)]
 pub(crate) enum InLanes {
     Tree(OwnAxes),
@@ -17,13 +17,14 @@ pub(crate) enum InLanes {
 }
 
 impl InLanes {
-    /// None where the mechanism is of neither kind.
+    /// Kernel of a mechanism; `None` if the mechanism is neither kind.
     pub fn of(assembly: &Assembly) -> Option<Self> {
         let tree = OwnAxes::of(assembly.model()).map(Self::Tree);
         tree.or_else(|| Linkage::of(assembly).map(Self::Linkage))
     }
 
-    /// Takes a checked contact; not where it is none of its kind. Allocates nothing after the first time.
+    /// Prepares the kernel for a checked contact; false if the kernel does not support the contact. Allocates nothing
+    /// after the first call.
     pub fn aim(&mut self, model: &Model, contact: &Contact) -> bool {
         match self {
             Self::Tree(tree) => tree.aim(model, contact),
@@ -34,7 +35,7 @@ impl InLanes {
         }
     }
 
-    /// Takes another instruction set.
+    /// Selects an instruction set.
     pub fn set_instructions(&mut self, set: Instructions) {
         match self {
             Self::Tree(tree) => tree.instructions = set,
@@ -42,7 +43,7 @@ impl InLanes {
         }
     }
 
-    /// How many configurations go side by side.
+    /// Number of configurations computed in parallel.
     pub fn width(&self) -> usize {
         match self {
             Self::Tree(tree) => tree.instructions.width(),
@@ -50,7 +51,7 @@ impl InLanes {
         }
     }
 
-    /// m̄ at one configuration, of the contact that it is aimed at.
+    /// m̄ of the prepared contact at one configuration; `None` if the result is not certified.
     pub fn one(&mut self, positions: &[f64]) -> Option<Answered> {
         match self {
             Self::Tree(tree) => tree.one(positions),
@@ -58,7 +59,8 @@ impl InLanes {
         }
     }
 
-    /// m̄ at the configurations from `first` on, as many as there are answers: a multiple of the instruction set's lanes.
+    /// Computes m̄ at the configurations from `first` on. The number of configurations is the length of `answers`, a
+    /// multiple of the lane count.
     pub fn lanes(&mut self, columns: Columns<'_>, first: usize, answers: Answers<'_>) {
         match self {
             Self::Tree(tree) => tree.lanes(columns, first, answers),
@@ -66,7 +68,7 @@ impl InLanes {
         }
     }
 
-    /// Which positions are read.
+    /// Indices of the positions that the kernel reads.
     pub fn read(&self) -> Vec<usize> {
         match self {
             Self::Tree(tree) => tree.read().collect(),

@@ -1,13 +1,13 @@
-//! Rules that every input obeys, at every entry point: one implementation for poses, workspaces, batches, paths, maps and
-//! matrices, and for the interfaces to other languages.
+//! Validation rules for all inputs, at every entry point. Poses, workspaces, batches, paths, maps, matrices and the
+//! interfaces to other languages share this implementation.
 //!
 //! | rule | accepted | refused with |
 //! |---|---|---|
 //! | length | as many numbers as are needed | the numbers given and needed |
-//! | finite | numbers of at most [`LARGEST_NUMBER`]; positions of mimics are not read | the number and its place |
-//! | unit quaternion | a norm within [`QUATERNION_TOLERANCE`] of 1; it is normalised | the norm |
+//! | finite | numbers of at most [`LARGEST_NUMBER`]; positions of mimics are not read | the number and its index |
+//! | unit quaternion | a norm within [`QUATERNION_TOLERANCE`] of 1; the quaternion is normalised | the norm |
 //! | closed loops | a row of positions whose loops are open by at most [`OPEN_ROW`] of their size | the gap and the tolerance, m |
-//! | direction | vectors of at least 1e-9; they are normalised | the length |
+//! | direction | vectors of at least 1e-9; vectors are normalised | the length |
 //! | own link | indices of this mechanism, or of one with the same links and joints | the index |
 //! | base pose | a finite position, and a rotation matrix to within [`ROTATION_TOLERANCE`]; its rounding is removed | the number, or the departure |
 
@@ -18,31 +18,31 @@ use percuss_spatial::{Transform, rotation_from_quaternion};
 use crate::tolerances::UNIT_ROUNDING;
 pub use crate::tolerances::{LARGEST_NUMBER, OPEN_ROW, QUATERNION_TOLERANCE, ROTATION_TOLERANCE};
 
-/// An input that breaks a rule, where no other error names the joint or the contact.
+/// Invalid input that no other error attributes to a joint or a contact.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum InputError {
-    /// NaN, infinite or absurdly large.
+    /// A number is NaN, infinite or above 1e100 in magnitude.
     #[error("{what}: number {index} (from 0) is {value:e}; expected a finite number of at most 1e100")]
     NotFinite {
-        /// Of what.
+        /// Name of the input.
         what: &'static str,
-        /// The place of the number.
+        /// Index of the number, from 0.
         index: usize,
         /// The number.
         value: f64,
     },
-    /// A quaternion that is not of unit length.
+    /// A quaternion is not of unit length.
     #[error(
         "{what}: the quaternion w,x,y,z has norm {norm}; expected 1 ± {QUATERNION_TOLERANCE}: divide it by its norm"
     )]
     Quaternion {
-        /// Of what.
+        /// Name of the input.
         what: &'static str,
-        /// Its norm.
+        /// Norm of the quaternion.
         norm: f64,
     },
-    /// A frame whose matrix is no rotation.
+    /// The matrix of a frame is not a rotation.
     #[error(
         "the pose of the base: its matrix departs from a rotation by {departure:.1e}; expected a rotation matrix, RᵀR = 1 to \
          within {ROTATION_TOLERANCE:e}, det R = 1"
@@ -53,7 +53,7 @@ pub enum InputError {
     },
 }
 
-/// The first number that is NaN, infinite or above [`LARGEST_NUMBER`], and its place.
+/// Returns the index and the value of the first number that is NaN, infinite or above [`LARGEST_NUMBER`].
 pub fn not_a_number(values: &[f64]) -> Option<(usize, f64)> {
     values.iter().copied().enumerate().find(|(_, x)| !is_number(*x))
 }
@@ -71,10 +71,11 @@ pub fn check_numbers(what: &'static str, values: &[f64]) -> Result<(), InputErro
     not_a_number(values).map_or(Ok(()), |(index, value)| Err(InputError::NotFinite { what, index, value }))
 }
 
-/// Scales a quaternion w, x, y, z to unit norm. A quaternion whose norm is 1 to rounding stays as it is, to the last bit.
+/// Scales a quaternion w, x, y, z to unit norm. A quaternion of norm 1 within rounding is left unchanged, bit for
+/// bit.
 ///
 /// # Errors
-/// Its norm, where that is further than [`QUATERNION_TOLERANCE`] from 1 (NaN is).
+/// The norm, if further than [`QUATERNION_TOLERANCE`] from 1 or NaN.
 pub fn normalise_quaternion(quaternion: &mut [f64]) -> Result<(), f64> {
     let norm = quaternion.iter().fold(0.0, |norm: f64, x| norm.hypot(*x));
     if norm.is_nan() || (norm - 1.0).abs() > QUATERNION_TOLERANCE {
@@ -86,7 +87,7 @@ pub fn normalise_quaternion(quaternion: &mut [f64]) -> Result<(), f64> {
     Ok(())
 }
 
-/// Where the quaternion of a joint stands among the joint's positions, if it has one.
+/// Range of the quaternion among the positions of a joint; `None` for joints without a quaternion.
 pub(crate) fn quaternion_of(kind: JointKind) -> Option<std::ops::Range<usize>> {
     match kind {
         JointKind::Spherical => Some(0..4),
@@ -99,7 +100,7 @@ pub(crate) fn quaternion_of(kind: JointKind) -> Option<std::ops::Range<usize>> {
     }
 }
 
-/// The pose X_wr of the root link in the world from its origin (m) and its orientation, a quaternion w, x, y, z.
+/// Pose X_wr of the root link in the world, from its origin (m) and its orientation, a quaternion w, x, y, z.
 ///
 /// # Errors
 /// [`InputError`]: a number that is not finite; a quaternion that is not of unit length.
@@ -111,10 +112,11 @@ pub fn base_pose(position: [f64; 3], mut quaternion: [f64; 4]) -> Result<Transfo
     Ok(Transform::new(rotation_from_quaternion(quaternion), Vector3::from(position)))
 }
 
-/// The pose of a base with the rounding of its matrix removed: RᵀR = 1 to within two roundings.
+/// Removes the rounding of the matrix of a base pose. The result satisfies RᵀR = 1 to within two roundings.
 ///
 /// # Errors
-/// [`InputError`]: a number that is not finite; a matrix that is no rotation to within [`ROTATION_TOLERANCE`].
+/// [`InputError`]: a number that is not finite; a matrix that departs from a rotation by more than
+/// [`ROTATION_TOLERANCE`].
 pub fn rigid_base_pose(x_wr: &Transform<f64>) -> Result<Transform<f64>, InputError> {
     check_numbers("the position of the base", x_wr.translation.as_slice())?;
     check_numbers("the orientation of the base", x_wr.rotation.as_slice())?;
@@ -133,7 +135,7 @@ pub fn rigid_base_pose(x_wr: &Transform<f64>) -> Result<Transform<f64>, InputErr
     Ok(Transform::new(rotation, x_wr.translation))
 }
 
-/// The first of some links that is not of a mechanism: its index.
+/// Index of the first link that does not belong to the mechanism.
 pub(crate) fn foreign_link(mechanism: &Mechanism, links: impl IntoIterator<Item = LinkId>) -> Option<usize> {
     links.into_iter().find(|link| !mechanism.has_link(*link)).map(LinkId::index)
 }

@@ -1,4 +1,4 @@
-//! How each kind of joint moves: the only place in this crate that distinguishes them.
+//! Motion of each kind of joint. No other module of this crate distinguishes joint kinds in kinematics.
 
 use nalgebra::Vector3;
 use percuss_mechanism::{Joint, JointKind};
@@ -17,17 +17,17 @@ impl JointMotion {
         Self { kind: joint.kind(), axis: *joint.axis(), plane: plane_basis(joint.axis()) }
     }
 
-    /// The free motion of a base.
+    /// Free motion of a floating base.
     pub fn floating() -> Self {
         Self { kind: JointKind::Floating, axis: Vector3::z(), plane: (Vector3::x(), Vector3::y()) }
     }
 
-    /// The axis, a unit vector in the joint frame; of no meaning for joints without one.
+    /// Unit vector of the axis in the joint frame; unused for joints without an axis.
     pub fn axis(&self) -> Vector3<f64> {
         self.axis
     }
 
-    /// X_jc: the child's frame in the joint frame at position `q` (layout of [`JointKind`]).
+    /// X_jc: frame of the child in the joint frame at position `q` (layout of [`JointKind`]).
     #[inline]
     pub fn transform<T: Scalar>(&self, q: &[T]) -> Transform<T> {
         match self.kind {
@@ -50,7 +50,7 @@ impl JointMotion {
         }
     }
 
-    /// Column `k` of the motion subspace S: the child's twist in its parent at unit velocity `k`, in the
+    /// Column `k` of the motion subspace S: twist of the child relative to the parent at unit velocity `k`, in the
     /// child's axes at the child's origin.
     #[inline]
     pub fn column<T: Scalar>(&self, k: usize, q: &[T]) -> Twist<T> {
@@ -60,7 +60,7 @@ impl JointMotion {
             (JointKind::Revolute | JointKind::Continuous, _) => turn(&self.axis),
             (JointKind::Prismatic, _) => slide(&self.axis),
             (JointKind::Planar, 0 | 1) => {
-                // x and y move along the joint frame's axes, seen from the turned child.
+                // x and y move along the axes of the joint frame, expressed in the rotated child frame.
                 let e = if k == 0 { &self.plane.0 } else { &self.plane.1 };
                 let back = rotation_about(&self.axis, -q[2]);
                 Twist::new(Vector3::zeros(), back * e.map(T::from_f64))
@@ -72,9 +72,9 @@ impl JointMotion {
         }
     }
 
-    /// Rate of column `k` in the child's axes, at joint velocities `v`: c = Ṡ v is its sum over `k`.
+    /// Bias c = Ṡ v at the joint velocities `v`, in the child's axes.
     ///
-    /// Zero but for planar joints, whose x and y columns turn back as the child turns.
+    /// Nonzero only for planar joints, whose x and y columns rotate relative to the child.
     #[inline]
     pub fn bias<T: Scalar>(&self, q: &[T], v: &[T]) -> Twist<T> {
         match self.kind {
@@ -91,13 +91,13 @@ impl JointMotion {
         }
     }
 
-    /// Whether velocity `k` is a turn (rad/s) and not a slide (m/s).
+    /// True if velocity `k` is a rotation (rad/s), false for a translation (m/s).
     pub fn turns(&self, k: usize) -> bool {
         turns(self.kind, k)
     }
 }
 
-/// Whether velocity `k` of a kind of joint is a turn (rad/s) and not a slide (m/s).
+/// True if velocity `k` of a kind of joint is a rotation (rad/s), false for a translation (m/s).
 pub(crate) fn turns(kind: JointKind, k: usize) -> bool {
     match kind {
         JointKind::Revolute | JointKind::Continuous | JointKind::Spherical => true,

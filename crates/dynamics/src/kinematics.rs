@@ -1,4 +1,4 @@
-//! Forward kinematics: the frame of every body, seen from the root link.
+//! Forward kinematics: the frame of every body relative to the root link.
 
 use crate::model::{LinkFrame, Model};
 use crate::tangent;
@@ -6,19 +6,19 @@ use nalgebra::Vector3;
 use percuss_mechanism::LinkId;
 use percuss_spatial::{Scalar, Transform, Twist};
 
-/// Positions and the frames that follow from them; refilled in place.
+/// Positions and the resulting frames; refilled in place.
 #[derive(Clone, Debug)]
 pub(crate) struct Kinematics<T: Scalar> {
-    /// All positions in joint order, mimics filled in.
+    /// Positions of all joints, in joint order, including mimics.
     pub q: Vec<T>,
-    /// X_rb: every body in the root link's frame.
+    /// X_rb of every body: body frame in the frame of the root link.
     pub frames: Vec<Transform<T>>,
-    /// X_pb: every body in its parent body (the root, for those on the ground).
+    /// X_pb of every body: body frame in its parent body (in the root, for bodies on the ground).
     pub steps: Vec<Transform<T>>,
 }
 
 impl Kinematics<f64> {
-    /// Every joint at zero, quaternions at identity.
+    /// Kinematics with every joint at zero, quaternions at identity.
     pub fn zero(model: &Model) -> Self {
         let mut kinematics = Self::new(model);
         for (joint, range) in model.mechanism.joints().iter().zip(&model.joint_q) {
@@ -39,20 +39,21 @@ impl<T: Scalar> Kinematics<T> {
         }
     }
 
-    /// Frames at the positions already in `q`; a mimic's position is written over by what it follows.
+    /// Updates all frames from the positions in `q`. Positions of mimics are overwritten by their masters.
     pub fn refill(&mut self, model: &Model) {
         for i in 0..model.bodies.len() {
             self.place(model, i);
         }
     }
 
-    /// As [`refill`](Self::refill), but of these bodies alone (parents first); those above them stay where they are.
+    /// Like [`refill`](Self::refill), for the given bodies only (parents first). Their ancestors are not updated.
     pub fn refill_bodies(&mut self, model: &Model, bodies: &[usize]) {
         for &i in bodies {
             self.place(model, i);
         }
     }
 
+    /// Updates the frames of body `i` from the positions and the frame of its parent.
     #[inline]
     fn place(&mut self, model: &Model, i: usize) {
         let body = &model.bodies[i];
@@ -76,19 +77,19 @@ impl<T: Scalar> Kinematics<T> {
         body.motion.column(k, &self.q[body.q.clone()])
     }
 
-    /// Motion column `k` of body `i` in root axes, taken at `point` (root frame).
+    /// Motion column `k` of body `i` in root axes, at `point` (root frame).
     #[inline]
     pub fn column_at(&self, model: &Model, i: usize, k: usize, point: &Vector3<T>) -> Twist<T> {
         let (frame, column) = (&self.frames[i], self.column(model, i, k));
         if !model.bodies[i].motion.turns(k) {
             return Twist::new(Vector3::zeros(), frame.rotation * column.linear);
         }
-        // A turn slides nothing at the body's origin.
+        // A rotation has no linear velocity at the body's origin.
         let angular = frame.rotation * column.angular;
         Twist::new(angular, (frame.translation - point).cross(&angular))
     }
 
-    /// X_rf: a frame on a body, or on the ground.
+    /// X_rf of a frame on a body or on the ground.
     #[inline]
     pub fn frame_of(&self, on: &LinkFrame) -> Transform<T> {
         match on.body {
@@ -97,7 +98,7 @@ impl<T: Scalar> Kinematics<T> {
         }
     }
 
-    /// X_rl: a link in the root link's frame.
+    /// X_rl of a link: link frame in the frame of the root link.
     pub fn link_frame(&self, model: &Model, link: LinkId) -> Transform<T> {
         self.frame_of(&model.link_frames[link.index()])
     }

@@ -1,12 +1,13 @@
-//! How heavy a mechanism is at a contact.
+//! Effective mass of mechanisms at contacts.
 //!
-//! [`Conditions`] (base, locks, held contacts, armatures) compiled with a [`Mechanism`](percuss_mechanism::Mechanism)
-//! give a [`System`]; its loops put together give an [`Assembly`]; at a [`Configuration`] that gives a [`Pose`]; a pose
-//! and a [`Contact`] give a [`ContactResponse`]: the effective mass, the motion of the mechanism at unit closing speed, and
-//! the contribution of each link. Each is a value: the same call gives the same answer whatever was asked before.
+//! [`Conditions`] (base, locks, held contacts, armatures) and a [`Mechanism`](percuss_mechanism::Mechanism) are
+//! compiled into a [`System`]. Closing the loops of a system gives an [`Assembly`]. An assembly at a
+//! [`Configuration`] gives a [`Pose`]. A pose and a [`Contact`] give a [`ContactResponse`]: the effective mass, the
+//! motion of the mechanism at unit closing speed, and the contribution of each link. All of these are values: the
+//! same call always returns the same result, regardless of earlier calls.
 //!
-//! All poses are taken in the frame of the root link, also where the base floats: nothing is lost when the whole
-//! mechanism stands ten kilometres from the world's origin. This crate knows no files and no contact laws.
+//! All poses are computed in the frame of the root link, also for a floating base. A mechanism ten kilometres from
+//! the world's origin therefore loses no precision. This crate reads no files and contains no contact laws.
 
 mod advance;
 mod aligned;

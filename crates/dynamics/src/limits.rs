@@ -1,4 +1,4 @@
-//! At a change point (D) is a lower bound that no branch need attain. The limits of m̄ along each.
+//! Limits of m̄ along the branches at a change point. The m̄ at the change point itself is only a lower bound.
 
 use crate::assembly::Assembly;
 use crate::careful::Minimum;
@@ -15,21 +15,21 @@ use crate::tolerances::{
     LIMITS_BY_CAREFUL_ROUTE, LIMITS_BY_RECURSION, VANISHING_LIMIT,
 };
 
-/// Limits of m̄ where branches cross.
+/// Limits of m̄ at a crossing of branches.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BranchLimits {
-    /// One for each branch, or for each combination of branches where several groups that affect the contact stand at
-    /// crossings of their own. Of a continuum of branches, the least and the greatest of the samples taken.
+    /// One limit per branch. If several groups that affect the contact are at crossings of their own: one limit per
+    /// combination of branches. For a continuum of branches: the smallest and the largest limit of the samples.
     pub limits: Vec<EffectiveMass>,
-    /// Whether the branches are a continuum: the limit depends on the direction of approach.
+    /// True if the branches form a continuum: the limit depends on the direction of approach.
     pub continuous: bool,
-    /// Whether no sign of more branches than these was found, and m̄ could be carried on along each.
+    /// True if there is no sign of further branches, and m̄ was extrapolated along every branch.
     pub complete: bool,
 }
 
 impl Pose {
-    /// Limits of the answer along the branches that cross at a singular pose; none at a regular one, nor where no
-    /// branch leads away.
+    /// Limits of m̄ along the branches that cross at a singular pose. Empty at a regular pose, and if no branch
+    /// leaves the pose.
     pub fn branch_limits(&self, contact: &Contact) -> BranchLimits {
         let assembly = self.assembly();
         let Crossings { crossings, complete } = crossings_of(self, contact);
@@ -58,21 +58,23 @@ impl Pose {
     }
 }
 
-/// How m̄ is found beside a crossing.
+/// Method for m̄ beside a crossing.
 #[derive(Clone, Copy, PartialEq)]
 enum LimitRoute {
-    /// By the careful route, while the mechanism is small.
+    /// Dense route, for small mechanisms.
     Careful,
-    /// By the recursion, with what the assembly decides there.
+    /// Recursion, with the mobility decided by the assembly at each place.
     Recursion,
 }
 
 impl LimitRoute {
+    /// Chooses the dense route if its total work is within the limit.
     fn of(model: &Model, combinations: usize) -> Self {
         let work = model.follows.len().saturating_pow(3).saturating_mul(LIMIT_PLACES * combinations);
         if work <= LIMITS_BY_CAREFUL_ROUTE { LimitRoute::Careful } else { LimitRoute::Recursion }
     }
 
+    /// Largest number of combinations of branches within the work limit.
     fn most_combinations(self, model: &Model) -> usize {
         match self {
             LimitRoute::Careful => BRANCH_COMBINATIONS,
@@ -82,7 +84,7 @@ impl LimitRoute {
         }
     }
 
-    /// m̄ at some frames; none where it is no minimum, or its matrices are too large.
+    /// m̄ at given frames; `None` if m̄ is not a minimum, or the matrices are too large.
     fn mass(
         self,
         assembly: &Assembly,
@@ -110,14 +112,15 @@ impl LimitRoute {
     }
 }
 
-/// The groups at crossings that affect the contact.
+/// Groups at crossings that affect the contact.
 struct Crossings<'a> {
-    /// Those with branches, those that the contact moves itself first.
+    /// Groups with branches; groups that move the contact directly come first.
     crossings: Vec<&'a Surroundings>,
-    /// Whether all was found of each.
+    /// True if the search was complete for every group.
     complete: bool,
 }
 
+/// Crossings of branches at a pose that affect a contact.
 fn crossings_of<'a>(pose: &'a Pose, contact: &Contact) -> Crossings<'a> {
     let known = pose.crossings();
     let of_group = |number| known.iter().find(|(n, _)| *n == number).map(|(_, around)| around);
@@ -127,7 +130,7 @@ fn crossings_of<'a>(pose: &'a Pose, contact: &Contact) -> Crossings<'a> {
     Crossings { crossings: all.into_iter().filter(|a| !a.branches.is_empty()).collect(), complete }
 }
 
-/// Groups on the trees, or tied to the trees, that the contact's sides stand on; those that move the sides first.
+/// Groups on the trees of the contact's sides, or on trees coupled to these. Groups that move the sides come first.
 fn coupled_groups(model: &Model, contact: &Contact) -> Vec<usize> {
     let mut tree_of: Vec<usize> = Vec::with_capacity(model.bodies.len());
     for (i, body) in model.bodies.iter().enumerate() {
@@ -154,8 +157,8 @@ fn coupled_groups(model: &Model, contact: &Contact) -> Vec<usize> {
     found
 }
 
-/// The limit along a combination of branches: at four places on either side, Lagrange's formula for 1/m̄ carries it
-/// on; the order below must agree.
+/// Limit along a combination of branches. Lagrange's formula interpolates 1/m̄ from four places on each side; a
+/// formula of lower order must agree.
 fn limit_along(
     pose: &Pose,
     contact: &Contact,
@@ -196,7 +199,7 @@ fn limit_along(
     best.filter(|(doubt, _)| *doubt <= DOUBTFUL_LIMIT).map(|(_, limit)| limit)
 }
 
-/// For sorting.
+/// Sort key of a limit.
 fn value(limit: &EffectiveMass) -> f64 {
     match limit {
         EffectiveMass::Finite(m) => *m,
@@ -205,8 +208,8 @@ fn value(limit: &EffectiveMass) -> f64 {
     }
 }
 
-/// The limit from values at one to four places on either side, and how far two orders of the interpolation differ. A branch
-/// is immovable or massless where it is at all of them.
+/// Limit from the values at one to four places on each side, and the difference between two orders of the
+/// interpolation. A branch is immovable or massless if all places are.
 fn carried_on(at: &dyn Fn(i32) -> Option<EffectiveMass>) -> Option<(f64, EffectiveMass)> {
     const EIGHT: [f64; 4] = [4.0 / 5.0, -2.0 / 5.0, 4.0 / 35.0, -1.0 / 70.0];
     const SIX: [f64; 4] = [3.0 / 4.0, -3.0 / 10.0, 1.0 / 20.0, 0.0];

@@ -1,4 +1,4 @@
-//! Φ, the seam: what a pair of links answers to any wrench at a point.
+//! Inverse operational inertia Φ: response of one or two links to any wrench at a point.
 
 use crate::contact::LocatedContact;
 use crate::input::foreign_link;
@@ -8,23 +8,24 @@ use crate::recursion::{Deciding, Recursion};
 use nalgebra::{SMatrix, SVector, Vector3};
 use percuss_spatial::Wrench;
 
-/// Φ = J M_c⁻¹ Jᵀ (M_c⁻¹ the inverse under the constraints) of one link, or of a pair, at a point: 12×12, the struck link's six components first (moment, then
-/// force), then the other link's; in the root link's axes with the origin at the point.
+/// Inverse operational inertia Φ = J M_c⁻¹ Jᵀ of one link, or of two links, at a point. M_c⁻¹ is the inverse mass
+/// matrix under the constraints. Φ is 12×12: the six components of the contact link (moment, then force), then those
+/// of the other link, in root axes with the origin at the point.
 ///
-/// Every contact at the point is algebra on it: 1/m̄ = wᵀΦw with w = (0, n̂, 0, −n̂).
-/// Khatib 1987 calls the inverse of its upper left block the operational space inertia.
+/// For every contact at the point, 1/m̄ = wᵀΦw with w = (0, n̂, 0, −n̂). Khatib 1987 calls the inverse of the upper
+/// left block the operational space inertia.
 #[derive(Clone, Debug)]
 pub struct InverseOperationalInertia {
     matrix: SMatrix<f64, 12, 12>,
 }
 
 impl InverseOperationalInertia {
-    /// The 12×12 matrix (1/(kg·m²), 1/(kg·m), 1/kg by blocks). The other link's part is zero for the ground.
+    /// The 12×12 matrix (1/(kg·m²), 1/(kg·m), 1/kg by blocks). For the ground, the part of the other link is zero.
     pub fn matrix(&self) -> &SMatrix<f64, 12, 12> {
         &self.matrix
     }
 
-    /// 1/m̄ along the unit normal n̂ (root link's axes, out of the struck link), 1/kg.
+    /// 1/m̄ along the unit normal n̂ (root axes, out of the contact link), 1/kg.
     pub fn inverse_effective_mass(&self, normal: &Vector3<f64>) -> f64 {
         let mut w = SVector::<f64, 12>::zeros();
         w.fixed_rows_mut::<3>(3).copy_from(normal);
@@ -34,11 +35,12 @@ impl InverseOperationalInertia {
 }
 
 impl Pose {
-    /// Φ of the two sides of a contact at its point, by the recursion with six unit wrenches a side: loops, mimics and held
-    /// contacts included. O(n).
+    /// Φ of the two sides of a contact at its point, including loops, mimics and held contacts. Method: the recursion
+    /// with six unit wrenches per side. Cost: O(n).
     ///
     /// # Errors
-    /// [`RouteError`]: a motion without mass that answers a wrench there; a motion of negative mass; too large a cluster of bodies.
+    /// [`RouteError`]: a motion without mass responds to a wrench at the point; a motion of negative mass; a cluster
+    /// of bodies that is too large.
     pub fn inverse_operational_inertia(
         &self,
         contact: &LocatedContact,

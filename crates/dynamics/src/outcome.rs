@@ -1,25 +1,26 @@
-//! What is answered to a contact, and why something is not.
+//! Results of a contact query: effective mass, route, remarks and errors.
 
 use crate::contact::ContactError;
 use crate::input::QUATERNION_TOLERANCE;
 use crate::velocities::VelocityError;
 use percuss_mechanism::JointId;
 
-/// What the mechanism opposes to the contact along its normal.
+/// Resistance of the mechanism to the contact along its normal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum EffectiveMass {
     /// m̄, kg.
     Finite(f64),
     /// No admissible motion closes the gap.
     Immovable,
-    /// A motion without energy closes the gap: m̄ = 0.
+    /// A motion without kinetic energy closes the gap: m̄ = 0.
     Massless,
 }
 
 impl EffectiveMass {
-    /// The same where the other side is a free mass (kg) of its own, if it is: 1/m̄ = 1/m̄₁ + 1/m₂.
+    /// Effective mass against a free body of mass `other` (kg) on the other side: 1/m̄ = 1/m̄₁ + 1/m₂. Unchanged if
+    /// `other` is `None`.
     ///
-    /// An immovable mechanism leaves m̄ = m₂; a massless one stays massless. `other` must be finite and > 0.
+    /// An immovable mechanism gives m̄ = m₂; a massless mechanism stays massless. `other` must be finite and > 0.
     pub fn against_mass(self, other: Option<f64>) -> Self {
         match (self, other) {
             (EffectiveMass::Finite(own), Some(other)) => EffectiveMass::Finite(own / (1.0 + own / other)),
@@ -29,57 +30,58 @@ impl EffectiveMass {
     }
 }
 
-/// How m̄ was computed.
+/// Computation method of m̄.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Route {
-    /// Mass matrix, kernel of the constraints, least energy: the careful route, O(n³).
+    /// Dense route: mass matrix, kernel of the constraints, least energy; O(n³).
     Dense,
-    /// Articulated recursion over clusters: O(n).
+    /// Articulated-body recursion over clusters; O(n).
     Articulated,
 }
 
-/// Which route to take.
+/// Choice of the route.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum RouteChoice {
-    /// The recursion where it is accurate, else the careful route.
+    /// The recursion where it is accurate, otherwise the dense route.
     #[default]
     Auto,
-    /// This one, or an error that says why not.
+    /// The given route only; an error states why the route is not possible.
     Only(Route),
 }
 
-/// Why the careful route was asked beside the recursion.
+/// Reason for running the dense route in addition to the recursion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum CarefulReason {
-    /// The recursion meets a motion of negative mass (accepted indefinite inertias).
+    /// The recursion finds a motion of negative mass (accepted indefinite inertias).
     NegativeMass,
-    /// The recursion finds the contact massless: a sum is taken for zero against terms that may be large.
+    /// The recursion finds the contact massless. A sum of possibly large terms was classified as zero.
     Massless,
-    /// The recursion's answer may be off by more than 1e-11 by rounding.
+    /// The rounding error of the recursion may exceed 1e-11.
     Error {
-        /// What its rounding may amount to, relative to m̄.
+        /// Estimated rounding error, relative to m̄.
         relative: f64,
     },
 }
 
-/// Why a route does not take a mechanism.
+/// Reason for a route to refuse a mechanism.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RouteError {
-    /// Some motion has a negative mass.
+    /// A motion has a negative mass.
     #[error(
         "the articulated route meets a motion of negative mass (accepted indefinite inertias); the dense route takes it"
     )]
     Indefinite,
-    /// The dense route has a limit.
+    /// The mechanism has more coordinates than the dense route accepts.
     #[error("the dense route takes up to {limit} coordinates; this mechanism has {coordinates}")]
     TooLarge {
-        /// How many there are.
+        /// Number of coordinates.
         coordinates: usize,
-        /// How many it takes.
+        /// Largest accepted number.
         limit: usize,
     },
-    /// Bodies bound together by loops have so many freedoms that their matrices would not fit into memory.
+    /// The bodies of a cluster (bound by loops) have so many degrees of freedom that the cluster matrices exceed the
+    /// memory limit.
     #[error(
         "the bodies bound together by {} have {freedoms} freedoms over {coordinates} coordinates: the recursion's matrices \
          would take {:.0} MB and {work:.0e} multiplications in all, of at most {:.0} MB and {most_work:.0e}; lock joints \
@@ -87,31 +89,31 @@ pub enum RouteError {
         quoted(loops), bytes / 1e6, most_bytes / 1e6
     )]
     ClusterTooLarge {
-        /// The loops, couplings and held contacts of the largest cluster of bodies; none where mimics bind it.
+        /// Loops, couplings and held contacts of the largest cluster of bodies; empty if mimics bind the cluster.
         loops: Vec<String>,
-        /// How many coordinates it has.
+        /// Number of coordinates of the cluster.
         coordinates: usize,
-        /// How many of them are independent.
+        /// Number of independent coordinates of the cluster.
         freedoms: usize,
-        /// What the matrices of all clusters would take, bytes.
+        /// Memory needed for the matrices of all clusters, bytes.
         bytes: f64,
-        /// What they may take, bytes.
+        /// Memory limit, bytes.
         most_bytes: f64,
-        /// Multiplications that they would take.
+        /// Number of multiplications needed.
         work: f64,
-        /// Multiplications that they may take.
+        /// Largest accepted number of multiplications.
         most_work: f64,
     },
-    /// Accepted indefinite inertias leave no positive mass at the contact.
+    /// Accepted indefinite inertias give no positive mass at the contact.
     #[error(
         "the mass matrix is indefinite and the contact's effective mass comes out as {value} kg: \
          inertias with negative moments have no meaning here"
     )]
     IndefiniteMass {
-        /// The stationary value, kg.
+        /// The stationary value of the energy, kg.
         value: f64,
     },
-    /// Forward dynamics go along open chains.
+    /// Forward dynamics supports open chains only.
     #[error("accelerations are found for open chains; here {what} bind the joints")]
     Bound {
         /// `loops`, `held contacts` or `mimics`.
@@ -123,55 +125,55 @@ pub enum RouteError {
         /// Smallest pivot relative to the size of its terms.
         least_pivot: f64,
     },
-    /// Velocities that are not the mechanism's.
+    /// The velocities do not fit the mechanism.
     #[error(transparent)]
     Velocities(#[from] VelocityError),
-    /// A handle of another mechanism.
+    /// A link handle of another mechanism.
     #[error(
         "link number {index} is not of this mechanism, which has {links} links; ask it for the link by name"
     )]
     ForeignLink {
-        /// The handle's number.
+        /// Index of the handle.
         index: usize,
-        /// How many links this mechanism has.
+        /// Number of links of this mechanism.
         links: usize,
     },
-    /// Accelerations of another mechanism.
+    /// The accelerations belong to another mechanism.
     #[error(
         "the accelerations are of {got} bodies, this mechanism has {expected}; ask a pose of its own for them"
     )]
     ForeignAccelerations {
-        /// Of how many bodies they are.
+        /// Number of bodies of the accelerations.
         got: usize,
-        /// How many this mechanism has.
+        /// Number of bodies of this mechanism.
         expected: usize,
     },
-    /// Φ, or 1/m̄, is not defined where a motion without mass answers a wrench.
+    /// Φ or 1/m̄ is infinite: a motion without mass responds to a wrench.
     #[error("a motion without mass answers a wrench on this link: J M⁻¹ Jᵀ is infinite")]
     MasslessMotion,
 }
 
-/// Why a contact has no answer.
+/// Error of a contact query.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ResponseError {
-    /// The contact means nothing.
+    /// The contact is invalid.
     #[error(transparent)]
     Contact(#[from] ContactError),
-    /// The route does not take the mechanism.
+    /// The route refuses the mechanism.
     #[error(transparent)]
     Route(#[from] RouteError),
-    /// A workspace stands at a position that is no number.
+    /// A position in a workspace is not a valid number.
     #[error(
         "position {index} (from 0, of all joints in joint order) is {value:e}; expected a finite number of at most 1e100"
     )]
     NotFinite {
-        /// Its number.
+        /// Index of the position.
         index: usize,
-        /// NaN, infinite or too large.
+        /// The value: NaN, infinite or too large.
         value: f64,
     },
-    /// A workspace is given a quaternion that is not of unit length.
+    /// A quaternion in a workspace is not of unit length.
     #[error(
         "joint \"{joint}\": the quaternion w,x,y,z has norm {norm}; expected a unit quaternion, 1 ± {QUATERNION_TOLERANCE}: \
          divide it by its norm"
@@ -179,108 +181,109 @@ pub enum ResponseError {
     Quaternion {
         /// The joint.
         joint: String,
-        /// The norm of the quaternion.
+        /// Norm of the quaternion.
         norm: f64,
     },
-    /// A workspace is given positions at which loops are open.
+    /// Loops are open at the positions in a workspace.
     #[error(
         "{} is open by {gap:.3e} m at these positions; expected closed loops, to {tolerance:.1e} m: give the positions of a \
          pose of this assembly, or the driving joints to a pose, which closes the loops",
         quoted(loops)
     )]
     OpenLoops {
-        /// The loops and couplings of the group, the worst first.
+        /// Loops and couplings of the group, the largest residual first.
         loops: Vec<String>,
-        /// The largest residual, m.
+        /// Largest residual, m.
         gap: f64,
-        /// What is accepted, m.
+        /// Largest accepted residual, m.
         tolerance: f64,
     },
 }
 
-/// Something about an answer that its reader should know.
+/// Finding about a result.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Remark {
-    /// The gap hardly closes: the answer is large and uncertain.
+    /// The gap almost cannot close: m̄ is large and uncertain.
     NearlyImmovable {
         /// Closing speed relative to the size of its terms.
         closing_speed: f64,
-        /// Relative uncertainty of m̄ that follows.
+        /// Resulting relative uncertainty of m̄.
         uncertainty: f64,
     },
-    /// Some motions have no mass. They do not matter for a finite m̄.
+    /// Some motions have no mass. A finite m̄ does not depend on these motions.
     MasslessMotions {
-        /// How many.
+        /// Number of massless directions.
         directions: usize,
     },
-    /// The contact is massless to rounding only: masses that were left out in sums of larger ones may be there.
+    /// The contact is massless only within rounding. Masses lost in sums with larger masses may be present.
     MasslessToRounding {
-        /// What m̄ may be, kg.
+        /// Upper limit of m̄, kg.
         up_to: f64,
     },
-    /// A motion without mass leaves v* open; m̄ and the contributions are not.
+    /// v* is not unique because a motion has no mass; m̄ and the contributions are unique.
     UndeterminedMotion,
-    /// The pose is so near to where branches cross that the rank of its constraints is unclear.
+    /// The rank of the constraints is unclear, because the pose is close to a crossing of branches.
     UnclearRank {
-        /// Between the singular values that count and those that do not.
+        /// Ratio of the smallest nonzero singular value to the largest zero one.
         gap: f64,
     },
-    /// M has negative directions (accepted indefinite inertias): m̄ is a stationary value, no minimum.
+    /// M has negative directions (accepted indefinite inertias). m̄ is a stationary value, not a minimum.
     IndefiniteMassMatrix,
-    /// The pose is on another assembly mode than that of the first closed pose, as the configuration accepts.
+    /// The pose is in another assembly mode than the first closed pose; the configuration accepts other modes.
     OtherAssembly {
-        /// From how many seeded starts it was found.
+        /// Number of seeded starts until the pose was found.
         starts: usize,
     },
-    /// A loop is open as drawn by more than a hundredth of its size: a point may be mistyped. The widest;
-    /// [`Assembly::drawn_gaps`](crate::Assembly::drawn_gaps) has all.
+    /// A loop as drawn is open by more than a hundredth of its size; a point may be mistyped. The remark gives the
+    /// widest gap; [`Assembly::drawn_gaps`](crate::Assembly::drawn_gaps) lists all gaps.
     DrawnOpen {
-        /// How far it is open, m.
+        /// Gap of the loop, m.
         gap: f64,
-        /// The size of its group of loops, m.
+        /// Size of its group of loops, m.
         size: f64,
     },
-    /// The loops contradict one another by rounding: closed in least squares.
+    /// The loops contradict one another by rounding and are closed in the least-squares sense.
     InexactLoops {
-        /// How far they are from fitting, m.
+        /// Remaining misfit of the loops, m.
         inexactness: f64,
     },
-    /// A driving joint was not set, and 0 is out of reach.
+    /// A driving joint was not set, and its position 0 cannot be reached.
     DriverOffZero {
         /// The joint.
         joint: JointId,
-        /// Its position, rad or m.
+        /// Position of the joint, rad or m.
         value: f64,
     },
-    /// A joint was set to more numbers than its loops leave degrees of freedom.
+    /// A joint was set to more values than its loops leave degrees of freedom.
     OffTarget {
         /// The joint.
         joint: JointId,
-        /// How far it is from there, rad or m.
+        /// Distance from the given position, rad or m.
         distance: f64,
     },
     /// A joint is outside its limits.
     OutsideLimits {
         /// The joint.
         joint: JointId,
-        /// Its position, rad or m.
+        /// Position of the joint, rad or m.
         value: f64,
     },
-    /// A little off in the figures of a file, and the loops leave one motion more.
+    /// The mechanism is weakly constrained: a small error in the figures of a file can free one more motion.
     WeaklyConstrained {
-        /// The least singular value of A that counts at a generic pose, as a part of the largest.
+        /// Smallest nonzero singular value of A at a generic pose, relative to the largest.
         least: f64,
     },
-    /// The generic rank of the constraints is unclear: the mobility may be another.
+    /// The generic rank of the constraints is unclear; the mobility may differ.
     UnclearMobility {
-        /// Between the singular values that count and those that do not.
+        /// Ratio of the smallest nonzero singular value to the largest zero one.
         gap: f64,
     },
-    /// The normal is given in the world and the base floats, but the pose of the base was not given: it is taken at the
-    /// world's origin.
+    /// The normal is given in the world and the base floats, but no base pose was given. The root link is taken to be
+    /// at the world's origin.
     BaseNotGiven,
 }
 
+/// Up to six names in quotation marks, for messages.
 fn quoted(names: &[String]) -> String {
     if names.is_empty() {
         return "mimics".into();

@@ -1,4 +1,4 @@
-//! What the contact response does elsewhere: the velocity of any point at unit closing speed.
+//! Velocity of any point of the mechanism at unit closing speed of a contact.
 
 use crate::input::foreign_link;
 use crate::outcome::{EffectiveMass, Remark};
@@ -9,19 +9,19 @@ use nalgebra::Vector3;
 use percuss_mechanism::LinkId;
 use percuss_spatial::Wrench;
 
-/// The velocity of a point while the gap closes at unit speed.
+/// Velocity of a point at unit closing speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PointVelocity {
-    /// Root link's axes, relative to the contact's other side, per unit closing speed.
+    /// Velocity in root axes, relative to the other side of the contact, per unit closing speed.
     Known(Vector3<f64>),
-    /// A motion without mass leaves it open.
+    /// Not determined, because of a motion without mass.
     Undetermined,
 }
 
 impl Pose {
-    /// Velocity of a point (m, link's frame) of a link in the response, relative to the contact's other side, in the root
-    /// link's axes: its length is the motion ratio |v_A|/v_n. None where the response has no motion, and for a link of
-    /// another mechanism.
+    /// Velocity of a point (m, link frame) of a link in the response, relative to the other side of the contact, in
+    /// root axes. Its length is the motion ratio |v_A|/v_n. `None` if m̄ of the response is not finite, and for a
+    /// link of another mechanism.
     pub fn point_velocity(
         &self,
         response: &ContactResponse,
@@ -31,7 +31,7 @@ impl Pose {
         self.velocity_against(response, link, point, response.contact.against)
     }
 
-    /// The same relative to the ground, whatever the other side is.
+    /// Like [`point_velocity`](Self::point_velocity), relative to the ground.
     pub fn point_velocity_over_ground(
         &self,
         response: &ContactResponse,
@@ -41,6 +41,7 @@ impl Pose {
         self.velocity_against(response, link, point, None)
     }
 
+    /// Velocity of a point in the response, relative to a link or to the ground.
     fn velocity_against(
         &self,
         response: &ContactResponse,
@@ -68,11 +69,11 @@ impl Pose {
         Some(PointVelocity::Known(velocity(&self.tree_velocities(response))))
     }
 
-    /// Whether a motion without mass moves a point (root frame) of a link against a body: whether it answers a test force
-    /// there.
+    /// True if a motion without mass moves a point (root frame) of a link relative to a body: a test force at the
+    /// point has a massless response.
     fn is_open(&self, link: LinkId, against: Option<usize>, at: &Vector3<f64>) -> bool {
         let model = self.assembly.model();
-        // An answer of another pose may come here: nothing is known.
+        // The response may belong to another pose; then nothing is known.
         if model.refuse_large_clusters::<f64>(&self.groups).is_err() {
             return true;
         }
@@ -88,7 +89,7 @@ impl Pose {
         deciding.massless.contains(&true)
     }
 
-    /// v* over the velocities of the tree.
+    /// v* over the tree velocities.
     fn tree_velocities(&self, response: &ContactResponse) -> Vec<f64> {
         let mut tree = vec![0.0; self.assembly.model().follows.len()];
         for body in self.assembly.model().bodies.iter().filter(|b| !b.v.is_empty()) {

@@ -14,33 +14,33 @@ use percuss_mechanism::{JointId, Limits, LinkId, Mechanism};
 use percuss_spatial::Transform;
 use std::sync::{Arc, OnceLock};
 
-/// Every position and every frame at one configuration, with the assembly it belongs to. There is no setter, so its
-/// frames always fit its positions.
+/// All positions and frames at one configuration, with the assembly. A pose has no setters, so frames and positions
+/// are always consistent.
 #[derive(Clone, Debug)]
 pub struct Pose {
     pub(crate) assembly: Arc<Assembly>,
     pub(crate) kinematics: Kinematics<f64>,
     pub(crate) base: Transform<f64>,
-    /// Whether the pose of the root link in the world was given; else it is the world's origin.
+    /// True if the pose of the root link in the world was given; otherwise the root link is at the world's origin.
     pub(crate) base_is_given: bool,
     pub(crate) loops: Option<LoopState>,
-    /// What is decided about each group of the model here: its rank, and which coordinates depend.
+    /// Rank and dependent coordinates of each group of the model at this pose.
     pub(crate) groups: Vec<GroupMobility>,
-    /// What lies around it in the groups of loops that have less than their generic rank here; found when first asked for,
-    /// a function of the rest.
+    /// Surroundings of the pose in the groups of loops with less than their generic rank here. Computed on first use
+    /// from the other fields.
     crossings: OnceLock<Vec<(usize, Surroundings)>>,
 }
 
-/// The rank of the constraints at a pose.
+/// Rank of the constraints at a pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PoseRank {
-    /// How many rows of A are independent.
+    /// Number of independent rows of A.
     pub rank: usize,
-    /// Least gap, of any group, between singular values that count and those that do not; none without constraints.
+    /// Smallest gap (ratio), over all groups, between nonzero and zero singular values; `None` without constraints.
     pub gap: Option<f64>,
-    /// Whether no singular value is within a factor of 30 of the threshold.
+    /// True if no singular value is within a factor of 30 of the threshold.
     pub clear: bool,
-    /// Whether the rank is less than at a generic pose: branches cross here.
+    /// True if the rank is less than at a generic pose: branches cross here.
     pub singular: bool,
 }
 
@@ -55,7 +55,8 @@ impl Pose {
         Self { assembly, kinematics, base, base_is_given: false, loops, groups, crossings: OnceLock::new() }
     }
 
-    /// What is decided about the groups here, carried on to frames so near that it holds there too; elsewhere decided anew.
+    /// Decisions about the groups at frames near this pose. Ranks are kept for groups that moved very little, and
+    /// decided anew for the others.
     pub(crate) fn groups_beside(&self, kinematics: &Kinematics<f64>) -> Vec<GroupMobility> {
         let (model, mut groups) = (self.assembly.model(), self.groups.clone());
         let (here, there) = (&self.kinematics.q, &kinematics.q);
@@ -73,8 +74,9 @@ impl Pose {
         groups
     }
 
-    /// Findings about the pose and its assembly; they are among the [`remarks`](crate::ContactResponse::remarks) of every
-    /// response, and hold for maps, workspaces and batches from here.
+    /// Findings about the pose and its assembly. These findings are part of the
+    /// [`remarks`](crate::ContactResponse::remarks) of every response, and also apply to maps, workspaces and batches
+    /// made from this pose.
     pub fn remarks(&self) -> Vec<Remark> {
         let mut remarks = self.assembly.remarks().to_vec();
         if let Some(loops) = self.loops() {
@@ -88,44 +90,44 @@ impl Pose {
         remarks
     }
 
-    /// The assembly it belongs to.
+    /// The assembly of the pose.
     pub fn assembly(&self) -> &Arc<Assembly> {
         &self.assembly
     }
 
-    /// The mechanism.
+    /// The mechanism of the pose.
     pub fn mechanism(&self) -> &Arc<Mechanism> {
         &self.assembly.model().mechanism
     }
 
-    /// What the pose of a mechanism with loops rests on; none for a tree.
+    /// Assembly state of the loops; `None` for a tree.
     pub fn loops(&self) -> Option<&LoopState> {
         self.loops.as_ref()
     }
 
-    /// X_wr: the root link in the world.
+    /// X_wr: pose of the root link in the world.
     pub fn base(&self) -> &Transform<f64> {
         &self.base
     }
 
-    /// The position of a joint (layouts of [`JointKind`](percuss_mechanism::JointKind)), mimics included.
+    /// Position of a joint (layouts of [`JointKind`](percuss_mechanism::JointKind)), also of a mimic.
     ///
     /// # Panics
-    /// A joint of another mechanism: [`Mechanism::has_joint`] is false.
+    /// If the joint belongs to another mechanism: [`Mechanism::has_joint`] is false.
     pub fn joint(&self, joint: JointId) -> &[f64] {
         assert!(self.mechanism().has_joint(joint), "joint number {} is of another mechanism", joint.index());
         &self.kinematics.q[self.assembly.model().joint_q[joint.index()].clone()]
     }
 
-    /// All positions one after another, in joint order.
+    /// Positions of all joints one after another, in joint order.
     pub fn positions(&self) -> &[f64] {
         &self.kinematics.q
     }
 
-    /// X_wl: a link in the world.
+    /// X_wl: pose of a link in the world.
     ///
     /// # Panics
-    /// A link of another mechanism: [`Mechanism::has_link`] is false.
+    /// If the link belongs to another mechanism: [`Mechanism::has_link`] is false.
     pub fn link(&self, link: LinkId) -> Transform<f64> {
         self.refuse_foreign(link);
         self.base * self.kinematics.link_frame(self.assembly.model(), link)
@@ -135,7 +137,7 @@ impl Pose {
         assert!(self.mechanism().has_link(link), "link number {} is of another mechanism", link.index());
     }
 
-    /// Joints that stand outside their limits.
+    /// Joints outside their limits, with position and limits.
     pub fn outside_limits(&self) -> impl Iterator<Item = (JointId, f64, Limits)> + '_ {
         let mechanism = self.mechanism();
         mechanism.joint_ids().filter_map(|id| {
@@ -145,19 +147,19 @@ impl Pose {
         })
     }
 
-    /// Whether a position (rad or m) is outside limits, as poses count it.
+    /// True if a position (rad or m) is outside the limits, with the slack used by poses.
     pub fn is_outside(value: f64, limits: Limits) -> bool {
-        // A limit typed with nine digits is no violation.
+        // A limit typed with nine digits causes no violation.
         let slack = 1e-9 * (1.0 + value.abs());
         value < limits.lower - slack || value > limits.upper + slack
     }
 
-    /// Degrees of freedom here: more than the generic number at a change point.
+    /// Degrees of freedom at this pose: more than the generic number at a change point.
     pub fn degrees_of_freedom(&self) -> usize {
         self.assembly.model().coordinates.len() - self.rank().rank
     }
 
-    /// The rank of the constraints here.
+    /// Rank of the constraints at this pose.
     pub fn rank(&self) -> PoseRank {
         let rank = self.groups.iter().map(|g| g.rank.rank).sum();
         let gap = self.groups.iter().map(|g| g.rank.gap).min_by(f64::total_cmp);
@@ -166,15 +168,16 @@ impl Pose {
         PoseRank { rank, gap, clear, singular }
     }
 
-    /// Whether branches cross here, where the rank is less than the generic one. They do not where the pose has as many
-    /// motions as the poses beside it: on a branch with more freedoms than the one where the generic rank was taken.
+    /// True if branches cross at this pose, for a rank below the generic rank. Branches do not cross if the pose has
+    /// as many free motions as its neighbours. The pose is then on a branch with more freedoms than the branch of the
+    /// generic rank.
     fn is_crossing(&self) -> bool {
         let crossings = self.crossings();
-        // What is held or locked may constrain less where the loops do not.
+        // Held contacts and locks may lose rank at a pose at which the loops keep theirs.
         crossings.is_empty() || crossings.iter().any(|(_, around)| !around.regular)
     }
 
-    /// What lies around the pose in the groups of loops that have less than their generic rank here.
+    /// Surroundings of the pose in the groups of loops with less than their generic rank here.
     pub(crate) fn crossings(&self) -> &[(usize, Surroundings)] {
         self.crossings.get_or_init(|| {
             let all = 0..self.assembly.posing().groups.len();
@@ -185,37 +188,40 @@ impl Pose {
 
     /// Joint-space mass matrix M over the coordinates, n×n, symmetric, positive semi-definite (kg, kg·m, kg·m²).
     ///
-    /// Armatures included; joints that mimic are folded into their masters, GᵀMG. Composite rigid body algorithm,
+    /// Armatures are included. Mimics are folded into their masters, GᵀMG. Algorithm: composite rigid body,
     /// Featherstone 2008 §6.2. Cost: O(n · depth).
     pub fn mass_matrix(&self) -> DMatrix<f64> {
         self.assembly.model().mass_matrix(&self.kinematics)
     }
 
-    /// A, the Jacobian of all constraints over the coordinates: groups one after another, in the order of
-    /// [`Assembly::groups`]; each group's rows (m/s at unit rates) divided by its largest entry over scaled coordinates.
+    /// A, the Jacobian of all constraints over the coordinates. Groups follow one another in the order of
+    /// [`Assembly::groups`]. The rows of each group (m/s at unit rates) are divided by the group's largest entry over
+    /// scaled coordinates.
     pub fn constraint_matrix(&self) -> DMatrix<f64> {
         self.assembly.model().constraint_matrix(&self.kinematics)
     }
 
-    /// Condition λ_max/λ_min of M scaled to unit diagonal; none where M is singular or has more than 300 coordinates.
+    /// Condition number λ_max/λ_min of M scaled to unit diagonal; `None` if M is singular or has more than 300
+    /// coordinates.
     pub fn condition(&self) -> Option<f64> {
-        // M is formed over the tree's velocities, mimics folded afterwards.
+        // M is formed over the tree velocities; mimics are folded afterwards.
         let small = self.assembly.model().follows.len() <= CONDITION_LIMIT;
         small.then(|| condition_of(&self.mass_matrix())).flatten()
     }
 
-    /// Finds the point and the normal of a contact.
+    /// Computes the point and the normal of a contact.
     ///
     /// # Errors
-    /// [`ContactError`]: not finite, no direction, a link against itself, a link of another mechanism.
+    /// [`ContactError`]: a number that is not finite, no direction, a link against itself, a link of another
+    /// mechanism.
     pub fn locate(&self, contact: &Contact) -> Result<LocatedContact, ContactError> {
         self.assembly.model().locate(&self.kinematics, &self.base, contact)
     }
 
-    /// A point (m) given in a frame, in the coordinates of `link`.
+    /// Converts a point (m) given in `frame` to the coordinates of `link`.
     ///
     /// # Panics
-    /// A link of another mechanism.
+    /// If a link belongs to another mechanism.
     pub fn point_in_link(
         &self,
         link: LinkId,
@@ -237,8 +243,8 @@ impl Pose {
         }
     }
 
-    /// The contact row j = n̂ᵀ(J_on − J_against) over the coordinates: the closing speed of the gap at unit rates,
-    /// 1×n (m for turns, 1 for slides). Joints that carry both sides cancel and are left out.
+    /// Contact row j = n̂ᵀ(J_on − J_against) over the coordinates: closing speed of the gap at unit rates, 1×n (m for
+    /// rotations, 1 for translations). Joints that move both sides equally are left out.
     pub fn contact_row(&self, contact: &LocatedContact) -> Vec<f64> {
         let model = self.assembly.model();
         let mut values = vec![0.0; model.follows.len()];
@@ -248,11 +254,11 @@ impl Pose {
         model.reduce_vector(&values, |multiplier| multiplier)
     }
 
-    /// Jacobian of a point of a link, 3×n over the coordinates: v_P = J u, in the root link's axes, relative to
-    /// the ground (m for turns, 1 for slides).
+    /// Jacobian of a point of a link over the coordinates, 3×n: v_P = J u, in root axes, relative to the ground (m
+    /// for rotations, 1 for translations).
     ///
     /// # Panics
-    /// A link of another mechanism.
+    /// If the link belongs to another mechanism.
     pub fn point_jacobian(&self, link: LinkId, point: &Vector3<f64>) -> DMatrix<f64> {
         self.refuse_foreign(link);
         self.assembly.model().point_jacobian(&self.kinematics, link, point)

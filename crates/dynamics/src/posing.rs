@@ -1,4 +1,4 @@
-//! From an assembly to its poses.
+//! Poses of an assembly.
 
 use crate::assembling::{AssemblyError, Closer, LoopState, Start};
 use crate::assembly::Assembly;
@@ -10,18 +10,19 @@ use percuss_spatial::Transform;
 use std::sync::Arc;
 
 impl Assembly {
-    /// The pose at a configuration: joints that were set drive, the others of the loops depend on them. The branch is that
-    /// of the first closed pose, or of the configuration's guesses.
+    /// Pose at a configuration. Joints that were set drive; the other joints of the loops depend on them. The branch
+    /// is that of the first closed pose, or that of the configuration's guesses.
     ///
     /// # Errors
-    /// [`AssemblyError`]: drivers that cannot get there, or on another assembly mode only, which the configuration does not
-    /// accept; a dependent joint that was set; a configuration of another mechanism; a base that is no rigid frame.
+    /// [`AssemblyError`]: drivers that cannot reach their positions, or reach them only in another assembly mode that
+    /// the configuration does not accept; a dependent joint that was set; a configuration of another mechanism; a
+    /// base that is not a rigid frame.
     pub fn pose(self: &Arc<Self>, configuration: &Configuration) -> Result<Pose, AssemblyError> {
         self.pose_along(configuration, None)
     }
 
-    /// The pose at a configuration on the branch of another pose of the same assembly, followed from there: through
-    /// crossings of branches too.
+    /// Pose at a configuration on the branch of another pose of the same assembly. The branch is followed from that
+    /// pose, also through crossings of branches.
     ///
     /// # Errors
     /// [`AssemblyError`], as for [`pose`](Self::pose); a pose of another assembly.
@@ -36,6 +37,7 @@ impl Assembly {
         self.pose_along(configuration, Some(from))
     }
 
+    /// Pose at a configuration, on the branch of `from` if given.
     fn pose_along(
         self: &Arc<Self>,
         configuration: &Configuration,
@@ -63,7 +65,7 @@ impl Assembly {
             let mut closer = Closer { model, facts, configuration, start, kinematics, state };
             for number in 0..model.groups.len() {
                 if number > 0 {
-                    // The groups before may carry it.
+                    // Previous groups may contain ancestors of this group.
                     model.refill_group(&mut closer.kinematics, &model.groups[number]);
                 }
                 closer.close(number)?;
@@ -79,7 +81,7 @@ impl Assembly {
         Ok(pose)
     }
 
-    /// The pose at some frames, reached from another pose.
+    /// Pose at given frames, reached from another pose.
     pub(crate) fn pose_at(
         self: &Arc<Self>,
         kinematics: Kinematics<f64>,
@@ -92,8 +94,8 @@ impl Assembly {
         pose
     }
 
-    /// The frames of a pose moved by what its residuals leave open; none for a tree, or where that
-    /// is not found.
+    /// Frames of a pose moved by its closing uncertainty, in the direction of `sign`. `None` for a tree, or if the
+    /// uncertainty cannot be found.
     pub(crate) fn doubtful_pose(&self, pose: &Pose, sign: f64) -> Option<Kinematics<f64>> {
         let model = self.posing();
         let state = pose.loops.as_ref()?;

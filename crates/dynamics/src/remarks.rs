@@ -1,15 +1,15 @@
-//! Findings about an answer, as data: what a reader must know before a number is used.
+//! Findings about a result, as flags and as text.
 
 use crate::outcome::{Remark, ResponseError};
 use std::fmt;
 use std::ops::{BitOr, BitOrAssign};
 
-/// Kinds of findings about an answer, one bit each. The bits are those of `PERCUSS_REMARK_…` of the C interface.
+/// Kinds of findings about a result, one bit each. The bits equal those of `PERCUSS_REMARK_…` in the C interface.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct RemarkFlags(u32);
 
 impl RemarkFlags {
-    /// Nothing.
+    /// No finding.
     pub const NONE: Self = Self(0);
     /// [`Remark::NearlyImmovable`].
     pub const NEARLY_IMMOVABLE: Self = Self(1);
@@ -43,26 +43,27 @@ impl RemarkFlags {
     pub const UNCLEAR_MOBILITY: Self = Self(1 << 14);
     /// [`Remark::BaseNotGiven`].
     pub const BASE_NOT_GIVEN: Self = Self(1 << 15);
-    /// A row without an answer: a position is not finite.
+    /// No result: a position is not finite.
     pub const NOT_FINITE: Self = Self(1 << 16);
-    /// A row without an answer: a quaternion is not of unit length.
+    /// No result: a quaternion is not of unit length.
     pub const NOT_UNIT_QUATERNION: Self = Self(1 << 17);
-    /// A row without an answer: its loops are open.
+    /// No result: the loops are open.
     pub const OPEN_LOOPS: Self = Self(1 << 18);
-    /// A row without an answer for another reason, which a workspace states.
+    /// No result for another reason; [`Workspace::effective_mass`](crate::Workspace::effective_mass) returns the
+    /// error.
     pub const NO_ANSWER: Self = Self(1 << 19);
 
-    /// The bits.
+    /// The flags as bits.
     pub const fn bits(self) -> u32 {
         self.0
     }
 
-    /// True if nothing was found.
+    /// True without findings.
     pub const fn is_empty(self) -> bool {
         self.0 == 0
     }
 
-    /// True if all of `other` are among these.
+    /// True if all flags of `other` are set.
     pub const fn contains(self, other: Self) -> bool {
         self.0 & other.0 == other.0
     }
@@ -105,7 +106,7 @@ impl From<&Remark> for RemarkFlags {
 }
 
 impl From<&ResponseError> for RemarkFlags {
-    /// Why a row has no answer.
+    /// Flag for the reason of a missing result.
     fn from(error: &ResponseError) -> Self {
         match error {
             ResponseError::NotFinite { .. } => Self::NOT_FINITE,
@@ -123,7 +124,7 @@ impl<'a> FromIterator<&'a Remark> for RemarkFlags {
 }
 
 impl fmt::Display for Remark {
-    /// One clause; joints by their number.
+    /// Writes one clause; joints are identified by their index.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NearlyImmovable { uncertainty, .. } => {

@@ -1,4 +1,4 @@
-//! The contact response: effective mass, the motion at unit closing speed, and the contribution of each link.
+//! Contact response: effective mass, motion at unit closing speed, and contribution of each link.
 
 use crate::assembly::Assembly;
 use crate::careful::Minimum;
@@ -15,74 +15,74 @@ use nalgebra::Vector3;
 use percuss_mechanism::{JointId, LinkId};
 use percuss_spatial::Twist;
 
-/// The answer to a contact at a pose.
+/// Result for a contact at a pose.
 #[derive(Clone, Debug)]
 pub struct ContactResponse {
-    /// m̄, or why it is not finite.
+    /// m̄, or the reason for m̄ not being finite.
     pub effective_mass: EffectiveMass,
-    /// How it was computed.
+    /// Route that computed m̄.
     pub route: Route,
-    /// Why the careful route was asked beside the recursion; none where it was not, or a route was asked for. The answer
-    /// is the recursion's all the same where the careful route had none better.
+    /// Reason for running the dense route in addition to the recursion; `None` if only one route ran. The result is
+    /// still the recursion's unless the dense route is more accurate.
     pub careful_reason: Option<CarefulReason>,
-    /// Whether the recursion's m̄ was held to the stationary value of its energy, where its pivots add up too much.
+    /// True if m̄ is the stationary value of the energy, used if the sum over the pivots loses too much accuracy.
     pub held_to_energy: bool,
-    /// What m̄ may be off by, kg; none unless finite.
+    /// Error budget of m̄, kg; `None` unless m̄ is finite.
     pub error: Option<ErrorBudget>,
-    /// dim ker A at the pose; a floating base's 6 included.
+    /// dim ker A at the pose, including the 6 of a floating base.
     pub degrees_of_freedom: usize,
-    /// Whether the constraints have less than their generic rank here: branches cross, and m̄ is a lower bound that no
-    /// branch attains.
+    /// True if the constraints have less than their generic rank here: branches cross, and m̄ is a lower bound not
+    /// attained on any branch.
     pub singular_pose: bool,
-    /// What the reader should know.
+    /// Findings about the result.
     pub remarks: Vec<Remark>,
     /// The contact at the pose.
     pub contact: LocatedContact,
-    /// v*: every joint's velocities at unit closing speed, in joint order (layouts of `JointKind`).
+    /// v*: velocities of every joint at unit closing speed, in joint order (layouts of `JointKind`).
     pub joint_velocities: Vec<Vec<f64>>,
-    /// v* of the root link in its own axes at its origin; zero where it is the ground.
+    /// v* of the root link, in root axes at the root origin; zero if the root link is the ground.
     pub base_velocity: Twist<f64>,
-    /// Contribution of each link; together with the rotors' and the other mass's, 1. None unless finite.
+    /// Contribution of each link. Links, rotors and the other mass sum to 1. `None` unless m̄ is finite.
     pub contributions: Option<Contributions>,
 }
 
-/// Contributions to the effective mass: parts of twice the kinetic energy at unit closing speed, divided by m̄.
+/// Contributions to the effective mass: shares of twice the kinetic energy at unit closing speed, divided by m̄.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contributions {
-    /// One for each link, in link order.
+    /// Contribution of each link, in link order.
     pub links: Vec<f64>,
-    /// Armatures, where a joint has any.
+    /// Contributions of the armatures, for joints with an armature.
     pub rotors: Vec<(JointId, f64)>,
-    /// The other body, where it was given as a number.
+    /// Contribution of the other body, if the body was given as a mass.
     pub other_mass: Option<f64>,
 }
 
 impl ContactResponse {
-    /// Whether the mechanism itself gives way: v* is not zero.
+    /// True if the mechanism itself moves: v* is not zero.
     pub fn gives_way(&self) -> bool {
         self.joint_velocities.iter().flatten().any(|v| *v != 0.0)
             || self.base_velocity.linear.norm() > 0.0
             || self.base_velocity.angular.norm() > 0.0
     }
 
-    /// The kinds of [`remarks`](Self::remarks), with [`RemarkFlags::SINGULAR_POSE`] where the pose is singular.
+    /// Kinds of the [`remarks`](Self::remarks), with [`RemarkFlags::SINGULAR_POSE`] if the pose is singular.
     pub fn remark_flags(&self) -> RemarkFlags {
         let singular = if self.singular_pose { RemarkFlags::SINGULAR_POSE } else { RemarkFlags::NONE };
         self.remarks.iter().collect::<RemarkFlags>() | singular
     }
 
-    /// What m̄ may be off by as far as that is known, kg: [`ErrorBudget::known`]. What a file's figures are off by is in it
-    /// only where redundant rows show it.
+    /// Known error of m̄, kg: [`ErrorBudget::known`]. Errors in the figures of a file are included only if redundant
+    /// rows reveal them.
     pub fn effective_mass_error(&self) -> Option<f64> {
         self.error.and_then(|error| error.known())
     }
 
-    /// The same where the other side is a free mass (kg) of its own: 1/m̄ = 1/m̄₁ + 1/m₂.
+    /// Response against a free body of mass `other` (kg) on the other side: 1/m̄ = 1/m̄₁ + 1/m₂.
     ///
-    /// An immovable mechanism leaves m̄ = m₂; a massless one stays massless.
+    /// An immovable mechanism gives m̄ = m₂; a massless mechanism stays massless.
     ///
     /// # Errors
-    /// [`ContactError::OtherMass`]: not finite, or not above 1e-100 kg.
+    /// [`ContactError::OtherMass`]: `other` is not finite, or not above 1e-100 kg.
     pub fn against_mass(mut self, other: f64) -> Result<Self, ContactError> {
         if !(other.is_finite() && other > LEAST_OTHER_MASS) {
             return Err(ContactError::OtherMass { mass: other, least: LEAST_OTHER_MASS });
@@ -94,7 +94,7 @@ impl ContactResponse {
             _ => return Ok(self),
         };
         self.effective_mass = together;
-        // dm̄ = (m̄/m̄₁)² dm̄₁; the other mass is taken as exact, but for one rounding.
+        // dm̄ = (m̄/m̄₁)² dm̄₁. The other mass is taken as exact, apart from one rounding.
         let rounding = ErrorBudget { rounding: Some(0.0), closing: Some(0.0), file: None };
         let own = self.error.unwrap_or(rounding).scaled(factor * factor);
         self.error = Some(ErrorBudget { rounding: own.rounding.map(|r| r + 4.0 * f64::EPSILON * m), ..own });
@@ -111,9 +111,9 @@ impl ContactResponse {
 }
 
 impl Pose {
-    /// Effective mass of a contact along its normal, in kilograms, with all that goes with it.
+    /// Effective mass of a contact along its normal, in kilograms, with motion, contributions and errors.
     ///
-    /// m̄ = min { vᵀMv : Av = 0, jv = 1 }; 1/(j M⁻¹ jᵀ) where M is regular and nothing closes a loop.
+    /// m̄ = min { vᵀMv : Av = 0, jv = 1 }; 1/(j M⁻¹ jᵀ) if M is regular and the mechanism has no loops.
     ///
     /// | symbol | meaning                        | shape | unit            |
     /// |--------|--------------------------------|-------|-----------------|
@@ -121,13 +121,13 @@ impl Pose {
     /// | A      | Jacobian of the constraints    | m×n   | m, 1            |
     /// | j      | closing speed per joint rate   | 1×n   | m, 1            |
     ///
-    /// A gap that no admissible motion can close is `Immovable`, not infinity; one that closes without energy is
-    /// `Massless`. Cost: O(n) by the recursion over clusters, O(n³) by the careful route, which is asked where the
-    /// recursion may be off by more than 1e-11.
-    /// Source: Khatib 1987, §IV; Featherstone 2008, §7.3 and §8.
+    /// The result is `Immovable` if no admissible motion closes the gap, and `Massless` if a motion without kinetic
+    /// energy closes the gap. Cost: O(n) by the recursion over clusters, O(n³) by the dense route. With
+    /// `RouteChoice::Auto` the dense route runs only if the error of the recursion may exceed 1e-11. Source: Khatib
+    /// 1987, §IV; Featherstone 2008, §7.3 and §8.
     ///
     /// # Errors
-    /// [`ResponseError`]: a contact that means nothing; a route that was asked for and does not take the mechanism.
+    /// [`ResponseError`]: an invalid contact; a requested route that refuses the mechanism.
     pub fn respond(&self, contact: &Contact, choice: RouteChoice) -> Result<ContactResponse, ResponseError> {
         let located = self.locate(contact)?;
         let room = self.assembly.rooms().take(self.assembly.model());
@@ -137,6 +137,7 @@ impl Pose {
         Ok(answer?)
     }
 
+    /// The contact at the frames of this pose.
     fn question<'a>(&'a self, located: &'a LocatedContact) -> Question<'a> {
         Question {
             model: self.assembly.model(),
@@ -148,7 +149,7 @@ impl Pose {
     }
 }
 
-/// A contact at a pose, and the room that its routes ran in.
+/// A contact query at a pose, with the workspace of its routes.
 struct Asked<'a> {
     pose: &'a Pose,
     contact: &'a Contact,
@@ -157,6 +158,7 @@ struct Asked<'a> {
 }
 
 impl Asked<'_> {
+    /// Runs the recursion, selects the result, and adds motion, contributions and errors.
     fn answer(&mut self, choice: RouteChoice) -> Result<ContactResponse, RouteError> {
         let question = self.pose.question(self.located);
         question.model.refuse_large_clusters::<f64>(&self.pose.groups)?;
@@ -168,6 +170,7 @@ impl Asked<'_> {
         Ok(response)
     }
 
+    /// Converts the result of a route to a contact response.
     fn finish(&mut self, mut found: Found) -> ContactResponse {
         let pose = self.pose;
         let model = pose.assembly.model();
@@ -180,7 +183,7 @@ impl Asked<'_> {
         if let EffectiveMass::Finite(m) = found.mass {
             contributions = Some(self.contributions(&found.velocities, m));
             error = Some(self.budget(m, &found));
-            // What loops that do not quite fit leave of a closing speed may be all of it.
+            // The misfit of loops that do not close exactly may account for the whole closing speed.
             let floor = closing_floor(model, &pose.groups, &self.room.row);
             if found.closing_speed < NEARLY_IMMOVABLE.max(floor) {
                 let open = if floor > IMMOVABLE { floor } else { 2.0 * f64::EPSILON };
@@ -220,20 +223,22 @@ impl Asked<'_> {
         }
     }
 
+    /// Error budget of a finite m̄.
     fn budget(&mut self, m: f64, found: &Found) -> ErrorBudget {
         let (closing_speed, errors) = (found.closing_speed, &found.errors);
         let own = errors.rounding + 2.0 * f64::EPSILON / closing_speed;
         if self.pose.loops().is_none() {
             return ErrorBudget { rounding: Some(m * own), closing: Some(0.0), file: None };
         }
-        // The rows of an inexact file are off by as much as its frames are; so is the closing speed that m̄ goes by.
+        // The constraint rows of an inexact file have errors of the size of its frame errors. The closing speed has
+        // the same errors.
         let file = FILE_MISFITS * (errors.file + errors.misfit / closing_speed);
         let closing = self.closing_error(m, found).map(|c| m * c);
         ErrorBudget { rounding: Some(m * own), closing, file: errors.is_measured.then_some(m * file) }
     }
 
-    /// Relative change of m̄ between the pose and where it may be, as far as its loops are from closed; none where that
-    /// cannot be found. Asked by what answered: a route, or the energy.
+    /// Relative change of m̄ between the pose and the nearby poses within the closing error of its loops. `None` if
+    /// such a pose cannot be computed. Uses the method of the result: a route, or the energy.
     fn closing_error(&mut self, m: f64, found: &Found) -> Option<f64> {
         let assembly: &Assembly = &self.pose.assembly;
         let mut most = 0.0_f64;
@@ -265,15 +270,15 @@ impl Asked<'_> {
             let change = (other / m - 1.0).abs();
             most = most.max(change);
             if change < SAME_BOTH_WAYS {
-                // Far from a singularity both ways are alike.
+                // Far from a singularity, both directions give the same change.
                 break;
             }
         }
         Some(most)
     }
 
-    /// Parts of twice the energy of the tree velocities `v`, divided by `m` (the formula's, so that their sum is a
-    /// check).
+    /// Contributions: shares of twice the kinetic energy of the tree velocities `v`, divided by `m`. `m` is the m̄ of
+    /// the route, so the sum of the shares is a check.
     fn contributions(&self, v: &[f64], m: f64) -> Contributions {
         let (model, kinematics) = (self.pose.assembly.model(), &self.pose.kinematics);
         let mut motions = vec![Twist::zero(); model.bodies.len()];
@@ -304,10 +309,10 @@ impl Asked<'_> {
 }
 
 impl Pose {
-    /// What the recursion decides at this pose for a contact: pivots that duals and lanes follow.
+    /// Decisions of the recursion at this pose for a contact: pivots used again by dual numbers and SIMD lanes.
     ///
     /// # Errors
-    /// Where it has no 1/m̄: a motion of negative mass, or one without mass that closes the gap.
+    /// If 1/m̄ is not defined: a motion of negative mass, or a motion without mass that closes the gap.
     pub(crate) fn decisions(&self, located: &LocatedContact) -> Result<Decisions, RouteError> {
         let mut room = RecursionRoom::new(self.assembly.model());
         let question = self.question(located);

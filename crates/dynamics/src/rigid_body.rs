@@ -1,4 +1,4 @@
-//! A rigid body by itself: links that fixed joints hold together.
+//! Mean inverse mass of a rigid body: of links joined by fixed joints.
 
 use crate::contact::Contact;
 use crate::outcome::ResponseError;
@@ -7,11 +7,11 @@ use nalgebra::Vector3;
 use percuss_mechanism::LinkId;
 
 impl Pose {
-    /// tr(J M⁻¹ Jᵀ)/3 at the centre of mass of the rigid body that a link belongs to, 1/kg: how readily it gives way,
-    /// the mean over all directions. J (3×n) takes the coordinates to the velocity of that point. 0 for the ground.
+    /// Mean inverse mass over all directions at the centre of mass of the rigid body of a link, tr(J M⁻¹ Jᵀ)/3, 1/kg.
+    /// J (3×n) maps the coordinates to the velocity of the centre of mass. 0 for the ground.
     ///
     /// # Errors
-    /// [`ResponseError`]: a motion without mass that answers a force there.
+    /// [`ResponseError`]: a motion without mass responds to a force at the centre of mass.
     pub fn mean_inverse_mass(&self, link: LinkId) -> Result<f64, ResponseError> {
         let model = self.assembly.model();
         let on = &model.link_frames[link.index()];

@@ -1,4 +1,4 @@
-//! Loops that leave their joints no motion, and the axis that may be the cause.
+//! Loops without any mobility, and the axis that may be the cause.
 
 use crate::assembly::Assembly;
 use crate::kinematics::Kinematics;
@@ -7,29 +7,30 @@ use crate::tolerances::{CLOSED_AS_DRAWN, DEPARTING_AXIS};
 use nalgebra::Vector3;
 use percuss_mechanism::{ClosureKind, JointId, JointKind};
 
-/// Loops and couplings that bind one another and leave their joints no motion at a generic pose, with nothing locked or held.
+/// Coupled loops and couplings without any mobility at a generic pose, without locks and held contacts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RigidLoops {
-    /// The loops and couplings.
+    /// Names of the loops and couplings.
     pub loops: Vec<String>,
-    /// The joints that they bind.
+    /// Joints of the loops.
     pub joints: Vec<JointId>,
-    /// In each loop whose other axes fit a motion in a plane, the one that does not.
+    /// For each loop that is planar except for one axis: this axis.
     pub departing: Vec<DepartingAxis>,
 }
 
-/// The one axis of a loop that does not fit the others: hinges of a planar linkage are parallel, slides normal to them.
+/// The only axis of a loop that does not fit the others. In a planar linkage, revolute axes are parallel, and
+/// prismatic axes are normal to these.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DepartingAxis {
-    /// The loop.
+    /// Name of the loop.
     pub closure: String,
-    /// Whose axis it is; none: the loop's own.
+    /// Joint of the axis; `None` for the axis of the closure itself.
     pub joint: Option<JointId>,
-    /// Whether it is that of a slide, which should be normal to the direction.
+    /// True for a prismatic axis, which should be normal to `direction`.
     pub slides: bool,
-    /// By how much it departs, rad.
+    /// Angular deviation, rad.
     pub angle: f64,
-    /// The direction that the other hinges share, unit, in the root link's axes.
+    /// Common direction of the other revolute axes, a unit vector in root axes.
     pub direction: Vector3<f64>,
 }
 
@@ -37,12 +38,12 @@ pub struct DepartingAxis {
 struct Axis {
     joint: Option<JointId>,
     slides: bool,
-    /// Unit, root axes.
+    /// Unit vector in root axes.
     along: Vector3<f64>,
 }
 
 impl Assembly {
-    /// Loops that leave their joints no motion, whatever is locked or held: a structure, or a linkage with a mistake.
+    /// Loops without any mobility, irrespective of locks and held contacts: a structure, or a linkage with an error.
     pub fn rigid_loops(&self) -> Vec<RigidLoops> {
         let (model, facts) = (self.posing(), self.facts());
         let is_rigid = |(number, group): &(usize, &crate::model::Group)| {
@@ -67,7 +68,7 @@ impl Assembly {
     }
 }
 
-/// The axis of a closure's loop that alone does not fit a motion in a plane.
+/// The only axis of a closure's loop that does not fit a planar motion.
 fn departing_axis(
     model: &Model,
     kinematics: &Kinematics<f64>,
@@ -104,7 +105,8 @@ fn departing_axis(
     Some(DepartingAxis { closure: closure.name.clone(), joint, slides, angle, direction })
 }
 
-/// The axis without which the others fit ten times as well as it does: which, by how much (rad), and their direction.
+/// The axis whose omission improves the fit of the other axes at least tenfold: its index, its deviation (rad), and
+/// the direction of the others.
 fn departing(axes: &[Axis]) -> Option<(usize, f64, Vector3<f64>)> {
     let mut best: Option<(f64, usize, f64, Vector3<f64>)> = None;
     for k in 0..axes.len() {
@@ -124,7 +126,7 @@ fn departing(axes: &[Axis]) -> Option<(usize, f64, Vector3<f64>)> {
     best.map(|(_, k, angle, direction)| (k, angle, direction))
 }
 
-/// How far an axis is from parallel to a direction, of a slide from normal to it, rad.
+/// Angle of a revolute axis from the direction, or of a prismatic axis from the normal plane, rad.
 fn off(axis: &Axis, direction: &Vector3<f64>) -> f64 {
     let (along, across) = (axis.along.dot(direction).abs(), axis.along.cross(direction).norm());
     if axis.slides { along.atan2(across) } else { across.atan2(along) }

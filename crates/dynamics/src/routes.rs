@@ -1,4 +1,4 @@
-//! The two routes to m̄, and which of them answers: what a pose and a workspace share.
+//! The two routes to m̄ and the choice between them, shared by poses and workspaces.
 
 use crate::careful::{Minimum, Solution};
 use crate::closing_speed::{ClosingRoom, closing_floor, relative_closing_speed};
@@ -18,26 +18,26 @@ use nalgebra::Vector3;
 use percuss_spatial::{Twist, Wrench};
 use std::sync::Mutex;
 
-/// A contact at some frames.
+/// A contact at given frames: the input of both routes.
 pub(crate) struct Question<'a> {
     pub model: &'a Model,
     pub kinematics: &'a Kinematics<f64>,
     pub groups: &'a [GroupMobility],
-    /// For each group, how far its loops are from fitting, as a part of its size.
+    /// For each group: residual misfit of its loops, relative to the group's size.
     pub misfits: &'a [f64],
     pub located: &'a LocatedContact,
 }
 
-/// What a route found.
+/// Result of a route.
 pub(crate) struct Found {
     pub mass: EffectiveMass,
     pub route: Route,
-    /// Why the careful route was asked.
+    /// Reason for running the dense route.
     pub careful_reason: Option<CarefulReason>,
     pub closing_speed: f64,
-    /// Relative.
+    /// Relative errors of m̄.
     pub errors: RelativeErrors,
-    /// v* over the tree's velocities.
+    /// v* over the tree velocities.
     pub velocities: Vec<f64>,
     pub remarks: Vec<Remark>,
 }
@@ -58,18 +58,18 @@ fn total_mass(model: &Model) -> f64 {
     model.bodies.iter().map(|body| body.inertia.mass.abs()).sum()
 }
 
-/// Rooms that answers were found in, kept for the next ones: no answer depends on what is in them.
+/// Pool of reusable recursion workspaces. Results do not depend on their contents.
 #[derive(Debug, Default)]
 pub(crate) struct Rooms(Mutex<Vec<RecursionRoom>>);
 
 impl Rooms {
-    /// A room that is kept, or a new one.
+    /// Takes a workspace from the pool, or allocates a new one.
     pub fn take(&self, model: &Model) -> RecursionRoom {
         let kept = self.0.try_lock().ok().and_then(|mut rooms| rooms.pop());
         kept.unwrap_or_else(|| RecursionRoom::new(model))
     }
 
-    /// Keeps a room, unless it is large or there are many.
+    /// Returns a workspace to the pool, unless the workspace is large or the pool is full.
     pub fn put(&self, room: RecursionRoom) {
         let numbers: usize = room.recursion.clusters.iter().map(ClusterElimination::numbers).sum();
         if room.recursion.inertias.len() <= KEPT_BODIES
@@ -82,13 +82,13 @@ impl Rooms {
     }
 }
 
-/// Room for the recursion, and what it found at the frames of the last question; refilled in place.
+/// Workspace of the recursion, with its results at the frames of the last question; refilled in place.
 #[derive(Clone, Debug)]
 pub(crate) struct RecursionRoom {
     pub recursion: Recursion<f64, 1>,
     pub deciding: Deciding<1>,
     pub closing_speed: f64,
-    /// 1/m̄ by the pivots alone, 1/kg.
+    /// 1/m̄ from the pivots alone, 1/kg.
     response: f64,
     pub row: ContactRow,
     closing: ClosingRoom,
@@ -110,7 +110,7 @@ impl RecursionRoom {
         }
     }
 
-    /// m̄ by the pivots alone.
+    /// m̄ from the pivots alone.
     pub fn mass(&self) -> EffectiveMass {
         let response = self.response;
         if self.closing_speed <= IMMOVABLE {
@@ -122,19 +122,19 @@ impl RecursionRoom {
         }
     }
 
-    /// Whether the recursion's rounding is beyond doubt, before its errors are counted: what is left is the data's, and every
-    /// route's.
+    /// True if the rounding of the recursion is negligible, before errors are estimated. The remaining error is
+    /// caused by the data and affects every route.
     fn is_clear(&self) -> bool {
         !self.deciding.felt && !self.deciding.closes_faintly && self.is_small(self.deciding.roundings)
     }
 
-    /// The largest m̄ (kg) that a contact may have that was found massless; `None` if that is negligible.
+    /// Upper limit of m̄ (kg) for a contact found massless; `None` if negligible.
     pub fn massless_to(&self, model: &Model) -> Option<f64> {
         let up_to = self.deciding.massless_to[0];
         (up_to > 0.0 && up_to > NEGLIGIBLE_MASS * total_mass(model)).then_some(up_to)
     }
 
-    /// Whether so many roundings, 1/kg, leave a finite answer whole.
+    /// True if a finite result keeps its accuracy with the given number of roundings, 1/kg.
     fn is_small(&self, roundings: f64) -> bool {
         let most = f64::EPSILON * roundings;
         !self.deciding.indefinite
@@ -143,13 +143,13 @@ impl RecursionRoom {
             && most <= TRUSTED_ERROR * self.response
     }
 
-    /// What of the errors another route could do without. Rows that are off near a dead centre the careful route feels less;
-    /// frames it feels as much.
+    /// Part of the error that the dense route could avoid. The dense route is less sensitive to constraint rows near
+    /// a dead centre, and equally sensitive to frames.
     fn own_error(&self, errors: &RelativeErrors) -> f64 {
         if self.recursion.clusters.is_empty() { errors.route } else { errors.rounding }
     }
 
-    /// Why the recursion's answer, with these errors, does not stand alone; none where it does.
+    /// Reason to run the dense route, given the errors of the recursion; `None` if the recursion is accurate enough.
     fn careful_reason(&self, errors: &RelativeErrors) -> Option<CarefulReason> {
         if self.deciding.indefinite {
             return Some(CarefulReason::NegativeMass);
@@ -159,19 +159,20 @@ impl RecursionRoom {
         }
         let relative = self.own_error(errors);
         match self.mass() {
-            // What is left of the error where the energy decides is the data's, and every route's.
+            // After the correction by the energy, the remaining error is caused by the data and affects every route.
             EffectiveMass::Finite(_) if relative <= TRUSTED_ERROR || errors.stationary.is_some() => None,
-            // An error that is NaN is not small.
+            // An error of NaN also reaches this arm.
             EffectiveMass::Finite(_) => Some(CarefulReason::Error { relative }),
             EffectiveMass::Immovable => None,
-            // Zero is claimed against terms that may be large: a second opinion.
+            // The recursion classified a sum of possibly large terms as zero; the dense route checks the
+            // classification.
             EffectiveMass::Massless => Some(CarefulReason::Massless),
         }
     }
 }
 
 impl Question<'_> {
-    /// Lets the recursion run, and finds how fast the gap closes.
+    /// Runs the recursion and computes the relative closing speed.
     pub fn run(&self, room: &mut RecursionRoom) {
         self.eliminate(room);
         let RecursionRoom { recursion, closing_speed, row, closing, .. } = room;
@@ -179,7 +180,7 @@ impl Question<'_> {
         *closing_speed = relative_closing_speed(closing, self.model, self.groups, recursion, row);
     }
 
-    /// Lets the recursion run; the closing speed is that of the last question.
+    /// Runs the recursion; the closing speed of the last question is kept.
     pub fn eliminate(&self, room: &mut RecursionRoom) {
         let (model, located) = (self.model, self.located);
         let RecursionRoom { recursion, deciding, response, .. } = room;
@@ -192,7 +193,7 @@ impl Question<'_> {
         *response = recursion.response(0, 0);
     }
 
-    /// The answer after the recursion ran.
+    /// Selects the result after the recursion ran.
     pub fn answer(&self, room: &mut RecursionRoom, choice: RouteChoice) -> Result<Found, RouteError> {
         let errors = self.recursion_errors(room);
         match choice {
@@ -209,19 +210,19 @@ impl Question<'_> {
         }
     }
 
-    /// What the recursion alone says after it ran.
+    /// m̄ of the recursion alone, after the recursion ran.
     pub fn recursive_mass(&self, room: &mut RecursionRoom) -> EffectiveMass {
         let errors = self.recursion_errors(room);
         self.recursive(room, errors).mass
     }
 
-    /// m̄ after the recursion ran, as [`Self::answer`] by the automatic choice has it; allocates nothing where the
-    /// recursion answers.
+    /// m̄ after the recursion ran, as [`Self::answer`] with the automatic choice. Allocates nothing if the recursion
+    /// is accurate enough.
     pub fn effective_mass(
         &self,
         room: &mut RecursionRoom,
     ) -> Result<(EffectiveMass, RemarkFlags), RouteError> {
-        // Errors are counted once, for the room that they take to be there when they are needed.
+        // The errors are estimated at least once, so that the error buffers are allocated before they are needed.
         if room.budget.is_filled() && (room.is_clear() || self.is_trusted(room)) {
             return Ok((room.mass(), self.recursive_flags(room, room.mass())));
         }
@@ -239,7 +240,7 @@ impl Question<'_> {
         }
     }
 
-    /// [`remark_flags`](Self::remark_flags) of the recursion's answer.
+    /// [`remark_flags`](Self::remark_flags) of the recursion's result.
     fn recursive_flags(&self, room: &RecursionRoom, mass: EffectiveMass) -> RemarkFlags {
         let mut flags = self.remark_flags(room, mass, room.closing_speed);
         if room.deciding.dropped > 0 {
@@ -251,13 +252,14 @@ impl Question<'_> {
         flags
     }
 
-    /// The mass that a massless answer leaves open by rounding, kg, where that is no negligible part of the mechanism's.
+    /// Upper limit of m̄ (kg) for a contact that is massless only within rounding; `None` if negligible compared with
+    /// the mass of the mechanism.
     pub fn massless_to_rounding(&self, room: &RecursionRoom, mass: EffectiveMass) -> Option<f64> {
         room.massless_to(self.model).filter(|_| mass == EffectiveMass::Massless)
     }
 
-    /// The kinds of findings about an answer, as [`Pose::respond`](crate::Pose::respond) has them, but those of the route;
-    /// allocates nothing.
+    /// Kinds of findings about a result, as in [`Pose::respond`](crate::Pose::respond), without the findings of the
+    /// route. Allocates nothing.
     fn remark_flags(&self, room: &RecursionRoom, mass: EffectiveMass, closing_speed: f64) -> RemarkFlags {
         let mut flags = RemarkFlags::NONE;
         let is_finite = matches!(mass, EffectiveMass::Finite(_));
@@ -275,7 +277,7 @@ impl Question<'_> {
         flags
     }
 
-    /// Whether a tree's recursion leaves no doubt by its own error; leaves its motion in the room.
+    /// True if the recursion's own error is small, for a tree only. Stores the motion in the workspace.
     fn is_trusted(&self, room: &mut RecursionRoom) -> bool {
         let finite = !room.deciding.indefinite && matches!(room.mass(), EffectiveMass::Finite(_));
         let RecursionRoom { recursion, motion, budget, .. } = room;
@@ -287,12 +289,13 @@ impl Question<'_> {
         impulse.of_route(budget, recursion) <= TRUSTED_ERROR && !room.deciding.closes_faintly
     }
 
-    /// The careful route's answer where it is better than the recursion's, which there is a reason not to trust.
+    /// Result of the dense route if more accurate than the recursion, otherwise the result of the recursion. Used if
+    /// the recursion is in doubt.
     fn better(&self, room: &mut RecursionRoom, errors: RelativeErrors) -> Result<Found, RouteError> {
         if room.deciding.indefinite {
             let found = self.careful(room)?;
             if found.left_out_motions() > 0 {
-                // The recursion cannot say how far a left-out motion is from massless.
+                // The recursion has no result, so no bound for the mass of the left-out motions.
                 room.deciding.massless_to[0] = total_mass(self.model);
                 return Ok(Found { errors: found.errors.with_frozen(1.0), ..found });
             }
@@ -300,7 +303,7 @@ impl Question<'_> {
         }
         let recursive = self.recursive(room, errors);
         let careful = self.careful(room).map(|found| {
-            // Where the dense route leaves out a massless motion too, what the recursion states for its frozen motions holds for both.
+            // Both routes leave out a massless motion: the bound for the frozen motions of the recursion holds for both.
             let frozen = if recursive.mass == EffectiveMass::Massless { 1.0 } else { errors.frozen };
             let errors =
                 if found.left_out_motions() > 0 { found.errors.with_frozen(frozen) } else { found.errors };
@@ -308,20 +311,20 @@ impl Question<'_> {
         });
         Ok(match careful {
             Ok(careful) if recursive.mass == EffectiveMass::Massless => careful,
-            // A motion whose pivot counts in the recursion has a mass, if an uncertain one.
+            // A motion whose pivot the recursion keeps has a mass, even if an uncertain one.
             Ok(careful)
                 if careful.mass == EffectiveMass::Massless
                     || careful.left_out_motions() > recursive.left_out_motions() =>
             {
                 recursive
             }
-            // An error that is NaN is beaten by any.
+            // `total_cmp` ranks NaN as the largest error.
             Ok(careful) if careful.errors.rounding.total_cmp(&recursive.errors.rounding).is_lt() => careful,
             _ => recursive,
         })
     }
 
-    /// The errors of the recursion's answer, where it is finite; leaves its motion in the room.
+    /// Errors of a finite result of the recursion. Stores the motion in the workspace.
     fn recursion_errors(&self, room: &mut RecursionRoom) -> RelativeErrors {
         if room.deciding.indefinite || !matches!(room.mass(), EffectiveMass::Finite(_)) {
             return RelativeErrors::default();
@@ -334,7 +337,7 @@ impl Question<'_> {
         if deciding.closes_faintly { errors.with_frozen(1.0) } else { errors }
     }
 
-    /// The response by its energy, after the recursion ran; none where motions have no mass.
+    /// 1/m̄ as the stationary value of the energy, after the recursion ran; `None` if motions have no mass.
     pub fn response_by_energy(&self, room: &mut RecursionRoom) -> Option<f64> {
         let RecursionRoom { recursion, motion, .. } = room;
         recursion.velocities(self.model, &self.located.point_root, motion);
@@ -342,7 +345,7 @@ impl Question<'_> {
         value.map(|(response, _)| response).filter(|response| *response > 0.0)
     }
 
-    /// The recursion's answer, by its errors.
+    /// Result of the recursion, corrected according to its errors.
     fn recursive(&self, room: &mut RecursionRoom, errors: RelativeErrors) -> Found {
         let mut mass = held(room.mass(), &errors);
         let mut velocities = vec![0.0; self.model.follows.len()];
@@ -352,7 +355,7 @@ impl Question<'_> {
                 if room.own_error(&errors) - errors.frozen > NOTHING_LEFT
                     && !room.is_small(ROUTE_ROUNDINGS * room.deciding.terms)
                 {
-                    // The energy that is left is rounding.
+                    // The remaining energy is only rounding.
                     mass = EffectiveMass::Massless;
                     let most = m * (1.0 + room.own_error(&errors));
                     let up_to = &mut room.deciding.massless_to[0];
@@ -386,6 +389,7 @@ impl Question<'_> {
         }
     }
 
+    /// Input of the error budget for a motion at a unit impulse.
     fn impulse<'b>(&'b self, twists: &'b [Twist<f64>], velocities: &'b [f64]) -> UnitImpulse<'b> {
         UnitImpulse {
             model: self.model,
@@ -398,9 +402,10 @@ impl Question<'_> {
         }
     }
 
+    /// Result of the dense route.
     fn careful(&self, room: &mut RecursionRoom) -> Result<Found, RouteError> {
         let model = self.model;
-        // M is formed over the tree's velocities, mimics folded afterwards.
+        // M is formed over the tree velocities; mimics are folded afterwards.
         let coordinates = model.follows.len();
         if coordinates > CAREFUL_LIMIT {
             return Err(RouteError::TooLarge { coordinates, limit: CAREFUL_LIMIT });
@@ -439,7 +444,7 @@ impl Question<'_> {
         })
     }
 
-    /// The careful route's own error, by its motion scaled to a unit impulse.
+    /// Errors of the dense route, from its motion scaled to a unit impulse.
     fn careful_errors(&self, room: &mut RecursionRoom, solution: &Solution, m: f64) -> RelativeErrors {
         let model = self.model;
         let u: Vec<f64> = solution.velocity.iter().map(|v| v / m).collect();
@@ -452,7 +457,7 @@ impl Question<'_> {
         if solution.couples { errors.with_frozen(1.0) } else { errors }
     }
 
-    /// Twists of the bodies, root axes at the contact point.
+    /// Twists of the bodies, in root axes at the contact point.
     fn twists(&self, velocities: &[f64]) -> Vec<Twist<f64>> {
         let (model, point) = (self.model, &self.located.point_root);
         let mut twists: Vec<Twist<f64>> = Vec::with_capacity(model.bodies.len());
@@ -467,7 +472,7 @@ impl Question<'_> {
     }
 }
 
-/// A finite m̄ by its energy, where that was asked.
+/// Replaces a finite m̄ by the stationary value of the energy, if one was computed.
 fn held(mass: EffectiveMass, errors: &RelativeErrors) -> EffectiveMass {
     match (mass, errors.stationary) {
         (EffectiveMass::Finite(_), Some(response)) => EffectiveMass::Finite(1.0 / response),
@@ -475,7 +480,7 @@ fn held(mass: EffectiveMass, errors: &RelativeErrors) -> EffectiveMass {
     }
 }
 
-/// A motion at unit closing speed; none where it does not close the gap.
+/// Scales a motion to unit closing speed; `None` if the motion does not close the gap.
 fn at_unit_speed(row: &ContactRow, mut velocities: Vec<f64>) -> Option<Vec<f64>> {
     let speed: f64 = row.entries.iter().map(|e| e.value * velocities[e.velocity]).sum();
     velocities.iter_mut().for_each(|v| *v /= speed);

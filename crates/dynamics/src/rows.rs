@@ -1,4 +1,4 @@
-//! Residuals of closures and couplings, and the rows of A. All in metres: angles are taken times the group's
+//! Residuals of closures and couplings, and the rows of A, all in metres. Angles are multiplied by the group's
 //! characteristic length.
 
 use crate::kinematics::Kinematics;
@@ -7,10 +7,10 @@ use nalgebra::{DMatrix, Matrix3, Vector3};
 use percuss_mechanism::ClosureKind;
 use percuss_spatial::{Scalar, Transform, Wrench};
 
-/// Most rows of one constraint.
+/// Largest number of rows of one constraint.
 pub(crate) const MOST: usize = 6;
 
-/// The rows of a group at a pose, by blocks: for each constraint, for each velocity it binds, one number a row.
+/// Rows of a group at a pose, in blocks: for each constraint and each of its velocities, one number per row.
 #[derive(Clone, Debug)]
 pub(crate) struct GroupRows<T: Scalar> {
     values: Vec<T>,
@@ -23,7 +23,7 @@ impl<T: Scalar> Default for GroupRows<T> {
 }
 
 impl<T: Scalar> GroupRows<T> {
-    /// Writes the rows of a group at the frames in `kinematics`.
+    /// Computes the rows of a group at the frames in `kinematics`.
     pub fn fill(&mut self, model: &Model, group: &Group, kinematics: &Kinematics<T>) {
         self.values.clear();
         self.values.reserve(group.constraints.iter().map(|rows| rows.count * rows.terms.len()).sum());
@@ -62,13 +62,13 @@ impl<T: Scalar> GroupRows<T> {
         }
     }
 
-    /// How many entries [`for_each`](Self::for_each) visits.
+    /// Number of entries that [`for_each`](Self::for_each) visits.
     pub fn len(&self) -> usize {
         self.values.len()
     }
 
-    /// Visits the entries (row, column, value) of A over the group's coordinates; those of mimics come several to a
-    /// place and add.
+    /// Visits the entries (row, column, value) of A over the group's coordinates. Mimics cause repeated entries,
+    /// which must be summed.
     pub fn for_each(&self, group: &Group, mut visit: impl FnMut(usize, usize, T)) {
         let mut values = self.values.iter();
         for rows in &group.constraints {
@@ -89,7 +89,7 @@ impl<T: Scalar> GroupRows<T> {
     }
 }
 
-/// What turns a coupling's row into metres.
+/// Factor that converts the row of a coupling to metres.
 fn coupling_scale(turns: bool, group: &Group) -> f64 {
     if turns { group.size } else { 1.0 }
 }
@@ -104,7 +104,7 @@ impl Model {
         matrix
     }
 
-    /// Residuals (m) of a group, one a row; a held contact has none.
+    /// Residuals (m) of a group, one per row; 0 for held contacts.
     pub fn group_residuals_into(
         &self,
         kinematics: &Kinematics<f64>,
@@ -138,13 +138,13 @@ impl Model {
         residuals
     }
 
-    /// The largest residual of a group, m, and its row.
+    /// Largest residual of a group, m, and its row.
     pub fn group_residual(&self, kinematics: &Kinematics<f64>, group: &Group) -> (f64, usize) {
         largest(&self.group_residuals(kinematics, group))
     }
 }
 
-/// The largest magnitude and its place; a NaN counts as infinite.
+/// Largest magnitude and its index; NaN counts as infinite.
 pub(crate) fn largest(residuals: &[f64]) -> (f64, usize) {
     let size = |r: f64| if r.is_nan() { f64::INFINITY } else { r.abs() };
     residuals
@@ -153,8 +153,8 @@ pub(crate) fn largest(residuals: &[f64]) -> (f64, usize) {
         .fold((0.0, 0), |(most, at), (i, r)| if size(*r) > most { (size(*r), i) } else { (most, at) })
 }
 
-/// For each row of a closure, the wrench (root axes, about the successor's loop origin) whose power on the relative
-/// twist is the rate of the residual; in the order of the table at [`ClosureKind`].
+/// For each row of a closure: the wrench (root axes, about the successor's loop origin) whose power on the relative
+/// twist is the rate of the residual. The order is that of the table at [`ClosureKind`].
 pub(crate) fn closure_wrenches<T: Scalar>(
     closure: &CompiledClosure,
     x_rp: &Transform<T>,
@@ -162,9 +162,9 @@ pub(crate) fn closure_wrenches<T: Scalar>(
     length: T,
 ) -> [Wrench<T>; MOST] {
     let mut wrenches = [Wrench::zero(); MOST];
-    // The residual along a direction fixed in the predecessor.
+    // Residual along a direction fixed in the predecessor.
     let along = |e: &Vector3<f64>| Wrench::new(Vector3::zeros(), x_rp.vector(&e.map(T::from_f64)));
-    // The residual of a cosine between a direction of the predecessor and one of the successor.
+    // Residual of the cosine between a direction of the predecessor and a direction of the successor.
     let cosine = |e: &Vector3<f64>, b: &Vector3<f64>| {
         let (e, b) = (x_rp.vector(&e.map(T::from_f64)), x_rs.vector(&b.map(T::from_f64)));
         Wrench::new(b.cross(&e) * length, Vector3::zeros())
@@ -199,7 +199,7 @@ pub(crate) fn closure_wrenches<T: Scalar>(
         }
         ClosureKind::Spherical => wrenches[..3].copy_from_slice(&[0, 1, 2].map(|k| along(&axes[k]))),
         ClosureKind::Distance => {
-            // Ends that coincide have no direction: the row is zero, not NaN.
+            // If the ends coincide, the direction is undefined: the row is zero instead of NaN.
             let apart = x_rs.translation - x_rp.translation;
             let square = apart.dot(&apart) + T::from_f64(f64::MIN_POSITIVE);
             wrenches[0] = Wrench::new(Vector3::zeros(), apart * (T::one() / square.sqrt()));
@@ -208,7 +208,7 @@ pub(crate) fn closure_wrenches<T: Scalar>(
     wrenches
 }
 
-/// The residuals of a closure, m, in the order of its rows.
+/// Residuals of a closure, m, in the order of its rows.
 fn closure_residuals(
     closure: &CompiledClosure,
     x_rp: &Transform<f64>,
@@ -252,9 +252,9 @@ fn closure_residuals(
     residuals
 }
 
-/// Two residuals that turn the successor's axis onto the predecessor's: the components of the successor's axis along two
-/// normals, where they point to one side; beyond 90° their length is stretched so that pointing the other way is no
-/// solution.
+/// Two residuals that vanish if the successor's axis has the direction of the predecessor's axis: the components of
+/// the successor's axis along two normals. Beyond 90° the residuals are stretched, so that the opposite direction is
+/// not a solution.
 fn misalignment(
     closure: &CompiledClosure,
     x_rp: &Transform<f64>,
@@ -265,7 +265,7 @@ fn misalignment(
     let mut residuals = closure.normals.map(|e| length * x_rp.vector(&e).dot(&b));
     if x_rp.vector(&closure.axis).dot(&b) < 0.0 {
         let size = residuals[0].hypot(residuals[1]);
-        // sin θ becomes 2 − sin θ: it grows on to the opposite direction.
+        // sin θ is replaced by 2 − sin θ, which increases up to the opposite direction.
         let stretch = if size > 1e-9 * length { (2.0 * length - size) / size } else { 0.0 };
         if stretch > 0.0 {
             residuals.iter_mut().for_each(|r| *r *= stretch);
@@ -276,7 +276,7 @@ fn misalignment(
     residuals
 }
 
-/// The rotation vector (axis times angle, rad) of a rotation matrix.
+/// Rotation vector (axis times angle, rad) of a rotation matrix.
 fn rotation_vector(r: &Matrix3<f64>) -> Vector3<f64> {
     let skew = Vector3::new(r[(2, 1)] - r[(1, 2)], r[(0, 2)] - r[(2, 0)], r[(1, 0)] - r[(0, 1)]) / 2.0;
     let (sine, cosine) = (skew.norm(), (r.trace() - 1.0) / 2.0);
@@ -287,7 +287,7 @@ fn rotation_vector(r: &Matrix3<f64>) -> Vector3<f64> {
     if cosine > 0.0 {
         return skew;
     }
-    // Half a turn: the axis is the column of R + 1 that is longest.
+    // Rotation by π: the axis is the longest column of R + 1.
     let symmetric = r + Matrix3::identity();
     let column = (0..3).max_by(|&a, &b| symmetric[(a, a)].total_cmp(&symmetric[(b, b)])).unwrap_or(0);
     symmetric.column(column).normalize() * angle
@@ -303,7 +303,7 @@ mod tests {
         let axis = Vector3::new(0.3, -0.5, 0.8).normalize();
         for angle in [0.0, 1e-9, 1e-4, 0.7, 2.0, 3.1, std::f64::consts::PI - 1e-8] {
             let v = rotation_vector(&rotation_about(&axis, angle));
-            // Near half a turn the sine has lost digits: √ε.
+            // Near a rotation by π the sine loses digits: √ε.
             assert!((v - axis * angle).norm() < 3e-8, "{angle}: {v}");
         }
         assert!(

@@ -1,14 +1,14 @@
-//! The response as the stationary value of the energy that it stands for.
+//! 1/m̄ as the stationary value of an energy.
 //!
-//! 1/m̄ is the stationary value of L(u, λ) = 2ju − uᵀMu − 2λᵀAu. At rates u and multipliers λ that leave θ = j − Mu − Aᵀλ,
-//! and δ to be added to u for Au = 0, it is missed by no more than second order:
+//! 1/m̄ is the stationary value of L(u, λ) = 2ju − uᵀMu − 2λᵀAu. Rates u and multipliers λ with the residual θ = j −
+//! Mu − Aᵀλ, and with the correction δ such that A(u + δ) = 0, give 1/m̄ up to a second-order error:
 //!
 //! ```text
 //! |L − 1/m̄| ≤ 2|θᵀδ| + 3 δᵀMδ + 2 θᵀKθ,   K = G(GᵀMG)⁻¹Gᵀ
 //! ```
 //!
-//! L is a sum over the bodies, of what the joints near by transmit and of the speeds there: its own rounding knows nothing of
-//! the inertia of all that hangs at a joint, which the pivots of a long loop are sums of.
+//! L is a sum over the bodies, of locally transmitted wrenches and local speeds. Its rounding error does not depend
+//! on the subtree inertia, unlike the rounding error of the pivots of a long loop.
 
 use crate::contact::LocatedContact;
 use crate::kinematics::Kinematics;
@@ -20,35 +20,34 @@ use crate::recursion::Recursion;
 use crate::tolerances::{DENSE_LIMIT, SUM_ROUNDINGS};
 use percuss_spatial::{SpatialInertia, Transform, Twist, Wrench};
 
-/// The recursion's answer to a unit impulse along the normal.
+/// Result of the recursion for a unit impulse along the normal.
 pub(crate) struct Stationary<'a> {
     pub model: &'a Model,
     pub kinematics: &'a Kinematics<f64>,
     pub groups: &'a [GroupMobility],
     pub contact: &'a LocatedContact,
     pub recursion: &'a Recursion<f64, 1>,
-    /// Twists of the bodies, root axes at the contact point.
+    /// Twists of the bodies, in root axes at the contact point.
     pub twists: &'a [Twist<f64>],
-    /// Velocities of the tree.
+    /// Tree velocities.
     pub velocities: &'a [f64],
 }
 
-/// What is left over of the equations.
+/// Residuals of the equations.
 struct Residuals {
-    /// θ on the tree's velocities of plain joints, and on the coordinates of every bound cluster.
+    /// θ on the tree velocities of plain joints, and on the coordinates of every cluster with constraints.
     joints: Vec<f64>,
     clusters: Vec<Vec<f64>>,
     /// 2 λᵀA u.
     held: f64,
-    /// δ over the tree's velocities.
+    /// δ over the tree velocities.
     change: Vec<f64>,
-    /// θᵀδ.
+    /// Sum of |θᵢ δᵢ|, a bound for |θᵀδ|.
     work: f64,
 }
 
 impl Stationary<'_> {
-    /// L (1/kg) at the recursion's rates, and how far it may be off by its own rounding; none where motions have no mass,
-    /// or one below zero.
+    /// L (1/kg) at the rates of the recursion, and its error bound. `None` if a motion has zero or negative mass.
     pub fn value(&self) -> Option<(f64, f64)> {
         let (model, recursion) = (self.model, self.recursion);
         let counts = |(cluster, place): (&Cluster, &Option<usize>)| match place {
@@ -84,8 +83,8 @@ impl Stationary<'_> {
         Some((value.total(), f64::EPSILON * rounding + second))
     }
 
-    /// Twists of the bodies from the root to the tips, and the size of the terms that each is the sum of. A free base that
-    /// nothing binds moves as given, or not.
+    /// Twists of the bodies from the root to the tips, and the sum of the magnitudes of the terms of each twist. The
+    /// twist of an unconstrained free base is taken from `base`, or zero.
     fn twists_of(&self, rates: &[f64], base: Option<&[Twist<f64>]>) -> (Vec<Twist<f64>>, Vec<Twist<f64>>) {
         let model = self.model;
         let (mut twists, mut slack): (Vec<Twist<f64>>, Vec<Twist<f64>>) = (Vec::new(), Vec::new());
@@ -107,18 +106,19 @@ impl Stationary<'_> {
         (twists, slack)
     }
 
+    /// True for a floating base without constraints.
     fn is_free_base(&self, i: usize) -> bool {
         self.model.bodies[i].joint.is_none() && self.recursion.place[self.model.cluster_of[i]].is_none()
     }
 
-    /// A body's own inertia, root axes at the contact point.
+    /// Inertia of a body, in root axes at the contact point.
     fn inertia(&self, i: usize) -> SpatialInertia<f64> {
         let frame = &self.kinematics.frames[i];
         let x = Transform::new(frame.rotation, frame.translation - self.contact.point_root);
         x.inertia(&self.model.bodies[i].inertia)
     }
 
-    /// The wrench that each joint transmits, without what closes loops.
+    /// Wrench transmitted by each joint, without constraint wrenches.
     fn transmitted(&self, inertias: &[SpatialInertia<f64>], twists: &[Twist<f64>]) -> Vec<Wrench<f64>> {
         let model = self.model;
         let mut transmitted: Vec<Wrench<f64>> =
@@ -138,6 +138,7 @@ impl Stationary<'_> {
         transmitted
     }
 
+    /// Closing speed of the contact at given twists.
     fn closing_speed(&self, twists: &[Twist<f64>]) -> f64 {
         let speed = |link| {
             let body = self.model.body_of(link);
@@ -146,6 +147,7 @@ impl Stationary<'_> {
         speed(self.contact.link) - self.contact.against.map_or(0.0, speed)
     }
 
+    /// Residuals of the equations for given transmitted wrenches.
     fn residuals(&self, transmitted: &[Wrench<f64>]) -> Residuals {
         let model = self.model;
         let mut left = Residuals {
@@ -207,7 +209,7 @@ impl Stationary<'_> {
         left
     }
 
-    /// Twice the energy of a motion of the tree.
+    /// Twice the kinetic energy of a motion of the tree.
     fn energy(&self, inertias: &[SpatialInertia<f64>], rates: &[f64]) -> f64 {
         let (twists, _) = self.twists_of(rates, None);
         let bodies: f64 = inertias.iter().zip(&twists).map(|(i, t)| i.twice_energy(t).abs()).sum();
@@ -215,12 +217,12 @@ impl Stationary<'_> {
     }
 }
 
-/// A group's K = A[rows, columns], over coordinates scaled by lengths.
+/// K = A[rows, columns] of a group, over coordinates scaled by lengths.
 pub(crate) struct Pivoted {
-    /// For each row of A, which pivot it is.
+    /// For each row of A: the index of its pivot.
     pub row_of: Vec<usize>,
     count: usize,
-    /// (row, column, value), by pivots.
+    /// (row, column, value), by pivot indices.
     entries: Vec<(usize, usize, f64)>,
 }
 
@@ -239,12 +241,12 @@ impl Pivoted {
         Self { row_of, count: known.pivots.rows.len(), entries }
     }
 
-    /// λ with Kᵀλ = force on the coordinates that depend.
+    /// Solves Kᵀλ = force on the dependent coordinates.
     pub fn multipliers(&self, forces: &[f64]) -> Vec<f64> {
         self.solve(self.entries.iter().map(|&(r, c, a)| (c, r, a)).collect(), forces)
     }
 
-    /// x with K x = open.
+    /// Solves K x = open.
     pub fn step(&self, open: &[f64]) -> Vec<f64> {
         self.solve(self.entries.clone(), open)
     }
@@ -261,7 +263,7 @@ impl Pivoted {
     }
 }
 
-/// A sum with what its roundings lost (Neumaier 1974; cited from memory).
+/// Compensated sum (Neumaier 1974; cited from memory).
 #[derive(Default)]
 struct Compensated {
     sum: f64,
@@ -284,7 +286,7 @@ fn magnitude(twist: &Twist<f64>) -> Twist<f64> {
     Twist::new(twist.angular.abs(), twist.linear.abs())
 }
 
-/// The size of the terms of a product with a twist of magnitudes.
+/// Sum of the magnitudes of the terms of the power of a wrench on a twist of magnitudes.
 fn sizes(wrench: &Wrench<f64>, twist: &Twist<f64>) -> f64 {
     Wrench::new(wrench.moment.abs(), wrench.force.abs()).power(twist)
 }

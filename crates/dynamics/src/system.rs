@@ -10,16 +10,16 @@ use crate::pose::Pose;
 use percuss_mechanism::{JointId, LinkId, Mechanism};
 use std::sync::{Arc, OnceLock};
 
-/// A [`Mechanism`] under [`Conditions`], ready to be put together and posed. Immutable and `Send + Sync`.
+/// A [`Mechanism`] under [`Conditions`], ready for assembly and poses. Immutable and `Send + Sync`.
 ///
-/// Its coordinates u (n of them) are the independent velocities: of the floating base, then of every joint that
-/// is neither locked nor a mimic, in tree order.
+/// The n coordinates u are the independent velocities: of the floating base, then of every joint that is neither
+/// locked nor a mimic, in tree order.
 #[derive(Clone, Debug)]
 pub struct System {
     models: Models,
-    /// The assembly from all joints at 0, found when first asked for: a function of the models alone.
+    /// Assembly found from all joints at 0, computed on first use from the models alone.
     reference: Arc<OnceLock<Result<Arc<Assembly>, AssemblyError>>>,
-    /// What would be known if the loops were left as they are drawn, where they do not close.
+    /// Assembly with the loops left open as drawn, for loops that do not close.
     open: Arc<OnceLock<Arc<Assembly>>>,
 }
 
@@ -41,56 +41,57 @@ impl System {
         Ok(Self { models: Models { answering, posing }, reference: Arc::default(), open: Arc::default() })
     }
 
-    /// The mechanism it was compiled from.
+    /// The mechanism from which the system was compiled.
     pub fn mechanism(&self) -> &Arc<Mechanism> {
         &self.model().mechanism
     }
 
-    /// How the root link stands.
+    /// Attachment of the root link to the world.
     pub fn base(&self) -> Base {
         self.model().base
     }
 
+    /// Model with locks and held contacts.
     pub(crate) fn model(&self) -> &Arc<Model> {
         &self.models.answering
     }
 
-    /// How many coordinates there are: independent velocities of the tree; a floating base counts 6.
+    /// Number of coordinates: independent velocities of the tree. A floating base counts 6.
     pub fn coordinates(&self) -> usize {
         self.model().coordinates.len()
     }
 
-    /// What each coordinate is: a joint (none: the floating base) and the number of its velocity.
+    /// Joint and velocity index of each coordinate; the joint is `None` for the floating base.
     pub fn coordinate_joints(&self) -> Vec<(Option<JointId>, usize)> {
         self.model().coordinates.iter().map(|c| (c.joint, c.component)).collect()
     }
 
-    /// Whether the joint cannot move: locked itself, or a mimic and its master where either is. False for a joint of another
-    /// mechanism.
+    /// True if the joint cannot move: a locked joint, or a mimic or master of a locked joint. False for a joint of
+    /// another mechanism.
     pub fn is_locked(&self, joint: JointId) -> bool {
         self.mechanism().has_joint(joint) && self.model().locked[joint.index()]
     }
 
-    /// Whether a loop or a coupling binds a joint.
+    /// True if a loop or a coupling constrains the joint.
     pub fn is_bound(&self, joint: JointId) -> bool {
         self.models.posing.groups.iter().any(|group| group.joints.contains(&Some(joint)))
     }
 
-    /// Closures whose axis points one way in the predecessor's loop frame and the other way in the successor's, with all
-    /// joints at 0; they are imposed with the successor's reversed.
+    /// Closures whose axis in the predecessor's loop frame is opposite to the axis in the successor's frame, with all
+    /// joints at 0. The constraint uses the reversed axis of the successor.
     pub fn reversed_axes(&self) -> impl Iterator<Item = &str> {
         self.models.posing.closures.iter().filter(|l| l.successor_axis != l.axis).map(|l| l.name.as_str())
     }
 
-    /// Mass of the rigid body that a link belongs to, with all that fixed joints hold to it, kg; none for the ground, and for
-    /// a link of another mechanism.
+    /// Mass of the rigid body of a link, including all links attached by fixed joints, kg. `None` for the ground and
+    /// for a link of another mechanism.
     pub fn rigid_body_mass(&self, link: LinkId) -> Option<f64> {
         let body =
             self.model().link_frames.get(link.index()).filter(|_| self.mechanism().has_link(link))?.body;
         body.map(|body| self.model().bodies[body].inertia.mass)
     }
 
-    /// Every joint at zero.
+    /// Configuration with every joint at zero.
     pub fn configuration(&self) -> Configuration {
         Configuration::zero(self.mechanism())
     }
@@ -98,16 +99,16 @@ impl System {
     /// The assembly found from all joints at 0.
     ///
     /// # Errors
-    /// [`AssemblyError`]: loops that do not close from there.
+    /// [`AssemblyError`]: the loops do not close from this start.
     pub fn reference(&self) -> Result<&Arc<Assembly>, AssemblyError> {
         let found = self.reference.get_or_init(|| self.put_together(Kinematics::zero(&self.models.posing)));
         found.as_ref().map_err(Clone::clone)
     }
 
-    /// The loops put together from a configuration's guesses, where joints that are not guessed start at 0.
+    /// Closes the loops starting from the guesses of a configuration. Joints without a guess start at 0.
     ///
     /// # Errors
-    /// [`AssemblyError`]: loops that do not close from there.
+    /// [`AssemblyError`]: the loops do not close from this start.
     pub fn assemble(&self, guesses: &Configuration) -> Result<Arc<Assembly>, AssemblyError> {
         let posing = &self.models.posing;
         let mut start = Kinematics::zero(posing);
@@ -120,16 +121,18 @@ impl System {
         self.put_together(start)
     }
 
+    /// Closes the loops from a start, and collects the facts about the loops.
     fn put_together(&self, start: Kinematics<f64>) -> Result<Arc<Assembly>, AssemblyError> {
         let facts = self.models.posing.put_together(start)?;
         Ok(Arc::new(Assembly::new(self.models.clone(), facts)))
     }
 
-    /// The pose at a configuration: of the assembly found from all joints at 0, or, where nothing closes from there, of
-    /// that found from the configuration's guesses.
+    /// Pose at a configuration. The pose belongs to the assembly found from all joints at 0 or, if the loops do not
+    /// close from there, to the assembly found from the guesses of the configuration.
     ///
     /// # Errors
-    /// [`AssemblyError`]: loops that do not close, drivers that cannot get there, a dependent joint that was set.
+    /// [`AssemblyError`]: loops that do not close, unreachable positions of driving joints, a dependent joint that
+    /// was set.
     pub fn pose(&self, configuration: &Configuration) -> Result<Pose, AssemblyError> {
         match self.reference() {
             Ok(assembly) => assembly.pose(configuration),
@@ -138,8 +141,8 @@ impl System {
         }
     }
 
-    /// The pose at a configuration on the branch of another pose of this system, followed from there: through
-    /// crossings of branches too.
+    /// Pose at a configuration on the branch of another pose of this system. The branch is followed from that pose,
+    /// also through crossings of branches.
     ///
     /// # Errors
     /// [`AssemblyError`], as for [`pose`](Self::pose); a pose of another system.
@@ -150,8 +153,8 @@ impl System {
         from.assembly.pose_from(from, configuration)
     }
 
-    /// The same pose under the conditions of this system: of the same mechanism with the same base, other locks, held
-    /// contacts or armatures.
+    /// Transfers a pose of the same mechanism with the same base to the conditions of this system, with its own
+    /// locks, held contacts and armatures.
     ///
     /// # Errors
     /// [`AssemblyError::ForeignPose`]: a pose of another mechanism, or with another base.
@@ -171,7 +174,8 @@ impl System {
         ))
     }
 
-    /// The reference assembly, or, where nothing closes from zero, what would be known with the loops as they are drawn.
+    /// The reference assembly or, if the loops do not close from zero, the assembly with the loops left open as
+    /// drawn.
     pub fn reference_or_open(&self) -> &Arc<Assembly> {
         match self.reference() {
             Ok(assembly) => assembly,
@@ -183,7 +187,7 @@ impl System {
         }
     }
 
-    /// Degrees of freedom at a generic pose; a floating base counts 6. Loops that do not close count as drawn.
+    /// Degrees of freedom at a generic pose; a floating base counts 6. Loops that do not close are counted as drawn.
     pub fn degrees_of_freedom(&self) -> usize {
         self.reference_or_open().degrees_of_freedom()
     }

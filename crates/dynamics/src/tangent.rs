@@ -1,10 +1,10 @@
-//! From velocities to rates of the positions, and a step along them; joint by joint.
+//! Rates of positions from velocities, and steps along velocities, for each kind of joint.
 
 use nalgebra::Vector3;
 use percuss_mechanism::JointKind;
 use percuss_spatial::{Scalar, quaternion_product, rotation_from_quaternion};
 
-/// Writes the zero position: quaternions at identity.
+/// Writes the zero position; quaternions are set to identity.
 pub(crate) fn zero_position(kind: JointKind, q: &mut [f64]) {
     q.fill(0.0);
     match kind {
@@ -18,7 +18,7 @@ pub(crate) fn zero_position(kind: JointKind, q: &mut [f64]) {
     }
 }
 
-/// q̇ of one joint at the velocities `v` (layouts of [`JointKind`]); a quaternion turns by ½ q ∘ (0, ω).
+/// q̇ of one joint at the velocities `v` (layouts of [`JointKind`]). The rate of a quaternion is ½ q ∘ (0, ω).
 pub(crate) fn position_rates<T: Scalar>(kind: JointKind, q: &[T], v: &[T], rates: &mut [T]) {
     let half = T::from_f64(0.5);
     let spin = |q: [T; 4], w: &[T]| quaternion_product(q, [T::zero(), w[0] * half, w[1] * half, w[2] * half]);
@@ -38,11 +38,11 @@ pub(crate) fn position_rates<T: Scalar>(kind: JointKind, q: &[T], v: &[T], rates
     }
 }
 
-/// q ⊕ h v of one joint, to second order in h, quaternions normalised: the rates are those of the middle, since a
-/// floating joint's slide turns with it.
+/// q ⊕ h v of one joint, to second order in h, with quaternions normalised. Midpoint rule, because the translation
+/// axes of a floating joint rotate.
 pub(crate) fn advance(kind: JointKind, q: &mut [f64], v: &[f64], h: f64) {
     if !matches!(kind, JointKind::Spherical | JointKind::Floating) {
-        // Rates are the velocities, wherever it stands.
+        // The rates are equal to the velocities at every position.
         return q.iter_mut().zip(v).for_each(|(q, v)| *q += h * v);
     }
     let (mut rates, mut middle) = ([0.0; 7], [0.0; 7]);
@@ -55,15 +55,15 @@ pub(crate) fn advance(kind: JointKind, q: &mut [f64], v: &[f64], h: f64) {
     normalise(kind, q);
 }
 
-/// The same into a vector of its own.
+/// Like [`advance`], into a new vector.
 pub(crate) fn advanced(kind: JointKind, q: &[f64], v: &[f64], h: f64) -> Vec<f64> {
     let mut next = q.to_vec();
     advance(kind, &mut next, v, h);
     next
 }
 
-/// The velocities that take one joint from `from` to `to` in unit time, a turn along the shorter way; exact for joints
-/// whose rates are their velocities and for spherical ones, to second order for floating ones.
+/// Velocities that move one joint from `from` to `to` in unit time, by the shorter rotation. Exact for joints with
+/// rates equal to velocities and for spherical joints; of second order for floating joints.
 pub(crate) fn displacement(kind: JointKind, from: &[f64], to: &[f64]) -> Vec<f64> {
     let turn = |a: &[f64], b: &[f64]| {
         let d = quaternion_product([a[0], -a[1], -a[2], -a[3]], [b[0], b[1], b[2], b[3]]);
@@ -88,7 +88,7 @@ pub(crate) fn displacement(kind: JointKind, from: &[f64], to: &[f64]) -> Vec<f64
     }
 }
 
-/// Scales a quaternion in `q` to unit norm.
+/// Scales the quaternion in `q` to unit norm.
 pub(crate) fn normalise(kind: JointKind, q: &mut [f64]) {
     let quaternion = match kind {
         JointKind::Spherical => &mut q[..4],

@@ -1,445 +1,473 @@
-//! Every threshold and every budget of work of this crate, with its unit and its reason.
+//! All thresholds and work limits of this crate, with units and reasons.
 
-/// Largest magnitude of a number that is given: sums of products of three of them are still finite. Any unit.
+/// Largest magnitude of an input number. Sums of products of three such numbers are still finite. Any unit.
 pub const LARGEST_NUMBER: f64 = 1e100;
-/// Difference of a quaternion's norm from 1 that is the rounding of its four components, dimensionless.
+/// Deviation of a quaternion's norm from 1 by rounding of its four components, dimensionless.
 pub(crate) const UNIT_ROUNDING: f64 = 4.0 * f64::EPSILON;
-/// A quaternion that is given may be this far from unit norm, and is normalised: two decimals. Relative.
+/// Largest accepted deviation of a given quaternion from unit norm, before normalisation: two decimals. Relative.
 pub const QUATERNION_TOLERANCE: f64 = 0.01;
-/// A rotation matrix that is given may depart so far from RᵀR = 1, and is made orthonormal: numbers of single precision, and
-/// six decimals. Absolute.
+/// Largest accepted deviation of a given rotation matrix from RᵀR = 1, before orthonormalisation: numbers in single
+/// precision, or with six decimals. Absolute.
 pub const ROTATION_TOLERANCE: f64 = 1e-5;
-/// Loops of a row of positions that is given as closed may be open by this part of their size: rows of single precision, and
-/// seven decimals. It changes m̄ by about as much. Relative.
+/// Largest accepted gap of the loops at given positions, relative to their size: positions in single precision, or
+/// with seven decimals. The gap changes m̄ by about the same fraction.
 pub const OPEN_ROW: f64 = 1e-6;
 
-/// Below this, |j restricted to ker A| / |j| is immovable: rounding of j and of ker A leaves 1e-13 at most on the
-/// reference files. Relative.
+/// Relative closing speed |j restricted to ker A| / |j| below which a contact is immovable. Rounding of j and of ker
+/// A leaves at most 1e-13 on the reference files.
 pub(crate) const IMMOVABLE: f64 = 1e-10;
-/// Below this relative closing speed, a finite answer comes with a warning: it has lost six digits. Relative.
+/// Relative closing speed below which a finite result has a warning, after a loss of six digits.
 pub(crate) const NEARLY_IMMOVABLE: f64 = 1e-6;
-/// A motion without mass closes the gap where the contact's force along it exceeds this part of the terms that it is
-/// the sum of: the same as for [`IMMOVABLE`]. Relative.
+/// Threshold for a massless motion to close the gap: the contact force along the motion relative to its summed terms.
+/// Equal to [`IMMOVABLE`].
 pub(crate) const MASSLESS_CLOSING: f64 = 1e-10;
-/// A coupling U of a frozen motion, or a test wrench along it, is resolved above this part of the terms that it is the sum of: four
-/// roundings. Axes that coincide leave one or two.
+/// Part of its terms above which the coupling U of a frozen motion, or the test wrench along it, is resolved: four roundings.
+/// Coincident axes leave one or two.
 pub(crate) const RESOLVED: f64 = 4.0 * f64::EPSILON;
 /// Largest relative change of 1/m̄ by a frozen motion that is stated as estimated; a larger one puts all of m̄ in doubt.
 pub(crate) const SMALL_CHANGE: f64 = 1e-11;
-/// Pivots of the recursion count as zero below this part of the terms that they are sums of: 256 roundings.
+/// Pivots of the recursion below this fraction of their summed terms count as zero: 256 roundings.
 pub(crate) const PIVOT: f64 = 256.0 * f64::EPSILON;
-/// The recursion's answer stands alone up to this relative error; beyond, the careful route is asked too.
+/// Largest relative error of a result of the recursion alone; beyond this limit the dense route also runs.
 pub(crate) const TRUSTED_ERROR: f64 = 1e-11;
-/// Least mass of a free body on the other side, kg: its inverse is still a number, with room for sums.
+/// Smallest mass of a free body on the other side, kg. Its inverse, and sums of such inverses, do not overflow.
 pub(crate) const LEAST_OTHER_MASS: f64 = 1e-100;
-/// Coordinates up to which the careful route is taken: it is dense, O(n³) in time and 8n² bytes a matrix.
+/// Largest number of coordinates for the dense route: O(n³) time, and 8n² bytes per matrix.
 pub(crate) const CAREFUL_LIMIT: usize = 1000;
-/// Bytes that the matrices of all clusters of bodies may take in one run of the recursion: two runs stand side by side
-/// where an error is stated, within 1.5 GB with the model itself. A loop of 1,800 free links.
+/// Largest memory, in bytes, of the matrices of all clusters in one run of the recursion. An error estimate needs two
+/// runs at the same time, which together with the model stay within 1.5 GB. Sufficient for a loop of 1,800 free
+/// links.
 pub(crate) const CLUSTER_BYTES: usize = 400 << 20;
-/// Multiplications that these may take: half a minute.
+/// Largest number of multiplications for these matrices: half a minute.
 pub(crate) const CLUSTER_WORK: f64 = 3e10;
-/// Coordinates up to which the condition of the mass matrix is asked: O(n³).
+/// Largest number of coordinates for the condition number of the mass matrix, which costs O(n³).
 pub(crate) const CONDITION_LIMIT: usize = 300;
 
-/// Singular values of A below this part of the largest count as zero, where the file is exact: rounding leaves 1e-14.
+/// Threshold for singular values of A relative to the largest, for an exact file; smaller values count as zero.
+/// Rounding leaves 1e-14.
 pub(crate) const RANK_FLOOR: f64 = 1e-10;
-/// The floor of a rank is at most this part of the largest singular value: that one always counts.
+/// Largest rank threshold relative to the largest singular value, which therefore always counts as nonzero.
 pub(crate) const MOST_FLOOR: f64 = 0.1;
-/// A group of loops is refused that stands further from the root link than this many times its size: its positions are
-/// known to 6e-6 of the size, and ranks would be decided at a thousandth of the largest singular value.
+/// Largest distance of a group of loops from the root link, relative to the size of the group. At this distance
+/// positions are accurate to 6e-6 of the size, and ranks would be decided at a thousandth of the largest singular
+/// value.
 pub(crate) const FARTHEST: f64 = 2.8e10;
-/// Singular values of A below this part of the largest are rounding alone: it leaves 1e-14.
+/// Singular values of A below this fraction of the largest are only rounding, which leaves 1e-14.
 pub(crate) const RANK_ROUNDING: f64 = 3e-13;
-/// Both sides of the gap lie more than this factor from the threshold where the rank is clear.
+/// Smallest factor between the threshold and both sides of the gap, for a clear rank.
 pub(crate) const RANK_MARGIN: f64 = 30.0;
-/// Pivots under complete pivoting above this part of the first are beyond doubt: singular values are within a factor of
-/// the number of coordinates of them, in practice of ten.
+/// Pivots of complete pivoting above this fraction of the first are certainly nonzero. Singular values differ from
+/// pivots by at most the number of coordinates, in practice by a factor of ten.
 pub(crate) const SURE_PIVOT: f64 = 1e-4;
-/// Coordinates of a group up to which its rank is decided by singular values; of larger ones by sparse pivots.
+/// Largest number of coordinates of a group for a rank decision by singular values; larger groups use sparse pivots.
 pub(crate) const SINGULAR_VALUES_LIMIT: usize = 160;
 
-/// Residual at which a loop counts as closed, as a part of the group's size: some thousand roundings.
+/// Residual of a closed loop relative to the group's size: some thousand roundings.
 pub(crate) const CLOSED: f64 = 1e-12;
-/// Residuals below this part of the group's size pass as a file's rounding: three decimals.
+/// Largest residual, relative to the group's size, that is accepted as rounding of a file: three decimals.
 pub(crate) const ROUNDING: f64 = 1e-3;
-/// A rounded file's loops fit to within this many times their inexactness at poses other than where it was measured.
+/// Largest misfit of a rounded file's loops at other poses, as a multiple of the measured inexactness.
 pub(crate) const ROUNDED: f64 = 10.0;
-/// A pose around the first one, at which the generic rank is looked for, is as closed as a rounded file lets it be within
-/// this many times the inexactness at the first.
+/// Largest residual of a pose near the first one in the search for the generic rank, as a multiple of the inexactness
+/// at the first pose.
 pub(crate) const ELSEWHERE: f64 = 2.0;
-/// Steps follow directions down to this many times the residual, as a part of the size: below, a direction owes its
-/// singular value to the residual itself.
+/// Smallest singular value of directions used by a step, as a multiple of the relative residual. A smaller singular
+/// value may be caused by the residual itself.
 pub(crate) const FOLLOWED: f64 = 10.0;
-/// Relative size of pivots that a least step takes for zero at least.
+/// Smallest relative zero threshold for pivots in least-norm steps.
 pub(crate) const STEP_RANK: f64 = 1e-9;
-/// A step of Newton's method shorter than this part of the size changes nothing.
+/// Largest Newton step, relative to the size, at a converged pose.
 pub(crate) const SETTLED: f64 = 1e-8;
-/// A loop that is open by more than this part of its size as drawn is a warning: no rounding, a mistyped point.
+/// Gap of a loop as drawn, relative to its size, above which a warning is given: not rounding, but a mistyped point.
 pub(crate) const DRAWN_OPEN: f64 = 0.01;
 
-/// Where the least singular value of the loops' rows that counts is below this part of the largest, figures rounded to four
-/// digits may leave one motion more. Relative.
+/// Smallest nonzero singular value of the loops' rows, relative to the largest, below which the mechanism is weakly
+/// constrained: figures rounded to four digits may free one more motion.
 pub(crate) const WEAKLY_CONSTRAINED: f64 = 1e-4;
 
-// How the travel of a point is reached. Steps of the driving joint are in rad, or in parts of the size; rates are in
-// sizes a unit of these.
+// Travel of a point. Steps of the driving joint are in rad or relative to the size; rates are in sizes per unit of
+// these steps.
 
-/// A shorter vector has no direction. Any unit.
+/// Shortest vector with a defined direction. Any unit.
 pub(crate) const SHORTEST_DIRECTION: f64 = 1e-9;
-/// A contact's line that is shorter than this part of its length as drawn has no direction to go by: a millimetre aside turns
-/// the line of a stop drawn 30 mm away by more than 18°.
+/// Shortest line of a contact relative to its length as drawn. At this limit, a lateral displacement of one
+/// millimetre turns the line of a stop drawn with a length of 30 mm by more than 18°.
 pub(crate) const SHORTEST_LINE: f64 = 0.1;
-/// Cosine of the angle that the line of a stop may turn by from the line as drawn: 5°, which changes m̄ by some per cent.
+/// Cosine of the largest accepted rotation of a stop's line from its direction as drawn: 5°, which changes m̄ by some
+/// per cent.
 pub(crate) const LINE_TURNED: f64 = 0.996_194_698_091_745_5;
-/// First step where the rate is not determined, or none: long against rounding, short against what a mechanism bends.
+/// First step at an undetermined or zero rate: long compared with rounding, short compared with the curvature of the
+/// motion.
 pub(crate) const FIRST_STEP: f64 = 1e-4;
-/// Longest step: about 11°, where the tangent still leads to the same solution.
+/// Longest step: about 11°, for which the tangent still leads to the same solution.
 pub(crate) const LONGEST_STEP: f64 = 0.2;
-/// Longest steps to a displacement: ranges of 12 rad.
+/// Largest number of longest steps to a displacement: a range of 12 rad.
 pub(crate) const TRAVEL_STEPS: usize = 60;
-/// Steps between two values of the driver that enclose what is looked for: halvings from the longest step to rounding.
+/// Largest number of steps within a bracket: bisections from the longest step down to rounding.
 pub(crate) const ENCLOSED_STEPS: usize = 60;
-/// A displacement is met to this part of the size: the tolerance to which loops close.
+/// Accuracy of a displacement relative to the size: equal to the closing tolerance of loops.
 pub(crate) const MET: f64 = 1e-12;
-/// A miss beyond this part is not yet rounding: one step of the tangent more takes it away.
+/// Error of a displacement, relative to the size, above which one more Newton step is taken.
 pub(crate) const POLISHED: f64 = 1e-14;
-/// And this part is rounding of the pose, not a miss, where a point far from the joint moves fast.
+/// Error of a displacement, relative to the size, that is accepted as rounding of the pose, if the point is far from
+/// the joint and moves fast.
 pub(crate) const MET_TO_ROUNDING: f64 = 1e-9;
-/// A joint that moves the point more slowly does not drive it: digits that files have lost would decide.
+/// Smallest rate of a driving joint. Below this rate, digits lost in the file would decide.
 pub(crate) const UNMOVED: f64 = 1e-6;
-/// A rate below this has no sign: loops closed to 1e-12 of the size leave so much of it.
+/// Smallest rate with a determined sign. Loops closed to 1e-12 of the size cause this uncertainty.
 pub(crate) const STATIONARY: f64 = 1e-11;
-/// A rate that exceeds another by less than this part of it is the same rate: of joints alike, the first drives.
+/// Relative difference below which two rates are equal; of joints with equal rates, the first drives.
 pub(crate) const SAME_RATE: f64 = 1e-9;
-/// A joint drives weakly where the least pivot of the dependent coordinates' Jacobian is below this part of its generic
-/// size: near its dead centre everything is fast, and it is at its end soon.
+/// Smallest pivot of the dependent coordinates' Jacobian, relative to its generic size, below which a joint drives
+/// weakly: close to its dead centre, where the other velocities are large and the limit is near.
 pub(crate) const WEAK_DRIVER: f64 = 1e-2;
 
-// Bodies, and what is compiled.
+// Bodies and compiled models.
 
-/// The sine of an angle between axes below which they are parallel to rounding.
+/// Sine of the angle below which two axes are parallel within rounding.
 pub(crate) const NO_TURN: f64 = 2.0 * f64::EPSILON;
-/// The sine of an angle between axes below which their common normal is too far away to be of use.
+/// Sine of the angle between two axes below which their common normal is too far away to be used.
 pub(crate) const PARALLEL_AXES: f64 = 0.05;
-/// Distance between parallel axes below which it is rounding, relative to the distance of the points that they are given by.
+/// Distance between parallel axes that counts as rounding, relative to the distance of their defining points.
 pub(crate) const NO_ACROSS: f64 = 16.0 * f64::EPSILON;
-/// The travels of slides, in lengths of the mechanism, that sizes are bounded with once for all; larger ones stretch them.
+/// Range of prismatic positions, relative to the length of the mechanism, for which size bounds are computed once;
+/// larger positions scale the bounds.
 pub(crate) const SLIDE_REACH: f64 = 0.5;
-/// How far the square of a quaternion may be from 1 by rounding; beyond, what it turns by is no rotation.
+/// Largest deviation of a quaternion's squared norm from 1 by rounding; a larger deviation gives no rotation.
 pub(crate) const UNIT_QUATERNION: f64 = 32.0 * f64::EPSILON;
-/// Axes with a cosine below this with all joints at 0 were written to point opposite ways: within 8°.
+/// Cosine between two axes with all joints at 0, below which the axes are opposite: within 8°.
 pub(crate) const REVERSED_AXES: f64 = -0.99;
-/// Independent coordinates of a cluster beyond which its blocks are formed from its mass matrix: O(n²) where sums over its
-/// bodies take O(n d²).
+/// Number of independent coordinates of a cluster above which its blocks are formed from its mass matrix: O(n²),
+/// whereas sums over its bodies cost O(n d²).
 pub(crate) const LARGE_CLUSTER: usize = 48;
-/// A pivot of a joint with several velocities below this part of its terms is left for last.
+/// A pivot of a joint with several velocities below this fraction of its terms is eliminated last.
 pub(crate) const LATE_PIVOT: f64 = 1e-3;
-/// A pivot below minus this part of its terms is no rounding: an indefinite inertia.
+/// A pivot below minus this fraction of its terms is not rounding: the inertia is indefinite.
 pub(crate) const NEGATIVE_PIVOT: f64 = 1e-9;
-/// Rounding of G enters D squared.
+/// Zero threshold for squared quantities: the rounding of G enters D squared.
 pub(crate) const PIVOT_SQUARED: f64 = PIVOT * PIVOT;
-/// In coordinates where M has unit diagonal, a direction whose root energy is below this carries no mass: a real one
-/// has at least √ε = 1.5e-8, rounding leaves 1e-13.
+/// Root energy below which a direction is massless, in coordinates with unit diagonal of M. A direction with mass has
+/// at least √ε = 1.5e-8; rounding leaves 1e-13.
 pub(crate) const ROOT_ENERGY: f64 = 1e-10;
-/// Forward dynamics count pivots as zero below this part of their terms: what should vanish keeps the rounding of all that was subtracted
-/// before, up to 1e-12 where joints nearly line up.
+/// Zero threshold for pivots of forward dynamics relative to their terms. A vanishing pivot retains the rounding of
+/// all subtracted terms, up to 1e-12 for nearly aligned joints.
 pub(crate) const ACCELERATION_PIVOT: f64 = 1e-10;
-/// How many roundings an entry of G has gone through, each of its terms' size.
+/// Roundings of an entry of G, relative to its terms.
 pub(crate) const RATE_ROUNDINGS: f64 = 16.0;
-/// A relative error of 1/m̄ beyond which the pivots that it stands on are rounding, and may be zero.
+/// Relative error of 1/m̄ above which its pivots are only rounding, and may be zero.
 pub(crate) const NOTHING_LEFT: f64 = 1.0;
-/// Roundings of a pivot and a test force, each of its terms' size, by which the recursion's own rounding is bounded before its
-/// errors are counted: those of a sum of a few products, three times over; more where a pivot is smaller than its terms by a
-/// larger factor.
+/// Roundings of a pivot and of a test force, relative to their terms, in the a-priori bound of the recursion's
+/// rounding: three times those of a sum of a few products. The factor is larger for pivots much smaller than their
+/// terms.
 pub(crate) const ROUTE_ROUNDINGS: f64 = 16.0;
-/// Roundings of a pivot's largest term that the pivot and what it leaves are off by in lanes: those of the products and sums
-/// of an elimination and of two turns and shifts.
+/// Roundings of a pivot and its remainder in SIMD lanes, relative to the pivot's largest term: the products and sums
+/// of an elimination, and two rotations and translations.
 pub(crate) const LOSS_ROUNDINGS: f64 = 4.0;
-/// Ratio of a pivot's terms to the pivot above which the elimination amplifies the errors of the subtree, in lanes. Pivots of
-/// common arms and long chains are below it, or amplify nothing.
+/// Ratio of a pivot's terms to the pivot above which the elimination amplifies the errors of the subtree, in SIMD
+/// lanes. Pivots of common arms and long chains are below this ratio, or have no errors to amplify.
 pub(crate) const COMMON_LOSS: f64 = 64.0;
-/// Relative error of a bound cluster's response from which on it is held to its stationary value: a tenth of what is trusted.
+/// Relative error of the response of a cluster with constraints above which the stationary value is used: a tenth of
+/// the accepted error.
 pub(crate) const VAGUE_RESPONSE: f64 = 1e-12;
-/// A part of the mechanism's mass that does not matter.
+/// Negligible fraction of the mechanism's mass.
 pub(crate) const NEGLIGIBLE_MASS: f64 = 1e-9;
-/// A relative change of m̄ by what leaves a pose open that is the same both ways.
+/// Relative change of m̄ below which the changes in both directions of the closing uncertainty are equal.
 pub(crate) const SAME_BOTH_WAYS: f64 = 1e-9;
 
-// The error budget; the first four in roundings.
+// Error budget. The first four values are in roundings.
 
-/// Roundings that a product of rotations adds to a frame's orientation; down a chain they add as a random walk.
+/// Roundings that a product of rotations adds to the orientation of a frame; along a chain they add as a random walk.
 pub(crate) const TURN_ROUNDINGS: f64 = 3.0;
-/// Rounding of a joint's own sine, cosine and origin: alike at every link of a repetitive chain, it adds up.
+/// Rounding of a joint's own sine, cosine and origin: equal at every link of a repetitive chain, and therefore added
+/// linearly.
 pub(crate) const REPEATED_ROUNDINGS: f64 = 1.0;
-/// Roundings of a sum of a few products: of an entry of an inertia, a wrench, a pivot.
+/// Roundings of a sum of a few products: an entry of an inertia, a wrench, or a pivot.
 pub(crate) const SUM_ROUNDINGS: f64 = 5.0;
-/// Roundings of a row of A and its elimination, each of its terms' size.
+/// Roundings of a row of A and its elimination, relative to its terms.
 pub(crate) const ROW_ROUNDINGS: f64 = 8.0;
-/// How much of a misfit enters a row: several of a file's figures, each rounded by itself, of which the misfit shows a
-/// part. Over 17,000 answers of linkages written with 4 to 12 decimals, 110 would do.
+/// Factor from misfit to row error. A row depends on several separately rounded figures, and the misfit shows only a
+/// part of their errors. For 17,000 results of linkages written with 4 to 12 decimals, 110 is sufficient.
 pub(crate) const FILE_MISFITS: f64 = 128.0;
 
 // Matrices.
 
-/// A pivot is at least this part of its row's largest entry.
+/// Smallest accepted pivot relative to its row's largest entry.
 pub(crate) const SPARSE_PIVOT: f64 = 0.1;
-/// Rows with the fewest entries among which a pivot is looked for.
+/// Number of rows with the fewest entries in the search for a pivot.
 pub(crate) const SPARSE_CANDIDATES: usize = 4;
-/// Least over largest pivot from which JᵀJ is formed instead of factorising J.
+/// Smallest ratio of pivots for which JᵀJ is formed instead of a factorisation of J.
 pub(crate) const WELL_CONDITIONED: f64 = 1e-4;
-/// Entries of JJᵀ, counted with repetition, up to which it is formed: 100 MB.
+/// Largest number of entries of JJᵀ, counted with repetition: 100 MB.
 pub(crate) const NORMAL_EQUATIONS_FILL: usize = 4_000_000;
-/// Most sweeps of the one-sided Jacobi method: it converges in about ten.
+/// Largest number of sweeps of the one-sided Jacobi method, which converges in about ten.
 pub(crate) const JACOBI_SWEEPS: usize = 40;
-/// Rows or columns of a group up to which its matrices are dense; beyond, sparse ones take less time.
+/// Largest number of rows or columns of a group for dense matrices; larger groups are faster with sparse matrices.
 pub(crate) const DENSE_LIMIT: usize = 64;
 
 // Mobility.
 
-/// Dependent coordinates whose Jacobian's least pivot is below this part of its generic size stand at a dead centre.
+/// Smallest pivot of the dependent coordinates' Jacobian, relative to its generic size, below which a pose is at a
+/// dead centre.
 pub(crate) const DEAD_CENTRE: f64 = 1e-6;
-/// Where the least singular value that should count is below this part of the largest, a change point is near.
+/// Singular value at the generic rank, relative to the largest, below which a change point is near.
 pub(crate) const NEAR_CHANGE_POINT: f64 = 1e-4;
-/// Coordinates up to which a mode is named: of larger groups only that they are regular.
+/// Largest number of coordinates for a signed assembly mode; for larger groups only singularity is reported.
 pub(crate) const MODE_LIMIT: usize = 160;
-/// A coefficient below this part of the largest means that a row has no part in a dependency.
+/// Coefficient, relative to the largest, below which a row does not take part in a dependency.
 pub(crate) const FAINT_COEFFICIENT: f64 = 1e-7;
-/// A column counts as independent of others where more than this part of the largest is left of it; the second, where
-/// that leaves too few.
+/// Smallest remainder of an independent column, relative to the largest column. The second value is used if the first
+/// gives too few columns.
 pub(crate) const INDEPENDENT_COLUMNS: [f64; 2] = [1e-6, 1e-10];
-/// An axis of a rigid loop departs from the others where these fit one another to this part of its own departure.
+/// Deviation of the other axes, relative to the deviation of one axis, below which this axis is reported for a rigid
+/// loop.
 pub(crate) const DEPARTING_AXIS: f64 = 0.1;
-/// Coordinates up to which redundant rows are separated by loop.
+/// Largest number of coordinates for which redundant rows are separated by loop.
 pub(crate) const REDUNDANCY_LIMIT: usize = 400;
 
-// Closing loops.
+// Closing of loops.
 
-/// Residuals below this part of a group's size are rounding of the figures that a file is written with: 12 digits.
+/// Residual, relative to the group's size, that is rounding of the figures in a file: 12 digits.
 pub(crate) const CLOSED_AS_DRAWN: f64 = 1e-9;
-/// Most iterations of a correction: Newton's method takes a handful, a damped one some tens.
+/// Largest number of iterations of a correction. Newton's method needs about five, a damped method some tens.
 pub(crate) const CORRECTION_ITERATIONS: usize = 60;
-/// A loop that fits is closed by a motion of at most this many times its residual as drawn; beyond, the motion follows a
-/// direction that owes its weight to the residual itself.
+/// Largest closing motion of a loop, as a multiple of its residual as drawn. A longer motion follows a direction that
+/// is caused by the residual itself.
 pub(crate) const COMMENSURATE: f64 = 100.0;
-/// A correction's Jacobian serves for the next one too where that, shrinking the residuals once more as the last did, leaves
-/// no more than this part of the size: below rounding, as Newton's method would.
+/// Predicted residual, relative to the size, below which a correction's Jacobian is reused. The prediction assumes
+/// the same reduction as in the last step; the result is below rounding, as with a new Jacobian.
 pub(crate) const KEPT_JACOBIAN: f64 = 1e-17;
-/// Longest step along a branch, as a part of the characteristic length that no coordinate moves beyond.
+/// Longest step along a branch, for the coordinate that moves most, relative to the characteristic length.
 pub(crate) const LONGEST_BRANCH_STEP: f64 = 0.15;
-/// A shorter step than this part of the length is not worth going on with.
+/// Shortest step along a branch, relative to the characteristic length; shorter steps end the path.
 pub(crate) const SHORTEST_BRANCH_STEP: f64 = 1e-9;
-/// Most steps: some thousand turns of a small group; of a large one fewer, which take as long.
+/// Largest number of steps: some thousand turns of a small group. Large groups take fewer steps in the same time.
 pub(crate) const BRANCH_STEPS: usize = 100_000;
-/// Fewest of these steps, however large the group is.
+/// Smallest step limit, even for large groups.
 pub(crate) const FEWEST_BRANCH_STEPS: usize = 500;
-/// The tangent turns by less than about 25° in a step.
+/// Cosine of the largest rotation of the tangent in a step: about 25°.
 pub(crate) const STRAIGHT: f64 = 0.9;
-/// Largest change of the linearised curve, ‖X₀⁺(X − X₀)‖, from one point of a branch to the next: at 1 another branch may cross.
+/// Largest change ‖X₀⁺(X − X₀)‖ of the linearised curve between consecutive points of a branch. At 1 another branch
+/// may cross.
 pub(crate) const CHART_DRIFT: f64 = 0.5;
-/// The same of the followers' Jacobian alone, over the slope of the drivers, from which on it is not looked at more closely.
+/// Largest change of the dependent coordinates' Jacobian, divided by the slope of the drivers, that needs no further
+/// check.
 pub(crate) const BESIDE_DRIFT: f64 = 0.25;
-/// Square of a step, as a part of the size, over the least singular value of X: terms of the second order of that change.
+/// Limit of second-order terms: squared step relative to the size, divided by the smallest singular value of X.
 pub(crate) const TURNING_DRIFT: f64 = 0.5;
-/// Power iterations for norms of these changes: a tenth of the norm suffices.
+/// Number of power iterations for norms of these changes; a tenth of the norm is accurate enough.
 pub(crate) const DRIFT_ITERATIONS: usize = 4;
-/// Least slope of the drivers in the middle of a step, as a part of that at its ends: 1 along a straight branch.
+/// Smallest slope of the drivers in the middle of a step, relative to the slope at its ends: 1 along a straight
+/// branch.
 pub(crate) const LEAST_MIDDLE_SLOPE: f64 = 0.25;
-/// Square of the least singular value at its minimum beside a point, relative: below, branches cross; branches that come within the
-/// root of the closing tolerance of each other leave 0.01 or more.
+/// Minimum of the squared smallest singular value near a point, relative to its value at the point, below which
+/// branches cross. Branches that approach each other within the square root of the closing tolerance leave at least
+/// 0.01.
 pub(crate) const SAME_CROSSING: f64 = 1e-3;
-/// Length of a step over a crossing, as a multiple of the distance at which branches are one crossing.
+/// Length of a step over a crossing, as a multiple of the distance below which two branches count as one crossing.
 pub(crate) const LEAP_OVER: f64 = 1e3;
-/// How many lengths of such a step are tried, each an eighth of the last.
+/// Number of lengths tried for such a step, each an eighth of the previous one.
 pub(crate) const LEAP_LENGTHS: usize = 3;
-/// Followers' Jacobians whose least pivot is below this part of its size at the generic pose are near-singular.
+/// Smallest pivot of the dependent coordinates' Jacobian, relative to its generic size, below which a pose is
+/// near-singular.
 pub(crate) const NEARLY_SINGULAR: f64 = 1e-2;
-/// Places on each side of a crossing from which a pose there is interpolated.
+/// Number of places on each side of a crossing for the interpolation of a pose.
 pub(crate) const CROSSING_PLACES: usize = 4;
-/// Distance of the places on the curve, as a part of the characteristic length: η⁸/35 of the eighth derivative remains.
+/// Distance of these places along the curve, relative to the characteristic length. The remaining error is η⁸/35
+/// times the eighth derivative.
 pub(crate) const CROSSING_STEP: f64 = 0.015;
-/// Coordinates up to which the weakest direction is looked for.
+/// Largest number of coordinates for a dense search of the weakest direction.
 pub(crate) const WEAKEST_DIRECTION_LIMIT: usize = 64;
-/// Singular values below this part of the largest are rounding.
+/// Singular values below this fraction of the largest are rounding.
 pub(crate) const FAINT_SINGULAR_VALUE: f64 = 1e-13;
-/// Squares of singular values below this part of the largest are no longer told from rounding in JᵀJ.
+/// Squared singular values below this fraction of the largest are indistinguishable from rounding in JᵀJ.
 pub(crate) const REGULAR_SQUARE: f64 = 1e-10;
-/// Inverse iterations: each brings the weakest direction forward by the square of the ratio of singular values.
+/// Number of inverse iterations. Each one amplifies the weakest direction by the squared ratio of singular values.
 pub(crate) const INVERSE_ITERATIONS: usize = 3;
-/// Most corrections that close a group again after it has advanced.
+/// Largest number of corrections that close a group again after an advance.
 pub(crate) const ADVANCE_CORRECTIONS: usize = 8;
 
-// Putting loops together.
+// Assembly of loops.
 
-/// A pose nearer to the first one than this part of the size is that pose again.
+/// Distance from the first pose, relative to the size, below which two poses are the same.
 pub(crate) const SAME_POSE: f64 = 1e-5;
-/// Seeded starts that are tried before a group is given up.
+/// Number of seeded starts before a group fails to close.
 pub(crate) const FIRST_STARTS: u64 = 24;
-/// The sizes of these starts, rad or parts of the size.
+/// Perturbations of these starts, rad or relative to the size.
 pub(crate) const FIRST_STARTS_ASIDE: [f64; 6] = [0.01, 0.1, 0.3, 1.0, 3.0, 2.0];
-/// Seeded poses around the first one at which the generic rank is looked for.
+/// Number of seeded poses near the first one in the search for the generic rank.
 pub(crate) const GENERIC_POSES: u64 = 12;
-/// How many of these poses are enough.
+/// Number of these poses that are sufficient.
 pub(crate) const GENERIC_POSES_ENOUGH: usize = 3;
-/// Coordinates of a group beyond which fewer of these poses are tried: the rank of a large group shows at one pose.
+/// Number of coordinates of a group above which fewer of these poses are tried: one pose shows the rank of a large
+/// group.
 pub(crate) const LARGE_GROUP: usize = 160;
-/// Starts from which drivers are put at the positions asked for, when the branch does not reach there: a Cassie leg closes
-/// from one in seven.
+/// Number of starts with the drivers at the requested positions, if the branch does not reach these. A Cassie leg
+/// closes from one start in seven.
 pub(crate) const MODE_STARTS: usize = 48;
-/// Sizes of these starts' motion aside, rad or parts of the size.
+/// Perturbations of these starts, rad or relative to the size.
 pub(crate) const MODE_STARTS_ASIDE: [f64; 4] = [0.3, 1.0, 2.0, 3.0];
-/// Most work of these starts, in cubes of a group's coordinates.
+/// Largest work of these starts, in cubes of a group's coordinates.
 pub(crate) const MODE_STARTS_WORK: usize = 20_000_000;
-/// A joint with several positions that was set stands there when it is no further off than this part of the size: its
-/// values are given with eight decimals or fewer.
+/// Distance, relative to the size, within which a joint with several set positions has reached them: values given
+/// with eight decimals or fewer.
 pub(crate) const MATCHED: f64 = 1e-6;
-/// Most corrections of a step of the joints that were set: Newton's method takes a few where the loops let them.
+/// Largest number of corrections per step of set joints. Newton's method needs a few, if the loops permit the
+/// positions.
 pub(crate) const SET_CORRECTIONS: usize = 30;
-/// The joints of a held mechanism stand so far (rad, or parts of the size) off zero at its generic pose.
+/// Perturbation (rad, or relative to the size) of the joints of a mechanism with held contacts at its generic pose.
 pub(crate) const HELD_ASIDE: f64 = 0.2;
 
-// Branches at a crossing, and the limits along them.
+// Branches at a crossing, and the limits along the branches.
 
-/// How far from the pose branches are looked for, as a part of the group's size.
+/// Distance from the pose in the search for branches, relative to the group's size.
 pub(crate) const BRANCH_DISTANCE: f64 = 1e-3;
-/// Directions tried where two motions are admissible.
+/// Number of directions tried with two admissible motions.
 pub(crate) const DIRECTIONS_IN_A_PLANE: usize = 96;
-/// Fewest directions tried where more motions are admissible.
+/// Smallest number of directions tried with more admissible motions.
 pub(crate) const FEWEST_DIRECTIONS: usize = 256;
-/// Most of these directions.
+/// Largest number of these directions.
 pub(crate) const MOST_DIRECTIONS: usize = 2048;
-/// Most corrections on the way to a branch.
+/// Largest number of corrections on the path to a branch.
 pub(crate) const BRANCH_CORRECTIONS: usize = 40;
-/// Branches between branches that make a cone.
+/// Number of nested intermediate branches that identify a cone.
 pub(crate) const CONE_HALVINGS: usize = 4;
-/// Work, in cubes of a group's coordinates, after which no more directions are tried: about a second.
+/// Largest work of the search for directions, in cubes of a group's coordinates: about a second.
 pub(crate) const DIRECTIONS_WORK: usize = 2_500_000;
-/// Tangents of curves that differ by less than this (rad) belong to one branch.
+/// Angle (rad) between tangents of curves below which both belong to one branch.
 pub(crate) const SAME_TANGENT: f64 = 2e-3;
-/// The same of tangent spaces of branches with more freedoms, which are known beside the crossing only. rad.
+/// Angle (rad) between tangent spaces below which both belong to one branch with several degrees of freedom. These
+/// spaces are known only beside the crossing.
 pub(crate) const SAME_TANGENT_SPACE: f64 = 0.02;
-/// Singular values beside a crossing count from this part of the largest on.
+/// Smallest nonzero singular value beside a crossing, relative to the largest.
 pub(crate) const BESIDE_A_CROSSING: f64 = 1e-8;
-/// How far apart are the places from which m̄ is carried on to the crossing, in parts of the groups' sizes; the next is
-/// tried where the values vary too much.
+/// Distances between the places for the extrapolation of m̄ to the crossing, relative to the groups' sizes. The next
+/// distance is tried if the values vary too much.
 pub(crate) const LIMIT_STEPS: [f64; 4] = [0.01, 2.5e-3, 6e-4, 1.5e-4];
-/// Two orders of the interpolation that agree to this are good: the higher one is much better than that.
+/// Difference between two orders of the interpolation below which the limit is accepted; the higher order is much
+/// more accurate.
 pub(crate) const LIMITS_AGREE: f64 = 1e-7;
-/// Most combinations of branches of several groups that are looked at.
+/// Largest number of combinations of branches of several groups.
 pub(crate) const BRANCH_COMBINATIONS: usize = 256;
-/// A limit below this part of the values it is carried on from is zero.
+/// Limit, relative to the values used in its extrapolation, below which the limit is zero.
 pub(crate) const VANISHING_LIMIT: f64 = 1e-7;
-/// A branch is too bent where the cosine between it and where it is at these places is less.
+/// Smallest cosine between a branch and the displacement at these places; a smaller cosine means that the branch is
+/// too curved.
 pub(crate) const BENT: f64 = 0.9;
 
-/// Corrections that close a group again after a step aside are together at most this many times the step: of second order in
-/// it, they are far shorter unless the branch is lost.
+/// Largest total correction that closes a group after a displacement, relative to the displacement. Corrections are
+/// of second order, and far shorter unless the branch is lost.
 pub(crate) const MOST_CLOSING: f64 = 1.0;
-/// Places from which a limit is carried on, at most: four on either side, at every distance.
+/// Largest number of places for the extrapolation of a limit: four on each side, at every distance.
 pub(crate) const LIMIT_PLACES: usize = 8 * LIMIT_STEPS.len();
-/// Work of the careful route at the places from which limits are carried on, in cubes of the coordinates; beyond, the recursion
-/// is asked: two branches of a mechanism of 160 coordinates, some seconds.
+/// Largest work of the dense route at the places for limits, in cubes of the coordinates: two branches of a mechanism
+/// of 160 coordinates, some seconds. For more work, the recursion is used.
 pub(crate) const LIMITS_BY_CAREFUL_ROUTE: usize = 300_000_000;
-/// Work of the recursion at these places, in bodies; fewer combinations are looked at where it would be more: 256 of a
-/// mechanism of 1,000 bodies, some ten seconds.
+/// Largest work of the recursion at these places, in bodies: 256 combinations for a mechanism of 1,000 bodies, some
+/// ten seconds. For more work, fewer combinations are computed.
 pub(crate) const LIMITS_BY_RECURSION: usize = 10_000_000;
-/// Work, in cubes of a group's coordinates, of looking for branches where two motions are admissible or fewer, and of the proof
-/// that a pose is regular: every direction of a plane of 160 coordinates, or every motion of 64.
+/// Largest work, in cubes of a group's coordinates, of the search for branches with at most two admissible motions,
+/// and of the proof that a pose is regular: every direction of a plane for 160 coordinates, or every motion for 64.
 pub(crate) const DIRECTIONS_WORK_IN_ALL: usize = 400_000_000;
-/// Most work of setting joints with several positions, in cubes of a group's coordinates; of a large group so many corrections
-/// at least.
+/// Largest work for setting joints with several positions, in cubes of a group's coordinates. Large groups may use at
+/// least [`FEWEST_SET_CORRECTIONS`] corrections.
 pub(crate) const SET_WORK: usize = 200_000_000;
 pub(crate) const FEWEST_SET_CORRECTIONS: usize = 1_000;
-/// Corrections that no longer come to this part of the one before are rounding, once they have settled.
+/// Ratio of consecutive corrections above which converged corrections are only rounding.
 pub(crate) const CORRECTIONS_SHRINK: f64 = 0.5;
-/// Two orders of the interpolation that differ by more than this part leave no limit to speak of: it would have three digits,
-/// where the places are as near as rounding lets them be.
+/// Difference between two orders of the interpolation above which there is no limit. At this difference the limit
+/// would have three digits at the smallest possible distance of the places.
 pub(crate) const DOUBTFUL_LIMIT: f64 = 1e-3;
-/// Bodies up to which the room of an answer is kept for the next: some hundred kilobytes.
+/// Largest number of bodies for keeping a workspace in the pool: some hundred kilobytes.
 pub(crate) const KEPT_BODIES: usize = 256;
-/// Rooms kept at most: as many as threads ask at once.
+/// Largest number of workspaces in the pool: the number of concurrent threads.
 pub(crate) const KEPT_ROOMS: usize = 64;
-/// Coordinates and bodies up to which a linkage is compiled for its velocities.
+/// Largest number of coordinates and bodies of a linkage with a compiled kernel.
 pub(crate) const LINKAGE_COORDINATES: usize = 64;
-/// Freedoms up to which it is: its energy is a full matrix over them.
+/// Largest number of degrees of freedom of such a linkage, whose energy is a full matrix over these.
 pub(crate) const LINKAGE_FREEDOMS: usize = 8;
-/// How much smaller than the largest a pivot may be at the pose that a linkage is compiled at: what is eliminated in the same
-/// order elsewhere is to be far from singular.
+/// Largest ratio of the largest pivot to another one at the pose for which a linkage is compiled. The margin keeps
+/// the elimination in the same order regular at other poses.
 pub(crate) const LINKAGE_PIVOT: f64 = 64.0;
-/// Residual, as a part of the least size of a group, at which lanes need no further pass of Newton's method: rounding.
+/// Residual, relative to the smallest size of a group, at which lanes need no further Newton iteration: rounding.
 pub(crate) const CLOSED_IN_LANES: f64 = 4e-15;
-/// Passes of Newton's method in lanes at most: from a prediction two or three do.
+/// Largest number of Newton iterations in lanes; from a prediction two or three are sufficient.
 pub(crate) const CLOSING_PASSES: usize = 5;
-/// How far what depends may go beyond its prediction, as a part of the step.
+/// Largest correction of dependent coordinates relative to the step.
 pub(crate) const SMALL_CORRECTION: f64 = 0.25;
-/// Largest change of the followers' Jacobian, ‖A₀⁻¹(A − A₀)‖, over rows that are followed from one pose without another check: at 1 a
-/// second branch may come near. The followers' rates change by a half at most.
+/// Largest change ‖A₀⁻¹(A − A₀)‖ of the dependent coordinates' Jacobian, over rows followed from one pose without
+/// another check. At 1 a second branch may come near. The rates of the dependent coordinates change by at most a
+/// half.
 pub(crate) const FOLLOWERS_DRIFT: f64 = 1.0 / 3.0;
-/// How much longer a branch may be than its tangent over such rows: rates g grow to (g + 1/3)·3/2 at most.
+/// Largest ratio of the length of a branch to its tangent over such rows: rates g increase to at most (g + 1/3)·3/2.
 pub(crate) const LONGEST_FOLLOWED: f64 = 2.0;
-/// Step of the differences that give ‖A′‖, as a part of the size: leaves five digits.
+/// Step of the finite differences for ‖A′‖, relative to the size; leaves five digits.
 pub(crate) const CURVATURE_STEP: f64 = 1e-5;
-/// By how many times as much as its loops are open, over its least length, the rows of a linkage are taken to be off.
+/// Error of a linkage's rows as a multiple of the gap of its loops divided by its smallest length.
 pub(crate) const OPEN_ROUNDINGS: f64 = 8.0;
-/// Roundings of a place, over the length that counts there, by which an arm between two places is off.
+/// Roundings of an arm between two positions, relative to the relevant length.
 pub(crate) const FAR_ROUNDINGS: f64 = 4.0;
-/// How far positions may be from those of a pose, rad or lengths of the mechanism, for its pivots to serve: far below what
-/// any singular value that counts as one can move them to.
+/// Largest distance of positions from those of a pose (rad, or lengths of the mechanism) for reuse of its pivots: far
+/// too small to move a nonzero singular value to zero.
 pub(crate) const BESIDE: f64 = 1e-9;
-/// Numbers up to which the clusters of a room that is kept may have: some hundred kilobytes.
+/// Largest number of values in the clusters of a workspace kept in the pool: some hundred kilobytes.
 pub(crate) const KEPT_NUMBERS: usize = 1 << 15;
 
 // Maps of many contacts.
 
-/// Contacts that are answered before they are looked at again: they stay in the cache.
+/// Number of contacts evaluated before the check of their errors; the columns stay in the cache.
 pub(crate) const MAP_PORTION: usize = 512;
-/// The stated relative error up to which Φ answers a contact; beyond, it is asked by itself: eight digits.
+/// Largest relative error of a contact computed from Φ: eight digits. Other contacts are computed separately.
 pub(crate) const MAP_TRUSTED_ERROR: f64 = 1e-8;
-/// Roundings of the triangular factor and of a contact's own algebra: 6 columns of some rotations each, Higham 2002, §19.6
-/// (cited from memory), times four.
+/// Roundings of the triangular factor and of a contact's own algebra: 6 columns of some rotations each, Higham 2002,
+/// §19.6 (cited from memory), times four.
 pub(crate) const MAP_OWN_ROUNDINGS: f64 = 96.0;
-/// By how much the errors of all contacts may exceed what those of some dozen need: these are a sample of directions and places.
-/// Over some 60,000 contacts of random trees and linkages no answer was off by more than is stated with it.
+/// Safety factor from the errors at some dozen sample contacts to the errors of all contacts. For about 60,000
+/// contacts of random trees and linkages, no result exceeded the error stated with this factor.
 pub(crate) const MAP_SAFETY: f64 = 16.0;
-/// |R w| below this part of the largest there is may be rounding: a contact that nothing moves leaves 1e-15.
+/// |R w|, relative to its largest value, that may be rounding. A contact that nothing moves leaves 1e-15.
 pub(crate) const MAP_STILL: f64 = 1e-13;
-/// Eigenvalues of Φ (squares) below the first part of the largest are rounding; all others are to be above the second, for
-/// [`MAP_STILL`] to stay below [`IMMOVABLE`].
+/// Eigenvalues of Φ (squares) below the first fraction of the largest are rounding. All others must be above the
+/// second, so that [`MAP_STILL`] stays below [`IMMOVABLE`].
 pub(crate) const MAP_CLEAR_SPECTRUM: [f64; 2] = [1e-14, 1e-6];
-/// A contact whose wrench a motion without mass answers by more than this part is massless beyond doubt.
+/// Fraction of a contact's wrench with a massless response above which the contact is certainly massless.
 pub(crate) const MAP_FREE_CLEAR: f64 = 1e-6;
 
-// Matrices of the caller's.
+// Matrices of the caller.
 
-/// Numbers beyond this are no input. Any unit.
+/// Largest magnitude of an entry. Any unit.
 pub(crate) const LARGEST_ENTRY: f64 = LARGEST_NUMBER;
-/// Entries below this count as zero: products of two are still numbers. Any unit.
+/// Entries below this magnitude count as zero; products of two larger entries do not underflow. Any unit.
 pub(crate) const LEAST_ENTRY: f64 = 1e-100;
-/// Lengths of coordinates from 1 over this to this: products with entries are still numbers.
+/// Largest length of a coordinate; the smallest is the inverse. Products with entries do not overflow.
 pub(crate) const LENGTH_LIMIT: f64 = 1e30;
-/// How many times as much as one trial with entries off by their accuracy moves m̄ it may be off: signs that are worse.
+/// Safety factor from the change of m̄ in one trial with perturbed entries to its error bound, because other signs
+/// may be worse.
 pub(crate) const MOVED_SAFETY: f64 = 8.0;
-/// Relative accuracy of entries above which errors beyond first order are looked for by several trials: half precision.
+/// Relative error of the entries above which several trials search for errors beyond first order: half precision.
 pub(crate) const FEW_DIGITS: f64 = 1e-6;
-/// How many trials.
+/// Number of these trials.
 pub(crate) const FEW_DIGITS_TRIALS: usize = 8;
-/// The greatest relative error that entries may be said to have: three decimals.
+/// Largest accepted relative error of the entries: three decimals.
 pub(crate) const MOST_ACCURACY: f64 = 1e-3;
-/// Rows of A without an entry above this part of the largest entry that binds the same coordinates are rounding: terms of its
-/// size that cancel, some tens of roundings.
+/// Rows of A without an entry above this fraction of the largest entry with shared coordinates are rounding: some
+/// tens of roundings of cancelling terms.
 pub(crate) const ROW_NOISE: f64 = 1e-14;
-/// Singular values of A below this many times the accuracy of its entries count as zero.
+/// Zero threshold for singular values of A, as a multiple of the accuracy of the entries.
 pub(crate) const FLOOR_ACCURACY: f64 = 10.0;
-/// M may differ from its transpose by this part of √(M_rr M_cc): two ways of summing it up differ by some 1e-13.
+/// Largest accepted difference of M from its transpose, relative to √(M_rr M_cc). Two methods of summation differ by
+/// about 1e-13.
 pub(crate) const SYMMETRIC: f64 = 1e-9;
-/// The same in units of the accuracy of M's entries, where these are known to fewer digits: sums of a few products.
+/// Largest accepted difference of M from its transpose as a multiple of the entries' accuracy, for entries with fewer
+/// digits: sums of a few products.
 pub(crate) const SYMMETRIC_ROUNDINGS: f64 = 16.0;
-/// An entry of M beyond this many times √(M_rr M_cc) is no rounding: a negative energy, or noise of a coordinate without mass.
+/// Largest entry of M relative to √(M_rr M_cc). A larger entry is not rounding: a negative energy, or noise of a
+/// coordinate without mass.
 pub(crate) const PAIR_BOUND: f64 = 1.0 + 1e-6;
-/// The same excess over 1 in units of the accuracy of M's entries: that of the entry and of both diagonal entries, twice over.
+/// Excess of [`PAIR_BOUND`] over 1 as a multiple of the entries' accuracy: the errors of the entry and of both
+/// diagonal entries, doubled.
 pub(crate) const PAIR_ROUNDINGS: f64 = 4.0;
-/// Noise of a coordinate without mass, in roundings of the largest mass: those of sums of a few products.
+/// Noise of a coordinate without mass, in roundings of the largest mass: sums of a few products.
 pub(crate) const MATRIX_NOISE: f64 = 16.0;
-/// A negative eigenvalue of M scaled to unit diagonal beyond so many roundings (n of them, and the entries' accuracy) is a
-/// negative energy: the same as for pivots of the careful route.
+/// Magnitude, in roundings, of a negative eigenvalue of M scaled to unit diagonal above which the energy is negative
+/// (n roundings, and the entries' accuracy). Equal to the limit for pivots of the dense route.
 pub(crate) const NEGATIVE_MASS: f64 = 4e3;

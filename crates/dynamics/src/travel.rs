@@ -1,4 +1,5 @@
-//! The travel of a point: how far it is displaced, how fast a joint moves it, and the pose where it is displaced as requested.
+//! Travel of a point: its displacement, its rate with respect to a driving joint, and the pose of a given
+//! displacement.
 
 use crate::assembling::AssemblyError;
 use crate::closing::Directions;
@@ -16,25 +17,27 @@ use percuss_mechanism::{JointId, LinkId, Mechanism};
 use percuss_spatial::Transform;
 use std::sync::Arc;
 
-/// The displacement of a point of a link along a direction, from where it is at a given pose.
+/// Displacement of a point of a link along a direction, relative to a given pose.
 ///
-/// s = n · (p_w − p_w at that pose), m; ds/dq = n · J_P u with A u = 0, u of the driver 1 and of the other drivers 0.
+/// s = n · (p_w − p_w at that pose), m; ds/dq = n · J_P u with A u = 0, where u is 1 for the driver and 0 for the
+/// other drivers.
 #[derive(Clone, Debug)]
 pub struct Travel {
     link: LinkId,
     point: Vector3<f64>,
     direction: Vector3<f64>,
-    /// X_wr where it starts.
+    /// X_wr at the start.
     base: Transform<f64>,
-    /// Where it starts, m, in the root link's frame: the world's origin may be far.
+    /// Start point in the frame of the root link, m. Root coordinates avoid a loss of digits far from the world's
+    /// origin.
     origin: Vector3<f64>,
 }
 
-/// A travel that means nothing, or that is not reached.
+/// Error of a travel: invalid, or not reachable.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TravelError {
-    /// NaN, infinite or absurdly large.
+    /// A component is NaN, infinite or above 1e100 in magnitude.
     #[error("the {what} of travel has a component {value:e}; a finite number of at most 1e100 is expected")]
     NotFinite {
         /// `point`, `direction` or `displacement`.
@@ -42,22 +45,22 @@ pub enum TravelError {
         /// The component.
         value: f64,
     },
-    /// A direction of travel without length.
+    /// The direction of travel has no length.
     #[error(
         "the direction of travel has no length ({length:e}; at least {SHORTEST_DIRECTION:e} is expected)"
     )]
     NoDirection {
-        /// Its length.
+        /// Length of the direction.
         length: f64,
     },
-    /// A handle of another mechanism.
+    /// A link handle of another mechanism.
     #[error(
         "link number {index} is not of this mechanism, which has {links} links; ask it for the link by name"
     )]
     ForeignLink {
-        /// The handle's number.
+        /// Index of the handle.
         index: usize,
-        /// How many links this mechanism has.
+        /// Number of links of this mechanism.
         links: usize,
     },
     /// No joint drives the point.
@@ -65,31 +68,31 @@ pub enum TravelError {
         "no joint that is free to drive moves this point of link \"{link}\" along the direction of travel"
     )]
     NothingMoves {
-        /// The point's link.
+        /// Link of the point.
         link: String,
     },
-    /// A joint that is no driver of one number.
+    /// The joint cannot be a driver: it does not have exactly one position of its own.
     #[error("joint \"{joint}\" has no single position of its own to drive by")]
     NoDriver {
         /// The joint.
         joint: String,
     },
-    /// The driver came to its end, or the point turned back, before.
+    /// The driver reached its limit, or the point reversed, before the requested displacement.
     #[error("a travel of {requested} m cannot be reached; nearest reached: {nearest:.6} m")]
     Unreachable {
-        /// The displacement asked for, m.
+        /// Requested displacement, m.
         requested: f64,
-        /// The nearest one between the ends of the range where the displacement goes one way, m.
+        /// Nearest displacement within the monotonic range, m.
         nearest: f64,
     },
-    /// So many steps of the driver are not made for one pose.
+    /// The travel exceeds the step limit of one pose.
     #[error(
         "a travel of {requested} m is too far to follow in one go; reached: {reached:.6} m; go there by way of poses between"
     )]
     TooFar {
-        /// The displacement asked for, m.
+        /// Requested displacement, m.
         requested: f64,
-        /// How far the point came, m.
+        /// Reached displacement, m.
         reached: f64,
     },
     /// Loops that do not close, or a configuration that does not fit.
@@ -97,32 +100,33 @@ pub enum TravelError {
     Assembly(#[from] AssemblyError),
 }
 
-/// How a joint moves the point.
+/// Effect of a joint on the point.
 enum Drive {
-    /// It cannot be set: it depends on others that are declared or set.
+    /// The joint cannot be set: it depends on other joints that are declared or set.
     None,
-    /// The loops do not determine it to first order: at a change point, or at a dead centre of the joint.
+    /// Not determined to first order: the pose is a change point, or a dead centre of the joint.
     Open { weak: bool },
-    /// At this rate; `weak`: near a dead centre of the joint.
+    /// Determined rate; `weak`: near a dead centre of the joint.
     At { rate: f64, motion: f64, weak: bool },
 }
 
-/// A joint that may drive the point.
+/// Joint that may drive the point.
 struct Candidate {
     joint: JointId,
     /// ds/dq, m/rad or m/m.
     rate: f64,
-    /// Σ u² of all joints with it, radians and sizes of the mechanism, where its own is 1 in its unit.
+    /// Σ u² of all moving joints (radians, and translations relative to the mechanism's size), at unit rate of this
+    /// joint.
     motion: f64,
     weak: bool,
 }
 
 impl Travel {
-    /// The travel of a point (m, link's frame) along a direction (world axes; its length does not matter), from where the
-    /// point is at a pose.
+    /// Travel of a point (m, link frame) along a direction (world axes, any length), relative to the point's position
+    /// at a pose.
     ///
     /// # Errors
-    /// [`TravelError`]: not finite, no direction, a link of another mechanism.
+    /// [`TravelError`]: a number that is not finite, no direction, a link of another mechanism.
     pub fn new(
         pose: &Pose,
         link: LinkId,
@@ -146,17 +150,17 @@ impl Travel {
         Ok(Self { link, point, direction: direction / length, base: pose.base, origin })
     }
 
-    /// The link.
+    /// Link of the point.
     pub fn link(&self) -> LinkId {
         self.link
     }
 
-    /// The point, m, link's frame.
+    /// The point in the link frame, m.
     pub fn point(&self) -> &Vector3<f64> {
         &self.point
     }
 
-    /// Unit vector, world axes.
+    /// Unit vector of the direction, in world axes.
     pub fn direction(&self) -> &Vector3<f64> {
         &self.direction
     }
@@ -171,13 +175,13 @@ impl Travel {
         self.direction.dot(&moved)
     }
 
-    /// ds/dq: the displacement per unit motion of a joint (m/rad, or m/m), while the dependent coordinates of its loops
-    /// follow and the other drivers of the pose stand still. A joint that depends at the pose drives as where it alone is
-    /// set.
+    /// ds/dq: displacement per unit motion of a joint (m/rad, or m/m). The dependent coordinates of its loops follow,
+    /// and the other drivers of the pose do not move. A joint that is dependent at the pose is treated as if only
+    /// this joint were set.
     ///
-    /// None where it is not determined, at a change point or at a dead centre of the joint, and for a joint that cannot
-    /// drive: of several positions or none, a mimic, one that depends on declared drivers. Exact to rounding; cost: a
-    /// factorisation of the dependent coordinates' Jacobian of its loops.
+    /// `None` at a change point or at a dead centre of the joint, where the rate is not determined. `None` also for a
+    /// joint that cannot drive: with no position or several positions, a mimic, or dependent on declared drivers.
+    /// Exact within rounding. Cost: one factorisation of the dependent coordinates' Jacobian of its loops.
     pub fn rate(&self, pose: &Pose, driver: JointId) -> Option<f64> {
         if !is_driver(pose.mechanism(), driver) {
             return None;
@@ -194,13 +198,15 @@ impl Travel {
         }
     }
 
-    /// The joint that moves the point most for the motion of all joints that it brings about, a radian against the size of
-    /// the mechanism: joints of one position that are not set, follow no other by a mimic, and drive their loops beside those
-    /// that are set. `is_set`: the joints that are set at the pose.
+    /// Joint that moves the point most, relative to the motion of all joints. Candidates have one position, are not
+    /// set, are not mimics, and can drive their loops together with the set joints. `is_set`: true for joints set at
+    /// the pose.
     ///
-    /// The greatest |ds/dq| / Σ u², u as for the rate: of joints that move together it is the one that turns furthest
-    /// over the travel, not one that hardly turns and stands still before the others do. By their rates; where these are not determined, or all zero (a change point, the end of a travel), by a small
-    /// step. A joint near its dead centre, where everything is fast, drives only where no other does.
+    /// The criterion is the largest |ds/dq| / Σ u², with u as in [`rate`](Self::rate), and translations relative to
+    /// the mechanism's size. Of joints that move together, this selects the joint that turns furthest over the
+    /// travel, not a joint that hardly turns and stops before the others. If the rates are not determined, or all
+    /// zero (a change point, the end of a travel), a small step is used instead. A joint near its dead centre, with
+    /// large velocities of all other joints, drives only if no other joint does.
     ///
     /// # Errors
     /// [`TravelError::NothingMoves`].
@@ -228,13 +234,13 @@ impl Travel {
             .ok_or_else(|| TravelError::NothingMoves { link: mechanism.link(self.link).name().to_owned() })
     }
 
-    /// The pose where the point is displaced as requested, followed from another pose along the branch: by Newton's method on
-    /// the driver, to 1e-12 of the mechanism's size, over the range where the displacement goes one way. The other joints
-    /// are where `configuration` wants them; what it says of the driver is not read.
+    /// Pose with the requested displacement of the point, followed from another pose along the branch. Newton's
+    /// method on the driver, to 1e-12 of the mechanism's size, within the range of monotonic displacement. The other
+    /// joints take their positions from `configuration`; its value for the driver is not read.
     ///
     /// # Errors
-    /// [`TravelError`]: beyond the ends of that range, with the nearest displacement; a joint that cannot drive; loops
-    /// that do not close.
+    /// [`TravelError`]: a displacement beyond the ends of that range (with the nearest displacement), a joint that
+    /// cannot drive, loops that do not close.
     pub fn pose(
         &self,
         from: &Pose,
@@ -266,7 +272,7 @@ impl Travel {
         };
         let scale = Scale { size: mechanism.characteristic_length(), unit: unit(mechanism, driver) };
         let mut start = self.place(from.clone(), driver);
-        // The pose it starts from may be of another configuration, with other drivers.
+        // The start pose may belong to another configuration, with other drivers.
         if !drives_at(from, driver) || (requested - start.gone).abs() <= MET * scale.size {
             start = visit(from, start.driver).map_err(|stop| match stop {
                 Stop::Fault(error) | Stop::NoPose { error, .. } => error,
@@ -280,12 +286,13 @@ impl Travel {
         })
     }
 
+    /// Displacement and rate at a pose.
     fn place(&self, pose: Pose, driver: JointId) -> Place<Pose> {
         let (gone, rate) = (self.displacement(&pose), self.rate(&pose, driver));
         Place { driver: pose.joint(driver)[0], gone, rate, pose }
     }
 
-    /// How a joint moves the point where it is set beside others.
+    /// Effect of a joint on the point, if the joint is set in addition to other joints.
     fn beside(&self, pose: &Pose, joint: JointId, is_set: &dyn Fn(JointId) -> bool) -> Drive {
         let Some(number) = group_of(pose, joint) else {
             let model = pose.assembly.posing();
@@ -307,8 +314,9 @@ impl Travel {
         }
     }
 
-    /// How a joint moves the point through its group of loops: u_d = −K⁻¹ a, with K the columns of A of the dependent
-    /// coordinates and a that of the joint. `conditioning`: least over largest pivot of K at the generic pose.
+    /// Effect of a joint on the point through its group of loops: u_d = −K⁻¹ a. K are the columns of A of the
+    /// dependent coordinates, a is the column of the joint. `conditioning`: ratio of the smallest to the largest
+    /// pivot of K at the generic pose.
     fn through(
         &self,
         pose: &Pose,
@@ -345,7 +353,7 @@ impl Travel {
         Drive::At { rate: self.speed(pose, &u), motion: motion(pose, &u), weak }
     }
 
-    /// Speed of the point along the direction at rates of the coordinates, m/s.
+    /// Speed of the point along the direction at given rates of the coordinates, m/s.
     fn speed(&self, pose: &Pose, u: &[f64]) -> f64 {
         let jacobian = pose.assembly.posing().point_jacobian(&pose.kinematics, self.link, &self.point);
         let along = pose.base.inverse_vector(&self.direction);
@@ -357,7 +365,7 @@ impl Travel {
             .sum()
     }
 
-    /// How a joint moves the point in a small step, all other drivers where they are; none where there is no pose.
+    /// Effect of a joint on the point from a small step, with all other drivers fixed; `None` if no pose is found.
     fn step_of(
         &self,
         pose: &Pose,
@@ -388,7 +396,7 @@ impl Travel {
     }
 }
 
-/// Σ u², with a slide's rate in sizes of the mechanism.
+/// Σ u², with rates of translations relative to the size of the mechanism.
 fn motion(pose: &Pose, u: &[f64]) -> f64 {
     let size = pose.mechanism().characteristic_length();
     let coordinates = &pose.assembly.posing().coordinates;
@@ -396,43 +404,43 @@ fn motion(pose: &Pose, u: &[f64]) -> f64 {
     scaled.map(|u| u * u).sum()
 }
 
-/// Whether a joint has one position, and one of its own.
+/// True if a joint has exactly one position and is not a mimic.
 fn is_driver(mechanism: &Mechanism, joint: JointId) -> bool {
     let found = mechanism.joints().get(joint.index());
     found.is_some_and(|joint| joint.kind().positions() == 1 && joint.mimic().is_none())
 }
 
-/// Steps of a joint are in radians, or in sizes of the mechanism.
+/// Unit of a joint's steps: 1 rad, or the size of the mechanism.
 fn unit(mechanism: &Mechanism, joint: JointId) -> f64 {
     if turns(mechanism.joint(joint).kind(), 0) { 1.0 } else { mechanism.characteristic_length() }
 }
 
-/// The group of loops that a joint is bound by.
+/// Group of loops that contains a joint.
 fn group_of(pose: &Pose, joint: JointId) -> Option<usize> {
     pose.assembly.posing().groups.iter().position(|group| group.joints.contains(&Some(joint)))
 }
 
-/// Whether a joint depends on no other at a pose.
+/// True if a joint does not depend on other joints at a pose.
 fn drives_at(pose: &Pose, joint: JointId) -> bool {
     let Some((number, loops)) = group_of(pose, joint).zip(pose.loops.as_ref()) else { return true };
     let group = &pose.assembly.posing().groups[number];
     loops.dependent[number].iter().all(|&at| group.joints[at] != Some(joint))
 }
 
-/// The coordinate of a joint with one velocity of its own.
+/// Coordinate of the first velocity of a joint.
 fn coordinate(model: &Model, joint: JointId) -> Option<usize> {
     let body = &model.bodies[model.body_of_joint[joint.index()]?];
     model.follows[body.v.clone().next()?].map(|follows| follows.index)
 }
 
-/// The joint that moves the point most for all that moves with it, and fast enough to drive it.
+/// Candidate that moves the point most relative to all motion, and fast enough to drive the point.
 fn best(mechanism: &Mechanism, candidates: impl IntoIterator<Item = Candidate>) -> Option<JointId> {
     let least = UNMOVED * mechanism.characteristic_length();
     let mut best: Option<(JointId, f64, bool)> = None;
     for Candidate { joint, rate, motion, weak } in candidates {
         let own = unit(mechanism, joint);
         let speed = (rate * own).abs();
-        // All that moves, where the joint's own motion is 1: no less than that.
+        // Sum of all motion at unit motion of the joint itself: at least 1.
         let merit = speed / (motion * own * own).max(1.0);
         let is_better = best.is_none_or(|(_, most, other_is_weak)| match weak == other_is_weak {
             true => merit > most * (1.0 + SAME_RATE),
@@ -445,7 +453,7 @@ fn best(mechanism: &Mechanism, candidates: impl IntoIterator<Item = Candidate>) 
     best.map(|(joint, ..)| joint)
 }
 
-/// Where the driver came to its end.
+/// Position at which the driver reached its limit.
 fn end_of(error: &AssemblyError, driver: &str) -> Option<f64> {
     let AssemblyError::Unreachable { nearest, .. } = error else { return None };
     nearest.iter().find(|(name, _)| name == driver).map(|(_, value)| *value)

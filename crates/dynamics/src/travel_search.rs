@@ -1,68 +1,69 @@
-//! From a place with a displacement and its rate to the place where the displacement is as requested: Newton's method along
-//! one driver, over the range where the displacement goes one way.
+//! Search for the place at which a point has a requested displacement: Newton's method along one driver, within the
+//! range of monotonic displacement.
 //!
-//! What limits a travel is enclosed like a solution: the driver's own end, beyond which there is no pose, and the place
-//! where the point turns back.
+//! Limits of a travel are bracketed like solutions: the limit of the driver, beyond which no pose exists, and the
+//! reversal of the point.
 
 use crate::assembling::AssemblyError;
 use crate::tolerances::{
     ENCLOSED_STEPS, FIRST_STEP, LONGEST_STEP, MET, MET_TO_ROUNDING, POLISHED, STATIONARY, TRAVEL_STEPS,
 };
 
-/// A place on the way of a driver.
+/// A pose along the motion of a driver.
 #[derive(Clone, Debug)]
 pub(crate) struct Place<P> {
     pub pose: P,
-    /// Where the driver stands, rad or m.
+    /// Position of the driver, rad or m.
     pub driver: f64,
     /// Displacement of the point, m.
     pub gone: f64,
-    /// Its rate; none where it is not determined.
+    /// Rate of the displacement; `None` if not determined.
     pub rate: Option<f64>,
 }
 
-/// Why there is no place at a value of the driver.
+/// Reason for a missing pose at a driver position.
 #[derive(Clone, Debug)]
 pub(crate) enum Stop {
-    /// No pose stands there; the driver's end, where it was found.
+    /// No pose exists there; `end` is the limit of the driver, if found.
     NoPose { error: AssemblyError, end: Option<f64> },
-    /// The question is wrong.
+    /// The input is invalid.
     Fault(AssemblyError),
 }
 
-/// Why a displacement was not reached.
+/// Reason for not reaching a displacement.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Missed {
-    /// The driver came to its end, or the point turned back: the displacement nearest to the requested one, m.
+    /// The driver reached its limit, or the point reversed. `nearest`: displacement nearest to the requested one, m.
     Unreachable { nearest: f64 },
-    /// There were no more steps: how far the point came, m.
+    /// The step limit was reached. `reached`: displacement of the point, m.
     TooFar { reached: f64 },
-    /// No step could be made, or a pose is wrong.
+    /// No step was possible, or a pose is invalid.
     Assembly(AssemblyError),
 }
 
-/// What displacements and steps are measured on.
+/// Reference lengths for displacements and steps.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Scale {
-    /// Of the mechanism, m.
+    /// Size of the mechanism, m.
     pub size: f64,
-    /// Of the driver: a radian, or the size.
+    /// Unit of the driver: 1 rad, or the size.
     pub unit: f64,
 }
 
-/// What lies on the other side of what is looked for.
+/// Far end of the bracket around the solution.
 enum Far<P> {
-    /// A place where the point has gone too far.
+    /// A place beyond the requested displacement.
     Over(Place<P>),
-    /// A place where the point has turned back.
+    /// A place after the reversal of the point.
     Turned(Place<P>),
-    /// The driver's end, which is short of the displacement: the point may have turned back before.
+    /// The limit of the driver, short of the displacement. The point may have reversed before the limit.
     End(Place<P>),
-    /// A value of the driver without a pose, or its end, at which there may be one.
+    /// A driver position without a pose, or the limit of the driver, at which a pose may exist.
     Barred { driver: f64, is_end: bool },
 }
 
 impl<P> Far<P> {
+    /// Position of the driver at this end.
     fn driver(&self) -> f64 {
         match self {
             Far::Over(place) | Far::Turned(place) | Far::End(place) => place.driver,
@@ -71,34 +72,36 @@ impl<P> Far<P> {
     }
 }
 
-/// The place at a value of the driver, or why there is none.
+/// Place at a driver position, or the reason for its absence.
 type Visited<P> = Result<Place<P>, Stop>;
 
-/// A search for one displacement.
+/// Search for one displacement.
 pub(crate) struct Search<'a, P> {
     pub scale: Scale,
-    /// m.
+    /// Requested displacement, m.
     pub requested: f64,
-    /// The place at a value of the driver, followed from another pose.
+    /// Returns the place at a driver position, followed from another pose.
     pub visit: &'a mut (dyn FnMut(&P, f64) -> Visited<P> + 'a),
 }
 
 impl<P> Search<'_, P> {
+    /// Remaining displacement to the requested one, m.
     fn miss(&self, place: &Place<P>) -> f64 {
         self.requested - place.gone
     }
 
+    /// True if the requested displacement is reached.
     fn is_met(&self, place: &Place<P>) -> bool {
         self.miss(place).abs() <= MET * self.scale.size
     }
 
-    /// The rate, where it has a sign.
+    /// The rate, if its sign is determined.
     fn rate(&self, place: &Place<P>) -> Option<f64> {
         let Scale { size, unit } = self.scale;
         place.rate.filter(|rate| rate.is_finite() && (rate * unit).abs() > STATIONARY * size)
     }
 
-    /// Goes to the displacement that is requested, from a place that was visited.
+    /// Searches the requested displacement, starting at a known place.
     pub fn go(mut self, start: Place<P>) -> Result<Place<P>, Missed> {
         if self.is_met(&start) {
             return Ok(start);
@@ -110,13 +113,13 @@ impl<P> Search<'_, P> {
         let Some(rate) = self.rate(&start) else {
             return Err(Missed::Unreachable { nearest: start.gone });
         };
-        // Of the driver, towards the displacement that is requested.
+        // Direction of the driver towards the requested displacement.
         let ahead = self.miss(&start).signum() * rate.signum();
         let found = self.march(start, ahead)?;
         Ok(self.polished(found))
     }
 
-    /// One more step, where what is left of the last one shows in the digits.
+    /// One more Newton step, if the remaining error is above rounding.
     fn polished(&mut self, found: Place<P>) -> Place<P> {
         let miss = self.miss(&found);
         let Some(rate) = self.rate(&found).filter(|_| miss.abs() > POLISHED * self.scale.size) else {
@@ -133,7 +136,7 @@ impl<P> Search<'_, P> {
         }
     }
 
-    /// A step off a place where the rate says nothing.
+    /// A step away from a place with an undetermined rate.
     fn leave(&mut self, start: &Place<P>) -> Result<Place<P>, Missed> {
         let step = FIRST_STEP * self.scale.unit;
         let mut first = None;
@@ -149,7 +152,7 @@ impl<P> Search<'_, P> {
         Err(first.map_or(Missed::Unreachable { nearest: start.gone }, Missed::Assembly))
     }
 
-    /// Steps of the tangent, none of which is long, until the displacement is met or something is enclosed.
+    /// Newton steps of limited length, until the displacement is reached or bracketed.
     fn march(&mut self, mut near: Place<P>, ahead: f64) -> Result<Place<P>, Missed> {
         let longest = LONGEST_STEP * self.scale.unit;
         for _ in 0..TRAVEL_STEPS {
@@ -166,7 +169,7 @@ impl<P> Search<'_, P> {
         Err(Missed::TooFar { reached: near.gone })
     }
 
-    /// What a value of the driver is, seen from a place that is short of the displacement.
+    /// Classifies a driver position as seen from a place short of the displacement.
     fn next(&mut self, near: &Place<P>, driver: f64, ahead: f64) -> Result<Next<P>, Missed> {
         let place = match (self.visit)(&near.pose, driver) {
             Ok(place) => place,
@@ -183,11 +186,11 @@ impl<P> Search<'_, P> {
         let over = left * miss < 0.0;
         let turned = match (self.rate(&place), place.rate) {
             (Some(rate), _) => rate * ahead * miss < 0.0,
-            // At the turn itself: a place before it has a rate, which leads back.
+            // At the reversal itself. A place before the reversal has a rate that leads back.
             (None, Some(_)) => true,
             (None, None) => (place.gone - near.gone) * miss < 0.0,
         };
-        // The other side of a turn is another pose, though as near.
+        // A place beyond the reversal is a different pose, even if close.
         Ok(match (turned, self.is_met(&place)) {
             (false, true) => Next::Met(place),
             _ if over => Next::Enclosed(Far::Over(place)),
@@ -196,7 +199,7 @@ impl<P> Search<'_, P> {
         })
     }
 
-    /// Between a place that is short of the displacement and what lies on the other side.
+    /// Narrows the bracket between a place short of the displacement and its far end.
     fn enclosed(&mut self, mut near: Place<P>, mut far: Far<P>, ahead: f64) -> Result<Place<P>, Missed> {
         let mut last = f64::INFINITY;
         for _ in 0..ENCLOSED_STEPS {
@@ -223,7 +226,7 @@ impl<P> Search<'_, P> {
         self.ended(near, far)
     }
 
-    /// What the end of the driver is, where it was found to the last digit. Its rate there has either sign.
+    /// Visits the exact limit of the driver. Its rate there may have either sign.
     fn end(&mut self, near: &Place<P>, driver: f64) -> Result<Result<Place<P>, Far<P>>, Missed> {
         match (self.visit)(&near.pose, driver) {
             Ok(place) if self.is_met(&place) => Ok(Ok(place)),
@@ -237,12 +240,12 @@ impl<P> Search<'_, P> {
         }
     }
 
-    /// From where to go how far, inside of the gap: by the tangent at one end, to where the rate would vanish, or to the
-    /// middle where these do not help.
+    /// Start and length of the next step inside the bracket: a Newton step from one end, the estimated zero of the
+    /// rate, or bisection.
     fn step(&self, near: &Place<P>, far: &Far<P>, gap: f64, last: f64, ahead: f64) -> (f64, f64) {
         let tangent = |place: &Place<P>| {
             let step = ahead * self.miss(place) / self.rate(place)?;
-            // As fast as halving at least.
+            // Accept only steps that converge at least as fast as bisection.
             (step.abs() < gap && step.abs() <= 0.5 * last).then_some((place.driver, step))
         };
         let forwards = || tangent(near).filter(|(_, step)| *step > 0.0);
@@ -260,19 +263,19 @@ impl<P> Search<'_, P> {
         guess.unwrap_or((near.driver, 0.5 * gap))
     }
 
-    /// Whether the point turns back between two places, so near to one of them that no displacement is met between that
-    /// is not met there: to first order, the rate there falls to zero over its part of the gap.
+    /// True if the point reverses between two places so close to one of them that the displacement cannot improve in
+    /// between. To first order, the rate at that place falls to zero over its part of the bracket.
     fn is_turn(&self, near: &Place<P>, far: &Far<P>, gap: f64) -> bool {
         let Far::Turned(place) = far else { return false };
         let (Some(here), Some(there)) = (near.rate, place.rate) else { return false };
         let (here, there) = (here.abs(), there.abs());
         let gain = |rate: f64| rate * gap * rate / (here + there);
         let met = MET * self.scale.size;
-        // Where the place beyond the turn is near enough, so is one before it.
+        // If a place beyond the reversal is close enough, so is a place before the reversal.
         gain(here) <= met || gain(there) <= met && self.miss(place).abs() > MET_TO_ROUNDING * self.scale.size
     }
 
-    /// What is left between two values of the driver that are the same to rounding.
+    /// Result for a bracket reduced to rounding.
     fn ended(&self, near: Place<P>, far: Far<P>) -> Result<Place<P>, Missed> {
         let is_close = |place: &Place<P>| self.miss(place).abs() <= MET_TO_ROUNDING * self.scale.size;
         let best = match far {
@@ -291,10 +294,10 @@ impl<P> Search<'_, P> {
     }
 }
 
-/// What was found at a value of the driver.
+/// Classification of a driver position.
 enum Next<P> {
     Met(Place<P>),
-    /// Short of the displacement, and nearer to it.
+    /// Short of the displacement, and closer.
     Nearer(Place<P>),
     Enclosed(Far<P>),
 }
@@ -306,7 +309,7 @@ mod tests {
 
     const SCALE: Scale = Scale { size: 1.0, unit: 1.0 };
 
-    /// A point that goes as a function says, between two ends of its driver.
+    /// A point that moves along a given function, between two limits of its driver.
     struct Motion {
         of: fn(f64) -> (f64, f64),
         ends: [f64; 2],
@@ -319,7 +322,7 @@ mod tests {
             Place { pose: (), driver, gone, rate: rate.is_finite().then_some(rate) }
         }
 
-        /// The answer, and how many places were visited.
+        /// The result, and the number of places visited.
         fn go(&self, start: f64, requested: f64) -> (Result<Place<()>, Missed>, usize) {
             let mut visits = 0;
             let mut visit = |_: &(), driver: f64| {
@@ -351,12 +354,12 @@ mod tests {
             );
             assert!(visits <= 20, "{requested}: {visits}");
         }
-        // Beside the last row two places are enough.
+        // Close to the solution, two visits are enough.
         let (found, visits) = CRANK.go(0.3, 0.3f64.sin() + 1e-4);
         assert!(found.is_ok() && visits <= 2, "{visits}");
     }
 
-    /// The turn itself is met from the side where the search began, with a rate that leads back there.
+    /// The reversal is approached from the side of the start, with a rate that leads back to the start.
     #[test]
     fn the_turn_is_met_before_it() {
         for start in [0.3, 1.5, FRAC_PI_2 - 1e-5] {
@@ -376,14 +379,15 @@ mod tests {
             let Err(Missed::Unreachable { nearest: got }) = found else { panic!("{found:?}") };
             assert!((got - nearest).abs() < 1e-11 && visits <= 40, "{requested}: {got} {visits}");
         }
-        // From the turn itself, to one side.
+        // From the reversal itself to one side.
         let (found, _) = CRANK.go(FRAC_PI_2, 0.5);
         assert!((found.expect("in reach").driver - PI * 5.0 / 6.0).abs() < 1e-11);
         let Err(Missed::Unreachable { nearest }) = CRANK.go(FRAC_PI_2, 1.5).0 else { panic!() };
         assert!((nearest - 1.0).abs() < 1e-11);
     }
 
-    /// At the end of its range a driver has no say: the point goes as the root of what is left.
+    /// At the limit of its range, the driver has a singular rate: the displacement is a square root of the remaining
+    /// distance.
     #[test]
     fn ends_of_the_driver_are_displacements_too() {
         let of = |t: f64| (-(1.0 - t).max(0.0).sqrt(), 0.5 / (1.0 - t).max(0.0).sqrt());
@@ -398,10 +402,11 @@ mod tests {
         }
     }
 
-    /// The point may turn back before the driver's end, though the end is further than where the search stands.
+    /// The point may reverse before the limit of the driver, although the displacement at the limit exceeds that at
+    /// the start.
     #[test]
     fn a_turn_before_the_end_is_found() {
-        // 1 − x², x = ½ − √(1 − t): at the turn where t is ¾.
+        // 1 − x², x = ½ − √(1 − t): the point reverses at t = ¾.
         let of = |t: f64| {
             let root = (1.0 - t).max(0.0).sqrt();
             (1.0 - (0.5 - root).powi(2), -(0.5 - root) / root)

@@ -1,17 +1,17 @@
-//! A partition of indices into sets that are joined.
+//! Partition of indices into disjoint sets.
 
-/// Sets of the indices 0..n.
+/// Disjoint sets of the indices 0..n.
 pub(crate) struct Partition {
     parent: Vec<usize>,
 }
 
 impl Partition {
-    /// Every index a set of its own.
+    /// Partition with every index in a set of its own.
     pub fn new(n: usize) -> Self {
         Self { parent: (0..n).collect() }
     }
 
-    /// The index that stands for the set of `i`: its least.
+    /// Representative of the set of `i`: its smallest index.
     pub fn root(&mut self, mut i: usize) -> usize {
         while self.parent[i] != i {
             self.parent[i] = self.parent[self.parent[i]];
@@ -20,7 +20,7 @@ impl Partition {
         i
     }
 
-    /// Makes one set of two.
+    /// Joins the sets of `a` and `b`.
     pub fn join(&mut self, a: usize, b: usize) {
         let (a, b) = (self.root(a), self.root(b));
         self.parent[a.max(b)] = a.min(b);

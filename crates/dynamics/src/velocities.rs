@@ -1,42 +1,42 @@
-//! Whether positions and velocities fit a mechanism.
+//! Validation of the numbers of positions and velocities.
 
 use percuss_mechanism::Mechanism;
 
-/// Positions or velocities that do not fit the mechanism.
+/// Error of positions or velocities that do not fit the mechanism.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum VelocityError {
-    /// Not one list a joint.
+    /// The number of lists differs from the number of joints.
     #[error(
         "velocities of {got} joints are given, the mechanism has {expected}: one list a joint, in joint order"
     )]
     Joints {
-        /// How many lists were given.
+        /// Number of given lists.
         got: usize,
-        /// How many joints there are.
+        /// Number of joints.
         expected: usize,
     },
-    /// A list of the wrong length.
+    /// A list has the wrong length.
     #[error("joint \"{joint}\" has {expected} velocities; {got} are given")]
     Count {
         /// The joint.
         joint: String,
-        /// How many were given.
+        /// Number of given velocities.
         got: usize,
-        /// How many it has.
+        /// Number of velocities of the joint.
         expected: usize,
     },
-    /// Not the mechanism's number of positions.
+    /// The number of positions is wrong.
     #[error("{got} positions are given, the mechanism has {expected}")]
     Positions {
-        /// How many were given.
+        /// Number of given positions.
         got: usize,
-        /// How many there are.
+        /// Number of positions of the mechanism.
         expected: usize,
     },
 }
 
-/// Refuses velocities that are not one list a joint, each of the joint's own length.
+/// Checks for one list of velocities per joint, each of the correct length.
 pub(crate) fn check_velocities<T>(mechanism: &Mechanism, velocities: &[Vec<T>]) -> Result<(), VelocityError> {
     let (got, expected) = (velocities.len(), mechanism.joints().len());
     if got != expected {
@@ -51,7 +51,7 @@ pub(crate) fn check_velocities<T>(mechanism: &Mechanism, velocities: &[Vec<T>]) 
     Ok(())
 }
 
-/// Refuses positions that are not as many as the mechanism's.
+/// Checks the number of positions.
 pub(crate) fn check_positions(got: usize, expected: usize) -> Result<(), VelocityError> {
     if got == expected { Ok(()) } else { Err(VelocityError::Positions { got, expected }) }
 }

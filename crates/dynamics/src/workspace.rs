@@ -1,5 +1,5 @@
-//! The hot path: many configurations, nothing allocated after the first where no group of loops has more than 64
-//! coordinates and no cluster more than 48 freedoms.
+//! Workspace for many configurations. After the first configuration nothing is allocated, if no group of loops has
+//! more than 64 coordinates and no cluster more than 48 degrees of freedom.
 
 use crate::assembly::Assembly;
 use crate::contact::{Contact, ContactError, ContactPoint, Direction, Frame};
@@ -23,8 +23,8 @@ use percuss_spatial::{Scalar, SpatialInertia, Transform, Wrench};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Room to pose a system again and again and to ask for m̄: trees, mimics, loops and held contacts. Nothing is allocated
-/// where the recursion answers by itself.
+/// Reusable buffers for m̄ at many poses of a system: trees, mimics, loops and held contacts. No allocation if the
+/// recursion gives the result without the dense route.
 #[derive(Clone, Debug)]
 pub struct Workspace {
     assembly: Arc<Assembly>,
@@ -32,34 +32,34 @@ pub struct Workspace {
     groups: Vec<GroupMobility>,
     room: MobilityRoom,
     recursion: RecursionRoom,
-    /// For trees without mimics, and for linkages of few freedoms.
+    /// SIMD kernel for trees without mimics and for linkages of few degrees of freedom.
     in_lanes: Option<InLanes>,
-    /// The contact that lanes are aimed at.
+    /// Contact for which the SIMD kernel is prepared.
     aimed: Option<Contact>,
-    /// Whether the frames are those of positions given before the last ones.
+    /// True if `kinematics` is out of date.
     stale: bool,
-    /// Whether there is room already for what is not answered in lanes.
+    /// True if the buffers of the recursion are already allocated.
     has_room: bool,
-    /// Where quaternions are among the positions.
+    /// Ranges of the quaternions among the positions.
     quaternions: Vec<(JointId, Range<usize>)>,
-    /// Residuals of a group of loops; refilled in place.
+    /// Residuals of a group of loops; a reusable buffer.
     residuals: Vec<f64>,
-    /// The pose of the root link in the world, where it is given.
+    /// Pose of the root link in the world, if given.
     base: Option<Transform<f64>>,
-    /// The findings about the last answer.
+    /// Findings about the last result.
     remarks: RemarkFlags,
 }
 
 impl System {
-    /// Room for many poses of this system, in the assembly found from all joints at 0 (as drawn, where that does not
-    /// close).
+    /// Workspace for many poses of this system. The assembly is found from all joints at 0; loops that do not close
+    /// from there stay as drawn.
     pub fn workspace(&self) -> Workspace {
         self.reference_or_open().workspace()
     }
 }
 
 impl Assembly {
-    /// Room for many poses of this assembly; it stands at its first closed pose.
+    /// Workspace for many poses of this assembly, initially at the first closed pose.
     pub fn workspace(self: &Arc<Self>) -> Workspace {
         let model = self.model();
         let mut kinematics = Kinematics::zero(model);
@@ -88,12 +88,13 @@ impl Assembly {
 }
 
 impl Workspace {
-    /// Moves to other positions: those of all joints one after another, in joint order (layouts of
-    /// [`JointKind`](percuss_mechanism::JointKind)); unit quaternions; entries of mimics are not read. Loops must be closed
-    /// there: positions of a [`Pose`] of the same assembly are. The values are checked when m̄ is asked.
+    /// Sets the positions of all joints one after another, in joint order (layouts of
+    /// [`JointKind`](percuss_mechanism::JointKind)). Quaternions must be unit quaternions. Entries of mimics are not
+    /// read. Loops must be closed, as at the positions of a [`Pose`] of the same assembly. The values are checked
+    /// with the next computation of m̄.
     ///
     /// # Errors
-    /// [`VelocityError::Positions`]: not as many as the mechanism has. The workspace stays where it was.
+    /// [`VelocityError::Positions`]: a wrong number of positions. The workspace keeps its previous positions.
     pub fn set_positions(&mut self, positions: &[f64]) -> Result<(), VelocityError> {
         check_positions(positions.len(), self.kinematics.q.len())?;
         self.kinematics.q.copy_from_slice(positions);
@@ -101,22 +102,22 @@ impl Workspace {
         Ok(())
     }
 
-    /// Sets the pose X_wr of the root link in the world, for normals that are given in the world. Moves nothing relative to
-    /// the root.
+    /// Sets the pose X_wr of the root link in the world, used for normals given in the world. Poses relative to the
+    /// root do not change.
     ///
     /// # Errors
-    /// [`InputError`]: no rigid frame.
+    /// [`InputError`]: X_wr is not a rigid frame.
     pub fn set_base(&mut self, x_wr: &Transform<f64>) -> Result<(), InputError> {
         self.base = Some(rigid_base_pose(x_wr)?);
         Ok(())
     }
 
-    /// The findings about the last answer of [`effective_mass`](Self::effective_mass). Limits of joints are not looked at.
+    /// Findings about the last result of [`effective_mass`](Self::effective_mass). Joint limits are not checked.
     pub fn remarks(&self) -> RemarkFlags {
         self.remarks
     }
 
-    /// The contact with its normal in the root link's frame instead of the world's, and the findings that hold for it at
+    /// Converts a normal given in the world to the root frame, and returns the findings that hold for the contact at
     /// every configuration.
     pub(crate) fn prepare(&self, contact: &Contact) -> (Contact, RemarkFlags) {
         let mut flags: RemarkFlags = self.assembly.remarks().iter().collect();
@@ -132,12 +133,13 @@ impl Workspace {
         }
     }
 
-    /// What it answers in lanes with: it goes by the recursion from now on.
+    /// Removes and returns the SIMD kernel; afterwards the workspace uses the recursion.
     pub(crate) fn take_lanes(&mut self) -> Option<InLanes> {
         self.aimed = None;
         self.in_lanes.take()
     }
 
+    /// Updates the frames and the mobility decisions.
     fn refill(&mut self) {
         self.stale = false;
         let model = self.assembly.model();
@@ -149,16 +151,16 @@ impl Workspace {
         }
     }
 
-    /// m̄ of a contact at the positions last given: within rounding that of [`Pose::respond`] by the automatic choice, to the
-    /// last bit where it does not go a way of its own, as trees without mimics against the ground do, and linkages of
-    /// few freedoms. Where the recursion is not accurate the careful route
-    /// is asked, which allocates. Normals in the world are taken with the root link where [`set_base`](Self::set_base) has put
-    /// it, else at the world's origin. States no error: [`Pose::respond`] does. [`remarks`](Self::remarks) has the findings.
+    /// m̄ of a contact at the current positions. Equal within rounding to [`Pose::respond`] with `RouteChoice::Auto`.
+    /// Bitwise equal, except for mechanisms with a SIMD kernel (trees without mimics against the ground, linkages of
+    /// few degrees of freedom). If the recursion is inaccurate, the dense route runs and allocates. For normals given
+    /// in the world, the root link is at the pose of [`set_base`](Self::set_base), by default at the world's origin.
+    /// No error estimate is returned; use [`Pose::respond`]. The findings are in [`remarks`](Self::remarks).
     ///
     /// # Errors
-    /// [`ResponseError`]: a contact that means nothing; a position that is not finite, a quaternion that is not of unit length,
-    /// loops that are open, where they matter; motions of negative mass that leave none that is positive; too large a cluster
-    /// of bodies.
+    /// [`ResponseError`]: an invalid contact; a position that is not finite, a quaternion that is not of unit length,
+    /// or open loops, if m̄ depends on them; motions of negative mass without a positive effective mass; a cluster of
+    /// bodies that is too large.
     pub fn effective_mass(&mut self, contact: &Contact) -> Result<EffectiveMass, ResponseError> {
         let (contact, flags) = self.prepare(contact);
         self.remarks = flags;
@@ -176,26 +178,26 @@ impl Workspace {
             return self.by_recursion(contact);
         };
         if !self.has_room {
-            // The memory of the recursion is reserved once, for configurations that the lanes leave in doubt.
+            // Allocate the buffers of the recursion once, for configurations with uncertain lanes.
             let _ = self.by_recursion(contact);
             self.remarks = flags;
         }
         Ok(EffectiveMass::Finite(clear.mass))
     }
 
-    /// The first position that is not finite, of those that are read.
+    /// Index of the first position that is read and not finite.
     fn not_finite(&self) -> Option<usize> {
         let (q, bodies) = (&self.kinematics.q, &self.assembly.model().bodies);
         let is_mimic = |at: usize| bodies.iter().any(|body| body.mimic.is_some() && body.q.start == at);
         (0..q.len()).find(|&at| !is_number(q[at]) && !is_mimic(at))
     }
 
-    /// The assembly.
+    /// The assembly of the workspace.
     pub(crate) fn assembly(&self) -> &Arc<Assembly> {
         &self.assembly
     }
 
-    /// By the recursion, with findings that hold at every configuration.
+    /// Computes m̄ by the recursion, starting from findings that hold at every configuration.
     pub(crate) fn by_recursion_with(
         &mut self,
         contact: &Contact,
@@ -205,14 +207,15 @@ impl Workspace {
         self.by_recursion(contact)
     }
 
-    /// The largest m̄ (kg) that the contact may have that the recursion last found massless; `None` if that is negligible.
+    /// Upper limit of m̄ (kg) of the contact that the recursion last found massless; `None` if negligible.
     pub(crate) fn massless_to(&self) -> Option<f64> {
         self.recursion.massless_to(self.assembly.model())
     }
 
-    /// The same, whatever lanes may know.
+    /// Computes m̄ by the recursion, without the SIMD kernel.
     pub(crate) fn by_recursion(&mut self, contact: &Contact) -> Result<EffectiveMass, ResponseError> {
-        // Lanes are sure of no answer that comes of these; the recursion would find nothing that moves.
+        // The SIMD kernel never certifies a result from such values. Without this check the recursion would find no
+        // moving body.
         if let Some(index) = self.not_finite() {
             return Err(ResponseError::NotFinite { index, value: self.kinematics.q[index] });
         }
@@ -244,7 +247,7 @@ impl Workspace {
     }
 }
 
-/// Where quaternions are among the positions of a mechanism.
+/// Ranges of the quaternions among the positions of a mechanism.
 fn quaternions(model: &Model) -> Vec<(JointId, Range<usize>)> {
     let of_joint = |id: JointId| {
         let own = quaternion_of(model.mechanism.joint(id).kind())?;
@@ -254,8 +257,9 @@ fn quaternions(model: &Model) -> Vec<(JointId, Range<usize>)> {
     model.mechanism.joint_ids().filter_map(of_joint).collect()
 }
 
-/// The whole answer over another scalar: dual numbers for derivatives, lanes for several configurations. Branches on no
-/// value: it follows what a pose decided (which coordinates depend, which motions have no mass).
+/// Computation of 1/m̄ over another scalar type: dual numbers for derivatives, SIMD lanes for several configurations.
+/// The computation does not branch on values. Dependent coordinates and massless motions are those of the pose from
+/// which the workspace was made.
 #[derive(Debug)]
 pub struct ScalarWorkspace<T: Scalar> {
     assembly: Arc<Assembly>,
@@ -268,13 +272,13 @@ pub struct ScalarWorkspace<T: Scalar> {
 }
 
 impl Pose {
-    /// Room to ask for m̄ of a contact over another scalar, with the decisions of this pose. Of an immovable contact 1/m̄ is
-    /// 0 to rounding.
+    /// Workspace for 1/m̄ of a contact over another scalar type, with the decisions of this pose. For an immovable
+    /// contact 1/m̄ is 0 within rounding.
     ///
     /// # Errors
-    /// [`ResponseError`]: a contact that means nothing; one that is massless here
+    /// [`ResponseError`]: an invalid contact; a contact that is massless at this pose
     /// ([`MasslessMotion`](crate::RouteError::MasslessMotion)); a motion of negative mass
-    /// ([`Indefinite`](crate::RouteError::Indefinite)); too large a cluster of bodies.
+    /// ([`Indefinite`](crate::RouteError::Indefinite)); a cluster of bodies that is too large.
     pub fn workspace_over<T: Scalar>(&self, contact: &Contact) -> Result<ScalarWorkspace<T>, ResponseError> {
         let located = self.locate(contact)?;
         let model = self.assembly.model();
@@ -297,10 +301,10 @@ impl Pose {
 }
 
 impl<T: Scalar> ScalarWorkspace<T> {
-    /// Moves to other positions (layout of [`Workspace::set_positions`]).
+    /// Sets the positions (layout of [`Workspace::set_positions`]).
     ///
     /// # Errors
-    /// [`VelocityError::Positions`]: not as many as the mechanism has. The workspace stays where it was.
+    /// [`VelocityError::Positions`]: a wrong number of positions. The workspace keeps its previous positions.
     pub fn set_positions(&mut self, positions: &[T]) -> Result<(), VelocityError> {
         check_positions(positions.len(), self.kinematics.q.len())?;
         self.kinematics.q.copy_from_slice(positions);
@@ -308,8 +312,8 @@ impl<T: Scalar> ScalarWorkspace<T> {
         Ok(())
     }
 
-    /// Adds to the inertia of a link (about its own origin, in its axes): a derivative by a mass is asked that way. A link
-    /// of the ground carries none.
+    /// Adds to the inertia of a link (about the link's origin, in link axes), for derivatives with respect to
+    /// inertial parameters. No effect on a link of the ground.
     ///
     /// # Errors
     /// [`ContactError::ForeignLink`]: a link of another mechanism.
@@ -325,7 +329,7 @@ impl<T: Scalar> ScalarWorkspace<T> {
         Ok(())
     }
 
-    /// 1/m̄ at the positions last given, 1/kg.
+    /// 1/m̄ at the current positions, 1/kg.
     pub fn inverse_effective_mass(&mut self) -> T {
         let model = self.assembly.model();
         let ContactPoint { point, normal } = model.contact_point(&self.kinematics, &self.base, &self.contact);
@@ -339,20 +343,22 @@ impl<T: Scalar> ScalarWorkspace<T> {
         self.recursion.response(0, 0)
     }
 
-    /// How near the pivots of the last [`inverse_effective_mass`](Self::inverse_effective_mass) are to what a pose takes for
-    /// zero: the sum of (zero/pivot)² over those that it followed, of D and of the constraints' K, and of (pivot/zero)² over
-    /// those of plain joints that it left out.
+    /// Measure of the distance of the last [`inverse_effective_mass`](Self::inverse_effective_mass) from a change of
+    /// decisions. The sum of (zero/pivot)² over the pivots used, of D and of the constraints' K, plus the sum of
+    /// (pivot/zero)² over the omitted pivots of plain joints. `zero` is the threshold below which a pose classifies a
+    /// pivot as zero.
     ///
-    /// Decisions hold for the pose that they were made at. A lane where this is not below 1 (NaN is not) stands where
-    /// another decision is due: ask there again with [`Workspace`] or [`Pose::respond`]. Where its root is x, rounding is up
-    /// to x/256 of the nearest pivot of D: 1e-6 leaves eight digits. It costs O(n) operations and no elimination.
+    /// Decisions are valid for the pose at which they were made. At a lane with a value not below 1 (NaN included),
+    /// another decision is due; compute that lane with [`Workspace`] or [`Pose::respond`]. If the square root of the
+    /// value is x, the rounding error is at most x/256 of the nearest pivot of D: 1e-6 leaves eight digits. Cost:
+    /// O(n) operations, without an elimination.
     pub fn pivot_loss(&self) -> T {
         let model = self.assembly.model();
         let point = model.contact_point(&self.kinematics, &self.base, &self.contact).point;
         self.recursion.pivot_loss(model, &self.kinematics, &self.groups, &point)
     }
 
-    /// M over the coordinates, n×n, at the positions last given.
+    /// M over the coordinates, n×n, at the current positions.
     pub fn mass_matrix(&self) -> nalgebra::DMatrix<T> {
         self.assembly.model().mass_matrix(&self.kinematics)
     }

@@ -1,4 +1,4 @@
-//! A four-bar closed by a spatial hinge: three redundant rows, and frames as a CAD export rounds them.
+//! A four-bar closed by a spatial revolute joint: three redundant rows, and frames rounded as in a CAD export.
 
 use nalgebra::Vector3;
 use percuss_dynamics::{
@@ -11,13 +11,13 @@ use percuss_mechanism::{
 };
 use percuss_spatial::{Transform, Twist, rotation_from_rpy};
 
-/// Crank 0.3, coupler 0.7, rocker 0.5, ground 0.8 m, in the x-z plane; the two ground hinges turned up by these angles
-/// about x.
+/// Crank 0.3, coupler 0.7, rocker 0.5, ground 0.8 m, in the x-z plane. The two ground joints are rotated by these
+/// angles about x.
 fn four_bar(crank_tilt: f64, rocker_tilt: f64) -> System {
     scaled_four_bar(1.0, crank_tilt, rocker_tilt)
 }
 
-/// The same with all lengths times `scale`.
+/// The four-bar with all lengths multiplied by `scale`.
 fn scaled_four_bar(scale: f64, crank_tilt: f64, rocker_tilt: f64) -> System {
     let bar = |name: &str, length: f64, mass: f64, moments: [f64; 3]| {
         LinkDescription::new(
@@ -110,7 +110,7 @@ fn a_rod_between_points_that_coincide_is_refused() {
     assert!(error.is_bad_input());
 }
 
-/// Two arms of 1 m on the ground at these places, their tips held together by a rod.
+/// Two arms of 1 m on the ground at these positions, with their tips connected by a rod.
 fn arms(places: [[f64; 3]; 2]) -> System {
     let arm = |name: &str| LinkDescription::new(name, Inertial::point(1.0, [0.2, 0.0, 0.0]));
     let hinge = |name: &str, child: &str, at| {
@@ -142,7 +142,7 @@ fn loops_that_positions_cannot_resolve_are_refused() {
             "{x}: {error}"
         );
         assert!(error.is_bad_input());
-        // What is said of the loops as they are drawn is no panic either.
+        // Diagnostics of loops as drawn must not panic either.
         assert!(system.degrees_of_freedom() <= 2);
     }
     let system = arms([[1e5, 0.0, 0.0], [1e5, 1.0, 0.0]]);
@@ -176,7 +176,7 @@ fn how_far_a_mechanism_is_followed_does_not_depend_on_its_unit() {
     assert!(followed > 10 && lost > 2, "{followed} {lost}");
 }
 
-/// A plate that moves in the plane, tied to the ground by a chain of `n` links of 1 m in that plane.
+/// A plate that moves in the plane, connected to the ground by a chain of `n` links of 1 m in that plane.
 fn tied_plate(n: usize) -> System {
     let mut builder = MechanismBuilder::new("plate")
         .link(LinkDescription::massless("ground"))
@@ -222,7 +222,7 @@ fn a_joint_set_far_out_of_a_long_loop_is_given_up() {
 
 #[test]
 fn a_ball_that_cannot_stand_where_it_is_set_is_noted_beside_a_guess_too() {
-    // A rod of 1 m on a ball, its tip on a cart that slides along x: only its spin is free.
+    // A rod of 1 m on a spherical joint, its tip on a cart that moves along x: only its spin is free.
     let built = MechanismBuilder::new("rod")
         .link(LinkDescription::massless("ground"))
         .link(LinkDescription::new("rod", Inertial::diagonal(1.0, [0.5, 0.0, 0.0], [0.01, 0.1, 0.1])))

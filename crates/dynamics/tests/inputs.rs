@@ -1,4 +1,4 @@
-//! Every rule of input at every entry point, and findings as data.
+//! All input rules at all entry points, and findings as data.
 
 use nalgebra::{Matrix3, Vector3};
 use percuss_dynamics::{
@@ -13,7 +13,7 @@ use percuss_mechanism::{
 use percuss_spatial::{Transform, Twist, rotation_from_rpy};
 use std::sync::Arc;
 
-/// A rod on a ball joint, with a hinge at its tip.
+/// A rod on a spherical joint, with a revolute joint at its tip.
 fn ball() -> System {
     system(
         MechanismBuilder::new("ball")
@@ -42,11 +42,11 @@ fn system(builder: MechanismBuilder, conditions: &Conditions) -> System {
         .expect("conditions that fit")
 }
 
-/// A planar four-bar of spherical pins: lengths crank, coupler, rocker and ground; drawn closed with the crank along +x but for
-/// `gap` (m) in the rocker's pin. `kind`: how the loop is closed.
+/// Planar four-bar with spherical pins and the lengths crank, coupler, rocker and ground. Drawn closed with the crank
+/// along +x, except for `gap` (m) in the rocker's pin. `kind`: kind of the loop closure.
 fn four_bar(lengths: [f64; 4], gap: f64, kind: ClosureKind) -> System {
     let [crank, coupler, rocker, ground] = lengths;
-    // The pin of coupler and rocker with the crank along x.
+    // Pin between coupler and rocker, with the crank along x.
     let d = ground - crank;
     let x = (d * d + coupler * coupler - rocker * rocker) / (2.0 * d);
     let y = (coupler * coupler - x * x).sqrt();
@@ -83,7 +83,7 @@ fn on(system: &System, link: &str, point: [f64; 3], normal: [f64; 3]) -> Contact
     Contact::new(system.mechanism().find_link(link).expect("a link"), point, normal)
 }
 
-/// A mechanism, a contact on it, and positions at which all is well.
+/// A mechanism, a contact, and valid positions.
 struct Subject {
     system: System,
     assembly: Arc<Assembly>,
@@ -114,7 +114,7 @@ impl Subject {
         self.assembly.pose(&self.system.configuration()).expect("a pose")
     }
 
-    /// What each entry point for rows of positions says of a row: m̄, or the reason why there is none.
+    /// Result of each entry point for a row of positions: m̄, or the reason for a missing result.
     fn entries(&self, row: &[f64]) -> Vec<(&'static str, Result<EffectiveMass, String>)> {
         let of = |answer: BatchAnswer| answer.mass.ok_or_else(|| format!("{:?}", answer.remarks));
         let batch = self.assembly.batch(&self.contact).expect("a contact");
@@ -127,7 +127,7 @@ impl Subject {
         let mut answers = [BatchAnswer::NONE];
         batch.run(BatchPositions::Rows { values: row, stride: row.len() }, &mut answers).expect("a row");
         all.push(("batch, rows", of(answers[0])));
-        // Sixteen lanes, of which one breaks the rule: the others are answered.
+        // Sixteen lanes, one of which breaks the rule; the others must have results.
         let number = |q: usize, c: usize| if c == 5 { row[q] } else { self.good[q] };
         let values: Vec<f64> = (0..row.len()).flat_map(|q| (0..16).map(move |c| number(q, c))).collect();
         let mut answers = [BatchAnswer::NONE; 16];
@@ -163,7 +163,7 @@ impl Subject {
     }
 }
 
-/// Cases of the table: rule, entry point, whether the input was refused.
+/// Cases of the table: rule, entry point, and a flag for refused input.
 type Table = Vec<(&'static str, &'static str, bool)>;
 
 fn add_rows(table: &mut Table, rule: &'static str, subject: &Subject, row: &[f64]) {
@@ -215,7 +215,7 @@ fn every_rule_holds_at_every_entry_point() {
         let row = if values.len() == 4 { [&values[..], &[0.0]].concat() } else { values };
         table.push((rule, "whole configuration", whole(&row)));
     }
-    // The pose of the base.
+    // Pose of the base.
     let turned = |factor: f64| {
         let rotation = rotation_from_rpy([0.3, 0.1, -0.2]) * factor;
         Transform::new(rotation, Vector3::new(1.0, 2.0, 3.0))
@@ -343,7 +343,7 @@ fn every_rule_holds_at_every_entry_point() {
     assert_eq!(table.len(), COUNT);
 }
 
-/// Cases of the table: fewer, and a rule or an entry point is no longer tried.
+/// Number of cases in the table; fewer cases mean that a rule or an entry point is no longer tested.
 const COUNT: usize = 192;
 
 #[test]
@@ -372,7 +372,7 @@ fn an_open_row_is_refused_with_its_gap() {
             workspace.set_positions(&row).expect("as many as there are");
             let error = workspace.effective_mass(&subject.contact).expect_err("an open loop");
             let ResponseError::OpenLoops { loops, gap, tolerance } = &error else { panic!("{error}") };
-            // The pin of the coupler turns about the crank's hinge, 0.5 m from the pin of the rocker and its hinge.
+            // The coupler's pin moves around the crank's joint, 0.5 m from the rocker's pin and its joint.
             let arm = Vector3::new(0.6, 0.0, 0.0) + Vector3::new(-0.1, 0.24_f64.sqrt(), 0.0) * 0.0;
             assert_eq!(loops, &["pin"]);
             assert!(*gap > 0.1 * turn.abs() * arm.x && *gap < 2.0 * turn.abs(), "{gap} after {turn}");
@@ -380,7 +380,7 @@ fn an_open_row_is_refused_with_its_gap() {
             let text = error.to_string();
             assert!(text.contains("pin") && text.contains(" m"), "{text}");
         }
-        // Positions of single precision pass.
+        // Positions in single precision are accepted.
         let mut configuration = subject.system.configuration();
         configuration.set("crank_hinge", &[0.7]).expect("a driver");
         let pose = subject.assembly.pose(&configuration).expect("it turns");
@@ -396,14 +396,14 @@ fn an_open_row_is_refused_with_its_gap() {
 
 #[test]
 fn another_assembly_mode_is_an_error_unless_it_is_accepted() {
-    // The rocker of a double rocker, driven beyond its range: the other range is on the other mode.
+    // The rocker of a double rocker, beyond its range: the other range belongs to the other mode.
     let mut refused = 0;
     for (k, lengths) in
         [[0.2, 0.7, 0.5, 0.6], [0.25, 0.6, 0.5, 0.6], [0.3, 0.8, 0.6, 0.7]].into_iter().enumerate()
     {
         let system = four_bar(lengths, 0.0, ClosureKind::Spherical);
         let contact = on(&system, "coupler", [0.35, 0.1, 0.0], [0.0, 1.0, 0.0]);
-        // The mirror image of the drawing in the line of the hinges.
+        // Mirror image of the drawing about the line of the ground joints.
         let d = lengths[3] - lengths[0];
         let x = (d * d + lengths[1].powi(2) - lengths[2].powi(2)) / (2.0 * d);
         let y = (lengths[1].powi(2) - x * x).sqrt();
@@ -436,7 +436,7 @@ fn another_assembly_mode_is_an_error_unless_it_is_accepted() {
             );
             assert!(response.remark_flags().contains(RemarkFlags::OTHER_ASSEMBLY));
         }
-        // On the branch of the drawing there is no remark.
+        // No remark on the branch of the drawing.
         let mut configuration = system.configuration();
         configuration.set("rocker_hinge", &[0.05]).expect("a joint");
         let pose = system.pose(&configuration).expect("within its range");
@@ -458,7 +458,7 @@ fn a_loop_open_as_drawn_is_a_remark_of_every_answer() {
             _ => None,
         });
         assert_eq!(found.is_some(), is_wide, "{gap}: {found:?}");
-        // The residual as drawn is the gap along the coupler: its largest component.
+        // The residual as drawn is the largest component of the gap along the coupler.
         assert!(
             found.is_none_or(|found| found > 0.5 * f64::abs(gap) && found <= 1.01 * f64::abs(gap)),
             "{found:?}"
@@ -479,7 +479,7 @@ fn a_nearly_immovable_contact_is_a_remark_of_a_workspace() {
     let subject = Subject::ball();
     let mut checked = 0;
     for tilt in [1e-7, 1e-8, 3e-9, 1e-3] {
-        // Along the rod the point does not move, but for the tilt.
+        // Along the rod the point does not move, except for the tilt.
         let contact = on(&subject.system, "rod", [0.5, 0.0, 0.0], [1.0, tilt, 0.0]);
         let response = subject.pose().respond(&contact, RouteChoice::Auto).expect("a response");
         let EffectiveMass::Finite(m) = response.effective_mass else { panic!("{response:?}") };
@@ -531,7 +531,7 @@ fn normals_in_the_world_go_by_the_base_that_is_given() {
             assert_eq!(flags.contains(RemarkFlags::BASE_NOT_GIVEN), base.is_none(), "{flags:?}");
         }
     }
-    // The base turns the normal.
+    // The base rotates the normal.
     let here =
         assembly.workspace().batch(&contact).expect("a contact").effective_mass(&row).expect("positions");
     let there = workspace.batch(&contact).expect("a contact").effective_mass(&row).expect("positions");
@@ -571,7 +571,7 @@ fn handles_hold_in_variants_and_nowhere_else() {
     let other = ball();
     let link = long.mechanism().find_link("crank").expect("a link");
     assert!(long.mechanism().has_link(link) && short.mechanism().has_link(link));
-    // The ball's mechanism has a link of this number.
+    // The mechanism with the spherical joint has a link of this index.
     assert!(link.index() < other.mechanism().links().len() && !other.mechanism().has_link(link));
     let joint = long.mechanism().find_joint("crank_hinge").expect("a joint");
     assert!(short.mechanism().has_joint(joint) && !other.mechanism().has_joint(joint));

@@ -1,26 +1,26 @@
-//! Loops that do not close, or not where the drivers are to go.
+//! Errors of assembly: loops that do not close, or do not close at the requested positions of the drivers.
 
 use crate::input::InputError;
 
-/// Loops that do not close, or not where the drivers are to go.
+/// Error of assembly: loops that do not close, or do not close at the requested positions of the drivers.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum AssemblyError {
-    /// No closed pose was found at all.
+    /// No closed pose was found.
     #[error(
         "the loops do not close: {} is {residual:.3e} m apart at best (a thousandth of the size, {allowed:.1e} m, \
          would pass as rounding); check its frames and axes, or give a starting pose",
         quoted(loops)
     )]
     DoesNotClose {
-        /// The loops and couplings of the group, the worst first.
+        /// Loops and couplings of the group, the largest residual first.
         loops: Vec<String>,
         /// Largest residual of the best pose, m.
         residual: f64,
-        /// What would pass, m.
+        /// Largest accepted residual, m.
         allowed: f64,
     },
-    /// The drivers cannot reach the positions asked for.
+    /// The drivers cannot reach the requested positions.
     #[error(
         "{} cannot be reached: {} would not close; nearest reached: {}{}",
         positions(requested),
@@ -29,17 +29,17 @@ pub enum AssemblyError {
         after(*starts)
     )]
     Unreachable {
-        /// Driving joints and the positions asked for.
+        /// Driving joints and requested positions.
         requested: Vec<(String, f64)>,
-        /// Where they came to on the same branch.
+        /// Nearest positions on the same branch.
         nearest: Vec<(String, f64)>,
-        /// The loops of the group.
+        /// Loops of the group.
         loops: Vec<String>,
-        /// From how many other starts it was tried.
+        /// Number of other starts that were tried.
         starts: usize,
     },
-    /// The branch of the first closed pose ends before the drivers are where they were set; the loops close there on another
-    /// assembly mode.
+    /// The branch of the first closed pose ends before the requested positions of the drivers. The loops close there
+    /// in another assembly mode.
     #[error(
         "{} is on another assembly mode: the branch of the first closed pose ends at {}, and {} would open there (another mode \
          was found from {starts} of the seeded starts); keep within the branch, or give a starting pose on the mode that is \
@@ -49,19 +49,19 @@ pub enum AssemblyError {
         quoted(loops)
     )]
     OtherAssembly {
-        /// Driving joints and the positions asked for.
+        /// Driving joints and requested positions.
         requested: Vec<(String, f64)>,
-        /// The end of the branch of the first closed pose.
+        /// Positions at the end of the branch of the first closed pose.
         nearest: Vec<(String, f64)>,
-        /// The loops of the group.
+        /// Loops of the group.
         loops: Vec<String>,
-        /// From how many other starts the other mode was found.
+        /// Number of other starts until the other mode was found.
         starts: usize,
     },
-    /// The pose of the base is no rigid frame.
+    /// The pose of the base is not a rigid frame.
     #[error(transparent)]
     Base(#[from] InputError),
-    /// The positions asked for are so far off that the branch cannot be followed there in one go.
+    /// The requested positions are too far for the step limit of the path follower.
     #[error(
         "{} is too far to follow the loops there in one go: they still closed at {}; whole turns can be left out if the \
          mechanism repeats after them, or give a starting pose there",
@@ -69,12 +69,12 @@ pub enum AssemblyError {
         positions(reached)
     )]
     TooFar {
-        /// Driving joints and the positions asked for.
+        /// Driving joints and requested positions.
         requested: Vec<(String, f64)>,
-        /// How far they came.
+        /// Positions reached.
         reached: Vec<(String, f64)>,
     },
-    /// Two branches come so close to each other on the path that they cannot be told apart.
+    /// Two branches on the path are too close to each other to be distinguished.
     #[error(
         "branch uncertain: on the way to {} two assembly modes of {} meet within the closing tolerance at {}, and which of them \
          goes on is not known; start on the other side with a guess",
@@ -83,34 +83,35 @@ pub enum AssemblyError {
         positions(reached)
     )]
     BranchUncertain {
-        /// Driving joints and the positions asked for.
+        /// Driving joints and requested positions.
         requested: Vec<(String, f64)>,
-        /// The drivers where the branches meet.
+        /// Positions of the drivers at the point where the branches meet.
         reached: Vec<(String, f64)>,
-        /// The loops of the group.
+        /// Loops of the group.
         loops: Vec<String>,
     },
-    /// A pose of another system.
+    /// The pose belongs to another system.
     #[error("the pose was made by another system; ask it for a pose of its own")]
     ForeignPose,
-    /// A configuration of another mechanism.
+    /// The configuration belongs to another mechanism.
     #[error("the configuration was made for another mechanism, \"{got}\"; this one is \"{expected}\"")]
     ForeignConfiguration {
-        /// The mechanism of the configuration.
+        /// Mechanism of the configuration.
         got: String,
-        /// The mechanism of the system.
+        /// Mechanism of the system.
         expected: String,
     },
-    /// A rod without a declared length whose ends coincide with all joints at 0: no direction to hold.
+    /// A distance closure has no declared length, and its ends coincide with all joints at 0. Its direction is
+    /// undefined.
     #[error(
         "rod \"{name}\" has no distance, and its ends coincide with all joints at 0; give it a <distance>, or hold the points \
          together with a spherical loop"
     )]
     NoDistance {
-        /// The closure.
+        /// Name of the closure.
         name: String,
     },
-    /// Loops so far from the root link that their positions cannot be told apart.
+    /// The loops are too far from the root link for their positions to be resolved.
     #[error(
         "the loops {} are {size:.3e} m in size and stand {far:.3e} m from the root link, where positions are known to \
          {known:.1e} m; expected: at most {farthest:.3e} m; correct the origins of their joints, or move the root link \
@@ -118,34 +119,34 @@ pub enum AssemblyError {
         quoted(loops)
     )]
     TooFarOut {
-        /// The loops and couplings of the group.
+        /// Loops and couplings of the group.
         loops: Vec<String>,
-        /// The size of the group, m.
+        /// Size of the group, m.
         size: f64,
-        /// How far from the root link it is with all joints at 0, m.
+        /// Distance from the root link with all joints at 0, m.
         far: f64,
-        /// How far it may be, m.
+        /// Largest accepted distance, m.
         farthest: f64,
-        /// What positions there are known to, m.
+        /// Accuracy of positions at this distance, m.
         known: f64,
     },
-    /// A joint was set that follows others.
+    /// A dependent joint was set.
     #[error(
         "joint \"{joint}\" depends on others through the loops; {}, or start from another assembly",
         what_to_set(drivers, set)
     )]
     Dependent {
-        /// The joint.
+        /// The dependent joint.
         joint: String,
-        /// The joints that drive its group.
+        /// Driving joints of its group.
         drivers: Vec<String>,
-        /// Those of them that were set beside it.
+        /// Those driving joints that were set in addition.
         set: Vec<String>,
     },
 }
 
 impl AssemblyError {
-    /// The same after so many other starts were tried.
+    /// Sets the number of starts that were tried.
     pub(super) fn after_starts(mut self, tried: usize) -> Self {
         if let AssemblyError::Unreachable { starts, .. } = &mut self {
             *starts = tried;
@@ -153,7 +154,7 @@ impl AssemblyError {
         self
     }
 
-    /// The same where another assembly mode was found from so many starts.
+    /// Converts `Unreachable` to `OtherAssembly`, if another assembly mode was found.
     pub(super) fn on_other_assembly(self, starts: usize) -> Self {
         match self {
             AssemblyError::Unreachable { requested, nearest, loops, .. } => {
@@ -163,7 +164,7 @@ impl AssemblyError {
         }
     }
 
-    /// Whether a guess may help: the message ends in that, and whoever asks may add how a guess is given.
+    /// True if a guess may help. The message then ends with this advice, and a caller may append how to give a guess.
     pub fn ends_in_another_start(&self) -> bool {
         match self {
             AssemblyError::DoesNotClose { .. }
@@ -180,7 +181,7 @@ impl AssemblyError {
         }
     }
 
-    /// Whether the input is at fault (and not merely the place asked for).
+    /// True if the input is invalid, and not only the requested position.
     pub fn is_bad_input(&self) -> bool {
         matches!(
             self,
@@ -194,7 +195,7 @@ impl AssemblyError {
     }
 }
 
-/// What drives instead of a joint that depends, or that more were set than can drive.
+/// Advice on joints to set instead of a dependent joint, or on joints to leave out.
 fn what_to_set(drivers: &[String], set: &[String]) -> String {
     let free: Vec<String> = drivers.iter().filter(|driver| !set.contains(driver)).cloned().collect();
     match (drivers.is_empty(), set.is_empty(), free.is_empty()) {

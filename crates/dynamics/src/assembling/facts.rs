@@ -1,4 +1,5 @@
-//! What is found once about the loops of a mechanism: a first closed pose, a generic one, the rank there, who drives.
+//! Facts about the loops of a mechanism, computed once: a first closed pose, a generic pose, its rank, and the
+//! default drivers.
 
 use super::error::AssemblyError;
 use crate::closing::{Correction, Directions, Linearised};
@@ -12,40 +13,40 @@ use crate::tolerances::{
 };
 use percuss_mechanism::{ClosureKind, JointId};
 
-/// What was found about one group.
+/// Facts about one group.
 #[derive(Clone, Debug)]
 pub(crate) struct GroupFacts {
-    /// Positions of a closed pose off any singularity.
+    /// Positions of a closed pose away from singularities.
     pub generic: Vec<f64>,
-    /// A there, over the group's coordinates.
+    /// A at the generic pose, over the group's coordinates.
     pub rows: GroupRows<f64>,
     pub rank: Rank,
-    /// How far the loops are from fitting, m, where they do not quite; else 0.
+    /// Misfit of inexact loops, m; 0 for loops that close exactly.
     pub inexactness: f64,
-    /// What their residuals are where they are closed as well as can be, m: the inexactness, or what passes for closed.
+    /// Residual of the loops closed as well as possible, m: the inexactness, or the residual of a closed pose.
     pub misfit: f64,
-    /// Singular values of A below this part of the largest count as zero.
+    /// Threshold for singular values of A, relative to the largest; smaller values count as zero.
     pub floor: f64,
-    /// Whether the first closed pose has the generic rank.
+    /// True if the first closed pose has the generic rank.
     pub reference_is_regular: bool,
-    /// Who drives where nothing is set.
+    /// Default drivers.
     pub drivers: Drivers,
-    /// The rows that tell the mode of the coordinates that depend where nothing is set.
+    /// Rows that determine the assembly mode of the default dependent coordinates.
     pub mode_rows: Vec<usize>,
-    /// How far each of its constraints is from closed at the start, m.
+    /// Largest residual of each constraint at the start, m.
     pub drawn_gaps: Vec<f64>,
-    /// What moved most, and by how much (rad or m), to close it from there.
+    /// Joint that moved most during the first closing, and its displacement (rad or m).
     pub moved: Option<(JointId, f64)>,
 }
 
-/// A coordinate (by index into a group's) that was set and yet depends, and who drives instead.
+/// A coordinate (by index into the group) that was set although it depends on others, and the actual drivers.
 pub(crate) struct Refused {
     pub at: usize,
     pub drivers: Drivers,
 }
 
 impl GroupFacts {
-    /// What is known of the group at its generic pose.
+    /// Properties of the group at its generic pose.
     pub fn generic(&self) -> Generic<'_> {
         Generic {
             rows: &self.rows,
@@ -55,8 +56,8 @@ impl GroupFacts {
         }
     }
 
-    /// Who drives where these coordinates are given: they do as far as they can, else what is declared, else what looks
-    /// driven. `near`: the frames where the search begins.
+    /// Drivers for given (set) coordinates. Given coordinates drive as far as possible, followed by declared
+    /// coordinates, and by coordinates that are probably actuated. `near`: the frames at which the search begins.
     ///
     /// # Errors
     /// A coordinate that is given and cannot drive.
@@ -70,11 +71,12 @@ impl GroupFacts {
         let mut divided = model.drivers_for(group, &self.rows, &self.drivers, self.floor, &given);
         let single =
             |at: usize| group.joints[at].is_some_and(|id| model.mechanism.joint(id).kind().positions() == 1);
-        // Of a joint with several positions, as many as can do drive; the others must come out as they were set.
+        // A joint with several positions may drive with only part of them; the others must result as set.
         let refused =
             |d: &Drivers| d.dependent.iter().copied().find(|&at| given(at) && (single(at) || d.declared));
         if refused(&divided).is_some() && !divided.declared {
-            // Long trains may carry a driver at one pose and not, to rounding, at another: try where this one starts.
+            // In long trains a driver may be effective at one pose and, within rounding, not at another. Try the
+            // starting pose.
             let mut here = GroupRows::default();
             here.fill(model, group, &near());
             let there = model.drivers_for(group, &here, &self.drivers, self.floor, &given);
@@ -88,23 +90,23 @@ impl GroupFacts {
         }
     }
 
-    /// The misfit, where it is more than the rounding of positions; else 0.
+    /// The misfit, if larger than the rounding of positions; otherwise 0.
     pub fn misfit_beyond(&self, group: &Group, kinematics: &Kinematics<f64>, model: &Model) -> f64 {
         let rounding = 0.03 * model.closing_tolerance(kinematics, group);
         if self.misfit > rounding { self.misfit } else { 0.0 }
     }
 }
 
-/// The loops of a model put together.
+/// Facts about all loops of a model.
 #[derive(Clone, Debug)]
 pub(crate) struct Facts {
-    /// Positions of a closed pose, as near to the start as was found.
+    /// Positions of a closed pose, as close to the start as possible.
     pub reference: Vec<f64>,
     pub groups: Vec<GroupFacts>,
 }
 
 impl Model {
-    /// Finds the first closed pose, starting at `start`, and what is generic about each group.
+    /// Finds the first closed pose from `start`, and the generic properties of each group.
     pub fn put_together(&self, mut start: Kinematics<f64>) -> Result<Facts, AssemblyError> {
         let mut first = Vec::with_capacity(self.groups.len());
         for group in &self.groups {
@@ -127,7 +129,7 @@ impl Model {
         Ok(Facts { reference: start.q, groups })
     }
 
-    /// What would be known with the loops left as they stand.
+    /// Facts with the loops left open at `start`.
     pub fn left_open(&self, start: Kinematics<f64>) -> Facts {
         let open = |group: &Group| {
             let mut rows = GroupRows::default();
@@ -152,7 +154,7 @@ impl Model {
         Facts { reference: start.q, groups }
     }
 
-    /// Refuses a group whose positions cannot resolve its size.
+    /// Refuses a group that is too far from the root for its size to be resolved.
     fn refuse_far(&self, group: &Group) -> Result<(), AssemblyError> {
         let (size, far, farthest) = (group.size, group.far, FARTHEST * group.size);
         if far <= farthest {
@@ -162,7 +164,7 @@ impl Model {
         Err(AssemblyError::TooFarOut { loops: self.group_names(group), size, far, farthest, known })
     }
 
-    /// Refuses a rod whose ends coincide and whose length is not declared, measured on its group's own size.
+    /// Refuses a distance closure without declared length whose ends coincide, relative to the size of the group.
     fn refuse_rod(&self, group: &Group) -> Result<(), AssemblyError> {
         let rod = group.constraints.iter().find_map(|c| match c.constraint {
             crate::model::Constraint::Closure(i) => {
@@ -178,7 +180,7 @@ impl Model {
         }
     }
 
-    /// The largest residual of each constraint of a group, m.
+    /// Largest residual of each constraint of a group, m.
     fn gaps(&self, kinematics: &Kinematics<f64>, group: &Group) -> Vec<f64> {
         let residuals = self.group_residuals(kinematics, group);
         let gap = |c: &crate::model::ConstraintRows| {
@@ -187,7 +189,7 @@ impl Model {
         group.constraints.iter().map(gap).collect()
     }
 
-    /// The joint of one freedom that moved most between two poses, on the group's own scale.
+    /// Joint of the coordinate with the largest scaled displacement between two poses, and the displacement.
     fn most_moved(&self, group: &Group, from: &[f64], to: &[f64]) -> Option<(JointId, f64)> {
         let u = self.displacement_from(group, from, to);
         let size = |at: usize| (u[at] * group.lengths[at]).abs();
@@ -195,7 +197,7 @@ impl Model {
         group.joints[most].filter(|_| u[most] != 0.0).map(|joint| (joint, u[most]))
     }
 
-    /// Closes a group near where it stands. Returns its inexactness.
+    /// Closes a group near its current pose. Returns the inexactness.
     fn close_first(&self, kinematics: &mut Kinematics<f64>, group: &Group) -> Result<f64, AssemblyError> {
         let tolerance = self.closing_tolerance(kinematics, group);
         let allowed = ROUNDING * group.size;
@@ -207,7 +209,7 @@ impl Model {
         for attempt in 0..FIRST_STARTS {
             self.restore_group(kinematics, group, &start);
             if attempt > 1 {
-                // A start that is stuck (Aᵀr = 0 with r ≠ 0) is left by a fixed step aside, then a longer one.
+                // At a stationary start (Aᵀr = 0 with r ≠ 0), restart from fixed perturbations of increasing size.
                 self.perturb(
                     kinematics,
                     group,
@@ -223,7 +225,7 @@ impl Model {
             if best.as_ref().is_none_or(|(_, b)| correction.residual < b.residual) {
                 best = Some((self.group_positions(group, &kinematics.q), correction));
             }
-            // What is a file's rounding where it is drawn is not searched for elsewhere.
+            // If the residual is within the rounding of a file, no search elsewhere is needed.
             if attempt >= 1 && best.as_ref().is_some_and(|(_, b)| b.residual <= allowed) {
                 break;
             }
@@ -240,8 +242,9 @@ impl Model {
         Err(AssemblyError::DoesNotClose { loops, residual: correction.residual, allowed })
     }
 
-    /// Looks for the generic rank of a group at closed poses around the first one: poses first, then the inexactness over
-    /// all of them, then their ranks, all by the same floor. `room`: frames like those of `reference`, left as they were.
+    /// Searches closed poses around the first closed pose for the generic rank. First the poses are found, then the
+    /// largest inexactness over all poses, then the ranks with a common threshold. `room`: frames equal to those of
+    /// `reference`; restored at the end.
     fn look_around(
         &self,
         reference: &Kinematics<f64>,
@@ -278,7 +281,7 @@ impl Model {
             }
         }
         if found.is_empty() {
-            // All corrections led back to where branches cross: along one of them, then.
+            // All corrections led back to a crossing of branches: follow the branches instead.
             let around = self.surroundings(reference, group, inexactness);
             for branch in &around.branches {
                 let beside = [0.1, 0.03, 0.01, 1e-3].into_iter().find_map(|reach| {
@@ -289,7 +292,7 @@ impl Model {
                 });
                 found.extend(beside);
             }
-            // Nothing leads off: what binds beside the pose counts, though nothing closes there.
+            // No branch leaves the pose: use the rank at a nearby pose that does not count as closed.
             found.extend(unsettled.filter(|_| around.branches.is_empty() && !around.regular));
         }
         let floor = group.floor_for(inexactness);
@@ -299,7 +302,8 @@ impl Model {
             (rank_of_rows(&rows, group, floor), rows)
         };
         let (at_reference, reference_rows) = rank_of(reference);
-        // Any other pose is better, since much vanishes where all joints are at 0; of those the best-conditioned.
+        // Any other pose is preferred, because many terms vanish with all joints at 0. Of several, the
+        // best-conditioned is used.
         let mut best = (home.clone(), reference_rows, at_reference, 0.0);
         for positions in found {
             self.restore_group(room, group, &positions);
@@ -330,8 +334,8 @@ impl Model {
         }
     }
 
-    /// Whether a closed pose is where Newton's method would stay: near a crossing, residuals are squares of what is
-    /// still to go, and pass for closed long before it is gone.
+    /// True if Newton's method would stay at a closed pose. Near a crossing the residual is the square of the
+    /// remaining distance, and falls below the closing tolerance too early.
     fn is_settled(&self, kinematics: &Kinematics<f64>, group: &Group, inexactness: f64) -> bool {
         let here = Linearised::at(self, kinematics, group);
         let floor = if inexactness > 0.0 { group.floor_for(inexactness) } else { 0.0 };
@@ -339,7 +343,7 @@ impl Model {
         step.iter().map(|x| x * x).sum::<f64>().sqrt() <= SETTLED * group.size
     }
 
-    /// Moves a group's coordinates aside by fixed pseudo-random amounts up to `size` (rad, or times the group's size).
+    /// Perturbs a group's coordinates by fixed pseudo-random amounts up to `size` (rad, or times the group's size).
     pub fn perturb(&self, kinematics: &mut Kinematics<f64>, group: &Group, size: f64, seed: u64) {
         let mut random = Splitmix::new(seed);
         let u: Vec<f64> =
@@ -348,7 +352,7 @@ impl Model {
     }
 }
 
-/// A fixed sequence of pseudo-random numbers (splitmix64: Steele, Lea, Flood 2014).
+/// Fixed pseudo-random sequence (splitmix64: Steele, Lea, Flood 2014).
 pub(crate) struct Splitmix(u64);
 
 impl Splitmix {
@@ -356,7 +360,7 @@ impl Splitmix {
         Self(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15))
     }
 
-    /// In −1…1.
+    /// Next number in −1…1.
     pub fn symmetric(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.0;

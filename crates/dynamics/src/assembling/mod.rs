@@ -1,4 +1,4 @@
-//! Putting loops together: what is found once about them, and the closed pose at a configuration.
+//! Assembly of loops: facts computed once, and the closed pose at a configuration.
 
 mod error;
 mod facts;

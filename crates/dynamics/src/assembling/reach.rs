@@ -1,4 +1,4 @@
-//! Closing the groups of a model one after another: who drives each, and the path of the drivers to the positions asked for.
+//! Closing the groups of a model one after another: choice of the drivers, and their path to the requested positions.
 
 use super::error::AssemblyError;
 use super::facts::{Facts, GroupFacts, Refused};
@@ -15,35 +15,35 @@ use crate::tolerances::{
 };
 use percuss_mechanism::JointId;
 
-/// A driver with a position of one number.
+/// A driver with a single position.
 struct Driver {
     /// Index into the group's coordinates.
     at: usize,
     joint: JointId,
-    /// Its place among the positions.
+    /// Index among the positions.
     q: usize,
     requested: f64,
     given: bool,
 }
 
-/// How a group was closed.
+/// Result of closing a group.
 #[derive(Default)]
 struct Closed {
-    /// Positions of a regular pose on the branch, where it stands (nearly) singular.
+    /// Positions of a regular pose on the branch, if the pose is (nearly) singular.
     anchor: Option<Vec<f64>>,
-    /// The group where it stands now, where that is known.
+    /// Residuals and rows of the group at the current pose, if known.
     here: Option<Linearised>,
 }
 
-/// A closed pose from which a branch is followed.
+/// Closed pose from which a branch is followed.
 #[derive(Clone, Copy)]
 pub(crate) struct Start<'a> {
     pub positions: &'a [f64],
-    /// For each group that stands (nearly) singular there, positions of a regular pose on the same branch.
+    /// For each group at a (nearly) singular pose: positions of a regular pose on the same branch.
     pub anchors: &'a [Option<Vec<f64>>],
 }
 
-/// Closes the groups of a model one after another, from frames that fit their positions.
+/// Closes the groups of a model one after another. The frames in `kinematics` must match the positions.
 pub(crate) struct Closer<'a> {
     pub model: &'a Model,
     pub facts: &'a Facts,
@@ -85,11 +85,12 @@ impl Closer<'_> {
         Ok(())
     }
 
+    /// True if the joint of a coordinate was set.
     fn is_given(&self, group: &Group, at: usize) -> bool {
         group.joints[at].is_some_and(|id| self.configuration.given[id.index()])
     }
 
-    /// Who drives: what was set, else what is declared, else what looks driven.
+    /// Drivers: the set coordinates, then declared coordinates, then coordinates that are probably actuated.
     fn divide(&self, group: &Group, facts: &GroupFacts) -> Result<Drivers, AssemblyError> {
         let given = |at: usize| self.is_given(group, at);
         facts.divide(self.model, group, || self.near(group), given).map_err(|Refused { at, drivers }| {
@@ -105,12 +106,12 @@ impl Closer<'_> {
         })
     }
 
-    /// All positions with the guesses for a group in place, if there is any.
+    /// All positions with the guesses for the group inserted; `None` without guesses.
     fn guess_for(&self, group: &Group) -> Option<Vec<f64>> {
         self.configuration.guess_for(&self.model.joint_q, &group.joints)
     }
 
-    /// Where the group's search begins.
+    /// Frames at which the search for the group begins.
     fn near(&self, group: &Group) -> Kinematics<f64> {
         let mut near = self.kinematics.clone();
         let guess = self.guess_for(group);
@@ -119,8 +120,9 @@ impl Closer<'_> {
         near
     }
 
-    /// Puts the drivers at the positions asked for and closes the dependent coordinates from seeded starts, when the branch of
-    /// the first closed pose does not reach there. An error where another assembly mode was not accepted.
+    /// Sets the drivers to the requested positions and closes the dependent coordinates from seeded starts. Used if
+    /// the branch of the first closed pose does not reach the positions. Returns an error if the configuration does
+    /// not accept another assembly mode.
     fn close_from_elsewhere(
         &mut self,
         group: &Group,
@@ -153,6 +155,7 @@ impl Closer<'_> {
         Err(failed.after_starts(starts))
     }
 
+    /// Driving joints with a single position, and their requested positions.
     fn drivers(&self, group: &Group, divided: &Drivers) -> Vec<Driver> {
         let driver = |&at: &usize| {
             let joint = group.joints[at]?;
@@ -164,13 +167,15 @@ impl Closer<'_> {
         divided.driving.iter().filter_map(driver).collect()
     }
 
+    /// Closes the group by moving the coordinates `unknown`. Returns true if closed.
     fn correct(&mut self, group: &Group, unknown: &[usize], tolerance: f64) -> bool {
         let directions = Directions::of(unknown);
         self.model.correct(&mut self.kinematics, group, directions, tolerance).closed
     }
 
-    /// Puts the group at the guess and the drivers at the positions asked for. What is not closed there is closed by
-    /// the shortest motion, drivers included, and then driven back along the branch; or else by the followers alone.
+    /// Closes the group from a guess, with the drivers at the requested positions. If the guess is not closed, the
+    /// group is closed by the shortest motion, drivers included, and the drivers are then moved back along the
+    /// branch. If this fails, only the dependent coordinates are moved.
     fn close_from_guess(
         &mut self,
         group: &Group,
@@ -192,7 +197,7 @@ impl Closer<'_> {
         }
         let all: Vec<&Driver> = drivers.iter().collect();
         let closed = self.correct(group, &group.movable, tolerance);
-        // The shortest motion may have turned driving balls aside, which cannot be driven back.
+        // The shortest motion may have rotated driving spherical joints, which cannot be moved back along a path.
         if closed && drivers.len() == divided.driving.len() {
             let driven = self.drive(group, divided, drivers, &all, tolerance);
             if let Ok(Closed { anchor, .. }) = driven {
@@ -208,7 +213,7 @@ impl Closer<'_> {
         Err(self.unreachable(group, divided, drivers))
     }
 
-    /// Brings joints with several positions that were set back there, where closing from a guess has moved them.
+    /// Moves joints with several set positions back to these positions, if closing from a guess has moved the joints.
     fn set_beside_guess(
         &mut self,
         group: &Group,
@@ -219,8 +224,8 @@ impl Closer<'_> {
         if self.matches(group) { Ok(()) } else { self.set_directly(group, divided, drivers, tolerance) }
     }
 
-    /// Follows the branch of a known closed pose until the drivers are at the positions asked for. Gives a regular pose on
-    /// the branch where the end is singular.
+    /// Follows the branch of a known closed pose until the drivers reach the requested positions. Returns a regular
+    /// pose on the branch if the end is singular.
     fn close_along_branch(
         &mut self,
         number: usize,
@@ -251,7 +256,7 @@ impl Closer<'_> {
             }
             None => {
                 model.set_group(&mut self.kinematics, group, home);
-                // At a change point or a dead centre there is no branch to follow.
+                // There is no unique branch to follow at a change point or a dead centre; use the generic pose.
                 if !regular(self) {
                     anchor = Some(facts.generic.clone());
                     let there = drivers.iter().all(|d| home[d.q] == d.requested);
@@ -262,7 +267,7 @@ impl Closer<'_> {
             }
         }
         self.set_directly(group, divided, drivers, tolerance)?;
-        // Drivers that nobody set go to 0, first and by themselves: together, or those that can.
+        // First move drivers that were not set to 0: all together, or else each on its own as far as possible.
         let (given, idle): (Vec<&Driver>, Vec<&Driver>) = drivers.iter().partition(|d| d.given);
         if !self.stands(&idle) {
             let positions = |closer: &Self| model.group_positions(group, &closer.kinematics.q);
@@ -296,11 +301,12 @@ impl Closer<'_> {
         }
     }
 
+    /// True if all drivers are at the requested positions.
     fn stands(&self, drivers: &[&Driver]) -> bool {
         drivers.iter().all(|d| self.kinematics.q[d.q] == d.requested)
     }
 
-    /// Puts drivers at the positions asked for. Whether any had to be moved.
+    /// Sets drivers to the requested positions. Returns true if any driver moved.
     fn put<'d>(&mut self, group: &Group, drivers: impl IntoIterator<Item = &'d Driver>) -> bool {
         let mut moved = false;
         for driver in drivers {
@@ -313,7 +319,7 @@ impl Closer<'_> {
         moved
     }
 
-    /// Moves some drivers to the positions asked for, in a straight line.
+    /// Moves some drivers to the requested positions along a straight line.
     fn drive(
         &mut self,
         group: &Group,
@@ -359,7 +365,7 @@ impl Closer<'_> {
         joints
     }
 
-    /// What the joints with several positions that were set still have to go, over the group's coordinates.
+    /// Remaining displacement of the set joints with several positions, over the group's coordinates.
     fn still_to_go(&self, group: &Group, joints: &[JointId]) -> Vec<f64> {
         let mut goal = self.kinematics.q.clone();
         for id in joints {
@@ -375,14 +381,15 @@ impl Closer<'_> {
         left
     }
 
-    /// Whether the joints with several positions that were set stand there.
+    /// True if the set joints with several positions are at these positions.
     fn matches(&self, group: &Group) -> bool {
         let left = self.still_to_go(group, &self.set_directly_joints(group));
         left.iter().zip(&group.lengths).all(|(l, length)| (l * length).abs() <= MATCHED * group.size)
     }
 
-    /// Joints with positions of several numbers that were set go there in steps of a tenth, each closed from the last:
-    /// the loops and what is left to go together in least squares, since they may have fewer freedoms than numbers.
+    /// Moves set joints with several positions to these positions, in steps of a tenth of the group's size. Each step
+    /// solves the closure equations and the remaining displacement together in least squares, because the joints may
+    /// have fewer degrees of freedom than positions.
     fn set_directly(
         &mut self,
         group: &Group,
@@ -416,7 +423,7 @@ impl Closer<'_> {
                 }
                 budget -= 1;
                 if step + 1 == steps {
-                    // Rotations do not add: at the end what is left is measured, not counted down.
+                    // Rotations do not add; in the last step the remaining displacement is measured, not summed.
                     left = self.still_to_go(group, &joints);
                 }
                 let here = Linearised::at(model, &self.kinematics, group);
@@ -439,7 +446,7 @@ impl Closer<'_> {
                 before = gone;
             }
         }
-        // What drives stands where it was set; what depends comes out as near as the loops let it.
+        // Driving joints take the set positions exactly; dependent joints are as close to them as the loops permit.
         let drives = |id: &JointId| divided.driving.iter().all(|&d| group.joints[d] != Some(*id));
         let whole =
             |id: &&JointId| !divided.dependent.iter().any(|&d| group.joints[d] == Some(**id)) && !drives(id);
@@ -457,7 +464,7 @@ impl Closer<'_> {
         Err(self.unreachable(group, divided, drivers))
     }
 
-    /// Notes the joints that have more numbers than their loops leave freedoms, and how far off they stand.
+    /// Records the joints with more set values than degrees of freedom, and their remaining distance.
     fn note_what_is_left(&mut self, group: &Group, joints: &[JointId]) {
         let left = self.still_to_go(group, joints);
         for id in joints {
@@ -469,7 +476,7 @@ impl Closer<'_> {
         }
     }
 
-    /// Drivers, then the numbers of joints with several positions that were set.
+    /// Error with the positions of drivers, then those of set joints with several positions.
     fn too_far(&self, group: &Group, drivers: &[Driver]) -> AssemblyError {
         let name = |id: JointId| self.model.joint_name(id).to_owned();
         let numbers = |id: &JointId, values: &[f64]| -> Vec<(String, f64)> {
@@ -488,6 +495,7 @@ impl Closer<'_> {
         }
     }
 
+    /// Error with the requested and the current positions of the drivers.
     fn uncertain(&self, group: &Group, drivers: &[Driver]) -> AssemblyError {
         let name = |id: JointId| self.model.joint_name(id).to_owned();
         AssemblyError::BranchUncertain {
@@ -497,7 +505,7 @@ impl Closer<'_> {
         }
     }
 
-    /// Drivers, then followers, where the group stands now.
+    /// Error with the current positions of drivers, then of dependent joints.
     fn unreachable(&self, group: &Group, divided: &Drivers, drivers: &[Driver]) -> AssemblyError {
         let name = |id: JointId| self.model.joint_name(id).to_owned();
         let follower = |&at: &usize| {

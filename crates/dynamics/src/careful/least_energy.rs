@@ -1,55 +1,56 @@
-//! Route A's heart: the least kinetic energy at unit closing speed, for any semi-definite M.
+//! Solver of the dense route: the least kinetic energy at unit closing speed, for any positive semi-definite M.
 
 use crate::tolerances::{IMMOVABLE, ROOT_ENERGY, ROUTE_ROUNDINGS};
 use faer::{Mat, MatRef, Side};
 use nalgebra::DMatrix;
 
-/// m̄ = min { vᵀMv : Av = 0, jv = 1 }, as it stands.
+/// The problem m̄ = min { vᵀMv : Av = 0, jv = 1 }.
 pub(crate) struct LeastEnergy<'a> {
     /// M, n×n.
     pub mass: &'a DMatrix<f64>,
-    /// For each coordinate, the size of the terms whose sum M's diagonal entry is.
+    /// For each coordinate: sum of the term magnitudes of the diagonal entry of M.
     pub mass_size: &'a [f64],
-    /// The rows of A that count, as was decided group by group; m×n, of rank m.
+    /// Independent rows of A, as decided for each group; m×n, of rank m.
     pub constraints: &'a DMatrix<f64>,
     /// j.
     pub row: &'a [f64],
-    /// For each coordinate, the size of the terms whose sum j's entry is.
+    /// For each coordinate: sum of the term magnitudes of the entry of j.
     pub row_size: &'a [f64],
-    /// For each coordinate, the distance a unit rate moves a point at the characteristic length: L for turns, 1 for
-    /// slides.
+    /// For each coordinate: displacement of a point at the characteristic length L at unit rate: L for rotations, 1
+    /// for translations.
     pub lengths: &'a [f64],
 }
 
-/// The minimum, or why there is none.
+/// The minimum, or the reason for its absence.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Minimum {
     Finite(f64),
     /// j vanishes on every admissible motion.
     Immovable,
-    /// The minimum vanishes.
+    /// The minimum is zero.
     Massless,
-    /// M has a negative direction: there is no minimum; the stationary value.
+    /// M has a negative direction, so no minimum exists. Contains the stationary value.
     Stationary(f64),
 }
 
-/// The solution of [`LeastEnergy`].
+/// Solution of [`LeastEnergy`].
 #[derive(Clone, Debug)]
 pub(crate) struct Solution {
     pub minimum: Minimum,
-    /// v* (zero where immovable).
+    /// v* (zero if immovable).
     pub velocity: Vec<f64>,
-    /// Whether a motion without mass that leaves the gap as it is leaves v* open.
+    /// True if a massless motion that does not close the gap makes v* ambiguous.
     pub is_open: bool,
     /// |j on ker A| relative to the size of its terms.
     pub closing_speed: f64,
-    /// How many directions of motion carry no mass.
+    /// Number of massless directions.
     pub massless_directions: usize,
-    /// True if a direction whose energy is below rounding couples to the motion found: free, it may take away all of m̄.
+    /// True if a direction with an energy below rounding couples to the solution. Such a direction, if not dropped,
+    /// may reduce m̄ to zero.
     pub couples: bool,
 }
 
-/// M = L Lᵀ with pivots; zero pivots end it.
+/// Factorisation M = L Lᵀ with pivoting, up to the first zero pivot.
 struct Factor {
     /// Lᵀ, rank×n.
     transpose: Mat<f64>,
@@ -57,7 +58,7 @@ struct Factor {
 }
 
 impl LeastEnergy<'_> {
-    /// Solves v = v₀ + Z z by least squares with M = L Lᵀ: no pseudo-inverse, nothing added.
+    /// Solves v = v₀ + Z z by least squares with M = L Lᵀ, without pseudo-inverse or regularisation.
     pub fn solve(&self) -> Solution {
         let n = self.row.len();
         let scales = self.scales();
@@ -94,8 +95,8 @@ impl LeastEnergy<'_> {
         solution
     }
 
-    /// True if the energy changes along a direction that counts as massless: its gradient there, zᵀMv, exceeds the rounding of
-    /// M's entries, those left out of the factor included.
+    /// True if the energy changes along a direction classified as massless: its gradient zᵀMv exceeds the rounding of
+    /// the entries of M, including entries omitted from the factor.
     fn couples(&self, scales: &[f64], found: &Found) -> bool {
         let n = self.row.len();
         let momentum: Vec<f64> = (0..n)
@@ -112,12 +113,13 @@ impl LeastEnergy<'_> {
         })
     }
 
-    /// Whether coordinate `k` moves any mass, beyond the rounding of its diagonal entry.
+    /// True if coordinate `k` moves mass, beyond the rounding of its diagonal entry.
     fn has_mass(&self, k: usize) -> bool {
         self.mass[(k, k)].abs() > 4.0 * f64::EPSILON * self.mass_size[k]
     }
 
-    /// v_k = scale_k w_k: M gets a unit diagonal; massless coordinates are scaled by lengths and a typical mass.
+    /// Scales with v_k = scale_k w_k, such that M has a unit diagonal. Massless coordinates are scaled by their
+    /// lengths and a typical mass.
     fn scales(&self) -> Vec<f64> {
         let typical = (0..self.row.len())
             .filter(|&k| self.has_mass(k))
@@ -134,10 +136,10 @@ impl LeastEnergy<'_> {
         (0..self.row.len()).map(scale).collect()
     }
 
-    /// An orthonormal basis of ker A in the scaled coordinates.
+    /// Orthonormal basis of ker A in the scaled coordinates.
     fn kernel(&self, scales: &[f64]) -> Mat<f64> {
         let (m, n) = self.constraints.shape();
-        // faer's pivoted QR of a zero matrix is NaN.
+        // The pivoted QR of faer returns NaN for a zero matrix.
         if m == 0 || self.constraints.amax() == 0.0 {
             return Mat::identity(n, n);
         }
@@ -146,7 +148,7 @@ impl LeastEnergy<'_> {
         q.get(.., m.min(n)..).to_owned()
     }
 
-    /// |j N| / |size of j's terms|, coordinates scaled by lengths.
+    /// |j N| / |size of the terms of j|, with coordinates scaled by lengths.
     fn closing_speed(&self, kernel: &Mat<f64>, scales: &[f64]) -> f64 {
         let n = self.row.len();
         let size: f64 = (0..n).map(|k| (self.row_size[k] / self.lengths[k]).powi(2)).sum::<f64>().sqrt();
@@ -156,15 +158,15 @@ impl LeastEnergy<'_> {
         if self.constraints.nrows() == 0 {
             return (0..n).map(|k| (self.row[k] / self.lengths[k]).powi(2)).sum::<f64>().sqrt() / size;
         }
-        // The same directions, measured by lengths: columns of the kernel made orthonormal there.
+        // The same space scaled by lengths: the columns of the kernel are made orthonormal in this scaling.
         let stretched = Mat::from_fn(n, kernel.ncols(), |r, c| kernel[(r, c)] * scales[r] * self.lengths[r]);
         let q = stretched.qr().compute_thin_Q();
         let row = Mat::from_fn(1, n, |_, c| self.row[c] / self.lengths[c]);
         (&row * &q).norm_l2() / size
     }
 
-    /// Cholesky with diagonal pivoting. A pivot counts as zero below the rounding of its own diagonal entry: n ε, and
-    /// more where that entry is a small difference of large terms.
+    /// Cholesky factorisation with diagonal pivoting. A pivot counts as zero below the rounding of its own diagonal
+    /// entry: n ε, or more if the entry is a small difference of large terms.
     fn factor(&self, mass: &Mat<f64>) -> Factor {
         let n = mass.nrows();
         let tolerance = |k: usize| {
@@ -205,12 +207,12 @@ fn formula(mass: &Mat<f64>, row: &Mat<f64>) -> (Minimum, Mat<f64>) {
             response *= faer::Scale(1.0 / inverse);
             (Minimum::Finite(1.0 / inverse), response)
         }
-        // The pivoted factor was complete, so this is a matter of the last bits.
+        // The pivoted factorisation was complete, so only the last bits differ.
         Err(_) => stationary(mass, &Mat::identity(mass.nrows(), mass.nrows()), row),
     }
 }
 
-/// The stationary value 1/(j_N (NᵀMN)⁻¹ j_Nᵀ) for an indefinite M.
+/// Stationary value 1/(j_N (NᵀMN)⁻¹ j_Nᵀ) for an indefinite M.
 fn stationary(mass: &Mat<f64>, kernel: &Mat<f64>, row: &Mat<f64>) -> (Minimum, Mat<f64>) {
     use faer::linalg::solvers::Solve;
     let reduced = kernel.transpose() * mass * kernel;
@@ -221,17 +223,17 @@ fn stationary(mass: &Mat<f64>, kernel: &Mat<f64>, row: &Mat<f64>) -> (Minimum, M
     (Minimum::Stationary(1.0 / inverse), kernel * response)
 }
 
-/// What least squares finds, in scaled coordinates.
+/// Result of the least-squares problem, in scaled coordinates.
 struct Found {
     minimum: Minimum,
     velocity: Mat<f64>,
-    /// Whether some motion has no energy.
+    /// True if some motion has zero energy.
     is_open: bool,
-    /// These motions, in scaled coordinates.
+    /// Motions with zero energy, in scaled coordinates.
     open: Mat<f64>,
 }
 
-/// min ‖Lᵀ(v₀ + Z z)‖² with v₀ along j and Z the admissible motions that leave the gap as it is.
+/// min ‖Lᵀ(v₀ + Z z)‖² with v₀ along j, and Z the admissible motions that do not close the gap.
 fn least_squares(factor: &Mat<f64>, kernel: &Mat<f64>, row: &Mat<f64>) -> Found {
     let along = (row * kernel).transpose().to_owned();
     let norm = along.norm_l2();
@@ -240,7 +242,7 @@ fn least_squares(factor: &Mat<f64>, kernel: &Mat<f64>, row: &Mat<f64>) -> Found 
     let rows = factor.nrows();
     let target = factor * &particular;
     let energies = factor * &motions;
-    // Nothing to choose from, or nothing that matters (faer's pivoted QR of a zero matrix is NaN).
+    // No free motions, or only massless ones (the pivoted QR of faer returns NaN for a zero matrix).
     if energies.norm_max() == 0.0 {
         let minimum = minimum(target.squared_norm_l2(), norm, rows);
         return Found { minimum, velocity: particular, is_open: motions.ncols() > 0, open: motions };
@@ -258,7 +260,7 @@ fn least_squares(factor: &Mat<f64>, kernel: &Mat<f64>, row: &Mat<f64>) -> Found 
         weights[(order[i], 0)] = (-rotated[(i, 0)] - known) / r[(i, i)];
     }
     let velocity = particular + &motions * weights;
-    // Each motion that is left over, with those that count following so that it has no energy.
+    // Each remaining motion, combined with the motions of nonzero pivot such that its energy is zero.
     let mut follow: Mat<f64> = Mat::zeros(motions.ncols(), motions.ncols() - rank);
     for (k, column) in (rank..motions.ncols()).enumerate() {
         follow[(order[column], k)] = 1.0;
@@ -271,13 +273,13 @@ fn least_squares(factor: &Mat<f64>, kernel: &Mat<f64>, row: &Mat<f64>) -> Found 
     Found { minimum: minimum(energy, norm, rows), velocity, is_open: open.ncols() > 0, open }
 }
 
-/// `energy` at unit closing speed, where a motion along j of unit size closes at `norm`.
+/// Classifies `energy` at unit closing speed; `norm` is the closing speed of a unit motion along j.
 fn minimum(energy: f64, norm: f64, rows: usize) -> Minimum {
     let relative = energy * norm * norm;
     if relative <= f64::EPSILON * rows.max(1) as f64 { Minimum::Massless } else { Minimum::Finite(energy) }
 }
 
-/// Condition of a mass matrix scaled to unit diagonal; none where it is singular.
+/// Condition number of a mass matrix scaled to unit diagonal; `None` if singular.
 pub(crate) fn condition_of(mass: &DMatrix<f64>) -> Option<f64> {
     let n = mass.nrows();
     if n == 0 || (0..n).any(|k| mass[(k, k)] <= 0.0) {
@@ -291,7 +293,7 @@ pub(crate) fn condition_of(mass: &DMatrix<f64>) -> Option<f64> {
 fn condition(mass: MatRef<'_, f64>) -> Option<f64> {
     let values = mass.self_adjoint_eigenvalues(Side::Lower).ok()?;
     let (least, most) = (values.first()?, values.last()?);
-    // Beyond, the least is rounding.
+    // Beyond this limit the smallest eigenvalue is rounding.
     (*least > f64::EPSILON * mass.nrows() as f64 * most).then_some(most / least)
 }
 
@@ -315,7 +317,7 @@ mod tests {
         .solve()
     }
 
-    /// Independent rows, as many as there are; zeros as they stand.
+    /// Independent rows of `constraints`; a zero matrix is returned unchanged.
     fn independent(constraints: &DMatrix<f64>) -> DMatrix<f64> {
         let (m, n) = constraints.shape();
         if m == 0 || constraints.amax() == 0.0 {
@@ -348,7 +350,7 @@ mod tests {
         let locked = solve(general(), DMatrix::from_row_slice(1, 3, &[0.0, 0.0, 3.0]), &row);
         let dropped = solve(general().view((0, 0), (2, 2)).into(), none(2), &row[..2]);
         assert!((finite(&locked) / finite(&dropped) - 1.0).abs() < 1e-14);
-        // A row that is repeated is redundant and changes nothing.
+        // A repeated row is redundant and changes nothing.
         let twice = DMatrix::from_row_slice(2, 3, &[0.0, 0.0, 3.0, 0.0, 0.0, -1.0]);
         let twice = solve(general(), twice, &row);
         assert!((finite(&twice) / finite(&dropped) - 1.0).abs() < 1e-14);
@@ -358,7 +360,7 @@ mod tests {
     fn least_squares_and_the_formula_agree() {
         let row = [1.0, -2.0, 0.5];
         let by_formula = solve(general(), none(3), &row);
-        // A row of zeros constrains nothing but takes the general path.
+        // A row of zeros imposes no constraint, but selects the general path.
         let general_way = solve(general(), DMatrix::zeros(1, 3), &row);
         assert!((finite(&general_way) / finite(&by_formula) - 1.0).abs() < 1e-14);
         for (a, b) in general_way.velocity.iter().zip(&by_formula.velocity) {
@@ -382,7 +384,7 @@ mod tests {
 
     #[test]
     fn a_massless_link_between_two_masses_is_exact() {
-        // Two slides in line: the first carries nothing itself, the second 3 kg. M = 3 [1 1; 1 1].
+        // Two collinear prismatic joints: the first moves no mass of its own, the second 3 kg. M = 3 [1 1; 1 1].
         let mass = DMatrix::from_element(2, 2, 3.0);
         let tip = solve(mass.clone(), none(2), &[1.0, 1.0]);
         assert!((finite(&tip) - 3.0).abs() < 1e-14 && tip.is_open);

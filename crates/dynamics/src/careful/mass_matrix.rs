@@ -1,14 +1,14 @@
-//! Composite rigid body algorithm: the mass matrix of the tree.
+//! Composite rigid body algorithm: mass matrix of the tree.
 
 use crate::kinematics::Kinematics;
 use crate::model::Model;
 use nalgebra::DMatrix;
 use percuss_spatial::{Scalar, SpatialInertia};
 
-/// M over the velocities of the tree (mimics not yet folded), each pair in the coordinates of the upper body.
+/// M over the tree velocities (mimics not yet folded). Each entry is computed in the coordinates of the upper body.
 ///
-/// Featherstone 2008, table 6.2: composites Iᶜ are summed towards the root; column i is Iᶜᵢ Sᵢ carried up the
-/// chain, M_ji = Sⱼᵀ ʲF.
+/// Featherstone 2008, table 6.2: the composite inertias Iᶜ are summed towards the root. The force of column i, Iᶜᵢ
+/// Sᵢ, is propagated up the chain, M_ji = Sⱼᵀ ʲF.
 fn over_tree<T: Scalar>(model: &Model, kinematics: &Kinematics<T>) -> DMatrix<T> {
     let composites = composites(model, kinematics);
     let n = model.follows.len();
@@ -35,8 +35,8 @@ fn over_tree<T: Scalar>(model: &Model, kinematics: &Kinematics<T>) -> DMatrix<T>
     mass
 }
 
-/// For every velocity of the tree, the size of the terms whose sum is its diagonal entry of M: below ε times this,
-/// the entry is rounding.
+/// For every tree velocity: sum of the term magnitudes of the diagonal entry of M. An entry below ε times this sum is
+/// rounding.
 fn diagonal_sizes(model: &Model, kinematics: &Kinematics<f64>) -> Vec<f64> {
     let composites = composites(model, kinematics);
     let mut sizes = vec![0.0; model.follows.len()];
@@ -54,7 +54,7 @@ fn diagonal_sizes(model: &Model, kinematics: &Kinematics<f64>) -> Vec<f64> {
     sizes
 }
 
-/// Inertia of every body and all it carries, in its own axes about its own origin.
+/// Composite inertia of every body and its subtree, in the body's axes about its origin.
 fn composites<T: Scalar>(model: &Model, kinematics: &Kinematics<T>) -> Vec<SpatialInertia<T>> {
     let mut composites: Vec<SpatialInertia<T>> = model.bodies.iter().map(|b| b.inertia.cast()).collect();
     for i in (0..composites.len()).rev() {
@@ -67,7 +67,7 @@ fn composites<T: Scalar>(model: &Model, kinematics: &Kinematics<T>) -> Vec<Spati
 }
 
 impl Model {
-    /// Sums the rows and columns of a matrix over tree velocities into one over the coordinates: GᵀMG.
+    /// Sums the rows and columns of a matrix over tree velocities into a matrix over the coordinates: GᵀMG.
     pub fn reduce<T: Scalar>(&self, tree: DMatrix<T>) -> DMatrix<T> {
         if !self.has_active_mimics {
             return tree;
@@ -90,7 +90,7 @@ impl Model {
         self.reduce(over_tree(self, kinematics))
     }
 
-    /// For every coordinate, the size of the terms whose sum is its diagonal entry of M.
+    /// For every coordinate: sum of the term magnitudes of the diagonal entry of M.
     pub fn mass_sizes(&self, kinematics: &Kinematics<f64>) -> Vec<f64> {
         self.reduce_vector(&diagonal_sizes(self, kinematics), |multiplier| multiplier * multiplier)
     }

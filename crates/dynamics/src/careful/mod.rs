@@ -1,4 +1,5 @@
-//! The careful route: (D) solved as it stands, dense. The reference of the recursion, and the fallback for what that declines.
+//! Dense route: direct solution of the least-energy problem. Reference for the recursion, and fallback for mechanisms
+//! that the recursion declines.
 
 mod least_energy;
 mod mass_matrix;
@@ -12,8 +13,8 @@ use crate::model::{Group, Model};
 use nalgebra::DMatrix;
 
 impl Model {
-    /// All rows of A over the coordinates: groups one after another, each scaled to an entry of at most 1 (so that its
-    /// rank does not hang on the others').
+    /// All rows of A over the coordinates, group after group. Each group is scaled to a largest entry of 1, so that
+    /// ranks of groups do not depend on one another.
     pub fn constraint_matrix(&self, kinematics: &Kinematics<f64>) -> DMatrix<f64> {
         let count: usize = self.groups.iter().map(|g| g.rows).sum();
         let mut matrix = DMatrix::zeros(count, self.coordinates.len());
@@ -29,8 +30,9 @@ impl Model {
         matrix
     }
 
-    /// The rows of A that were decided to count, group by group, each row scaled to an entry of at most 1 over the group's
-    /// scaled coordinates. Groups share no coordinate, so the rows of all are as independent as each group's own.
+    /// Independent rows of A as decided for each group, group after group. Each row is scaled to a largest entry of 1
+    /// over the group's scaled coordinates. Groups share no coordinates, so all rows together are as independent as
+    /// the rows of each group.
     fn counting_rows(&self, kinematics: &Kinematics<f64>, groups: &[GroupMobility]) -> DMatrix<f64> {
         let count = groups.iter().map(|known| known.pivots.rows.len()).sum();
         let mut matrix = DMatrix::zeros(count, self.coordinates.len());
@@ -50,12 +52,13 @@ impl Model {
         matrix
     }
 
-    /// For every coordinate, how far a unit rate moves a point at `length` (m): that for turns, 1 for slides.
+    /// For every coordinate: displacement of a point at distance `length` (m) at unit rate: `length` for rotations, 1
+    /// for translations.
     pub fn coordinate_lengths(&self, length: f64) -> Vec<f64> {
         self.coordinates.iter().map(|c| if c.turns { length } else { 1.0 }).collect()
     }
 
-    /// The least kinetic energy at unit closing speed.
+    /// Least kinetic energy at unit closing speed.
     pub fn least_energy(
         &self,
         kinematics: &Kinematics<f64>,
@@ -79,7 +82,7 @@ impl Model {
     }
 }
 
-/// The largest entry of a group's rows over its scaled coordinates; 1 where all are zero.
+/// Largest entry of a group's rows over its scaled coordinates; 1 if all are zero.
 fn largest_scaled(rows: &DMatrix<f64>, group: &Group) -> f64 {
     let scaled = |at: usize| rows.column(at).amax() / group.lengths[at];
     let largest = (0..group.lengths.len()).map(scaled).fold(0.0, f64::max);

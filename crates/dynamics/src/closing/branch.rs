@@ -1,8 +1,10 @@
-//! Following a branch: the curve of closed poses that a group runs through while its drivers follow a straight path.
+//! Path follower: follows a branch, the curve of closed poses of a group, while the drivers move along a straight
+//! path.
 //!
-//! Steps go along the curve's own tangent, not along the drivers, so that limits (where the drivers turn back) are
-//! points like others: found, and found exactly. Source: Allgower and Georg, Introduction to Numerical Continuation
-//! Methods, 2003, ch. 2, 6 and 8; a step is corrected by the shortest motion (their Moore–Penrose correction).
+//! Steps are taken along the tangent of the curve, not along the driver path. Limits, at which the drivers reverse,
+//! are therefore ordinary points of the curve and are found exactly. Source: Allgower and Georg, Introduction to
+//! Numerical Continuation Methods, 2003, ch. 2, 6 and 8. Each step is corrected by the shortest motion (their
+//! Moore–Penrose correction).
 
 use super::chart::Chart;
 use super::correct::{Correction, Directions, Linearised, norm};
@@ -15,35 +17,35 @@ use crate::tolerances::{
     NEARLY_SINGULAR, SHORTEST_BRANCH_STEP, STRAIGHT,
 };
 
-/// A straight path of a group's drivers.
+/// Straight path of a group's drivers.
 pub(crate) struct DriverPath<'a> {
     pub model: &'a Model,
     pub group: &'a Group,
-    /// Coordinates (by index into the group's) that follow.
+    /// Dependent coordinates (by index into the group).
     pub unknown: &'a [usize],
-    /// Rates of the drivers over the group's coordinates, 1 m/s long.
+    /// Rates of the drivers over the group's coordinates, with a length of 1 m/s.
     pub direction: Vec<f64>,
-    /// m.
+    /// Length of the path, m.
     pub length: f64,
     /// Residual at which the group counts as closed, m.
     pub tolerance: f64,
-    /// Least over largest pivot of the followers' Jacobian at the generic pose.
+    /// Ratio of the smallest to the largest pivot of the dependent coordinates' Jacobian at the generic pose.
     pub conditioning: f64,
-    /// The places of the drivers that move among the positions, and where they stand at the end.
+    /// Position indices of the moving drivers, with their positions at the end.
     pub ends: Vec<(usize, f64)>,
 }
 
-/// Where a path ended.
+/// End of a path.
 pub(crate) struct Arrival {
-    /// Whether that is where it was to go; else it is a limit, or the nearest point that was found.
+    /// True if the target was reached; otherwise the end is a limit, or the nearest point found.
     pub there: bool,
-    /// A regular pose on the same branch, where the end is none.
+    /// A regular pose on the same branch, if the end is not regular.
     pub anchor: Option<Vec<f64>>,
-    /// Whether the path was too long, and nothing but that stopped it.
+    /// True if the step limit stopped the path.
     pub too_far: bool,
-    /// True if branches come so close to each other here that they cannot be told apart.
+    /// True if branches are too close to each other here to be distinguished.
     pub uncertain: bool,
-    /// The group where it stands now, where that is known.
+    /// Residuals and rows of the group at the current pose, if known.
     pub here: Option<Linearised>,
 }
 
@@ -61,32 +63,32 @@ impl Arrival {
     }
 }
 
-/// A point of the curve.
+/// Point of the curve.
 #[derive(Clone)]
 pub(super) struct Point {
     pub q: Vec<f64>,
-    /// Distance that the drivers have gone along the path, m.
+    /// Distance of the drivers along the path, m.
     pub gone: f64,
-    /// Unit tangent over the moves: followers, then the drivers' path.
+    /// Unit tangent over the directions: dependent coordinates, then the driver path.
     pub tangent: Vec<f64>,
-    /// A over the moves.
+    /// A over the directions.
     pub jacobian: Jacobian,
 }
 
-/// What shows that a step stays on its branch.
+/// Evidence that a step stays on its branch.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Trust {
-    /// No other branch comes near.
+    /// No other branch is near.
     Chart,
-    /// Branches cross within the closing tolerance, and each goes straight on.
+    /// Branches cross within the closing tolerance, and each continues straight.
     Crossing,
 }
 
-/// How a direct step to the target ended.
+/// Result of a direct step to the target.
 pub(super) enum Landing {
-    /// `singular`: the followers' Jacobian is nearly singular there.
+    /// The target was reached. `singular`: the dependent coordinates' Jacobian is nearly singular there.
     Landed { singular: bool, here: Linearised },
-    /// The target may lie on another branch, which comes near in between.
+    /// The target may lie on another branch that comes near.
     Doubtful,
     /// The correction did not converge, or was too long.
     Failed,
@@ -94,24 +96,24 @@ pub(super) enum Landing {
 
 /// Result of a step over a crossing.
 pub(super) enum Leap {
-    /// A point on the other side, and the length of the step, m.
+    /// A point beyond the crossing, and the length of the step, m.
     Beyond(Point, f64),
-    /// The target lies at the crossing: the group there.
+    /// The target lies at the crossing; residuals and rows at the target.
     Target(Linearised),
     None,
 }
 
-/// How a step along the branch ended.
+/// Result of a step along the branch.
 pub(super) enum Step {
     Taken(Point),
-    /// The other end may lie on another branch, which comes near in between.
+    /// The end of the step may lie on another branch that comes near.
     Doubtful,
     /// The correction did not converge, or was too long.
     Failed,
 }
 
 impl<'a> DriverPath<'a> {
-    /// The path to drivers' displacements `direction` over the group's coordinates; none where there is none to go.
+    /// Path along the driver displacements `direction` over the group's coordinates; `None` if all are zero.
     pub fn new(
         model: &'a Model,
         group: &'a Group,
@@ -129,10 +131,12 @@ impl<'a> DriverPath<'a> {
         Some(Self { model, group, unknown, direction, length, tolerance, conditioning, ends })
     }
 
+    /// Directions: dependent coordinates, and the driver path.
     pub(super) fn directions(&self) -> Directions<'_> {
         Directions { unknown: self.unknown, path: Some(&self.direction) }
     }
 
+    /// Directions: dependent coordinates only.
     fn followers(&self) -> Directions<'_> {
         Directions { unknown: self.unknown, path: None }
     }
@@ -141,26 +145,27 @@ impl<'a> DriverPath<'a> {
         self.group.size
     }
 
-    /// Goes from a closed pose to the end of the path, or as far as the branch goes.
+    /// Follows the branch from a closed pose to the end of the path, or to the end of the branch.
     pub fn go(&self, kinematics: &mut Kinematics<f64>) -> Arrival {
         let start = self.start(kinematics);
         self.run(kinematics, start, self.length, true)
     }
 
-    /// The curve's point where the group stands now.
+    /// Point of the curve at the current pose of the group.
     pub(super) fn start(&self, kinematics: &Kinematics<f64>) -> Point {
         let mut ahead = vec![0.0; self.unknown.len() + 1];
         ahead[self.unknown.len()] = 1.0;
         self.point(kinematics, 0.0, &ahead)
     }
 
-    /// The curve's point where the group is now; `before`: a vector that its tangent points along.
+    /// Point of the curve at the current pose; its tangent is oriented along the vector `before`.
     pub(super) fn point(&self, kinematics: &Kinematics<f64>, gone: f64, before: &[f64]) -> Point {
         let here = Linearised::at(self.model, kinematics, self.group);
         let jacobian = self.directions().jacobian(self.group, &here.rows);
         Point { q: kinematics.q.clone(), gone, tangent: self.tangent(&jacobian, before), jacobian }
     }
 
+    /// Restores the positions `q` and the frames of the group.
     pub(super) fn stand(&self, kinematics: &mut Kinematics<f64>, q: &[f64]) {
         if kinematics.q != q {
             kinematics.q.copy_from_slice(q);
@@ -168,8 +173,8 @@ impl<'a> DriverPath<'a> {
         }
     }
 
-    /// From a point to where the drivers have gone `target` metres, forwards or back. `careful`: near-singular ends are
-    /// looked at from both sides.
+    /// Follows the branch until the drivers have moved to `target` (m), forwards or backwards. `careful`:
+    /// near-singular ends are interpolated from both sides.
     pub(super) fn run(
         &self,
         kinematics: &mut Kinematics<f64>,
@@ -192,7 +197,7 @@ impl<'a> DriverPath<'a> {
         let mut too_far = true;
         for _ in 0..steps {
             let left = (target - here.gone).abs();
-            // Crossing branches ahead: shorter steps do not separate them.
+            // At a crossing of branches ahead, shorter steps do not separate the branches.
             let mut crossing = None;
             let mut doubtful = false;
             if slope(&here) > 0.0 && left <= step * slope(&here) {
@@ -248,7 +253,7 @@ impl<'a> DriverPath<'a> {
                         self.stand(kinematics, &limit.q);
                         return Arrival::at_end(Some(here.q));
                     }
-                    // The end lies before the limit: nearer to it the direct step succeeds.
+                    // The end lies before the limit; with a smaller step the direct step succeeds.
                     step /= 2.0;
                 }
                 Some(next) if sign * (next.gone - target) >= 0.0 => step /= 2.0,
@@ -267,7 +272,7 @@ impl<'a> DriverPath<'a> {
         Arrival::short_of_end(None, too_far)
     }
 
-    /// The end of the path, where the group is now.
+    /// Result at the end of the path, with the group at the target.
     fn landed(
         &self,
         kinematics: &mut Kinematics<f64>,
@@ -287,6 +292,7 @@ impl<'a> DriverPath<'a> {
         Arrival::at_end(Some(anchor))
     }
 
+    /// Longest step along a tangent, m.
     pub(super) fn longest(&self, tangent: &[f64]) -> f64 {
         LONGEST_BRANCH_STEP * self.size() / tangent.iter().fold(0.0, |most: f64, t| most.max(t.abs()))
     }
@@ -321,6 +327,7 @@ impl<'a> DriverPath<'a> {
         }
     }
 
+    /// Point of the curve after a correction.
     fn corrected(
         &self,
         kinematics: &Kinematics<f64>,
@@ -332,16 +339,16 @@ impl<'a> DriverPath<'a> {
         Point { q: kinematics.q.clone(), gone, tangent: self.tangent(&jacobian, before), jacobian }
     }
 
-    /// True if no other branch comes between two points that are about `step` metres apart.
+    /// True if no other branch comes between two points at a distance of about `step` metres.
     fn is_same_branch(&self, here: &Point, point: &Point, step: f64) -> bool {
         let chart = Chart::of(&here.jacobian, &here.tangent, self.tolerance / self.size());
-        // At a crossing itself there is no chart: all that is known of its branches is that they go straight on.
+        // No chart exists at a crossing itself; its branches are assumed to continue straight.
         chart.is_none_or(|chart| chart.reaches(&point.jacobian, &point.tangent, step, self.size()))
             && self.keeps_direction(here, point)
     }
 
-    /// True if the drivers do not turn back twice between two points where they go the same way. The slope in the middle of a
-    /// cubic through both points is 3/2 of the mean slope less a quarter of the slopes at the ends.
+    /// True if the drivers do not reverse twice between two points with the same driver direction. The slope in the
+    /// middle of a cubic through both points is 3/2 of the mean slope minus a quarter of the sum of the end slopes.
     fn keeps_direction(&self, here: &Point, point: &Point) -> bool {
         let n = self.unknown.len();
         let (first, last) = (here.tangent[n], point.tangent[n]);
@@ -358,7 +365,7 @@ impl<'a> DriverPath<'a> {
         1.5 * mean - 0.25 * ahead * (first + last) >= LEAST_MIDDLE_SLOPE * least
     }
 
-    /// Goes from a point straight to the target, followers alone being corrected.
+    /// Steps directly from a point to the target; only dependent coordinates are corrected.
     pub(super) fn land(
         &self,
         kinematics: &mut Kinematics<f64>,
@@ -376,7 +383,7 @@ impl<'a> DriverPath<'a> {
         }
         self.model.refill_group(kinematics, self.group);
         let correction = self.model.correct(kinematics, self.group, self.followers(), self.tolerance);
-        // A root that is nearly double is found to the root of the tolerance.
+        // A nearly double root is found only to the square root of the tolerance.
         let blurred = (self.tolerance * self.size()).sqrt();
         if !correction.closed || correction.moved > 0.25 * step.abs() + blurred {
             return Landing::Failed;
@@ -402,8 +409,9 @@ impl<'a> DriverPath<'a> {
         }
     }
 
-    /// True if the followers' Jacobian changes so little from a point to another that neither another branch nor a turn of the
-    /// drivers lies between, by its least pivot there: `pivots`, least over largest.
+    /// True if the change of the dependent coordinates' Jacobian between two points excludes another branch and a
+    /// reversal of the drivers in between. The change is compared with the smallest pivot at the end; `pivots` is its
+    /// ratio to the largest.
     fn is_beside(&self, here: &Point, followers: &Jacobian, pivots: f64) -> bool {
         let n = self.unknown.len();
         let before = here.jacobian.entries.iter().filter(|(_, c, _)| *c < n);
@@ -415,8 +423,8 @@ impl<'a> DriverPath<'a> {
         (change * n as f64).sqrt() <= BESIDE_DRIFT * here.tangent[n].abs() * pivots * largest
     }
 
-    /// The unit tangent of the curve that is nearest to `before`: J t = 0, `before`·t > 0. Where branches cross, the part
-    /// of `before` in the plane of their tangents.
+    /// Unit tangent of the curve closest to `before`: J t = 0, `before`·t > 0. At a crossing of branches: the
+    /// projection of `before` on the plane of the tangents.
     fn tangent(&self, jacobian: &Jacobian, before: &[f64]) -> Vec<f64> {
         let mut t = jacobian.projected(before, self.tolerance / self.size());
         let length = norm(&t);
@@ -424,8 +432,8 @@ impl<'a> DriverPath<'a> {
         t
     }
 
-    /// The point between `here` and a step further where the drivers turn back, by the rule of false position
-    /// (Illinois) on the slope of the drivers' path.
+    /// Point between `here` and the end of a step at which the drivers reverse. Method: false position (Illinois) on
+    /// the slope of the driver path.
     fn limit(
         &self,
         kinematics: &mut Kinematics<f64>,

@@ -1,27 +1,27 @@
-//! The neighbourhood of a point of the curve that holds no second branch.
+//! Neighbourhood of a point of the curve without a second branch.
 //!
-//! With J the Jacobian over the moves and t the unit tangent, X = [J; tᵀ] has full column rank at a regular point. Closed poses
-//! around a point 0 form one curve as long as ‖X₀⁺(X − X₀)‖ < 1 (Newton and Kantorovich): another branch lies beyond a pose where
-//! this norm reaches 1, since det X₀⁺X changes its sign there. Rows that repeat others have no influence. Source: Allgower and
-//! Georg, Introduction to Numerical Continuation Methods, 2003, ch. 2 (orientation); Deuflhard, Newton Methods for Nonlinear
-//! Problems, 2011, §2.1 (affine covariant norm).
+//! With J the Jacobian over the directions and t the unit tangent, X = [J; tᵀ] has full column rank at a regular
+//! point. Closed poses around a point 0 form one curve as long as ‖X₀⁺(X − X₀)‖ < 1 (Newton and Kantorovich). Another
+//! branch lies beyond a pose at which this norm reaches 1, because det X₀⁺X changes its sign there. Redundant rows
+//! have no influence. Source: Allgower and Georg, Introduction to Numerical Continuation Methods, 2003, ch. 2
+//! (orientation); Deuflhard, Newton Methods for Nonlinear Problems, 2011, §2.1 (affine covariant norm).
 
 use crate::linear::dense::{determinant_sign, dot};
 use crate::linear::jacobian::Jacobian;
 use crate::tolerances::{CHART_DRIFT, DENSE_LIMIT, DRIFT_ITERATIONS, FAINT_SINGULAR_VALUE, TURNING_DRIFT};
 
-/// The linearised curve at a regular point.
+/// Linearisation of the curve at a regular point.
 pub(super) struct Chart<'a> {
     jacobian: &'a Jacobian,
     tangent: &'a [f64],
-    /// Householder factors of X; `None` for a large group, whose norms are estimated by sparse solutions.
+    /// Householder factors of X; `None` for a large group, with norms estimated by sparse solutions.
     factors: Option<Factors>,
-    /// Floor of singular values, as a part of the largest.
+    /// Threshold of singular values, relative to the largest.
     floor: f64,
 }
 
 impl<'a> Chart<'a> {
-    /// `None` if X has not full column rank: branches cross at the point.
+    /// Chart at a point; `None` if X does not have full column rank, because branches cross at the point.
     pub fn of(jacobian: &'a Jacobian, tangent: &'a [f64], floor: f64) -> Option<Self> {
         let factors = match jacobian.columns <= DENSE_LIMIT {
             true => Some(Factors::of(stacked(jacobian, tangent), jacobian.columns)?),
@@ -30,10 +30,11 @@ impl<'a> Chart<'a> {
         Some(Self { jacobian, tangent, factors, floor })
     }
 
-    /// True if no other branch lies between this point and another that is `step` away (m), in a group of size `size` (m).
+    /// True if no other branch lies between this point and another point at distance `step` (m), in a group of size
+    /// `size` (m).
     ///
-    /// The norm is taken at the other point. In between it grows with the distance, up to terms of the second order: (step/size)²
-    /// over the least singular value of X.
+    /// The norm is evaluated at the other point. In between, the norm grows with the distance, up to second-order
+    /// terms: (step/size)² divided by the smallest singular value of X.
     pub fn reaches(&self, other: &Jacobian, tangent: &[f64], step: f64, size: f64) -> bool {
         let Some(factors) = &self.factors else {
             return self.sparse_drift(other) <= CHART_DRIFT;
@@ -49,7 +50,7 @@ impl<'a> Chart<'a> {
         spectral_norm(&drift, n) <= CHART_DRIFT && determinant_sign(&mut relative, n) > 0
     }
 
-    /// The spectral radius of J₀⁺(J − J₀), from the tangent on.
+    /// Spectral radius of J₀⁺(J − J₀), by power iterations from the tangent.
     fn sparse_drift(&self, other: &Jacobian) -> f64 {
         let mut v: Vec<f64> =
             self.tangent.iter().enumerate().map(|(k, t)| t + 0.1 + 0.01 * (k % 7) as f64).collect();
@@ -69,7 +70,7 @@ impl<'a> Chart<'a> {
     }
 }
 
-/// The columns of X, one after another.
+/// Columns of X, one after another.
 fn stacked(jacobian: &Jacobian, tangent: &[f64]) -> Vec<f64> {
     let rows = jacobian.rows + 1;
     let mut columns = vec![0.0; rows * jacobian.columns];
@@ -80,7 +81,7 @@ fn stacked(jacobian: &Jacobian, tangent: &[f64]) -> Vec<f64> {
 
 /// X = Q R by Householder reflections.
 struct Factors {
-    /// Below the diagonal of each column its reflection vector, above it R.
+    /// For each column: the reflection vector from the diagonal down, and R above the diagonal.
     columns: Vec<f64>,
     rows: usize,
     /// Diagonal of R.
@@ -88,7 +89,7 @@ struct Factors {
 }
 
 impl Factors {
-    /// `None` if a column depends on those before it.
+    /// Factorisation; `None` if a column depends on the columns before it.
     fn of(mut columns: Vec<f64>, count: usize) -> Option<Self> {
         let rows = columns.len() / count;
         if rows < count {
@@ -100,7 +101,7 @@ impl Factors {
             let (done, rest) = columns.split_at_mut((k + 1) * rows);
             let own = &mut done[k * rows + k..];
             let length = dot(own, own).sqrt();
-            // NaN is no length.
+            // The comparison also rejects NaN.
             if length.is_nan() || length <= FAINT_SINGULAR_VALUE * largest {
                 return None;
             }
@@ -135,7 +136,7 @@ impl Factors {
         solution
     }
 
-    /// An estimate of the least singular value: inverse iterations with R.
+    /// Estimate of the smallest singular value, by inverse iterations with R.
     fn least(&self) -> f64 {
         let (n, rows) = (self.diagonal.len(), self.rows);
         let mut v: Vec<f64> = (0..n).map(|k| 1.0 + 0.1 * k as f64).collect();
@@ -157,10 +158,10 @@ impl Factors {
     }
 }
 
-/// The largest singular value of an n×n matrix, row by row, by power iterations.
+/// Largest singular value of an n×n matrix, given row by row, by power iterations.
 fn spectral_norm(matrix: &[f64], n: usize) -> f64 {
     let total = dot(matrix, matrix).sqrt();
-    // The sum of all squares bounds it.
+    // The Frobenius norm is an upper bound.
     if total <= CHART_DRIFT || !total.is_finite() {
         return total;
     }
@@ -191,7 +192,7 @@ mod tests {
         Jacobian { rows: rows.len(), columns: rows[0].len(), entries: entries.collect() }
     }
 
-    /// y² − x² = δ²: J = (−2x, 2y). From one side to the other along a branch, and across to the other branch.
+    /// y² − x² = δ²: J = (−2x, 2y). One step along a branch, and one step to the other branch.
     #[test]
     fn a_jump_between_near_branches_is_seen() {
         let delta = 1e-4_f64;

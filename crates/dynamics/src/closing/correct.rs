@@ -1,4 +1,4 @@
-//! Closing a group of loops: Gauss–Newton with least steps, damped where these do not help.
+//! Closing of a group of loops: Gauss–Newton with steps of least norm, damped if these fail.
 
 use crate::kinematics::Kinematics;
 use crate::linear::jacobian::{Jacobian, NormalEquations};
@@ -6,32 +6,33 @@ use crate::model::{Group, Model};
 use crate::rows::{GroupRows, largest};
 use crate::tolerances::{COMMENSURATE, CORRECTION_ITERATIONS, FOLLOWED, KEPT_JACOBIAN, ROUNDING};
 
-/// The directions in which a group may be moved.
+/// Directions in which a group may be moved.
 #[derive(Clone, Copy)]
 pub(crate) struct Directions<'a> {
-    /// Coordinates (by index into the group's), each by itself.
+    /// Coordinates (by index into the group) that move independently.
     pub unknown: &'a [usize],
-    /// And together, along a path of the drivers: rates over the group's coordinates, 1 m/s long.
+    /// Additional joint motion along a path of the drivers: rates over the group's coordinates, with a length of 1
+    /// m/s.
     pub path: Option<&'a [f64]>,
 }
 
-/// How a correction ended.
+/// Result of a correction.
 pub(crate) struct Correction {
     /// Largest residual, m.
     pub residual: f64,
-    /// Length of the motion from the start, in metres.
+    /// Length of the motion from the start, m.
     pub moved: f64,
-    /// Part of it along the path, m.
+    /// Part of the motion along the path, m.
     pub along: f64,
     pub closed: bool,
     /// Row with the largest residual.
     pub worst: usize,
-    /// The group where it ended.
+    /// Residuals and rows of the group at the end.
     pub here: Linearised,
 }
 
 impl<'a> Directions<'a> {
-    /// These coordinates, each by itself.
+    /// Independent motion of the given coordinates.
     pub fn of(unknown: &'a [usize]) -> Self {
         Self { unknown, path: None }
     }
@@ -58,7 +59,7 @@ impl<'a> Directions<'a> {
         Jacobian { rows: group.rows, columns: self.count(), entries }
     }
 
-    /// The rates of the coordinates along directions of so many metres, over the group's coordinates.
+    /// Converts amounts along the directions (m) to rates over the group's coordinates.
     pub fn expand(&self, group: &Group, x: impl Fn(usize) -> f64) -> Vec<f64> {
         let mut u = vec![0.0; group.coordinates.len()];
         for (k, &at) in self.unknown.iter().enumerate() {
@@ -72,41 +73,43 @@ impl<'a> Directions<'a> {
     }
 }
 
-/// Residuals and rows of a group where it stands.
+/// Residuals and rows of a group at its current pose.
 pub(crate) struct Linearised {
     pub residuals: Vec<f64>,
     pub rows: GroupRows<f64>,
 }
 
 impl Linearised {
+    /// Residuals and rows at given frames.
     pub fn at(model: &Model, kinematics: &Kinematics<f64>, group: &Group) -> Self {
         let mut rows = GroupRows::default();
         rows.fill(model, group, kinematics);
         Self { residuals: model.group_residuals(kinematics, group), rows }
     }
 
-    /// The shortest step that closes the group to first order.
+    /// Shortest step that closes the group to first order.
     pub fn step(&self, group: &Group, directions: Directions, floor: f64) -> Vec<f64> {
         let target: Vec<f64> = self.residuals.iter().map(|r| -r).collect();
         directions.jacobian(group, &self.rows).shortest(&target, floor)
     }
 }
 
-/// How weak a direction a step may follow.
+/// Weakest directions (in singular value) that a step may use.
 #[derive(Clone, Copy, PartialEq)]
 enum Followed {
-    /// Not those that owe their weight to the residual itself.
+    /// Only directions whose singular value is not caused by the residual itself.
     Firm,
-    /// All but rounding.
+    /// All directions above rounding.
     All,
 }
 
 impl Model {
-    /// Closes a group by moving it as little as can be.
+    /// Closes a group by the smallest possible motion.
     ///
-    /// A pose whose residual is within the rounding of a file is not moved along directions as weak as that: they are
-    /// the group's own freedom, bent by the rounding. Only where a closed pose lies as near as the residual is small are
-    /// they followed. Loops that do not quite fit end at the least squares of their residuals.
+    /// A residual within the rounding of a file creates weak directions: free motions of the group, distorted by the
+    /// rounding. A pose with such a residual is not moved along directions of that weakness. Weak directions are used
+    /// only if they lead to a closed pose at a distance comparable to the residual. Inexact loops end at the
+    /// least-squares solution of their residuals.
     pub fn correct(
         &self,
         kinematics: &mut Kinematics<f64>,
@@ -127,8 +130,9 @@ impl Model {
         firm
     }
 
-    /// Gauss–Newton steps of least norm; where one does not help, Levenberg–Marquardt. Stops when nothing improves. A step
-    /// that takes so much of the residuals away that the same once more comes to rounding leaves its Jacobian to the next.
+    /// Gauss–Newton steps of least norm, with Levenberg–Marquardt if a step fails. Stops without further improvement.
+    /// The Jacobian is reused after a step with such a large reduction that another equal reduction leaves only
+    /// rounding.
     fn descend(
         &self,
         kinematics: &mut Kinematics<f64>,
@@ -141,7 +145,8 @@ impl Model {
         let (mut moved, mut along) = (0.0, 0.0);
         let mut damping = 0.0;
         let mut here = Linearised::at(self, kinematics, group);
-        // Whether the rows of `here` are those of the frames, and the Jacobian with its factors: of the last step, or none.
+        // `rows_are_here`: the rows of `here` belong to the current frames. `linear`: Jacobian and factors of the
+        // last step.
         let mut rows_are_here = true;
         let mut linear: Option<(Jacobian, Option<NormalEquations>)> = None;
         let mut is_kept = false;
@@ -174,8 +179,8 @@ impl Model {
             if !(length > 0.0 && length.is_finite()) {
                 break;
             }
-            // So long a step is no first-order matter: a third of a radian, or of the gap, is the most. A damped one goes
-            // where more is won than a shortened one.
+            // Limit of the first-order model: a third of a radian, or of the gap. A damped step is preferred to a
+            // shortened step of this length.
             let longest = 0.3 * size.max(worst) * (directions.count() as f64).sqrt();
             if length > longest && damping < 0.1 {
                 damping = f64::max(10.0 * damping, 1e-3);
@@ -197,7 +202,7 @@ impl Model {
                 moved += length;
                 along += directions.path.map_or(0.0, |_| x[directions.unknown.len()]);
                 if damping > 0.0 {
-                    // As much as was promised: the promise may be bolder.
+                    // If the actual reduction agrees with the predicted one, the damping is reduced.
                     let promised = norm_of_difference(&jacobian.times(&x), &target);
                     let kept = (cost * cost - left * left) / (cost * cost - promised * promised);
                     damping *= if kept > 0.75 {

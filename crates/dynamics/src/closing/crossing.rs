@@ -1,7 +1,8 @@
-//! A pose at or near a crossing of branches, from regular ones on both sides.
+//! Poses at or near a crossing of branches, computed from regular poses on both sides.
 //!
-//! There the followers' Jacobian is singular, and closing finds them to the root of the tolerance only. Along the branch
-//! they are smooth functions of the drivers all the same: taken at eight places around, they are interpolated.
+//! At a crossing the dependent coordinates' Jacobian is singular, and closing finds the dependent coordinates only to
+//! the square root of the tolerance. Along the branch, they are smooth functions of the drivers. They are
+//! interpolated from eight points around the crossing.
 
 use super::branch::{DriverPath, Landing, Leap, Point, Step, Trust};
 use super::correct::Linearised;
@@ -12,13 +13,13 @@ use crate::tolerances::{
 };
 
 impl DriverPath<'_> {
-    /// Distance (m) below which two branches are one crossing: the root of the closing tolerance.
+    /// Distance (m) below which two branches count as one crossing: the square root of the closing tolerance.
     pub(super) fn narrowest(&self) -> f64 {
         (self.tolerance * self.size()).sqrt()
     }
 
-    /// True if branches cross near a point; false if they only come close to each other. The square of the least singular value
-    /// of [J; tᵀ] is a parabola along the tangent, whose least value is 0 at a crossing.
+    /// True if branches cross near a point, false if the branches only come close to each other. The square of the
+    /// smallest singular value of [J; tᵀ] is a parabola along the tangent, with a minimum of 0 at a crossing.
     pub(super) fn crosses_near(&self, kinematics: &mut Kinematics<f64>, here: &Point) -> bool {
         let columns = here.tangent.len();
         if columns > DENSE_LIMIT {
@@ -46,7 +47,7 @@ impl DriverPath<'_> {
         curvature > 0.0 && first - slope * slope / (4.0 * curvature) <= SAME_CROSSING * first
     }
 
-    /// Steps straight over a crossing, or onto the target where that lies there.
+    /// Steps straight over a crossing, or to the target if the target lies at the crossing.
     pub(super) fn leap(&self, kinematics: &mut Kinematics<f64>, here: &Point, target: f64) -> Leap {
         let sign = (target - here.gone).signum();
         let mut length = f64::min(LEAP_OVER * self.narrowest(), self.longest(&here.tangent));
@@ -66,8 +67,8 @@ impl DriverPath<'_> {
         Leap::None
     }
 
-    /// Puts the group at the target on the branch of a regular point `here`. Gives a regular pose beside it; none, and
-    /// the pose left as it was, where the branch does not run through (a limit).
+    /// Moves the group to the target on the branch of a regular point `here`. Returns a regular pose beside the
+    /// target. `None`, with the pose unchanged, if the branch does not pass through the target (a limit).
     pub(super) fn across(
         &self,
         kinematics: &mut Kinematics<f64>,
@@ -87,6 +88,7 @@ impl DriverPath<'_> {
         found
     }
 
+    /// Interpolates the pose at the target from places at multiples of `apart`; `None` if a place is not reached.
     fn interpolated(
         &self,
         kinematics: &mut Kinematics<f64>,
@@ -108,13 +110,13 @@ impl DriverPath<'_> {
             known.push((offset, from.q.clone()));
         }
         kinematics.q.copy_from_slice(&self.at_zero(&known));
-        // Drivers stand at the positions asked for, not where the interpolation has them.
+        // The positions of the drivers are exact at the target; only the frames are recomputed.
         self.model.refill_group(kinematics, self.group);
         let (residual, _) = self.model.group_residual(kinematics, self.group);
         (residual <= self.tolerance).then(|| known.swap_remove(0).1)
     }
 
-    /// Positions at offset 0 by Lagrange's formula; quaternions normalised.
+    /// Positions at offset 0 by Lagrange's formula, with quaternions normalised.
     fn at_zero(&self, known: &[(f64, Vec<f64>)]) -> Vec<f64> {
         let mut q = vec![0.0; known[0].1.len()];
         for (i, (x, values)) in known.iter().enumerate() {
@@ -122,7 +124,7 @@ impl DriverPath<'_> {
             let weight: f64 = others.map(|(_, (y, _))| y / (y - x)).product();
             q.iter_mut().zip(values).for_each(|(q, value)| *q += weight * value);
         }
-        // What does not move stays as it is to the last bit.
+        // Positions that are constant are copied exactly.
         for k in 0..q.len() {
             if known.iter().all(|(_, values)| values[k] == known[0].1[k]) {
                 q[k] = known[0].1[k];

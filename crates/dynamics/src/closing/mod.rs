@@ -1,4 +1,4 @@
-//! Closing a group of loops: one correction, following a branch, a pose where branches cross.
+//! Closing of a group of loops: correction, path following, and poses at crossings of branches.
 
 mod branch;
 mod chart;

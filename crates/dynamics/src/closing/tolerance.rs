@@ -1,4 +1,4 @@
-//! When a group counts as closed, on its own size.
+//! Closing tolerance of a group, relative to its size.
 
 use crate::kinematics::Kinematics;
 use crate::model::{Group, Model};
@@ -6,11 +6,12 @@ use crate::tolerances::{CLOSED, MOST_FLOOR, RANK_FLOOR, ROUNDED};
 use percuss_mechanism::JointKind;
 
 impl Model {
-    /// Residual (m) at which a group counts as closed: a part of its size, and rounding of far-off positions.
+    /// Residual (m) at which a group counts as closed: a fraction of its size, at least the rounding of distant
+    /// positions.
     pub fn closing_tolerance(&self, kinematics: &Kinematics<f64>, group: &Group) -> f64 {
         let far = |b: &usize| kinematics.frames[*b].translation.amax();
         let far = group.bodies.iter().map(far).fold(0.0, f64::max);
-        // Angles of many turns have fewer digits left within one, and so have long slides.
+        // Angles of many turns, and long translations, have fewer digits for the fraction.
         let of_body = |b: &usize| {
             let body = &self.bodies[*b];
             longest(body.motion.kind, &kinematics.q[body.q.clone()], group.size)
@@ -19,13 +20,13 @@ impl Model {
         (CLOSED * group.size).max(16.0 * f64::EPSILON * far).max(4.0 * f64::EPSILON * gone)
     }
 
-    /// The same for loops that are inexact by so much at the generic pose (m); they may be by some more at others.
+    /// Closing tolerance for loops with a given inexactness (m) at the generic pose, with a margin for other poses.
     pub fn rounded_tolerance(&self, kinematics: &Kinematics<f64>, group: &Group, inexactness: f64) -> f64 {
         self.closing_tolerance(kinematics, group).max(ROUNDED * inexactness)
     }
 }
 
-/// The largest of a joint's positions in metres: slides as they are, angles times the size. Quaternions have no turns.
+/// Largest position of a joint in metres: translations unchanged, angles times the size. Quaternions count as 0.
 fn longest(kind: JointKind, q: &[f64], size: f64) -> f64 {
     let largest = |q: &[f64]| q.iter().fold(0.0, |most: f64, q| most.max(q.abs()));
     match kind {
@@ -33,13 +34,14 @@ fn longest(kind: JointKind, q: &[f64], size: f64) -> f64 {
         JointKind::Revolute | JointKind::Continuous => size * largest(q),
         JointKind::Prismatic => largest(q),
         JointKind::Planar => largest(&q[..2]).max(size * q[2].abs()),
-        // The base stores no position.
+        // The base has no stored position.
         JointKind::Floating => q.get(..3).map_or(0.0, largest),
     }
 }
 
 impl Group {
-    /// Singular values of A below this part of the largest count as zero, where the loops are inexact by so much (m).
+    /// Threshold for singular values of A relative to the largest, for loops with a given inexactness (m). Smaller
+    /// values count as zero.
     pub fn floor_for(&self, inexactness: f64) -> f64 {
         let places = 16.0 * f64::EPSILON * self.far;
         RANK_FLOOR.max(ROUNDED * inexactness.max(places) / self.size).min(MOST_FLOOR)

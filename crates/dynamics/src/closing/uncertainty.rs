@@ -1,4 +1,4 @@
-//! How far a pose may be from closed: a residual alone bounds nothing near a singular pose.
+//! Distance of a pose from a closed pose. Near a singular pose the residual alone gives no bound.
 
 use super::correct::{Directions, norm};
 use crate::kinematics::Kinematics;
@@ -9,11 +9,12 @@ use crate::rows::GroupRows;
 use crate::tolerances::{FAINT_SINGULAR_VALUE, INVERSE_ITERATIONS, REGULAR_SQUARE, WEAKEST_DIRECTION_LIMIT};
 
 impl Model {
-    /// Rates over the group's coordinates by which its pose may be from closed.
+    /// Rates over the group's coordinates that bound the distance of the pose from a closed pose.
     ///
-    /// The dependent coordinates go where the residuals send them, and along the right singular vector of their Jacobian
-    /// with the least singular value σ that counts by ρ/σ: ρ the rounding of the residuals, or all of them where the file
-    /// is inexact and least squares leave them. `known`: the group's rows there, if they are. None where that direction cannot be found.
+    /// The dependent coordinates move by the first-order correction of the residuals. In addition they move by ρ/σ
+    /// along the right singular vector of their Jacobian with the smallest nonzero singular value σ. ρ is the
+    /// rounding of the residuals or, for an inexact file, the remaining least-squares residual. `known`: the group's
+    /// rows at the pose, if available. `None` if the singular vector cannot be found.
     pub fn closing_doubt(
         &self,
         kinematics: &Kinematics<f64>,
@@ -46,7 +47,7 @@ impl Model {
             None if small => weak_step(&jacobian.dense(), &target, open, floor),
             None => weak_step_of_many(&jacobian, &target, open, floor)?,
         };
-        // No pose is uncertain by more than a radian.
+        // No pose is uncertain by more than one radian.
         let long = step.iter().map(|x| x * x).sum::<f64>().sqrt();
         let shorten = if long > group.size { group.size / long } else { 1.0 };
         step.iter_mut().for_each(|x| *x *= shorten);
@@ -54,8 +55,8 @@ impl Model {
     }
 }
 
-/// The step that closes to first order, and `open` over the least singular value along its vector, where all are well
-/// above the root of rounding: by JᵀJ and inverse iterations.
+/// First-order closing step plus `open`/σ along the singular vector of the smallest singular value σ. Method: JᵀJ and
+/// inverse iterations. `None` unless all singular values are well above the square root of rounding.
 fn regular_step(jacobian: &Jacobian, target: &[f64], open: f64) -> Option<Vec<f64>> {
     let n = jacobian.columns;
     let mut dense = vec![0.0; jacobian.rows * n];
@@ -74,7 +75,7 @@ fn regular_step(jacobian: &Jacobian, target: &[f64], open: f64) -> Option<Vec<f6
         return None;
     }
     cholesky_solve(&normal, &mut step);
-    // A vector with a part along every singular one; ‖(JᵀJ)⁻¹v‖ comes to 1/σ².
+    // Start vector with a component along every singular vector; ‖(JᵀJ)⁻¹v‖ converges to 1/σ².
     let mut weakest: Vec<f64> = (0..n).map(|k| 1.0 + 0.1 * k as f64).collect();
     let mut growth = norm(&weakest);
     for _ in 0..INVERSE_ITERATIONS {
@@ -88,7 +89,7 @@ fn regular_step(jacobian: &Jacobian, target: &[f64], open: f64) -> Option<Vec<f6
     Some(step)
 }
 
-/// The same for many coordinates, by inverse iterations with sparse factors.
+/// Like [`weak_step`], for many coordinates: inverse iterations with sparse factors.
 fn weak_step_of_many(jacobian: &Jacobian, target: &[f64], open: f64, floor: f64) -> Option<Vec<f64>> {
     let mut step = jacobian.shortest(target, floor);
     let (weakest, least) = weakest_of_many(jacobian, floor)?;
@@ -98,7 +99,7 @@ fn weak_step_of_many(jacobian: &Jacobian, target: &[f64], open: f64, floor: f64)
     step.iter().all(|s| s.is_finite()).then_some(step)
 }
 
-/// The right singular vector with the least singular value that counts, and that value: J⁺J⁺ᵀ again and again.
+/// Right singular vector of the smallest nonzero singular value, and the value, by repeated application of J⁺J⁺ᵀ.
 fn weakest_of_many(jacobian: &Jacobian, floor: f64) -> Option<(Vec<f64>, f64)> {
     let transposed = jacobian.transposed();
     let mut weakest: Vec<f64> = (0..jacobian.columns).map(|k| 1.0 + 0.1 * (k % 64) as f64).collect();
@@ -115,7 +116,7 @@ fn weakest_of_many(jacobian: &Jacobian, floor: f64) -> Option<(Vec<f64>, f64)> {
     Some((weakest, 1.0 / growth.sqrt()))
 }
 
-/// The step that closes to first order, and `open` over the least singular value that counts along its vector.
+/// First-order closing step plus `open`/σ along the singular vector of the smallest nonzero singular value σ.
 fn weak_step(jacobian: &faer::Mat<f64>, target: &[f64], open: f64, floor: f64) -> Vec<f64> {
     let n = jacobian.ncols();
     let Ok(svd) = jacobian.thin_svd() else { return vec![0.0; n] };
@@ -138,7 +139,7 @@ mod tests {
 
     #[test]
     fn the_weakest_direction_of_many_is_that_of_the_singular_values() {
-        // A band, one column of which all but repeats its neighbour; and some rows twice.
+        // A band matrix with one column almost equal to its neighbour, and some repeated rows.
         let (n, twice) = (90, 12);
         let entry = |r: usize, c: usize| match r.abs_diff(c) {
             0 => 2.0 + (r as f64).sin(),

@@ -1,4 +1,4 @@
-//! What is done for each contact, in lanes.
+//! SIMD evaluation of the contacts of a map.
 
 use super::scale::Factor;
 use crate::answered::WIDEST;
@@ -7,12 +7,12 @@ use crate::tolerances::{MAP_TRUSTED_ERROR, SHORTEST_DIRECTION};
 use nalgebra::{SMatrix, Vector3};
 use percuss_spatial::lanes::{Lanes, Work};
 
-/// Contacts by columns, in the struck link's frame.
+/// Contacts by columns, in the frame of the contact link.
 #[derive(Clone, Copy, Debug)]
 pub struct ContactColumns<'a> {
     /// x, y and z of the points, m.
     pub points: [&'a [f64]; 3],
-    /// x, y and z of the normals, out of the struck link; their lengths do not matter.
+    /// x, y and z of the normals, out of the contact link, of any length.
     pub normals: [&'a [f64]; 3],
 }
 
@@ -23,6 +23,7 @@ impl<'a> ContactColumns<'a> {
         Self { points, normals }
     }
 
+    /// Point and normal of contact `i`.
     pub(super) fn at(&self, i: usize) -> (Vector3<f64>, Vector3<f64>) {
         let [point, normal] = [self.points, self.normals].map(|c| Vector3::new(c[0][i], c[1][i], c[2][i]));
         (point, normal)
@@ -33,7 +34,7 @@ impl<'a> ContactColumns<'a> {
         self.points.iter().all(|column| column.iter().fold(true, |all, x| all & is_number(*x)))
     }
 
-    /// Whether the contact has a point and a direction.
+    /// True if contact `i` has a valid point and a valid direction.
     pub(super) fn is_direction(&self, i: usize) -> bool {
         let (point, normal) = self.at(i);
         let length = normal.norm();
@@ -41,16 +42,16 @@ impl<'a> ContactColumns<'a> {
     }
 }
 
-/// The numbers of a map.
+/// Constants of a map.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Constants {
     centre: [f64; 3],
     reach: f64,
-    /// R, row by row from the diagonal on.
+    /// R, row by row from the diagonal.
     factor: [f64; 21],
-    /// The relative error is this times (|m|₁/reach + |n|₁)/|R w|.
+    /// Error coefficient: the relative error is `error` · (|m|₁/reach + |n|₁)/|R w|.
     error: f64,
-    /// The size of Φ's root (kg^-½).
+    /// Size of the square root of Φ (kg^-½).
     size: f64,
 }
 
@@ -72,7 +73,7 @@ impl Constants {
         self.size = factor.size();
     }
 
-    /// The relative error of a contact that meets all of Φ.
+    /// Sets the relative error of a contact with |R w| equal to `size` · (|m|₁/reach + |n|₁).
     pub fn set_coefficient(&mut self, coefficient: f64) {
         self.error = coefficient * self.size;
     }
@@ -81,14 +82,15 @@ impl Constants {
         self.error / self.size
     }
 
-    /// |w| as errors are scaled by it, over |R w|: 1 or more, and how much more the contact is than the lightest.
+    /// Scaled size of the wrench w divided by |R w|: at least 1, and large for contacts much heavier than the
+    /// lightest.
     pub fn stiffness(&self, arm: &Vector3<f64>, normal: &Vector3<f64>) -> f64 {
         let answered = (self.of_forces(arm) * normal).norm();
         let moment = arm.cross(normal);
         self.size * (moment.lp_norm(1) / self.reach + normal.lp_norm(1)) / answered
     }
 
-    /// R of forces at a point, 6×3.
+    /// R applied to forces at a point, 6×3.
     pub fn of_forces(&self, arm: &Vector3<f64>) -> SMatrix<f64, 6, 3> {
         let mut whole = SMatrix::<f64, 6, 6>::zeros();
         let mut next = 0;
@@ -103,13 +105,13 @@ impl Constants {
     }
 }
 
-/// Effective masses and relative errors of contacts, by Φ.
+/// Computes effective masses and relative errors of contacts from Φ.
 pub(super) struct Evaluate<'a> {
     pub constants: &'a Constants,
     pub contacts: ContactColumns<'a>,
     pub masses: &'a mut [f64],
     pub errors: &'a mut [f64],
-    /// Set where an error is not small.
+    /// Set to true if an error is not small.
     pub doubt: &'a mut bool,
 }
 
@@ -131,7 +133,7 @@ impl Work for Evaluate<'_> {
             at += T::WIDTH;
         }
         if at < count {
-            // The last lanes repeat the last contact.
+            // Unused lanes repeat the last contact.
             let mut buffers = [[0.0; WIDEST]; 6];
             let mut column = 0;
             while column < 6 {
@@ -158,7 +160,7 @@ impl Work for Evaluate<'_> {
         excess.store(&mut sums);
         let mut lane = 0;
         while lane < T::WIDTH {
-            // NaN is an excess.
+            // NaN also sets the flag.
             *doubt |= sums[lane] != 0.0;
             lane += 1;
         }
@@ -170,7 +172,7 @@ fn load<T: Lanes>(columns: &[&[f64]; 3], at: usize) -> [T; 3] {
     [T::load(&columns[0][at..]), T::load(&columns[1][at..]), T::load(&columns[2][at..])]
 }
 
-/// The numbers of a map in all lanes.
+/// Constants of a map in all lanes.
 struct InLanes<T> {
     centre: [T; 3],
     factor: [T; 21],

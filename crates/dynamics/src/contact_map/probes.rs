@@ -1,9 +1,10 @@
-//! How errors are scaled: by those of the pose's own answers at some contacts.
+//! Calibration of the errors of a map, by the errors of the pose's own responses at some contacts.
 //!
-//! Every term of an error of 1/m̄ is a product of a motion and a wrench that is transmitted, or of two motions (see
-//! `error_budget`), both linear in w. Motions are at most some multiple of |R w|, what is transmitted at most one of |w|, so that
-//! the relative error is at most C |w|/|R w|. C is taken from contacts at nine points of the region, along the three directions in
-//! which m̄ is stationary there and along seeded ones: what these need, times [`MAP_SAFETY`].
+//! Every term of an error of 1/m̄ is the product of a motion and a transmitted wrench, or of two motions (see
+//! `error_budget`). Both are linear in w. Motions are bounded by a multiple of |R w|, transmitted wrenches by a
+//! multiple of |w|. The relative error is therefore at most C |w|/|R w|. C is calibrated with contacts at nine points
+//! of the region, along the three stationary directions of m̄ and one fixed direction at each point. The largest C
+//! found is multiplied by [`MAP_SAFETY`].
 
 use super::{ContactMap, ContactStatus};
 use crate::contact::Contact;
@@ -12,7 +13,7 @@ use crate::tolerances::{MAP_OWN_ROUNDINGS, MAP_SAFETY, MAP_TRUSTED_ERROR};
 use nalgebra::{SymmetricEigen, Vector3};
 
 impl ContactMap<'_> {
-    /// Finds the coefficient of errors; whether Φ answers as the pose does.
+    /// Calibrates the error coefficient. Returns true if Φ agrees with the pose's own responses.
     pub(super) fn scale_errors(&mut self) -> bool {
         let (centre, reach) = (self.constants.centre(), self.constants.reach());
         let mut coefficient = MAP_OWN_ROUNDINGS * f64::EPSILON;
@@ -40,7 +41,7 @@ impl ContactMap<'_> {
                     coefficient =
                         coefficient.max(MAP_SAFETY * relative / self.constants.stiffness(&arm, &normal));
                 }
-                // In doubt, and asked by itself each time.
+                // The map leaves this contact undecided, and computes it separately at every call.
                 EffectiveMass::Finite(_) if own.is_none() => {}
                 EffectiveMass::Immovable if own != Some(ContactStatus::Finite) => {}
                 EffectiveMass::Massless if matches!(own, None | Some(ContactStatus::Massless)) => {}
@@ -53,7 +54,7 @@ impl ContactMap<'_> {
         coefficient <= MAP_TRUSTED_ERROR
     }
 
-    /// What Φ says of a contact by itself, where that is beyond doubt.
+    /// Status of a contact if Φ decides the status reliably.
     fn own_status(&self, arm: &Vector3<f64>, normal: &Vector3<f64>) -> Option<ContactStatus> {
         let point = self.constants.centre() + arm;
         let contacts = super::ContactColumns {
@@ -65,7 +66,7 @@ impl ContactMap<'_> {
     }
 }
 
-/// Some direction: the points of a golden spiral on the sphere.
+/// Fixed direction number `number`, from a golden spiral on the sphere.
 fn seeded(number: usize) -> Vector3<f64> {
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
     let turn = std::f64::consts::TAU * (number as f64 * GOLDEN).fract();

@@ -1,25 +1,25 @@
-//! The triangular factor of Φ, and the wrenches that motions without mass answer.
+//! Triangular factor of Φ, and the wrenches to which massless motions respond.
 
 use crate::outcome::EffectiveMass;
 use crate::tolerances::{MAP_CLEAR_SPECTRUM, MASSLESS_CLOSING};
 use nalgebra::{SMatrix, SVector, Vector3};
 use percuss_spatial::Twist;
 
-/// A direction along which m̄ is stationary among all directions at a point.
+/// Direction along which m̄ is stationary among all directions at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PrincipalMass {
-    /// m̄, or what it is instead.
+    /// Effective mass along the direction.
     pub mass: EffectiveMass,
-    /// What it may be off by, kg; none unless finite.
+    /// Error of m̄, kg; `None` unless m̄ is finite.
     pub error: Option<f64>,
-    /// The direction in the struck link's axes, a unit vector.
+    /// Unit vector of the direction, in the axes of the contact link.
     pub direction: Vector3<f64>,
 }
 
-/// Φ = RᵀR, filled one square after another.
+/// Φ = RᵀR, updated by one rank-one term at a time.
 pub(super) struct Factor {
     reach: f64,
-    /// R: upper triangular.
+    /// R, upper triangular.
     rows: SMatrix<f64, 6, 6>,
     free: Vec<SVector<f64, 6>>,
 }
@@ -29,7 +29,7 @@ impl Factor {
         Self { reach, rows: SMatrix::zeros(), free: Vec::new() }
     }
 
-    /// Adds t tᵀ/d; not where d is not above zero.
+    /// Adds t tᵀ/d. False if d is not positive, or the result is not finite.
     pub fn add(&mut self, t: &[f64; 6], d: f64) -> bool {
         if d.is_nan() || d <= 0.0 {
             return false;
@@ -52,11 +52,11 @@ impl Factor {
         row.iter().all(|x| x.is_finite())
     }
 
-    /// Adds what a motion without mass answers: `t` on the six unit wrenches, of which `motion` is the twist.
+    /// Adds the response of a massless motion: `t` for the six unit wrenches, with the twist `motion`.
     pub fn add_free(&mut self, t: &[f64; 6], motion: &Twist<f64>) {
         let row = SVector::<f64, 6>::from_fn(|a, _| if a < 3 { t[a] * self.reach } else { t[a] });
         let terms = motion.angular.norm() * self.reach + motion.linear.norm();
-        // What is below is rounding.
+        // Smaller values are rounding.
         if row.norm() > MASSLESS_CLOSING * terms {
             let mut unit = row / row.norm();
             for known in &self.free {
@@ -71,7 +71,7 @@ impl Factor {
         }
     }
 
-    /// R row by row from the diagonal on.
+    /// R, row by row from the diagonal.
     pub fn packed(&self) -> [f64; 21] {
         let mut packed = [0.0; 21];
         let mut next = 0;
@@ -84,15 +84,15 @@ impl Factor {
         packed
     }
 
-    /// The largest root of Φ's diagonal, moments at the reach.
+    /// Largest square root of the diagonal of Φ, with moments scaled by the reach.
     pub fn size(&self) -> f64 {
         let root = |a: usize| self.rows.column(a).norm() * if a < 3 { self.reach } else { 1.0 };
         let size = (0..6).map(root).fold(0.0, f64::max);
-        // Nothing moves; any size serves.
+        // Nothing moves; any positive size can be used.
         if size > 0.0 { size } else { 1.0 }
     }
 
-    /// Whether every eigenvalue of Φ, moments at the reach, is either rounding or clearly more.
+    /// True if every eigenvalue of Φ (moments scaled by the reach) is either rounding or clearly larger.
     pub fn is_clear(&self) -> bool {
         let per = |a: usize| if a < 3 { self.reach } else { 1.0 };
         let phi = self.rows.transpose() * self.rows;
@@ -103,12 +103,13 @@ impl Factor {
         values.iter().all(|v| v.abs() <= rounding * most || *v >= clear * most)
     }
 
+    /// Wrenches with a massless response.
     pub fn free(self) -> FreeWrenches {
         FreeWrenches { reach: self.reach, units: self.free }
     }
 }
 
-/// What motions without mass answer: orthonormal over wrenches with moments at the reach.
+/// Wrenches to which massless motions respond: orthonormal basis, with moments scaled by the reach.
 #[derive(Clone, Debug, Default)]
 pub(super) struct FreeWrenches {
     reach: f64,
@@ -120,7 +121,7 @@ impl FreeWrenches {
         self.units.is_empty()
     }
 
-    /// Which part of a contact's wrench they answer: 0 to 1.
+    /// Fraction of a contact's wrench within the space of these wrenches, 0 to 1.
     pub fn part(&self, arm: &Vector3<f64>, normal: &Vector3<f64>) -> f64 {
         let moment = arm.cross(normal) / self.reach;
         let along = |unit: &SVector<f64, 6>| {
@@ -130,7 +131,7 @@ impl FreeWrenches {
         (square / (moment.norm_squared() + normal.norm_squared())).sqrt()
     }
 
-    /// The forces at a point that they answer, a row each.
+    /// Forces at a point to which massless motions respond, one row each.
     pub fn of_forces(&self, arm: &Vector3<f64>) -> SMatrix<f64, 6, 3> {
         let mut rows = SMatrix::<f64, 6, 3>::zeros();
         for (i, unit) in self.units.iter().take(6).enumerate() {

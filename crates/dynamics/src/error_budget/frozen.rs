@@ -1,4 +1,4 @@
-//! Pivots that do not count, though what they pass on does.
+//! Error due to dropped (frozen) pivots that still couple to the parent.
 
 use super::{BudgetRoom, UnitImpulse, components, energy_root};
 use crate::model::Body;
@@ -28,7 +28,7 @@ impl UnitImpulse<'_> {
         let arm = (self.kinematics.frames[i].translation - self.contact.point_root).norm();
         let mut twist = body.parent.map_or_else(Twist::zero, |p| self.twists[p]);
         let mut sum = 0.0;
-        // What is eliminated first is found last.
+        // The last eliminated pivot comes first.
         for &v in recursion.order[body.v.clone()].iter().rev() {
             let e = &recursion.joints[v];
             if e.counts {
@@ -48,7 +48,7 @@ impl UnitImpulse<'_> {
                     frozen.max(recursion.response(0, 0))
                 } else {
                     let most = passed + SUM_ROUNDINGS * f64::EPSILON * own * carried;
-                    // An unresolved U is as small as the rounding of D lets it be, or zero.
+                    // An unresolved U is zero, or as small as the rounding of D permits.
                     let least = if is_resolved {
                         square_over(about, moment).max(square_over(along, mass))
                     } else {
@@ -56,13 +56,14 @@ impl UnitImpulse<'_> {
                     };
                     let change = most * most / least.max(f64::MIN_POSITIVE);
                     let response = recursion.response(0, 0);
-                    // Of first order: a larger change moves the other free motions too.
+                    // A first-order estimate: a larger change alters the other free motions too.
                     if change < SMALL_CHANGE * response { change } else { frozen.max(response) }
                 };
         }
         sum
     }
 
+    /// Sums moment (about the contact point) and mass of every body over its subtree.
     fn fill_composites(&self, composites: &mut Vec<(f64, f64)>) {
         let own = |(i, body): (usize, &Body)| {
             let arm = (self.kinematics.frames[i].translation - self.contact.point_root).norm();

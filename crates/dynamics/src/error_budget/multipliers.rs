@@ -1,4 +1,4 @@
-//! The multipliers of a group's rows: what closes its loops under a unit impulse.
+//! Constraint multipliers of a group under a unit impulse.
 
 use crate::linear::dense::solve_square;
 use crate::linear::jacobian::Jacobian;
@@ -6,10 +6,10 @@ use crate::mobility::GroupMobility;
 use crate::model::Group;
 use crate::tolerances::DENSE_LIMIT;
 
-/// Room for the multipliers of a group; refilled in place.
+/// Buffers for the multipliers of a group; refilled in place.
 #[derive(Clone, Debug, Default)]
 pub(super) struct MultiplierRoom {
-    /// λ, one a pivot row.
+    /// λ, one per pivot row.
     values: Vec<f64>,
     row_of: Vec<usize>,
     column_of: Vec<usize>,
@@ -17,12 +17,12 @@ pub(super) struct MultiplierRoom {
 }
 
 impl MultiplierRoom {
-    /// λ of a row; none where it follows from others.
+    /// λ of a row; `None` for a row that is redundant.
     pub fn of_row(&self, row: usize) -> Option<f64> {
         self.values.get(self.row_of[row]).copied()
     }
 
-    /// λ with K ᵀ λ = force on the coordinates that depend; one a pivot row, over coordinates scaled by lengths.
+    /// Solves Kᵀ λ = force on the dependent coordinates, scaled by their lengths. One λ per pivot row.
     pub fn solve(&mut self, group: &Group, known: &GroupMobility, force: &dyn Fn(usize) -> f64) {
         let Self { values, row_of, column_of, square } = self;
         let count = known.pivots.rows.len();

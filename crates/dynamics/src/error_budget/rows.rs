@@ -1,4 +1,4 @@
-//! Rows of A that are off, and what closes the loops.
+//! Errors of the rows of A, and the constraint wrenches that close the loops.
 
 use super::{BudgetRoom, FrameErrors, Places, RelativeErrors, UnitImpulse};
 use crate::model::{Cluster, Constraint, ConstraintRows, Group};
@@ -7,15 +7,15 @@ use crate::tolerances::ROW_ROUNDINGS;
 use nalgebra::Vector3;
 use percuss_spatial::{Twist, Wrench};
 
-/// The two sides that a constraint holds together.
+/// Bodies on the two sides of a constraint.
 struct Sides {
     on: Option<usize>,
     against: Option<usize>,
 }
 
 impl UnitImpulse<'_> {
-    /// Rows of A that are off change the rates of what depends. By joint, what closes the loops is added to what joints
-    /// transmit.
+    /// Adds the effect of errors in the rows of A on the rates of the dependent coordinates. With `Places::ByJoint`,
+    /// the constraint wrenches are also added to the transmitted wrenches.
     pub(super) fn add_rows(&self, room: &mut BudgetRoom, places: Places, sum: &mut RelativeErrors) {
         for cluster in self.model.clusters.iter().filter(|c| !c.groups.is_empty()) {
             self.fill_tree_forces(&mut room.forces, cluster, &room.transmitted);
@@ -35,7 +35,7 @@ impl UnitImpulse<'_> {
                 }
                 sum.misfit = sum.misfit.max(self.misfits[own.group]);
                 sum.is_measured |= group.rows > known.pivots.rows.len();
-                // δ(1/m̄) = 2 λᵀδA u: the multipliers balance what the tree leaves on the coordinates that depend.
+                // δ(1/m̄) = 2 λᵀδA u: the multipliers balance the forces of the tree on the dependent coordinates.
                 let force = |c: usize| forces[own.coordinates[c]] / group.lengths[c];
                 multipliers.solve(group, known, &force);
                 terms.clear();
@@ -57,7 +57,7 @@ impl UnitImpulse<'_> {
                     let row = self.row_error(frames, constraint, &sides, group.size, places);
                     for r in held.clone() {
                         let Some(multiplier) = balance(r) else { continue };
-                        // Entries that vanish are sums of terms as large as the row's largest.
+                        // An entry that vanishes is a sum of terms as large as the largest entry of the row.
                         let change = multiplier.abs() * terms[r].max(largest[r] * speed);
                         sum.file += 2.0 * self.misfits[own.group] * change;
                         sum.rounding += 2.0 * row * change;
@@ -92,6 +92,7 @@ impl UnitImpulse<'_> {
         }
     }
 
+    /// Bodies on the two sides of a constraint; none for a coupling.
     fn sides(&self, constraint: &ConstraintRows) -> Sides {
         match constraint.constraint {
             Constraint::Closure(i) => {
@@ -103,7 +104,7 @@ impl UnitImpulse<'_> {
         }
     }
 
-    /// By how many roundings the entries of a constraint's rows are off.
+    /// Error of the entries of a constraint's rows, in roundings.
     fn row_error(
         &self,
         frames: &FrameErrors,
@@ -121,7 +122,7 @@ impl UnitImpulse<'_> {
                 });
                 ROW_ROUNDINGS + turn + place / size
             }
-            // An arm is a difference of two places.
+            // An arm is a difference of two positions.
             Places::ByJoint => {
                 let far = bodies.map(|b| self.kinematics.frames[b].translation.norm()).fold(0.0, f64::max);
                 ROW_ROUNDINGS + 4.0 * far / size
@@ -129,8 +130,8 @@ impl UnitImpulse<'_> {
         }
     }
 
-    /// Where a constraint acts, from the contact point, and the wrenches on its first side that its rows are the powers of;
-    /// root axes, about that place.
+    /// Position of a constraint relative to the contact point, and one wrench per row. The power of the wrench on the
+    /// first side equals the row. Root axes, about that position.
     fn wrenches(&self, constraint: &ConstraintRows, group: &Group) -> (Vector3<f64>, [Wrench<f64>; MOST]) {
         let (model, kinematics) = (self.model, self.kinematics);
         let mut wrenches = [Wrench::zero(); MOST];
@@ -155,7 +156,8 @@ impl UnitImpulse<'_> {
         (place - self.contact.point_root, wrenches)
     }
 
-    /// What a row's wrench does on the motion that it leaves free, turned and shifted as its two sides are off.
+    /// Power of a row's wrench on the free relative motion, after a rotation and displacement by the frame errors of
+    /// both sides.
     fn turned_row(
         &self,
         frames: &FrameErrors,
@@ -171,7 +173,7 @@ impl UnitImpulse<'_> {
         (on.0 + against.0) * (moment * turning + force * sliding) + (on.1 + against.1) * force * turning
     }
 
-    /// The force that the tree leaves on each coordinate of a cluster: τ = Σ Sᵀh, h without the constraints' own.
+    /// Forces of the tree on the coordinates of a cluster: τ = Σ Sᵀh, where h excludes constraint wrenches.
     fn fill_tree_forces(&self, forces: &mut Vec<f64>, cluster: &Cluster, transmitted: &[Wrench<f64>]) {
         forces.clear();
         forces.resize(cluster.coordinates.len(), 0.0);

@@ -1,4 +1,4 @@
-//! Small square systems, and products of vectors.
+//! Small dense systems, singular values, and products of vectors.
 
 /// aᵀb.
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
@@ -7,7 +7,8 @@ pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
 
 use crate::tolerances::JACOBI_SWEEPS;
 
-/// Solves A x = b in place by elimination with partial pivoting; A n×n, row by row. A zero pivot leaves infinities.
+/// Solves A x = b in place by elimination with partial pivoting; A is n×n, row by row. A zero pivot causes
+/// infinities.
 pub(crate) fn solve_square(a: &mut [f64], b: &mut [f64]) {
     let n = b.len();
     for k in 0..n {
@@ -33,7 +34,8 @@ pub(crate) fn solve_square(a: &mut [f64], b: &mut [f64]) {
     }
 }
 
-/// The sign of a determinant, n×n row by row, that may be too small or too large for a number; by elimination in place.
+/// Sign of the determinant of an n×n matrix, row by row, by elimination in place. The determinant itself may overflow
+/// or underflow.
 pub(crate) fn determinant_sign(a: &mut [f64], n: usize) -> i8 {
     let mut negative = false;
     for k in 0..n {
@@ -56,7 +58,8 @@ pub(crate) fn determinant_sign(a: &mut [f64], n: usize) -> i8 {
     if negative { -1 } else { 1 }
 }
 
-/// Cholesky factor in place (lower, n×n row by row); false where a pivot falls below `floor` times the largest.
+/// Cholesky factorisation in place (lower, n×n, row by row). False if a pivot is below `floor` times the largest
+/// diagonal entry.
 pub(crate) fn cholesky(a: &mut [f64], n: usize, floor: f64) -> bool {
     let largest = (0..n).map(|k| a[k * n + k]).fold(0.0, f64::max);
     for k in 0..n {
@@ -88,9 +91,9 @@ pub(crate) fn cholesky_solve(l: &[f64], b: &mut [f64]) {
     }
 }
 
-/// Least over largest pivot of a Gram–Schmidt orthogonalisation with the longest remaining column first; `columns` one after
-/// another, each `length` long and no more than that of them, are overwritten. Of each column only what a ratio needs
-/// is kept right: its leading digits, down to ratios of 1e-8.
+/// Ratio of the smallest to the largest pivot of a Gram–Schmidt orthogonalisation that takes the longest remaining
+/// column first. `columns` holds at most `length` columns of `length` entries, one after another, and is overwritten.
+/// Accurate in the leading digits only, down to ratios of 1e-8.
 pub(crate) fn orthogonal_pivot_ratio(columns: &mut [f64], length: usize) -> f64 {
     let count = columns.len() / length;
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
@@ -123,9 +126,9 @@ pub(crate) fn orthogonal_pivot_ratio(columns: &mut [f64], length: usize) -> f64 
     (pivot / first).sqrt()
 }
 
-/// Singular values, descending, of a matrix given row by row (m×n), by one-sided Jacobi rotations; allocates nothing once
-/// `values` is large enough. Leaves the matrix rotated. Source: Hestenes 1958; Golub, Van Loan, Matrix Computations, 2013,
-/// §8.6.3 (cited from memory).
+/// Singular values in descending order of an m×n matrix, row by row, by one-sided Jacobi rotations. Allocates nothing
+/// if `values` is large enough. The matrix is overwritten by its rotated form. Source: Hestenes 1958; Golub, Van
+/// Loan, Matrix Computations, 2013, §8.6.3 (cited from memory).
 pub(crate) fn singular_values(a: &mut [f64], n: usize, values: &mut Vec<f64>) {
     values.clear();
     if n == 0 {
@@ -187,7 +190,7 @@ mod tests {
 
     #[test]
     fn singular_values_of_a_deficient_matrix() {
-        // Singular values √10 times those of [1 2; 3 4]/√10, beside a repeated column and a zero one.
+        // [1 2; 3 4] with one repeated column and one zero column.
         let mut a = [1.0, 2.0, 0.0, 1.0, 3.0, 4.0, 0.0, 3.0];
         let mut values = Vec::new();
         singular_values(&mut a, 4, &mut values);
@@ -199,7 +202,7 @@ mod tests {
 
     #[test]
     fn pivots_of_columns() {
-        // Columns (3, 0, 4) and (3, 0, 4) + δ(4, 0, −3): pivots 5 and 5δ, to the rounding of the first, ε/δ.
+        // Columns (3, 0, 4) and (3, 0, 4) + δ(4, 0, −3): pivots 5 and 5δ, within the rounding of the first, ε/δ.
         for delta in [0.5, 1e-3, 1e-8] {
             let ratio =
                 orthogonal_pivot_ratio(&mut [3.0, 0.0, 4.0, 3.0 + 4.0 * delta, 0.0, 4.0 - 3.0 * delta], 3);
@@ -207,7 +210,7 @@ mod tests {
             assert!((ratio / exact - 1.0).abs() < 1e-15 / delta + 1e-14, "{ratio} {exact}");
         }
         assert_eq!(orthogonal_pivot_ratio(&mut [1.0, 2.0, 0.0, 0.0], 2), 0.0);
-        // As the factorisation with column pivots has it.
+        // Comparison with the factorisation with column pivoting.
         let entry = |r: usize, c: usize| ((3 * r + 7 * c) as f64).sin() + f64::from(u8::from(r == c));
         let matrix = faer::Mat::from_fn(9, 6, entry);
         let qr = matrix.col_piv_qr();

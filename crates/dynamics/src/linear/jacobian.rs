@@ -1,4 +1,4 @@
-//! The shortest step that does most: min ‖x‖ among those with least ‖Jx − b‖, for groups of every size.
+//! Least-squares solution of minimum norm: min ‖x‖ subject to minimal ‖Jx − b‖, for groups of every size.
 
 use super::dense::{cholesky, cholesky_solve, dot, orthogonal_pivot_ratio};
 use super::sparse::{SparseRows, eliminate, pivot_ratio};
@@ -7,26 +7,26 @@ use faer::linalg::solvers::{Solve, SolveLstsq};
 use faer::sparse::{SparseColMat, Triplet};
 use faer::{Mat, Side};
 
-/// A over the directions in which a group may be moved, each measured in metres.
+/// A over the directions of motion of a group, each measured in metres.
 #[derive(Clone, Debug)]
 pub(crate) struct Jacobian {
     pub rows: usize,
     pub columns: usize,
-    /// (row, column, value); several to a place add.
+    /// (row, column, value); repeated entries are summed.
     pub entries: Vec<(usize, usize, f64)>,
 }
 
-/// The factorised normal equations of a Jacobian, for any number of targets.
+/// Factorised normal equations of a Jacobian, for any number of right-hand sides.
 pub(crate) struct NormalEquations {
     wide: bool,
-    /// Vectors whose products were taken, one after another and each so long: columns of J, or its rows.
+    /// Length of the vectors, and the vectors one after another: the columns of J, or the rows of a wide J.
     length: usize,
     vectors: Vec<f64>,
     factor: Vec<f64>,
 }
 
 impl NormalEquations {
-    /// The shortest x with least ‖Jx − b‖.
+    /// Shortest x with least ‖Jx − b‖.
     pub fn shortest(&self, target: &[f64]) -> Vec<f64> {
         let vectors = self.vectors.chunks_exact(self.length);
         if !self.wide {
@@ -68,8 +68,8 @@ impl Jacobian {
         self.entries.iter().fold(0.0, |most, (_, _, a)| most.max(a.abs()))
     }
 
-    /// The shortest x with least ‖Jx − b‖. Pivots below `floor` times the first are left out: rows of a rounded file that
-    /// repeat others but for its inexactness contradict them, and following them leads far off.
+    /// Shortest x with least ‖Jx − b‖. Pivots below `floor` times the first are omitted: in a rounded file, nearly
+    /// redundant rows contradict one another, and their solution lies far away.
     pub fn shortest(&self, target: &[f64], floor: f64) -> Vec<f64> {
         match self.normal_equations(floor) {
             Some(equations) => equations.shortest(target),
@@ -77,7 +77,7 @@ impl Jacobian {
         }
     }
 
-    /// The same without the normal equations.
+    /// Shortest x with least ‖Jx − b‖, without normal equations.
     pub fn shortest_by_factors(&self, target: &[f64], floor: f64) -> Vec<f64> {
         if self.columns == 0 || self.rows == 0 || self.largest() == 0.0 {
             return vec![0.0; self.columns];
@@ -88,8 +88,8 @@ impl Jacobian {
         least_norm(&self.dense(), target, floor.max(STEP_RANK))
     }
 
-    /// JᵀJ, or JJᵀ where J is wide: where all singular values are so alike that their squares keep eight digits. Newton's
-    /// next step takes the rest.
+    /// Factorises JᵀJ, or JJᵀ for a wide J. `None` unless the singular values are so similar that their squares keep
+    /// eight digits. The next Newton step removes the remaining error.
     pub fn normal_equations(&self, floor: f64) -> Option<NormalEquations> {
         let (m, n) = (self.rows, self.columns);
         if floor >= WELL_CONDITIONED || m == 0 || n == 0 || m.min(n) > DENSE_LIMIT {
@@ -116,7 +116,7 @@ impl Jacobian {
         })
     }
 
-    /// min ‖Jx − b‖² + λ² σ² ‖x‖², σ the size of J.
+    /// Minimises ‖Jx − b‖² + λ² σ² ‖x‖², with σ the largest entry of J.
     pub fn damped(&self, target: &[f64], damping: f64) -> Vec<f64> {
         let (m, n) = (self.rows, self.columns);
         let weight = damping * self.largest();
@@ -138,7 +138,7 @@ impl Jacobian {
         self.by_gram(&all, target, weight).unwrap_or_else(|| vec![0.0; n])
     }
 
-    /// x = Jᵀz with (JJᵀ + w²)z = b, by the triangle of [Jᵀ; w].
+    /// x = Jᵀz with (JJᵀ + w²)z = b, by the triangular factor of [Jᵀ; w].
     fn damped_by_rows(&self, target: &[f64], weight: f64) -> Vec<f64> {
         let (m, n) = (self.rows, self.columns);
         let mut stacked = Mat::zeros(n + m, m);
@@ -161,8 +161,8 @@ impl Jacobian {
         x
     }
 
-    /// x = Jᵣᵀ(JᵣJᵣᵀ)⁻¹bᵣ on rows r that are independent, by sparse Cholesky factors; the step of the dependent columns
-    /// alone, where these would fill in.
+    /// x = Jᵣᵀ(JᵣJᵣᵀ)⁻¹bᵣ on independent rows r, by sparse Cholesky factors. Falls back to a step of the dependent
+    /// columns alone if these products would fill in.
     fn shortest_sparse(&self, target: &[f64], floor: f64) -> Vec<f64> {
         let mut sparse = SparseRows::default();
         sparse.load(self.rows, self.columns, |add| self.entries.iter().for_each(|(r, c, a)| add(*r, *c, *a)));
@@ -174,8 +174,8 @@ impl Jacobian {
         x.unwrap_or_else(|| self.dependent_step(target, &found.rows, &found.columns))
     }
 
-    /// Jᵣᵀz with (JᵣJᵣᵀ + w²)z = b; `place`: the index of each row among those meant. None where the product would fill in,
-    /// or is not positive to rounding.
+    /// x = Jᵣᵀz with (JᵣJᵣᵀ + w²)z = b. `place`: index of each row among the rows r. `None` if the product would fill
+    /// in, or is not positive within rounding.
     fn by_gram(&self, place: &[usize], right: &[f64], weight: f64) -> Option<Vec<f64>> {
         let mut columns: Vec<Vec<(usize, f64)>> = vec![Vec::new(); self.columns];
         for (r, c, a) in self.entries.iter().filter(|(r, ..)| place[*r] != usize::MAX) {
@@ -202,7 +202,7 @@ impl Jacobian {
         x.iter().all(|x| x.is_finite()).then_some(x)
     }
 
-    /// K⁻¹b on the pivots, the other columns left alone.
+    /// K⁻¹b on the pivot columns; the other columns are zero.
     fn dependent_step(&self, target: &[f64], rows: &[usize], columns: &[usize]) -> Vec<f64> {
         let n = self.columns;
         let mut sparse = SparseRows::default();
@@ -217,7 +217,7 @@ impl Jacobian {
         values
     }
 
-    /// Least over largest pivot; 0 where there are fewer rows than columns, 1 where there is nothing.
+    /// Ratio of the smallest to the largest pivot; 0 with fewer rows than columns, 1 for an empty or zero matrix.
     pub fn pivot_ratio(&self) -> f64 {
         if self.columns == 0 || self.largest() == 0.0 {
             return 1.0;
@@ -233,14 +233,14 @@ impl Jacobian {
         orthogonal_pivot_ratio(&mut columns, self.rows)
     }
 
-    /// The part of `before` on which J vanishes.
+    /// Projection of `before` on the kernel of J.
     pub fn projected(&self, before: &[f64], floor: f64) -> Vec<f64> {
         let back = self.shortest(&self.times(before), floor);
         before.iter().zip(back).map(|(b, x)| b - x).collect()
     }
 }
 
-/// By a complete orthogonal factorisation of J, or of Jᵀ where it is wide.
+/// Complete orthogonal factorisation of J, or of Jᵀ for a wide J.
 fn least_norm(jacobian: &Mat<f64>, target: &[f64], floor: f64) -> Vec<f64> {
     let (m, n) = (jacobian.nrows(), jacobian.ncols());
     if n > m {
@@ -276,7 +276,7 @@ fn least_norm(jacobian: &Mat<f64>, target: &[f64], floor: f64) -> Vec<f64> {
     x
 }
 
-/// Jᵀ P = Q [R₁ R₂; 0 0]: x = Q y with R₁ᵀ y = (Pᵀb)₁ where the rows are independent, in least squares where not.
+/// Jᵀ P = Q [R₁ R₂; 0 0]: x = Q y with R₁ᵀ y = (Pᵀb)₁ for independent rows, in the least-squares sense otherwise.
 fn least_norm_wide(jacobian: &Mat<f64>, target: &[f64], floor: f64) -> Vec<f64> {
     let m = jacobian.nrows();
     let qr = jacobian.transpose().to_owned().col_piv_qr();
@@ -315,7 +315,7 @@ mod tests {
 
     #[test]
     fn every_shape_is_solved_alike() {
-        // A banded matrix with a repeated row: sparse, wide and dense methods against each other.
+        // A banded matrix with a repeated row, for comparison of the sparse, wide and dense methods.
         let entry = |r: usize, c: usize| match c.checked_sub(r) {
             Some(0) => 2.0 + (r as f64).sin(),
             Some(1) => -1.0,
@@ -329,7 +329,7 @@ mod tests {
             let x = j.shortest(&b, STEP_RANK);
             let exact = least_norm(&j.dense(), &b, STEP_RANK);
             let apart = x.iter().zip(&exact).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-            // JJᵀ squares the condition, about 30 here.
+            // JJᵀ squares the condition number, about 30 here.
             assert!(apart < 1e-12, "{m} {n}: {apart}");
         }
     }

@@ -1,4 +1,4 @@
-//! Linear algebra for groups of every size: least steps and sparse elimination. Knows no mechanism.
+//! Linear algebra for groups of every size: steps of least norm, and sparse elimination. Independent of mechanisms.
 
 pub(crate) mod dense;
 pub(crate) mod jacobian;

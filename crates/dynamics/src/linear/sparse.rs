@@ -1,15 +1,15 @@
-//! Sparse rows, eliminated where that fills in least (Markowitz 1957) among pivots that are not small in their rows
+//! Sparse elimination with pivots of least fill-in (Markowitz 1957). Pivots must not be small within their rows
 //! (threshold pivoting: Duff, Erisman, Reid, Direct Methods for Sparse Matrices, 2017, §5.2; cited from memory).
 
 use crate::tolerances::{SPARSE_CANDIDATES, SPARSE_PIVOT, STEP_RANK};
 use percuss_spatial::Scalar;
 use std::collections::BTreeSet;
 
-/// Rows of a matrix, each its entries by ascending column.
+/// Rows of a sparse matrix, with entries in ascending column order.
 #[derive(Clone, Debug)]
 pub(crate) struct SparseRows<T: Scalar> {
     rows: Vec<Vec<(usize, T)>>,
-    /// For each column, rows that hold it; some may hold it no longer, some come twice.
+    /// For each column: rows with an entry in the column. May contain outdated or repeated rows.
     holders: Vec<Vec<usize>>,
 }
 
@@ -20,7 +20,7 @@ impl<T: Scalar> Default for SparseRows<T> {
 }
 
 impl<T: Scalar> SparseRows<T> {
-    /// Takes a matrix by its entries (row, column, value), which `each` visits; several to a place add.
+    /// Loads a matrix from its entries (row, column, value), visited by `each`. Repeated entries are summed.
     pub fn load(&mut self, rows: usize, columns: usize, each: impl FnOnce(&mut dyn FnMut(usize, usize, T))) {
         self.rows.clear();
         self.rows.resize(rows, Vec::new());
@@ -30,11 +30,11 @@ impl<T: Scalar> SparseRows<T> {
         self.sum_up();
     }
 
-    /// Sorts rows, adds what comes several to a place, and notes who holds which column.
+    /// Sorts the rows, sums repeated entries, and records the rows of each column.
     fn sum_up(&mut self) {
         for row in &mut self.rows {
             row.sort_by_key(|(column, _)| *column);
-            // Mimics bring several to a place.
+            // Mimics cause repeated entries.
             let mut sums: Vec<(usize, T)> = Vec::with_capacity(row.len());
             for (column, value) in row.drain(..) {
                 match sums.last_mut() {
@@ -49,12 +49,13 @@ impl<T: Scalar> SparseRows<T> {
         }
     }
 
+    /// Entry of a row in a column, if stored.
     pub fn entry(&self, row: usize, column: usize) -> Option<T> {
         let entries = &self.rows[row];
         entries.binary_search_by_key(&column, |(c, _)| *c).ok().map(|at| entries[at].1)
     }
 
-    /// row ← row − entry/pivot · pivot row, the column left out.
+    /// row ← row − entry/pivot · pivot row; the entry of the column is removed.
     fn subtract(&mut self, row: usize, pivot_row: usize, column: usize) {
         let (Some(entry), Some(pivot)) = (self.entry(row, column), self.entry(pivot_row, column)) else {
             return;
@@ -82,7 +83,7 @@ impl<T: Scalar> SparseRows<T> {
         self.rows[row] = sum;
     }
 
-    /// Eliminates in the order given and writes −K⁻¹A[rows, independent] into `values` (coordinates × independent).
+    /// Eliminates in the given order, and writes −K⁻¹A[rows, independent] to `values` (coordinates × independent).
     pub fn solve(&mut self, rows: &[usize], columns: &[usize], independent: &[usize], values: &mut [T]) {
         let mut place = vec![usize::MAX; self.rows.len()];
         rows.iter().enumerate().for_each(|(i, r)| place[*r] = i);
@@ -108,19 +109,19 @@ impl<T: Scalar> SparseRows<T> {
     }
 }
 
-/// What elimination met.
+/// Result of an elimination.
 pub(crate) struct Eliminated {
     /// Rows and columns of the pivots, in order.
     pub rows: Vec<usize>,
     pub columns: Vec<usize>,
     /// Largest entry at the start.
     pub scale: f64,
-    /// Least pivot, and the largest entry that was left.
+    /// Smallest pivot, and largest remaining entry.
     pub least: f64,
     pub left: f64,
 }
 
-/// Least over largest pivot of a matrix given by entries; 0 where columns are left over.
+/// Ratio of the smallest pivot to the largest entry of a matrix given by its entries; 0 if the columns are dependent.
 pub(crate) fn pivot_ratio(rows: usize, columns: usize, entries: &[(usize, usize, f64)]) -> f64 {
     let mut sparse = SparseRows::default();
     sparse.load(rows, columns, |add| entries.iter().for_each(|(r, c, a)| add(*r, *c, *a)));
@@ -128,12 +129,12 @@ pub(crate) fn pivot_ratio(rows: usize, columns: usize, entries: &[(usize, usize,
     if found.rows.len() < columns { 0.0 } else { found.least / found.scale }
 }
 
-/// Chooses pivots above `floor` times the largest entry and eliminates with them.
+/// Chooses pivots above `floor` times the largest entry, and eliminates with these pivots.
 pub(crate) fn eliminate(sparse: &mut SparseRows<f64>, floor: f64) -> Eliminated {
     eliminate_by_class(sparse, floor, &vec![0; sparse.holders.len()])
 }
 
-/// The same, with pivots in columns of the lowest class first.
+/// Like [`eliminate`], with pivots in columns of the lowest class first.
 pub(crate) fn eliminate_by_class(sparse: &mut SparseRows<f64>, floor: f64, class: &[u8]) -> Eliminated {
     let scale = sparse.rows.iter().map(|row| largest(row)).fold(0.0, f64::max);
     let (mut rows, mut columns) = (Vec::new(), Vec::new());
@@ -172,8 +173,8 @@ fn largest(row: &[(usize, f64)]) -> f64 {
     row.iter().fold(0.0, |most: f64, (_, a)| most.max(a.abs()))
 }
 
-/// The pivot that fills in least among rows with the fewest entries; rows of rounding alone in the columns allowed are
-/// put aside, the largest of it noted.
+/// Pivot of least fill-in among the rows with the fewest entries. Rows with only rounding in the allowed columns are
+/// removed from `open`, and their largest entry is recorded in `left`.
 fn next_pivot(
     sparse: &SparseRows<f64>,
     open: &mut BTreeSet<(usize, usize)>,

@@ -1,4 +1,4 @@
-//! What is refused of the caller's matrices, and M as it is used.
+//! Validation of the caller's matrices, and the symmetrised mass matrix.
 
 use super::view::MatrixView;
 use crate::tolerances::{
@@ -8,7 +8,7 @@ use crate::tolerances::{
 use faer::{Mat, Side};
 use nalgebra::DMatrix;
 
-/// One of the matrices of m̄ = min { vᵀMv : Av = 0, jv = 1 }.
+/// Name of a matrix of m̄ = min { vᵀMv : Av = 0, jv = 1 }.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MatrixName {
     /// M.
@@ -20,7 +20,7 @@ pub enum MatrixName {
 }
 
 impl MatrixName {
-    /// Its letter and its name.
+    /// Symbol and name for messages.
     pub fn name(self) -> &'static str {
         match self {
             MatrixName::Mass => "M, the mass matrix,",
@@ -30,32 +30,32 @@ impl MatrixName {
     }
 }
 
-/// Matrices that ask nothing.
+/// Error of invalid matrices.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MatrixError {
-    /// A shape that does not fit; the coordinates are M's.
+    /// A shape does not fit; the number of coordinates is taken from M.
     #[error("{} is {rows}×{columns}; expected {expected}", matrix.name())]
     Shape {
-        /// Which matrix.
+        /// The matrix.
         matrix: MatrixName,
-        /// Its rows.
+        /// Number of rows.
         rows: usize,
-        /// Its columns.
+        /// Number of columns.
         columns: usize,
-        /// What fits.
+        /// Expected shape.
         expected: String,
     },
-    /// NaN, infinite or absurdly large.
+    /// An entry is NaN, infinite or above 1e100 in magnitude.
     #[error("{} has {value:e} in row {row}, column {column} (from 0); expected a finite number of at most 1e100", matrix.name())]
     NotFinite {
-        /// Which matrix.
+        /// The matrix.
         matrix: MatrixName,
-        /// Its row, from 0.
+        /// Row of the entry, from 0.
         row: usize,
-        /// Its column, from 0.
+        /// Column of the entry, from 0.
         column: usize,
-        /// What stands there.
+        /// Value of the entry.
         value: f64,
     },
     /// M is not symmetric.
@@ -68,11 +68,11 @@ pub enum MatrixError {
         row: usize,
         /// Column, from 0.
         column: usize,
-        /// M's entry there.
+        /// Entry of M at this row and column.
         upper: f64,
-        /// M's entry across the diagonal.
+        /// Entry of M across the diagonal.
         lower: f64,
-        /// Whether one triangle is zero everywhere.
+        /// True if one triangle of M is zero.
         is_triangle: bool,
     },
     /// M has a negative diagonal entry.
@@ -82,10 +82,10 @@ pub enum MatrixError {
     NegativeDiagonal {
         /// The coordinate, from 0.
         coordinate: usize,
-        /// What stands there.
+        /// Value of the entry.
         value: f64,
     },
-    /// Two coordinates alone have a motion with negative energy.
+    /// A motion of two coordinates alone has a negative energy.
     #[error(
         "M, the mass matrix, is indefinite: {value:e} in row {row}, column {column} (from 0) is larger than \
          √(M_rr·M_cc) = {most:e}; expected a positive semi-definite matrix"
@@ -95,68 +95,69 @@ pub enum MatrixError {
         row: usize,
         /// Column, from 0.
         column: usize,
-        /// What stands there.
+        /// Value of the entry.
         value: f64,
-        /// The most that a semi-definite matrix has there.
+        /// Largest magnitude possible for a positive semi-definite matrix.
         most: f64,
     },
-    /// Some motion has a negative energy.
+    /// A motion has a negative energy.
     #[error(
         "M, the mass matrix, is indefinite: scaled to unit diagonal it has the eigenvalue {eigenvalue:e}; expected none \
          below {least:e}"
     )]
     Indefinite {
-        /// The least eigenvalue of M scaled to unit diagonal.
+        /// Smallest eigenvalue of M scaled to unit diagonal.
         eigenvalue: f64,
-        /// What is still rounding.
+        /// Smallest eigenvalue that counts as rounding.
         least: f64,
     },
-    /// More coordinates than dense matrices serve.
+    /// The number of coordinates exceeds the limit for dense matrices.
     #[error(
         "M, the mass matrix, has {coordinates} coordinates; at most {limit} are taken: the cost is cubic"
     )]
     TooLarge {
-        /// How many there are.
+        /// Number of coordinates.
         coordinates: usize,
-        /// How many are taken.
+        /// Largest accepted number.
         limit: usize,
     },
-    /// As many lengths as coordinates are needed.
+    /// The number of lengths differs from the number of coordinates.
     #[error("{got} lengths are given for {expected} coordinates; expected one each")]
     LengthCount {
-        /// How many are given.
+        /// Number of given lengths.
         got: usize,
-        /// How many coordinates there are.
+        /// Number of coordinates.
         expected: usize,
     },
-    /// A number among the options that is out of range.
+    /// An option is out of range.
     #[error("{option}: {got:e} is out of range; expected {expected}")]
     Option {
-        /// Which, in words.
+        /// Name of the option.
         option: &'static str,
-        /// What is given.
+        /// The given value.
         got: f64,
-        /// The range, in words.
+        /// The accepted range, in words.
         expected: &'static str,
     },
-    /// The answer is beyond what a 64-bit float holds.
+    /// The result exceeds the range of a 64-bit float.
     #[error("the answer is too large or too small for a 64-bit float; check the units of M and j")]
     NotRepresentable,
 }
 
-/// M as it is used.
+/// Validated mass matrix.
 pub(super) struct Mass {
-    /// n×n, symmetric, exactly zero where a coordinate moves no mass beyond noise.
+    /// n×n, symmetric; exactly zero for coordinates that move no mass beyond noise.
     pub matrix: DMatrix<f64>,
-    /// By how much of √(M_rr M_cc) entries may be off: the stated accuracy, what M lacks in symmetry, and its negative energies.
+    /// Error of the entries relative to √(M_rr M_cc): the stated accuracy, the asymmetry of M, and its negative
+    /// energies.
     pub accuracy: f64,
-    /// Entries that were taken for noise: (row, column, value).
+    /// Entries dropped as noise: (row, column, value).
     pub noise: Vec<(usize, usize, f64)>,
-    /// The greatest M_kk/l_k².
+    /// Largest M_kk/l_k².
     pub typical: f64,
 }
 
-/// Whether shapes fit; gives the number of coordinates.
+/// Checks the shapes, and returns the number of coordinates.
 pub(super) fn shapes(
     mass: &MatrixView<'_>,
     row: &MatrixView<'_>,
@@ -181,7 +182,7 @@ pub(super) fn shapes(
     }
 }
 
-/// The entries, all finite.
+/// Copies the entries, and checks that all are finite.
 pub(super) fn entries(matrix: MatrixName, view: &MatrixView<'_>) -> Result<DMatrix<f64>, MatrixError> {
     let (rows, columns) = (view.rows(), view.columns());
     let mut all = DMatrix::zeros(rows, columns);
@@ -197,7 +198,7 @@ pub(super) fn entries(matrix: MatrixName, view: &MatrixView<'_>) -> Result<DMatr
     Ok(all)
 }
 
-/// For each coordinate the length that was given, or 1.
+/// The given length of each coordinate; 1 by default.
 pub(super) fn lengths(given: Option<&[f64]>, n: usize) -> Result<Vec<f64>, MatrixError> {
     let Some(given) = given else { return Ok(vec![1.0; n]) };
     if given.len() != n {
@@ -232,11 +233,12 @@ pub(super) fn options(rank_floor: f64, row_noise: f64, accuracies: [f64; 3]) -> 
 }
 
 impl Mass {
-    /// Checks M and makes it symmetric. `accuracy`: relative error of its entries.
+    /// Checks M and makes M symmetric. `accuracy`: relative error of its entries.
     pub fn new(mut matrix: DMatrix<f64>, lengths: &[f64], accuracy: f64) -> Result<Self, MatrixError> {
         let n = matrix.nrows();
         let typical = (0..n).map(|k| matrix[(k, k)].abs() / lengths[k].powi(2)).fold(0.0, f64::max);
-        // What a coordinate that moves no mass has for rounding, where all others are summed up with it.
+        // Rounding of a coordinate that moves no mass, if its entries are sums together with those of all other
+        // coordinates.
         let noise = |r: usize, c: usize| MATRIX_NOISE * accuracy * typical * lengths[r] * lengths[c];
         let mut off = symmetrize(&mut matrix, accuracy, &noise)?;
         let mut is_noise = vec![false; n];
@@ -275,7 +277,7 @@ impl Mass {
         }
         off += accuracy;
         let negative = negative_energy(&matrix);
-        // Entries off by `off` of √(M_rr M_cc) move an eigenvalue by n times that at most.
+        // Errors of `off` · √(M_rr M_cc) change an eigenvalue by at most n · `off`.
         let least = NEGATIVE_MASS * (n as f64 + 1.0) * f64::EPSILON + 2.0 * n as f64 * off;
         if negative > least {
             return Err(MatrixError::Indefinite { eigenvalue: -negative, least: -least });
@@ -284,7 +286,7 @@ impl Mass {
     }
 }
 
-/// Replaces M by the mean of it and its transpose; gives by how much of √(M_rr M_cc) they differ at most.
+/// Replaces M by the mean of M and its transpose. Returns the largest half difference relative to √(M_rr M_cc).
 fn symmetrize(
     matrix: &mut DMatrix<f64>,
     accuracy: f64,
@@ -318,7 +320,7 @@ fn symmetrize(
     Ok(off)
 }
 
-/// The absolute value of the least eigenvalue, where that is negative, of M scaled to unit diagonal; else 0.
+/// Magnitude of the smallest eigenvalue of M scaled to unit diagonal, if negative; otherwise 0.
 fn negative_energy(matrix: &DMatrix<f64>) -> f64 {
     let moved: Vec<usize> = (0..matrix.nrows()).filter(|&k| matrix[(k, k)] > 0.0).collect();
     let root = |i: usize| matrix[(moved[i], moved[i])].sqrt();
@@ -328,6 +330,6 @@ fn negative_energy(matrix: &DMatrix<f64>) -> f64 {
         return 0.0;
     }
     let values = scaled.self_adjoint_eigenvalues(Side::Lower);
-    // Where they are not found there is no proof that none is negative.
+    // Without eigenvalues there is no proof that none is negative.
     values.map_or(1.0, |values| values.first().map_or(0.0, |least| (-least).max(0.0)))
 }

@@ -1,4 +1,4 @@
-//! m̄ of matrices that the caller has already: M, A and j of a solver of his own.
+//! m̄ from matrices of the caller: M, A and j of another solver.
 
 mod checks;
 mod rank;
@@ -20,7 +20,8 @@ use faer::Mat;
 use faer::linalg::solvers::SolveLstsq;
 use nalgebra::{DMatrix, DVector};
 
-/// Options for reading the caller's matrices. The default: every length 1, a rank floor of 1e-10, entries exact to a rounding.
+/// Options for interpreting the caller's matrices. Default: all lengths 1, a rank threshold of 1e-10, entries
+/// accurate to one rounding.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MatrixOptions<'a> {
     lengths: Option<&'a [f64]>,
@@ -29,7 +30,7 @@ pub struct MatrixOptions<'a> {
     row_noise: Option<f64>,
 }
 
-/// Relative error of every entry, by matrix.
+/// Relative error of the entries of each matrix.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Accuracy {
     mass: f64,
@@ -42,7 +43,7 @@ impl Accuracy {
         Self { mass: accuracy, constraints: accuracy, row: accuracy }
     }
 
-    /// The larger relative error of A and j, which both decide whether the gap closes.
+    /// Larger relative error of A and j. Both matrices decide if the gap closes.
     fn of_rows(self) -> f64 {
         self.constraints.max(self.row)
     }
@@ -55,34 +56,36 @@ impl Default for MatrixOptions<'_> {
 }
 
 impl<'a> MatrixOptions<'a> {
-    /// The default.
+    /// The default options.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// How coordinates are scaled where ranks are decided, and whether the gap closes at all: for each, how far a unit rate
-    /// of it moves things, in one unit for all. Metres for a slide given in metres (1), a typical length for an angle in
-    /// radians. Default: 1 for all, the coordinates as they are. Lengths decide only what is zero: no finite m̄ depends on
-    /// them beyond rounding.
+    /// Sets the lengths that scale the coordinates in decisions about ranks and about the closing of the gap. The
+    /// length of a coordinate is the displacement caused by a unit rate, in a common unit for all coordinates: 1 for
+    /// a translation in metres, a typical length in metres for an angle in radians. Default: 1 for all, without
+    /// scaling. Lengths only decide which values count as zero; a finite m̄ does not depend on lengths beyond
+    /// rounding.
     pub fn lengths(self, lengths: &'a [f64]) -> Self {
         Self { lengths: Some(lengths), ..self }
     }
 
-    /// Singular values of A below this part of the largest count as zero, with every row of A scaled to a largest entry
-    /// of about 1; above 0, at most 0.1. Default: 1e-10, or 10 times the [accuracy](Self::accuracy) of A where that is more. With the
-    /// default, a dropped singular value above rounding (3e-13, or 10 times the accuracy) makes the rank unclear.
+    /// Sets the threshold for singular values of A relative to the largest; smaller values count as zero. Every row
+    /// of A is first scaled to a largest entry of about 1. The threshold must be above 0 and at most 0.1. Default:
+    /// 1e-10, or 10 times the [accuracy](Self::accuracy) of A if larger. With the default, a dropped singular value
+    /// above rounding (3e-13, or 10 times the accuracy) makes the rank unclear.
     pub fn rank_floor(self, floor: f64) -> Self {
         Self { rank_floor: Some(floor), ..self }
     }
 
-    /// Relative error of every entry of M, A and j, from 0 to 1e-3. The rank of A, the outcome and the stated error depend on it.
-    /// Default: 2.2e-16, a rounding. Matrices that were held in single precision have 6e-8. Give it too where entries are
-    /// small differences of large terms.
+    /// Sets the relative error of every entry of M, A and j, from 0 to 1e-3. The rank of A, the outcome and the
+    /// stated error depend on this value. Default: 2.2e-16, one rounding. Matrices stored in single precision have
+    /// 6e-8. Entries that are small differences of large terms also need a larger value.
     pub fn accuracy(self, accuracy: f64) -> Self {
         Self { accuracy: Accuracy::all(accuracy), ..self }
     }
 
-    /// The same of one matrix alone, after [`accuracy`](Self::accuracy).
+    /// Sets the relative error of the entries of one matrix. Must be called after [`accuracy`](Self::accuracy).
     pub fn accuracy_of(mut self, matrix: MatrixName, accuracy: f64) -> Self {
         match matrix {
             MatrixName::Mass => self.accuracy.mass = accuracy,
@@ -92,36 +95,37 @@ impl<'a> MatrixOptions<'a> {
         self
     }
 
-    /// Rows of A whose entries are all at most this count as rows of zeros; in the unit of A, entries divided by lengths.
-    /// Default: 1e-14 of the largest entry of the rows that bind the same coordinates. A row that only holds the rounding of
-    /// larger terms that cancel (the out-of-plane rows of a plane loop in space, for example) looks like a constraint in small
-    /// units: matrices do not tell the two apart. With 0 every row that is not zero counts.
+    /// Sets the noise level of rows of A: rows with all entries at or below this level count as zero. The unit is the
+    /// unit of A, with entries divided by lengths. Default: 1e-14 of the largest entry of the rows that share
+    /// coordinates. A row that contains only the rounding of larger cancelling terms looks like a constraint in small
+    /// units, for example the out-of-plane rows of a planar loop in space. The matrices alone do not distinguish
+    /// these cases. With 0, every nonzero row counts.
     pub fn row_noise(self, noise: f64) -> Self {
         Self { row_noise: Some(noise), ..self }
     }
 }
 
-/// The answer to [`effective_mass`].
+/// Result of [`effective_mass`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct MatrixResponse {
-    /// m̄, or why it is not finite.
+    /// m̄, or the reason for m̄ not being finite.
     pub effective_mass: EffectiveMass,
-    /// Bound on the error of m̄ by the accuracy of the entries and by rounding, kg. `None` unless m̄ is finite; `None` too if m̄
-    /// is not finite with entries that are off by their accuracy, and if the rank of A is unclear.
+    /// Error bound of m̄ from the accuracy of the entries and from rounding, kg. `None` if m̄ is not finite, if m̄ is
+    /// not finite for entries perturbed by their accuracy, or if the rank of A is unclear.
     pub error: Option<f64>,
-    /// v*: the velocities at unit closing speed, in the units of the caller's coordinates; zero where immovable.
+    /// v*: velocities at unit closing speed, in the units of the caller's coordinates; zero if immovable.
     pub velocity: Vec<f64>,
-    /// How many motions A leaves: coordinates − rank.
+    /// Degrees of freedom left by A: coordinates − rank.
     pub degrees_of_freedom: usize,
-    /// Which rows of A count.
+    /// Rank of A, with its redundant rows.
     pub rank: ConstraintRank,
-    /// What the reader should know.
+    /// Findings about the result.
     pub remarks: Vec<Remark>,
 }
 
-/// Effective mass along a contact row of a system that is given by its matrices, in the unit of M (kg).
+/// Effective mass along a contact row, for a system given by its matrices, in the unit of M (kg).
 ///
-/// m̄ = min { vᵀMv : Av = 0, jv = 1 }; 1/(j M⁻¹ jᵀ) where M is regular and there is no A.
+/// m̄ = min { vᵀMv : Av = 0, jv = 1 }; 1/(j M⁻¹ jᵀ) for a regular M without A.
 ///
 /// | symbol | meaning                           | shape | unit                               |
 /// |--------|-----------------------------------|-------|------------------------------------|
@@ -129,30 +133,32 @@ pub struct MatrixResponse {
 /// | j      | closing speed per rate            | 1×n   | m, 1                               |
 /// | A      | Jacobian of the constraints       | m×n   | any: rows may differ by up to 1e13 |
 ///
-/// Every matrix is read where it lies, in any layout ([`MatrixView`]). The outcomes are those of
-/// [`Pose::respond`](crate::Pose::respond): a value, `Immovable` (no motion with Av = 0 closes the gap), `Massless` (one
-/// without energy does). M may be singular, rows of A may be redundant. Nothing is added to M, and nothing is cut off
-/// but rounding: a pivot of M scaled to unit diagonal counts as zero below 4(nε + accuracy).
+/// Every matrix is read in place, in any layout ([`MatrixView`]). The outcomes are those of
+/// [`Pose::respond`](crate::Pose::respond): a value, `Immovable` (no motion with Av = 0 closes the gap), or
+/// `Massless` (a motion without kinetic energy closes the gap). M may be singular, and rows of A may be redundant. M
+/// is not regularised. Only rounding is cut off: a pivot of M scaled to unit diagonal counts as zero below 4(nε +
+/// accuracy).
 ///
-/// Each row of A is scaled by itself before the rank is decided, so the unit of a row has no influence. A row of zeros
-/// constrains nothing, and neither does a row of rounding alone, below [`MatrixOptions::row_noise`];
-/// [`ConstraintRank::small_rows`] lists rows that may be rounding. Columns are scaled by
-/// [`MatrixOptions::lengths`] only.
+/// Each row of A is scaled separately before the rank decision, so the unit of a row has no influence. Two kinds of
+/// rows impose no constraint: rows of zeros, and rows of rounding below [`MatrixOptions::row_noise`].
+/// [`ConstraintRank::small_rows`] lists rows that may be rounding. Columns are scaled by [`MatrixOptions::lengths`]
+/// only.
 ///
-/// The stated error is to first order, at the response: entries of M off by their accuracy times √(M_rr M_cc), those of A and j by
-/// their accuracy times themselves, and the roundings of the method, δm̄ = v*ᵀδM v* + 2λᵀδA v* − 2m̄ δj v* with M v* + Aᵀλ = m̄jᵀ.
-/// M may differ from its transpose by 1e-9 of √(M_rr M_cc); the mean is taken, and the difference enters the error.
+/// The stated error is of first order, at the response. It includes errors of the entries of M by their accuracy
+/// times √(M_rr M_cc), errors of the entries of A and j by their accuracy times their magnitude, and the roundings of
+/// the method: δm̄ = v*ᵀδM v* + 2λᵀδA v* − 2m̄ δj v* with M v* + Aᵀλ = m̄jᵀ. M may differ from its transpose by 1e-9
+/// of √(M_rr M_cc). The mean of both is used, and the difference is included in the error.
 ///
-/// Cost: O(n³ + m n²); up to 1000 coordinates. Source: as [`Pose::respond`](crate::Pose::respond)'s.
+/// Cost: O(n³ + m n²); up to 1000 coordinates. Source: as for [`Pose::respond`](crate::Pose::respond).
 ///
 /// # Errors
-/// [`MatrixError`]: shapes that do not fit; numbers that are none; a mass matrix that is not symmetric or not positive
-/// semi-definite; options out of range.
+/// [`MatrixError`]: shapes that do not fit, entries that are not valid numbers, a mass matrix that is not symmetric
+/// or not positive semi-definite, options out of range.
 ///
 /// ```
 /// use percuss_dynamics::{EffectiveMass, MatrixOptions, MatrixView, effective_mass};
 ///
-/// // Two carts of 2 kg and 3 kg, coupled so that they move together; the first is struck.
+/// // Two carts of 2 kg and 3 kg, coupled to move together; the contact is on the first cart.
 /// let mass = MatrixView::row_major(&[2.0, 0.0, 0.0, 3.0], 2, 2)?;
 /// let coupled = MatrixView::from(&[1.0, -1.0][..]);
 /// let response = effective_mass(mass, &[1.0, 0.0][..], Some(coupled), &MatrixOptions::new())?;
@@ -203,24 +209,25 @@ pub fn effective_mass<'a>(
     asked.answer(decided.report)
 }
 
-/// Matrices that are in order.
+/// Validated matrices.
 struct Asked<'a> {
     mass: &'a Mass,
     row: &'a [f64],
-    /// The rows of A that count.
+    /// Independent rows of A.
     rows: &'a DMatrix<f64>,
-    /// The least singular value that counts, as a part of the largest.
+    /// Smallest nonzero singular value, relative to the largest.
     least: f64,
     lengths: &'a [f64],
     accuracy: Accuracy,
 }
 
 impl Asked<'_> {
+    /// Computes m̄, its error and the findings.
     fn answer(&self, rank: ConstraintRank) -> Result<MatrixResponse, MatrixError> {
         let n = self.row.len();
         let solution = self.solve();
         let closing_speed = self.closing_speed();
-        // Rows that hardly differ leave so much of a closing speed open.
+        // Nearly dependent rows leave this uncertainty of the closing speed.
         let open = FLOOR_ACCURACY * self.accuracy.of_rows() / self.least;
         let mut remarks = Vec::new();
         if solution.massless_directions > 0 {
@@ -229,7 +236,7 @@ impl Asked<'_> {
         let mut effective_mass = match solution.minimum {
             _ if closing_speed <= IMMOVABLE.max(open) => EffectiveMass::Immovable,
             Minimum::Finite(m) => EffectiveMass::Finite(m),
-            // Pivots see a negative energy that is too small for eigenvalues.
+            // The pivots reveal a negative energy that is too small for the eigenvalue check.
             Minimum::Stationary(m) if m > 0.0 => EffectiveMass::Finite(m),
             Minimum::Stationary(_) => {
                 return Err(MatrixError::Indefinite { eigenvalue: -self.mass.accuracy, least: 0.0 });
@@ -246,14 +253,14 @@ impl Asked<'_> {
                     return Err(MatrixError::NotRepresentable);
                 }
                 if off > NOTHING_LEFT * m {
-                    // The energy that is left is rounding.
+                    // The remaining energy is only rounding.
                     effective_mass = EffectiveMass::Massless;
                     remarks.push(Remark::MasslessToRounding { up_to: m + off });
                 } else {
                     error = self.moved_by_accuracy(m).map(|moved| off.max(MOVED_SAFETY * moved));
                 }
                 if !rank.is_clear {
-                    // The bound holds for the rank that was decided, and the rank may be another.
+                    // The bound holds for the decided rank, and the actual rank may differ.
                     error = None;
                 }
                 if solution.closing_speed < NEARLY_IMMOVABLE {
@@ -269,7 +276,8 @@ impl Asked<'_> {
                 if !velocity.iter().all(|v| v.is_finite()) {
                     return Err(MatrixError::NotRepresentable);
                 }
-                // A motion that all but has no energy may miss the constraints by its own rounding: so much what meets them has.
+                // A motion of almost zero energy may violate the constraints by its own rounding. `missed` bounds the
+                // root energy of its correction.
                 let missed: f64 = self.roots(&self.correction(&velocity)).iter().sum();
                 let up_to = (self.energy_off(&velocity).sqrt() + missed).powi(2);
                 if up_to > NEGLIGIBLE_MASS * self.mass.typical {
@@ -278,7 +286,7 @@ impl Asked<'_> {
             }
             EffectiveMass::Immovable => {
                 velocity = vec![0.0; n];
-                // Above rounding: the gap may close, far more slowly than is decided.
+                // Above rounding: the gap may close, at a speed far below the threshold.
                 if closing_speed > RANK_ROUNDING {
                     let uncertainty = open / closing_speed;
                     remarks.push(Remark::NearlyImmovable { closing_speed, uncertainty });
@@ -298,10 +306,10 @@ impl Asked<'_> {
         })
     }
 
-    /// Largest change of m̄ if the entries of M, A and j are off by their accuracy, in signs that follow no pattern; `None` if m̄ is no longer
-    /// finite. Losses of the method beyond first order show here.
+    /// Largest change of m̄ if the entries of M, A and j are perturbed by their accuracy with irregular signs. `None`
+    /// if m̄ becomes infinite or undefined. Reveals losses of the method beyond first order.
     fn moved_by_accuracy(&self, m: f64) -> Option<f64> {
-        // The fewer digits the entries have, the more is lost beyond first order.
+        // Entries with fewer digits cause larger losses beyond first order.
         let trials =
             if self.accuracy.mass.max(self.accuracy.of_rows()) > FEW_DIGITS { FEW_DIGITS_TRIALS } else { 1 };
         (0..trials)
@@ -309,7 +317,7 @@ impl Asked<'_> {
             .try_fold(0.0, |most, moved| Some(f64::max(most, moved?)))
     }
 
-    /// The same for one pattern of signs.
+    /// Change of m̄ for one pattern of signs.
     fn moved_by(&self, m: f64, trial: usize) -> Option<f64> {
         let factor = |r: usize, c: usize, accuracy: f64| {
             1.0 + [1.0, -1.0, 0.5, -0.5][(7 * r + 3 * c + r * c + trial * (5 * r + c + 1)) % 4] * accuracy
@@ -333,8 +341,9 @@ impl Asked<'_> {
         }
     }
 
+    /// Solves the least-energy problem.
     fn solve(&self) -> Solution {
-        // What a diagonal entry is off by counts as so many roundings of it.
+        // The error of a diagonal entry, expressed in roundings.
         let scale = self.mass.accuracy / f64::EPSILON;
         let mass_size: Vec<f64> = self.mass.matrix.diagonal().iter().map(|m| m.abs() * scale).collect();
         let row_size: Vec<f64> = self.row.iter().map(|j| j.abs()).collect();
@@ -349,7 +358,7 @@ impl Asked<'_> {
         .solve()
     }
 
-    /// |j restricted to ker A| / |j|, coordinates scaled by lengths: masses have no influence.
+    /// |j restricted to ker A| / |j|, with coordinates scaled by lengths. Masses have no influence.
     fn closing_speed(&self) -> f64 {
         let (rows, n) = self.rows.shape();
         let mut along = Mat::from_fn(n, 1, |k, _| self.row[k] / self.lengths[k]);
@@ -359,7 +368,7 @@ impl Asked<'_> {
         }
         if rows > 0 {
             let q = Mat::from_fn(n, rows, |k, r| self.rows[(r, k)] / self.lengths[k]).qr().compute_thin_Q();
-            // Twice: the first time leaves the rounding of what it takes away.
+            // The second pass removes the rounding of the first.
             for _ in 0..2 {
                 let taken = &q * (q.transpose() * &along);
                 along -= taken;
@@ -368,17 +377,17 @@ impl Asked<'_> {
         along.norm_l2() / size
     }
 
-    /// The roundings of the method, as a part of what it works with: a backward error.
+    /// Roundings of the method as a relative backward error.
     fn roundings(&self) -> f64 {
         SUM_ROUNDINGS * self.row.len().max(1) as f64 * f64::EPSILON
     }
 
-    /// √M_kk |v_k|, coordinate by coordinate.
+    /// √M_kk |v_k| for each coordinate.
     fn roots(&self, v: &[f64]) -> Vec<f64> {
         v.iter().enumerate().map(|(k, v)| self.mass.matrix[(k, k)].sqrt() * v.abs()).collect()
     }
 
-    /// The shortest change, coordinates scaled by lengths, after which a motion has Av = 0 and jv = 1.
+    /// Shortest change (coordinates scaled by lengths) after which a motion satisfies Av = 0 and jv = 1.
     fn correction(&self, v: &[f64]) -> Vec<f64> {
         let (rows, n) = self.rows.shape();
         let entry = |r: usize, k: usize| if r < rows { self.rows[(r, k)] } else { self.row[k] };
@@ -397,18 +406,18 @@ impl Asked<'_> {
         (0..n).map(scaled).collect()
     }
 
-    /// What vᵀMv may be off by, kg.
+    /// Error of vᵀMv, kg.
     fn energy_off(&self, v: &[f64]) -> f64 {
         let root: f64 = self.roots(v).iter().sum();
         let noise: f64 = self.mass.noise.iter().map(|(r, c, m)| 2.0 * (m * v[*r] * v[*c]).abs()).sum();
         (self.mass.accuracy + self.roundings()) * root * root + noise
     }
 
-    /// What m̄ may be off by, kg, to first order.
+    /// First-order error of m̄, kg.
     fn error(&self, m: f64, v: &[f64]) -> f64 {
         let scales = self.scales();
         let speed: f64 = v.iter().zip(&scales).map(|(v, s)| (v / s) * (v / s)).sum::<f64>().sqrt();
-        // A row that is off: in its entries, and by the roundings of an orthogonal elimination, norm by norm.
+        // Error of a row: errors of its entries, plus the roundings of an orthogonal elimination in terms of norms.
         let off = |entry: &dyn Fn(usize) -> f64, accuracy: f64| {
             let terms: f64 = v.iter().enumerate().map(|(k, v)| (entry(k) * v).abs()).sum();
             let norm = scales.iter().enumerate().map(|(k, s)| (entry(k) * s).powi(2)).sum::<f64>().sqrt();
@@ -418,12 +427,13 @@ impl Asked<'_> {
         for (r, multiplier) in self.multipliers(m, v, &scales).into_iter().enumerate() {
             sum += 2.0 * multiplier.abs() * off(&|k| self.rows[(r, k)], self.accuracy.constraints);
         }
-        // A motion that misses the constraints by its own rounding: so much more has one that meets them.
+        // A motion that violates the constraints by its own rounding has less energy than the corrected motion;
+        // `missed` bounds the root of the difference.
         let missed: f64 = self.roots(&self.correction(v)).iter().sum();
         sum + 2.0 * m.sqrt() * missed + missed * missed
     }
 
-    /// Scales in which M has a unit diagonal; coordinates without mass are scaled as the least that has one.
+    /// Scales for which M has a unit diagonal. Coordinates without mass use their length and a typical mass.
     fn scales(&self) -> Vec<f64> {
         let typical = if self.mass.typical > 0.0 { self.mass.typical } else { 1.0 };
         let scale = |k: usize| {
@@ -434,7 +444,7 @@ impl Asked<'_> {
         (0..self.row.len()).map(scale).collect()
     }
 
-    /// λ with M v + Aᵀλ = m̄jᵀ, one for each row that counts, in least squares over scaled coordinates.
+    /// λ with M v + Aᵀλ = m̄jᵀ for each independent row, in the least-squares sense over scaled coordinates.
     fn multipliers(&self, m: f64, v: &[f64], scales: &[f64]) -> Vec<f64> {
         let (rows, n) = self.rows.shape();
         if rows == 0 {

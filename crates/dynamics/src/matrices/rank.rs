@@ -1,52 +1,52 @@
-//! Which rows of the caller's A count.
+//! Rank decision for the rows of the caller's A.
 
 use crate::mobility::{Rank, Redundancy, decide, singular_values};
 use crate::tolerances::{REDUNDANCY_LIMIT, ROW_NOISE};
 use crate::union::Partition;
 use nalgebra::DMatrix;
 
-/// What was decided about the rows of A.
+/// Rank of A, with redundant and doubtful rows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ConstraintRank {
-    /// How many rows are independent.
+    /// Number of independent rows.
     pub rank: usize,
-    /// Least gap between singular values that count and those that do not; none without constraints.
+    /// Smallest gap (ratio) between nonzero and zero singular values; `None` without constraints.
     pub gap: Option<f64>,
     /// True if no singular value is within a factor of 30 of the threshold, and none above rounding was dropped.
     pub is_clear: bool,
-    /// Rows, from 0, that follow from those that count; ascending. Which rows of a dependent set count is a choice.
+    /// Redundant rows, from 0, ascending. The choice of the redundant rows of a dependent set is arbitrary.
     pub redundant_rows: Vec<usize>,
-    /// Sets of rows, from 0, that depend on one another, each as small as it can be separated from the others; a row of
-    /// zeros is a set by itself. Not looked for among rows that bind more than 400 coordinates.
+    /// Sets of dependent rows, from 0, separated as far as possible. A row of zeros is a set by itself. Not computed
+    /// for rows that share more than 400 coordinates.
     pub dependent_sets: Vec<Vec<usize>>,
-    /// Rows, from 0, that count although their entries are below the rounding (3e-13, or 10 times the accuracy) of another row
-    /// that binds the same coordinates: constraints in small units, or rounding alone. See
+    /// Independent rows, from 0, with all entries below the rounding (3e-13, or 10 times the accuracy) of another row
+    /// with shared coordinates. Such a row is a constraint in small units, or only rounding. See
     /// [`MatrixOptions::row_noise`](super::MatrixOptions::row_noise).
     pub small_rows: Vec<usize>,
 }
 
-/// Limits of the decision.
+/// Thresholds of the rank decision.
 pub(super) struct RankLimits {
-    /// Singular values below this part of the largest count as zero.
+    /// Threshold for singular values, relative to the largest; smaller values count as zero.
     pub floor: f64,
-    /// Dropped singular values below this part of the largest are rounding.
+    /// Dropped singular values below this fraction of the largest are rounding.
     pub rounding: f64,
-    /// Rows with no entry above this, over scaled coordinates, count as zero; `None`: [`ROW_NOISE`] of the largest entry of rows
-    /// that bind the same coordinates.
+    /// Rows with no entry above this value, over scaled coordinates, count as zero. `None`: [`ROW_NOISE`] times the
+    /// largest entry of the rows that share coordinates.
     pub row_noise: Option<f64>,
 }
 
-/// The rows that count, scaled, and the report.
+/// Scaled independent rows, and the report.
 pub(super) struct Decided {
-    /// Each scaled by a power of two to a largest entry from 1 to 2 over scaled coordinates.
+    /// Independent rows, each scaled by a power of two to a largest entry from 1 to 2 over scaled coordinates.
     pub rows: DMatrix<f64>,
-    /// The least singular value that counts, as a part of the largest.
+    /// Smallest nonzero singular value, relative to the largest.
     pub least: f64,
     pub report: ConstraintRank,
 }
 
-/// Decides the rank of A, coordinates scaled by lengths, each row scaled by itself. Rows that share coordinates, directly or
-/// through one another, are decided together; others have no influence on them.
+/// Decides the rank of A, with coordinates scaled by lengths and each row scaled separately. Rows that share
+/// coordinates, directly or through other rows, are decided together, independent of all other rows.
 pub(super) fn decide_rows(mut a: DMatrix<f64>, lengths: &[f64], limits: &RankLimits) -> Decided {
     let (m, n) = a.shape();
     let mut report = ConstraintRank {
@@ -114,8 +114,8 @@ pub(super) fn decide_rows(mut a: DMatrix<f64>, lengths: &[f64], limits: &RankLim
     Decided { rows: matrix, least, report }
 }
 
-/// The rows of a matrix, `rank` independent ones first, columns divided by `lengths`. The norms of what is left of the rows are
-/// computed anew in each step: an elimination that updates them, as faer's, loses those below √ε of the row.
+/// Row indices with `rank` independent rows first; columns are divided by `lengths`. The norms of the remaining rows
+/// are recomputed in each step. An elimination with updated norms, as in faer, loses norms below √ε of the row.
 fn independent_first(matrix: &DMatrix<f64>, lengths: &[f64], rank: usize) -> Vec<usize> {
     let (m, n) = matrix.shape();
     let mut left = DMatrix::from_fn(n, m, |c, r| matrix[(r, c)] / lengths[c]);
@@ -130,7 +130,7 @@ fn independent_first(matrix: &DMatrix<f64>, lengths: &[f64], rank: usize) -> Vec
         }
         let direction = left.column(order[k]) / size;
         for &r in &order[k + 1..] {
-            // Twice: the first time leaves the rounding of what it takes away.
+            // The second pass removes the rounding of the first.
             for _ in 0..2 {
                 let along = direction.dot(&left.column(r));
                 left.column_mut(r).axpy(-along, &direction, 1.0);
@@ -140,7 +140,7 @@ fn independent_first(matrix: &DMatrix<f64>, lengths: &[f64], rank: usize) -> Vec
     order
 }
 
-/// Rows that share columns, with these.
+/// Sets of rows that share columns, with their columns.
 fn components(a: &DMatrix<f64>) -> Vec<(Vec<usize>, Vec<usize>)> {
     let (m, n) = a.shape();
     let mut sets = Partition::new(m + n);

@@ -1,8 +1,8 @@
-//! Matrices of the caller, read where they lie.
+//! Views of the caller's matrices, without copies.
 
 use nalgebra::DMatrix;
 
-/// A matrix of the caller's, read where it lies: entry (r, c) is `values[first + r·row_stride + c·column_stride]`.
+/// View of a matrix of the caller: entry (r, c) is `values[first + r·row_stride + c·column_stride]`.
 #[derive(Clone, Copy, Debug)]
 pub struct MatrixView<'a> {
     values: &'a [f64],
@@ -13,53 +13,53 @@ pub struct MatrixView<'a> {
     column_stride: isize,
 }
 
-/// Numbers that do not hold a matrix of the shape that is said.
+/// Error of numbers that do not contain a matrix of the given shape.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum LayoutError {
-    /// An entry would lie outside the numbers.
+    /// An entry lies outside the numbers.
     #[error(
         "a {rows}×{columns} matrix with strides {row_stride} (rows) and {column_stride} (columns) from number {first} \
          reaches number {reached} of {got}"
     )]
     Outside {
-        /// How many numbers are given.
+        /// Number of given values.
         got: usize,
-        /// Where the entry farthest outside would lie.
+        /// Index of the entry farthest outside.
         reached: isize,
-        /// Rows.
+        /// Number of rows.
         rows: usize,
-        /// Columns.
+        /// Number of columns.
         columns: usize,
-        /// Where the first entry lies.
+        /// Index of the first entry.
         first: usize,
-        /// How far rows are apart.
+        /// Distance between consecutive rows.
         row_stride: isize,
-        /// How far columns are apart.
+        /// Distance between consecutive columns.
         column_stride: isize,
     },
-    /// The leading dimension lets rows, or columns, overlap.
+    /// The leading dimension is too small; rows or columns would overlap.
     #[error("the leading dimension is {got}; expected at least {least}, the number of {what}")]
     LeadingDimension {
-        /// What is given.
+        /// The given leading dimension.
         got: usize,
-        /// The least.
+        /// The smallest valid leading dimension.
         least: usize,
-        /// What must fit: `columns` where the matrix lies row by row, `rows` where it lies column by column.
+        /// The limiting number: `columns` for row-major, `rows` for column-major matrices.
         what: &'static str,
     },
-    /// A shape that no memory holds.
+    /// The shape exceeds the address space.
     #[error("a {rows}×{columns} matrix is larger than any memory")]
     Shape {
-        /// Rows.
+        /// Number of rows.
         rows: usize,
-        /// Columns.
+        /// Number of columns.
         columns: usize,
     },
 }
 
 impl<'a> MatrixView<'a> {
-    /// Row by row, without gaps.
+    /// View of a row-major matrix without gaps.
     ///
     /// # Errors
     /// [`LayoutError`]: fewer than `rows`·`columns` numbers.
@@ -67,7 +67,7 @@ impl<'a> MatrixView<'a> {
         Self::row_major_with(values, rows, columns, columns)
     }
 
-    /// Row by row, one row `leading_dimension` numbers after the other (BLAS's `lda`).
+    /// View of a row-major matrix with rows `leading_dimension` numbers apart (`lda` in BLAS).
     ///
     /// # Errors
     /// [`LayoutError`]: too few numbers; a leading dimension below `columns`.
@@ -81,7 +81,7 @@ impl<'a> MatrixView<'a> {
         Self::strided(values, 0, [rows, columns], [stride, 1])
     }
 
-    /// Column by column, without gaps.
+    /// View of a column-major matrix without gaps.
     ///
     /// # Errors
     /// [`LayoutError`]: fewer than `rows`·`columns` numbers.
@@ -89,7 +89,7 @@ impl<'a> MatrixView<'a> {
         Self::column_major_with(values, rows, columns, rows)
     }
 
-    /// Column by column, one column `leading_dimension` numbers after the other (BLAS's `lda`).
+    /// View of a column-major matrix with columns `leading_dimension` numbers apart (`lda` in BLAS).
     ///
     /// # Errors
     /// [`LayoutError`]: too few numbers; a leading dimension below `rows`.
@@ -103,7 +103,8 @@ impl<'a> MatrixView<'a> {
         Self::strided(values, 0, [rows, columns], [1, stride])
     }
 
-    /// With any strides, in numbers: entry (r, c) lies at `first + r·strides[0] + c·strides[1]`. A stride may be negative, or 0.
+    /// View with arbitrary strides, in numbers: entry (r, c) has index `first + r·strides[0] + c·strides[1]`. Strides
+    /// may be negative or 0.
     ///
     /// # Errors
     /// [`LayoutError`]: an entry outside the numbers.
@@ -145,36 +146,36 @@ impl<'a> MatrixView<'a> {
         Ok(Self { values, first: start, rows, columns, row_stride, column_stride })
     }
 
-    /// How many rows it has.
+    /// Number of rows.
     pub fn rows(&self) -> usize {
         self.rows
     }
 
-    /// How many columns it has.
+    /// Number of columns.
     pub fn columns(&self) -> usize {
         self.columns
     }
 
-    /// Entry (r, c); none outside the matrix.
+    /// Entry (r, c); `None` outside the matrix.
     pub fn get(&self, r: usize, c: usize) -> Option<f64> {
         (r < self.rows && c < self.columns).then(|| self.at(r, c))
     }
 
-    /// Entry (r, c) of a place inside.
+    /// Entry (r, c); must be inside the matrix.
     #[inline]
     pub(super) fn at(&self, r: usize, c: usize) -> f64 {
         self.values[(self.first + r as isize * self.row_stride + c as isize * self.column_stride) as usize]
     }
 }
 
-/// A row of numbers: 1×n.
+/// View of a 1×n row.
 impl<'a> From<&'a [f64]> for MatrixView<'a> {
     fn from(values: &'a [f64]) -> Self {
         Self { values, first: 0, rows: 1, columns: values.len(), row_stride: 0, column_stride: 1 }
     }
 }
 
-/// The same.
+/// View of a 1×n row.
 impl<'a> From<&'a Vec<f64>> for MatrixView<'a> {
     fn from(values: &'a Vec<f64>) -> Self {
         values.as_slice().into()
@@ -190,12 +191,13 @@ impl<'a> From<&'a DMatrix<f64>> for MatrixView<'a> {
             rows,
             columns,
             row_stride: 1,
-            // Its numbers fit into memory, so this is no more than half of what a pointer can span.
+            // The matrix fits into memory, so the number of rows is at most half the range of a pointer.
             column_stride: rows as isize,
         }
     }
 }
 
+/// Checks a leading dimension, and converts it to a stride.
 fn leading(
     got: usize,
     least: usize,
@@ -213,7 +215,7 @@ fn leading(
 mod tests {
     use super::*;
 
-    /// 2×3: [1 2 3; 4 5 6].
+    /// Entries of a 2×3 view, row by row.
     fn entries(view: &MatrixView<'_>) -> Vec<f64> {
         (0..view.rows()).flat_map(|r| (0..view.columns()).map(move |c| view.at(r, c))).collect()
     }
@@ -249,7 +251,7 @@ mod tests {
             assert_eq!(MatrixView::row_major(some, 3, 4).is_ok(), fits);
             assert_eq!(MatrixView::column_major(some, 3, 4).is_ok(), fits);
             assert_eq!(MatrixView::strided(some, 11, [3, 4], [-4, -1]).is_ok(), fits);
-            // The last row needs no gap behind it.
+            // The last row needs no gap after its end.
             assert_eq!(MatrixView::row_major_with(some, 2, 4, 8).is_ok(), fits);
             assert_eq!(MatrixView::strided(some, 8, [3, 4], [-4, 1]).is_ok(), fits);
         }

@@ -1,4 +1,4 @@
-//! Which coordinates of a group drive it and which depend on them.
+//! Division of a group's coordinates into driving and dependent ones.
 
 use super::rank::{decide, singular_values};
 use crate::linear::jacobian::Jacobian;
@@ -9,37 +9,38 @@ use crate::tolerances::{DENSE_LIMIT, INDEPENDENT_COLUMNS};
 use faer::Mat;
 use nalgebra::DMatrix;
 
-/// A group's coordinates, by index into it, divided. A floating base neither drives nor depends: everything is seen
-/// from it.
+/// Driving and dependent coordinates of a group, by index into the group. The coordinates of a floating base are
+/// neither, because all poses are relative to the base.
 #[derive(Clone, Debug)]
 pub(crate) struct Drivers {
     pub dependent: Vec<usize>,
     pub driving: Vec<usize>,
-    /// Whether the file declared exactly these as independent.
+    /// True if the file declares exactly the driving coordinates as independent.
     pub declared: bool,
-    /// Least over largest pivot of the dependent coordinates' Jacobian at the generic pose.
+    /// Ratio of the smallest to the largest pivot of the dependent coordinates' Jacobian at the generic pose.
     pub conditioning: f64,
 }
 
-/// Priority of a coordinate as a driver: those of the lowest depend first.
+/// Priority of a coordinate for driving. Coordinates of low priority become dependent first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Priority {
-    /// The file declares it dependent.
+    /// Declared dependent in the file.
     Dependent,
-    /// One of several velocities of a joint: the spin of a rod drives nothing.
+    /// One of several velocities of a joint, such as the spin of a rod.
     Component,
     /// A joint of one degree of freedom.
     Single,
-    /// A joint that looks driven: with limits or an effort.
+    /// A joint with limits or an effort, and therefore probably actuated.
     Actuated,
-    /// The file declares it independent.
+    /// Declared independent in the file.
     Declared,
-    /// It was set.
+    /// Set by the user.
     Given,
 }
 
 impl Model {
-    /// Who drives where nothing is set: what is declared, else what looks driven and is well-conditioned.
+    /// Default drivers: the declared coordinates, otherwise coordinates that are probably actuated and
+    /// well-conditioned.
     pub fn default_drivers(&self, group: &Group, rows: &GroupRows<f64>, floor: f64) -> Drivers {
         let jacobian = of_movable(group, rows);
         let count = if group.movable.len() <= DENSE_LIMIT {
@@ -54,8 +55,9 @@ impl Model {
         drivers
     }
 
-    /// Who drives where these are set: they do as far as they can, unless the file declares others. `rows` at the
-    /// generic pose; `default` the division where nothing is set.
+    /// Drivers for a configuration in which the `given` coordinates are set. Set coordinates drive as far as
+    /// possible, unless the file declares others. `rows` are those of the generic pose; `default` is the division
+    /// without set coordinates.
     pub fn drivers_for(
         &self,
         group: &Group,
@@ -70,6 +72,7 @@ impl Model {
         self.divide(group, of_movable(group, rows), default.dependent.len(), floor, given)
     }
 
+    /// Priority of a coordinate for driving.
     fn priority(&self, group: &Group, at: usize, given: impl Fn(usize) -> bool) -> Priority {
         let coordinate = &self.coordinates[group.coordinates[at]];
         let single = coordinate.joint.is_some_and(|id| self.mechanism.joint(id).kind().dofs() == 1);
@@ -83,8 +86,9 @@ impl Model {
         }
     }
 
-    /// Divides a group's movable coordinates, `count` of which depend: those of the lowest priority first, of these the
-    /// best-conditioned, far from the root rather than near.
+    /// Divides the movable coordinates of a group; `count` of the coordinates become dependent. Coordinates of the
+    /// lowest priority come first. Among equal priorities, well-conditioned coordinates far from the root are
+    /// preferred.
     fn divide(
         &self,
         group: &Group,
@@ -132,6 +136,7 @@ fn of_movable(group: &Group, rows: &GroupRows<f64>) -> Jacobian {
     Jacobian { rows: group.rows, columns: group.movable.len(), entries }
 }
 
+/// Columns of a Jacobian.
 fn restricted(jacobian: &Jacobian, columns: &[usize]) -> Jacobian {
     let place = |(r, c, a): &(usize, usize, f64)| Some((*r, columns.binary_search(c).ok()?, *a));
     Jacobian {
@@ -147,7 +152,7 @@ fn dense(jacobian: &Jacobian) -> DMatrix<f64> {
     matrix
 }
 
-/// `count` columns that are independent, those of the lowest priority first.
+/// Chooses `count` independent columns, lowest priority first.
 fn choose(matrix: &DMatrix<f64>, count: usize, priorities: &[Priority], weights: &[f64]) -> Vec<usize> {
     let rows = matrix.nrows();
     let count = count.min(rows).min(matrix.ncols());
@@ -156,7 +161,7 @@ fn choose(matrix: &DMatrix<f64>, count: usize, priorities: &[Priority], weights:
     let mut order: Vec<Priority> = priorities.to_vec();
     order.sort_unstable();
     order.dedup();
-    // Orthonormal columns that the chosen ones span.
+    // Orthonormal basis of the chosen columns.
     let mut span = Mat::<f64>::zeros(rows, 0);
     for threshold in INDEPENDENT_COLUMNS {
         for &priority in &order {
@@ -166,7 +171,7 @@ fn choose(matrix: &DMatrix<f64>, count: usize, priorities: &[Priority], weights:
                 continue;
             }
             let columns = Mat::from_fn(rows, open.len(), |r, k| matrix[(r, open[k])]);
-            // Twice is enough: what is left is normal to the span to rounding.
+            // Two projections are enough to make the remainder orthogonal to the basis within rounding.
             let once = &columns - &span * (span.transpose() * &columns);
             let rest = &once - &span * (span.transpose() * &once);
             if rest.norm_max() <= threshold * largest {

@@ -1,4 +1,4 @@
-//! Which rows of a group's A count and which coordinates depend on which, by complete pivoting; and the rates that follow.
+//! Pivot rows and dependent coordinates of a group, by complete pivoting, and the resulting rates.
 
 use super::rank::{Rank, decide, singular_values};
 use crate::kinematics::Kinematics;
@@ -9,41 +9,41 @@ use crate::rows::GroupRows;
 use crate::tolerances::{DENSE_LIMIT, RANK_MARGIN, SINGULAR_VALUES_LIMIT, SURE_PIVOT};
 use percuss_spatial::Scalar;
 
-/// Which rows and columns of a group's A are eliminated, in this order: K = A[rows, columns] is regular, and the
-/// coordinates in `columns` depend on the others.
+/// Eliminated rows and columns of a group's A, in order. K = A[rows, columns] is regular, and the coordinates in
+/// `columns` depend on the others.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Pivots {
     pub rows: Vec<usize>,
     pub columns: Vec<usize>,
 }
 
-/// What is decided about a group at a pose.
+/// Mobility decisions for a group at a pose.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct GroupMobility {
     pub rank: Rank,
-    /// What counts as zero here, as a part of the largest: rows, and a motion that they leave, are not known better.
+    /// Zero threshold relative to the largest singular value: the accuracy of the rows and of the motions that
+    /// satisfy the rows.
     pub floor: f64,
     pub pivots: Pivots,
-    /// Coordinates (by index into the group's) that do not depend, ascending.
+    /// Independent coordinates (by index into the group), ascending.
     pub independent: Vec<usize>,
-    /// |K⁻¹||A|: for each dependent coordinate, for each independent one, the size of the terms that its rate is the
-    /// sum of; over coordinates scaled by the group's lengths. Empty of a group that is decided by sparse pivots: not known,
-    /// and taken as 1.
+    /// |K⁻¹||A|, dependent × independent coordinates: the sum of the term magnitudes of each rate, over coordinates
+    /// scaled by the group's lengths. Empty for groups decided by sparse pivots; the entries are then taken as 1.
     pub sizes: Vec<f64>,
-    /// G of the group, coordinates × independent, row by row: rates over the independent ones. Empty of a group that is
-    /// decided by sparse pivots.
+    /// G of the group, coordinates × independent, row by row: rates over the independent coordinates. Empty for
+    /// groups decided by sparse pivots.
     pub rates: Vec<f64>,
-    /// The rows that all this was decided by.
+    /// Rows on which the decisions are based.
     pub rows: GroupRows<f64>,
 }
 
 impl GroupMobility {
-    /// The entry of |K⁻¹||A| for a dependent and an independent coordinate, by their numbers.
+    /// Entry of |K⁻¹||A| for a dependent and an independent coordinate, by their indices.
     pub fn size(&self, dependent: usize, independent: usize) -> f64 {
         self.sizes.get(dependent * self.independent.len() + independent).copied().unwrap_or(1.0)
     }
 
-    /// Rows and rates at other frames, with the same pivots.
+    /// Recomputes rows and rates at other frames, with the same pivots.
     pub fn move_to(&mut self, model: &Model, group: &Group, kinematics: &Kinematics<f64>) {
         self.rows.fill(model, group, kinematics);
         if !self.rates.is_empty() {
@@ -54,21 +54,21 @@ impl GroupMobility {
     }
 }
 
-/// Room to decide about groups; refilled in place.
+/// Buffers for mobility decisions; refilled in place.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct MobilityRoom {
     dense: Vec<f64>,
     sizes: Vec<f64>,
     done: Vec<bool>,
     used: Vec<bool>,
-    /// For each row: its largest entry (size and column) among columns that are not used.
+    /// For each row: size and column of the largest entry among unused columns.
     largest: Vec<(f64, usize)>,
     values: Vec<f64>,
 }
 
 impl Model {
-    /// Decides the rank of a group at a pose and which coordinates depend. `floor`: singular values below this part of
-    /// the largest count as zero; `expected`: its generic rank, if it is known.
+    /// Decides the rank and the dependent coordinates of a group at a pose. `floor`: zero threshold relative to the
+    /// largest singular value. `expected`: the generic rank, if known.
     pub fn decide_mobility(
         &self,
         room: &mut MobilityRoom,
@@ -114,7 +114,7 @@ impl Model {
     }
 }
 
-/// The rank of a group's rows: by singular values, or by sparse pivots where it is large.
+/// Rank of a group's rows: by singular values, or by sparse pivots for large groups.
 pub(crate) fn rank_of_rows(rows: &GroupRows<f64>, group: &Group, floor: f64) -> Rank {
     if group.coordinates.len() > SINGULAR_VALUES_LIMIT {
         return eliminate_large(rows, group, floor).1;
@@ -124,7 +124,7 @@ pub(crate) fn rank_of_rows(rows: &GroupRows<f64>, group: &Group, floor: f64) -> 
     decide(&singular_values(&matrix, &group.lengths), floor)
 }
 
-/// Decides rank and pivots of a large group, by sparse pivots.
+/// Decides rank and pivots of a large group by sparse pivots.
 fn decide_large(group: &Group, floor: f64, decided: &mut GroupMobility) {
     let (pivots, rank) = eliminate_large(&decided.rows, group, floor);
     let mut depends = vec![false; group.coordinates.len()];
@@ -137,6 +137,7 @@ fn decide_large(group: &Group, floor: f64, decided: &mut GroupMobility) {
     (decided.rank, decided.floor, decided.pivots) = (rank, floor, pivots);
 }
 
+/// Eliminates the rows of a large group by sparse pivots.
 fn eliminate_large(rows: &GroupRows<f64>, group: &Group, floor: f64) -> (Pivots, Rank) {
     let mut scaled = SparseRows::default();
     scaled.load(group.rows, group.coordinates.len(), |add| {
@@ -157,16 +158,16 @@ fn eliminate_large(rows: &GroupRows<f64>, group: &Group, floor: f64) -> (Pivots,
     (pivots, rank)
 }
 
-/// What complete pivoting met.
+/// Pivot sizes of a complete pivoting.
 struct Seen {
     first: f64,
     last: f64,
-    /// The largest entry that is left.
+    /// Largest remaining entry.
     left: f64,
 }
 
 impl MobilityRoom {
-    /// A over coordinates scaled by lengths.
+    /// Fills A over coordinates scaled by lengths.
     fn fill_scaled(&mut self, group: &Group, rows: &GroupRows<f64>) {
         rows.dense_into(group, &mut self.dense);
         for row in self.dense.chunks_exact_mut(group.coordinates.len().max(1)) {
@@ -174,8 +175,9 @@ impl MobilityRoom {
         }
     }
 
-    /// Gauss–Jordan elimination with complete pivoting over coordinates scaled by lengths, of at most `limit` pivots above
-    /// `floor` times the first; leaves the pivots, what does not depend, and the rates.
+    /// Gauss–Jordan elimination with complete pivoting over coordinates scaled by lengths. Stops after `limit`
+    /// pivots, or at a pivot below `floor` times the first. Stores the pivots, the independent coordinates and the
+    /// rates.
     fn eliminate(&mut self, group: &Group, floor: f64, limit: usize, decided: &mut GroupMobility) -> Seen {
         let (m, n) = (group.rows, group.coordinates.len());
         let GroupMobility { pivots, independent, rates, rows, .. } = decided;
@@ -184,7 +186,7 @@ impl MobilityRoom {
         self.fill_scaled(group, rows);
         self.sizes.clear();
         self.sizes.resize(m * n, 0.0);
-        // An entry is the sum of terms as large as the row's largest, also where they cancel.
+        // Each entry is a sum of terms as large as the row's largest entry, even if the terms cancel.
         rows.for_each(group, |row, column, _| self.sizes[row * n + column] = 1.0);
         for (row, sizes) in self.dense.chunks_exact(n.max(1)).zip(self.sizes.chunks_exact_mut(n.max(1))) {
             let largest = row.iter().fold(0.0, |most: f64, a| most.max(a.abs()));
@@ -229,6 +231,7 @@ impl MobilityRoom {
         seen
     }
 
+    /// Updates the largest entry of row `r` among unused columns.
     fn find_largest(&mut self, r: usize, n: usize) {
         let mut best = (0.0, 0);
         for (c, (entry, used)) in self.dense[r * n..(r + 1) * n].iter().zip(&self.used).enumerate() {
@@ -239,7 +242,7 @@ impl MobilityRoom {
         self.largest[r] = best;
     }
 
-    /// G from what elimination left, back over coordinates that are not scaled.
+    /// Computes G from the eliminated matrix, over unscaled coordinates.
     fn fill_rates(&self, group: &Group, pivots: &Pivots, independent: &[usize], rates: &mut Vec<f64>) {
         let (n, count) = (group.coordinates.len(), independent.len());
         rates.clear();
@@ -252,7 +255,7 @@ impl MobilityRoom {
         }
     }
 
-    /// Divides row `r` by its entry in column `c` and clears the column from all other rows.
+    /// Divides row `r` by its entry in column `c`, and clears the column in all other rows.
     fn clear_column(&mut self, r: usize, c: usize, m: usize, n: usize) {
         let over = 1.0 / self.dense[r * n + c];
         for k in 0..n {
@@ -274,7 +277,7 @@ impl MobilityRoom {
     }
 }
 
-/// Subtracts a row, times a factor, from another.
+/// Subtracts a multiple of row `row` from row `from`.
 fn subtract(rows: &mut [f64], (from, row): (usize, usize), n: usize, factor: f64) {
     let (start, end) = rows.split_at_mut(from.max(row) * n);
     let (from, row) = if from < row {
@@ -287,17 +290,17 @@ fn subtract(rows: &mut [f64], (from, row): (usize, usize), n: usize, factor: f64
     }
 }
 
-/// Rates of a group's coordinates over its independent ones: u = G y with G = [1; −K⁻¹ A[rows, independent]].
+/// Rates of a group's coordinates over its independent coordinates: u = G y with G = [1; −K⁻¹ A[rows, independent]].
 #[derive(Clone, Debug)]
 pub(crate) struct Rates<T: Scalar> {
     rows: GroupRows<T>,
     dense: Vec<T>,
     sparse: SparseRows<T>,
-    /// coordinates × independent, row by row.
+    /// Coordinates × independent, row by row.
     pub values: Vec<T>,
-    /// How many are independent.
+    /// Number of independent coordinates.
     pub count: usize,
-    /// The pivots in their order, where they are eliminated densely: over coordinates scaled by lengths.
+    /// Pivots in elimination order, over coordinates scaled by lengths; empty for sparse elimination.
     pivots: Vec<T>,
 }
 
@@ -315,7 +318,8 @@ impl<T: Scalar> Default for Rates<T> {
 }
 
 impl<T: Scalar> Rates<T> {
-    /// Eliminates the dependent coordinates in the order given, at the frames in `kinematics`. Branches on no value.
+    /// Eliminates the dependent coordinates in the given order, at the frames in `kinematics`. Does not branch on
+    /// values.
     pub fn fill(&mut self, model: &Model, group: &Group, kinematics: &Kinematics<T>, known: &GroupMobility) {
         let mut rows = std::mem::take(&mut self.rows);
         rows.fill(model, group, kinematics);
@@ -323,6 +327,7 @@ impl<T: Scalar> Rates<T> {
         self.rows = rows;
     }
 
+    /// Eliminates the dependent coordinates of given rows, in the decided order.
     fn fill_from(&mut self, rows: &GroupRows<T>, group: &Group, known: &GroupMobility) {
         let n = group.coordinates.len();
         self.count = known.independent.len();
@@ -339,7 +344,7 @@ impl<T: Scalar> Rates<T> {
             return;
         }
         rows.dense_into(group, &mut self.dense);
-        // As the decision did, to the last bit.
+        // Scaled exactly as in the decision, so that the results are bitwise equal.
         for row in self.dense.chunks_exact_mut(n.max(1)) {
             row.iter_mut().zip(&group.lengths).for_each(|(a, length)| *a /= T::from_f64(*length));
         }
@@ -365,8 +370,8 @@ impl<T: Scalar> Rates<T> {
         }
     }
 
-    /// The sum of (zero/pivot)² over the pivots that were last eliminated, over coordinates scaled by lengths; zero is the
-    /// group's floor of the size of A.
+    /// Sum of (zero/pivot)² over the pivots of the last elimination, over coordinates scaled by lengths. `zero` is
+    /// the group's floor times the norm of A.
     pub fn pivot_loss(&self, group: &Group, known: &GroupMobility) -> T {
         let over = |c: usize| T::from_f64(1.0 / group.lengths[c]);
         let mut square = T::zero();

@@ -1,4 +1,4 @@
-//! How a group can move: its rank, decided once, which coordinates depend, who drives, which rows are redundant.
+//! Mobility of a group of constraints: rank, dependent coordinates, driving coordinates, and redundant rows.
 
 mod drivers;
 mod elimination;

@@ -1,4 +1,4 @@
-//! How many rows of A count, and how clear that is.
+//! Rank of A, and the clarity of the rank decision.
 
 use crate::tolerances::{RANK_MARGIN, RANK_ROUNDING, SINGULAR_VALUES_LIMIT};
 use faer::Mat;
@@ -8,11 +8,12 @@ use nalgebra::DMatrix;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Rank {
     pub rank: usize,
-    /// Least singular value that counts over the greatest that does not (taken as at least ε/1000 of the largest).
+    /// Ratio of the smallest nonzero singular value to the largest zero one (the latter at least ε/1000 of the
+    /// largest).
     pub gap: f64,
-    /// Least singular value that counts, as a part of the largest.
+    /// Smallest nonzero singular value, relative to the largest.
     pub least: f64,
-    /// Whether both sides of the gap lie more than [`RANK_MARGIN`] from the threshold.
+    /// True if both sides of the gap are more than [`RANK_MARGIN`] away from the threshold.
     pub clear: bool,
 }
 
@@ -23,25 +24,25 @@ impl Default for Rank {
 }
 
 impl Rank {
-    /// The same where singular values of up to `misfit` of the largest are expected of loops that do not quite fit: unclear
-    /// if one that does not count is more than that, and more than rounding.
+    /// Adapts the clarity to loops with a misfit, which cause singular values of up to `misfit` of the largest.
+    /// Unclear if the largest zero singular value exceeds both `misfit` and rounding.
     pub fn explained_by(self, misfit: f64) -> Self {
         let next = self.least / self.gap;
         Self { clear: self.clear && next <= RANK_ROUNDING.max(misfit), ..self }
     }
 
-    /// No rows.
+    /// Rank of an empty matrix.
     pub const NONE: Rank = Rank { rank: 0, gap: 1.0 / f64::EPSILON, least: 1.0, clear: true };
 }
 
-/// Singular values of a matrix, descending; columns divided by `lengths`.
+/// Singular values of a matrix, in descending order; columns are divided by `lengths`.
 pub(crate) fn singular_values(matrix: &DMatrix<f64>, lengths: &[f64]) -> Vec<f64> {
     let (m, n) = matrix.shape();
     let scaled = Mat::from_fn(m, n, |r, c| matrix[(r, c)] / lengths[c]);
     if m == 0 || n == 0 || scaled.norm_max() == 0.0 {
         return vec![0.0; m.min(n)];
     }
-    // The pivots of a rank-revealing QR are within a small factor of them, and cost a tenth.
+    // The pivots of a rank-revealing QR are within a small factor of the singular values, at a tenth of the cost.
     let pivots = |scaled: &Mat<f64>| {
         let qr = scaled.col_piv_qr();
         (0..m.min(n)).map(|i| qr.R()[(i, i)].abs()).collect()
@@ -52,7 +53,7 @@ pub(crate) fn singular_values(matrix: &DMatrix<f64>, lengths: &[f64]) -> Vec<f64
     scaled.singular_values().unwrap_or_else(|_| pivots(&scaled))
 }
 
-/// Decides the rank: values above `floor` times the largest count.
+/// Decides the rank: the number of values above `floor` times the largest value.
 pub(crate) fn decide(values: &[f64], floor: f64) -> Rank {
     let largest = values.first().copied().unwrap_or(0.0);
     if largest == 0.0 {
@@ -86,7 +87,7 @@ mod tests {
         assert!(!decide(&[2.0, 1e-11], 1e-10).clear);
         assert_eq!(decide(&[0.0, 0.0], 1e-10).rank, 0);
         assert_eq!(decide(&[], 1e-10).rank, 0);
-        // A floor that leaves nothing, and values that are none.
+        // A floor above all values, and NaN values.
         for (values, floor) in [([2.0, 0.5], 1.0), ([2.0, 0.5], f64::INFINITY), ([f64::NAN; 2], 1e-10)] {
             let nothing = decide(&values, floor);
             assert_eq!((nothing.rank, nothing.clear), (0, false));

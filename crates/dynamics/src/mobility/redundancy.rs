@@ -1,11 +1,11 @@
-//! On which loops, couplings and held contacts the redundant rows of A lie.
+//! Constraints (loops, couplings, held contacts) that contain redundant rows of A.
 
 use crate::tolerances::FAINT_COEFFICIENT;
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 use nalgebra::DMatrix;
 
-/// Sets of names whose rows depend on one another: those that cannot be separated together.
+/// Sets of names whose rows depend on one another. Names that cannot be separated form one set.
 #[derive(Debug)]
 pub(crate) struct Redundancy<N> {
     pub sets: Vec<Vec<N>>,
@@ -18,11 +18,11 @@ impl<N> Default for Redundancy<N> {
 }
 
 impl<N: Clone + PartialEq> Redundancy<N> {
-    /// Finds the dependencies among rows of the given rank, each belonging to a name; columns are divided by `lengths`.
+    /// Finds the dependencies among rows of the given rank. Each row has a name; columns are divided by `lengths`.
     ///
-    /// Every row beyond a basis is a combination of basis rows; names that meet in such a combination are one set. These
-    /// are the connected components of the rows' matroid, whatever the basis (Oxley, Matroid Theory, 2011, §4.3), and
-    /// the components that share a name together.
+    /// Every row outside a basis is a combination of basis rows. Names that occur in one combination belong to one
+    /// set. The sets are the connected components of the rows' matroid, for every choice of the basis (Oxley, Matroid
+    /// Theory, 2011, §4.3). Components that share a name are merged.
     pub fn look_at(&mut self, rows: &DMatrix<f64>, lengths: &[f64], rank: usize, names: &[N]) {
         let (m, n) = rows.shape();
         if rank >= m {
@@ -47,7 +47,7 @@ impl<N: Clone + PartialEq> Redundancy<N> {
             }
         }
         for a in 1..m {
-            // Names come row by row: rows of one name that are redundant go together.
+            // Redundant rows of the same name belong together.
             for b in (0..a).filter(|&b| redundant[a] && redundant[b] && names[a] == names[b]) {
                 join(&mut together, a, b);
             }
@@ -63,6 +63,7 @@ impl<N: Clone + PartialEq> Redundancy<N> {
     }
 }
 
+/// Representative of the set of a row.
 fn root(together: &[usize], mut row: usize) -> usize {
     while together[row] != row {
         row = together[row];
@@ -70,7 +71,7 @@ fn root(together: &[usize], mut row: usize) -> usize {
     row
 }
 
-/// The lower root stays.
+/// Joins two sets; the smaller root remains.
 fn join(together: &mut [usize], a: usize, b: usize) {
     let (a, b) = (root(together, a), root(together, b));
     together[a.max(b)] = a.min(b);
@@ -95,7 +96,7 @@ mod tests {
         let z = [0.0, 0.0, 1.0];
         assert_eq!(sets(&[x, x, y, y, z], 3, &["a", "a", "b", "b", "c"]), [vec!["a"], vec!["b"]]);
         assert_eq!(sets(&[x, y, [1.0, 1.0, 0.0], z], 3, &["a", "b", "c", "d"]), [vec!["a", "b", "c"]]);
-        // b repeats a in x, c repeats b in y: b holds them together.
+        // b repeats a in x, and c repeats b in y: b connects both sets.
         assert_eq!(sets(&[x, x, y, y], 2, &["a", "b", "b", "c"]), [vec!["a", "b", "c"]]);
         assert_eq!(sets(&[x, [0.0; 3]], 1, &["a", "empty"]), [vec!["empty"]]);
         assert_eq!(sets(&[[0.0; 3], [0.0; 3]], 0, &["a", "b"]), [vec!["a"], vec!["b"]]);

@@ -1,4 +1,4 @@
-//! In which assembly mode a group stands, and whether it stands at a singularity.
+//! Assembly mode of a group, and singularities.
 
 use super::drivers::Drivers;
 use super::elimination::rank_of_rows;
@@ -11,36 +11,37 @@ use crate::rows::GroupRows;
 use crate::tolerances::{DEAD_CENTRE, MODE_LIMIT, NEAR_CHANGE_POINT, SINGULAR_VALUES_LIMIT};
 use std::borrow::Cow;
 
-/// How a group of loops stands.
+/// Singularity of a group of loops at a pose.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Singularity {
-    /// Regularly: the drivers determine the followers.
+    /// No singularity: the driving coordinates determine the others.
     #[default]
     None,
-    /// At a limit of the chosen drivers, which hardly move the followers there; the mechanism has its usual mobility.
+    /// Dead centre: a limit of the chosen driving coordinates, with almost no motion transmitted to the other
+    /// coordinates. The mechanism has its usual mobility.
     DeadCentre,
-    /// Where branches cross: the constraints have less than their generic rank.
+    /// Change point: branches cross, and the constraints have less than their generic rank.
     ChangePoint,
 }
 
-/// In which assembly mode a group stands, and how.
+/// Assembly mode and singularity of a group.
 pub(crate) struct Mode {
     pub sign: i8,
     pub singularity: Singularity,
 }
 
-/// What is known of a group at its generic pose.
+/// Properties of a group at its generic pose.
 pub(crate) struct Generic<'a> {
     pub rows: &'a GroupRows<f64>,
     pub rank: Rank,
     pub floor: f64,
-    /// The coordinates that depend where nothing is set, and the rows that tell their mode.
+    /// The dependent coordinates of the default drivers, and the rows that determine their mode.
     pub default_rows: Option<(&'a [usize], &'a [usize])>,
 }
 
 impl Model {
-    /// In which assembly mode a group with these rows stands: the sign of the determinant of its dependent coordinates' Jacobian, on rows
-    /// that are independent at the generic pose; 0 where it is singular.
+    /// Assembly mode of a group with these rows: the sign of the determinant of the dependent coordinates' Jacobian,
+    /// on rows that are independent at the generic pose. 0 at a singularity.
     pub fn mode_of(
         &self,
         rows: &GroupRows<f64>,
@@ -50,7 +51,7 @@ impl Model {
     ) -> Mode {
         let dependent = &drivers.dependent;
         let here = scaled(group, rows, dependent);
-        // Only where the dependent coordinates' columns are weak can there be a singularity.
+        // A singularity requires weak columns of the dependent coordinates.
         let weak = here.pivot_ratio() < DEAD_CENTRE * drivers.conditioning;
         let singularity = if weak { singularity(group, rows, generic) } else { Singularity::None };
         let count = dependent.len();
@@ -74,7 +75,7 @@ impl Model {
     }
 }
 
-/// As many rows as coordinates depend, independent at the generic pose.
+/// Rows that are independent at the generic pose, as many as dependent coordinates.
 pub(crate) fn independent_rows(group: &Group, rows: &GroupRows<f64>, dependent: &[usize]) -> Vec<usize> {
     if dependent.len() > MODE_LIMIT || group.rows < dependent.len() {
         return Vec::new();
@@ -97,8 +98,8 @@ fn scaled(group: &Group, rows: &GroupRows<f64>, columns: &[usize]) -> Jacobian {
     Jacobian { rows: group.rows, columns: columns.len(), entries }
 }
 
-/// Which singularity makes the dependent coordinates' columns weak. Beside a change point they are, but all of A counts:
-/// none.
+/// Kind of singularity behind weak columns of the dependent coordinates. `None` near a change point at which A still
+/// has full rank.
 fn singularity(group: &Group, rows: &GroupRows<f64>, generic: &Generic) -> Singularity {
     let (here, least) = rank_beside(rows, group, generic);
     if here < generic.rank.rank {
@@ -110,8 +111,8 @@ fn singularity(group: &Group, rows: &GroupRows<f64>, generic: &Generic) -> Singu
     }
 }
 
-/// The rank of a group's rows, and the singular value that is the last to count at the generic pose, as a part of the
-/// largest; of large groups by sparse pivots.
+/// Rank of a group's rows, and the singular value at the index of the generic rank, relative to the largest. Large
+/// groups use sparse pivots.
 fn rank_beside(rows: &GroupRows<f64>, group: &Group, generic: &Generic) -> (usize, f64) {
     if group.coordinates.len() > SINGULAR_VALUES_LIMIT {
         let rank = rank_of_rows(rows, group, generic.floor);

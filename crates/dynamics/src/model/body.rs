@@ -1,29 +1,29 @@
-//! Bodies, the frames of links on them, and coordinates.
+//! Bodies, link frames and coordinates.
 
 use crate::joint_motion::JointMotion;
 use percuss_mechanism::JointId;
 use percuss_spatial::{SpatialInertia, Transform};
 use std::ops::Range;
 
-/// A body of the tree with the joint above it. Links held together by fixed joints are one body.
+/// Body of the tree with the joint to its parent. Links joined by fixed joints form one body.
 #[derive(Clone, Debug)]
 pub(crate) struct Body {
-    /// The body that carries it; none: the ground.
+    /// Parent body; `None` for the ground.
     pub parent: Option<usize>,
-    /// The joint above it; none: the floating base.
+    /// Joint to the parent; `None` for the floating base.
     pub joint: Option<JointId>,
     pub motion: JointMotion,
-    /// X_pj: the joint frame in the parent body.
+    /// X_pj: joint frame in the parent body.
     pub origin: Transform<f64>,
-    /// About the body's origin, fixed links included.
+    /// Inertia about the body's origin, including fixed links.
     pub inertia: SpatialInertia<f64>,
-    /// Its part of the vector of positions.
+    /// Range in the vector of positions.
     pub q: Range<usize>,
-    /// Its part of the tree's velocities; empty when locked.
+    /// Range in the tree velocities; empty if locked.
     pub v: Range<usize>,
     /// Armature of each velocity, kg·m² or kg.
     pub armature: Vec<f64>,
-    /// The joint's position as a function of another's.
+    /// Position as a function of another joint's position, for mimics.
     pub mimic: Option<MimicPosition>,
 }
 
@@ -35,33 +35,33 @@ pub(crate) struct MimicPosition {
     pub offset: f64,
 }
 
-/// The frame of a link: its body (none: the ground) and X_bl.
+/// Frame of a link: X_bl and the body; the body is `None` for the ground.
 #[derive(Clone, Debug)]
 pub(crate) struct LinkFrame {
     pub body: Option<usize>,
     pub frame: Transform<f64>,
 }
 
-/// The coordinate that a velocity of the tree follows: v = multiplier · u[index]. Mimics share their master's.
+/// Coordinate of a tree velocity: v = multiplier · u[index]. Mimics share the coordinate of their master.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Follows {
     pub index: usize,
     pub multiplier: f64,
 }
 
-/// An independent velocity of the tree.
+/// Independent velocity of the tree.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Coordinate {
-    /// Its joint; none: the floating base.
+    /// Joint; `None` for the floating base.
     pub joint: Option<JointId>,
-    /// Which velocity of the joint it is.
+    /// Index of the velocity within the joint.
     pub component: usize,
-    /// Whether it turns (rad/s) or slides (m/s).
+    /// True for a rotation (rad/s), false for a translation (m/s).
     pub turns: bool,
-    /// What the file declares: to drive, to depend, or nothing.
+    /// Declaration in the file: independent, dependent, or none.
     pub independent: Option<bool>,
-    /// Whether the joint looks driven: it declares limits or an effort.
+    /// True if the joint declares limits or an effort, and is therefore probably actuated.
     pub actuated: bool,
-    /// How many bodies carry its body.
+    /// Number of ancestors of the body.
     pub depth: usize,
 }

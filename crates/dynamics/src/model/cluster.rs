@@ -1,42 +1,43 @@
-//! Clusters: bodies that constraints or mimics bind together, with everything between them. Seen from outside, the
-//! mechanism is a tree of clusters; a plain joint is a cluster of one.
+//! Clusters: bodies coupled by constraints or mimics, including all bodies between them. The clusters form a tree; a
+//! plain joint is a cluster of one body.
 
-/// A tree velocity within a cluster.
+/// Tree velocity within a cluster.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ClusterVelocity {
-    /// Its body, by index into the cluster's.
+    /// Index of the body within the cluster.
     pub body: usize,
     pub component: usize,
-    /// The coordinate it follows, by index into the cluster's, and its multiplier.
+    /// Index of the coordinate within the cluster, and the multiplier of the velocity.
     pub coordinate: usize,
     pub multiplier: f64,
     pub armature: f64,
-    /// Among the tree's velocities.
+    /// Index among the tree velocities.
     pub index: usize,
 }
 
-/// A group's place in a cluster.
+/// Group of constraints within a cluster.
 #[derive(Clone, Debug)]
 pub(crate) struct ClusterGroup {
     pub group: usize,
-    /// For each coordinate of the group, its index into the cluster's.
+    /// For each coordinate of the group: its index within the cluster.
     pub coordinates: Vec<usize>,
 }
 
-/// Bodies bound together, with everything between them, carried by one body or the ground.
+/// Coupled bodies, including all bodies between them, with one parent body or the ground.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Cluster {
-    /// Parents first.
+    /// Bodies, parents first.
     pub bodies: Vec<usize>,
-    /// For each body, the index (into the cluster's) of the body that carries it; none where that is outside.
+    /// For each body: index of its parent within the cluster; `None` for a parent outside the cluster.
     pub parents: Vec<Option<usize>>,
-    /// The body outside that carries it all; none: the ground.
+    /// Parent body of the cluster; `None` for the ground.
     pub parent: Option<usize>,
-    /// Whether anything binds it; else it is one body whose velocities are coordinates of their own.
+    /// True if constraints or mimics couple the cluster; otherwise the cluster is one body with independent
+    /// velocities.
     pub is_bound: bool,
-    /// Indices of coordinates, ascending.
+    /// Indices of the coordinates, ascending.
     pub coordinates: Vec<usize>,
-    /// Body by body.
+    /// Velocities, body by body.
     pub velocities: Vec<ClusterVelocity>,
     pub groups: Vec<ClusterGroup>,
 }

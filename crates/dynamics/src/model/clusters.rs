@@ -1,4 +1,4 @@
-//! Finds the clusters of a model.
+//! Computation of the clusters of a model.
 
 use super::Model;
 use super::cluster::{Cluster, ClusterGroup, ClusterVelocity};
@@ -38,7 +38,7 @@ impl Model {
             let coordinates = group.coordinates.iter().map(place).collect();
             cluster.groups.push(ClusterGroup { group: number, coordinates });
         }
-        // Clusters were found by their first bodies: a cluster that carries another comes before it.
+        // A parent cluster has a lower number than its children, because clusters are numbered by their first bodies.
         clusters.reverse();
         let last = clusters.len().saturating_sub(1);
         self.cluster_of.iter_mut().for_each(|c| *c = last - *c);
@@ -50,7 +50,7 @@ impl Model {
         joint.and_then(|id| self.body_of_joint[id.index()]).unwrap_or(0)
     }
 
-    /// Sets of bodies whose velocities are not their own: of each group, of each master with its mimics.
+    /// Sets of bodies with coupled velocities: of each group, and of each master with its mimics.
     fn bound_bodies(&self) -> Vec<Vec<usize>> {
         let mut of_coordinate: Vec<Vec<usize>> = vec![Vec::new(); self.coordinates.len()];
         for (i, body) in self.bodies.iter().enumerate() {
@@ -70,9 +70,9 @@ impl Model {
         sets
     }
 
-    /// The bodies and those on the paths between them, up to (but without) the body that carries them all.
+    /// The given bodies and the bodies on the paths between them, without their common ancestor.
     fn with_all_between(&self, bodies: &[usize]) -> Vec<usize> {
-        // All paths to the ground, each body once, with how many of its children are on them.
+        // Bodies on all paths to the ground, with the number of their children on the paths.
         let mut on_path: std::collections::BTreeMap<usize, usize> = bodies.iter().map(|&b| (b, 0)).collect();
         let mut roots = 0;
         for &start in on_path.clone().keys() {
@@ -90,7 +90,7 @@ impl Model {
                 body = parent;
             }
         }
-        // From the ground down to where the paths part or a body of the set stands.
+        // Removes the path from the ground to the first branching or to a given body.
         let wanted: std::collections::BTreeSet<usize> = bodies.iter().copied().collect();
         if roots == 1 {
             while let Some((&first, &children)) = on_path.iter().next() {
@@ -99,7 +99,7 @@ impl Model {
                 }
                 on_path.pop_first();
             }
-            // The body where they part carries them all.
+            // The body at the branching is the common ancestor.
             if let Some((&first, _)) = on_path.iter().next()
                 && !wanted.contains(&first)
             {
@@ -109,6 +109,7 @@ impl Model {
         on_path.into_keys().collect()
     }
 
+    /// Fills parents, coordinates and velocities of a cluster.
     fn complete_cluster(&self, cluster: &mut Cluster) {
         for (at, &body) in cluster.bodies.iter().enumerate() {
             let parent = self.bodies[body].parent;

@@ -1,4 +1,4 @@
-//! From a mechanism and its conditions to the model: bodies, coordinates, then what binds them.
+//! Compilation of a mechanism and its conditions to the model: bodies, coordinates, then constraints.
 
 use super::Model;
 use super::body::{Body, Coordinate, Follows, LinkFrame, MimicPosition};
@@ -13,7 +13,7 @@ impl Model {
     /// Compiles a mechanism with the conditions of an analysis.
     ///
     /// # Errors
-    /// [`ConditionsError`]: an unknown joint or link, a condition given twice, a bad armature or hold.
+    /// [`ConditionsError`]: an unknown joint or link, a condition given twice, an invalid armature or held contact.
     pub fn compile(mechanism: &Arc<Mechanism>, conditions: &Conditions) -> Result<Self, ConditionsError> {
         let armatures = conditions.resolve_armatures(mechanism)?;
         let asked = conditions.resolve_locks(mechanism)?;
@@ -56,13 +56,13 @@ impl Model {
         Ok(model)
     }
 
-    /// Makes a body of the link, or adds it to the body that a fixed joint ties it to.
+    /// Adds a body for the link, or merges the link into the body to which a fixed joint connects it.
     fn add_link(&mut self, link: LinkId, armatures: &[Vec<f64>], keep_fixed_joints: bool) {
         let mechanism = Arc::clone(&self.mechanism);
         let inertia = *mechanism.link(link).inertia();
         let Some(id) = mechanism.parent_joint(link) else {
             if self.base == Base::Floating {
-                // Its position is never stored: everything is seen from the root link.
+                // The base has no stored position: all poses are relative to the root link.
                 self.link_frames[link.index()].body = Some(0);
                 self.bodies.push(Body {
                     parent: None,
@@ -113,7 +113,7 @@ impl Model {
         });
     }
 
-    /// Numbers the coordinates: masters first, in tree order, then lets the mimics follow.
+    /// Numbers the coordinates of masters in tree order, then assigns the mimics to these coordinates.
     fn number_coordinates(&mut self) {
         let mechanism = Arc::clone(&self.mechanism);
         let mut first_of = vec![None; mechanism.joints().len()];
@@ -151,7 +151,7 @@ impl Model {
     }
 }
 
-/// Frames of the bodies with all joints at 0, seen from the root link.
+/// Frames of the bodies in the root link, with all joints at 0.
 pub(super) struct ZeroFrames {
     pub frames: Vec<Transform<f64>>,
 }
@@ -171,14 +171,14 @@ impl ZeroFrames {
         Self { frames }
     }
 
-    /// X_rf: a frame on a body, or on the ground.
+    /// X_rf of a frame on a body or on the ground.
     pub fn frame_of(&self, on: &LinkFrame) -> Transform<f64> {
         on.body.map_or(on.frame, |body| self.frames[body] * on.frame)
     }
 }
 
-/// A lock on a mimic holds its master and everything else that follows it. Gives which joints stand still, and how
-/// many of the rows that were asked for add nothing.
+/// Returns the lock flag of every joint, and the number of redundant lock rows. A lock on a mimic also locks its
+/// master and all mimics of the master.
 fn effective_locks(mechanism: &Mechanism, asked: &[bool]) -> (Vec<bool>, usize) {
     let mut master_locked = vec![false; asked.len()];
     let (mut rows, mut rank) = (0, 0);

@@ -1,4 +1,4 @@
-//! Compiles closures, couplings and held contacts: their frames on bodies.
+//! Compilation of closures, couplings and held contacts.
 
 use super::Model;
 use super::body::LinkFrame;
@@ -11,7 +11,7 @@ use percuss_mechanism::{ClosureKind, LoopFrame};
 use percuss_spatial::Transform;
 
 impl Model {
-    /// Compiles the mechanism's closures and couplings and the held contacts, once its bodies are numbered.
+    /// Compiles the closures, couplings and held contacts, after the bodies are numbered.
     pub(super) fn compile_constraints(&mut self, holds: &[CompiledHold]) {
         let mechanism = std::sync::Arc::clone(&self.mechanism);
         if mechanism.closures().is_empty() && mechanism.couplings().is_empty() {
@@ -59,6 +59,7 @@ impl Model {
         self.holds = holds.to_vec();
     }
 
+    /// Loop frame of a closure's end on its body.
     fn loop_frame(&self, end: &LoopFrame) -> LinkFrame {
         let ground = LinkFrame { body: None, frame: Transform::identity() };
         let of_link = end.link.map_or(ground, |link| self.link_frames[link.index()].clone());

@@ -1,71 +1,71 @@
-//! Groups: constraints and coordinates that bind one another. Each owns its size, on which all that is decided about it
-//! is measured, so that nothing about one group can depend on another.
+//! Groups of constraints and coordinates that are coupled with one another. Each group has its own size. All
+//! decisions about a group are relative to this size, and therefore independent of other groups.
 
 use percuss_mechanism::JointId;
 
-/// A tree velocity that a constraint binds.
+/// Tree velocity that a constraint restricts.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Term {
     pub body: usize,
-    /// Which velocity of the body's joint.
+    /// Index of the velocity within the body's joint.
     pub component: usize,
-    /// Times the velocity's own sign along the path: +1 on the successor's side, −1 on the predecessor's; a
-    /// coupling's factor.
+    /// Sign of the velocity along the path: +1 on the successor's side, −1 on the predecessor's side; the factor of a
+    /// coupling.
     pub factor: f64,
-    /// The coordinate that the velocity follows, by index into the group's, and its multiplier.
+    /// Index of the coordinate within the group, and the multiplier of the velocity.
     pub column: usize,
     pub multiplier: f64,
 }
 
-/// What takes rows of A.
+/// Constraint with rows in A.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Constraint {
-    /// By index into the model's closures.
+    /// Index into the model's closures.
     Closure(usize),
-    /// By index into the model's couplings.
+    /// Index into the model's couplings.
     Coupling(usize),
-    /// By index into the model's held contacts.
+    /// Index into the model's held contacts.
     Hold(usize),
 }
 
-/// A constraint's rows in its group's part of A.
+/// Rows of a constraint in its group's part of A.
 #[derive(Clone, Debug)]
 pub(crate) struct ConstraintRows {
     pub constraint: Constraint,
-    /// First of its rows, and how many.
+    /// First row, and number of rows.
     pub first: usize,
     pub count: usize,
-    /// The velocities it binds.
+    /// Restricted velocities.
     pub terms: Vec<Term>,
 }
 
-/// Constraints and coordinates that bind one another.
+/// Constraints and coordinates that are coupled with one another.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Group {
     pub constraints: Vec<ConstraintRows>,
-    /// Rows of A in all.
+    /// Total number of rows of A.
     pub rows: usize,
-    /// Indices of coordinates, ascending.
+    /// Indices of the coordinates, ascending.
     pub coordinates: Vec<usize>,
-    /// Its characteristic length, m: how far its bodies and frames are apart with all joints at 0.
+    /// Characteristic length, m: extent of the group's bodies and frames with all joints at 0.
     pub size: f64,
-    /// How far from the root they are, m: places are known to an ulp of that.
+    /// Largest distance from the root, m; position coordinates are accurate to one ulp of this distance.
     pub far: f64,
-    /// For each coordinate, how far a unit rate moves a point at the characteristic length, m.
+    /// For each coordinate: displacement, m, of a point at the characteristic length at unit rate.
     pub lengths: Vec<f64>,
-    /// The joint each coordinate is a velocity of; none for the floating base.
+    /// Joint of each coordinate; `None` for the floating base.
     pub joints: Vec<Option<JointId>>,
-    /// Coordinates (by index into the group's) that change the pose: all but the floating base's, from which
-    /// everything is seen.
+    /// Coordinates (by index into the group) that change the pose: all except those of the floating base, because
+    /// poses are relative to the base.
     pub movable: Vec<usize>,
-    /// Bodies that its residuals depend on and its joints' own, parents first.
+    /// Bodies of the constraint paths and of the group's joints, parents first.
     pub bodies: Vec<usize>,
-    /// Whether a held contact is among its constraints.
+    /// True if a held contact is among the constraints.
     pub is_held: bool,
 }
 
 impl Group {
-    /// Index into the group's coordinates; none for one that is not of the group.
+    /// Index of a coordinate within the group; `None` if the coordinate is not in the group.
     pub fn column(&self, coordinate: usize) -> Option<usize> {
         self.coordinates.binary_search(&coordinate).ok()
     }

@@ -1,4 +1,4 @@
-//! Finds the groups of a model.
+//! Computation of the groups of a model.
 
 use super::Model;
 use super::compile::ZeroFrames;
@@ -18,7 +18,7 @@ impl Model {
         }
     }
 
-    /// Name of the constraint that row `row` of a group belongs to.
+    /// Name of the constraint of row `row` of a group.
     pub fn row_name(&self, group: &Group, row: usize) -> String {
         let at = group.constraints.partition_point(|c| c.first + c.count <= row);
         group.constraints.get(at).map_or_else(String::new, |c| self.constraint_name(c.constraint))
@@ -49,7 +49,7 @@ impl Model {
         let mut groups: Vec<Group> = Vec::new();
         let mut of_root = vec![None; self.coordinates.len()];
         for (constraint, terms) in constraints.into_iter().zip(terms) {
-            // A constraint that binds no coordinate (all locked, or rigid) is a group of its own.
+            // A constraint without coordinates (all locked, or rigid) forms a group of its own.
             let root = terms.first().map(|t| partition.root(t.column));
             let known = root.and_then(|r| of_root[r]);
             let number = known.unwrap_or_else(|| {
@@ -81,7 +81,7 @@ impl Model {
         self.groups = groups;
     }
 
-    /// The velocities that a constraint binds; columns are coordinates of the model.
+    /// Velocities that a constraint restricts; columns are coordinates of the model.
     fn terms(&self, constraint: Constraint) -> Vec<Term> {
         let mut terms = Vec::new();
         let mut add = |body: usize, factor: f64| {
@@ -105,6 +105,7 @@ impl Model {
         terms
     }
 
+    /// Fills joints, bodies, size and lengths of a group.
     fn complete(&self, group: &mut Group, zero: &ZeroFrames) {
         for terms in group.constraints.iter_mut().map(|c| &mut c.terms) {
             for term in terms {
@@ -119,7 +120,7 @@ impl Model {
         group.lengths = group.coordinates.iter().map(length).collect();
     }
 
-    /// Bodies on the paths of its constraints, locked ones too, and those of its joints and their masters.
+    /// Bodies on the constraint paths (locked ones included), and bodies of the group's joints and their masters.
     fn bodies_of(&self, group: &Group) -> Vec<usize> {
         let mut bodies: Vec<usize> = Vec::new();
         for constraint in &group.constraints {
@@ -143,8 +144,8 @@ impl Model {
         bodies
     }
 
-    /// How far apart a group's joints, loop frames and held points are with all joints at 0 (1 m where they coincide), and
-    /// how far from the root.
+    /// Largest distance from the first of a group's joints, loop frames and held points, with all joints at 0 (1 m if
+    /// all coincide), and largest distance from the root.
     fn size_of(&self, group: &Group, zero: &ZeroFrames) -> (f64, f64) {
         let mut places: Vec<Vector3<f64>> =
             group.bodies.iter().map(|&b| zero.frames[b].translation).collect();
@@ -165,7 +166,7 @@ impl Model {
         let Some(first) = places.first().copied() else { return (1.0, 0.0) };
         let far = places.iter().map(|p| p.norm()).fold(0.0, f64::max);
         let spread = places.iter().map(|p| (p - first).norm()).fold(0.0, f64::max);
-        // Below the rounding of the positions themselves there is no spread.
+        // A spread below the rounding of the positions counts as zero.
         (if spread > 64.0 * f64::EPSILON * far { spread } else { 1.0 }, far)
     }
 }

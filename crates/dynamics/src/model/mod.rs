@@ -1,4 +1,4 @@
-//! What a mechanism under conditions compiles to: plain immutable data. No algorithm but the compilation itself.
+//! Compiled form of a mechanism under conditions: plain immutable data, and the compilation.
 
 mod body;
 mod cluster;
@@ -19,53 +19,54 @@ use percuss_mechanism::{JointId, LinkId, Mechanism};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// A mechanism under conditions, compiled.
+/// A compiled mechanism under conditions.
 #[derive(Clone, Debug)]
 pub(crate) struct Model {
     pub mechanism: Arc<Mechanism>,
     pub base: Base,
-    /// Parents before children.
+    /// Bodies, parents before children.
     pub bodies: Vec<Body>,
-    /// For every link.
+    /// Frame of every link.
     pub link_frames: Vec<LinkFrame>,
-    /// For every tree velocity; none is never met after the compilation.
+    /// Coordinate of every tree velocity; always `Some` after the compilation.
     pub follows: Vec<Option<Follows>>,
-    /// For every joint.
+    /// Lock flag of every joint.
     pub locked: Vec<bool>,
-    /// For every joint.
+    /// Range of positions of every joint.
     pub joint_q: Vec<Range<usize>>,
-    /// For every joint: its body; none where a fixed joint holds links together.
+    /// Body of every joint; `None` for a fixed joint inside a body.
     pub body_of_joint: Vec<Option<usize>>,
-    /// How many positions.
+    /// Number of positions.
     pub positions: usize,
     pub coordinates: Vec<Coordinate>,
     pub redundant_locks: usize,
-    /// Whether any joint that moves follows another.
+    /// True if any movable joint is a mimic.
     pub has_active_mimics: bool,
     pub closures: Vec<CompiledClosure>,
     pub couplings: Vec<CompiledCoupling>,
     pub holds: Vec<CompiledHold>,
     pub groups: Vec<Group>,
-    /// Children before the clusters that carry them.
+    /// Clusters, children before parents.
     pub clusters: Vec<Cluster>,
-    /// For every body: its cluster.
+    /// Cluster of every body.
     pub cluster_of: Vec<usize>,
 }
 
 impl Model {
-    /// The body of a link; none: the ground.
+    /// Body of a link; `None` for the ground.
     pub fn body_of(&self, link: LinkId) -> Option<usize> {
         self.link_frames[link.index()].body
     }
 
-    /// Visits the bodies that carry `on` but not `against`, with +1, and the reverse, with −1.
+    /// Calls `visit` with +1 for the bodies on the path from `on` to the common ancestor, and with −1 for the bodies
+    /// on the path from `against`.
     pub fn for_each_support(
         &self,
         mut on: Option<usize>,
         mut against: Option<usize>,
         mut visit: impl FnMut(usize, f64),
     ) {
-        // Bodies are numbered parents first: the higher number cannot carry the lower one.
+        // Parents have lower numbers than children: the body of the higher number is not an ancestor of the other.
         while on != against {
             if on > against {
                 let Some(i) = on else { return };
@@ -89,8 +90,8 @@ impl Model {
         self.follows.iter().map(|f| f.map_or(0.0, |f| f.multiplier * u[f.index])).collect()
     }
 
-    /// Sums entries over tree velocities into ones over the coordinates, each times a function of its multiplier:
-    /// Gᵀ x with the identity.
+    /// Sums entries over tree velocities into entries over coordinates. Each entry is multiplied by
+    /// `weight(multiplier)`; with the identity the result is Gᵀ x.
     pub fn reduce_vector(&self, tree: &[f64], weight: impl Fn(f64) -> f64) -> Vec<f64> {
         let mut reduced = vec![0.0; self.coordinates.len()];
         for (value, follows) in tree.iter().zip(&self.follows) {

@@ -1,4 +1,5 @@
-//! What lies around a pose where a group of loops has less than its generic rank: branches that cross, or one regular branch.
+//! Surroundings of a pose at which a group of loops has less than its generic rank: crossing branches, or one regular
+//! branch.
 
 use crate::closing::{Directions, Linearised};
 use crate::kinematics::Kinematics;
@@ -16,34 +17,34 @@ use faer::Mat;
 /// A branch through a pose.
 #[derive(Clone, Debug)]
 pub(crate) struct Branch {
-    /// Unit vector along it, over the group's scaled coordinates.
+    /// Unit vector along the branch, over the group's scaled coordinates.
     pub along: Vec<f64>,
-    /// Orthonormal basis of its tangent space near by.
+    /// Orthonormal basis of the branch's tangent space near the pose.
     tangents: Vec<Vec<f64>>,
 }
 
-/// What lies around a pose.
+/// Surroundings of a pose: the branches through the pose.
 #[derive(Clone, Debug)]
 pub(crate) struct Surroundings {
     /// The group.
     pub group: Group,
-    /// Residual at which it counts as closed, m.
+    /// Residual at which the group counts as closed, m.
     pub tolerance: f64,
-    /// Singular values below this part of the largest count as zero.
+    /// Threshold for singular values, relative to the largest; smaller values count as zero.
     floor: f64,
-    /// The branches that were found.
+    /// Branches found.
     pub branches: Vec<Branch>,
-    /// Whether all closed poses near by lie on one smooth branch, with the rank that the pose has.
+    /// True if all nearby closed poses lie on one smooth branch, with the rank of the pose.
     pub regular: bool,
-    /// Whether the branches are samples of a continuum (a cone of directions).
+    /// True if the branches are samples of a continuum (a cone of directions).
     pub continuous: bool,
-    /// Whether the last directions tried had nothing new.
+    /// True if the last directions tried gave no new branch.
     pub complete: bool,
 }
 
 impl Model {
-    /// Looks around a closed pose. In the kernel of A, directions are tried; those by which a closed pose is reached
-    /// lead to branches, distinguished by their tangent spaces.
+    /// Finds the branches through a closed pose. Directions in the kernel of A are tried. Directions that reach a
+    /// closed pose lead to branches, distinguished by their tangent spaces.
     pub fn surroundings(
         &self,
         kinematics: &Kinematics<f64>,
@@ -71,6 +72,7 @@ impl Model {
         around
     }
 
+    /// Finds the branches through a pose by trying directions in the kernel of A.
     fn find_branches(&self, kinematics: &Kinematics<f64>, kernel: &[Vec<f64>], around: &mut Surroundings) {
         let cube = cube_of(&around.group);
         let (mut newest, mut regular) = (0, None);
@@ -88,7 +90,8 @@ impl Model {
             }
             let Some(branch) = self.branch_beside(kinematics, around, &direction) else { continue };
             if branch.tangents.len() >= kernel.len() {
-                // As many motions beside the pose as at it: no branches cross here, if they lead in all directions.
+                // The nearby pose has as many motions as the pose. If this holds in all directions, no branches cross
+                // here.
                 let known = *regular.get_or_insert_with(|| {
                     (kernel.len() <= DIRECTIONS_WORK_IN_ALL / cube)
                         .then(|| kernel.iter().all(|e| self.leads_along(kinematics, around, e)))
@@ -109,19 +112,20 @@ impl Model {
         around.complete = kernel.len() <= 2;
     }
 
-    /// Whether a closed pose is found in this very direction.
+    /// True if a closed pose is found in the given direction.
     fn leads_along(&self, kinematics: &Kinematics<f64>, around: &Surroundings, direction: &[f64]) -> bool {
         self.branch_beside(kinematics, around, direction)
             .is_some_and(|branch| dot(&branch.along, direction) > 0.99)
     }
 
+    /// Branch reached in a direction, with its tangent space; `None` if no closed pose is reached.
     fn branch_beside(
         &self,
         kinematics: &Kinematics<f64>,
         around: &Surroundings,
         direction: &[f64],
     ) -> Option<Branch> {
-        // Branches of inexact loops are distinct only some distance off.
+        // Branches of inexact loops are distinct only at some distance.
         let reach =
             around.group.size * BRANCH_DISTANCE.max(3.0 * (around.tolerance / around.group.size).sqrt());
         let mut beside = kinematics.clone();
@@ -130,11 +134,12 @@ impl Model {
         Some(Branch { along: unit(&displaced), tangents })
     }
 
-    /// Moves a group to a closed pose at this distance (m; negative: the other way) from where it stands, starting
-    /// along a direction of its scaled coordinates, and gives how that lies from there; none where no branch is found.
+    /// Moves a group to a closed pose at the given distance (m; negative: opposite direction) from its current pose,
+    /// starting along a direction of its scaled coordinates. Returns the displacement; `None` if no branch is found.
     ///
-    /// Corrections keep the distance: at a crossing the residuals are quadratic forms, and where these are more than
-    /// the freedoms, Newton's free step leads straight back to where all of them vanish.
+    /// Corrections keep the distance. At a crossing the residuals are quadratic forms. If there are more residuals
+    /// than degrees of freedom, an unconstrained Newton step leads back to the crossing itself, where all residuals
+    /// vanish.
     pub fn go_beside(
         &self,
         kinematics: &mut Kinematics<f64>,
@@ -176,8 +181,8 @@ impl Model {
         None
     }
 
-    /// Whether between the two nearest branches lies another, and between that and the first another, and so on: then
-    /// they are samples of a cone.
+    /// True if another branch lies between the two nearest branches, another one between that branch and the first,
+    /// and so on. The branches are then samples of a cone.
     fn lies_between(&self, kinematics: &Kinematics<f64>, around: &Surroundings) -> bool {
         let branches = &around.branches;
         let pairs = (0..branches.len()).flat_map(|a| (0..a).map(move |b| (a, b)));
@@ -202,13 +207,14 @@ impl Model {
     }
 }
 
-/// What the factors of a group's A take, in multiplications: the cube of its coordinates, more where there are more rows.
+/// Work of factorising a group's A, in multiplications: the cube of the number of coordinates, or more with more
+/// rows.
 fn cube_of(group: &Group) -> usize {
     let n = group.coordinates.len().max(1);
     n.saturating_mul(n).saturating_mul(n.max(group.rows))
 }
 
-/// An orthonormal basis of the admissible motions within a group, over its scaled coordinates.
+/// Orthonormal basis of the admissible motions within a group, over its scaled coordinates.
 fn tangent_space(model: &Model, kinematics: &Kinematics<f64>, group: &Group, floor: f64) -> Vec<Vec<f64>> {
     let rows = model.group_matrix(kinematics, group);
     let lengths = &group.lengths;
@@ -226,7 +232,7 @@ fn tangent_space(model: &Model, kinematics: &Kinematics<f64>, group: &Group, flo
     basis
 }
 
-/// Sine of the largest angle between two spaces, given by orthonormal bases; 1 where they differ in dimension.
+/// Sine of the largest angle between two spaces, given by orthonormal bases; 1 for spaces of different dimension.
 fn apart(a: &[Vec<f64>], b: &[Vec<f64>]) -> f64 {
     if a.len() != b.len() {
         return 1.0;
@@ -242,11 +248,11 @@ fn apart(a: &[Vec<f64>], b: &[Vec<f64>]) -> f64 {
     b.iter().map(outside).fold(0.0, f64::max)
 }
 
-/// Directions in a kernel: evenly around in a plane, from a fixed low-discrepancy walk in more dimensions.
+/// Directions in a kernel: evenly distributed in a plane, from a fixed low-discrepancy sequence in more dimensions.
 fn directions(kernel: &[Vec<f64>]) -> impl Iterator<Item = Vec<f64>> {
     let dimension = kernel.len();
     let n = kernel.first().map_or(0, Vec::len);
-    // Kronecker's sequence on the powers of the root of x^(d+1) = x + 1.
+    // Kronecker sequence on the powers of the root of x^(d+1) = x + 1.
     let root = (0..50).fold(1.5_f64, |x, _| (1.0 + x).powf(1.0 / (dimension as f64 + 1.0)));
     let count = match dimension {
         0 => 0,

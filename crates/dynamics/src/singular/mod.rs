@@ -1,4 +1,4 @@
-//! Poses where branches of a group cross.
+//! Poses at which branches of a group cross.
 
 mod branches;
 
