@@ -389,6 +389,7 @@ def test_another_assembly_mode_is_asked_for() -> None:
             model.pose({driver: angle})
         found = model.pose({driver: angle}, other_assembly=True).respond(contact)
         assert found.effective_mass is not None
+        assert "other-assembly" in codes(found.findings)
     rows = np.concatenate([np.linspace(0, 0.5, 9), beyond])[:, None]
     swept = percuss.sweep(model, contact, rows, joints=[driver])
     assert (swept.status[:9] == percuss.FINITE).all() and (swept.status[9:] == percuss.NO_ANSWER).all()

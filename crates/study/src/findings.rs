@@ -78,6 +78,13 @@ fn about_loops(system: &System, pose: &Pose, names: Names, found: &mut Vec<Findi
         );
         found.push(Finding::warning("off-target", Subject::Joint(*joint), message));
     }
+    if let Some(starts) = loops.starts_tried {
+        let message = format!(
+            "the pose is on another assembly mode than the first closed pose: its branch ends before these positions, and \
+             they were found from {starts} other start(s)"
+        );
+        found.push(Finding::warning("other-assembly", Subject::Answer, message));
+    }
     for gap in pose.assembly().drawn_gaps() {
         found.push(about_gap(mechanism, &gap));
     }
