@@ -1,5 +1,6 @@
 //! Numbers as typed by users: SI units, or with a unit suffix.
 
+use percuss_dynamics::input::LARGEST_NUMBER;
 use percuss_mechanism::JointKind;
 use std::fmt;
 
@@ -47,8 +48,8 @@ pub enum QuantityError {
         /// Accepted units.
         units: String,
     },
-    /// NaN or infinite.
-    #[error("\"{text}\" is not finite; expected a finite number")]
+    /// NaN, infinite or above 1e100 in magnitude.
+    #[error("\"{text}\" is not finite or above 1e100; expected a finite number of at most 1e100")]
     NotFinite {
         /// Given text.
         text: String,
@@ -157,7 +158,7 @@ impl Quantity {
     /// # Errors
     /// [`QuantityError::NotFinite`].
     pub fn number(value: f64) -> Result<Self, QuantityError> {
-        if value.is_finite() {
+        if value.abs() <= LARGEST_NUMBER {
             Ok(Self { value, dimension: None })
         } else {
             Err(QuantityError::NotFinite { text: value.to_string() })
@@ -167,7 +168,7 @@ impl Quantity {
     /// Reads a number with an optional unit: `0.5`, `30deg`, `12mm`, `-1e-3`.
     ///
     /// # Errors
-    /// [`QuantityError`]: no number, or not finite.
+    /// [`QuantityError`]: no number, or no finite number of at most 1e100.
     pub fn parse(text: &str) -> Result<Self, QuantityError> {
         let trimmed = text.trim();
         let unit = UNITS.iter().find(|(suffix, ..)| trimmed.ends_with(suffix));
@@ -177,7 +178,7 @@ impl Quantity {
         };
         let unit = unit.and_then(|(name, ..)| Unit::named(name));
         let value = unit.unwrap_or(Unit::SI).to_si(number);
-        if !value.is_finite() {
+        if value.is_nan() || value.abs() > LARGEST_NUMBER {
             return Err(QuantityError::NotFinite { text: text.to_owned() });
         }
         Ok(Self { value, dimension: unit.map(|unit| unit.dimension) })
