@@ -303,3 +303,45 @@ fn links_between_documents_lead_somewhere() {
     }
     assert!(checked > 3, "only {checked} links were found");
 }
+
+/// A tag of an action can be moved to other code; a hash cannot. A build without `--locked` may take other versions than were tested.
+#[test]
+fn actions_are_pinned_and_builds_are_locked() {
+    let mut actions = 0;
+    for entry in fs::read_dir(root().join(".github/workflows")).expect("workflows").flatten() {
+        let text = fs::read_to_string(entry.path()).expect("text");
+        for line in
+            text.lines().filter_map(|line| line.trim().trim_start_matches("- ").strip_prefix("uses: "))
+        {
+            let hash = line.split_once('@').map(|(_, version)| version.split(' ').next().unwrap_or(""));
+            let is_hash = |hash: &str| hash.len() == 40 && hash.bytes().all(|b| b.is_ascii_hexdigit());
+            assert!(
+                hash.is_some_and(is_hash),
+                "{}: {line}; expected ACTION@HASH # VERSION",
+                entry.path().display()
+            );
+            actions += 1;
+        }
+    }
+    assert!(actions >= 3, "only {actions} actions");
+    let mut builds = 0;
+    for path in files(".sh") {
+        let text = fs::read_to_string(&path).expect("text");
+        for line in text.lines().filter(|line| !line.trim_start().starts_with('#')) {
+            let is_build = |word: &&str| line.contains(&format!("cargo {word} "));
+            if ["build", "rustc", "test", "run", "install", "bench"].iter().any(|word| is_build(&word)) {
+                assert!(line.contains("--locked"), "{}: {line}; expected --locked", path.display());
+                builds += 1;
+            }
+        }
+    }
+    assert!(builds >= 6, "only {builds} builds");
+}
+
+#[test]
+fn dependencies_have_allowed_licences_and_sources() {
+    let run = std::process::Command::new("python3").arg(root().join("tests/dependencies.py")).output();
+    let run = run.expect("python3 is there");
+    let said = String::from_utf8_lossy(&run.stdout);
+    assert!(run.status.success(), "{said}{}", String::from_utf8_lossy(&run.stderr));
+}

@@ -214,6 +214,10 @@ pub(crate) const REDUNDANCY_LIMIT: usize = 400;
 pub(crate) const CLOSED_AS_DRAWN: f64 = 1e-9;
 /// Most iterations of a correction: Newton's method takes a handful, a damped one some tens.
 pub(crate) const CORRECTION_ITERATIONS: usize = 60;
+/// Most work of these iterations, in cubes of a group's coordinates: all of them up to 100 coordinates.
+pub(crate) const CORRECTION_WORK: usize = 60_000_000;
+/// Fewest iterations, however large the group is: those of Newton's method, some of them damped.
+pub(crate) const FEWEST_CORRECTION_ITERATIONS: usize = 20;
 /// A loop that fits is closed by a motion of at most this many times its residual as drawn; beyond, the motion follows a
 /// direction that owes its weight to the residual itself.
 pub(crate) const COMMENSURATE: f64 = 100.0;
@@ -270,6 +274,11 @@ pub(crate) const ADVANCE_CORRECTIONS: usize = 8;
 pub(crate) const SAME_POSE: f64 = 1e-5;
 /// Seeded starts that are tried before a group is given up.
 pub(crate) const FIRST_STARTS: u64 = 24;
+/// Most work of these starts, in rows times the square of a group's coordinates: all of them up to 65 coordinates of three times as
+/// many rows.
+pub(crate) const FIRST_STARTS_WORK: u64 = 20_000_000;
+/// Fewest starts, however large the group is: the drawn pose, with the declared drivers fixed and with all coordinates free.
+pub(crate) const FEWEST_FIRST_STARTS: u64 = 2;
 /// The sizes of these starts, rad or parts of the size.
 pub(crate) const FIRST_STARTS_ASIDE: [f64; 6] = [0.01, 0.1, 0.3, 1.0, 3.0, 2.0];
 /// Seeded poses around the first one at which the generic rank is looked for.

@@ -13,6 +13,7 @@ mod read;
 mod table;
 mod toml_text;
 mod trailing;
+mod workbook;
 mod write;
 
 pub(super) use build::build;

@@ -15,6 +15,7 @@ use crate::{DEFAULT_MAX_SIZE, Source};
 use percuss_mechanism::near_names;
 use percuss_spatial::{Matrix3, Vector3};
 use std::collections::BTreeMap;
+use std::fs;
 use std::path::Path;
 
 /// The files that were read together: their names and texts.
@@ -66,7 +67,7 @@ pub(in super::super) fn read(
     } else if !toml_text::read(text, &mut entries, findings) {
         return None;
     }
-    beside(source, &mut entries, findings, files);
+    beside(source, options, &mut entries, findings, files);
     if findings.has_errors() {
         return None;
     }
@@ -85,12 +86,33 @@ pub(in super::super) fn read(
 }
 
 /// The table that the sheet names in the place of its points.
-fn beside(source: &Source, entries: &mut Entries, findings: &mut Findings, files: &mut Files) {
+fn beside(
+    source: &Source,
+    options: &ImportOptions,
+    entries: &mut Entries,
+    findings: &mut Findings,
+    files: &mut Files,
+) {
     let Some((path, spot)) = entries.text(findings, "points", "the name of a table of points") else {
         return;
     };
     let folder = Path::new(&source.name).parent().unwrap_or(Path::new(""));
-    let path = folder.join(path).to_string_lossy().into_owned();
+    let table = folder.join(&path);
+    let path = table.to_string_lossy().into_owned();
+    let kind = fs::metadata(&table);
+    // A pipe or a device could wait, or not end.
+    if kind.as_ref().is_ok_and(|found| !found.is_file()) {
+        findings.error("no-table", &spot, format!("the table {} is no file", quoted(&path)));
+        return;
+    }
+    if kind.is_ok() && !options.allow_outside && !is_inside(folder, &table) {
+        let message = format!(
+            "the table {} is outside the sheet's folder; move it there, or import the sheet with --allow-outside",
+            quoted(&path)
+        );
+        findings.error("outside-folder", &spot, message);
+        return;
+    }
     let read = match Source::read(&path, DEFAULT_MAX_SIZE) {
         Ok(read) => read,
         Err(error) => {
@@ -113,6 +135,15 @@ fn beside(source: &Source, entries: &mut Entries, findings: &mut Findings, files
             let message = format!("the table {} is no UTF-8 text and no XLSX workbook", quoted(&path));
             findings.error("not-utf-8", &spot, message);
         }
+    }
+}
+
+/// True if a file is in a folder or below it, links resolved.
+fn is_inside(folder: &Path, file: &Path) -> bool {
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    match (fs::canonicalize(folder), fs::canonicalize(file)) {
+        (Ok(folder), Ok(file)) => file.starts_with(folder),
+        _ => false,
     }
 }
 
