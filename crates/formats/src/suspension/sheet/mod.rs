@@ -9,6 +9,7 @@ mod catalogue;
 mod entries;
 mod independent;
 mod parts;
+mod point_table;
 mod read;
 mod table;
 mod toml_text;
