@@ -18,6 +18,7 @@ mod workbook;
 mod write;
 
 pub(super) use build::build;
-pub(super) use read::{Files, read};
+pub(super) use point_table::Files;
+pub(super) use read::read;
 pub(super) use table::is_workbook;
 pub use write::{TemplateOptions, template_keys, template_names, template_sheet};

@@ -5,12 +5,14 @@
 use super::super::findings::Findings;
 use super::super::options::ImportOptions;
 use super::entries::Entries;
-use super::read::Files;
 use super::table;
 use crate::report::quoted;
 use crate::{DEFAULT_MAX_SIZE, Source};
 use std::fs;
 use std::path::Path;
+
+/// The files that were read together: their names and texts.
+pub(in super::super) type Files = Vec<(String, String)>;
 
 /// The table that the sheet names in the place of its points.
 pub(super) fn read(

@@ -7,7 +7,8 @@ use super::super::units::{Frame, LengthUnit, VehicleAxes};
 use super::catalogue;
 use super::entries::{Cell, Entries, INERTIA_UNITS, Kind, inertia_unit};
 use super::parts::{Body, Part, Shape, Template};
-use super::{point_table, table, toml_text};
+use super::point_table::{self, Files};
+use super::{table, toml_text};
 use crate::Source;
 use crate::limits::{LONGEST_NAME, MOST_SHEET_KEYS};
 use crate::report::{cut, quoted, shortened};
@@ -15,9 +16,6 @@ use crate::suspension::corner;
 use percuss_mechanism::near_names;
 use percuss_spatial::{Matrix3, Vector3};
 use std::collections::BTreeMap;
-
-/// The files that were read together: their names and texts.
-pub(in super::super) type Files = Vec<(String, String)>;
 
 /// What a sheet says of a body.
 #[derive(Clone, Debug)]
