@@ -17,7 +17,7 @@ if ! command -v valgrind > /dev/null; then
   exit 0
 fi
 program=${PERCUSS_COUNTS:-target/release/percuss-counts}
-[ -n "${PERCUSS_COUNTS:-}" ] || cargo build --release -q -p percuss-benches --bin percuss-counts
+[ -n "${PERCUSS_COUNTS:-}" ] || cargo build --locked --release -q -p percuss-benches --bin percuss-counts
 
 # count TASK TIMES: instructions of all, and units of work.
 count() {

@@ -9,7 +9,7 @@
 # `PROGRAM ROBOT VELOCITIES NANOSECONDS` each. All m̄ are compared to 1e-9 before anything is timed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-cargo build --release -q -p percuss-benches --bin percuss-peers
+cargo build --locked --release -q -p percuss-benches --bin percuss-peers
 target/release/percuss-peers "$1" | tee /tmp/percuss-peers.$$
 [ $# -ge 2 ] && awk '
   NR == FNR { if ($4 + 0 > 0 && (!($2 in least) || $4 < least[$2])) least[$2] = $4; next }

@@ -89,7 +89,14 @@ const ARROWS: [(&str, &[&str]); 14] = [
     ("percuss-python", &["percuss", "percuss-cli", "percuss-render"]),
     (
         "percuss-tests",
-        &["percuss-spatial", "percuss-mechanism", "percuss-formats", "percuss-dynamics", "percuss-oracle"],
+        &[
+            "percuss-spatial",
+            "percuss-mechanism",
+            "percuss-formats",
+            "percuss-dynamics",
+            "percuss-oracle",
+            "percuss-study",
+        ],
     ),
     (
         "percuss-benches",
@@ -302,4 +309,83 @@ fn links_between_documents_lead_somewhere() {
         }
     }
     assert!(checked > 3, "only {checked} links were found");
+}
+
+/// A tag of an action can be moved to other code; a hash cannot. A build without `--locked` may take other versions than were tested.
+#[test]
+fn actions_are_pinned_and_builds_are_locked() {
+    let mut actions = 0;
+    for entry in fs::read_dir(root().join(".github/workflows")).expect("workflows").flatten() {
+        let text = fs::read_to_string(entry.path()).expect("text");
+        for line in
+            text.lines().filter_map(|line| line.trim().trim_start_matches("- ").strip_prefix("uses: "))
+        {
+            let hash = line.split_once('@').map(|(_, version)| version.split(' ').next().unwrap_or(""));
+            let is_hash = |hash: &str| hash.len() == 40 && hash.bytes().all(|b| b.is_ascii_hexdigit());
+            assert!(
+                hash.is_some_and(is_hash),
+                "{}: {line}; expected ACTION@HASH # VERSION",
+                entry.path().display()
+            );
+            actions += 1;
+        }
+    }
+    assert!(actions >= 3, "only {actions} actions");
+    let mut builds = 0;
+    for path in files(".sh") {
+        let text = fs::read_to_string(&path).expect("text");
+        for line in text.lines().filter(|line| !line.trim_start().starts_with('#')) {
+            let is_build = |word: &&str| line.contains(&format!("cargo {word} "));
+            if ["build", "rustc", "test", "run", "install", "bench"].iter().any(|word| is_build(&word)) {
+                assert!(line.contains("--locked"), "{}: {line}; expected --locked", path.display());
+                builds += 1;
+            }
+        }
+    }
+    assert!(builds >= 6, "only {builds} builds");
+}
+
+#[test]
+fn dependencies_have_allowed_licences_and_sources() {
+    let run = std::process::Command::new("python3").arg(root().join("tests/dependencies.py")).output();
+    let run = run.expect("python3 is there");
+    let said = String::from_utf8_lossy(&run.stdout);
+    assert!(run.status.success(), "{said}{}", String::from_utf8_lossy(&run.stderr));
+}
+
+/// Packs a folder twice, with other times and permissions of its files.
+#[test]
+fn archives_of_the_same_files_are_the_same() {
+    let folder = std::env::temp_dir().join(format!("percuss-tidy-archive-{}", std::process::id()));
+    for ending in ["tar.gz", "zip"] {
+        let packed = ["first", "second"].map(|name| {
+            let parent = folder.join(name);
+            fs::create_dir_all(parent.join("percuss/docs")).expect("a folder");
+            // Files in either order, so that the folder lists them so.
+            let mut files = ["a.txt", "docs/b.txt", "c"];
+            if name == "second" {
+                files.reverse();
+            }
+            for file in files {
+                fs::write(parent.join("percuss").join(file), file).expect("a file");
+            }
+            let at = std::time::SystemTime::UNIX_EPOCH
+                + std::time::Duration::from_secs(1_000_000_000 * name.len() as u64 / 5);
+            let file = fs::File::options().append(true).open(parent.join("percuss/c")).expect("a file");
+            file.set_modified(at).expect("a time");
+            let archive = parent.join(format!("percuss.{ending}"));
+            let mut pack = std::process::Command::new("python3");
+            pack.arg(root().join("crates/cli/packaging/archive.py"))
+                .arg(&parent)
+                .arg("percuss")
+                .arg(&archive);
+            assert!(
+                pack.env("SOURCE_DATE_EPOCH", "1700000000").status().expect("python3 is there").success()
+            );
+            fs::read(archive).expect("an archive")
+        });
+        assert!(packed[0] == packed[1], "{ending}: two archives of the same files differ");
+        assert!(packed[0].len() > 100, "{ending}: {} bytes", packed[0].len());
+    }
+    fs::remove_dir_all(folder).expect("removed");
 }

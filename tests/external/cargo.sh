@@ -3,6 +3,6 @@
 # everything below it, so that it alone is compiled. Features of tests count where a test is asked for: any will do, and is there.
 if [ "$1" = rustc ]; then
   shift
-  exec cargo build --workspace --test header "$@"
+  exec cargo build --locked --workspace --test header "$@"
 fi
 exec cargo "$@"

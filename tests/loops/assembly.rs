@@ -163,7 +163,7 @@ fn unclosed(mechanism: Mechanism) -> Vec<String> {
     let error = doing("giving up", || system.pose(&system.configuration()).expect_err("it cannot close"));
     let message = error.to_string();
     match error {
-        AssemblyError::DoesNotClose { loops, residual, allowed } => {
+        AssemblyError::DoesNotClose { loops, residual, allowed, .. } => {
             assert!(residual > allowed, "{residual} {allowed}");
             assert!(message.contains(&format!("\"{}\"", loops[0])), "{message}");
             loops

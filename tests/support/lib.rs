@@ -9,6 +9,7 @@ pub mod gauge;
 pub mod imposed;
 pub mod judge;
 pub mod motion;
+pub mod readers;
 pub mod rig;
 pub mod routes;
 pub mod subjects;

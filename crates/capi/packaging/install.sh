@@ -16,7 +16,7 @@ done
 [ -n "$prefix" ] || { echo "install.sh: --prefix DIR is missing" >&2; exit 2; }
 root=$(cd "$here/../../.." && pwd)
 if [ -z "$libraries" ]; then
-  cargo rustc --release --manifest-path "$root/Cargo.toml" -p percuss-capi --lib --crate-type staticlib,cdylib
+  cargo rustc --locked --release --manifest-path "$root/Cargo.toml" -p percuss-capi --lib --crate-type staticlib,cdylib
   libraries=${CARGO_TARGET_DIR:-$root/target}/release
 fi
 header=$here/../include/percuss.h

@@ -21,6 +21,9 @@ out=$target/standalone
 version=$(sed -n 's/^version = "\(.*\)"$/\1/p' Cargo.toml | head -n 1)
 python=$(command -v python3 || command -v python || echo python3)
 room=$(mktemp -d)
+# The same sources give the same archives: no paths of this machine in the binaries, and the time of the last commit everywhere.
+export SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2> /dev/null || echo 946684800)}
+export RUSTFLAGS="${RUSTFLAGS:-} --remap-path-prefix=${CARGO_HOME:-$HOME/.cargo}=/cargo --remap-path-prefix=$PWD=/percuss"
 trap 'rm -rf "$room"' EXIT
 mkdir -p "$out"
 
@@ -61,11 +64,7 @@ package() {
     *) archive=$name.tar.gz ;;
   esac
   rm -f "$out/$archive" "$out/$archive.sha256"
-  if [ "${archive##*.}" = zip ]; then
-    (cd "$room/packed" && "$python" -m zipfile -c "$out/$archive" "$name")
-  else
-    tar -czf "$out/$archive" -C "$room/packed" "$name"
-  fi
+  "$python" "$here/archive.py" "$room/packed" "$name" "$out/$archive"
   (cd "$out" && checksum "$archive" > "$archive.sha256")
   echo "made $out/$archive: $(wc -c < "$out/$archive") bytes, the binary $(wc -c < "$binary")"
 }

@@ -4,6 +4,7 @@ use crate::args::{AxesArg, ImportArgs, SideArg, UnitArg};
 use crate::failure::Failure;
 use crate::import_text::understood;
 use crate::output::{is_input, may_be_written, write_file};
+use crate::own_files::sealed;
 use crate::report::{write_as_is, write_diagnostics, write_out};
 use crate::{import_picture, picture};
 use percuss_formats::suspension::{ImportOptions, LengthUnit, Rack, Side, VehicleAxes, Wheel, import};
@@ -22,7 +23,7 @@ pub fn run(args: &ImportArgs) -> Result<(), Failure> {
     imported.inputs.iter().for_each(|path| is_input(path));
     let diagnostics: Vec<DiagnosticRecord> = imported.diagnostics.into_iter().map(Into::into).collect();
     write_diagnostics(&diagnostics, args.strict)?;
-    let text = write_urdf_with(&imported.mechanism, &imported.comments);
+    let text = sealed(write_urdf_with(&imported.mechanism, &imported.comments));
     if let Some(path) = &args.picture {
         let drawing = import_picture::picture(&imported.understood, &args.hardpoints);
         write_file(path, &picture::bytes(&drawing, "--picture", path)?)?;
@@ -51,6 +52,7 @@ fn options(args: &ImportArgs) -> ImportOptions {
             radius: args.wheel_radius,
         }),
         rack: args.rack_mass.map(|mass| Rack::Sliding { mass }),
+        allow_outside: args.allow_outside,
         ..ImportOptions::default()
     }
 }

@@ -7,6 +7,7 @@ use crate::failure::Failure;
 use crate::own_files::is_own;
 use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions, TryLockError};
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
@@ -138,8 +139,10 @@ pub fn write_file(path: &str, bytes: &[u8]) -> Result<(), Failure> {
 /// Which it is, and what can be done.
 pub fn may_be_written(path: &str) -> Result<(), Failure> {
     let inputs = INPUTS.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
-    for input in inputs.iter() {
-        // One of them is not there, or may not be opened: they are not the same then.
+    // The comparison opens both files: a pipe would wait for its other end. Pipes and devices lose nothing when they are written.
+    let is_file = |path: &str| fs::metadata(path).is_ok_and(|found| found.is_file());
+    for input in inputs.iter().filter(|input| is_file(path) && is_file(input)) {
+        // One of them may not be opened: they are not the same then.
         if same_file::is_same_file(path, input).unwrap_or(false) {
             let which = if input == path { String::new() } else { format!(" ({input})") };
             return Err(Failure::bad_input(format!(
@@ -169,7 +172,7 @@ fn file(path: &Path) -> io::Result<(File, Option<Beside>)> {
             when_free(&[SHARING_VIOLATION], || OpenOptions::new().write(true).open(path))?;
             fs::canonicalize(path)?
         }
-        Err(_) => path.to_owned(),
+        Err(_) => link_target(path)?,
     };
     let (temporary, file) = beside(&path)?;
     let kept = Beside { temporary, path, file: file.try_clone()? };
@@ -177,6 +180,18 @@ fn file(path: &Path) -> io::Result<(File, Option<Beside>)> {
         file.set_permissions(found.permissions())?;
     }
     Ok((file, Some(kept)))
+}
+
+/// The file that a chain of links names, which does not exist; the path itself if it is no link.
+fn link_target(path: &Path) -> io::Result<PathBuf> {
+    let mut target = path.to_owned();
+    for _ in 0..MOST_LINKS {
+        match fs::read_link(&target) {
+            Ok(next) => target = target.parent().unwrap_or(Path::new("")).join(next),
+            Err(_) => return Ok(target),
+        }
+    }
+    Err(io::Error::other(format!("more than {MOST_LINKS} links, one to the next")))
 }
 
 /// Does it again for a while where the error says that another program holds the file: on Windows, scanners, indexes and other runs that replace it
@@ -231,10 +246,25 @@ const PART: &str = ".percuss-part";
 /// Files left by killed runs that are removed at once.
 const MOST_LEFT: usize = 1000;
 
-/// How the names of files that are to be an output begin: `.NAME.`.
+/// Links that are followed from an output to its file, as many as Linux follows.
+const MOST_LINKS: usize = 40;
+/// Bytes of a name that is part of another name whole. Systems allow 255 bytes, and `..NUMBER.percuss-part` has 36.
+const LONGEST_WHOLE_NAME: usize = 200;
+
+/// How the names of files that are to be an output begin: `.NAME.`. A long name is cut, and a hash of the whole follows.
 fn part_of(path: &Path) -> OsString {
+    let whole = path.file_name().unwrap_or_default();
     let mut name = OsString::from(".");
-    name.push(path.file_name().unwrap_or_default());
+    if whole.len() <= LONGEST_WHOLE_NAME {
+        name.push(whole);
+    } else {
+        let text = whole.to_string_lossy();
+        let cut = text.char_indices().take_while(|(at, _)| *at < LONGEST_WHOLE_NAME - 24).last();
+        let mut hash = DefaultHasher::new();
+        whole.hash(&mut hash);
+        name.push(&text[..cut.map_or(0, |(at, _)| at)]);
+        name.push(format!("~{:016x}", hash.finish()));
+    }
     name.push(".");
     name
 }
@@ -262,7 +292,14 @@ fn remove_left(path: &Path) {
     }
 }
 
-/// Why a file cannot be written.
+/// Why a file cannot be written. A disk that is full is no fault of the input, as on stdout.
 pub fn cannot_write(path: &str, error: &io::Error) -> Failure {
-    Failure::bad_input(format!("{path} cannot be written: {error}"))
+    let message = format!("{path} cannot be written: {error}");
+    match error.kind() {
+        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded | io::ErrorKind::FileTooLarge => {
+            Failure::NoAnswer(message)
+        }
+        // An open list of the operating system's.
+        _ => Failure::bad_input(message),
+    }
 }

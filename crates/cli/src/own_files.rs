@@ -1,7 +1,9 @@
 //! How percuss knows a file that it wrote: a mark in the file's head or end, in a place that its format has for it.
 //! docs/OUTPUTS.md lists them.
 
+use percuss_formats::{DEFAULT_MAX_SIZE, Source};
 use percuss_render::MADE_BY;
+use percuss_study::Input;
 use std::fs::{self, File};
 use std::io::{self, Read, Seek, SeekFrom};
 use std::path::Path;
@@ -34,11 +36,40 @@ pub fn is_own(path: &Path) -> io::Result<bool> {
         file.by_ref().take(END as u64).read_to_end(&mut end)?;
         Ok::<_, io::Error>(end)
     };
+    if has(&head, b"<!-- imported by percuss from ") {
+        return is_sealed(file);
+    }
     Ok(match &head[..] {
         [b'P', b'A', b'R', b'1', ..] => has(&end()?, b"percuss.heading"),
         [b'%', b'P', b'D', b'F', ..] => has(&end()?, MADE_BY.as_bytes()),
         _ => has(&head, MADE_BY.as_bytes()) || has_marked_head(&String::from_utf8_lossy(&head)),
     })
+}
+
+/// Begin and end of the last line of an imported model.
+const SEAL: (&str, &str) = ("<!-- SHA-256 of the lines above, as percuss wrote them: ", " -->");
+
+/// An imported model with the hash of its text in a last line, by which a change by hand is seen.
+pub fn sealed(text: String) -> String {
+    let hash = hash(&text);
+    format!("{text}{}{hash}{}\n", SEAL.0, SEAL.1)
+}
+
+fn hash(text: &str) -> String {
+    Input::of(&Source::from_text("", text)).sha256
+}
+
+/// True if an imported model is as percuss wrote it.
+fn is_sealed(mut file: File) -> io::Result<bool> {
+    let mut text = String::new();
+    file.seek(SeekFrom::Start(0))?;
+    if file.take(DEFAULT_MAX_SIZE).read_to_string(&mut text).is_err() {
+        return Ok(false);
+    }
+    // Git may have changed the ends of lines.
+    let text = text.replace("\r\n", "\n");
+    let above = text.strip_suffix(&format!("{}\n", SEAL.1)).and_then(|text| text.rsplit_once(SEAL.0));
+    Ok(above.is_some_and(|(above, found)| found == hash(above)))
 }
 
 /// A workbook whose properties say so.
@@ -61,7 +92,6 @@ fn has_marked_head(head: &str) -> bool {
     dense.starts_with("{\"schema\":\"percuss.")
         || dense.starts_with("{\"row\":0,\"varied\":")
         || dense.contains("\"generator\":\"percuss\"")
-        || head.contains("<!-- imported by percuss from ")
         // Tables have no place for a mark: their columns are it.
         || first.starts_with("row,") && [",status,effective_mass", " difference_percent"].iter().any(|name| first.contains(name))
         || first == "design,status,effective_mass,difference_percent"

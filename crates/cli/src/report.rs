@@ -1,11 +1,12 @@
 //! Output that both commands share: results to stdout, diagnostics to stderr.
 
 use crate::diagnostics::lines;
-use crate::escape;
+use crate::escape::{self, Terminal};
 use crate::failure::Failure;
 use crate::wrap;
+use percuss_formats::KNOWN_WARNING;
 use percuss_study::DiagnosticRecord;
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Whether notes are shown or counted; set once, from the command line.
@@ -24,10 +25,15 @@ pub fn write_out(text: &str) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Writes a result to stdout that another program reads, with its names as they are.
+/// Writes a result to stdout that another program reads, with its names as they are; on a terminal, with escapes for control
+/// characters and marks of direction.
 pub fn write_as_is(bytes: &[u8]) -> Result<(), Failure> {
     let mut stdout = io::stdout().lock();
-    stdout.write_all(bytes)?;
+    if stdout.is_terminal() {
+        Terminal::new(&mut stdout).write_all(bytes)?;
+    } else {
+        stdout.write_all(bytes)?;
+    }
     stdout.flush()?;
     Ok(())
 }
@@ -58,7 +64,10 @@ fn remark(severity: &str, message: &str) {
 /// Writes diagnostics to stderr; under `strict`, a warning is an error and ends it.
 pub fn write_diagnostics(diagnostics: &[DiagnosticRecord], strict: bool) -> Result<(), Failure> {
     let mut lines = lines(diagnostics, NOTES_SHOWN.load(Ordering::Relaxed));
-    let warnings = diagnostics.iter().filter(|d| d.severity == "warning").count();
+    // A warning that the model's file marks as known is a note; the file may not weaken --strict.
+    let is_warning =
+        |d: &&DiagnosticRecord| d.severity == "warning" || d.severity == "note" && d.code == KNOWN_WARNING;
+    let warnings = diagnostics.iter().filter(is_warning).count();
     if strict && warnings > 0 {
         lines.push(format!("error: {warnings} warning(s), and --strict makes them errors"));
         return Err(Failure::BadInput(lines));

@@ -14,6 +14,8 @@ use std::ops::ControlFlow;
 const MOST_ROWS: usize = 1 << 20;
 /// Columns of a sheet.
 const MOST_COLUMNS: usize = 1 << 14;
+/// Cells of a workbook: each takes some 160 bytes of memory.
+const MOST_CELLS: usize = 5_000_000;
 
 /// Writes rows as XLSX. They are kept until all are there.
 pub fn write(
@@ -33,6 +35,7 @@ pub fn write(
             MOST_ROWS - 1
         )));
     }
+    check_cells(path, rows.unwrap_or(0), columns)?;
     let unwritten = |error: XlsxError| unwritten(path, &error);
     let mut workbook = begun("sweep", table.names()).map_err(unwritten)?;
     let sheet = workbook.worksheet_from_index(0).map_err(unwritten)?;
@@ -58,6 +61,7 @@ pub fn book(path: &str, name: &str, columns: &[String], rows: Vec<Vec<Cell>>) ->
             MOST_ROWS - 1
         )));
     }
+    check_cells(path, rows.len(), columns.len())?;
     let unwritten = |error: XlsxError| unwritten(path, &error);
     let mut workbook = begun(name, columns).map_err(unwritten)?;
     let sheet = workbook.worksheet_from_index(0).map_err(unwritten)?;
@@ -65,6 +69,18 @@ pub fn book(path: &str, name: &str, columns: &[String], rows: Vec<Vec<Cell>>) ->
         put(sheet, line, cells).map_err(unwritten)?;
     }
     workbook.save_to_buffer().map_err(unwritten)
+}
+
+/// Refuses a table that would not fit into memory: a workbook is kept until its last row is there.
+fn check_cells(path: &str, rows: usize, columns: usize) -> Result<(), Failure> {
+    let cells = rows.saturating_mul(columns);
+    if cells <= MOST_CELLS {
+        return Ok(());
+    }
+    Err(Failure::bad_input(format!(
+        "--output {path}: {rows} rows of {columns} columns are {cells} cells; a workbook is written with at most {MOST_CELLS}; \
+         write .csv or .parquet"
+    )))
 }
 
 fn unwritten(path: &str, error: &XlsxError) -> Failure {

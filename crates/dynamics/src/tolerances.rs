@@ -230,6 +230,10 @@ pub(crate) const REDUNDANCY_LIMIT: usize = 400;
 pub(crate) const CLOSED_AS_DRAWN: f64 = 1e-9;
 /// Largest number of iterations of a correction. Newton's method needs about five, a damped method some tens.
 pub(crate) const CORRECTION_ITERATIONS: usize = 60;
+/// Most work of these iterations, in cubes of a group's coordinates: all of them up to 100 coordinates.
+pub(crate) const CORRECTION_WORK: usize = 60_000_000;
+/// Fewest iterations, however large the group is: those of Newton's method, some of them damped.
+pub(crate) const FEWEST_CORRECTION_ITERATIONS: usize = 20;
 /// Largest closing motion of a loop, as a multiple of its residual as drawn. A longer motion follows a direction that
 /// is caused by the residual itself.
 pub(crate) const COMMENSURATE: f64 = 100.0;
@@ -292,6 +296,11 @@ pub(crate) const ADVANCE_CORRECTIONS: usize = 8;
 pub(crate) const SAME_POSE: f64 = 1e-5;
 /// Number of seeded starts before a group fails to close.
 pub(crate) const FIRST_STARTS: u64 = 24;
+/// Largest work of these starts: rows times the squared number of a group's coordinates. All starts up to 65 coordinates
+/// with three times as many rows.
+pub(crate) const FIRST_STARTS_WORK: u64 = 20_000_000;
+/// Fewest starts, however large the group is: the drawn pose, with the declared drivers fixed and with all coordinates free.
+pub(crate) const FEWEST_FIRST_STARTS: u64 = 2;
 /// Perturbations of these starts, rad or relative to the size.
 pub(crate) const FIRST_STARTS_ASIDE: [f64; 6] = [0.01, 0.1, 0.3, 1.0, 3.0, 2.0];
 /// Number of seeded poses near the first one in the search for the generic rank.

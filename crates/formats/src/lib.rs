@@ -59,7 +59,7 @@ mod transmission;
 mod write;
 
 pub use diagnostic::{Diagnostic, LoadError};
-pub use load::{LoadOptions, Loaded, load};
+pub use load::{KNOWN_WARNING, LoadOptions, Loaded, load};
 pub use mesh::{DEFAULT_MAX_MESH_SIZE, MeshError, MeshFolders, Triangles, read_mesh};
 pub use shape::{Purpose, Shape, Solid};
 pub use source::{DEFAULT_MAX_SIZE, Source};

@@ -88,8 +88,12 @@ pub(crate) const MOMENT_SLACK: f64 = 1e-9;
 
 // Meshes.
 
+/// Vertices of one mesh: three for each triangle.
+pub(crate) const MOST_MESH_POSITIONS: usize = 3 * MOST_TRIANGLES;
 /// Triangles of one mesh: 360 MB of corners. The finest robot meshes have some hundred thousand.
 pub(crate) const MOST_TRIANGLES: usize = 5_000_000;
+/// Numbers of the lists in one COLLADA file, positions and indices: twelve for each triangle.
+pub(crate) const MOST_MESH_NUMBERS: usize = 12 * MOST_TRIANGLES;
 /// Nodes of a COLLADA scene within one another, and all that are visited: instances may repeat one another.
 pub(crate) const DEEPEST_NODES: usize = 64;
 pub(crate) const MOST_SCENE_NODES: usize = 100_000;
@@ -102,10 +106,22 @@ pub(crate) const NO_VOLUME: f64 = 1e-9;
 
 /// Keys of a sheet, rows of a table: templates have below 100; keys are searched one after another.
 pub(crate) const MOST_SHEET_KEYS: usize = 1000;
+/// Bytes of a sheet in TOML: templates have 5 kB. The parser takes some hundred bytes of memory for each value.
+pub(crate) const LARGEST_SHEET: usize = 4 << 20;
 /// Columns of a table that are read: a key, three to six numbers, remarks.
 pub(crate) const WIDEST_TABLE: usize = 64;
-/// Bytes of a workbook: compressed at most a thousandfold, its texts stay below 512 MiB. A table of hardpoints has some 10 kB.
+/// Bytes of a workbook. A table of hardpoints has some 10 kB.
 pub(crate) const LARGEST_WORKBOOK: usize = 512 << 10;
+/// Bytes of a workbook's parts, unpacked: usual workbooks are compressed five- to twentyfold.
+pub(crate) const LARGEST_UNPACKED_WORKBOOK: usize = 16 << 20;
+/// Parts of a workbook: a sheet has a few, and each picture one.
+pub(crate) const MOST_WORKBOOK_PARTS: usize = 10_000;
+/// Cell formats of a workbook, twice as many as spreadsheet programs allow: `xf` is counted in the text of the part.
+pub(crate) const MOST_CELL_FORMATS: usize = 1 << 17;
+/// Bytes of all cell formats, each as long as the longest element of their part.
+pub(crate) const LARGEST_CELL_FORMATS: usize = 64 << 20;
+/// Bytes of the texts in the cells that are read: a name and remarks in each row.
+pub(crate) const MOST_TABLE_TEXT: usize = 16 << 20;
 /// Cells of a worksheet that are looked at.
 pub(crate) const LARGEST_WORKSHEET: usize = 1_000_000;
 /// How far a hardpoint of one side may lie beyond the vehicle's middle plane, m: tie rods and bars come close to it.

@@ -109,11 +109,16 @@ fn read(text: &str, options: &LoadOptions, report: &mut Report) -> Option<(Mecha
     mechanism.map(|mechanism| (mechanism, shapes))
 }
 
+/// Code of the warning that an imported model may mark as known: importers give it with its place in the suspension's file.
+pub const KNOWN_WARNING: &str = "triangle-inequality";
+
 /// The warnings of links that were given when the file was made: `<?percuss-known CODE NAME?>` above the robot.
 fn known_warnings<'a>(document: &'a Document<'_>) -> HashSet<(&'a str, &'a str)> {
     let instructions = document.root().children().filter_map(|node| node.pi());
     let known = instructions.filter(|pi| pi.target == "percuss-known").filter_map(|pi| pi.value);
-    known.filter_map(|value| value.trim().split_once(' ')).collect()
+    let known = known.filter_map(|value| value.trim().split_once(' '));
+    // A file may not silence other warnings.
+    known.filter(|(code, _)| *code == KNOWN_WARNING).collect()
 }
 
 /// Reports text that is no XML.

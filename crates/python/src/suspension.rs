@@ -44,10 +44,10 @@ fn side(name: &str) -> PyResult<Side> {
 ///
 /// side: "left", "right" or "both". unit: "m", "cm", "mm", "in"; axes: "iso", "adams"; template: values that the file
 /// does not state. wheel: (mass kg, (Ixx, Iyy, Izz) kg·m² about its centre, radius m or None). rack_mass: mass of a
-/// sliding rack, kg. move: hardpoints of a sheet that are moved: name to (3,) m, in the sheet's own axes. Warnings and
-/// errors as for load.
+/// sliding rack, kg. move: hardpoints of a sheet that are moved: name to (3,) m, in the sheet's own axes. allow_outside:
+/// the sheet may name a table of points outside its folder. Warnings and errors as for load.
 #[pyfunction]
-#[pyo3(signature = (path, *, side=None, unit=None, axes=None, template=None, wheel=None, rack_mass=None, r#move=None))]
+#[pyo3(signature = (path, *, side=None, unit=None, axes=None, template=None, wheel=None, rack_mass=None, r#move=None, allow_outside=false))]
 #[allow(clippy::too_many_arguments, clippy::type_complexity, reason = "the options of the command")]
 pub fn load_suspension(
     py: Python<'_>,
@@ -59,6 +59,7 @@ pub fn load_suspension(
     wheel: Option<(f64, [f64; 3], Option<f64>)>,
     rack_mass: Option<f64>,
     r#move: Option<std::collections::BTreeMap<String, [f64; 3]>>,
+    allow_outside: bool,
 ) -> PyResult<Model> {
     let options = ImportOptions {
         unit: unit.map(self::unit).transpose()?,
@@ -68,6 +69,7 @@ pub fn load_suspension(
         moves: r#move.unwrap_or_default().into_iter().collect(),
         wheel: wheel.map(|(mass, inertia, radius)| Wheel { mass, inertia, radius }),
         rack: rack_mass.map(|mass| Rack::Sliding { mass }),
+        allow_outside,
         ..ImportOptions::default()
     };
     let source = Source::read(&path.to_string_lossy(), DEFAULT_MAX_SIZE).map_err(errors::load)?;

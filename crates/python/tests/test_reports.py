@@ -188,6 +188,18 @@ def test_suspension_sheets(path, tmp_path) -> None:  # type: ignore[no-untyped-d
             assert there.effective_mass == pytest.approx(here.effective_mass, rel=1e-9)
 
 
+def test_a_table_of_points_is_in_the_folder_of_its_sheet(tmp_path: Path) -> None:
+    folder = ROOT / "models/suspensions"
+    (tmp_path / "sheets").mkdir()
+    (tmp_path / "points.xlsx").write_bytes((folder / "double-wishbone-points.xlsx").read_bytes())
+    text = (folder / "double-wishbone-with-table.toml").read_text()
+    sheet = tmp_path / "sheets/my.toml"
+    sheet.write_text(text.replace("double-wishbone-points.xlsx", "../points.xlsx"))
+    with pytest.raises(percuss.LoadError, match="allow_outside"):
+        percuss.load_suspension(sheet)
+    assert "upright" in percuss.load_suspension(sheet, allow_outside=True).links
+
+
 def test_suspension_options_and_templates() -> None:
     names = [name for name, _ in percuss.suspension_templates()]
     assert len(SHEETS) >= 10 and "double-wishbone" in names

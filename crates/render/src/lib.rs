@@ -42,6 +42,7 @@ mod limits;
 mod marks;
 mod palette;
 mod pdf;
+mod pdf_objects;
 mod raster;
 mod scene;
 mod sheet;

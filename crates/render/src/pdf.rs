@@ -1,6 +1,7 @@
 //! Writes a scene as PDF: vector content by svg2pdf, images below it.
 
 use crate::backend::{MADE_BY, RenderError, tree};
+use crate::pdf_objects::in_order_of_use;
 use crate::scene::{Item, Scene};
 use crate::svg;
 use pdf_writer::{Content, Filter, Finish, Name, Pdf, Rect, Ref};
@@ -17,7 +18,8 @@ pub(crate) fn write(scene: &Scene) -> Result<Vec<u8>, RenderError> {
     let mut next = Ref::new(1);
     let [catalog, pages, page, contents] = std::array::from_fn(|_| next.bump());
     let mut ids = HashMap::new();
-    let drawn = drawn.renumber(|old| *ids.entry(old).or_insert_with(|| next.bump()));
+    let drawn =
+        in_order_of_use(&drawn, drawn_id).renumber(|old| *ids.entry(old).or_insert_with(|| next.bump()));
     let drawn_id = *ids.get(&drawn_id).unwrap_or(&drawn_id);
     let images = scene.items.iter().filter_map(|item| match item {
         Item::Image { at, size, pixels, columns } => Some((*at, *size, pixels, *columns, next.bump())),

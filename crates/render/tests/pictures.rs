@@ -243,3 +243,26 @@ fn a_pdf_has_its_fonts_and_its_mark() {
     let has = |word: &[u8]| bytes.windows(word.len()).any(|w| w == word);
     assert!(has(b"Roboto") && has(b"/FontFile") && has(percuss_render::MADE_BY.as_bytes()));
 }
+
+/// Hash tables of the library have another order in every call.
+#[test]
+fn a_pdf_has_the_same_bytes_each_time_and_its_table_of_objects_is_right() {
+    let first = sweep().to_pdf().unwrap();
+    for _ in 0..8 {
+        assert!(sweep().to_pdf().unwrap() == first, "two PDFs of one figure differ");
+    }
+    let text = String::from_utf8_lossy(&first);
+    let table = first.windows(6).rposition(|w| w == b"\nxref\n").unwrap() + 6;
+    let table = String::from_utf8_lossy(&first[table..]);
+    let in_use = table
+        .lines()
+        .take_while(|line| !line.starts_with("trailer"))
+        .filter(|l| l.ends_with("n") || l.ends_with("n "));
+    let offsets: Vec<usize> = in_use.map(|line| line[..10].parse().unwrap()).collect();
+    assert!(offsets.len() > 8, "{table}");
+    for offset in offsets {
+        let object = String::from_utf8_lossy(&first[offset..offset + 20]).into_owned();
+        assert!(object.contains(" 0 obj"), "{object:?} at {offset}");
+    }
+    assert_eq!(text.matches("/FontFile2").count(), 2);
+}

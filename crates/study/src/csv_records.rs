@@ -42,8 +42,14 @@ impl<R: BufRead> Records<R> {
             if !self.read_line()? {
                 return Ok(false);
             }
-            // A line break within quotes belongs to a cell.
-            while self.bytes.iter().filter(|byte| **byte == b'"').count() % 2 == 1 {
+            // A line break within quotes belongs to a cell. Each byte is looked at once.
+            let (mut in_quotes, mut counted) = (false, 0);
+            loop {
+                in_quotes ^= self.bytes[counted..].iter().filter(|byte| **byte == b'"').count() % 2 == 1;
+                counted = self.bytes.len();
+                if !in_quotes {
+                    break;
+                }
                 if !self.read_line()? {
                     return Err(self.fault(TableFault::OpenQuote));
                 }

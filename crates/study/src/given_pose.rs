@@ -3,13 +3,16 @@
 use crate::field::Names;
 use crate::model::{Input, Model, hexadecimal};
 use crate::position::GivenPosition;
+use crate::shown::cut;
 use crate::study_value;
 use percuss_formats::Source;
 use percuss_mechanism::{Joint, Mechanism};
-use serde::Deserialize;
+use serde::de::{Error, MapAccess, SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
 
 /// Positions of joints from a file.
 #[derive(Clone, Debug, PartialEq)]
@@ -110,6 +113,63 @@ struct InputText {
 #[derive(Deserialize)]
 struct Joints(#[serde(deserialize_with = "study_value::positions")] BTreeMap<String, GivenPosition>);
 
+/// JSON whose objects have each key once. Of a repeated key the parser keeps the last value without a message.
+struct UniqueKeys;
+
+impl<'de> Deserialize<'de> for UniqueKeys {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        from.deserialize_any(Self)
+    }
+}
+
+impl<'de> Visitor<'de> for UniqueKeys {
+    type Value = Self;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("JSON")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self, A::Error> {
+        let mut keys = BTreeSet::new();
+        while let Some(key) = map.next_key::<String>()? {
+            let UniqueKeys = map.next_value()?;
+            if let Some(key) = keys.replace(key) {
+                return Err(A::Error::custom(format!("the key \"{}\" is given twice", cut(&key))));
+            }
+        }
+        Ok(self)
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Self, A::Error> {
+        while let Some(UniqueKeys) = list.next_element()? {}
+        Ok(self)
+    }
+
+    fn visit_unit<E>(self) -> Result<Self, E> {
+        Ok(self)
+    }
+
+    fn visit_bool<E>(self, _: bool) -> Result<Self, E> {
+        Ok(self)
+    }
+
+    fn visit_i64<E>(self, _: i64) -> Result<Self, E> {
+        Ok(self)
+    }
+
+    fn visit_u64<E>(self, _: u64) -> Result<Self, E> {
+        Ok(self)
+    }
+
+    fn visit_f64<E>(self, _: f64) -> Result<Self, E> {
+        Ok(self)
+    }
+
+    fn visit_str<E>(self, _: &str) -> Result<Self, E> {
+        Ok(self)
+    }
+}
+
 impl GivenPose {
     /// Reads a file of at most `max_size` bytes: an answer's JSON, whose `pose` is taken, or an object with a position
     /// (a number, a list, text with units) for each joint. `-` is the standard input.
@@ -121,11 +181,13 @@ impl GivenPose {
             .map_err(|error| GivenPoseError::Unreadable { message: error.to_string() })?;
         let path = source.name.clone();
         let bytes = source.bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(&source.bytes);
-        let value: Value = serde_json::from_slice(bytes).map_err(|error| GivenPoseError::NotJson {
+        let not_json = |error: serde_json::Error| GivenPoseError::NotJson {
             path: path.clone(),
             line: error.line(),
             message: error.to_string(),
-        })?;
+        };
+        let value: Value = serde_json::from_slice(bytes).map_err(not_json)?;
+        let UniqueKeys = serde_json::from_slice(bytes).map_err(not_json)?;
         let none = |got: &str| GivenPoseError::NoPositions { path: path.clone(), got: got.to_owned() };
         let wrong = |error: serde_json::Error| GivenPoseError::Position {
             path: path.clone(),

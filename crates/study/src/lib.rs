@@ -59,6 +59,7 @@ mod rows;
 mod safe_speed;
 mod setting;
 mod sheet;
+mod shown;
 mod simulators;
 mod stages;
 mod starter;

@@ -27,7 +27,7 @@ pub struct PositionFile {
     pub path: String,
     /// Columns that are left out.
     pub ignore: Vec<String>,
-    /// No more bytes are taken from the standard input.
+    /// No more bytes are taken from the standard input, a pipe or a device.
     pub max_size: u64,
 }
 

@@ -1,5 +1,6 @@
 //! A suspension's file in memory, to be imported again with points moved.
 
+use crate::thresholds::LARGEST_STUDY;
 use percuss_formats::suspension::{ImportOptions, Imported, import};
 use percuss_formats::{LoadError, Source};
 use percuss_mechanism::Accept;
@@ -17,7 +18,7 @@ const SHEETS: [&str; 4] = ["toml", "csv", "xlsx", "json"];
 
 /// Whether a file is a study: TOML with a table `model`.
 pub(crate) fn is_study(source: &Source) -> bool {
-    let text = std::str::from_utf8(&source.bytes).ok();
+    let text = std::str::from_utf8(&source.bytes).ok().filter(|text| text.len() as u64 <= LARGEST_STUDY);
     let table = text.and_then(|text| text.parse::<toml::Table>().ok());
     table.is_some_and(|table| table.get("model").is_some_and(toml::Value::is_table))
 }

@@ -13,17 +13,23 @@ use crate::record::DiagnosticRecord;
 use crate::refusal::Refusal;
 use crate::row_source::RowSource;
 use crate::sheet::is_study;
+use crate::shown::cut;
 use crate::study_keys::{StudyKeys, UnknownKey};
 use crate::study_map::StudyMap;
 use crate::study_mass::StudyMass;
 use crate::study_safe_speed::StudySafeSpeed;
 use crate::study_sweep::{StudyFigure, StudyTable};
 use crate::study_text::{ModelText, StudyText};
-use crate::variant::{Variant, changes};
+use crate::thresholds::{
+    LARGEST_STUDY, LARGEST_VARIANTS, LONGEST_LINE_SHOWN, MOST_VARIANT_LINKS, MOST_VARIANTS,
+};
+use crate::variant::{OtherModels, Variant, changes};
 use percuss_contact::exports::StopMotion;
 use percuss_formats::{LoadError, LoadOptions, Source};
 use percuss_mechanism::{Accept, BuildError, ClosureDescription, ClosureKind, Severity, Subject};
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// A study, read but not yet run.
 #[derive(Clone, Debug)]
@@ -100,12 +106,14 @@ pub enum StudyFileError {
         message: String,
     },
     /// Keys that mean nothing.
-    #[error("{}", lines_of(path, keys))]
+    #[error("{}", lines_of(path, keys, *more))]
     Keys {
         /// The file.
         path: String,
-        /// All of them.
+        /// The first of them, in the order of the file.
         keys: Vec<UnknownKey>,
+        /// Number of further ones.
+        more: usize,
     },
     /// A value that cannot be.
     #[error("{path}{}: error: {key}: {why}", at_line(*line))]
@@ -134,9 +142,10 @@ fn at_line(line: Option<usize>) -> String {
 }
 
 /// A line for each key that means nothing; what is in the keys does not begin one.
-fn lines_of(path: &str, keys: &[UnknownKey]) -> String {
+fn lines_of(path: &str, keys: &[UnknownKey], more: usize) -> String {
     let line = |k: &UnknownKey| format!("{path}:{}: error: unknown key {:?}; {}", k.line, k.key, k.hint);
-    keys.iter().map(line).collect::<Vec<_>>().join("\n")
+    let more = (more > 0).then(|| format!("{path}: error: {more} more unknown keys"));
+    keys.iter().map(line).chain(more).collect::<Vec<_>>().join("\n")
 }
 
 /// What the parser or a reader of values says, with the line and the key.
@@ -147,8 +156,10 @@ fn not_read(path: &str, keys: &StudyKeys, text: &str, error: &toml::de::Error) -
     let line = 1 + text.bytes().take(span.start).filter(|byte| *byte == b'\n').count();
     let shown = error.to_string();
     // Of "TOML parse error at …", the lines of the file.
-    let lines: Vec<&str> = shown.trim_end().lines().skip(1).filter(|l| l.contains('|')).collect();
-    let message = format!("{key}{}\n{}", error.message().trim().replace('\n', "; "), lines.join("\n"));
+    let is_shown = |line: &&str| line.contains('|') && line.len() <= LONGEST_LINE_SHOWN;
+    let lines: Vec<&str> = shown.trim_end().lines().skip(1).filter(is_shown).collect();
+    let why = error.message().trim().replace('\n', "; ");
+    let message = format!("{key}{}\n{}", cut(&why), lines.join("\n"));
     StudyFileError::Toml { path: path.to_owned(), line, message: message.trim_end().to_owned() }
 }
 
@@ -158,7 +169,7 @@ impl StudyFile {
     /// # Errors
     /// [`StudyFileError`]: files that cannot be read, keys that mean nothing, values that cannot be.
     pub fn load(path: &str, max_size: u64) -> Result<Self, StudyFileError> {
-        let source = Source::read(path, max_size)?;
+        let source = Source::read(path, max_size.min(LARGEST_STUDY))?;
         let path = source.name.clone();
         let text = String::from_utf8(source.bytes.clone())
             .map_err(|_| StudyFileError::NotText { path: path.clone() })?;
@@ -170,8 +181,8 @@ impl StudyFile {
             };
             StudyFileError::Toml { path, line, message: format!("not TOML: {message}") }
         })?;
-        if !unknown.is_empty() {
-            return Err(StudyFileError::Keys { path, keys: unknown });
+        if !unknown.first.is_empty() {
+            return Err(StudyFileError::Keys { path, keys: unknown.first, more: unknown.more });
         }
         let study: StudyText =
             toml::from_str(&text).map_err(|error| not_read(&path, &keys, &text, &error))?;
@@ -180,7 +191,9 @@ impl StudyFile {
 
     /// Whether a file is a study: TOML with a table `model`.
     pub fn is_study(path: &str, max_size: u64) -> bool {
-        Source::read(path, max_size).is_ok_and(|source| is_study(&source))
+        // A pipe can be read only once, by whoever takes it for a model.
+        std::fs::metadata(path).is_ok_and(|found| found.is_file())
+            && Source::read(path, max_size).is_ok_and(|source| is_study(&source))
     }
 
     /// The designs of the study: its model under a name, then its variants; none where it asks for no contact.
@@ -256,15 +269,7 @@ impl Reading<'_> {
         let options = LoadOptions { accept };
         let model = self.model(study, source, folder, &options)?;
         let question = study.question(folder, max_size).map_err(refused)?;
-        let mut variants: Vec<Variant> = Vec::new();
-        for (i, text) in study.variant.iter().enumerate() {
-            if variants.iter().any(|variant| variant.name == text.name) {
-                let why = format!("\"{}\" is given twice", text.name);
-                return Err(self.value("variant.name", &format!("variant[{i}].name"), why));
-            }
-            let variant = text.variant(&model, &question, folder, max_size, &options);
-            variants.push(variant.map_err(|error| self.design(Some((i, &text.name)), error))?);
-        }
+        let variants = self.variants(study, &model, &question, folder, &options)?;
         let place = |path: &String| folder.join(path).to_string_lossy().into_owned();
         let sweep = match &study.sweep {
             None => None,
@@ -327,6 +332,54 @@ impl Reading<'_> {
             folder: folder.to_owned(),
             keys: self.keys.clone(),
         })
+    }
+
+    /// The variants of the study, within the limits of their number and their memory.
+    fn variants(
+        &self,
+        study: &StudyText,
+        model: &Model,
+        question: &MassQuestion,
+        folder: &Path,
+        options: &LoadOptions,
+    ) -> Result<Vec<Variant>, StudyFileError> {
+        if study.variant.is_empty() {
+            return Ok(Vec::new());
+        }
+        let refuse = |i: usize, key, why| Err(self.value(key, &format!("variant[{i}].name"), why));
+        // Each variant holds a copy of the question and of the changes; their text is about as long as they are in memory.
+        let copied = format!("{question:?}{:?}", model.origin.changes).len();
+        let most = MOST_VARIANTS.min(LARGEST_VARIANTS / copied.max(1));
+        if study.variant.len() > most {
+            let why = format!(
+                "{} variants; at most {most} are read (of questions as long as this one): divide the study",
+                study.variant.len()
+            );
+            return refuse(most, "variant", why);
+        }
+        let mut loaded = OtherModels::new(self.max_size, options);
+        let (mut names, mut links, mut variants) = (BTreeSet::new(), 0, Vec::new());
+        for (i, text) in study.variant.iter().enumerate() {
+            if !names.insert(&text.name) {
+                return refuse(i, "variant.name", format!("\"{}\" is given twice", cut(&text.name)));
+            }
+            let variant = text
+                .variant(model, question, folder, &mut loaded)
+                .map_err(|error| self.design(Some((i, &text.name)), error))?;
+            if !Arc::ptr_eq(&variant.model.mechanism, &model.mechanism) {
+                links += variant.model.mechanism.links().len();
+            }
+            if links > MOST_VARIANT_LINKS {
+                let why = format!(
+                    "\"{}\": the models of the variants up to this one have {links} links together; at most \
+                     {MOST_VARIANT_LINKS} are read: divide the study",
+                    cut(&text.name)
+                );
+                return refuse(i, "variant", why);
+            }
+            variants.push(variant);
+        }
+        Ok(variants)
     }
 
     /// The model with what the study changes, and with its closures.
@@ -397,5 +450,5 @@ fn with_closures(model: Model, path: &str, closures: Vec<ClosureDescription>) ->
         }
     }
     let origin = Origin { closures: added, ..model.origin };
-    Ok(Model { mechanism: std::sync::Arc::new(built.mechanism), diagnostics, origin, ..model })
+    Ok(Model { mechanism: Arc::new(built.mechanism), diagnostics, origin, ..model })
 }

@@ -1,20 +1,44 @@
 //! Where the keys of a study file stand, and which of them mean nothing: with the one that is nearest.
 
+use crate::shown::cut;
 use crate::study_schema::{alternatives, properties, study_keys, study_schema};
-use serde_json::Value;
+use serde_json::{Map, Value};
 use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
 /// Suggestions for a key that means nothing: more are no help.
 const SUGGESTIONS: usize = 2;
+/// Unknown keys that are reported; the others are counted.
+const REPORTED: usize = 50;
+/// Bytes of a key that is compared with the known ones: the comparison costs their product, and known keys are shorter.
+const LONGEST_COMPARED: usize = 64;
 
 /// The keys of a study file, and where they stand.
 #[derive(Clone, Debug, Default)]
 pub struct StudyKeys {
-    /// The key with its tables, `variant[1].name` for those of lists, and its bytes and those of its value.
-    places: Vec<(String, Range<usize>, Range<usize>)>,
+    /// Keys and elements of lists, each after the one that holds it.
+    places: Vec<Place>,
     /// Where lines begin, bytes.
     lines: Vec<usize>,
+}
+
+/// A key, or an element of a list. Its path follows from the places above it, so that memory is linear in the file.
+#[derive(Clone, Debug)]
+struct Place {
+    /// The table or list that holds it; `None` at the top.
+    above: Option<usize>,
+    step: Step,
+    /// Bytes of the key, or of the element.
+    at: Range<usize>,
+    /// Bytes of the value.
+    value: Range<usize>,
+}
+
+/// Last part of a path.
+#[derive(Clone, Debug)]
+enum Step {
+    Key(Box<str>),
+    Item(usize),
 }
 
 /// A key that means nothing.
@@ -28,20 +52,32 @@ pub struct UnknownKey {
     pub hint: String,
 }
 
+/// Keys that mean nothing: the first ones, and how many more there are.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct UnknownKeys {
+    pub first: Vec<UnknownKey>,
+    pub more: usize,
+}
+
+/// Unknown keys by place, with the keys that are known there.
+type Unknown = Vec<(usize, &'static Map<String, Value>)>;
+
 impl StudyKeys {
     /// The places of all keys, and the keys that mean nothing.
     ///
     /// # Errors
     /// Text that is no TOML.
-    pub(crate) fn of(text: &str) -> Result<(Self, Vec<UnknownKey>), toml::de::Error> {
+    pub(crate) fn of(text: &str) -> Result<(Self, UnknownKeys), toml::de::Error> {
         let document = DeTable::parse(text)?;
         let begins = |(at, byte): (usize, u8)| (byte == b'\n').then_some(at + 1);
         let lines = [0].into_iter().chain(text.bytes().enumerate().filter_map(begins)).collect();
         let mut keys = Self { places: Vec::new(), lines };
-        let mut unknown = Vec::new();
-        keys.walk(document.get_ref(), Some(study_schema()), ("", ""), &mut unknown);
-        unknown.sort_by_key(|key| key.line);
-        Ok((keys, unknown))
+        let mut unknown = Unknown::new();
+        keys.walk(document.get_ref(), Some(study_schema()), None, &mut unknown);
+        unknown.sort_by_key(|(place, _)| keys.places[*place].at.start);
+        let first = unknown.iter().take(REPORTED).map(|(place, known)| keys.unknown(*place, known)).collect();
+        let more = unknown.len().saturating_sub(REPORTED);
+        Ok((keys, UnknownKeys { first, more }))
     }
 
     /// The line of a byte, from 1.
@@ -53,60 +89,114 @@ impl StudyKeys {
     pub fn line_of(&self, key: &str) -> Option<usize> {
         let mut key = key;
         loop {
-            if let Some((_, place, _)) = self.places.iter().find(|(name, ..)| name == key) {
-                return Some(self.line_at(place.start));
+            if let Some(place) = (0..self.places.len()).find(|place| self.is_path_of(*place, key)) {
+                return Some(self.line_at(self.places[place].at.start));
             }
             key = key.rsplit_once('.')?.0;
         }
     }
 
-    /// The innermost key whose value holds these bytes.
-    pub(crate) fn key_at(&self, bytes: &Range<usize>) -> Option<&str> {
-        let holds = |(_, _, value): &&(String, Range<usize>, Range<usize>)| {
+    /// The innermost key whose value holds these bytes, cut if it is long.
+    pub(crate) fn key_at(&self, bytes: &Range<usize>) -> Option<String> {
+        let holds = |place: &usize| {
+            let value = &self.places[*place].value;
             value.start <= bytes.start && bytes.end <= value.end
         };
-        let innermost = self.places.iter().filter(holds).min_by_key(|(.., value)| value.len());
-        innermost.map(|(name, ..)| name.as_str())
+        let innermost =
+            (0..self.places.len()).filter(holds).min_by_key(|place| self.places[*place].value.len());
+        innermost.map(|place| self.path(place, true))
+    }
+
+    /// The path of a place, `variant[1].name`, cut if it is long; without `items` it leaves out the numbers in brackets.
+    fn path(&self, place: usize, items: bool) -> String {
+        let mut steps = Vec::new();
+        let mut next = Some(place);
+        while let Some(at) = next {
+            steps.push(&self.places[at].step);
+            next = self.places[at].above;
+        }
+        let mut path = String::new();
+        for step in steps.into_iter().rev() {
+            match step {
+                Step::Key(name) if path.is_empty() => path.push_str(&cut(name)),
+                Step::Key(name) => path.extend([".", &cut(name)]),
+                Step::Item(number) if items => path.push_str(&format!("[{number}]")),
+                Step::Item(_) => {}
+            }
+        }
+        cut(&path).into_owned()
+    }
+
+    /// True if `key` is the whole path of a place.
+    fn is_path_of(&self, place: usize, key: &str) -> bool {
+        let (mut place, mut rest) = (place, key);
+        loop {
+            let Place { above, step, .. } = &self.places[place];
+            let before = match step {
+                Step::Key(name) => rest.strip_suffix(&**name),
+                Step::Item(number) if rest.ends_with(']') => rest.strip_suffix(&*format!("[{number}]")),
+                Step::Item(_) => None,
+            };
+            rest = match (before, above, step) {
+                (Some(before), None, _) => return before.is_empty(),
+                (Some(before), Some(_), Step::Item(_)) => before,
+                (Some(before), Some(_), Step::Key(_)) => match before.strip_suffix('.') {
+                    Some(before) => before,
+                    None => return false,
+                },
+                (None, ..) => return false,
+            };
+            place = above.unwrap_or(place);
+        }
+    }
+
+    /// What is reported of an unknown key.
+    fn unknown(&self, place: usize, known: &Map<String, Value>) -> UnknownKey {
+        let Place { above, step, at, .. } = &self.places[place];
+        let Step::Key(name) = step else { unreachable!("elements of lists have no name") };
+        let table = above.map_or_else(String::new, |above| self.path(above, false));
+        let possible: Vec<&str> = known.keys().map(String::as_str).collect();
+        let hint = hint(name, &table, &possible);
+        UnknownKey { key: self.path(place, false), line: self.line_at(at.start), hint }
+    }
+
+    fn add(&mut self, above: Option<usize>, step: Step, at: Range<usize>, value: Range<usize>) -> usize {
+        self.places.push(Place { above, step, at, value });
+        self.places.len() - 1
     }
 
     /// A table; `schema` is none where any key may stand.
     fn walk(
         &mut self,
         table: &DeTable,
-        schema: Option<&Value>,
-        (path, plain): (&str, &str),
-        unknown: &mut Vec<UnknownKey>,
+        schema: Option<&'static Value>,
+        above: Option<usize>,
+        unknown: &mut Unknown,
     ) {
         let all = schema.map(alternatives).unwrap_or_default();
         let known = all.iter().find_map(|one| properties(one));
         for (key, value) in table {
             let name: &str = key.get_ref();
-            let below = |path: &str| if path.is_empty() { name.to_owned() } else { format!("{path}.{name}") };
-            let (path, plain) = (below(path), below(plain));
-            self.places.push((path.clone(), key.span(), value.span()));
+            let place = self.add(above, Step::Key(name.into()), key.span(), value.span());
             let of_key = match known {
                 Some(known) => match known.get(name) {
                     Some(of_key) => Some(of_key),
                     None => {
-                        let table = plain.rsplit_once('.').map_or("", |(table, _)| table);
-                        let possible: Vec<&str> = known.keys().map(String::as_str).collect();
-                        let hint = hint(name, table, &possible);
-                        unknown.push(UnknownKey { key: plain, line: self.line_at(key.span().start), hint });
+                        unknown.push((place, known));
                         continue;
                     }
                 },
                 None => None,
             };
             match value.get_ref() {
-                DeValue::Table(table) => self.walk(table, of_key, (&path, &plain), unknown),
+                DeValue::Table(table) => self.walk(table, of_key, Some(place), unknown),
                 DeValue::Array(list) => {
                     let items = of_key.map(alternatives).unwrap_or_default();
                     let items = items.into_iter().find_map(|one| one.get("items"));
                     for (i, one) in list.iter().enumerate() {
-                        let path = format!("{path}[{i}]");
-                        self.places.push((path.clone(), one.span(), one.span()));
+                        let place = self.add(Some(place), Step::Item(i), one.span(), one.span());
                         if let DeValue::Table(table) = one.get_ref() {
-                            self.walk(table, items, (&path, &plain), unknown);
+                            self.walk(table, items, Some(place), unknown);
                         }
                     }
                 }
@@ -119,7 +209,7 @@ impl StudyKeys {
 /// What was meant by a key of a table, or what is possible there.
 fn hint(name: &str, table: &str, possible: &[&str]) -> String {
     let whole = |key: &str| if table.is_empty() { key.to_owned() } else { format!("{table}.{key}") };
-    let near = nearest(name, possible);
+    let near = if name.len() > LONGEST_COMPARED { Vec::new() } else { nearest(name, possible) };
     if !near.is_empty() {
         let near: Vec<String> = near.into_iter().map(|key| format!("\"{}\"", whole(key))).collect();
         return format!("did you mean {}?", near.join(" or "));

@@ -214,6 +214,12 @@ fn read_name(
     if name.is_empty() {
         return Err(TableFault::NoName);
     }
+    // Tables are written with an apostrophe before a name that a spreadsheet would take for a formula.
+    if let Some(written) = name.strip_prefix('\'')
+        && written.starts_with(['=', '+', '-', '@', '\t', '\r'])
+    {
+        return read_name(mechanism, known, written);
+    }
     let with_unit = name.strip_suffix(']').and_then(|name| name.rsplit_once('['));
     if let Some((before, unit)) = with_unit
         && let Some(&number) = known.get(before.trim_end())

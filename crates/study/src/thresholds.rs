@@ -25,6 +25,17 @@ pub(crate) const LEAST_OTHER_MASS: f64 = 1e-100;
 pub(crate) const ROWS: RangeInclusive<usize> = 1..=1_000_000;
 /// Rows of a grid: some twenty minutes at 10 µs each. None is kept.
 pub(crate) const GRID_ROWS: usize = 100_000_000;
+/// Bytes of a study file: some hundred bytes a variant. The parser takes some hundred bytes of memory for each value, and a
+/// value may have two.
+pub(crate) const LARGEST_STUDY: u64 = 4 << 20;
+/// Variants of a study: more than any table shows.
+pub(crate) const MOST_VARIANTS: usize = 10_000;
+/// Bytes of the copies of the question in all variants.
+pub(crate) const LARGEST_VARIANTS: usize = 1 << 28;
+/// Links of the mechanisms of all variants together: some 900 MB.
+pub(crate) const MOST_VARIANT_LINKS: usize = 1_000_000;
+/// Bytes of a line of a study that is shown with an error.
+pub(crate) const LONGEST_LINE_SHOWN: usize = 400;
 /// Bytes of a record of a table: a thousand joints with 17 digits take 20 kB.
 pub(crate) const LONGEST_RECORD: usize = 1 << 20;
 /// Bytes of what a Parquet file says of its columns: a thousand columns in a thousand groups of rows take some 100 MB, more

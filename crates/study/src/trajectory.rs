@@ -258,8 +258,8 @@ fn ends_in(path: &str, kind: &str) -> bool {
 /// Where the bytes of a file are.
 enum Bytes<'f> {
     Of(&'f str),
-    /// The standard input, which is read once.
-    Kept(Arc<[u8]>),
+    /// The standard input, a pipe or a device, which is read once, and its name.
+    Kept(&'f str, Arc<[u8]>),
 }
 
 impl<'f> Bytes<'f> {
@@ -268,14 +268,24 @@ impl<'f> Bytes<'f> {
             if !["csv", "parquet"].iter().any(|kind| ends_in(&file.path, kind)) {
                 return Err(TableError::of_file(&file.path, TableFault::Kind));
             }
-            return Ok(Bytes::Of(&file.path));
+            // The file is read several times; a pipe and a device only once, and no further than the limit.
+            if std::fs::metadata(&file.path).map_or(true, |found| found.is_file()) {
+                return Ok(Bytes::Of(&file.path));
+            }
         }
         let (mut bytes, limit) = (Vec::new(), file.max_size);
-        let read = io::stdin().lock().take(limit.saturating_add(1)).read_to_end(&mut bytes);
-        let kept = Bytes::Kept(bytes.into());
+        let read = if file.path == "-" {
+            io::stdin().lock().take(limit.saturating_add(1)).read_to_end(&mut bytes)
+        } else {
+            let opened =
+                File::open(&file.path).map_err(|error| TableError::unreadable(&file.path, &error))?;
+            opened.take(limit.saturating_add(1)).read_to_end(&mut bytes)
+        };
+        let name = if file.path == "-" { "<stdin>" } else { &file.path };
+        let kept = Bytes::Kept(name, bytes.into());
         read.map_err(|error| TableError::unreadable(kept.name(), &error))?;
         match &kept {
-            Bytes::Kept(bytes) if bytes.len() as u64 > limit => {
+            Bytes::Kept(_, bytes) if bytes.len() as u64 > limit => {
                 Err(TableError::of_file(kept.name(), TableFault::TooLarge { limit }))
             }
             _ => Ok(kept),
@@ -285,7 +295,7 @@ impl<'f> Bytes<'f> {
     fn name(&self) -> &'f str {
         match self {
             Bytes::Of(path) => path,
-            Bytes::Kept(_) => "<stdin>",
+            Bytes::Kept(name, _) => name,
         }
     }
 
@@ -295,7 +305,7 @@ impl<'f> Bytes<'f> {
                 let file = File::open(path).map_err(|error| TableError::unreadable(path, &error))?;
                 Box::new(BufReader::with_capacity(1 << 16, file))
             }
-            Bytes::Kept(bytes) => Box::new(Cursor::new(Arc::clone(bytes))),
+            Bytes::Kept(_, bytes) => Box::new(Cursor::new(Arc::clone(bytes))),
         })
     }
 
@@ -306,8 +316,8 @@ impl<'f> Bytes<'f> {
                 let file = File::open(path).map_err(|error| TableError::unreadable(path, &error))?;
                 Stored::File(Mutex::new(file))
             }
-            Bytes::Kept(bytes) if bytes.starts_with(b"PAR1") => Stored::Kept(Arc::clone(bytes)),
-            Bytes::Of(_) | Bytes::Kept(_) => {
+            Bytes::Kept(_, bytes) if bytes.starts_with(b"PAR1") => Stored::Kept(Arc::clone(bytes)),
+            Bytes::Of(_) | Bytes::Kept(..) => {
                 return Ok(Table::Csv(Records::new(self.text()?, self.name())));
             }
         };

@@ -6,7 +6,7 @@ use crate::model::{Input, Model};
 use crate::position::GivenPosition;
 use crate::question::MassQuestion;
 use crate::study_value::{self, NumberOrText, OneOrMany, PositionText, Triple};
-use percuss_formats::LoadOptions;
+use percuss_formats::{LoadError, LoadOptions};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -53,6 +53,29 @@ pub struct Variant {
     pub question: MassQuestion,
 }
 
+/// Models that variants name, each read once.
+pub(crate) struct OtherModels<'a> {
+    max_size: u64,
+    options: &'a LoadOptions,
+    by_path: BTreeMap<String, Model>,
+}
+
+impl<'a> OtherModels<'a> {
+    /// None read yet; each has at most `max_size` bytes.
+    pub fn new(max_size: u64, options: &'a LoadOptions) -> Self {
+        Self { max_size, options, by_path: BTreeMap::new() }
+    }
+
+    fn load(&mut self, path: &str) -> Result<Model, LoadError> {
+        if let Some(model) = self.by_path.get(path) {
+            return Ok(model.clone());
+        }
+        let model = Model::load(path, self.max_size, self.options)?;
+        self.by_path.insert(path.to_owned(), model.clone());
+        Ok(model)
+    }
+}
+
 /// Changes as a study says them.
 pub(crate) fn changes(
     link_mass: &BTreeMap<String, f64>,
@@ -72,13 +95,12 @@ impl VariantText {
         base: &Model,
         question: &MassQuestion,
         folder: &Path,
-        max_size: u64,
-        options: &LoadOptions,
+        loaded: &mut OtherModels<'_>,
     ) -> Result<Variant, DesignError> {
         let other = match &self.model {
             None => base.clone(),
             Some(path) => {
-                let other = Model::load(&folder.join(path).to_string_lossy(), max_size, options)?;
+                let other = loaded.load(&folder.join(path).to_string_lossy())?;
                 // What the study changes and adds holds for its variants.
                 let mut other = other.with_closures_of(base)?.changed(&base.origin.changes)?;
                 other.inputs.extend(base.inputs.iter().skip(1).cloned().collect::<Vec<Input>>());

@@ -111,6 +111,9 @@ pub struct ImportArgs {
     /// Make warnings errors (exit 2).
     #[arg(long, help_heading = FILE)]
     pub strict: bool,
+    /// Let the sheet name a table of points outside its folder.
+    #[arg(long, help_heading = FILE)]
+    pub allow_outside: bool,
 }
 
 /// Flags of `percuss template`.

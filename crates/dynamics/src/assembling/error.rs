@@ -9,8 +9,9 @@ pub enum AssemblyError {
     /// No closed pose was found.
     #[error(
         "the loops do not close: {} is {residual:.3e} m apart at best (a thousandth of the size, {allowed:.1e} m, \
-         would pass as rounding); check its frames and axes, or give a starting pose",
-        quoted(loops)
+         would pass as rounding){}; check its frames and axes, or give a starting pose",
+        quoted(loops),
+        cut_search(*cut)
     )]
     DoesNotClose {
         /// Loops and couplings of the group, the largest residual first.
@@ -19,6 +20,9 @@ pub enum AssemblyError {
         residual: f64,
         /// Largest accepted residual, m.
         allowed: f64,
+        /// If the search was cut short: starting poses that were tried, those of smaller groups, and the coordinates of the
+        /// group, which are the reason.
+        cut: Option<(u64, u64, usize)>,
     },
     /// The drivers cannot reach the requested positions.
     #[error(
@@ -213,6 +217,14 @@ fn what_to_set(drivers: &[String], set: &[String]) -> String {
             quoted(set)
         ),
     }
+}
+
+fn cut_search(cut: Option<(u64, u64, usize)>) -> String {
+    cut.map_or_else(String::new, |(tried, most, coordinates)| {
+        format!(
+            "; the loops bind {coordinates} coordinates together, so that the search was cut short: {tried} starts of {most}"
+        )
+    })
 }
 
 fn after(starts: usize) -> String {

@@ -8,8 +8,8 @@ use crate::mobility::{Drivers, Generic, Rank, independent_rows, rank_of_rows};
 use crate::model::{Group, Model};
 use crate::rows::GroupRows;
 use crate::tolerances::{
-    CLOSED, ELSEWHERE, FARTHEST, FIRST_STARTS, FIRST_STARTS_ASIDE, GENERIC_POSES, GENERIC_POSES_ENOUGH,
-    LARGE_GROUP, ROUNDING, SAME_POSE, SETTLED,
+    CLOSED, ELSEWHERE, FARTHEST, FEWEST_FIRST_STARTS, FIRST_STARTS, FIRST_STARTS_ASIDE, FIRST_STARTS_WORK,
+    GENERIC_POSES, GENERIC_POSES_ENOUGH, LARGE_GROUP, ROUNDING, SAME_POSE, SETTLED,
 };
 use percuss_mechanism::{ClosureKind, JointId};
 
@@ -206,7 +206,15 @@ impl Model {
         let advised: Vec<usize> = all.iter().copied().filter(|at| !declared(at)).collect();
         let mut best: Option<(Vec<f64>, Correction)> = None;
         let start = self.group_positions(group, &kinematics.q);
-        for attempt in 0..FIRST_STARTS {
+        // A start costs some tens of factorisations of the rows.
+        let (rows, columns) = (group.rows as u64, group.coordinates.len() as u64);
+        let affordable = FIRST_STARTS_WORK / (columns * columns * rows.max(columns)).max(1);
+        let starts = affordable.clamp(FEWEST_FIRST_STARTS, FIRST_STARTS);
+        for attempt in 0..starts {
+            // Without declared drivers the second attempt is the first one again.
+            if attempt == 1 && advised.len() == all.len() {
+                continue;
+            }
             self.restore_group(kinematics, group, &start);
             if attempt > 1 {
                 // At a stationary start (Aᵀr = 0 with r ≠ 0), restart from fixed perturbations of increasing size.
@@ -226,7 +234,9 @@ impl Model {
                 best = Some((self.group_positions(group, &kinematics.q), correction));
             }
             // If the residual is within the rounding of a file, no search elsewhere is needed.
-            if attempt >= 1 && best.as_ref().is_some_and(|(_, b)| b.residual <= allowed) {
+            if (attempt >= 1 || advised.len() == all.len())
+                && best.as_ref().is_some_and(|(_, b)| b.residual <= allowed)
+            {
                 break;
             }
         }
@@ -239,7 +249,8 @@ impl Model {
         if let Some(worst) = loops.iter().position(|n| *n == self.row_name(group, correction.worst)) {
             loops.swap(0, worst);
         }
-        Err(AssemblyError::DoesNotClose { loops, residual: correction.residual, allowed })
+        let cut = (starts < FIRST_STARTS).then_some((starts, FIRST_STARTS, group.coordinates.len()));
+        Err(AssemblyError::DoesNotClose { loops, residual: correction.residual, allowed, cut })
     }
 
     /// Searches closed poses around the first closed pose for the generic rank. First the poses are found, then the

@@ -4,7 +4,10 @@ use crate::kinematics::Kinematics;
 use crate::linear::jacobian::{Jacobian, NormalEquations};
 use crate::model::{Group, Model};
 use crate::rows::{GroupRows, largest};
-use crate::tolerances::{COMMENSURATE, CORRECTION_ITERATIONS, FOLLOWED, KEPT_JACOBIAN, ROUNDING};
+use crate::tolerances::{
+    COMMENSURATE, CORRECTION_ITERATIONS, CORRECTION_WORK, FEWEST_CORRECTION_ITERATIONS, FOLLOWED,
+    KEPT_JACOBIAN, ROUNDING,
+};
 
 /// Directions in which a group may be moved.
 #[derive(Clone, Copy)]
@@ -151,7 +154,8 @@ impl Model {
         let mut linear: Option<(Jacobian, Option<NormalEquations>)> = None;
         let mut is_kept = false;
         let (mut next, mut before) = (Vec::with_capacity(group.rows), Vec::new());
-        for _ in 0..CORRECTION_ITERATIONS {
+        let affordable = CORRECTION_WORK / group.coordinates.len().pow(3).max(1);
+        for _ in 0..affordable.clamp(FEWEST_CORRECTION_ITERATIONS, CORRECTION_ITERATIONS) {
             let cost = norm(&here.residuals);
             let worst = largest(&here.residuals).0;
             if cost == 0.0 || worst <= 1e-3 * tolerance {

@@ -181,23 +181,19 @@ impl Jacobian {
         for (r, c, a) in self.entries.iter().filter(|(r, ..)| place[*r] != usize::MAX) {
             columns[*c].push((place[*r], *a));
         }
-        if columns.iter().map(|c| c.len() * c.len()).sum::<usize>() > NORMAL_EQUATIONS_FILL {
+        let products: usize = columns.iter().map(|c| c.len() * c.len()).sum();
+        if products > NORMAL_EQUATIONS_FILL {
             return None;
         }
         let m = right.len();
-        let mut triplets: Vec<Triplet<usize, usize, f64>> = Vec::new();
-        for column in &columns {
-            for (r, a) in column {
-                triplets.extend(column.iter().map(|(k, b)| Triplet::new(*r, *k, a * b)));
-            }
-        }
-        triplets.extend((0..m).map(|r| Triplet::new(r, r, weight * weight)));
-        let gram = SparseColMat::<usize, f64>::try_new_from_triplets(m, m, &triplets).ok()?;
-        let factor = gram.sp_cholesky(Side::Lower).ok()?;
-        let z = factor.solve(Mat::from_fn(m, 1, |r, _| right[r]));
+        let z = if products < m * m {
+            solve_sparse_gram(&columns, right, weight)?
+        } else {
+            solve_dense_gram(&columns, right, weight)?
+        };
         let mut x = vec![0.0; self.columns];
         for (c, column) in columns.iter().enumerate() {
-            x[c] = column.iter().map(|(r, a)| a * z[(*r, 0)]).sum();
+            x[c] = column.iter().map(|(r, a)| a * z[*r]).sum();
         }
         x.iter().all(|x| x.is_finite()).then_some(x)
     }
@@ -240,7 +236,38 @@ impl Jacobian {
     }
 }
 
-/// Complete orthogonal factorisation of J, or of Jᵀ for a wide J.
+/// z with (JJᵀ + w²)z = b. `columns`: rows and values of each column of J. `None` if the matrix is not positive to rounding.
+fn solve_sparse_gram(columns: &[Vec<(usize, f64)>], right: &[f64], weight: f64) -> Option<Vec<f64>> {
+    let m = right.len();
+    let mut triplets: Vec<Triplet<usize, usize, f64>> = Vec::new();
+    for column in columns {
+        for (r, a) in column {
+            triplets.extend(column.iter().map(|(k, b)| Triplet::new(*r, *k, a * b)));
+        }
+    }
+    triplets.extend((0..m).map(|r| Triplet::new(r, r, weight * weight)));
+    let gram = SparseColMat::<usize, f64>::try_new_from_triplets(m, m, &triplets).ok()?;
+    let factor = gram.sp_cholesky(Side::Lower).ok()?;
+    let z = factor.solve(Mat::from_fn(m, 1, |r, _| right[r]));
+    Some((0..m).map(|r| z[(r, 0)]).collect())
+}
+
+/// The same where JJᵀ has more products than places: to sort them would take most of the time.
+fn solve_dense_gram(columns: &[Vec<(usize, f64)>], right: &[f64], weight: f64) -> Option<Vec<f64>> {
+    let m = right.len();
+    let mut gram = Mat::<f64>::zeros(m, m);
+    for column in columns {
+        for (k, b) in column {
+            column.iter().for_each(|(r, a)| gram[(*r, *k)] += a * b);
+        }
+    }
+    (0..m).for_each(|r| gram[(r, r)] += weight * weight);
+    let factor = gram.llt(Side::Lower).ok()?;
+    let z = factor.solve(Mat::from_fn(m, 1, |r, _| right[r]));
+    Some((0..m).map(|r| z[(r, 0)]).collect())
+}
+
+/// By a complete orthogonal factorisation of J, or of Jᵀ where it is wide.
 fn least_norm(jacobian: &Mat<f64>, target: &[f64], floor: f64) -> Vec<f64> {
     let (m, n) = (jacobian.nrows(), jacobian.ncols());
     if n > m {

@@ -1,9 +1,11 @@
 //! Constraints (loops, couplings, held contacts) that contain redundant rows of A.
 
 use crate::tolerances::FAINT_COEFFICIENT;
+use crate::union::Partition;
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 use nalgebra::DMatrix;
+use std::collections::BTreeMap;
 
 /// Sets of names whose rows depend on one another. Names that cannot be separated form one set.
 #[derive(Debug)]
@@ -28,7 +30,7 @@ impl<N: Clone + PartialEq> Redundancy<N> {
         if rank >= m {
             return;
         }
-        let mut together: Vec<usize> = (0..m).collect();
+        let mut together = Partition::new(m);
         let mut redundant = vec![false; m];
         let transposed = Mat::from_fn(n, m, |c, r| rows[(r, c)] / lengths[c]);
         let qr = transposed.col_piv_qr();
@@ -43,38 +45,27 @@ impl<N: Clone + PartialEq> Redundancy<N> {
             for i in (0..rank).filter(|&i| coefficients[(i, k)].abs() > FAINT_COEFFICIENT * largest.max(1.0))
             {
                 redundant[order[i]] = true;
-                join(&mut together, row, order[i]);
+                together.join(row, order[i]);
             }
         }
-        for a in 1..m {
-            // Redundant rows of the same name belong together.
-            for b in (0..a).filter(|&b| redundant[a] && redundant[b] && names[a] == names[b]) {
-                join(&mut together, a, b);
+        // Rows of one name are neighbours; those of them that are redundant go together.
+        let mut before: Option<usize> = None;
+        for row in (0..m).filter(|row| redundant[*row]) {
+            if let Some(before) = before.filter(|before| names[*before] == names[row]) {
+                together.join(before, row);
+            }
+            before = Some(row);
+        }
+        // The root of a set is its first row.
+        let mut sets: BTreeMap<usize, Vec<N>> = BTreeMap::new();
+        for row in (0..m).filter(|row| redundant[*row]) {
+            let set = sets.entry(together.root(row)).or_default();
+            if set.last() != Some(&names[row]) {
+                set.push(names[row].clone());
             }
         }
-        for first in (0..m).filter(|&row| redundant[row] && root(&together, row) == row) {
-            let mut set: Vec<N> = (0..m)
-                .filter(|&row| redundant[row] && root(&together, row) == first)
-                .map(|row| names[row].clone())
-                .collect();
-            set.dedup();
-            self.sets.push(set);
-        }
+        self.sets.extend(sets.into_values());
     }
-}
-
-/// Representative of the set of a row.
-fn root(together: &[usize], mut row: usize) -> usize {
-    while together[row] != row {
-        row = together[row];
-    }
-    row
-}
-
-/// Joins two sets; the smaller root remains.
-fn join(together: &mut [usize], a: usize, b: usize) {
-    let (a, b) = (root(together, a), root(together, b));
-    together[a.max(b)] = a.min(b);
 }
 
 #[cfg(test)]

@@ -3,16 +3,26 @@
 use super::Model;
 use super::cluster::{Cluster, ClusterGroup, ClusterVelocity};
 use crate::union::Partition;
+use std::collections::BTreeSet;
 
 impl Model {
     /// Partitions the bodies into clusters.
     pub(super) fn compile_clusters(&mut self) {
         let mut partition = Partition::new(self.bodies.len());
         let mut bound = vec![false; self.bodies.len()];
+        // Edges of the tree whose two bodies are in one cluster: a later path passes all of them in one step.
+        let mut joined = Partition::new(self.bodies.len());
         for bodies in self.bound_bodies() {
-            let all = self.with_all_between(&bodies);
+            let all = self.with_all_between(&bodies, &mut joined);
             all.iter().for_each(|&b| bound[b] = true);
             all.windows(2).for_each(|pair| partition.join(pair[0], pair[1]));
+            for &body in &all {
+                if let Some(parent) = self.bodies[body].parent
+                    && partition.root(parent) == partition.root(body)
+                {
+                    joined.join(parent, body);
+                }
+            }
         }
         let mut clusters: Vec<Cluster> = Vec::new();
         let mut of_root = vec![usize::MAX; self.bodies.len()];
@@ -70,43 +80,21 @@ impl Model {
         sets
     }
 
-    /// The given bodies and the bodies on the paths between them, without their common ancestor.
-    fn with_all_between(&self, bodies: &[usize]) -> Vec<usize> {
-        // Bodies on all paths to the ground, with the number of their children on the paths.
-        let mut on_path: std::collections::BTreeMap<usize, usize> = bodies.iter().map(|&b| (b, 0)).collect();
-        let mut roots = 0;
-        for &start in on_path.clone().keys() {
-            let mut body = start;
-            loop {
-                let Some(parent) = self.bodies[body].parent else {
-                    roots += 1;
-                    break;
-                };
-                let known = on_path.contains_key(&parent);
-                *on_path.entry(parent).or_insert(0) += 1;
-                if known {
-                    break;
-                }
-                body = parent;
-            }
+    /// The bodies and those on the paths between them, up to (but without) the body that carries them all. Of bodies that
+    /// `joined` has together already, the uppermost alone: the sum over all sets is then linear in the bodies.
+    fn with_all_between(&self, bodies: &[usize], joined: &mut Partition) -> Vec<usize> {
+        // Bodies are numbered parents first: the highest number carries none of the others. `None` is the ground.
+        let mut ends: BTreeSet<Option<usize>> = bodies.iter().map(|&b| Some(joined.root(b))).collect();
+        let wanted = ends.clone();
+        let mut all = Vec::new();
+        while ends.len() > 1 {
+            let Some(Some(body)) = ends.pop_last() else { break };
+            all.push(body);
+            ends.insert(self.bodies[body].parent.map(|parent| joined.root(parent)));
         }
-        // Removes the path from the ground to the first branching or to a given body.
-        let wanted: std::collections::BTreeSet<usize> = bodies.iter().copied().collect();
-        if roots == 1 {
-            while let Some((&first, &children)) = on_path.iter().next() {
-                if children != 1 || wanted.contains(&first) {
-                    break;
-                }
-                on_path.pop_first();
-            }
-            // The body at the branching is the common ancestor.
-            if let Some((&first, _)) = on_path.iter().next()
-                && !wanted.contains(&first)
-            {
-                on_path.pop_first();
-            }
-        }
-        on_path.into_keys().collect()
+        // The paths meet in a body that carries them all, unless it belongs to the set itself.
+        all.extend(ends.intersection(&wanted).copied().flatten());
+        all
     }
 
     /// Fills parents, coordinates and velocities of a cluster.

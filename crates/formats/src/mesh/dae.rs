@@ -1,12 +1,13 @@
 //! COLLADA 1.4 and 1.5: `triangles`, `polylist` and `polygons` of the visual scene, with the transforms of its nodes and the unit.
 
 use super::triangles::{Triangles, bounded};
-use crate::limits::{DEEPEST_NODES, MOST_SCENE_NODES};
+use crate::limits::{DEEPEST_NODES, MOST_MESH_NUMBERS, MOST_SCENE_NODES};
 use crate::prescan;
-use crate::report::Report;
+use crate::report::{Report, quoted};
 use nalgebra::{Matrix4, Rotation3, Unit, Vector3, Vector4};
 use roxmltree::{Document, Node, ParsingOptions};
 use std::collections::HashMap;
+use std::rc::Rc;
 
 pub(super) fn read(bytes: &[u8]) -> Result<Triangles, String> {
     let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
@@ -24,7 +25,15 @@ pub(super) fn read(bytes: &[u8]) -> Result<Triangles, String> {
         return Err(format!("its root is <{}>; <COLLADA> is expected", root.tag_name().name()));
     }
     let ids = root.descendants().filter_map(|node| Some((node.attribute("id")?, node))).collect();
-    let mut scene = Scene { ids, meshes: HashMap::new(), nodes: 0, triangles: Triangles::new() };
+    let mut scene = Scene {
+        ids,
+        meshes: HashMap::new(),
+        positions: HashMap::new(),
+        parts: HashMap::new(),
+        numbers: 0,
+        visited: 0,
+        triangles: Triangles::new(),
+    };
     let unit = elements(root, "asset").flat_map(|asset| elements(asset, "unit")).next();
     let metre = match unit.and_then(|unit| unit.attribute("meter")) {
         Some(text) => text.trim().parse::<f64>().ok().filter(|m| m.is_finite() && *m > 0.0),
@@ -56,29 +65,55 @@ fn elements<'a, 'i: 'a>(node: Node<'a, 'i>, name: &'static str) -> impl Iterator
 }
 
 fn numbers(node: Node<'_, '_>) -> Result<Vec<f64>, String> {
-    let text = node.text().unwrap_or("");
-    let read = |word: &str| match word.parse::<f64>() {
-        Ok(value) if value.is_finite() => Ok(value),
-        _ => Err(format!("<{}> has {word:?}, which is no finite number", node.tag_name().name())),
-    };
-    text.split_ascii_whitespace().map(read).collect()
+    let read = |word: &str| word.parse::<f64>().ok().filter(|value| value.is_finite());
+    list(node, read, "finite number")
 }
 
-fn indices(node: Node<'_, '_>) -> Result<Vec<usize>, String> {
-    let text = node.text().unwrap_or("");
-    let read = |word: &str| {
-        word.parse::<usize>()
-            .map_err(|_| format!("<{}> has {word:?}, which is no index", node.tag_name().name()))
-    };
-    text.split_ascii_whitespace().map(read).collect()
+fn indices(node: Node<'_, '_>) -> Result<Vec<u32>, String> {
+    list(node, |word| word.parse().ok(), "index")
 }
 
+/// The numbers of an element, at most as many as are read of a file.
+fn list<T>(node: Node<'_, '_>, read: impl Fn(&str) -> Option<T>, kind: &str) -> Result<Vec<T>, String> {
+    let mut list = Vec::new();
+    for word in node.text().unwrap_or("").split_ascii_whitespace() {
+        if list.len() == MOST_MESH_NUMBERS {
+            return Err(too_many_numbers());
+        }
+        list.push(read(word).ok_or_else(|| no_number(node, word, kind))?);
+    }
+    Ok(list)
+}
+
+fn no_number(node: Node<'_, '_>, word: &str, kind: &str) -> String {
+    format!("<{}> has {}, which is no {kind}", node.tag_name().name(), quoted(word))
+}
+
+/// Elements are read once each and kept by the place of their element: others may refer to them any number of times.
 struct Scene<'a, 'i> {
     ids: HashMap<&'a str, Node<'a, 'i>>,
-    /// Triangles of geometries that were read, by the place of their element.
+    /// Triangles of geometries.
     meshes: HashMap<usize, Triangles>,
-    nodes: usize,
+    /// Positions of sources, and of `vertices`.
+    positions: HashMap<usize, Rc<Vec<[f64; 3]>>>,
+    /// Nodes of the scene.
+    parts: HashMap<usize, Rc<ScenePart<'a, 'i>>>,
+    /// Numbers read so far.
+    numbers: usize,
+    /// Nodes and instances of geometries visited so far.
+    visited: usize,
     triangles: Triangles,
+}
+
+/// A node of the scene: its transform, and the elements below it that count.
+struct ScenePart<'a, 'i> {
+    transform: Matrix4<f64>,
+    below: Vec<Below<'a, 'i>>,
+}
+
+enum Below<'a, 'i> {
+    Node(Node<'a, 'i>),
+    Geometry(Node<'a, 'i>),
 }
 
 impl<'a, 'i: 'a> Scene<'a, 'i> {
@@ -90,36 +125,66 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
         self.ids.get(url.strip_prefix('#')?).copied()
     }
 
+    /// Visits a node and those below it, with the transform of the node above.
     fn node(&mut self, node: Node<'a, 'i>, above: &Matrix4<f64>, depth: usize) -> Result<(), String> {
-        self.nodes += 1;
-        if depth > DEEPEST_NODES || self.nodes > MOST_SCENE_NODES {
-            return Err("its nodes are nested too deep, or are too many".to_owned());
+        self.visit()?;
+        if depth > DEEPEST_NODES {
+            return Err(format!(
+                "its nodes are nested too deep; at most {DEEPEST_NODES} within one another are read"
+            ));
         }
-        let mut place = *above;
-        for child in node.children().filter(Node::is_element) {
-            if let Some(step) = transform(child)? {
-                place *= step;
+        let part = self.part(node)?;
+        let transform = above * part.transform;
+        for below in &part.below {
+            match *below {
+                Below::Node(node) => self.node(node, &transform, depth + 1)?,
+                Below::Geometry(geometry) => {
+                    self.visit()?;
+                    self.geometry(geometry, &transform)?;
+                }
             }
         }
+        Ok(())
+    }
+
+    fn visit(&mut self) -> Result<(), String> {
+        self.visited += 1;
+        if self.visited > MOST_SCENE_NODES {
+            return Err(format!("its nodes and instances are too many; at most {MOST_SCENE_NODES} are read"));
+        }
+        Ok(())
+    }
+
+    /// Transform and content of a node.
+    fn part(&mut self, node: Node<'a, 'i>) -> Result<Rc<ScenePart<'a, 'i>>, String> {
+        let key = node.range().start;
+        if let Some(part) = self.parts.get(&key) {
+            return Ok(part.clone());
+        }
+        let mut part = ScenePart { transform: Matrix4::identity(), below: Vec::new() };
         for child in node.children().filter(Node::is_element) {
             match child.tag_name().name() {
-                "node" => self.node(child, &place, depth + 1)?,
+                "node" => part.below.push(Below::Node(child)),
                 "instance_node" => {
-                    let target = self.target(child).ok_or_else(|| missing(child))?;
-                    self.node(target, &place, depth + 1)?;
+                    part.below.push(Below::Node(self.target(child).ok_or_else(|| missing(child))?));
                 }
                 "instance_geometry" => {
-                    let target = self.target(child).ok_or_else(|| missing(child))?;
-                    self.geometry(target, &place)?;
+                    part.below.push(Below::Geometry(self.target(child).ok_or_else(|| missing(child))?));
                 }
                 "instance_controller" => {
                     return Err("it has a skin (instance_controller), which is not read; export it without"
                         .to_owned());
                 }
-                _ => {}
+                _ => {
+                    if let Some(step) = transform(child)? {
+                        part.transform *= step;
+                    }
+                }
             }
         }
-        Ok(())
+        let part = Rc::new(part);
+        self.parts.insert(key, part.clone());
+        Ok(part)
     }
 
     fn geometry(&mut self, geometry: Node<'a, 'i>, place: &Matrix4<f64>) -> Result<(), String> {
@@ -141,7 +206,7 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
         Ok(())
     }
 
-    fn mesh(&self, mesh: Node<'a, 'i>, out: &mut Triangles) -> Result<(), String> {
+    fn mesh(&mut self, mesh: Node<'a, 'i>, out: &mut Triangles) -> Result<(), String> {
         for primitive in mesh.children().filter(Node::is_element) {
             let kind = primitive.tag_name().name();
             match kind {
@@ -163,28 +228,33 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
                 stride = stride.max(offset + 1);
                 if input.attribute("semantic") == Some("VERTEX") {
                     let vertices = self.target(input).ok_or_else(|| missing(input))?;
-                    let of =
-                        elements(vertices, "input").find(|i| i.attribute("semantic") == Some("POSITION"));
-                    let source = of.and_then(|i| self.target(i)).ok_or("its vertices have no positions")?;
-                    positions = Some((offset, self.positions(source)?));
+                    positions = Some((offset, self.positions_of(vertices)?));
                 }
             }
             let Some((offset, positions)) = positions else {
                 return Err(format!("<{kind}> has no vertices"));
             };
             let counts = match elements(primitive, "vcount").next() {
-                Some(vcount) => Some(indices(vcount)?),
+                Some(vcount) => {
+                    let counts = indices(vcount)?;
+                    self.count(counts.len())?;
+                    Some(counts)
+                }
                 None => None,
             };
             for p in elements(primitive, "p") {
                 let all = indices(p)?;
-                let corners: Vec<usize> = all.chunks_exact(stride).map(|chunk| chunk[offset]).collect();
+                self.count(all.len())?;
+                let corners: Vec<u32> = all.chunks_exact(stride).map(|chunk| chunk[offset]).collect();
+                drop(all);
                 let mut rest = &corners[..];
                 let mut counts = counts.iter().flatten().copied();
                 while !rest.is_empty() {
                     let count = match kind {
                         "triangles" => 3,
-                        "polylist" => counts.next().ok_or("<vcount> counts fewer corners than there are")?,
+                        "polylist" => {
+                            counts.next().ok_or("<vcount> counts fewer corners than there are")? as usize
+                        }
                         _ => rest.len(),
                     };
                     if count > rest.len() {
@@ -200,7 +270,25 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
         Ok(())
     }
 
-    fn positions(&self, source: Node<'a, 'i>) -> Result<Vec<[f64; 3]>, String> {
+    /// Positions of a `vertices` element.
+    fn positions_of(&mut self, vertices: Node<'a, 'i>) -> Result<Rc<Vec<[f64; 3]>>, String> {
+        let key = vertices.range().start;
+        if let Some(positions) = self.positions.get(&key) {
+            return Ok(positions.clone());
+        }
+        let of = elements(vertices, "input").find(|i| i.attribute("semantic") == Some("POSITION"));
+        let source = of.and_then(|i| self.target(i)).ok_or("its vertices have no positions")?;
+        let positions = self.positions(source)?;
+        self.positions.insert(key, positions.clone());
+        Ok(positions)
+    }
+
+    /// Positions of a `source` element.
+    fn positions(&mut self, source: Node<'a, 'i>) -> Result<Rc<Vec<[f64; 3]>>, String> {
+        let key = source.range().start;
+        if let Some(positions) = self.positions.get(&key) {
+            return Ok(positions.clone());
+        }
         let array = elements(source, "float_array").next().ok_or("a <source> has no <float_array>")?;
         let accessor = elements(source, "technique_common").flat_map(|t| elements(t, "accessor")).next();
         let number = |name: &str, otherwise: usize| match accessor.and_then(|a| a.attribute(name)) {
@@ -213,15 +301,42 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
         if stride < 3 {
             return Err(format!("positions of {stride} numbers; 3 are expected"));
         }
-        let values = numbers(array)?;
-        let used = values.get(first..).unwrap_or_default();
-        Ok(used.chunks_exact(stride).map(|v| [v[0], v[1], v[2]]).collect())
+        let mut positions = Vec::new();
+        let mut position = [0.0; 3];
+        for (i, word) in array.text().unwrap_or("").split_ascii_whitespace().enumerate() {
+            let value = word.parse::<f64>().ok().filter(|value| value.is_finite());
+            let value = value.ok_or_else(|| no_number(array, word, "finite number"))?;
+            let Some(i) = i.checked_sub(first) else { continue };
+            if let Some(axis) = position.get_mut(i % stride) {
+                *axis = value;
+            }
+            if i % stride == stride - 1 {
+                positions.push(position);
+            }
+            self.count(1)?;
+        }
+        let positions = Rc::new(positions);
+        self.positions.insert(key, positions.clone());
+        Ok(positions)
+    }
+
+    /// Counts numbers that were read.
+    fn count(&mut self, numbers: usize) -> Result<(), String> {
+        self.numbers += numbers;
+        if self.numbers > MOST_MESH_NUMBERS { Err(too_many_numbers()) } else { Ok(()) }
     }
 }
 
-fn fan(polygon: &[usize], positions: &[[f64; 3]], out: &mut Triangles) -> Result<(), String> {
-    let at = |i: usize| {
-        positions.get(i).copied().ok_or_else(|| format!("a face names vertex {i} of {}", positions.len()))
+fn too_many_numbers() -> String {
+    format!("more than {MOST_MESH_NUMBERS} numbers; simplify the mesh")
+}
+
+fn fan(polygon: &[u32], positions: &[[f64; 3]], out: &mut Triangles) -> Result<(), String> {
+    let at = |i: u32| {
+        positions
+            .get(i as usize)
+            .copied()
+            .ok_or_else(|| format!("a face names vertex {i} of {}", positions.len()))
     };
     for k in 2..polygon.len() {
         out.push([at(polygon[0])?, at(polygon[k - 1])?, at(polygon[k])?]);

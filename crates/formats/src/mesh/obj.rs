@@ -1,30 +1,77 @@
 //! Wavefront OBJ: positions and faces; materials, normals and textures are left out.
+//!
+//! A line at a time, so that memory is that of the positions and triangles, and a fault has its line.
 
 use super::triangles::{Triangles, bounded};
+use crate::limits::MOST_MESH_POSITIONS;
+use crate::report::shortened;
 
 pub(super) fn read(bytes: &[u8]) -> Result<Triangles, String> {
-    let options = tobj::LoadOptions {
-        triangulate: true,
-        ignore_points: true,
-        ignore_lines: true,
-        ..Default::default()
-    };
-    let no_materials = |_: &std::path::Path| Ok((Vec::new(), Default::default()));
-    let (models, _) =
-        tobj::load_obj_buf(&mut &bytes[..], &options, no_materials).map_err(|e| e.to_string())?;
-    let mut triangles = Triangles::new();
-    for mesh in models.iter().map(|model| &model.mesh) {
-        bounded(triangles.len() + mesh.indices.len() / 3)?;
-        for face in mesh.indices.chunks_exact(3) {
-            let corner = |i: u32| -> Option<[f64; 3]> {
-                let first = 3 * usize::try_from(i).ok()?;
-                mesh.positions.get(first..first + 3)?.try_into().ok()
-            };
-            match (corner(face[0]), corner(face[1]), corner(face[2])) {
-                (Some(a), Some(b), Some(c)) => triangles.push([a, b, c]),
-                _ => return Err("a face names a vertex that there is not".to_owned()),
+    let mut positions: Vec<[f64; 3]> = Vec::new();
+    // Corners of each triangle with the line of its face: a face may name vertices that come later.
+    let mut faces: Vec<([u32; 3], u32)> = Vec::new();
+    for (line, text) in (1_u32..).zip(bytes.split(|byte| *byte == b'\n')) {
+        let mut words = text.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
+        match words.next() {
+            Some(b"v") => {
+                let position: Option<Vec<f64>> = words.take(3).map(number).collect();
+                let position = position.and_then(|numbers| numbers.try_into().ok()).ok_or_else(|| {
+                    format!("line {line}: three numbers are expected after \"v\", found {:?}", shown(text))
+                })?;
+                if positions.len() == MOST_MESH_POSITIONS {
+                    return Err(format!(
+                        "line {line}: more than {MOST_MESH_POSITIONS} vertices; simplify the mesh"
+                    ));
+                }
+                positions.push(position);
             }
+            Some(b"f") => {
+                let mut corners = words.map(|word| {
+                    corner(word, positions.len()).ok_or_else(|| {
+                        format!(
+                            "line {line}: {:?} is no vertex of a face; expected v, v/vt, v//vn or v/vt/vn",
+                            shown(word)
+                        )
+                    })
+                });
+                // Points and lines have no third corner.
+                let (Some(first), Some(second)) = (corners.next(), corners.next()) else { continue };
+                let (first, mut second) = (first?, second?);
+                for third in corners {
+                    let third = third?;
+                    faces.push(([first, second, third], line));
+                    bounded(faces.len()).map_err(|why| format!("line {line}: {why}"))?;
+                    second = third;
+                }
+            }
+            _ => {}
         }
     }
-    Ok(triangles)
+    let triangle = |&(corners, line): &([u32; 3], u32)| {
+        let corner = |index: u32| {
+            let vertex = || {
+                format!("line {line}: a face names vertex {} of {}", u64::from(index) + 1, positions.len())
+            };
+            positions.get(index as usize).copied().ok_or_else(vertex)
+        };
+        Ok([corner(corners[0])?, corner(corners[1])?, corner(corners[2])?])
+    };
+    faces.iter().map(triangle).collect()
+}
+
+fn number(word: &[u8]) -> Option<f64> {
+    std::str::from_utf8(word).ok()?.parse().ok()
+}
+
+/// Index of a vertex from 0, of `v/vt/vn`; a negative number counts back from the last of `count` vertices.
+fn corner(word: &[u8], count: usize) -> Option<u32> {
+    let vertex = word.split(|byte| *byte == b'/').next()?;
+    let vertex: i64 = std::str::from_utf8(vertex).ok()?.parse().ok()?;
+    let index = if vertex < 0 { i64::try_from(count).ok()?.checked_add(vertex)? } else { vertex - 1 };
+    u32::try_from(index).ok()
+}
+
+/// Bytes of the file, for a message.
+fn shown(bytes: &[u8]) -> String {
+    shortened(&String::from_utf8_lossy(&bytes[..bytes.len().min(1000)]))
 }

@@ -1,7 +1,7 @@
 //! STL, binary or ASCII.
 
 use super::triangles::{Triangles, bounded};
-use std::io::Cursor;
+use crate::report::shortened;
 
 /// Bytes before the first facet of a binary file, and of each facet.
 const HEADER: usize = 84;
@@ -43,14 +43,66 @@ fn corners(facet: &[u8]) -> [[f64; 3]; 3] {
     std::array::from_fn(|corner| std::array::from_fn(|axis| number(12 + 12 * corner + 4 * axis)))
 }
 
+/// Reads `solid`, facets, `endsolid`. Lines that are blank do not count; letters may be large or small.
 fn ascii(bytes: &[u8]) -> Result<Triangles, String> {
-    let mut cursor = Cursor::new(bytes);
-    let reader = stl_io::create_stl_reader(&mut cursor).map_err(|e| e.to_string())?;
+    let lines = (1_usize..).zip(bytes.split(|byte| *byte == b'\n'));
+    let mut lines = lines.map(|(line, text)| (line, text.trim_ascii())).filter(|(_, text)| !text.is_empty());
+    let mut next = |expected: &str| {
+        lines.next().ok_or_else(|| format!("the file ends where {expected} is expected; was it cut off?"))
+    };
+    next("\"solid\"")?;
     let mut triangles = Triangles::new();
-    for facet in reader {
-        let facet = facet.map_err(|e| format!("facet {}: {e}", triangles.len() + 1))?;
-        triangles.push(facet.vertices.map(|v| [f64::from(v[0]), f64::from(v[1]), f64::from(v[2])]));
-        bounded(triangles.len())?;
+    loop {
+        let (line, text) = next("a facet or \"endsolid\"")?;
+        if words(text).next().is_some_and(|word| word.eq_ignore_ascii_case(b"endsolid")) {
+            return Ok(triangles);
+        }
+        let wrong = |line: usize, text: &[u8], expected: &str| {
+            format!(
+                "line {line}, facet {}: {expected} is expected, found {:?}",
+                triangles.len() + 1,
+                shown(text)
+            )
+        };
+        let header = "\"facet normal\" with three finite numbers";
+        numbers::<3>(text, &["facet", "normal"]).ok_or_else(|| wrong(line, text, header))?;
+        let (line, text) = next("\"outer loop\"")?;
+        numbers::<0>(text, &["outer", "loop"]).ok_or_else(|| wrong(line, text, "\"outer loop\""))?;
+        let mut corners = [[0.0; 3]; 3];
+        for corner in &mut corners {
+            let (line, text) = next("\"vertex\"")?;
+            *corner = numbers(text, &["vertex"])
+                .ok_or_else(|| wrong(line, text, "\"vertex\" with three finite numbers"))?;
+        }
+        for end in ["endloop", "endfacet"] {
+            let (line, text) = next(end)?;
+            numbers::<0>(text, &[end]).ok_or_else(|| wrong(line, text, end))?;
+        }
+        bounded(triangles.len() + 1).map_err(|why| format!("line {line}: {why}"))?;
+        triangles.push(corners);
     }
-    Ok(triangles)
+}
+
+fn words(text: &[u8]) -> impl Iterator<Item = &[u8]> {
+    text.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty())
+}
+
+/// The `N` finite numbers that follow `names` in a line and end it; `None` if the line is another one. They have single
+/// precision, as in binary files.
+fn numbers<const N: usize>(text: &[u8], names: &[&str]) -> Option<[f64; N]> {
+    let mut words = words(text);
+    for name in names {
+        words.next().filter(|word| word.eq_ignore_ascii_case(name.as_bytes()))?;
+    }
+    let mut numbers = [0.0; N];
+    for number in &mut numbers {
+        let read: f32 = std::str::from_utf8(words.next()?).ok()?.parse().ok()?;
+        *number = f64::from(Some(read).filter(|x| x.is_finite())?);
+    }
+    words.next().is_none().then_some(numbers)
+}
+
+/// A line of the file, for a message.
+fn shown(text: &[u8]) -> String {
+    shortened(&String::from_utf8_lossy(&text[..text.len().min(1000)]))
 }

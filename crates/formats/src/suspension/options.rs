@@ -58,4 +58,6 @@ pub struct ImportOptions {
     pub moves: Vec<(String, [f64; 3])>,
     /// Findings that the user accepts.
     pub accept: Accept,
+    /// True if a sheet may name a table of points outside its own folder. Messages quote what is read of it.
+    pub allow_outside: bool,
 }

@@ -9,13 +9,16 @@ mod catalogue;
 mod entries;
 mod independent;
 mod parts;
+mod point_table;
 mod read;
 mod table;
 mod toml_text;
 mod trailing;
+mod workbook;
 mod write;
 
 pub(super) use build::build;
-pub(super) use read::{Files, read};
+pub(super) use point_table::Files;
+pub(super) use read::read;
 pub(super) use table::is_workbook;
 pub use write::{TemplateOptions, template_keys, template_names, template_sheet};

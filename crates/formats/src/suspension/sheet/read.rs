@@ -7,18 +7,15 @@ use super::super::units::{Frame, LengthUnit, VehicleAxes};
 use super::catalogue;
 use super::entries::{Cell, Entries, INERTIA_UNITS, Kind, inertia_unit};
 use super::parts::{Body, Part, Shape, Template};
+use super::point_table::{self, Files};
 use super::{table, toml_text};
+use crate::Source;
 use crate::limits::{LONGEST_NAME, MOST_SHEET_KEYS};
 use crate::report::{cut, quoted, shortened};
 use crate::suspension::corner;
-use crate::{DEFAULT_MAX_SIZE, Source};
 use percuss_mechanism::near_names;
 use percuss_spatial::{Matrix3, Vector3};
 use std::collections::BTreeMap;
-use std::path::Path;
-
-/// The files that were read together: their names and texts.
-pub(in super::super) type Files = Vec<(String, String)>;
 
 /// What a sheet says of a body.
 #[derive(Clone, Debug)]
@@ -66,7 +63,7 @@ pub(in super::super) fn read(
     } else if !toml_text::read(text, &mut entries, findings) {
         return None;
     }
-    beside(source, &mut entries, findings, files);
+    point_table::read(source, options, &mut entries, findings, files);
     if findings.has_errors() {
         return None;
     }
@@ -82,38 +79,6 @@ pub(in super::super) fn read(
         }
     }
     sheet.filter(|_| !findings.has_errors())
-}
-
-/// The table that the sheet names in the place of its points.
-fn beside(source: &Source, entries: &mut Entries, findings: &mut Findings, files: &mut Files) {
-    let Some((path, spot)) = entries.text(findings, "points", "the name of a table of points") else {
-        return;
-    };
-    let folder = Path::new(&source.name).parent().unwrap_or(Path::new(""));
-    let path = folder.join(path).to_string_lossy().into_owned();
-    let read = match Source::read(&path, DEFAULT_MAX_SIZE) {
-        Ok(read) => read,
-        Err(error) => {
-            let why = error.diagnostics.first().map_or(String::new(), |d| d.message.clone());
-            findings.error("no-table", &spot, format!("the table {}: {why}", quoted(&path)));
-            return;
-        }
-    };
-    if table::is_workbook(&read.bytes) {
-        files.push((path, String::new()));
-        table::read_workbook(&read.bytes, 1, entries, findings);
-        return;
-    }
-    match std::str::from_utf8(read.bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(&read.bytes)) {
-        Ok(text) => {
-            table::read_text(text, 1, entries, findings);
-            files.push((path, text.to_owned()));
-        }
-        Err(_) => {
-            let message = format!("the table {} is no UTF-8 text and no XLSX workbook", quoted(&path));
-            findings.error("not-utf-8", &spot, message);
-        }
-    }
 }
 
 /// Every key that a template knows.

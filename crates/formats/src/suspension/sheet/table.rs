@@ -10,7 +10,8 @@
 use super::super::findings::{Findings, Spot};
 use super::super::units::LengthUnit;
 use super::entries::{Cell, Entries, number};
-use crate::limits::{LARGEST_WORKBOOK, LARGEST_WORKSHEET, MOST_SHEET_KEYS, WIDEST_TABLE};
+use super::workbook;
+use crate::limits::{LARGEST_WORKBOOK, LARGEST_WORKSHEET, MOST_SHEET_KEYS, MOST_TABLE_TEXT, WIDEST_TABLE};
 use crate::report::{cut, quoted, shortened};
 use calamine::{DataRef, Reader, Xlsx};
 use std::io::Cursor;
@@ -98,6 +99,10 @@ pub(super) fn read_workbook(bytes: &[u8], file: usize, entries: &mut Entries, fi
         findings.error("too-large-file", &spot, message);
         return;
     }
+    if let Err(why) = workbook::check(bytes) {
+        findings.error("not-table", &spot, format!("no XLSX workbook that can be read: {why}"));
+        return;
+    }
     match rows_of(bytes, file) {
         Ok(rows) => take(rows, entries, findings),
         Err(why) => findings.error("not-table", &spot, format!("no XLSX workbook that can be read: {why}")),
@@ -111,9 +116,17 @@ fn rows_of(bytes: &[u8], file: usize) -> Result<Vec<Row>, String> {
     let name = book.sheet_names().first().cloned().ok_or_else(|| "it has no sheet".to_owned())?;
     let mut reader = book.worksheet_cells_reader(&name).map_err(said)?;
     let mut rows: Vec<Row> = Vec::new();
-    let (mut current, mut count) = (None, 0usize);
+    let (mut current, mut count, mut text_bytes) = (None, 0usize, 0usize);
     while let Some(cell) = reader.next_cell().map_err(said)? {
         let (row, column) = cell.get_position();
+        count += 1;
+        if count > LARGEST_WORKSHEET || rows.len() > MOST_SHEET_KEYS {
+            return Err(format!("more than {MOST_SHEET_KEYS} rows or {LARGEST_WORKSHEET} cells"));
+        }
+        // Remarks stand far to the right.
+        if column as usize >= WIDEST_TABLE {
+            continue;
+        }
         let value = match cell.get_value() {
             DataRef::Empty => continue,
             DataRef::Int(x) => Cell::Number(*x as f64),
@@ -126,13 +139,12 @@ fn rows_of(bytes: &[u8], file: usize) -> Result<Vec<Row>, String> {
             DataRef::SharedString(text) => Cell::Text((*text).to_owned()),
             DataRef::DateTime(date) => Cell::Text(format!("the date {}", date.as_f64())),
         };
-        count += 1;
-        if count > LARGEST_WORKSHEET || rows.len() > MOST_SHEET_KEYS {
-            return Err(format!("more than {MOST_SHEET_KEYS} rows or {LARGEST_WORKSHEET} cells"));
+        if let Cell::Text(text) = &value {
+            text_bytes += text.len();
         }
-        // What is far to the right is a remark.
-        if column as usize >= WIDEST_TABLE {
-            continue;
+        // Many cells may name one shared text.
+        if text_bytes > MOST_TABLE_TEXT {
+            return Err(format!("its cells have more than {MOST_TABLE_TEXT} bytes of text"));
         }
         if current != Some(row) {
             current = Some(row);

@@ -2,12 +2,18 @@
 
 use super::super::findings::{Findings, Spot};
 use super::entries::{Cell, Entries};
+use crate::limits::{LARGEST_SHEET, LONGEST_NAME};
 use crate::report::shortened;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// Reads the text; false where it is no TOML, which is said.
 pub(super) fn read(text: &str, entries: &mut Entries, findings: &mut Findings) -> bool {
+    if text.len() > LARGEST_SHEET {
+        let message = format!("a sheet of {} bytes; at most {LARGEST_SHEET} are read", text.len());
+        findings.error("too-large-file", &Spot::default(), message);
+        return false;
+    }
     let table = match DeTable::parse(text) {
         Ok(table) => table.into_inner(),
         Err(error) => {
@@ -19,6 +25,14 @@ pub(super) fn read(text: &str, entries: &mut Entries, findings: &mut Findings) -
     };
     let mut found: Vec<(usize, String, &Spanned<DeValue<'_>>)> = Vec::new();
     for (key, value) in &table {
+        let inner = value.get_ref().as_table().into_iter().flat_map(|section| section.keys());
+        let longest = inner.map(|key| key.get_ref().len()).max().unwrap_or(0).max(key.get_ref().len());
+        if longest > LONGEST_NAME {
+            let spot = Spot { at: Some(key.span().start), ..Spot::default() };
+            let message = format!("a key of {longest} bytes; at most {LONGEST_NAME} are expected");
+            findings.error("too-complex", &spot, message);
+            return false;
+        }
         match value.get_ref() {
             DeValue::Table(section) => {
                 for (inner, value) in section {

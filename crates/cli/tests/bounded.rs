@@ -1,0 +1,403 @@
+//! Files that are small or legal and costly: each is answered or refused with the limit, in bounded memory and work.
+//!
+//! The limits that the command counts are of work and memory. The limit of processor time here is far above what each file
+//! takes in this profile, so that a cost that grows with the square of the input is seen.
+
+#![cfg(unix)]
+
+mod support;
+
+use std::fmt::Write as _;
+use std::io::Write as _;
+use std::process::Command;
+use support::{Outcome, Scratch, root};
+
+/// Address space, kB.
+const MEMORY: usize = 1_500_000;
+/// Processor time, s, of an unoptimised program on a busy machine.
+const PATIENCE: usize = 15;
+
+/// Runs the command within the limits. A signal, such as that of an abort or of the time limit, is a failure.
+fn bounded(arguments: &[&str]) -> Outcome {
+    let script = format!("ulimit -v {MEMORY}; ulimit -t {PATIENCE}; exec \"$0\" \"$@\"");
+    let run = Command::new("/bin/sh")
+        .args(["-c", &script, env!("CARGO_BIN_EXE_percuss")])
+        .args(arguments)
+        .current_dir(root())
+        .output()
+        .expect("the command runs");
+    assert!(
+        run.status.code().is_some(),
+        "{arguments:?}: {:?} {}",
+        run.status,
+        String::from_utf8_lossy(&run.stderr)
+    );
+    let outcome = Outcome::from(run);
+    assert!(!outcome.stderr.contains("panicked"), "{arguments:?}: {}", outcome.stderr);
+    assert!(outcome.stderr.len() < 100_000, "{arguments:?}: {} bytes of messages", outcome.stderr.len());
+    outcome
+}
+
+fn refused(arguments: &[&str], code: i32, words: &[&str]) {
+    let outcome = bounded(arguments);
+    assert_eq!(outcome.code, code, "{arguments:?}: {}", outcome.stderr);
+    for word in words {
+        assert!(outcome.stderr.contains(word), "{arguments:?}: {word} is not in {}", outcome.stderr);
+    }
+}
+
+const INERTIAL: &str = "<inertial><mass value=\"1\"/><inertia ixx=\"1e-4\" iyy=\"1e-4\" izz=\"1e-4\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial>";
+
+fn link(name: &str) -> String {
+    format!("<link name=\"{name}\">{INERTIAL}</link>")
+}
+
+fn joint(number: usize, parent: &str, child: &str, at: [f64; 2], more: &str) -> String {
+    format!(
+        "<joint name=\"j{number}\" type=\"continuous\"><parent link=\"{parent}\"/><child link=\"{child}\"/>\
+         <origin xyz=\"{} {} 0\"/><axis xyz=\"0 0 1\"/>{more}</joint>",
+        at[0], at[1]
+    )
+}
+
+fn closure(number: usize, links: [&str; 2], at: [f64; 2]) -> String {
+    format!(
+        "<loop name=\"p{number}\" type=\"revolute\"><predecessor link=\"{}\"><origin xyz=\"{} 0.2 0\"/></predecessor>\
+         <successor link=\"{}\"><origin xyz=\"{} 0 0\"/></successor><axis xyz=\"0 0 1\"/></loop>",
+        links[0], at[0], links[1], at[1]
+    )
+}
+
+/// A chain of `links` hinges, each of which every second one follows if `mimics`.
+fn chain(links: usize, mimics: bool) -> String {
+    let mut text = String::from("<robot name=\"r\"><link name=\"l0\"/>");
+    for i in 1..=links {
+        let master =
+            if mimics && i % 2 == 0 { format!("<mimic joint=\"j{}\"/>", i - 1) } else { String::new() };
+        text += &link(&format!("l{i}"));
+        text += &joint(i, &format!("l{}", i - 1), &format!("l{i}"), [0.01, 0.0], &master);
+    }
+    text + "</robot>"
+}
+
+const CONTACT: &str = "[contact]\nlink = \"rod\"\npoint = [0, 0, -0.8]\nnormal = [1, 0, 0]\n";
+
+fn pendulum() -> String {
+    root().join("models/point_mass_pendulum.urdf").to_string_lossy().into_owned()
+}
+
+#[test]
+fn studies() {
+    let folder = Scratch::new("bounded-studies");
+    let head = format!("[model]\npath = {:?}\n", pendulum());
+    let long = "k".repeat(100_000);
+    let list = "0,".repeat(100_000);
+    let path = folder.write("list.toml", &format!("{head}[model.link_mass]\n{long} = [{list}]\n{CONTACT}"));
+    refused(&["run", &path], 2, &["error", "link_mass.kkkk"]);
+    let sheet = folder.write(
+        "sheet.toml",
+        &format!(
+            "[{long}]\n{}",
+            (0..100_000).fold(String::new(), |mut text, i| {
+                let _ = writeln!(text, "k{i} = 1");
+                text
+            })
+        ),
+    );
+    refused(&["import", &sheet, "-o", "-"], 2, &["a key of 100000 bytes; at most 1024"]);
+    for (count, words) in
+        [(300_000, ["unknown key \"k0\"", "299950 more unknown keys"]), (500_000, ["limit", "4194304"])]
+    {
+        let keys: String = (0..count).map(|i| format!("k{i}=0\n")).collect();
+        let path = folder.write("unknown.toml", &keys);
+        refused(&["run", &path], 2, &words);
+    }
+    for key in [vec!["a"; 20_000].join("."), format!("[{}]\nx", vec!["a"; 20_000].join("."))] {
+        refused(&["run", &folder.write("deep.toml", &format!("{key} = 1\n"))], 2, &["error"]);
+    }
+    let names: String = (0..60_000).map(|i| format!("[[variant]]\nname = \"{i}\"\n")).collect();
+    let path = folder.write("variants.toml", &format!("{head}{CONTACT}{names}"));
+    refused(&["run", &path], 2, &["60000 variants; at most 10000"]);
+    let set: String = (0..20_000).map(|i| format!("joint_{i} = {i}.5\n")).collect();
+    let names: String = (0..5_000).map(|i| format!("[[variant]]\nname = \"{i}\"\n")).collect();
+    let path = folder.write("copies.toml", &format!("{head}{CONTACT}[pose.set]\n{set}{names}"));
+    refused(&["run", &path], 2, &["5000 variants; at most"]);
+    let model = folder.write("chain.urdf", &chain(10_000, false));
+    let names: String =
+        (0..200).map(|i| format!("[[variant]]\nname = \"{i}\"\nlink_mass.l5 = {i}.5\n")).collect();
+    let contact = "[contact]\nlink = \"l9\"\npoint = [0, 0, 0]\nnormal = [0, 1, 0]\n";
+    let path = folder.write("models.toml", &format!("[model]\npath = {model:?}\n{contact}{names}"));
+    refused(&["run", &path], 2, &["links together; at most 1000000"]);
+}
+
+/// A workbook with these parts beside those that each one needs.
+fn workbook(parts: &[(&str, &str)]) -> Vec<u8> {
+    let usual = [
+        (
+            "_rels/.rels",
+            r#"<Relationships><Relationship Id="r" Type="http://x/relationships/officeDocument" Target="xl/workbook.xml"/></Relationships>"#,
+        ),
+        (
+            "xl/_rels/workbook.xml.rels",
+            r#"<Relationships><Relationship Id="s" Type="http://x/relationships/worksheet" Target="worksheets/sheet1.xml"/></Relationships>"#,
+        ),
+        (
+            "xl/workbook.xml",
+            r#"<workbook xmlns:r="r"><sheets><sheet name="a" sheetId="1" r:id="s"/></sheets></workbook>"#,
+        ),
+    ];
+    let mut archive = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
+    let packed = zip::write::SimpleFileOptions::default();
+    for (name, text) in usual.iter().chain(parts) {
+        archive.start_file(*name, packed).expect("a part");
+        archive.write_all(text.as_bytes()).expect("written");
+    }
+    archive.finish().expect("an archive").into_inner()
+}
+
+fn sheet(rows: &str) -> String {
+    format!("<worksheet><sheetData>{rows}</sheetData></worksheet>")
+}
+
+#[test]
+fn workbooks() {
+    let folder = Scratch::new("bounded-workbooks");
+    let texts = |count: &str, texts: &str| format!("<sst uniqueCount=\"{count}\">{texts}</sst>");
+    let cell = "<row r=\"1\"><c r=\"A1\" t=\"s\"><v>0</v></c></row>";
+    let one = sheet(cell);
+    let wide: String = (1..=1000)
+        .map(|row| {
+            let cells: String = (0..52)
+                .map(|c| {
+                    let column = char::from(b'A' + c % 26);
+                    let first = if c < 26 { "" } else { "A" };
+                    format!("<c r=\"{first}{column}{row}\" t=\"s\"><v>0</v></c>")
+                })
+                .collect();
+            format!("<row r=\"{row}\">{cells}</row>")
+        })
+        .collect();
+    let fonts = format!("<fonts><font><name val=\"{}\"/></font></fonts>", "f".repeat(1 << 20));
+    let styles = |fonts: &str, count: usize| {
+        format!(
+            "<styleSheet>{fonts}<cellXfs>{}</cellXfs></styleSheet>",
+            "<xf fontId=\"0\"></xf>".repeat(count)
+        )
+    };
+    let names: String = (0..1_000_000).map(|i| format!(" a{i:x}=''")).collect();
+    let element = format!("<row r=\"1\" b='>'{names}><c r=\"A1\"></c></row>");
+    let after_comment = format!("<!-- \" ' --><?x ' ?>{element}");
+    let cases: [(&str, Vec<u8>, &str); 11] = [
+        (
+            "attributes",
+            workbook(&[("xl/worksheets/sheet1.xml", &sheet(&element[..10_000_000]))]),
+            "attributes; at most 256",
+        ),
+        (
+            "comment",
+            workbook(&[("xl/worksheets/sheet1.xml", &sheet(&after_comment[..10_000_000]))]),
+            "attributes; at most 256",
+        ),
+        (
+            "abort",
+            workbook(&[
+                ("xl/sharedStrings.xml", &texts("99999999999", "")),
+                ("xl/worksheets/sheet1.xml", &one),
+            ]),
+            "states 99999999999 shared texts",
+        ),
+        (
+            "panic",
+            workbook(&[
+                ("xl/sharedStrings.xml", &texts("18446744073709551615", "")),
+                ("xl/worksheets/sheet1.xml", &one),
+            ]),
+            "states 18446744073709551615 shared texts",
+        ),
+        (
+            "overflow",
+            workbook(&[
+                ("xl/sharedStrings.xml", &texts("0000099999999999999999999999", "")),
+                ("xl/worksheets/sheet1.xml", &one),
+            ]),
+            "shared texts",
+        ),
+        (
+            "unpacked",
+            workbook(&[
+                ("xl/sharedStrings.xml", &texts("1", &"<si></si>".repeat(8_000_000))),
+                ("xl/worksheets/sheet1.xml", &one),
+            ]),
+            "more than 16777216 bytes",
+        ),
+        (
+            "pad",
+            workbook(&[("xl/media/x.png", &" ".repeat(200 << 20)), ("xl/worksheets/sheet1.xml", &one)]),
+            "more than 16777216 bytes",
+        ),
+        (
+            "texts",
+            workbook(&[
+                ("xl/sharedStrings.xml", &texts("1", &format!("<si><t>{}</t></si>", "x".repeat(1 << 20)))),
+                ("xl/worksheets/sheet1.xml", &sheet(&wide)),
+            ]),
+            "more than 16777216 bytes of text",
+        ),
+        (
+            "fonts",
+            workbook(&[("xl/styles.xml", &styles(&fonts, 50_000)), ("xl/worksheets/sheet1.xml", &one)]),
+            "cell formats name fonts or number formats of up to 10485",
+        ),
+        (
+            "formats",
+            workbook(&[("xl/styles.xml", &styles("", 500_000)), ("xl/worksheets/sheet1.xml", &one)]),
+            "cell formats; at most 131072",
+        ),
+        (
+            "cells",
+            workbook(&[(
+                "xl/worksheets/sheet1.xml",
+                &sheet(&"<row r=\"1\"><c r=\"A1\"></c></row>".repeat(500_000)),
+            )]),
+            "error",
+        ),
+    ];
+    for (name, bytes, words) in cases {
+        let path = folder.path(&format!("{name}.xlsx"));
+        std::fs::write(&path, bytes).expect("written");
+        refused(&["import", &path, "-o", "-"], 2, &[words]);
+    }
+}
+
+#[test]
+fn workbooks_that_are_written() {
+    let folder = Scratch::new("bounded-xlsx");
+    let model = folder.write("chain.urdf", &chain(200, false));
+    let out = folder.path("rows.xlsx");
+    let contact = ["--link", "l200", "--point", "0,0,0", "--normal", "0,1,0"];
+    let sweep = [&["sweep", &model][..], &contact, &["--vary", "j1=0:1:100000", "--output", &out]].concat();
+    refused(&sweep, 2, &["100000 rows of 208 columns", "at most 5000000", ".parquet"]);
+    assert!(!std::path::Path::new(&out).exists());
+}
+
+/// Random numbers, the same in every run.
+struct Numbers(u64);
+
+impl Numbers {
+    fn below(&mut self, most: usize) -> usize {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) as usize % most
+    }
+
+    /// From −1 to 1.
+    fn signed(&mut self) -> f64 {
+        self.below(2000) as f64 / 1000.0 - 1.0
+    }
+}
+
+/// A tree of `links` with `loops` at random between links that are at most `span` apart: they do not fit. A link hangs on one of
+/// the `near` before it.
+fn open_linkage(links: usize, loops: usize, near: usize, span: usize) -> String {
+    let mut numbers = Numbers(1);
+    let mut text = String::from("<robot name=\"r\"><link name=\"l0\"/>");
+    for i in 1..links {
+        let parent = format!("l{}", i - 1 - numbers.below(i.min(near)));
+        let at = [0.6 + 0.4 * numbers.signed(), 0.3 * numbers.signed()];
+        text += &link(&format!("l{i}"));
+        text += &joint(i, &parent, &format!("l{i}"), at, "");
+    }
+    for k in 0..loops {
+        let a = 14 + numbers.below(links - 14);
+        let ends = [format!("l{a}"), format!("l{}", a - 2 - numbers.below(span.min(a - 2) + 1))];
+        let at = [numbers.signed(), numbers.signed()];
+        text += &closure(k, [&ends[0], &ends[1]], at);
+    }
+    text + "</robot>"
+}
+
+#[test]
+fn linkages() {
+    let folder = Scratch::new("bounded-linkages");
+    let mut cut = 0;
+    for (links, loops, near, span) in [
+        (154, 72, 4, 10),
+        (154, 72, 1, 12),
+        (154, 72, 4, 150),
+        (320, 128, 4, 10),
+        (320, 128, 1, 12),
+        (320, 128, 4, 300),
+    ] {
+        let model = folder.write("open.urdf", &open_linkage(links, loops, near, span));
+        let contact = ["--link", "l20", "--point", "0,0,0", "--normal", "0,1,0"];
+        let outcome = bounded(&[&["mass", &model][..], &contact].concat());
+        assert_eq!(outcome.code, 1, "{links} {loops} {near} {span}: {}", outcome.stderr);
+        assert!(outcome.stderr.contains("do not close"), "{}", outcome.stderr);
+        cut += usize::from(outcome.stderr.contains("the search was cut short"));
+    }
+    assert!(cut >= 3, "only {cut} searches were cut short, so that the bound is not tested");
+}
+
+#[test]
+fn many_loops_and_mimics() {
+    let folder = Scratch::new("bounded-many");
+    let pins = |count: usize| {
+        let two = [joint(1, "base", "a", [0.0, 0.0], ""), joint(2, "base", "b", [1.0, 0.2], "")].concat();
+        let loops: String = (0..count).map(|i| closure(i, ["a", "b"], [0.5, -0.5])).collect();
+        format!("<robot name=\"r\"><link name=\"base\"/>{}{}{two}{loops}</robot>", link("a"), link("b"))
+    };
+    for (name, text, link) in [
+        ("pins", pins(20_000), "a"),
+        ("mimics", chain(20_000, true), "l20000"),
+        ("tree", chain(20_000, false), "l20000"),
+    ] {
+        let model = folder.write(&format!("{name}.urdf"), &text);
+        let outcome = bounded(&["mass", &model, "--link", link, "--point", "0,0,0", "--normal", "0,1,0"]);
+        assert!((0..=2).contains(&outcome.code), "{name}: {}", outcome.stderr);
+    }
+}
+
+#[test]
+fn tables_and_meshes() {
+    let folder = Scratch::new("bounded-files");
+    let breaks = folder.write("breaks.csv", &format!("hinge\n\"{}\"\n", "\n".repeat(400_000)));
+    let pendulum = pendulum();
+    let contact = ["--link", "rod", "--point", "0,0,-0.8", "--normal", "1,0,0"];
+    let sweep = [&["sweep", &pendulum][..], &contact, &["--input", &breaks]].concat();
+    refused(&sweep, 2, &["breaks.csv:2"]);
+
+    let positions = "0 0 0 1 0 0 0 1 0 ".repeat(20_000);
+    let primitives =
+        "<triangles><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>0 1 2</p></triangles>"
+            .repeat(20_000);
+    let turns = "<rotate>0 0 1 1</rotate>".repeat(20_000);
+    let instances = "<instance_node url=\"#n\"/>".repeat(20_000);
+    let dae = format!(
+        "<COLLADA><library_geometries><geometry id=\"g\"><mesh><source id=\"s\"><float_array>{positions}</float_array></source>\
+         <vertices id=\"v\"><input semantic=\"POSITION\" source=\"#s\"/></vertices>{primitives}</mesh></geometry></library_geometries>\
+         <library_nodes><node id=\"n\">{turns}</node></library_nodes><library_visual_scenes><visual_scene><node>{instances}\
+         <instance_geometry url=\"#g\"/></node></visual_scene></library_visual_scenes></COLLADA>"
+    );
+    let polygon = format!("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2{}\n", " 3".repeat(6_000_000));
+    let vertices = "v 0 0 0\n".repeat(15_000_001);
+    let words = format!("solid x\nfacet{}\n", " a".repeat(20_000_000));
+    for (name, text, code, words) in [
+        ("shared.dae", &dae, 0, ""),
+        ("polygon.obj", &polygon, 2, "line 4: more than 5000000 triangles"),
+        ("vertices.obj", &vertices, 2, "line 15000001: more than 15000000 vertices"),
+        ("words.stl", &words, 2, "line 2, facet 1: \"facet normal\" with three finite numbers is expected"),
+    ] {
+        folder.write(name, text);
+        let model = folder.write(
+            "robot.urdf",
+            &format!(
+                "<robot name=\"r\"><link name=\"base\"/><link name=\"a\">{INERTIAL}<collision><geometry><mesh filename=\"{name}\"/>\
+                 </geometry></collision></link>{}</robot>",
+                joint(1, "base", "a", [0.0, 0.0], "")
+            ),
+        );
+        let outcome = bounded(&["map", &model, "--link", "a", "--edge", "1"]);
+        assert_eq!(outcome.code, code, "{name}: {}", outcome.stderr);
+        assert!(outcome.stderr.contains(words), "{name}: {}", outcome.stderr);
+        let _ = std::fs::remove_file(folder.path(name));
+    }
+}

@@ -1,0 +1,273 @@
+//! Pipes, devices, links, long names and terminals: nothing waits for ever, and nothing is replaced that was not named.
+
+#![cfg(unix)]
+
+mod support;
+
+use std::fs;
+use std::os::unix::fs::symlink;
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+use support::{Outcome, Scratch, command, percuss, root};
+
+const CONTACT: &str = "--link rod --point 0,0,-0.8 --normal 1,0,0";
+const MODEL: &str = "models/point_mass_pendulum.urdf";
+/// Far above what a run takes; a run that waits for a pipe would never end.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+fn fifo(folder: &Scratch, name: &str) -> String {
+    let path = folder.path(name);
+    assert!(Command::new("mkfifo").arg(&path).status().expect("mkfifo runs").success());
+    path
+}
+
+/// Waits for a run; one that does not end is killed, and the test fails.
+fn ended(mut run: Child) -> Outcome {
+    let begun = Instant::now();
+    while run.try_wait().expect("a process of ours").is_none() {
+        if begun.elapsed() > PATIENCE {
+            run.kill().expect("it runs");
+            panic!("the run does not end");
+        }
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    run.wait_with_output().expect("it ended").into()
+}
+
+fn started(line: &str) -> Child {
+    let mut command = command(line.split_whitespace());
+    command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("it starts")
+}
+
+#[test]
+fn an_output_may_be_a_pipe() {
+    let folder = Scratch::new("fifo-out");
+    let line = format!("sweep {MODEL} {CONTACT} --vary hinge=0:1:50");
+    let expected = percuss(&line).stdout;
+    for name in ["rows.csv", "rows.jsonl"] {
+        let path = fifo(&folder, name);
+        let run = started(&format!("{line} -o {path}"));
+        let reader = std::thread::spawn(move || fs::read_to_string(path).expect("text"));
+        let outcome = ended(run);
+        assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+        let read = reader.join().expect("read");
+        assert!(name != "rows.csv" || read == expected, "{read}");
+    }
+}
+
+#[test]
+fn models_and_rows_may_come_from_pipes() {
+    let folder = Scratch::new("fifo-in");
+    let out = folder.write("out.csv", "");
+    let model = fifo(&folder, "model.urdf");
+    let line = format!("{CONTACT} --vary hinge=0:1:3 -o {out} --force");
+    let run = started(&format!("sweep {model} {line}"));
+    let text = fs::read(root().join(MODEL)).expect("a model");
+    let writer = std::thread::spawn(move || fs::write(&model, text));
+    // An output that exists is compared with the input, which is not opened again for that.
+    let outcome = ended(run);
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    writer.join().expect("no panic").expect("the run reads it");
+    assert_eq!(fs::read_to_string(&out).expect("written").lines().count(), 4);
+    let rows = fifo(&folder, "rows.csv");
+    let run = started(&format!("sweep {MODEL} {CONTACT} --input {rows}"));
+    let writer = std::thread::spawn(move || fs::write(&rows, "hinge\n0\n0.5\n"));
+    let outcome = ended(run);
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    writer.join().expect("no panic").expect("the run reads it");
+    let file = folder.write("file.csv", "hinge\n0\n0.5\n");
+    assert_eq!(outcome.stdout, percuss(&format!("sweep {MODEL} {CONTACT} --input {file}")).stdout);
+    let endless = folder.path("endless.csv");
+    symlink("/dev/zero", &endless).expect("a link");
+    let outcome = ended(started(&format!("sweep {MODEL} {CONTACT} --input {endless} --max-size 1000000")));
+    assert!(outcome.code == 2 && outcome.stderr.contains("1000000"), "{}", outcome.stderr);
+}
+
+#[test]
+fn links_and_long_names_are_kept() {
+    let folder = Scratch::new("links");
+    let (link, target) = (folder.path("link.csv"), folder.path("target.csv"));
+    symlink("middle.csv", &link).expect("a link");
+    symlink("target.csv", folder.path("middle.csv")).expect("a link");
+    let line = format!("sweep {MODEL} {CONTACT} --vary hinge=0:1:5 -o");
+    for _ in 0..2 {
+        let outcome = percuss(&format!("{line} {link}"));
+        assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+        assert!(fs::symlink_metadata(&link).expect("there").is_symlink(), "the link was replaced");
+        assert!(fs::symlink_metadata(&target).expect("written").is_file());
+    }
+    symlink("round.csv", folder.path("round.csv")).expect("a link");
+    let outcome = percuss(&format!("{line} {}", folder.path("round.csv")));
+    assert!(outcome.code == 2 && outcome.stderr.contains("cannot be written"), "{}", outcome.stderr);
+    for length in [199, 200, 201, 240, 255] {
+        for letter in ["n", "ä"] {
+            let name = letter.repeat((length - 4) / letter.len()) + ".csv";
+            let outcome = percuss(&format!("{line} {}", folder.path(&name)));
+            assert_eq!(outcome.code, 0, "{length}: {}", outcome.stderr);
+            assert!(fs::metadata(folder.path(&name)).is_ok_and(|found| found.len() > 0), "{length}");
+        }
+    }
+}
+
+/// Names with control characters and marks of direction, on a terminal.
+#[test]
+fn a_terminal_gets_escapes() {
+    let folder = Scratch::new("terminal");
+    let text = fs::read_to_string(root().join(MODEL)).expect("a model");
+    let model = folder.write("model.urdf", &text.replace("\"rod\"", "\"r\u{9b}o\u{202e}d\""));
+    let shown = |line: &str| {
+        let inner = format!("{} {line}", env!("CARGO_BIN_EXE_percuss"));
+        let run = Command::new("script").args(["-qec", &inner, "/dev/null"]).current_dir(root()).output();
+        run.ok().map(|run| String::from_utf8_lossy(&run.stdout).into_owned())
+    };
+    let Some(text) = shown(&format!("init {model}")) else {
+        println!("not run: there is no command \"script\"");
+        return;
+    };
+    assert!(text.contains("\\u{9b}") && text.contains("\\u{202e}"), "{text}");
+    assert!(!text.contains(['\u{9b}', '\u{202e}']), "{text}");
+    // Into a file or a pipe, names stay as they are.
+    assert!(percuss(&format!("init {model}")).stdout.contains(['\u{9b}']));
+}
+
+#[test]
+fn a_model_that_was_edited_is_kept() {
+    let folder = Scratch::new("edited");
+    let model = folder.path("my.urdf");
+    let line = format!("import models/suspensions/double-wishbone.toml -o {model}");
+    for _ in 0..2 {
+        let outcome = percuss(&line);
+        assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    }
+    assert_eq!(percuss(&format!("check {model}")).code, 0);
+    let text = fs::read_to_string(&model).expect("written");
+    let piped = percuss("import models/suspensions/double-wishbone.toml -o -");
+    assert_eq!(piped.stdout, text);
+    fs::write(&model, text.replace('\n', "\r\n")).expect("written");
+    assert_eq!(percuss(&line).code, 0, "ends of lines are no change");
+    let edited = text.replacen("mass value=\"", "mass value=\"1", 1);
+    assert_ne!(edited, text);
+    fs::write(&model, &edited).expect("written");
+    let outcome = percuss(&line);
+    assert!(outcome.code == 2 && outcome.stderr.contains("--force"), "{}", outcome.stderr);
+    assert_eq!(fs::read_to_string(&model).expect("there"), edited);
+    assert_eq!(percuss(&format!("{line} --force")).code, 0);
+}
+
+#[test]
+fn a_file_silences_no_warning_under_strict() {
+    let folder = Scratch::new("known");
+    let text = |code: &str| {
+        format!(
+            "<?xml version=\"1.0\"?><?percuss-known {code} a?><robot name=\"r\"><link name=\"base\"/><link name=\"a\"><inertial>\
+             <mass value=\"1\"/><inertia ixx=\"1\" iyy=\"1\" izz=\"5\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>\
+             <joint name=\"j\" type=\"continuous\"><parent link=\"base\"/><child link=\"a\"/><axis xyz=\"0 0 1\"/></joint></robot>"
+        )
+    };
+    let model = folder.write("known.urdf", &text("triangle-inequality"));
+    let plain = percuss(&format!("check {model}"));
+    assert!(plain.code == 0 && !plain.stderr.contains("warning"), "{}", plain.stderr);
+    let strict = percuss(&format!("check {model} --strict"));
+    assert!(strict.code == 2 && strict.stderr.contains("--strict makes them errors"), "{}", strict.stderr);
+}
+
+#[test]
+fn a_table_of_points_is_in_the_folder_of_its_sheet() {
+    let folder = Scratch::new("outside");
+    fs::create_dir_all(folder.path("sheets")).expect("made");
+    let sheet = fs::read_to_string(root().join("models/suspensions/double-wishbone-with-table.toml"))
+        .expect("a sheet");
+    let table = root().join("models/suspensions/double-wishbone-points.xlsx");
+    fs::copy(&table, folder.path("double-wishbone-points.xlsx")).expect("copied");
+    fs::copy(&table, folder.path("sheets/double-wishbone-points.xlsx")).expect("copied");
+    symlink("../double-wishbone-points.xlsx", folder.path("sheets/link.xlsx")).expect("a link");
+    let names = ["double-wishbone-points.xlsx", "./double-wishbone-points.xlsx"];
+    let outside = ["../double-wishbone-points.xlsx", "link.xlsx", "/etc/passwd"];
+    let import = |name: &str, flags: &str| {
+        let path = folder.write("sheets/my.toml", &sheet.replace("double-wishbone-points.xlsx", name));
+        percuss(&format!("import {path} -o - {flags}"))
+    };
+    for name in names {
+        let outcome = import(name, "");
+        assert_eq!(outcome.code, 0, "{name}: {}", outcome.stderr);
+    }
+    for name in outside {
+        let outcome = import(name, "");
+        assert!(
+            outcome.code == 2 && outcome.stderr.contains("--allow-outside"),
+            "{name}: {}",
+            outcome.stderr
+        );
+        assert!(!outcome.stderr.contains("root:"), "{name}: {}", outcome.stderr);
+    }
+    for name in &outside[..2] {
+        let outcome = import(name, "--allow-outside");
+        assert_eq!(outcome.code, 0, "{name}: {}", outcome.stderr);
+    }
+    for name in ["/dev/zero", "/dev/stdin"] {
+        let outcome = import(name, "--allow-outside");
+        assert!(outcome.code == 2 && outcome.stderr.contains("is no file"), "{name}: {}", outcome.stderr);
+    }
+}
+
+#[test]
+fn names_that_look_like_formulas_read_back() {
+    let folder = Scratch::new("formulas");
+    let text = fs::read_to_string(root().join(MODEL)).expect("a model");
+    for name in ["-hinge", "+hinge", "=hinge", "@hinge", "'hinge"] {
+        let model = folder.write("model.urdf", &text.replace("\"hinge\"", &format!("\"{name}\"")));
+        let line = format!("sweep {model} {CONTACT}");
+        let (rows, deg) = (folder.path("rows.csv"), folder.path("deg.csv"));
+        let _ = (fs::remove_file(&rows), fs::remove_file(&deg));
+        for (path, unit) in [(&rows, ""), (&deg, "--unit deg,mm")] {
+            let outcome = percuss(&format!("{line} --vary={name}=0:1:3 -o {path} {unit}"));
+            assert_eq!(outcome.code, 0, "{name}: {}", outcome.stderr);
+            let ignore = "row,status,effective_mass,closure_residual,singular_pose,motion_ratio,estimate,estimate_error_percent,\
+                          effective_mass_kg,closure_residual_mm,estimate_kg";
+            let header = fs::read_to_string(path).expect("written");
+            let columns: Vec<&str> = header.lines().next().unwrap_or("").split(',').collect();
+            let ignore: Vec<&str> = ignore.split(',').filter(|name| columns.contains(name)).collect();
+            let flags: String = ignore.iter().map(|name| format!(" --ignore={name}")).collect();
+            let outcome = percuss(&format!("{line} --input {path}{flags}"));
+            assert_eq!(outcome.code, 0, "{name}: {}", outcome.stderr);
+        }
+    }
+}
+
+#[test]
+fn poses_have_each_joint_once() {
+    let folder = Scratch::new("twice");
+    for text in ["{\"hinge\": 0.5,\n\"hinge\": 0.7}", "{\"pose\": {\"hinge\": 0,\n\"hinge\": 1}}"] {
+        let pose = folder.write("pose.json", text);
+        let outcome = percuss(&format!("mass {MODEL} {CONTACT} --pose {pose}"));
+        assert_eq!(outcome.code, 2, "{}", outcome.stderr);
+        assert!(
+            outcome.stderr.contains("pose.json:2") && outcome.stderr.contains("\"hinge\" is given twice"),
+            "{}",
+            outcome.stderr
+        );
+    }
+}
+
+#[test]
+fn meshes_name_the_line_of_a_fault() {
+    let folder = Scratch::new("mesh-lines");
+    for (name, text, words) in [
+        ("a.obj", "v 0 0 0\nv 1 0\n", "line 2: three numbers are expected after \"v\""),
+        ("b.obj", "v 0 0 0\n# x\nf 1 2 9\n", "line 3: a face names vertex 2 of 1"),
+        ("c.obj", "v 0 0 0\nf 1 x 3\n", "line 2: \"x\" is no vertex of a face"),
+        ("d.stl", "solid x\n\nfacet normal 0 0 1\n outer loop\n vertex 0 0\n", "line 5, facet 1: \"vertex\""),
+        ("e.stl", "solid x\nfacet normal 0 0 1\n", "the file ends where \"outer loop\" is expected"),
+    ] {
+        folder.write(name, text);
+        let urdf = fs::read_to_string(root().join(MODEL)).expect("a model").replacen(
+            "<link name=\"rod\"/>",
+            &format!("<link name=\"rod\"><collision><geometry><mesh filename=\"{name}\"/></geometry></collision></link>"),
+            1,
+        );
+        assert!(urdf.contains(name), "the model has a link \"rod\" without content");
+        let model = folder.write("model.urdf", &urdf);
+        let outcome = percuss(&format!("map {model} --link rod"));
+        assert!(outcome.code == 2 && outcome.stderr.contains(words), "{name}: {}", outcome.stderr);
+    }
+}

@@ -1,0 +1,79 @@
+//! Bounds of an XLSX workbook, checked before the library reads it: the library believes the counts that a workbook states,
+//! and repeats a cell format for every cell style that names it.
+
+use crate::limits::{
+    LARGEST_CELL_FORMATS, LARGEST_UNPACKED_WORKBOOK, MOST_CELL_FORMATS, MOST_WORKBOOK_PARTS,
+};
+use std::io::{Cursor, Read};
+use zip::ZipArchive;
+
+/// Checks the sizes and counts of a workbook. Work and memory are bounded by the size of the unpacked parts.
+///
+/// # Errors
+/// The limit that is exceeded, or the archive's fault.
+pub(super) fn check(bytes: &[u8]) -> Result<(), String> {
+    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| error.to_string())?;
+    if archive.len() > MOST_WORKBOOK_PARTS {
+        return Err(format!("it has {} parts; at most {MOST_WORKBOOK_PARTS} are read", archive.len()));
+    }
+    let (mut unpacked, mut part) = (0, Vec::new());
+    for index in 0..archive.len() {
+        let file = archive.by_index(index).map_err(|error| error.to_string())?;
+        let name = file.name().map_err(|error| error.to_string())?.to_ascii_lowercase();
+        part.clear();
+        let left = LARGEST_UNPACKED_WORKBOOK - unpacked;
+        // The size that the archive states is not believed.
+        let read = file.take(left as u64 + 1).read_to_end(&mut part);
+        if part.len() > left {
+            return Err(format!(
+                "its parts have more than {LARGEST_UNPACKED_WORKBOOK} bytes when they are unpacked: keep only the table in it"
+            ));
+        }
+        read.map_err(|error| error.to_string())?;
+        unpacked += part.len();
+        check_stated_counts(&part)?;
+        if name.ends_with("styles.xml") {
+            check_cell_formats(&part)?;
+        }
+    }
+    Ok(())
+}
+
+/// Refuses a count of texts that the part cannot hold: a text has more than one byte.
+fn check_stated_counts(part: &[u8]) -> Result<(), String> {
+    for rest in after_each(part, b"uniqueCount") {
+        let digits = rest.trim_ascii_start().strip_prefix(b"=").unwrap_or_default().trim_ascii_start();
+        let digits = digits.strip_prefix(b"\"").or_else(|| digits.strip_prefix(b"'")).unwrap_or_default();
+        let digits: Vec<u8> = digits.iter().copied().take_while(u8::is_ascii_digit).collect();
+        // Zeros before the number do not make it larger.
+        let stated = digits
+            .iter()
+            .fold(0_usize, |sum, digit| sum.saturating_mul(10).saturating_add(usize::from(digit - b'0')));
+        if stated > part.len() {
+            return Err(format!("it states {stated} shared texts in a part of {} bytes", part.len()));
+        }
+    }
+    Ok(())
+}
+
+/// Bounds the cell formats: the library copies into each the font, the fill and the number format that it names.
+fn check_cell_formats(part: &[u8]) -> Result<(), String> {
+    let formats = after_each(part, b"xf").count();
+    let longest = part.split(|byte| *byte == b'>').map(<[u8]>::len).max().unwrap_or(0);
+    if formats > MOST_CELL_FORMATS {
+        return Err(format!("it has {formats} cell formats; at most {MOST_CELL_FORMATS} are read"));
+    }
+    if formats.saturating_mul(longest) > LARGEST_CELL_FORMATS {
+        return Err(format!(
+            "its {formats} cell formats name fonts or number formats of up to {longest} bytes; at most \
+             {LARGEST_CELL_FORMATS} bytes are read together"
+        ));
+    }
+    Ok(())
+}
+
+/// The bytes after each occurrence of a word that begins in `part`.
+fn after_each<'p>(part: &'p [u8], word: &'static [u8]) -> impl Iterator<Item = &'p [u8]> {
+    let starts = part.windows(word.len()).enumerate().filter(move |(_, window)| *window == word);
+    starts.map(move |(at, _)| &part[at + word.len()..])
+}
