@@ -336,7 +336,7 @@ fn actions_are_pinned_and_builds_are_locked() {
         let text = fs::read_to_string(&path).expect("text");
         for line in text.lines().filter(|line| !line.trim_start().starts_with('#')) {
             let is_build = |word: &&str| line.contains(&format!("cargo {word} "));
-            if ["build", "rustc", "test", "run", "install", "bench"].iter().any(|word| is_build(&word)) {
+            if ["build", "rustc", "test", "run", "install", "bench"].iter().any(is_build) {
                 assert!(line.contains("--locked"), "{}: {line}; expected --locked", path.display());
                 builds += 1;
             }
