@@ -184,7 +184,17 @@ fn workbooks() {
             "<xf fontId=\"0\"></xf>".repeat(count)
         )
     };
-    let cases: [(&str, Vec<u8>, &str); 9] = [
+    let refers = |attribute: &str| {
+        let cell = format!("<row r=\"1\"><c {attribute} t=\"s\"><v>0</v></c></row>");
+        workbook(&[
+            ("xl/sharedStrings.xml", &texts("1", "<si><t>x</t></si>")),
+            ("xl/worksheets/sheet1.xml", &sheet(&cell)),
+        ])
+    };
+    let cases: [(&str, Vec<u8>, &str); 12] = [
+        ("row", refers("r=\"A99999999999\""), "cell reference \"A99999999999\""),
+        ("column", refers("s=\"0\"\nr = 'ABCDEFGHIJKLMNOP1'"), "cell reference \"ABCDEFGHIJKLMNOP1\""),
+        ("number", refers("r=\"18446744073709551616\""), "cell reference \"18446744073709551616\""),
         (
             "abort",
             workbook(&[

@@ -7,6 +7,11 @@ use crate::limits::{
 use std::io::{Cursor, Read};
 use zip::ZipArchive;
 
+/// Digits of the last row, 1,048,576.
+const LONGEST_ROW_NUMBER: usize = 7;
+/// Letters of the last column, XFD, with a dollar sign for each half of the reference.
+const LONGEST_COLUMN_NAME: usize = 5;
+
 /// Checks the sizes and counts of a workbook. Work and memory are bounded by the size of the unpacked parts.
 ///
 /// # Errors
@@ -32,6 +37,9 @@ pub(super) fn check(bytes: &[u8]) -> Result<(), String> {
         read.map_err(|error| error.to_string())?;
         unpacked += part.len();
         check_stated_counts(&part)?;
+        if name.contains("worksheets") {
+            check_cell_references(&part)?;
+        }
         if name.ends_with("styles.xml") {
             check_cell_formats(&part)?;
         }
@@ -51,6 +59,36 @@ fn check_stated_counts(part: &[u8]) -> Result<(), String> {
             .fold(0_usize, |sum, digit| sum.saturating_mul(10).saturating_add(usize::from(digit - b'0')));
         if stated > part.len() {
             return Err(format!("it states {stated} shared texts in a part of {} bytes", part.len()));
+        }
+    }
+    Ok(())
+}
+
+/// Refuses cell references beyond the last cell of a sheet, XFD1048576: the library multiplies their letters and digits
+/// without a check for overflow.
+fn check_cell_references(part: &[u8]) -> Result<(), String> {
+    for attribute in [b"r".as_slice(), b"ref".as_slice()] {
+        let starts = (1..part.len()).filter(|&at| part[at - 1].is_ascii_whitespace());
+        for rest in starts.filter_map(|at| part[at..].strip_prefix(attribute)) {
+            let Some(value) = rest.trim_ascii_start().strip_prefix(b"=").map(<[u8]>::trim_ascii_start) else {
+                continue;
+            };
+            let Some((quote, value)) = value.split_first().filter(|(quote, _)| b"\"'".contains(quote)) else {
+                continue;
+            };
+            let value = value.split(|byte| byte == quote).next().unwrap_or_default();
+            let is_long = |cell: &[u8]| {
+                let digits = cell.iter().filter(|byte| byte.is_ascii_digit()).count();
+                digits > LONGEST_ROW_NUMBER || cell.len() - digits > LONGEST_COLUMN_NAME
+            };
+            // A text between tags may look like an attribute: only values of letters and digits are references.
+            let is_reference = value.iter().all(|byte| byte.is_ascii_alphanumeric() || b":$".contains(byte));
+            if is_reference && value.split(|byte| *byte == b':').any(is_long) {
+                let shown: String = String::from_utf8_lossy(value).chars().take(40).collect();
+                return Err(format!(
+                    "it has a cell reference \"{shown}\"; the last cell of a sheet is XFD1048576"
+                ));
+            }
         }
     }
     Ok(())
