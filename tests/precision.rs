@@ -59,8 +59,7 @@ mod percuss {
             system.map(Self).map_err(|error| error.to_string())
         }
 
-        /// Poses the mechanism from joint name, exact value, value to set, and true for a driver; the values of other
-        /// joints are guesses.
+        /// Poses the mechanism from joint name, exact value, value to set (a guess), and true for a driver.
         fn pose(&self, values: &[(String, f64, f64, bool)]) -> Result<Pose, String> {
             let mut configuration = self.0.configuration();
             for (joint, _, value, drives) in values {
@@ -89,8 +88,7 @@ mod percuss {
             }
         }
 
-        /// Poses the mechanism and computes the response to every contact, with the largest deviation of the joints
-        /// from their values.
+        /// Response of the posed mechanism to every contact, with the largest deviation of the joints from their values.
         pub fn ask(
             &self,
             values: &[(String, f64, f64, bool)],
@@ -278,8 +276,7 @@ impl Rows {
         out + "</robot>\n"
     }
 
-    /// Moving joints with their values and driver flags; without loops, all joints are drivers. Guesses deviate by
-    /// `rough`.
+    /// Moving joints with values and driver flags (without loops, all are drivers). Guesses deviate by `rough`.
     fn values(&self, count: usize, words: &str, rough: f64) -> Vec<(String, f64, f64, bool)> {
         let moving = (1..=count).zip(&self.joints).filter(|(_, row)| row.0 != "f");
         let value = |((i, row), word): ((usize, &JointRow), &str)| {

@@ -3,7 +3,7 @@
 use super::Model;
 use super::cluster::{Cluster, ClusterGroup, ClusterVelocity};
 use crate::union::Partition;
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 
 impl Model {
     /// Partitions the bodies into clusters.
@@ -80,20 +80,26 @@ impl Model {
         sets
     }
 
-    /// The bodies and those on the paths between them, up to (but without) the body that carries them all. Of bodies that
-    /// `joined` has together already, the uppermost alone: the sum over all sets is then linear in the bodies.
+    /// The given bodies and the bodies on the paths between them, without their common ancestor; each joined set is represented by
+    /// its root. The sum over all sets is linear in the number of bodies.
     fn with_all_between(&self, bodies: &[usize], joined: &mut Partition) -> Vec<usize> {
-        // Bodies are numbered parents first: the highest number carries none of the others. `None` is the ground.
-        let mut ends: BTreeSet<Option<usize>> = bodies.iter().map(|&b| Some(joined.root(b))).collect();
-        let wanted = ends.clone();
+        // Set of each end of a path, with the body at which the path enters the set; `None` if the whole set belongs to the result.
+        // Bodies are numbered parents first, so the highest number carries none of the others. The key `None` is the ground.
+        let mut ends: BTreeMap<Option<usize>, Option<usize>> =
+            bodies.iter().map(|&b| (Some(joined.root(b)), None)).collect();
         let mut all = Vec::new();
         while ends.len() > 1 {
-            let Some(Some(body)) = ends.pop_last() else { break };
+            let Some((Some(body), _)) = ends.pop_last() else { break };
             all.push(body);
-            ends.insert(self.bodies[body].parent.map(|parent| joined.root(parent)));
+            let parent = self.bodies[body].parent;
+            let entry = ends.entry(parent.map(|parent| joined.root(parent))).or_insert(parent);
+            // Two paths that enter a set at different bodies are connected through it.
+            if *entry != parent {
+                *entry = None;
+            }
         }
-        // The paths meet in a body that carries them all, unless it belongs to the set itself.
-        all.extend(ends.intersection(&wanted).copied().flatten());
+        // All paths meet in the last set: in one body, the common ancestor, or through the set.
+        all.extend(ends.into_iter().filter(|(_, entry)| entry.is_none()).filter_map(|(root, _)| root));
         all
     }
 
