@@ -312,6 +312,14 @@ fn exports_are_for_the_restitution_not_for_the_law() {
     assert_eq!(exact["exports"], other["exports"]);
     assert_eq!(exact["exports"].as_object().map(serde_json::Map::len), Some(2));
     assert_eq!(exact["diagnostics"], serde_json::json!([]));
+    // At 9.81 m/s² the weight is a tenth of the spring's force: a note of each compliant export.
+    for tool in exact["exports"].as_object().expect("an object").values() {
+        let notes = tool["assumptions"].as_array().expect("an array");
+        assert!(
+            notes.iter().any(|note| note.as_str().is_some_and(|note| note.contains("gravity"))),
+            "{tool}"
+        );
+    }
     assert_eq!(other["diagnostics"][0]["code"], "exports-own-law");
     assert_eq!(json(&format!("{base} --separation gap"))["diagnostics"][0]["code"], "exports-own-law");
 }

@@ -138,8 +138,23 @@ pub(crate) const DART_SOFTENING: f64 = 1.1e-5;
 pub(crate) const RIGID_TRAVEL: f64 = 3e-4;
 /// Up to which travel, m, the error stated there was measured: twice the recommended.
 pub(crate) const RIGID_LONGEST_TRAVEL: f64 = 2.0001 * RIGID_TRAVEL;
-/// How often Jolt is to go through its rows: at 10, its default, a hinged body with a rotor lacks (1 + e)·8e-4; at 50 nothing.
+/// The least number of Jolt's velocity steps: at 10, its default, a hinged body with a rotor lacks (1 + e)·8e-4; at 50 nothing.
 pub(crate) const JOLT_TURNS: f64 = 50.0;
+/// What the velocity steps of a hinged body may leave of 1 + e: half of [`JOLT_ERROR`].
+pub(crate) const JOLT_REST: f64 = JOLT_ERROR / 2.0;
+/// The most velocity steps that are exported: of one hinge, m̄ is then 1,000 times the mass of the body without the hinge; more
+/// takes seconds for an impact.
+pub(crate) const JOLT_MOST_TURNS: f64 = 10_000.0;
+/// Relative difference up to which m̄ is that of the body without joints: rounding of both.
+pub(crate) const SAME_MASS: f64 = 1e-9;
+/// Curvature of the motion of a mechanism without a model, 1/m: that of a lever of 0.2 m with the centre of mass at the contact.
+pub(crate) const RIGID_CURVATURE: f64 = 10.0;
+/// Least curvature of the motion of a mechanism, 1/m: rounding of second differences; the effect is below 1e-8 at the recommended travel.
+pub(crate) const LEAST_CURVATURE: f64 = 1e-5;
+/// Standard gravity, m/s², rounded.
+pub(crate) const GRAVITY: f64 = 9.81;
+/// Half of a unit in the last place of coordinates from 0.25 to 0.5 m in single precision, m.
+pub(crate) const SINGLE_PLACE: f64 = 1.5e-8;
 /// The same of closed loops: what a four-bar (m̄ = 68.1 kg, open 2.5 kg) rebounds with changes no more from there on; at 500 it lacks 1e-3.
 pub(crate) const JOLT_LOOP_TURNS: f64 = 1000.0;
 /// Error bound of the restitution stated for Jolt: measured 3e-5 at the longest travel.

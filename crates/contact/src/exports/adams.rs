@@ -51,7 +51,9 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     };
     let depth = ImpactFunction::undamped_penetration(p, mass, stiffness, speed)?;
     let ramp = limits::ADAMS_RAMP * depth;
-    let number = ImpactFunction::new(p, limits::ADAMS_RAMP)?.damping(e)?;
+    let function = ImpactFunction::new(p, limits::ADAMS_RAMP)?;
+    let number = function.damping(e)?;
+    export.add_penetration("", function.penetration(number).ok().map(|part| part * depth));
     // k x₀ᵖ/v = (p+1)/2 · m̄ v/x₀.
     let damping = number * (p + 1.0) / 2.0 * mass * speed / depth;
     if !damping.is_finite() {

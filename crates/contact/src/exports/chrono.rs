@@ -3,7 +3,7 @@
 use super::export::single;
 use super::linear::Linear;
 use super::{Export, ExportError, Facts, Measurement, Options, Request, Tool};
-use crate::{Separation, kelvin_voigt};
+use crate::{Damper, Separation, kelvin_voigt};
 
 /// The mass that Chrono gives a body without a mass, in kg; also a fixed one.
 const DEFAULT_MASS: f64 = 1.0;
@@ -89,6 +89,7 @@ fn hooke(export: &mut Export, request: &Request, effective: f64) -> Result<(), E
     single("Chrono's gn, 1/s", damping)?;
     export.time_step = Some(step);
     export.error_bound = Some(linear.error_bound(step));
+    export.add_penetration("", linear.penetration(request.speed));
     export.set("kn", linear.stiffness, "N/m");
     export.set("gn", damping, "1/s");
     export.set("step", step, "s");
@@ -127,6 +128,12 @@ fn hertz(export: &mut Export, request: &Request, effective: f64) -> Result<(), E
     export.set("cr", cr, "");
     export.set("E_eff·sqrt(R_eff)", modulus, "N/m^(3/2)");
     export.set("E_eff", modulus / BULLET_RADIUS.sqrt(), "Pa");
+    if let Some(speed) = request.speed {
+        let ratio = kelvin_voigt::ratio(request.restitution, Separation::ForceVanishes)?;
+        let damper = Damper::kelvin_voigt(request.contact, ratio, Separation::ForceVanishes);
+        let impact = damper.and_then(|damper| damper.impact(request.contact, speed));
+        export.add_penetration("", impact.ok().map(|impact| impact.max_penetration));
+    }
     export.time_step = request.options.time_step;
     let step = request
         .options

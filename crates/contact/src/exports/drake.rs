@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use super::linear::Linear;
 use super::{Export, ExportError, Facts, Measurement, Request, Tool};
-use crate::hunt_crossley;
+use crate::{Damper, hunt_crossley};
 
 const TOOL: Tool = Tool::of(&FACTS);
 
@@ -75,6 +75,13 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
         ),
     }
     let relaxation = discrete(&mut export, &linear, request.options.time_step)?;
+    if relaxation.is_some() {
+        export.add_penetration("SAP", linear.penetration(request.speed));
+    }
+    if let Some((d, speed)) = dissipation.zip(request.speed) {
+        let impact = Damper::hunt_crossley(d).and_then(|damper| damper.impact(request.contact, speed));
+        export.add_penetration("continuous, lagged", impact.ok().map(|impact| impact.max_penetration));
+    }
     continuous(&mut export, request, &linear);
     snippets(&mut export, stiffness, dissipation, relaxation);
     words(&mut export, request, number);
@@ -98,8 +105,12 @@ fn discrete(export: &mut Export, linear: &Linear, wanted: Option<f64>) -> Result
     export.set("relaxation_time", relaxation, "s");
     export.set("time_step_sap", step, "s");
     export.time_step = Some(step);
-    export.error_bound = Some(linear.implicit_error_bound(step));
+    let (sap, own) = (linear.implicit_error_bound(step), linear.lagged_error(lagged));
+    export.error_bound = Some(sap.max(own));
     export.assume(linear.implicit_words(step));
+    export.assume(format!(
+        "The stated error is the greater of SAP's at {step:?} s, {sap:.1e}, and of that of lagged and similar at {lagged:?} s, {own:.1e}."
+    ));
     export.assume(format!(
         "A discrete plant with the lagged or similar approximation (lagged is Drake's default) loses up to \
          (π/2)·e·ωh of the restitution, {:.1e} at {lagged:?} s, and cannot be corrected by another dissipation.",

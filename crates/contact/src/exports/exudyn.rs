@@ -60,6 +60,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let mut export = Export::new(TOOL);
     export.time_step = Some(step);
     export.error_bound = Some(slope * part + part * part / 2.0);
+    export.add_penetration("", linear.penetration(request.speed));
     export.set("contactStiffness", linear.stiffness, "N/m");
     export.set("contactDamping", damping, "N·s/m");
     export.set("contactStiffnessExponent", 1.0, "");

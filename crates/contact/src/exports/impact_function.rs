@@ -55,8 +55,7 @@ impl ImpactFunction {
         let mut step = limits::FIRST_STEP * self.ramp.min(1.0);
         for _ in 0..limits::MOST_STEPS {
             let (next, error) = self.dormand_prince(damping, state, step);
-            let grow = (0.9 * (limits::STEP_TOLERANCE / error.max(limits::LEAST_STEP_ERROR)).powf(0.2))
-                .clamp(0.2, 4.0);
+            let grow = next_step(error);
             if error > limits::STEP_TOLERANCE {
                 step *= grow;
                 continue;
@@ -74,6 +73,24 @@ impl ImpactFunction {
             let Some(y) = self.positive_again(damping, y, u) else { return Ok((-u).clamp(0.0, 1.0)) };
             state = [y, u];
             step = step.min(0.1 * y / -u);
+        }
+        Err(endless(f64::NAN))
+    }
+
+    /// The greatest penetration over the undamped one. Errors: the damping is negative or not finite; the motion does not turn back.
+    pub fn penetration(&self, damping: f64) -> Result<f64, ContactLawError> {
+        let damping = not_negative("IMPACT's dimensionless damping", damping)?;
+        let mut state = [0.0, 1.0];
+        let mut step = limits::FIRST_STEP * self.ramp.min(1.0);
+        for _ in 0..limits::MOST_STEPS {
+            let (next, error) = self.dormand_prince(damping, state, step);
+            if error <= limits::STEP_TOLERANCE {
+                if next[1] <= 0.0 {
+                    return Ok(self.end_of_step(damping, state, step, |s| s[1] <= 0.0)[0]);
+                }
+                state = next;
+            }
+            step *= next_step(error);
         }
         Err(endless(f64::NAN))
     }
@@ -182,6 +199,11 @@ impl ImpactFunction {
         let at = |part: f64| self.dormand_prince(damping, state, part).0;
         at(bisect(0.0, step, |part| holds(at(part))).1)
     }
+}
+
+/// Ratio of the next step to one of this error.
+fn next_step(error: f64) -> f64 {
+    (0.9 * (limits::STEP_TOLERANCE / error.max(limits::LEAST_STEP_ERROR)).powf(0.2)).clamp(0.2, 4.0)
 }
 
 /// The two neighbours between which something begins to hold that does not hold at `low` and does at `high`.

@@ -33,6 +33,7 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let linear = Linear::of(request, TOOL)?;
     let damping = linear.damping(linear.ratio);
     let mut export = Export::new(TOOL);
+    export.add_penetration("", linear.penetration(request.speed));
     export.set("Stiffness", linear.stiffness, "N/m");
     export.set("Damping", damping, "N·s/m");
     let mut text = format!(
