@@ -174,3 +174,28 @@ fn gravity_is_a_stated_condition() {
     }
     assert!(Request { speed: None, ..hinged(0.5, 24.0) }.gravity_loss().is_none());
 }
+
+#[test]
+fn an_error_larger_than_the_restitution_is_refused() {
+    let mut request = hinged(0.005, 24.0);
+    assert!(bound(Tool::MUJOCO, &request) <= 1e-3);
+    request.options.accuracy = 0.1;
+    let error = Tool::EXUDYN.export(&request).unwrap_err();
+    assert!(matches!(error, ExportError::Unreachable { .. }), "{error}");
+}
+
+/// A lever of 0.05 m has a shorter step than a lever of 0.5 m.
+#[test]
+fn the_step_of_rigid_contacts_follows_the_curvature_of_the_motion() {
+    for tool in [Tool::RAPIER, Tool::DART, Tool::GAZEBO, Tool::JOLT] {
+        let step = |curvature: f64| {
+            let mut request = hinged(0.5, 12.0);
+            request.options.motion_curvature = Some(curvature);
+            let export = tool.export(&request).unwrap();
+            assert!(export.error_bound.unwrap() <= 1e-3, "{tool}: {:?}", export.error_bound);
+            export.time_step.unwrap()
+        };
+        assert!((step(40.0) / step(400.0) / 10.0 - 1.0).abs() < 1e-9, "{tool}");
+        assert_eq!(step(0.0), step(1e-3), "{tool}");
+    }
+}

@@ -6,7 +6,7 @@ use percuss_contact::{CompliantContact, ContactLawError, Separation, hunt_crossl
 const MASS: f64 = 2.28125;
 const STIFFNESS: f64 = 1e5;
 const SPEED: f64 = 0.4;
-/// Of a coordinate from 0.25 to 0.5 m in single precision, m.
+/// Rounding of a coordinate from 0.25 to 0.5 m in single precision, m.
 const ROUNDING: f64 = 1.5e-8;
 
 fn request(restitution: f64) -> Request {
@@ -124,6 +124,11 @@ fn implicit_engines_bounce_as_asked() {
     for e in RESTITUTIONS {
         let request = request(e);
         for tool in [Tool::ODE, Tool::BULLET, Tool::GAZEBO_CLASSIC, Tool::PHYSX, Tool::DRAKE] {
+            if tool == Tool::PHYSX && e < 0.01 {
+                // The error of single precision is larger than e.
+                assert!(matches!(tool.export(&request), Err(ExportError::Unreachable { .. })), "{e}");
+                continue;
+            }
             let export = tool.export(&request).unwrap();
             let h = export.time_step.unwrap();
             let (k, c) = match tool.name() {
@@ -426,6 +431,10 @@ fn exudyn_bounces_as_asked_with_the_half_period() {
         for accuracy in [1e-2, 1e-3, 1e-4] {
             let mut request = request(e);
             request.options.accuracy = accuracy;
+            if accuracy > e {
+                assert!(matches!(Tool::EXUDYN.export(&request), Err(ExportError::Unreachable { .. })), "{e}");
+                continue;
+            }
             let export = Tool::EXUDYN.export(&request).unwrap();
             let (k, c) = (number(&export, "contactStiffness"), number(&export, "contactDamping"));
             let ratio = c / (2.0 * (k * MASS).sqrt());

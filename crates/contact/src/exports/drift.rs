@@ -5,10 +5,10 @@ use super::{Export, Request};
 /// Adds the effect of the request's [`MassDrift`](super::MassDrift) to the error bound: δ (ln(1/e) + 1) e/2, δ the relative
 /// change of m̄ over the tool's own penetration.
 ///
-/// e = f(ζ) with ζ ∝ 1/√m̄, and |de/d ln m̄| ≤ e ln(1/e)/2 for the linear spring and damper: the first term is the effect of m̄
-/// at its deepest value throughout. The second term is the change of the speed, δ/2, between the end of the force and the closed gap.
-/// Integrated with m̄ linear in the penetration, the effect is 0.55 of the first term or less for e = 0.05 to 0.9. Rigid contacts
-/// penetrate by the travel of one time step.
+/// First term: e = f(ζ) with ζ ∝ 1/√m̄, and |de/d ln m̄| ≤ e ln(1/e)/2 for the linear spring and damper; the term is the effect
+/// of the deepest m̄ during the whole impact. Second term: change δ/2 of the speed between the end of the force and the
+/// closed gap. Integration with m̄ linear in the penetration gives at most 0.55 of the first term for e = 0.05 to 0.9.
+/// The penetration of rigid contacts is the travel of one time step.
 pub(super) fn apply(request: &Request, mut export: Export) -> Export {
     let (Some(drift), Some(bound)) = (request.options.drift, export.error_bound) else { return export };
     let travel = request.speed.zip(export.time_step).map(|(speed, step)| speed * step);

@@ -50,15 +50,15 @@ pub(super) const FACTS: Facts = Facts {
 
 /// For both shapes ke = k, kd = 2ζ√(k m̄) with the ζ of e², restitution = e.
 ///
-/// The force of SemiImplicit and Featherstone is k x + c max(0, ẋ) while x > 0: on the way in a spring and damper, which
-/// reaches the depth x_m = (v/ω)√e_b(ζ) of the clamped contact, e_b its restitution; on the way out a spring alone, which
-/// gives the speed ω x_m. So e = √e_b(ζ). The mean of two equal sides is the value itself.
+/// The force of SemiImplicit and Featherstone is k x + c max(0, ẋ) while x > 0: during approach a spring and
+/// damper with the depth x_m = (v/ω)√e_b(ζ) of the clamped contact of restitution e_b; during separation a spring alone,
+/// with the speed ω x_m. Hence e = √e_b(ζ). Newton takes the mean of the two sides.
 ///
-/// Semi-implicit Euler: the damper comes up to one step late, as in [`Linear::error_bound`] with this ζ.
+/// Semi-implicit Euler: the damper force is up to one step late, as in [`Linear::error_bound`] with this ζ.
 ///
-/// XPBD sets the speed of separation of a free body to e v, whatever the mass and the step. It has no armature, and a body on a joint with
-/// that inertia of its own rebounded with 0.29, 0.25, 0.17 for 0.2, 0.5, 0.8: its step is exported for free bodies only.
-/// SemiImplicit's joints are springs: a pendulum there showed 0.38 for 0.5.
+/// XPBD sets the speed of separation of a free body to e v for every mass and step. XPBD has no armature, and a body on a
+/// hinge rebounded with 0.29, 0.25, 0.17 for 0.2, 0.5, 0.8: the step of XPBD is exported for free bodies only. The joints
+/// of SemiImplicit are springs: a pendulum rebounded with 0.38 for 0.5.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let mut linear = Linear::of(request, TOOL)?;
     let e = linear.restitution;
@@ -118,10 +118,10 @@ pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     Ok(export)
 }
 
-/// A joint's stop: `limit_ke` = k, `limit_kd` = 2ζ√(k m̄) with the ζ of a contact that ends where the gap closes.
+/// Stop of a joint: `limit_ke` = k, `limit_kd` = 2ζ√(k m̄) with the ζ of a contact that ends at the closed gap.
 ///
-/// Featherstone adds limit_ke (limit − q) − limit_kd q̇ as long as q is past the limit, unlike at contacts on the way out too, and does
-/// not clamp it: e = exp(−πζ/√(1−ζ²)). It takes the force at the beginning of the step.
+/// Featherstone adds limit_ke (limit − q) − limit_kd q̇ while q is past the limit, also during separation (unlike at
+/// contacts) and without a clamp: e = exp(−πζ/√(1−ζ²)). The force is that of the beginning of the step.
 ///
 /// Measured in Newton 1.8.0, hinges with and without a rotor and an elbow whose shoulder is free: within 6.6e-4, 3.7e-4, 3.4e-4. With the link's
 /// own inertia the elbow (0.107 for 0.0668 kg·m²) shows 0.118, 0.411, 0.754.

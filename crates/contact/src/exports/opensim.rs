@@ -33,7 +33,7 @@ pub(super) const FACTS: Facts = Facts {
 /// c = (c₁E₂ + c₂E₁)/(E₁+E₂); OpenSim takes the stiffness E₁^(3/2) as its parameter. Two equal surfaces: E = E₁/2, so that
 /// k = 4/3·√R·stiffness/2^(3/2). Hunt and Crossley's dissipation number is 3/2 c v = a(e), whatever the exponent and the mass.
 ///
-/// The integrator's greatest step is 0.1 x₀/v, x₀ the penetration without damping, and shorter for a better accuracy.
+/// Greatest step of the integrator: 0.1 x₀/v, x₀ the penetration without damping; shorter for a smaller error.
 pub(super) fn export(request: &Request) -> Result<Export, ExportError> {
     let contact = request.contact;
     if contact.exponent() != 1.5 {

@@ -3,17 +3,17 @@
 use super::{Export, ExportError, Request, Tool};
 use crate::limits;
 
-/// r/(v h), r = 1.5e-8 m: positions are rounded at every step, and a coordinate from 0.25 to 0.5 m by up to r. The rounding is
-/// the same in successive steps of nearly constant travel, so that it adds up to this part of the travel.
+/// Error of the restitution r/(v h), r = 1.5e-8 m: positions are rounded at every step, a coordinate from 0.25 to 0.5 m by
+/// up to r. In successive steps of nearly constant travel v h the rounding is the same, so the relative error of the
+/// travel is r/(v h).
 ///
-/// Measured on levers whose hinge is at the origin (k = 1e4 to 6e5 N/m, 0.03 to 1.8 m/s), over this: Bullet 3.24 0.4, PhysX 5 with TGS,
-/// h its part of the step, 0.5.
-/// `None` without a speed.
+/// Measured on levers with the hinge at the origin (k = 1e4 to 6e5 N/m, 0.03 to 1.8 m/s), as a part of this error: Bullet
+/// 3.24 0.4; PhysX 5 with TGS, h the step of one position iteration, 0.5. `None` without a speed.
 pub(super) fn error(request: &Request, step: f64) -> Option<f64> {
     Some(limits::SINGLE_PLACE / (request.speed? * step))
 }
 
-/// Adds [`error`] to the error bound of an export, with its condition; h is `step`. Error: the sum is above 0.1.
+/// Adds [`error`] at the step `step` to the error bound of an export, with the condition. Error: the sum is above 0.1.
 pub(super) fn add(
     export: &mut Export,
     tool: Tool,
