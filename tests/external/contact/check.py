@@ -255,8 +255,8 @@ class Check:
                 self.right("MuJoCo", scene, report, theirs.impact(given, speed)[0])
 
     def further(self, folder, count):
-        """Balls, an oblique double pendulum, a slider-crank and compound levers, each with a restitution of its own, within the bound that
-        the export states."""
+        """Runs balls, an oblique double pendulum, a slider-crank and compound levers, one restitution each, within the error bound of
+        the export."""
         scenes = [(f"double pendulum, e = {e}", DOUBLE_PENDULUM.contact(folder), None, e) for e in (0.3, 0.9)]
         scenes += [(f"slider-crank, e = {e}", SLIDER_CRANK, None, e) for e in (0.15, 0.6)]
         scenes += [(f"lever {i}", lever.contact(folder), lever, e) for i, (lever, e) in enumerate(levers(count))]
@@ -268,7 +268,7 @@ class Check:
                 self.bound(f"Drake {mode}", f"ball {i}", report, outcome)
         for scene, contact, lever, e in scenes:
             if lever:
-                lever.contact(folder)  # writes the model, whose name all levers share
+                lever.contact(folder)  # writes the model again: all levers have one file name
             _, path, *flags = contact.flags
             pairs = [pair for pair in zip(flags[::2], flags[1::2]) if pair[0] != "--own-mass"]
             theirs = mujoco_scenes.Mechanism(path, answer(self.percuss, "mass", path, *itertools.chain(*pairs)))

@@ -86,7 +86,7 @@ class Check:
                 self.further(module, engine, scene, run, what, e)
 
     def further(self, module, engine, scene, run, what, e):
-        """A scene of its own restitution, within the bound, or refused; at the exported step."""
+        """Runs a scene with one restitution at the exported step: within the bound, or refused."""
         contact = what.contact(self.folder)
         if exponent := getattr(module, "EXPONENT", None):
             flags = (*contact.flags, "--exponent", repr(exponent))

@@ -1,4 +1,4 @@
-"""What collides in the engines, whatever the engine: a ball, pendulums, a four-bar."""
+"""Scenes of all engines: balls, levers, a double pendulum, a four-bar."""
 
 import dataclasses
 import math
@@ -19,7 +19,7 @@ class Absent(Exception):
 
 
 def alone(own_mass):
-    """What percuss is asked of the struck body by itself."""
+    """Contact of the body without joints."""
     return Contact(("--mass", repr(own_mass), "--own-mass", repr(own_mass)), STIFFNESS, SPEED)
 
 
@@ -151,8 +151,8 @@ class FourBar:
 
 @dataclasses.dataclass(frozen=True)
 class DoublePendulum:
-    """Two bodies on hinges in the x-y plane, both oblique to the normal +y; as FourBar otherwise. The bodies move with the least energy that
-    the approach takes. `struck` is the outer one. No gravity."""
+    """Two bodies on hinges in the x-y plane, both oblique to the normal +y; fields of FourBar. The bodies move with the least energy for
+    the approach speed. `struck` is the outer body. No gravity."""
 
     radius: float = 0.02
     point: tuple = (0.6, 0.05)
@@ -220,15 +220,15 @@ class DoublePendulum:
 
 
 def levers(count, seed=24):
-    """(lever, restitution): compound levers with inertias of their own. m̄/m from 0.1 to 50; the centre of mass up to 0.3 m off the line from
-    hinge to contact; e from 0.15 to 0.9, 0.02 to 2 m/s, 1e4 to 1e6 N/m."""
+    """Random compound levers without rotors, each with a restitution: m̄/m from 0.1 to 50; the centre of mass up to 0.3 m off the line
+    from hinge to contact; e from 0.15 to 0.9, 0.02 to 2 m/s, 1e4 to 1e6 N/m."""
     dice, made = random.Random(seed), []
 
     def between(low, high):
         return math.exp(dice.uniform(math.log(low), math.log(high)))
 
     while len(made) < count:
-        # The share of the inertia's range makes the first few spread over it.
+        # Golden-ratio sequence: the first few levers are spread over the range of m̄/m.
         share = (len(made) * 0.618 + dice.random() * 0.1) % 1
         mass, lever, ratio = between(0.3, 5.0), dice.uniform(0.2, 0.6), 0.1 * 500**share
         centre, offset = dice.uniform(0.05, 0.6), dice.uniform(-0.3, 0.3)
