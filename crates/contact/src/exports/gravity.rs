@@ -16,7 +16,7 @@ impl Request {
         let (mass, stiffness) = (self.contact.mass(), self.contact.stiffness());
         let depth =
             ImpactFunction::undamped_penetration(self.contact.exponent(), mass, stiffness, speed).ok()?;
-        Some(1.2 * -self.restitution.ln() * limits::GRAVITY * depth / (speed * speed))
+        Some(1.2 * self.restitution.recip().ln() * limits::GRAVITY * depth / (speed * speed))
     }
 }
 
