@@ -1,6 +1,7 @@
 #!/bin/sh
-# cargo as maturin calls it (CARGO) for `python.sh --tested`: the extension with the features with which `cargo test --workspace` has built
-# everything below it, so that it alone is compiled. Maturin passes --locked, and cargo takes it once. Features of tests count where a test is asked for: any will do, and is there.
+# cargo as maturin calls it (CARGO) for `python.sh --tested`: the extension with the features of `cargo test --workspace`,
+# so that it alone is compiled. Features of tests count where a test is named: any will do. Maturin passes --locked, and
+# cargo takes it once.
 if [ "$1" = rustc ]; then
   shift
   exec cargo build --workspace --test header "$@" # with --locked
