@@ -1,5 +1,4 @@
-// percuss for C++17: a thin layer over percuss.h. Objects own their handles; failures are exceptions with the library's
-// message.
+// percuss for C++17: a thin layer over percuss.h. Objects own their handles; failures are exceptions with a message.
 //
 // Model, System, Assembly, Pose and Batch are immutable and may be shared between threads. A Conditions, Configuration
 // or Workspace is for one thread at a time (otherwise percuss::Error with PERCUSS_ERROR_BUSY).
@@ -372,8 +371,7 @@ class Pose {
 /// Workspace for one configuration after another. One thread at a time.
 class Workspace {
  public:
-  /// m̄ in kg at the positions of all joints; empty unless finite. `outcome` receives the outcome, `remarks` the
-  /// PERCUSS_REMARK_… bits.
+  /// m̄ in kg at the positions of all joints; empty unless finite. `outcome` and `remarks` (PERCUSS_REMARK_…) are outputs.
   std::optional<double> effective_mass(const double *positions, std::size_t count, const Contact &contact,
                                        percuss_outcome *outcome = nullptr, std::uint32_t *remarks = nullptr) {
     percuss_outcome found = PERCUSS_NO_ANSWER;
@@ -395,8 +393,7 @@ class Workspace {
     if (outcome != nullptr) *outcome = found;
     return found == PERCUSS_FINITE ? std::optional<double>(mass) : std::nullopt;
   }
-  /// Sets the pose of the root link in the world (m, and a unit quaternion w, x, y, z), for normals that are given in
-  /// the world.
+  /// Sets the pose of the root link in the world (m, and a unit quaternion w, x, y, z), for normals in the world.
   void set_base(const Vector3 &position, const std::array<double, 4> &quaternion) {
     check(percuss_workspace_set_base(handle_.get(), position.data(), quaternion.data()));
   }
@@ -420,8 +417,8 @@ class Batch {
     /// PERCUSS_REMARK_… added together, with the reason for a row without an answer.
     std::vector<std::uint32_t> remarks;
   };
-  /// Watch function, called periodically with the number of configurations done; false stops the work. An exception
-  /// stops the work too, and `run` rethrows it.
+  /// Called periodically with the number of configurations done. False stops the work, and so does an exception, which
+  /// `run` rethrows.
   using Watch = std::function<bool(std::size_t)>;
 
   /// m̄ at count configurations; positions holds the positions of all joints, one configuration after another.

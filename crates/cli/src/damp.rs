@@ -263,7 +263,7 @@ pub fn exported(name: &str, export: &ExportRecord) -> String {
     out
 }
 
-/// Where it was measured, and how far off it was.
+/// Solver and worst error of a measured restitution, in words.
 fn measurement(measured: &Measurement) -> String {
     let solver = if measured.solver.is_empty() { String::new() } else { format!(", {}", measured.solver) };
     let worst = measured.worst.map(|worst| worst.map_or_else(|| "refused".into(), |w| format!("{w:.1e}")));

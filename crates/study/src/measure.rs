@@ -1,7 +1,7 @@
 //! Quantities with their own units: stiffness, speed, force and others.
 
 use crate::quantity::QuantityError;
-use percuss_dynamics::input::LARGEST_NUMBER;
+use percuss_dynamics::input::not_a_number;
 
 /// Kind of quantity; determines the accepted units.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -102,7 +102,7 @@ impl Measure {
         })?;
         let (_, times, over) = unit.unwrap_or(&units[0]);
         let value = number * times / over;
-        if value.is_nan() || value.abs() > LARGEST_NUMBER {
+        if not_a_number(&[value]).is_some() {
             return Err(QuantityError::NotFinite { text: text.to_owned() });
         }
         Ok(Measured { value, unit: unit.map(|_| self) })

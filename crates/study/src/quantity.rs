@@ -1,6 +1,6 @@
 //! Numbers as typed by users: SI units, or with a unit suffix.
 
-use percuss_dynamics::input::LARGEST_NUMBER;
+use percuss_dynamics::input::not_a_number;
 use percuss_mechanism::JointKind;
 use std::fmt;
 
@@ -158,11 +158,10 @@ impl Quantity {
     /// # Errors
     /// [`QuantityError::NotFinite`].
     pub fn number(value: f64) -> Result<Self, QuantityError> {
-        if value.abs() <= LARGEST_NUMBER {
-            Ok(Self { value, dimension: None })
-        } else {
-            Err(QuantityError::NotFinite { text: value.to_string() })
+        if not_a_number(&[value]).is_some() {
+            return Err(QuantityError::NotFinite { text: value.to_string() });
         }
+        Ok(Self { value, dimension: None })
     }
 
     /// Reads a number with an optional unit: `0.5`, `30deg`, `12mm`, `-1e-3`.
@@ -178,7 +177,7 @@ impl Quantity {
         };
         let unit = unit.and_then(|(name, ..)| Unit::named(name));
         let value = unit.unwrap_or(Unit::SI).to_si(number);
-        if value.is_nan() || value.abs() > LARGEST_NUMBER {
+        if not_a_number(&[value]).is_some() {
             return Err(QuantityError::NotFinite { text: text.to_owned() });
         }
         Ok(Self { value, dimension: unit.map(|unit| unit.dimension) })
