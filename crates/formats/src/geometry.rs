@@ -2,6 +2,7 @@
 
 use crate::limits::LARGEST_SHAPE;
 use crate::numbers::parse;
+use crate::origin::{ZERO_QUATERNION, of_quaternion};
 use crate::report::{Place, Report, quoted, shortened};
 use crate::survey::{child, children, is_substitution};
 use percuss_mechanism::Geometry;
@@ -29,7 +30,10 @@ fn wider(a: Geometry, b: Geometry) -> Geometry {
 
 fn of_shape<'a, 'i: 'a>(holder: Node<'a, 'i>, shape: Node<'a, 'i>, report: &mut Report) -> Geometry {
     let radius = match shape.tag_name().name() {
-        "mesh" => return Geometry::Mesh,
+        "mesh" => {
+            let is_valid = is_scale_valid(shape, report) && centre(holder, report).is_some();
+            return if is_valid { Geometry::Mesh } else { Geometry::None };
+        }
         "box" => numbers::<3>(shape, "size", report).map(|[x, y, z]| x.hypot(y).hypot(z) / 2.0),
         "sphere" => numbers::<1>(shape, "radius", report).map(|[r]| r),
         "cylinder" => round(shape, report).map(|(r, length)| r.hypot(length / 2.0)),
@@ -45,13 +49,34 @@ fn of_shape<'a, 'i: 'a>(holder: Node<'a, 'i>, shape: Node<'a, 'i>, report: &mut 
             None
         }
     };
-    let centre = match child(holder, "origin") {
-        Some(origin) if origin.attribute("xyz").is_some() => numbers::<3>(origin, "xyz", report),
-        Some(_) | None => Some([0.0; 3]),
-    };
-    match (radius, centre) {
+    match (radius, centre(holder, report)) {
         (Some(radius), Some([x, y, z])) => Geometry::Within(x.hypot(y).hypot(z) + radius.abs()),
         (Some(_) | None, _) => Geometry::None,
+    }
+}
+
+/// Position of a shape in the link frame; `None` if the `<origin>` is invalid.
+fn centre<'a, 'i: 'a>(holder: Node<'a, 'i>, report: &mut Report) -> Option<[f64; 3]> {
+    let Some(origin) = child(holder, "origin") else { return Some([0.0; 3]) };
+    if origin.has_attribute("quat_xyzw") {
+        let quaternion = numbers::<4>(origin, "quat_xyzw", report)?;
+        if of_quaternion(quaternion).is_none() {
+            report.warning("bad-shape", Place::Attribute(origin, "quat_xyzw"), || {
+                format!("quat_xyzw: {ZERO_QUATERNION}; the shape is ignored")
+            });
+            return None;
+        }
+    } else if origin.has_attribute("rpy") {
+        numbers::<3>(origin, "rpy", report)?;
+    }
+    if origin.has_attribute("xyz") { numbers(origin, "xyz", report) } else { Some([0.0; 3]) }
+}
+
+/// True if a mesh has no scale, one factor, or three.
+fn is_scale_valid(shape: Node<'_, '_>, report: &mut Report) -> bool {
+    match shape.attribute("scale").map(parse::<1>) {
+        None | Some(Ok(_)) => true,
+        Some(Err(_)) => numbers::<3>(shape, "scale", report).is_some(),
     }
 }
 

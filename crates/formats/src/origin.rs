@@ -60,19 +60,25 @@ fn rotation(node: Node<'_, '_>, text: &str, report: &mut Report) -> Option<Matri
             return None;
         }
     };
-    // Scaling first avoids overflow and underflow of the squares.
-    let scale = [x, y, z, w].iter().fold(0.0f64, |a, b| a.max(b.abs()));
-    if scale < f64::MIN_POSITIVE {
-        bad(node, "quat_xyzw", text, "it is zero; a unit quaternion x y z w is expected", report);
+    let Some((rotation, length)) = of_quaternion([x, y, z, w]) else {
+        bad(node, "quat_xyzw", text, ZERO_QUATERNION, report);
         return None;
-    }
-    let q = [w / scale, x / scale, y / scale, z / scale];
-    let norm = q.iter().map(|c| c * c).sum::<f64>().sqrt();
-    let length = norm * scale;
+    };
     if (length - 1.0).abs() > QUATERNION_NORM_SLACK {
         report.warning("quaternion-not-unit", Place::Attribute(node, "quat_xyzw"), || {
             format!("the quaternion has norm {length}, not 1; it was normalised")
         });
     }
-    Some(rotation_from_quaternion(q.map(|c| c / norm)))
+    Some(rotation)
+}
+
+pub(crate) const ZERO_QUATERNION: &str = "it is zero; a unit quaternion x y z w is expected";
+
+/// Rotation matrix and norm of a quaternion x, y, z, w of any norm; `None` if the quaternion is zero.
+pub(crate) fn of_quaternion([x, y, z, w]: [f64; 4]) -> Option<(Matrix3<f64>, f64)> {
+    // Scaling first avoids overflow and underflow of the squares.
+    let scale = [x, y, z, w].iter().fold(0.0f64, |a, b| a.max(b.abs()));
+    let q = [w / scale, x / scale, y / scale, z / scale];
+    let norm = q.iter().map(|c| c * c).sum::<f64>().sqrt();
+    (scale >= f64::MIN_POSITIVE).then(|| (rotation_from_quaternion(q.map(|c| c / norm)), norm * scale))
 }

@@ -3,9 +3,10 @@
 
 use crate::limits::LARGEST_SHAPE;
 use crate::numbers::parse;
+use crate::origin::of_quaternion;
 use crate::survey::{child, children};
-use nalgebra::{Vector3, Vector4};
-use percuss_spatial::{Transform, rotation_from_quaternion, rotation_from_rpy};
+use nalgebra::Vector3;
+use percuss_spatial::{Transform, rotation_from_rpy};
 use roxmltree::Node;
 
 /// Purpose of a declared shape.
@@ -75,7 +76,7 @@ pub struct Shape {
 }
 
 /// Shapes of a link: collision shapes first, then visual shapes, each in the order of the file. Shapes with invalid
-/// numbers are left out; `geometry.rs` warns about invalid sizes and positions.
+/// numbers are left out; `geometry.rs` warns about them.
 pub(crate) fn shapes<'a, 'i: 'a>(link: Node<'a, 'i>) -> Vec<Shape> {
     let mut found = Vec::new();
     for (name, purpose) in [("collision", Purpose::Collision), ("visual", Purpose::Visual)] {
@@ -122,10 +123,10 @@ fn solid(shape: Node<'_, '_>) -> Option<Solid> {
 fn frame<'a, 'i: 'a>(holder: Node<'a, 'i>) -> Option<Transform<f64>> {
     let Some(origin) = child(holder, "origin") else { return Some(Transform::identity()) };
     let place = Vector3::from(numbers_or(origin, "xyz", [0.0; 3])?);
-    if let Some([x, y, z, w]) = numbers::<4>(origin, "quat_xyzw") {
-        let norm = Vector4::new(x, y, z, w).norm();
-        let unit = [w, x, y, z].map(|c| c / norm);
-        return (norm > 0.5).then(|| Transform::new(rotation_from_quaternion(unit), place));
-    }
-    Some(Transform::new(rotation_from_rpy(numbers_or(origin, "rpy", [0.0; 3])?), place))
+    let rotation = if origin.has_attribute("quat_xyzw") {
+        of_quaternion(numbers(origin, "quat_xyzw")?)?.0
+    } else {
+        rotation_from_rpy(numbers_or(origin, "rpy", [0.0; 3])?)
+    };
+    Some(Transform::new(rotation, place))
 }
