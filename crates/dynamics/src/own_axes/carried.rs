@@ -1,4 +1,4 @@
-//! What the steps of the recursion share: the struck point's wrench on its way to the ground, and the room of the bodies.
+//! Shared parts of the recursion's steps: propagation of the contact wrench to the ground, and the layout of the workspace.
 
 use super::plan::{Leaf, Step};
 use super::sizes::SIZES;
@@ -6,18 +6,18 @@ use crate::tolerances::{LOSS_ROUNDINGS, ROUTE_ROUNDINGS};
 use percuss_spatial::lanes::Lanes;
 use percuss_spatial::{PackedInertia, PackedWrench, Pivot};
 
-/// How many numbers of room a step takes, for each lane: its inertia, sine and cosine (or travel), sizes of terms.
+/// Numbers of workspace per step and lane: inertia, sine and cosine (or travel), sizes of terms.
 pub(super) const ROOM: usize = SIZES + 2;
 pub(super) const SINE: usize = 21;
 pub(super) const COSINE: usize = 22;
 
-/// Of the struck point's wrench while it is carried to the ground.
+/// Contact wrench during its propagation to the ground.
 pub(super) struct Carried<T> {
     pub wrench: PackedWrench<T>,
-    /// Sizes of what its moment (N·m) and its force (N) are sums of.
+    /// Sizes of the terms of its moment (N·m) and of its force (N).
     pub about: T,
     pub along: T,
-    /// 1/m̄, 1/kg, and what its terms amount to.
+    /// 1/m̄, 1/kg, and the sum of the sizes of its terms.
     pub response: T,
     pub terms: T,
     pub loss: T,
@@ -28,7 +28,7 @@ pub(super) fn number<T: Lanes>(slot: &[f64], number: usize) -> T {
     T::load(&slot[number * T::WIDTH..])
 }
 
-/// Adds what is left to what the carrier has.
+/// Adds the remaining inertia to the parent's.
 #[inline(always)]
 pub(super) fn pass<T: Lanes>(
     inertia: &mut PackedInertia<T>,
@@ -54,7 +54,7 @@ impl Leaf {
 }
 
 impl<T: Lanes> Carried<T> {
-    /// No wrench.
+    /// Zero wrench.
     #[inline(always)]
     pub fn none() -> Self {
         let (o, one) = (T::zero(), T::one());
@@ -69,13 +69,13 @@ impl<T: Lanes> Carried<T> {
         loss
     }
 
-    /// Roundings by which the terms of the response are off.
+    /// Number of roundings by which the terms of the response are in error.
     #[inline(always)]
     pub fn roundings(&self) -> T {
         T::from_f64(ROUTE_ROUNDINGS).max(self.loss * T::from_f64(LOSS_ROUNDINGS))
     }
 
-    /// t²/D, and its terms. Gives t/D.
+    /// Adds t²/D and its terms. Returns t/D.
     #[inline(always)]
     pub fn respond(&mut self, size: T, t: T, test: T, over: T) -> T {
         let rate = t * over;
@@ -86,7 +86,7 @@ impl<T: Lanes> Carried<T> {
     }
 }
 
-/// What a velocity takes of the struck point's wrench. `AXIS`: which of the twist's components it is, turns first.
+/// Update of the contact wrench by the elimination of one velocity. `AXIS`: component of the twist, angular part first.
 #[inline(always)]
 pub(super) fn spend<T: Lanes, const AXIS: usize>(step: &Step, pivot: &Pivot<T>, carried: &mut Carried<T>) {
     let of = T::from_f64;

@@ -1,4 +1,4 @@
-//! A hinge whose way to its carrier is short, which most joints are: code without a branch for each form of it.
+//! Elimination of a hinge with a short transform to its parent, the most common joint: code without branches for each form.
 
 use super::carried::{COSINE, Carried, SINE, number, pass, spend};
 use super::plan::{HingeForm, Placed, Shape};
@@ -6,12 +6,12 @@ use super::sizes::Sizes;
 use percuss_spatial::PackedInertia;
 use percuss_spatial::lanes::Lanes;
 
-/// Shapes of ways, as the code of a hinge is made for them.
+/// Shapes of transforms for which hinge code is compiled.
 const SKEW: u8 = 0;
 const RIGHT: u8 = 1;
 const PARALLEL: u8 = 2;
 
-/// Eliminates a hinge and passes what is left to its carrier, whose numbers stand in `slot`.
+/// Eliminates a hinge and adds the remaining inertia to the parent, whose numbers are in `slot`.
 #[inline(always)]
 pub(super) fn hinge<T: Lanes, const ON_PATH: bool>(
     form: HingeForm,
@@ -43,7 +43,7 @@ pub(super) fn hinge<T: Lanes, const ON_PATH: bool>(
     }
 }
 
-/// A hinge, and its way. `BARE`: it has no armature, so that row z of what it leaves is zero.
+/// A hinge with its transform. `BARE`: no armature, so that row z of the remaining inertia is zero.
 #[inline(always)]
 fn formed<
     T: Lanes,
@@ -121,7 +121,7 @@ fn formed<
         carried.about = of(step.reach).mul_add(carried.along, carried.about);
     }
     if NEXT_TO_LAST {
-        // The whole is formed by nobody: what is not used is not computed.
+        // The compiler drops the entries that no caller reads.
         let known = if *is_first { of(above.angular[5]) } else { number(slot, 5) };
         (known + inertia.angular[5]).store(&mut slot[5 * T::WIDTH..]);
     } else {

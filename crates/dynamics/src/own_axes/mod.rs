@@ -1,6 +1,6 @@
-//! The recursion of a tree in its bodies' own axes, on the ground or floating, in lanes.
+//! Recursion of a tree in the bodies' own axes, with a fixed or a floating base, in SIMD lanes.
 //!
-//! It answers what it is sure of; all else (what is massless, immovable, near either, lost to rounding) is left to
+//! It returns only results without doubt. All other cases (massless, immovable, near either, lost to rounding) are left to
 //! [`crate::routes`], as are mimics, loops and contacts between two links.
 
 mod carried;
@@ -22,7 +22,7 @@ use plan::{Placed, Plan};
 use recursion::{Answer, Normal, Selection, Struck, evaluate};
 use std::sync::Arc;
 
-/// A tree prepared, the contact that it is asked for, and room.
+/// Compiled tree, its contact, and a workspace.
 #[derive(Clone, Debug)]
 pub(crate) struct OwnAxes {
     steps: Arc<[Placed]>,
@@ -32,7 +32,7 @@ pub(crate) struct OwnAxes {
 }
 
 impl OwnAxes {
-    /// None where the model is no such tree.
+    /// `None` if the model has mimics, loops or negative masses.
     pub fn of(model: &Model) -> Option<Self> {
         let plan = Plan::of(model)?;
         let selection = Selection::none(plan.steps.len(), plan.travel);
@@ -43,7 +43,7 @@ impl OwnAxes {
         Some(Self { steps, selection, room, instructions: Instructions::best() })
     }
 
-    /// Takes a checked contact; not where it is none of its kind. Allocates nothing after the first time.
+    /// Sets a checked contact; returns false for an unsupported kind. Allocates nothing after the first call.
     pub fn aim(&mut self, model: &Model, contact: &Contact) -> bool {
         let Some(body) = model.body_of(contact.link) else { return false };
         let Direction::Along(n, frame) = contact.normal else { return false };
@@ -76,7 +76,7 @@ impl OwnAxes {
         true
     }
 
-    /// m̄ at one configuration, by what it is aimed at.
+    /// m̄ at one configuration for the current contact.
     pub fn one(&mut self, positions: &[f64]) -> Option<Answered> {
         Answered::of_one(|answers| {
             let columns = Columns { values: positions, stride: 1 };
@@ -85,13 +85,13 @@ impl OwnAxes {
         })
     }
 
-    /// m̄ at the configurations from `first` on, as many as there are answers: a multiple of the instruction set's lanes.
+    /// m̄ at the configurations from `first` on, one per element of the output: a multiple of the instruction set's lanes.
     pub fn lanes(&mut self, columns: Columns<'_>, first: usize, answers: Answers<'_>) {
         let instructions = self.instructions;
         instructions.run(self.groups(columns, first, answers));
     }
 
-    /// Which positions are read.
+    /// Positions that are read.
     pub fn read(&self) -> impl Iterator<Item = usize> + '_ {
         let Selection { on_path, top, .. } = &self.selection;
         let steps = self.steps.iter().zip(on_path);
@@ -105,7 +105,7 @@ impl OwnAxes {
     }
 }
 
-/// Configurations, as many at once as there are lanes.
+/// Configurations, one per lane.
 struct Groups<'a> {
     steps: &'a [Placed],
     selection: &'a Selection,

@@ -1,6 +1,6 @@
-//! What a tree compiles to for the recursion in the bodies' own axes: frames whose axes are the joint's, so that a pivot is an
-//! entry of the inertia, and the way from each to the frame that carries it by as few turns about and shifts along
-//! coordinate axes as there are (Denavit and Hartenberg 1955).
+//! Compilation of a tree for the recursion in the bodies' own axes. The z axis of each frame is the joint axis, so that a pivot
+//! is an entry of the inertia. The transform from each frame to its parent has the least number of rotations about and shifts
+//! along coordinate axes (Denavit and Hartenberg 1955).
 
 use super::sizes::Sizes;
 use crate::answered::is_positive;
@@ -13,25 +13,25 @@ use percuss_spatial::lanes::Portable;
 use percuss_spatial::{PackedInertia, PackedWrench, Scalar, Transform};
 use std::ops::Range;
 
-/// How a body moves on the one that carries it.
+/// Motion of a body relative to its parent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Motion {
-    /// It turns about z, by a position.
+    /// Rotation about z by a position.
     Turn { q: usize },
-    /// It slides along z.
+    /// Translation along z.
     Slide { q: usize },
-    /// It slides along x and y of the joint's frame, and turns about z.
+    /// Translation along x and y of the joint frame, and rotation about z.
     Planar { q: usize },
-    /// It turns by a unit quaternion.
+    /// Rotation by a unit quaternion.
     Ball { q: usize },
-    /// It goes by three positions, and turns by a unit quaternion.
+    /// Translation by three positions, and rotation by a unit quaternion.
     Floating { q: usize },
-    /// A free base: it stands at the root.
+    /// Floating base, at the root.
     Base,
 }
 
 impl Motion {
-    /// For each of its velocities, which component of the twist it is, turns first.
+    /// Component of the twist for each velocity, angular part first.
     fn components(&self) -> &'static [usize] {
         match self {
             Self::Turn { .. } => &[2],
@@ -42,7 +42,7 @@ impl Motion {
         }
     }
 
-    /// How far its own positions carry it, each of them of this size (m).
+    /// Largest displacement by the joint's own positions, each of this size (m).
     fn travel(&self, size: f64) -> f64 {
         match *self {
             Self::Turn { .. } | Self::Ball { .. } | Self::Base => 0.0,
@@ -53,7 +53,7 @@ impl Motion {
     }
 }
 
-/// A turn by a constant angle.
+/// Rotation by a constant angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Turn {
     pub cos: f64,
@@ -66,78 +66,78 @@ impl Default for Turn {
     }
 }
 
-/// From a body's frame to the one that carries it, in this order after the joint's own motion: turn about z, shift along
-/// z, turn about x, shifts along x, y, z, turn about z. What is nothing is left out.
+/// Transform from a body's frame to its parent's, after the joint's own motion: rotation about z, shift along z, rotation
+/// about x, shifts along x, y, z, rotation about z, in this order. Identity parts are omitted.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Way {
     pub turn_z: Option<Turn>,
     pub along_z: f64,
-    /// The turn about x.
+    /// Rotation about x.
     pub tilt: Turn,
     pub along: [f64; 3],
     pub last_turn_z: Option<Turn>,
-    /// How far the origins are apart at most, m, a slide's own travel left out.
+    /// Largest distance between the origins, m, without the travel of a slide.
     pub length: f64,
     pub shape: Shape,
 }
 
-/// What a way is made of, for ways that are gone at once.
+/// Shape of a transform, for transforms that are applied in one step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Shape {
-    /// A shift along z, a turn about x, a shift along x.
+    /// Shift along z, rotation about x, shift along x.
     Skew,
-    /// The same, and the turn is a right angle.
+    /// Skew with a right angle.
     Right,
-    /// A shift along z and one along x: parallel axes.
+    /// Shift along z and shift along x: parallel axes.
     Parallel,
-    /// Any.
+    /// Any transform.
     #[default]
     General,
 }
 
-/// A body and its joint.
+/// Body with its joint.
 #[derive(Clone, Debug)]
 pub(super) struct Step {
     pub parent: Option<usize>,
     pub motion: Motion,
-    /// Which components of its twist are free, turns first; none where it is locked.
+    /// True for the free components of the twist, angular part first; all false if the joint is locked.
     pub free: [bool; 6],
-    /// Whether other bodies hang on it that leave it anything.
+    /// True if the body has children with a remaining inertia.
     pub carries: bool,
-    /// Along those components.
+    /// Armature along these components.
     pub armature: [f64; 6],
     pub own: Box<Own>,
     pub way: Way,
-    /// How far its origin can be from its carrier's, with travels of [`Plan::travel`], m.
+    /// Largest distance of the origin from the parent's origin, with travels up to [`Plan::travel`], m.
     pub reach: f64,
-    /// The largest that the moment of inertia and the mass of all that it carries, held rigid, can be about its origin:
-    /// kg·m² and kg.
+    /// Largest moment of inertia (kg·m²) and mass (kg) of the rigid subtree about the body's origin, over all joint
+    /// positions.
     pub moment: f64,
     pub mass: f64,
-    /// What carries nothing is eliminated once for all.
+    /// Constant elimination of a leaf.
     pub leaf: Option<Box<Leaf>>,
 }
 
-/// What the recursion seldom reads of a body: long chains are faster where it does not stand between what is read.
+/// Rarely read data of a body, kept apart: long chains are faster with compact hot data.
 #[derive(Clone, Debug)]
 pub(super) struct Own {
     pub inertia: PackedInertia<f64>,
-    /// X_bo: the frame taken here (o) in the body's own.
+    /// X_bo: the frame used here (o) in the body frame.
     pub frame: Transform<f64>,
 }
 
 impl Step {
-    /// Whether it is a hinge, and of which shape its way.
+    /// Shape of the transform if the joint is a hinge.
     fn hinge(&self) -> Option<Shape> {
         (self.free[2] && matches!(self.motion, Motion::Turn { .. })).then_some(self.way.shape)
     }
 
-    /// Whether it moves in every way by itself: it leaves exactly nothing to what carries it.
+    /// True for six freedoms without armature: the remaining inertia is exactly zero.
     pub fn lets_go(&self) -> bool {
         self.free == [true; 6] && self.armature == [0.0; 6]
     }
 
-    /// Which positions move it.
+    /// Positions of the joint.
     pub fn positions(&self) -> Range<usize> {
         match self.motion {
             Motion::Turn { q } | Motion::Slide { q } => q..q + 1,
@@ -149,7 +149,7 @@ impl Step {
     }
 }
 
-/// The elimination of a body that carries nothing: constant in its own axes.
+/// Elimination of a leaf: constant in its own axes.
 #[derive(Clone, Debug)]
 pub(super) struct Leaf {
     pub left: PackedInertia<f64>,
@@ -157,80 +157,80 @@ pub(super) struct Leaf {
     pub d: f64,
     pub over: f64,
     pub armature_part: f64,
-    /// What the pivot loses: the size of its inertia over the pivot.
+    /// Loss of the pivot: size of its inertia divided by the pivot.
     pub loss: f64,
-    /// Sizes of the terms of what is left.
+    /// Sizes of the terms of the remaining inertia.
     pub sizes: Sizes<f64>,
 }
 
-/// What a slide that carries nothing leaves to its carrier, in the carrier's frame: I₀ + q I₁ + q² I₂.
+/// Remaining inertia of a prismatic leaf in the parent's frame: I₀ + q I₁ + q² I₂.
 #[derive(Clone, Debug)]
 pub(super) struct Slid {
-    /// I₀, with the carrier's own inertia where this is the first that it carries.
+    /// I₀, plus the parent's own inertia if this is the first child.
     pub constant: PackedInertia<f64>,
-    /// I₁, whose L is zero.
+    /// I₁; its linear part is zero.
     pub slope: PackedInertia<f64>,
-    /// A of I₂, the rest of which is zero.
+    /// Angular part of I₂; the other parts are zero.
     pub bend: [f64; 6],
-    /// Of [`Leaf`].
+    /// See [`Leaf`].
     pub loss: f64,
-    /// Of [`Leaf`].
+    /// See [`Leaf`].
     pub sizes: Sizes<f64>,
 }
 
-/// Steps of one form go through code without a branch.
+/// Form of a step: consecutive steps of one form run without a branch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Form {
-    /// A hinge on the ground that carries others.
+    /// Hinge on the ground with children.
     Top,
-    /// A hinge whose way is not [`Shape::General`].
+    /// Hinge with a transform other than [`Shape::General`].
     Hinge(HingeForm),
-    /// A slide that carries nothing.
+    /// Prismatic leaf.
     Slid,
-    /// Any other.
+    /// Any other joint.
     Any,
 }
 
-/// What the code of a hinge is made for.
+/// Parameters of the compiled hinge code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct HingeForm {
-    /// Of its way: skew, right, parallel.
+    /// Shape of the transform: skew, right, parallel.
     pub shape: Shape,
-    /// Whether it has no armature: it leaves nothing about its axis.
+    /// True without armature: the remaining inertia about the axis is zero.
     pub bare: bool,
-    /// Whether it carries nothing.
+    /// True for a leaf.
     pub leaf: bool,
-    /// Whether its carrier is on the ground and turns: one entry of what it passes on is all that matters.
+    /// True if the parent is a hinge on the ground: only one entry of the remaining inertia is needed.
     pub next_to_last: bool,
 }
 
-/// A step in its place among all.
+/// Step with its position in the sequence.
 #[derive(Clone, Debug)]
 pub(super) struct Placed {
-    /// Of its body.
+    /// Number of its body.
     pub number: usize,
     pub step: Step,
-    /// Its carrier's own inertia.
+    /// Own inertia of the parent.
     pub above: PackedInertia<f64>,
-    /// Whether it is the first that its carrier's sum is made of.
+    /// True for the first child of the parent: it starts the parent's sum.
     pub is_first: bool,
-    /// The body that carries it and leaves nothing to another, or stands on the ground: what it does not carry does not
-    /// matter to it.
+    /// Nearest ancestor on the ground or with a zero remaining inertia: bodies outside its subtree do not affect this
+    /// step.
     pub top: usize,
     pub form: Form,
     pub slid: Option<Box<Slid>>,
 }
 
-/// The bodies of a tree in the model's order.
+/// Bodies of a tree in the order of the model.
 #[derive(Clone, Debug)]
 pub(super) struct Plan {
     pub steps: Vec<Step>,
-    /// The travels of slides that sizes are bounded with, m. Where they are larger, sizes grow at most with their square.
+    /// Travels of slides (m) in the bounds of sizes. For larger travels, sizes grow at most with the square.
     pub travel: f64,
 }
 
 impl Plan {
-    /// None where bodies are bound together or have negative masses.
+    /// `None` if bodies are bound together or have negative masses.
     pub fn of(model: &Model) -> Option<Self> {
         let bound = model.clusters.iter().any(|cluster| cluster.is_bound);
         if bound || model.bodies.is_empty() || !model.bodies.iter().all(is_plain) {
@@ -240,7 +240,7 @@ impl Plan {
         let travel = SLIDE_REACH * if length > 0.0 { length } else { 1.0 };
         let mut frames: Vec<Option<Transform<f64>>> = vec![None; model.bodies.len()];
         let mut steps: Vec<Step> = Vec::with_capacity(model.bodies.len());
-        // Parents before children: the first child that a frame is not yet fixed for may place it.
+        // Parents before children: the first child may fix the free parts of its parent's frame.
         for (i, body) in model.bodies.iter().enumerate() {
             let frame = *frames[i].get_or_insert_with(|| own_frame(model, i));
             let carrier = body.parent.map_or(Transform::identity(), |p| steps[p].own.frame);
@@ -275,7 +275,7 @@ impl Plan {
         Some(plan)
     }
 
-    /// All steps, those carried before those that carry.
+    /// All steps, children before parents.
     pub fn placed(self) -> Vec<Placed> {
         let mut tops: Vec<usize> = Vec::with_capacity(self.steps.len());
         for (i, step) in self.steps.iter().enumerate() {
@@ -311,7 +311,7 @@ impl Plan {
         Form::Hinge(HingeForm { shape, bare, leaf, next_to_last })
     }
 
-    /// Sizes of what every body carries, with its joints wherever they can be.
+    /// Sizes of every subtree's inertia, over all joint positions.
     fn fill_sizes(&mut self) {
         let mut first = vec![0.0; self.steps.len()];
         for i in (0..self.steps.len()).rev() {
@@ -357,7 +357,7 @@ impl Leaf {
         let turns = matches!(step.motion, Motion::Turn { .. });
         let sizes = Sizes::of(&left, false, &[]);
         let size = value(if turns { sizes.moment } else { sizes.mass });
-        // What has no mass at all leaves none, and loses nothing; asked for m̄ itself, it is not a number.
+        // A body without mass leaves a zero inertia and no loss. Its own m̄ would be NaN.
         let is_massless = size == 0.0 && value(pivot.d) == 0.0;
         let loss = if is_massless { 1.0 } else { size * value(pivot.over).abs() };
         let sizes = sizes.amplified(One::from_f64(loss));
@@ -381,7 +381,7 @@ impl Leaf {
     }
 }
 
-/// Whether a body moves by its own joint alone, and its inertia is that of something that exists.
+/// True if a body moves by its own joint alone and its inertia is physical.
 fn is_plain(body: &Body) -> bool {
     body.mimic.is_none() && body.motion.kind != JointKind::Fixed && is_positive(&body.inertia)
 }
@@ -390,7 +390,7 @@ fn motion_of(body: &Body) -> Motion {
     let q = body.q.start;
     match body.motion.kind {
         JointKind::Floating if body.joint.is_none() => Motion::Base,
-        // Fixed joints are none that it knows.
+        // Fixed joints are merged into their parent and have no entry here.
         JointKind::Revolute | JointKind::Continuous | JointKind::Fixed => Motion::Turn { q },
         JointKind::Prismatic => Motion::Slide { q },
         JointKind::Planar => Motion::Planar { q },
@@ -399,8 +399,8 @@ fn motion_of(body: &Body) -> Motion {
     }
 }
 
-/// The frame of a body: z along its joint's axis, x and the origin as its first child's axis wants them, where the joint
-/// leaves them open.
+/// Frame of a body: z along its joint axis; x and the origin follow from the axis of its first child, as far as the joint
+/// leaves them free.
 fn own_frame(model: &Model, i: usize) -> Transform<f64> {
     let body = &model.bodies[i];
     let Some(z) = axis_of(&body.motion) else { return Transform::identity() };
@@ -423,7 +423,7 @@ fn axis_of(motion: &JointMotion) -> Option<Vector3<f64>> {
     (!matches!(motion.kind, JointKind::Floating | JointKind::Spherical)).then(|| motion.axis())
 }
 
-/// The direction of the common normal of an axis z through the origin and another line, and its foot on the axis.
+/// Direction of the common normal of the z axis and another line, and its foot on the z axis.
 fn common_normal(
     z: &Vector3<f64>,
     direction: &Vector3<f64>,
@@ -440,13 +440,13 @@ fn common_normal(
         return (Some(x), z * z.dot(&(point + direction * s)));
     }
     let length = across.norm();
-    // The difference above is orthogonal to z to the rounding of the point only: what is left of z is taken off once more.
+    // The difference is orthogonal to z only within the rounding of the point, so its component along z is removed again.
     let x = (length > NO_ACROSS * point.norm()).then(|| across - z * z.dot(&across));
     (x.map(|x| x.normalize()), z * z.dot(point))
 }
 
 impl Way {
-    /// By X_po with the joint at 0.
+    /// From X_po with the joint at 0.
     fn of(k: &Transform<f64>) -> Self {
         let (r, p) = (&k.rotation, &k.translation);
         // R = Rz(φ₁) Rx(α) Rz(φ₂).
@@ -466,12 +466,12 @@ impl Way {
         let mut along = [first.cos * p.x + first.sin * p.y, first.cos * p.y - first.sin * p.x, p.z];
         let mut along_z = 0.0;
         if sine > PARALLEL_AXES {
-            // What is across the common normal is a shift along the child's axis: (0, −sin α, cos α).
+            // The part across the common normal is a shift along the child's axis: (0, −sin α, cos α).
             along_z = -along[1] / tilt.sin;
             along[2] -= along_z * tilt.cos;
             along[1] = 0.0;
         } else if parallel {
-            // Parallel axes: a shift along the one is one along the other.
+            // Parallel axes: a shift along one axis is a shift along the other.
             along_z = along[2] * tilt.cos;
             along[2] = 0.0;
         }
@@ -496,7 +496,7 @@ impl Turn {
     const NONE: Self = Self { cos: 1.0, sin: 0.0 };
     const RIGHT: Self = Self { cos: 0.0, sin: 1.0 };
 
-    /// A right angle to rounding is one.
+    /// A right angle within rounding is exactly a right angle.
     fn of(x: f64, y: f64) -> Self {
         let length = x.hypot(y);
         let (cos, sin) = (x / length, y / length);

@@ -1,12 +1,12 @@
-//! The recursion of a tree in its bodies' own axes, for as many configurations as there are lanes.
+//! Recursion of a tree in the bodies' own axes, for one configuration per lane.
 //!
 //! ```text
-//! U = I e,  D = e·U + armature,  t = e·f;  I ← I − U D⁻¹ Uᵀ,  f ← f − U D⁻¹ t,  response += t²/D;  both to the carrier
+//! U = I e,  D = e·U + armature,  t = e·f;  I ← I − U D⁻¹ Uᵀ,  f ← f − U D⁻¹ t,  response += t²/D;  I and f to the parent
 //! ```
 //!
-//! with e the turn about, or the slide along, the body's z axis: an entry of I, no product. It is the articulated recursion
-//! (Featherstone 2008, §7.3) that [`crate::recursion`] writes in the root's axes for every joint and every loop; this form
-//! leaves out the forward kinematics and the turning of every body's inertia. A test compares the two.
+//! with e the rotation about, or the translation along, the body's z axis: an entry of I instead of a product. This is the
+//! articulated-body recursion (Featherstone 2008, §7.3) that [`crate::recursion`] writes in root axes for every joint and loop.
+//! This form needs no forward kinematics and no rotation of the bodies' inertias. A test compares the two.
 
 use super::carried::{COSINE, Carried, ROOM, SINE, number, pass, spend};
 use super::hinge::hinge;
@@ -19,39 +19,39 @@ use percuss_spatial::lanes::{LARGEST_ANGLE, Lanes};
 use percuss_spatial::{PackedInertia, PackedWrench, rotate_back, splat, turn_vector};
 use std::ops::Range;
 
-/// The struck point and what wrench it gives, in the frames of the plan.
+/// Contact point and direction of the contact force, in the frames of the plan.
 #[derive(Clone, Debug)]
 pub(super) struct Struck {
-    /// The point in the struck body's frame, m.
+    /// Contact point in the frame of the contact link's body, m.
     pub point: [f64; 3],
     pub normal: Normal,
 }
 
-/// The unit normal.
+/// Unit normal.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Normal {
-    /// In the struck body's frame.
+    /// In the frame of the contact link's body.
     Body([f64; 3]),
-    /// In the root link's.
+    /// In the frame of the root link.
     Root([f64; 3]),
 }
 
-/// What a contact needs of a tree.
+/// Data of a contact for a tree.
 #[derive(Clone, Debug)]
 pub(super) struct Selection {
-    /// Where the steps from the ground to the struck body are.
+    /// Indices of the steps from the ground to the contact link's body.
     pub path: Vec<usize>,
-    /// For every step.
+    /// True for every step on this path.
     pub on_path: Vec<bool>,
-    /// The body of the path that leaves nothing to another, or stands on the ground.
+    /// Body of the path on the ground or with a zero remaining inertia.
     pub top: usize,
-    /// 1 over the travels that sizes are bounded with, 1/m.
+    /// Reciprocal of the travels in the bounds of sizes, 1/m.
     pub over_travel: f64,
     pub struck: Struck,
 }
 
 impl Selection {
-    /// Of no contact yet.
+    /// Without a contact.
     pub fn none(steps: usize, travel: f64) -> Self {
         let struck = Struck { point: [0.0; 3], normal: Normal::Body([0.0; 3]) };
         Self {
@@ -64,18 +64,18 @@ impl Selection {
     }
 }
 
-/// The answers of some lanes.
+/// Results of some lanes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Answer<T> {
     /// 1/m̄, 1/kg.
     pub response: T,
-    /// What the response would be off by, were all that its pivots and tests are sums of off by as much as themselves, 1/kg.
+    /// Change of the response if every term of its pivots and test wrenches were in error by its own size, 1/kg.
     pub terms: T,
-    /// How many roundings of the terms count.
+    /// Number of roundings of these terms.
     pub roundings: T,
 }
 
-/// 1/m̄ of configurations `first` and those after it.
+/// 1/m̄ of the configurations from `first` on.
 #[inline(always)]
 pub(super) fn evaluate<T: Lanes>(
     steps: &[Placed],
@@ -97,14 +97,14 @@ pub(super) fn evaluate<T: Lanes>(
             advance::<T, false>(placed, at, &mut carried, room);
         }
     }
-    // What lies beyond the angles that this is right for is doubted.
+    // Angles beyond the range of the sine are marked as doubtful.
     let roundings = carried.roundings();
     let Carried { response, terms, .. } = carried;
     let stretch = (travels * T::from_f64(selection.over_travel)).max(T::one());
     Answer { response, terms: beyond.mul_add(T::from_f64(f64::MAX), terms * stretch * stretch), roundings }
 }
 
-/// Sines and cosines; how far angles and quaternions are beyond what they may be, and the largest travel (m).
+/// Sines and cosines, the excess of angles and quaternions beyond their accepted range, and the largest travel (m).
 #[inline(always)]
 fn place<T: Lanes>(
     steps: &[Placed],
@@ -115,13 +115,13 @@ fn place<T: Lanes>(
 ) -> (T, T) {
     let (mut beyond, mut angles, mut travels) = (T::zero(), T::zero(), T::zero());
     for (placed, on_path) in steps.iter().zip(&selection.on_path) {
-        // What carries the top turns normals of the root's.
+        // The joints above the top of the path rotate normals given in the root link.
         if placed.top != selection.top && !on_path {
             continue;
         }
         let step = &placed.step;
         if placed.number == selection.top {
-            // What moves all the rest may leave m̄ as it is, but has to be a number.
+            // A position above the path does not change m̄, but must be a finite number.
             beyond += off_numbers::<T>(columns, step.positions(), first);
         }
         let slot = &mut room[placed.number * ROOM * T::WIDTH..][..ROOM * T::WIDTH];
@@ -167,11 +167,11 @@ fn place<T: Lanes>(
             Motion::Base => {}
         }
     }
-    // An angle that is no number has no sine either.
+    // The sine of NaN is NaN.
     (beyond + over(angles, LARGEST_ANGLE), travels)
 }
 
-/// Zero where all positions are finite, else NaN.
+/// Zero if all positions are finite, otherwise NaN.
 #[inline(always)]
 fn off_numbers<T: Lanes>(columns: Columns<'_>, positions: Range<usize>, first: usize) -> T {
     let (mut q, mut sum) = (positions.start, T::zero());
@@ -183,7 +183,7 @@ fn off_numbers<T: Lanes>(columns: Columns<'_>, positions: Range<usize>, first: u
     sum
 }
 
-/// The unit force at the struck point.
+/// Unit force at the contact point.
 #[inline(always)]
 fn strike<T: Lanes>(steps: &[Placed], selection: &Selection, at: At<'_>, room: &[f64]) -> Carried<T> {
     let struck = &selection.struck;
@@ -217,7 +217,7 @@ fn strike<T: Lanes>(steps: &[Placed], selection: &Selection, at: At<'_>, room: &
     }
 }
 
-/// A vector of the carrier's frame in the body's.
+/// Vector from the parent's frame to the body's.
 #[inline(always)]
 fn turn_back<T: Lanes>(step: &Step, n: &mut [T; 3], at: At<'_>, slot: &[f64]) {
     if let Some(turn) = step.way.last_turn_z {
@@ -233,7 +233,7 @@ fn turn_back<T: Lanes>(step: &Step, n: &mut [T; 3], at: At<'_>, slot: &[f64]) {
         }
     }
     match (step.motion, step.way.turn_z) {
-        // The way's turn is in its angle.
+        // The angle includes the rotation of the transform.
         (Motion::Turn { .. }, _) | (_, None) => {}
         (_, Some(turn)) => {
             let (c, s) = back::<T>(turn);
@@ -251,13 +251,13 @@ fn turn_back<T: Lanes>(step: &Step, n: &mut [T; 3], at: At<'_>, slot: &[f64]) {
     }
 }
 
-/// Cosine and sine of a turn the other way.
+/// Cosine and sine of the opposite rotation.
 #[inline(always)]
 fn back<T: Lanes>(turn: Turn) -> (T, T) {
     (T::from_f64(turn.cos), T::from_f64(-turn.sin))
 }
 
-/// Eliminates a body's joint and passes what is left to its carrier.
+/// Eliminates the joint of a body and adds the remaining inertia to the parent.
 #[inline(always)]
 fn advance<T: Lanes, const ON_PATH: bool>(
     placed: &Placed,
@@ -286,8 +286,8 @@ fn advance<T: Lanes, const ON_PATH: bool>(
     }
 }
 
-/// A hinge on the ground asks for one entry: the rest of its inertia was not formed, so that the size of that entry is what can
-/// be known.
+/// A hinge on the ground needs one entry of its inertia. The other entries are not formed, so the size of this entry stands for
+/// all.
 #[inline(always)]
 fn top<T: Lanes>(step: &Step, carried: &mut Carried<T>, own: &[f64]) {
     let of = T::from_f64;
@@ -295,7 +295,7 @@ fn top<T: Lanes>(step: &Step, carried: &mut Carried<T>, own: &[f64]) {
     carried.respond(of(step.moment), carried.wrench.moment[2], carried.about, T::one() / d);
 }
 
-/// Any joint, and any way. One piece of code for all, on the contact's path or not: it is long.
+/// Any joint with any transform, on the contact path or not; one function, so it is long.
 #[inline(always)]
 fn any<T: Lanes>(
     placed: &Placed,
@@ -317,7 +317,7 @@ fn any<T: Lanes>(
     sizes.pass(step.reach, placed.is_first, slot);
 }
 
-/// What a body's joint leaves of its inertia, and the sizes of its terms.
+/// Remaining inertia of a body after the elimination of its joint, and the sizes of its terms.
 #[inline(always)]
 fn eliminated<T: Lanes>(
     step: &Step,
@@ -337,14 +337,14 @@ fn eliminated<T: Lanes>(
     let mut inertia: PackedInertia<T> =
         if step.carries { PackedInertia::load(own) } else { step.own.inertia.cast() };
     if let Motion::Planar { .. } = step.motion {
-        // Its slides do not turn with it.
+        // The translations of the joint do not rotate with the body.
         let (s, c): (T, T) = (number(own, SINE), number(own, COSINE));
         inertia.turn::<2>(c, s);
         if on_path {
             carried.wrench.turn::<2>(c, s);
         }
     }
-    // Before any of the joint's velocities is eliminated: the first pivots cancel what the last are differences of.
+    // Computed before any velocity of the joint is eliminated: the last pivots are differences of these sizes.
     let mut sizes = Sizes::of(&inertia, step.carries, own);
     macro_rules! velocity {
         ($component:literal, $size:ident, $pivot:ident, $eliminate:ident, $axis:literal) => {

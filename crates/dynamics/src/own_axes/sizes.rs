@@ -1,24 +1,24 @@
-//! Sizes of the terms that articulated inertias are sums of.
+//! Sizes of the terms of articulated inertias.
 
 use crate::tolerances::COMMON_LOSS;
 use percuss_spatial::PackedInertia;
 use percuss_spatial::lanes::Lanes;
 
-/// Place of the sizes in the room of a step.
+/// Index of the sizes in the workspace of a step.
 pub(super) const SIZES: usize = 23;
 
-/// Largest terms that the entries of an articulated inertia are sums of, those of the subtree before its eliminations
-/// included: an elimination cancels a term, and leaves its rounding.
+/// Largest terms in the entries of an articulated inertia. Terms of the subtree before its eliminations count too: an
+/// elimination cancels a term but not its rounding.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Sizes<T> {
-    /// Of angular entries, kg·m².
+    /// Angular entries, kg·m².
     pub moment: T,
-    /// Of linear entries, kg.
+    /// Linear entries, kg.
     pub mass: T,
 }
 
 impl<T: Lanes> Sizes<T> {
-    /// Sizes of an inertia whose children left those in `slot`; `carries`: there are any.
+    /// Sizes of an inertia whose children's sizes are in `slot`; `carries`: true if children exist.
     #[inline(always)]
     pub fn of(inertia: &PackedInertia<T>, carries: bool, slot: &[f64]) -> Self {
         let (moment, mass) = (inertia.moment_size(), inertia.mass_size());
@@ -31,14 +31,14 @@ impl<T: Lanes> Sizes<T> {
         }
     }
 
-    /// Sizes after the elimination of a pivot whose loss is this: errors of U D⁻¹ Uᵀ are larger by the factor |U|/D.
+    /// Sizes after the elimination of a pivot with the given loss: errors of U D⁻¹ Uᵀ grow by the factor |U|/D.
     #[inline(always)]
     pub fn amplified(self, loss: T) -> Self {
         let factor = T::one().max(loss * T::from_f64(1.0 / COMMON_LOSS));
         Self { moment: self.moment * factor, mass: self.mass * factor }
     }
 
-    /// Sizes about the parent's origin, which is at most `reach` (m) away, added to the parent's.
+    /// Sizes about the parent's origin, at a distance of at most `reach` (m), added to the parent's.
     #[inline(always)]
     pub fn pass(self, reach: f64, is_first: bool, slot: &mut [f64]) {
         let mut moment = self.moment.max(self.mass * T::from_f64(reach * reach));
@@ -53,7 +53,7 @@ impl<T: Lanes> Sizes<T> {
 }
 
 impl Sizes<f64> {
-    /// The same over lanes.
+    /// The same sizes in every lane.
     #[inline(always)]
     pub fn cast<T: Lanes>(&self) -> Sizes<T> {
         Sizes { moment: T::from_f64(self.moment), mass: T::from_f64(self.mass) }

@@ -1,5 +1,5 @@
-//! A slide that carries nothing and is not struck: what it leaves is constant in its own axes, so that its carrier is given
-//! a polynomial of its travel.
+//! Prismatic leaves off the contact path. Their remaining inertia is constant in their own axes, so it is a polynomial of the
+//! travel in the parent's frame.
 
 use super::carried::{Carried, ROOM};
 use super::plan::{Form, Motion, Placed, Slid};
@@ -10,7 +10,7 @@ use percuss_spatial::lanes::{Lanes, Portable};
 
 type One = Portable<1>;
 
-/// Finds the slides that carry nothing and pass on what they leave.
+/// Finds the prismatic leaves that pass on an inertia.
 pub(super) fn find(steps: &mut [Placed]) {
     for placed in steps {
         let carried = placed.step.parent.is_some() && !placed.step.lets_go();
@@ -28,7 +28,7 @@ pub(super) fn find(steps: &mut [Placed]) {
     }
 }
 
-/// An inertia, or a rate of one, of a slide at 0 in its carrier's frame: a linear map of its numbers.
+/// Inertia of a slide at 0 in the parent's frame, or its rate: a linear map of its numbers.
 fn in_the_carriers(placed: &Placed, inertia: PackedInertia<f64>) -> PackedInertia<One> {
     let mut moved = inertia.cast();
     let at = At { columns: Columns { values: &[], stride: 0 }, first: 0 };
@@ -36,7 +36,7 @@ fn in_the_carriers(placed: &Placed, inertia: PackedInertia<f64>) -> PackedInerti
     moved
 }
 
-/// I₀ + q I₁ + q² I₂, added to what the carrier has; the first brings the carrier's own.
+/// Adds I₀ + q I₁ + q² I₂ to the parent's inertia; the first child brings the parent's own.
 #[inline(always)]
 pub(super) fn pass<T: Lanes>(slid: &Slid, travel: T, is_first: bool, slot: &mut [f64]) {
     let of = T::from_f64;

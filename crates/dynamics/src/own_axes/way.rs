@@ -1,4 +1,4 @@
-//! The way from a body's frame to that of the one that carries it, its joint's motion first.
+//! Transform from a body's frame to its parent's, with the joint's motion first.
 
 use super::carried::{COSINE, Carried, SINE, number};
 use super::plan::{Motion, Step};
@@ -6,7 +6,7 @@ use crate::answered::Columns;
 use percuss_spatial::lanes::Lanes;
 use percuss_spatial::{PackedInertia, rotation_rows};
 
-/// Where the positions of the lanes stand.
+/// Location of the positions of the lanes.
 #[derive(Clone, Copy)]
 pub(super) struct At<'a> {
     pub columns: Columns<'a>,
@@ -25,7 +25,7 @@ impl At<'_> {
     }
 }
 
-/// The way to the carrier's frame.
+/// Transform to the parent's frame.
 #[inline(always)]
 pub(super) fn go<T: Lanes>(
     step: &Step,
