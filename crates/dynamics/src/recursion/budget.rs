@@ -1,4 +1,4 @@
-//! What the matrices of clusters take, counted before any is formed.
+//! Work and memory of the clusters' matrices, computed before any matrix is formed.
 
 use crate::mobility::GroupMobility;
 use crate::model::{Cluster, ClusterGroup, Model};
@@ -6,7 +6,7 @@ use crate::outcome::RouteError;
 use crate::tolerances::{CLUSTER_BYTES, CLUSTER_WORK, LARGE_CLUSTER};
 use percuss_spatial::Scalar;
 
-/// What a cluster takes.
+/// Cost of a cluster.
 #[derive(Clone, Copy, Default)]
 struct Cost {
     /// Independent coordinates.
@@ -17,7 +17,7 @@ struct Cost {
 }
 
 impl Model {
-    /// Refuses clusters whose matrices over a scalar would not fit into memory, or take too long. Allocates nothing.
+    /// Refuses clusters whose matrices over a scalar need too much memory or time. Allocates nothing.
     pub fn refuse_large_clusters<T: Scalar>(&self, groups: &[GroupMobility]) -> Result<(), RouteError> {
         let (mut bytes, mut work) = (0.0, 0.0);
         let mut most: Option<(&Cluster, Cost)> = None;
@@ -47,7 +47,7 @@ impl Model {
     }
 }
 
-/// What `eliminate_cluster`, its decisions and the closing speed form of one cluster.
+/// Cost of `eliminate_cluster`, its decisions and the closing speed for one cluster.
 fn cost_of<T: Scalar>(cluster: &Cluster, groups: &[GroupMobility]) -> Cost {
     let bodies = cluster.bodies.len() as f64;
     let n = cluster.coordinates.len() as f64;
@@ -56,7 +56,7 @@ fn cost_of<T: Scalar>(cluster: &Cluster, groups: &[GroupMobility]) -> Cost {
     let freedoms = cluster.coordinates.len() - bound + free;
     let d = freedoms as f64;
     let rank = bound as f64 - free as f64;
-    // G twice (the group's and the cluster's), Ψ and D; by way of the mass matrix that and its product with G.
+    // G twice (the group's and the cluster's), Ψ and D; in a large cluster the mass matrix and its product with G.
     let large = freedoms > LARGE_CLUSTER;
     let by_mass = if large { n * n + n * d } else { 0.0 };
     let entries = 2.0 * n * d + 6.0 * bodies * d + d * d + by_mass;

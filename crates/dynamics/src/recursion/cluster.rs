@@ -1,4 +1,4 @@
-//! One bound cluster: its rates G over its independent coordinates, then its block elimination.
+//! Elimination of one bound cluster: rates G over its independent coordinates, then block elimination.
 
 use super::Recursion;
 use super::elimination::{ClusterElimination, Motion};
@@ -63,7 +63,7 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
 }
 
 impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
-    /// G: constraints of each group eliminated; coordinates of no group are independent.
+    /// G: the constraints of each group are eliminated; coordinates outside all groups are independent.
     fn fill_rates(
         &mut self,
         model: &Model,
@@ -174,8 +174,8 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
         }
     }
 
-    /// The same by way of the cluster's own mass matrix M, GᵀMG: O(n²) where the sums over bodies take O(n d²). Sums of
-    /// positive terms no more, which costs digits where masses differ by many decades.
+    /// Alternative with the cluster's own mass matrix M: GᵀMG costs O(n²), the sums over bodies O(n d²). The terms of its sums
+    /// can be negative, which costs digits if masses differ by many decades.
     fn fill_large_blocks(&mut self, recursion: &Recursion<T, K>, cluster: &Cluster) {
         let (n, d) = (cluster.coordinates.len(), self.d);
         let mut composites: Vec<ArticulatedInertia<T>> =
@@ -190,7 +190,7 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
                 wrenches[parent].iter_mut().zip(below).for_each(|(sum, f)| *sum += f);
             }
         }
-        // Velocities of a body stand together, those of its carrier before.
+        // Velocities of a body are adjacent, after those of its parent.
         let mut first = vec![0; cluster.bodies.len() + 1];
         cluster.velocities.iter().for_each(|v| first[v.body + 1] += 1);
         (0..cluster.bodies.len()).for_each(|at| first[at + 1] += first[at]);
@@ -225,7 +225,7 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
         debug_assert_eq!(self.factor.len(), d * d);
     }
 
-    /// D = GᵀMG, U, t from those over all coordinates; most rows of G are unit vectors.
+    /// D = GᵀMG, U and t from the same quantities over all coordinates; most rows of G are unit vectors.
     fn reduce(&mut self, n: usize, mass: &[T], momenta: &[Wrench<T>], tests: &[[T; K]]) {
         let d = self.d;
         let mut is_independent = vec![false; n];
@@ -267,7 +267,7 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
         }
     }
 
-    /// Eliminates one pivot from all that are still open: LDLᵀ, with U and t beside.
+    /// Eliminates one pivot from the remaining ones: LDLᵀ, with the updates of U and t.
     fn eliminate(&mut self, pivot: usize) {
         let d = self.d;
         self.order.push(pivot);
@@ -300,7 +300,7 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
         self.order.iter().fold(T::zero(), |sum, y| sum + part(y))
     }
 
-    /// Adds tᵀ D⁻¹ t for wrenches on the bodies and forces on the coordinates; gives what is passed on.
+    /// Adds tᵀ D⁻¹ t for wrenches on the bodies and forces on the coordinates; returns the wrench passed to the parent.
     pub fn push(&self, cluster: &Cluster, wrenches: &[Wrench<T>], forces: &[T], sum: &mut T) -> Wrench<T> {
         let d = self.d;
         let mut t = vec![T::zero(); d];
@@ -324,8 +324,8 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
         passed
     }
 
-    /// Rates of the independent coordinates while the body that carries the cluster moves with `twist`: D u = t − Uᵀ V;
-    /// of those dropped, as given in `free` (none: zero). Written over `u`.
+    /// Rates of the independent coordinates for a parent with the twist `twist`: D u = t − Uᵀ V. Dropped coordinates have the
+    /// rates in `free` (zero if `None`). Overwrites `u`.
     pub fn fill_independent_rates(
         &self,
         twist: &Twist<T>,
@@ -350,12 +350,12 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
         }
     }
 
-    /// Velocities and twists of the cluster; with `free`, those of a motion without mass instead of the response.
+    /// Velocities and twists of the cluster; with `free`, those of a massless motion instead of the response.
     pub fn velocities(&self, cluster: &Cluster, motion: &mut Motion<T>, free: Option<usize>) {
         self.spread(cluster, motion, free.is_none(), free);
     }
 
-    /// The same without a load: the cluster follows the body that carries it.
+    /// Velocities and twists without a load: the cluster follows its parent.
     pub fn follows(&self, cluster: &Cluster, motion: &mut Motion<T>) {
         self.spread(cluster, motion, false, None);
     }
@@ -381,7 +381,7 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
 }
 
 impl<const K: usize> ClusterElimination<f64, K> {
-    /// As the recursion's own; the motion is as large as that of any body.
+    /// Error of the order of the recursion's own, since the motion has the size of a body's motion.
     pub fn for_each_pivot(&self, take: &mut impl FnMut(&[f64; K], Option<f64>, &Twist<f64>) -> bool) -> bool {
         let d = self.d;
         let largest = |y: usize| {

@@ -1,17 +1,17 @@
-//! What the recursion keeps of the eliminations that it made.
+//! Stored eliminations of the recursion.
 
 use crate::mobility::Rates;
 use crate::model::Model;
 use percuss_spatial::{Scalar, Twist, Wrench};
 
-/// Room for the motion that the recursion leads to; refilled in place.
+/// Workspace for the motion computed from the recursion; refilled in place.
 #[derive(Clone, Debug)]
 pub(crate) struct Motion<T: Scalar> {
     /// Velocities of the tree.
     pub velocities: Vec<T>,
     /// Twists of the bodies, root axes at the contact point.
     pub twists: Vec<Twist<T>>,
-    /// Of the cluster at hand: rates of its independent coordinates.
+    /// Rates of the independent coordinates of the current cluster.
     pub(super) rates: Vec<T>,
 }
 
@@ -25,7 +25,7 @@ impl<T: Scalar> Motion<T> {
     }
 }
 
-/// What the recursion keeps for one velocity.
+/// Stored elimination of one velocity.
 #[derive(Clone, Debug)]
 pub(crate) struct JointElimination<T: Scalar, const K: usize> {
     /// Motion column in root axes at the contact point.
@@ -36,7 +36,7 @@ pub(crate) struct JointElimination<T: Scalar, const K: usize> {
     pub d: T,
     /// sᵀ f for every test wrench.
     pub t: [T; K],
-    /// Whether the pivot counts; else the motion has no mass.
+    /// True if the pivot counts; otherwise the motion is massless.
     pub counts: bool,
 }
 
@@ -46,30 +46,30 @@ impl<T: Scalar, const K: usize> JointElimination<T, K> {
     }
 }
 
-/// What the recursion keeps for one bound cluster; `d` is the number of its independent coordinates.
+/// Stored elimination of one bound cluster; `d` is the number of its independent coordinates.
 #[derive(Clone, Debug)]
 pub(crate) struct ClusterElimination<T: Scalar, const K: usize> {
     pub(super) rates: Vec<Rates<T>>,
-    /// G, coordinates × d, row by row: rates of the cluster's coordinates over the independent ones.
+    /// G, coordinates × d, row by row: rates of the cluster's coordinates per rate of the independent ones.
     pub g: Vec<T>,
     pub d: usize,
     /// For each independent coordinate, its index into the cluster's.
     pub independent: Vec<usize>,
-    /// Columns of motion of the cluster's velocities, root axes at the contact point.
+    /// Motion columns of the cluster's velocities, root axes at the contact point.
     pub s: Vec<Twist<T>>,
     /// Ψ, bodies × d.
     pub psi: Vec<Twist<T>>,
-    /// U, then what the elimination leaves of it; d of them.
+    /// U, reduced by the elimination; d wrenches.
     pub u: Vec<Wrench<T>>,
-    /// D, d × d: below the diagonal the factors of the elimination, on it the pivots.
+    /// D, d × d: factors of the elimination below the diagonal, pivots on the diagonal.
     pub factor: Vec<T>,
-    /// t, then what the elimination leaves of it.
+    /// t, reduced by the elimination.
     pub t: Vec<[T; K]>,
-    /// The pivots that count, in their order.
+    /// Pivots that count, in the order of elimination.
     pub order: Vec<usize>,
-    /// Those that do not: motions without mass.
+    /// Dropped pivots: massless motions.
     pub dropped: Vec<usize>,
-    /// Whether each is still to be eliminated.
+    /// True for coordinates not yet eliminated.
     pub open: Vec<bool>,
 }
 
@@ -93,7 +93,7 @@ impl<T: Scalar, const K: usize> Default for ClusterElimination<T, K> {
 }
 
 impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
-    /// How many numbers it holds.
+    /// Number of stored numbers.
     pub fn numbers(&self) -> usize {
         self.g.capacity() + 6 * (self.s.capacity() + self.psi.capacity()) + 2 * self.factor.capacity()
     }
@@ -106,7 +106,7 @@ impl<const K: usize> JointElimination<f64, K> {
 }
 
 impl<const K: usize> ClusterElimination<f64, K> {
-    /// Whether all pivots count, and none is below zero.
+    /// True if all pivots count and none is negative.
     pub fn is_positive(&self) -> bool {
         self.dropped.is_empty() && self.order.iter().all(|y| self.factor[y * self.d + y] > 0.0)
     }

@@ -1,5 +1,5 @@
-//! One plain joint: its velocities are eliminated one after another, which is their block elimination; those whose pivots
-//! are small last. A floating base is such a joint.
+//! Elimination of one plain joint, one velocity after another, which equals block elimination. Velocities with small pivots
+//! come last. A floating base is a plain joint.
 
 use super::Recursion;
 use super::elimination::{JointElimination, Motion};
@@ -9,8 +9,8 @@ use crate::model::Model;
 use nalgebra::Vector3;
 use percuss_spatial::{Scalar, Twist};
 
-/// A joint's column of motion at the contact point. A free base moves in every way: its columns are taken as unit twists
-/// there, so that its own distance does not enter.
+/// Motion column of a joint at the contact point. The columns of a floating base span all twists, so unit twists at the
+/// contact point replace them and the distance of the base does not enter.
 #[inline]
 fn base_or_joint_column<T: Scalar>(
     model: &Model,
@@ -44,7 +44,7 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
     ) {
         let body = &model.bodies[i];
         let (first, dofs) = (body.v.start, body.v.len());
-        // Afresh: no answer depends on the one before.
+        // Restarted, so that no result depends on the previous one.
         for (k, v) in (first..first + dofs).enumerate() {
             self.order[v] = v;
             self.joints[v].s = base_or_joint_column(model, kinematics, i, k, point);
@@ -63,7 +63,7 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
                     break;
                 }
             }
-            // The last candidate is always taken.
+            // The last candidate is always accepted.
             let Some((candidate, mut step)) = chosen else { break };
             self.order.swap(first + done, first + candidate);
             let v = self.order[first + done];
@@ -88,7 +88,7 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
         }
     }
 
-    /// u̇ = D⁻¹ (t − Uᵀ V): what is eliminated first is found last. Not `loaded`, the joint follows the body that carries it.
+    /// u̇ = D⁻¹ (t − Uᵀ V), in reverse order of elimination. Without `loaded`, the joint follows its parent.
     #[inline]
     pub(super) fn joint_velocities(&self, model: &Model, i: usize, loaded: bool, motion: &mut Motion<T>) {
         let Motion { velocities, twists, .. } = motion;

@@ -1,4 +1,4 @@
-//! How near the pivots that duals and lanes followed are to what counts as zero, without a branch on any value.
+//! Distance of the pivots followed by duals and lanes from the zero threshold, without a branch on a value.
 
 use super::Recursion;
 use crate::kinematics::Kinematics;
@@ -8,7 +8,7 @@ use crate::tolerances::PIVOT;
 use nalgebra::Vector3;
 use percuss_spatial::{Scalar, Transform, Twist};
 
-/// The size of what an articulated inertia is the sum of: moment (kg·m²) and mass (kg).
+/// Size of the terms of an articulated inertia: moment (kg·m²) and mass (kg).
 #[derive(Clone, Copy)]
 struct Size<T> {
     moment: T,
@@ -16,8 +16,8 @@ struct Size<T> {
 }
 
 impl<T: Scalar, const K: usize> Recursion<T, K> {
-    /// The sum of (zero/pivot)² over the pivots that were followed, and of (pivot/zero)² over those of plain joints that
-    /// were left out; zero as `Deciding` and the groups have it, by the sizes here.
+    /// Sum of (zero/pivot)² over the followed pivots, and of (pivot/zero)² over the dropped pivots of plain joints. The zero
+    /// threshold is that of `Deciding` and of the groups, with the sizes here.
     pub fn pivot_loss(
         &self,
         model: &Model,
@@ -92,14 +92,14 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
     }
 }
 
-/// The size of the terms of sᵀIs, I of some size; the lever of s is the sum of terms as large as the arm.
+/// Size of the terms of sᵀIs for an inertia I of given size; the terms of the lever of s are as large as the arm.
 fn energy<T: Scalar>(s: &Twist<T>, arm: T, size: Size<T>) -> T {
     let turn = s.angular.dot(&s.angular);
     let slide = root(s.linear.dot(&s.linear)) + root(turn) * arm;
     turn * size.moment + slide * slide * size.mass
 }
 
-/// √x, also where x is 0 and a derivative is asked.
+/// √x with a finite derivative at x = 0.
 fn root<T: Scalar>(x: T) -> T {
     (x + T::from_f64(f64::MIN_POSITIVE)).sqrt()
 }

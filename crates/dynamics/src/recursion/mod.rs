@@ -1,16 +1,16 @@
-//! The articulated recursion over clusters: the route of every mechanism. No matrix of the whole, O(n) in clusters.
+//! Articulated-body recursion over clusters, for every mechanism: O(n) in the number of clusters, without a matrix of the whole.
 //!
-//! A cluster is what constraints and mimics bind together, with everything between; a plain joint is a cluster of one.
-//! All in root axes with the origin at the contact point, so that articulated inertias and wrenches add without being
-//! transformed. With G the rates of a cluster's coordinates over its independent ones,
+//! A cluster contains all bodies bound together by constraints and mimics, and the bodies between them; a plain joint is a
+//! cluster of one body. All quantities are in root axes with the origin at the contact point, so that articulated inertias and
+//! wrenches add without a transform. With G the rates of a cluster's coordinates over its independent ones,
 //!
 //! ```text
 //! Ψ_b = Σ S_k G_k over the path to body b;  D = Σ_b Ψ_bᵀ I_bᴬ Ψ_b + Gᵀ diag(armature) G;  U = Σ_b I_bᴬ Ψ_b;  t = Σ_b Ψ_bᵀ f_b
 //! I_pᴬ += Σ_b I_bᴬ − U D⁻¹ Uᵀ;  f_p += Σ_b f_b − U D⁻¹ t;  response += tᵀ D⁻¹ t
 //! ```
 //!
-//! Featherstone 2008, §7.3; the test-force form: Wensing et al. 2012, eq. 12; over clusters: Chignoli et al. 2023 (cited
-//! as DESIGN cites them).
+//! Featherstone 2008, §7.3; test-force form: Wensing et al. 2012, eq. 12; over clusters: Chignoli et al. 2023 (cited from
+//! DESIGN).
 
 mod budget;
 mod cluster;
@@ -28,24 +28,24 @@ use crate::model::Model;
 use nalgebra::Vector3;
 use percuss_spatial::{ArticulatedInertia, Scalar, SpatialInertia, Transform, Twist, Wrench};
 
-/// Room for the recursion with `K` test wrenches at once; refilled in place.
+/// Workspace of the recursion with `K` simultaneous test wrenches; refilled in place.
 #[derive(Clone, Debug)]
 pub(crate) struct Recursion<T: Scalar, const K: usize> {
     /// Rigid inertia of every body, about its own origin in its own axes.
     pub bodies: Vec<SpatialInertia<T>>,
     /// Armature of every tree velocity.
     pub armature: Vec<T>,
-    /// Articulated inertia of every body, before its own joint is eliminated where a cluster is bound.
+    /// Articulated inertia of every body; in a bound cluster before the elimination of the body's own joint.
     pub inertias: Vec<ArticulatedInertia<T>>,
-    /// Test wrenches that arrive at every body.
+    /// Test wrenches on every body, with the contributions of its children.
     pub wrenches: Vec<[Wrench<T>; K]>,
-    /// For every tree velocity of a plain joint.
+    /// Elimination of every tree velocity of a plain joint.
     pub joints: Vec<JointElimination<T, K>>,
-    /// For every body, in its part of the tree's velocities: these in the order of their elimination.
+    /// Tree velocities of every body, in the order of their elimination.
     pub order: Vec<usize>,
-    /// For every bound cluster.
+    /// Elimination of every bound cluster.
     pub clusters: Vec<ClusterElimination<T, K>>,
-    /// For every cluster: its place in `clusters`, if it is bound.
+    /// Index in `clusters` for every cluster; `None` if the cluster is a plain joint.
     pub place: Vec<Option<usize>>,
 }
 
@@ -72,20 +72,20 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
         }
     }
 
-    /// Takes all test wrenches off.
+    /// Removes all test wrenches.
     pub fn clear(&mut self) {
         self.wrenches.fill([Wrench::zero(); K]);
     }
 
-    /// Adds a wrench (root axes, about the contact point) on a body to one of the test wrenches; one on the ground moves
-    /// nothing.
+    /// Adds a wrench (root axes, about the contact point) on a body to a test wrench. A wrench on the ground has no
+    /// effect.
     pub fn add_wrench(&mut self, body: Option<usize>, test: usize, wrench: Wrench<T>) {
         if let Some(body) = body {
             self.wrenches[body][test] += wrench;
         }
     }
 
-    /// Eliminates every cluster, those carried before those that carry.
+    /// Eliminates every cluster, children before parents.
     pub fn eliminate(
         &mut self,
         model: &Model,
@@ -109,15 +109,15 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
         }
     }
 
-    /// Σ tₐᵀ D⁻¹ t_b over all clusters: entry (a, b) of Φ for the test wrenches. With one along the normal, 1/m̄.
+    /// Σ tₐᵀ D⁻¹ t_b over all clusters: entry (a, b) of Φ for the test wrenches; 1/m̄ for a unit wrench along the normal.
     pub fn response(&self, a: usize, b: usize) -> T {
         let joints = self.joints.iter().filter(|e| e.counts);
         let sum = joints.fold(T::zero(), |sum, e| sum + e.t[a] * e.t[b] / e.d);
         self.clusters.iter().fold(sum, |sum, cluster| sum + cluster.response(a, b))
     }
 
-    /// θᵀKθ for forces θ on the tree's velocities of plain joints and on the coordinates of bound clusters, K the response of
-    /// the velocities to forces: tᵀ D⁻¹ t once more.
+    /// θᵀKθ for forces θ on the tree velocities of plain joints and on the coordinates of bound clusters. K is the response of
+    /// the velocities to forces, again as tᵀ D⁻¹ t.
     pub fn compliance(&self, model: &Model, joints: &[T], clusters: &[Vec<T>]) -> T {
         let mut wrenches = vec![Wrench::zero(); model.bodies.len()];
         let mut sum = T::zero();
@@ -144,7 +144,7 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
     }
 
     /// Velocities of the tree and twists of the bodies (root axes, at the contact point) after a unit impulse of test
-    /// wrench 0: M⁻¹ jᵀ. Found from the root to the tips.
+    /// wrench 0: M⁻¹ jᵀ. Computed from the root to the tips.
     pub fn velocities(&self, model: &Model, point: &Vector3<T>, motion: &mut Motion<T>) {
         for (number, cluster) in model.clusters.iter().enumerate().rev() {
             match self.place[number] {
@@ -155,7 +155,7 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
         self.base_velocities(model, point, motion);
     }
 
-    /// A free base's velocities are those at its own origin, the root's.
+    /// The velocities of a floating base refer to its own origin, the root's.
     fn base_velocities(&self, model: &Model, point: &Vector3<T>, motion: &mut Motion<T>) {
         let Motion { velocities, twists, .. } = motion;
         let Some(body) = model.bodies.first().filter(|b| b.joint.is_none()) else { return };
@@ -166,14 +166,14 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
         }
     }
 
-    /// Velocities of the tree in a motion without mass: the bodies that carry stand still, those that are carried follow
-    /// without energy.
+    /// Velocities of the tree in a massless motion: ancestors are at rest, and the subtree follows without
+    /// energy.
     pub fn free_motion(&self, model: &Model, point: &Vector3<T>, free: FreeMotion) -> Vec<T> {
         let mut motion = Motion::new(model);
         let number = match free {
             FreeMotion::Joint(body, v) => {
                 let Motion { velocities, twists, .. } = &mut motion;
-                // Velocities of the same joint that were eliminated before follow.
+                // Velocities of the same joint that were eliminated earlier follow.
                 velocities[v] = T::one();
                 let mut twist = self.joints[v].s;
                 let order = &self.order[model.bodies[body].v.clone()];
@@ -212,8 +212,8 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
 }
 
 impl<const K: usize> Recursion<f64, K> {
-    /// Hands over every pivot: what the tests give along it, the pivot where it counts, and where it does not, the motion that
-    /// they act on. Ends, and is false, where the taker is.
+    /// Calls `take` for every pivot with the test wrenches along its motion, the pivot (`None` if it does not count), and the
+    /// motion. Stops and returns false as soon as `take` returns false.
     pub fn for_each_pivot(&self, mut take: impl FnMut(&[f64; K], Option<f64>, &Twist<f64>) -> bool) -> bool {
         self.joints.iter().all(|e| take(&e.t, e.counts.then_some(e.d), &e.s))
             && self.clusters.iter().all(|cluster| cluster.for_each_pivot(&mut take))

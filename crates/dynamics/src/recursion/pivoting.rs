@@ -1,5 +1,5 @@
-//! Which pivots count. The scalar path decides at every pose, by the size of the terms that each pivot is the sum of;
-//! duals and lanes follow its decisions.
+//! Selection of pivots. The scalar path decides at every pose, by the size of the terms of each pivot; duals and lanes
+//! repeat its decisions.
 
 use super::elimination::{ClusterElimination, JointElimination};
 use crate::mobility::GroupMobility;
@@ -9,11 +9,11 @@ use crate::tolerances::{
 };
 use percuss_spatial::{ArticulatedInertia, Scalar, Transform, Twist, Wrench};
 
-/// Decides, or repeats decisions, while the recursion runs.
+/// Makes or repeats decisions during the recursion.
 pub(crate) trait Pivoting<T: Scalar, const K: usize> {
-    /// A body enters with its frame (root axes, at the contact point), its own rigid inertia and test wrenches.
+    /// Starts a body with its frame (root axes, at the contact point), its own rigid inertia and test wrenches.
     fn body(&mut self, body: usize, x: &Transform<T>, wrenches: &[Wrench<T>; K]);
-    /// Whether a velocity of a plain joint is eliminated next: the `candidate`th of its order, when `done` of `dofs` are.
+    /// True if a velocity of a plain joint is eliminated next: candidate number `candidate`, with `done` of `dofs` eliminated.
     fn takes(
         &mut self,
         body: usize,
@@ -23,7 +23,7 @@ pub(crate) trait Pivoting<T: Scalar, const K: usize> {
         dofs: usize,
         step: &JointElimination<T, K>,
     ) -> bool;
-    /// Whether the pivot of a plain joint's velocity counts, of this articulated inertia.
+    /// True if the pivot of a plain joint's velocity counts, for this articulated inertia.
     fn joint(
         &mut self,
         body: usize,
@@ -31,9 +31,9 @@ pub(crate) trait Pivoting<T: Scalar, const K: usize> {
         step: &JointElimination<T, K>,
         inertia: &ArticulatedInertia<T>,
     ) -> bool;
-    /// G of a group where it is known; else it is found from the group's pivots.
+    /// G of a group if known; otherwise G follows from the group's pivots.
     fn rates<'a>(&self, known: &'a GroupMobility) -> Option<&'a [T]>;
-    /// A cluster's blocks are ready.
+    /// Called when the blocks of a cluster are formed.
     fn cluster(
         &mut self,
         model: &Model,
@@ -42,85 +42,85 @@ pub(crate) trait Pivoting<T: Scalar, const K: usize> {
         cluster: &ClusterElimination<T, K>,
         armature: &[T],
     );
-    /// The cluster's next pivot; none: what is left has no mass.
+    /// Next pivot of the cluster; `None` if the remaining motions are massless.
     fn next(&mut self, place: usize, cluster: &ClusterElimination<T, K>) -> Option<usize>;
-    /// What is left when no pivot is.
+    /// Records the dropped motions after the last pivot.
     fn dropped(&mut self, place: usize, cluster: &ClusterElimination<T, K>);
-    /// All that a body carries goes to another.
+    /// Adds the sizes of a body's articulated inertia and test wrenches to another body's.
     fn carry(&mut self, from: usize, to: usize);
-    /// A cluster's pivot changes what its carrier carries.
+    /// Records the change of the parent's wrench by a pivot of a cluster.
     fn carry_change(&mut self, to: usize, cluster: &ClusterElimination<T, K>, pivot: usize);
 }
 
-/// A motion without mass: a pivot that does not count.
+/// Massless motion: a pivot that does not count.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum FreeMotion {
-    /// A body with a plain joint, and which of the tree's velocities.
+    /// Body with a plain joint, and index of the tree velocity.
     Joint(usize, usize),
-    /// A bound cluster, and which of its independent coordinates.
+    /// Bound cluster, and index of its independent coordinate.
     Bound(usize, usize),
 }
 
-/// What was decided, to be followed by another scalar.
+/// Recorded decisions, repeated for another scalar type.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Decisions {
-    /// For every tree velocity of a plain joint: whether its pivot counts, and when it is eliminated among the joint's.
+    /// For every tree velocity of a plain joint: true if its pivot counts, and its position in the order of elimination.
     joints: Vec<bool>,
     place: Vec<usize>,
-    /// For every bound cluster: its pivots in their order.
+    /// Pivots of every bound cluster, in order.
     clusters: Vec<Vec<usize>>,
 }
 
-/// Decides in f64.
+/// Decisions in f64.
 #[derive(Clone, Debug)]
 pub(crate) struct Deciding<const K: usize> {
-    /// For every body: the size of what its articulated inertia is the sum of, moment (kg·m²) and mass (kg).
+    /// Size of the terms of every body's articulated inertia: moment (kg·m²) and mass (kg).
     inertia: Vec<(f64, f64)>,
-    /// Of every body itself: the trace of its rotational inertia, its first moment, its mass; sizes.
+    /// Sizes of every body's own inertia: trace of the rotational inertia, first moment, mass.
     own: Vec<(f64, f64, f64)>,
-    /// For every body: how many of its velocities are eliminated.
+    /// Number of eliminated velocities of every body.
     eliminated: Vec<usize>,
-    /// For every body: how far its origin is from the contact point, m.
+    /// Distance of every body's origin from the contact point, m.
     arm: Vec<f64>,
-    /// Sizes of the column at hand.
+    /// Sizes of the current motion column.
     step_size: (f64, f64),
-    /// For every body: the size of what its test wrenches are sums of, moment and force.
+    /// Sizes of the terms of every body's test wrenches, moment and force.
     wrench: Vec<[(f64, f64); K]>,
-    /// Of the cluster at hand: the size of each pivot's terms, and what may be rounding.
+    /// Current cluster: size of the terms of each pivot, and its zero threshold.
     pivot_size: Vec<f64>,
     pivot_zero: Vec<f64>,
-    /// The size of the terms of D's diagonal, were nothing in G to cancel.
+    /// Size of the terms of D's diagonal without cancellation in G.
     pivot_terms: Vec<f64>,
     test_size: Vec<[f64; K]>,
     motion_size: Vec<(f64, f64)>,
     rate_size: Vec<f64>,
-    /// Whether a motion without mass closes the gap, for each test wrench.
+    /// True if a massless motion closes the gap, for each test wrench.
     pub massless: [bool; K],
-    /// What the mass may be, kg, that was taken for zero with it, for each test wrench: energies below are rounding.
+    /// Largest effective mass (kg) hidden by rounding in a massless result, for each test wrench.
     pub massless_to: [f64; K],
-    /// The motion without mass that closes the gap of test wrench 0 best: its cluster, and which pivot of it.
+    /// Massless motion with the largest relative closing speed for test wrench 0.
     pub best_free: Option<FreeMotion>,
     best_closing: f64,
-    /// Motions without mass.
+    /// Number of massless motions.
     pub dropped: usize,
-    /// Whether a motion has a mass below zero, beyond rounding.
+    /// True if a motion has a negative mass beyond rounding.
     pub indefinite: bool,
-    /// What the response to test wrench 0 would be off by, were all that its pivots and tests are sums of off by as much as
-    /// themselves, 1/kg: Σ (2|t| τ + t² δ/d)/d, τ and δ the sizes of the terms of t and d. Times a few ε it bounds what the
-    /// recursion loses.
+    /// Change of the response to test wrench 0 if all terms of its pivots and tests were in error by their own size, 1/kg:
+    /// Σ (2|t| τ + t² δ/d)/d with τ and δ the sizes of the terms of t and d. A few ε of it bound the rounding of the
+    /// recursion.
     pub terms: f64,
-    /// The same, each pivot's by so many roundings as [`ROUTE_ROUNDINGS`] says or its inertia has seen lost: ε of it bounds
-    /// what the recursion loses.
+    /// `terms` weighted per pivot with [`ROUTE_ROUNDINGS`], or with the loss of its inertia if larger. ε of it bounds the rounding
+    /// of the recursion.
     pub roundings: f64,
-    /// For every body, the largest that the terms of a pivot that its inertia knows of are over that pivot: so many times
-    /// more the rounding of what they are the sum of counts in what it leaves, U D⁻¹ Uᵀ.
+    /// Per body: largest ratio of a pivot's summed terms to the pivot, over the subtree. The rounding of U D⁻¹ Uᵀ is amplified
+    /// by this factor.
     loss: Vec<f64>,
-    /// Of the cluster at hand.
+    /// `loss` of the current cluster.
     cluster_loss: f64,
-    /// Whether a motion was taken for massless that what carries it feels: its pivot is no rounding of nothing.
+    /// True if a direction classified as massless still couples to its parent: its pivot is small, not zero.
     pub felt: bool,
-    /// True if a motion of a plain joint without mass closes the gap beyond rounding, but by less than [`MASSLESS_CLOSING`]:
-    /// m̄ may be any number below the one found.
+    /// True if a massless motion of a plain joint closes the gap beyond rounding, but by less than [`MASSLESS_CLOSING`]: the
+    /// true m̄ can be any value below the result.
     pub closes_faintly: bool,
     pub decisions: Decisions,
 }
@@ -166,7 +166,7 @@ impl<const K: usize> Deciding<K> {
         }
     }
 
-    /// To be called before a new elimination.
+    /// Resets the decisions; called before every elimination.
     pub fn restart(&mut self) {
         self.massless = [false; K];
         self.massless_to = [0.0; K];
@@ -181,15 +181,15 @@ impl<const K: usize> Deciding<K> {
         self.decisions.clusters.iter_mut().for_each(Vec::clear);
     }
 
-    /// Sizes of a column of motion: its lever at the contact point is the sum of terms as large as the arm.
+    /// Sizes of a motion column. The terms of its lever at the contact point are as large as the arm.
     fn sizes(&self, body: usize, s: &Twist<f64>) -> (f64, f64) {
         let square = s.angular.norm_squared();
-        // Of a unit vector, to rounding; or there is none.
+        // The axis is a unit vector within rounding, or zero.
         let turn = if square == 0.0 { 0.0 } else { 0.5 + 0.5 * square };
         (turn, s.linear.norm() + turn * self.arm[body])
     }
 
-    /// Sizes of G's entries of a cluster, coordinates × d.
+    /// Sizes of the entries of a cluster's G, coordinates × d.
     fn fill_rate_sizes(&mut self, model: &Model, number: usize, groups: &[GroupMobility], d: usize) {
         let cluster = &model.clusters[number];
         let n = cluster.coordinates.len();
@@ -218,7 +218,7 @@ impl<const K: usize> Deciding<K> {
 impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
     #[inline]
     fn body(&mut self, body: usize, x: &Transform<f64>, wrenches: &[Wrench<f64>; K]) {
-        // The terms that the inertia about the contact point is the sum of, which may cancel there.
+        // Terms of the inertia about the contact point, which may cancel there.
         let arm = x.translation.norm();
         let (trace, first, mass) = self.own[body];
         self.arm[body] = arm;
@@ -248,7 +248,7 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
         let (turn, slide) = self.step_size;
         let (moment, mass) = self.inertia[body];
         let part = step.d / (turn * turn * moment + slide * slide * mass);
-        // A small one may be rounding of what others leave: these come before.
+        // A small pivot may be rounding of the other eliminations, so the others come first.
         part >= LATE_PIVOT || candidate + 1 == dofs
     }
 
@@ -262,11 +262,11 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
     ) -> bool {
         let (turn, slide) = self.step_size;
         let (moment, mass) = self.inertia[body];
-        // sᵀIs lies below this for every rigid body, and so does what joints below leave of it; an armature is exact.
+        // sᵀIs is below this size for every rigid body, also after the eliminations of its children; an armature is exact.
         let size = turn * turn * moment + slide * slide * mass;
         let counts = step.d > PIVOT * size;
         if counts {
-            // What is left of the inertia is what is rounded now, not all that hangs there frozen.
+            // Rounding is relative to the remaining inertia, not to that of the frozen subtree.
             let left =
                 turn * turn * inertia.angular.trace() + step.s.linear.norm_squared() * inertia.linear.trace();
             self.loss[body] = self.loss[body].max(left / step.d);
@@ -398,7 +398,7 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
             self.indefinite |=
                 room.factor[y * room.d + y] < -NEGATIVE_PIVOT * self.pivot_size[y] - self.pivot_zero[y];
             for k in 0..K {
-                // What pivots pass on through entries of D that are rounding.
+                // Updates through entries of D that are rounding.
                 let passed = |p: &usize| {
                     let terms = (self.pivot_terms[y] * self.pivot_terms[*p]).sqrt();
                     room.t[*p][k].abs() / room.factor[p * room.d + p] * terms
@@ -440,7 +440,7 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
     }
 }
 
-/// Follows decisions made in f64, branching on no value.
+/// Repeats decisions made in f64, without a branch on a value.
 pub(crate) struct Following<'a>(pub &'a Decisions);
 
 impl<T: Scalar, const K: usize> Pivoting<T, K> for Following<'_> {
