@@ -35,7 +35,7 @@ impl Plan {
             || columns > LINKAGE_COORDINATES
             || bodies > LINKAGE_COORDINATES
             || !(1..=LINKAGE_FREEDOMS).contains(&columns.checked_sub(rank)?)
-            // Nothing beside it has a part in its answer.
+            // No body outside the linkage takes part in the motion.
             || model.clusters.iter().filter(|cluster| cluster.parent.is_none()).count() != 1
             // Rows that add nothing here may count at another pose.
             || model.groups.iter().map(|group| group.rows).sum::<usize>() != rank
@@ -272,7 +272,7 @@ fn shortest(model: &Model, lengths: &[f64]) -> f64 {
     turns.fold(f64::INFINITY, f64::min)
 }
 
-/// What a unit of all rates (m/s) can give a body's energy.
+/// Largest energy of a body at unit rates (m/s).
 fn weight(body: &Moving, length: f64) -> f64 {
     let rotors: f64 = body.velocities.iter().map(|v| v.armature * v.factor * v.factor).sum();
     let own = body.inertia.map_or(0.0, |i| {

@@ -31,7 +31,7 @@ use percuss_spatial::lanes::{Lanes, Portable, Work};
 enum Following {
     /// One position of a hinge or slide: its change at a metre of a column.
     Single { q: usize, column: usize, factor: f64 },
-    /// A quaternion: for each of its turns the column, if that depends.
+    /// Quaternion: for each rotation its column, if dependent.
     Ball { q: usize, turns: [Option<(usize, f64)>; 3] },
 }
 
@@ -39,7 +39,7 @@ enum Following {
 #[derive(Clone, Copy, Debug)]
 struct Given {
     q: usize,
-    /// Which independent coordinate, and its change (m) at a unit of the position.
+    /// Independent coordinate, and its change (m) per unit of the position.
     y: usize,
     length: f64,
 }
@@ -84,7 +84,7 @@ pub(crate) struct Followed {
     pub residual: f64,
 }
 
-/// A linkage, the contact that it is asked for, and where it stands.
+/// Linkage with its contact and its current pose.
 #[derive(Clone, Debug)]
 pub(crate) struct Driven {
     linkage: Linkage,
@@ -164,7 +164,7 @@ impl Driven {
         driven.stand(positions).then_some(driven)
     }
 
-    /// Puts it at a closed pose of the same branch; not where that is in doubt.
+    /// Sets a closed pose of the same branch; returns false if the branch is uncertain.
     pub fn stand(&mut self, positions: &[f64]) -> bool {
         let plan = &self.linkage.plan;
         self.here =
@@ -360,7 +360,7 @@ impl Driven {
         seen
     }
 
-    /// What a lane is answered, where its branch is beyond doubt.
+    /// Result of a lane whose branch is certain.
     fn followed(&self, seen: &Outcome, lane: usize, lanes: usize) -> Option<Followed> {
         let answered = Answered { mass: seen.masses[lane], error: seen.errors[lane] };
         let mass = Some(answered).filter(Answered::is_clear);
@@ -436,7 +436,7 @@ struct Outcome {
     errors: [f64; WIDEST],
     /// How far the farthest row is from closed, m.
     open: [f64; WIDEST],
-    /// How far what depends went beyond its prediction, m.
+    /// Distance of the dependent coordinates from their prediction, m.
     corrected: [f64; WIDEST],
     /// Product of 1/pivots.
     orientation: [f64; WIDEST],

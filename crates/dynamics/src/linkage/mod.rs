@@ -28,7 +28,7 @@ use percuss_spatial::lanes::{Instructions, Lanes, Work};
 use plan::{BodyDirection, BodyPoint, Motion, Plan};
 use std::sync::Arc;
 
-/// A linkage prepared, the contact that it is asked for, and room.
+/// Compiled linkage, its contact, and a workspace.
 #[derive(Clone, Debug)]
 pub(crate) struct Linkage {
     plan: Arc<Plan>,
@@ -38,7 +38,7 @@ pub(crate) struct Linkage {
 }
 
 impl Linkage {
-    /// None where the assembly is no such linkage.
+    /// `None` if the assembly is not a supported linkage.
     pub fn of(assembly: &Assembly) -> Option<Self> {
         Some(Self::with(Plan::of(assembly)?))
     }
@@ -89,7 +89,7 @@ impl Linkage {
         self.plan.direction(on.body, &on.frame.vector(e))
     }
 
-    /// m̄ at one configuration, of the contact that it is aimed at.
+    /// m̄ at one configuration for the current contact.
     pub fn one(&mut self, positions: &[f64]) -> Option<Answered> {
         Answered::of_one(|answers| {
             let columns = Columns { values: positions, stride: 1 };

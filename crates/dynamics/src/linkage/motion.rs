@@ -20,7 +20,7 @@ use percuss_spatial::lanes::Lanes;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Struck {
     pub on: BodyPoint,
-    /// The body on the other side; none: the ground.
+    /// Body on the other side; `None` for the ground.
     pub against: Option<usize>,
     pub normal: Normal,
 }
@@ -50,7 +50,7 @@ pub(super) struct Answer<T> {
     pub error: T,
 }
 
-/// 1/m̄ of configurations `first` and those after it.
+/// 1/m̄ of the configurations from `first` on.
 #[inline(always)]
 pub(super) fn evaluate<T: Lanes>(
     plan: &Plan,
@@ -162,7 +162,7 @@ fn respond<T: Lanes>(plan: &Plan, struck: &Struck, lost: T, room: &[f64]) -> Ans
             let end = point(room, end);
             let line = minus(&end, &at);
             let over = T::one() / dot(&line, &line).sqrt();
-            // It turns by what its ends are off.
+            // The line rotates by the errors of its ends.
             turned = (size(&end) + size(&at)).mul_add(over, turned);
             let unit = times(&line, over);
             let cosine = dot(&unit, &direction(room, drawn));
@@ -185,7 +185,7 @@ fn respond<T: Lanes>(plan: &Plan, struck: &Struck, lost: T, room: &[f64]) -> Ans
         }
         y += 1;
     }
-    // The point's speed is a sum of what any rate gives it, also where it stands still.
+    // The size of the point's speed is the sum over all rates, even if the speed is zero.
     let reach_of = |body: Option<usize>| body.map_or(0.0, |b| plan.bodies[b].reach);
     let reach = reach_of(struck.on.body) + reach_of(struck.against);
     let arm = size(&at) + T::from_f64(reach);

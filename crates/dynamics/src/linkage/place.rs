@@ -1,4 +1,4 @@
-//! Where the bodies of a linkage stand, root axes, from a centre near them.
+//! Positions of the bodies of a linkage, root axes, relative to a centre near them.
 
 use super::plan::{BodyDirection, BodyPoint, Motion, Plan, Position};
 use super::room::{FRAME, along, dot, get, get_vector, plus, put_vector, size, times};

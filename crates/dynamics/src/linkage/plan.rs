@@ -13,7 +13,7 @@ pub(super) struct Position {
     pub offset: f64,
 }
 
-/// How a body moves on the one that carries it.
+/// Motion of a body relative to its parent.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Motion {
     /// It does not.
@@ -22,7 +22,7 @@ pub(super) enum Motion {
     Turn(Position),
     /// It slides along z.
     Slide(Position),
-    /// It turns by the quaternion that begins at a position.
+    /// Rotation by the quaternion that starts at a position index.
     Ball(usize),
     /// It is a free base, seen from itself.
     Free,
@@ -31,7 +31,7 @@ pub(super) enum Motion {
 /// One velocity of a body's joint.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Velocity {
-    /// Which column of A: the pivots' in their order, then what is independent.
+    /// Column of A: pivot columns in order, then the independent ones.
     pub column: usize,
     /// The velocity at a unit of that coordinate, which is measured in metres.
     pub factor: f64,
@@ -42,7 +42,7 @@ pub(super) struct Velocity {
 #[derive(Clone, Debug)]
 pub(super) struct Moving {
     pub parent: Option<usize>,
-    /// The frame of its joint in the frame of the body that carries it.
+    /// Frame of the joint in the parent's frame.
     pub rotation: [[f64; 3]; 3],
     pub translation: [f64; 3],
     pub motion: Motion,
@@ -71,7 +71,7 @@ pub(super) struct BodyDirection {
     pub e: [f64; 3],
 }
 
-/// A row, or three: what its power on the relative motion is.
+/// One row or three rows, by the power on the relative motion.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Form {
     /// The velocity of the successor's point, root axes: three rows.
@@ -95,14 +95,14 @@ pub(super) struct Term {
     pub slides: bool,
     pub column: usize,
     pub factor: f64,
-    /// Whether no term of the same column is before it in its block.
+    /// True for the first term of its column in the block.
     pub is_first: bool,
 }
 
 /// Rows that bind the same velocities.
 #[derive(Clone, Debug)]
 pub(super) struct Block {
-    /// What the successor's point is brought onto; none where nothing closes.
+    /// Target of the successor's point; `None` without a closure.
     pub predecessor: Option<BodyPoint>,
     pub successor: BodyPoint,
     /// The forms, with the first row that each fills; none where it adds nothing.
@@ -110,7 +110,7 @@ pub(super) struct Block {
     pub terms: Vec<Term>,
 }
 
-/// A pivot of A, on the diagonal: which rows below it and which columns beyond it there is anything in.
+/// Pivot of A on the diagonal, with the nonzero rows below it and the nonzero columns to its right.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Pivot {
     pub rows: Vec<usize>,
@@ -125,9 +125,9 @@ pub(super) struct Plan {
     pub pivots: Vec<Pivot>,
     /// Entries of A, row by row, that have no term, but are filled in when it is eliminated.
     pub filled_in: Vec<usize>,
-    /// For each coordinate, for each independent one: whether its rate can be other than zero.
+    /// For each coordinate and each independent one: true if the rate can be nonzero.
     pub follows: Vec<bool>,
-    /// The largest pivot at the pose that it is compiled at.
+    /// Largest pivot at the pose of compilation.
     pub scale: f64,
     /// The least length of a turn, m.
     pub length: f64,
@@ -139,7 +139,7 @@ pub(super) struct Plan {
     pub columns: usize,
     pub freedoms: usize,
     pub layout: Layout,
-    /// Where places are counted from, in the root's frame (m): near the linkage, since what is far is rounded more.
+    /// Origin of positions, in the root frame (m): near the linkage, because distant positions have a larger rounding.
     pub centre: Vector3<f64>,
 }
 

@@ -1,4 +1,4 @@
-//! Where numbers stand in the room of a linkage, for each lane.
+//! Layout of the workspace of a linkage, per lane.
 
 use percuss_spatial::lanes::Lanes;
 
@@ -23,7 +23,7 @@ pub(super) struct Layout {
     pub count: usize,
 }
 
-/// A body's frame: nine numbers of its rotation, three of its place.
+/// Frame of a body: nine numbers for its rotation, three for its position.
 pub(super) const FRAME: usize = 12;
 
 impl Layout {

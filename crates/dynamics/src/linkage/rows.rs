@@ -15,7 +15,7 @@ pub(super) fn rows_at(plan: &Plan, positions: &[f64]) -> Vec<f64> {
     room[plan.layout.rows..plan.layout.over].to_vec()
 }
 
-/// What is seen of the loops when their rows are formed.
+/// Quantities of the loops, computed with their rows.
 #[derive(Clone, Copy)]
 pub(super) struct Seen<T> {
     /// How far the farthest row is from closed, m.
@@ -114,7 +114,7 @@ fn lever<T: Lanes>(term: &Term, bodies: &[Moving], at: &[T; 3], room: &[f64]) ->
     (axis(room, term.body, k), minus(at, &place))
 }
 
-/// What an entry holds before a term is added: nothing, where this is its first.
+/// Entry before a term is added: zero for the first term.
 #[inline(always)]
 fn before<T: Lanes>(term: &Term, entry: usize, room: &[f64]) -> T {
     if term.is_first { T::zero() } else { get(room, entry) }
