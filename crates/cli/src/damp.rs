@@ -72,7 +72,7 @@ pub fn run(args: &DampArgs) -> Result<(), Failure> {
     print(&report, args.format)
 }
 
-/// What a study asks: the damper of a joint's stop, or of its contact.
+/// Options of a study: the damper of a joint's stop or of the contact.
 pub fn of_study(study: &StudyFile, damping: &StudyDamping) -> Result<DampingReport, Failure> {
     let StudyDamping { question, stop, .. } = damping;
     Ok(match (stop, &study.question) {
@@ -96,17 +96,17 @@ pub fn print(report: &DampingReport, format: CheckFormat) -> Result<(), Failure>
     }
 }
 
-/// The mass, or the inertia of a stop that turns, that the damper is for.
+/// Mass, or inertia for a rotational stop, of the damper.
 pub fn headline(report: &DampingReport) -> (&'static str, String) {
     let units = Units::of(report);
     (units.name, format!("{} {}", number(report.effective_mass), units.mass))
 }
 
-/// What the numbers of a report are measured in.
+/// Units of the numbers of a report.
 struct Units {
     name: &'static str,
     mass: &'static str,
-    /// Of a length or an angle, in SI and as penetrations are shown, with the factor between them.
+    /// Units of a length or an angle: SI, the unit of displayed penetrations, and the factor between them.
     length: &'static str,
     shown: (&'static str, f64),
     force: &'static str,
@@ -122,7 +122,7 @@ impl Units {
     }
 }
 
-/// The damper, the impact, the validity over the travel.
+/// Damper, impact, and validity over the travel.
 pub fn damper(report: &DampingReport) -> String {
     facts(report).iter().map(|(name, value)| fact(name, &escape::line(value))).collect()
 }
@@ -210,7 +210,7 @@ fn stiffness(report: &DampingReport) -> String {
     format!("{} {force}/{length}{}", number(damper.stiffness), power(damper.exponent))
 }
 
-/// The exponent of a unit, where it has one.
+/// Exponent of a unit, if any.
 fn power(exponent: f64) -> String {
     if exponent == 1.0 { String::new() } else { format!("^{}", number(exponent)) }
 }
@@ -297,7 +297,7 @@ fn tools() -> String {
     table.to_string()
 }
 
-/// Writes the force history of the impact: a plot, or its numbers.
+/// Writes the force history of the impact as a plot or as numbers.
 pub fn draw(report: &DampingReport, question: &DampingQuestion, path: &str) -> Result<(), Failure> {
     report.inputs.iter().for_each(|input| is_input(&input.path));
     let ending = Path::new(path).extension().and_then(|e| e.to_str()).unwrap_or("").to_ascii_lowercase();
@@ -327,7 +327,7 @@ fn csv(samples: &[Sample]) -> String {
     out
 }
 
-/// Force over time, and over penetration, whose loop encloses the energy lost.
+/// Force over time, and over penetration; the loop encloses the dissipated energy.
 pub fn sheet(report: &DampingReport, samples: &[Sample]) -> Sheet {
     let damper = &report.damper;
     let units = Units::of(report);

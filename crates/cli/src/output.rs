@@ -1,6 +1,6 @@
-//! Where results go: stdout, or a file that is replaced when all of it is written.
+//! Output destinations: stdout, or a file that is replaced after all of the result is written.
 //!
-//! Every file that percuss writes is opened here. One that is an input, or that percuss did not write, is left alone.
+//! Every file that percuss writes is opened here. Input files and files that percuss did not write are not replaced.
 
 use crate::escape::Terminal;
 use crate::failure::Failure;
@@ -14,37 +14,37 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-/// What is written is passed on at least this often, so that whoever reads stdout sees that there is some.
+/// Longest time until buffered bytes are passed on, so that a reader of stdout sees progress.
 const PASSED_ON: Duration = Duration::from_millis(200);
 
-/// How long a file that another program holds is waited for: longer than a scanner takes, not so long that one who has the
-/// table open in a spreadsheet wonders.
+/// Longest wait for a file that another program holds: longer than a virus scanner needs, and short for a user who has the
+/// table open in a spreadsheet.
 const HELD: Duration = Duration::from_secs(2);
-/// Between two attempts.
+/// Pause between two attempts.
 const HELD_PAUSE: Duration = Duration::from_millis(10);
-/// What Windows says where a file that is open is to be replaced.
+/// Windows error for the replacement of an open file.
 const ACCESS_DENIED: i32 = 5;
-/// What it says where a file is opened that another program shares with nobody.
+/// Windows error for opening a file that another program does not share.
 const SHARING_VIOLATION: i32 = 32;
 
-/// The files that this run has read: none of them is an output.
+/// Input files of this run. An output never replaces one of them.
 static INPUTS: Mutex<Vec<String>> = Mutex::new(Vec::new());
-/// Whether files that percuss did not write are replaced; set once, from the command line.
+/// True if files that percuss did not write are replaced; set once, from the command line.
 static FORCED: AtomicBool = AtomicBool::new(false);
 
-/// Replaces files that percuss did not write, from now on.
+/// Allows the replacement of files that percuss did not write.
 pub fn force(forced: bool) {
     FORCED.store(forced, Ordering::Relaxed);
 }
 
-/// Says that a file is an input: no output takes its place.
+/// Records an input file, so that no output replaces it.
 pub fn is_input(path: &str) {
-    // A panic of another thread leaves the list as it was.
+    // A panic of another thread does not change the list.
     INPUTS.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).push(path.to_owned());
 }
 
-/// Where a result goes. A file is written beside the one that is to be, and renamed by [`finish`](Self::finish): one that
-/// is not finished leaves what was there before. Devices and pipes are written as they are.
+/// Output of a result. A new file is written in the same folder and renamed by [`finish`](Self::finish); an unfinished file
+/// leaves the previous one unchanged. Devices and pipes are written directly.
 pub struct Output {
     out: BufWriter<Box<dyn Write + Send>>,
     path: Option<String>,
@@ -52,7 +52,7 @@ pub struct Output {
     passed_on: Instant,
 }
 
-/// A file that is not finished; it goes with the value.
+/// Unfinished file; removed when the value is dropped.
 struct Beside {
     temporary: PathBuf,
     path: PathBuf,
@@ -61,13 +61,13 @@ struct Beside {
 
 impl Drop for Beside {
     fn drop(&mut self) {
-        // After it was renamed there is none.
+        // After the renaming no unfinished file exists.
         let _ = fs::remove_file(&self.temporary);
     }
 }
 
 impl Output {
-    /// Opens a file; stdout for none.
+    /// Opens a file, or stdout for `None`.
     pub fn open(path: Option<&str>) -> Result<Self, Failure> {
         let mut beside = None;
         let out: Box<dyn Write + Send> = match path {
@@ -84,11 +84,11 @@ impl Output {
         Ok(Self { out: BufWriter::with_capacity(1 << 16, out), path, beside, passed_on: Instant::now() })
     }
 
-    /// Passes on what is left, and puts the file in its place.
+    /// Writes the remaining bytes and renames the file.
     pub fn finish(mut self) -> Result<(), Failure> {
         let renamed = self.out.flush().and_then(|()| match &self.beside {
             Some(Beside { temporary, path, file }) => {
-                // A name that stands for bytes that a power cut loses would be the part of a file.
+                // Without the synchronisation, a power cut could leave the new name with a part of the bytes.
                 file.sync_all()?;
                 when_free(&[ACCESS_DENIED, SHARING_VIOLATION], || fs::rename(temporary, path))
             }
@@ -97,12 +97,12 @@ impl Output {
         renamed.map_err(|error| self.failure(error))
     }
 
-    /// Leaves out what was not passed on yet.
+    /// Discards the bytes that are not passed on yet.
     pub fn discard(self) {
         let _ = self.out.into_parts();
     }
 
-    /// Why it cannot be written.
+    /// Reason why the output cannot be written.
     pub fn failure(&self, error: io::Error) -> Failure {
         match &self.path {
             None => error.into(),
@@ -133,16 +133,16 @@ pub fn write_file(path: &str, bytes: &[u8]) -> Result<(), Failure> {
     out.finish()
 }
 
-/// Refuses a file that is an input, by any path or link, and one that percuss did not write.
+/// Refuses an input file, by any path or link, and a file that percuss did not write.
 ///
 /// # Errors
-/// Which it is, and what can be done.
+/// The file and the remedy.
 pub fn may_be_written(path: &str) -> Result<(), Failure> {
     let inputs = INPUTS.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
-    // The comparison opens both files: a pipe would wait for its other end. Pipes and devices lose nothing when they are written.
+    // The comparison opens both files, and a pipe would wait for its other end. Writing to pipes and devices destroys nothing.
     let is_file = |path: &str| fs::metadata(path).is_ok_and(|found| found.is_file());
     for input in inputs.iter().filter(|input| is_file(path) && is_file(input)) {
-        // One of them may not be opened: they are not the same then.
+        // A file that cannot be opened differs from the other one.
         if same_file::is_same_file(path, input).unwrap_or(false) {
             let which = if input == path { String::new() } else { format!(" ({input})") };
             return Err(Failure::bad_input(format!(
@@ -158,7 +158,7 @@ pub fn may_be_written(path: &str) -> Result<(), Failure> {
     )))
 }
 
-/// Opens what is written: the file itself where it is none of the usual kind, else one beside it.
+/// Opens the output: a device or pipe directly, otherwise a new file in the same folder.
 fn file(path: &Path) -> io::Result<(File, Option<Beside>)> {
     let found = fs::metadata(path);
     if let Ok(found) = &found
@@ -168,7 +168,7 @@ fn file(path: &Path) -> io::Result<(File, Option<Beside>)> {
     }
     let path = match &found {
         Ok(_) => {
-            // One that may not be written is not replaced either.
+            // A read-only file is not replaced.
             when_free(&[SHARING_VIOLATION], || OpenOptions::new().write(true).open(path))?;
             fs::canonicalize(path)?
         }
@@ -182,7 +182,7 @@ fn file(path: &Path) -> io::Result<(File, Option<Beside>)> {
     Ok((file, Some(kept)))
 }
 
-/// The file that a chain of links names, which does not exist; the path itself if it is no link.
+/// Target of a chain of links without an existing file; the path itself if it is no link.
 fn link_target(path: &Path) -> io::Result<PathBuf> {
     let mut target = path.to_owned();
     for _ in 0..MOST_LINKS {
@@ -194,8 +194,8 @@ fn link_target(path: &Path) -> io::Result<PathBuf> {
     Err(io::Error::other(format!("more than {MOST_LINKS} links, one to the next")))
 }
 
-/// Does it again for a while where the error says that another program holds the file: on Windows, scanners, indexes and other runs that replace it
-/// have it open for a moment, and nothing takes the place of an open file there.
+/// Repeats an operation for a limited time if another program holds the file. On Windows, scanners, indexers and other runs
+/// open a file for a moment, and an open file cannot be replaced.
 fn when_free<T>(held: &[i32], mut action: impl FnMut() -> io::Result<T>) -> io::Result<T> {
     let begun = Instant::now();
     let is_held = |error: &io::Error| {
@@ -211,8 +211,8 @@ fn when_free<T>(held: &[i32], mut action: impl FnMut() -> io::Result<T>) -> io::
     }
 }
 
-/// A new file in the same folder, `.NAME.NUMBER.percuss-part`, locked as long as it is written. Those that killed runs left of
-/// the same output go first.
+/// New file `.NAME.NUMBER.percuss-part` in the same folder, locked while it is written. Unfinished files of killed runs for the
+/// same output are removed first.
 fn beside(path: &Path) -> io::Result<(PathBuf, File)> {
     remove_left(path);
     let name = |attempt: u32| {
@@ -228,7 +228,7 @@ fn beside(path: &Path) -> io::Result<(PathBuf, File)> {
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists && attempt < 100 => attempt += 1,
             opened => {
                 let file = opened?;
-                // Another run may have taken it for one that was left, before it was locked.
+                // Another run may have removed the file as an unfinished one before it was locked.
                 let is_taken =
                     matches!(file.try_lock(), Err(TryLockError::WouldBlock)) || !temporary.exists();
                 if is_taken && attempt < 100 {
@@ -241,17 +241,17 @@ fn beside(path: &Path) -> io::Result<(PathBuf, File)> {
     }
 }
 
-/// How the names of files that are not finished end.
+/// End of the names of unfinished files.
 const PART: &str = ".percuss-part";
-/// Files left by killed runs that are removed at once.
+/// Largest number of unfinished files removed at once.
 const MOST_LEFT: usize = 1000;
 
-/// Links that are followed from an output to its file, as many as Linux follows.
+/// Largest number of links from an output to its file, as on Linux.
 const MOST_LINKS: usize = 40;
-/// Bytes of a name that is part of another name whole. Systems allow 255 bytes, and `..NUMBER.percuss-part` has 36.
+/// Longest name (bytes) that becomes a part of another name. Systems allow 255 bytes, and `..NUMBER.percuss-part` has 36.
 const LONGEST_WHOLE_NAME: usize = 200;
 
-/// How the names of files that are to be an output begin: `.NAME.`. A long name is cut, and a hash of the whole follows.
+/// Begin of the names of unfinished files of an output: `.NAME.`. A long name is cut, and a hash of the full name follows.
 fn part_of(path: &Path) -> OsString {
     let whole = path.file_name().unwrap_or_default();
     let mut name = OsString::from(".");
@@ -269,8 +269,8 @@ fn part_of(path: &Path) -> OsString {
     name
 }
 
-/// Removes what killed runs left of an output: regular files of the very name that percuss gives, which no run has locked. One
-/// that cannot be locked, or that another system's lock may hold, stays.
+/// Removes the unfinished files of killed runs for an output: regular files with a name of this form and without a lock. A
+/// file that cannot be locked, or that another system may have locked, is kept.
 fn remove_left(path: &Path) {
     let begin = part_of(path);
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
@@ -279,27 +279,27 @@ fn remove_left(path: &Path) {
         let name = entry.file_name();
         let number = name.as_encoded_bytes().strip_prefix(begin.as_encoded_bytes());
         let number = number.and_then(|rest| rest.strip_suffix(PART.as_bytes()));
-        // Not through a link: that is none of ours.
+        // Links are not followed: percuss creates none.
         number.is_some_and(|n| !n.is_empty() && n.len() <= 20 && n.iter().all(u8::is_ascii_digit))
             && entry.file_type().is_ok_and(|kind| kind.is_file())
     };
     for entry in entries.flatten().filter(is_part).take(MOST_LEFT) {
         let Ok(file) = OpenOptions::new().read(true).write(true).open(entry.path()) else { continue };
         if file.try_lock().is_ok() {
-            // Who may not remove it leaves it there.
+            // Without permission, the file remains.
             let _ = fs::remove_file(entry.path());
         }
     }
 }
 
-/// Why a file cannot be written. A disk that is full is no fault of the input, as on stdout.
+/// Reason why a file cannot be written. A full disk is no fault of the input, as on stdout.
 pub fn cannot_write(path: &str, error: &io::Error) -> Failure {
     let message = format!("{path} cannot be written: {error}");
     match error.kind() {
         io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded | io::ErrorKind::FileTooLarge => {
             Failure::NoAnswer(message)
         }
-        // An open list of the operating system's.
+        // All other errors; `ErrorKind` is not exhaustive.
         _ => Failure::bad_input(message),
     }
 }

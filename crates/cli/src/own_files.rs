@@ -1,5 +1,5 @@
-//! How percuss knows a file that it wrote: a mark in the file's head or end, in a place that its format has for it.
-//! docs/OUTPUTS.md lists them.
+//! Recognition of files that percuss wrote: a mark in the head or at the end of the file, in a place that the format provides.
+//! docs/OUTPUTS.md lists the marks.
 
 use percuss_formats::{DEFAULT_MAX_SIZE, Source};
 use percuss_render::MADE_BY;
@@ -8,12 +8,12 @@ use std::fs::{self, File};
 use std::io::{self, Read, Seek, SeekFrom};
 use std::path::Path;
 
-/// How much of the head of a file is looked at, bytes: marks are in the first lines.
+/// Bytes of the head that are searched: marks are in the first lines.
 const HEAD: usize = 1 << 12;
-/// How much of its end, bytes: Parquet has its description there, one entry for each column.
+/// Bytes of the end that are searched: the description of a Parquet file is there, with an entry per column.
 const END: i64 = 1 << 20;
 
-/// Whether a file may be replaced without being asked for: it is not there, is no regular file, holds nothing, or percuss wrote
+/// True if a file may be replaced without `--force`: it does not exist, is no regular file, is empty, or percuss wrote
 /// it.
 pub fn is_own(path: &Path) -> io::Result<bool> {
     match fs::metadata(path) {
@@ -49,7 +49,7 @@ pub fn is_own(path: &Path) -> io::Result<bool> {
 /// Begin and end of the last line of an imported model.
 const SEAL: (&str, &str) = ("<!-- SHA-256 of the lines above, as percuss wrote them: ", " -->");
 
-/// An imported model with the hash of its text in a last line, by which a change by hand is seen.
+/// Imported model with the hash of its text in the last line, which reveals changes by hand.
 pub fn sealed(text: String) -> String {
     let hash = hash(&text);
     format!("{text}{}{hash}{}\n", SEAL.0, SEAL.1)
@@ -59,40 +59,40 @@ fn hash(text: &str) -> String {
     Input::of(&Source::from_text("", text)).sha256
 }
 
-/// True if an imported model is as percuss wrote it.
+/// True if an imported model is unchanged since percuss wrote it.
 fn is_sealed(mut file: File) -> io::Result<bool> {
     let mut text = String::new();
     file.seek(SeekFrom::Start(0))?;
     if file.take(DEFAULT_MAX_SIZE).read_to_string(&mut text).is_err() {
         return Ok(false);
     }
-    // Git may have changed the ends of lines.
+    // Git may have changed the line ends.
     let text = text.replace("\r\n", "\n");
     let above = text.strip_suffix(&format!("{}\n", SEAL.1)).and_then(|text| text.rsplit_once(SEAL.0));
     Ok(above.is_some_and(|(above, found)| found == hash(above)))
 }
 
-/// A workbook whose properties say so.
+/// True for a workbook with percuss in its properties.
 fn is_own_workbook(file: File) -> bool {
     let properties = |file| {
         let mut archive = zip::ZipArchive::new(file).ok()?;
         let mut text = String::new();
-        // No more is read than percuss writes there.
+        // percuss writes no more than this here.
         archive.by_name("docProps/core.xml").ok()?.take(HEAD as u64).read_to_string(&mut text).ok()?;
         Some(text)
     };
     properties(file).is_some_and(|text| text.contains(MADE_BY))
 }
 
-/// Texts whose first lines only percuss writes.
+/// True for texts whose first lines only percuss writes.
 fn has_marked_head(head: &str) -> bool {
     let dense: String = head.chars().filter(|c| !c.is_whitespace()).collect();
     let first = head.lines().next().unwrap_or("").replace(';', ",");
-    // JSON; its rows one to a line; glTF, as it is and inside its binary form; an imported model.
+    // JSON, JSON Lines, glTF as text and in its binary form, an imported model.
     dense.starts_with("{\"schema\":\"percuss.")
         || dense.starts_with("{\"row\":0,\"varied\":")
         || dense.contains("\"generator\":\"percuss\"")
-        // Tables have no place for a mark: their columns are it.
+        // Tables have no place for a mark; their columns identify them.
         || first.starts_with("row,") && [",status,effective_mass", " difference_percent"].iter().any(|name| first.contains(name))
         || first == "design,status,effective_mass,difference_percent"
         || first == "design,status,effective_mass_kg,difference_percent"
