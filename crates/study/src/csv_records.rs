@@ -98,7 +98,7 @@ fn split(record: &str, text: &mut String, cells: &mut Vec<Range<usize>>) {
         let after = match rest.trim_start().strip_prefix('"') {
             Some(quoted) => {
                 let mut quoted = quoted;
-                // Quotes are even in number, so that each has its end.
+                // An even number of quotes: every quoted field is closed.
                 while let Some((part, more)) = quoted.split_once('"') {
                     text.push_str(part);
                     quoted = more;

@@ -25,7 +25,7 @@ pub struct GivenPose {
     of_model: Option<Input>,
 }
 
-/// A file of a pose that is none.
+/// Error of an invalid pose file.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum GivenPoseError {
@@ -95,7 +95,7 @@ const EXAMPLE: &str = "joints and positions such as {\"elbow\": 0.5, \"wrist\": 
 /// Joints of the model that an error names.
 const NAMED: usize = 6;
 
-/// What stands in the JSON of an answer.
+/// Content of a report in JSON that is read as a pose.
 #[derive(Deserialize)]
 struct Answer {
     #[serde(deserialize_with = "study_value::positions")]
@@ -215,7 +215,7 @@ impl GivenPose {
         Ok(Self { input: Input { path, sha256 }, positions, of_model })
     }
 
-    /// Whether it has a position for every joint that can move and follows no other.
+    /// True if every movable joint that is no mimic has a position.
     pub(crate) fn is_whole(&self, mechanism: &Mechanism) -> bool {
         self.missing(mechanism).is_none()
     }
@@ -245,7 +245,7 @@ impl GivenPose {
         }
     }
 
-    /// What a reader should know of an answer that was about other bytes.
+    /// Remark on a pose file that was computed from a different version of the model file.
     pub(crate) fn about_model(&self, model: &Model, names: Names) -> Option<String> {
         let of = self.of_model.as_ref()?;
         let own = model.inputs.first()?;

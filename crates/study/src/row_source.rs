@@ -1,8 +1,8 @@
-//! Where the rows of a sweep come from.
+//! Source of the rows of a sweep.
 
 use crate::vary::Vary;
 
-/// Where the rows of a sweep come from.
+/// Source of the rows of a sweep.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum RowSource {

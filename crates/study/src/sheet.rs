@@ -24,7 +24,7 @@ pub(crate) fn is_study(source: &Source) -> bool {
 }
 
 impl Sheet {
-    /// A source as a sheet, where the ending of its name says that it is one.
+    /// Source as a sheet, if the ending of its name is that of a sheet.
     pub(crate) fn of(source: &Source, accept: Accept) -> Option<Self> {
         let ending = Path::new(&source.name).extension()?.to_str()?;
         let is_sheet = SHEETS.iter().any(|known| ending.eq_ignore_ascii_case(known));

@@ -40,7 +40,7 @@ pub struct StudyFile {
     pub question: Option<MassQuestion>,
     /// The pose and the conditions, whether or not it asks for a contact.
     pub conditions: MassQuestion,
-    /// What is asked of the contact beside its mass.
+    /// Requests about the contact besides the effective mass.
     pub mass: StudyMass,
     /// The same with something changed.
     pub variants: Vec<Variant>,

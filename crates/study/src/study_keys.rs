@@ -1,4 +1,4 @@
-//! Where the keys of a study file stand, and which of them mean nothing: with the one that is nearest.
+//! Positions of the keys of a study file, and its unknown keys, each with the nearest known key.
 
 use crate::shown::cut;
 use crate::study_schema::{alternatives, properties, study_keys, study_schema};
@@ -8,7 +8,7 @@ use toml::de::{DeTable, DeValue};
 
 /// Suggestions for a key that means nothing: more are no help.
 const SUGGESTIONS: usize = 2;
-/// Unknown keys that are reported; the others are counted.
+/// Largest number of reported unknown keys; further keys are only counted.
 const REPORTED: usize = 50;
 /// Bytes of a key that is compared with the known ones: the comparison costs their product, and known keys are shorter.
 const LONGEST_COMPARED: usize = 64;
@@ -16,7 +16,7 @@ const LONGEST_COMPARED: usize = 64;
 /// The keys of a study file, and where they stand.
 #[derive(Clone, Debug, Default)]
 pub struct StudyKeys {
-    /// Keys and elements of lists, each after the one that holds it.
+    /// Keys and list elements, each after its container.
     places: Vec<Place>,
     /// Where lines begin, bytes.
     lines: Vec<usize>,
@@ -44,11 +44,11 @@ enum Step {
 /// A key that means nothing.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownKey {
-    /// The key, with the tables that it stands in.
+    /// Key with its tables.
     pub key: String,
     /// Its line, from 1.
     pub line: usize,
-    /// What was meant perhaps, or what is possible.
+    /// Suggested key, or the possible keys.
     pub hint: String,
 }
 
@@ -85,7 +85,7 @@ impl StudyKeys {
         self.lines.partition_point(|begin| *begin <= byte)
     }
 
-    /// The line of a key, from 1: of the table around it where it is missing itself; none where that is too.
+    /// Line of a key, from 1. For a missing key, the line of its table; `None` if that is missing too.
     pub fn line_of(&self, key: &str) -> Option<usize> {
         let mut key = key;
         loop {
@@ -96,7 +96,7 @@ impl StudyKeys {
         }
     }
 
-    /// The innermost key whose value holds these bytes, cut if it is long.
+    /// Innermost key whose value contains these bytes, cut if long.
     pub(crate) fn key_at(&self, bytes: &Range<usize>) -> Option<String> {
         let holds = |place: &usize| {
             let value = &self.places[*place].value;
@@ -206,7 +206,7 @@ impl StudyKeys {
     }
 }
 
-/// What was meant by a key of a table, or what is possible there.
+/// Suggestion for a key of a table, or the keys possible there.
 fn hint(name: &str, table: &str, possible: &[&str]) -> String {
     let whole = |key: &str| if table.is_empty() { key.to_owned() } else { format!("{table}.{key}") };
     let near = if name.len() > LONGEST_COMPARED { Vec::new() } else { nearest(name, possible) };
@@ -225,7 +225,7 @@ fn hint(name: &str, table: &str, possible: &[&str]) -> String {
     format!("the keys of {place} are {}", possible.join(", "))
 }
 
-/// The names that a few letters change into this one, the nearest alone.
+/// Known names at a small edit distance from a name; only the nearest.
 fn nearest<'k>(name: &str, possible: &[&'k str]) -> Vec<&'k str> {
     let plain = name.replace('-', "_").to_lowercase();
     let distance = |key: &str| strsim::osa_distance(&plain, key).min(strsim::osa_distance(name, key));

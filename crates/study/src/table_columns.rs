@@ -1,4 +1,4 @@
-//! The columns of a file of positions: of which joint, which of its numbers, in which unit.
+//! Columns of a position file: joint, component and unit of each.
 
 use crate::answer::Prepared;
 use crate::quantity::{Unit, position_dimension};
@@ -45,7 +45,7 @@ struct Number {
 }
 
 impl Columns {
-    /// The columns of these names; `at_names` says where those stand.
+    /// Columns for these names; `at_names` is the position of the names in the file.
     pub fn new(
         prepared: &Prepared,
         names: Vec<String>,

@@ -1,4 +1,4 @@
-//! Where numbers decide: every threshold of this crate, with its unit and its reason.
+//! All thresholds of this crate, with units and reasons.
 
 use std::ops::RangeInclusive;
 
@@ -7,7 +7,7 @@ use std::ops::RangeInclusive;
 /// A shorter vector has no direction: one typed with a few digits is longer, the difference of equal points shorter.
 /// Any unit.
 pub(crate) const SHORTEST_DIRECTION: f64 = 1e-9;
-/// Joints that are tried in the place of one that came to its end before the travel did.
+/// Number of joints tried in place of a driver that reached its limit before the requested travel.
 pub(crate) const OTHER_DRIVERS: usize = 4;
 /// Joints that drive a travel one after another past each other's dead centres, at most: one turn of a linkage passes some four.
 pub(crate) const TRAVEL_STAGES: usize = 6;
@@ -64,7 +64,7 @@ pub(crate) const BLOCK_OF_LINKS: usize = 10_000;
 pub(crate) const BLOCK_IN_LANES: usize = 4096;
 /// Rows of a line that are worth preparing to follow them several at once: it costs as much as a few of them.
 pub(crate) const FOLLOWED_ROWS: usize = 4;
-/// How often a line may begin to be followed anew: where it stops at every other row, nothing is won.
+/// Largest number of restarts of the path follower along a line. More frequent stops gain nothing.
 pub(crate) const FOLLOWED_BEGINNINGS: usize = 16;
 /// Rows without poses that are answered by one thread without a break: of a block a thirty-second, so that no thread waits
 /// long for the last one.
@@ -83,7 +83,7 @@ pub(crate) const TRAVEL_ROUNDS: usize = 12;
 pub(crate) const TRAVEL_PARTS: f64 = 4.0;
 /// The least part of the way: a travel of 0.1 m in steps of 0.1 mm.
 pub(crate) const LEAST_PART: f64 = 1e-3;
-/// How often a travel that is too far for one go is halved: 2⁻³² of a turn is no step.
+/// Largest number of halvings of a travel that is too long for one step: 2⁻³² of a turn is negligible.
 pub(crate) const HALVINGS: usize = 32;
 
 /// Samples of a tolerance: a minute's work at a millisecond each on a few processors; one alone says nothing.

@@ -178,7 +178,7 @@ fn unlocked(table: &mut Mutex<ParquetTable>) -> &mut ParquetTable {
     table.get_mut().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Whether the columns set all that drives the loops, and nothing that follows from them.
+/// True if the columns set all driving joints of the loops, and no dependent joint.
 fn check_drivers(
     prepared: &Prepared,
     columns: &Columns,

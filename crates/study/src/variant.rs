@@ -1,4 +1,4 @@
-//! The designs of a study file: what its model changes, and its variants.
+//! Designs of a study file: the changes of its model, and its variants.
 
 use crate::changes::Changes;
 use crate::design::DesignError;
@@ -101,7 +101,7 @@ impl VariantText {
             None => base.clone(),
             Some(path) => {
                 let other = loaded.load(&folder.join(path).to_string_lossy())?;
-                // What the study changes and adds holds for its variants.
+                // Changes and additions of the study apply to its variants too.
                 let mut other = other.with_closures_of(base)?.changed(&base.origin.changes)?;
                 other.inputs.extend(base.inputs.iter().skip(1).cloned().collect::<Vec<Input>>());
                 other
