@@ -21,7 +21,7 @@ pub(crate) const MOST_NAMESPACES: usize = 128;
 pub(crate) const MOST_ENTITIES: usize = 64;
 /// Bytes to which the references to entities may expand.
 pub(crate) const MOST_EXPANDED: usize = 64 << 20;
-/// References inside one reference that roxmltree follows at most.
+/// Deepest nesting of entity references that roxmltree follows.
 pub(crate) const REFERENCES_IN_A_REFERENCE: usize = 256;
 /// Characters of the XML parser's own message that are shown.
 pub(crate) const LONGEST_PARSER_MESSAGE: usize = 200;
@@ -36,7 +36,7 @@ pub(crate) const LONGEST_NAME: usize = 1024;
 pub(crate) const MOST_SUGGESTIONS: usize = 10;
 /// Names compared with an unknown one: the comparison is quadratic in their length.
 pub(crate) const MOST_CANDIDATES: usize = 2_000;
-/// Joints that mimic one another in a row.
+/// Longest chain of mimic joints.
 pub(crate) const LONGEST_MIMIC_CHAIN: usize = 100;
 /// Joints on the paths of all couplings together, from the links up to the root.
 pub(crate) const MOST_COUPLING_STEPS: usize = 4_000_000;
@@ -57,7 +57,7 @@ pub(crate) const DECIMAL_NUMBERS: std::ops::Range<f64> = 1e-5..1e16;
 
 // Findings.
 
-/// Findings of each severity that are shown; the others are counted.
+/// Largest number of findings shown per severity; further findings are only counted.
 pub(crate) const MOST_FINDINGS: usize = 50;
 /// Kinds of repeated finding that are counted separately.
 pub(crate) const MOST_KINDS: usize = 500;
@@ -70,7 +70,7 @@ pub(crate) const LONGEST_SHOWN: usize = 60;
 
 /// Objects and arrays within one another.
 pub(crate) const DEEPEST_JSON: usize = 256;
-/// Keys of one object: they are searched one after another.
+/// Largest number of keys of one object; the search among them is linear.
 pub(crate) const MOST_KEYS: usize = 1000;
 /// The largest coordinate of a vehicle's hardpoints, m: vehicles are shorter, and one in millimetres that is read in metres
 /// exceeds it by far.

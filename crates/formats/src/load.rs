@@ -18,7 +18,7 @@ pub struct LoadOptions {
     pub accept: Accept,
 }
 
-/// A mechanism, and what was noticed in its file.
+/// Mechanism with the findings in its file.
 #[derive(Debug)]
 pub struct Loaded {
     /// The mechanism.

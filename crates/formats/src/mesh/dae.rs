@@ -350,7 +350,7 @@ fn missing(node: Node<'_, '_>) -> String {
     format!("<{}> refers to {url:?}, which there is not", node.tag_name().name())
 }
 
-/// The transform that an element of a node is; none for other elements.
+/// Transform of an element of a node; `None` for other elements.
 fn transform(node: Node<'_, '_>) -> Result<Option<Matrix4<f64>>, String> {
     let name = node.tag_name().name();
     let count = match name {

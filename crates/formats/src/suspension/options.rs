@@ -26,7 +26,7 @@ pub struct Wheel {
     pub radius: Option<f64>,
 }
 
-/// What the inner ends of the tie rods are held by.
+/// Part that holds the inner ends of the tie rods.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Rack {
     /// The link `rack` is fixed to the chassis.
@@ -42,15 +42,15 @@ pub enum Rack {
 /// What to build of a file.
 #[derive(Clone, Debug, Default)]
 pub struct ImportOptions {
-    /// In what the file's lengths are; none: what the file says, or m for a file of Chrono.
+    /// Unit of the file's lengths; `None`: the unit in the file, or m for a file of Chrono.
     pub unit: Option<LengthUnit>,
     /// The axes of the file's vehicle; none: what the file says, or those of ISO 8855 for a file of Chrono.
     pub axes: Option<VehicleAxes>,
-    /// Which side to build; none: what the file says, or the left one.
+    /// Side to build; `None`: the side in the file, or the left one.
     pub side: Option<Side>,
     /// The wheel; it replaces the file's, if that has one. Without any, no mass of a wheel is in the answer, which a warning states.
     pub wheel: Option<Wheel>,
-    /// Whether the vehicle steers; none: what the file says, or not.
+    /// True if the vehicle steers; `None`: as in the file, otherwise false.
     pub rack: Option<Rack>,
     /// The template of a table that does not name its own.
     pub template: Option<String>,

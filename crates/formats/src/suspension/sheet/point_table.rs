@@ -14,7 +14,7 @@ use std::path::Path;
 /// The files that were read together: their names and texts.
 pub(in super::super) type Files = Vec<(String, String)>;
 
-/// The table that the sheet names in the place of its points.
+/// Table of points named by the sheet.
 pub(super) fn read(
     source: &Source,
     options: &ImportOptions,

@@ -46,7 +46,7 @@ pub(in super::super) struct Sheet {
     pub on: BTreeMap<&'static str, (String, Spot)>,
 }
 
-/// Reads a sheet; none where something forbids it, which is said.
+/// Reads a sheet; `None` after an error in the report.
 pub(in super::super) fn read(
     source: &Source,
     text: &str,
@@ -262,7 +262,7 @@ impl Taking<'_> {
         })
     }
 
-    /// What is built: the flag's, or the sheet's, or the side that the points describe.
+    /// Side to build: that of the flag, of the sheet, or of the points, in this order.
     fn side(&mut self, template: &Template, given: Side) -> Side {
         let named = |word: &str| match word {
             "left" => Some(Side::Left),

@@ -220,7 +220,7 @@ fn take(rows: Vec<Row>, entries: &mut Entries, findings: &mut Findings) {
     }
 }
 
-/// A number in the unit of its column; one that has its own keeps that.
+/// Gives a number the unit of its column, unless the number has a unit.
 fn in_unit(cell: &mut Cell, unit: &str) {
     let with_unit = match &*cell {
         Cell::Number(x) => format!("{x} {unit}"),
@@ -230,7 +230,7 @@ fn in_unit(cell: &mut Cell, unit: &str) {
     *cell = Cell::Text(with_unit);
 }
 
-/// Where x, y and z stand, and their unit, if the row names them.
+/// Columns of x, y and z, and their unit, if the row names them.
 fn header(cells: &[Cell]) -> Option<([usize; 3], Option<String>)> {
     let mut columns = [None; 3];
     let mut unit: Option<String> = None;

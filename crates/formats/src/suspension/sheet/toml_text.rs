@@ -7,7 +7,7 @@ use crate::report::shortened;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Reads the text; false where it is no TOML, which is said.
+/// Reads the text; false after a TOML error in the report.
 pub(super) fn read(text: &str, entries: &mut Entries, findings: &mut Findings) -> bool {
     if text.len() > LARGEST_SHEET {
         let message = format!("a sheet of {} bytes; at most {LARGEST_SHEET} are read", text.len());
