@@ -7,7 +7,7 @@ use faer::linalg::solvers::{Solve, SolveLstsq};
 use faer::sparse::{SparseColMat, Triplet};
 use faer::{Mat, Side};
 
-/// A over the directions of motion of a group, each measured in metres.
+/// Matrix A over the directions of motion of a group, measured in metres.
 #[derive(Clone, Debug)]
 pub(crate) struct Jacobian {
     pub rows: usize,
@@ -26,7 +26,7 @@ pub(crate) struct NormalEquations {
 }
 
 impl NormalEquations {
-    /// Shortest x with least ‖Jx − b‖.
+    /// x of minimum norm with least ‖Jx − b‖.
     pub fn shortest(&self, target: &[f64]) -> Vec<f64> {
         let vectors = self.vectors.chunks_exact(self.length);
         if !self.wide {
@@ -68,8 +68,8 @@ impl Jacobian {
         self.entries.iter().fold(0.0, |most, (_, _, a)| most.max(a.abs()))
     }
 
-    /// Shortest x with least ‖Jx − b‖. Pivots below `floor` times the first are omitted: in a rounded file, nearly
-    /// redundant rows contradict one another, and their solution lies far away.
+    /// x of minimum norm with least ‖Jx − b‖. Pivots below `floor` times the first are omitted: in a rounded file,
+    /// nearly redundant rows contradict one another, and their solution lies far away.
     pub fn shortest(&self, target: &[f64], floor: f64) -> Vec<f64> {
         match self.normal_equations(floor) {
             Some(equations) => equations.shortest(target),
@@ -77,7 +77,7 @@ impl Jacobian {
         }
     }
 
-    /// Shortest x with least ‖Jx − b‖, without normal equations.
+    /// x of minimum norm with least ‖Jx − b‖, without normal equations.
     pub fn shortest_by_factors(&self, target: &[f64], floor: f64) -> Vec<f64> {
         if self.columns == 0 || self.rows == 0 || self.largest() == 0.0 {
             return vec![0.0; self.columns];
@@ -252,7 +252,8 @@ fn solve_sparse_gram(columns: &[Vec<(usize, f64)>], right: &[f64], weight: f64) 
     Some((0..m).map(|r| z[(r, 0)]).collect())
 }
 
-/// The same where JJᵀ has more products than places: to sort them would take most of the time.
+/// Same as [`solve_sparse_gram`] with a dense matrix, for a JJᵀ with more products than entries: sorting the products
+/// would take most of the time.
 fn solve_dense_gram(columns: &[Vec<(usize, f64)>], right: &[f64], weight: f64) -> Option<Vec<f64>> {
     let m = right.len();
     let mut gram = Mat::<f64>::zeros(m, m);
@@ -267,7 +268,7 @@ fn solve_dense_gram(columns: &[Vec<(usize, f64)>], right: &[f64], weight: f64) -
     Some((0..m).map(|r| z[(r, 0)]).collect())
 }
 
-/// By a complete orthogonal factorisation of J, or of Jᵀ where it is wide.
+/// x of minimum norm by a complete orthogonal factorisation of J, or of Jᵀ for a wide J.
 fn least_norm(jacobian: &Mat<f64>, target: &[f64], floor: f64) -> Vec<f64> {
     let (m, n) = (jacobian.nrows(), jacobian.ncols());
     if n > m {

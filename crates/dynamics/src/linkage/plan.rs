@@ -1,5 +1,5 @@
-//! What a mechanism of few freedoms compiles to: bodies whose frames have the joint's axis as z, the rows that close its loops,
-//! and the order in which what depends is eliminated.
+//! Compiled form of a mechanism of few degrees of freedom: bodies with the joint axis as the z axis of their frames,
+//! the rows that close the loops, and the order in which dependent coordinates are eliminated.
 
 use super::room::Layout;
 use nalgebra::Vector3;
@@ -16,15 +16,15 @@ pub(super) struct Position {
 /// Motion of a body relative to its parent.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Motion {
-    /// It does not.
+    /// No motion.
     Fixed,
-    /// It turns about z.
+    /// Rotation about z.
     Turn(Position),
-    /// It slides along z.
+    /// Translation along z.
     Slide(Position),
     /// Rotation by the quaternion that starts at a position index.
     Ball(usize),
-    /// It is a free base, seen from itself.
+    /// Floating base: its pose is the reference frame.
     Free,
 }
 
@@ -33,7 +33,7 @@ pub(super) enum Motion {
 pub(super) struct Velocity {
     /// Column of A: pivot columns in order, then the independent ones.
     pub column: usize,
-    /// The velocity at a unit of that coordinate, which is measured in metres.
+    /// Joint velocity per unit rate of that coordinate. Coordinates are measured in metres.
     pub factor: f64,
     pub armature: f64,
 }
@@ -47,50 +47,51 @@ pub(super) struct Moving {
     pub translation: [f64; 3],
     pub motion: Motion,
     pub velocities: Vec<Velocity>,
-    /// Mass, first moment, moments and products of inertia (xx, xy, xz, yy, yz, zz); none where all are zero.
+    /// Mass, first moment, moments and products of inertia (xx, xy, xz, yy, yz, zz); `None` if all are zero.
     pub inertia: Option<[f64; 10]>,
-    /// For each independent coordinate: whether it moves the body.
+    /// For each independent coordinate: true if the coordinate can move the body.
     pub moved: Vec<bool>,
-    /// X_bo: the frame taken here (o) in the body's own.
+    /// X_bo: frame of the plan (o) in the body frame of the model.
     pub frame: Transform<f64>,
-    /// How far its origin is from the farthest joint that carries it, at most, travels of slides left out, m.
+    /// Upper bound of the distance from the body's origin to the joint of any ancestor, without travels of slides, m.
     pub reach: f64,
 }
 
-/// A point fixed in a body, or in the root.
+/// Point fixed in a body, or in the root link.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BodyPoint {
     pub body: Option<usize>,
     pub at: [f64; 3],
 }
 
-/// A direction fixed in a body, or in the root.
+/// Direction fixed in a body, or in the root link.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BodyDirection {
     pub body: Option<usize>,
     pub e: [f64; 3],
 }
 
-/// One row or three rows, by the power on the relative motion.
+/// Form of one row or of three rows of A, from the relative motion of successor and predecessor.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Form {
-    /// The velocity of the successor's point, root axes: three rows.
+    /// Velocity of the successor's point, root axes: three rows.
     Point,
-    /// That velocity along a direction.
+    /// Velocity of the successor's point along a direction.
     Along(BodyDirection),
-    /// The rate of the cosine between a direction of the predecessor and one of the successor, times a length (m).
+    /// Rate of the cosine between a direction of the predecessor and a direction of the successor, times a length
+    /// (m).
     Cosine(BodyDirection, BodyDirection, f64),
-    /// The rate of the distance between the two points, which is to be so many metres.
+    /// Rate of the distance between the two points; the value is the required distance (m).
     Distance(f64),
-    /// The factors of the terms alone.
+    /// Constant row: the factors of the terms.
     Constant,
 }
 
-/// A velocity that rows bind.
+/// Joint velocity that occurs in the rows of a block.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Term {
     pub body: usize,
-    /// Which velocity of the body's joint.
+    /// Index among the velocities of the body's joint.
     pub component: usize,
     pub slides: bool,
     pub column: usize,
@@ -99,13 +100,13 @@ pub(super) struct Term {
     pub is_first: bool,
 }
 
-/// Rows that bind the same velocities.
+/// Rows that bind the same joint velocities.
 #[derive(Clone, Debug)]
 pub(super) struct Block {
     /// Target of the successor's point; `None` without a closure.
     pub predecessor: Option<BodyPoint>,
     pub successor: BodyPoint,
-    /// The forms, with the first row that each fills; none where it adds nothing.
+    /// Forms with the row numbers of each; `None` for an unused or redundant row.
     pub forms: Vec<(Form, [Option<usize>; 3])>,
     pub terms: Vec<Term>,
 }
@@ -117,24 +118,24 @@ pub(super) struct Pivot {
     pub columns: Vec<usize>,
 }
 
-/// A mechanism of few freedoms.
+/// Mechanism of few degrees of freedom.
 #[derive(Clone, Debug)]
 pub(super) struct Plan {
     pub bodies: Vec<Moving>,
     pub blocks: Vec<Block>,
     pub pivots: Vec<Pivot>,
-    /// Entries of A, row by row, that have no term, but are filled in when it is eliminated.
+    /// Fill-in: entries of A, row by row, without a term of their own that become nonzero in the elimination.
     pub filled_in: Vec<usize>,
     /// For each coordinate and each independent one: true if the rate can be nonzero.
     pub follows: Vec<bool>,
     /// Largest pivot at the pose of compilation.
     pub scale: f64,
-    /// The least length of a turn, m.
+    /// Smallest length of a rotational coordinate, m.
     pub length: f64,
-    /// Twice the energy (kg) of any motion is below it, times the square of all its rates added up (m/s): armatures, masses at
-    /// their reach, moments of inertia.
+    /// Bound of the kinetic energy (kg): twice the energy of any motion is at most `weight` times the square of the
+    /// sum of all absolute rates (m/s). Sum over armatures, masses at their reach and moments of inertia.
     pub weight: f64,
-    /// By how many roundings the entries of A are off, by the depth of the tree alone.
+    /// Error of the entries of A in roundings, from the depth of the tree alone.
     pub roundings: f64,
     pub columns: usize,
     pub freedoms: usize,
@@ -144,13 +145,13 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    /// A point of a body's own frame, or of the root's.
+    /// Converts a point from the body frame of the model, or from the root frame, to the frame of the plan.
     pub fn point(&self, body: Option<usize>, at: &Vector3<f64>) -> BodyPoint {
         let at = body.map_or_else(|| at - self.centre, |b| self.bodies[b].frame.inverse_point(at));
         BodyPoint { body, at: at.into() }
     }
 
-    /// A direction of a body's own frame, or of the root's.
+    /// Converts a direction from the body frame of the model, or from the root frame, to the frame of the plan.
     pub fn direction(&self, body: Option<usize>, e: &Vector3<f64>) -> BodyDirection {
         let e = body.map_or(*e, |b| self.bodies[b].frame.inverse_vector(e));
         BodyDirection { body, e: e.into() }

@@ -2,7 +2,7 @@
 
 use percuss_spatial::lanes::Lanes;
 
-/// Where each table begins.
+/// Offsets of the tables.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Layout {
     /// A, rows × columns.
@@ -13,13 +13,13 @@ pub(super) struct Layout {
     pub rates: usize,
     /// Twists of the bodies at their origins, root axes: bodies × freedoms × 6.
     pub twists: usize,
-    /// How far rows are from closed, m: rows.
+    /// Constraint residuals, m: rows.
     pub residuals: usize,
-    /// How far coordinates go next, m: columns.
+    /// Newton steps of the coordinates, m: columns.
     pub steps: usize,
-    /// How many numbers in all.
+    /// Number of values per lane.
     pub total: usize,
-    /// How many rows A has.
+    /// Number of rows of A.
     pub count: usize,
 }
 
@@ -98,7 +98,7 @@ pub(super) fn along<T: Lanes>(a: &[T; 3], x: T, b: &[T; 3]) -> [T; 3] {
     [a[0].mul_add(x, b[0]), a[1].mul_add(x, b[1]), a[2].mul_add(x, b[2])]
 }
 
-/// Σ |aᵢ|: at least the length.
+/// Σ |aᵢ|, an upper bound of the length.
 #[inline(always)]
 pub(super) fn size<T: Lanes>(a: &[T; 3]) -> T {
     a[0].abs() + a[1].abs() + a[2].abs()

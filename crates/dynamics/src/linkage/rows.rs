@@ -1,4 +1,4 @@
-//! The rows of A, their elimination in the order of the plan, and the rates of what depends.
+//! Rows of A, their elimination in the order of the plan, and the rates of the dependent coordinates.
 
 use super::place::{axis, direction, place, point};
 use super::plan::{Block, Form, Motion, Moving, Plan, Term};
@@ -7,7 +7,7 @@ use crate::answered::Columns;
 use crate::tolerances::{FAR_ROUNDINGS, OPEN_ROUNDINGS};
 use percuss_spatial::lanes::{Lanes, Portable};
 
-/// A at some positions, before its rows have an order.
+/// Entries of A at the given positions, row by row; used before the rows are ordered.
 pub(super) fn rows_at(plan: &Plan, positions: &[f64]) -> Vec<f64> {
     let mut room = vec![0.0; plan.layout.total];
     place::<Portable<1>>(plan, Columns { values: positions, stride: 1 }, 0, &mut room);
@@ -18,22 +18,23 @@ pub(super) fn rows_at(plan: &Plan, positions: &[f64]) -> Vec<f64> {
 /// Quantities of the loops, computed with their rows.
 #[derive(Clone, Copy)]
 pub(super) struct Seen<T> {
-    /// How far the farthest row is from closed, m.
+    /// Largest residual of a row, m.
     pub open: T,
-    /// By how many roundings the entries of A are off because of that, or because rods are short.
+    /// Errors of the entries of A from the residual and from short rods.
     pub roundings: RowRoundings<T>,
 }
 
 /// Errors of the entries of A, in roundings.
 #[derive(Clone, Copy)]
 pub(super) struct RowRoundings<T> {
-    /// By short rods.
+    /// Error from short rods.
     pub rods: T,
-    /// By loops that are open: over the pivots they are also how far the positions are off, and with them the entries.
+    /// Error from open loops. Divided by the pivots, the residual is also an error of the positions, and so of the
+    /// entries.
     pub open: T,
 }
 
-/// A; and how far each row is from closed (m), where that is to be `KEPT`.
+/// Fills A; with `KEPT`, also stores the residual of each row (m).
 #[inline(always)]
 pub(super) fn fill_rows<T: Lanes, const KEPT: bool>(plan: &Plan, room: &mut [f64]) -> Seen<T> {
     for entry in &plan.filled_in {
@@ -102,7 +103,7 @@ pub(super) fn fill_rows<T: Lanes, const KEPT: bool>(plan: &Plan, room: &mut [f64
     Seen { open, roundings: RowRoundings { rods: rods * T::from_f64(FAR_ROUNDINGS), open: of_open } }
 }
 
-/// The axis of a term, root axes, and how far the acting point is from its body's origin.
+/// Axis of a term, and the vector from its body's origin to the point `at`; root axes.
 #[inline(always)]
 fn lever<T: Lanes>(term: &Term, bodies: &[Moving], at: &[T; 3], room: &[f64]) -> ([T; 3], [T; 3]) {
     let k = match bodies[term.body].motion {
@@ -120,7 +121,7 @@ fn before<T: Lanes>(term: &Term, entry: usize, room: &[f64]) -> T {
     if term.is_first { T::zero() } else { get(room, entry) }
 }
 
-/// Three rows: the velocity of a point.
+/// Adds the three rows of the velocity of a point.
 #[inline(always)]
 fn add_point<T: Lanes>(plan: &Plan, block: &Block, rows: &[Option<usize>; 3], at: &[T; 3], room: &mut [f64]) {
     for term in &block.terms {
@@ -137,7 +138,7 @@ fn add_point<T: Lanes>(plan: &Plan, block: &Block, rows: &[Option<usize>; 3], at
     }
 }
 
-/// One row: the power of a wrench about the acting point.
+/// Adds one row: the power of a wrench about the point `at`.
 #[inline(always)]
 fn add_row<T: Lanes>(
     plan: &Plan,
@@ -157,7 +158,7 @@ fn add_row<T: Lanes>(
     }
 }
 
-/// Eliminates what depends, in the order of the plan, with how far rows are from closed where that was `KEPT`. Gives the
+/// Eliminates the dependent coordinates in the order of the plan; with `KEPT`, also in the residuals. Returns the
 /// largest 1/|pivot|.
 #[inline(always)]
 pub(super) fn eliminate<T: Lanes, const KEPT: bool>(plan: &Plan, room: &mut [f64]) -> T {
@@ -182,7 +183,7 @@ pub(super) fn eliminate<T: Lanes, const KEPT: bool>(plan: &Plan, room: &mut [f64
     least
 }
 
-/// How far what depends is to go for the loops to close, m, after the elimination: A\[d\] δ = −r. Gives the length.
+/// Newton steps of the dependent coordinates, m, after the elimination: A\[d\] δ = −r. Returns ‖δ‖.
 #[inline(always)]
 pub(super) fn fill_steps<T: Lanes>(plan: &Plan, room: &mut [f64]) -> T {
     let (n, rank) = (plan.columns, plan.layout.count);
@@ -204,7 +205,7 @@ pub(super) fn fill_steps<T: Lanes>(plan: &Plan, room: &mut [f64]) -> T {
     square.sqrt()
 }
 
-/// Rates of all coordinates at unit rates of what is independent.
+/// Rates of all coordinates for unit rates of the independent coordinates.
 #[inline(always)]
 pub(super) fn fill_rates<T: Lanes>(plan: &Plan, room: &mut [f64]) {
     let (n, f, rank, rates) = (plan.columns, plan.freedoms, plan.layout.count, plan.layout.rates);

@@ -48,7 +48,7 @@ impl<N: Clone + PartialEq> Redundancy<N> {
                 together.join(row, order[i]);
             }
         }
-        // Rows of one name are neighbours; those of them that are redundant go together.
+        // Rows of one name are adjacent; redundant rows of one name belong together.
         let mut before: Option<usize> = None;
         for row in (0..m).filter(|row| redundant[*row]) {
             if let Some(before) = before.filter(|before| names[*before] == names[row]) {
