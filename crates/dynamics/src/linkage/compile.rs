@@ -1,4 +1,4 @@
-//! Compiles a mechanism of few freedoms, and orders its elimination at the assembly's first closed pose.
+//! Compiles a mechanism of few degrees of freedom, and orders its elimination at the assembly's first closed pose.
 
 use super::plan::{
     Block, BodyDirection, BodyPoint, Form, Motion, Moving, Pivot, Plan, Position, Term, Velocity,
@@ -14,14 +14,14 @@ use percuss_mechanism::{ClosureKind, JointKind};
 use percuss_spatial::{SpatialInertia, Transform, plane_basis};
 
 impl Plan {
-    /// None where it has other joints than hinges, slides and balls, redundant rows, many freedoms, several pieces that do
-    /// not move one another, or inertias below zero.
+    /// `None` for joints other than hinges, slides and balls, redundant rows, many degrees of freedom, several
+    /// independent subtrees, or negative inertias.
     pub fn of(assembly: &Assembly) -> Option<Self> {
         Self::at(assembly, &assembly.facts().reference, &|_| true)
     }
 
-    /// The same, ordered at some positions, where coordinates depend only that `may`. Then also none where couplings or held
-    /// contacts bind it.
+    /// Same plan, ordered at the given positions; only coordinates with `may(coordinate)` can be dependent. Also
+    /// `None` if the mechanism has couplings or held contacts.
     pub fn driven(assembly: &Assembly, positions: &[f64], may: &dyn Fn(usize) -> bool) -> Option<Self> {
         let plan = Self::at(assembly, positions, may)?;
         plan.blocks.iter().all(|block| block.predecessor.is_some()).then_some(plan)
@@ -37,7 +37,7 @@ impl Plan {
             || !(1..=LINKAGE_FREEDOMS).contains(&columns.checked_sub(rank)?)
             // No body outside the linkage takes part in the motion.
             || model.clusters.iter().filter(|cluster| cluster.parent.is_none()).count() != 1
-            // Rows that add nothing here may count at another pose.
+            // Rows that are redundant here may be independent at another pose.
             || model.groups.iter().map(|group| group.rows).sum::<usize>() != rank
             || model.bodies.iter().any(|body| !is_positive(&body.inertia))
         {
@@ -147,8 +147,8 @@ impl Plan {
         constraint.terms.iter().map(term).collect()
     }
 
-    /// The rows of a closure, as [`crate::rows::closure_wrenches`] has them, a point's in root axes. None for those that
-    /// hold a whole orientation.
+    /// Rows of a closure, as in [`crate::rows::closure_wrenches`], but with a point's rows in root axes. `None` for
+    /// closures that bind the full orientation.
     fn forms(&self, closure: &CompiledClosure, size: f64) -> Option<Vec<Form>> {
         let (p, s) = (&closure.predecessor, &closure.successor);
         let direction = |e: &Vector3<f64>| self.direction(p.body, &p.frame.vector(e));
@@ -170,8 +170,8 @@ impl Plan {
         })
     }
 
-    /// Puts rows and columns in the order of the pivots at a pose, the rest of the columns behind; leaves out rows that add
-    /// nothing. None where the pivots are too small there.
+    /// Orders rows and columns by the pivots at a pose, followed by the remaining columns, and removes redundant
+    /// rows. `None` if the pivots are too small at this pose.
     fn order(
         &mut self,
         rows: usize,
@@ -192,7 +192,7 @@ impl Plan {
             if k == 0 {
                 self.scale = pivot;
             }
-            // NaN is not large.
+            // A NaN pivot is refused.
             if !(pivot * LINKAGE_PIVOT >= self.scale && pivot > 0.0) {
                 return None;
             }
@@ -220,7 +220,8 @@ impl Plan {
         Some(())
     }
 
-    /// Where A can have entries, before and after its elimination, and what each independent coordinate moves.
+    /// Finds the nonzero pattern of A before and after its elimination, and the bodies that each independent
+    /// coordinate moves.
     fn find_pattern(&mut self, rank: usize) {
         let (n, f) = (self.columns, self.freedoms);
         let mut filled = vec![false; rank * n];
@@ -256,7 +257,7 @@ impl Plan {
     }
 }
 
-/// The length of each coordinate, m: those of its group, else of the mechanism.
+/// Length of each coordinate, m: from its group, otherwise from the mechanism.
 fn lengths(model: &Model) -> Vec<f64> {
     let size = model.mechanism.characteristic_length();
     let mut lengths: Vec<f64> =
@@ -272,7 +273,7 @@ fn shortest(model: &Model, lengths: &[f64]) -> f64 {
     turns.fold(f64::INFINITY, f64::min)
 }
 
-/// Largest energy of a body at unit rates (m/s).
+/// Upper bound of twice the kinetic energy of a body at unit rates (m/s).
 fn weight(body: &Moving, length: f64) -> f64 {
     let rotors: f64 = body.velocities.iter().map(|v| v.armature * v.factor * v.factor).sum();
     let own = body.inertia.map_or(0.0, |i| {

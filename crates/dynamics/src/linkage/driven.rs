@@ -1,13 +1,15 @@
-//! A linkage along a path of its drivers: each row's loops are closed by Newton's method from the last closed pose, as many
-//! rows at once as there are lanes.
+//! Continuation of a linkage along a path of its driving joints: Newton's method closes the loops of each sweep row
+//! from the last closed pose, one row per lane.
 //!
 //! ```text
-//! q₀ = q + G Δx + ½ G′ Δx²,   A[d] δ = −r(q),  q ← q + δ  until r is rounding;  then 1/m̄ by the A that is eliminated already
+//! q₀ = q + G Δx + ½ G′ Δx²,   A[d] δ = −r(q),  q ← q + δ  until r is rounding;  then 1/m̄ from the A already
+//! eliminated
 //! ```
 //!
-//! Source: Allgower and Georg, Introduction to Numerical Continuation Methods, 2003, ch. 2. A row is answered if it lies in a
-//! neighbourhood of a pose of the branch that holds no other branch (Newton and Kantorovich): ‖A\[d\]⁻¹‖ · ‖A′‖ · distance is
-//! below a third. There the followers are one smooth function of the drivers, without a limit.
+//! Source: Allgower and Georg, Introduction to Numerical Continuation Methods, 2003, ch. 2. A row has a result if its
+//! pose lies in a neighbourhood of a pose of the branch without any other branch (Newton and Kantorovich): ‖A\[d\]⁻¹‖
+//! · ‖A′‖ · distance is below a third. In this neighbourhood the dependent coordinates are a smooth function of the
+//! driving ones, without a limit.
 
 use super::Linkage;
 use super::motion::{Struck, answer};
@@ -26,16 +28,16 @@ use crate::tolerances::{
 use percuss_spatial::Scalar;
 use percuss_spatial::lanes::{Lanes, Portable, Work};
 
-/// How positions follow the coordinates that depend.
+/// Positions that change with a dependent coordinate.
 #[derive(Clone, Copy, Debug)]
 enum Following {
-    /// One position of a hinge or slide: its change at a metre of a column.
+    /// One position of a hinge or slide; `factor`: its change per metre of the column.
     Single { q: usize, column: usize, factor: f64 },
     /// Quaternion: for each rotation its column, if dependent.
     Ball { q: usize, turns: [Option<(usize, f64)>; 3] },
 }
 
-/// A position that rows give.
+/// Position given by the sweep rows.
 #[derive(Clone, Copy, Debug)]
 struct Given {
     q: usize,
@@ -44,7 +46,7 @@ struct Given {
     length: f64,
 }
 
-/// A position of a mimic joint: `multiplier · positions[master] + offset`.
+/// Position of a mimic joint: `multiplier · positions[master] + offset`.
 #[derive(Clone, Copy, Debug)]
 struct Mimicked {
     q: usize,
@@ -53,21 +55,21 @@ struct Mimicked {
     offset: f64,
 }
 
-/// The neighbourhood of a pose of the branch that holds no other branch, distances over all coordinates in metres.
+/// Neighbourhood of a pose of the branch without any other branch. Distances are over all coordinates in metres.
 #[derive(Clone, Debug, Default)]
 struct Neighbourhood {
     /// ‖A′‖, 1/m: change of A over a motion.
     curvature: f64,
-    /// m.
+    /// Radius of the neighbourhood, m.
     radius: f64,
-    /// Largest distance of the last settled pose from its centre, m.
+    /// Upper bound of the distance of the current pose from the centre, m.
     gone: f64,
-    /// Product of 1/pivots at the pose where following began: its sign is that of det A\[d\], the assembly mode.
+    /// Product of 1/pivots at the first pose: its sign is the sign of det A\[d\] and identifies the assembly mode.
     orientation: f64,
     scratch: Vec<f64>,
 }
 
-/// A closed pose, and how what depends follows there.
+/// Closed pose, with the rates of the dependent coordinates.
 #[derive(Clone, Debug, Default)]
 struct Stand {
     positions: Vec<f64>,
@@ -75,12 +77,12 @@ struct Stand {
     rates: Vec<f64>,
 }
 
-/// A row that was reached.
+/// Result of a sweep row on the branch.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Followed {
-    /// None where rounding leaves a doubt.
+    /// `None` if rounding leaves a doubt.
     pub mass: Option<Answered>,
-    /// How far the farthest loop is from closed, m.
+    /// Largest residual of a loop, m.
     pub residual: f64,
 }
 
@@ -92,20 +94,21 @@ pub(crate) struct Driven {
     given: Vec<Given>,
     mimics: Vec<Mimicked>,
     neighbourhood: Neighbourhood,
-    /// The least size of a group, m.
+    /// Smallest size of a group, m.
     size: f64,
     here: Stand,
     before: Stand,
-    /// Positions, and steps of what depends (m), of some lanes by columns.
+    /// Positions, and steps of the dependent coordinates (m), of some lanes by columns.
     positions: Aligned,
     steps: Aligned,
-    /// Displacements of what is given, of some lanes (m).
+    /// Displacements of the given positions, of some lanes (m).
     moved: Vec<f64>,
 }
 
 impl Driven {
-    /// From a closed pose: `dependent`, for each coordinate; `joints`, the places of the positions that rows give. None where
-    /// the assembly is no such linkage, or what is given does not drive it.
+    /// Starts at a closed pose. `dependent`: true for each coordinate that can be dependent; `given`: indices of the
+    /// positions that the rows give. `None` if the assembly is not a supported linkage, or the given positions do not
+    /// drive it.
     pub fn of(
         assembly: &Assembly,
         contact: &Contact,
@@ -225,11 +228,11 @@ impl Driven {
         let inverse = self.inverse_norm(lane, lanes);
         let own = &mut self.neighbourhood;
         own.gone = 0.0;
-        // NaN follows nothing.
+        // With a NaN radius every row is refused.
         own.radius = FOLLOWERS_DRIFT / (own.curvature * inverse).max(f64::MIN_POSITIVE);
     }
 
-    /// ‖A\[d\]⁻¹‖ at a lane, by power iterations with the factors that elimination left.
+    /// ‖A\[d\]⁻¹‖ at a lane, by power iterations with the factors of the elimination.
     fn inverse_norm(&mut self, lane: usize, lanes: usize) -> f64 {
         let plan = &self.linkage.plan;
         let (n, rank, rows) = (plan.columns, plan.layout.count, plan.layout.rows);
@@ -269,20 +272,21 @@ impl Driven {
         norm
     }
 
-    /// The positions where it stands.
+    /// Positions at the current pose.
     pub fn positions(&self) -> &[f64] {
         &self.here.positions
     }
 
-    /// Follows rows of what is given, one after another, until the branch of one is in doubt. Gives how many were reached, and
-    /// hands them out with all positions. Stands at the last of them.
+    /// Follows the branch over rows of given positions, one after another, until the branch of a row is uncertain.
+    /// Calls `each` for every row on the branch with all its positions. Returns the number of these rows; the last of
+    /// them becomes the current pose.
     pub fn follow(&mut self, values: &[f64], each: &mut dyn FnMut(Followed, Positions<'_>)) -> usize {
         let width = self.given.len().max(1);
         let (rows, widest) = (values.len() / width, self.linkage.instructions.width());
         let mut done = 0;
         while done < rows {
             let count = widest.min(rows - done);
-            // One row by itself, and several in all the lanes there are: the last ones repeat the last row.
+            // A single row uses scalar code. Several rows use all lanes; spare lanes repeat the last row.
             let lanes = if count == 1 { 1 } else { widest };
             let seen = self.go(&values[done * width..(done + count) * width], count, lanes);
             let mut answered = 0;
@@ -304,7 +308,7 @@ impl Driven {
         done
     }
 
-    /// Predicts some rows and closes their loops.
+    /// Predicts the positions of some rows and closes their loops.
     fn go(&mut self, values: &[f64], count: usize, lanes: usize) -> Outcome {
         let Self { linkage, following, given, mimics, here, before, positions, steps, moved, size, .. } =
             self;
@@ -325,7 +329,7 @@ impl Driven {
                 }
             }
         }
-        // Along one driver rates change as they did between the last two poses.
+        // Along a single driving joint, the second derivative is the difference of the rates at the last two poses.
         if let ([one], false) = (&given[..], before.rates.is_empty()) {
             let gone = (here.positions[one.q] - before.positions[one.q]) * one.length;
             if gone != 0.0 {
@@ -367,8 +371,8 @@ impl Driven {
         self.is_on_branch(seen, lane, lanes).then_some(Followed { mass, residual: seen.open[lane] })
     }
 
-    /// Whether a lane's loops are closed on the branch: by a small motion from where they were predicted, the tangent turned
-    /// little.
+    /// True if the loops of a lane are closed on the branch: the correction of the prediction is small, and the
+    /// tangent turns little.
     fn is_on_branch(&self, seen: &Outcome, lane: usize, lanes: usize) -> bool {
         let plan = &self.linkage.plan;
         let (rank, f, rates) = (plan.layout.count, plan.freedoms, plan.layout.rates);
@@ -397,8 +401,8 @@ impl Driven {
             && (driven == 0.0 || both >= STRAIGHT * (ahead * now).sqrt())
     }
 
-    /// Largest distance of a lane's pose from the last one, m: the followers' rates grow by less than half of themselves, and half
-    /// of the drivers', inside of the neighbourhood.
+    /// Upper bound of the distance of a lane's pose from the last pose, m. Within the neighbourhood, the rates of the
+    /// dependent coordinates grow by less than half of themselves plus half of the driving rates.
     fn distance(&self, lane: usize, lanes: usize) -> f64 {
         let (rank, f) = (self.linkage.plan.layout.count, self.linkage.plan.freedoms);
         let moved = |number: usize| self.moved[number * lanes + lane];
@@ -411,7 +415,7 @@ impl Driven {
         LONGEST_FOLLOWED * square.sqrt()
     }
 
-    /// Stands where a lane does.
+    /// Makes the pose of a lane the current pose.
     fn settle(&mut self, lane: usize, lanes: usize) {
         self.neighbourhood.gone += self.distance(lane, lanes);
         std::mem::swap(&mut self.here, &mut self.before);
@@ -429,12 +433,12 @@ impl Driven {
     }
 }
 
-/// How some lanes ended.
+/// Results of some lanes.
 struct Outcome {
-    /// As in [`Answers`].
+    /// See [`Answers`].
     masses: [f64; WIDEST],
     errors: [f64; WIDEST],
-    /// How far the farthest row is from closed, m.
+    /// Largest residual of a row, m.
     open: [f64; WIDEST],
     /// Distance of the dependent coordinates from their prediction, m.
     corrected: [f64; WIDEST],
@@ -442,7 +446,7 @@ struct Outcome {
     orientation: [f64; WIDEST],
 }
 
-/// All positions of a row, among those of some lanes.
+/// All positions of one row, in the columns of some lanes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Positions<'a> {
     values: &'a [f64],
@@ -451,20 +455,20 @@ pub(crate) struct Positions<'a> {
 }
 
 impl Positions<'_> {
-    /// One of them.
+    /// Position with the index `q`.
     pub fn at(&self, q: usize) -> f64 {
         self.values[q * self.stride + self.lane]
     }
 }
 
-/// Some lanes whose loops are to be closed.
+/// Closure of the loops of some lanes by Newton's method.
 struct Closing<'a> {
     plan: &'a Plan,
     struck: &'a Struck,
     following: &'a [Following],
     positions: &'a mut [f64],
     steps: &'a [f64],
-    /// Residual that is rounding, m.
+    /// Residual (m) up to which a loop counts as closed: the size of rounding.
     closed: f64,
     room: &'a mut [f64],
     outcome: &'a mut Outcome,
@@ -486,7 +490,7 @@ impl Work for Closing<'_> {
             let least: T = eliminate::<T, true>(plan, room);
             let mut open = [0.0; WIDEST];
             seen.open.store(&mut open);
-            // NaN closes never.
+            // A NaN residual never counts as closed.
             let mut all = true;
             for open in &open[..T::WIDTH] {
                 all &= *open <= closed;
@@ -511,7 +515,7 @@ impl Work for Closing<'_> {
     }
 }
 
-/// Takes what depends along its steps.
+/// Adds the Newton steps to the positions of the dependent coordinates.
 #[inline(always)]
 fn go<T: Lanes>(plan: &Plan, following: &[Following], positions: &mut [f64], room: &[f64]) {
     let steps = plan.layout.steps;
@@ -536,7 +540,8 @@ fn go<T: Lanes>(plan: &Plan, following: &[Following], positions: &mut [f64], roo
     }
 }
 
-/// A unit quaternion turned by a small rotation vector, given by half, in the axes that it turns: q ← q ∘ (√(1 − |h|²), h).
+/// Rotates a unit quaternion by a small rotation vector in the rotated axes; `h`: half the vector. q ← q ∘ (√(1 −
+/// |h|²), h).
 #[inline(always)]
 fn turn_further<T: Lanes>(positions: &mut [f64], q: usize, h: &[T; 3]) {
     let (w, x) = (get::<T>(positions, q), get::<T>(positions, q + 1));

@@ -1,9 +1,9 @@
-//! A mechanism with loops that has few freedoms, by its velocities: hinges, slides and balls on the ground or on a floating
-//! base, in lanes.
+//! m̄ of a mechanism with loops and few degrees of freedom from its kinetic energy, in SIMD lanes: hinges, slides and
+//! balls on the ground or on a floating base.
 //!
-//! It takes mechanisms of one piece whose rows of A all count, and answers what it is sure of; all else (other joints,
-//! redundant rows, positions that do not close the loops, poses near singular ones, what is massless or immovable or near
-//! either) is left to [`crate::routes`].
+//! The kernel accepts connected mechanisms without redundant rows of A, and returns only results without doubt. All
+//! other cases (other joints, redundant rows, positions that do not close the loops, poses near singular ones,
+//! massless or immovable contacts and contacts near either) are left to [`crate::routes`].
 
 mod compile;
 mod driven;
@@ -48,7 +48,7 @@ impl Linkage {
         Self { plan: Arc::new(plan), struck: None, room, instructions: Instructions::best() }
     }
 
-    /// Takes a checked contact, between two links too, along a line too. Allocates nothing.
+    /// Sets a checked contact, also between two links or along a line. Allocates nothing.
     pub fn aim(&mut self, model: &Model, contact: &Contact) {
         let on = self.point(model, contact.link, &contact.point);
         let against = contact.against.and_then(|link| model.body_of(link));
@@ -100,7 +100,8 @@ impl Linkage {
         })
     }
 
-    /// m̄ at the configurations from `first` on, as many as there are answers: a multiple of the instruction set's lanes.
+    /// m̄ at the configurations from `first` on, one per element of the output: a multiple of the instruction set's
+    /// lanes.
     pub fn lanes(&mut self, columns: Columns<'_>, first: usize, answers: Answers<'_>) {
         let instructions = self.instructions;
         if let Some(groups) = self.groups(columns, first, answers) {
@@ -108,7 +109,7 @@ impl Linkage {
         }
     }
 
-    /// Which positions are read.
+    /// Positions that are read.
     pub fn read(&self) -> impl Iterator<Item = usize> + '_ {
         self.plan.bodies.iter().flat_map(|body| match body.motion {
             Motion::Fixed | Motion::Free => 0..0,
@@ -128,7 +129,7 @@ impl Linkage {
     }
 }
 
-/// Configurations, as many at once as there are lanes.
+/// Configurations, one per lane.
 struct Groups<'a> {
     plan: &'a Plan,
     struck: &'a Struck,

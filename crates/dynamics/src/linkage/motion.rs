@@ -1,12 +1,13 @@
-//! m̄ of a mechanism of few freedoms by its velocities, for as many configurations as there are lanes.
+//! m̄ of a mechanism of few degrees of freedom from its kinetic energy, for one configuration per lane.
 //!
 //! ```text
-//! A[d] g = −A[i],  (ω, v) of every body at unit rates of what is independent,  D = Σ (ω, v)ᵀ I (ω, v) + gᵀ diag(armature) g,
-//! t = n·v of the struck point,  1/m̄ = tᵀ D⁻¹ t
+//! A[d] g = −A[i],  (ω, v) of every body at unit rates of the independent coordinates,
+//! D = Σ (ω, v)ᵀ I (ω, v) + gᵀ diag(armature) g,  t = n·v of the contact point,  1/m̄ = tᵀ D⁻¹ t
 //! ```
 //!
-//! with d the coordinates that depend and i those that do not: GᵀMG by the kinetic energy, no articulated inertia. It is what
-//! [`crate::recursion`] finds cluster by cluster; for few freedoms the energy is the shorter way. A test compares the two.
+//! with d the dependent and i the independent coordinates: GᵀMG from the kinetic energy, without articulated
+//! inertias. [`crate::recursion`] computes the same m̄ cluster by cluster; for few degrees of freedom the energy is
+//! cheaper. A test compares the two.
 
 use super::place::{direction, frame, place, point};
 use super::plan::{BodyDirection, BodyPoint, Motion, Moving, Plan};
@@ -16,7 +17,7 @@ use crate::answered::{Columns, off_unit};
 use crate::tolerances::{FAR_ROUNDINGS, LINKAGE_FREEDOMS, ROUTE_ROUNDINGS};
 use percuss_spatial::lanes::Lanes;
 
-/// The contact, in the frames of the plan.
+/// Contact in the frames of the plan.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Struck {
     pub on: BodyPoint,
@@ -25,28 +26,28 @@ pub(super) struct Struck {
     pub normal: Normal,
 }
 
-/// The unit normal.
+/// Unit normal.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Normal {
     Along(BodyDirection),
-    /// Toward a point, near the line as drawn.
+    /// Direction to a point, close to the line as drawn.
     Toward {
         end: BodyPoint,
         /// Unit vector of the line as drawn.
         drawn: BodyDirection,
-        /// The least length, m.
+        /// Smallest accepted length, m.
         shortest: f64,
-        /// The least cosine of the angle to the line as drawn.
+        /// Smallest accepted cosine of the angle to the line as drawn.
         least_cosine: f64,
     },
 }
 
-/// The answers of some lanes.
+/// Results of some lanes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Answer<T> {
     /// 1/m̄, 1/kg.
     pub response: T,
-    /// By how many ε it may be off, 1/kg.
+    /// Error of the response in units of ε, 1/kg.
     pub error: T,
 }
 
@@ -70,8 +71,8 @@ pub(super) fn evaluate<T: Lanes>(
     answer(plan, struck, (beyond, far), rows, least, room)
 }
 
-/// 1/m̄ where A is eliminated: `placed`, how far angles are beyond what they may be and the farthest place (m); `rows`, by how
-/// many roundings the entries of A are off; `least`, the largest 1/|pivot|.
+/// 1/m̄ after the elimination of A. First pair: excess of the angles beyond their accepted range, and distance of the
+/// farthest body (m). `rows`: errors of the entries of A, in roundings. `least`: the largest 1/|pivot|.
 #[inline(always)]
 pub(super) fn answer<T: Lanes>(
     plan: &Plan,
@@ -83,12 +84,12 @@ pub(super) fn answer<T: Lanes>(
 ) -> Answer<T> {
     fill_rates::<T>(plan, room);
     fill_twists::<T>(plan, room);
-    // By how many ε of all rates each rate is off: the roundings of the entries of A, over its pivots.
-    // Frames fixed to the root link are rounded at their distance from its origin.
+    // Error of each rate in units of ε times the sum of all rates: the roundings of the entries of A, divided by its
+    // pivots. Frames fixed to the root link are rounded at their distance from its origin.
     let far = far + T::from_f64(plan.centre.norm() / 2.0);
     let distant = far * T::from_f64(1.0 / plan.length);
     let amplified = least * T::from_f64(plan.scale);
-    // Positions are off by what the loops are open, over the pivots; no less than the loops themselves.
+    // Error of the positions: the residual of the loops divided by the pivots, and at least the residual itself.
     let open = rows.open * amplified.max(T::one());
     let entries = rows.rods + open + distant.mul_add(T::from_f64(FAR_ROUNDINGS), T::from_f64(plan.roundings));
     let mut answer: Answer<T> = respond(plan, struck, entries * amplified, room);
@@ -125,7 +126,7 @@ fn fill_twists<T: Lanes>(plan: &Plan, room: &mut [f64]) {
                     Motion::Turn(_) => angular = along(&[turn[0][2], turn[1][2], turn[2][2]], rate, &angular),
                     Motion::Slide(_) => linear = along(&[turn[0][2], turn[1][2], turn[2][2]], rate, &linear),
                     Motion::Ball(_) => angular = along(&[turn[0][k], turn[1][k], turn[2][k]], rate, &angular),
-                    // Its axes are the root's.
+                    // The axes of the floating base are the root axes.
                     Motion::Free if k < 3 => angular[k] += rate,
                     Motion::Free => linear[k - 3] += rate,
                 }
@@ -137,8 +138,8 @@ fn fill_twists<T: Lanes>(plan: &Plan, room: &mut [f64]) {
     }
 }
 
-/// D and t, and tᵀ D⁻¹ t, and how far that may be off. Rates are off by `lost` ε of all of them, and with them the speed of
-/// the struck point and the energy of bodies that hardly move:
+/// tᵀ D⁻¹ t from D and t, with its error. Each rate is in error by `lost` ε times the sum of all rates; the error of
+/// the rates affects the speed of the contact point and the energy even of bodies nearly at rest:
 ///
 /// ```text
 /// δt = (lost · all · (1 + arm/length) + roundings · |terms of t|) ε
@@ -166,7 +167,7 @@ fn respond<T: Lanes>(plan: &Plan, struck: &Struck, lost: T, room: &[f64]) -> Ans
             turned = (size(&end) + size(&at)).mul_add(over, turned);
             let unit = times(&line, over);
             let cosine = dot(&unit, &direction(room, drawn));
-            // A line that is refused is left to a pose, which states why.
+            // A refused line is left to the evaluation of a pose, which reports the reason.
             let short = T::from_f64(*shortest) - dot(&line, &unit);
             let aside = T::from_f64(*least_cosine) - cosine;
             refused = short.max(T::zero()) + aside.max(T::zero());
@@ -228,7 +229,7 @@ fn respond<T: Lanes>(plan: &Plan, struck: &Struck, lost: T, room: &[f64]) -> Ans
     answer
 }
 
-/// All rates at a unit rate of one independent coordinate, added up.
+/// Sum of the absolute rates of all coordinates at a unit rate of one independent coordinate.
 #[inline(always)]
 fn all_rates<T: Lanes>(plan: &Plan, y: usize, room: &[f64]) -> T {
     let mut sum = T::one();
@@ -240,7 +241,7 @@ fn all_rates<T: Lanes>(plan: &Plan, y: usize, room: &[f64]) -> T {
     sum
 }
 
-/// The closing speed of a body's point, and the size of what it is the sum of.
+/// Closing speed of a body's point, and the size of its terms.
 #[inline(always)]
 fn speed<T: Lanes>(plan: &Plan, body: usize, y: usize, at: &[T; 3], normal: &[T; 3], room: &[f64]) -> (T, T) {
     if !plan.bodies[body].moved[y] {
@@ -253,7 +254,7 @@ fn speed<T: Lanes>(plan: &Plan, body: usize, y: usize, at: &[T; 3], normal: &[T;
     (dot(normal, &velocity), size(&angular).mul_add(size(&arm), size(&linear)))
 }
 
-/// A body's part of D, below the diagonal and on it, and of the size of what the diagonal is the sum of.
+/// Adds a body's part of D, on and below the diagonal, and the sizes of the terms of the diagonal.
 #[inline(always)]
 fn add_energy<T: Lanes>(
     plan: &Plan,

@@ -1,4 +1,4 @@
-//! Positions of the bodies of a linkage, root axes, relative to a centre near them.
+//! Poses of the bodies of a linkage, root axes, relative to a centre near the bodies.
 
 use super::plan::{BodyDirection, BodyPoint, Motion, Plan, Position};
 use super::room::{FRAME, along, dot, get, get_vector, plus, put_vector, size, times};
@@ -6,7 +6,8 @@ use crate::answered::Columns;
 use percuss_spatial::lanes::{LARGEST_ANGLE, Lanes};
 use percuss_spatial::{rotation_rows, splat};
 
-/// Frames of the bodies; how far angles are beyond what they may be, and how far the farthest place is from the centre.
+/// Stores the frames of the bodies. Returns the excess of the angles beyond their accepted range, and the distance of
+/// the farthest body from the centre.
 #[inline(always)]
 pub(super) fn place<T: Lanes>(plan: &Plan, columns: Columns<'_>, first: usize, room: &mut [f64]) -> (T, T) {
     let (mut beyond, mut far) = (T::zero(), T::zero());
@@ -78,7 +79,7 @@ fn of_quaternion<T: Lanes>(columns: Columns<'_>, q: usize, first: usize) -> [[T;
     rotation_rows([w, columns.at(q + 1, first), columns.at(q + 2, first), columns.at(q + 3, first)])
 }
 
-/// A body's rotation, row by row, and its place.
+/// Rotation of a body, row by row, and its position.
 #[inline(always)]
 pub(super) fn frame<T: Lanes>(room: &[f64], body: usize) -> ([[T; 3]; 3], [T; 3]) {
     let at = FRAME * body;
@@ -86,7 +87,7 @@ pub(super) fn frame<T: Lanes>(room: &[f64], body: usize) -> ([[T; 3]; 3], [T; 3]
     (turn, get_vector(room, at + 9))
 }
 
-/// A column of a body's rotation: an axis of it.
+/// Axis `k` of a body: a column of its rotation.
 #[inline(always)]
 pub(super) fn axis<T: Lanes>(room: &[f64], body: usize, k: usize) -> [T; 3] {
     let at = FRAME * body + k;

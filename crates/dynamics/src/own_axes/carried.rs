@@ -14,7 +14,7 @@ pub(super) const COSINE: usize = 22;
 /// Contact wrench during its propagation to the ground.
 pub(super) struct Carried<T> {
     pub wrench: PackedWrench<T>,
-    /// Sizes of the terms of its moment (N·m) and of its force (N).
+    /// Sizes of the terms of the wrench's moment (N·m) and force (N).
     pub about: T,
     pub along: T,
     /// 1/m̄, 1/kg, and the sum of the sizes of its terms.

@@ -1,7 +1,8 @@
 //! Recursion of a tree in the bodies' own axes, with a fixed or a floating base, in SIMD lanes.
 //!
-//! It returns only results without doubt. All other cases (massless, immovable, near either, lost to rounding) are left to
-//! [`crate::routes`], as are mimics, loops and contacts between two links.
+//! The kernel returns only results without doubt. All other cases (massless or immovable contacts and contacts near
+//! either, results lost to rounding) are left to [`crate::routes`], as are mimics, loops and contacts between two
+//! links.
 
 mod carried;
 mod hinge;
