@@ -236,7 +236,8 @@ impl Jacobian {
     }
 }
 
-/// z with (JJᵀ + w²)z = b. `columns`: rows and values of each column of J. `None` if the matrix is not positive to rounding.
+/// z with (JJᵀ + w²)z = b. `columns`: rows and values of each column of J. `None` if the matrix is not positive to
+/// rounding.
 fn solve_sparse_gram(columns: &[Vec<(usize, f64)>], right: &[f64], weight: f64) -> Option<Vec<f64>> {
     let m = right.len();
     let mut triplets: Vec<Triplet<usize, usize, f64>> = Vec::new();

@@ -2,8 +2,8 @@
 //! from the last closed pose, one row per lane.
 //!
 //! ```text
-//! q₀ = q + G Δx + ½ G′ Δx²,   A[d] δ = −r(q),  q ← q + δ  until r is rounding;  then 1/m̄ from the A already
-//! eliminated
+//! q₀ = q + G Δx + ½ G′ Δx²,   A[d] δ = −r(q),  q ← q + δ  until r is rounding
+//! 1/m̄ from the A already eliminated
 //! ```
 //!
 //! Source: Allgower and Georg, Introduction to Numerical Continuation Methods, 2003, ch. 2. A row has a result if its

@@ -80,12 +80,12 @@ impl Model {
         sets
     }
 
-    /// The given bodies and the bodies on the paths between them, without their common ancestor; each joined set is represented by
-    /// its root. The sum over all sets is linear in the number of bodies.
+    /// The given bodies and the bodies on the paths between them, without their common ancestor; each joined set is
+    /// represented by its root. The sum over all sets is linear in the number of bodies.
     fn with_all_between(&self, bodies: &[usize], joined: &mut Partition) -> Vec<usize> {
-        // Set of each end of a path, with the body at which the path enters the set; `None` if the whole set belongs to the result.
-        // Bodies are numbered parents first, so the body with the highest number is no ancestor of the others. The
-        // key `None` is the ground.
+        // Set of each end of a path, with the body at which the path enters the set; `None` if the whole set belongs
+        // to the result. Bodies are numbered parents first, so the body with the highest number is no ancestor of the
+        // others. The key `None` is the ground.
         let mut ends: BTreeMap<Option<usize>, Option<usize>> =
             bodies.iter().map(|&b| (Some(joined.root(b)), None)).collect();
         let mut all = Vec::new();

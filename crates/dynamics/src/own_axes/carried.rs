@@ -1,4 +1,5 @@
-//! Shared parts of the recursion's steps: propagation of the contact wrench to the ground, and the layout of the workspace.
+//! Shared parts of the recursion's steps: propagation of the contact wrench to the ground, and the layout of the
+//! workspace.
 
 use super::plan::{Leaf, Step};
 use super::sizes::SIZES;

@@ -1,4 +1,5 @@
-//! Elimination of a hinge with a short transform to its parent, the most common joint: code without branches for each form.
+//! Elimination of a hinge with a short transform to its parent, the most common joint: code without branches for each
+//! form.
 
 use super::carried::{COSINE, Carried, SINE, number, pass, spend};
 use super::plan::{HingeForm, Placed, Shape};

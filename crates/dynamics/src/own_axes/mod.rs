@@ -86,7 +86,8 @@ impl OwnAxes {
         })
     }
 
-    /// m̄ at the configurations from `first` on, one per element of the output: a multiple of the instruction set's lanes.
+    /// m̄ at the configurations from `first` on, one per element of the output: a multiple of the instruction set's
+    /// lanes.
     pub fn lanes(&mut self, columns: Columns<'_>, first: usize, answers: Answers<'_>) {
         let instructions = self.instructions;
         instructions.run(self.groups(columns, first, answers));

@@ -1,6 +1,6 @@
-//! Compilation of a tree for the recursion in the bodies' own axes. The z axis of each frame is the joint axis, so that a pivot
-//! is an entry of the inertia. The transform from each frame to its parent has the least number of rotations about and shifts
-//! along coordinate axes (Denavit and Hartenberg 1955).
+//! Compilation of a tree for the recursion in the bodies' own axes. The z axis of each frame is the joint axis, so
+//! that a pivot is an entry of the inertia. The transform from each frame to its parent has the least number of
+//! rotations about and shifts along coordinate axes (Denavit and Hartenberg 1955).
 
 use super::sizes::Sizes;
 use crate::answered::is_positive;
@@ -66,8 +66,8 @@ impl Default for Turn {
     }
 }
 
-/// Transform from a body's frame to its parent's, after the joint's own motion: rotation about z, shift along z, rotation
-/// about x, shifts along x, y, z, rotation about z, in this order. Identity parts are omitted.
+/// Transform from a body's frame to its parent's, after the joint's own motion: rotation about z, shift along z,
+/// rotation about x, shifts along x, y, z, rotation about z, in this order. Identity parts are omitted.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Way {
     pub turn_z: Option<Turn>,
@@ -399,8 +399,8 @@ fn motion_of(body: &Body) -> Motion {
     }
 }
 
-/// Frame of a body: z along its joint axis; x and the origin follow from the axis of its first child, as far as the joint
-/// leaves them free.
+/// Frame of a body: z along its joint axis; x and the origin follow from the axis of its first child, as far as the
+/// joint leaves them free.
 fn own_frame(model: &Model, i: usize) -> Transform<f64> {
     let body = &model.bodies[i];
     let Some(z) = axis_of(&body.motion) else { return Transform::identity() };
@@ -440,7 +440,8 @@ fn common_normal(
         return (Some(x), z * z.dot(&(point + direction * s)));
     }
     let length = across.norm();
-    // The difference is orthogonal to z only within the rounding of the point, so its component along z is removed again.
+    // The difference is orthogonal to z only within the rounding of the point, so its component along z is removed
+    // again.
     let x = (length > NO_ACROSS * point.norm()).then(|| across - z * z.dot(&across));
     (x.map(|x| x.normalize()), z * z.dot(point))
 }

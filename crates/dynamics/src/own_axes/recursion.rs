@@ -1,12 +1,14 @@
 //! Recursion of a tree in the bodies' own axes, for one configuration per lane.
 //!
 //! ```text
-//! U = I e,  D = e·U + armature,  t = e·f;  I ← I − U D⁻¹ Uᵀ,  f ← f − U D⁻¹ t,  response += t²/D;  I and f to the parent
+//! U = I e,  D = e·U + armature,  t = e·f;  I ← I − U D⁻¹ Uᵀ,  f ← f − U D⁻¹ t,  response += t²/D
+//! I and f to the parent
 //! ```
 //!
-//! with e the rotation about, or the translation along, the body's z axis: an entry of I instead of a product. This is the
-//! articulated-body recursion (Featherstone 2008, §7.3) that [`crate::recursion`] writes in root axes for every joint and loop.
-//! This form needs no forward kinematics and no rotation of the bodies' inertias. A test compares the two.
+//! with e the rotation about, or the translation along, the body's z axis: an entry of I instead of a product. This
+//! is the articulated-body recursion (Featherstone 2008, §7.3) that [`crate::recursion`] writes in root axes for
+//! every joint and loop. This form needs no forward kinematics and no rotation of the bodies' inertias. A test
+//! compares the two.
 
 use super::carried::{COSINE, Carried, ROOM, SINE, number, pass, spend};
 use super::hinge::hinge;
@@ -286,8 +288,8 @@ fn advance<T: Lanes, const ON_PATH: bool>(
     }
 }
 
-/// A hinge on the ground needs one entry of its inertia. The other entries are not formed, so the size of this entry stands for
-/// all.
+/// A hinge on the ground needs one entry of its inertia. The other entries are not formed, so the size of this entry
+/// stands for all.
 #[inline(always)]
 fn top<T: Lanes>(step: &Step, carried: &mut Carried<T>, own: &[f64]) {
     let of = T::from_f64;

@@ -1,5 +1,5 @@
-//! Prismatic leaves off the contact path. Their remaining inertia is constant in their own axes, so it is a polynomial of the
-//! travel in the parent's frame.
+//! Prismatic leaves off the contact path. Their remaining inertia is constant in their own axes, so it is a
+//! polynomial of the travel in the parent's frame.
 
 use super::carried::{Carried, ROOM};
 use super::plan::{Form, Motion, Placed, Slid};

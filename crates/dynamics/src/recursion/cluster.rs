@@ -174,8 +174,8 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
         }
     }
 
-    /// Alternative with the cluster's own mass matrix M: GᵀMG costs O(n²), the sums over bodies O(n d²). The terms of its sums
-    /// can be negative, which costs digits if masses differ by many decades.
+    /// Alternative with the cluster's own mass matrix M: GᵀMG costs O(n²), the sums over bodies O(n d²). The terms of
+    /// its sums can be negative, which costs digits if masses differ by many decades.
     fn fill_large_blocks(&mut self, recursion: &Recursion<T, K>, cluster: &Cluster) {
         let (n, d) = (cluster.coordinates.len(), self.d);
         let mut composites: Vec<ArticulatedInertia<T>> =
@@ -324,8 +324,8 @@ impl<T: Scalar, const K: usize> ClusterElimination<T, K> {
         passed
     }
 
-    /// Rates of the independent coordinates for a parent with the twist `twist`: D u = t − Uᵀ V. Dropped coordinates have the
-    /// rates in `free` (zero if `None`). Overwrites `u`.
+    /// Rates of the independent coordinates for a parent with the twist `twist`: D u = t − Uᵀ V. Dropped coordinates
+    /// have the rates in `free` (zero if `None`). Overwrites `u`.
     pub fn fill_independent_rates(
         &self,
         twist: &Twist<T>,

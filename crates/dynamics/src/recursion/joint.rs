@@ -1,5 +1,5 @@
-//! Elimination of one plain joint, one velocity after another, which equals block elimination. Velocities with small pivots
-//! come last. A floating base is a plain joint.
+//! Elimination of one plain joint, one velocity after another, which equals block elimination. Velocities with small
+//! pivots come last. A floating base is a plain joint.
 
 use super::Recursion;
 use super::elimination::{JointElimination, Motion};

@@ -16,8 +16,8 @@ struct Size<T> {
 }
 
 impl<T: Scalar, const K: usize> Recursion<T, K> {
-    /// Sum of (zero/pivot)² over the followed pivots, and of (pivot/zero)² over the dropped pivots of plain joints. The zero
-    /// threshold is that of `Deciding` and of the groups, with the sizes here.
+    /// Sum of (zero/pivot)² over the followed pivots, and of (pivot/zero)² over the dropped pivots of plain joints.
+    /// The zero threshold is that of `Deciding` and of the groups, with the sizes here.
     pub fn pivot_loss(
         &self,
         model: &Model,

@@ -1,16 +1,19 @@
-//! Articulated-body recursion over clusters, for every mechanism: O(n) in the number of clusters, without a matrix of the whole.
+//! Articulated-body recursion over clusters, for every mechanism: O(n) in the number of clusters, without a matrix of
+//! the whole.
 //!
-//! A cluster contains all bodies bound together by constraints and mimics, and the bodies between them; a plain joint is a
-//! cluster of one body. All quantities are in root axes with the origin at the contact point, so that articulated inertias and
-//! wrenches add without a transform. With G the rates of a cluster's coordinates over its independent ones,
+//! A cluster contains all bodies bound together by constraints and mimics, and the bodies between them; a plain joint
+//! is a cluster of one body. All quantities are in root axes with the origin at the contact point, so that
+//! articulated inertias and wrenches add without a transform. With G the rates of a cluster's coordinates over its
+//! independent ones,
 //!
 //! ```text
-//! Ψ_b = Σ S_k G_k over the path to body b;  D = Σ_b Ψ_bᵀ I_bᴬ Ψ_b + Gᵀ diag(armature) G;  U = Σ_b I_bᴬ Ψ_b;  t = Σ_b Ψ_bᵀ f_b
+//! Ψ_b = Σ S_k G_k over the path to body b;  D = Σ_b Ψ_bᵀ I_bᴬ Ψ_b + Gᵀ diag(armature) G
+//! U = Σ_b I_bᴬ Ψ_b;  t = Σ_b Ψ_bᵀ f_b
 //! I_pᴬ += Σ_b I_bᴬ − U D⁻¹ Uᵀ;  f_p += Σ_b f_b − U D⁻¹ t;  response += tᵀ D⁻¹ t
 //! ```
 //!
-//! Featherstone 2008, §7.3; test-force form: Wensing et al. 2012, eq. 12; over clusters: Chignoli et al. 2023 (cited from
-//! DESIGN).
+//! Featherstone 2008, §7.3; test-force form: Wensing et al. 2012, eq. 12; over clusters: Chignoli et al. 2023 (cited
+//! from DESIGN).
 
 mod budget;
 mod cluster;
@@ -109,15 +112,16 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
         }
     }
 
-    /// Σ tₐᵀ D⁻¹ t_b over all clusters: entry (a, b) of Φ for the test wrenches; 1/m̄ for a unit wrench along the normal.
+    /// Σ tₐᵀ D⁻¹ t_b over all clusters: entry (a, b) of Φ for the test wrenches; 1/m̄ for a unit wrench along the
+    /// normal.
     pub fn response(&self, a: usize, b: usize) -> T {
         let joints = self.joints.iter().filter(|e| e.counts);
         let sum = joints.fold(T::zero(), |sum, e| sum + e.t[a] * e.t[b] / e.d);
         self.clusters.iter().fold(sum, |sum, cluster| sum + cluster.response(a, b))
     }
 
-    /// θᵀKθ for forces θ on the tree velocities of plain joints and on the coordinates of bound clusters. K is the response of
-    /// the velocities to forces, again as tᵀ D⁻¹ t.
+    /// θᵀKθ for forces θ on the tree velocities of plain joints and on the coordinates of bound clusters. K is the
+    /// response of the velocities to forces, again as tᵀ D⁻¹ t.
     pub fn compliance(&self, model: &Model, joints: &[T], clusters: &[Vec<T>]) -> T {
         let mut wrenches = vec![Wrench::zero(); model.bodies.len()];
         let mut sum = T::zero();
@@ -212,8 +216,8 @@ impl<T: Scalar, const K: usize> Recursion<T, K> {
 }
 
 impl<const K: usize> Recursion<f64, K> {
-    /// Calls `take` for every pivot with the test wrenches along its motion, the pivot (`None` if it does not count), and the
-    /// motion. Stops and returns false as soon as `take` returns false.
+    /// Calls `take` for every pivot with the test wrenches along its motion, the pivot (`None` if it does not count),
+    /// and the motion. Stops and returns false as soon as `take` returns false.
     pub fn for_each_pivot(&self, mut take: impl FnMut(&[f64; K], Option<f64>, &Twist<f64>) -> bool) -> bool {
         self.joints.iter().all(|e| take(&e.t, e.counts.then_some(e.d), &e.s))
             && self.clusters.iter().all(|cluster| cluster.for_each_pivot(&mut take))

@@ -13,7 +13,8 @@ use percuss_spatial::{ArticulatedInertia, Scalar, Transform, Twist, Wrench};
 pub(crate) trait Pivoting<T: Scalar, const K: usize> {
     /// Starts a body with its frame (root axes, at the contact point), its own rigid inertia and test wrenches.
     fn body(&mut self, body: usize, x: &Transform<T>, wrenches: &[Wrench<T>; K]);
-    /// True if a velocity of a plain joint is eliminated next: candidate number `candidate`, with `done` of `dofs` eliminated.
+    /// True if a velocity of a plain joint is eliminated next: candidate number `candidate`, with `done` of `dofs`
+    /// eliminated.
     fn takes(
         &mut self,
         body: usize,
@@ -64,7 +65,8 @@ pub(crate) enum FreeMotion {
 /// Recorded decisions, repeated for another scalar type.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Decisions {
-    /// For every tree velocity of a plain joint: true if its pivot counts, and its position in the order of elimination.
+    /// For every tree velocity of a plain joint: true if its pivot counts, and its position in the order of
+    /// elimination.
     joints: Vec<bool>,
     place: Vec<usize>,
     /// Pivots of every bound cluster, in order.
@@ -105,22 +107,22 @@ pub(crate) struct Deciding<const K: usize> {
     pub dropped: usize,
     /// True if a motion has a negative mass beyond rounding.
     pub indefinite: bool,
-    /// Change of the response to test wrench 0 if all terms of its pivots and tests were in error by their own size, 1/kg:
-    /// Σ (2|t| τ + t² δ/d)/d with τ and δ the sizes of the terms of t and d. A few ε of it bound the rounding of the
-    /// recursion.
-    pub terms: f64,
-    /// `terms` weighted per pivot with [`ROUTE_ROUNDINGS`], or with the loss of its inertia if larger. ε of it bounds the rounding
+    /// Change of the response to test wrench 0 if all terms of its pivots and tests were in error by their own size,
+    /// 1/kg: Σ (2|t| τ + t² δ/d)/d with τ and δ the sizes of the terms of t and d. A few ε of it bound the rounding
     /// of the recursion.
+    pub terms: f64,
+    /// `terms` weighted per pivot with [`ROUTE_ROUNDINGS`], or with the loss of its inertia if larger. ε of it bounds
+    /// the rounding of the recursion.
     pub roundings: f64,
-    /// Per body: largest ratio of a pivot's summed terms to the pivot, over the subtree. The rounding of U D⁻¹ Uᵀ is amplified
-    /// by this factor.
+    /// Per body: largest ratio of a pivot's summed terms to the pivot, over the subtree. The rounding of U D⁻¹ Uᵀ is
+    /// amplified by this factor.
     loss: Vec<f64>,
     /// `loss` of the current cluster.
     cluster_loss: f64,
     /// True if a direction classified as massless still couples to its parent: its pivot is small, not zero.
     pub felt: bool,
-    /// True if a massless motion of a plain joint closes the gap beyond rounding, but by less than [`MASSLESS_CLOSING`]: the
-    /// true m̄ can be any value below the result.
+    /// True if a massless motion of a plain joint closes the gap beyond rounding, but by less than
+    /// [`MASSLESS_CLOSING`]: the true m̄ can be any value below the result.
     pub closes_faintly: bool,
     pub decisions: Decisions,
 }
@@ -262,7 +264,8 @@ impl<const K: usize> Pivoting<f64, K> for Deciding<K> {
     ) -> bool {
         let (turn, slide) = self.step_size;
         let (moment, mass) = self.inertia[body];
-        // sᵀIs is below this size for every rigid body, also after the eliminations of its children; an armature is exact.
+        // sᵀIs is below this size for every rigid body, also after the eliminations of its children; an armature is
+        // exact.
         let size = turn * turn * moment + slide * slide * mass;
         let counts = step.d > PIVOT * size;
         if counts {
