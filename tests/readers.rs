@@ -1,4 +1,4 @@
-//! Every reader on the seed files of the fuzzer, and on cut and changed copies: each is read or refused, without a panic.
+//! Every reader on the seed files of the fuzzer, and on cut and changed copies: a file is read or refused, without a panic.
 
 use percuss_tests::readers::{READERS, read};
 use std::collections::BTreeMap;

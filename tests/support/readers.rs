@@ -1,4 +1,4 @@
-//! Readers of files, each called with bytes: for the fuzzer and for the tests of its corpus.
+//! Readers of files, called with bytes, for the fuzzer and for the tests of its corpus.
 
 use percuss_formats::suspension::{ImportOptions, import};
 use percuss_formats::{LoadOptions, Source, load, read_mesh};
@@ -25,7 +25,7 @@ pub const READERS: [&str; 12] = [
     "dae",
 ];
 
-/// Largest file, bytes: more than any that the fuzzer makes.
+/// Largest file, bytes: larger than all files of the fuzzer.
 const LARGEST: u64 = 1 << 20;
 
 const PLANAR: &str = include_str!("../../models/planar_2r.urdf");
@@ -73,7 +73,7 @@ fn rows(path: &str) -> bool {
     end.is_ok()
 }
 
-/// A folder with a file and a model, which is removed at the end.
+/// Folder with a file and a model; removed on drop.
 struct Temporary {
     folder: PathBuf,
     file: PathBuf,
@@ -90,7 +90,7 @@ impl Temporary {
         Self { folder, file }
     }
 
-    /// The same with the model beside the file.
+    /// Folder with the file and the model `planar_2r.urdf`.
     fn with_model(reader: &str, bytes: &[u8]) -> Self {
         let folder = Self::new(reader, bytes);
         fs::write(folder.folder.join("planar_2r.urdf"), PLANAR).expect("a file in the folder");

@@ -57,7 +57,7 @@ fn options(args: &ImportArgs) -> ImportOptions {
     }
 }
 
-/// The unit that a flag names.
+/// Unit of length for a flag value.
 pub fn unit(unit: UnitArg) -> LengthUnit {
     match unit {
         UnitArg::M => LengthUnit::Metre,
@@ -67,7 +67,7 @@ pub fn unit(unit: UnitArg) -> LengthUnit {
     }
 }
 
-/// The axes that a flag names.
+/// Vehicle axes for a flag value.
 pub fn axes(axes: AxesArg) -> VehicleAxes {
     match axes {
         AxesArg::Iso => VehicleAxes::Iso,

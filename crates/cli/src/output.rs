@@ -14,7 +14,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-/// Longest time until buffered bytes are passed on, so that a reader of stdout sees progress.
+/// Longest time between two flushes of buffered bytes, so that a reader of stdout sees progress.
 const PASSED_ON: Duration = Duration::from_millis(200);
 
 /// Longest wait for a file that another program holds: longer than a virus scanner needs, and short for a user who has the
@@ -27,7 +27,7 @@ const ACCESS_DENIED: i32 = 5;
 /// Windows error for opening a file that another program does not share.
 const SHARING_VIOLATION: i32 = 32;
 
-/// Input files of this run. An output never replaces one of them.
+/// Input files of this run. No output replaces an input file.
 static INPUTS: Mutex<Vec<String>> = Mutex::new(Vec::new());
 /// True if files that percuss did not write are replaced; set once, from the command line.
 static FORCED: AtomicBool = AtomicBool::new(false);
@@ -37,7 +37,7 @@ pub fn force(forced: bool) {
     FORCED.store(forced, Ordering::Relaxed);
 }
 
-/// Records an input file, so that no output replaces it.
+/// Records an input file; outputs do not replace recorded files.
 pub fn is_input(path: &str) {
     // A panic of another thread does not change the list.
     INPUTS.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).push(path.to_owned());
@@ -97,7 +97,7 @@ impl Output {
         renamed.map_err(|error| self.failure(error))
     }
 
-    /// Discards the bytes that are not passed on yet.
+    /// Discards the buffered bytes.
     pub fn discard(self) {
         let _ = self.out.into_parts();
     }
@@ -142,7 +142,7 @@ pub fn may_be_written(path: &str) -> Result<(), Failure> {
     // The comparison opens both files, and a pipe would wait for its other end. Writing to pipes and devices destroys nothing.
     let is_file = |path: &str| fs::metadata(path).is_ok_and(|found| found.is_file());
     for input in inputs.iter().filter(|input| is_file(path) && is_file(input)) {
-        // A file that cannot be opened differs from the other one.
+        // A file that cannot be opened counts as a different file.
         if same_file::is_same_file(path, input).unwrap_or(false) {
             let which = if input == path { String::new() } else { format!(" ({input})") };
             return Err(Failure::bad_input(format!(
@@ -182,7 +182,7 @@ fn file(path: &Path) -> io::Result<(File, Option<Beside>)> {
     Ok((file, Some(kept)))
 }
 
-/// Target of a chain of links without an existing file; the path itself if it is no link.
+/// Target of a chain of links without an existing file; for a path that is no link, the path.
 fn link_target(path: &Path) -> io::Result<PathBuf> {
     let mut target = path.to_owned();
     for _ in 0..MOST_LINKS {
@@ -211,7 +211,7 @@ fn when_free<T>(held: &[i32], mut action: impl FnMut() -> io::Result<T>) -> io::
     }
 }
 
-/// New file `.NAME.NUMBER.percuss-part` in the same folder, locked while it is written. Unfinished files of killed runs for the
+/// Creates a file `.NAME.NUMBER.percuss-part` in the same folder and locks the file. Unfinished files of killed runs for the
 /// same output are removed first.
 fn beside(path: &Path) -> io::Result<(PathBuf, File)> {
     remove_left(path);
@@ -228,7 +228,7 @@ fn beside(path: &Path) -> io::Result<(PathBuf, File)> {
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists && attempt < 100 => attempt += 1,
             opened => {
                 let file = opened?;
-                // Another run may have removed the file as an unfinished one before it was locked.
+                // Before the lock, another run may have removed the file as unfinished.
                 let is_taken =
                     matches!(file.try_lock(), Err(TryLockError::WouldBlock)) || !temporary.exists();
                 if is_taken && attempt < 100 {

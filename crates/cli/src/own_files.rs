@@ -13,8 +13,8 @@ const HEAD: usize = 1 << 12;
 /// Bytes of the end that are searched: the description of a Parquet file is there, with an entry per column.
 const END: i64 = 1 << 20;
 
-/// True if a file may be replaced without `--force`: it does not exist, is no regular file, is empty, or percuss wrote
-/// it.
+/// True if a file may be replaced without `--force`: the file does not exist, is no regular file, is empty, or was
+/// written by percuss.
 pub fn is_own(path: &Path) -> io::Result<bool> {
     match fs::metadata(path) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(true),
@@ -77,7 +77,7 @@ fn is_own_workbook(file: File) -> bool {
     let properties = |file| {
         let mut archive = zip::ZipArchive::new(file).ok()?;
         let mut text = String::new();
-        // percuss writes no more than this here.
+        // The properties that percuss writes are shorter than this limit.
         archive.by_name("docProps/core.xml").ok()?.take(HEAD as u64).read_to_string(&mut text).ok()?;
         Some(text)
     };

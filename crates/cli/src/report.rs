@@ -9,10 +9,10 @@ use percuss_study::DiagnosticRecord;
 use std::io::{self, IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Whether notes are shown or counted; set once, from the command line.
+/// True if notes are shown, false if notes are only counted; set once, from the command line.
 static NOTES_SHOWN: AtomicBool = AtomicBool::new(false);
 
-/// Shows every note from now on, or their number.
+/// Selects the output of notes: every note, or the number of notes.
 pub fn show_notes(shown: bool) {
     NOTES_SHOWN.store(shown, Ordering::Relaxed);
 }
@@ -25,8 +25,8 @@ pub fn write_out(text: &str) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Writes a result to stdout that another program reads, with its names as they are; on a terminal, with escapes for control
-/// characters and marks of direction.
+/// Writes a result for another program to stdout, with unchanged names; on a terminal, with escapes for control characters and
+/// marks of direction.
 pub fn write_as_is(bytes: &[u8]) -> Result<(), Failure> {
     let mut stdout = io::stdout().lock();
     if stdout.is_terminal() {
@@ -51,7 +51,7 @@ pub fn note(message: &str) {
     remark("note", message);
 }
 
-/// The same as a warning.
+/// Writes a warning about the command to stderr. A closed stderr changes nothing.
 pub fn warn(message: &str) {
     remark("warning", message);
 }
@@ -61,10 +61,13 @@ fn remark(severity: &str, message: &str) {
         writeln!(io::stderr().lock(), "{}", wrap::message(&format!("{severity}: {}", escape::line(message))));
 }
 
-/// Writes diagnostics to stderr; under `strict`, a warning is an error and ends it.
+/// Writes diagnostics to stderr.
+///
+/// # Errors
+/// Under `strict`, any warning: the diagnostics are then in the error.
 pub fn write_diagnostics(diagnostics: &[DiagnosticRecord], strict: bool) -> Result<(), Failure> {
     let mut lines = lines(diagnostics, NOTES_SHOWN.load(Ordering::Relaxed));
-    // A warning that the model's file marks as known is a note; the file may not weaken --strict.
+    // A warning that the model file marks as known becomes a note; under --strict this note counts as a warning.
     let is_warning =
         |d: &&DiagnosticRecord| d.severity == "warning" || d.severity == "note" && d.code == KNOWN_WARNING;
     let warnings = diagnostics.iter().filter(is_warning).count();

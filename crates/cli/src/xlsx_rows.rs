@@ -10,14 +10,14 @@ use percuss_study::{Model, Sweep, SweepEnd};
 use rust_xlsxwriter::{DocProperties, Format, Workbook, Worksheet, XlsxError};
 use std::ops::ControlFlow;
 
-/// Rows of a sheet, the names of the columns among them.
+/// Largest number of rows of a sheet, including the row of column names.
 const MOST_ROWS: usize = 1 << 20;
-/// Columns of a sheet.
+/// Largest number of columns of a sheet.
 const MOST_COLUMNS: usize = 1 << 14;
-/// Cells of a workbook: each takes some 160 bytes of memory.
+/// Largest number of cells of a workbook; a cell takes some 160 bytes of memory.
 const MOST_CELLS: usize = 5_000_000;
 
-/// Writes rows as XLSX. They are kept until all are there.
+/// Writes the rows of a sweep as XLSX. All rows stay in memory until the workbook is saved.
 pub fn write(
     sweep: Sweep,
     model: &Model,
@@ -51,7 +51,7 @@ pub fn write(
     Ok(end)
 }
 
-/// A table as a workbook of one sheet.
+/// Workbook with one sheet that contains a table.
 pub fn book(path: &str, name: &str, columns: &[String], rows: Vec<Vec<Cell>>) -> Result<Vec<u8>, Failure> {
     if columns.len() > MOST_COLUMNS || rows.len() >= MOST_ROWS {
         return Err(Failure::bad_input(format!(
@@ -71,7 +71,7 @@ pub fn book(path: &str, name: &str, columns: &[String], rows: Vec<Vec<Cell>>) ->
     workbook.save_to_buffer().map_err(unwritten)
 }
 
-/// Refuses a table that would not fit into memory: a workbook is kept until its last row is there.
+/// Refuses a table that would not fit into memory: a workbook stays in memory until the last row is written.
 fn check_cells(path: &str, rows: usize, columns: usize) -> Result<(), Failure> {
     let cells = rows.saturating_mul(columns);
     if cells <= MOST_CELLS {
@@ -87,24 +87,24 @@ fn unwritten(path: &str, error: &XlsxError) -> Failure {
     Failure::bad_input(format!("{path} cannot be written: {error}"))
 }
 
-/// A workbook whose sheet has the names of its columns.
+/// New workbook with one sheet and its row of column names.
 fn begun(name: &str, columns: &[String]) -> Result<Workbook, XlsxError> {
     let mut workbook = Workbook::new();
-    // No date: the same question gives the same file.
+    // Fixed date: the same query gives the same file.
     let dated = rust_xlsxwriter::ExcelDateTime::from_ymd(2000, 1, 1)?;
     workbook.set_properties(&DocProperties::new().set_author(MADE_BY).set_creation_datetime(&dated));
     let sheet = workbook.add_worksheet();
     sheet.set_name(name)?;
     let heading = Format::new().set_bold();
     for (column, name) in (0..).zip(columns) {
-        // A text, whatever it begins with.
+        // Written as text, even if the name begins like a formula.
         sheet.write_string_with_format(0, column, name, &heading)?;
     }
     sheet.set_freeze_panes(1, 0)?;
     Ok(workbook)
 }
 
-/// A row of cells.
+/// Writes the cells of a row.
 fn put(sheet: &mut Worksheet, line: u32, cells: Vec<Cell>) -> Result<(), XlsxError> {
     for (column, cell) in (0..).zip(cells) {
         match cell {

@@ -1,7 +1,8 @@
-//! Files that are small or legal and costly: each is answered or refused with the limit, in bounded memory and work.
+//! Small or valid files with a high cost: the command computes each file, or refuses the file with the limit, in bounded
+//! memory and work.
 //!
-//! The limits that the command counts are of work and memory. The limit of processor time here is far above what each file
-//! takes in this profile, so that a cost that grows with the square of the input is seen.
+//! The limits of the command concern work and memory. The limit of processor time in these tests is far above the time of each
+//! file in this profile, and reveals a cost that grows with the square of the input.
 
 #![cfg(unix)]
 
@@ -14,10 +15,10 @@ use support::{Outcome, Scratch, root};
 
 /// Address space, kB.
 const MEMORY: usize = 1_500_000;
-/// Processor time, s, of an unoptimised program on a busy machine.
+/// Largest processor time, s: enough for an unoptimised program on a busy machine.
 const PATIENCE: usize = 15;
 
-/// Runs the command within the limits. A signal, such as that of an abort or of the time limit, is a failure.
+/// Runs the command within the limits. A signal, for example by an abort or the time limit, is a failure.
 fn bounded(arguments: &[&str]) -> Outcome {
     let script = format!("ulimit -v {MEMORY}; ulimit -t {PATIENCE}; exec \"$0\" \"$@\"");
     let run = Command::new("/bin/sh")
@@ -68,7 +69,7 @@ fn closure(number: usize, links: [&str; 2], at: [f64; 2]) -> String {
     )
 }
 
-/// A chain of `links` hinges, each of which every second one follows if `mimics`.
+/// Chain of `links` hinges; with `mimics`, every second hinge follows the previous hinge.
 fn chain(links: usize, mimics: bool) -> String {
     let mut text = String::from("<robot name=\"r\"><link name=\"l0\"/>");
     for i in 1..=links {
@@ -130,7 +131,7 @@ fn studies() {
     refused(&["run", &path], 2, &["links together; at most 1000000"]);
 }
 
-/// A workbook with these parts beside those that each one needs.
+/// Workbook with these parts in addition to the mandatory parts.
 fn workbook(parts: &[(&str, &str)]) -> Vec<u8> {
     let usual = [
         (
@@ -277,7 +278,7 @@ fn workbooks_that_are_written() {
     assert!(!std::path::Path::new(&out).exists());
 }
 
-/// Random numbers, the same in every run.
+/// Random numbers, equal in every run.
 struct Numbers(u64);
 
 impl Numbers {
@@ -286,14 +287,14 @@ impl Numbers {
         (self.0 >> 33) as usize % most
     }
 
-    /// From −1 to 1.
+    /// Random number from −1 to 1.
     fn signed(&mut self) -> f64 {
         self.below(2000) as f64 / 1000.0 - 1.0
     }
 }
 
-/// A tree of `links` with `loops` at random between links that are at most `span` apart: they do not fit. A link hangs on one of
-/// the `near` before it.
+/// Tree of `links` with `loops` between random links with numbers 2 to `span` + 2 apart; the loops cannot be closed. The parent
+/// of a link is one of the `near` previous links.
 fn open_linkage(links: usize, loops: usize, near: usize, span: usize) -> String {
     let mut numbers = Numbers(1);
     let mut text = String::from("<robot name=\"r\"><link name=\"l0\"/>");

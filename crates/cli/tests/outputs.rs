@@ -1,4 +1,4 @@
-//! Files that percuss writes: the old one or the new one, never a part; inputs and what others wrote stay as they are.
+//! Written files: after any end of a run, a file is old or new, never partial. Inputs and foreign files are unchanged.
 
 mod support;
 
@@ -16,7 +16,7 @@ fn sweep(range: &str, path: &str) -> String {
     format!("{SWEEP} --vary {range} -o {path}")
 }
 
-/// Seeded: the same delays in every run, whatever the machine makes of them.
+/// Seeded random numbers: the delays are equal in every run.
 #[test]
 fn a_killed_run_leaves_the_old_file_or_the_new_one() {
     let folder = Scratch::new("killed");
@@ -51,7 +51,7 @@ fn a_killed_run_leaves_the_old_file_or_the_new_one() {
             if after == before { kept += 1 } else { replaced += 1 }
         }
     }
-    // What killed runs left is gone with the next run to the same output, and nothing else.
+    // The next run to the same output removes the unfinished files of killed runs, and no other files.
     let others = [
         ".rows.csv.12.part",
         ".rows.csv.x.percuss-part",
@@ -74,7 +74,7 @@ fn a_killed_run_leaves_the_old_file_or_the_new_one() {
     assert!(kept > 0 && replaced > 0, "{kept} kept, {replaced} replaced: no run was killed while it wrote");
 }
 
-/// Unix: Windows' shells set no limit of the size of files.
+/// Unix only: Windows shells have no limit of the file size.
 #[cfg(unix)]
 #[test]
 fn a_full_disk_leaves_the_old_file() {
@@ -83,7 +83,7 @@ fn a_full_disk_leaves_the_old_file() {
         let path = folder.path(&format!("rows.{ending}"));
         assert_eq!(percuss(&sweep(RANGES[0], &path)).code, 0);
         let before = fs::read(&path).expect("written");
-        // No file of more than one block: what a full disk or a quota does.
+        // Files are limited to one block, as by a full disk or a quota.
         let script = format!(
             "trap '' XFSZ; ulimit -f 1; exec {} {}",
             env!("CARGO_BIN_EXE_percuss"),
@@ -101,7 +101,7 @@ fn a_full_disk_leaves_the_old_file() {
     assert_eq!(left.len(), 8, "files beside: {left:?}");
 }
 
-/// Linux: no other system has a device that is full.
+/// Linux only: other systems have no full device.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_full_device_is_said() {
@@ -116,7 +116,7 @@ fn a_full_device_is_said() {
     assert!(String::from_utf8_lossy(&run.stderr).contains("cannot be written"));
 }
 
-/// A file that another run is writing, which has it locked, stays.
+/// A file that another run writes and has locked is not removed.
 #[test]
 fn what_another_run_is_writing_stays() {
     let folder = Scratch::new("locked");
@@ -135,7 +135,7 @@ fn what_another_run_is_writing_stays() {
     assert!(!fs::exists(&open).expect("looked at"));
 }
 
-/// Many runs write one output at a time: none fails, and one of them wins whole.
+/// Many runs write the same output at the same time: no run fails, and the file is the complete result of one run.
 #[test]
 fn runs_to_one_output_do_not_hinder_one_another() {
     let folder = Scratch::new("together");
@@ -153,7 +153,7 @@ fn runs_to_one_output_do_not_hinder_one_another() {
     assert_eq!(fs::read_dir(folder.path("")).expect("a folder").count(), 1);
 }
 
-/// Meshes and a sheet's table of points are inputs: named with their hashes, and no outputs.
+/// Meshes and the point table of a sheet are inputs: reported with their hashes, and refused as outputs.
 #[test]
 fn meshes_and_tables_of_points_are_inputs() {
     let folder = Scratch::new("more-inputs");
@@ -170,7 +170,7 @@ fn meshes_and_tables_of_points_are_inputs() {
     assert_eq!(report["inputs"][1]["sha256"].as_str().map(str::len), Some(64));
     #[cfg(unix)]
     {
-        // By another name, whose ending is an output's.
+        // A link with the extension of an output.
         std::os::unix::fs::symlink(folder.path("meshes/finger.obj"), folder.path("skin.ply"))
             .expect("a link");
         let line = format!("map {model} --link finger --force -o {}", folder.path("skin.ply"));
@@ -196,12 +196,12 @@ fn meshes_and_tables_of_points_are_inputs() {
     assert!(refused.code == 2 && refused.stderr.contains("an input of the same run"), "{}", refused.stderr);
 }
 
-/// Symbolic links need rights of an administrator on Windows; another case of the letters is the same file there.
+/// On Windows, symbolic links need administrator rights, and a name in other case is the same file.
 #[test]
 fn an_input_is_no_output_by_any_path() {
     let folder = Scratch::new("inputs");
     let model = fs::read_to_string(support::root().join("models/point_mass_pendulum.urdf")).expect("there");
-    // Names that end as outputs do.
+    // Names with the extension of an output.
     let model = folder.write("model.jsonl", &model);
     let hard = folder.path("hard.csv");
     fs::hard_link(&model, &hard).expect("a link");
@@ -223,7 +223,7 @@ fn an_input_is_no_output_by_any_path() {
         assert!(outcome.stderr.contains("an input of the same run"), "{}", outcome.stderr);
         assert!(fs::read(&model).expect("there") == before);
     }
-    // The positions, and a suspension's sheet with its table.
+    // Positions, and the sheet of a suspension with its table.
     let rows = folder.write("rows.csv", "hinge\n0\n0.1\n");
     let line = format!("{SWEEP} --input {rows} --force -o {rows}");
     assert!(percuss(&line).stderr.contains("an input of the same run"));
@@ -244,7 +244,7 @@ fn what_percuss_did_not_write_is_replaced_on_demand_only() {
         assert_eq!(fs::read_to_string(&foreign).expect("there"), "not of percuss\n");
         let forced = percuss(&(sweep(RANGES[0], &foreign) + " --force"));
         assert_eq!(forced.code, 0, "{ending}: {}", forced.stderr);
-        // Now it is of percuss.
+        // Now the file is written by percuss.
         let again = percuss(&sweep(RANGES[1], &foreign));
         assert_eq!(again.code, 0, "{ending}: {}", again.stderr);
     }
@@ -283,7 +283,7 @@ fn what_percuss_did_not_write_is_replaced_on_demand_only() {
         let outcome = percuss(&format!("{import} {path}"));
         assert_eq!(outcome.code, 0, "{}", outcome.stderr);
     }
-    // A file of no bytes holds nothing.
+    // An empty file has no content to protect.
     let empty = folder.write("empty.csv", "");
     assert_eq!(percuss(&sweep(RANGES[0], &empty)).code, 0);
 }
@@ -314,7 +314,7 @@ fn a_study_writes_outside_its_folder_on_demand_only() {
     assert!(std::path::Path::new(&folder.path("inner/out.csv")).exists());
     #[cfg(unix)]
     {
-        // A link that leads out.
+        // A link to a file outside the folder.
         std::os::unix::fs::symlink(folder.path("linked.csv"), folder.path("inner/link.csv")).expect("a link");
         fs::write(folder.path("linked.csv"), "row,hinge,status,effective_mass\n").expect("written");
         let refused = percuss(&format!("run {}", study("link.csv")));

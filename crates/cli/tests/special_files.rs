@@ -1,4 +1,4 @@
-//! Pipes, devices, links, long names and terminals: nothing waits for ever, and nothing is replaced that was not named.
+//! Pipes, devices, links, long names and terminals: every run ends, and only the named files are replaced.
 
 #![cfg(unix)]
 
@@ -12,7 +12,7 @@ use support::{Outcome, Scratch, command, percuss, root};
 
 const CONTACT: &str = "--link rod --point 0,0,-0.8 --normal 1,0,0";
 const MODEL: &str = "models/point_mass_pendulum.urdf";
-/// Far above what a run takes; a run that waits for a pipe would never end.
+/// Time limit far above the time of a run; a run that waits for a pipe would never end.
 const PATIENCE: Duration = Duration::from_secs(60);
 
 fn fifo(folder: &Scratch, name: &str) -> String {
@@ -21,7 +21,7 @@ fn fifo(folder: &Scratch, name: &str) -> String {
     path
 }
 
-/// Waits for a run; one that does not end is killed, and the test fails.
+/// Waits for the end of a run. A run beyond the time limit is killed, and the test fails.
 fn ended(mut run: Child) -> Outcome {
     let begun = Instant::now();
     while run.try_wait().expect("a process of ours").is_none() {
@@ -64,7 +64,7 @@ fn models_and_rows_may_come_from_pipes() {
     let run = started(&format!("sweep {model} {line}"));
     let text = fs::read(root().join(MODEL)).expect("a model");
     let writer = std::thread::spawn(move || fs::write(&model, text));
-    // An output that exists is compared with the input, which is not opened again for that.
+    // The comparison of an existing output with the input does not open the input again.
     let outcome = ended(run);
     assert_eq!(outcome.code, 0, "{}", outcome.stderr);
     writer.join().expect("no panic").expect("the run reads it");
@@ -109,7 +109,7 @@ fn links_and_long_names_are_kept() {
     }
 }
 
-/// Names with control characters and marks of direction, on a terminal that `script` (util-linux) provides.
+/// Names with control characters and marks of direction, on a terminal provided by `script` (util-linux).
 #[cfg(target_os = "linux")]
 #[test]
 fn a_terminal_gets_escapes() {
@@ -124,7 +124,7 @@ fn a_terminal_gets_escapes() {
     let text = shown(&format!("init {model}"));
     assert!(text.contains("\\u{9b}") && text.contains("\\u{202e}"), "{text}");
     assert!(!text.contains(['\u{9b}', '\u{202e}']), "{text}");
-    // Into a file or a pipe, names stay as they are.
+    // In a file or a pipe, names are unchanged.
     assert!(percuss(&format!("init {model}")).stdout.contains(['\u{9b}']));
 }
 

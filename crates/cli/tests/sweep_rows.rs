@@ -1,4 +1,4 @@
-//! The rows of a sweep as they are written: at once, in bounded memory and bounded work; and what is said of their flags.
+//! Rows of a sweep: written during the computation, in bounded memory and work. Messages about the flags of a sweep.
 
 mod support;
 
@@ -11,7 +11,7 @@ use support::{Scratch, Sweep, command, percuss, percuss_with_stdin, root};
 
 const COUPLER: &str = "sweep models/four_bar.urdf --link coupler --point 0.35,0.1,0 --normal 0,1,0";
 
-/// The study of the four-bar, for the library.
+/// Study of the four-bar linkage, for the library.
 fn study(scratch: &Scratch) -> StudyFile {
     let model = root().join("models/four_bar.urdf");
     let text = format!(
@@ -21,7 +21,7 @@ fn study(scratch: &Scratch) -> StudyFile {
     StudyFile::load(&scratch.write("four_bar.toml", &text), DEFAULT_MAX_SIZE).expect("a study")
 }
 
-/// JSON that is written row by row is the report with all its rows, to the last character.
+/// JSON written row by row is equal to the complete report, character by character.
 #[test]
 fn json_is_that_of_the_whole_report() {
     let scratch = Scratch::new("rows-json");
@@ -34,7 +34,7 @@ fn json_is_that_of_the_whole_report() {
         let StudyFile { mut model, question, .. } = study(&scratch);
         let mut question = question.expect("a contact");
         question.names = Names::Flags;
-        // The command was given the model alone, by its path from the root.
+        // The command has the model as its only input, with a path relative to the root.
         model.inputs.truncate(1);
         model.inputs[0].path = "models/four_bar.urdf".into();
         let vary = Vary::parse(&format!("crank_hinge={range}")).expect("a range");
@@ -46,7 +46,7 @@ fn json_is_that_of_the_whole_report() {
     }
 }
 
-/// A reader has the first rows at once, and may leave: a million rows would take minutes.
+/// A reader gets the first rows immediately and may close the pipe: a million rows would take minutes.
 #[test]
 fn rows_are_written_as_they_are_computed() {
     let line = format!("{COUPLER} --vary crank_hinge=0:360deg:1000000");
@@ -63,7 +63,7 @@ fn rows_are_written_as_they_are_computed() {
     assert_eq!(code, Some(0), "a reader that leaves early is no error");
 }
 
-/// A hundred thousand rows in an address space that holds the program and little else. Linux: other systems set no such limit.
+/// A hundred thousand rows in an address space slightly larger than the program. Linux only: other systems have no such limit.
 #[cfg(target_os = "linux")]
 #[test]
 fn rows_are_not_kept() {
@@ -91,7 +91,7 @@ fn rows_are_not_kept() {
     }
 }
 
-/// A question that means nothing leaves the file of the last one as it is.
+/// An invalid query does not change the file of the previous query.
 #[test]
 fn a_file_is_replaced_when_there_is_a_row_for_it() {
     let scratch = Scratch::new("rows-kept");
@@ -117,8 +117,8 @@ fn a_file_is_replaced_when_there_is_a_row_for_it() {
     }
 }
 
-/// A run that fails on its way leaves the file of the last one whole, and nothing beside it. Unix: Windows' shells set no limit of
-/// the size of files; what a killed run leaves is tested there too.
+/// A run that fails during the computation leaves the complete previous file, and no unfinished file. Unix only: Windows shells
+/// have no limit of the file size. The test of killed runs covers Windows too.
 #[cfg(unix)]
 #[test]
 fn a_file_is_replaced_when_all_of_it_is_written() {
@@ -126,7 +126,7 @@ fn a_file_is_replaced_when_all_of_it_is_written() {
     for name in ["rows.csv", "rows.json", "rows.jsonl"] {
         let path = scratch.write(name, "of last time");
         let line = format!("{COUPLER} --vary crank_hinge=0:360deg:20000 --force --output {path}");
-        // The size of files is limited: the disk is full, as it were, in the middle.
+        // The limit of the file size acts like a disk that becomes full during the run.
         let script = format!("trap '' XFSZ; ulimit -f 100; exec \"$0\" {line}");
         let outcome = std::process::Command::new("/bin/sh")
             .args(["-c", &script, env!("CARGO_BIN_EXE_percuss")])
@@ -136,7 +136,7 @@ fn a_file_is_replaced_when_all_of_it_is_written() {
         assert_eq!(outcome.status.code(), Some(1), "{}", String::from_utf8_lossy(&outcome.stderr));
         assert!(String::from_utf8_lossy(&outcome.stderr).contains("cannot be written"));
         assert_eq!(std::fs::read_to_string(&path).unwrap(), "of last time");
-        // Through a link, with the rights of the file.
+        // An output through a link keeps the permissions of the file.
         use std::os::unix::fs::PermissionsExt;
         let rights = || std::fs::metadata(&path).unwrap().permissions().mode() & 0o777;
         std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o640)).unwrap();
@@ -154,7 +154,7 @@ fn a_file_is_replaced_when_all_of_it_is_written() {
     assert!(left.into_iter().all(|name| !name.contains("part")));
 }
 
-/// JSON lines are the rows of the JSON, one by one.
+/// JSON lines are equal to the rows of the JSON report.
 #[test]
 fn json_lines_are_the_rows_of_the_json() {
     let scratch = Scratch::new("rows-lines");
@@ -171,7 +171,7 @@ fn json_lines_are_the_rows_of_the_json() {
     assert!(rows[4]["error"].is_string() && rows[0]["error"].is_null());
 }
 
-/// A disk that is full ends a sweep with a message that names the file. Linux: no other system has a device that is full.
+/// A full disk ends a sweep with a message that contains the file name. Linux only: other systems have no full device.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_file_that_cannot_take_the_rows_is_named() {
@@ -185,7 +185,7 @@ fn a_file_that_cannot_take_the_rows_is_named() {
     }
 }
 
-/// A branch is followed once as far as it can be, not by every row again; rows in reach are answered all the same.
+/// A branch is followed to its end once, not again for every row; rows in reach still have results.
 #[test]
 fn rows_far_out_of_reach_are_not_tried_one_by_one() {
     for (range, answered) in [
@@ -209,7 +209,7 @@ fn rows_far_out_of_reach_are_not_tried_one_by_one() {
     }
 }
 
-/// Two rods of 1 m whose far ends are to meet 3 m apart do so in no row: that is found out once.
+/// The end of a chain of two rods of 1 m reaches a point 3 m from the base in no row. The search is done only once.
 #[test]
 fn what_does_not_depend_on_the_value_is_tried_once() {
     let rod = |name: &str, joint: &str, parent: &str, x: f64| {
@@ -238,7 +238,7 @@ fn what_does_not_depend_on_the_value_is_tried_once() {
     assert!(outcome.stderr.contains("1000 of 1000 rows have no answer; the first: the loops do not close"));
 }
 
-/// A crank that turns to 0.59 rad either side of 0: rows from 2 rad on are out of reach, and 6 rad is within it again.
+/// Crank with a range of ±0.59 rad about 0: rows from 2 rad are out of reach, rows near 6 rad are in reach again.
 #[test]
 fn a_first_row_out_of_reach_says_nothing_of_the_others() {
     let link = |name: &str, joint: &str, parent: &str, x: f64| {
@@ -257,7 +257,7 @@ fn a_first_row_out_of_reach_says_nothing_of_the_others() {
         link("coupler", "crank_pin", "crank", 0.6),
         link("rocker", "rocker_hinge", "ground", 1.0)
     );
-    // A turn further the assembly mode is another question: the guess asks it.
+    // After a full turn the assembly mode may differ; the guess selects the mode.
     for (range, guess, answered) in [("2:7:11", 6.2, vec![8, 9]), ("-2:-7:11", -6.2, vec![8, 9])] {
         let line = format!(
             "sweep - --link coupler --point 0.1,0.1,0 --normal 0,1,0 --vary crank_hinge={range} --guess crank_hinge={guess}"
@@ -271,7 +271,7 @@ fn a_first_row_out_of_reach_says_nothing_of_the_others() {
     }
 }
 
-/// A range made in code is checked like one that is typed.
+/// A range constructed in code is checked like a typed range.
 #[test]
 fn a_number_of_rows_that_cannot_be_is_refused() {
     let scratch = Scratch::new("rows-count");
@@ -286,7 +286,7 @@ fn a_number_of_rows_that_cannot_be_is_refused() {
     }
 }
 
-/// What helps is named as it is where the question was asked: a flag, a key, or neither in code.
+/// Remedies in messages use the names of the interface: a flag, a key, or neither for the library.
 #[test]
 fn remedies_are_those_of_where_the_question_was_asked() {
     let scratch = Scratch::new("rows-remedies");
@@ -335,7 +335,7 @@ fn remedies_are_those_of_where_the_question_was_asked() {
     }
 }
 
-/// A number is read once, where it is typed, and its unit is compared with the joint's.
+/// A number is parsed once, when the argument is read, and the unit is compared with the unit of the joint.
 #[test]
 fn numbers_are_read_once() {
     assert_eq!(GivenPosition::parse("30 deg").unwrap().text(), "30 deg");
@@ -349,7 +349,7 @@ fn numbers_are_read_once() {
     assert!(masses.iter().all(|m| *m == masses[0] && !m.is_empty()), "{masses:?}");
 }
 
-/// Every part of a question that means nothing is named: its flag on the command line, its key in a study.
+/// A message about an invalid part of a query contains the flag on the command line, and the key in a study.
 #[test]
 fn messages_name_the_flag_or_the_key() {
     let scratch = Scratch::new("rows-flags");
@@ -450,7 +450,7 @@ fn messages_name_the_flag_or_the_key() {
             scratch.write("s.toml", &format!("[model]\npath = {:?}\n[contact]\n{keys}", model.display()));
         let by_keys = percuss(&format!("run {path}"));
         assert_eq!(by_keys.code, 2, "{keys}: {}", by_keys.stderr);
-        // With the line of the key.
+        // The message begins with the path and the line of the key.
         let (place, message) = by_keys.stderr.split_once(": error: ").expect("an error");
         let line = place.strip_prefix(&format!("{path}:")).and_then(|line| line.parse::<usize>().ok());
         assert!(line.is_some_and(|line| line > 3), "{keys}: {}", by_keys.stderr);

@@ -1,18 +1,18 @@
-//! URDF to a [`Mechanism`](percuss_mechanism::Mechanism), with diagnostics that say where; and back.
+//! Reader of URDF to a [`Mechanism`](percuss_mechanism::Mechanism), with positions in the diagnostics; and writer.
 //!
 //! [`load`] works in five steps, each of which may refuse the file:
 //!
-//! 1. the bytes are text, not too many, and bounded in tags, nesting and entities (before any parser runs);
-//! 2. roxmltree makes a tree with positions;
-//! 3. [the table of the dialect](crate#the-dialect) says how every element and attribute is treated;
-//! 4. every number and reference is checked;
-//! 5. the mechanism's builder checks the whole; what it finds is given its place in the file.
+//! 1. check that the bytes are text and bounded in size, tags, nesting and entities (before any parser runs);
+//! 2. parse the text by roxmltree to a tree with positions;
+//! 3. treat every element and attribute according to [the table of the dialect](crate#the-dialect);
+//! 4. check every number and reference;
+//! 5. build the mechanism; findings of the builder get their positions in the file.
 //!
 //! # The dialect
-//! Plain URDF 1.0 to 1.2, and what closes loops: URDF+ (`<loop>`, `<coupling>`, `independent`), `<loop_joint>`, and
-//! a link with two parent joints (the first in the file is the tree's), and SDF's `<joint>` in a `<gazebo>`. What does not affect the mechanics (looks,
-//! sensors, controllers, simulator settings) is ignored without a message; what is not known is ignored with a
-//! warning; what would change the answer and is not supported is an error. The table is `src/dialect.rs`.
+//! Plain URDF 1.0 to 1.2 and loop closures: URDF+ (`<loop>`, `<coupling>`, `independent`), `<loop_joint>`, a link with two
+//! parent joints (the first joint in the file belongs to the tree), and SDF's `<joint>` in a `<gazebo>`. Elements without
+//! effect on the mechanics (looks, sensors, controllers, simulator settings) are ignored without a message; unknown elements
+//! are ignored with a warning; unsupported elements that would change the result are errors. The table is `src/dialect.rs`.
 //!
 //! ```xml
 //! <loop name="pin" type="revolute">        <!-- fixed revolute continuous prismatic cylindrical universal planar
@@ -27,7 +27,7 @@
 //! <loop_joint name="ball" type="spherical"><link1 link="a" xyz="0 0 0" rpy="0 0 0"/><link2 link="b"/></loop_joint>
 //! ```
 //!
-//! This crate knows no dynamics.
+//! This crate contains no dynamics.
 
 mod armature;
 mod closure;

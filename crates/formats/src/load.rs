@@ -1,4 +1,4 @@
-//! From a source to a mechanism.
+//! Construction of a mechanism from a source in URDF.
 
 use crate::dialect::ROBOT;
 use crate::nodes::Nodes;
@@ -11,7 +11,7 @@ use percuss_mechanism::{Accept, Built, Mechanism, MechanismBuilder, Severity, Su
 use roxmltree::{Document, Node, ParsingOptions};
 use std::collections::HashSet;
 
-/// How to read a file.
+/// Options of the reader.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct LoadOptions {
     /// Findings that the user accepts.
@@ -21,9 +21,9 @@ pub struct LoadOptions {
 /// Mechanism with the findings in its file.
 #[derive(Debug)]
 pub struct Loaded {
-    /// The mechanism.
+    /// Mechanism of the file.
     pub mechanism: Mechanism,
-    /// The shapes of every link, in link order.
+    /// Shapes of every link, in link order.
     pub shapes: Vec<Vec<Shape>>,
     /// Warnings and notes, in the order of the file.
     pub diagnostics: Vec<Diagnostic>,
@@ -31,11 +31,12 @@ pub struct Loaded {
 
 /// Reads a URDF, closed loops and couplings included.
 ///
-/// Units are those of URDF: m, kg, kg·m², rad. Inertias given in a turned frame are turned into the link's axes,
-/// I = R I′ Rᵀ. Nothing outside the text is opened: meshes, packages and external entities stay where they are.
+/// Units of URDF: m, kg, kg·m², rad. Inertias in a rotated frame are transformed to the link's axes, I = R I′ Rᵀ. Meshes,
+/// packages and external entities are not opened.
 ///
 /// # Errors
-/// [`LoadError`] with every finding, where one is an error (at most 50 of each severity; the rest are counted).
+/// [`LoadError`] with all findings if a finding is an error (at most 50 findings of each severity; further findings are only
+/// counted).
 pub fn load(source: &Source, options: &LoadOptions) -> Result<Loaded, LoadError> {
     let mut report = Report::default();
     let Some(text) = source.text(&mut report) else {
@@ -109,10 +110,11 @@ fn read(text: &str, options: &LoadOptions, report: &mut Report) -> Option<(Mecha
     mechanism.map(|mechanism| (mechanism, shapes))
 }
 
-/// Code of the warning that an imported model may mark as known: importers give it with its place in the suspension's file.
+/// Code of the warning that an imported model may mark as known. The importer reports this warning with its position in the
+/// suspension file.
 pub const KNOWN_WARNING: &str = "triangle-inequality";
 
-/// The warnings of links that were given when the file was made: `<?percuss-known CODE NAME?>` above the robot.
+/// Code and link name of the warnings that the importer reported: `<?percuss-known CODE NAME?>` above the robot.
 fn known_warnings<'a>(document: &'a Document<'_>) -> HashSet<(&'a str, &'a str)> {
     let instructions = document.root().children().filter_map(|node| node.pi());
     let known = instructions.filter(|pi| pi.target == "percuss-known").filter_map(|pi| pi.value);
@@ -121,7 +123,7 @@ fn known_warnings<'a>(document: &'a Document<'_>) -> HashSet<(&'a str, &'a str)>
     known.filter(|(code, _)| *code == KNOWN_WARNING).collect()
 }
 
-/// Reports text that is no XML.
+/// Reports text that is not well-formed XML.
 fn ill_formed(text: &str, error: &roxmltree::Error, report: &mut Report) {
     use roxmltree::Error;
     let at = error.pos();
@@ -147,17 +149,17 @@ fn ill_formed(text: &str, error: &roxmltree::Error, report: &mut Report) {
             ": the file ends too early; was it cut off?".to_owned()
         }
         Error::EntityReferenceLoop(_) => ": entities that grow without bound are refused".to_owned(),
-        // An open list of the parser's; its own words are enough.
+        // `roxmltree::Error` has further variants; for these the parser's message is enough.
         _ => String::new(),
     };
-    // The message of the parser has the place too; it is shown once.
+    // The parser's message repeats the position.
     let message = error.to_string().replace(&format!(" at {}:{}", at.row, at.col), "");
     report.error("not-xml", place, || {
         format!("not well-formed XML: {}{remedy}", cut(&message, limits::LONGEST_PARSER_MESSAGE))
     });
 }
 
-/// The byte at a line and column (in characters), both from 1.
+/// Byte offset of a line and column (in characters), both from 1.
 fn offset_of(text: &str, row: u32, column: u32) -> usize {
     let start: usize = text.split_inclusive('\n').take(row.saturating_sub(1) as usize).map(str::len).sum();
     let line = &text[start..];
@@ -165,7 +167,7 @@ fn offset_of(text: &str, row: u32, column: u32) -> usize {
     start + within
 }
 
-/// Whether the root is a URDF's; if not, says what the file seems to be.
+/// True if the root element is that of a URDF; otherwise reports the probable kind of the file.
 fn is_robot(root: Node<'_, '_>, report: &mut Report) -> bool {
     let name = root.tag_name().name();
     let what = match name {

@@ -1,17 +1,17 @@
-//! Comma-separated text (RFC 4180), a record at a time, in bounded memory.
+//! Reader of comma-separated text (RFC 4180), record by record, in bounded memory.
 
 use crate::table_error::{TableError, TableFault};
 use crate::thresholds::LONGEST_RECORD;
 use std::io::{BufRead, Read};
 use std::ops::Range;
 
-/// Records of a text, with their lines.
+/// Records of a text with their line numbers.
 pub(crate) struct Records<R> {
     input: R,
     path: String,
-    /// The line that comes next, from 1.
+    /// Number of the next line, from 1.
     next: usize,
-    /// The line that the last record began in.
+    /// First line of the last record.
     pub line: usize,
     bytes: Vec<u8>,
     text: String,
@@ -24,12 +24,12 @@ impl<R: BufRead> Records<R> {
         Self { input, path: path.to_owned(), next: 1, line: 0, bytes, text, cells }
     }
 
-    /// The file's name.
+    /// Name of the file.
     pub fn path(&self) -> &str {
         &self.path
     }
 
-    /// The cells of the last record, without their quotes.
+    /// Cells of the last record, without quotes.
     pub fn cells(&self) -> impl ExactSizeIterator<Item = &str> {
         self.cells.iter().map(|cell| &self.text[cell.clone()])
     }
@@ -42,7 +42,7 @@ impl<R: BufRead> Records<R> {
             if !self.read_line()? {
                 return Ok(false);
             }
-            // A line break within quotes belongs to a cell. Each byte is looked at once.
+            // A line break within quotes belongs to a cell. Each byte is examined once.
             let (mut in_quotes, mut counted) = (false, 0);
             loop {
                 in_quotes ^= self.bytes[counted..].iter().filter(|byte| **byte == b'"').count() % 2 == 1;
@@ -84,13 +84,13 @@ impl<R: BufRead> Records<R> {
         Ok(read > 0)
     }
 
-    /// A fault of the last record.
+    /// Error of the last record.
     pub fn fault(&self, fault: TableFault) -> TableError {
         TableError::at_line(&self.path, self.line, fault)
     }
 }
 
-/// Splits a record: its cells one after another in `text`, without quotes and the blanks around them.
+/// Splits a record: `text` receives the cells in order, without quotes and surrounding blanks.
 fn split(record: &str, text: &mut String, cells: &mut Vec<Range<usize>>) {
     let mut rest = record;
     loop {

@@ -1,4 +1,4 @@
-//! A whole configuration from a file: the JSON of an answer, or joints and their positions.
+//! Joint positions from a file: the JSON of a result, or an object of joints and positions.
 
 use crate::field::Names;
 use crate::model::{Input, Model, hexadecimal};
@@ -17,11 +17,11 @@ use std::fmt;
 /// Positions of joints from a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GivenPose {
-    /// The file.
+    /// Pose file.
     pub input: Input,
-    /// By joint.
+    /// Position by joint name.
     pub(crate) positions: BTreeMap<String, GivenPosition>,
-    /// The model that the file's answer was about; none for joints and positions alone.
+    /// Model of the result in the file; `None` for an object of joints and positions.
     of_model: Option<Input>,
 }
 
@@ -29,70 +29,70 @@ pub struct GivenPose {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum GivenPoseError {
-    /// It cannot be read.
+    /// Unreadable file.
     #[error("{message}")]
     Unreadable {
-        /// Which file, and why.
+        /// Name of the file and reason.
         message: String,
     },
-    /// It is no JSON.
+    /// Text that is not valid JSON.
     #[error("{path}:{line}: not JSON ({message}); expected what --format json wrote, or {EXAMPLE}")]
     NotJson {
-        /// The file.
+        /// Path of the file.
         path: String,
-        /// The line, from 1.
+        /// Line of the error, from 1.
         line: usize,
-        /// What the parser says.
+        /// Message of the parser.
         message: String,
     },
-    /// It has no positions.
+    /// JSON without joint positions.
     #[error("{path}: {got}; expected what percuss mass --format json wrote, or {EXAMPLE}")]
     NoPositions {
-        /// The file.
+        /// Path of the file.
         path: String,
-        /// What it is instead.
+        /// Content of the file.
         got: String,
     },
-    /// A position that is none.
+    /// Invalid position.
     #[error("{path}: {message}")]
     Position {
-        /// The file.
+        /// Path of the file.
         path: String,
-        /// Which, and why.
+        /// Joint and reason.
         message: String,
     },
-    /// An answer about another model: a joint that this one has not.
+    /// Result for another model: the file names a joint that is missing in this model.
     #[error(
         "{path}: it is the pose of another model ({of}): joint \"{joint}\" is not in this one, which has {known}; expected a \
          pose of this model"
     )]
     OtherJoint {
-        /// The file.
+        /// Path of the file.
         path: String,
-        /// The model that it is about.
+        /// Model file of the result.
         of: String,
-        /// The joint.
+        /// Name of the joint.
         joint: String,
-        /// The joints of this model, the first of them.
+        /// First movable joints of this model.
         known: String,
     },
-    /// An answer about another model: a joint of this one is missing.
+    /// Result for another model: the file has no position for a joint of this model.
     #[error(
         "{path}: it is the pose of another model ({of}): it has no joint \"{joint}\"; expected a pose of this model"
     )]
     MissingJoint {
-        /// The file.
+        /// Path of the file.
         path: String,
-        /// The model that it is about.
+        /// Model file of the result.
         of: String,
-        /// The joint.
+        /// Name of the joint.
         joint: String,
     },
 }
 
-/// What joints and positions look like.
+/// Example of joints and positions for error messages.
 const EXAMPLE: &str = "joints and positions such as {\"elbow\": 0.5, \"wrist\": \"30deg\"}";
-/// Joints of the model that an error names.
+/// Largest number of joints listed in an error.
 const NAMED: usize = 6;
 
 /// Content of a report in JSON that is read as a pose.
@@ -113,7 +113,7 @@ struct InputText {
 #[derive(Deserialize)]
 struct Joints(#[serde(deserialize_with = "study_value::positions")] BTreeMap<String, GivenPosition>);
 
-/// JSON whose objects have each key once. Of a repeated key the parser keeps the last value without a message.
+/// Check that no JSON object repeats a key. The parser would keep the last value of a repeated key without a message.
 struct UniqueKeys;
 
 impl<'de> Deserialize<'de> for UniqueKeys {
@@ -171,11 +171,11 @@ impl<'de> Visitor<'de> for UniqueKeys {
 }
 
 impl GivenPose {
-    /// Reads a file of at most `max_size` bytes: an answer's JSON, whose `pose` is taken, or an object with a position
-    /// (a number, a list, text with units) for each joint. `-` is the standard input.
+    /// Reads a file of at most `max_size` bytes: the `pose` of a JSON result, or an object with a position (a number, a
+    /// list, text with units) for each joint. `-` is the standard input.
     ///
     /// # Errors
-    /// [`GivenPoseError`]: what is wrong, and where.
+    /// [`GivenPoseError`]: unreadable file, invalid JSON, no positions, or an invalid position.
     pub fn read(path: &str, max_size: u64) -> Result<Self, GivenPoseError> {
         let source = Source::read(path, max_size)
             .map_err(|error| GivenPoseError::Unreadable { message: error.to_string() })?;
@@ -225,7 +225,7 @@ impl GivenPose {
         mechanism.joints().iter().filter(free).find(|joint| !self.positions.contains_key(joint.name()))
     }
 
-    /// Refuses an answer about another model; joints and positions are about any that has them.
+    /// Refuses a result for another model. An object of joints and positions is not checked here.
     pub(crate) fn check(&self, mechanism: &Mechanism) -> Result<(), GivenPoseError> {
         let Some(model) = &self.of_model else { return Ok(()) };
         let (path, of) = (self.input.path.clone(), model.path.clone());

@@ -1,8 +1,8 @@
-//! A question about a model, and its answer: what the command line, and later the other faces, share.
+//! Queries about a model and their results, shared by the command line and the other interfaces.
 //!
-//! [`Model::load`] reads a file; [`mass()`] answers one contact with a [`MassReport`]; [`sweep()`] answers it over a range,
-//! row by row; [`map()`] over the surfaces of links; [`check()`] says what is in a model with a [`CheckReport`]. Reports serialise to the JSON that scripts rely
-//! on. Nothing here writes to a terminal.
+//! [`Model::load`] reads a file. [`mass()`] computes one contact and returns a [`MassReport`]; [`sweep()`] computes a contact
+//! over a range, row by row; [`map()`] over the surfaces of links; [`check()`] describes a model in a [`CheckReport`]. Reports
+//! serialise to the JSON format for scripts. This crate does not write to a terminal.
 
 mod answer;
 mod answer_findings;
@@ -86,7 +86,7 @@ mod variant;
 mod varied_values;
 mod vary;
 
-/// Contact laws, simulators and safe speeds, for the faces that name them.
+/// Contact laws, simulators and safe speeds, for the interfaces that use them.
 pub use percuss_contact as contact;
 
 pub use answer_findings::{pose_findings, response_findings};

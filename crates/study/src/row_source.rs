@@ -6,28 +6,28 @@ use crate::vary::Vary;
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum RowSource {
-    /// Every combination of the values of some ranges, the first the slowest.
+    /// Every combination of the values of some ranges; the first range varies slowest.
     Grid(Vec<Vary>),
-    /// The rows of a file, one path.
+    /// Rows of a file, in order along one path.
     File(PositionFile),
-    /// Random positions within the limits of the joints; a row's numbers depend on the seed and its own number alone.
+    /// Random positions within the limits of the joints; they depend only on the seed and the row number.
     Random {
-        /// How many rows.
+        /// Number of rows.
         count: usize,
-        /// Other seeds give other positions.
+        /// Seed of the random numbers.
         seed: u64,
     },
 }
 
-/// A file of positions: a header with the names of joints, `JOINT[0]`, `JOINT[1]`, … for one with several numbers, a unit
-/// such as `[deg]` behind where it is not SI; then a row for each configuration.
+/// File of positions: a header with the names of joints, then a row for each configuration. A joint with several numbers has
+/// the columns `JOINT[0]`, `JOINT[1]`, …; a unit other than SI follows the name, such as `[deg]`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PositionFile {
-    /// Its path, `-` for the standard input.
+    /// Path of the file, `-` for the standard input.
     pub path: String,
-    /// Columns that are left out.
+    /// Names of ignored columns.
     pub ignore: Vec<String>,
-    /// No more bytes are taken from the standard input, a pipe or a device.
+    /// Largest number of bytes read from the standard input, a pipe or a device.
     pub max_size: u64,
 }
 

@@ -1,4 +1,4 @@
-//! A suspension's file in memory, to be imported again with points moved.
+//! Suspension file in memory, for repeated imports with moved points.
 
 use crate::thresholds::LARGEST_STUDY;
 use percuss_formats::suspension::{ImportOptions, Imported, import};
@@ -6,17 +6,17 @@ use percuss_formats::{LoadError, Source};
 use percuss_mechanism::Accept;
 use std::path::Path;
 
-/// A suspension's sheet, table or JSON in memory, and how it is imported.
+/// Sheet, table or JSON file of a suspension in memory, with import options.
 #[derive(Clone, Debug)]
 pub struct Sheet {
     source: Source,
     options: ImportOptions,
 }
 
-/// Endings of the files that are imported as suspensions.
+/// File name extensions of suspension files.
 const SHEETS: [&str; 4] = ["toml", "csv", "xlsx", "json"];
 
-/// Whether a file is a study: TOML with a table `model`.
+/// True if a file is a study: TOML with a table `model`.
 pub(crate) fn is_study(source: &Source) -> bool {
     let text = std::str::from_utf8(&source.bytes).ok().filter(|text| text.len() as u64 <= LARGEST_STUDY);
     let table = text.and_then(|text| text.parse::<toml::Table>().ok());
@@ -24,7 +24,7 @@ pub(crate) fn is_study(source: &Source) -> bool {
 }
 
 impl Sheet {
-    /// Source as a sheet, if the ending of its name is that of a sheet.
+    /// Source as a sheet; `None` if the file name has no extension of a sheet.
     pub(crate) fn of(source: &Source, accept: Accept) -> Option<Self> {
         let ending = Path::new(&source.name).extension()?.to_str()?;
         let is_sheet = SHEETS.iter().any(|known| ending.eq_ignore_ascii_case(known));
@@ -32,12 +32,12 @@ impl Sheet {
         is_sheet.then(|| Self { source: source.clone(), options })
     }
 
-    /// Whether it is a study instead: TOML with a table `model`.
+    /// True if the file is a study instead: TOML with a table `model`.
     pub(crate) fn is_study(&self) -> bool {
         is_study(&self.source)
     }
 
-    /// What is made of it with points moved: names, and by how much, m, in the sheet's axes.
+    /// Imports the file with moved points; `moves`: name of the point and displacement, m, in the axes of the sheet.
     pub(crate) fn import(&self, moves: &[(String, [f64; 3])]) -> Result<Imported, LoadError> {
         let mut options = self.options.clone();
         options.moves.extend_from_slice(moves);

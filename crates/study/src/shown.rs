@@ -2,10 +2,10 @@
 
 use std::borrow::Cow;
 
-/// Characters of a text in a message.
+/// Largest number of characters of a file's text in a message.
 const LONGEST_SHOWN: usize = 200;
 
-/// A text for a message, cut if it is long.
+/// Text for a message, cut if long.
 pub(crate) fn cut(text: &str) -> Cow<'_, str> {
     match text.char_indices().nth(LONGEST_SHOWN) {
         Some((end, _)) => format!("{}…", &text[..end]).into(),

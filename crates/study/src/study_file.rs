@@ -1,4 +1,4 @@
-//! A study in a file: the flags of `percuss mass` and `percuss sweep`, kept.
+//! Study file: a model with queries in TOML, equivalent to flags of the commands.
 
 use crate::closure_text::ClosureText;
 use crate::compare::Design;
@@ -31,108 +31,108 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// A study, read but not yet run.
+/// Content of a study file.
 #[derive(Clone, Debug)]
 pub struct StudyFile {
-    /// The model with the study's closures.
+    /// Model with the changes and closures of the study.
     pub model: Model,
-    /// The contact and the conditions; none where the study asks for no contact with a normal.
+    /// Contact and conditions; `None` if the study has no contact with a normal.
     pub question: Option<MassQuestion>,
-    /// The pose and the conditions, whether or not it asks for a contact.
+    /// Pose and conditions, also without a contact.
     pub conditions: MassQuestion,
     /// Requests about the contact besides the effective mass.
     pub mass: StudyMass,
-    /// The same with something changed.
+    /// Design variants.
     pub variants: Vec<Variant>,
-    /// The damper to give, if a restitution is asked for.
+    /// Damper for a restitution, if requested.
     pub damping: Option<StudyDamping>,
-    /// The rows to go through, if any.
+    /// Sweep, if requested.
     pub sweep: Option<StudySweep>,
-    /// The surfaces or directions to map, if any.
+    /// Map of surfaces or directions, if requested.
     pub map: Option<StudyMap>,
-    /// The safe speed to find, if any.
+    /// Safe speed, if requested.
     pub safe_speed: Option<StudySafeSpeed>,
-    /// The study's folder: what its paths are relative to.
+    /// Folder of the study; paths in the study are relative to this folder.
     pub folder: PathBuf,
-    /// Where its keys stand.
+    /// Keys with their positions.
     pub keys: StudyKeys,
 }
 
-/// The damper that a study asks for.
+/// Damper requested by a study.
 #[derive(Clone, Debug)]
 pub struct StudyDamping {
-    /// The restitution, the spring, the law.
+    /// Restitution, stiffness and law.
     pub question: DampingQuestion,
-    /// In place of the contact: the stop of a joint, and the conditions.
+    /// In place of the contact: joint stop and conditions.
     pub stop: Option<(JointStop, MassQuestion)>,
-    /// Where the force over time goes.
+    /// Output file of the force over time.
     pub output: Option<String>,
 }
 
-/// The rows that a study goes through.
+/// Sweep of a study.
 #[derive(Clone, Debug)]
 pub struct StudySweep {
-    /// Where they come from.
+    /// Source of the rows.
     pub rows: RowSource,
-    /// Where they go; none: stdout.
+    /// Output file; `None`: stdout.
     pub output: Option<String>,
-    /// How their table is written.
+    /// Format of the table.
     pub table: StudyTable,
-    /// How their figure is drawn.
+    /// Format of the figure.
     pub figure: StudyFigure,
 }
 
-/// A study that cannot be run.
+/// Error of an invalid study file.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum StudyFileError {
-    /// The study, or the model it names, cannot be read.
+    /// Unreadable study or model file.
     #[error(transparent)]
     Load(#[from] LoadError),
-    /// It is not UTF-8 text.
+    /// File that is not UTF-8 text.
     #[error("{path}: error: not UTF-8 text; a study is a TOML file")]
     NotText {
-        /// The file.
+        /// Path of the study.
         path: String,
     },
-    /// It is no TOML, or a value has the wrong type; the lines that follow show the place.
+    /// Invalid TOML, or a value of the wrong type. The following lines show the position in the file.
     #[error("{path}:{line}: error: {message}")]
     Toml {
-        /// The file.
+        /// Path of the study.
         path: String,
-        /// The line, from 1.
+        /// Line of the error, from 1.
         line: usize,
-        /// What, and the lines of the file.
+        /// Reason, and the lines of the file.
         message: String,
     },
-    /// Keys that mean nothing.
+    /// Unknown keys.
     #[error("{}", lines_of(path, keys, *more))]
     Keys {
-        /// The file.
+        /// Path of the study.
         path: String,
-        /// The first of them, in the order of the file.
+        /// First unknown keys, in the order of the file.
         keys: Vec<UnknownKey>,
-        /// Number of further ones.
+        /// Number of further unknown keys.
         more: usize,
     },
-    /// A value that cannot be.
+    /// Invalid value.
     #[error("{path}{}: error: {key}: {why}", at_line(*line))]
     Value {
-        /// The file.
+        /// Path of the study.
         path: String,
-        /// The line, from 1, where it has one.
+        /// Line of the key, from 1; `None` if the key is not in the file.
         line: Option<usize>,
-        /// The key.
+        /// Key of the value.
         key: &'static str,
-        /// What is wrong.
+        /// Reason.
         why: String,
     },
-    /// The model with the study's closures is none.
+    /// Invalid mechanism after the addition of the study's closures.
     #[error("{path}: error: {source}")]
     Build {
-        /// The file.
+        /// Path of the study.
         path: String,
-        /// What the builder found.
+        /// Error of the mechanism builder.
         source: BuildError,
     },
 }
@@ -141,21 +141,21 @@ fn at_line(line: Option<usize>) -> String {
     line.map_or_else(String::new, |line| format!(":{line}"))
 }
 
-/// A line for each key that means nothing; what is in the keys does not begin one.
+/// Message with one line per unknown key. Keys are escaped, so that a line break in a key does not start a line.
 fn lines_of(path: &str, keys: &[UnknownKey], more: usize) -> String {
     let line = |k: &UnknownKey| format!("{path}:{}: error: unknown key {:?}; {}", k.line, k.key, k.hint);
     let more = (more > 0).then(|| format!("{path}: error: {more} more unknown keys"));
     keys.iter().map(line).chain(more).collect::<Vec<_>>().join("\n")
 }
 
-/// What the parser or a reader of values says, with the line and the key.
+/// Error of the TOML parser or of a value, with the line and the key.
 fn not_read(path: &str, keys: &StudyKeys, text: &str, error: &toml::de::Error) -> StudyFileError {
     let span = error.span().unwrap_or_default();
     let key = keys.key_at(&span).map_or_else(String::new, |key| format!("{key}: "));
-    // Before the keys are known, lines are counted in the text.
+    // `keys` is empty if the text is not valid TOML, so lines are counted in the text.
     let line = 1 + text.bytes().take(span.start).filter(|byte| *byte == b'\n').count();
     let shown = error.to_string();
-    // Of "TOML parse error at …", the lines of the file.
+    // Lines of the file, from the parser's message "TOML parse error at …".
     let is_shown = |line: &&str| line.contains('|') && line.len() <= LONGEST_LINE_SHOWN;
     let lines: Vec<&str> = shown.trim_end().lines().skip(1).filter(is_shown).collect();
     let why = error.message().trim().replace('\n', "; ");
@@ -164,10 +164,10 @@ fn not_read(path: &str, keys: &StudyKeys, text: &str, error: &toml::de::Error) -
 }
 
 impl StudyFile {
-    /// Reads a study and the model it names (relative to the study's folder). At most `max_size` bytes each.
+    /// Reads a study and its model (path relative to the folder of the study). At most `max_size` bytes each.
     ///
     /// # Errors
-    /// [`StudyFileError`]: files that cannot be read, keys that mean nothing, values that cannot be.
+    /// [`StudyFileError`]: unreadable files, unknown keys, invalid values, or an invalid mechanism.
     pub fn load(path: &str, max_size: u64) -> Result<Self, StudyFileError> {
         let source = Source::read(path, max_size.min(LARGEST_STUDY))?;
         let path = source.name.clone();
@@ -189,14 +189,14 @@ impl StudyFile {
         Reading { path: &path, keys: &keys, max_size }.study(&study, &source)
     }
 
-    /// Whether a file is a study: TOML with a table `model`.
+    /// True if a file is a study: TOML with a table `model`.
     pub fn is_study(path: &str, max_size: u64) -> bool {
-        // A pipe can be read only once, by whoever takes it for a model.
+        // A pipe can be read only once; the model reader reads its content.
         std::fs::metadata(path).is_ok_and(|found| found.is_file())
             && Source::read(path, max_size).is_ok_and(|source| is_study(&source))
     }
 
-    /// The designs of the study: its model under a name, then its variants; none where it asks for no contact.
+    /// Designs of the study: first the model of the study as `name`, then the variants. Empty without a contact.
     pub fn designs(&self, name: &str) -> Vec<Design> {
         let Some(question) = &self.question else { return Vec::new() };
         let rows = self.sweep.as_ref().map(|sweep| &sweep.rows);
@@ -212,7 +212,7 @@ impl StudyFile {
     }
 }
 
-/// A study that is being read.
+/// Context for reading a study.
 struct Reading<'a> {
     path: &'a str,
     keys: &'a StudyKeys,
@@ -224,12 +224,12 @@ impl Reading<'_> {
         self.value(refusal.key, refusal.key, refusal.why)
     }
 
-    /// A value that cannot be, at the line of a place.
+    /// Error of an invalid value; `place`: path of the key that gives the line.
     fn value(&self, key: &'static str, place: &str, why: String) -> StudyFileError {
         StudyFileError::Value { path: self.path.to_owned(), line: self.keys.line_of(place), key, why }
     }
 
-    /// A part of a question that means nothing.
+    /// Error of an invalid query, with the key of the invalid field.
     fn input(&self, error: &StudyError) -> StudyFileError {
         let key = error.field().map_or("model", |field| field.key());
         let why = error.message(Names::Keys);
@@ -237,7 +237,7 @@ impl Reading<'_> {
         self.value(key, key, why)
     }
 
-    /// A design that cannot be had, with the name of the variant.
+    /// Error of an invalid design; `variant`: index and name of the variant, `None` for the model of the study.
     fn design(&self, variant: Option<(usize, &str)>, error: DesignError) -> StudyFileError {
         let (key, place, of) = match variant {
             None => ("model", "model".to_owned(), String::new()),
@@ -293,7 +293,7 @@ impl Reading<'_> {
                 Some(text.safe_speed(&question, folder, max_size).map_err(refused)?)
             }
         };
-        // Without a contact, something else is asked.
+        // A study without a contact needs another query.
         let stops = damping.as_ref().is_some_and(|damping: &StudyDamping| damping.stop.is_some());
         let of_contact = study.mass.is_some()
             || !variants.is_empty()
@@ -334,7 +334,7 @@ impl Reading<'_> {
         })
     }
 
-    /// The variants of the study, within the limits of their number and their memory.
+    /// Variants of the study, limited in number and memory.
     fn variants(
         &self,
         study: &StudyText,
@@ -347,7 +347,7 @@ impl Reading<'_> {
             return Ok(Vec::new());
         }
         let refuse = |i: usize, key, why| Err(self.value(key, &format!("variant[{i}].name"), why));
-        // Each variant holds a copy of the question and of the changes; their text is about as long as they are in memory.
+        // Each variant holds a copy of the query and of the changes. The length of their text approximates their memory.
         let copied = format!("{question:?}{:?}", model.origin.changes).len();
         let most = MOST_VARIANTS.min(LARGEST_VARIANTS / copied.max(1));
         if study.variant.len() > most {
@@ -382,7 +382,7 @@ impl Reading<'_> {
         Ok(variants)
     }
 
-    /// The model with what the study changes, and with its closures.
+    /// Model with the changes and closures of the study.
     fn model(
         &self,
         study: &StudyText,
@@ -426,7 +426,7 @@ impl Reading<'_> {
     }
 }
 
-/// The model with more closures than its file has, and the findings about them.
+/// Model with additional closures, and with the findings about them.
 fn with_closures(model: Model, path: &str, closures: Vec<ClosureDescription>) -> Result<Model, BuildError> {
     let of_file = model.mechanism.closures().len();
     let mut diagnostics = model.diagnostics;
@@ -436,12 +436,12 @@ fn with_closures(model: Model, path: &str, closures: Vec<ClosureDescription>) ->
         let record = DiagnosticRecord::about_answer(Severity::Note, "default-distance", message);
         diagnostics.push(DiagnosticRecord { path: Some(path.to_owned()), ..record });
     }
-    // Nothing in the file bound these; the study's closures may.
+    // The findings about unbound joints concern the model file alone; the added closures may bind these joints.
     diagnostics.retain(|d| d.code != "unbound-joint");
     let added = closures.clone();
     let builder = closures.into_iter().fold(model.mechanism.to_builder(), |b, closure| b.closure(closure));
     let built = builder.build()?;
-    // What the builder finds about the rest was reported with its place when the file was read.
+    // Other findings of the builder were reported, with positions, when the model file was read.
     for (subject, problem) in built.findings {
         if matches!(subject, Subject::Closure { index, .. } if index >= of_file) {
             let message = format!("{subject}: {problem}");

@@ -6,67 +6,67 @@ use serde_json::{Map, Value};
 use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
-/// Suggestions for a key that means nothing: more are no help.
+/// Largest number of suggestions for an unknown key.
 const SUGGESTIONS: usize = 2;
 /// Largest number of reported unknown keys; further keys are only counted.
 const REPORTED: usize = 50;
-/// Bytes of a key that is compared with the known ones: the comparison costs their product, and known keys are shorter.
+/// Longest key, bytes, that is compared with the known keys, which are shorter. The cost is the product of the lengths.
 const LONGEST_COMPARED: usize = 64;
 
-/// The keys of a study file, and where they stand.
+/// Keys of a study file with their positions.
 #[derive(Clone, Debug, Default)]
 pub struct StudyKeys {
-    /// Keys and list elements, each after its container.
+    /// Keys and list elements; a container precedes its content.
     places: Vec<Place>,
-    /// Where lines begin, bytes.
+    /// Offsets of the line starts, bytes.
     lines: Vec<usize>,
 }
 
-/// A key, or an element of a list. Its path follows from the places above it, so that memory is linear in the file.
+/// Key or list element. Paths are computed from the containers, so that memory is linear in the size of the file.
 #[derive(Clone, Debug)]
 struct Place {
-    /// The table or list that holds it; `None` at the top.
+    /// Index of the containing table or list; `None` at the top level.
     above: Option<usize>,
     step: Step,
-    /// Bytes of the key, or of the element.
+    /// Byte range of the key or element.
     at: Range<usize>,
-    /// Bytes of the value.
+    /// Byte range of the value.
     value: Range<usize>,
 }
 
-/// Last part of a path.
+/// Last part of a path: key, or index in a list.
 #[derive(Clone, Debug)]
 enum Step {
     Key(Box<str>),
     Item(usize),
 }
 
-/// A key that means nothing.
+/// Unknown key of a study file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownKey {
-    /// Key with its tables.
+    /// Path of the key.
     pub key: String,
-    /// Its line, from 1.
+    /// Line of the key, from 1.
     pub line: usize,
     /// Suggested key, or the possible keys.
     pub hint: String,
 }
 
-/// Keys that mean nothing: the first ones, and how many more there are.
+/// Unknown keys: the first `REPORTED` keys in the order of the file, and the number of further keys.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct UnknownKeys {
     pub first: Vec<UnknownKey>,
     pub more: usize,
 }
 
-/// Unknown keys by place, with the keys that are known there.
+/// Index of each unknown key in `places`, with the known keys of its table.
 type Unknown = Vec<(usize, &'static Map<String, Value>)>;
 
 impl StudyKeys {
-    /// The places of all keys, and the keys that mean nothing.
+    /// Positions of all keys, and the unknown keys.
     ///
     /// # Errors
-    /// Text that is no TOML.
+    /// Text that is not valid TOML.
     pub(crate) fn of(text: &str) -> Result<(Self, UnknownKeys), toml::de::Error> {
         let document = DeTable::parse(text)?;
         let begins = |(at, byte): (usize, u8)| (byte == b'\n').then_some(at + 1);
@@ -80,12 +80,12 @@ impl StudyKeys {
         Ok((keys, UnknownKeys { first, more }))
     }
 
-    /// The line of a byte, from 1.
+    /// Line of a byte offset, from 1.
     pub(crate) fn line_at(&self, byte: usize) -> usize {
         self.lines.partition_point(|begin| *begin <= byte)
     }
 
-    /// Line of a key, from 1. For a missing key, the line of its table; `None` if that is missing too.
+    /// Line of a key, from 1. For a missing key, the line of its table; `None` if the table is missing too.
     pub fn line_of(&self, key: &str) -> Option<usize> {
         let mut key = key;
         loop {
@@ -96,7 +96,7 @@ impl StudyKeys {
         }
     }
 
-    /// Innermost key whose value contains these bytes, cut if long.
+    /// Path of the innermost key or list element with a value that contains a byte range. A long path is cut.
     pub(crate) fn key_at(&self, bytes: &Range<usize>) -> Option<String> {
         let holds = |place: &usize| {
             let value = &self.places[*place].value;
@@ -107,7 +107,7 @@ impl StudyKeys {
         innermost.map(|place| self.path(place, true))
     }
 
-    /// The path of a place, `variant[1].name`, cut if it is long; without `items` it leaves out the numbers in brackets.
+    /// Path of a key or list element, such as `variant[1].name`; without `items`, `variant.name`. A long path is cut.
     fn path(&self, place: usize, items: bool) -> String {
         let mut steps = Vec::new();
         let mut next = Some(place);
@@ -127,7 +127,7 @@ impl StudyKeys {
         cut(&path).into_owned()
     }
 
-    /// True if `key` is the whole path of a place.
+    /// True if `key` is the full path of the key or list element at index `place`.
     fn is_path_of(&self, place: usize, key: &str) -> bool {
         let (mut place, mut rest) = (place, key);
         loop {
@@ -150,7 +150,7 @@ impl StudyKeys {
         }
     }
 
-    /// What is reported of an unknown key.
+    /// Record of an unknown key for the report; `known`: the known keys of its table.
     fn unknown(&self, place: usize, known: &Map<String, Value>) -> UnknownKey {
         let Place { above, step, at, .. } = &self.places[place];
         let Step::Key(name) = step else { unreachable!("elements of lists have no name") };
@@ -165,7 +165,7 @@ impl StudyKeys {
         self.places.len() - 1
     }
 
-    /// A table; `schema` is none where any key may stand.
+    /// Records the keys of a table. If `schema` is `None` or lists no keys, any key is valid.
     fn walk(
         &mut self,
         table: &DeTable,
@@ -206,7 +206,7 @@ impl StudyKeys {
     }
 }
 
-/// Suggestion for a key of a table, or the keys possible there.
+/// Suggestion for an unknown key of a table, or the list of the keys of the table.
 fn hint(name: &str, table: &str, possible: &[&str]) -> String {
     let whole = |key: &str| if table.is_empty() { key.to_owned() } else { format!("{table}.{key}") };
     let near = if name.len() > LONGEST_COMPARED { Vec::new() } else { nearest(name, possible) };
@@ -225,7 +225,7 @@ fn hint(name: &str, table: &str, possible: &[&str]) -> String {
     format!("the keys of {place} are {}", possible.join(", "))
 }
 
-/// Known names at a small edit distance from a name; only the nearest.
+/// Known names with the smallest edit distance from a name; empty if the distance exceeds 1 + (length of the name)/4.
 fn nearest<'k>(name: &str, possible: &[&'k str]) -> Vec<&'k str> {
     let plain = name.replace('-', "_").to_lowercase();
     let distance = |key: &str| strsim::osa_distance(&plain, key).min(strsim::osa_distance(name, key));

@@ -1,4 +1,4 @@
-//! Columns of a position file: joint, component and unit of each.
+//! Columns of a position file: joint, component and unit of each column.
 
 use crate::answer::Prepared;
 use crate::quantity::{Unit, position_dimension};
@@ -6,16 +6,16 @@ use crate::table_error::{TableError, TableFault};
 use percuss_mechanism::{JointId, Mechanism};
 use std::collections::HashMap;
 
-/// What the cells of a column are.
+/// Target and unit of the cells in a column.
 #[derive(Clone, Copy, Debug)]
 struct Cell {
-    /// Which of the numbers of a row.
+    /// Index in the numbers of a row.
     value: usize,
     unit: Unit,
 }
 
 impl Cell {
-    /// Puts a number into a row, in SI units; false where it is not finite.
+    /// Stores a number, converted to SI units, in a row. Returns false if the number is not finite.
     fn put(&self, read: f64, values: &mut [f64]) -> bool {
         let value = self.unit.to_si(read);
         if value.is_finite() {
@@ -25,19 +25,19 @@ impl Cell {
     }
 }
 
-/// The columns of a file.
+/// Columns of a file.
 #[derive(Clone, Debug)]
 pub(crate) struct Columns {
     names: Vec<String>,
-    /// None: left out.
+    /// Cell of each column; `None` for an ignored column.
     cells: Vec<Option<Cell>>,
-    /// The joints, in the order of their first columns: their numbers stand one after another.
+    /// Joints in the order of their first columns. The numbers of a row are in the same order, those of a joint contiguous.
     pub joints: Vec<JointId>,
-    /// How many numbers a row has.
+    /// Number of numbers in a row.
     pub width: usize,
 }
 
-/// A number of a joint.
+/// Position component of a joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 struct Number {
     joint: JointId,
@@ -100,7 +100,7 @@ impl Columns {
         Ok(Self { cells: found.into_iter().map(|f| f.map(cell)).collect(), names, joints, width })
     }
 
-    /// Joints outside loops that neither a column nor the question sets.
+    /// Names of joints outside loops that neither a column nor the query sets.
     pub fn unset_outside_loops(&self, prepared: &Prepared) -> Vec<String> {
         let mechanism = prepared.system.mechanism();
         let free = |joint: &JointId| {
@@ -110,7 +110,7 @@ impl Columns {
         self.unset(prepared, mechanism.joint_ids().filter(free))
     }
 
-    /// The columns of those joints that neither a column nor the question sets.
+    /// Column names for the joints among `joints` that neither a column nor the query sets.
     pub fn unset(&self, prepared: &Prepared, joints: impl Iterator<Item = JointId>) -> Vec<String> {
         let mechanism = prepared.system.mechanism();
         let is_set = |joint: &JointId| {
@@ -123,7 +123,7 @@ impl Columns {
         columns.map(|(joint, i)| column_name(mechanism, joint, i)).collect()
     }
 
-    /// The first column of a joint: its number, from 0, and its name.
+    /// First column of a joint: index, from 0, and name.
     pub fn of_joint(&self, joint: JointId, mechanism: &Mechanism) -> Option<(usize, &str)> {
         let before = self.joints.iter().take_while(|other| **other != joint);
         let start: usize = before.map(|other| mechanism.joint(*other).kind().positions()).sum();
@@ -131,7 +131,7 @@ impl Columns {
         Some((at, &self.names[at]))
     }
 
-    /// The numbers of a row from its cells.
+    /// Reads the numbers of a row from the text of the cells.
     pub fn read<'c>(
         &self,
         cells: impl ExactSizeIterator<Item = &'c str>,
@@ -154,7 +154,7 @@ impl Columns {
         Ok(())
     }
 
-    /// The numbers of a row, each with that of its column; none for a null.
+    /// Stores the numbers of a row; `numbers`: column index and number, `None` for a null.
     pub fn take(
         &self,
         numbers: impl Iterator<Item = (usize, Option<f64>)>,
@@ -173,18 +173,18 @@ impl Columns {
         Ok(())
     }
 
-    /// The numbers of the columns that are not left out.
+    /// Indices of the columns that are not ignored.
     pub fn chosen(&self) -> impl Iterator<Item = usize> {
         self.cells.iter().enumerate().filter(|(_, cell)| cell.is_some()).map(|(number, _)| number)
     }
 }
 
-/// As much of a cell as a message shows.
+/// Text of a cell for a message, at most 40 characters.
 fn shortened(text: &str) -> String {
     if text.chars().count() > 40 { text.chars().take(40).chain(['…']).collect() } else { text.to_owned() }
 }
 
-/// As the column of a number is headed.
+/// Column name of a position component.
 fn column_name(mechanism: &Mechanism, joint: JointId, component: usize) -> String {
     let joint = mechanism.joint(joint);
     match joint.kind().positions() {
@@ -193,7 +193,7 @@ fn column_name(mechanism: &Mechanism, joint: JointId, component: usize) -> Strin
     }
 }
 
-/// All numbers of all joints, as their columns are headed.
+/// Position components of all joints by column name.
 fn numbers_by_name(mechanism: &Mechanism) -> HashMap<String, Number> {
     let numbers = mechanism.joint_ids().flat_map(|joint| {
         (0..mechanism.joint(joint).kind().positions()).map(move |component| Number { joint, component })
@@ -201,7 +201,7 @@ fn numbers_by_name(mechanism: &Mechanism) -> HashMap<String, Number> {
     numbers.map(|n| (column_name(mechanism, n.joint, n.component), n)).collect()
 }
 
-/// The number that a column is of, and its unit.
+/// Position component and unit for a column name.
 fn read_name(
     mechanism: &Mechanism,
     known: &HashMap<String, Number>,
@@ -214,7 +214,7 @@ fn read_name(
     if name.is_empty() {
         return Err(TableFault::NoName);
     }
-    // Tables are written with an apostrophe before a name that a spreadsheet would take for a formula.
+    // Written tables have an apostrophe before a name that a spreadsheet would read as a formula.
     if let Some(written) = name.strip_prefix('\'')
         && written.starts_with(['=', '+', '-', '@', '\t', '\r'])
     {
@@ -240,7 +240,7 @@ fn read_name(
     })
 }
 
-/// A header that is separated by something else than commas is one long name.
+/// Refuses a header with a single name that contains semicolons or tabs: the separator of the file is no comma.
 pub(crate) fn separated_by_commas(names: &[String]) -> Result<(), TableFault> {
     let [name] = names else { return Ok(()) };
     for separator in [';', '\t'] {

@@ -2,154 +2,153 @@
 
 use std::ops::RangeInclusive;
 
-// What a question may ask.
+// Limits of queries.
 
-/// A shorter vector has no direction: one typed with a few digits is longer, the difference of equal points shorter.
-/// Any unit.
+/// Length, in any unit, up to which a vector has no direction. A vector typed with a few digits is longer; the difference
+/// of equal points is shorter.
 pub(crate) const SHORTEST_DIRECTION: f64 = 1e-9;
 /// Number of joints tried in place of a driver that reached its limit before the requested travel.
 pub(crate) const OTHER_DRIVERS: usize = 4;
-/// Joints that drive a travel one after another past each other's dead centres, at most: one turn of a linkage passes some four.
+/// Largest number of consecutive drivers of a travel past their dead centres. One turn of a linkage passes some four dead
+/// centres.
 pub(crate) const TRAVEL_STAGES: usize = 6;
-/// Part of the way to a joint's end that it drives before another takes over: near its dead centre digits are lost.
+/// Part of the distance to a driver's dead centre after which another joint drives. Close to the dead centre digits are lost.
 pub(crate) const SHORT_OF_END: f64 = 0.98;
-/// A joint that advances a travel by less than this part of the mechanism's size does not take it further.
+/// Least advance of a travel by a driver, in characteristic lengths. A smaller advance ends the search.
 pub(crate) const LEAST_ADVANCE: f64 = 1e-4;
-/// A joint that moves a point by less than this part of the mechanism's size a radian does not drive it.
+/// Least rate of a point per joint velocity for a driver, in characteristic lengths per radian, or per characteristic length
+/// for a prismatic joint.
 pub(crate) const UNMOVED: f64 = 1e-6;
-/// Largest coordinate, m: its square is still a number, with room for sums.
+/// Largest coordinate, m: sums of squares do not overflow.
 pub(crate) const LARGEST_COORDINATE: f64 = 1e100;
-/// Least mass of a free body on the other side, kg: its inverse is still a number, with room for sums.
+/// Least mass of a free body on the other side, kg: sums of inverse masses do not overflow.
 pub(crate) const LEAST_OTHER_MASS: f64 = 1e-100;
-/// Rows of a sweep: an hour's work at 1 ms each, and more than any plot shows.
+/// Number of rows of a sweep. The largest number is more than a plot shows, and takes some 20 minutes at 1 ms per row.
 pub(crate) const ROWS: RangeInclusive<usize> = 1..=1_000_000;
-/// Rows of a grid: some twenty minutes at 10 µs each. None is kept.
+/// Largest number of rows of a grid: some twenty minutes at 10 µs per row. Rows are not kept in memory.
 pub(crate) const GRID_ROWS: usize = 100_000_000;
-/// Bytes of a study file: some hundred bytes a variant. The parser takes some hundred bytes of memory for each value, and a
-/// value may have two.
+/// Largest study file, bytes; a variant takes some hundred bytes. The parser takes some hundred bytes of memory per value, and
+/// a value may have two bytes of text.
 pub(crate) const LARGEST_STUDY: u64 = 4 << 20;
-/// Variants of a study: more than any table shows.
+/// Largest number of variants of a study: more than a table shows.
 pub(crate) const MOST_VARIANTS: usize = 10_000;
-/// Bytes of the copies of the question in all variants.
+/// Largest size of the copies of the query in all variants, bytes.
 pub(crate) const LARGEST_VARIANTS: usize = 1 << 28;
-/// Links of the mechanisms of all variants together: some 900 MB.
+/// Largest number of links in all variants together: some 900 MB.
 pub(crate) const MOST_VARIANT_LINKS: usize = 1_000_000;
-/// Bytes of a line of a study that is shown with an error.
+/// Longest line of a study that is shown with an error, bytes.
 pub(crate) const LONGEST_LINE_SHOWN: usize = 400;
-/// Bytes of a record of a table: a thousand joints with 17 digits take 20 kB.
+/// Longest record of a table, bytes: a thousand joints with 17 digits take 20 kB.
 pub(crate) const LONGEST_RECORD: usize = 1 << 20;
-/// Bytes of what a Parquet file says of its columns: a thousand columns in a thousand groups of rows take some 100 MB, more
-/// than anybody reads; those of a robot take some 100 kB.
+/// Largest description of the columns in a Parquet file, bytes. The columns of a robot take some 100 kB; a thousand columns
+/// in a thousand row groups take some 100 MB, more than is used in practice.
 pub(crate) const LARGEST_DESCRIPTION: u64 = 1 << 26;
-/// Entries of a list there: columns, or groups of rows.
+/// Largest number of entries of a list in this description: columns, or row groups.
 pub(crate) const MOST_IN_A_LIST: u64 = 1 << 20;
-/// Columns of a Parquet file within one another: lists of records nest some ten deep.
+/// Deepest nesting of columns in a Parquet file: lists of records nest some ten deep.
 pub(crate) const DEEPEST_COLUMN: usize = 64;
-/// Bytes in memory that the pages of a Parquet file may take, all columns together.
+/// Largest memory of the pages of a Parquet file, all columns together, bytes.
 pub(crate) const PAGES: u64 = 1 << 30;
-/// A page may have as many bytes however many columns there are: writers make pages of 1 MiB, or somewhat more.
+/// Page size, bytes, that is accepted for any number of columns: writers make pages of 1 MiB, or somewhat more.
 pub(crate) const SMALLEST_LARGEST_PAGE: u64 = 1 << 22;
-/// Bytes of a page's header: twenty, and its statistics.
+/// Usual upper bound of a page header, bytes: twenty bytes and the statistics.
 pub(crate) const USUAL_PAGE_HEADER: u64 = 1 << 12;
-/// The same where statistics are long texts.
+/// Longest page header, bytes: statistics may be long texts.
 pub(crate) const LONGEST_PAGE_HEADER: u64 = 1 << 20;
-/// Rows of a Parquet file that are taken from its pages at once.
+/// Number of rows read from the pages of a Parquet file at once.
 pub(crate) const PARQUET_ROWS: usize = 1024;
-/// Rows that are posed, answered and handed out at once where they follow one another: some milliseconds of a small
-/// linkage, and its poses stay in the caches.
+/// Largest number of rows in a block with poses: some milliseconds for a small linkage, and the poses fit in the caches.
 pub(crate) const BLOCK_OF_POSES: usize = 256;
-/// The same for a mechanism of many links, in links: some 10 MB of poses.
+/// Largest number of links in a block with poses, rows times links of the mechanism: some 10 MB of poses.
 pub(crate) const BLOCK_OF_LINKS: usize = 10_000;
-/// Rows without poses that are answered and handed out at once: a millisecond of a small tree.
+/// Largest number of rows in a block without poses: a millisecond for a small tree.
 pub(crate) const BLOCK_IN_LANES: usize = 4096;
-/// Rows of a line that are worth preparing to follow them several at once: it costs as much as a few of them.
+/// Least number of remaining rows for a start of the path follower: the start costs as much as a few rows.
 pub(crate) const FOLLOWED_ROWS: usize = 4;
-/// Largest number of restarts of the path follower along a line. More frequent stops gain nothing.
+/// Largest number of starts of the path follower along a line. With more frequent stops the path follower saves no time.
 pub(crate) const FOLLOWED_BEGINNINGS: usize = 16;
-/// Rows without poses that are answered by one thread without a break: of a block a thirty-second, so that no thread waits
-/// long for the last one.
+/// Number of consecutive rows without poses per thread: 1/32 of a block, so that the wait for the last thread is short.
 pub(crate) const PORTION_IN_LANES: usize = 128;
-/// Rows of the first block: a reader has them soon. Blocks then double.
+/// Number of rows of the first block: few, so that the first results appear soon. Later blocks double in size.
 pub(crate) const FIRST_BLOCK: usize = 8;
-/// Rows that are answered by one thread without a break.
+/// Number of consecutive rows with poses per thread.
 pub(crate) const PORTION: usize = 32;
 
-/// How far a travel may end from where it was asked to, in parts of the characteristic length, where several drive a pose:
-/// each is met to 1e-12 by itself.
+/// Tolerance of a travel if several travels drive a pose, in characteristic lengths. A single travel is met to 1e-12.
 pub(crate) const TRAVEL_MET: f64 = 1e-11;
-/// Newton steps of several travels: from a near place some five are needed.
+/// Largest number of Newton steps for several travels: from a near pose some five steps are needed.
 pub(crate) const TRAVEL_ROUNDS: usize = 12;
-/// Parts of the way of several travels that are tried first.
+/// Number of parts in which several travels are first divided.
 pub(crate) const TRAVEL_PARTS: f64 = 4.0;
-/// The least part of the way: a travel of 0.1 m in steps of 0.1 mm.
+/// Least part of several travels in one step: a travel of 0.1 m in steps of 0.1 mm.
 pub(crate) const LEAST_PART: f64 = 1e-3;
 /// Largest number of halvings of a travel that is too long for one step: 2⁻³² of a turn is negligible.
 pub(crate) const HALVINGS: usize = 32;
 
-/// Samples of a tolerance: a minute's work at a millisecond each on a few processors; one alone says nothing.
+/// Number of samples of a tolerance. The largest number takes a minute at 1 ms per sample on a few processors; one sample
+/// gives no spread.
 pub(crate) const SAMPLES: RangeInclusive<usize> = 2..=100_000;
-/// Step of a hardpoint for differences of four values, in parts of the characteristic length: their truncation grows with its
-/// fourth power, 1e-16 relative; m̄ is found to some 1e-12, which leaves 1e-8.
+/// Step of a hardpoint for four-point differences, in characteristic lengths. The truncation error grows with the fourth
+/// power of the step, 1e-16 relative; m̄ is accurate to some 1e-12, which gives 1e-8 for the derivative.
 pub(crate) const POINT_STEP: f64 = 1e-4;
-/// Changes that an explanation names of each kind.
+/// Number of changes of each kind listed in an explanation.
 pub(crate) const STRONGEST: usize = 3;
-/// How far from 1 the product of a motion ratio and its inverse may be for a mechanism with one travel: the loops' closing and
-/// rounding leave some 1e-11.
+/// Tolerance of |product − 1| for a motion ratio and its inverse in a mechanism with one travel. Loop closure and rounding
+/// cause some 1e-11.
 pub(crate) const ONE_TRAVEL: f64 = 1e-9;
 
-// What is reported with an answer.
+// Findings about results.
 
-/// Distance of a contact point from its link's origin, in reaches of the link, from which on it is doubted: parts fixed
-/// to a link by hand stand out of it by its own size at most.
+/// Distance of a contact point from the origin of its link, relative to the reach of the link, that causes a finding. Parts
+/// attached to a link protrude by at most the size of the link.
 pub(crate) const FAR_POINT: f64 = 3.0;
-/// A distance that divided by 1000 is at least this part of the reach may have been given in millimetres.
+/// Least plausible distance of a contact point, relative to the reach of the link. If a far distance divided by 1000 is
+/// plausible, the unit may be millimetres.
 pub(crate) const MILLIMETRES: f64 = 0.01;
-/// A relative error of m̄ above this comes with a warning: the digits that engineers compare, and what rounded files
-/// leave.
+/// Relative error of m̄ that causes a warning: engineers compare about six digits, and rounded files are about as accurate.
 pub(crate) const UNCERTAIN: f64 = 1e-6;
-/// Limits of m̄ along branches that agree to this (relative) are one mass: they are carried on to some 1e-7 at worst.
+/// Relative difference up to which limits of m̄ along branches count as equal: their errors are at most some 1e-7.
 pub(crate) const SAME_LIMIT: f64 = 1e-6;
-/// An assembly is far from its guess from this angle on (rad), or from this part of the size: assembly modes are
-/// further apart, a guess read off a drawing is nearer.
+/// Distance of an assembly from its guess that causes a finding: rad, or characteristic lengths. Assembly modes are farther
+/// apart; a guess from a drawing is closer.
 pub(crate) const FAR_FROM_GUESS: f64 = 0.5;
-/// Velocity per unit closing speed from which a held point counts as leaving: the rounding of unit velocities is far
-/// below.
+/// Velocity per unit closing speed above which a held point lifts off: far above the rounding of unit velocities.
 pub(crate) const LEAVES: f64 = 1e-9;
-/// Half the distance of the differences that give dm̄/dδ, in parts of the characteristic length: the cube root of
-/// rounding, where truncation and rounding are alike.
+/// Step of the central difference for dm̄/dδ, in characteristic lengths: the cube root of the rounding unit, at which
+/// truncation and rounding errors are equal.
 pub(crate) const DIFFERENCE: f64 = 1e-5;
-/// First step of the motion over the penetration, as a part of it.
+/// First step of the motion over the penetration, relative to the penetration.
 pub(crate) const FIRST_PENETRATION: f64 = 0.5;
-/// The next step over the last one that was good.
+/// Ratio of the next step to the last accepted step.
 pub(crate) const PENETRATION_GROWTH: f64 = 1.25;
-/// Relative difference of m̄ between one step and two halves that is good: some hundred steps leave four digits.
+/// Largest relative difference of m̄ between one step and two half steps: after some hundred steps four digits are accurate.
 pub(crate) const PENETRATION_MASS: f64 = 1e-6;
-/// Distance of the contact point between these, as a part of the step: depths are good to four digits.
+/// Largest distance between the contact points after one step and after two half steps, relative to the step: depths are
+/// accurate to four digits.
 pub(crate) const PENETRATION_MOTION: f64 = 1e-5;
-/// The least step over the penetration: near a dead centre good steps are a hundredth of what is left of the motion, whose end is
-/// found to a few ten-thousandths, after some thousand steps.
+/// Least step, relative to the penetration. Near a dead centre accepted steps are a hundredth of the remaining motion, and the
+/// end is found to a few ten-thousandths after some thousand steps.
 pub(crate) const LEAST_PENETRATION: f64 = 1e-6;
-/// Relative change of m̄ over the penetration from which one number comes with a warning: restitutions are measured to
-/// some per cent.
+/// Relative change of m̄ over the penetration that causes a warning: restitutions are measured to some per cent.
 pub(crate) const DRIFTING: f64 = 0.01;
 
-// How often rows out of reach are tried.
+// Searches for rows out of reach.
 
-/// Rows tried from one start between where the first search ended and where it was to go: the end of a travel is found
-/// to a few per cent at the first, and closer at each.
+/// Number of searches from one start that end short before farther rows count as unreachable. The first search finds the end
+/// of a travel to a few per cent, and each further search is closer.
 pub(crate) const PROBABLE: usize = 16;
-/// Rows tried one after another without an answer where each starts otherwise: some ten seconds of a small linkage.
+/// Largest number of consecutive rows without a result if each row has its own start: some ten seconds for a small linkage.
 pub(crate) const UNRELATED: usize = 10_000;
-/// A value this close to an end (relative, and absolutely below 1) may be the end itself, found to rounding.
+/// Distance (relative; absolute for values below 1) up to which a value may equal the end of a range within rounding.
 pub(crate) const AT_END: f64 = 1e-9;
 
 // Maps.
 
-/// Edges of facets across a link where none is asked for: a picture of 400 pixels shows them.
+/// Default number of facet edges across a link: visible in a picture of 400 pixels.
 pub(crate) const EDGES_ACROSS: f64 = 60.0;
-/// Facets of a map at most: 2 GB.
+/// Largest number of facets of a map: 2 GB.
 pub(crate) const FACETS: usize = 8_000_000;
-/// Shortest edge that can be asked for, m.
+/// Shortest valid edge, m.
 pub(crate) const LEAST_EDGE: f64 = 1e-6;
-/// Directions at a point: fewest and most.
+/// Number of directions at a point.
 pub(crate) const DIRECTIONS: std::ops::RangeInclusive<usize> = 1..=1_000_000;

@@ -1,4 +1,4 @@
-//! A file of positions as the rows of a sweep. It is read twice: checked to its end before the first row is answered, and
+//! File of positions as rows of a sweep. The file is read twice: first completely, for checks before the first result, and
 //! then row by row.
 
 use crate::answer::Prepared;
@@ -19,10 +19,10 @@ use std::io::{self, BufRead, BufReader, Cursor, Read};
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Text that is read row by row.
+/// Text read row by row.
 type Text = Box<dyn BufRead + Send + Sync>;
 
-/// A file of positions, its columns resolved and its rows checked.
+/// File of positions with resolved columns and checked rows.
 pub(crate) struct Trajectory {
     columns: Columns,
     positions: Positions,
@@ -31,10 +31,10 @@ pub(crate) struct Trajectory {
     table: Table,
 }
 
-/// The rows of a file, one after another.
+/// Reader of the rows of a file.
 enum Table {
     Csv(Records<Text>),
-    /// Behind a lock that nobody waits for: its reader is not to be shared between threads.
+    /// The mutex makes the reader shareable between threads; no thread waits for the lock.
     Parquet(Box<Mutex<ParquetTable>>),
 }
 
@@ -45,7 +45,7 @@ impl fmt::Debug for Trajectory {
 }
 
 impl Trajectory {
-    /// Reads a file to its end, and goes back to its first row.
+    /// Opens a file, checks all rows, and returns to the first row.
     pub fn open(prepared: &Prepared, file: &PositionFile) -> Result<Self, TableError> {
         let bytes = Bytes::of(file)?;
         let name = bytes.name();
@@ -77,22 +77,22 @@ impl Trajectory {
         Ok(Self { columns, positions, count, input, table })
     }
 
-    /// The joints that its columns set.
+    /// Joints that the columns set.
     pub fn joints(&self) -> &[JointId] {
         &self.columns.joints
     }
 
-    /// How many numbers a row has.
+    /// Number of numbers in a row.
     pub fn width(&self) -> usize {
         self.columns.width
     }
 
-    /// How many rows it has.
+    /// Number of rows.
     pub fn count(&self) -> usize {
         self.count
     }
 
-    /// The numbers of some rows after those that were read, one row after another; fewer at the end.
+    /// Reads the numbers of the next `count` rows, row by row; fewer at the end of the file.
     pub fn read(&mut self, count: usize) -> Result<Vec<f64>, TableError> {
         let width = self.columns.width;
         let mut values = vec![0.0; count * width];
@@ -157,7 +157,7 @@ impl Table {
         Ok(true)
     }
 
-    /// A fault of the last row, or of the header before the first.
+    /// Error of the last row, or of the header before the first row.
     fn fault(&mut self, fault: TableFault) -> TableError {
         match self {
             Table::Csv(records) => records.fault(fault),
@@ -165,7 +165,7 @@ impl Table {
         }
     }
 
-    /// A fault of the names of the columns.
+    /// Error of the column names.
     fn fault_of_names(&mut self, fault: TableFault) -> TableError {
         match self {
             Table::Csv(records) => TableError::at_line(records.path(), 1, fault),
@@ -178,7 +178,7 @@ fn unlocked(table: &mut Mutex<ParquetTable>) -> &mut ParquetTable {
     table.get_mut().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// True if the columns set all driving joints of the loops, and no dependent joint.
+/// Checks that the columns set all driving joints of the loops, and no dependent joint.
 fn check_drivers(
     prepared: &Prepared,
     columns: &Columns,
@@ -192,7 +192,7 @@ fn check_drivers(
     match prepared.system.pose(&configuration) {
         Ok(pose) => {
             let drivers = pose.loops().map_or(&[][..], |loops| &loops.drivers);
-            // A component of a ball is no number that could be set.
+            // The components of a spherical joint cannot be set separately.
             let single = |joint: &JointId| mechanism.joint(*joint).kind().positions() == 1;
             let missing = columns.unset(prepared, drivers.iter().copied().filter(single));
             if missing.is_empty() { Ok(()) } else { Err(at_header(TableFault::Missing { columns: missing })) }
@@ -204,16 +204,16 @@ fn check_drivers(
                 Err(at_header(TableFault::Dependent(Box::new(error.clone()))).in_column(number, name))
             })
         }
-        // The rows say so themselves.
+        // Other errors are reported by the rows.
         Err(_) => Ok(()),
     }
 }
 
-/// What positions must be, beyond numbers.
+/// Check of the positions in a row against the joints, such as the norm of a quaternion.
 #[derive(Debug)]
 struct Positions {
     base: Configuration,
-    /// The joints, their numbers, and whether those are bound to one another: a quaternion.
+    /// Joint name, range of its numbers, and true if the numbers are coupled, as in a quaternion.
     joints: Vec<(String, std::ops::Range<usize>, bool)>,
 }
 
@@ -250,15 +250,15 @@ impl Positions {
     }
 }
 
-/// Whether the name of a file has this ending, in small or capital letters.
+/// True if a file name has this extension, in lower or upper case.
 fn ends_in(path: &str, kind: &str) -> bool {
     Path::new(path).extension().is_some_and(|ending| ending.eq_ignore_ascii_case(kind))
 }
 
-/// Where the bytes of a file are.
+/// Source of the bytes of a file.
 enum Bytes<'f> {
     Of(&'f str),
-    /// The standard input, a pipe or a device, which is read once, and its name.
+    /// Name and bytes of the standard input, a pipe or a device, which can be read only once.
     Kept(&'f str, Arc<[u8]>),
 }
 
@@ -268,7 +268,7 @@ impl<'f> Bytes<'f> {
             if !["csv", "parquet"].iter().any(|kind| ends_in(&file.path, kind)) {
                 return Err(TableError::of_file(&file.path, TableFault::Kind));
             }
-            // The file is read several times; a pipe and a device only once, and no further than the limit.
+            // A regular file is read several times; a pipe or a device once, and only up to the limit.
             if std::fs::metadata(&file.path).map_or(true, |found| found.is_file()) {
                 return Ok(Bytes::Of(&file.path));
             }
@@ -309,7 +309,8 @@ impl<'f> Bytes<'f> {
         })
     }
 
-    /// The table in them: Parquet where the file is named so, or what was read begins so.
+    /// Opens the table: Parquet for a regular file with the extension `parquet` and for kept bytes that begin with `PAR1`;
+    /// otherwise CSV.
     fn table(&self) -> Result<Table, TableError> {
         let stored = match self {
             Bytes::Of(path) if ends_in(path, "parquet") => {

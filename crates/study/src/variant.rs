@@ -1,4 +1,4 @@
-//! Designs of a study file: the changes of its model, and its variants.
+//! Designs of a study file: changes of the model, and variants.
 
 use crate::changes::Changes;
 use crate::design::DesignError;
@@ -12,15 +12,15 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// What is changed of a model, as a study says it.
+/// A design variant: changes of the model and of the query.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct VariantText {
-    /// Its name, in tables and figures.
+    /// Name of the variant in tables and figures.
     pub name: String,
-    /// Another model's file.
+    /// File of another model in place of the study's model.
     pub model: Option<String>,
-    /// Masses by link, kg, over those of [model].
+    /// Masses by link, kg, in place of those in [model].
     #[serde(default, deserialize_with = "study_value::masses")]
     #[schemars(with = "BTreeMap<String, NumberOrText>")]
     pub link_mass: BTreeMap<String, f64>,
@@ -28,7 +28,7 @@ pub(crate) struct VariantText {
     #[serde(default, deserialize_with = "study_value::places")]
     #[schemars(with = "BTreeMap<String, Triple>")]
     pub link_com: BTreeMap<String, [f64; 3]>,
-    /// Hardpoints of a sheet that are moved, m.
+    /// Displacements of hardpoints of a sheet, m.
     #[serde(default, rename = "move", deserialize_with = "study_value::places")]
     #[schemars(with = "BTreeMap<String, Triple>")]
     pub moves: BTreeMap<String, [f64; 3]>,
@@ -42,18 +42,18 @@ pub(crate) struct VariantText {
     pub set: BTreeMap<String, GivenPosition>,
 }
 
-/// A variant of a study.
+/// Variant of a study.
 #[derive(Clone, Debug)]
 pub struct Variant {
-    /// What it is called.
+    /// Name of the variant.
     pub name: String,
-    /// The model as the variant has it.
+    /// Model of the variant.
     pub model: Model,
-    /// The question as the variant has it.
+    /// Query of the variant.
     pub question: MassQuestion,
 }
 
-/// Models that variants name, each read once.
+/// Models of variants; each file is read once.
 pub(crate) struct OtherModels<'a> {
     max_size: u64,
     options: &'a LoadOptions,
@@ -61,7 +61,7 @@ pub(crate) struct OtherModels<'a> {
 }
 
 impl<'a> OtherModels<'a> {
-    /// None read yet; each has at most `max_size` bytes.
+    /// Empty set of models. A model file has at most `max_size` bytes.
     pub fn new(max_size: u64, options: &'a LoadOptions) -> Self {
         Self { max_size, options, by_path: BTreeMap::new() }
     }
@@ -76,7 +76,7 @@ impl<'a> OtherModels<'a> {
     }
 }
 
-/// Changes as a study says them.
+/// Changes of a model from the entries of a study.
 pub(crate) fn changes(
     link_mass: &BTreeMap<String, f64>,
     link_com: &BTreeMap<String, [f64; 3]>,
@@ -89,7 +89,7 @@ pub(crate) fn changes(
 }
 
 impl VariantText {
-    /// The variant of a study's model and question; paths are relative to the study's folder.
+    /// Applies the changes to the model and query of a study; paths are relative to `folder`, the folder of the study.
     pub fn variant(
         &self,
         base: &Model,

@@ -1,4 +1,5 @@
-//! COLLADA 1.4 and 1.5: `triangles`, `polylist` and `polygons` of the visual scene, with the transforms of its nodes and the unit.
+//! Reader of COLLADA 1.4 and 1.5: `triangles`, `polylist` and `polygons` of the visual scene, with node transforms and the unit
+//! of length.
 
 use super::triangles::{Triangles, bounded};
 use crate::limits::{DEEPEST_NODES, MOST_MESH_NUMBERS, MOST_SCENE_NODES};
@@ -73,7 +74,7 @@ fn indices(node: Node<'_, '_>) -> Result<Vec<u32>, String> {
     list(node, |word| word.parse().ok(), "index")
 }
 
-/// The numbers of an element, at most as many as are read of a file.
+/// Numbers of an element, limited to `MOST_MESH_NUMBERS`.
 fn list<T>(node: Node<'_, '_>, read: impl Fn(&str) -> Option<T>, kind: &str) -> Result<Vec<T>, String> {
     let mut list = Vec::new();
     for word in node.text().unwrap_or("").split_ascii_whitespace() {
@@ -89,12 +90,12 @@ fn no_number(node: Node<'_, '_>, word: &str, kind: &str) -> String {
     format!("<{}> has {}, which is no {kind}", node.tag_name().name(), quoted(word))
 }
 
-/// Elements are read once each and kept by the place of their element: others may refer to them any number of times.
+/// Scene with caches by the offset of an element: an element is read once, even with many references.
 struct Scene<'a, 'i> {
     ids: HashMap<&'a str, Node<'a, 'i>>,
     /// Triangles of geometries.
     meshes: HashMap<usize, Triangles>,
-    /// Positions of sources, and of `vertices`.
+    /// Positions of `source` and `vertices` elements.
     positions: HashMap<usize, Rc<Vec<[f64; 3]>>>,
     /// Nodes of the scene.
     parts: HashMap<usize, Rc<ScenePart<'a, 'i>>>,
@@ -105,7 +106,7 @@ struct Scene<'a, 'i> {
     triangles: Triangles,
 }
 
-/// A node of the scene: its transform, and the elements below it that count.
+/// Node of the scene: transform, child nodes and instances.
 struct ScenePart<'a, 'i> {
     transform: Matrix4<f64>,
     below: Vec<Below<'a, 'i>>,
@@ -125,7 +126,7 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
         self.ids.get(url.strip_prefix('#')?).copied()
     }
 
-    /// Visits a node and those below it, with the transform of the node above.
+    /// Visits a node and its children; `above`: transform of the parent node.
     fn node(&mut self, node: Node<'a, 'i>, above: &Matrix4<f64>, depth: usize) -> Result<(), String> {
         self.visit()?;
         if depth > DEEPEST_NODES {
@@ -214,7 +215,7 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
                 "tristrips" | "trifans" => {
                     return Err(format!("it has <{kind}>, which is not read; export triangles"));
                 }
-                // Sources, vertices, lines, what others add.
+                // Sources, vertices, lines and extensions.
                 _ => continue,
             }
             let mut positions = None;
@@ -261,7 +262,7 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
                         return Err("a polygon has more corners than there are".to_owned());
                     }
                     let (polygon, after) = rest.split_at(count);
-                    // An empty polygon would be counted for ever only where there is no list of counts.
+                    // Only a list of counts contains empty polygons, and the list is finite, so the loop ends.
                     rest = after;
                     fan(polygon, &positions, out)?;
                 }
@@ -320,7 +321,7 @@ impl<'a, 'i: 'a> Scene<'a, 'i> {
         Ok(positions)
     }
 
-    /// Counts numbers that were read.
+    /// Adds to the count of read numbers, and checks the limit.
     fn count(&mut self, numbers: usize) -> Result<(), String> {
         self.numbers += numbers;
         if self.numbers > MOST_MESH_NUMBERS { Err(too_many_numbers()) } else { Ok(()) }

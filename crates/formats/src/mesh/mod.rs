@@ -1,4 +1,4 @@
-//! Triangle meshes: STL (binary and ASCII), OBJ, COLLADA. Positions alone are read, in metres.
+//! Readers of triangle meshes: STL (binary and ASCII), OBJ, COLLADA. Only positions are read, in metres.
 
 mod dae;
 mod error;
@@ -15,21 +15,21 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-/// A mesh file may have this many bytes, 256 MiB, unless the user says otherwise.
+/// Default size limit of a mesh file, bytes: 256 MiB.
 pub const DEFAULT_MAX_MESH_SIZE: u64 = 256 << 20;
 
-/// Reads a mesh file of at most `max_size` bytes. What it is follows from what it holds, then from its name.
+/// Reads a mesh file of at most `max_size` bytes. The format follows from the content, then from the file name.
 ///
-/// COLLADA: the transforms of nodes and the unit of length are applied; `up_axis` is not, as RViz does it. Polygons are split
-/// into fans. OBJ: polygons too.
+/// In COLLADA files, node transforms and the unit of length are applied; `up_axis` is ignored, as in RViz. Polygons in COLLADA
+/// and OBJ files are split into fans of triangles.
 ///
 /// # Errors
-/// [`MeshError`]: it cannot be read, is too large, breaks its format, has numbers that are not finite or no triangle.
+/// [`MeshError`]: a file that is unreadable, too large or invalid, numbers that are not finite, or no triangle.
 pub fn read_mesh(path: &Path, max_size: u64) -> Result<Triangles, MeshError> {
     let unreadable =
         |error: std::io::Error| MeshError::Unreadable { path: path.to_owned(), message: error.to_string() };
     let file = File::open(path).map_err(unreadable)?;
-    // The room is taken at once where the length is known: a vector that grows takes up to twice as much.
+    // Memory for a file of known length is allocated at once: a growing vector takes up to twice as much.
     let length = file.metadata().map_or(0, |found| found.len()).min(max_size);
     let mut bytes = Vec::with_capacity(usize::try_from(length + 1).unwrap_or(0));
     file.take(max_size.saturating_add(1)).read_to_end(&mut bytes).map_err(unreadable)?;

@@ -1,6 +1,6 @@
-//! Wavefront OBJ: positions and faces; materials, normals and textures are left out.
+//! Reader of Wavefront OBJ: positions and faces, without materials, normals and textures.
 //!
-//! A line at a time, so that memory is that of the positions and triangles, and a fault has its line.
+//! The file is read line by line: memory is needed only for positions and triangles, and errors have line numbers.
 
 use super::triangles::{Triangles, bounded};
 use crate::limits::MOST_MESH_POSITIONS;
@@ -8,7 +8,7 @@ use crate::report::shortened;
 
 pub(super) fn read(bytes: &[u8]) -> Result<Triangles, String> {
     let mut positions: Vec<[f64; 3]> = Vec::new();
-    // Corners of each triangle with the line of its face: a face may name vertices that come later.
+    // Corners of each triangle with the line of the face: a face may refer to later vertices.
     let mut faces: Vec<([u32; 3], u32)> = Vec::new();
     for (line, text) in (1_u32..).zip(bytes.split(|byte| *byte == b'\n')) {
         let mut words = text.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
@@ -63,7 +63,7 @@ fn number(word: &[u8]) -> Option<f64> {
     std::str::from_utf8(word).ok()?.parse().ok()
 }
 
-/// Index of a vertex from 0, of `v/vt/vn`; a negative number counts back from the last of `count` vertices.
+/// Index, from 0, of the vertex in `v/vt/vn`; a negative number counts back from the last of `count` vertices.
 fn corner(word: &[u8], count: usize) -> Option<u32> {
     let vertex = word.split(|byte| *byte == b'/').next()?;
     let vertex: i64 = std::str::from_utf8(vertex).ok()?.parse().ok()?;
@@ -71,7 +71,7 @@ fn corner(word: &[u8], count: usize) -> Option<u32> {
     u32::try_from(index).ok()
 }
 
-/// Bytes of the file, for a message.
+/// Shortened bytes of the file for a message.
 fn shown(bytes: &[u8]) -> String {
     shortened(&String::from_utf8_lossy(&bytes[..bytes.len().min(1000)]))
 }

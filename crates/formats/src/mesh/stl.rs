@@ -1,14 +1,15 @@
-//! STL, binary or ASCII.
+//! Reader of STL files, binary or ASCII.
 
 use super::triangles::{Triangles, bounded};
 use crate::report::shortened;
 
-/// Bytes before the first facet of a binary file, and of each facet.
+/// Bytes before the first facet of a binary file.
 const HEADER: usize = 84;
+/// Bytes of a facet in a binary file.
 const FACET: usize = 50;
 
 pub(super) fn read(bytes: &[u8]) -> Result<Triangles, String> {
-    // Binary files may begin with "solid" too: their length decides.
+    // Binary files may also begin with "solid", so the length of the file decides.
     match binary_count(bytes) {
         Some(count) if bytes.len() >= HEADER + FACET * count && (count > 0 || !is_ascii(bytes)) => {
             bounded(count)?;
@@ -39,11 +40,11 @@ fn corners(facet: &[u8]) -> [[f64; 3]; 3] {
         let bytes = [facet[at], facet[at + 1], facet[at + 2], facet[at + 3]];
         f64::from(f32::from_le_bytes(bytes))
     };
-    // The normal comes first, and is not read: many writers leave it at zero.
+    // The normal before the corners is ignored: many writers leave the normal at zero.
     std::array::from_fn(|corner| std::array::from_fn(|axis| number(12 + 12 * corner + 4 * axis)))
 }
 
-/// Reads `solid`, facets, `endsolid`. Lines that are blank do not count; letters may be large or small.
+/// Reads `solid`, facets, `endsolid`. Blank lines are ignored; keywords may be in upper or lower case.
 fn ascii(bytes: &[u8]) -> Result<Triangles, String> {
     let lines = (1_usize..).zip(bytes.split(|byte| *byte == b'\n'));
     let mut lines = lines.map(|(line, text)| (line, text.trim_ascii())).filter(|(_, text)| !text.is_empty());
@@ -87,8 +88,8 @@ fn words(text: &[u8]) -> impl Iterator<Item = &[u8]> {
     text.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty())
 }
 
-/// The `N` finite numbers that follow `names` in a line and end it; `None` if the line is another one. They have single
-/// precision, as in binary files.
+/// The `N` finite numbers after the keywords `names` in a line; `None` for any other line. Numbers have single precision, as
+/// in binary files.
 fn numbers<const N: usize>(text: &[u8], names: &[&str]) -> Option<[f64; N]> {
     let mut words = words(text);
     for name in names {
@@ -102,7 +103,7 @@ fn numbers<const N: usize>(text: &[u8], names: &[&str]) -> Option<[f64; N]> {
     words.next().is_none().then_some(numbers)
 }
 
-/// A line of the file, for a message.
+/// Shortened line of the file for a message.
 fn shown(text: &[u8]) -> String {
     shortened(&String::from_utf8_lossy(&text[..text.len().min(1000)]))
 }

@@ -1,28 +1,28 @@
-//! What to build of a suspension file.
+//! Options for the import of a suspension file.
 
 use super::units::{LengthUnit, VehicleAxes};
 use percuss_mechanism::Accept;
 
-/// Which side of the vehicle to build. Files of Chrono describe the left side; the right one is its mirror image.
+/// Side of the vehicle to build. Files of Chrono describe the left side; the right side is the mirror image.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Side {
-    /// The left one.
+    /// Left side.
     #[default]
     Left,
-    /// The right one.
+    /// Right side.
     Right,
-    /// Both on one chassis; names end in `_left` and `_right`.
+    /// Both sides on one chassis; names end in `_left` and `_right`.
     Both,
 }
 
-/// A wheel, which suspension files do not hold. Its centre is the spindle's.
+/// Wheel with the tyre. The centre of the wheel is the centre of the spindle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wheel {
     /// Mass with the tyre, kg.
     pub mass: f64,
-    /// Moments about its centre along the spindle's axes, kg·m²: y is the axis of spin.
+    /// Moments of inertia about the wheel centre along the spindle's axes, kg·m²: y is the spin axis.
     pub inertia: [f64; 3],
-    /// Radius, m; with it the wheel's lowest point is named `contact_patch`.
+    /// Radius, m; with a radius, the lowest point of the wheel is named `contact_patch`.
     pub radius: Option<f64>,
 }
 
@@ -39,25 +39,25 @@ pub enum Rack {
     },
 }
 
-/// What to build of a file.
+/// Options for the import of a suspension file.
 #[derive(Clone, Debug, Default)]
 pub struct ImportOptions {
     /// Unit of the file's lengths; `None`: the unit in the file, or m for a file of Chrono.
     pub unit: Option<LengthUnit>,
-    /// The axes of the file's vehicle; none: what the file says, or those of ISO 8855 for a file of Chrono.
+    /// Vehicle axes of the file; `None`: the axes in the file, or the axes of ISO 8855 for a file of Chrono.
     pub axes: Option<VehicleAxes>,
     /// Side to build; `None`: the side in the file, or the left one.
     pub side: Option<Side>,
-    /// The wheel; it replaces the file's, if that has one. Without any, no mass of a wheel is in the answer, which a warning states.
+    /// Wheel in place of the wheel in the file. Without any wheel, the mechanism has no wheel mass, and a warning is reported.
     pub wheel: Option<Wheel>,
     /// True if the vehicle steers; `None`: as in the file, otherwise false.
     pub rack: Option<Rack>,
-    /// The template of a table that does not name its own.
+    /// Template for a table without a template name.
     pub template: Option<String>,
-    /// Hardpoints of a sheet to be moved: name, and by how much, m, in the sheet's own axes.
+    /// Moved hardpoints of a sheet: name and displacement, m, in the axes of the sheet.
     pub moves: Vec<(String, [f64; 3])>,
     /// Findings that the user accepts.
     pub accept: Accept,
-    /// True if a sheet may name a table of points outside its own folder. Messages quote what is read of it.
+    /// True if a sheet may refer to a table of points outside the folder of the sheet. Messages quote text from the table.
     pub allow_outside: bool,
 }

@@ -1,7 +1,7 @@
-//! Sheets of one's own hardpoints: TOML, with a table (CSV or XLSX) beside it or instead of it, to a mechanism.
+//! Import of hardpoint sheets: TOML, a table (CSV or XLSX), or TOML with a table, to a mechanism.
 //!
-//! `catalogue` has every template as data; `read` takes a sheet's entries by it, `build` makes links, joints and loops
-//! of it, `write` the sheet to fill in and the tables of the documentation.
+//! `catalogue` contains the templates as data; `read` reads the entries of a sheet according to the template, `build` creates
+//! links, joints and loops, and `write` writes the sheet to fill in and the tables of the documentation.
 
 mod axles;
 mod build;

@@ -1,4 +1,4 @@
-//! A sheet's entries, taken by its template.
+//! Reader of the entries of a sheet according to its template.
 
 use super::super::findings::{Findings, Spot};
 use super::super::options::{ImportOptions, Rack, Side, Wheel};
@@ -17,16 +17,16 @@ use percuss_mechanism::near_names;
 use percuss_spatial::{Matrix3, Vector3};
 use std::collections::BTreeMap;
 
-/// What a sheet says of a body.
+/// Description of a body in a sheet.
 #[derive(Clone, Debug)]
 pub(super) enum Stated {
-    /// All of it, in metres and the axes of ISO 8855.
+    /// Complete body, in metres and the axes of ISO 8855.
     Body(corner::Body),
     /// A slender rod of this mass, kg.
     Rod(f64, Spot),
 }
 
-/// A sheet that was read: metres, axes of ISO 8855, the sides' points those of the left one.
+/// Content of a sheet in metres and the axes of ISO 8855. Points of a side are those of the left side.
 pub(in super::super) struct Sheet {
     pub template: &'static Template,
     pub name: String,
@@ -40,9 +40,9 @@ pub(in super::super) struct Sheet {
     pub camber: f64,
     /// rad.
     pub toe: f64,
-    /// What the axle adds to the spindle about the axis of spin, kg·m².
+    /// Inertia that the axle adds to the spindle about the spin axis, kg·m².
     pub axle_inertia: f64,
-    /// Links that springs and the like are attached to, by section.
+    /// Links with spring, damper or bar mounts, by section.
     pub on: BTreeMap<&'static str, (String, Spot)>,
 }
 
@@ -81,7 +81,7 @@ pub(in super::super) fn read(
     sheet.filter(|_| !findings.has_errors())
 }
 
-/// Every key that a template knows.
+/// All keys of a template.
 pub(super) fn keys_of(template: &Template) -> Vec<String> {
     let mut keys: Vec<String> = table::HEAD.iter().map(|key| (*key).to_owned()).collect();
     keys.extend(template.points.iter().map(|(key, _)| format!("points.{key}")));
@@ -99,12 +99,12 @@ pub(super) fn keys_of(template: &Template) -> Vec<String> {
 }
 
 impl Template {
-    /// Whether it has tie rods.
+    /// True if the template has tie rods.
     pub fn has_rack(&self) -> bool {
         self.points.iter().any(|(key, _)| *key == "tie_rod_inner")
     }
 
-    /// Links that something may be attached to.
+    /// Links with possible mounts for other parts.
     pub fn holders(&self) -> impl Iterator<Item = &'static str> + use<> {
         let (bodies, parts) = (self.bodies, self.parts);
         bodies.iter().map(|b| b.key).filter(move |key| {
@@ -193,7 +193,7 @@ impl Taking<'_> {
         found
     }
 
-    /// A word of the head that a flag may say too: both must be the same.
+    /// Reads a keyword of the head, or the value of its flag. If both are given, both must be equal.
     fn word<T: Copy + PartialEq>(
         &mut self,
         key: &'static str,
@@ -237,7 +237,7 @@ impl Taking<'_> {
         self.word("axes", self.options.axes, VehicleAxes::from_name, choices)
     }
 
-    /// The side that the points describe.
+    /// Side of the points in the file; default left.
     fn side_of_points(&mut self) -> Option<Side> {
         let named = |word: &str| match word {
             "left" => Some(Side::Left),
@@ -262,7 +262,7 @@ impl Taking<'_> {
         })
     }
 
-    /// Side to build: that of the flag, of the sheet, or of the points, in this order.
+    /// Side to build, from the flag, the sheet or the side of the points, in this order; both sides for an axle.
     fn side(&mut self, template: &Template, given: Side) -> Side {
         let named = |word: &str| match word {
             "left" => Some(Side::Left),
@@ -350,7 +350,7 @@ impl Taking<'_> {
     ) -> BTreeMap<&'static str, Stated> {
         let mut bodies = BTreeMap::new();
         for body in template.bodies {
-            // Of a bar that the sheet does not have, nothing is asked.
+            // The bodies of a bar are not required if the sheet has no bar.
             let of_bar = ["anti_roll_bar", "drop_link"].contains(&body.key);
             let absent = !self.entries.has_section(body.key);
             if absent
@@ -402,7 +402,7 @@ impl Taking<'_> {
         let central = template.axle && ["axle", "middle_link", "panhard_rod"].contains(&body.key)
             || body.key.starts_with("watt");
         let mirror = given == Side::Right && !central;
-        // At the wheel's centre, which is known later, where a spindle's is not given; a massless body has none.
+        // NaN: the default for a spindle is the wheel centre, which is computed later. A massless body needs no centre of mass.
         let com = match com {
             Some(com) => Vector3::new(com.x, if mirror { 0.0 - com.y } else { com.y }, com.z),
             None if rotates => Vector3::repeat(f64::NAN),
@@ -416,7 +416,7 @@ impl Taking<'_> {
             self.findings,
             &inertia_key,
             Kind::Inertia(over),
-            // Along the wheel's axes there are no products.
+            // Along the wheel's axes the products of inertia are zero.
             if rotates { &[3] } else { &[3, 6] },
         ) {
             Some((values, _)) => matrix(&values),
@@ -429,7 +429,7 @@ impl Taking<'_> {
                 return None;
             }
         };
-        // A spindle's axes are the wheel's, others the vehicle's.
+        // The inertia of a spindle is along the wheel's axes, the inertia of other bodies along the vehicle's axes.
         let mut about_com = if rotates { about_com } else { frame.axes.inertia_to_iso(about_com) };
         if mirror && !rotates {
             for (row, column) in [(0, 1), (1, 0), (1, 2), (2, 1)] {
@@ -498,7 +498,7 @@ impl Taking<'_> {
         }
     }
 
-    /// Hardpoints that were to be moved, in the sheet's own axes and on its own side.
+    /// Applies the displacements of hardpoints, in the axes of the sheet and on the side of its points.
     fn moved(&mut self, sheet: &mut Sheet) {
         for (name, by) in &self.options.moves {
             let given_right = matches!(
@@ -523,7 +523,7 @@ impl Taking<'_> {
     }
 }
 
-/// xx, yy, zz and, where they are given, xy, xz, yz.
+/// Symmetric matrix from xx, yy, zz and, if given, xy, xz, yz; default 0.
 fn matrix(values: &[f64]) -> Matrix3<f64> {
     let at = |i: usize| values.get(i).copied().unwrap_or(0.0);
     let [xx, yy, zz, xy, xz, yz] = [0, 1, 2, 3, 4, 5].map(at);
@@ -535,12 +535,12 @@ fn names() -> Vec<&'static str> {
 }
 
 impl Sheet {
-    /// A point that the sheet has.
+    /// Position of a point; `None` if the sheet does not contain the point.
     pub fn at(&self, key: &str) -> Option<Vector3<f64>> {
         self.points.get(key).map(|(at, _)| *at)
     }
 
-    /// Where a point stands in the file.
+    /// Location of a point in the file.
     pub fn spot(&self, key: &str) -> Spot {
         self.points
             .get(key)

@@ -1,11 +1,9 @@
-//! A table of hardpoints to entries: CSV (comma, semicolon or tab; decimal point or comma) or the first sheet of an XLSX
-//! workbook.
+//! Reader of hardpoint tables: CSV (comma, semicolon or tab; decimal point or comma) or the first sheet of an XLSX workbook.
 //!
-//! A row is a key and its values: `lower_ball; 5; 720; 180`. What is no point is written with its section,
-//! `lower_arm.mass; 4.2`, and the head's keys as they are, `unit; mm`. A first row that names columns x, y and z, with
-//! a unit where there is one (`x [mm]`), says where these stand; columns of other names are passed over. The unit is that
-//! of the points in it, and of all lengths where none else is said. Rows
-//! that begin with # are comments.
+//! A row contains a key and its values: `lower_ball; 5; 720; 180`. Keys other than points contain the section,
+//! `lower_arm.mass; 4.2`; keys of the head have no section, `unit; mm`. A first row with the names x, y and z, optionally with
+//! a unit (`x [mm]`), defines these columns; columns with other names are ignored. The unit applies to the points of the
+//! table, and by default to all lengths. Rows that begin with # are comments.
 
 use super::super::findings::{Findings, Spot};
 use super::super::units::LengthUnit;
@@ -16,16 +14,16 @@ use crate::report::{cut, quoted, shortened};
 use calamine::{DataRef, Reader, Xlsx};
 use std::io::Cursor;
 
-/// Keys of the head; a row of another name without a section is a point.
+/// Keys of the head; any other key without a section is a point.
 pub(super) const HEAD: [&str; 8] =
     ["template", "name", "unit", "inertia_unit", "axes", "side", "build", "points"];
 
-/// Whether the bytes are a workbook.
+/// True if the bytes begin like an XLSX workbook (a ZIP archive).
 pub(in super::super) fn is_workbook(bytes: &[u8]) -> bool {
     bytes.starts_with(b"PK\x03\x04")
 }
 
-/// Whether a text is a table and no TOML: its first row has a separator and no equals sign or section.
+/// True if a text looks like a table, not TOML: the first row has a separator, no equals sign and no section.
 pub(super) fn looks_like_table(text: &str) -> bool {
     let first = text.lines().map(str::trim).find(|line| !line.is_empty() && !line.starts_with('#'));
     first.is_some_and(|line| {
@@ -38,7 +36,7 @@ struct Row {
     spot: Spot,
 }
 
-/// Reads CSV, the `file`th of those that are read together.
+/// Reads CSV; `file`: index of the file among the files of the import.
 pub(super) fn read_text(text: &str, file: usize, entries: &mut Entries, findings: &mut Findings) {
     let first = text.lines().map(str::trim).find(|line| !line.is_empty() && !line.starts_with('#'));
     let separator = first.and_then(|line| [';', '\t', ','].into_iter().find(|c| line.contains(*c)));
@@ -88,7 +86,7 @@ pub(super) fn read_text(text: &str, file: usize, entries: &mut Entries, findings
     take(rows, entries, findings);
 }
 
-/// Reads the first sheet of a workbook, the `file`th of those that are read together.
+/// Reads the first sheet of a workbook; `file`: index of the file among the files of the import.
 pub(super) fn read_workbook(bytes: &[u8], file: usize, entries: &mut Entries, findings: &mut Findings) {
     let spot = Spot { file, ..Spot::default() };
     if bytes.len() > LARGEST_WORKBOOK {
@@ -109,7 +107,7 @@ pub(super) fn read_workbook(bytes: &[u8], file: usize, entries: &mut Entries, fi
     }
 }
 
-/// The cells one after another: a range of the whole sheet would be as large as its farthest cell says.
+/// Reads the rows cell by cell: memory for the range of the whole sheet would depend on the farthest cell.
 fn rows_of(bytes: &[u8], file: usize) -> Result<Vec<Row>, String> {
     let said = |error: calamine::XlsxError| shortened(&error.to_string());
     let mut book: Xlsx<_> = Xlsx::new(Cursor::new(bytes)).map_err(said)?;
@@ -123,7 +121,7 @@ fn rows_of(bytes: &[u8], file: usize) -> Result<Vec<Row>, String> {
         if count > LARGEST_WORKSHEET || rows.len() > MOST_SHEET_KEYS {
             return Err(format!("more than {MOST_SHEET_KEYS} rows or {LARGEST_WORKSHEET} cells"));
         }
-        // Remarks stand far to the right.
+        // Columns far to the right contain remarks.
         if column as usize >= WIDEST_TABLE {
             continue;
         }
@@ -142,7 +140,7 @@ fn rows_of(bytes: &[u8], file: usize) -> Result<Vec<Row>, String> {
         if let Cell::Text(text) = &value {
             text_bytes += text.len();
         }
-        // Many cells may name one shared text.
+        // Many cells may refer to one shared text.
         if text_bytes > MOST_TABLE_TEXT {
             return Err(format!("its cells have more than {MOST_TABLE_TEXT} bytes of text"));
         }
@@ -160,7 +158,7 @@ fn rows_of(bytes: &[u8], file: usize) -> Result<Vec<Row>, String> {
     Ok(rows)
 }
 
-/// The rows as keys with values.
+/// Converts the rows to entries with keys and values.
 fn take(rows: Vec<Row>, entries: &mut Entries, findings: &mut Findings) {
     let is_blank = |cell: &Cell| matches!(cell, Cell::Text(text) if text.trim().is_empty());
     let rows = rows.into_iter().filter(|row| {
@@ -243,7 +241,7 @@ fn header(cells: &[Cell]) -> Option<([usize; 3], Option<String>)> {
         let name = name.trim().to_ascii_lowercase();
         let Some(axis) = ["x", "y", "z"].iter().position(|axis| *axis == name) else { continue };
         columns[axis].get_or_insert(i);
-        // Columns in several units are told apart by no unit: the text is then none.
+        // Different units of the columns give a text that is no valid unit.
         match &unit {
             None if !rest.is_empty() => unit = Some(rest.to_owned()),
             Some(known) if known != rest => unit = Some(format!("{known} and {rest}")),

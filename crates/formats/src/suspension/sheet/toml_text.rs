@@ -1,4 +1,4 @@
-//! A sheet in TOML to its entries.
+//! Reader of the entries of a sheet in TOML.
 
 use super::super::findings::{Findings, Spot};
 use super::entries::{Cell, Entries};
@@ -43,7 +43,7 @@ pub(super) fn read(text: &str, entries: &mut Entries, findings: &mut Findings) -
             _ => found.push((key.span().start, key.get_ref().to_string(), value)),
         }
     }
-    // In the order of the file; the parser's is that of the alphabet.
+    // Order of the file; the parser sorts keys alphabetically.
     found.sort_by_key(|(at, ..)| *at);
     for (at, key, value) in found {
         let spot = Spot { path: Some(shortened(&key)), at: Some(at), file: 0 };
@@ -68,7 +68,7 @@ fn cells(value: &DeValue<'_>) -> Option<Vec<Cell>> {
 fn cell(value: &DeValue<'_>) -> Option<Cell> {
     match value {
         DeValue::String(text) => Some(Cell::Text(text.to_string())),
-        // Rust reads both; what is too large for it is refused with the rest of the numbers.
+        // Rust parses both notations. Numbers out of range are refused with the other invalid numbers.
         DeValue::Integer(number) if number.radix() == 10 => Some(Cell::Number(number.as_str().parse().ok()?)),
         DeValue::Float(number) => Some(Cell::Number(number.as_str().parse().ok()?)),
         DeValue::Boolean(on) => Some(Cell::Switch(*on)),

@@ -1,5 +1,5 @@
-//! Bounds of an XLSX workbook, checked before the library reads it: the library believes the counts that a workbook states,
-//! and repeats a cell format for every cell style that names it.
+//! Limits of an XLSX workbook, checked before the library reads the workbook. The library allocates memory for the counts
+//! stated in a workbook, and copies a cell format for every cell style that refers to the format.
 
 use crate::limits::{
     LARGEST_CELL_FORMATS, LARGEST_UNPACKED_WORKBOOK, MOST_CELL_FORMATS, MOST_WORKBOOK_PARTS,
@@ -15,7 +15,7 @@ const LONGEST_COLUMN_NAME: usize = 5;
 /// Checks the sizes and counts of a workbook. Work and memory are bounded by the size of the unpacked parts.
 ///
 /// # Errors
-/// The limit that is exceeded, or the archive's fault.
+/// An exceeded limit, or an invalid archive.
 pub(super) fn check(bytes: &[u8]) -> Result<(), String> {
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| error.to_string())?;
     if archive.len() > MOST_WORKBOOK_PARTS {
@@ -27,7 +27,7 @@ pub(super) fn check(bytes: &[u8]) -> Result<(), String> {
         let name = file.name().map_err(|error| error.to_string())?.to_ascii_lowercase();
         part.clear();
         let left = LARGEST_UNPACKED_WORKBOOK - unpacked;
-        // The size that the archive states is not believed.
+        // The size stated in the archive may be wrong.
         let read = file.take(left as u64 + 1).read_to_end(&mut part);
         if part.len() > left {
             return Err(format!(
@@ -94,7 +94,7 @@ fn check_cell_references(part: &[u8]) -> Result<(), String> {
     Ok(())
 }
 
-/// Bounds the cell formats: the library copies into each the font, the fill and the number format that it names.
+/// Limits the cell formats: the library copies the font, the fill and the number format into each cell format.
 fn check_cell_formats(part: &[u8]) -> Result<(), String> {
     let formats = after_each(part, b"xf").count();
     let longest = part.split(|byte| *byte == b'>').map(<[u8]>::len).max().unwrap_or(0);
@@ -110,7 +110,7 @@ fn check_cell_formats(part: &[u8]) -> Result<(), String> {
     Ok(())
 }
 
-/// The bytes after each occurrence of a word that begins in `part`.
+/// Bytes of `part` after each occurrence of a word.
 fn after_each<'p>(part: &'p [u8], word: &'static [u8]) -> impl Iterator<Item = &'p [u8]> {
     let starts = part.windows(word.len()).enumerate().filter(move |(_, window)| *window == word);
     starts.map(move |(at, _)| &part[at + word.len()..])
